@@ -1,0 +1,2 @@
+//! The APT part program compiler.
+fn main() {}

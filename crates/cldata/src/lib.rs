@@ -1,0 +1,1 @@
+//! Cutter location data: records, readers and writers

@@ -1,0 +1,1 @@
+//! Cutter against surfaces: normal distance, gap, penetration, swept gap

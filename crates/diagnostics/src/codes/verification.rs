@@ -1,0 +1,8 @@
+//! Verification: `APT5xxx`.
+
+use super::codes;
+
+codes! {
+    VERIFICATION:
+    REFUTED = 5001, "a cut vector leaves its tolerance band";
+}

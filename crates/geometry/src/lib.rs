@@ -1,0 +1,1 @@
+//! Points, curves, surfaces, matrices, the cutter: definitions and evaluation

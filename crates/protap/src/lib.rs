@@ -1,0 +1,1 @@
+//! The numeric part program: records between Section 1 and Section 2

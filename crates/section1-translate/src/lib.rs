@@ -1,0 +1,1 @@
+//! Section 1: from statements to the numeric part program

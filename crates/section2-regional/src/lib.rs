@@ -1,0 +1,1 @@
+//! Section 2: regional milling of sculptured surfaces

@@ -1,0 +1,1 @@
+//! Section 4: from cutter location data to machine director text

@@ -1,0 +1,1 @@
+//! Cards, tokens and statement trees of APT part programs

@@ -1,0 +1,1 @@
+//! Proof or refutation of every cut vector against its surfaces

@@ -1,0 +1,1 @@
+//! APT words, their classes and codes by dialect
