@@ -1,1 +1,24 @@
-//! Points, curves, surfaces, matrices, the cutter: definitions and evaluation
+//! Points, curves, surfaces, matrices and the cutter: definitions and evaluation.
+//!
+//! All lengths of a scene are in one unit, which nobody here needs to know: tolerances are arguments and
+//! every constant is a ratio. Angles are in radians unless the name ends in `_deg`.
+//!
+//! ```
+//! use aptc_geometry::{Form, Plane, Vec3};
+//! let top = Form::Plane(Plane::new(Vec3::new(0.0, 0.0, 2.0), 3.0).unwrap());
+//! assert_eq!(top.canonical(), [0.0, 0.0, 1.0, 1.5]);
+//! ```
+
+mod cutter;
+mod form;
+mod forms;
+mod transform;
+pub mod trig;
+
+pub use cutter::Cutter;
+pub use form::{Form, FormKind};
+pub use forms::{Circle, Cone, Cylinder, Line, Pattern, Plane, Quadric, QuadricKind, Sphere};
+pub use transform::Transform;
+
+/// A point or a vector; which of the two the name says.
+pub type Vec3 = nalgebra::Vector3<f64>;

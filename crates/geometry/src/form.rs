@@ -1,0 +1,114 @@
+//! What a geometric name stands for, and its canonical elements.
+
+use serde::{Deserialize, Serialize};
+
+use crate::{
+    Circle, Cone, Cylinder, Line, Pattern, Plane, Quadric, QuadricKind, Sphere, Transform, Vec3,
+};
+
+/// A geometric definition in canonical form.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[expect(missing_docs, reason = "each is the form of its name")]
+pub enum Form {
+    Point(Vec3),
+    Vector(Vec3),
+    Line(Line),
+    Plane(Plane),
+    Circle(Circle),
+    Cylinder(Cylinder),
+    Sphere(Sphere),
+    Cone(Cone),
+    Quadric(Quadric),
+    Matrix(Transform),
+    Pattern(Pattern),
+}
+
+/// The word that defines a form.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
+#[expect(missing_docs, reason = "each is the APT word")]
+pub enum FormKind {
+    Point,
+    Vector,
+    Line,
+    Plane,
+    Circle,
+    Cylndr,
+    Sphere,
+    Cone,
+    Ellips,
+    Hyperb,
+    Gconic,
+    Lconic,
+    Qadric,
+    Matrix,
+    Patern,
+}
+
+impl FormKind {
+    /// The APT word.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Point => "POINT",
+            Self::Vector => "VECTOR",
+            Self::Line => "LINE",
+            Self::Plane => "PLANE",
+            Self::Circle => "CIRCLE",
+            Self::Cylndr => "CYLNDR",
+            Self::Sphere => "SPHERE",
+            Self::Cone => "CONE",
+            Self::Ellips => "ELLIPS",
+            Self::Hyperb => "HYPERB",
+            Self::Gconic => "GCONIC",
+            Self::Lconic => "LCONIC",
+            Self::Qadric => "QADRIC",
+            Self::Matrix => "MATRIX",
+            Self::Patern => "PATERN",
+        }
+    }
+}
+
+impl Form {
+    /// The word that defines it.
+    pub fn kind(&self) -> FormKind {
+        match self {
+            Self::Point(_) => FormKind::Point,
+            Self::Vector(_) => FormKind::Vector,
+            Self::Line(_) => FormKind::Line,
+            Self::Plane(_) => FormKind::Plane,
+            Self::Circle(_) => FormKind::Circle,
+            Self::Cylinder(_) => FormKind::Cylndr,
+            Self::Sphere(_) => FormKind::Sphere,
+            Self::Cone(_) => FormKind::Cone,
+            Self::Quadric(q) => match q.kind {
+                QuadricKind::Ellips => FormKind::Ellips,
+                QuadricKind::Hyperb => FormKind::Hyperb,
+                QuadricKind::Gconic => FormKind::Gconic,
+                QuadricKind::Lconic => FormKind::Lconic,
+                QuadricKind::Qadric => FormKind::Qadric,
+            },
+            Self::Matrix(_) => FormKind::Matrix,
+            Self::Pattern(_) => FormKind::Patern,
+        }
+    }
+
+    /// The canonical elements in APT's order, as OBTAIN and CANON see them: POINT x y z, LINE a b 0 d,
+    /// PLANE a b c d, CIRCLE and CYLNDR x y z i j k r, SPHERE x y z r, CONE x y z i j k cosine, quadrics
+    /// ten halved coefficients, VECTOR a b c, MATRIX three rows of four, PATERN its points.
+    pub fn canonical(&self) -> Vec<f64> {
+        fn join(a: Vec3, b: Vec3, c: f64) -> Vec<f64> {
+            vec![a.x, a.y, a.z, b.x, b.y, b.z, c]
+        }
+        match self {
+            Self::Point(v) | Self::Vector(v) => vec![v.x, v.y, v.z],
+            Self::Line(l) => vec![l.a, l.b, 0.0, l.d],
+            Self::Plane(p) => vec![p.n.x, p.n.y, p.n.z, p.d],
+            Self::Circle(c) => join(c.center, c.axis, c.radius),
+            Self::Cylinder(c) => join(c.point, c.axis, c.radius),
+            Self::Sphere(s) => vec![s.center.x, s.center.y, s.center.z, s.radius],
+            Self::Cone(c) => join(c.vertex, c.axis, c.cos_half),
+            Self::Quadric(q) => q.c.to_vec(),
+            Self::Matrix(m) => m.rows().to_vec(),
+            Self::Pattern(p) => p.points.iter().flat_map(|p| [p.x, p.y, p.z]).collect(),
+        }
+    }
+}
