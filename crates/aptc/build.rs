@@ -1,0 +1,34 @@
+//! Puts the pages of `docs/errors` into the program, for `aptc explain`, and the commit for `--version`.
+
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::{env, fs};
+
+fn main() {
+    let root = PathBuf::from(env::var("CARGO_MANIFEST_DIR").expect("cargo sets it")).join("../..");
+    let out = PathBuf::from(env::var("OUT_DIR").expect("cargo sets it"));
+    fs::write(out.join("pages.rs"), pages(&root.join("docs/errors"))).expect("OUT_DIR is writable");
+    println!("cargo::rerun-if-changed=../../docs/errors");
+    println!("cargo::rerun-if-changed=../../.git/HEAD");
+    let git = Command::new("git").args(["rev-parse", "--short", "HEAD"]).current_dir(&root).output();
+    let commit = git.ok().filter(|o| o.status.success());
+    let commit = commit.and_then(|o| String::from_utf8(o.stdout).ok()).unwrap_or_default();
+    println!("cargo::rustc-env=APTC_COMMIT={}", commit.trim());
+}
+
+/// A slice of (code, page) in order of code.
+fn pages(folder: &Path) -> String {
+    let mut files: Vec<PathBuf> = fs::read_dir(folder)
+        .map(|d| d.flatten().map(|e| e.path()).collect())
+        .unwrap_or_default();
+    files.retain(|p| p.extension().is_some_and(|e| e == "md"));
+    files.sort();
+    let mut code = String::from("&[\n");
+    for file in files {
+        let path = file.canonicalize().expect("it was just listed");
+        let stem = file.file_stem().and_then(|s| s.to_str()).unwrap_or_default();
+        writeln!(code, "({stem:?}, include_str!({path:?})),").expect("strings take all");
+    }
+    code + "]"
+}

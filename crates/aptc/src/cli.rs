@@ -1,0 +1,191 @@
+//! Commands and options.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+
+/// The APT part program compiler.
+///
+/// `aptc PART.apt` compiles it. Exit codes: 0 all is well, 1 errors in the program, 2 wrong usage or files
+/// that cannot be read or written, 3 verification failed.
+#[derive(Debug, Parser)]
+#[command(name = "aptc", version = version(), args_conflicts_with_subcommands = true)]
+pub(crate) struct Cli {
+    #[command(subcommand)]
+    pub(crate) command: Option<Command>,
+    #[command(flatten)]
+    pub(crate) compile: CompileArgs,
+    #[command(flatten)]
+    pub(crate) common: Common,
+}
+
+/// What to do.
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Compile part programs to CL data, machine code, listing and plot
+    Compile(CompileArgs),
+    /// Report all errors of a part program, write nothing
+    Check(CheckArgs),
+    /// Post-process a CL file for a machine
+    Post(PostArgs),
+    /// Explain an error code
+    Explain {
+        /// The code, for example APT1042; all codes are listed without one
+        code: Option<String>,
+    },
+    /// List the machines, or check and show one
+    Machines {
+        /// Name of a machine or path of a machine file
+        machine: Option<String>,
+    },
+}
+
+/// Options that every command has.
+#[derive(Args, Clone, Debug)]
+pub(crate) struct Common {
+    /// Form of the messages
+    #[arg(long, value_enum, default_value = "human", global = true)]
+    pub(crate) message_format: MessageFormat,
+    /// Colours in messages
+    #[arg(long, value_enum, default_value = "auto", global = true)]
+    pub(crate) color: Color,
+    /// No summary, no progress, no warnings
+    #[arg(short, long, global = true)]
+    pub(crate) quiet: bool,
+}
+
+/// How a part program is read.
+#[derive(Args, Clone, Debug)]
+pub(crate) struct SourceArgs {
+    /// Folder of macros and included files; the program's own folder comes first
+    #[arg(short = 'I', long = "include", value_name = "DIR")]
+    pub(crate) include: Vec<PathBuf>,
+    /// Lines of any length: no card columns
+    #[arg(long)]
+    pub(crate) free_form: bool,
+    /// Unknown post-processor words are errors
+    #[arg(long)]
+    pub(crate) deny_unknown_words: bool,
+    /// Most statements that are carried out, loops and macros counted
+    #[arg(long, value_name = "N")]
+    pub(crate) max_statements: Option<u64>,
+    /// Deepest nesting of macro calls
+    #[arg(long, value_name = "N")]
+    pub(crate) max_macro_depth: Option<u32>,
+    /// Largest file that is read, in bytes
+    #[arg(long, value_name = "BYTES", default_value_t = 256 << 20)]
+    pub(crate) max_file_size: u64,
+}
+
+/// `aptc compile`.
+#[derive(Args, Clone, Debug)]
+pub(crate) struct CompileArgs {
+    /// Part programs (.apt) or numeric part programs (.protap)
+    #[arg(required = true, value_name = "PART")]
+    pub(crate) parts: Vec<PathBuf>,
+    /// Folder for the results; the current one if not given
+    #[arg(short, long, value_name = "DIR")]
+    pub(crate) output: Option<PathBuf>,
+    /// What to write
+    #[arg(long, value_enum, value_delimiter = ',', value_name = "KINDS",
+          default_values = ["cl", "nc", "lst", "svg"])]
+    pub(crate) emit: Vec<Emit>,
+    /// Machine by name or file, instead of the program's MACHIN
+    #[arg(short, long, value_name = "NAME")]
+    pub(crate) machine: Option<String>,
+    /// How much of the path is proved
+    #[arg(long, value_enum, value_name = "HOW")]
+    pub(crate) verify: Option<VerifyHow>,
+    /// Write X.partial.cl also when the program has errors
+    #[arg(long)]
+    pub(crate) keep_going: bool,
+    #[command(flatten)]
+    pub(crate) source: SourceArgs,
+}
+
+/// `aptc check`.
+#[derive(Args, Clone, Debug)]
+pub(crate) struct CheckArgs {
+    /// Part programs
+    #[arg(required = true, value_name = "PART")]
+    pub(crate) parts: Vec<PathBuf>,
+    #[command(flatten)]
+    pub(crate) source: SourceArgs,
+}
+
+/// `aptc post`.
+#[derive(Args, Clone, Debug)]
+pub(crate) struct PostArgs {
+    /// The CL file
+    #[arg(value_name = "FILE")]
+    pub(crate) file: PathBuf,
+    /// Machine by name or file, instead of the file's MACHIN
+    #[arg(short, long, value_name = "NAME")]
+    pub(crate) machine: Option<String>,
+    /// Where to write; the CL file's name with .nc in the current folder if not given, - for standard output
+    #[arg(short, long, value_name = "OUT")]
+    pub(crate) output: Option<PathBuf>,
+}
+
+/// Outputs of `aptc compile`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, ValueEnum)]
+pub(crate) enum Emit {
+    /// Numeric part program, X.protap
+    Protap,
+    /// CL data as ISO 4343 text, X.cl
+    Cl,
+    /// CL data as JSON lines, X.cl.json
+    ClJson,
+    /// CL data as APT-360 binary records, X.cltape
+    Cltape,
+    /// Machine code, X.nc
+    Nc,
+    /// Listing, X.lst
+    Lst,
+    /// Plot, X.svg
+    Svg,
+    /// Canonical forms of all named geometry, X.geometry.json
+    Geometry,
+}
+
+/// Form of the messages.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum MessageFormat {
+    /// With the source text around
+    Human,
+    /// One line each
+    Short,
+    /// One JSON object a line
+    Json,
+    /// One SARIF document
+    Sarif,
+}
+
+/// When to colour.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Color {
+    /// On a terminal, unless NO_COLOR is set
+    Auto,
+    /// Always
+    Always,
+    /// Never
+    Never,
+}
+
+/// How much is verified.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum VerifyHow {
+    /// Every cut vector
+    Full,
+    /// Every n-th cut vector
+    Sample,
+    /// None
+    Off,
+}
+
+fn version() -> &'static str {
+    match env!("APTC_COMMIT") {
+        "" => env!("CARGO_PKG_VERSION"),
+        _ => concat!(env!("CARGO_PKG_VERSION"), " (", env!("APTC_COMMIT"), ")"),
+    }
+}

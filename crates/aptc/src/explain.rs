@@ -1,0 +1,32 @@
+//! `aptc explain`: the pages of `docs/errors`.
+
+use std::io::{self, Write};
+use std::process::ExitCode;
+
+use aptc_diagnostics::codes;
+
+use crate::exit;
+
+/// (code, page) in order of code.
+const PAGES: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/pages.rs"));
+
+/// Prints the page of a code, or the list of codes.
+pub(crate) fn explain(code: Option<&str>) -> io::Result<ExitCode> {
+    let mut out = io::stdout().lock();
+    let Some(text) = code else {
+        for (code, title) in codes::all() {
+            writeln!(out, "{code}  {title}")?;
+        }
+        return Ok(exit::GOOD);
+    };
+    let Some(code) = codes::Code::parse(text) else {
+        writeln!(io::stderr(), "aptc: there is no code {text}; `aptc explain` lists all")?;
+        return Ok(exit::USAGE);
+    };
+    let name = code.to_string();
+    match PAGES.iter().find(|(n, _)| *n == name) {
+        Some((_, page)) => write!(out, "{page}")?,
+        None => writeln!(out, "# {code}: {}", code.title())?,
+    }
+    Ok(exit::GOOD)
+}

@@ -1,0 +1,180 @@
+//! The world outside: files, through one trait.
+
+use std::fs;
+use std::io::Read;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// Where files come from. Everything below Section 0 reads through it or not at all.
+pub trait World {
+    /// The text of the file that a program names (READ, INCLUD, LIBRY), looked for in the allowed folders.
+    /// A name without an ending is also tried with `.apt` and `.mac`, in any case.
+    ///
+    /// # Errors
+    /// When there is none, when it lies outside the folders, is too long or cannot be read.
+    fn include(&mut self, name: &str) -> Result<Source, WorldError>;
+}
+
+/// A file as text.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Source {
+    /// Name to show.
+    pub name: Arc<str>,
+    /// The text. Bytes that are not UTF-8 are taken as Latin-1.
+    pub text: Arc<str>,
+}
+
+/// Why a file was not had.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum WorldError {
+    /// No folder has it.
+    Missing {
+        /// The folders that were searched.
+        searched: Vec<String>,
+    },
+    /// The name leads out of the allowed folders.
+    Outside,
+    /// Longer than the limit.
+    TooLarge {
+        /// The limit in bytes.
+        limit: u64,
+    },
+    /// The system says no.
+    Unreadable {
+        /// What it says.
+        reason: String,
+    },
+}
+
+/// Files on disk, from a list of folders and never from outside them, also not through links.
+#[derive(Clone, Debug)]
+pub struct Disk {
+    folders: Vec<PathBuf>,
+    limit: u64,
+}
+
+impl Disk {
+    /// Reads from `folders` in their order, files of at most `limit` bytes.
+    pub fn new(folders: Vec<PathBuf>, limit: u64) -> Self {
+        Self { folders, limit }
+    }
+
+    /// Reads a file that the user named himself on the command line.
+    ///
+    /// # Errors
+    /// As [`World::include`], but from any folder.
+    pub fn open(path: &Path, limit: u64) -> Result<Source, WorldError> {
+        let text = read_limited(path, limit)?;
+        Ok(Source { name: path.display().to_string().into(), text })
+    }
+}
+
+impl World for Disk {
+    fn include(&mut self, name: &str) -> Result<Source, WorldError> {
+        let name = name.trim();
+        let mut outside = false;
+        for folder in &self.folders {
+            let Ok(root) = folder.canonicalize() else { continue };
+            let Some(found) = candidates(folder, name).into_iter().find_map(|p| p.canonicalize().ok())
+            else {
+                continue;
+            };
+            // The path with all links resolved decides, so neither `..` nor a link leads out.
+            if !found.starts_with(&root) {
+                outside = true;
+                continue;
+            }
+            let text = read_limited(&found, self.limit)?;
+            return Ok(Source { name: name.into(), text });
+        }
+        if outside {
+            return Err(WorldError::Outside);
+        }
+        let searched = self.folders.iter().map(|f| f.display().to_string()).collect();
+        Err(WorldError::Missing { searched })
+    }
+}
+
+/// Paths that `name` may mean in a folder, in order of preference: as written, then in other case and
+/// with the usual endings.
+fn candidates(folder: &Path, name: &str) -> Vec<PathBuf> {
+    let mut paths = vec![folder.join(name)];
+    let wanted = [name.to_owned(), format!("{name}.apt"), format!("{name}.mac")];
+    if let Ok(entries) = fs::read_dir(folder) {
+        let mut names: Vec<_> =
+            entries.flatten().filter_map(|e| e.file_name().into_string().ok()).collect();
+        names.sort_unstable();
+        for w in &wanted {
+            paths.extend(names.iter().filter(|n| n.eq_ignore_ascii_case(w)).map(|n| folder.join(n)));
+        }
+    }
+    paths.retain(|p| p.is_file());
+    paths
+}
+
+fn read_limited(path: &Path, limit: u64) -> Result<Arc<str>, WorldError> {
+    let unreadable = |e: std::io::Error| WorldError::Unreadable { reason: e.to_string() };
+    // Asked before it is opened: to open a pipe would wait for ever.
+    if !fs::metadata(path).map_err(unreadable)?.is_file() {
+        return Err(WorldError::Unreadable { reason: "not a file".into() });
+    }
+    let file = fs::File::open(path).map_err(unreadable)?;
+    let mut bytes = Vec::new();
+    file.take(limit + 1).read_to_end(&mut bytes).map_err(unreadable)?;
+    if bytes.len() as u64 > limit {
+        return Err(WorldError::TooLarge { limit });
+    }
+    Ok(match String::from_utf8(bytes) {
+        Ok(text) => text.into(),
+        Err(e) => e.into_bytes().iter().map(|&b| char::from(b)).collect::<String>().into(),
+    })
+}
+
+/// A world in memory, for tests and for callers that have no disk.
+#[derive(Clone, Debug, Default)]
+pub struct Memory {
+    /// Names and texts.
+    pub files: Vec<(String, String)>,
+}
+
+impl World for Memory {
+    fn include(&mut self, name: &str) -> Result<Source, WorldError> {
+        let found = self.files.iter().find(|(n, _)| n.eq_ignore_ascii_case(name));
+        let (name, text) = found.ok_or(WorldError::Missing { searched: Vec::new() })?;
+        Ok(Source { name: name.as_str().into(), text: text.as_str().into() })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn includes_stay_in_their_folders() {
+        let dir = tempfile::tempdir().unwrap();
+        let (inside, outside) = (dir.path().join("lib"), dir.path().join("secret.apt"));
+        fs::create_dir(&inside).unwrap();
+        fs::write(inside.join("STRTUP"), "TERMAC\n").unwrap();
+        fs::write(&outside, "no").unwrap();
+        let mut disk = Disk::new(vec![inside.clone()], 100);
+        assert_eq!(&*disk.include("strtup").unwrap().text, "TERMAC\n");
+        assert_eq!(disk.include("../secret.apt"), Err(WorldError::Outside));
+        assert_eq!(disk.include(outside.to_str().unwrap()), Err(WorldError::Outside));
+        assert!(matches!(disk.include("nothing"), Err(WorldError::Missing { .. })));
+        #[cfg(unix)]
+        {
+            std::os::unix::fs::symlink(&outside, inside.join("link.apt")).unwrap();
+            assert_eq!(disk.include("link.apt"), Err(WorldError::Outside));
+        }
+        fs::write(inside.join("long"), vec![b'A'; 101]).unwrap();
+        assert_eq!(disk.include("long"), Err(WorldError::TooLarge { limit: 100 }));
+    }
+
+    #[test]
+    fn bytes_that_are_not_utf8_are_latin1() {
+        let dir = tempfile::tempdir().unwrap();
+        fs::write(dir.path().join("a"), b"$$ F\xfc\xdfe").unwrap();
+        let mut disk = Disk::new(vec![dir.path().to_owned()], 100);
+        assert_eq!(&*disk.include("a").unwrap().text, "$$ Füße");
+    }
+}
