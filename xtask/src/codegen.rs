@@ -6,7 +6,7 @@
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
-use crate::root::{read, root};
+use crate::repository::{read, root};
 
 /// Dialect columns of the table, in the order of `aptc_vocabulary::Dialect`.
 const DIALECTS: [&str; 6] = ["APT-360", "APT4", "PostWorks", "NCL", "IBM CL", "CL text"];
@@ -241,7 +241,10 @@ fn write_all(out: &mut String, rows: &[Row]) -> std::fmt::Result {
         out,
         "//! The words. Made by `cargo xtask codegen` from `words.tsv`: change that file.\n"
     )?;
-    writeln!(out, "use crate::class::Class::{{self, *}};")?;
+    writeln!(
+        out,
+        "use crate::class::Class::{{self, Control, Function, Geometry, Modifier, Motion, Operator, Post, Regional, Text}};"
+    )?;
     writeln!(out, "use crate::entry::{{Entry, K, O, entry as w, record as r, surface as s}};\n")?;
     writeln!(out, "const NONE: Option<Class> = None;\n")?;
     writeln!(out, "/// How many words there are.")?;

@@ -1,14 +1,21 @@
 //! Chores of this repository, run as `cargo xtask <chore>`.
-#![expect(clippy::print_stderr, reason = "xtask talks to its terminal")]
+#![expect(clippy::print_stdout, clippy::print_stderr, reason = "xtask talks to its terminal")]
 
+mod ci;
+mod clients;
 mod codegen;
-mod root;
+mod repository;
+mod test;
+mod tidy;
 
 use std::process::ExitCode;
 
 const USAGE: &str = "\
 cargo xtask <chore>
 
+  test                all tests; installs the clients they need where it may
+  ci                  formatting, lints, documentation, tidy, codegen, then test
+  tidy                crate graph, file sizes, banned functions and words
   codegen [--check]   write crates/vocabulary/src/table.rs from words.tsv, or fail when it is stale
 ";
 
@@ -16,6 +23,10 @@ fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
     let outcome = match words.as_slice() {
+        ["test"] => test::run(),
+        ["ci"] => ci::run(),
+        ["tidy"] => tidy::run(),
+
         ["codegen"] => codegen::run(codegen::Mode::Write),
         ["codegen", "--check"] => codegen::run(codegen::Mode::Check),
         _ => {

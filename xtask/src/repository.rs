@@ -1,0 +1,60 @@
+//! The repository: where it lies, its files, its cargo.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// The folder that holds the workspace manifest.
+pub(crate) fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("xtask lies in the root").to_path_buf()
+}
+
+/// The text of a file, or a message that names it.
+pub(crate) fn read(path: &Path) -> Result<String, String> {
+    std::fs::read_to_string(path).map_err(|error| format!("{}: {error}", path.display()))
+}
+
+/// The cargo that runs this chore, in the root.
+pub(crate) fn cargo() -> Command {
+    let mut command = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+    command.current_dir(root());
+    command
+}
+
+/// The files under version control or about to be, relative to the root, sorted. In a tree without git,
+/// all files but those of `target`.
+pub(crate) fn files() -> Result<Vec<PathBuf>, String> {
+    let listed = Command::new("git")
+        .args(["ls-files", "-z", "--cached", "--others", "--exclude-standard"])
+        .current_dir(root())
+        .output();
+    let mut files = match listed {
+        Ok(output) if output.status.success() => String::from_utf8_lossy(&output.stdout)
+            .split_terminator('\0')
+            .map(PathBuf::from)
+            .filter(|path| root().join(path).is_file())
+            .collect(),
+        _ => {
+            let mut files = Vec::new();
+            walk(&root(), &root(), &mut files)?;
+            files
+        }
+    };
+    files.sort();
+    Ok(files)
+}
+
+fn walk(root: &Path, folder: &Path, files: &mut Vec<PathBuf>) -> Result<(), String> {
+    let name = |error| format!("{}: {error}", folder.display());
+    for entry in std::fs::read_dir(folder).map_err(name)? {
+        let path = entry.map_err(name)?.path();
+        if path.ends_with("target") || path.ends_with(".git") || path.is_symlink() {
+            continue;
+        }
+        if path.is_dir() {
+            walk(root, &path, files)?;
+        } else if let Ok(relative) = path.strip_prefix(root) {
+            files.push(relative.to_path_buf());
+        }
+    }
+    Ok(())
+}
