@@ -1,9 +1,12 @@
 //! What a geometric name stands for, and its canonical elements.
 
+use std::sync::Arc;
+
 use serde::{Deserialize, Serialize};
 
 use crate::{
-    Circle, Cone, Cylinder, Line, Pattern, Plane, Quadric, QuadricKind, Sphere, Transform, Vec3,
+    Circle, Cone, Cylinder, Line, Pattern, Plane, Polyconic, Quadric, QuadricKind, RuledSurface,
+    Sphere, Tabcyl, Transform, Vec3,
 };
 
 /// A geometric definition in canonical form.
@@ -21,6 +24,23 @@ pub enum Form {
     Quadric(Quadric),
     Matrix(Transform),
     Pattern(Pattern),
+    Tabcyl(Arc<Tabcyl>),
+    Ruled(Arc<RuledSurface>),
+    Polyconic(Arc<Polyconic>),
+    /// Elements as CANON gave them, beside the form in normal shape that they stand for.
+    Written(Arc<Written>),
+}
+
+/// A form whose canonical elements are not those of its normal shape: a LINE by CANON with a normal of
+/// any length, or a LINE that REFSYS tilted. OBTAIN and PRINT see `elements`, geometry sees `shape`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Written {
+    /// The word that defined it.
+    pub kind: FormKind,
+    /// The elements as they were given.
+    pub elements: Vec<f64>,
+    /// What they stand for, normalised; never itself a [`Form::Written`].
+    pub shape: Form,
 }
 
 /// The word that defines a form.
@@ -42,6 +62,9 @@ pub enum FormKind {
     Qadric,
     Matrix,
     Patern,
+    Tabcyl,
+    Rldsrf,
+    Polcon,
 }
 
 impl FormKind {
@@ -63,6 +86,9 @@ impl FormKind {
             Self::Qadric => "QADRIC",
             Self::Matrix => "MATRIX",
             Self::Patern => "PATERN",
+            Self::Tabcyl => "TABCYL",
+            Self::Rldsrf => "RLDSRF",
+            Self::Polcon => "POLCON",
         }
     }
 }
@@ -88,12 +114,25 @@ impl Form {
             },
             Self::Matrix(_) => FormKind::Matrix,
             Self::Pattern(_) => FormKind::Patern,
+            Self::Tabcyl(_) => FormKind::Tabcyl,
+            Self::Ruled(_) => FormKind::Rldsrf,
+            Self::Polyconic(_) => FormKind::Polcon,
+            Self::Written(w) => w.kind,
+        }
+    }
+
+    /// The form to calculate with: itself, or the normal shape of elements that were written otherwise.
+    pub fn shape(&self) -> &Self {
+        match self {
+            Self::Written(w) => &w.shape,
+            plain => plain,
         }
     }
 
     /// The canonical elements in APT's order, as OBTAIN and CANON see them: POINT x y z, LINE a b 0 d,
     /// PLANE a b c d, CIRCLE and CYLNDR x y z i j k r, SPHERE x y z r, CONE x y z i j k cosine, quadrics
-    /// ten halved coefficients, VECTOR a b c, MATRIX three rows of four, PATERN its points.
+    /// ten halved coefficients, VECTOR a b c, MATRIX three rows of four, PATERN its points, TABCYL count,
+    /// control, axes, spans, POLCON its 79, RLDSRF its rails.
     pub fn canonical(&self) -> Vec<f64> {
         fn join(a: Vec3, b: Vec3, c: f64) -> Vec<f64> {
             vec![a.x, a.y, a.z, b.x, b.y, b.z, c]
@@ -109,6 +148,10 @@ impl Form {
             Self::Quadric(q) => q.c.to_vec(),
             Self::Matrix(m) => m.rows().to_vec(),
             Self::Pattern(p) => p.points.iter().flat_map(|p| [p.x, p.y, p.z]).collect(),
+            Self::Tabcyl(t) => t.canonical(),
+            Self::Ruled(r) => r.canonical(),
+            Self::Polyconic(p) => p.canonical(),
+            Self::Written(w) => w.elements.clone(),
         }
     }
 }

@@ -12,13 +12,21 @@
 mod cutter;
 mod form;
 mod forms;
+mod polyconic;
+mod ruled;
+mod tabcyl;
 mod transform;
+mod transformed;
 pub mod trig;
 
 pub use cutter::Cutter;
-pub use form::{Form, FormKind};
+pub use form::{Form, FormKind, Written};
 pub use forms::{Circle, Cone, Cylinder, Line, Pattern, Plane, Quadric, QuadricKind, Sphere};
+pub use polyconic::{ControlCurve, Polyconic};
+pub use ruled::{Rail, RuledSurface, Second};
+pub use tabcyl::{Tabcyl, TabcylSpan, Vec2};
 pub use transform::Transform;
+pub use transformed::NotCarried;
 
 /// A point or a vector; which of the two the name says.
 pub type Vec3 = nalgebra::Vector3<f64>;
