@@ -38,9 +38,17 @@ pub struct Frame {
     pub span: Span,
     /// Line of the call.
     pub line: u32,
+    /// Which pass of a loop, from 2; 0 for what is no loop.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub pass: u32,
     /// The expansion around this one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub outer: Trace,
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde hands over a reference")]
+fn is_zero(pass: &u32) -> bool {
+    *pass == 0
 }
 
 /// Kind of expansion.

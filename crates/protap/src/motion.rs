@@ -139,10 +139,11 @@ pub enum PartSide {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Sense {
-    /// INDIRV: vectors, for one surface or for several.
-    Vector(Vec<Vec3>),
-    /// INDIRP: points.
-    Point(Vec<Vec3>),
+    /// INDIRV: vectors, one for each surface of the next GO in the order written there; `None` for an
+    /// empty field. Never empty.
+    Vector(Vec<Option<Vec3>>),
+    /// INDIRP: points, likewise.
+    Point(Vec<Option<Vec3>>),
 }
 
 /// Against which surface a CUTTER/OPTION disk stands for the cutter.
@@ -159,8 +160,10 @@ pub enum OptionSurface {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum ToolAxis {
-    /// A fixed axis, not necessarily unit; TLAXIS/1 is the z axis.
+    /// A fixed axis, not necessarily unit.
     Fixed(Vec3),
+    /// TLAXIS/1: the axis that the tool has now, fixed from here on.
+    Keep,
     /// Square to the part surface.
     NormPs,
     /// Square to the drive surface.

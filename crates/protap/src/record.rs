@@ -92,8 +92,9 @@ pub enum Kind {
     PartSide(PartSide),
     /// 5000,1..2: INDIRP, INDIRV.
     Sense(Sense),
-    /// 5000,8: SRFVCT, guesses of the surface normals (part, drive, check) for a start-up.
-    SurfaceNormals(Vec<Vec3>),
+    /// 5000,8: SRFVCT: for the surfaces of the next GO, in the order written there, the direction from
+    /// its TO position to its PAST position; `None` for an empty field.
+    SurfaceNormals(Vec<Option<Vec3>>),
     /// 5000,3: FROM.
     From(Place),
     /// 5000,5: GOTO.
@@ -119,6 +120,17 @@ pub enum Kind {
     Cut(bool),
     /// INDEX, COPY, TRACUT: for Section 3.
     Edit(Edit),
+    /// Regional milling and its checks: SCON SMIL GOLOFT GOMILL GCLEAR CHKSRF AVCTRL CLDAT REGION and
+    /// their kin, words and forms in the order written.
+    Regional {
+        /// The word, upper case.
+        word: SmolStr,
+        /// Its arguments.
+        args: Vec<Arg>,
+    },
+    /// 13000,3: a statement that moves the tool could not be translated; a diagnostic was given. Where the
+    /// tool stands is unknown up to the next FROM or GOTO.
+    Failed,
     /// 13000,4: CLPRNT.
     Clprnt(bool),
     /// NOPOST: Section 4 is not entered.
