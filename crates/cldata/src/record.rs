@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use smol_str::SmolStr;
 
 /// One record with the place it came from.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Record {
     /// Statement, line and expansions.
     pub origin: Origin,
@@ -18,7 +18,7 @@ pub struct Record {
 }
 
 /// What a record says.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Kind {
     /// PARTNO, PPRINT, INSERT, TITLES or another word whose argument is plain text.
@@ -53,11 +53,15 @@ pub enum Kind {
     Edit(Edit),
     /// CLPRNT on or off.
     Clprnt(bool),
+    /// CSYS, MSYS, the matrix of CATIA: map from the frame of the positions that follow to the base frame
+    /// of the CAM system's part. Said, not applied.
+    Csys(Transform),
     /// A comment worth keeping, without its `$$`.
     Comment(Box<str>),
     /// A statement that was not understood; kept as written.
     Unread(Box<str>),
     /// FINI: end of the part program.
+    #[default]
     Fini,
 }
 

@@ -1,0 +1,294 @@
+//! Numbers of CL text: shortest decimals without exponents, and fast reading.
+
+/// How many decimals a writer gives.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Decimals {
+    /// As many as it takes to read the same number back.
+    #[default]
+    Shortest,
+    /// Rounded to so many, trailing zeros left off; at most 15.
+    Fixed(u8),
+}
+
+/// Powers of ten that are exact.
+const POW10: [f64; 23] = [
+    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16,
+    1e17, 1e18, 1e19, 1e20, 1e21, 1e22,
+];
+
+const PAIRS: &[u8; 200] = b"0001020304050607080910111213141516171819\
+2021222324252627282930313233343536373839\
+4041424344454647484950515253545556575859\
+6061626364656667686970717273747576777879\
+8081828384858687888990919293949596979899";
+
+/// Appends `x`; zero has no sign. A number that is not finite is written as the largest there is, so that
+/// no reader meets a word (the records are kept finite at their source).
+pub fn put(out: &mut Vec<u8>, x: f64, decimals: Decimals) {
+    let x = if x.is_finite() { x } else { f64::MAX.copysign(x) };
+    let fitted = match decimals {
+        Decimals::Shortest => put_scaled(out, x, 6, true) || put_scaled(out, x, 12, true),
+        Decimals::Fixed(n) => put_scaled(out, x, usize::from(n.min(15)), false),
+    };
+    if !fitted {
+        put_any(out, x, decimals);
+    }
+}
+
+/// Writes `x` as an integer of 10^-`places`; false when it does not fit, or when `exact` is asked and the
+/// digits would not read back. A decimal of at most 15 digits that reads back is the shortest one.
+fn put_scaled(out: &mut Vec<u8>, x: f64, places: usize, exact: bool) -> bool {
+    let scaled = x.abs() * POW10[places];
+    let limit = if exact { 1e15 } else { 9e15 };
+    if scaled >= limit {
+        return false;
+    }
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 <= it < 9e15")]
+    let q = (scaled + 0.5) as u64;
+    #[expect(
+        clippy::float_cmp,
+        reason = "the test is whether the digits read back the same number"
+    )]
+    if exact && (q >= 1_000_000_000_000_000 || q as f64 / POW10[places] != x.abs()) {
+        return false;
+    }
+    if q == 0 {
+        out.push(b'0');
+        return true;
+    }
+    if x < 0.0 {
+        out.push(b'-');
+    }
+    let mut digits = [b'0'; 24];
+    let start = put_digits(&mut digits, q).min(digits.len() - places - 1);
+    let point = digits.len() - places;
+    out.extend_from_slice(&digits[start..point]);
+    let fraction = &digits[point..];
+    let kept = fraction.iter().rposition(|&b| b != b'0').map_or(0, |i| i + 1);
+    if kept > 0 {
+        out.push(b'.');
+        out.extend_from_slice(&fraction[..kept]);
+    }
+    true
+}
+
+/// Digits of `q` at the end of the buffer, two at a time; the place of the first.
+fn put_digits(digits: &mut [u8; 24], mut q: u64) -> usize {
+    let mut at = digits.len();
+    while q >= 100 {
+        let pair = usize::try_from(q % 100).expect("below 100") * 2;
+        q /= 100;
+        at -= 2;
+        digits[at..at + 2].copy_from_slice(&PAIRS[pair..pair + 2]);
+    }
+    let pair = usize::try_from(q).expect("below 100") * 2;
+    at -= 1;
+    digits[at] = PAIRS[pair + 1];
+    if q >= 10 {
+        at -= 1;
+        digits[at] = PAIRS[pair];
+    }
+    at
+}
+
+/// Any finite number, by the library: it never writes exponents here.
+fn put_any(out: &mut Vec<u8>, x: f64, decimals: Decimals) {
+    use std::io::Write;
+    let start = out.len();
+    let written = match decimals {
+        Decimals::Shortest => write!(out, "{x}"),
+        Decimals::Fixed(n) => write!(out, "{:.*}", usize::from(n.min(15)), x),
+    };
+    written.expect("a vector takes all");
+    if out[start..].contains(&b'.') {
+        while out.last() == Some(&b'0') {
+            out.pop();
+        }
+        if out.last() == Some(&b'.') {
+            out.pop();
+        }
+    }
+}
+
+/// Reads the number at the head of `text`: its value and length. Signs, `5.`, `.5`, exponents with E or
+/// FORTRAN's D; no leading blanks. `None` when no number stands there or when it is not finite.
+pub fn parse_head(text: &[u8]) -> Option<(f64, usize)> {
+    let mut at = 0;
+    let negative = match text.first() {
+        Some(b'-') => {
+            at = 1;
+            true
+        }
+        Some(b'+') => {
+            at = 1;
+            false
+        }
+        _ => false,
+    };
+    let mut mantissa = 0_u64;
+    let digits_start = at;
+    while let Some(d) = text.get(at).map(|b| b.wrapping_sub(b'0')).filter(|d| *d < 10) {
+        mantissa = mantissa.wrapping_mul(10).wrapping_add(u64::from(d));
+        at += 1;
+    }
+    let mut n_digits = at - digits_start;
+    let mut n_decimals = 0;
+    if text.get(at) == Some(&b'.') {
+        at += 1;
+        let fraction = at;
+        while let Some(d) = text.get(at).map(|b| b.wrapping_sub(b'0')).filter(|d| *d < 10) {
+            mantissa = mantissa.wrapping_mul(10).wrapping_add(u64::from(d));
+            at += 1;
+        }
+        n_decimals = at - fraction;
+        n_digits += n_decimals;
+    }
+    if n_digits == 0 {
+        return None;
+    }
+    let exponent = exponent_at(text, at);
+    // Up to 19 digits the mantissa did not overflow; below 2^53 it is exact, and so is the division by a
+    // power of ten up to 22: one rounding, the right one.
+    if exponent.is_none() && n_digits <= 19 && n_decimals <= 22 && mantissa < 1 << 53 {
+        let value = mantissa as f64 / POW10[n_decimals];
+        return Some((if negative { -value } else { value }, at));
+    }
+    let end = exponent.unwrap_or(at);
+    let value = parse_slowly(text.get(..end)?)?;
+    Some((value, end))
+}
+
+/// End of an exponent that begins at `at`, if a whole one stands there.
+fn exponent_at(text: &[u8], at: usize) -> Option<usize> {
+    if !matches!(text.get(at), Some(b'E' | b'e' | b'D' | b'd')) {
+        return None;
+    }
+    let mut end = at + 1;
+    if matches!(text.get(end), Some(b'+' | b'-')) {
+        end += 1;
+    }
+    let first = end;
+    while text.get(end).is_some_and(u8::is_ascii_digit) {
+        end += 1;
+    }
+    (end > first).then_some(end)
+}
+
+/// The number that is all of `text`, by the library.
+fn parse_slowly(text: &[u8]) -> Option<f64> {
+    let text = text.strip_prefix(b"+").unwrap_or(text);
+    let direct = || lexical_core::parse::<f64>(text).ok();
+    let value = if text.iter().any(|b| matches!(b, b'D' | b'd')) {
+        let as_e: Vec<u8> =
+            text.iter().map(|b| if matches!(b, b'D' | b'd') { b'E' } else { *b }).collect();
+        lexical_core::parse::<f64>(&as_e).ok()
+    } else {
+        direct()
+    };
+    value.filter(|v| v.is_finite())
+}
+
+/// The number that is all of `text` but for blanks, which may stand anywhere outside and after the sign.
+pub fn parse(text: &[u8]) -> Option<f64> {
+    let text = text.trim_ascii();
+    if let Some((value, len)) = parse_head(text) {
+        return (len == text.len()).then_some(value);
+    }
+    // FORTRAN formats may leave blanks between the sign and the digits.
+    let (sign, rest) = text.split_first()?;
+    let rest = rest.trim_ascii_start();
+    let (value, len) = parse_head(rest).filter(|_| rest.first().is_some_and(u8::is_ascii_digit))?;
+    match sign {
+        _ if len != rest.len() => None,
+        b'-' => Some(-value),
+        b'+' => Some(value),
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn text(x: f64, decimals: Decimals) -> String {
+        let mut out = Vec::new();
+        put(&mut out, x, decimals);
+        String::from_utf8(out).unwrap()
+    }
+
+    #[test]
+    fn numbers_as_people_write_them() {
+        for (x, short) in [
+            (0.0, "0"),
+            (-0.0, "0"),
+            (1.0, "1"),
+            (-2.5, "-2.5"),
+            (100.0, "100"),
+            (0.001, "0.001"),
+            (-0.000_001, "-0.000001"),
+            (1e-9, "0.000000001"),
+            (1_234_567_890_123.0, "1234567890123"),
+            (0.1 + 0.2, "0.30000000000000004"),
+            (1e21, "1000000000000000000000"),
+            (12_345.678_9, "12345.6789"),
+        ] {
+            assert_eq!(text(x, Decimals::Shortest), short);
+        }
+        for (x, n, fixed) in [
+            (1.234_56, 4, "1.2346"),
+            (-0.000_04, 4, "0"),
+            (2.0, 4, "2"),
+            (-1.5, 0, "-2"),
+            (1e18, 3, "1000000000000000000"),
+            (9.999_99, 4, "10"),
+        ] {
+            assert_eq!(text(x, Decimals::Fixed(n)), fixed);
+        }
+    }
+
+    #[test]
+    fn numbers_as_files_have_them() {
+        for (t, x) in [
+            ("5.", 5.0),
+            (".5", 0.5),
+            ("+.25", 0.25),
+            ("1.E-3", 0.001),
+            ("1D2", 100.0),
+            ("-1.5d+01", -15.0),
+            (" - 3.5 ", -3.5),
+            ("0.1", 0.1),
+            ("123456789012345678901234567890", 1.234_567_890_123_456_8e29),
+            ("0.00000000000000000000000012345", 1.2345e-25),
+        ] {
+            assert_eq!(parse(t.as_bytes()), Some(x), "{t}");
+        }
+        for t in ["", ".", "-", "1EX", "1E", "NAN", "inf", "1..2", "3PT2SL", "1e999", "- ", "- -1"]
+        {
+            assert_eq!(parse(t.as_bytes()), None, "{t}");
+        }
+        assert_eq!(parse_head(b"1.5,2"), Some((1.5, 3)));
+        assert_eq!(parse_head(b"1EX"), Some((1.0, 1)));
+    }
+
+    proptest! {
+        #[test]
+        fn shortest_reads_back(x in prop_oneof![
+            proptest::num::f64::NORMAL | proptest::num::f64::SUBNORMAL | proptest::num::f64::ZERO,
+            (-1_000_000_000_i64..1_000_000_000).prop_map(|q| q as f64 / 1e4),
+            (-1e6_f64..1e6),
+        ]) {
+            let t = text(x, Decimals::Shortest);
+            prop_assert!(!t.contains(['e', 'E']));
+            prop_assert_eq!(parse(t.as_bytes()), Some(x), "{}", t);
+            // As short as the library's shortest.
+            let library = x.to_string();
+            prop_assert!(t.len() <= library.len());
+        }
+
+        #[test]
+        fn reading_agrees_with_the_library(t in "-?[0-9]{1,20}(\\.[0-9]{0,25})?(E-?[0-9]{1,2})?") {
+            prop_assert_eq!(parse(t.as_bytes()), t.parse::<f64>().ok());
+        }
+    }
+}
