@@ -1,6 +1,7 @@
 //! Names met in a run, each stored once.
 
 use std::collections::HashMap;
+use std::hash::{BuildHasherDefault, Hasher};
 
 /// A name: its place in the [`Interner`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -11,7 +12,7 @@ pub struct Symbol(pub u32);
 #[derive(Clone, Debug, Default)]
 pub struct Interner {
     names: Vec<Box<str>>,
-    places: HashMap<Box<str>, u32>,
+    places: HashMap<Box<str>, u32, BuildHasherDefault<NameHasher>>,
 }
 
 impl Interner {
@@ -44,5 +45,38 @@ impl Interner {
     /// Was no name met?
     pub fn is_empty(&self) -> bool {
         self.names.is_empty()
+    }
+}
+
+/// A hash for short names, several times quicker than the standard one, which resists chosen
+/// collisions. Here nobody gains by them: the author of a part program only delays his own run, and
+/// eight thousand colliding names cost well under a second.
+#[derive(Clone, Copy, Default)]
+struct NameHasher(u64);
+
+const MULTIPLIER: u64 = 0x9e37_79b9_7f4a_7c15;
+
+impl NameHasher {
+    fn mix(&mut self, word: u64) {
+        self.0 = (self.0.rotate_left(5) ^ word).wrapping_mul(MULTIPLIER);
+    }
+}
+
+impl Hasher for NameHasher {
+    fn write(&mut self, bytes: &[u8]) {
+        for part in bytes.chunks(8) {
+            let mut word = [0; 8];
+            word[..part.len()].copy_from_slice(part);
+            self.mix(u64::from_le_bytes(word));
+        }
+    }
+
+    fn write_u8(&mut self, byte: u8) {
+        self.mix(u64::from(byte));
+    }
+
+    fn finish(&self) -> u64 {
+        // The table takes its place from the low bits and its tag from the high ones.
+        self.0 ^ (self.0 >> 32)
     }
 }

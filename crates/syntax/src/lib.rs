@@ -3,8 +3,32 @@
 //! Knows words, not meanings: [`parse`] turns text into a [`tree::Program`] and never fails as a whole.
 //! A statement that cannot be read becomes [`tree::Body::Error`] with one diagnostic; the next begins
 //! afresh at its own first token. Nobody outside this crate meets the lexer or the parser library.
+//!
+//! ```
+//! use aptc_diagnostics::FileId;
+//! use aptc_syntax::{Interner, Options, parse, tree::Body};
+//!
+//! let mut interner = Interner::default();
+//! let parsed = parse(FileId(0), "p1 = POINT/1, 2\nRAPID, GO TO/P1\n", &mut interner, &Options::default());
+//! assert!(parsed.diagnostics.is_empty());
+//! let Body::Clauses(clauses) = &parsed.program.statements[1].body else { panic!("clauses") };
+//! assert_eq!(interner.text(clauses[1].head.symbol), "GOTO");
+//! ```
 
+mod cards;
+mod fixed;
+mod form;
+mod grammar;
 mod interner;
+mod lex;
+mod message;
+mod options;
+mod parse;
+mod scan;
+mod shape;
+mod token;
 pub mod tree;
 
 pub use interner::{Interner, Symbol};
+pub use options::{Options, Parsed};
+pub use parse::parse;

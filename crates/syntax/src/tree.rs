@@ -65,7 +65,8 @@ pub enum Body {
         /// Its parameters.
         params: Vec<Param>,
     },
-    /// `CALL/M,A=1,B=TLLFT` also with further positional words.
+    /// `CALL/M,A=1,B=TLLFT` also with further positional words; an argument without a name that is not a
+    /// word alone (`CALL/PROG,SEC1,3`) has the name of no letters, `""`.
     Call {
         /// What is called.
         name: Name,
@@ -168,6 +169,8 @@ pub enum ExprKind {
     Number(f64),
     /// Quoted text.
     Text(Box<str>),
+    /// `.TRUE.` or `.FALSE.`, also without the second point.
+    Truth(bool),
     /// A symbol or a word.
     Name(Name),
     /// `P(3)`, `P(1,THRU,5)`, `P(ALL)`, and a function call `SINF(A)`, `DOTF(V1,V2)`: both are a name with a

@@ -1,0 +1,148 @@
+//! A look over a statement's tokens before the grammar reads it: brackets, depth, and which slashes
+//! begin a list.
+
+use std::collections::BTreeSet;
+
+use aptc_diagnostics::{Diagnostic, FileId, Span, codes};
+use aptc_vocabulary::{Class, Dialect, Word};
+
+use crate::Symbol;
+use crate::token::{Spanned, Token};
+
+/// Greatest depth of an expression tree, brackets and operators together. Trees are walked and dropped by
+/// recursion: 400 levels stay far below the smallest stack a thread is given.
+pub(crate) const MAX_DEPTH: usize = 400;
+
+/// An open bracket, or the statement itself.
+#[derive(Default)]
+struct Level {
+    /// Place of the bracket among the tokens.
+    open: Option<usize>,
+    /// A name before a slash that is a head if a comma follows. A comma behind `P=XYZ/1` leaves no other
+    /// meaning; in brackets, `(D/2,0)` is a point and only a word that defines in some dialect is a head.
+    head: Option<usize>,
+    /// May the next name be the head?
+    at_head: bool,
+    /// Operators in the present element of the list, and the deepest bracket in it.
+    operators: usize,
+    inner: usize,
+    /// Depth of the deepest element so far.
+    deepest: usize,
+}
+
+impl Level {
+    fn end_element(&mut self) {
+        self.deepest = self.deepest.max(self.operators + self.inner);
+        self.operators = 0;
+        self.inner = 0;
+    }
+}
+
+/// What decides whether a name before a slash begins a definition.
+pub(crate) struct Heads<'h> {
+    /// Is the statement an assignment, so that a comma makes its value a definition?
+    pub(crate) assignment: bool,
+    /// Synonyms of the words that define.
+    pub(crate) synonyms: &'h BTreeSet<Symbol>,
+}
+
+/// Checks the brackets and turns names before a list into heads.
+pub(crate) fn check(
+    file: FileId,
+    tokens: &mut [Spanned],
+    heads: &Heads<'_>,
+    max_bracket_depth: usize,
+) -> Result<(), Diagnostic> {
+    let at = |tokens: &[Spanned], i: usize| Span::new(file, tokens[i].1.start, tokens[i].1.end);
+    let mut levels: Vec<Level> = vec![Level::default()];
+    for i in 0..tokens.len() {
+        let Some(level) = levels.last_mut() else { break };
+        let was_at_head = std::mem::take(&mut level.at_head);
+        match tokens[i].0 {
+            Token::Open => {
+                if levels.len() > max_bracket_depth {
+                    return Err(Diagnostic::error(
+                        codes::TOO_DEEP,
+                        at(tokens, i),
+                        format!("more than {max_bracket_depth} brackets within each other"),
+                    )
+                    .help("give the inner parts names in statements of their own"));
+                }
+                levels.push(Level { open: Some(i), at_head: true, ..Level::default() });
+            }
+            Token::Close => {
+                let Some(mut closed) = levels.pop().filter(|_| !levels.is_empty()) else {
+                    return Err(Diagnostic::error(
+                        codes::UNOPENED_BRACKET,
+                        at(tokens, i),
+                        "this `)` closes no bracket",
+                    )
+                    .help("put the `(` in front, or take the `)` away"));
+                };
+                closed.end_element();
+                if let Some(level) = levels.last_mut() {
+                    level.inner = level.inner.max(closed.deepest + 1);
+                }
+            }
+            Token::Comma => {
+                level.end_element();
+                if let Some(head) = level.head.take() {
+                    promote(&mut tokens[head].0);
+                }
+                // From here on a slash divides.
+                level.at_head = false;
+            }
+            Token::Equal => {
+                level.operators += 1;
+                level.at_head = level.open.is_some() || heads.assignment;
+            }
+            Token::Name(symbol, word) if was_at_head => {
+                if matches!(tokens.get(i + 1), Some((Token::Slash, _))) {
+                    if word.is_some_and(defines) || heads.synonyms.contains(&symbol) {
+                        promote(&mut tokens[i].0);
+                    } else if level.open.is_none()
+                        || word.is_some_and(|w| w.class() == Class::Geometry)
+                    {
+                        level.head = Some(i);
+                    }
+                }
+            }
+            Token::Operator(_) | Token::Slash | Token::Not => level.operators += 1,
+            _ => {}
+        }
+        if let Some(level) = levels.last_mut() {
+            if level.operators + level.inner + levels.len() > MAX_DEPTH {
+                return Err(Diagnostic::error(
+                    codes::TOO_DEEP,
+                    at(tokens, i),
+                    format!("an expression of more than {MAX_DEPTH} operators and brackets"),
+                )
+                .help("give parts of it names in statements of their own"));
+            }
+        }
+    }
+    if levels.len() > 1 {
+        let open = levels.last().and_then(|l| l.open).unwrap_or(0);
+        let last = tokens.len() - 1;
+        let end = tokens[last].1.end;
+        return Err(Diagnostic::error(
+            codes::UNCLOSED_BRACKET,
+            at(tokens, open),
+            "this `(` is not closed",
+        )
+        .also(Span::new(file, end, end), "expected `)` up to here"));
+    }
+    Ok(())
+}
+
+/// Does the word begin a definition even before a single argument? `LINE/XAXIS` is one, `A/B` is not.
+pub(crate) fn defines(word: Word) -> bool {
+    word.class() == Class::Geometry
+        && (word.is_major(Dialect::Apt360) || word.is_major(Dialect::Apt4))
+}
+
+fn promote(token: &mut Token) {
+    if let Token::Name(symbol, word) = *token {
+        *token = Token::Head(symbol, word);
+    }
+}
