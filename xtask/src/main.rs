@@ -1,9 +1,13 @@
 //! Chores of this repository, run as `cargo xtask <chore>`.
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "xtask talks to its terminal")]
 
+mod bench;
 mod ci;
 mod clients;
 mod codegen;
+mod fuzz;
+mod mutate;
+mod random;
 mod repository;
 mod test;
 mod tidy;
@@ -16,6 +20,13 @@ cargo xtask <chore>
   test                all tests; installs the clients they need where it may
   ci                  formatting, lints, documentation, tidy, codegen, then test
   tidy                crate graph, file sizes, banned functions and words
+  mutate [N] [--seed S]
+                      N one-token changes of corpus programs (1,000): panics, hangs, and how often the
+                      first message stands on the changed statement
+  fuzz [SECONDS] [TARGET]
+                      each fuzz target for a time (60 s); needs cargo-fuzz
+  bench [FILTER] [--runs N]
+                      benchmarks; medians into docs/performance.md when all are run
   codegen [--check]   write crates/vocabulary/src/table.rs from words.tsv, or fail when it is stale
 ";
 
@@ -27,6 +38,9 @@ fn main() -> ExitCode {
         ["ci"] => ci::run(),
         ["tidy"] => tidy::run(),
 
+        ["bench", options @ ..] => bench::run(options),
+        ["fuzz", options @ ..] => fuzz::run(options),
+        ["mutate", options @ ..] => mutate::run(options),
         ["codegen"] => codegen::run(codegen::Mode::Write),
         ["codegen", "--check"] => codegen::run(codegen::Mode::Check),
         _ => {

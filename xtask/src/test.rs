@@ -46,7 +46,7 @@ fn build() -> Result<(), String> {
     {
         let status = cargo().args(arguments).status();
         if !status.is_ok_and(|status| status.success()) {
-            println!("passed 0, failed 1, skipped 0");
+            println!("0 passed, 1 failed, 0 skipped");
             return Err(format!("cargo {} failed", arguments.join(" ")));
         }
     }
@@ -95,7 +95,7 @@ fn report(counts: &Counts, skipped: &Skipped, seconds: u64) {
     let n_skipped = skipped.checks.len();
     println!("{seconds} s");
     println!(
-        "passed {}, failed {}, skipped {}",
+        "{} passed, {} failed, {} skipped",
         counts.passed.saturating_sub(n_skipped),
         counts.failed,
         n_skipped + counts.ignored

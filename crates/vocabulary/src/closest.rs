@@ -20,10 +20,13 @@ pub fn closest(text: &str, accept: impl Fn(Word) -> bool) -> Option<Word> {
         return None;
     }
     let limit = if text.len() < TWO_SLIPS { 1 } else { 2 };
+    let letters = letter_set(text);
     let (mut least, mut best) = (limit + 1, None);
     for word in all() {
         let spelled = word.text().as_bytes();
-        if spelled.len().abs_diff(text.len()) > limit || !accept(word) {
+        // A slip changes at most two letters of the set; this spares nine words of ten the rest.
+        let strange = (letter_set(spelled) ^ letters).count_ones() as usize;
+        if strange > 2 * limit || spelled.len().abs_diff(text.len()) > limit || !accept(word) {
             continue;
         }
         let slips = distance(text, spelled);
@@ -34,6 +37,11 @@ pub fn closest(text: &str, accept: impl Fn(Word) -> bool) -> Option<Word> {
         }
     }
     best
+}
+
+/// The letters, digits and points of a spelling as bits, case aside.
+fn letter_set(text: &[u8]) -> u64 {
+    text.iter().fold(0, |set, byte| set | 1 << (byte.to_ascii_uppercase() & 63))
 }
 
 /// Damerau-Levenshtein distance where no part is edited twice; both at most `LONGEST` long.

@@ -1,6 +1,8 @@
 //! The words. Made by `cargo xtask codegen` from `words.tsv`: change that file.
 
-use crate::class::Class::{self, Control, Function, Geometry, Modifier, Motion, Operator, Post, Regional, Text};
+use crate::class::Class::{
+    self, Control, Function, Geometry, Modifier, Motion, Operator, Post, Regional, Text,
+};
 use crate::entry::{Entry, K, O, entry as w, record as r, surface as s};
 
 const NONE: Option<Class> = None;
