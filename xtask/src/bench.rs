@@ -24,7 +24,7 @@ pub(crate) fn run(options: &[&str]) -> Result<(), String> {
     for run in 1..=runs {
         println!("xtask: benchmarks, run {run} of {runs}");
         let mut command = cargo();
-        command.args(["bench", "--quiet", "--workspace", "--benches", "--"]).args(&filter);
+        command.args(["bench", "--quiet", "--workspace", "--benches", "--"]).args(filter);
         let output = command.output().map_err(|error| format!("cargo does not start: {error}"))?;
         if !output.status.success() {
             return Err(String::from_utf8_lossy(&output.stderr).into_owned());
