@@ -4,3 +4,4 @@
 //! a user's own programs.
 
 pub mod golden;
+pub mod targets;

@@ -12,6 +12,8 @@ pub(crate) fn run() -> Result<(), String> {
     let documentation = ["doc", "--workspace", "--no-deps", "--document-private-items"];
     step("documentation", &documentation, Some(("RUSTDOCFLAGS", "-D warnings")))?;
 
+    let fuzz = ["check", "--manifest-path", "fuzz/Cargo.toml", "--target-dir", "target/fuzz"];
+    step("fuzz targets", &fuzz, None)?;
     tidy::run()?;
     codegen::run(Mode::Check)?;
     test::run()
