@@ -1,1 +1,46 @@
-//! Section 4: from cutter location data to machine director text
+//! Section 4: from cutter location data to machine director text.
+//!
+//! A [`Machine`] is data; a [`Post`] takes CL records one at a time, keeps what the control knows, and
+//! writes blocks. Nothing here reads a file or knows APT's source language.
+//!
+//! ```
+//! use aptc_cldata::{Kind, Motion, Position, Record};
+//! use aptc_geometry::Vec3;
+//! use aptc_post::{Post, PostOptions, machine};
+//!
+//! let record = |kind| Record { origin: Default::default(), kind };
+//! let goto = |x, y, z| {
+//!     let points = vec![Position::upright(Vec3::new(x, y, z))];
+//!     record(Kind::Motion(Motion { points, ..Motion::default() }))
+//! };
+//! let feed = Kind::Post { word: "FEDRAT".into(), args: vec![aptc_cldata::Arg::Number(20.0)] };
+//! let mut post = Post::new(machine("linuxcnc-mill").unwrap(), PostOptions::default());
+//! let mut text = Vec::new();
+//! for r in [record(feed), goto(0.0, 0.0, 1.0), goto(2.5, 0.0, 1.0), record(Kind::Fini)] {
+//!     post.push(&r, &mut text);
+//! }
+//! let done = post.finish(&mut text);
+//! assert!(!done.diagnostics.iter().any(|d| d.is_error()));
+//! assert!(String::from_utf8(text).unwrap().contains("\nX2.5\n"));
+//! ```
+
+mod arc;
+mod args;
+mod drill;
+mod emit;
+mod machine;
+mod motion;
+mod number;
+mod post;
+mod report;
+mod state;
+mod words;
+
+pub use machine::{
+    ArcCenter, ArcPlane, Arcs, Axis, BlockNumbers, Carries, Compensation, Cycle, CycleWord,
+    CycleWords, Dialect, Feed, Format, Machine, MachineKind, Multiaxis, OutputUnits, Program,
+    Rapid, RapidPath, Rotary, RotaryFeed, Spindle, Wrap, machine, machine_for, machines,
+};
+pub use post::{Post, PostOptions, Posted, ToolScan, post_all};
+pub use report::{BlockOrigin, Extent, Summary, ToolUse};
+pub use words::{Treatment, treatment};

@@ -5,4 +5,24 @@ use super::codes;
 codes! {
     SECTION4:
     NO_FEED = 4001, "a cut without a feed rate";
+    MACHINE_FILE = 4002, "a machine file that cannot be right";
+    MACHINE_ASSUMED = 4003, "no known machine is named";
+    AXIS_OUT_OF_REACH = 4004, "a tool axis that the machine cannot take";
+    CYCLE_INCOMPLETE = 4005, "a cycle without what it needs";
+    WORD_LACKING = 4006, "a word for which the machine has nothing";
+    POST_ARGUMENTS = 4007, "arguments that a post-processor word does not have";
+    OVER_LIMIT = 4008, "beyond a limit of the machine";
+    TOO_GREAT = 4009, "a number too great for a block";
+    AFTER_END = 4010, "work after the end of the program";
+    INSERT_NO_BLOCK = 4011, "inserted text that is no block";
+    DEFAULT_FEED = 4012, "the feed of the machine file is used";
+    WORD_IGNORED = 4013, "a word that means nothing to this machine";
+    WORD_UNKNOWN = 4014, "a word that is not known";
+    COMPENSATION = 4015, "compensation where the control cannot have it";
+    WEAR_ONLY = 4016, "compensation of wear only";
+    UNREAD_BY_POST = 4017, "a CL statement that the post-processor leaves out";
+    NOT_READY = 4018, "a first cut without spindle or tool";
+    ARC_WITHOUT_START = 4019, "an arc from an unknown position";
+    MORE_MESSAGES = 4020, "more messages than are shown";
+    STAYS_CLEAR = 4021, "a retract from beyond the clearance plane";
 }

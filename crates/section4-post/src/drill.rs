@@ -1,0 +1,317 @@
+//! Drilling cycles: what CYCLE means, as a cycle of the control or as single motions.
+
+use aptc_cldata::Position;
+use aptc_diagnostics::{Origin, codes};
+use aptc_geometry::Vec3;
+use smol_str::SmolStr;
+
+use crate::emit::{FeedWord, MotionCode, NativeCycle};
+use crate::machine::CycleWord;
+use crate::motion::ALL;
+use crate::post::Post;
+use crate::state::Feedrate;
+
+/// Pecks of one expanded hole; more are refused.
+const MOST_PECKS: u32 = 10_000;
+
+/// CYCLE with its values, lengths in CL units until used.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct DrillCycle {
+    /// DRILL, DEEP ...
+    pub(crate) kind: SmolStr,
+    /// From the programmed point down to the bottom, along the tool axis.
+    pub(crate) depth: f64,
+    /// From the point up to where the feed begins.
+    pub(crate) clear: Option<f64>,
+    /// From the point up to where the tool ends.
+    pub(crate) retract: Option<f64>,
+    /// RTRCTO,AUTO: back to the height from which the tool came.
+    pub(crate) retract_auto: bool,
+    pub(crate) feed: Option<Feedrate>,
+    /// Pecks: the first and the others.
+    pub(crate) first_step: Option<f64>,
+    pub(crate) step: Option<f64>,
+    /// Seconds.
+    pub(crate) dwell: Option<f64>,
+    /// Revolutions of the spindle instead.
+    pub(crate) dwell_rev: Option<f64>,
+}
+
+/// A hole in output units: heights along the tool axis.
+struct Hole {
+    at: Vec3,
+    bottom: f64,
+    clearance: f64,
+    retract: f64,
+}
+
+impl Post {
+    /// One position of a cycle.
+    pub(crate) fn hole(&mut self, p: &Position, origin: &Origin) {
+        let Some(cycle) = self.st.cycle.clone() else { return };
+        let at = self.st.point(p.te);
+        if self.joints(at, p.ta, origin).is_none() {
+            return;
+        }
+        if self.st.cutcom.is_some() {
+            let message = "a cycle while radius compensation is on".to_string();
+            self.error(codes::COMPENSATION, origin, message, "write CUTCOM/OFF before CYCLE");
+            return;
+        }
+        let Some(hole) = self.heights(&cycle, at, origin) else { return };
+        let feed = match cycle.feed {
+            Some(feed) => self.feed_of(feed, origin),
+            None => {
+                let inverse = std::mem::replace(&mut self.st.inverse, false);
+                let feed = self.feed_for(at, origin);
+                self.st.inverse = inverse;
+                feed
+            }
+        };
+        let Some(feed) = feed else { return };
+        if !self.st.ready_said {
+            self.ready(origin);
+        }
+        let dwell = cycle.dwell.or_else(|| {
+            let per_second = self.st.spindle.speed / 60.0;
+            cycle.dwell_rev.filter(|_| per_second > 0.0).map(|r| r / per_second)
+        });
+        match self.native(&cycle, dwell, feed) {
+            Some(native) => self.drill_native(native, &hole, origin),
+            None => self.drill_expanded(&cycle, &hole, dwell, feed, origin),
+        }
+        self.count_hole(&hole, feed);
+        self.st.pos = Some(Vec3::new(at.x, at.y, hole.retract));
+        self.st.ta = p.ta;
+    }
+
+    fn heights(&mut self, cycle: &DrillCycle, at: Vec3, origin: &Origin) -> Option<Hole> {
+        let scale = self.st.scale;
+        let surface = at.z;
+        let plane = self.clearance_above(at);
+        let clearance = match (cycle.clear, plane) {
+            (Some(c), _) => surface + c * scale,
+            (None, Some(z)) if z > surface => z,
+            _ => {
+                let message = format!("CYCLE/{} has no clearance above the hole", cycle.kind);
+                let help = "add CLEAR,c to the cycle, or write CLRSRF before it";
+                self.error(codes::CYCLE_INCOMPLETE, origin, message, help);
+                return None;
+            }
+        };
+        let bottom = surface - cycle.depth * scale;
+        if bottom > clearance {
+            let message = format!("CYCLE/{}: the bottom lies above the clearance", cycle.kind);
+            let help = "give the depth below the point and the clearance above it";
+            self.error(codes::CYCLE_INCOMPLETE, origin, message, help);
+            return None;
+        }
+        let mut retract = cycle.retract.map_or(clearance, |r| surface + r * scale);
+        if cycle.retract_auto
+            && let Some(p) = self.st.pos
+        {
+            retract = retract.max(p.z);
+        }
+        Some(Hole { at, bottom, clearance, retract: retract.max(clearance) })
+    }
+
+    /// Height of the clearance plane over a point, in output units.
+    pub(crate) fn clearance_above(&self, at: Vec3) -> Option<f64> {
+        let plane = self.st.clearance_mm?;
+        if plane.n.z.abs() < 1e-6 {
+            return None;
+        }
+        let unit = self.st.out_mm();
+        let p = at - self.st.shift;
+        Some((plane.d / unit - plane.n.x * p.x - plane.n.y * p.y) / plane.n.z + self.st.shift.z)
+    }
+
+    /// The control's own cycle for this, if it has one.
+    fn native(
+        &self,
+        cycle: &DrillCycle,
+        dwell: Option<f64>,
+        feed: FeedWord,
+    ) -> Option<NativeCycle> {
+        let m = &self.machine;
+        let mut kind = cycle.kind.as_str();
+        if kind == "DRILL" && dwell.is_some_and(|t| t > 0.0) {
+            kind = "FACE";
+        }
+        let entry = m.cycles.get(kind)?;
+        let even = match (cycle.first_step, cycle.step) {
+            (Some(a), Some(b)) => (a - b).abs() < 1e-9,
+            _ => true,
+        };
+        if !even {
+            return None;
+        }
+        let wants = match entry.spindle.as_str() {
+            "CLW" => Some(false),
+            "CCLW" => Some(true),
+            _ => None,
+        };
+        if wants.is_some_and(|ccw| !self.st.spindle.on || self.st.spindle.ccw != ccw) {
+            return None;
+        }
+        let mut words = Vec::new();
+        for word in &entry.words {
+            match word {
+                CycleWord::Step => {
+                    words.push((
+                        m.cycle.step as u8,
+                        cycle.step.or(cycle.first_step)? * self.st.scale,
+                    ));
+                }
+                CycleWord::Dwell | CycleWord::MaybeDwell => {
+                    let seconds = dwell.unwrap_or(0.0);
+                    if *word == CycleWord::Dwell || seconds > 0.0 {
+                        let value = if m.cycle.dwell_ms { seconds * 1000.0 } else { seconds };
+                        words.push((m.cycle.dwell as u8, value));
+                    }
+                }
+            }
+        }
+        let takes_dwell =
+            entry.words.iter().any(|w| matches!(w, CycleWord::Dwell | CycleWord::MaybeDwell));
+        if dwell.is_some_and(|t| t > 0.0) && !takes_dwell {
+            return None;
+        }
+        Some(NativeCycle { code: entry.code.clone(), retract: String::new(), words, feed })
+    }
+
+    fn drill_native(&mut self, mut native: NativeCycle, hole: &Hole, origin: &Origin) {
+        let high = hole.retract > hole.clearance + self.blocks.number(b'Z').resolution() / 2.0;
+        let words = &self.machine.cycle;
+        native.retract = if high { words.to_initial.clone() } else { words.to_clearance.clone() };
+        self.reach_level(hole, if high { hole.retract } else { hole.clearance }, high, origin);
+        let xy = [hole.at.x, hole.at.y];
+        let done = self.blocks.hole(&native, xy, hole.bottom, hole.clearance);
+        self.check(done, origin);
+    }
+
+    /// Brings the tool to where the cycle may begin: never across below `level`; exactly on it over the hole
+    /// when the control takes the height as the one to come back to.
+    fn reach_level(&mut self, hole: &Hole, level: f64, exactly: bool, origin: &Origin) {
+        let over = Vec3::new(hole.at.x, hole.at.y, level);
+        let ta = self.st.ta;
+        if self.st.away || self.st.pos.is_none() {
+            self.approach(over, ta, true, origin);
+            if self.st.pos.is_none() {
+                self.go_to(over, ta, true, origin);
+            }
+            return;
+        }
+        self.run_again();
+        let Some(pos) = self.st.pos else { return };
+        let half = self.blocks.number(b'Z').resolution() / 2.0;
+        if pos.z < level - half {
+            self.blocks.end_cycle();
+            self.go_to(Vec3::new(pos.x, pos.y, level), ta, true, origin);
+        } else if exactly && pos.z > level + half {
+            self.blocks.end_cycle();
+            self.go_to(Vec3::new(over.x, over.y, pos.z), ta, true, origin);
+            self.go_to(over, ta, true, origin);
+        }
+    }
+
+    fn drill_expanded(
+        &mut self,
+        cycle: &DrillCycle,
+        hole: &Hole,
+        dwell: Option<f64>,
+        feed: FeedWord,
+        origin: &Origin,
+    ) {
+        let kind = cycle.kind.as_str();
+        let pecks = match kind {
+            "DRILL" | "FACE" | "CSINK" | "REAM" | "BORE" | "SPOT" => false,
+            "DEEP" | "BRKCHP" => true,
+            _ => {
+                let message = format!("{} has no cycle for CYCLE/{kind}", self.machine.name);
+                let help =
+                    "write the motions of the hole instead, or choose a machine with the cycle";
+                self.error(codes::WORD_LACKING, origin, message, help);
+                return;
+            }
+        };
+        let step = cycle.step.or(cycle.first_step).map(|s| s * self.st.scale);
+        let first = cycle.first_step.or(cycle.step).map(|s| s * self.st.scale);
+        if pecks && (step.is_none_or(|s| s <= 0.0) || first.is_none_or(|s| s <= 0.0)) {
+            let message = format!("CYCLE/{kind} has no step");
+            self.error(codes::CYCLE_INCOMPLETE, origin, message, "add STEP,s to the cycle");
+            return;
+        }
+        self.reach_level(hole, hole.clearance.max(hole.retract), false, origin);
+        let ta = self.st.ta;
+        let (x, y) = (hole.at.x, hole.at.y);
+        let z = |h: f64| Vec3::new(x, y, h);
+        let here = self.st.pos.map_or(hole.retract, |p| p.z);
+        self.go_to(z(here), ta, true, origin);
+        self.go_to(z(hole.clearance), ta, true, origin);
+        let back = self.machine.cycle.peck_back / self.st.out_mm();
+        if pecks {
+            let (step, first) = (step.unwrap_or(1.0), first.unwrap_or(1.0));
+            let mut depth = hole.at.z;
+            let mut n = 0;
+            loop {
+                let next = (depth - if n == 0 { first } else { step }).max(hole.bottom);
+                if n > 0 {
+                    let up = if kind == "DEEP" {
+                        hole.clearance
+                    } else {
+                        (depth + back).min(hole.clearance)
+                    };
+                    self.go_to(z(up), ta, true, origin);
+                    if kind == "DEEP" {
+                        self.go_to(z((depth + back).min(hole.clearance)), ta, true, origin);
+                    }
+                }
+                self.cut(z(next), feed, origin);
+                depth = next;
+                n += 1;
+                if depth <= hole.bottom {
+                    break;
+                }
+                if n > MOST_PECKS {
+                    let message = format!("more than {MOST_PECKS} pecks for one hole");
+                    self.error(codes::CYCLE_INCOMPLETE, origin, message, "give a larger STEP");
+                    return;
+                }
+            }
+        } else {
+            self.cut(z(hole.bottom), feed, origin);
+        }
+        if let Some(t) = dwell.filter(|t| *t > 0.0) {
+            self.dwell(t);
+        }
+        if matches!(kind, "REAM" | "BORE") {
+            self.cut(z(hole.clearance), feed, origin);
+        }
+        self.go_to(z(hole.retract), ta, true, origin);
+    }
+
+    fn cut(&mut self, te: Vec3, feed: FeedWord, origin: &Origin) {
+        let Some(joints) = self.joints(te, self.st.ta, origin) else { return };
+        let done = self.blocks.straight(MotionCode::Line, &joints, ALL, Some(feed));
+        self.check(done, origin);
+        self.st.pos = Some(te);
+    }
+
+    fn count_hole(&mut self, hole: &Hole, feed: FeedWord) {
+        self.summary.holes += 1;
+        let top = Vec3::new(hole.at.x, hole.at.y, hole.clearance);
+        self.st.pos.get_or_insert(top);
+        self.count_rapid(top);
+        self.st.pos = Some(top);
+        let bottom = Vec3::new(hole.at.x, hole.at.y, hole.bottom);
+        self.count_cut(bottom, hole.clearance - hole.bottom, feed);
+    }
+
+    /// The cycle of the control ends; the tool stands where the last hole left it.
+    pub(crate) fn leave_cycle(&mut self) {
+        if self.blocks.in_cycle() {
+            self.blocks.end_cycle();
+        }
+    }
+}

@@ -1,0 +1,443 @@
+//! Blocks: the modal state of the control, and the text that changes it.
+//!
+//! A word is written when it changes what the control already knows, and always after
+//! [`Blocks::forget`]. All comparisons are between rounded numbers, so what the control knows is what
+//! stands in the text.
+
+use std::sync::Arc;
+
+use crate::machine::{ArcCenter, ArcPlane, Machine};
+use crate::number::Number;
+
+mod cycle;
+mod text;
+
+pub(crate) use cycle::NativeCycle;
+pub(crate) use text::render;
+
+/// Positions of the axes: X Y Z and up to two rotary axes, in output units and degrees.
+pub(crate) type Joints = [f64; 5];
+
+/// The same in units of the last decimal.
+pub(crate) type Rounded = [i64; 5];
+
+/// A number that is too great for the control.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct TooGreat {
+    /// The address.
+    pub(crate) letter: char,
+    /// The number.
+    pub(crate) value: f64,
+}
+
+/// How the feed number is meant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum FeedMode {
+    PerMinute,
+    PerRevolution,
+    InverseTime,
+}
+
+/// Feed of a block.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct FeedWord {
+    pub(crate) mode: FeedMode,
+    pub(crate) value: f64,
+}
+
+/// What a block of motion does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum MotionCode {
+    Rapid,
+    Line,
+    Clockwise,
+    Anticlockwise,
+}
+
+/// An arc in one of the control's planes, all lengths rounded already.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct ArcBlock {
+    pub(crate) plane: ArcPlane,
+    pub(crate) anticlockwise: bool,
+    pub(crate) end: Rounded,
+    /// From the start to the centre, along the two axes of the plane.
+    pub(crate) center: [f64; 2],
+    /// Coordinates of the centre.
+    pub(crate) center_at: [f64; 2],
+    pub(crate) radius: f64,
+    /// More than half a turn?
+    pub(crate) large: bool,
+}
+
+/// Writer of blocks.
+pub(crate) struct Blocks {
+    /// The text that was not yet taken.
+    pub(crate) out: Vec<u8>,
+    /// Lines written so far.
+    pub(crate) lines: u64,
+    machine: Arc<Machine>,
+    numbers: [Option<Number>; 26],
+    /// What the control knows, by address letter.
+    known: [Option<i64>; 26],
+    motion: Option<MotionCode>,
+    plane: Option<ArcPlane>,
+    feed_mode: Option<FeedMode>,
+    /// Letters of the five axes; a blank for an axis that is not there.
+    axes: [u8; 5],
+    /// Factor of each axis: 2 for diameters.
+    factor: [f64; 5],
+    cycle: Option<NativeCycle>,
+    /// OPSKIP is on.
+    pub(crate) skip: bool,
+    /// Blocks are numbered.
+    pub(crate) numbered: bool,
+    /// The next block number and the step.
+    pub(crate) next_number: u32,
+    pub(crate) number_step: u32,
+    /// Words for the next motion block along the tool axis: G43 H1.
+    pub(crate) with_tool_axis: Option<String>,
+    /// Words for the next motion block: G41 D1.
+    pub(crate) with_motion: Option<String>,
+    start: usize,
+    bare: usize,
+}
+
+impl Blocks {
+    pub(crate) fn new(machine: Arc<Machine>, inch: bool) -> Self {
+        let mut numbers = [None; 26];
+        for (letter, format) in &machine.format {
+            numbers[idx(*letter as u8)] = Some(Number::new(format, inch));
+        }
+        let mut axes = [b' '; 5];
+        let mut factor = [1.0; 5];
+        for (i, letter) in [b'X', b'Y', b'Z'].into_iter().enumerate() {
+            axes[i] = letter;
+            if machine.axes.get(&char::from(letter)).is_some_and(|a| a.diameter) {
+                factor[i] = 2.0;
+            }
+        }
+        for (i, r) in machine.rotary.iter().take(2).enumerate() {
+            axes[3 + i] = r.letter as u8;
+        }
+        let n = &machine.program.block_numbers;
+        let (numbered, next_number, number_step) = (n.on, n.start, n.step);
+        Self {
+            out: Vec::new(),
+            lines: 0,
+            machine,
+            numbers,
+            known: [None; 26],
+            motion: None,
+            plane: None,
+            feed_mode: None,
+            axes,
+            factor,
+            cycle: None,
+            skip: false,
+            numbered,
+            next_number,
+            number_step,
+            with_tool_axis: None,
+            with_motion: None,
+            start: 0,
+            bare: 0,
+        }
+    }
+
+    /// The control may be in any state: every word is written again.
+    pub(crate) fn forget(&mut self) {
+        self.known = [None; 26];
+        self.motion = None;
+        self.plane = None;
+        self.feed_mode = None;
+        self.cycle = None;
+    }
+
+    /// The modes are as the start lines of the machine leave them; positions are unknown.
+    pub(crate) fn forget_after_start(&mut self) {
+        self.forget();
+        self.plane = Some(ArcPlane::Xy);
+        self.feed_mode = Some(FeedMode::PerMinute);
+    }
+
+    /// Format of an address; that of X for a letter without one.
+    pub(crate) fn number(&self, letter: u8) -> Number {
+        let own = self.numbers[idx(letter)];
+        let other = || self.numbers[idx(b'X')].expect("checked when the machine was read");
+        own.unwrap_or_else(other)
+    }
+
+    /// The positions as the control will know them.
+    pub(crate) fn round(&self, joints: &Joints) -> Result<Rounded, TooGreat> {
+        let mut q = [0; 5];
+        for i in 0..5 {
+            let letter = self.axes[i];
+            if letter == b' ' {
+                continue;
+            }
+            let value = joints[i] * self.factor[i];
+            q[i] = self
+                .number(letter)
+                .round(value)
+                .ok_or(TooGreat { letter: char::from(letter), value })?;
+        }
+        Ok(q)
+    }
+
+    /// The positions that rounded numbers stand for.
+    pub(crate) fn unround(&self, q: &Rounded) -> Joints {
+        let mut joints = [0.0; 5];
+        for i in 0..5 {
+            if self.axes[i] != b' ' {
+                joints[i] = self.number(self.axes[i]).value(q[i]) / self.factor[i];
+            }
+        }
+        joints
+    }
+
+    /// G0 or G1 to `joints`; only the axes of `mask` are written. No block when nothing would change.
+    pub(crate) fn straight(
+        &mut self,
+        code: MotionCode,
+        joints: &Joints,
+        mask: [bool; 5],
+        feed: Option<FeedWord>,
+    ) -> Result<(), TooGreat> {
+        let q = self.round(joints)?;
+        let moves = (0..5).any(|i| {
+            mask[i] && self.axes[i] != b' ' && self.known[idx(self.axes[i])] != Some(q[i])
+        });
+        if !moves {
+            return Ok(());
+        }
+        self.end_cycle();
+        self.begin();
+        self.feed_mode_word(feed);
+        if let Some(words) = self.with_motion.take() {
+            self.push(&words);
+            self.motion = None;
+        }
+        if mask[2]
+            && self.known[idx(b'Z')] != Some(q[2])
+            && let Some(words) = self.with_tool_axis.take()
+        {
+            self.push(&words);
+        }
+        self.motion_word(code);
+        for i in 0..5 {
+            if mask[i] && self.axes[i] != b' ' {
+                self.coordinate(self.axes[i], q[i]);
+            }
+        }
+        self.feed_word(feed)?;
+        self.end();
+        Ok(())
+    }
+
+    /// G2 or G3.
+    pub(crate) fn arc(&mut self, arc: &ArcBlock, feed: Option<FeedWord>) -> Result<(), TooGreat> {
+        self.end_cycle();
+        self.begin();
+        self.feed_mode_word(feed);
+        self.plane_word(arc.plane);
+        if let Some(words) = self.with_tool_axis.take() {
+            self.push(&words);
+        }
+        self.motion_word(if arc.anticlockwise {
+            MotionCode::Anticlockwise
+        } else {
+            MotionCode::Clockwise
+        });
+        let (axes, letters) = arc.plane.axes();
+        let center = self.machine.arcs.as_ref().map_or(ArcCenter::Relative, |a| a.center);
+        for i in 0..3 {
+            // In the plane of the arc both end coordinates are written: a control must not have to guess.
+            if axes.contains(&i) {
+                self.known[idx(self.axes[i])] = None;
+            }
+            self.coordinate(self.axes[i], arc.end[i]);
+        }
+        if center == ArcCenter::Radius {
+            let r = if arc.large { -arc.radius } else { arc.radius };
+            self.value(b'R', r)?;
+        } else {
+            let c = if center == ArcCenter::Absolute { arc.center_at } else { arc.center };
+            for (letter, value) in letters.into_iter().zip(c) {
+                self.value(letter, value)?;
+            }
+        }
+        self.feed_word(feed)?;
+        self.end();
+        Ok(())
+    }
+
+    /// Selects the plane in a block of its own.
+    pub(crate) fn select_plane(&mut self, plane: ArcPlane) {
+        if self.plane != Some(plane) {
+            self.begin();
+            self.plane_word(plane);
+            self.end();
+        }
+    }
+
+    /// A block of the control's own words.
+    pub(crate) fn line(&mut self, text: &str) {
+        if text.is_empty() {
+            return;
+        }
+        self.end_cycle();
+        self.begin();
+        self.push(text);
+        self.end();
+    }
+
+    /// The rounded number that the control knows of an axis, 0 to 4.
+    pub(crate) fn known_axis(&self, i: usize) -> Option<i64> {
+        if self.axes[i] == b' ' { Some(0) } else { self.known[idx(self.axes[i])] }
+    }
+
+    /// The control's number of an axis, 0 to 4, no longer means the same place.
+    pub(crate) fn forget_axis(&mut self, i: usize) {
+        if self.axes[i] != b' ' {
+            self.known[idx(self.axes[i])] = None;
+        }
+    }
+
+    fn begin(&mut self) {
+        self.start = self.out.len();
+        if self.skip {
+            self.out.extend_from_slice(self.machine.program.skip.as_bytes());
+        }
+        if self.numbered {
+            self.out.extend_from_slice(self.machine.program.block_numbers.letter.as_bytes());
+            let mut digits = Vec::with_capacity(10);
+            Number::new(&WHOLE, false).write(i64::from(self.next_number), &mut digits);
+            self.out.extend_from_slice(&digits);
+        }
+        self.bare = self.out.len();
+    }
+
+    fn end(&mut self) {
+        if self.out.len() == self.bare {
+            self.out.truncate(self.start);
+            return;
+        }
+        if self.numbered {
+            let n = &self.machine.program.block_numbers;
+            self.next_number = self.next_number.saturating_add(self.number_step);
+            if self.next_number > n.max {
+                self.next_number = n.start;
+            }
+        }
+        self.out.push(b'\n');
+        self.lines += 1;
+    }
+
+    fn push(&mut self, text: &str) {
+        self.separate();
+        self.out.extend_from_slice(text.as_bytes());
+    }
+
+    fn separate(&mut self) {
+        let first = self.out.len() == self.bare;
+        if !first || self.numbered {
+            self.out.extend_from_slice(self.machine.program.separator.as_bytes());
+        }
+    }
+
+    fn coordinate(&mut self, letter: u8, q: i64) {
+        let known = &mut self.known[idx(letter)];
+        if *known == Some(q) {
+            return;
+        }
+        *known = Some(q);
+        self.number_word(letter, q);
+    }
+
+    fn number_word(&mut self, letter: u8, q: i64) {
+        self.separate();
+        self.out.push(letter);
+        let number = self.number(letter);
+        number.write(q, &mut self.out);
+    }
+
+    fn value(&mut self, letter: u8, value: f64) -> Result<(), TooGreat> {
+        let q = self
+            .number(letter)
+            .round(value)
+            .ok_or(TooGreat { letter: char::from(letter), value })?;
+        self.number_word(letter, q);
+        Ok(())
+    }
+
+    fn motion_word(&mut self, code: MotionCode) {
+        if self.motion == Some(code) {
+            return;
+        }
+        self.motion = Some(code);
+        self.push(match code {
+            MotionCode::Rapid => "G0",
+            MotionCode::Line => "G1",
+            MotionCode::Clockwise => "G2",
+            MotionCode::Anticlockwise => "G3",
+        });
+    }
+
+    fn plane_word(&mut self, plane: ArcPlane) {
+        if self.plane != Some(plane) {
+            self.plane = Some(plane);
+            self.push(match plane {
+                ArcPlane::Xy => "G17",
+                ArcPlane::Zx => "G18",
+                ArcPlane::Yz => "G19",
+            });
+        }
+    }
+
+    fn feed_mode_word(&mut self, feed: Option<FeedWord>) {
+        let Some(feed) = feed else { return };
+        if self.feed_mode == Some(feed.mode) {
+            return;
+        }
+        self.feed_mode = Some(feed.mode);
+        self.known[idx(b'F')] = None;
+        let machine = Arc::clone(&self.machine);
+        self.push(match feed.mode {
+            FeedMode::PerMinute => &machine.feed.per_minute,
+            FeedMode::PerRevolution => &machine.feed.per_revolution,
+            FeedMode::InverseTime => &machine.feed.inverse_time,
+        });
+    }
+
+    fn feed_word(&mut self, feed: Option<FeedWord>) -> Result<(), TooGreat> {
+        let Some(feed) = feed else { return Ok(()) };
+        let number = self.number(b'F');
+        let too_great = TooGreat { letter: 'F', value: feed.value };
+        // A feed below the last decimal would be written as zero, and zero stops the machine.
+        let q = number.round(feed.value).ok_or(too_great)?.max(1);
+        if feed.mode == FeedMode::InverseTime {
+            self.known[idx(b'F')] = None;
+        }
+        self.coordinate(b'F', q);
+        Ok(())
+    }
+}
+
+const WHOLE: crate::machine::Format =
+    crate::machine::Format { mm: 0, inch: None, point: false, zeros: false, plus: false };
+
+fn idx(letter: u8) -> usize {
+    usize::from(letter.wrapping_sub(b'A')).min(25)
+}
+
+impl ArcPlane {
+    /// The two axes of the plane in the order in which a positive turn goes from the first to the second,
+    /// and the letters of the centre along them.
+    pub(crate) fn axes(self) -> ([usize; 2], [u8; 2]) {
+        match self {
+            Self::Xy => ([0, 1], [b'I', b'J']),
+            Self::Zx => ([2, 0], [b'K', b'I']),
+            Self::Yz => ([1, 2], [b'J', b'K']),
+        }
+    }
+}

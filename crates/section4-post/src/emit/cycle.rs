@@ -1,0 +1,87 @@
+//! Drilling cycles of the control.
+
+use super::{Blocks, FeedMode, FeedWord, TooGreat, idx};
+
+/// A cycle as the control does it, lengths in output units.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct NativeCycle {
+    /// G81.
+    pub(crate) code: String,
+    /// G98 or G99.
+    pub(crate) retract: String,
+    /// Further words: step and dwell with their letters.
+    pub(crate) words: Vec<(u8, f64)>,
+    /// Feed.
+    pub(crate) feed: FeedWord,
+}
+
+impl Blocks {
+    /// One hole: `bottom` and `clearance` along Z. The cycle stays modal until any other block.
+    pub(crate) fn hole(
+        &mut self,
+        cycle: &NativeCycle,
+        xy: [f64; 2],
+        bottom: f64,
+        clearance: f64,
+    ) -> Result<(), TooGreat> {
+        let round = |b: &Self, letter: u8, value: f64| {
+            b.number(letter).round(value).ok_or(TooGreat { letter: char::from(letter), value })
+        };
+        let (x, y) = (round(self, b'X', xy[0])?, round(self, b'Y', xy[1])?);
+        let (z, r) = (round(self, b'Z', bottom)?, round(self, b'R', clearance)?);
+        let same = self.cycle.as_ref() == Some(cycle);
+        if !same {
+            self.end_cycle();
+        }
+        self.begin();
+        self.feed_mode_word(Some(cycle.feed));
+        if same {
+            // A block without an axis word would drill nothing: X is said again for a hole above the last.
+            if self.known[idx(b'X')] == Some(x) && self.known[idx(b'Y')] == Some(y) {
+                self.known[idx(b'X')] = None;
+            }
+        } else {
+            self.push(&cycle.retract);
+            self.push(&cycle.code);
+            for letter in [b'X', b'Y', b'Z', b'R', b'F'] {
+                self.known[idx(letter)] = None;
+            }
+            self.motion = None;
+        }
+        self.coordinate(b'X', x);
+        self.coordinate(b'Y', y);
+        self.coordinate(b'Z', z);
+        self.coordinate(b'R', r);
+        if !same {
+            for &(letter, value) in &cycle.words {
+                self.value(letter, value)?;
+            }
+            self.feed_word(Some(cycle.feed))?;
+            self.cycle = Some(cycle.clone());
+        }
+        self.end();
+        Ok(())
+    }
+
+    /// Is a cycle of the control on?
+    pub(crate) fn in_cycle(&self) -> bool {
+        self.cycle.is_some()
+    }
+
+    /// Ends the cycle of the control. Z and R belonged to the cycle: neither is known any more.
+    pub(crate) fn end_cycle(&mut self) {
+        if self.cycle.take().is_none() {
+            return;
+        }
+        let off = self.machine.cycle.off.clone();
+        self.begin();
+        self.push(&off);
+        self.end();
+        self.known[idx(b'Z')] = None;
+        self.known[idx(b'R')] = None;
+        self.motion = None;
+        if self.feed_mode == Some(FeedMode::InverseTime) {
+            self.feed_mode = None;
+        }
+    }
+}

@@ -1,0 +1,88 @@
+//! Comments and templates.
+
+use super::Blocks;
+
+impl Blocks {
+    /// A comment of the control; long ones go on in further lines.
+    pub(crate) fn comment(&mut self, text: &str) {
+        let program = &self.machine.program;
+        let (open, close) = (program.comment_open.clone(), program.comment_close.clone());
+        let room = program.max_line.saturating_sub(open.len() + close.len() + 12).max(8);
+        let mut clean = String::with_capacity(text.len());
+        for c in text.trim().chars() {
+            let c = if program.comment_capitals { c.to_ascii_uppercase() } else { c };
+            match c {
+                c if program.comment_forbidden.contains(c) => {}
+                ' '..='~' => clean.push(c),
+                '\t' => clean.push(' '),
+                'ä' | 'Ä' => clean.push_str("AE"),
+                'ö' | 'Ö' => clean.push_str("OE"),
+                'ü' | 'Ü' => clean.push_str("UE"),
+                'ß' => clean.push_str("SS"),
+                _ => clean.push('?'),
+            }
+        }
+        // Some controls act on comments that begin with a word and a comma: (MSG, ..), (LOGOPEN, ..).
+        if let Some((head, tail)) = clean.split_once(',')
+            && !head.is_empty()
+            && head.bytes().all(|b| b.is_ascii_alphabetic())
+        {
+            clean = format!("{head} {}", tail.trim_start());
+        }
+        let clean = clean.trim();
+        // All characters are ASCII now, so bytes are characters.
+        for piece in clean.as_bytes().chunks(room) {
+            let piece = std::str::from_utf8(piece).unwrap_or("");
+            let line = format!("{open}{piece}{close}");
+            let numbered = std::mem::replace(&mut self.numbered, false);
+            let skip = std::mem::replace(&mut self.skip, false);
+            self.begin();
+            self.out.extend_from_slice(line.as_bytes());
+            self.end();
+            self.numbered = numbered;
+            self.skip = skip;
+        }
+    }
+
+    /// Lines of the machine file.
+    pub(crate) fn template(&mut self, lines: &[String], vars: &[(&str, &str)]) {
+        for line in lines {
+            let Some(text) = render(line, vars) else { continue };
+            match text.strip_prefix(';') {
+                Some(comment) => self.comment(comment),
+                None => self.line(&text),
+            }
+        }
+    }
+}
+
+/// The template with its `{names}` replaced; `None` when one of them is empty or unknown.
+pub(crate) fn render(template: &str, vars: &[(&str, &str)]) -> Option<String> {
+    let mut text = String::with_capacity(template.len());
+    let mut rest = template;
+    while let Some((before, after)) = rest.split_once('{') {
+        text.push_str(before);
+        let (name, tail) = after.split_once('}')?;
+        let value = vars.iter().find(|(n, _)| *n == name).map(|(_, v)| *v)?;
+        if value.is_empty() {
+            return None;
+        }
+        text.push_str(value);
+        rest = tail;
+    }
+    text.push_str(rest);
+    Some(text)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_line_without_its_value_is_left_out() {
+        let vars = [("tool", "5"), ("next", "")];
+        assert_eq!(render("T{tool} M6", &vars).as_deref(), Some("T5 M6"));
+        assert_eq!(render("T{next}", &vars), None);
+        assert_eq!(render("G43 H{offset}", &vars), None);
+    }
+}

@@ -1,0 +1,47 @@
+//! The machines that come with the program.
+
+use std::sync::LazyLock;
+
+use aptc_cldata::Arg;
+
+use super::Machine;
+
+/// The machine files, in the order of the list.
+const FILES: &[(&str, &str)] =
+    &[("linuxcnc-mill", include_str!("../../machines/linuxcnc-mill.toml"))];
+
+/// A machine that is read when it is asked for.
+type Lazy = LazyLock<Machine, Box<dyn FnOnce() -> Machine + Send + Sync>>;
+
+static MACHINES: LazyLock<Vec<Lazy>> = LazyLock::new(|| {
+    let lazy = |&(name, text): &(&'static str, &'static str)| {
+        let read =
+            move || Machine::parse(text).unwrap_or_else(|d| unreachable!("machine {name}: {d:?}"));
+        LazyLock::new(Box::new(read) as Box<dyn FnOnce() -> Machine + Send + Sync>)
+    };
+    FILES.iter().map(lazy).collect()
+});
+
+/// All built-in machines.
+pub fn machines() -> impl Iterator<Item = &'static Machine> {
+    MACHINES.iter().map(|m| &**m)
+}
+
+/// The built-in machine of that name; only its file is read.
+pub fn machine(name: &str) -> Option<&'static Machine> {
+    let idx = FILES.iter().position(|(n, _)| n.eq_ignore_ascii_case(name))?;
+    MACHINES.get(idx).map(|m| &**m)
+}
+
+/// The built-in machine that `MACHIN/name,args` means.
+///
+/// A name with its number (`PMILL,5`) goes before the name alone.
+pub fn machine_for(name: &str, args: &[Arg]) -> Option<&'static Machine> {
+    let name = name.to_ascii_uppercase();
+    let numbered = match args.first() {
+        Some(Arg::Number(n)) => format!("{name},{n}"),
+        _ => name.clone(),
+    };
+    let find = |wanted: &str| machines().find(|m| m.machin.iter().any(|k| k == wanted));
+    find(&numbered).or_else(|| find(&name)).or_else(|| machine(&name))
+}

@@ -1,0 +1,411 @@
+//! The post-processor: takes CL records, conducts words and motion, gives text and findings.
+
+use std::sync::Arc;
+
+use aptc_cldata::{Arg, Kind, Record, Units};
+use aptc_diagnostics::{Code, Diagnostic, Origin, codes};
+use smol_str::SmolStr;
+
+use crate::args::{Statement, whole};
+use crate::emit::{Blocks, TooGreat};
+use crate::machine::{Machine, OutputUnits};
+use crate::report::{BlockOrigin, Summary, ToolUse};
+use crate::state::State;
+use crate::words;
+
+/// Comments before the first block that are kept back until the start lines stand; more begin the program.
+const MOST_EARLY: usize = 200;
+
+/// Messages of one program; after that many one message says that there are more.
+const MOST_MESSAGES: usize = 500;
+
+/// What the caller may set.
+#[derive(Clone, Debug, Default)]
+pub struct PostOptions {
+    /// The tools in order of LOADTL (see [`ToolScan`]), so that each tool change makes the next tool ready.
+    pub tools: Vec<u32>,
+    /// Work offset instead of the machine file's.
+    pub work_offset: Option<String>,
+    /// Is the statement number written as a comment before its blocks?
+    pub annotate: bool,
+    /// Is the origin of each block kept?
+    pub map: bool,
+}
+
+/// What remains when all records are through.
+#[derive(Clone, Debug, Default)]
+pub struct Posted {
+    /// Messages in order.
+    pub diagnostics: Vec<Diagnostic>,
+    /// Summary.
+    pub summary: Summary,
+    /// Origin of each block, if asked for.
+    pub map: Vec<BlockOrigin>,
+}
+
+/// Section 4 for one part program and one machine.
+pub struct Post {
+    pub(crate) machine: Arc<Machine>,
+    pub(crate) options: PostOptions,
+    pub(crate) st: State,
+    pub(crate) blocks: Blocks,
+    pub(crate) diagnostics: Vec<Diagnostic>,
+    pub(crate) summary: Summary,
+    map: Vec<BlockOrigin>,
+    annotated: Option<(u32, u32)>,
+}
+
+impl Post {
+    /// A post-processor for a machine.
+    pub fn new(machine: &Machine, options: PostOptions) -> Self {
+        let machine = Arc::new(machine.clone());
+        let mut st = State::new();
+        st.inch = inch(&machine, st.units);
+        st.rescale();
+        st.away = machine.program.start_retracts;
+        let blocks = Blocks::new(Arc::clone(&machine), st.inch);
+        let summary = Summary { machine: machine.name.clone(), ..Summary::default() };
+        let (diagnostics, map) = (Vec::new(), Vec::new());
+        Self { machine, options, st, blocks, diagnostics, summary, map, annotated: None }
+    }
+
+    /// Takes one record; the text that it gives is added to `out`.
+    pub fn push(&mut self, record: &Record, out: &mut Vec<u8>) {
+        std::mem::swap(&mut self.blocks.out, out);
+        let before = self.blocks.lines;
+        self.record(record);
+        if self.options.map && self.blocks.lines > before {
+            self.note_origin(before, record);
+        }
+        std::mem::swap(&mut self.blocks.out, out);
+    }
+
+    /// Ends the program: what END or FINI did not write is written now.
+    pub fn finish(mut self, out: &mut Vec<u8>) -> Posted {
+        std::mem::swap(&mut self.blocks.out, out);
+        if self.st.started && !self.st.ended {
+            self.end(&Origin::default());
+        }
+        std::mem::swap(&mut self.blocks.out, out);
+        self.summary.blocks = self.blocks.lines;
+        self.summary.unit = if self.st.inch { "inch" } else { "mm" };
+        self.summary.part = std::mem::take(&mut self.st.partno);
+        self.summary.extent = self.st.extent;
+        Posted { diagnostics: self.diagnostics, summary: self.summary, map: self.map }
+    }
+
+    /// Was anything refused? Then the text is not to be used.
+    pub fn refused(&self) -> bool {
+        self.diagnostics.iter().any(Diagnostic::is_error)
+    }
+
+    fn record(&mut self, record: &Record) {
+        let origin = &record.origin;
+        match &record.kind {
+            Kind::Motion(motion) => self.motion(motion, origin),
+            Kind::Post { word, args } => {
+                words::post_word(self, &Statement { word, args, origin });
+            }
+            Kind::Text { word, text } => words::text(self, word, text, origin),
+            Kind::Units(units) => self.units(*units),
+            Kind::Cutter(cutter) => {
+                self.st.cutter = Some(*cutter);
+                let values = cutter.values();
+                self.tool_use().cutter = Some(values);
+            }
+            Kind::Intol(t) => {
+                self.st.intol = greatest(t);
+                self.st.tolerance_said = true;
+            }
+            Kind::Outtol(t) => {
+                self.st.outtol = greatest(t);
+                self.st.tolerance_said = true;
+            }
+            Kind::Multax(on) => self.st.multax = *on,
+            Kind::Fini => {
+                if !self.st.ended {
+                    self.start(origin);
+                    self.end(origin);
+                }
+            }
+            Kind::Output(_) | Kind::Edit(_) | Kind::Clprnt(_) | Kind::Comment(_) => {}
+            Kind::Unread(text) => {
+                let text: String = text.chars().take(40).collect();
+                let message = format!("a CL statement was not understood and is left out: {text}");
+                self.warn(codes::UNREAD_BY_POST, origin, message, "");
+            }
+        }
+    }
+
+    fn units(&mut self, units: Units) {
+        self.st.units = units;
+        self.st.units_said = true;
+        if !self.st.started {
+            self.st.inch = inch(&self.machine, units);
+            let fresh = Blocks::new(Arc::clone(&self.machine), self.st.inch);
+            let old = std::mem::replace(&mut self.blocks, fresh);
+            self.blocks.out = old.out;
+            self.blocks.skip = old.skip;
+            self.blocks.numbered = old.numbered;
+            self.blocks.next_number = old.next_number;
+            self.blocks.number_step = old.number_step;
+        }
+        self.st.rescale();
+    }
+
+    /// Writes the start lines, once.
+    pub(crate) fn start(&mut self, origin: &Origin) {
+        if self.st.started {
+            return;
+        }
+        self.st.started = true;
+        let machine = Arc::clone(&self.machine);
+        let vars = self.common_vars();
+        self.summary.work_offset = vars.work_offset.clone();
+        let vars = vars.list();
+        self.blocks.template(&machine.program.start, &vars);
+        self.blocks.forget_after_start();
+        for text in std::mem::take(&mut self.st.early) {
+            self.blocks.comment(&text);
+        }
+        self.annotate(origin);
+    }
+
+    fn end(&mut self, origin: &Origin) {
+        self.leave_cycle();
+        if let Some((_, d)) = self.st.cutcom {
+            let message = format!("radius compensation D{d} is still on at the end of the program");
+            let help = "write CUTCOM/OFF before a straight motion away from the part";
+            self.error(codes::COMPENSATION, origin, message, help);
+        }
+        let machine = Arc::clone(&self.machine);
+        let vars = self.common_vars();
+        self.blocks.template(&machine.program.end, &vars.list());
+        self.st.ended = true;
+    }
+
+    pub(crate) fn end_of_program(&mut self, origin: &Origin) {
+        if !self.st.ended {
+            self.start(origin);
+            self.end(origin);
+        }
+    }
+
+    /// Values that every template may use.
+    pub(crate) fn common_vars(&self) -> Vars {
+        let p = &self.machine.program;
+        let mm = self.st.path_tolerance_mm.unwrap_or(p.path_tolerance);
+        let tolerance = if mm > 0.0 {
+            let places = if self.st.inch { 5 } else { 4 };
+            trimmed(mm / self.st.out_mm(), places)
+        } else {
+            String::new()
+        };
+        let path_mode =
+            crate::emit::render(&p.path_mode, &[("tolerance", &tolerance)]).unwrap_or_default();
+        Vars {
+            part: self.st.partno.clone(),
+            machine: self.machine.title.clone(),
+            units: if self.st.inch { p.inch.clone() } else { p.metric.clone() },
+            work_offset: self.options.work_offset.clone().unwrap_or_else(|| p.work_offset.clone()),
+            path_mode,
+            number: if p.number == 0 { String::new() } else { p.number.to_string() },
+        }
+    }
+
+    /// A text of PPRINT or the like: a comment, kept back until the start lines stand.
+    pub(crate) fn comment(&mut self, text: &str, origin: &Origin) {
+        if !self.st.started && self.st.early.len() < MOST_EARLY {
+            self.st.early.push(text.to_string());
+            return;
+        }
+        self.start(origin);
+        self.blocks.comment(text);
+    }
+
+    /// The work of the present tool.
+    pub(crate) fn tool_use(&mut self) -> &mut ToolUse {
+        if self.summary.tools.is_empty() {
+            self.summary.tools.push(ToolUse::default());
+        }
+        let last = self.summary.tools.len() - 1;
+        &mut self.summary.tools[last]
+    }
+
+    /// With `annotate`: the statement number in a comment before its first block.
+    pub(crate) fn annotate(&mut self, origin: &Origin) {
+        if !self.options.annotate || self.annotated == Some((origin.isn, origin.line)) {
+            return;
+        }
+        self.annotated = Some((origin.isn, origin.line));
+        if origin.line == 0 {
+            return;
+        }
+        let file = origin.file.as_deref().map(|f| format!(" {f}")).unwrap_or_default();
+        let isn = if origin.isn == 0 { String::new() } else { format!(" ISN {}", origin.isn) };
+        self.blocks.comment(&format!("LINE {}{file}{isn}", origin.line));
+    }
+
+    fn note_origin(&mut self, before: u64, record: &Record) {
+        let (first, last) = (before + 1, self.blocks.lines);
+        if let Some(run) = self.map.last_mut()
+            && run.origin == record.origin
+        {
+            run.last = last;
+            return;
+        }
+        let name = match &record.kind {
+            Kind::Post { word, .. } | Kind::Text { word, .. } => word.clone(),
+            Kind::Motion(m) => SmolStr::new_static(match m.kind {
+                aptc_cldata::MotionKind::From => "FROM",
+                aptc_cldata::MotionKind::Goto => "GOTO",
+                aptc_cldata::MotionKind::Startup => "GO",
+                aptc_cldata::MotionKind::Continuous => "CONTINUOUS",
+            }),
+            Kind::Fini => SmolStr::new_static("FINI"),
+            _ => SmolStr::default(),
+        };
+        self.map.push(BlockOrigin { first, last, record: name, origin: record.origin.clone() });
+    }
+
+    pub(crate) fn error(&mut self, code: Code, origin: &Origin, message: String, help: &str) {
+        self.say(Diagnostic::error(code, origin.span, message), origin, help);
+    }
+
+    pub(crate) fn warn(&mut self, code: Code, origin: &Origin, message: String, help: &str) {
+        self.say(Diagnostic::warning(code, origin.span, message), origin, help);
+    }
+
+    pub(crate) fn note(&mut self, code: Code, origin: &Origin, message: String, help: &str) {
+        self.say(Diagnostic::note_at(code, origin.span, message), origin, help);
+    }
+
+    fn say(&mut self, mut d: Diagnostic, origin: &Origin, help: &str) {
+        // A statement in a loop would say the same at each pass.
+        let same = |o: &Diagnostic| o.code == d.code && o.span == d.span && o.message == d.message;
+        if self.diagnostics.iter().rev().take(64).any(same) {
+            return;
+        }
+        if self.diagnostics.len() >= MOST_MESSAGES && (!d.is_error() || self.refused()) {
+            if self.diagnostics.len() == MOST_MESSAGES {
+                let message = format!("more than {MOST_MESSAGES} messages; the rest is left out");
+                self.diagnostics.push(Diagnostic::note_at(
+                    codes::MORE_MESSAGES,
+                    origin.span,
+                    message,
+                ));
+            }
+            return;
+        }
+        if !help.is_empty() {
+            d = d.help(help);
+        }
+        self.diagnostics.push(d.within(origin.trace.clone()));
+    }
+
+    pub(crate) fn too_great(&mut self, origin: &Origin, e: TooGreat) {
+        let message = format!("{}{:e} is too great a number for a block", e.letter, e.value);
+        let help = "check the unit and the position of this statement";
+        self.error(codes::TOO_GREAT, origin, message, help);
+    }
+}
+
+/// Values that every template may use.
+pub(crate) struct Vars {
+    part: String,
+    machine: String,
+    units: String,
+    work_offset: String,
+    pub(crate) path_mode: String,
+    number: String,
+}
+
+impl Vars {
+    pub(crate) fn list(&self) -> Vec<(&'static str, &str)> {
+        vec![
+            ("part", &self.part),
+            ("machine", &self.machine),
+            ("units", &self.units),
+            ("work_offset", &self.work_offset),
+            ("path_mode", &self.path_mode),
+            ("number", &self.number),
+        ]
+    }
+}
+
+/// The tools of LOADTL in order, for [`PostOptions::tools`].
+#[derive(Clone, Debug, Default)]
+pub struct ToolScan {
+    tools: Vec<u32>,
+}
+
+impl ToolScan {
+    /// Looks at one record.
+    pub fn push(&mut self, record: &Record) {
+        if let Kind::Post { word, args } = &record.kind
+            && let Some(tool) = loaded_tool(word, args)
+        {
+            self.tools.push(tool);
+        }
+    }
+
+    /// The tools.
+    pub fn finish(self) -> Vec<u32> {
+        self.tools
+    }
+}
+
+/// The tool that LOADTL, LOAD/TOOL or TURRET brings in.
+pub(crate) fn loaded_tool(word: &str, args: &[Arg]) -> Option<u32> {
+    let n = match (word, args) {
+        ("LOADTL" | "TURRET", [Arg::Number(n), ..]) => *n,
+        ("LOAD", [Arg::Word(w), Arg::Number(n), ..]) if w == "TOOL" => *n,
+        _ => return None,
+    };
+    whole(n)
+}
+
+/// Text of a whole program at once, with the next tool made ready at each tool change.
+pub fn post_all(
+    machine: &Machine,
+    mut options: PostOptions,
+    records: &[Record],
+) -> (String, Posted) {
+    if options.tools.is_empty() {
+        let mut scan = ToolScan::default();
+        records.iter().for_each(|r| scan.push(r));
+        options.tools = scan.finish();
+    }
+    let mut post = Post::new(machine, options);
+    let mut out = Vec::new();
+    for record in records {
+        post.push(record, &mut out);
+    }
+    let posted = post.finish(&mut out);
+    (String::from_utf8_lossy(&out).into_owned(), posted)
+}
+
+fn inch(machine: &Machine, units: Units) -> bool {
+    match machine.units {
+        OutputUnits::Part => matches!(units, Units::Inches | Units::Feet),
+        OutputUnits::Mm => false,
+        OutputUnits::Inch => true,
+    }
+}
+
+fn greatest(t: &[f64; 4]) -> f64 {
+    t.iter().fold(0.0, |a: f64, b| a.max(b.abs()))
+}
+
+/// A number with at most `places` decimals and no zeros at the end.
+pub(crate) fn trimmed(value: f64, places: u8) -> String {
+    use crate::machine::Format;
+    use crate::number::Number;
+    let n = Number::new(
+        &Format { mm: places, inch: None, point: false, zeros: false, plus: false },
+        false,
+    );
+    let mut out = Vec::new();
+    n.write(n.round(value).unwrap_or(0), &mut out);
+    String::from_utf8(out).unwrap_or_default()
+}

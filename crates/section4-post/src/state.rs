@@ -1,0 +1,182 @@
+//! What the CL data has said so far.
+
+use aptc_cldata::Units;
+use aptc_geometry::{Cutter, Plane, Vec3};
+
+use crate::drill::DrillCycle;
+use crate::report::Extent;
+
+/// Unit of a programmed feed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum FeedUnit {
+    /// CL units per minute.
+    PerMinute,
+    /// CL units per revolution.
+    PerRevolution,
+    /// Inches per minute.
+    InchPerMinute,
+    /// Inches per revolution.
+    InchPerRevolution,
+    /// Millimetres per minute.
+    MmPerMinute,
+    /// Millimetres per revolution.
+    MmPerRevolution,
+}
+
+/// FEDRAT.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Feedrate {
+    pub(crate) value: f64,
+    pub(crate) unit: FeedUnit,
+}
+
+/// SPINDL.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct SpindleState {
+    pub(crate) on: bool,
+    pub(crate) speed: f64,
+    pub(crate) ccw: bool,
+    /// Constant surface speed.
+    pub(crate) surface: bool,
+}
+
+/// What the CL data has said so far. Lengths are in output units once the program has begun.
+#[derive(Debug)]
+pub(crate) struct State {
+    pub(crate) units: Units,
+    /// Was UNITS said?
+    pub(crate) units_said: bool,
+    /// Unit of the output is the inch.
+    pub(crate) inch: bool,
+    /// Output units in one CL unit.
+    pub(crate) scale: f64,
+    /// TRANS and ORIGIN, in output units.
+    pub(crate) shift: Vec3,
+    /// The same in millimetres: the unit of the output may change before the first block.
+    pub(crate) shift_mm: Vec3,
+    pub(crate) partno: String,
+    /// Comments that came before the first block.
+    pub(crate) early: Vec<String>,
+    pub(crate) started: bool,
+    pub(crate) ended: bool,
+    /// Tool end, in output units.
+    pub(crate) pos: Option<Vec3>,
+    /// Tool axis.
+    pub(crate) ta: Vec3,
+    /// The machine is retracted and not at `pos`.
+    pub(crate) away: bool,
+    /// RAPID is pending.
+    pub(crate) rapid: bool,
+    pub(crate) feed: Option<Feedrate>,
+    /// `feed` in the words of the machine, until it or the spindle changes.
+    pub(crate) feed_word: Option<crate::emit::FeedWord>,
+    /// FEDRAT/INVERS.
+    pub(crate) inverse: bool,
+    pub(crate) feed_missing_said: bool,
+    pub(crate) spindle: SpindleState,
+    /// The spindle was stopped by a tool change and has to run again.
+    pub(crate) spindle_again: bool,
+    pub(crate) max_rpm: Option<f64>,
+    pub(crate) coolant: Option<String>,
+    pub(crate) last_coolant: Option<String>,
+    pub(crate) coolant_again: bool,
+    pub(crate) tool: Option<u32>,
+    pub(crate) offset: Option<u32>,
+    pub(crate) tool_length: Option<f64>,
+    /// Tool numbers that LOADTL has given so far.
+    pub(crate) n_loads: usize,
+    pub(crate) tool_comment: String,
+    pub(crate) cutter: Option<Cutter>,
+    pub(crate) cutcom: Option<(bool, u32)>,
+    pub(crate) last_cutcom: Option<(bool, u32)>,
+    pub(crate) wear_defined: Vec<u32>,
+    pub(crate) length_on: bool,
+    /// CLRSRF, in millimetres.
+    pub(crate) clearance_mm: Option<Plane>,
+    pub(crate) cycle: Option<DrillCycle>,
+    pub(crate) last_cycle: Option<DrillCycle>,
+    pub(crate) intol: f64,
+    pub(crate) outtol: f64,
+    pub(crate) tolerance_said: bool,
+    pub(crate) path_tolerance_mm: Option<f64>,
+    pub(crate) lintol_mm: Option<f64>,
+    pub(crate) ready_said: bool,
+    pub(crate) extent: Option<Extent>,
+    pub(crate) multax: bool,
+}
+
+impl State {
+    pub(crate) fn new() -> Self {
+        Self {
+            units: Units::default(),
+            units_said: false,
+            inch: true,
+            scale: 1.0,
+            shift: Vec3::zeros(),
+            shift_mm: Vec3::zeros(),
+            partno: String::new(),
+            early: Vec::new(),
+            started: false,
+            ended: false,
+            pos: None,
+            ta: Vec3::z(),
+            away: false,
+            rapid: false,
+            feed: None,
+            feed_word: None,
+            inverse: false,
+            feed_missing_said: false,
+            spindle: SpindleState::default(),
+            spindle_again: false,
+            max_rpm: None,
+            coolant: None,
+            last_coolant: None,
+            coolant_again: false,
+            tool: None,
+            offset: None,
+            tool_length: None,
+            n_loads: 0,
+            tool_comment: String::new(),
+            cutter: None,
+            cutcom: None,
+            last_cutcom: None,
+            wear_defined: Vec::new(),
+            length_on: false,
+            clearance_mm: None,
+            cycle: None,
+            last_cycle: None,
+            intol: 0.0,
+            outtol: 0.0005,
+            tolerance_said: false,
+            path_tolerance_mm: None,
+            lintol_mm: None,
+            ready_said: false,
+            extent: None,
+            multax: false,
+        }
+    }
+
+    /// Millimetres in one output unit.
+    pub(crate) fn out_mm(&self) -> f64 {
+        if self.inch { 25.4 } else { 1.0 }
+    }
+
+    /// A CL point in output units and the program's frame.
+    #[inline]
+    pub(crate) fn point(&self, p: Vec3) -> Vec3 {
+        p * self.scale + self.shift
+    }
+
+    /// Greatest deviation that the CL data allows, in output units.
+    pub(crate) fn band(&self) -> f64 {
+        let t = self.intol.max(self.outtol);
+        if self.tolerance_said { t * self.scale } else { 0.0005 * 25.4 / self.out_mm() }
+    }
+
+    /// Follows a change of the unit of the CL data or of the output.
+    pub(crate) fn rescale(&mut self) {
+        // Exactly 1 when both are the same.
+        self.scale = self.units.mm() / self.out_mm();
+        self.shift = self.shift_mm / self.out_mm();
+    }
+}

@@ -1,0 +1,80 @@
+//! COOLNT.
+
+use crate::args::Statement;
+use crate::post::Post;
+use crate::words::{bad_arguments, refuse};
+
+/// `COOLNT/ON|OFF|FLOOD|MIST|TAPKUL|THRU|AIR[,LOW|MEDIUM|HIGH]`. ON brings back the last kind.
+pub(super) fn coolnt(post: &mut Post, s: &Statement<'_>) {
+    let Some(kind) = s.word(0) else {
+        if s.args.is_empty() {
+            switch(post, s, "ON");
+        } else {
+            bad_arguments(post, s, "COOLNT/ON, OFF, FLOOD, MIST or TAPKUL");
+        }
+        return;
+    };
+    switch(post, s, kind);
+}
+
+/// `AIR/ON|OFF`.
+pub(super) fn air(post: &mut Post, s: &Statement<'_>) {
+    switch(post, s, if s.has("OFF") { "OFF" } else { "AIR" });
+}
+
+fn switch(post: &mut Post, s: &Statement<'_>, kind: &str) {
+    post.start(s.origin);
+    post.annotate(s.origin);
+    if kind == "OFF" {
+        post.st.coolant_again = false;
+        if let Some(off) = post.machine.coolant.get("OFF").cloned() {
+            if post.st.coolant.take().is_some() {
+                post.blocks.line(&off);
+            }
+        } else {
+            refuse(post, s, "the machine has no coolant");
+        }
+        return;
+    }
+    let wanted = match kind {
+        "ON" => post.st.last_coolant.clone().unwrap_or_else(|| "ON".into()),
+        _ => kind.to_string(),
+    };
+    let Some(code) = post.machine.coolant.get(&wanted).cloned() else {
+        refuse(post, s, &format!("the machine has no coolant {wanted}"));
+        return;
+    };
+    if post.st.coolant.as_deref() != Some(wanted.as_str()) || post.st.coolant_again {
+        // From one kind to another the first is switched off, or both would run.
+        let other =
+            post.st.coolant.as_deref().and_then(|k| post.machine.coolant.get(k)) != Some(&code);
+        if post.st.coolant.is_some()
+            && other
+            && !post.st.coolant_again
+            && let Some(off) = post.machine.coolant.get("OFF").cloned()
+        {
+            post.blocks.line(&off);
+        }
+        post.blocks.line(&code);
+    }
+    post.st.coolant_again = false;
+    post.st.coolant = Some(wanted.clone());
+    if wanted != "ON" {
+        post.st.last_coolant = Some(wanted);
+    }
+}
+
+impl Post {
+    /// Spindle and coolant that a tool change has stopped run again.
+    pub(crate) fn run_again(&mut self) {
+        if std::mem::take(&mut self.st.spindle_again) && self.st.spindle.on {
+            super::spindl::write(self);
+        }
+        if std::mem::take(&mut self.st.coolant_again)
+            && let Some(code) =
+                self.st.coolant.as_ref().and_then(|k| self.machine.coolant.get(k)).cloned()
+        {
+            self.blocks.line(&code);
+        }
+    }
+}

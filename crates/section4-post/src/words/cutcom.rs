@@ -1,0 +1,121 @@
+//! CUTCOM: compensation in the control.
+
+use aptc_diagnostics::codes;
+
+use crate::args::{Statement, whole};
+use crate::emit::render;
+use crate::machine::ArcPlane;
+use crate::post::Post;
+use crate::words::{bad_arguments, refuse};
+
+/// `CUTCOM/LEFT|RIGHT[,plane][,d]`, `ON`, `OFF`, `LENGTH|ZAXIS,n`, `LENGTH,OFF`.
+pub(super) fn cutcom(post: &mut Post, s: &Statement<'_>) {
+    post.start(s.origin);
+    post.annotate(s.origin);
+    match s.word(0) {
+        Some("OFF") => off(post, s),
+        Some("ON") => match post.st.last_cutcom {
+            Some((left, d)) => on(post, s, left, Some(d)),
+            // Nothing was on before: ON without a side has nothing to bring back.
+            None => {
+                let message = "CUTCOM/ON has no earlier LEFT or RIGHT to bring back".to_string();
+                let help = "write CUTCOM/LEFT,d or CUTCOM/RIGHT,d";
+                post.warn(codes::COMPENSATION, s.origin, message, help);
+            }
+        },
+        Some("LEFT") => on(post, s, true, s.first_number().and_then(whole)),
+        Some("RIGHT") => on(post, s, false, s.first_number().and_then(whole)),
+        Some("LENGTH" | "ZAXIS") => length(post, s),
+        Some("ADJUST" | "NORMDS" | "NORMPS" | "ENDPT") => {
+            refuse(post, s, "the machine has no such compensation");
+        }
+        _ => bad_arguments(post, s, "CUTCOM/LEFT,d, RIGHT,d, OFF or LENGTH,n"),
+    }
+}
+
+fn on(post: &mut Post, s: &Statement<'_>, left: bool, d: Option<u32>) {
+    let comp = post.machine.compensation.clone();
+    let template = if left { &comp.left } else { &comp.right };
+    if template.is_empty() {
+        refuse(post, s, "the control has no radius compensation");
+        return;
+    }
+    for (word, plane) in
+        [("XYPLAN", ArcPlane::Xy), ("ZXPLAN", ArcPlane::Zx), ("YZPLAN", ArcPlane::Yz)]
+    {
+        if s.has(word) {
+            post.blocks.select_plane(plane);
+        }
+    }
+    let Some(d) = d.or(post.st.offset).or(post.st.tool) else {
+        bad_arguments(post, s, "CUTCOM/LEFT,d with the number of the offset");
+        return;
+    };
+    post.leave_cycle();
+    let text = d.to_string();
+    let vars = [("offset", text.as_str())];
+    if !post.st.wear_defined.contains(&d) {
+        if post.st.wear_defined.len() < 1000 {
+            post.st.wear_defined.push(d);
+        }
+        if let Some(note) = render(&comp.wear_note, &vars) {
+            if post.summary.notes.len() < 100 && !note.is_empty() {
+                post.summary.notes.push(note.clone());
+            }
+            post.blocks.comment(&note);
+        }
+        if let Some(line) = render(&comp.wear_define, &vars) {
+            post.blocks.line(&line);
+        }
+        let message = format!(
+            "{}: the path is offset by the cutter already, so offset {d} holds wear only, 0 for a new tool",
+            s.written()
+        );
+        post.note(codes::WEAR_ONLY, s.origin, message, "");
+    }
+    post.blocks.with_motion = render(template, &vars);
+    post.st.cutcom = Some((left, d));
+    post.st.last_cutcom = post.st.cutcom;
+}
+
+fn off(post: &mut Post, s: &Statement<'_>) {
+    let was = post.st.cutcom.take().is_some();
+    let begun = post.blocks.with_motion.take().is_none();
+    if was && begun {
+        let line = post.machine.compensation.off.clone();
+        post.blocks.line(&line);
+    } else if was {
+        let message = "compensation ends before any motion".to_string();
+        post.warn(codes::COMPENSATION, s.origin, message, "remove CUTCOM or move between");
+    }
+}
+
+fn length(post: &mut Post, s: &Statement<'_>) {
+    let comp = post.machine.compensation.clone();
+    if s.has("OFF") {
+        // The offset ends where it is safe: retracted, by the end or the next tool change. Ended here, the
+        // next motion would dive by the length of the tool.
+        let message = format!("{}: the length offset ends when the tool is retracted", s.written());
+        post.note(codes::WORD_IGNORED, s.origin, message, "");
+        return;
+    }
+    let Some(n) = s.first_number().and_then(whole) else {
+        bad_arguments(post, s, "CUTCOM/LENGTH,n with the number of the offset");
+        return;
+    };
+    let Some(words) = render(&comp.length, &[("offset", &n.to_string())]).filter(|w| !w.is_empty())
+    else {
+        refuse(post, s, "the control has no length offsets");
+        return;
+    };
+    post.st.offset = Some(n);
+    if post.blocks.known_axis(2).is_some() {
+        post.leave_cycle();
+        post.blocks.line(&words);
+        // With a new offset the same Z is another place.
+        post.blocks.forget_axis(2);
+    } else {
+        post.blocks.with_tool_axis = Some(words);
+    }
+    post.st.length_on = true;
+}

@@ -1,0 +1,257 @@
+//! CYCLE: reading its forms.
+
+use aptc_cldata::Arg;
+use aptc_diagnostics::codes;
+use smol_str::SmolStr;
+
+use super::fedrat::unit;
+use crate::args::Statement;
+use crate::drill::DrillCycle;
+use crate::post::Post;
+use crate::state::Feedrate;
+use crate::words::{bad_arguments, refuse};
+
+/// Kinds of CYCLE that drill, with the name under which machine files have them.
+const KINDS: &[(&str, &str)] = &[
+    ("BORE", "BORE"),
+    ("BORE7", "BORE7"),
+    ("BORE8", "BORE8"),
+    ("BORE9", "BORE9"),
+    ("BRKCHP", "BRKCHP"),
+    ("CSINK", "CSINK"),
+    ("CBORE", "FACE"),
+    ("DEEP", "DEEP"),
+    ("DEEP2", "DEEP"),
+    ("DRILL", "DRILL"),
+    ("FACE", "FACE"),
+    ("MILL", "MILL"),
+    ("REAM", "REAM"),
+    ("REVERS", "REVERS"),
+    ("SHIFT", "SHIFT"),
+    ("SPOT", "DRILL"),
+    ("TAP", "TAP"),
+    ("THREAD", "THREAD"),
+    ("THRU", "THRU"),
+    ("CIRCUL", "CIRCUL"),
+];
+
+/// `CYCLE/kind,..`, `CYCLE/ON`, `CYCLE/OFF|NOMORE`, `CYCLE/INIT`.
+///
+/// Values come in couplets (`DEPTH,d` `FEDTO,d` `CLEAR,c` `RAPTO,c` `STEP,s` ..) or in the order depth, feed,
+/// clearance (depth, step, clearance for DEEP), where a unit word before or after a number marks it as the
+/// feed. A depth counts from the programmed point downwards, whatever its sign: both signs are in use.
+pub(super) fn cycle(post: &mut Post, s: &Statement<'_>) {
+    match s.word(0) {
+        Some("OFF" | "NOMORE") => {
+            post.leave_cycle();
+            post.st.cycle = None;
+            return;
+        }
+        Some("ON") => {
+            if post.st.last_cycle.is_none() {
+                let message = "CYCLE/ON has no earlier cycle to bring back".to_string();
+                let help = "write the cycle with its values, CYCLE/DRILL,DEPTH,d,CLEAR,c";
+                post.warn(codes::CYCLE_INCOMPLETE, s.origin, message, help);
+            }
+            post.st.cycle = post.st.last_cycle.clone();
+            return;
+        }
+        // CAMWorks announces a cycle before it gives it.
+        Some("INIT" | "CLEAR") => return,
+        Some("AUTO" | "AVOID") => {
+            refuse(post, s, "cycles are not made by themselves here");
+            return;
+        }
+        _ => {}
+    }
+    let Some(&(_, kind)) = s.word(0).and_then(|w| KINDS.iter().find(|(k, _)| *k == w)) else {
+        bad_arguments(post, s, "CYCLE/DRILL,DEPTH,d,CLEAR,c or another kind, or CYCLE/OFF");
+        return;
+    };
+    if let Some(cycle) = values(post, s, kind) {
+        post.st.last_cycle = Some(cycle.clone());
+        post.st.cycle = Some(cycle);
+    }
+}
+
+#[derive(Default)]
+struct Values {
+    depth: Option<f64>,
+    feed: Option<Feedrate>,
+    clear: Option<f64>,
+    rapto: Option<f64>,
+    retract: Option<f64>,
+    auto: bool,
+    first_step: Option<f64>,
+    step: Option<f64>,
+    dwell: Option<f64>,
+    dwell_rev: Option<f64>,
+    plain: Vec<f64>,
+}
+
+fn values(post: &mut Post, s: &Statement<'_>, kind: &str) -> Option<DrillCycle> {
+    let v = gather(post, s, kind)?;
+    let mut plain = v.plain.iter().copied();
+    let depth = v.depth.or_else(|| plain.next());
+    let mut step = v.step;
+    let pecks = matches!(kind, "DEEP" | "BRKCHP");
+    if pecks && step.is_none() && v.first_step.is_none() && plain.len() >= 2 {
+        step = plain.next();
+    }
+    let mut feed = v.feed;
+    if !pecks
+        && feed.is_none()
+        && plain.len() >= 1
+        && (plain.len() >= 2 || v.clear.or(v.rapto).is_some())
+    {
+        feed =
+            plain.next().map(|value| Feedrate { value, unit: crate::state::FeedUnit::PerMinute });
+    }
+    let clear = v.clear.or(v.rapto).or_else(|| plain.next());
+    if feed.is_none() && pecks {
+        feed =
+            plain.next().map(|value| Feedrate { value, unit: crate::state::FeedUnit::PerMinute });
+    }
+    let Some(depth) = depth else {
+        let message = format!("{} has no depth", s.written());
+        let help = format!("write CYCLE/{kind},DEPTH,d,CLEAR,c: d from the point down, c above it");
+        post.error(codes::CYCLE_INCOMPLETE, s.origin, message, &help);
+        return None;
+    };
+    // Where both stand, the feed begins at the nearer one and the tool ends at the farther one.
+    let (near, far) = match (v.clear, v.rapto) {
+        (Some(a), Some(b)) => (Some(a.min(b)), Some(a.max(b))),
+        _ => (clear, None),
+    };
+    let bad = [Some(depth), near, far, v.retract, step, v.first_step]
+        .into_iter()
+        .flatten()
+        .any(|n| !n.is_finite() || n.abs() > 1e9);
+    let negative = near.is_some_and(|c| c < 0.0);
+    if bad || negative {
+        let message = format!("{}: the clearance must not lie below the point", s.written());
+        post.error(
+            codes::CYCLE_INCOMPLETE,
+            s.origin,
+            message,
+            "give CLEAR,c upwards from the point",
+        );
+        return None;
+    }
+    Some(DrillCycle {
+        kind: SmolStr::new(kind),
+        depth: depth.abs(),
+        clear: near,
+        retract: v.retract.or(far),
+        retract_auto: v.auto,
+        feed,
+        first_step: v.first_step.or(step),
+        step: step.or(v.first_step),
+        dwell: v.dwell,
+        dwell_rev: v.dwell_rev,
+    })
+}
+
+fn gather(post: &mut Post, s: &Statement<'_>, kind: &str) -> Option<Values> {
+    let mut v = Values::default();
+    let args = &s.args[1..];
+    let mut i = 0;
+    while i < args.len() {
+        let number = match args.get(i + 1) {
+            Some(Arg::Number(n)) => Some(*n),
+            _ => None,
+        };
+        match &args[i] {
+            Arg::Number(n) => {
+                // A unit after the second or a later number marks it as the feed; the unit after the first
+                // belongs to the next number, for the first is the depth.
+                let marked = match args.get(i + 1) {
+                    Some(Arg::Word(w)) => unit(w).filter(|_| number_follows(args, i)),
+                    _ => None,
+                };
+                match marked {
+                    Some(unit)
+                        if !(v.plain.is_empty() && v.depth.is_none()) && v.feed.is_none() =>
+                    {
+                        v.feed = Some(Feedrate { value: *n, unit });
+                        i += 1;
+                    }
+                    _ => v.plain.push(*n),
+                }
+                i += 1;
+                continue;
+            }
+            Arg::Word(w) => {
+                let w = w.as_str();
+                if let Some(unit) = unit(w) {
+                    if let Some(value) = number {
+                        v.feed = Some(Feedrate { value, unit });
+                        i += 1;
+                    }
+                    i += 1;
+                    continue;
+                }
+                if w == kind || w == s.word(0).unwrap_or_default() {
+                    // The kind said twice.
+                    i += 1;
+                    continue;
+                }
+                let slot = match w {
+                    "DEPTH" | "FEDTO" => &mut v.depth,
+                    "CLEAR" => &mut v.clear,
+                    "RAPTO" => &mut v.rapto,
+                    "RTRCTO" | "RETURN" => {
+                        if matches!(args.get(i + 1), Some(Arg::Word(a)) if a == "AUTO") {
+                            v.auto = true;
+                            i += 2;
+                            continue;
+                        }
+                        &mut v.retract
+                    }
+                    "STEP" | "INCR" | "SUBPECK" | "PECK" => &mut v.step,
+                    "1STPECK" => &mut v.first_step,
+                    "DWELL" => {
+                        if matches!(args.get(i + 1), Some(Arg::Word(a)) if a == "REV") {
+                            i += 1;
+                            match args.get(i + 1) {
+                                Some(Arg::Number(n)) => v.dwell_rev = Some(*n),
+                                _ => i -= 1,
+                            }
+                            i += 2;
+                            continue;
+                        }
+                        if matches!(args.get(i + 2), Some(Arg::Word(a)) if a == "REV") {
+                            v.dwell_rev = number;
+                            i += 3;
+                            continue;
+                        }
+                        &mut v.dwell
+                    }
+                    _ => {
+                        refuse(post, s, &format!("CYCLE has nothing for {w} here"));
+                        return None;
+                    }
+                };
+                let Some(n) = number else {
+                    bad_arguments(post, s, &format!("a number after {w}"));
+                    return None;
+                };
+                *slot = Some(n);
+                i += 2;
+            }
+            _ => {
+                bad_arguments(post, s, "CYCLE with numbers and words");
+                return None;
+            }
+        }
+    }
+    Some(v)
+}
+
+/// Is the unit after this number its own? It is when it ends the list or another number with a place of its
+/// own follows: `20,IPM,.1` but not `2,IPM,23,.05`, where the list would lack its clearance.
+fn number_follows(args: &[Arg], at: usize) -> bool {
+    let rest = &args[at + 2..];
+    let plain = rest.iter().take_while(|a| matches!(a, Arg::Number(_))).count();
+    plain <= 1
+}

@@ -1,0 +1,96 @@
+//! FEDRAT and RAPID.
+
+use aptc_cldata::Arg;
+use aptc_diagnostics::codes;
+
+use crate::args::Statement;
+use crate::post::Post;
+use crate::state::{FeedUnit, Feedrate};
+use crate::words::{bad_arguments, refuse};
+
+/// Unit of a feed by its word.
+pub(super) fn unit(word: &str) -> Option<FeedUnit> {
+    Some(match word {
+        "PERMIN" | "UPM" => FeedUnit::PerMinute,
+        "PERREV" | "UPR" => FeedUnit::PerRevolution,
+        "IPM" => FeedUnit::InchPerMinute,
+        "IPR" => FeedUnit::InchPerRevolution,
+        "MMPM" => FeedUnit::MmPerMinute,
+        "MMPR" => FeedUnit::MmPerRevolution,
+        _ => return None,
+    })
+}
+
+/// `FEDRAT/f`, with a unit before or after the value; `FEDRAT/INVERS,AUTO|ON|OFF`; `MAXIPM,m` and the
+/// slow-down options of the arithmetic element are taken as given.
+pub(super) fn fedrat(post: &mut Post, s: &Statement<'_>) {
+    if s.word(0) == Some("INVERS") {
+        inverse(post, s);
+        return;
+    }
+    let mut value = None;
+    let mut found = None;
+    let mut args = s.args.iter();
+    while let Some(arg) = args.next() {
+        match arg {
+            Arg::Number(n) => value = value.or(Some(*n)),
+            Arg::Word(w) => match w.as_str() {
+                "AUTO" | "STEP" | "NOW" | "NEXT" => {}
+                "MAXIPM" | "SCALE" | "LENGTH" => {
+                    let _taken = args.next();
+                }
+                "LOCK" => {
+                    let message =
+                        format!("{}: the feed override of the operator is not locked", s.written());
+                    post.note(codes::WORD_IGNORED, s.origin, message, "");
+                    return;
+                }
+                w => match unit(w) {
+                    Some(u) => found = Some(u),
+                    None => {
+                        bad_arguments(
+                            post,
+                            s,
+                            "FEDRAT/f with IPM, IPR, MMPM, MMPR, PERMIN or PERREV",
+                        );
+                        return;
+                    }
+                },
+            },
+            _ => {}
+        }
+    }
+    let Some(value) = value else {
+        if found.is_none() {
+            bad_arguments(post, s, "FEDRAT/f");
+        }
+        return;
+    };
+    if !(value > 0.0 && value.is_finite()) {
+        let message = format!("{}: such a feed does not cut", s.written());
+        post.error(codes::POST_ARGUMENTS, s.origin, message, "write FEDRAT/f with a positive feed");
+        return;
+    }
+    post.st.feed = Some(Feedrate { value, unit: found.unwrap_or(FeedUnit::PerMinute) });
+    post.st.feed_word = None;
+}
+
+fn inverse(post: &mut Post, s: &Statement<'_>) {
+    if s.has("OFF") {
+        post.st.inverse = false;
+    } else if post.machine.feed.inverse_time.is_empty() {
+        refuse(post, s, "the machine has no inverse-time feed");
+        return;
+    } else {
+        post.st.inverse = true;
+    }
+    if let Some(value) = s.first_number() {
+        post.st.feed = Some(Feedrate { value, unit: FeedUnit::PerMinute });
+        post.st.feed_word = None;
+    }
+}
+
+/// RAPID: the next motion only.
+pub(super) fn rapid(post: &mut Post, _: &Statement<'_>) {
+    post.st.rapid = true;
+}

@@ -1,0 +1,141 @@
+//! CLRSRF, CLEARP, RETRCT and GOHOME: where the tool is clear.
+
+use std::sync::Arc;
+
+use aptc_cldata::Arg;
+use aptc_diagnostics::codes;
+use aptc_geometry::{Form, Plane, Vec3};
+
+use crate::args::Statement;
+use crate::post::Post;
+use crate::words::{bad_arguments, refuse};
+
+/// `CLRSRF/plane|z|[NORMAL,]i,j,k,d` stores the plane; `CLRSRF/NOW` retracts to it along the tool axis.
+pub(super) fn clrsrf(post: &mut Post, s: &Statement<'_>) {
+    match s.word(0) {
+        Some("NOW" | "START") => retract(post, s),
+        Some("STOP") => {}
+        _ => store(post, s),
+    }
+}
+
+/// `CLEARP/plane|XYPLAN,z`.
+pub(super) fn clearp(post: &mut Post, s: &Statement<'_>) {
+    store(post, s);
+}
+
+fn store(post: &mut Post, s: &Statement<'_>) {
+    let mm = post.st.units.mm();
+    let plane = match s.args {
+        [Arg::Form { form, .. }] => match &**form {
+            Form::Plane(p) => Some(*p),
+            _ => None,
+        },
+        [Arg::Number(z)] => Plane::new(Vec3::z(), *z),
+        [Arg::Word(w), Arg::Number(d)] => match w.as_str() {
+            "XYPLAN" => Plane::new(Vec3::z(), *d),
+            "YZPLAN" => Plane::new(Vec3::x(), *d),
+            "ZXPLAN" => Plane::new(Vec3::y(), *d),
+            _ => None,
+        },
+        [rest @ .., Arg::Number(i), Arg::Number(j), Arg::Number(k), Arg::Number(d)]
+            if rest.is_empty() || matches!(rest, [Arg::Word(w)] if w == "NORMAL") =>
+        {
+            Plane::new(Vec3::new(*i, *j, *k), *d)
+        }
+        // A plane by name, subscript and canonical form, as CL text has it.
+        [Arg::Word(_), rest @ ..] => match *numbers(rest) {
+            [_, a, b, c, d] => Plane::new(Vec3::new(a, b, c), d),
+            _ => None,
+        },
+        _ => None,
+    };
+    match plane {
+        Some(p) => post.st.clearance_mm = Some(Plane { n: p.n, d: p.d * mm }),
+        None => bad_arguments(post, s, "CLRSRF/plane, or CLRSRF/z"),
+    }
+}
+
+fn numbers(args: &[Arg]) -> Box<[f64]> {
+    let number = |a: &Arg| match a {
+        Arg::Number(n) => *n,
+        _ => f64::NAN,
+    };
+    args.iter().map(number).collect()
+}
+
+fn retract(post: &mut Post, s: &Statement<'_>) {
+    let Some(plane) = post.st.clearance_mm else {
+        let message = "CLRSRF/NOW before a clearance plane was given".to_string();
+        let help = "write CLRSRF/plane first";
+        post.error(codes::POST_ARGUMENTS, s.origin, message, help);
+        return;
+    };
+    post.st.rapid = false;
+    // Without a position there is nothing to retract from: the machine stands retracted.
+    let Some(pos) = post.st.pos else { return };
+    if post.st.ended {
+        return;
+    }
+    post.start(s.origin);
+    post.annotate(s.origin);
+    post.leave_cycle();
+    let ta = post.st.ta;
+    let slope = plane.n.dot(&ta);
+    if slope.abs() < 1e-6 {
+        let message = "the tool axis never meets the clearance plane".to_string();
+        post.error(codes::POST_ARGUMENTS, s.origin, message, "give a plane across the tool axis");
+        return;
+    }
+    let below = plane.d / post.st.out_mm() - plane.n.dot(&(pos - post.st.shift));
+    let way = below / slope;
+    let resolution = post.blocks.number(b'Z').resolution();
+    if way < -resolution {
+        let message = "the tool is beyond the clearance plane already and stays there".to_string();
+        post.note(codes::STAYS_CLEAR, s.origin, message, "");
+        return;
+    }
+    if way > 0.0 {
+        post.go_to(pos + ta * way, ta, true, s.origin);
+    }
+}
+
+/// `RETRCT`: as far as the machine goes.
+pub(super) fn retrct(post: &mut Post, s: &Statement<'_>) {
+    if matches!(s.word(0), Some("ON" | "OFF")) || s.has("TOOL") {
+        refuse(post, s, "only RETRCT without arguments retracts here");
+        return;
+    }
+    if post.machine.program.retract.is_empty() {
+        if post.st.clearance_mm.is_some() {
+            retract(post, s);
+        } else {
+            refuse(post, s, "the machine has no way to retract");
+        }
+        return;
+    }
+    post.st.rapid = false;
+    post.start(s.origin);
+    post.annotate(s.origin);
+    post.leave_cycle();
+    post.retract_to_home(s.origin);
+}
+
+/// `GOHOME`.
+pub(super) fn gohome(post: &mut Post, s: &Statement<'_>) {
+    if post.machine.program.home.is_empty() {
+        refuse(post, s, "the machine has no home");
+        return;
+    }
+    post.st.rapid = false;
+    post.start(s.origin);
+    post.annotate(s.origin);
+    post.leave_cycle();
+    let machine = Arc::clone(&post.machine);
+    let vars = post.common_vars();
+    post.blocks.template(&machine.program.home, &vars.list());
+    post.blocks.forget_after_start();
+    post.st.away = true;
+    // The CL position is where the tool was; the next cut begins where it says itself.
+    post.st.pos = None;
+}

@@ -1,0 +1,140 @@
+//! LOADTL, SELCTL, TOOLNO and their kin.
+
+use std::sync::Arc;
+
+use aptc_cldata::Arg;
+use aptc_diagnostics::codes;
+
+use crate::args::{Statement, whole};
+use crate::emit::render;
+use crate::post::Post;
+use crate::report::ToolUse;
+use crate::words::{bad_arguments, refuse};
+
+/// `LOADTL/n[,[LENGTH,]l][,ADJUST|OFFSET|OSETNO,h]`.
+pub(super) fn loadtl(post: &mut Post, s: &Statement<'_>) {
+    change(post, s, 0);
+}
+
+/// `LOAD/TOOL,n[,ADJUST,h]`.
+pub(super) fn load(post: &mut Post, s: &Statement<'_>) {
+    if s.word(0) == Some("TOOL") {
+        change(post, s, 1);
+    } else {
+        refuse(post, s, "only tools are loaded here");
+    }
+}
+
+fn change(post: &mut Post, s: &Statement<'_>, at: usize) {
+    let Some(tool) = s.number(at).and_then(whole) else {
+        bad_arguments(post, s, "LOADTL/n with a whole number");
+        return;
+    };
+    if post.st.ended {
+        let message = format!("{} after END", s.written());
+        post.error(codes::AFTER_END, s.origin, message, "put END after the last motion");
+        return;
+    }
+    post.start(s.origin);
+    post.annotate(s.origin);
+    if post.machine.program.tool_change.is_empty() {
+        refuse(post, s, "the machine changes no tools");
+        return;
+    }
+    if post.st.cutcom.is_some() {
+        let message = "a tool change while radius compensation is on".to_string();
+        post.error(codes::COMPENSATION, s.origin, message, "write CUTCOM/OFF before LOADTL");
+        return;
+    }
+    post.leave_cycle();
+    let offset = s.after(&["ADJUST", "OFFSET", "OSETNO"]).and_then(whole).unwrap_or(tool);
+    post.st.tool_length = s.after(&["LENGTH"]).or(post.st.tool_length);
+    let next = post.options.tools.get(post.st.n_loads + 1).copied();
+    post.st.n_loads += 1;
+    let next = next.filter(|n| *n != tool).map_or(String::new(), |n| n.to_string());
+    let machine = Arc::clone(&post.machine);
+    let comment = std::mem::take(&mut post.st.tool_comment);
+    let (tool_text, offset_text) = (tool.to_string(), offset.to_string());
+    let common = post.common_vars();
+    let mut vars = common.list();
+    vars.extend([
+        ("tool", tool_text.as_str()),
+        ("offset", &offset_text),
+        ("next", &next),
+        ("tool_comment", &comment),
+    ]);
+    // The blocks of a tool change are never skipped and begin on no modal state.
+    let skip = std::mem::replace(&mut post.blocks.skip, false);
+    post.blocks.with_tool_axis = None;
+    let line = post.blocks.lines + 1;
+    post.blocks.template(&machine.program.tool_change, &vars);
+    post.blocks.skip = skip;
+    post.blocks.forget_after_start();
+    post.blocks.with_tool_axis = render(&machine.compensation.length, &[("offset", &offset_text)]);
+    post.st.length_on = post.blocks.with_tool_axis.is_some();
+    post.st.away = machine.program.start_retracts;
+    post.st.tool = Some(tool);
+    post.st.offset = Some(offset);
+    post.st.spindle_again = post.st.spindle.on;
+    post.st.coolant_again = post.st.coolant.is_some();
+    let cutter = post.st.cutter.map(|c| c.values());
+    if post.summary.tools.len() == 1 && post.summary.tools[0] == unused(&post.summary.tools[0]) {
+        post.summary.tools.clear();
+    }
+    post.summary.tools.push(ToolUse {
+        number: Some(tool),
+        offset: Some(offset),
+        cutter,
+        comment,
+        line,
+        ..ToolUse::default()
+    });
+}
+
+/// A use in which no tool has worked: only its cutter is known.
+fn unused(tool: &ToolUse) -> ToolUse {
+    ToolUse { cutter: tool.cutter, comment: tool.comment.clone(), ..ToolUse::default() }
+}
+
+/// `SELCTL/n`: makes a tool ready.
+pub(super) fn selctl(post: &mut Post, s: &Statement<'_>) {
+    ready(post, s, s.number(0));
+}
+
+/// `SELECT/TOOL,n`.
+pub(super) fn select(post: &mut Post, s: &Statement<'_>) {
+    if s.word(0) == Some("TOOL") {
+        if s.args.len() > 1 {
+            ready(post, s, s.number(1));
+        }
+    } else {
+        refuse(post, s, "only tools are selected here");
+    }
+}
+
+fn ready(post: &mut Post, s: &Statement<'_>, tool: Option<f64>) {
+    let Some(tool) = tool.and_then(whole) else {
+        bad_arguments(post, s, "SELCTL/n with a whole number");
+        return;
+    };
+    // When the order of tools is known, each tool change makes the next one ready by itself.
+    if !post.options.tools.is_empty() || post.st.tool == Some(tool) {
+        return;
+    }
+    post.start(s.origin);
+    let template = post.machine.program.preselect.clone();
+    if let Some(line) = render(&template, &[("next", &tool.to_string())]) {
+        post.blocks.line(&line);
+    }
+}
+
+/// `TOOLNO/n[,l]`: data of a tool; LOADTL brings it in.
+pub(super) fn toolno(post: &mut Post, s: &Statement<'_>) {
+    let length = s.after(&["LENGTH"]).or(match s.args {
+        [Arg::Number(_), Arg::Number(l)] => Some(*l),
+        _ => None,
+    });
+    if length.is_some() {
+        post.st.tool_length = length;
+    }
+}
