@@ -1,0 +1,238 @@
+//! The surfaces that can control the tool, with what is asked of them.
+//!
+//! Every surface has a positive side, to which its normals point: that of a plane's normal, the outside
+//! of sphere, cylinder and cone, the side where a quadric's form is positive, the left of a directrix.
+
+mod cone;
+mod cylinder;
+mod plane;
+mod probe;
+mod quadric;
+mod shape;
+mod sphere;
+
+use std::sync::Arc;
+
+pub use cone::vertex_side;
+pub use probe::{Aimed, ajundo, ccurv, control, radar};
+pub use quadric::QuadricSurface;
+pub use shape::{Frame, Shape, frame_about};
+
+use crate::{Cone, Cylinder, Form, Place, Plane, Reason, Sphere, Vec3};
+
+/// A length is taken for zero below this fraction of the scene's size.
+pub const EPS_LEN: f64 = 1e-12;
+/// Directions are taken for parallel when their sine is below this.
+pub const EPS_ANG: f64 = 1e-10;
+
+/// A surface that can control the tool. LINE is a vertical plane, CIRCLE the cylinder along its axis.
+#[derive(Clone, Debug)]
+#[expect(missing_docs, reason = "each is the form of its name")]
+pub enum Surface {
+    Plane(Plane),
+    Sphere(Sphere),
+    Cylinder(Cylinder),
+    Cone(Cone),
+    Quadric(Arc<QuadricSurface>),
+}
+
+/// The point of a surface nearest to a given one.
+#[derive(Clone, Copy, Debug)]
+pub struct Foot {
+    /// The nearest point.
+    pub point: Vec3,
+    /// Unit normal there, to the positive side.
+    pub normal: Vec3,
+    /// Signed distance of the given point, positive on the positive side.
+    pub distance: f64,
+    /// Curvature of the surface at the nearest point.
+    pub shape: Shape,
+}
+
+/// Which intersection is wanted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fiop {
+    /// 0: the nearest, in front or behind.
+    Nearest,
+    /// +1: the nearest in front.
+    Ahead,
+    /// -1: the nearest in front, or else the nearest.
+    AheadFirst,
+}
+
+/// An intersection of a line with a surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hit {
+    /// Directed distance along the unit direction.
+    pub distance: f64,
+    /// The point.
+    pub point: Vec3,
+}
+
+impl Surface {
+    /// The surface that a form stands for; `None` for what cannot control the tool, and for a quadric
+    /// without coefficients.
+    pub fn from_form(form: &Form) -> Option<Self> {
+        Some(match form.shape() {
+            Form::Line(l) => Self::Plane(l.plane()),
+            Form::Plane(p) => Self::Plane(*p),
+            Form::Circle(c) => Self::Cylinder(c.cylinder()),
+            Form::Cylinder(c) => Self::Cylinder(*c),
+            Form::Sphere(s) => Self::Sphere(*s),
+            Form::Cone(c) => Self::Cone(*c),
+            Form::Quadric(q) => Self::Quadric(Arc::new(QuadricSurface::new(q)?)),
+            _ => return None,
+        })
+    }
+
+    /// Directed distances along the unit direction `d` from `p` to all intersections, rising. A line in the
+    /// surface is `AllHit`, one beside it `Parallel` or `NoHit`.
+    pub fn ray(&self, p: Vec3, d: Vec3) -> Result<Vec<f64>, Reason> {
+        let d = unit(d)?;
+        match self {
+            Self::Plane(s) => s.ray(p, d),
+            Self::Sphere(s) => s.ray(p, d),
+            Self::Cylinder(s) => s.ray(p, d),
+            Self::Cone(s) => s.ray(p, d),
+            Self::Quadric(s) => s.ray(p, d),
+        }
+    }
+
+    /// The intersection along `d` from `p` that `fiop` asks for.
+    ///
+    /// APT: `DDST` over `DDPLAN`, `DDSPHR`, `DDCON`, `DDCYLN`, `DDQUAD`, `DDTABC`. Source: B70-18 ch. D.
+    /// The nappe and the ends of a surface are respected before the choice, not after it.
+    pub fn directed_distance(&self, p: Vec3, d: Vec3, fiop: Fiop) -> Result<Hit, Reason> {
+        let d = unit(d)?;
+        let distance = match self.ray(p, d) {
+            Ok(roots) => select(&roots, fiop).ok_or(Reason::NoHit)?,
+            Err(Reason::AllHit) => 0.0,
+            Err(reason) => return Err(reason),
+        };
+        Ok(Hit { distance, point: p + d * distance })
+    }
+
+    /// Unit normal at a point of the surface, to its positive side; off the surface the normal of the
+    /// parallel or level surface through the point.
+    ///
+    /// APT: `UNRMAL` over `UNPLAN`, `UNSPHR`, `UNCON`, `UNCYLN`, `UNQUAD`, `NORM-TAB`.
+    pub fn normal(&self, p: Vec3) -> Result<Vec3, Reason> {
+        match self {
+            Self::Plane(s) => Ok(s.n),
+            Self::Sphere(s) => s.normal(p),
+            Self::Cylinder(s) => s.normal(p),
+            Self::Cone(s) => s.normal(p),
+            Self::Quadric(s) => s.normal(p),
+        }
+    }
+
+    /// The nearest point of the whole surface, with its normal, curvature and the signed distance. Where
+    /// several are equally near (the centre of a sphere) one of them.
+    #[inline]
+    pub fn foot(&self, p: Vec3) -> Foot {
+        match self {
+            Self::Plane(s) => s.foot(p),
+            Self::Sphere(s) => s.foot(p),
+            Self::Cylinder(s) => s.foot(p),
+            Self::Cone(s) => s.foot(p),
+            Self::Quadric(s) => s.foot(p),
+        }
+    }
+
+    /// Signed distance of `p`, positive on the positive side.
+    #[inline]
+    pub fn distance(&self, p: Vec3) -> f64 {
+        match self {
+            Self::Plane(s) => s.distance(p),
+            Self::Sphere(s) => (p - s.center).norm() - s.radius,
+            _ => self.foot(p).distance,
+        }
+    }
+
+    /// The direction in which the surface runs straight for ever (planes have many and give none).
+    pub fn generator(&self) -> Option<Vec3> {
+        match self {
+            Self::Cylinder(s) => Some(s.axis),
+            Self::Quadric(s) => s.generator(),
+            Self::Plane(_) | Self::Sphere(_) | Self::Cone(_) => None,
+        }
+    }
+
+    /// Is the region on the negative side convex (ball, solid cylinder, solid cone, half space)? Then the
+    /// gap of a tool on the positive side is a convex function of its place.
+    pub fn convex(&self) -> bool {
+        match self {
+            Self::Plane(_) | Self::Sphere(_) | Self::Cylinder(_) | Self::Cone(_) => true,
+            Self::Quadric(s) => s.convexity() > 0,
+        }
+    }
+
+    /// Is the region on the positive side convex?
+    pub fn concave(&self) -> bool {
+        match self {
+            Self::Plane(_) => true,
+            Self::Sphere(_) | Self::Cylinder(_) | Self::Cone(_) => false,
+            Self::Quadric(s) => s.convexity() < 0,
+        }
+    }
+
+    /// A length that says how large the numbers of the surface are: the farthest of its defining points
+    /// from the origin plus its radius.
+    pub fn extent(&self) -> f64 {
+        match self {
+            Self::Plane(s) => s.d.abs(),
+            Self::Sphere(s) => s.center.norm() + s.radius,
+            Self::Cylinder(s) => s.point.norm() + s.radius,
+            Self::Cone(s) => s.vertex.norm(),
+            Self::Quadric(s) => s.extent(),
+        }
+    }
+}
+
+/// Of directed distances the one that `fiop` asks for; of two equally near ones the positive.
+///
+/// APT: the choice at the end of `DDST`.
+pub fn select(roots: &[f64], fiop: Fiop) -> Option<f64> {
+    let nearest = |all: &mut dyn Iterator<Item = f64>| {
+        all.reduce(|a, b| if b.abs() < a.abs() || (b.abs() <= a.abs() && b > a) { b } else { a })
+    };
+    let ahead = || nearest(&mut roots.iter().copied().filter(|l| *l >= 0.0));
+    match fiop {
+        Fiop::Nearest => nearest(&mut roots.iter().copied()),
+        Fiop::Ahead => ahead(),
+        Fiop::AheadFirst => ahead().or_else(|| nearest(&mut roots.iter().copied())),
+    }
+}
+
+/// The unit vector along `v`; a zero or infinite one is refused.
+pub(crate) fn unit(v: Vec3) -> Result<Vec3, Reason> {
+    let s = v.norm();
+    if s > 0.0 && s.is_finite() { Ok(v / s) } else { Err(Reason::Degenerate(Place::Direction)) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn fiop_algebra() {
+        assert_eq!(select(&[-14.0, -6.0], Fiop::Nearest), Some(-6.0));
+        assert_eq!(select(&[-14.0, -6.0], Fiop::Ahead), None);
+        assert_eq!(select(&[-14.0, -6.0], Fiop::AheadFirst), Some(-6.0));
+        for f in [Fiop::Nearest, Fiop::Ahead, Fiop::AheadFirst] {
+            assert_eq!(select(&[8.0, 18.0], f), Some(8.0));
+            assert_eq!(select(&[-2.0, 2.0], f), Some(2.0));
+            assert_eq!(select(&[], f), None);
+        }
+        assert_eq!(select(&[-1.0, 4.0], Fiop::AheadFirst), Some(4.0));
+        assert_eq!(select(&[-1.0, 4.0], Fiop::Nearest), Some(-1.0));
+    }
+
+    #[test]
+    fn points_do_not_control_the_tool() {
+        assert!(Surface::from_form(&Form::Point(Vec3::zeros())).is_none());
+        let c = crate::Circle { center: Vec3::zeros(), axis: Vec3::z(), radius: 2.0 };
+        let s = Surface::from_form(&Form::Circle(c)).unwrap();
+        assert!((s.distance(Vec3::new(5.0, 0.0, 9.0)) - 3.0).abs() < 1e-15);
+    }
+}
