@@ -2,6 +2,7 @@
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "xtask talks to its terminal")]
 
 mod bench;
+mod bless;
 mod ci;
 mod clients;
 mod codegen;
@@ -20,6 +21,7 @@ cargo xtask <chore>
   test                all tests; installs the clients they need where it may
   ci                  formatting, lints, documentation, tidy, codegen, then test
   tidy                crate graph, file sizes, banned functions and words
+  bless [FILTER]      write the goldens of the corpus anew
   mutate [N] [--seed S]
                       N one-token changes of corpus programs (1,000): panics, hangs, and how often the
                       first message stands on the changed statement
@@ -38,6 +40,7 @@ fn main() -> ExitCode {
         ["ci"] => ci::run(),
         ["tidy"] => tidy::run(),
 
+        ["bless", options @ ..] => bless::run(options),
         ["bench", options @ ..] => bench::run(options),
         ["fuzz", options @ ..] => fuzz::run(options),
         ["mutate", options @ ..] => mutate::run(options),

@@ -1,1 +1,16 @@
-//! Section 2: the arithmetic element, cut vectors along drive and part surfaces
+//! Section 2: the arithmetic element. PROTAP records go in, in order; CL records come out.
+//!
+//! A motion along surfaces is prepared (APT: `AREPRE`), run in the plane (`plane`, APT:
+//! `ARLM2`) where all surfaces allow it, and stops at its check surface. Start-up motions (APT:
+//! `STRTUP`) bring the tool to its first surfaces.
+
+mod arelem;
+mod failure;
+mod forward;
+mod plane;
+mod prepare;
+mod scene;
+mod state;
+mod tool;
+
+pub use arelem::{Arelem, Options};

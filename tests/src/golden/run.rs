@@ -3,6 +3,7 @@
 use std::fmt;
 use std::fs;
 use std::path::Path;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use super::case::{Case, discover};
 use super::compare::{Change, change};
@@ -104,7 +105,8 @@ pub enum Mode {
     Bless,
 }
 
-/// Compiles every case below `root` whose name contains `filter`, and holds the results against the goldens.
+/// Compiles every case below `root` whose name contains `filter`, several side by side, and holds the
+/// results against the goldens.
 ///
 /// # Errors
 /// When a folder or file cannot be read or written. What is wrong with a case is in the report.
@@ -112,11 +114,12 @@ pub fn run(
     root: &Path,
     filter: &str,
     mode: Mode,
-    compile: impl Fn(&Case) -> Outputs,
+    compile: impl Fn(&Case) -> Outputs + Sync,
 ) -> Result<Report, String> {
+    let cases = discover(root, filter)?;
+    let outputs = compile_all(&cases, compile);
     let mut report = Report::default();
-    for case in discover(root, filter)? {
-        let outputs = compile(&case);
+    for (case, outputs) in cases.into_iter().zip(outputs) {
         let program = fs::read(case.program()).map_err(|error| named(&case.program(), &error))?;
         let expected = expected::parse(&String::from_utf8_lossy(&program));
         let (missing, unexpected) = expected::differences(&expected, &outputs.messages);
@@ -129,6 +132,25 @@ pub fn run(
         report.add(case.name, faults);
     }
     Ok(report)
+}
+
+fn compile_all(cases: &[Case], compile: impl Fn(&Case) -> Outputs + Sync) -> Vec<Outputs> {
+    let workers = std::thread::available_parallelism().map_or(1, usize::from);
+    let next = AtomicUsize::new(0);
+    let mut outputs: Vec<(usize, Outputs)> = std::thread::scope(|scope| {
+        let work = || {
+            let numbers = std::iter::repeat_with(|| next.fetch_add(1, Ordering::Relaxed));
+            let mine = numbers.take_while(|number| *number < cases.len());
+            mine.map(|number| (number, compile(&cases[number]))).collect::<Vec<_>>()
+        };
+        let workers: Vec<_> = (0..workers).map(|_| scope.spawn(work)).collect();
+        let joined = workers.into_iter().map(|worker| worker.join());
+        joined
+            .flat_map(|done| done.unwrap_or_else(|panic| std::panic::resume_unwind(panic)))
+            .collect()
+    });
+    outputs.sort_by_key(|(number, _)| *number);
+    outputs.into_iter().map(|(_, outputs)| outputs).collect()
 }
 
 /// Holds one result against its golden, or makes it the golden.

@@ -46,7 +46,7 @@ const KEPT: [(&str, &[&str]); 6] = [
     ("ariadne", &["aptc"]),
     ("clap", &["aptc"]),
     ("indicatif", &["aptc"]),
-    ("tempfile", &["aptc", "aptc-control"]),
+    ("tempfile", &["aptc", "aptc-control", "aptc-tests"]),
 ];
 
 /// What only tests use; any crate may have it as a development dependency.

@@ -5,4 +5,19 @@ use super::codes;
 codes! {
     SECTION2:
     NO_POSITION = 2001, "a motion before the tool has a position";
+    NO_CUTTER = 2002, "a surface is to be touched and no cutter is given";
+    OFF_DRIVE_SURFACE = 2003, "the tool is not within tolerance of the drive surface";
+    OFF_PART_SURFACE = 2004, "the tool is not within tolerance of the part surface";
+    WRONG_SIDE = 2005, "the tool is on the other side of the drive surface";
+    UNCLEAR_DIRECTION = 2006, "a direction word that does not say which way";
+    NO_SENSE = 2007, "a direction word with no direction before it";
+    CHECK_NOT_REACHED = 2008, "the check surface is not reached";
+    NO_TANGENCY = 2009, "surfaces that are not tangent where the motion should end";
+    CUTTER_TOO_LARGE = 2010, "the cutter does not fit into the surface";
+    NO_START = 2011, "a start-up without a position that satisfies it";
+    DIRECTION_MISSES = 2012, "the given direction does not lead to the surface";
+    NO_SIDE = 2013, "TO or PAST while the tool stands on the surface";
+    NO_CHECK_SURFACE = 2014, "a motion without a check surface";
+    NOT_A_SURFACE = 2015, "a form that cannot guide the tool";
+    UNSUPPORTED_MOTION = 2016, "a motion that cannot be computed yet";
 }

@@ -1,0 +1,258 @@
+//! Why a motion failed: data first, words in [`Failure::explain`].
+
+use aptc_diagnostics::{Code, Diagnostic, Origin, codes};
+use aptc_geometry::Vec3;
+use aptc_protap::{Direction, SurfaceRef};
+
+/// Why a motion failed.
+#[derive(Clone, Debug)]
+pub(crate) enum Failure {
+    /// No position yet.
+    NoPosition,
+    /// A surface is to be touched and there is no cutter.
+    NoCutter { surface: SurfaceRef },
+    /// The tool stands off the drive surface.
+    OffDrive { surface: SurfaceRef, off: f64, allowed: f64, outside: bool },
+    /// The tool stands off the part surface.
+    OffPart { surface: SurfaceRef, off: f64, allowed: f64, outside: bool },
+    /// The tool is on the other side of the drive surface than the words say.
+    WrongSide { surface: SurfaceRef, word: &'static str, other: &'static str },
+    /// Neither way is more left, right, forward or back than the other.
+    Direction { word: Direction, angle_deg: f64 },
+    /// GOLFT and its like without any motion before.
+    NoSense { word: Direction },
+    /// The check surface is never met.
+    NotReached { surface: SurfaceRef, nth: u32, met: u32, closest: f64, place: Vec3, gone: f64 },
+    /// Nowhere tangent.
+    NoTangency { surface: SurfaceRef, other: SurfaceRef, closest: f64, allowed: f64 },
+    /// The cutter does not fit into a round surface.
+    TooLarge { surface: SurfaceRef, radius: f64, cutter: f64 },
+    /// Start-up without a position that does what is asked.
+    NoStart { surfaces: Vec<SurfaceRef>, why: &'static str },
+    /// INDIRV or INDIRP leads away from the surface or along it.
+    Misses { surface: SurfaceRef, closest: f64 },
+    /// TO and PAST mean nothing while the tool stands on the surface.
+    NoSide { surface: SurfaceRef },
+    /// The next motion is needed to know where this one ends.
+    NoCheck { word: Direction },
+    /// A form that is no surface.
+    NotASurface { surface: SurfaceRef },
+    /// A pairing of surfaces that is not done yet.
+    Unsupported { what: String },
+}
+
+impl Failure {
+    /// The words, at the statement.
+    pub(crate) fn explain(&self, origin: &Origin) -> Diagnostic {
+        let (code, text, help) = self.words();
+        let mut d = Diagnostic::error(code, origin.span, text).within(origin.trace.clone());
+        if let Some(note) = self.note() {
+            d = d.note(note);
+        }
+        d.help(help)
+    }
+
+    fn words(&self) -> (Code, String, String) {
+        match self {
+            Self::NoPosition => (
+                codes::NO_POSITION,
+                "the tool has no position yet".into(),
+                "give FROM or GOTO before the first motion".into(),
+            ),
+            Self::NoCutter { surface } => (
+                codes::NO_CUTTER,
+                format!("no cutter is given, so it cannot touch {}", called(surface)),
+                "give CUTTER/diameter,corner radius first, CUTTER/0 for a point".into(),
+            ),
+            Self::OffDrive { surface, off, allowed, outside } => (
+                codes::OFF_DRIVE_SURFACE,
+                format!(
+                    "the tool is not within tolerance of the drive surface {}: {} {}, allowed {}",
+                    called(surface),
+                    number(off.abs()),
+                    if *outside { "off it" } else { "in it" },
+                    number(*allowed)
+                ),
+                format!(
+                    "bring the tool to {} with GO, or end the motion before at it",
+                    called(surface)
+                ),
+            ),
+            Self::OffPart { surface, off, allowed, outside } => (
+                codes::OFF_PART_SURFACE,
+                format!(
+                    "the tool is not within tolerance of the part surface {}: {} {}, allowed {}",
+                    called(surface),
+                    number(off.abs()),
+                    if *outside { "off it" } else { "in it" },
+                    number(*allowed)
+                ),
+                "bring the tool to it with GO, or give PSIS or AUTOPS for the surface it is on"
+                    .into(),
+            ),
+            Self::WrongSide { surface, word, other } => (
+                codes::WRONG_SIDE,
+                format!(
+                    "{word}, but going this way the tool is on the other side of {}",
+                    called(surface)
+                ),
+                format!("write {other}, or turn the other way"),
+            ),
+            Self::Direction { word, angle_deg } => (
+                codes::UNCLEAR_DIRECTION,
+                format!(
+                    "{} does not say which way: the surface runs {} degrees from the direction before",
+                    word_of(*word),
+                    number(*angle_deg)
+                ),
+                if matches!(word, Direction::Golft | Direction::Gorgt) {
+                    "use GOFWD or GOBACK where the path goes on smoothly".into()
+                } else {
+                    "use GOLFT or GORGT at a corner, or give INDIRV".into()
+                },
+            ),
+            Self::NoSense { word } => (
+                codes::NO_SENSE,
+                format!("{} has no direction before it to turn from", word_of(*word)),
+                "give INDIRV or INDIRP, or move the tool first".into(),
+            ),
+            Self::NotReached { surface, nth, met, .. } => (
+                codes::CHECK_NOT_REACHED,
+                if *met == 0 || *nth <= 1 {
+                    format!("the check surface {} is not reached", called(surface))
+                } else {
+                    format!(
+                        "the check surface {} is met {met} times, not {nth} times",
+                        called(surface)
+                    )
+                },
+                "check the direction, the relation (TO, ON, PAST, TANTO) and the surface".into(),
+            ),
+            Self::NoTangency { surface, other, closest, allowed } => (
+                codes::NO_TANGENCY,
+                if closest.is_finite() {
+                    format!(
+                        "{} is not tangent to {}: {} apart where they run alike, allowed {}",
+                        called(surface),
+                        called(other),
+                        number(closest.abs()),
+                        number(*allowed)
+                    )
+                } else {
+                    format!("{} is nowhere tangent to {} ahead", called(surface), called(other))
+                },
+                "use TO, ON or PAST, or define one of them tangent to the other".into(),
+            ),
+            Self::TooLarge { surface, radius, cutter } => (
+                codes::CUTTER_TOO_LARGE,
+                format!(
+                    "the cutter does not fit into {}: cutter radius {}, radius of the surface {}",
+                    called(surface),
+                    number(*cutter),
+                    number(*radius)
+                ),
+                format!("use a cutter of a diameter below {}", number(2.0 * radius)),
+            ),
+            Self::NoStart { surfaces, why } => (
+                codes::NO_START,
+                format!("no position of the tool satisfies {}: {why}", list(surfaces)),
+                "check TO, ON and PAST of each surface, or come from another point".into(),
+            ),
+            Self::Misses { surface, closest } => (
+                codes::DIRECTION_MISSES,
+                format!(
+                    "the tool does not come to {} in the given direction, {} away at the nearest",
+                    called(surface),
+                    number(*closest)
+                ),
+                "give another INDIRV or INDIRP, or leave it out for the shortest way".into(),
+            ),
+            Self::NoSide { surface } => (
+                codes::NO_SIDE,
+                format!("the tool stands on {}, so TO and PAST have no meaning", called(surface)),
+                "give SRFVCT with the vector from the TO side to the PAST side".into(),
+            ),
+            Self::NoCheck { word } => (
+                codes::NO_CHECK_SURFACE,
+                format!(
+                    "{} has no check surface, and no motion along a surface follows",
+                    word_of(*word)
+                ),
+                "name the check surface after the drive surface".into(),
+            ),
+            Self::NotASurface { surface } => (
+                codes::NOT_A_SURFACE,
+                format!(
+                    "{} is a {}, which cannot guide the tool",
+                    called(surface),
+                    surface.form.kind().word()
+                ),
+                "use a line, circle, plane or another surface".into(),
+            ),
+            Self::Unsupported { what } => (
+                codes::UNSUPPORTED_MOTION,
+                format!("{what} cannot be computed yet"),
+                "use other surfaces or a fixed tool axis".into(),
+            ),
+        }
+    }
+
+    fn note(&self) -> Option<String> {
+        let Self::NotReached { closest, place, gone, .. } = self else { return None };
+        Some(format!(
+            "closest at {},{},{}, {} from it, after {} of travel",
+            number(place.x),
+            number(place.y),
+            number(place.z),
+            number(*closest),
+            number(*gone)
+        ))
+    }
+}
+
+/// How a message names a surface.
+pub(crate) fn called(s: &SurfaceRef) -> String {
+    if s.name.name.is_empty() {
+        return format!("the {} given there", s.form.kind().word());
+    }
+    if s.name.subscript == 0 {
+        s.name.name.to_string()
+    } else {
+        format!("{}({})", s.name.name, s.name.subscript)
+    }
+}
+
+/// The APT word.
+pub(crate) fn word_of(d: Direction) -> &'static str {
+    match d {
+        Direction::Golft => "GOLFT",
+        Direction::Gorgt => "GORGT",
+        Direction::Gofwd => "GOFWD",
+        Direction::Goback => "GOBACK",
+        Direction::Goup => "GOUP",
+        Direction::Godown => "GODOWN",
+    }
+}
+
+fn list(surfaces: &[SurfaceRef]) -> String {
+    surfaces.iter().map(called).collect::<Vec<_>>().join(" and ")
+}
+
+/// A number with as many digits as a person wants to read.
+pub(crate) fn number(x: f64) -> String {
+    if !x.is_finite() {
+        return "infinitely far".into();
+    }
+    let size = x.abs();
+    let text = if size >= 1000.0 {
+        format!("{x:.1}")
+    } else if size >= 1.0 {
+        format!("{x:.4}")
+    } else if !(1e-12..1e-4).contains(&size) {
+        format!("{x:.6}")
+    } else {
+        return format!("{x:.2e}");
+    };
+    let trimmed = text.trim_end_matches('0').trim_end_matches('.');
+    if trimmed == "-0" { "0".into() } else { trimmed.into() }
+}

@@ -1,0 +1,242 @@
+//! One motion along a line or circle.
+
+use aptc_cldata::{Arc, Control, Course as ArcCourse, Position};
+use aptc_geometry::Circle;
+use aptc_protap::{DriveSide, Relation};
+
+use super::chords::{Ring, chords};
+use super::course::Course;
+use super::curve::Curve;
+use super::floor::{Floor, Height};
+use super::frame::{Frame, Vec2, angle, left};
+use super::stop::{Stop, Target, stop};
+use crate::failure::Failure;
+use crate::prepare::way;
+use crate::scene::{Path, Scene, to_or_on};
+
+/// The path of a motion; `None` when the scene is not one for the plane routine.
+pub(crate) fn run(scene: &Scene) -> Option<Result<Path, Failure>> {
+    let frame = Frame::of(scene.tool.ta);
+    let curve = Curve::of(&scene.drive.surface.form, &frame)?;
+    let floor = Floor::of(&scene.part, &frame, scene.tool.te, Height::AsItStands)?;
+    let mut targets = Vec::with_capacity(scene.checks.len());
+    for check in &scene.checks {
+        if check.relation == Relation::Pstan {
+            return None;
+        }
+        let band = check.wall.band;
+        let tangent = check.relation == Relation::Tanto;
+        targets.push(Target {
+            curve: Curve::of(&check.wall.surface.form, &frame)?,
+            relation: check.relation,
+            reach: if tangent && scene.drive.on { 0.0 } else { check.wall.reach() },
+            nth: check.nth,
+            near: band.intol.max(band.outtol),
+            loose: 2.0 * (band.intol + band.outtol),
+        });
+    }
+    Some(follow(scene, &Plan { frame, curve, floor, targets }))
+}
+
+struct Plan {
+    frame: Frame,
+    curve: Curve,
+    floor: Floor,
+    targets: Vec<Target>,
+}
+
+fn follow(scene: &Scene, plan: &Plan) -> Result<Path, Failure> {
+    let begin = begin(scene, plan)?;
+    let (s, check) = first_stop(scene, plan, &begin.course)?;
+    let mut corners: Vec<Vec2> = Vec::new();
+    if begin.reposition {
+        corners.push(begin.course.at(0.0));
+    }
+    match begin.course {
+        Course::Straight { .. } => corners.push(begin.course.at(s)),
+        Course::Round { c, r, start, sense } => {
+            let ring = begin.ring(scene, r);
+            let first = if begin.reposition { r } else { (begin.place - c).norm() };
+            corners.extend(
+                chords(ring, first, s)
+                    .into_iter()
+                    .map(|v| c + super::frame::ray(start + sense * v.angle) * v.radius),
+            );
+        }
+    }
+    let (frame, floor) = (&plan.frame, &plan.floor);
+    let place = |q: Vec2| frame.space(q, floor.height(frame, q));
+    let points: Vec<Position> =
+        corners.into_iter().map(|q| Position { te: place(q), ta: scene.tool.ta }).collect();
+    let arc = match begin.course {
+        Course::Round { c, r, .. } if r > 0.0 && floor.is_level(frame) => {
+            let circle = Circle { center: place(c), axis: scene.tool.ta, radius: r };
+            Some(Arc { circle, course: ArcCourse::Chords })
+        }
+        _ => None,
+    };
+    let end = begin.course.at(s);
+    Ok(Path {
+        points,
+        arc,
+        check,
+        forward: floor.lift(frame, begin.course.direction(s)),
+        control: control(scene, plan, &begin, end, check),
+    })
+}
+
+/// The course of the tool end and how the tool stands at its start.
+struct Begin {
+    place: Vec2,
+    course: Course,
+    /// +1 with the tool on the side of the curve's normal, -1 on the other, 0 on it.
+    side: f64,
+    /// Is the tool so far off that it must first be put in place?
+    reposition: bool,
+}
+
+impl Begin {
+    fn ring(&self, scene: &Scene, r: f64) -> Ring {
+        let band = scene.drive.band;
+        let (inner, outer) =
+            if self.side < 0.0 { (band.outtol, band.intol) } else { (band.intol, band.outtol) };
+        Ring { radius: r, inner, outer }
+    }
+}
+
+fn begin(scene: &Scene, plan: &Plan) -> Result<Begin, Failure> {
+    let (tool, drive) = (&scene.tool, &scene.drive);
+    let band = drive.band;
+    let place = plan.frame.plan(tool.te);
+    let reach = drive.reach();
+    let foot = plan.curve.normal(place).filter(|_| {
+        // At the centre of a circle, within tolerance, the normal is noise.
+        !matches!(plan.curve, Curve::Circle { c, .. } if (place - c).norm() <= band.outtol + band.intol)
+    });
+    let (t, side) = match foot {
+        Some(n) => {
+            let t =
+                plan.frame.plan(way(tool, scene.direction, plan.floor.lift(&plan.frame, left(n)))?);
+            let t = t.normalize();
+            let toward = if n.dot(&left(t)) >= 0.0 { 1.0 } else { -1.0 };
+            (t, toward * side_of(scene.side))
+        }
+        // The cutter fills the circle: it turns in place, the surface around it.
+        None => (plan.frame.plan(tool.forward), -1.0),
+    };
+    let asked = side * reach;
+    let off = match scene.side {
+        DriveSide::Tlon | DriveSide::Tlndon => plan.curve.distance(place).abs(),
+        _ => (plan.curve.distance(place) - asked) * side,
+    };
+    let allowed = 2.0 * (band.intol + band.outtol);
+    if let Curve::Circle { r, .. } = plan.curve
+        && r + asked < -allowed
+    {
+        return Err(too_large(scene, r));
+    }
+    if off.abs() > allowed {
+        return Err(misplaced(scene, plan, place, side, off, allowed));
+    }
+    let lift = plan.floor.off(tool.te);
+    let part = scene.part.band;
+    let part_allowed = 2.0 * (part.intol + part.outtol);
+    if lift.abs() > part_allowed {
+        return Err(Failure::OffPart {
+            surface: scene.part.surface.clone(),
+            off: lift,
+            allowed: part_allowed,
+            outside: lift > 0.0,
+        });
+    }
+    let course = match plan.curve {
+        Curve::Line { n, d } => {
+            let from = place - n * (n.dot(&place) - d - asked);
+            Course::Straight { from, along: t }
+        }
+        Curve::Circle { c, r } => {
+            let r = (r + asked).max(0.0);
+            let v = if foot.is_some() { place - c } else { -left(t) * side_of(scene.side) };
+            let sense = if left(v).dot(&t) >= 0.0 { 1.0 } else { -1.0 };
+            let r = if foot.is_some() { r } else { 0.0 };
+            Course::Round { c, r, start: angle(v), sense }
+        }
+    };
+    let slack = 1e-9 * (reach + off.abs());
+    let within = (-band.intol - slack..=band.outtol + slack).contains(&off)
+        && (-part.intol - slack..=part.outtol + slack).contains(&lift);
+    Ok(Begin { place, course, side: if drive.on { 0.0 } else { side }, reposition: !within })
+}
+
+/// +1 when the tool is to be on the left.
+fn side_of(word: DriveSide) -> f64 {
+    if word == DriveSide::Tlrgt { -1.0 } else { 1.0 }
+}
+
+fn too_large(scene: &Scene, radius: f64) -> Failure {
+    let cutter = scene.drive.reach();
+    Failure::TooLarge { surface: scene.drive.surface.clone(), radius, cutter }
+}
+
+fn misplaced(scene: &Scene, plan: &Plan, at: Vec2, side: f64, off: f64, allowed: f64) -> Failure {
+    let surface = scene.drive.surface.clone();
+    let other = (plan.curve.distance(at) + side * scene.drive.reach()).abs();
+    let (word, opposite) = match scene.side {
+        DriveSide::Tllft => ("TLLFT", "TLRGT"),
+        _ => ("TLRGT", "TLLFT"),
+    };
+    if !scene.drive.on && other <= allowed {
+        return Failure::WrongSide { surface, word, other: opposite };
+    }
+    Failure::OffDrive { surface, off, allowed, outside: off > 0.0 }
+}
+
+/// Parameter of the first stop and the check surface that makes it.
+fn first_stop(scene: &Scene, plan: &Plan, course: &Course) -> Result<(f64, usize), Failure> {
+    let stops: Vec<Stop> = plan.targets.iter().map(|t| stop(course, t)).collect();
+    let mut best: Option<(f64, usize)> = None;
+    for (i, s) in stops.iter().enumerate() {
+        if let Stop::At(s) = *s
+            && best.is_none_or(|(b, _)| s < b)
+        {
+            best = Some((s, i));
+        }
+    }
+    best.ok_or_else(|| {
+        let place = |q: Vec2| plan.frame.space(q, plan.floor.height(&plan.frame, q));
+        match (stops.first(), scene.checks.first()) {
+            (Some(Stop::Never { met, closest, at }), Some(check)) => Failure::NotReached {
+                surface: check.wall.surface.clone(),
+                nth: check.nth,
+                met: *met,
+                closest: *closest,
+                place: place(course.at(*at)),
+                gone: course.length(*at),
+            },
+            (Some(Stop::NotTangent { closest }), Some(check)) => Failure::NoTangency {
+                surface: scene.drive.surface.clone(),
+                other: check.wall.surface.clone(),
+                closest: *closest,
+                allowed: plan.targets[0].loose,
+            },
+            _ => Failure::NoCheck { word: scene.direction },
+        }
+    })
+}
+
+fn control(scene: &Scene, plan: &Plan, begin: &Begin, end: Vec2, stopped: usize) -> Control {
+    let mut checks: Vec<_> = scene
+        .checks
+        .iter()
+        .zip(&plan.targets)
+        .map(|(c, t)| c.wall.controlled(c.relation, t.curve.distance(end)))
+        .collect();
+    checks.swap(0, stopped);
+    Control {
+        drive: Some(scene.drive.controlled(to_or_on(scene.drive.on), begin.side)),
+        part: Some(
+            scene.part.controlled(to_or_on(scene.part.on), plan.floor.form_side(&scene.part)),
+        ),
+        checks,
+    }
+}

@@ -1,0 +1,192 @@
+//! Start-up in the plane (APT: `STRTUP`): lines, circles and the floor.
+
+use aptc_cldata::{Control, Position};
+use aptc_geometry::Vec3;
+use aptc_protap::Relation;
+
+use super::curve::Curve;
+use super::floor::{Floor, Height};
+use super::frame::{Frame, Vec2};
+use crate::failure::Failure;
+use crate::scene::{Path, Start, Wall};
+
+/// A surface along the axis with the curve on which the tool end is to be.
+struct Side<'a> {
+    wall: &'a Wall,
+    relation: Relation,
+    /// Its trace.
+    trace: Curve,
+    /// Signed distance of the tool end from it.
+    by: f64,
+    along: Option<Vec3>,
+}
+
+/// The position of a start-up; `None` when it is not one for the plane routine.
+pub(crate) fn start(go: &Start) -> Option<Result<Path, Failure>> {
+    let frame = Frame::of(go.tool.ta);
+    let te = frame.plan(go.tool.te);
+    let mut floor: Option<(Floor, &Wall, Relation)> = None;
+    let mut sides: Vec<Side<'_>> = Vec::new();
+    let mut failure = None;
+    let named = go.surfaces.iter().enumerate().map(|(i, s)| (s, Some(i)));
+    for ((relation, wall), i) in named.chain(go.part.iter().map(|s| (s, None))) {
+        if matches!(relation, Relation::Tanto | Relation::Pstan) {
+            return None;
+        }
+        if let Some(trace) = Curve::of(&wall.surface.form, &frame) {
+            let normal =
+                i.and_then(|i| go.normals.get(i).copied().flatten()).map(|v| frame.plan(v));
+            let by = match signed_reach(*relation, wall, &trace, te, normal) {
+                Ok(by) => by,
+                Err(f) => {
+                    failure.get_or_insert(f);
+                    continue;
+                }
+            };
+            let along = i.and_then(|i| go.along.get(i).copied().flatten());
+            sides.push(Side { wall, relation: *relation, trace, by, along });
+        } else if floor.is_none() {
+            let height = if *relation == Relation::Past { Height::Far } else { Height::Near };
+            floor = Some((Floor::of(wall, &frame, go.tool.te, height)?, wall, *relation));
+        } else {
+            return None;
+        }
+    }
+    if let Some(f) = failure {
+        return Some(Err(f));
+    }
+    if sides.is_empty() || sides.len() > 2 {
+        return None;
+    }
+    // Without a floor the direction may climb; that is exact only for one surface.
+    let place = match locate(go, &frame, te, &sides) {
+        Ok(p) => p,
+        Err(f) => return Some(Err(f)),
+    };
+    let height = match &floor {
+        Some((f, ..)) => f.height(&frame, place),
+        None => free_height(go, &frame, te, place, &sides),
+    };
+    let end = frame.space(place, height);
+    let mut controlled = Vec::new();
+    for (relation, wall) in go.surfaces.iter().chain(&go.part) {
+        let side = sides
+            .iter()
+            .find(|s| std::ptr::eq(s.wall, wall))
+            .map(|s| s.by)
+            .or_else(|| floor.as_ref().map(|(f, w, _)| f.form_side(w)));
+        controlled.push(wall.controlled(*relation, side.unwrap_or(1.0)));
+    }
+    let mut controlled = controlled.into_iter();
+    let control =
+        Control { drive: controlled.next(), part: controlled.next(), checks: controlled.collect() };
+    let points = vec![Position { te: end, ta: go.tool.ta }];
+    let forward = end - go.tool.te;
+    Some(Ok(Path { points, arc: None, check: 0, forward, control }))
+}
+
+/// Signed distance from the curve at which the tool end is to be: TO keeps the tool on its side, PAST
+/// takes it to the other.
+fn signed_reach(
+    relation: Relation,
+    wall: &Wall,
+    trace: &Curve,
+    te: Vec2,
+    from_to_to_past: Option<Vec2>,
+) -> Result<f64, Failure> {
+    let reach = wall.reach();
+    if relation == Relation::On || reach <= 0.0 {
+        return Ok(if relation == Relation::On { 0.0 } else { reach });
+    }
+    let at = trace.distance(te);
+    let given = from_to_to_past.and_then(|v| trace.normal(te).map(|n| -v.dot(&n)));
+    let near = match given {
+        Some(side) if side.abs() > 0.0 => side.signum(),
+        _ if at.abs() <= 1e-3 * (wall.band.intol + wall.band.outtol) => {
+            return Err(Failure::NoSide { surface: wall.surface.clone() });
+        }
+        _ => at.signum(),
+    };
+    let side = if relation == Relation::Past { -near } else { near };
+    match *trace {
+        Curve::Circle { r, .. } if side < 0.0 && r < reach => {
+            if relation == Relation::Past {
+                // There is no room inside: the far side is the outside, beyond the centre.
+                Ok(reach)
+            } else {
+                Err(Failure::TooLarge { surface: wall.surface.clone(), radius: r, cutter: reach })
+            }
+        }
+        _ => Ok(side * reach),
+    }
+}
+
+fn locate(go: &Start, frame: &Frame, te: Vec2, sides: &[Side<'_>]) -> Result<Vec2, Failure> {
+    let curve = |s: &Side<'_>| {
+        s.trace.offset(s.by).ok_or_else(|| Failure::TooLarge {
+            surface: s.wall.surface.clone(),
+            radius: 0.0,
+            cutter: s.by.abs(),
+        })
+    };
+    let along = |v: Vec3| {
+        let t = frame.plan(v);
+        let l = t.norm();
+        if l > 0.0 { t / l } else { t }
+    };
+    if let [side] = sides {
+        let target = curve(side)?;
+        let Some(v) = side.along.or_else(|| go.along.iter().copied().flatten().next()) else {
+            return Ok(target.nearest(te, frame.plan(go.tool.forward)));
+        };
+        let t = along(v);
+        let misses = || Failure::Misses {
+            surface: side.wall.surface.clone(),
+            closest: (side.trace.distance(te).abs() - side.by.abs()).max(0.0),
+        };
+        if go.offset {
+            let s = side.trace.hit(te, t).ok_or_else(misses)?;
+            let q = te + t * s;
+            let n = side.trace.normal(q).ok_or_else(misses)?;
+            return Ok(q + n * side.by);
+        }
+        return target.hit(te, t).map(|s| te + t * s).ok_or_else(misses);
+    }
+    // Two surfaces: each direction given brings the tool nearer, then the nearest position counts.
+    let mut from = te;
+    let mut first = None;
+    for side in sides {
+        let Some(v) = side.along else { continue };
+        let t = along(v);
+        first.get_or_insert(t);
+        if let Some(s) = curve(side)?.hit(from, t).or_else(|| side.trace.hit(from, t)) {
+            from += t * s;
+        }
+    }
+    let mut meets = curve(&sides[0])?.meet(&curve(&sides[1])?);
+    if let Some(t) = first {
+        let forward: Vec<Vec2> = meets.iter().copied().filter(|q| (q - te).dot(&t) > 0.0).collect();
+        if !forward.is_empty() {
+            meets = forward;
+        }
+    }
+    meets.into_iter().min_by(|a, b| (a - from).norm().total_cmp(&(b - from).norm())).ok_or_else(
+        || Failure::NoStart {
+            surfaces: sides.iter().map(|s| s.wall.surface.clone()).collect(),
+            why: "the two do not meet where the cutter would have to be",
+        },
+    )
+}
+
+/// Height of the tool end when no surface gives it: as it was, or as the direction climbs.
+fn free_height(go: &Start, frame: &Frame, te: Vec2, place: Vec2, sides: &[Side<'_>]) -> f64 {
+    let old = frame.height(go.tool.te);
+    let [side] = sides else { return old };
+    let Some(v) = side.along else { return old };
+    let flat = frame.plan(v).norm();
+    if flat > 0.0 && side.relation != Relation::Tanto {
+        old + frame.height(v) * (place - te).norm() / flat
+    } else {
+        old
+    }
+}

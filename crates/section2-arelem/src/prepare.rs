@@ -1,0 +1,81 @@
+//! Which way the tool goes (APT: `AREPRE`).
+
+use aptc_geometry::{Vec3, trig};
+use aptc_protap::Direction;
+
+use crate::failure::Failure;
+use crate::state::Tool;
+
+/// Least cosine by which one way must win. Below it (within about a twentieth of a degree of square) the
+/// words do not decide.
+const CLEAR: f64 = 1e-3;
+
+/// Of `tangent` and its opposite the one that the word means: forward and back by the direction of the
+/// last motion, left and right of it with the tool axis up, up and down by the tool axis.
+pub(crate) fn way(tool: &Tool, word: Direction, tangent: Vec3) -> Result<Vec3, Failure> {
+    let reference = match word {
+        Direction::Goup => tool.ta,
+        Direction::Godown => -tool.ta,
+        _ if tool.forward.norm() < 0.5 => return Err(Failure::NoSense { word }),
+        Direction::Golft | Direction::Gorgt => {
+            let left = tool.ta.cross(&tool.forward);
+            if word == Direction::Golft { left } else { -left }
+        }
+        Direction::Gofwd | Direction::Goback => {
+            // Only the part across the axis decides, where both have one.
+            let across = |v: Vec3| v - tool.ta * v.dot(&tool.ta);
+            let (f, t) = (across(tool.forward), across(tool_unit(tangent)));
+            let forward = if f.norm() > CLEAR && t.norm() > CLEAR { f } else { tool.forward };
+            if word == Direction::Gofwd { forward } else { -forward }
+        }
+    };
+    let (r, t) = (tool_unit(reference), tool_unit(tangent));
+    let cosine = r.dot(&t);
+    let flat = t - tool.ta * t.dot(&tool.ta);
+    let scale = match word {
+        Direction::Goup | Direction::Godown => 1.0,
+        _ if flat.norm() > CLEAR => flat.norm(),
+        _ => 1.0,
+    };
+    if cosine.abs() < CLEAR * scale {
+        let run = tool.forward.dot(&t).clamp(-1.0, 1.0);
+        return Err(Failure::Direction { word, angle_deg: trig::acos_clamped(run).to_degrees() });
+    }
+    Ok(if cosine > 0.0 { tangent } else { -tangent })
+}
+
+fn tool_unit(v: Vec3) -> Vec3 {
+    let l = v.norm();
+    if l > 0.0 { v / l } else { v }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn tool() -> Tool {
+        Tool { te: Vec3::zeros(), ta: Vec3::z(), forward: Vec3::x() }
+    }
+
+    #[test]
+    fn left_right_forward_and_back() {
+        let go = |word, t| way(&tool(), word, t).unwrap();
+        assert_eq!(go(Direction::Golft, Vec3::y()), Vec3::y());
+        assert_eq!(go(Direction::Gorgt, Vec3::y()), -Vec3::y());
+        assert_eq!(go(Direction::Gofwd, -Vec3::x()), Vec3::x());
+        assert_eq!(go(Direction::Goback, -Vec3::x()), -Vec3::x());
+        assert_eq!(go(Direction::Godown, Vec3::z()), -Vec3::z());
+    }
+
+    #[test]
+    fn square_to_forward_is_neither_forward_nor_back() {
+        assert!(matches!(
+            way(&tool(), Direction::Gofwd, Vec3::y()),
+            Err(Failure::Direction { .. })
+        ));
+        assert!(matches!(
+            way(&tool(), Direction::Golft, Vec3::x()),
+            Err(Failure::Direction { .. })
+        ));
+    }
+}

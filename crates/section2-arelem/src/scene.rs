@@ -1,0 +1,112 @@
+//! What one motion is asked to do: the tool, the surfaces, and what the cutter does to each.
+
+use std::sync::Arc;
+
+use aptc_cldata as cl;
+use aptc_geometry::{Form, Vec3};
+use aptc_protap::{Direction, DriveSide, Relation, SurfaceRef};
+
+use crate::forward;
+use crate::state::{Band, Tool};
+use crate::tool::Shape;
+
+/// A surface with what is asked of the cutter against it.
+#[derive(Clone, Debug)]
+pub(crate) struct Wall {
+    pub(crate) surface: SurfaceRef,
+    /// What touches it.
+    pub(crate) shape: Shape,
+    /// Is the tool end on it, rather than the cutter at it?
+    pub(crate) on: bool,
+    /// Thickness left on it; 0 when the tool end is on it.
+    pub(crate) thick: f64,
+    pub(crate) band: Band,
+}
+
+/// A check surface.
+#[derive(Clone, Debug)]
+pub(crate) struct Check {
+    pub(crate) wall: Wall,
+    pub(crate) relation: Relation,
+    pub(crate) nth: u32,
+}
+
+/// A motion along surfaces.
+#[derive(Clone, Debug)]
+pub(crate) struct Scene {
+    pub(crate) tool: Tool,
+    pub(crate) direction: Direction,
+    pub(crate) drive: Wall,
+    pub(crate) side: DriveSide,
+    pub(crate) part: Wall,
+    pub(crate) checks: Vec<Check>,
+}
+
+/// A start-up.
+#[derive(Clone, Debug)]
+pub(crate) struct Start {
+    pub(crate) tool: Tool,
+    pub(crate) offset: bool,
+    /// The surfaces named, in the order drive, part, check.
+    pub(crate) surfaces: Vec<(Relation, Wall)>,
+    /// The part surface in force when none was named; none after NOPS.
+    pub(crate) part: Option<(Relation, Wall)>,
+    /// Direction given for each surface.
+    pub(crate) along: Vec<Option<Vec3>>,
+    /// SRFVCT for each surface.
+    pub(crate) normals: Vec<Option<Vec3>>,
+}
+
+/// What came of it.
+#[derive(Clone, Debug)]
+pub(crate) struct Path {
+    /// Ends of the cut vectors.
+    pub(crate) points: Vec<cl::Position>,
+    /// The circle of the tool end.
+    pub(crate) arc: Option<cl::Arc>,
+    /// Which check surface stopped it.
+    pub(crate) check: usize,
+    /// Direction at the end.
+    pub(crate) forward: Vec3,
+    /// For the proof.
+    pub(crate) control: cl::Control,
+}
+
+impl Wall {
+    /// Distance between surface and tool axis for a surface along the axis.
+    pub(crate) fn reach(&self) -> f64 {
+        if self.on { 0.0 } else { self.shape.radius() + self.thick }
+    }
+
+    /// For the proof: the tool is on that side of the form's normal.
+    pub(crate) fn controlled(&self, relation: Relation, side: f64) -> cl::Controlled {
+        cl::Controlled {
+            name: forward::name(&self.surface.name),
+            form: Arc::clone(&self.surface.form),
+            relation: forward::relation(relation),
+            side: if self.on {
+                0
+            } else if side < 0.0 {
+                -1
+            } else {
+                1
+            },
+            thick: self.thick,
+            intol: self.band.intol,
+            outtol: self.band.outtol,
+        }
+    }
+
+    /// Can the form guide a tool at all?
+    pub(crate) fn is_surface(&self) -> bool {
+        !matches!(
+            *self.surface.form,
+            Form::Point(_) | Form::Vector(_) | Form::Matrix(_) | Form::Pattern(_)
+        )
+    }
+}
+
+/// TO or ON, for part and drive surface.
+pub(crate) fn to_or_on(on: bool) -> Relation {
+    if on { Relation::On } else { Relation::To }
+}

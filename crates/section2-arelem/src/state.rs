@@ -1,0 +1,156 @@
+//! What holds from statement to statement: modal words, part surface, position of the tool.
+
+use std::sync::Arc;
+
+use aptc_geometry::{Cutter, Form, Plane, Vec3};
+use aptc_protap::{DriveSide, NameRef, OptionSurface, PartSide, SurfaceRef, ToolAxis, Units};
+
+/// Historic defaults, in millimetres: they were inches and are converted to the unit of the program.
+const OUTTOL_MM: f64 = 0.0005 * 25.4;
+
+/// Surfaces with a tolerance and a thickness of their own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Role {
+    Part = 0,
+    Drive = 1,
+    Check = 2,
+    SecondCheck = 3,
+}
+
+/// Tolerance on one surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Band {
+    /// Allowed violation.
+    pub(crate) intol: f64,
+    /// Allowed excess.
+    pub(crate) outtol: f64,
+}
+
+/// The part surface.
+#[derive(Clone, Debug)]
+pub(crate) enum Part {
+    /// PSIS, GO, or the xy plane when none was given.
+    Surface(SurfaceRef),
+    /// AUTOPS whose plane waits for the tool to have a position.
+    Auto,
+}
+
+/// Direction given by INDIRV or INDIRP for the next motion.
+#[derive(Clone, Debug)]
+pub(crate) enum Given {
+    Vectors(Vec<Option<Vec3>>),
+    Points(Vec<Option<Vec3>>),
+}
+
+/// Modal settings.
+#[derive(Clone, Debug)]
+pub(crate) struct Settings {
+    pub(crate) units: Units,
+    pub(crate) cutter: Option<Cutter>,
+    /// Disks of CUTTER/OPTION: radius and height.
+    pub(crate) part_disk: Option<(f64, f64)>,
+    pub(crate) drive_disk: Option<(f64, f64)>,
+    intol: [f64; 4],
+    outtol: Option<[f64; 4]>,
+    pub(crate) thick: [f64; 4],
+    pub(crate) multax: bool,
+    pub(crate) axis: ToolAxis,
+    pub(crate) axis_before: ToolAxis,
+    pub(crate) part: Part,
+    pub(crate) nops: bool,
+    pub(crate) drive_side: DriveSide,
+    pub(crate) part_side: PartSide,
+    pub(crate) given: Option<Given>,
+    pub(crate) normals: Vec<Option<Vec3>>,
+    pub(crate) cut: bool,
+}
+
+/// Where the tool is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Tool {
+    /// Tool end.
+    pub(crate) te: Vec3,
+    /// Unit tool axis.
+    pub(crate) ta: Vec3,
+    /// Unit direction of the last motion that did not run along the axis; zero when there was none.
+    pub(crate) forward: Vec3,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self {
+            units: Units::default(),
+            cutter: None,
+            part_disk: None,
+            drive_disk: None,
+            intol: [0.0; 4],
+            outtol: None,
+            thick: [0.0; 4],
+            multax: false,
+            axis: ToolAxis::Fixed(Vec3::z()),
+            axis_before: ToolAxis::Fixed(Vec3::z()),
+            part: Part::Surface(plane_ref(Vec3::z(), 0.0)),
+            nops: false,
+            drive_side: DriveSide::Tlon,
+            part_side: PartSide::Tlofps,
+            given: None,
+            normals: Vec::new(),
+            cut: true,
+        }
+    }
+}
+
+impl Settings {
+    pub(crate) fn set_intol(&mut self, t: [f64; 4]) {
+        self.intol = t;
+    }
+
+    pub(crate) fn set_outtol(&mut self, t: [f64; 4]) {
+        self.outtol = Some(t);
+    }
+
+    pub(crate) fn set_disk(&mut self, surface: OptionSurface, disk: Option<(f64, f64)>) {
+        match surface {
+            OptionSurface::Part => self.part_disk = disk,
+            OptionSurface::Drive => self.drive_disk = disk,
+        }
+    }
+
+    pub(crate) fn set_axis(&mut self, axis: ToolAxis) {
+        let next = match axis {
+            ToolAxis::Last => self.axis_before.clone(),
+            axis => axis,
+        };
+        self.axis_before = std::mem::replace(&mut self.axis, next);
+    }
+
+    /// Tolerance band on the surface of that role; never of no width.
+    pub(crate) fn band(&self, role: Role) -> Band {
+        let default = OUTTOL_MM / self.units.mm();
+        let outtol = self.outtol.map_or(default, |t| t[role as usize]).max(0.0);
+        let intol = self.intol[role as usize].max(0.0);
+        // A band of no width has no chord of a curve in it.
+        let least = default * 1e-4;
+        if outtol + intol < least { Band { intol, outtol: least } } else { Band { intol, outtol } }
+    }
+
+    pub(crate) fn thick(&self, role: Role) -> f64 {
+        self.thick[role as usize]
+    }
+}
+
+/// A plane without a name.
+pub(crate) fn plane_ref(n: Vec3, d: f64) -> SurfaceRef {
+    SurfaceRef { name: NameRef::default(), form: Arc::new(Form::Plane(Plane { n, d })) }
+}
+
+impl Tool {
+    /// Takes the direction of a move unless it ran along the axis or nowhere.
+    pub(crate) fn turn(&mut self, along: Vec3) {
+        let length = along.norm();
+        let across = along - self.ta * along.dot(&self.ta);
+        if length > 0.0 && across.norm() > 1e-6 * length {
+            self.forward = along / length;
+        }
+    }
+}

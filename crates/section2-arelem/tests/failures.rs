@@ -1,0 +1,98 @@
+//! Motions that cannot be done are refused with the reason.
+
+mod support;
+
+use support::{Forms, form, run};
+
+fn forms() -> Forms {
+    let mut f = Forms::new();
+    let mut add = |name: &str, kind: &str, w: &[f64]| {
+        f.insert(name.into(), form(kind, w).expect("a legal form"));
+    };
+    add("LX", "LINE", &[0.0, 1.0, 0.0, 0.0]);
+    add("LY", "LINE", &[1.0, 0.0, 0.0, 0.0]);
+    add("L5", "LINE", &[1.0, 0.0, 0.0, 5.0]);
+    add("C1", "CIRCLE", &[5.0, 3.0, 0.0, 0.0, 0.0, 1.0, 1.0]);
+    add("C2", "CIRCLE", &[0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 2.0]);
+    add("P1", "POINT", &[1.0, 1.0, 0.0]);
+    add("PL1", "PLANE", &[0.0, 0.0, 1.0, 1.0]);
+    f
+}
+
+fn code(text: &str) -> u16 {
+    run(&forms(), text).code()
+}
+
+#[test]
+fn each_refusal_has_its_code_and_is_the_only_message() {
+    // No position; no cutter; not at the drive surface; not at the part surface.
+    assert_eq!(code("CUTTER/1\nGO/TO,LX"), 2001);
+    assert_eq!(code("FROM/0,-5,0\nGO/TO,LX"), 2002);
+    assert_eq!(code("CUTTER/1\nFROM/-5,-2,0\nINDIRV/1,0,0\nTLRGT,GOFWD/LX,ON,LY"), 2003);
+    assert_eq!(code("CUTTER/1\nFROM/-5,-5,3\nGO/TO,LX\nPSIS/PL1\nTLRGT,GORGT/LX,ON,LY"), 2004);
+    // The tool is on the right of LX going right.
+    assert_eq!(code("CUTTER/1\nFROM/-5,-5,0\nGO/TO,LX\nTLLFT,GORGT/LX,ON,LY"), 2005);
+    // Forward is square to LX; nothing came before.
+    assert_eq!(code("CUTTER/1\nFROM/-5,-5,0\nGO/TO,LX\nTLRGT,GOFWD/LX,ON,LY"), 2006);
+    assert_eq!(code("CUTTER/1\nFROM/-5,-.5,0\nTLRGT,GORGT/LX,ON,LY"), 2007);
+    // Away from the check surface; met once only; not tangent.
+    assert_eq!(code("CUTTER/1\nFROM/-5,-5,0\nGO/TO,LX\nTLLFT,GOLFT/LX,ON,LY"), 2008);
+    assert_eq!(code("CUTTER/1\nFROM/-5,-5,0\nGO/TO,LX\nTLRGT,GORGT/LX,ON,2,INTOF,LY"), 2008);
+    assert_eq!(code("CUTTER/1\nFROM/-5,-5,0\nGO/TO,LX\nTLRGT,GORGT/LX,TANTO,C1"), 2009);
+    // Too large for C2 from inside; parallel to the surface; on the surface; no check; no surface.
+    assert_eq!(code("CUTTER/5\nFROM/.5,0,0\nGO/TO,C2"), 2010);
+    assert_eq!(code("CUTTER/1\nFROM/-5,-5,0\nGO/TO,C1,TO,PL1,TO,LY"), 2011);
+    assert_eq!(code("CUTTER/1\nFROM/-5,-5,0\nINDIRV/1,0,0\nGO/TO,LX"), 2012);
+    assert_eq!(code("CUTTER/1\nFROM/-5,0,0\nGO/TO,LX"), 2013);
+    assert_eq!(code("CUTTER/1\nFROM/-5,-5,0\nGO/TO,LX\nTLRGT,GORGT/LX"), 2014);
+    assert_eq!(code("CUTTER/1\nFROM/-5,-5,0\nGO/TO,P1"), 2015);
+}
+
+#[test]
+fn after_a_failure_motions_are_skipped_up_to_the_next_position() {
+    let text =
+        "CUTTER/1\nFROM/-5,-5,0\nGO/TO,LX\nTLLFT,GORGT/LX,ON,LY\nGOFWD/LX,ON,L5\nGODLTA/0,0,1
+CUTTER/1\nGOTO/0,0,5\nGODLTA/0,0,1";
+    let ran = run(&forms(), text);
+    assert_eq!(ran.code(), 2005);
+    let lines: Vec<u32> = ran.motions().map(|(l, _)| l).collect();
+    assert_eq!(lines, [2, 3, 8, 9]);
+}
+
+#[test]
+fn the_words_of_a_refusal_have_names_and_numbers() {
+    let ran = run(&forms(), "CUTTER/1\nFROM/-5,-1.25,0\nINDIRV/1,0,0\nTLRGT,GOFWD/LX,ON,LY");
+    let text = &ran.diagnostics[0].message;
+    assert!(text.contains("drive surface LX") && text.contains("0.75 off"), "{text}");
+}
+
+#[test]
+fn srfvct_says_which_side_is_to() {
+    let ran = run(&forms(), "CUTTER/1\nFROM/-5,0,0\nSRFVCT/0,1,0\nGO/TO,LX").clean();
+    assert!((ran.end().y + 0.5).abs() < 1e-12);
+    let ran = run(&forms(), "CUTTER/1\nFROM/-5,0,0\nSRFVCT/0,1,0\nGO/PAST,LX").clean();
+    assert!((ran.end().y - 0.5).abs() < 1e-12);
+}
+
+#[test]
+fn cut_after_dntcut_puts_out_the_position_and_cut_alone_does_not() {
+    let ran =
+        run(&forms(), "CUTTER/1\nFROM/-5,-5,0\nCUT\nDNTCUT\nGOTO/1,1,1\nGOTO/2,2,2\nCUT").clean();
+    let lines: Vec<u32> = ran.motions().map(|(l, _)| l).collect();
+    assert_eq!(lines, [2, 7]);
+}
+
+#[test]
+fn the_first_check_surface_met_decides() {
+    let mut arelem = aptc_arelem::Arelem::new(aptc_arelem::Options::default());
+    let text = "CUTTER/1\nFROM/-5,-5,0\nGO/TO,LX\nTLRGT,GORGT/LX,TO,L5,TO,LY";
+    let mut out = Vec::new();
+    let mut last = aptc_protap::Outcome::None;
+    for kind in text.lines().flat_map(|l| support::statement(&forms(), l)) {
+        let record = aptc_protap::Record { origin: Default::default(), kind };
+        last = arelem.execute(&record, &mut out);
+    }
+    let aptc_protap::Outcome::Moved { te, check, .. } = last else { panic!("{last:?}") };
+    assert_eq!(check, 1);
+    assert!((te.x + 0.5).abs() < 1e-12);
+}

@@ -1,0 +1,99 @@
+//! Programs that another APT system has run: the same positions, no more cut vectors.
+
+mod support;
+
+use support::{Run, expected, forms_of, run};
+
+/// Each statement ends where the oracle's does, with at most as many points.
+fn agree(ours: &Run, theirs: &[Vec<aptc_geometry::Vec3>], tolerance: f64, ratio: f64) {
+    let mut ours_by_line: Vec<(u32, Vec<aptc_geometry::Vec3>)> = Vec::new();
+    for (line, m) in ours.motions() {
+        let points = m.points.iter().map(|p| p.te);
+        match ours_by_line.last_mut() {
+            Some(last) if last.0 == line => last.1.extend(points),
+            _ => ours_by_line.push((line, points.collect())),
+        }
+    }
+    for ((line, o), t) in ours_by_line.iter().zip(theirs) {
+        let (a, b) = (o[o.len() - 1], t[t.len() - 1]);
+        assert!((a - b).norm() <= 2.0 * tolerance + 1e-4, "line {line}: {a} for {b}");
+        let limit = ratio * t.len() as f64;
+        assert!(o.len() as f64 <= limit, "line {line}: {} vectors for {}", o.len(), t.len());
+    }
+    assert_eq!(ours_by_line.len(), theirs.len(), "statements with motion");
+}
+
+fn check(program: &str, text: &str, take: std::ops::Range<usize>, tolerance: f64) {
+    let (Some(forms), Some(theirs)) = (forms_of(program), expected(program)) else { return };
+    let take = take.start..take.end.min(theirs.len());
+    agree(&run(&forms, text).clean(), &theirs[take], tolerance, 1.0);
+}
+
+#[test]
+fn window() {
+    let text = "CUTTER/.2\nFROM/SPT\nGODLTA/0,0,-.2\nAUTOPS\nGO/TO,C2\nTLLFT,GOLFT/C2,TANTO,C4
+GOFWD/C4,TANTO,C1\nGOFWD/C1,TANTO,C3\nGOFWD/C3,TANTO,C2\nGODLTA/0,0,-.2\nAUTOPS
+GOFWD/C2,TO,L1\nGOFWD/C2,PAST,L1";
+    check("window", text, 0..99, 0.0005);
+}
+
+#[test]
+fn spool_window_with_implied_check_surfaces() {
+    let text = "CUTTER/.21875\nFROM/SPT\nGO/TO,C2\nTLLFT,GOLFT/C2\nGOFWD/C4\nCOOLNT/1\nGOFWD/C1
+GOFWD/C3\nGOFWD/C2,PAST,LX";
+    check("spoolLT", text, 0..99, 0.0005);
+}
+
+#[test]
+fn canted_plane() {
+    let text =
+        "CUTTER/.25,.125\nFROM/SETPT\nGO/ON,LY,TO,PL1\nTLON,TLOFPS,GORGT/LY,ON,LX\nGOLFT/LX,ON,L2";
+    check("plane_cant", text, 0..4, 0.0005);
+}
+
+#[test]
+fn sample_part() {
+    let text =
+        "CUTTER/.25\nFROM/-.5,-.5,2\nGO/TO,LY,ON,PL2\nTLLFT,GOLFT/LY,TANTO,C2\nGOFWD/C2,TANTO,L1
+GOFWD/L1,PAST,L3\nGORGT/L3,PAST,L2\nGORGT/L2,TANTO,C3\nGOFWD/C3,TANTO,LX\nGOFWD/LX,TANTO,C1
+GOFWD/C1,TANTO,C4\nGOFWD/C4,ON,L4\nGOTO/-.5,-.5,0\nCUT";
+    check("doc-samplePart.full", text, 0..12, 0.0005);
+}
+
+#[test]
+fn square_profile() {
+    // The oracle turned this path by 45 degrees: it is compared with its own closed form.
+    let Some(forms) = forms_of("square") else { return };
+    let text = "CUTTER/.5\nFROM/-1,0,.3\nGO/TO,L5,ON,PL1\nTLLFT,GOLFT/L5\nGOLFT/L7,PAST,L1
+GORGT/L1,PAST,L8\nGORGT/L8\nGOLFT/L5,PAST,L4";
+    let ran = run(&forms, text).clean();
+    let want = [
+        (-1.0, -1.875),
+        (1.875, -1.875),
+        (1.875, 0.25),
+        (3.125, 0.25),
+        (3.125, -1.875),
+        (5.25, -1.875),
+    ];
+    let got: Vec<_> = ran.motions().skip(1).map(|(_, m)| m.points[0].te).collect();
+    assert_eq!(got.len(), want.len());
+    for (g, w) in got.iter().zip(want) {
+        assert!((g.x - w.0).abs() + (g.y - w.1).abs() + (g.z + 0.03).abs() < 1e-7, "{g} for {w:?}");
+    }
+}
+
+#[test]
+fn pocket_frame_with_a_start_up_to_three_surfaces() {
+    let text = "CUTTER/.5\nPSIS/PL1\nFROM/SETPT\nGO/TO,L1,TO,PL1,TO,LY\nINDIRV/1,0,0\nTLRGT\nGOFWD/L1,TANTO,C2
+GOFWD/C2,TANTO,L4\nGOFWD/L4,ON,LY\nGOTO/0,-1.5,1.25";
+    check("pocket", text, 0..6, 0.0005);
+}
+
+#[test]
+fn past_the_second_intersection_from_a_start_on_the_check_surface() {
+    let text = "CUTTER/.5\nPSIS/PL1\nFROM/2,-.25,.25\nDNTCUT\nPSIS/PL2\nGO/TO,L2,TO,PL2,TO,L5
+TLLFT,GOFWD/L2,TANTO,C1\nCUT\nGOFWD/C1,PAST,2,INTOF,L5";
+    let Some(forms) = forms_of("pocket") else { return };
+    let end = run(&forms, text).clean().end();
+    assert!((end.x - 2.5).abs() < 1e-9 && (end.y - 0.5f64.sqrt()).abs() < 1e-8, "{end}");
+}
