@@ -11,7 +11,8 @@ fn main() {
     fs::write(out.join("pages.rs"), pages(&root.join("docs/errors"))).expect("OUT_DIR is writable");
     println!("cargo::rerun-if-changed=../../docs/errors");
     println!("cargo::rerun-if-changed=../../.git/HEAD");
-    let git = Command::new("git").args(["rev-parse", "--short", "HEAD"]).current_dir(&root).output();
+    let git =
+        Command::new("git").args(["rev-parse", "--short", "HEAD"]).current_dir(&root).output();
     let commit = git.ok().filter(|o| o.status.success());
     let commit = commit.and_then(|o| String::from_utf8(o.stdout).ok()).unwrap_or_default();
     println!("cargo::rustc-env=APTC_COMMIT={}", commit.trim());
@@ -19,9 +20,8 @@ fn main() {
 
 /// A slice of (code, page) in order of code.
 fn pages(folder: &Path) -> String {
-    let mut files: Vec<PathBuf> = fs::read_dir(folder)
-        .map(|d| d.flatten().map(|e| e.path()).collect())
-        .unwrap_or_default();
+    let mut files: Vec<PathBuf> =
+        fs::read_dir(folder).map(|d| d.flatten().map(|e| e.path()).collect()).unwrap_or_default();
     files.retain(|p| p.extension().is_some_and(|e| e == "md"));
     files.sort();
     let mut code = String::from("&[\n");

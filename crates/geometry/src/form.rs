@@ -91,6 +91,29 @@ impl FormKind {
             Self::Polcon => "POLCON",
         }
     }
+
+    /// What it is, in a word of everyday.
+    pub fn noun(self) -> &'static str {
+        match self {
+            Self::Point => "point",
+            Self::Vector => "vector",
+            Self::Line => "line",
+            Self::Plane => "plane",
+            Self::Circle => "circle",
+            Self::Cylndr => "cylinder",
+            Self::Sphere => "sphere",
+            Self::Cone => "cone",
+            Self::Ellips => "ellipse",
+            Self::Hyperb => "hyperbola",
+            Self::Gconic | Self::Lconic => "conic",
+            Self::Qadric => "quadric",
+            Self::Matrix => "matrix",
+            Self::Patern => "pattern",
+            Self::Tabcyl => "TABCYL",
+            Self::Rldsrf => "ruled surface",
+            Self::Polcon => "polyconic",
+        }
+    }
 }
 
 impl Form {

@@ -75,7 +75,8 @@ impl World for Disk {
         let mut outside = false;
         for folder in &self.folders {
             let Ok(root) = folder.canonicalize() else { continue };
-            let Some(found) = candidates(folder, name).into_iter().find_map(|p| p.canonicalize().ok())
+            let Some(found) =
+                candidates(folder, name).into_iter().find_map(|p| p.canonicalize().ok())
             else {
                 continue;
             };
@@ -105,7 +106,8 @@ fn candidates(folder: &Path, name: &str) -> Vec<PathBuf> {
             entries.flatten().filter_map(|e| e.file_name().into_string().ok()).collect();
         names.sort_unstable();
         for w in &wanted {
-            paths.extend(names.iter().filter(|n| n.eq_ignore_ascii_case(w)).map(|n| folder.join(n)));
+            paths
+                .extend(names.iter().filter(|n| n.eq_ignore_ascii_case(w)).map(|n| folder.join(n)));
         }
     }
     paths.retain(|p| p.is_file());

@@ -1,1 +1,3 @@
 //! Section 1: from statements to the numeric part program
+
+pub mod define;

@@ -1,0 +1,89 @@
+//! Geometric definitions: from the arguments of a major word to the canonical form.
+//!
+//! APT: `AGEOM`-family routines of Section 1. One file a major word; each begins with the table of its
+//! formats. [`define`] finds the format that the arguments fit and solves it; [`canonical`] takes the
+//! elements of CANON. Neither knows names, redefinition or nesting: the interpreter resolves those first.
+
+mod arg;
+mod canon;
+mod choose;
+mod circle;
+mod cone;
+mod conic;
+mod context;
+mod cylndr;
+mod fault;
+mod format;
+mod line;
+mod matrix;
+mod meet;
+mod patern;
+mod plane;
+mod point;
+mod polcon;
+mod qadric;
+mod rldsrf;
+mod sphere;
+mod tabcyl;
+mod vector;
+
+#[cfg(test)]
+mod tests;
+
+use aptc_geometry::Form;
+use aptc_vocabulary::{Word, word};
+
+pub use arg::{Arg, Value};
+pub use canon::canonical;
+pub use context::Context;
+pub use fault::{DefineError, Fault};
+use format::Format;
+
+/// Does `head` define geometry here?
+pub fn is_definition(head: Word) -> bool {
+    table(head).is_some()
+}
+
+/// The form that `head/args` defines.
+///
+/// Symbols stand in the base system; with a reference system in `context` they are carried into it
+/// first and the result is carried back. `args` hold no CANON: see [`canonical`].
+pub fn define(head: Word, args: &[Arg], context: &Context) -> Result<Form, DefineError> {
+    let Some(formats) = table(head) else { return Err(DefineError::no_word(head)) };
+    let Some(system) = &context.refsys else {
+        return format::solve(head, formats, args, context);
+    };
+    let Some(inverse) = system.inverse() else { return Err(DefineError::flat_system()) };
+    let local = context.inside(&inverse)?;
+    let mut moved = args.to_vec();
+    for (i, arg) in moved.iter_mut().enumerate() {
+        arg.carry(&inverse).map_err(|why| DefineError::not_carried(i, why))?;
+    }
+    let form = format::solve(head, formats, &moved, &local)?;
+    form.transformed(system).map_err(DefineError::result_not_carried)
+}
+
+/// The formats of a major word.
+fn table(head: Word) -> Option<&'static [Format]> {
+    Some(match head {
+        word::POINT => point::FORMATS,
+        word::LINE => line::FORMATS,
+        word::PLANE => plane::FORMATS,
+        word::CIRCLE => circle::FORMATS,
+        word::CYLNDR => cylndr::FORMATS,
+        word::SPHERE => sphere::FORMATS,
+        word::CONE => cone::FORMATS,
+        word::ELLIPS => conic::ELLIPS,
+        word::HYPERB => conic::HYPERB,
+        word::GCONIC => conic::GCONIC,
+        word::LCONIC => conic::LCONIC,
+        word::QADRIC => qadric::FORMATS,
+        word::VECTOR => vector::FORMATS,
+        word::MATRIX => matrix::FORMATS,
+        word::PATERN => patern::FORMATS,
+        word::TABCYL => tabcyl::FORMATS,
+        word::RLDSRF => rldsrf::FORMATS,
+        word::POLCON => polcon::FORMATS,
+        _ => return None,
+    })
+}

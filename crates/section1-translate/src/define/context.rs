@@ -1,0 +1,61 @@
+//! What stands around a definition: ZSURF, REFSYS and limits.
+
+use aptc_geometry::{Plane, Transform, Vec2, Vec3};
+
+use super::DefineError;
+
+/// State of the interpreter that definitions depend on.
+#[derive(Clone, Debug)]
+pub struct Context {
+    /// ZSURF in the base system; `None`, the plane z = 0 of the system of the definition, after NOMORE.
+    pub zsurf: Option<Plane>,
+    /// REFSYS: the map from the reference system into the base system.
+    pub refsys: Option<Transform>,
+    /// Most points in a PATERN and most points of a TABCYL; historic 330 and 139.
+    pub max_points: usize,
+}
+
+impl Default for Context {
+    fn default() -> Self {
+        Self { zsurf: None, refsys: None, max_points: 100_000 }
+    }
+}
+
+/// ZSURF gives no height where its normal is this much flatter than upright.
+const STEEP: f64 = 1e-9;
+
+impl Context {
+    /// The point over (x, y) on ZSURF.
+    pub(super) fn on_zsurf(&self, x: f64, y: f64) -> Vec3 {
+        let z = self.zsurf.map_or(0.0, |s| (s.d - s.n.x * x - s.n.y * y) / s.n.z);
+        // A plane z = 0 must not give the point a negative zero.
+        Vec3::new(x, y, z + 0.0)
+    }
+
+    /// The point over `p` on ZSURF.
+    pub(super) fn lift(&self, p: Vec2) -> Vec3 {
+        self.on_zsurf(p.x, p.y)
+    }
+
+    /// Is ZSURF a plane that gives heights? The interpreter asks once, at the ZSURF statement.
+    pub fn zsurf_is_usable(plane: &Plane) -> bool {
+        plane.n.z.abs() > STEEP
+    }
+
+    /// This context seen from the reference system; `inverse` leads there from the base.
+    pub(super) fn inside(&self, inverse: &Transform) -> Result<Self, DefineError> {
+        let zsurf = match self.zsurf {
+            None => None,
+            Some(plane) => {
+                let n = inverse.normal(plane.n).ok_or_else(DefineError::flat_system)?;
+                let moved = Plane::new(n, n.dot(&inverse.point(plane.n * plane.d)));
+                let moved = moved.ok_or_else(DefineError::flat_system)?;
+                if !Self::zsurf_is_usable(&moved) {
+                    return Err(DefineError::steep_zsurf());
+                }
+                Some(moved)
+            }
+        };
+        Ok(Self { zsurf, refsys: None, max_points: self.max_points })
+    }
+}

@@ -1,0 +1,533 @@
+//! Why a definition fails, as data, and the message made of it.
+
+use aptc_diagnostics::{Code, Diagnostic, Span, codes};
+use aptc_geometry::{NotCarried, Plane, Vec3, trig};
+use aptc_vocabulary::Word;
+
+use super::Arg;
+
+/// Why a definition gives no form. Places are indices of arguments.
+#[derive(Clone, Debug, PartialEq)]
+pub enum DefineError {
+    /// The head defines nothing.
+    NoWord {
+        /// The head.
+        head: Word,
+    },
+    /// No format of the word reads these arguments.
+    NoSuchFormat {
+        /// The major word.
+        head: Word,
+        /// The first argument that no format can take; one past the last when something is missing.
+        at: usize,
+        /// What could stand there.
+        expected: Vec<String>,
+        /// The formats that go furthest.
+        candidates: Vec<String>,
+    },
+    /// One format fits but for the kind of an argument.
+    WrongArgument {
+        /// The major word.
+        head: Word,
+        /// The argument.
+        at: usize,
+        /// What the format wants there.
+        expected: String,
+        /// The format.
+        format: String,
+    },
+    /// The format is right and there is nothing, or no one thing, that satisfies it.
+    NoForm {
+        /// The major word.
+        head: Word,
+        /// Why.
+        fault: Box<Fault>,
+    },
+    /// An argument (or, with `None`, the result) cannot be carried between the base system and that of
+    /// REFSYS.
+    NotCarried {
+        /// The argument.
+        at: Option<usize>,
+        /// Why.
+        why: NotCarried,
+    },
+    /// REFSYS flattens space.
+    FlatSystem,
+    /// ZSURF stands upright in the reference system.
+    SteepZsurf,
+}
+
+/// Why a matched format has no solution.
+#[derive(Clone, Debug, PartialEq)]
+#[expect(missing_docs, reason = "places and figures that the message below puts into words")]
+pub enum Fault {
+    /// A format table and its solver disagree: our mistake, kept from being a crash.
+    Kind { at: usize },
+    /// A number that is infinite or none.
+    NotFinite { at: usize },
+    /// Lines or planes that do not meet.
+    Parallel { a: usize, b: usize, one: Plane, other: Plane },
+    /// Three planes that all contain one direction.
+    OneDirection { planes: [usize; 3], along: Vec3 },
+    /// Curves that miss each other.
+    Apart { a: usize, b: usize, gap: f64 },
+    /// Two curves that no circle of the radius touches at once.
+    OutOfReach { a: usize, b: usize, gap: f64 },
+    /// Points, centres or curves that fall together.
+    Coincide { a: usize, b: usize },
+    /// Points on one straight line, or in one plane, or on one conic too many.
+    Dependent { places: Vec<usize>, what: &'static str },
+    /// A point that lies where it must not, by this much.
+    Misplaced { at: usize, by: usize, what: &'static str, amount: f64 },
+    /// A vector without length.
+    NoLength { at: usize },
+    /// Two directions along each other.
+    Aligned { a: usize, b: usize, what: &'static str },
+    /// A number out of its range.
+    Range { at: usize, value: f64, need: &'static str },
+    /// A plane that is not vertical where a line is wanted, or a leaning cylinder for a circle.
+    Leans { at: usize, normal: Vec3 },
+    /// Both solutions are alike for the modifier.
+    Undecided { at: usize, one: Vec3, other: Vec3 },
+    /// The normal has no component along the modifier's axis.
+    NoSide { at: usize, normal: Vec3 },
+    /// Nothing on the side that the modifiers name.
+    NothingThere { at: usize, what: String },
+    /// A map that flattens space.
+    Flat { at: usize },
+    /// Planes or vectors that should stand at right angles.
+    NotSquare { a: usize, b: usize, degrees: f64 },
+    /// A pattern has no such point.
+    NoSuchPoint { at: usize, value: f64, n: usize },
+    /// More points than the limit.
+    TooMany { at: usize, limit: usize },
+    /// Fewer points, increments or elements than needed.
+    TooFew { at: usize, need: usize, found: usize, what: &'static str },
+    /// Something else than what a list may hold.
+    Unexpected { at: usize, expected: &'static str },
+    /// A quadric without a curve or surface.
+    NoCurve { what: &'static str },
+    /// An iteration that did not come to its end.
+    NotConverged { at: usize, iterations: u32, residual: f64 },
+    /// A TABCYL whose points ask for a curve that is no function of its chord.
+    Overhang { at: usize, degrees: f64 },
+    /// Elements of CANON.
+    Elements { at: usize, need: usize, found: usize },
+    /// The reference of CANON has another kind.
+    OtherKind { found: &'static str },
+    /// A normal or axis of no length among canonical elements.
+    NoNormal { at: usize },
+}
+
+impl DefineError {
+    pub(super) fn from_fault(head: Word, fault: Fault) -> Self {
+        Self::NoForm { head, fault: Box::new(fault) }
+    }
+
+    pub(super) fn no_word(head: Word) -> Self {
+        Self::NoWord { head }
+    }
+
+    pub(super) fn flat_system() -> Self {
+        Self::FlatSystem
+    }
+
+    pub(super) fn steep_zsurf() -> Self {
+        Self::SteepZsurf
+    }
+
+    pub(super) fn not_carried(at: usize, why: NotCarried) -> Self {
+        Self::NotCarried { at: Some(at), why }
+    }
+
+    pub(super) fn result_not_carried(why: NotCarried) -> Self {
+        Self::NotCarried { at: None, why }
+    }
+
+    /// The message to the user. `args` are those that were given to [`super::define`], `statement` is the
+    /// place of the whole definition.
+    pub fn diagnostic(&self, args: &[Arg], statement: Span) -> Diagnostic {
+        let words = Words { args, statement };
+        match self {
+            Self::NoWord { head } => Diagnostic::error(
+                codes::NO_SUCH_FORMAT,
+                statement,
+                format!("{head} defines no geometry"),
+            ),
+            Self::NoSuchFormat { head, at, expected, candidates } => {
+                words.no_such_format(*head, *at, expected, candidates)
+            }
+            Self::WrongArgument { head, at, expected, format } => Diagnostic::error(
+                codes::WRONG_ARGUMENT,
+                words.span(*at),
+                format!("{head} wants a {expected} here, found {}", words.name(*at)),
+            )
+            .label(format!("this is {}", words.name(*at)))
+            .note(format!("the format is {head}/{format}")),
+            Self::NoForm { head, fault } => words.no_form(*head, fault),
+            Self::NotCarried { at, why } => {
+                let (span, what) = match at {
+                    Some(at) => (words.span(*at), words.name(*at)),
+                    None => (statement, "the result".to_owned()),
+                };
+                let why = match why {
+                    NotCarried::Flat => "the matrix flattens space",
+                    NotCarried::Unequal => "the matrix does not scale all directions alike",
+                };
+                Diagnostic::error(
+                    codes::NOT_CARRIED,
+                    span,
+                    format!("{what} cannot be carried by the REFSYS matrix: {why}"),
+                )
+                .help("use a REFSYS matrix of rotations, translations and one scale")
+            }
+            Self::FlatSystem => Diagnostic::error(
+                codes::NOT_CARRIED,
+                statement,
+                "the REFSYS matrix flattens space, so nothing can be defined in its system",
+            )
+            .help("use a REFSYS matrix of rotations, translations and one scale"),
+            Self::SteepZsurf => Diagnostic::error(
+                codes::STEEP_ZSURF,
+                statement,
+                "the ZSURF plane stands upright in the REFSYS system and gives no z",
+            )
+            .help("give ZSURF again after REFSYS, or ZSURF/NOMORE"),
+        }
+    }
+}
+
+/// The words of one statement.
+struct Words<'a> {
+    args: &'a [Arg],
+    statement: Span,
+}
+
+impl Words<'_> {
+    /// Place of argument `at`; the end of the last one when it is missing.
+    fn span(&self, at: usize) -> Span {
+        match (self.args.get(at), self.args.last()) {
+            (Some(arg), _) => arg.span,
+            (None, Some(last)) => Span::new(last.span.file, last.span.end, last.span.end),
+            (None, None) => self.statement,
+        }
+    }
+
+    fn name(&self, at: usize) -> String {
+        self.args.get(at).map_or_else(|| "nothing".to_owned(), Arg::describe)
+    }
+
+    /// The argument with its canonical form.
+    fn full(&self, at: usize) -> String {
+        let numbers = |form: &aptc_geometry::Form| {
+            let e: Vec<String> = form.canonical().iter().take(12).map(|x| short(*x)).collect();
+            e.join(",")
+        };
+        match self.args.get(at) {
+            Some(arg) => match arg.form() {
+                Some(form) => format!("{} is {}", arg.describe(), numbers(form)),
+                None => arg.describe(),
+            },
+            None => "nothing".to_owned(),
+        }
+    }
+
+    fn no_such_format(
+        &self,
+        head: Word,
+        at: usize,
+        expected: &[String],
+        candidates: &[String],
+    ) -> Diagnostic {
+        let found = self.args.iter().map(Arg::class).collect::<Vec<_>>().join(",");
+        let one_of = match expected {
+            [] => String::new(),
+            [one] => one.clone(),
+            [most @ .., last] => format!("{} or {last}", most.join(", ")),
+        };
+        let here = if at < self.args.len() {
+            format!("expected {one_of}, found {}", self.name(at))
+        } else {
+            format!("the statement ends where {one_of} is expected")
+        };
+        let mut d = Diagnostic::error(
+            codes::NO_SUCH_FORMAT,
+            self.span(at),
+            format!("no format of {head} reads {head}/{found}: {here}"),
+        )
+        .label(here);
+        // The longer ones first would hide the likely one: tables stand in the order of use.
+        for format in candidates.iter().take(6) {
+            d = d.note(format!("{head}/{format}"));
+        }
+        if candidates.len() > 6 {
+            d = d.note(format!("and {} more formats", candidates.len() - 6));
+        }
+        d
+    }
+
+    fn error(&self, code: Code, at: usize, message: String) -> Diagnostic {
+        Diagnostic::error(code, self.span(at), message)
+    }
+
+    /// An error that two arguments make together.
+    fn both(&self, code: Code, a: usize, b: usize, message: String) -> Diagnostic {
+        self.error(code, b, message)
+            .label(self.name(b))
+            .also(self.span(a), self.name(a))
+            .note(self.full(a))
+            .note(self.full(b))
+    }
+
+    #[expect(clippy::too_many_lines, reason = "one row a fault; splitting would hide the table")]
+    fn no_form(&self, head: Word, fault: &Fault) -> Diagnostic {
+        match fault {
+            Fault::Kind { at } => self.error(
+                codes::WRONG_ARGUMENT,
+                *at,
+                format!("{head} cannot use {} here", self.name(*at)),
+            ),
+            Fault::NotFinite { at } => self.error(
+                codes::OUT_OF_RANGE,
+                *at,
+                "this number is infinite or undefined".to_owned(),
+            ),
+            Fault::Parallel { a, b, one, other } => {
+                let sine = one.n.cross(&other.n).norm();
+                let angle = trig::asin(sine.min(1.0)).to_degrees();
+                let sign = one.n.dot(&other.n).signum();
+                let gap = (one.d - sign * other.d).abs();
+                let (x, y) = (self.name(*a), self.name(*b));
+                self.both(
+                    codes::PARALLEL,
+                    *a,
+                    *b,
+                    format!("{x} and {y} do not meet: they are parallel, {} apart", short(gap)),
+                )
+                .note(format!("the angle between them is {} degrees", short(angle)))
+            }
+            Fault::OneDirection { planes: [a, b, c], along } => self
+                .both(
+                    codes::PARALLEL,
+                    *a,
+                    *c,
+                    format!(
+                        "{}, {} and {} have no single point in common: all three are parallel to \
+                         ({})",
+                        self.name(*a),
+                        self.name(*b),
+                        self.name(*c),
+                        vector(along)
+                    ),
+                )
+                .also(self.span(*b), self.name(*b))
+                .note(self.full(*b)),
+            Fault::Apart { a, b, gap } => {
+                let (x, y) = (self.name(*a), self.name(*b));
+                let gap = if gap.is_finite() {
+                    format!("they miss each other by {}", short(*gap))
+                } else {
+                    "they have no point in common".to_owned()
+                };
+                self.both(codes::APART, *a, *b, format!("{x} and {y} do not meet: {gap}"))
+            }
+            Fault::OutOfReach { a, b, gap } => {
+                let (x, y) = (self.name(*a), self.name(*b));
+                let text = format!("no circle of this radius touches {x} and {y} in this way");
+                self.both(codes::APART, *a, *b, text)
+                    .note(format!("it would miss the second by {}", short(*gap)))
+                    .help("another radius, or IN for OUT, or the other side of the line")
+            }
+            Fault::Coincide { a, b } => {
+                let (x, y) = (self.name(*a), self.name(*b));
+                self.both(codes::COINCIDE, *a, *b, format!("{x} and {y} fall together"))
+            }
+            Fault::Dependent { places, what } => {
+                let names: Vec<String> = places.iter().map(|p| self.name(*p)).collect();
+                let last = places.last().copied().unwrap_or(0);
+                let mut d = self.error(
+                    codes::DEPENDENT,
+                    last,
+                    format!("{} do not fix a {head}: {what}", names.join(", ")),
+                );
+                for place in places {
+                    d = d.note(self.full(*place));
+                }
+                d
+            }
+            Fault::Misplaced { at, by, what, amount } => self.both(
+                codes::MISPLACED,
+                *by,
+                *at,
+                format!("{} {what} {} by {}", self.name(*at), self.name(*by), short(*amount)),
+            ),
+            Fault::NoLength { at } => self
+                .error(
+                    codes::NO_LENGTH,
+                    *at,
+                    format!("{} has no length, so it gives no direction", self.name(*at)),
+                )
+                .note(self.full(*at)),
+            Fault::Aligned { a, b, what } => self.both(
+                codes::DEPENDENT,
+                *a,
+                *b,
+                format!("{} and {} {what}", self.name(*a), self.name(*b)),
+            ),
+            Fault::Range { at, value, need } => self.error(
+                codes::OUT_OF_RANGE,
+                *at,
+                format!("{head} wants a number {need} here, found {}", short(*value)),
+            ),
+            Fault::Leans { at, normal } => {
+                let wants = if head == aptc_vocabulary::word::CIRCLE
+                    || self
+                        .args
+                        .get(*at)
+                        .is_some_and(|a| matches!(a.class(), "circle" | "cylinder"))
+                {
+                    "its axis is not that of z"
+                } else {
+                    "it is not parallel to the z axis, so it is no line"
+                };
+                self.error(
+                    codes::LEANS,
+                    *at,
+                    format!("{} cannot be used here: {wants}", self.name(*at)),
+                )
+                .label(format!("its direction is ({})", vector(normal)))
+                .note(self.full(*at))
+            }
+            Fault::Undecided { at, one, other } => self
+                .error(
+                    codes::UNDECIDED,
+                    *at,
+                    format!(
+                        "{} does not choose between the solutions ({}) and ({})",
+                        self.name(*at),
+                        vector(one),
+                        vector(other)
+                    ),
+                )
+                .help(other_axis(self.args.get(*at).and_then(Arg::word))),
+            Fault::NoSide { at, normal } => self
+                .error(codes::UNDECIDED, *at, format!("{} names no side here", self.name(*at)))
+                .label(format!("the sides lie along ({})", vector(normal)))
+                .help(other_axis(self.args.get(*at).and_then(Arg::word))),
+            Fault::NothingThere { at, what } => self.error(
+                codes::NOTHING_THERE,
+                *at,
+                format!("there is no {head} on the side that {} names: {what}", self.name(*at)),
+            ),
+            Fault::Flat { at } => self
+                .error(
+                    codes::FLAT_MATRIX,
+                    *at,
+                    format!("{} flattens space and has no inverse", self.name(*at)),
+                )
+                .note(self.full(*at)),
+            Fault::NotSquare { a, b, degrees } => self.both(
+                codes::NOT_SQUARE,
+                *a,
+                *b,
+                format!(
+                    "{} and {} are not at right angles: {} degrees",
+                    self.name(*a),
+                    self.name(*b),
+                    short(*degrees)
+                ),
+            ),
+            Fault::NoSuchPoint { at, value, n } => self.error(
+                codes::NO_SUCH_POINT,
+                *at,
+                format!("the pattern has points 1 to {n}, none is {}", short(*value)),
+            ),
+            Fault::TooMany { at, limit } => self
+                .error(
+                    codes::TOO_MANY_POINTS,
+                    *at,
+                    format!("this {head} would have more than {limit} points"),
+                )
+                .help("split it, or raise the limit of points"),
+            Fault::TooFew { at, need, found, what } => self.error(
+                codes::TOO_FEW,
+                *at,
+                format!("this {head} needs at least {need} {what}, found {found}"),
+            ),
+            Fault::Unexpected { at, expected } => {
+                let found = self.name(*at);
+                self.error(
+                    codes::NO_SUCH_FORMAT,
+                    *at,
+                    format!("{head} expects {expected} here, found {found}"),
+                )
+                .label(format!("expected {expected}"))
+            }
+            Fault::NoCurve { what } => {
+                Diagnostic::error(codes::NO_CURVE, self.statement, format!("this {head} {what}"))
+            }
+            Fault::NotConverged { at, iterations, residual } => self.error(
+                codes::NO_FIT,
+                *at,
+                format!(
+                    "no {head} found in {iterations} steps; the best is off by {}",
+                    short(*residual)
+                ),
+            ),
+            Fault::Overhang { at, degrees } => self
+                .error(
+                    codes::NO_FIT,
+                    *at,
+                    format!(
+                        "the curve would leave the chord at {} degrees at this point",
+                        short(*degrees)
+                    ),
+                )
+                .help("give more points where the curve turns sharply"),
+            Fault::Elements { at, need, found } => self.error(
+                codes::CANON_ELEMENTS,
+                *at,
+                format!("the canonical form of {head} has {need} elements, found {found}"),
+            ),
+            Fault::OtherKind { found } => Diagnostic::error(
+                codes::CANON_ELEMENTS,
+                self.statement,
+                format!("CANON alters a {head} by a {head}, found a {found}"),
+            ),
+            Fault::NoNormal { at } => self.error(
+                codes::CANON_ELEMENTS,
+                *at,
+                "the direction among these canonical elements has no length".to_owned(),
+            ),
+        }
+    }
+}
+
+/// What to write instead of a modifier that decides nothing.
+fn other_axis(word: Option<Word>) -> &'static str {
+    match word.map(Word::text) {
+        Some("XLARGE" | "XSMALL") => "choose by YLARGE or YSMALL",
+        Some("YLARGE" | "YSMALL") => "choose by XLARGE or XSMALL",
+        Some("POSX" | "NEGX") => "choose by POSY, NEGY, POSZ or NEGZ",
+        Some("POSY" | "NEGY") => "choose by POSX, NEGX, POSZ or NEGZ",
+        Some("POSZ" | "NEGZ") => "choose by POSX, NEGX, POSY or NEGY",
+        _ => "choose by another axis",
+    }
+}
+
+/// A number as short as six figures allow.
+fn short(x: f64) -> String {
+    let digits = format!("{x:.5e}");
+    let rounded: f64 = digits.parse().unwrap_or(x);
+    // A zero with a sign tells the user nothing.
+    let rounded = rounded + 0.0;
+    if rounded.abs() < 1e-4 && rounded != 0.0 {
+        format!("{rounded:e}")
+    } else {
+        rounded.to_string()
+    }
+}
+
+fn vector(v: &Vec3) -> String {
+    format!("{}, {}, {}", short(v.x), short(v.y), short(v.z))
+}

@@ -1,0 +1,431 @@
+//! Format tables: patterns of argument classes, matching, and what to say when none fits.
+
+use aptc_geometry::{
+    Circle, Cylinder, Form, Line, Pattern, Plane, Quadric, Tabcyl, Transform, Vec2, Vec3,
+};
+use aptc_vocabulary::Word;
+
+use super::fault::Fault;
+use super::{Arg, Context, DefineError, Value};
+
+/// What may stand at a place of a format.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Item {
+    /// A number.
+    N,
+    /// This word.
+    W(Word),
+    /// One of these words.
+    Of(&'static [Word]),
+    /// A point: POINT or `(x,y,z)`.
+    P,
+    /// A point, or its two coordinates as two numbers.
+    XY,
+    /// A vector.
+    V,
+    /// A vector, or a point as the vector from the origin to it.
+    PV,
+    /// A line, or a plane parallel to z as APT4 has it.
+    L,
+    /// A plane, or a line as the vertical plane that it is.
+    PL,
+    /// A circle, or a cylinder along z as APT4 has it.
+    C,
+    /// A conic or quadric.
+    K,
+    /// A tabulated cylinder.
+    TC,
+    /// A pattern.
+    PT,
+    /// A matrix.
+    M,
+    /// A surface that RLDSRF may cut.
+    S,
+    /// Whatever follows; the solver reads it. The text tells what is expected.
+    Rest(&'static str),
+}
+
+/// How the arguments of a format become a form.
+pub(super) type Solve = fn(&Args<'_>) -> Result<Form, Fault>;
+
+/// One row of a table.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Format {
+    /// The pattern.
+    pub(super) items: &'static [Item],
+    /// Its solution.
+    pub(super) solve: Solve,
+}
+
+/// A row of a table.
+pub(super) const fn row(items: &'static [Item], solve: Solve) -> Format {
+    Format { items, solve }
+}
+
+/// The arguments of a matched format.
+pub(super) struct Args<'a> {
+    /// The major word.
+    pub(super) head: Word,
+    /// The arguments.
+    pub(super) list: &'a [Arg],
+    /// What stands around.
+    pub(super) context: &'a Context,
+}
+
+/// Finds the format of `args` in `table` and solves it.
+pub(super) fn solve(
+    head: Word,
+    table: &'static [Format],
+    args: &[Arg],
+    context: &Context,
+) -> Result<Form, DefineError> {
+    for (i, arg) in args.iter().enumerate() {
+        if matches!(arg.value, Value::Number(n) if !n.is_finite()) {
+            return Err(DefineError::from_fault(head, Fault::NotFinite { at: i }));
+        }
+    }
+    let Some(format) = table.iter().find(|f| f.fits(args)) else {
+        return Err(mismatch(head, table, args));
+    };
+    let matched = Args { head, list: args, context };
+    (format.solve)(&matched).map_err(|fault| DefineError::from_fault(head, fault))
+}
+
+impl Format {
+    /// Do the arguments fit?
+    pub(super) fn fits(&self, args: &[Arg]) -> bool {
+        self.reach(args, Item::takes) == Reach::All
+    }
+
+    /// How far the arguments fit, by a test of one place.
+    fn reach(&self, args: &[Arg], takes: fn(&Item, &Arg) -> bool) -> Reach {
+        let mut at = 0;
+        for item in self.items {
+            match item {
+                Item::Rest(_) => return Reach::All,
+                Item::XY => {
+                    let pair = |i: usize| matches!(args.get(i), Some(a) if takes(&Item::N, a));
+                    if matches!(args.get(at), Some(a) if takes(&Item::P, a)) {
+                        at += 1;
+                    } else if pair(at) && pair(at + 1) {
+                        at += 2;
+                    } else {
+                        return Reach::Stops(at);
+                    }
+                }
+                item => match args.get(at) {
+                    Some(arg) if takes(item, arg) => at += 1,
+                    _ => return Reach::Stops(at),
+                },
+            }
+        }
+        if at == args.len() { Reach::All } else { Reach::Stops(at) }
+    }
+
+    /// The item at argument `at`, if the pattern is that long and has no pairs before.
+    fn item_at(&self, at: usize) -> Option<&'static Item> {
+        match self.items.get(at) {
+            None => self.items.last().filter(|i| matches!(i, Item::Rest(_))),
+            found => found,
+        }
+    }
+
+    /// The pattern in the notation of the manuals: `XLARGE|XSMALL,INTOF,line,circle`.
+    pub(super) fn text(&self) -> String {
+        self.items.iter().map(Item::text).collect::<Vec<_>>().join(",")
+    }
+}
+
+/// How far a format went.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Reach {
+    /// To the end.
+    All,
+    /// To this argument, which does not fit.
+    Stops(usize),
+}
+
+impl Item {
+    /// Does `arg` fit here?
+    fn takes(&self, arg: &Arg) -> bool {
+        match (self, &arg.value) {
+            (Self::Rest(_), _) | (Self::N, Value::Number(_)) => true,
+            (Self::W(word), Value::Word(found)) => word == found,
+            (Self::Of(words), Value::Word(found)) => words.contains(found),
+            (Self::P | Self::PV | Self::XY, Value::Tuple { .. }) => true,
+            (item, Value::Form { form, .. }) => item.takes_form(form.shape()),
+            _ => false,
+        }
+    }
+
+    fn takes_form(&self, form: &Form) -> bool {
+        match self {
+            Self::P | Self::XY => matches!(form, Form::Point(_)),
+            Self::V => matches!(form, Form::Vector(_)),
+            Self::PV => matches!(form, Form::Point(_) | Form::Vector(_)),
+            Self::L | Self::PL => matches!(form, Form::Line(_) | Form::Plane(_)),
+            Self::C => matches!(form, Form::Circle(_) | Form::Cylinder(_)),
+            Self::K => matches!(form, Form::Quadric(_)),
+            Self::TC => matches!(form, Form::Tabcyl(_)),
+            Self::PT => matches!(form, Form::Pattern(_)),
+            Self::M => matches!(form, Form::Matrix(_)),
+            Self::S => !matches!(
+                form,
+                Form::Point(_) | Form::Vector(_) | Form::Matrix(_) | Form::Pattern(_)
+            ),
+            Self::N | Self::W(_) | Self::Of(_) | Self::Rest(_) => false,
+        }
+    }
+
+    /// Does `arg` fit when all that is not a word counts as alike?
+    fn takes_loosely(&self, arg: &Arg) -> bool {
+        match self {
+            Self::W(_) | Self::Of(_) | Self::Rest(_) => self.takes(arg),
+            // A pair of coordinates is not guessed at: only a point fills the place loosely.
+            Self::XY => false,
+            _ => !matches!(arg.value, Value::Word(_) | Value::Empty),
+        }
+    }
+
+    /// The item in words.
+    pub(super) fn text(&self) -> String {
+        match self {
+            Self::N => "number",
+            Self::W(word) => word.text(),
+            Self::Of(words) => {
+                return words.iter().map(|w| w.text()).collect::<Vec<_>>().join("|");
+            }
+            Self::P => "point",
+            Self::XY => "point",
+            Self::V => "vector",
+            Self::PV => "vector",
+            Self::L => "line",
+            Self::PL => "plane",
+            Self::C => "circle",
+            Self::K => "conic",
+            Self::TC => "TABCYL",
+            Self::PT => "pattern",
+            Self::M => "matrix",
+            Self::S => "surface",
+            Self::Rest(text) => text,
+        }
+        .to_owned()
+    }
+}
+
+/// Why no format fits: the one that fits but for the kind of an argument, or how far the best ones go.
+fn mismatch(head: Word, table: &'static [Format], args: &[Arg]) -> DefineError {
+    let reach = |f: &Format| match f.reach(args, Item::takes) {
+        Reach::All => args.len(),
+        Reach::Stops(at) => at,
+    };
+    let loose: Vec<&Format> =
+        table.iter().filter(|f| f.reach(args, Item::takes_loosely) == Reach::All).collect();
+    if let [format] = loose[..] {
+        let at = reach(format);
+        if let Some(item) = format.item_at(at) {
+            let (expected, format) = (item.text(), format.text());
+            return DefineError::WrongArgument { head, at, expected, format };
+        }
+    }
+    let furthest = table.iter().map(reach).max().unwrap_or(0);
+    let best: Vec<&Format> = table.iter().filter(|f| reach(f) == furthest).collect();
+    let mut expected: Vec<String> = Vec::new();
+    for format in &best {
+        let text = format.item_at(furthest).map_or_else(|| "the end".to_owned(), Item::text);
+        if !expected.contains(&text) {
+            expected.push(text);
+        }
+    }
+    let candidates = best.iter().map(|f| f.text()).collect();
+    DefineError::NoSuchFormat { head, at: furthest, expected, candidates }
+}
+
+/// A vertical component of a plane's unit normal, or a horizontal one of an axis, below which the plane
+/// still counts as a line and the cylinder as a circle. Larger than what rounding leaves after a rotation.
+const UPRIGHT: f64 = 1e-9;
+
+/// Arguments by place and kind. A place that holds something else is a fault of the table, answered by
+/// [`Fault::Kind`] so that a table's mistake cannot panic.
+impl Args<'_> {
+    fn kind<T>(&self, at: usize) -> Result<T, Fault> {
+        Err(Fault::Kind { at })
+    }
+
+    /// How many arguments.
+    pub(super) fn len(&self) -> usize {
+        self.list.len()
+    }
+
+    /// The number at `at`.
+    pub(super) fn number(&self, at: usize) -> Result<f64, Fault> {
+        match self.list.get(at).map(|a| &a.value) {
+            Some(Value::Number(n)) => Ok(*n),
+            _ => self.kind(at),
+        }
+    }
+
+    /// `N` numbers from `at` on.
+    pub(super) fn numbers<const N: usize>(&self, at: usize) -> Result<[f64; N], Fault> {
+        let mut out = [0.0; N];
+        for (i, n) in out.iter_mut().enumerate() {
+            *n = self.number(at + i)?;
+        }
+        Ok(out)
+    }
+
+    /// Is there a number at `at`?
+    pub(super) fn is_number(&self, at: usize) -> bool {
+        matches!(self.list.get(at).map(|a| &a.value), Some(Value::Number(_)))
+    }
+
+    /// A number at `at` that must be greater than zero.
+    pub(super) fn positive(&self, at: usize) -> Result<f64, Fault> {
+        let value = self.number(at)?;
+        if value > 0.0 { Ok(value) } else { Err(Fault::Range { at, value, need: "above 0" }) }
+    }
+
+    /// A whole number at `at` from `least` up, bounded by the limit of points.
+    pub(super) fn count(&self, at: usize, least: u32) -> Result<usize, Fault> {
+        let value = self.number(at)?;
+        let whole = value.round();
+        if (value - whole).abs() > 1e-6 || whole < f64::from(least) {
+            let need =
+                if least > 1 { "a whole number, 2 or more" } else { "a whole number above 0" };
+            return Err(Fault::Range { at, value, need });
+        }
+        let limit = self.context.max_points;
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "the cast saturates, and what is above the limit is refused"
+        )]
+        let n = whole as usize;
+        if n > limit { Err(Fault::TooMany { at, limit }) } else { Ok(n) }
+    }
+
+    /// The word at `at`.
+    pub(super) fn word(&self, at: usize) -> Result<Word, Fault> {
+        self.list.get(at).and_then(Arg::word).map_or_else(|| self.kind(at), Ok)
+    }
+
+    /// Does `word` stand at `at`?
+    pub(super) fn is(&self, at: usize, word: Word) -> bool {
+        self.list.get(at).and_then(Arg::word) == Some(word)
+    }
+
+    /// The form at `at`.
+    pub(super) fn form(&self, at: usize) -> Result<&Form, Fault> {
+        self.list.get(at).and_then(Arg::form).map_or_else(|| self.kind(at), Ok)
+    }
+
+    /// The point at `at`.
+    pub(super) fn point(&self, at: usize) -> Result<Vec3, Fault> {
+        match self.list.get(at).map(|a| &a.value) {
+            Some(Value::Tuple { x, y, z: Some(z) }) => Ok(Vec3::new(*x, *y, *z)),
+            Some(Value::Tuple { x, y, z: None }) => Ok(self.context.on_zsurf(*x, *y)),
+            _ => match self.form(at)? {
+                Form::Point(p) => Ok(*p),
+                _ => self.kind(at),
+            },
+        }
+    }
+
+    /// Is there a point at `at`?
+    pub(super) fn is_point(&self, at: usize) -> bool {
+        self.point(at).is_ok()
+    }
+
+    /// The point at `at`, seen along z.
+    pub(super) fn point2(&self, at: usize) -> Result<Vec2, Fault> {
+        self.point(at).map(|p| p.xy())
+    }
+
+    /// The vector at `at`, perhaps given as a point.
+    pub(super) fn vector(&self, at: usize) -> Result<Vec3, Fault> {
+        match self.list.get(at).and_then(Arg::form) {
+            Some(Form::Vector(v)) => Ok(*v),
+            _ => self.point(at),
+        }
+    }
+
+    /// The direction of the vector at `at`, which must have one.
+    pub(super) fn direction(&self, at: usize) -> Result<Vec3, Fault> {
+        self.vector(at)?.try_normalize(0.0).ok_or(Fault::NoLength { at })
+    }
+
+    /// The line at `at`.
+    pub(super) fn line(&self, at: usize) -> Result<Line, Fault> {
+        match self.form(at)? {
+            Form::Line(l) => Ok(*l),
+            Form::Plane(p) if p.n.z.abs() <= UPRIGHT => {
+                Line::new(p.n.x, p.n.y, p.d).map_or_else(|| self.kind(at), Ok)
+            }
+            Form::Plane(p) => Err(Fault::Leans { at, normal: p.n }),
+            _ => self.kind(at),
+        }
+    }
+
+    /// The plane at `at`.
+    pub(super) fn plane(&self, at: usize) -> Result<Plane, Fault> {
+        match self.form(at)? {
+            Form::Plane(p) => Ok(*p),
+            Form::Line(l) => Ok(l.plane()),
+            _ => self.kind(at),
+        }
+    }
+
+    /// The circle at `at`, whose axis must be that of z.
+    pub(super) fn circle(&self, at: usize) -> Result<Circle, Fault> {
+        let (center, axis, radius) = match self.form(at)? {
+            Form::Circle(c) => (c.center, c.axis, c.radius),
+            Form::Cylinder(Cylinder { point, axis, radius }) => (*point, *axis, *radius),
+            _ => return self.kind(at),
+        };
+        if axis.xy().norm() > UPRIGHT {
+            return Err(Fault::Leans { at, normal: axis });
+        }
+        Ok(Circle { center, axis, radius })
+    }
+
+    /// The circle or cylinder at `at` with any axis.
+    pub(super) fn circle_in_space(&self, at: usize) -> Result<Circle, Fault> {
+        match self.form(at)? {
+            Form::Circle(c) => Ok(*c),
+            Form::Cylinder(c) => Ok(Circle { center: c.point, axis: c.axis, radius: c.radius }),
+            _ => self.kind(at),
+        }
+    }
+
+    /// The conic at `at`.
+    pub(super) fn conic(&self, at: usize) -> Result<Quadric, Fault> {
+        match self.form(at)? {
+            Form::Quadric(q) => Ok(*q),
+            _ => self.kind(at),
+        }
+    }
+
+    /// The TABCYL at `at`.
+    pub(super) fn tabcyl(&self, at: usize) -> Result<&Tabcyl, Fault> {
+        match self.form(at)? {
+            Form::Tabcyl(t) => Ok(t),
+            _ => self.kind(at),
+        }
+    }
+
+    /// The pattern at `at`.
+    pub(super) fn pattern(&self, at: usize) -> Result<&Pattern, Fault> {
+        match self.form(at)? {
+            Form::Pattern(p) => Ok(p),
+            _ => self.kind(at),
+        }
+    }
+
+    /// The matrix at `at`.
+    pub(super) fn matrix(&self, at: usize) -> Result<Transform, Fault> {
+        match self.form(at)? {
+            Form::Matrix(m) => Ok(*m),
+            _ => self.kind(at),
+        }
+    }
+}

@@ -1,0 +1,142 @@
+//! POINT.
+
+use aptc_geometry::{Form, Vec3, trig};
+use aptc_vocabulary::{Word, word};
+
+use super::choose::{XY_MODS, XYZ_MODS};
+use super::fault::Fault;
+use super::format::Item::{C, K, L, N, Of, P, PL, PT, TC, W};
+use super::format::{Args, Format, row};
+use super::meet::{self, Meet};
+
+const PLANES: &[Word] = &[word::XYPLAN, word::YZPLAN, word::ZXPLAN];
+
+pub(super) const FORMATS: &[Format] = &[
+    row(&[N, N], xy),
+    row(&[N, N, N], xyz),
+    row(&[W(word::INTOF), L, L], two_lines),
+    row(&[W(word::INTOF), PL, PL, PL], three_planes),
+    row(&[Of(XY_MODS), W(word::INTOF), L, C], line_circle),
+    row(&[Of(XY_MODS), W(word::INTOF), C, C], two_circles),
+    row(&[Of(XYZ_MODS), W(word::INTOF), L, K], line_conic),
+    row(&[W(word::INTOF), L, TC, P], line_tabcyl),
+    row(&[C, W(word::ATANGL), N], on_circle),
+    row(&[W(word::CENTER), C], center),
+    row(&[W(word::RTHETA), Of(PLANES), N, N], polar),
+    row(&[W(word::THETAR), Of(PLANES), N, N], polar),
+    row(&[PT, N], of_pattern),
+    row(&[P], same),
+];
+
+fn xy(a: &Args<'_>) -> Result<Form, Fault> {
+    let [x, y] = a.numbers(0)?;
+    Ok(Form::Point(a.context.on_zsurf(x, y)))
+}
+
+fn xyz(a: &Args<'_>) -> Result<Form, Fault> {
+    let [x, y, z] = a.numbers(0)?;
+    Ok(Form::Point(Vec3::new(x, y, z)))
+}
+
+fn two_lines(a: &Args<'_>) -> Result<Form, Fault> {
+    let (one, other) = (a.line(1)?, a.line(2)?);
+    let p = meet::lines(&one, &other).ok_or(Fault::Parallel {
+        a: 1,
+        b: 2,
+        one: one.plane(),
+        other: other.plane(),
+    })?;
+    Ok(Form::Point(a.context.lift(p)))
+}
+
+fn three_planes(a: &Args<'_>) -> Result<Form, Fault> {
+    let p = [a.plane(1)?, a.plane(2)?, a.plane(3)?];
+    for (i, j) in [(0, 1), (0, 2), (1, 2)] {
+        if p[i].n.cross(&p[j].n).norm() <= meet::PARALLEL {
+            return Err(Fault::Parallel { a: i + 1, b: j + 1, one: p[i], other: p[j] });
+        }
+    }
+    // Along the line of the two planes that stand most across each other: the residual stays that of
+    // rounding on all three.
+    let order = [(0, 1, 2), (0, 2, 1), (1, 2, 0)];
+    let across = |&(i, j, _): &(usize, usize, usize)| p[i].n.cross(&p[j].n).norm();
+    let &(i, j, k) =
+        order.iter().max_by(|a, b| across(a).total_cmp(&across(b))).expect("the list is not empty");
+    let along = p[i].n.cross(&p[j].n);
+    let foot =
+        (p[j].n.cross(&along) * p[i].d + along.cross(&p[i].n) * p[j].d) / along.norm_squared();
+    let along = along.normalize();
+    let sine = p[k].n.dot(&along);
+    if sine.abs() <= meet::PARALLEL {
+        return Err(Fault::OneDirection { planes: [1, 2, 3], along });
+    }
+    Ok(Form::Point(foot + along * ((p[k].d - p[k].n.dot(&foot)) / sine)))
+}
+
+fn line_circle(a: &Args<'_>) -> Result<Form, Fault> {
+    let (l, c) = (a.line(2)?, a.circle(3)?);
+    match meet::line_circle(&l, c.center.xy(), c.radius) {
+        Meet::At(one, other) => a.pick2(0, one, other).map(Form::Point),
+        Meet::Apart(gap) => Err(Fault::Apart { a: 2, b: 3, gap }),
+        Meet::Same => Err(Fault::Coincide { a: 2, b: 3 }),
+    }
+}
+
+fn two_circles(a: &Args<'_>) -> Result<Form, Fault> {
+    let (one, other) = (a.circle(2)?, a.circle(3)?);
+    match meet::circles(one.center.xy(), one.radius, other.center.xy(), other.radius) {
+        Meet::At(p, q) => a.pick2(0, p, q).map(Form::Point),
+        Meet::Apart(gap) => Err(Fault::Apart { a: 2, b: 3, gap }),
+        Meet::Same => Err(Fault::Coincide { a: 2, b: 3 }),
+    }
+}
+
+fn line_conic(a: &Args<'_>) -> Result<Form, Fault> {
+    let (l, q) = (a.line(2)?, a.conic(3)?);
+    let foot = meet::normal(&l) * l.d;
+    let from = a.context.lift(foot);
+    let along = (a.context.lift(foot + meet::direction(&l)) - from).normalize();
+    match meet::line_quadric(from, along, &q) {
+        Meet::At(p, q) => a.pick(0, p, q).map(Form::Point),
+        Meet::Apart(gap) => Err(Fault::Apart { a: 2, b: 3, gap }),
+        Meet::Same => Err(Fault::Coincide { a: 2, b: 3 }),
+    }
+}
+
+fn line_tabcyl(a: &Args<'_>) -> Result<Form, Fault> {
+    super::tabcyl::line_meets(a, 1, 2, 3).map(Form::Point)
+}
+
+fn on_circle(a: &Args<'_>) -> Result<Form, Fault> {
+    let (c, angle) = (a.circle(0)?, a.number(2)?);
+    let (x, y) = (trig::cos_deg(angle) * c.radius, trig::sin_deg(angle) * c.radius);
+    Ok(Form::Point(a.context.on_zsurf(c.center.x + x, c.center.y + y)))
+}
+
+fn center(a: &Args<'_>) -> Result<Form, Fault> {
+    Ok(Form::Point(a.circle_in_space(1)?.center))
+}
+
+/// RTHETA gives the radius first, THETAR the angle. In a plane the angle counts from its first axis to
+/// its second: x to y, y to z, z to x.
+fn polar(a: &Args<'_>) -> Result<Form, Fault> {
+    let [one, other] = a.numbers(2)?;
+    let (r, angle) = if a.is(0, word::RTHETA) { (one, other) } else { (other, one) };
+    let (u, v) = (r * trig::cos_deg(angle), r * trig::sin_deg(angle));
+    Ok(Form::Point(match a.word(1)? {
+        word::XYPLAN => a.context.on_zsurf(u, v),
+        word::YZPLAN => Vec3::new(0.0, u, v),
+        _ => Vec3::new(v, 0.0, u),
+    }))
+}
+
+fn of_pattern(a: &Args<'_>) -> Result<Form, Fault> {
+    let points = &a.pattern(0)?.points;
+    let value = a.number(1)?;
+    let found = points.iter().zip(1_u32..).find(|(_, n)| (f64::from(*n) - value).abs() < 1e-6);
+    found.map(|(p, _)| Form::Point(*p)).ok_or(Fault::NoSuchPoint { at: 1, value, n: points.len() })
+}
+
+fn same(a: &Args<'_>) -> Result<Form, Fault> {
+    a.point(0).map(Form::Point)
+}

@@ -1,0 +1,59 @@
+//! RLDSRF: rulings between two plane cuts of surfaces, or from one to a point.
+
+use std::sync::Arc;
+
+use aptc_geometry::{Form, Rail, RuledSurface, Second, Vec3};
+
+use super::fault::Fault;
+use super::format::Item::{P, S, V};
+use super::format::{Args, Format, row};
+use super::{Value, meet};
+
+pub(super) const FORMATS: &[Format] = &[
+    row(&[S, P, P, P, S, P, P, P], two_curves),
+    row(&[S, P, P, V, S, P, P, V], two_curves),
+    row(&[S, P, P, V, S, P, P, P], two_curves),
+    row(&[S, P, P, P, S, P, P, V], two_curves),
+    row(&[S, P, P, P, P], to_point),
+    row(&[S, P, P, V, P], to_point),
+];
+
+/// The curve whose surface stands at `at`, its ends and the third point or vector after it.
+fn rail(a: &Args<'_>, at: usize) -> Result<Rail, Fault> {
+    let surface = match a.list.get(at).map(|arg| &arg.value) {
+        Some(Value::Form { form, .. }) => match &**form {
+            Form::Written(w) => Arc::new(w.shape.clone()),
+            _ => Arc::clone(form),
+        },
+        _ => return Err(Fault::Kind { at }),
+    };
+    let (start, end) = (a.point(at + 1)?, a.point(at + 2)?);
+    let chord: Vec3 = end - start;
+    let size = start.amax().max(end.amax());
+    if chord.norm() <= 1e-12 * size {
+        return Err(Fault::Coincide { a: at + 1, b: at + 2 });
+    }
+    let along = chord.normalize();
+    let (toward, from_point) = match a.form(at + 3) {
+        Ok(Form::Vector(v)) => (*v, false),
+        _ => (a.point(at + 3)? - start, true),
+    };
+    let across = toward - along * along.dot(&toward);
+    if across.norm() <= meet::PARALLEL * toward.norm() || toward.norm() <= 1e-12 * size {
+        let places = vec![at + 1, at + 2, at + 3];
+        return Err(Fault::Dependent { places, what: "they give no cutting plane" });
+    }
+    // A third point only tells the side; a vector is the direction itself.
+    let toward = if from_point { across.normalize() } else { toward.normalize() };
+    Ok(Rail { surface, start, end, toward })
+}
+
+fn two_curves(a: &Args<'_>) -> Result<Form, Fault> {
+    let (first, second) = (rail(a, 0)?, Second::Rail(rail(a, 4)?));
+    Ok(Form::Ruled(Arc::new(RuledSurface { first, second })))
+}
+
+fn to_point(a: &Args<'_>) -> Result<Form, Fault> {
+    let (first, second) = (rail(a, 0)?, Second::Apex(a.point(4)?));
+    Ok(Form::Ruled(Arc::new(RuledSurface { first, second })))
+}
