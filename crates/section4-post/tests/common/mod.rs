@@ -1,5 +1,6 @@
 //! Short programs of CL data for tests, and LinuxCNC's stand-alone interpreter as a client.
 #![allow(dead_code, unreachable_pub, reason = "each test file uses a part of it")]
+#![expect(clippy::unwrap_used, clippy::print_stderr, reason = "test code; a skip must be seen")]
 
 use std::path::Path;
 use std::process::Command;
