@@ -13,6 +13,7 @@ use aptc_protap::{
 use crate::failure::Failure;
 use crate::forward::{self, forward};
 use crate::plane;
+use crate::pocket;
 use crate::scene::{Check, Path, Scene, Start, Wall};
 use crate::state::{Given, Part, Role, Settings, Tool, plane_ref};
 use crate::tool::Shape;
@@ -138,7 +139,7 @@ impl Arelem {
                 self.poisoned = true;
                 Outcome::Failed
             }
-            Kind::Pocket(_) => self.fail(origin, &Failure::Unsupported { what: "POCKET".into() }),
+            Kind::Pocket(p) => self.pocket(origin, p, out),
             Kind::Cut(on) => {
                 self.cut(origin, *on, out);
                 Outcome::None
@@ -366,6 +367,43 @@ impl Arelem {
         }
         let name = go.surfaces.first().map(|(_, s)| forward::name(&s.name)).unwrap_or_default();
         self.arrive(origin, cl::MotionKind::Startup, name, path, out)
+    }
+
+    /// POCKET: three feeds, the plunge, the general passes from the inside out, the finish pass.
+    fn pocket(
+        &mut self,
+        origin: &Origin,
+        p: &protap::Pocket,
+        out: &mut Vec<cl::Record>,
+    ) -> Outcome {
+        if self.poisoned {
+            return Outcome::Failed;
+        }
+        let Some(tool) = self.tool else { return self.fail(origin, &Failure::NoPosition) };
+        let passes = match pocket::passes(p, &self.settings, &tool) {
+            Ok(passes) => passes,
+            Err(why) => return self.fail(origin, &Failure::Pocket { why }),
+        };
+        let general: Vec<Vec3> = passes[..passes.len() - 1].iter().flatten().copied().collect();
+        let finish = passes.last().cloned().unwrap_or_default();
+        let all = [general, finish].concat();
+        let split = all.len() - passes.last().map_or(0, Vec::len);
+        let parts = [&all[..1], &all[1..split.max(1)], &all[split.max(1)..]];
+        for (points, feed) in parts.into_iter().zip(p.feeds) {
+            if points.is_empty() {
+                continue;
+            }
+            let args = vec![cl::Arg::Number(feed)];
+            let kind = cl::Kind::Post { word: "FEDRAT".into(), args };
+            out.push(cl::Record { origin: origin.clone(), kind });
+            for p in points {
+                self.go_to(*p);
+            }
+            let name = cl::NameRef { name: "POCKET".into(), subscript: 0 };
+            self.put(origin, cl::MotionKind::Goto, name, points.to_vec(), out);
+        }
+        self.settings.given = None;
+        self.moved(0)
     }
 
     fn check_start(&self, start: &Start) -> Option<Failure> {

@@ -37,6 +37,8 @@ pub(crate) enum Failure {
     NoCheck { word: Direction },
     /// A form that is no surface.
     NotASurface { surface: SurfaceRef },
+    /// POCKET with numbers or points that make none.
+    Pocket { why: String },
     /// A pairing of surfaces that is not done yet.
     Unsupported { what: String },
 }
@@ -188,6 +190,12 @@ impl Failure {
                     surface.form.kind().word()
                 ),
                 "use a line, circle, plane or another surface".into(),
+            ),
+            Self::Pocket { why } => (
+                codes::POCKET,
+                format!("no pocket: {why}"),
+                "POCKET/re,c,f,f1,f2,f3,o,p,P1,.. takes the corners of a convex figure in order"
+                    .into(),
             ),
             Self::Unsupported { what } => (
                 codes::UNSUPPORTED_MOTION,

@@ -8,6 +8,7 @@ mod arelem;
 mod failure;
 mod forward;
 mod plane;
+mod pocket;
 mod prepare;
 mod scene;
 mod state;

@@ -97,3 +97,16 @@ TLLFT,GOFWD/L2,TANTO,C1\nCUT\nGOFWD/C1,PAST,2,INTOF,L5";
     let end = run(&forms, text).clean().end();
     assert!((end.x - 2.5).abs() < 1e-9 && (end.y - 0.5f64.sqrt()).abs() < 1e-8, "{end}");
 }
+
+#[test]
+fn pocket_from_the_inside_out() {
+    let text = "CUTTER/.5\nFROM/2,-.25,1.25\nPOCKET/.2125,1.7,1.7,35,30,20,0,1,P2,P3,P4,P5,P1";
+    let (Some(forms), Some(theirs)) = (forms_of("pocket"), expected("pocket")) else { return };
+    let ours = run(&forms, text).clean();
+    let ours: Vec<_> = ours.motions().skip(1).flat_map(|(_, m)| &m.points).map(|p| p.te).collect();
+    let theirs = &theirs[7];
+    assert_eq!(ours.len(), theirs.len());
+    for (a, b) in ours.iter().zip(theirs) {
+        assert!((a - b).norm() < 1e-6, "{a} for {b}");
+    }
+}

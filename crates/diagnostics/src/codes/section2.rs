@@ -20,4 +20,5 @@ codes! {
     NO_CHECK_SURFACE = 2014, "a motion without a check surface";
     NOT_A_SURFACE = 2015, "a form that cannot guide the tool";
     UNSUPPORTED_MOTION = 2016, "a motion that cannot be computed yet";
+    POCKET = 2017, "a pocket that cannot be cleared";
 }
