@@ -116,14 +116,19 @@ fn lines_without_tests(name: &str, lines: &[&str]) -> usize {
     if of_tests || name.starts_with("tests/") || name.ends_with("tests.rs") {
         return 0;
     }
-    let test_module = lines.windows(2).position(|pair| {
-        pair[0].trim() == "#[cfg(test)]" && pair[1].trim_start().starts_with("mod ")
-    });
-    match test_module {
+    lines.iter().position(|line| line.trim() == "#[cfg(test)]").map_or(lines.len(), |first| {
+        let at = first + lines[first..].iter().take_while(|line| is_attribute(line)).count();
         // `mod tests;` only names a file: what follows it is not a test.
-        Some(at) if lines[at + 1].ends_with('{') => at,
-        _ => lines.len(),
-    }
+        let module = lines.get(at).is_some_and(|l| l.contains("mod ") && l.ends_with('{'));
+        if module { first } else { lines.len() }
+    })
+}
+
+/// A line of attributes, also one in the middle of a long attribute.
+fn is_attribute(line: &str) -> bool {
+    let line = line.trim();
+    let inside = [",", "(", "\"", ")]"].iter().any(|end| line.ends_with(end));
+    line.starts_with("#[") || inside
 }
 
 /// Tables are data in the clothes of code: generated files and the registry of codes.
@@ -162,6 +167,15 @@ mod tests {
         assert_eq!(findings("crates/aptc/src/table.rs", &long).len(), 0);
         let tested = long.replacen("//! Doc.", "//! Doc.\n#[cfg(test)]\nmod tests {", 1);
         assert_eq!(findings("crates/aptc/src/main.rs", &tested).len(), 0);
+    }
+
+    #[test]
+    fn a_test_module_may_have_attributes() {
+        let text = "//! Doc.\n#[cfg(test)]\n#[expect(\n    a,\n    reason = \"r\"\n)]\npub(crate) mod \
+                    tests {\n    use super::*;\n}\n";
+        assert_eq!(findings("crates/aptc/src/a.rs", text), [""; 0]);
+        let single = "//! Doc.\n#[cfg(test)]\nfn f() {}\nuse super::*;\n";
+        assert_eq!(findings("crates/aptc/src/a.rs", single).len(), 1);
     }
 
     #[test]
