@@ -28,20 +28,45 @@ const WORDS: [(&[u8; 6], Word); 5] = [
     (b"TITLES", word::TITLES),
 ];
 
-/// Where the fixed-field word of a card begins, if it has one.
+/// Where the fixed-field word of a card begins, if it has one: at its head, behind a label, or behind
+/// `IF(...)`.
 pub(crate) fn start_of_text(source: &str, card: Range<usize>) -> Option<usize> {
     let bytes = &source.as_bytes()[card.clone()];
-    let first = first_letter(bytes, 0)?;
-    if word_at(&bytes[first..]).is_some() {
-        return (!is_assignment(bytes, first)).then_some(card.start + first);
+    let mut at = first_letter(bytes, 0)?;
+    if let Some(end) = end_of_label(bytes, at) {
+        at = first_letter(bytes, end)?;
     }
-    // Behind a label.
-    let end =
-        bytes[first..].iter().position(|b| !b.is_ascii_alphanumeric() && !is_blank(*b))? + first;
-    if end > first && matches!(bytes[end], b')' | b':') {
-        let next = first_letter(bytes, end + 1)?;
-        word_at(&bytes[next..])?;
-        return (!is_assignment(bytes, next)).then_some(card.start + next);
+    if let Some(end) = end_of_condition(bytes, at) {
+        at = first_letter(bytes, end)?;
+    }
+    word_at(&bytes[at..])?;
+    (!is_assignment(bytes, at)).then_some(card.start + at)
+}
+
+/// Behind the `)` or `:` of a label that begins at `at`.
+fn end_of_label(bytes: &[u8], at: usize) -> Option<usize> {
+    let rest = &bytes[at..];
+    let end = rest.iter().position(|b| !b.is_ascii_alphanumeric() && !is_blank(*b))?;
+    (end > 0 && matches!(rest[end], b')' | b':')).then_some(at + end + 1)
+}
+
+/// Behind the bracket of `IF(...)` that begins at `at`.
+fn end_of_condition(bytes: &[u8], at: usize) -> Option<usize> {
+    let mut letters = (at..).zip(&bytes[at..]).filter(|(_, b)| !is_blank(**b));
+    for expected in *b"IF(" {
+        letters.next().filter(|(_, b)| b.to_ascii_uppercase() == expected)?;
+    }
+    let mut depth = 1_usize;
+    for (i, b) in letters {
+        match b {
+            b'(' => depth += 1,
+            b')' => depth -= 1,
+            b'$' => return None,
+            _ => {}
+        }
+        if depth == 0 {
+            return Some(i + 1);
+        }
     }
     None
 }

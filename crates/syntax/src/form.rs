@@ -43,6 +43,17 @@ pub(crate) fn form(tokens: &[Spanned]) -> Form {
     }
 }
 
+/// Does the statement, or that behind its condition, give a value?
+pub(crate) fn is_assignment(tokens: &[Spanned], form: Form) -> bool {
+    match form {
+        Form::Assign => true,
+        Form::IfThen => {
+            closing(tokens, 1).is_some_and(|close| self::form(&tokens[close + 1..]) == Form::Assign)
+        }
+        _ => false,
+    }
+}
+
 /// Labels or a statement?
 fn after_condition(rest: &[Spanned]) -> Form {
     match rest {

@@ -16,15 +16,19 @@
 //! ```
 
 mod cards;
+mod characters;
+mod climb;
 mod fixed;
 mod form;
 mod grammar;
+mod identification;
 mod interner;
 mod lex;
 mod message;
 mod options;
 mod parse;
 mod scan;
+mod separator;
 mod shape;
 mod token;
 pub mod tree;
@@ -32,3 +36,4 @@ pub mod tree;
 pub use interner::{Interner, Symbol};
 pub use options::{Options, Parsed};
 pub use parse::parse;
+pub use separator::missing_sign;

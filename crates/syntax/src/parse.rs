@@ -10,15 +10,16 @@ use chumsky::error::{EmptyErr, Rich};
 use chumsky::input::Input;
 use chumsky::span::SimpleSpan;
 
-use crate::form::{Form, form};
+use crate::fixed::FixedText;
+use crate::form::{Form, form, is_assignment};
 use crate::grammar::{Beside, Grammar};
-use crate::lex::Lexer;
-use crate::message;
-use crate::scan::{Flat, Scanned, Scanner};
+use crate::lex::{Lexed, Lexer};
+use crate::message::Failed;
+use crate::scan::{Flat, Scanned, Scanner, place};
 use crate::shape::{self, Heads};
 use crate::token::{Spanned, Token};
 use crate::tree::{Body, Name, Statement};
-use crate::{Interner, Options, Parsed, Symbol};
+use crate::{Interner, Options, Parsed, Symbol, identification, separator};
 
 /// Tokens that are kept at a time. The rules are built anew for each batch, which takes microseconds,
 /// and memory stays small beside the tree.
@@ -31,10 +32,11 @@ struct Pending {
     span: Span,
     label: Option<Name>,
     content: Content,
+    warning: Option<Diagnostic>,
 }
 
 enum Content {
-    Ready(Body),
+    Ready(Box<Body>),
     Tokens(Range<usize>, Form),
 }
 
@@ -57,10 +59,23 @@ pub fn parse(file: FileId, text: &str, interner: &mut Interner, options: &Option
         open = run.batch(&mut scanner, &mut flat);
     }
     let mut parsed = run.parsed;
-    parsed.program.n_cards = scanner.n_cards;
+    parsed.program.n_cards = scanner.n_numbered;
+    parsed.diagnostics.extend(identification::check(file, text, &scanner.tails));
+    parsed.diagnostics.extend(other_dialect(file, &scanner.percents));
     parsed.diagnostics.sort_by_key(|d| d.span.start);
     parsed
 }
+
+/// What the statements of a batch have in common.
+#[derive(Default)]
+struct Lists {
+    tokens: Vec<Spanned>,
+    texts: Vec<Box<str>>,
+    fixed: Vec<Body>,
+}
+
+/// The grammar that knows what it expected.
+type Thorough<'t> = Grammar<'t, Rich<'t, Token, SimpleSpan<u32>>>;
 
 struct Run<'r> {
     file: FileId,
@@ -75,43 +90,46 @@ struct Run<'r> {
 impl Run<'_> {
     /// Reads the next statements; `false` at the end of the file.
     fn batch(&mut self, scanner: &mut Scanner<'_>, flat: &mut Flat) -> bool {
-        let mut tokens: Vec<Spanned> = Vec::with_capacity(BATCH.min(self.source.len()));
-        let mut texts: Vec<Box<str>> = Vec::new();
+        let mut lists = Lists::default();
+        lists.tokens.reserve(BATCH.min(self.source.len()));
         let mut pending: Vec<Pending> = Vec::new();
         let mut open = true;
-        while tokens.len() < BATCH {
+        while lists.tokens.len() < BATCH {
             let Some(scanned) = scanner.next(flat) else {
                 open = false;
                 break;
             };
-            pending.push(self.prepare(scanned, flat, &mut tokens, &mut texts));
+            pending.push(self.prepare(scanned, flat, &mut lists));
         }
-        let beside = Beside { file: self.file, texts: &texts, nameless: self.nameless };
+        let Lists { tokens, texts, fixed } = &lists;
+        let beside = Beside { file: self.file, texts, fixed, nameless: self.nameless, quick: true };
         let quick: Grammar<'_, EmptyErr> = Grammar::new(beside);
-        let mut thorough: Option<Grammar<'_, Rich<'_, Token, SimpleSpan<u32>>>> = None;
+        let mut thorough: Option<Thorough<'_>> = None;
         self.parsed.program.statements.reserve(pending.len());
-        for Pending { isn, line, span, label, content } in pending {
+        for Pending { isn, line, span, label, content, warning } in pending {
             let body = match content {
-                Content::Ready(body) => body,
+                Content::Ready(body) => *body,
                 Content::Tokens(range, form) => {
+                    let tokens = &tokens[range];
                     let end = SimpleSpan::from(span.end..span.end);
-                    let slice = &tokens[range];
-                    match quick.rule(form).parse(slice.split_token_span(end)).into_result() {
-                        Ok(body) => body,
-                        Err(_) => {
-                            let grammar = thorough.get_or_insert_with(|| Grammar::new(beside));
-                            let result = grammar.rule(form).parse(slice.split_token_span(end));
-                            let errors = result.into_errors();
-                            let message = message::of_grammar(
-                                self.file,
-                                form,
-                                slice,
-                                errors.into_iter().next(),
-                                self.interner,
-                                span,
-                            );
-                            self.parsed.diagnostics.push(message);
-                            Body::Error { defines: defines(self.file, slice) }
+                    let result = quick.rule(form).parse(tokens.split_token_span(end));
+                    let fault = match result.output() {
+                        Some(body) => separator::in_heads(body, self.source),
+                        None => {
+                            let grammar = thorough.get_or_insert_with(|| {
+                                Grammar::new(Beside { quick: false, ..beside })
+                            });
+                            Some(self.explain(grammar, form, tokens, span))
+                        }
+                    };
+                    match (fault, result.into_output()) {
+                        (None, Some(body)) => {
+                            self.parsed.diagnostics.extend(warning);
+                            body
+                        }
+                        (fault, _) => {
+                            self.parsed.diagnostics.extend(fault);
+                            Body::Error { defines: defines(self.file, tokens) }
                         }
                     }
                 }
@@ -121,45 +139,61 @@ impl Run<'_> {
         open
     }
 
+    /// The message for a statement that the grammar does not take.
+    fn explain<'t>(
+        &self,
+        grammar: &Thorough<'t>,
+        form: Form,
+        tokens: &'t [Spanned],
+        statement: Span,
+    ) -> Diagnostic {
+        let end = SimpleSpan::from(statement.end..statement.end);
+        let errors = grammar.rule(form).parse(tokens.split_token_span(end)).into_errors();
+        let failed = Failed {
+            file: self.file,
+            source: self.source,
+            interner: self.interner,
+            form,
+            tokens,
+            statement,
+        };
+        failed.explain(errors.into_iter().next())
+    }
+
     /// Lexes a statement and looks over it.
-    fn prepare(
-        &mut self,
-        scanned: Scanned,
-        flat: &Flat,
-        tokens: &mut Vec<Spanned>,
-        texts: &mut Vec<Box<str>>,
-    ) -> Pending {
+    fn prepare(&mut self, scanned: Scanned, flat: &Flat, lists: &mut Lists) -> Pending {
         let Scanned { isn, line, fixed, dangling } = scanned;
-        let from = tokens.len();
+        let from = lists.tokens.len();
         let mut lexer = Lexer {
             file: self.file,
             source: self.source,
             interner: self.interner,
-            tokens,
-            texts,
+            tokens: &mut lists.tokens,
+            texts: &mut lists.texts,
             max_elements: self.options.max_elements,
         };
-        let lexed = lexer.statement(flat);
-        let label = lexed.label;
+        let Lexed { label, mut fault, warning } = lexer.statement(flat);
         let start = flat.places.first().copied();
-        let end = flat.places.last().map(|p| p + 1);
-        let mut span = Span::new(self.file, start.unwrap_or(0), end.unwrap_or(0));
-        if let Some(fixed) = fixed {
-            let end = fixed.text.end.max(fixed.word.end);
-            span = Span::new(self.file, start.unwrap_or(fixed.word.start), end);
-            tokens.truncate(from);
-            let text = &self.source[fixed.text.start as usize..fixed.text.end as usize];
-            let text_span = Span::new(self.file, fixed.text.start, fixed.text.end);
-            let body = Body::Text { word: fixed.word_is, text_span, text: text.into() };
-            self.parsed.diagnostics.extend(lexed.fault);
-            return Pending { isn, line, span, label, content: Content::Ready(body) };
+        let end = flat.places.last().map_or(0, |p| p + 1);
+        let mut span = Span::new(self.file, start.unwrap_or(0), end);
+        if let Some(text) = fixed {
+            span = Span::new(
+                self.file,
+                start.unwrap_or(text.word.start),
+                text.text.end.max(text.word.end),
+            );
+            let body = self.text(&text);
+            if fault.is_none() && lists.tokens.len() == from {
+                let content = Content::Ready(Box::new(body));
+                return Pending { isn, line, span, label, content, warning: None };
+            }
+            lists.fixed.push(body);
+            let at = SimpleSpan::from(text.word.start..span.end);
+            lists.tokens.push((Token::Fixed(place(lists.fixed.len() - 1)), at));
         }
-        let mut fault = lexed.fault;
         if let (None, Some(dollar)) = (&fault, dangling) {
             let dollar = Span::new(self.file, dollar.start, dollar.end);
-            if flat.text.is_empty() {
-                span = dollar;
-            }
+            span = if flat.text.is_empty() { dollar } else { span };
             fault = Some(
                 Diagnostic::error(
                     codes::CONTINUED_PAST_END,
@@ -170,26 +204,32 @@ impl Run<'_> {
                 .help("take the `$` away, or add the missing cards"),
             );
         }
-        let statement = &mut tokens[from..];
+        let statement = &mut lists.tokens[from..];
         let form = form(statement);
         if fault.is_none() {
-            let assignment = form == Form::Assign;
-            let heads = Heads { assignment, synonyms: &self.synonyms };
-            fault =
-                shape::check(self.file, statement, &heads, self.options.max_bracket_depth).err();
+            let heads =
+                Heads { assignment: is_assignment(statement, form), synonyms: &self.synonyms };
+            fault = shape::check(self.file, statement, &heads, self.options.max_bracket_depth);
         }
         let content = if let Some(fault) = fault {
             self.parsed.diagnostics.push(fault);
             let defines = defines(self.file, statement);
-            tokens.truncate(from);
-            Content::Ready(Body::Error { defines })
+            lists.tokens.truncate(from);
+            Content::Ready(Box::new(Body::Error { defines }))
         } else if statement.is_empty() {
-            Content::Ready(Body::Empty)
+            Content::Ready(Box::new(Body::Empty))
         } else {
-            self.note_synonyms(&tokens[from..]);
-            Content::Tokens(from..tokens.len(), form)
+            self.note_synonyms(&lists.tokens[from..]);
+            Content::Tokens(from..lists.tokens.len(), form)
         };
-        Pending { isn, line, span, label, content }
+        Pending { isn, line, span, label, content, warning }
+    }
+
+    /// The body of a fixed-field statement.
+    fn text(&self, fixed: &FixedText) -> Body {
+        let text = &self.source[fixed.text.start as usize..fixed.text.end as usize];
+        let text_span = Span::new(self.file, fixed.text.start, fixed.text.end);
+        Body::Text { word: fixed.word_is, text_span, text: text.into() }
     }
 
     /// Remembers the new names of words that define, so that `PT/X` is known for a definition.
@@ -208,6 +248,21 @@ impl Run<'_> {
             }
         }
     }
+}
+
+/// The one message for all cards that begin with `%`.
+fn other_dialect(file: FileId, percents: &[Range<u32>]) -> Option<Diagnostic> {
+    let first = percents.first()?;
+    let cards = match percents.len() {
+        1 => "this card begins".to_owned(),
+        n => format!("{n} cards begin"),
+    };
+    let span = Span::new(file, first.start, first.end);
+    let message = format!("{cards} with `%`, which is a comment in the dialect NCL but not in APT");
+    Some(
+        Diagnostic::error(codes::NCL_COMMENT, span, message)
+            .help("begin comments with `$$`; this file may have been written for NCL"),
+    )
 }
 
 /// The symbol that a statement in error would have defined.

@@ -2,6 +2,8 @@
 
 use std::ops::Range;
 
+use aptc_vocabulary::word;
+
 use crate::cards::{Card, Cards};
 use crate::fixed::{self, FixedText};
 
@@ -20,6 +22,33 @@ impl Flat {
         self.places.clear();
     }
 
+    fn push_ascii(&mut self, byte: u8, at: usize) {
+        self.places.push(place(at));
+        self.text.push(char::from(byte));
+    }
+
+    /// Do blanks or the end of a card part the characters?
+    pub(crate) fn is_parted(&self, range: &Range<usize>) -> bool {
+        match self.places.get(range.clone()) {
+            Some([first, .., last]) => (last - first) as usize + 1 != range.len(),
+            _ => false,
+        }
+    }
+
+    /// The pieces of `range` between blanks and ends of cards.
+    pub(crate) fn pieces(&self, range: Range<usize>) -> Vec<Range<usize>> {
+        let mut pieces = vec![];
+        let mut start = range.start;
+        for i in range.start + 1..range.end {
+            if self.places[i] != self.places[i - 1] + 1 {
+                pieces.push(start..i);
+                start = i;
+            }
+        }
+        pieces.push(start..range.end);
+        pieces
+    }
+
     fn push(&mut self, c: char, at: usize) {
         for i in 0..c.len_utf8() {
             self.places.push(place(at + i));
@@ -31,6 +60,16 @@ impl Flat {
 /// A byte of the file as it is stored; Section 0 refuses files of 4 GiB.
 pub(crate) fn place(at: usize) -> u32 {
     u32::try_from(at).unwrap_or(u32::MAX)
+}
+
+/// How the text of a card ends.
+enum End {
+    /// With its last column.
+    Card,
+    /// With a comment.
+    Comment,
+    /// With the `$` at this place, after which the next card goes on.
+    GoesOn(usize),
 }
 
 /// What stands on a card or a card with its continuations.
@@ -48,39 +87,57 @@ pub(crate) struct Scanner<'s> {
     source: &'s str,
     cards: Cards<'s>,
     isn: u32,
-    pub(crate) n_cards: u32,
+    /// Cards that have a number: all but continuations.
+    pub(crate) n_numbered: u32,
+    /// Text behind column 72 that is not part of a comment.
+    pub(crate) tails: Vec<Range<u32>>,
+    /// The `%` of cards that NCL would take for comments.
+    pub(crate) percents: Vec<Range<u32>>,
 }
 
 impl<'s> Scanner<'s> {
     pub(crate) fn new(source: &'s str, free_form: bool, first_isn: u32) -> Self {
-        Self { source, cards: Cards::new(source, free_form), isn: first_isn, n_cards: 0 }
+        let cards = Cards::new(source, free_form);
+        Self {
+            source,
+            cards,
+            isn: first_isn,
+            n_numbered: 0,
+            tails: Vec::new(),
+            percents: Vec::new(),
+        }
     }
 
     /// The next statement; its characters go to `flat`.
     pub(crate) fn next(&mut self, flat: &mut Flat) -> Option<Scanned> {
         loop {
             let card = self.cards.next()?;
-            self.n_cards += 1;
             let isn = self.isn;
-            self.isn += 1;
+            self.isn = self.isn.saturating_add(1);
+            self.n_numbered += 1;
             flat.clear();
-            let line = card.line;
-            let mut scanned = Scanned { isn, line, fixed: None, dangling: None };
-            let start = fixed::start_of_text(self.source, card.text.clone());
-            if let Some(start) = start {
+            if let Some(at) = percent(&self.source[card.text.clone()]) {
+                let at = place(card.text.start + at);
+                self.percents.push(at..at + 1);
+                continue;
+            }
+            let mut scanned = Scanned { isn, line: card.line, fixed: None, dangling: None };
+            if let Some(start) = fixed::start_of_text(self.source, card.text.clone()) {
                 let text = fixed::read(self.source, start, card.text.end);
-                self.characters(card.text.start..text.word.start as usize, flat);
+                self.characters(card.text.start..start, flat);
+                if text.word_is != word::REMARK {
+                    self.note_tail(&card);
+                }
                 scanned.fixed = Some(text);
                 return Some(scanned);
             }
-            let mut goes_on = self.characters(card.text.clone(), flat);
-            while let Some(dollar) = goes_on {
-                let Some(Card { text, .. }) = self.cards.next() else {
+            let mut end = self.card(&card, flat);
+            while let End::GoesOn(dollar) = end {
+                let Some(card) = self.cards.next() else {
                     scanned.dangling = Some(place(dollar)..place(dollar + 1));
                     break;
                 };
-                self.n_cards += 1;
-                goes_on = self.characters(text, flat);
+                end = self.card(&card, flat);
             }
             if !flat.text.is_empty() || scanned.dangling.is_some() {
                 return Some(scanned);
@@ -88,8 +145,22 @@ impl<'s> Scanner<'s> {
         }
     }
 
-    /// Takes the characters of one card; gives the place of the `$` after which the next card goes on.
-    fn characters(&self, card: Range<usize>, flat: &mut Flat) -> Option<usize> {
+    fn card(&mut self, card: &Card, flat: &mut Flat) -> End {
+        let end = self.characters(card.text.clone(), flat);
+        if matches!(end, End::Card) {
+            self.note_tail(card);
+        }
+        end
+    }
+
+    fn note_tail(&mut self, card: &Card) {
+        if card.end > card.text.end && !self.source[card.text.end..card.end].trim().is_empty() {
+            self.tails.push(place(card.text.end)..place(card.end));
+        }
+    }
+
+    /// Takes the characters of a card.
+    fn characters(&self, card: Range<usize>, flat: &mut Flat) -> End {
         let text = &self.source[card.clone()];
         let bytes = text.as_bytes();
         let mut i = 0;
@@ -97,7 +168,8 @@ impl<'s> Scanner<'s> {
             let at = card.start + i;
             match b {
                 b' ' | b'\t' | b'\r' | 0x0b | 0x0c => {}
-                b'$' => return (bytes.get(i + 1) != Some(&b'$')).then_some(at),
+                b'$' if bytes.get(i + 1) == Some(&b'$') => return End::Comment,
+                b'$' => return End::GoesOn(at),
                 b'\'' | b'"' => {
                     // Text up to the same mark on this card; a lone mark is kept for the message.
                     let length = text[i + 1..].find(char::from(b)).map_or(1, |n| n + 2);
@@ -113,10 +185,16 @@ impl<'s> Scanner<'s> {
                     i += c.len_utf8();
                     continue;
                 }
-                _ => flat.push(char::from(b.to_ascii_uppercase()), at),
+                _ => flat.push_ascii(b.to_ascii_uppercase(), at),
             }
             i += 1;
         }
-        None
+        End::Card
     }
+}
+
+/// Where the `%` stands that a card begins with.
+fn percent(card: &str) -> Option<usize> {
+    let at = card.bytes().position(|b| !matches!(b, b' ' | b'\t'))?;
+    (card.as_bytes()[at] == b'%').then_some(at)
 }

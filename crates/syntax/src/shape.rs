@@ -4,7 +4,7 @@
 use std::collections::BTreeSet;
 
 use aptc_diagnostics::{Diagnostic, FileId, Span, codes};
-use aptc_vocabulary::{Class, Dialect, Word};
+use aptc_vocabulary::{Class, Dialect, Word, word};
 
 use crate::Symbol;
 use crate::token::{Spanned, Token};
@@ -46,13 +46,13 @@ pub(crate) struct Heads<'h> {
     pub(crate) synonyms: &'h BTreeSet<Symbol>,
 }
 
-/// Checks the brackets and turns names before a list into heads.
+/// Checks the brackets and turns names before a list into heads; gives what is wrong.
 pub(crate) fn check(
     file: FileId,
     tokens: &mut [Spanned],
     heads: &Heads<'_>,
     max_bracket_depth: usize,
-) -> Result<(), Diagnostic> {
+) -> Option<Diagnostic> {
     let at = |tokens: &[Spanned], i: usize| Span::new(file, tokens[i].1.start, tokens[i].1.end);
     let mut levels: Vec<Level> = vec![Level::default()];
     for i in 0..tokens.len() {
@@ -61,23 +61,31 @@ pub(crate) fn check(
         match tokens[i].0 {
             Token::Open => {
                 if levels.len() > max_bracket_depth {
-                    return Err(Diagnostic::error(
-                        codes::TOO_DEEP,
-                        at(tokens, i),
-                        format!("more than {max_bracket_depth} brackets within each other"),
-                    )
-                    .help("give the inner parts names in statements of their own"));
+                    return Some(
+                        Diagnostic::error(
+                            codes::TOO_DEEP,
+                            at(tokens, i),
+                            format!("more than {max_bracket_depth} brackets within each other"),
+                        )
+                        .help("give the inner parts names in statements of their own"),
+                    );
+                }
+                let fault = nothing_in(file, tokens, i);
+                if fault.is_some() {
+                    return fault;
                 }
                 levels.push(Level { open: Some(i), at_head: true, ..Level::default() });
             }
             Token::Close => {
                 let Some(mut closed) = levels.pop().filter(|_| !levels.is_empty()) else {
-                    return Err(Diagnostic::error(
-                        codes::UNOPENED_BRACKET,
-                        at(tokens, i),
-                        "this `)` closes no bracket",
-                    )
-                    .help("put the `(` in front, or take the `)` away"));
+                    return Some(
+                        Diagnostic::error(
+                            codes::UNOPENED_BRACKET,
+                            at(tokens, i),
+                            "this `)` closes no bracket",
+                        )
+                        .help("put the `(` in front, or take the `)` away"),
+                    );
                 };
                 closed.end_element();
                 if let Some(level) = levels.last_mut() {
@@ -89,10 +97,16 @@ pub(crate) fn check(
                 if let Some(head) = level.head.take() {
                     promote(&mut tokens[head].0);
                 }
-                // From here on a slash divides.
-                level.at_head = false;
+                let fault = nothing_behind(file, tokens, i);
+                if fault.is_some() {
+                    return fault;
+                }
             }
             Token::Equal => {
+                let fault = no_target(file, tokens, i);
+                if fault.is_some() {
+                    return fault;
+                }
                 level.operators += 1;
                 level.at_head = level.open.is_some() || heads.assignment;
             }
@@ -110,29 +124,72 @@ pub(crate) fn check(
             Token::Operator(_) | Token::Slash | Token::Not => level.operators += 1,
             _ => {}
         }
-        if let Some(level) = levels.last_mut() {
-            if level.operators + level.inner + levels.len() > MAX_DEPTH {
-                return Err(Diagnostic::error(
+        let n_open = levels.len();
+        if levels.last().is_some_and(|l| l.operators + l.inner + n_open > MAX_DEPTH) {
+            return Some(
+                Diagnostic::error(
                     codes::TOO_DEEP,
                     at(tokens, i),
                     format!("an expression of more than {MAX_DEPTH} operators and brackets"),
                 )
-                .help("give parts of it names in statements of their own"));
-            }
+                .help("give parts of it names in statements of their own"),
+            );
         }
     }
     if levels.len() > 1 {
         let open = levels.last().and_then(|l| l.open).unwrap_or(0);
         let last = tokens.len() - 1;
         let end = tokens[last].1.end;
-        return Err(Diagnostic::error(
-            codes::UNCLOSED_BRACKET,
-            at(tokens, open),
-            "this `(` is not closed",
-        )
-        .also(Span::new(file, end, end), "expected `)` up to here"));
+        return Some(
+            Diagnostic::error(codes::UNCLOSED_BRACKET, at(tokens, open), "this `(` is not closed")
+                .also(Span::new(file, end, end), "expected `)` up to here"),
+        );
     }
-    Ok(())
+    None
+}
+
+/// The message for a comma that nothing follows. OBTAIN may skip the last elements.
+fn nothing_behind(file: FileId, tokens: &[Spanned], comma: usize) -> Option<Diagnostic> {
+    let at = tokens[comma].1;
+    let fault = |what| {
+        let span = Span::new(file, at.start, at.end);
+        Diagnostic::error(codes::EXPECTED_OTHERWISE, span, what)
+    };
+    match tokens.get(comma + 1) {
+        None if matches!(tokens[0].0, Token::Name(_, Some(word::OBTAIN))) => None,
+        None => Some(
+            fault("expected a value after this `,`, found the end of the statement")
+                .help("take the `,` away; or end the card with `$` if the statement goes on"),
+        ),
+        Some((Token::Close, _)) => {
+            Some(fault("expected a value after this `,`, found `)`").help("take the `,` away"))
+        }
+        Some(_) => None,
+    }
+}
+
+/// The message for a bracket that does not begin with a value.
+fn nothing_in(file: FileId, tokens: &[Spanned], open: usize) -> Option<Diagnostic> {
+    let (token, at) = tokens.get(open + 1)?;
+    let found = match token {
+        Token::Comma => ",",
+        Token::Close => ")",
+        _ => return None,
+    };
+    let message = format!("expected a value in the brackets, found `{found}`");
+    Some(Diagnostic::error(codes::EXPECTED_OTHERWISE, Span::new(file, at.start, at.end), message))
+}
+
+/// The message for an `=` with no name left of it.
+fn no_target(file: FileId, tokens: &[Spanned], equal: usize) -> Option<Diagnostic> {
+    let before = equal.checked_sub(1).map(|i| tokens[i]);
+    if matches!(before, Some((Token::Name(..) | Token::Close, _))) {
+        return None;
+    }
+    let at = before.map_or(tokens[equal].1, |(_, span)| span);
+    let span = Span::new(file, at.start, at.end);
+    let message = "expected a name left of this `=`";
+    Some(Diagnostic::error(codes::EXPECTED_OTHERWISE, span, message))
 }
 
 /// Does the word begin a definition even before a single argument? `LINE/XAXIS` is one, `A/B` is not.

@@ -67,6 +67,8 @@ pub(crate) enum Token {
     Number(f64, Option<Symbol>),
     /// Quoted text: its place among the texts.
     Text(u32),
+    /// A fixed-field word with its text: its place among them.
+    Fixed(u32),
     /// `.TRUE.` or `.FALSE.`
     Truth(bool),
     /// `.NOT.`

@@ -14,7 +14,7 @@ use crate::Symbol;
 pub struct Program {
     /// The statements in order.
     pub statements: Vec<Statement>,
-    /// Cards in the file, for the statement number of what is appended.
+    /// Cards of the file but continuations, for the statement number of what is appended.
     pub n_cards: u32,
 }
 

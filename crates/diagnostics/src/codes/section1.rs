@@ -13,6 +13,10 @@ codes! {
     CONTINUED_PAST_END = 1007, "a statement that goes on past the end of the file";
     TOO_DEEP = 1008, "an expression that is nested too deep";
     STATEMENT_TOO_LONG = 1009, "a statement that is too long";
+    TEXT_BEHIND_CARD = 1010, "text behind column 72 is not read";
+    BLANK_IN_NUMBER = 1011, "a blank inside a number";
+    MISSING_SEPARATOR = 1012, "two words with no sign between them";
+    NCL_COMMENT = 1013, "a comment of the dialect NCL";
     NO_SUCH_FORMAT = 1200, "arguments that no format of a definition reads";
     WRONG_ARGUMENT = 1201, "an argument of another kind than the format wants";
     PARALLEL = 1202, "lines or planes that do not meet";

@@ -1,0 +1,81 @@
+//! Columns 73 to 80: the identification of a card, or text that was meant to be read?
+//!
+//! An identification is letters and digits, such as `TEST0010` or a number at the right edge. What looks
+//! otherwise, or stands behind column 80, was most likely written without thought of cards, so that a
+//! warning is due. One warning a file; free form has none of this.
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+use aptc_diagnostics::{Diagnostic, FileId, Span, codes};
+
+use crate::scan::place;
+
+/// Columns 73 to 80.
+const WIDTH: usize = 8;
+/// So many like fields make a habit.
+const HABIT: usize = 3;
+/// Places shown beside the first.
+const SHOWN: usize = 2;
+
+/// Where a field of identification stands and what it begins with: cards of one program agree in this.
+#[derive(PartialEq, Eq, PartialOrd, Ord)]
+struct Habit<'s> {
+    blanks: usize,
+    width: usize,
+    letters: &'s str,
+}
+
+/// A warning about the texts behind column 72 (`tails`, up to the ends of their lines) that are no
+/// identification.
+pub(crate) fn check(file: FileId, source: &str, tails: &[Range<u32>]) -> Option<Diagnostic> {
+    let text = |tail: &Range<u32>| &source[tail.start as usize..tail.end as usize];
+    let mut habits: BTreeMap<Habit<'_>, usize> = BTreeMap::new();
+    for tail in tails {
+        if let Some(habit) = habit(text(tail)) {
+            *habits.entry(habit).or_default() += 1;
+        }
+    }
+    let is_habit =
+        |habit: &Habit<'_>| habits.get(habit).is_some_and(|&n| n >= HABIT && 2 * n >= tails.len());
+    let strange = |tail: &&Range<u32>| match habit(text(tail)) {
+        None => true,
+        Some(h) => {
+            let at_edge = h.blanks + h.width == WIDTH && h.letters.len() < h.width;
+            !at_edge && !is_habit(&h)
+        }
+    };
+    let mut strange = tails.iter().filter(strange).map(|tail| {
+        let text = text(tail);
+        let start = tail.start + place(text.len() - text.trim_start().len());
+        Span::new(file, start, tail.start + place(text.trim_end().len()))
+    });
+    let first = strange.next()?;
+    let shown: Vec<Span> = strange.by_ref().take(SHOWN).collect();
+    let n = 1 + shown.len() + strange.count();
+    let message = match n {
+        1 => "text behind column 72 is not read".to_owned(),
+        _ => format!("text behind column 72 of {n} cards is not read"),
+    };
+    let mut warning = Diagnostic::warning(codes::TEXT_BEHIND_CARD, first, message)
+        .label("a card's text ends with column 72; 73 to 80 are for its identification")
+        .help(
+            "carry the statement on with `$` and a further card, or read the file with --free-form",
+        );
+    for span in shown {
+        warning = warning.also(span, "here too");
+    }
+    Some(warning)
+}
+
+/// The field's habit when it could be an identification: letters and digits in columns 73 to 80.
+fn habit(tail: &str) -> Option<Habit<'_>> {
+    let field = tail.trim_end();
+    let blanks = field.len() - field.trim_start().len();
+    let field = field.trim_start();
+    let width = field.len();
+    if blanks + width > WIDTH || !field.bytes().all(|b| b.is_ascii_alphanumeric()) {
+        return None;
+    }
+    Some(Habit { blanks, width, letters: field.trim_end_matches(|c: char| c.is_ascii_digit()) })
+}

@@ -1,0 +1,8 @@
+//! Tests of the crate through its public face.
+
+mod corpus;
+mod lexical;
+mod messages;
+mod robust;
+mod show;
+mod statements;
