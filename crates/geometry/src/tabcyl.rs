@@ -41,6 +41,11 @@ pub struct TabcylSpan {
 }
 
 impl TabcylSpan {
+    /// The span with its extreme offsets.
+    pub fn new(start: Vec2, a: f64, b: f64, length: f64) -> Self {
+        crate::tabcyl_fit::span(start, a, b, length)
+    }
+
     /// Offset from the chord at `s` along it.
     pub fn offset(&self, s: f64) -> f64 {
         let l = self.length;

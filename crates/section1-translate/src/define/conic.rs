@@ -207,7 +207,8 @@ fn proper(p: &Points, one: Conic, s: f64, other: Conic, t: f64) -> Result<Form, 
     };
     let largest = scaled.largest();
     // What is left of the determinant of a unit conic when it is two lines but for rounding.
-    if !(scaled.determinant().abs() > 1e-12 * largest * largest * largest) {
+    let determinant = scaled.determinant().abs();
+    if determinant.is_nan() || determinant <= 1e-12 * largest * largest * largest {
         let what = "three of the points, or a point and a slope, lie on one line";
         return Err(Fault::Dependent { places: p.at.clone(), what });
     }

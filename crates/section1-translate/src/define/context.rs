@@ -13,11 +13,13 @@ pub struct Context {
     pub refsys: Option<Transform>,
     /// Most points in a PATERN and most points of a TABCYL; historic 330 and 139.
     pub max_points: usize,
+    /// How far a TABCYL goes straight on at both ends; historic 10 inches, in program units.
+    pub tabcyl_end: f64,
 }
 
 impl Default for Context {
     fn default() -> Self {
-        Self { zsurf: None, refsys: None, max_points: 100_000 }
+        Self { zsurf: None, refsys: None, max_points: 100_000, tabcyl_end: 10.0 }
     }
 }
 
@@ -56,6 +58,6 @@ impl Context {
                 Some(moved)
             }
         };
-        Ok(Self { zsurf, refsys: None, max_points: self.max_points })
+        Ok(Self { zsurf, refsys: None, ..self.clone() })
     }
 }

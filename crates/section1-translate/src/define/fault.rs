@@ -95,6 +95,10 @@ pub enum Fault {
     NothingThere { at: usize, what: String },
     /// A map that flattens space.
     Flat { at: usize },
+    /// A map that does not keep angles, where one is needed.
+    Skew { at: usize },
+    /// Nothing of the curve does what is asked of it from the point.
+    NoFoot { p: usize, at: usize, what: &'static str },
     /// Planes or vectors that should stand at right angles.
     NotSquare { a: usize, b: usize, degrees: f64 },
     /// A pattern has no such point.
@@ -334,9 +338,13 @@ impl Words<'_> {
             Fault::OutOfReach { a, b, gap } => {
                 let (x, y) = (self.name(*a), self.name(*b));
                 let text = format!("no circle of this radius touches {x} and {y} in this way");
-                self.both(codes::APART, *a, *b, text)
-                    .note(format!("it would miss the second by {}", short(*gap)))
-                    .help("another radius, or IN for OUT, or the other side of the line")
+                let d = self.both(codes::APART, *a, *b, text);
+                let d = if gap.is_finite() {
+                    d.note(format!("it would miss the second by {}", short(*gap)))
+                } else {
+                    d
+                };
+                d.help("another radius, or IN for OUT, or the other side of the line")
             }
             Fault::Coincide { a, b } => {
                 let (x, y) = (self.name(*a), self.name(*b));
@@ -426,6 +434,19 @@ impl Words<'_> {
                     format!("{} flattens space and has no inverse", self.name(*at)),
                 )
                 .note(self.full(*at)),
+            Fault::Skew { at } => self
+                .error(
+                    codes::FLAT_MATRIX,
+                    *at,
+                    format!("{} does not keep angles, which this {head} needs", self.name(*at)),
+                )
+                .help("use rotations, translations and one scale"),
+            Fault::NoFoot { p, at, what } => self.both(
+                codes::APART,
+                *p,
+                *at,
+                format!("{} gives no line: {what} {}", self.name(*p), self.name(*at)),
+            ),
             Fault::NotSquare { a, b, degrees } => self.both(
                 codes::NOT_SQUARE,
                 *a,

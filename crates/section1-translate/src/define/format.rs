@@ -1,7 +1,7 @@
 //! Format tables: patterns of argument classes, matching, and what to say when none fits.
 
 use aptc_geometry::{
-    Circle, Cylinder, Form, Line, Pattern, Plane, Quadric, Tabcyl, Transform, Vec2, Vec3,
+    Circle, Cylinder, Form, FormKind, Line, Pattern, Plane, Quadric, Tabcyl, Transform, Vec2, Vec3,
 };
 use aptc_vocabulary::Word;
 
@@ -354,9 +354,16 @@ impl Args<'_> {
         self.vector(at)?.try_normalize(0.0).ok_or(Fault::NoLength { at })
     }
 
-    /// The line at `at`.
+    /// The line at `at`. A LINE that REFSYS has tilted is taken at its trace in the xy plane of the system.
     pub(super) fn line(&self, at: usize) -> Result<Line, Fault> {
+        let tilted = match self.list.get(at).map(|a| &a.value) {
+            Some(Value::Form { form, .. }) => form.kind() == FormKind::Line,
+            _ => false,
+        };
         match self.form(at)? {
+            Form::Plane(p) if tilted && p.n.xy().norm() > UPRIGHT => {
+                Line::new(p.n.x, p.n.y, p.d).map_or_else(|| self.kind(at), Ok)
+            }
             Form::Line(l) => Ok(*l),
             Form::Plane(p) if p.n.z.abs() <= UPRIGHT => {
                 Line::new(p.n.x, p.n.y, p.d).map_or_else(|| self.kind(at), Ok)
