@@ -3,15 +3,30 @@
 //! A [`Record`] carries its [`Origin`](aptc_diagnostics::Origin) from the statement on. Lengths are in the
 //! unit of the last [`Kind::Units`] record (inches without one), positions in the part frame.
 
+pub mod clfile;
+mod dialect;
+pub mod flatten;
+pub mod json;
 pub mod number;
+mod read;
 mod record;
+mod restore;
 mod stream;
+pub mod tape;
 mod text;
 
+pub use clfile::{ClfileReader, ClfileWriter};
+pub use dialect::Dialect;
+pub use json::{JsonReader, JsonWriter};
 pub use number::Decimals;
+pub use read::{Reader, TextReader, detect};
 pub use record::{
     Arc, Arg, Control, Controlled, Course, Edit, Kind, Motion, MotionKind, NameRef, Output,
     Position, Record, Relation, Units,
 };
 pub use stream::{RecordReader, RecordWriter, copy};
+pub use tape::{TapeReader, TapeWriter};
 pub use text::{TextOptions, TextWriter};
+
+#[cfg(test)]
+mod roundtrip_tests;

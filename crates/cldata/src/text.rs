@@ -10,7 +10,7 @@
 //! | `$$ LINE n`, `$$ LINE n FILE name` | what follows comes from this line of the part program; stands before each motion |
 //! | `$$ PATH kind name(i)` | the next motion is a `STARTUP` or `CONTINUOUS` one, along or to the surface or point of that name |
 //! | `$$ CIRCLE x,y,z,i,j,k,r` | the points of the next motion lie on this circle of the tool end |
-//! | `$$ GEOMETRY n KIND ..` | argument n of the next post word is a geometric form: its name, subscript and canonical elements follow there |
+//! | `$$ GEOMETRY n KIND m ..` | argument n of the next post word is a geometric form: its name, subscript and m canonical elements stand there |
 //!
 //! A circular move of which only the end is known is `MOVARC/x,y,z,i,j,k,r,ANGLE,sweep`, then `GOTO/`.
 

@@ -4,7 +4,7 @@ use std::io::{self, Write};
 use std::sync::Arc as Shared;
 
 use aptc_diagnostics::Origin;
-use aptc_geometry::{Form, Transform, Vec3};
+use aptc_geometry::{Transform, Vec3};
 
 use super::{is_reserved, kind_word};
 use crate::number::{self, Decimals};
@@ -197,10 +197,8 @@ impl<W: Write> TextWriter<W> {
                 self.number(i as f64 + 1.0);
                 self.buf.push(b' ');
                 self.text(form.kind().word());
-                if let Form::Pattern(p) = &**form {
-                    self.buf.push(b' ');
-                    self.number(p.points.len() as f64);
-                }
+                self.buf.push(b' ');
+                self.number(form.canonical().len() as f64);
             }
             self.end_line();
         }
@@ -388,7 +386,7 @@ impl<W: Write> TextWriter<W> {
 mod tests {
     use super::*;
     use crate::Position;
-    use aptc_geometry::{Circle, Cutter, Plane};
+    use aptc_geometry::{Circle, Cutter, Form, Plane};
 
     fn lines(kinds: Vec<(u32, Kind)>) -> String {
         let mut w = TextWriter::new(Vec::new(), TextOptions::default());
@@ -437,7 +435,7 @@ MACHIN/PMILL,5
 $$ LINE 4
 CUTTER/10,0,5,0,0,0,50
 $$ LINE 5
-$$ GEOMETRY 1 PLANE
+$$ GEOMETRY 1 PLANE 4
 CLRSRF/0,0,0,0,1,0.1
 $$ LINE 6
 RAPID

@@ -5,4 +5,9 @@ use super::codes;
 codes! {
     SECTION3:
     UNREADABLE_CL = 3001, "a CL record that cannot be read";
+    UNKNOWN_CL_WORD = 3002, "a word of a CL file that no table has";
+    CL_VALUE = 3003, "a value of a CL record that was taken otherwise than it stands";
+    ARC_OFF_CIRCLE = 3004, "an arc whose start or end is not on its circle";
+    CL_LINE_TOO_LONG = 3005, "a line of a CL file that is too long";
+    CL_UNIT = 3006, "a CL file that does not state its unit";
 }

@@ -1,0 +1,572 @@
+//! Statements by their major word: what every dialect shares.
+
+use aptc_diagnostics::{Severity, codes};
+use aptc_geometry::{Circle, Cutter, Transform, Vec3};
+use smol_str::SmolStr;
+
+use super::arcs::Pending;
+use super::args::{self, Numbers};
+use super::comments::unit;
+use super::state::{Direction, State};
+use super::{catia, couplets, nx};
+use crate::{Arg, Dialect, Edit, Kind, Output, Units, restore};
+
+/// Words whose statement is text to its end.
+const TEXT_WORDS: [&[u8; 6]; 5] = [b"PARTNO", b"PPRINT", b"INSERT", b"REMARK", b"TITLES"];
+
+/// Does a text word head the line?
+pub(super) fn is_verbatim(line: &[u8]) -> bool {
+    text_word(line).is_some_and(|(word, rest)| {
+        // Creo goes on with `REMARK -> CSYS / ..` in further lines.
+        let structured = word == "REMARK" && rest.trim_ascii_start().starts_with(b"->");
+        !(structured && rest.trim_ascii_end().ends_with(b"$"))
+    })
+}
+
+/// The text word at the head and the rest of the line.
+fn text_word(line: &[u8]) -> Option<(&'static str, &[u8])> {
+    let line = line.trim_ascii_start();
+    let head = line.get(..6)?;
+    let word = TEXT_WORDS.iter().find(|w| head.eq_ignore_ascii_case(w.as_slice()))?;
+    Some((std::str::from_utf8(word.as_slice()).expect("letters"), &line[6..]))
+}
+
+/// Takes a statement in.
+pub(super) fn statement(state: &mut State, text: &[u8]) {
+    let text = text.trim_ascii();
+    if text.is_empty() {
+        return;
+    }
+    if text.starts_with(b"->") {
+        // A structured comment of several lines.
+        if !super::creo::structured(state, text) {
+            state.emit(Kind::Comment(args::text(text).into()));
+        }
+        return;
+    }
+    if let Some((word, rest)) = text_word(text) {
+        return fixed_field(state, word, rest);
+    }
+    if state.in_goto
+        && matches!(text[0], b'0'..=b'9' | b'-' | b'+' | b'.')
+        && let Some(numbers) = args::all_numbers(text)
+    {
+        return goto(state, numbers.get(), false);
+    }
+    let slash = memchr::memchr(b'/', text);
+    let (head, rest) = slash.map_or((text, &b""[..]), |s| (&text[..s], &text[s + 1..]));
+    let Some(word) = major(head) else { return joined(state, text, head, rest) };
+    state.in_goto = matches!(word.as_str(), "GOTO" | "FROM");
+    word_statement(state, text, &word, rest);
+}
+
+/// The major word of a head; `None` when it is not one word.
+fn major(head: &[u8]) -> Option<SmolStr> {
+    let head = head.trim_ascii();
+    let inner_blank = head.iter().any(u8::is_ascii_whitespace);
+    let letters = head
+        .iter()
+        .all(|b| b.is_ascii_alphanumeric() || matches!(b, b'_' | b'-') || b.is_ascii_whitespace());
+    let has_letter = head.iter().any(u8::is_ascii_alphabetic);
+    if !letters || !has_letter || head.len() > 40 {
+        return None;
+    }
+    let word = args::upper(head);
+    // A word may be printed with blanks inside if it is known without them; else it is a sentence.
+    let known = || is_known(&word);
+    (!inner_blank || known() || matches!(word.as_str(), "TOOLPATH")).then_some(word)
+}
+
+/// Words that vendors use and no table has.
+fn is_known(word: &str) -> bool {
+    aptc_vocabulary::find(word).is_some()
+        || matches!(
+            word,
+            "TOOLPATH"
+                | "END-OF-PATH"
+                | "TLDATA"
+                | "MSYS"
+                | "CSYS"
+                | "UNIT"
+                | "GOCCLW"
+                | "GOCLW"
+                | "HELICAL"
+                | "NURBS"
+                | "KNOT"
+                | "CNTRL"
+                | "PAINT"
+                | "SETUP"
+                | "TRNTYP"
+        )
+}
+
+/// `RAPID,GOTO/P`: several words before the slash, joined by commas.
+fn joined(state: &mut State, text: &[u8], head: &[u8], rest: &[u8]) {
+    let words: Option<Vec<SmolStr>> = head.split(|b| *b == b',').map(major).collect();
+    let Some(words) = words.filter(|w| w.len() > 1) else { return unread(state, text) };
+    if words.last().is_some_and(|w| matches!(w.as_str(), "GOFWD" | "GF")) {
+        return catia::circular_move(state, text, rest);
+    }
+    let slash = memchr::memchr(b'/', text).is_some();
+    for (i, word) in words.iter().enumerate() {
+        let last = i + 1 == words.len();
+        state.in_goto = matches!(word.as_str(), "GOTO" | "FROM");
+        if last && slash {
+            word_statement(state, text, word, rest);
+        } else {
+            word_statement(state, word.as_bytes(), word, b"");
+        }
+    }
+}
+
+fn word_statement(state: &mut State, text: &[u8], word: &SmolStr, rest: &[u8]) {
+    match word.as_str() {
+        "GOTO" | "GT" => motion(state, text, rest, false),
+        "FROM" => motion(state, text, rest, true),
+        "GODLTA" => godlta(state, text, rest),
+        "UNITS" | "UNIT" => units(state, text, rest),
+        "MULTAX" => multax(state, text, rest),
+        "CUTTER" => cutter(state, word, rest),
+        "INTOL" | "OUTTOL" | "TOLER" => tolerance(state, word, rest),
+        "CUT" if rest.is_empty() => state.emit(Kind::Output(Output::Cut)),
+        "DNTCUT" => state.emit(Kind::Output(Output::Dntcut)),
+        "INDEX" => index(state, word, rest),
+        "COPY" => copy(state, word, rest),
+        "TRACUT" => tracut(state, word, rest),
+        "CLPRNT" => clprnt(state, word, rest),
+        "CSYS" => csys(state, word, rest),
+        "CIRCLE" => circle(state, text, rest),
+        "MOVARC" => couplets::movarc(state, text, rest),
+        "ARCDAT" | "ARCMOV" | "CW" | "CCW" | "GOCLW" | "GOCCLW" | "HELICAL" => {
+            couplets::arc_word(state, text, word, rest);
+        }
+        "INDIRV" | "INDIRP" => indir(state, text, word, rest),
+        "PSIS" => catia::psis(state, text, rest),
+        "AUTOPS" if rest.is_empty() => state.psis = None,
+        "GOFWD" | "GF" if rest.contains(&b'(') => catia::circular_move(state, text, rest),
+        "TLON" if rest.is_empty() => {}
+        "CONT" if state.arcdat.is_some() => {
+            if let Some(Circle { center, axis, radius }) = state.arcdat {
+                state.close();
+                state.pending = Some(points(center, axis, radius));
+            }
+            motion(state, text, rest, false);
+        }
+        "GOHOME" => gohome(state, word, rest),
+        "PPWORD" if state.dialect == Dialect::Creo => {
+            state.emit(Kind::Comment(format!(" {}", args::text(text)).into()));
+        }
+        "TLAXIS" if state.dialect == Dialect::Catia && catia::tlaxis(state, rest) => {}
+        "FINI" => fini(state),
+        _ if state.dialect == Dialect::Nx && nx::statement(state, text, word, rest) => {}
+        _ => post(state, word, rest),
+    }
+}
+
+/// PARTNO and its kind.
+fn fixed_field(state: &mut State, word: &str, rest: &[u8]) {
+    state.in_goto = false;
+    let rest = rest.trim_ascii_start();
+    let (slashed, body) = match rest.strip_prefix(b"/") {
+        Some(body) => (true, body.trim_ascii_start()),
+        None => (false, rest),
+    };
+    let body = body.trim_ascii_end();
+    if word == "REMARK" && super::creo::structured(state, body) {
+        return;
+    }
+    let quoted = body.strip_prefix(b"'").and_then(|b| b.strip_suffix(b"'"));
+    let body = quoted.filter(|_| slashed).unwrap_or(body);
+    // CAMWorks describes tools in INSERT, which would go into the NC file as it stands.
+    let word = match word {
+        "INSERT" if state.dialect == Dialect::Camworks => "PPRINT",
+        _ => word,
+    };
+    state.emit(Kind::Text { word: word.into(), text: args::text(body).into() });
+}
+
+/// A statement that is kept as it stands.
+pub(super) fn unread(state: &mut State, text: &[u8]) {
+    state.in_goto = false;
+    let text = args::text(text);
+    let end = text.find(|c: char| c == '/' || c == '=' || c.is_whitespace()).unwrap_or(text.len());
+    let word: String = text[..end].chars().take(24).collect();
+    state.report.unknown(state.at, &word);
+    state.emit(Kind::Unread(text.into()));
+}
+
+/// A statement that should have been understood: kept, and an error.
+pub(super) fn wrong(state: &mut State, text: &[u8], what: &str, help: &str) {
+    state.report.error(state.at, what, help);
+    state.emit(Kind::Unread(args::text(text).into()));
+}
+
+/// A post-processor word.
+pub(super) fn post(state: &mut State, word: &SmolStr, rest: &[u8]) {
+    if !is_known(word) {
+        state.report.unknown(state.at, word);
+    }
+    let mut list = Vec::new();
+    args::parse(rest, &mut list);
+    let word = super::tools::as_iso(word, &mut list);
+    if !state.geometry.is_empty() {
+        list = with_forms(std::mem::take(&mut state.geometry), list, rest);
+    }
+    state.emit(Kind::Post { word, args: list });
+}
+
+/// Puts the forms together that `$$ GEOMETRY` announced; what does not fit stays as it is.
+fn with_forms(
+    geometry: Vec<(usize, aptc_geometry::FormKind, usize)>,
+    plain: Vec<Arg>,
+    rest: &[u8],
+) -> Vec<Arg> {
+    let fields: Vec<&[u8]> = args::fields(rest).collect();
+    let mut out = Vec::new();
+    let mut at = 0;
+    for (index, kind, count) in geometry {
+        while out.len() + 1 < index && at < plain.len() {
+            out.push(plain[at].clone());
+            at += 1;
+        }
+        let form = elements(&plain, at, count).and_then(|e| restore::form(kind, &e));
+        let (Some(form), Some(name), Some(Arg::Number(subscript))) =
+            (form, fields.get(at), plain.get(at + 1))
+        else {
+            return plain;
+        };
+        let name = args::text(name.trim_ascii());
+        let name = if name == "0" { SmolStr::default() } else { name.into() };
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
+        let subscript = *subscript as u32;
+        out.push(Arg::Form { name: crate::NameRef { name, subscript }, form: form.into() });
+        at += 2 + count;
+    }
+    out.extend_from_slice(&plain[at..]);
+    out
+}
+
+fn elements(plain: &[Arg], at: usize, count: usize) -> Option<Vec<f64>> {
+    let end = at.checked_add(2)?.checked_add(count)?;
+    let number = |a: &Arg| match a {
+        Arg::Number(x) => Some(*x),
+        _ => None,
+    };
+    plain.get(at + 2..end)?.iter().map(number).collect()
+}
+
+fn motion(state: &mut State, text: &[u8], rest: &[u8], from: bool) {
+    match args::all_numbers(rest) {
+        Some(numbers) if numbers.get().len() >= 2 => goto(state, numbers.get(), from),
+        _ => {
+            // A feed rate or a word may follow the numbers.
+            let numbers = leading_numbers(rest);
+            if numbers.get().len() >= 3 {
+                let what = "words after the coordinates of a motion; they are left out";
+                state.report.note(state.at, codes::CL_VALUE, Severity::Warning, what);
+                return goto(state, numbers.get(), from);
+            }
+            state.pending = None;
+            wrong(state, text, "a motion whose coordinates cannot be read", COORDINATES);
+        }
+    }
+}
+
+const COORDINATES: &str = "write GOTO/x,y,z or GOTO/x,y,z,i,j,k with numbers";
+
+/// Numbers up to the first field that is none.
+fn leading_numbers(rest: &[u8]) -> Numbers {
+    let end = args::fields(rest)
+        .take_while(|f| crate::number::parse(f).is_some())
+        .fold(0, |at, f| at + f.len() + 1);
+    args::all_numbers(&rest[..end.min(rest.len())])
+        .or_else(|| args::all_numbers(b""))
+        .expect("nothing is all numbers")
+}
+
+/// x,y,z or x,y,z,i,j,k; further numbers (contact points and the like) are left out.
+fn goto(state: &mut State, n: &[f64], from: bool) {
+    let (te, axis) = match n {
+        [x, y] => {
+            let what = "a motion with two coordinates; z is taken as 0";
+            state.report.note(state.at, codes::CL_VALUE, Severity::Warning, what);
+            (Vec3::new(*x, *y, 0.0), None)
+        }
+        [x, y, z] => (Vec3::new(*x, *y, *z), None),
+        [x, y, z, i, j, k] => (Vec3::new(*x, *y, *z), Some(Vec3::new(*i, *j, *k))),
+        [x, y, z, rest @ ..] => {
+            let what = "a motion with 4, 5 or more than 6 numbers; the first 3 or 6 are taken";
+            state.report.note(state.at, codes::CL_VALUE, Severity::Warning, what);
+            let axis = rest.get(..3).map(|a| Vec3::new(a[0], a[1], a[2]));
+            (Vec3::new(*x, *y, *z), axis)
+        }
+        _ => return,
+    };
+    if state.spline.on {
+        nx::end_spline(state);
+    }
+    state.point(from, te, axis);
+}
+
+fn godlta(state: &mut State, text: &[u8], rest: &[u8]) {
+    let numbers = args::all_numbers(rest);
+    let Some(te) = state.te else {
+        return wrong(state, text, "GODLTA before the tool has a position", "begin with FROM");
+    };
+    match numbers.as_ref().map(Numbers::get) {
+        Some([d]) => {
+            let ta = state.ta;
+            state.point(false, te + ta * *d, None);
+        }
+        Some([x, y, z]) => state.point(false, te + Vec3::new(*x, *y, *z), None),
+        Some([x, y, z, i, j, k]) => {
+            let axis = Vec3::new(*i, *j, *k);
+            state.point(false, te + Vec3::new(*x, *y, *z), Some(axis));
+        }
+        _ => wrong(state, text, "GODLTA without 1, 3 or 6 numbers", "write GODLTA/dx,dy,dz"),
+    }
+}
+
+fn units(state: &mut State, text: &[u8], rest: &[u8]) {
+    let units = match args::upper(rest).as_str() {
+        "MM" => Units::Mm,
+        "CM" => Units::Cm,
+        "INCHES" | "INCH" | "IN" => Units::Inches,
+        "FEET" => Units::Feet,
+        _ => {
+            let help = "write UNITS/MM, CM, INCHES or FEET";
+            return wrong(state, text, "a unit that is not known", help);
+        }
+    };
+    state.units = Some(units);
+    state.emit(Kind::Units(units));
+}
+
+fn multax(state: &mut State, text: &[u8], rest: &[u8]) {
+    let on = match args::upper(rest).as_str() {
+        "" | "ON" => true,
+        "OFF" => false,
+        _ => return wrong(state, text, "MULTAX with an unknown argument", "write ON or OFF"),
+    };
+    state.multax = on;
+    if !on {
+        state.axis_seen = false;
+        state.ta = Vec3::z();
+    }
+    state.emit(Kind::Multax(on));
+}
+
+/// CUTTER with 1 to 7 numbers; the defaults are those of APT, the height at least as much as it needs.
+fn cutter(state: &mut State, word: &SmolStr, rest: &[u8]) {
+    let numbers = args::all_numbers(rest);
+    let height = Units::Inches.mm() * 5.0 / state.units.unwrap_or_default().mm();
+    let cutter = match numbers.as_ref().map(Numbers::get) {
+        Some(&[d]) => Cutter::mill(d, 0.0, height),
+        Some(&[d, r]) => Cutter::mill(d, r, height),
+        Some(&[d, r, e, f, alpha, beta, ref rest @ ..]) if rest.len() <= 1 => Cutter {
+            diameter: d,
+            corner_radius: r,
+            e,
+            f,
+            alpha_deg: alpha,
+            beta_deg: beta,
+            height: rest.first().copied().unwrap_or(height),
+        },
+        Some(&[d, r, h]) => Cutter::mill(d, r, h),
+        _ => return post(state, word, rest),
+    };
+    state.emit(Kind::Cutter(cutter));
+}
+
+/// One value for all four surfaces, or up to four of them.
+fn tolerance(state: &mut State, word: &SmolStr, rest: &[u8]) {
+    let numbers = args::all_numbers(rest);
+    let Some(&[first, ref more @ ..]) = numbers.as_ref().map(Numbers::get) else {
+        return post(state, word, rest);
+    };
+    if more.len() > 3 || (more.len() == 3 && word == "TOLER") {
+        return post(state, word, rest);
+    }
+    let mut t = [first; 4];
+    t[1..1 + more.len()].copy_from_slice(more);
+    let drive = t[1];
+    match word.as_str() {
+        "INTOL" => {
+            state.intol = drive;
+            state.emit(Kind::Intol(t));
+        }
+        "OUTTOL" => {
+            state.outtol = drive;
+            state.emit(Kind::Outtol(t));
+        }
+        _ => {
+            (state.intol, state.outtol) = (0.0, drive);
+            state.emit(Kind::Intol([0.0; 4]));
+            state.emit(Kind::Outtol(t));
+        }
+    }
+}
+
+fn list(rest: &[u8]) -> Vec<Arg> {
+    let mut out = Vec::new();
+    args::parse(rest, &mut out);
+    out
+}
+
+fn index(state: &mut State, word: &SmolStr, rest: &[u8]) {
+    match list(rest).as_slice() {
+        [Arg::Number(n)] => state.emit(Kind::Edit(Edit::Index { n: *n, close: false })),
+        [Arg::Number(n), Arg::Word(w)] if w == "NOMORE" => {
+            state.emit(Kind::Edit(Edit::Index { n: *n, close: true }));
+        }
+        _ => post(state, word, rest),
+    }
+}
+
+/// Twelve numbers, or name and subscript before them.
+fn matrix(list: &[Arg]) -> Option<Transform> {
+    let tail = match list.len() {
+        12 => list,
+        14 => &list[2..],
+        _ => return None,
+    };
+    let mut e = [0.0; 12];
+    for (value, arg) in e.iter_mut().zip(tail) {
+        let Arg::Number(x) = arg else { return None };
+        *value = *x;
+    }
+    Some(Transform::from_rows(&e))
+}
+
+fn copy(state: &mut State, word: &SmolStr, rest: &[u8]) {
+    let list = list(rest);
+    let copy = || {
+        let (Arg::Number(n), Arg::Word(how), Arg::Number(count)) =
+            (list.first()?, list.get(1)?, list.last()?)
+        else {
+            return None;
+        };
+        let middle = list.get(2..list.len() - 1)?;
+        let turn = |axis| match middle {
+            [Arg::Number(angle)] => Some(Transform::rotation(axis, *angle)),
+            _ => None,
+        };
+        let step = match how.as_str() {
+            "SAME" if middle.is_empty() => Transform::identity(),
+            "TRANSL" => match middle {
+                [Arg::Number(x), Arg::Number(y), Arg::Number(z)] => {
+                    Transform::translation(Vec3::new(*x, *y, *z))
+                }
+                _ => return None,
+            },
+            "XYROT" => turn(Vec3::z())?,
+            "YZROT" => turn(Vec3::x())?,
+            "ZXROT" => turn(Vec3::y())?,
+            "MODIFY" => matrix(middle)?,
+            _ => return None,
+        };
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "checked")]
+        let count = (*count >= 0.0 && *count <= 1e9).then_some(*count as u32)?;
+        Some(Edit::Copy { n: *n, step, count })
+    };
+    match copy() {
+        Some(edit) => state.emit(Kind::Edit(edit)),
+        None => post(state, word, rest),
+    }
+}
+
+fn tracut(state: &mut State, word: &SmolStr, rest: &[u8]) {
+    let list = list(rest);
+    match list.as_slice() {
+        [Arg::Word(w)] if w == "NOMORE" => state.emit(Kind::Edit(Edit::Tracut(None))),
+        other => match matrix(other) {
+            Some(m) => state.emit(Kind::Edit(Edit::Tracut(Some(m)))),
+            None => post(state, word, rest),
+        },
+    }
+}
+
+fn clprnt(state: &mut State, word: &SmolStr, rest: &[u8]) {
+    match args::upper(rest).as_str() {
+        "" | "ON" => state.emit(Kind::Clprnt(true)),
+        "OFF" => state.emit(Kind::Clprnt(false)),
+        _ => post(state, word, rest),
+    }
+}
+
+fn csys(state: &mut State, word: &SmolStr, rest: &[u8]) {
+    match matrix(&list(rest)) {
+        Some(m) => state.emit(Kind::Csys(m)),
+        None => post(state, word, rest),
+    }
+}
+
+fn indir(state: &mut State, text: &[u8], word: &str, rest: &[u8]) {
+    let numbers = args::all_numbers(rest);
+    let Some(&[x, y, z]) = numbers.as_ref().map(Numbers::get) else {
+        return unread(state, text);
+    };
+    let v = Vec3::new(x, y, z);
+    let along = word == "INDIRV";
+    state.direction = Some(if along { Direction::Along(v) } else { Direction::Towards(v) });
+}
+
+/// CIRCLE before the points of an arc. 4 numbers: centre and radius in the xy plane; 6: centre and axis
+/// (CAMWorks); 7: centre, axis, radius, then points or the end; 11: NX, clockwise about the axis.
+fn circle(state: &mut State, text: &[u8], rest: &[u8]) {
+    let (mut numbers, mut turns) = (leading_numbers(rest), 0);
+    let words = list(rest);
+    if let [.., Arg::Word(w), Arg::Number(n)] = words.as_slice() {
+        if w != "TIMES" || !(*n >= 1.0 && *n < 1e6) {
+            numbers = args::all_numbers(b"").expect("nothing is all numbers");
+        } else {
+            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "checked")]
+            let n = *n as u32;
+            turns = n - 1;
+        }
+    }
+    let n = numbers.get();
+    let v = |i: usize| Vec3::new(n[i], n[i + 1], n[i + 2]);
+    state.close();
+    state.pending = match n.len() {
+        4 => Some(points(v(0), Vec3::z(), n[3])),
+        6 => Some(Pending::End { center: v(0), axis: v(3), radius: None, turns, sweep: None }),
+        7 if state.dialect == Dialect::Camworks || turns > 0 => {
+            let radius = Some(n[6]);
+            Some(Pending::End { center: v(0), axis: v(3), radius, turns, sweep: None })
+        }
+        7 => unit(v(3)).map(|axis| points(v(0), axis, n[6])),
+        11 => {
+            let radius = Some(n[6]);
+            Some(Pending::End { center: v(0), axis: -v(3), radius, turns, sweep: None })
+        }
+        _ => None,
+    };
+    if state.pending.is_none() {
+        let help = "a circle has 4, 6, 7 or 11 numbers: centre, axis, radius";
+        wrong(state, text, "a circle that cannot be read", help);
+    }
+}
+
+fn points(center: Vec3, axis: Vec3, radius: f64) -> Pending {
+    Pending::Points { circle: Circle { center, axis, radius }, to_mark: false }
+}
+
+/// GOHOME stays a post-processor word; where it names the place, the tool is there afterwards.
+fn gohome(state: &mut State, word: &SmolStr, rest: &[u8]) {
+    post(state, word, rest);
+    if let Some(&[x, y, z, ..]) = args::all_numbers(rest).as_ref().map(Numbers::get) {
+        state.te = Some(Vec3::new(x, y, z));
+    }
+}
+
+/// End of the program: nothing of it holds for the next one in the file.
+fn fini(state: &mut State) {
+    state.emit(Kind::Fini);
+    state.te = None;
+    state.ta = Vec3::z();
+    state.axis_seen = false;
+    state.multax = false;
+    state.pending = None;
+    state.direction = None;
+}
