@@ -193,13 +193,19 @@ pub struct AxisAngle {
     pub surface: OptionSurface,
     /// The angle, degrees.
     pub angle_deg: f64,
-    /// The vector in whose plane with the normal the axis is tilted; the motion direction's cross vector
-    /// when none.
+    /// The axis stays in the plane square to this vector (four axes); without it the axis is tilted in
+    /// the plane of the surface normal and the motion's cross direction.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub reference: Option<Vec3>,
     /// CUTANG: tilt along the motion, degrees, positive leading.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub cutting_deg: Option<f64>,
+    /// RADIUS of APT4: how far from the tool axis the cutter touches.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub radius: Option<f64>,
+    /// HIGHT of APT4: how far above the tool end the cutter touches.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub height: Option<f64>,
 }
 
 /// POCKET/re,c,f,f1,f2,f3,o,p,P1..Pn.

@@ -163,7 +163,7 @@ pub enum Arg {
 }
 
 /// A symbol and its subscript, 0 when it has none.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
 pub struct NameRef {
     /// The symbol; empty for an unnamed definition.
     pub name: SmolStr,

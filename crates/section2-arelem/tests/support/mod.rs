@@ -321,6 +321,8 @@ fn axis(forms: &Forms, args: &[String]) -> ToolAxis {
                 .map(|_| vectors(forms, &args[3..])[0]),
             cutting_deg: (args.get(3).map(String::as_str) == Some("CUTANG"))
                 .then(|| number(&args[4]).unwrap()),
+            radius: None,
+            height: None,
         }),
         "1" if args.len() == 1 => ToolAxis::Fixed(Vec3::z()),
         _ => ToolAxis::Fixed(vectors(forms, args)[0]),

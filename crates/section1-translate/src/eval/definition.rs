@@ -1,0 +1,270 @@
+//! Geometric definitions: names and nesting here, formats and solutions in [`crate::define`].
+
+use std::sync::Arc;
+
+use aptc_diagnostics::{Diagnostic, Span, codes};
+use aptc_geometry::{Form, Vec3};
+use aptc_protap::{Kind, NameRef, Units};
+use aptc_syntax::tree::{Definition, ExprKind, Target};
+use aptc_vocabulary::{Class, closest, word};
+
+use super::{Arg, ArgKind, Known, Names, Poisoned};
+use crate::Interpreter;
+use crate::define::{self, Context};
+use crate::listing::EntryKind;
+use crate::memory::{Place, Value};
+
+/// How far a TABCYL goes straight on at both ends, inches.
+const TABCYL_END_INCHES: f64 = 10.0;
+
+impl Interpreter<'_> {
+    /// The form of a definition and its name; a name in it gets the form.
+    pub(crate) fn definition(
+        &mut self,
+        definition: &Definition,
+        span: Span,
+    ) -> Known<(Arc<Form>, NameRef)> {
+        let form = self.define(definition, span);
+        match &definition.target {
+            Some(target) => self.name_form(target, form, self.by_canon(definition)),
+            None => {
+                let form = form?;
+                self.list_form(&NameRef::default(), &form);
+                Ok((form, NameRef::default()))
+            }
+        }
+    }
+
+    /// Is it a definition by canonical elements, which may be given to a name again?
+    pub(crate) fn by_canon(&self, definition: &Definition) -> bool {
+        definition.args.iter().take(2).any(|a| match &a.kind {
+            ExprKind::Name(name) => self.synonyms.word(name) == Some(word::CANON),
+            ExprKind::Define(inner) => inner.juxtaposed.iter().any(|j| match &j.kind {
+                ExprKind::Name(name) => self.synonyms.word(name) == Some(word::CANON),
+                _ => false,
+            }),
+            _ => false,
+        })
+    }
+
+    /// Gives a form, or the mistake in its place, to a name; `again` when it may have one already.
+    pub(crate) fn name_form(
+        &mut self,
+        target: &Target,
+        form: Known<Arc<Form>>,
+        again: bool,
+    ) -> Known<(Arc<Form>, NameRef)> {
+        let place = self.target(target)?;
+        let Ok(form) = form else {
+            self.memory.set(place, Value::Poison, target.span);
+            return Err(Poisoned);
+        };
+        self.assign_again(place, Value::Form(Arc::clone(&form)), target, again)?;
+        let name = self.name_ref(place);
+        self.emit(Kind::Define { name: name.clone(), form: Arc::clone(&form) });
+        self.list_form(&name, &form);
+        Ok((form, name))
+    }
+
+    fn list_form(&mut self, name: &NameRef, form: &Form) {
+        if self.state.print {
+            self.list(EntryKind::Form {
+                name: Some(name.clone()),
+                word: form.kind().word(),
+                elements: form.canonical(),
+            });
+        }
+    }
+
+    /// The form of a definition.
+    pub(crate) fn define(&mut self, definition: &Definition, span: Span) -> Known<Arc<Form>> {
+        let args = self.arguments(&definition.args, Names::Defined);
+        let Some(head) = self.head_word(&definition.head).filter(|w| define::is_definition(*w))
+        else {
+            return Err(self.no_definition(definition));
+        };
+        let args: Vec<define::Arg> = args?.into_iter().map(define::Arg::from).collect();
+        let context = Context {
+            zsurf: self.state.zsurf,
+            refsys: self.state.refsys,
+            max_points: self.options.limits.points,
+            tabcyl_end: TABCYL_END_INCHES * Units::Inches.mm() / self.state.unit.mm(),
+        };
+        let canon = define::Value::Word(word::CANON);
+        // Those whose places a message names.
+        let (form, args) = match args.as_slice() {
+            [first, rest @ ..] if first.value == canon => {
+                (define::canonical(head, None, rest, &context), rest)
+            }
+            [define::Arg { value: define::Value::Form { form, .. }, .. }, second, rest @ ..]
+                if second.value == canon =>
+            {
+                (define::canonical(head, Some(form), rest, &context), rest)
+            }
+            all => (define::define(head, all, &context), all),
+        };
+        match form {
+            Ok(form) => Ok(Arc::new(form)),
+            Err(why) => {
+                let message = why.diagnostic(args, span);
+                self.error(message);
+                Err(Poisoned)
+            }
+        }
+    }
+
+    fn no_definition(&mut self, definition: &Definition) -> Poisoned {
+        let head = &definition.head;
+        let text = self.interner.text(head.symbol).to_owned();
+        let mut message =
+            Diagnostic::error(codes::NO_GEOMETRY, head.span, format!("{text} defines no geometry"));
+        if let Some(word) = closest(&text, |w| w.class() == Class::Geometry) {
+            message = message.help(format!("did you mean {word}?"));
+        } else if !matches!(self.memory.slot(self.memory.place(head.symbol)).value, Value::Unset) {
+            message = message.help("a division among arguments stands in brackets: (A/B)");
+        }
+        self.error(message);
+        Poisoned
+    }
+
+    /// Gives `place` a value, unless it is of another kind already.
+    pub(crate) fn assign(&mut self, place: Place, value: Value, target: &Target) -> Known<()> {
+        self.assign_again(place, value, target, false)
+    }
+
+    fn assign_again(
+        &mut self,
+        place: Place,
+        value: Value,
+        target: &Target,
+        again: bool,
+    ) -> Known<()> {
+        let slot = self.memory.slot(place);
+        let (given, name_at) = (slot.given, target.name.span);
+        match (&slot.value, &value) {
+            (_, Value::Word(word)) => {
+                let message = Diagnostic::error(
+                    codes::WRONG_KIND,
+                    target.span,
+                    format!("the word {word} is no value that a name can have"),
+                )
+                .help("words are handed over by macro parameters only");
+                self.error(message);
+                self.memory.set(place, Value::Poison, target.span);
+                return Err(Poisoned);
+            }
+            (Value::Form(_), Value::Form(_)) if again || self.state.redefinition => {}
+            // The same statement once more, in a loop or a macro, is meant so.
+            (Value::Form(_), Value::Form(_)) if given == target.span => {}
+            (Value::Form(old), Value::Form(_)) => {
+                let (name, old) = (self.spelled(place), old.kind().word());
+                self.error(
+                    Diagnostic::warning(
+                        codes::REDEFINED,
+                        name_at,
+                        format!("{name} is defined a second time"),
+                    )
+                    .label("from here on it is the new one")
+                    .also(given, format!("it is a {old} since here"))
+                    .help("write CANON/ON before it when this is meant"),
+                );
+            }
+            (Value::Form(old), _) => {
+                let old = old.kind().word();
+                return Err(self.kind_changed(place, given, target, old, "a number"));
+            }
+            (Value::Number(_) | Value::Logical(_), Value::Form(new)) => {
+                let new = new.kind().word();
+                return Err(self.kind_changed(place, given, target, "number", &format!("a {new}")));
+            }
+            _ => {}
+        }
+        self.memory.set(place, value, target.span);
+        Ok(())
+    }
+
+    fn kind_changed(
+        &mut self,
+        place: Place,
+        given: Span,
+        target: &Target,
+        old: &str,
+        new: &str,
+    ) -> Poisoned {
+        let name = self.spelled(place);
+        self.error(
+            Diagnostic::error(
+                codes::KIND_CHANGED,
+                target.span,
+                format!("{name} is a {old} and cannot become {new}"),
+            )
+            .also(given, format!("it is a {old} since here"))
+            .help("use another name"),
+        );
+        self.memory.set(place, Value::Poison, target.span);
+        Poisoned
+    }
+
+    /// A form as the present reference system sees it.
+    pub(crate) fn in_system(&mut self, form: &Arc<Form>, span: Span) -> Known<Arc<Form>> {
+        let Some(system) = &self.state.refsys else { return Ok(Arc::clone(form)) };
+        let carried = system.inverse().and_then(|m| form.transformed(&m).ok());
+        match carried {
+            Some(form) => Ok(Arc::new(form)),
+            None => {
+                self.error(Diagnostic::error(
+                    codes::NOT_CARRIED,
+                    span,
+                    format!("this {} has no form in the reference system", form.kind().word()),
+                ));
+                Err(Poisoned)
+            }
+        }
+    }
+
+    /// The point over (x, y) on ZSURF, all in the present reference system.
+    pub(crate) fn on_zsurf(&self, x: f64, y: f64) -> Vec3 {
+        let flat = Vec3::new(x, y, 0.0);
+        let Some(plane) = self.state.zsurf else { return flat };
+        let (foot, up) = match &self.state.refsys {
+            Some(m) => (m.point(flat), m.vector(Vec3::z())),
+            None => (flat, Vec3::z()),
+        };
+        let slope = plane.n.dot(&up);
+        let z = if slope == 0.0 { 0.0 } else { -plane.distance(foot) / slope };
+        // A plane z = 0 must not give the point a negative zero.
+        Vec3::new(x, y, z + 0.0)
+    }
+}
+
+impl From<Arg> for define::Arg {
+    fn from(arg: Arg) -> Self {
+        let value = match arg.kind {
+            ArgKind::Empty | ArgKind::Name(_) => define::Value::Empty,
+            ArgKind::Number(n) | ArgKind::Digits(n) => define::Value::Number(n),
+            ArgKind::Word(word) => define::Value::Word(word),
+            ArgKind::Form { form, name } => define::Value::Form { form, name },
+            ArgKind::Text(text) => define::Value::Text(text),
+        };
+        Self::new(value, arg.span)
+    }
+}
+
+/// An argument in words: `number 3`, `line L1`, `TO`.
+pub(crate) fn describe(arg: &Arg) -> String {
+    match &arg.kind {
+        ArgKind::Empty => "an empty field".to_owned(),
+        ArgKind::Number(n) | ArgKind::Digits(n) => format!("the number {n}"),
+        ArgKind::Word(word) => word.text().to_owned(),
+        ArgKind::Name(_) => "a name".to_owned(),
+        ArgKind::Form { form, name } => {
+            let kind = form.kind().word();
+            match (name.name.as_str(), name.subscript) {
+                ("", _) => format!("an unnamed {kind}"),
+                (symbol, 0) => format!("the {kind} {symbol}"),
+                (symbol, i) => format!("the {kind} {symbol}({i})"),
+            }
+        }
+        ArgKind::Text(text) => format!("the text '{text}'"),
+    }
+}

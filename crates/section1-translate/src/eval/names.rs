@@ -1,0 +1,188 @@
+//! Names in expressions, and what to say of those without a value.
+
+use aptc_diagnostics::{Diagnostic, Span, codes};
+use aptc_syntax::Symbol;
+use aptc_syntax::tree::Name;
+use aptc_vocabulary::{Class, Word, closest};
+
+use super::{Known, Poisoned};
+use crate::Interpreter;
+use crate::memory::{Place, Value};
+
+impl Interpreter<'_> {
+    /// What `name` stands for: a value, or the vocabulary word of that spelling.
+    pub(crate) fn named(&mut self, name: &Name) -> Known<Value> {
+        let place = self.memory.place(name.symbol);
+        let slot = self.memory.slot_mut(place);
+        match &slot.value {
+            Value::Unset => match self.synonyms.word(name) {
+                Some(word) => Ok(Value::Word(word)),
+                None => Err(self.undefined(name)),
+            },
+            Value::Poison => Err(Poisoned),
+            Value::Array(_) => Err(self.subscript_missing(place, name.span)),
+            value => {
+                let value = value.clone();
+                slot.read = true;
+                Ok(value)
+            }
+        }
+    }
+
+    /// The word that stands at the head of a statement or among arguments, where a symbol of that
+    /// spelling does not count; a macro parameter may stand for it.
+    pub(crate) fn head_word(&self, name: &Name) -> Option<Word> {
+        if self.memory.is_local(name.symbol)
+            && let Value::Word(word) = self.memory.slot(self.memory.place(name.symbol)).value
+        {
+            return Some(word);
+        }
+        self.synonyms.word(name)
+    }
+
+    /// Says that `name` has no value, and says it once.
+    pub(crate) fn undefined(&mut self, name: &Name) -> Poisoned {
+        let place = self.memory.place(name.symbol);
+        let text = self.interner.text(name.symbol).to_owned();
+        let shown = self.spelled(place);
+        if !self.state.incomplete {
+            let mut message = Diagnostic::error(
+                codes::UNDEFINED_NAME,
+                name.span,
+                if shown == text {
+                    format!("{text} has no value here")
+                } else {
+                    format!("{text} stands for {shown}, which has no value here")
+                },
+            );
+            match self.near(name.symbol, &text) {
+                Some(near) => message = message.help(format!("did you mean {near}?")),
+                None if self.memory.is_local(name.symbol) && shown == text => {
+                    message = message.help("give the parameter a value in the CALL");
+                }
+                None => {
+                    message = message.help(format!("define {text} in a statement before this one"));
+                }
+            }
+            self.error(message);
+        }
+        self.memory.set(place, Value::Poison, name.span);
+        Poisoned
+    }
+
+    /// The name with a value, or the word, that `text` was perhaps meant to be.
+    pub(crate) fn near(&self, symbol: Symbol, text: &str) -> Option<String> {
+        let mut best: Option<(usize, &str)> = None;
+        let mut tie = false;
+        if text.len() >= 2 {
+            for (place, slot) in self.memory.values() {
+                let Place::Global(other) = place else { continue };
+                if other == symbol || matches!(slot.value, Value::Unset | Value::Poison) {
+                    continue;
+                }
+                let candidate = self.interner.text(other);
+                let slips = slips(text, candidate);
+                let limit = if text.len() < 4 { 1 } else { 2 };
+                if slips > limit || slips >= text.len().min(candidate.len()) {
+                    continue;
+                }
+                match best {
+                    Some((least, _)) if slips > least => {}
+                    Some((least, _)) if slips == least => tie = true,
+                    _ => {
+                        best = Some((slips, candidate));
+                        tie = false;
+                    }
+                }
+            }
+        }
+        if let Some((1, name)) = best.filter(|_| !tie) {
+            return Some(name.to_owned());
+        }
+        let modifier =
+            |w: Word| w.text() != text && self.synonyms.knows(w) && w.is(Class::Modifier);
+        if let Some(word) = closest(text, modifier) {
+            return Some(word.text().to_owned());
+        }
+        best.filter(|_| !tie).map(|(_, name)| name.to_owned())
+    }
+
+    /// Says that an array needs a subscript.
+    pub(crate) fn subscript_missing(&mut self, place: Place, span: Span) -> Poisoned {
+        let name = self.spelled(place);
+        self.error(
+            Diagnostic::error(
+                codes::SUBSCRIPT_MISSING,
+                span,
+                format!("{name} is an array and stands here without a subscript"),
+            )
+            .also(self.memory.slot(place).given, "reserved here")
+            .help(format!("write {name}(i), or {name}(ALL) in a list")),
+        );
+        Poisoned
+    }
+
+    /// Says that a name with a subscript is no array.
+    pub(crate) fn not_reserved(&mut self, name: &Name) -> Poisoned {
+        let place = self.memory.place(name.symbol);
+        let text = self.spelled(place);
+        let slot = self.memory.slot(place);
+        let (set, given) = (!matches!(slot.value, Value::Unset), slot.given);
+        if matches!(slot.value, Value::Poison) {
+            return Poisoned;
+        }
+        if !self.state.incomplete {
+            let mut message = Diagnostic::error(
+                codes::NOT_RESERVED,
+                name.span,
+                format!("{text} has a subscript but is no array"),
+            );
+            if set {
+                message = message.also(given, "it has a single value from here");
+            } else {
+                message = message.help(format!("reserve it first: RESERV/{text},n"));
+            }
+            self.error(message);
+        }
+        if !set {
+            self.memory.set(place, Value::Poison, name.span);
+        }
+        Poisoned
+    }
+}
+
+/// Slips between two spellings: letters wrong, missing, too many, or neighbours exchanged.
+fn slips(a: &str, b: &str) -> usize {
+    let (a, b) = (a.as_bytes(), b.as_bytes());
+    if a.len().abs_diff(b.len()) > 2 {
+        return usize::MAX;
+    }
+    let mut before: Vec<usize> = Vec::new();
+    let mut last: Vec<usize> = (0..=b.len()).collect();
+    for i in 1..=a.len() {
+        let mut now = vec![i; b.len() + 1];
+        for j in 1..=b.len() {
+            let same = a[i - 1] == b[j - 1];
+            now[j] = (last[j - 1] + usize::from(!same)).min(last[j] + 1).min(now[j - 1] + 1);
+            if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
+                now[j] = now[j].min(before[j - 2] + 1);
+            }
+        }
+        before = std::mem::replace(&mut last, now);
+    }
+    last[b.len()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::slips;
+
+    #[test]
+    fn slips_are_counted() {
+        assert_eq!(slips("SETPT", "SETTP"), 1);
+        assert_eq!(slips("PT1", "PT2"), 1);
+        assert_eq!(slips("KITTEN", "SITTIN"), 2);
+        assert_eq!(slips("A", "ABCD"), usize::MAX);
+        assert_eq!(slips("", ""), 0);
+    }
+}

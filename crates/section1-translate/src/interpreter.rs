@@ -1,0 +1,449 @@
+//! The interpreter: one statement after the other, one record at a time.
+//!
+//! APT: `AMONTR` and `ASYCTL` of Section 1, in one pass.
+
+use std::collections::{HashMap, VecDeque};
+use std::sync::Arc;
+
+use aptc_diagnostics::{Diagnostic, Origin, SourceMap, Span, Trace, codes};
+use aptc_geometry::{Form, Plane, Transform};
+use aptc_protap::{Kind, NameRef, Outcome, Record, Units};
+use aptc_syntax::tree::{Body, Statement};
+use aptc_syntax::{Interner, Symbol};
+use smol_str::SmolStr;
+
+use crate::level::{Level, LevelKind};
+use crate::listing::{Entry, EntryKind};
+use crate::memory::{Memory, Place, Value};
+use crate::program::{Plan, Role, Surroundings, Synonyms, Unit, plan};
+use crate::report::Reports;
+use crate::{Files, Options};
+
+/// What a step gives.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Step {
+    /// The next record. Its outcome is asked for before the next step.
+    Record(Record),
+    /// The program is at its end.
+    End,
+}
+
+/// A part program in execution.
+pub struct Interpreter<'w> {
+    pub(crate) options: Options,
+    pub(crate) files: &'w mut dyn Files,
+    pub(crate) sources: SourceMap,
+    pub(crate) interner: Interner,
+    pub(crate) synonyms: Synonyms,
+    pub(crate) memory: Memory,
+    pub(crate) macros: HashMap<Symbol, MacroDef>,
+    pub(crate) libraries: HashMap<Symbol, Span>,
+    pub(crate) levels: Vec<Level>,
+    pub(crate) state: State,
+    pub(crate) here: Here,
+    reports: Reports,
+    listing: Vec<Entry>,
+    n_listed: usize,
+    queue: VecDeque<Record>,
+    outcome: Outcome,
+    /// Where the labels behind the check surfaces of the last motion lead.
+    branch: Option<Vec<Option<u32>>>,
+    executed: u64,
+    finished: Vec<(NameRef, Arc<Form>)>,
+}
+
+/// A macro of the program.
+#[derive(Clone, Debug)]
+pub(crate) struct MacroDef {
+    pub(crate) unit: Arc<Unit>,
+    pub(crate) plan: Arc<Plan>,
+    /// Place of the MACRO statement.
+    pub(crate) place: u32,
+    /// Place of its TERMAC.
+    pub(crate) end: u32,
+}
+
+/// The statement that is executed.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Here {
+    pub(crate) span: Span,
+    pub(crate) isn: u32,
+    pub(crate) line: u32,
+}
+
+/// What statements set for those that follow.
+#[derive(Clone, Debug, Default)]
+#[expect(clippy::struct_excessive_bools, reason = "each is a switch of the language")]
+pub(crate) struct State {
+    /// REFSYS.
+    pub(crate) refsys: Option<Transform>,
+    /// ZSURF in the base system.
+    pub(crate) zsurf: Option<Plane>,
+    /// CANON/ON: names may be defined again.
+    pub(crate) redefinition: bool,
+    /// PRINT/ON.
+    pub(crate) print: bool,
+    /// MULTAX without ON, which no OFF takes back.
+    pub(crate) multax_for_good: bool,
+    /// UNITS.
+    pub(crate) unit: Units,
+    /// Was UNITS given?
+    pub(crate) unit_given: bool,
+    /// A call or a jump could not be carried out: what it would have defined is not missed.
+    pub(crate) incomplete: bool,
+    /// Was a statement of this program executed?
+    pub(crate) begun: bool,
+}
+
+impl<'w> Interpreter<'w> {
+    /// Reads the program `text`, named `name`, and stands before its first statement.
+    pub fn new(name: &str, text: &str, files: &'w mut dyn Files, options: Options) -> Self {
+        let mut run = Self {
+            synonyms: Synonyms::new(options.language),
+            options,
+            files,
+            sources: SourceMap::default(),
+            interner: Interner::default(),
+            memory: Memory::default(),
+            macros: HashMap::new(),
+            libraries: HashMap::new(),
+            levels: Vec::new(),
+            state: State::default(),
+            here: Here::default(),
+            reports: Reports::default(),
+            listing: Vec::new(),
+            n_listed: 0,
+            queue: VecDeque::new(),
+            outcome: Outcome::None,
+            branch: None,
+            executed: 0,
+            finished: Vec::new(),
+        };
+        let unit = run.load(name, text, None);
+        run.begin(unit, 0);
+        run
+    }
+
+    /// Executes statements up to the next record.
+    pub fn step(&mut self) -> Step {
+        loop {
+            if let Some(record) = self.queue.pop_front() {
+                self.outcome = Outcome::None;
+                return Step::Record(record);
+            }
+            if self.levels.is_empty() {
+                return Step::End;
+            }
+            self.follow_branch();
+            self.advance();
+        }
+    }
+
+    /// Takes in what came of the last record.
+    pub fn outcome(&mut self, outcome: Outcome) {
+        self.outcome = outcome;
+    }
+
+    /// The messages since the last time.
+    pub fn take_diagnostics(&mut self) -> Vec<Diagnostic> {
+        self.reports.take()
+    }
+
+    /// Errors so far; also those beyond the limit of messages.
+    pub fn n_errors(&self) -> usize {
+        self.reports.n_errors()
+    }
+
+    /// Messages beyond the limit, which are not given out.
+    pub fn n_dropped(&self) -> usize {
+        self.reports.n_dropped()
+    }
+
+    /// The files that were read, for the places of messages.
+    pub fn sources(&self) -> &SourceMap {
+        &self.sources
+    }
+
+    /// What the program printed since the last time.
+    pub fn take_listing(&mut self) -> Vec<Entry> {
+        std::mem::take(&mut self.listing)
+    }
+
+    /// How many statements were executed.
+    pub fn n_executed(&self) -> u64 {
+        self.executed
+    }
+
+    /// The last form of each name, in order of first definition; of several part programs in a file, all.
+    /// Parameters and LOCAL names of macros are not among them.
+    pub fn geometry(&self) -> Vec<(NameRef, Arc<Form>)> {
+        let mut forms = self.finished.clone();
+        self.add_geometry(&mut forms);
+        forms
+    }
+
+    fn add_geometry(&self, forms: &mut Vec<(NameRef, Arc<Form>)>) {
+        let mut known: HashMap<NameRef, usize> =
+            forms.iter().enumerate().map(|(i, (n, _))| (n.clone(), i)).collect();
+        for (place, form) in self.memory.forms() {
+            let name = self.name_ref(place);
+            if let Some(&i) = known.get(&name) {
+                forms[i].1 = Arc::clone(form);
+            } else {
+                known.insert(name.clone(), forms.len());
+                forms.push((name, Arc::clone(form)));
+            }
+        }
+    }
+
+    /// Parses a file and makes room for its names.
+    pub(crate) fn load(&mut self, name: &str, text: &str, shown: Option<Arc<str>>) -> Arc<Unit> {
+        let text: Arc<str> = text.into();
+        let file = self.sources.add(name, Arc::clone(&text));
+        let options = aptc_syntax::Options {
+            free_form: self.options.free_form,
+            max_bracket_depth: self.options.limits.bracket_depth,
+            max_elements: self.options.limits.elements,
+            ..aptc_syntax::Options::default()
+        };
+        let parsed = aptc_syntax::parse(file, &text, &mut self.interner, &options);
+        self.memory.grow(self.interner.len());
+        let trace = self.trace();
+        for message in parsed.diagnostics {
+            self.push(message.within(trace.clone()));
+        }
+        Arc::new(Unit { text, name: shown, program: parsed.program })
+    }
+
+    /// The plan of the part program that begins at `start`.
+    pub(crate) fn plan(&mut self, unit: &Unit, start: u32) -> Arc<Plan> {
+        let around = Surroundings { interner: &self.interner, synonyms: &mut self.synonyms };
+        let (plan, messages) = plan(unit, start, around);
+        let trace = self.trace();
+        for message in messages {
+            self.push(message.within(trace.clone()));
+        }
+        Arc::new(plan)
+    }
+
+    /// Stands before the part program that begins at statement `start` of the main file.
+    fn begin(&mut self, unit: Arc<Unit>, start: u32) {
+        let rest = &unit.program.statements[start as usize..];
+        if rest.iter().all(|s| matches!(s.body, Body::Empty)) {
+            self.levels.clear();
+            return;
+        }
+        let plan = self.plan(&unit, start);
+        let range = (plan.start(), plan.end());
+        self.levels = vec![Level::new(unit, plan, range, LevelKind::Program, None)];
+    }
+
+    /// Ends the part program and stands before the next one of the file.
+    pub(crate) fn finish(&mut self) {
+        self.report_unused();
+        self.emit(Kind::Fini);
+        let mut forms = std::mem::take(&mut self.finished);
+        self.add_geometry(&mut forms);
+        self.finished = forms;
+        let Some(level) = self.levels.drain(..).next() else { return };
+        self.memory.clear();
+        self.macros.clear();
+        self.libraries.clear();
+        self.synonyms = Synonyms::new(self.options.language);
+        self.state = State::default();
+        self.branch = None;
+        self.begin(Arc::clone(&level.unit), level.plan.end());
+    }
+
+    /// Executes one statement.
+    fn advance(&mut self) {
+        self.next_pass();
+        let Some(level) = self.levels.last_mut() else { return };
+        if level.at >= level.end {
+            self.leave();
+            return;
+        }
+        let place = level.at;
+        level.arrive(place);
+        let (unit, plan) = (Arc::clone(&level.unit), Arc::clone(&level.plan));
+        let statement = &unit.program.statements[place as usize];
+        self.here = Here { span: statement.span, isn: statement.isn, line: statement.line };
+        if self.executed >= self.options.limits.statements {
+            self.out_of_statements();
+            return;
+        }
+        self.executed += 1;
+        self.state.begun = true;
+        self.execute(&unit, &plan, place, statement);
+    }
+
+    /// Carries out the statement.
+    fn execute(&mut self, unit: &Arc<Unit>, plan: &Arc<Plan>, place: u32, statement: &Statement) {
+        let role = plan.role(place);
+        match role {
+            Role::Plain => self.body(unit, &statement.body),
+            Role::Skip => {}
+            Role::Macro(end) => {
+                if let Body::Macro { name, .. } = &statement.body {
+                    self.define_macro(unit, plan, name, place, end);
+                }
+                self.go_to(end.saturating_add(1).min(plan.end()));
+            }
+            Role::Termac => self.leave(),
+            Role::If(goals) => self.three_way(&statement.body, goals),
+            Role::Jump(goal) => self.jump_to(unit, &statement.body, goal),
+            Role::Do(end) => self.open_do(&statement.body, place, end),
+        }
+    }
+
+    /// Leaves a macro, a file or the program.
+    fn leave(&mut self) {
+        let Some(level) = self.levels.last() else { return };
+        match level.kind {
+            LevelKind::Program => {
+                let end = level.plan.end();
+                let at = level.unit.program.statements.get(end.saturating_sub(1) as usize);
+                let span = at.map_or(self.here.span, |s| s.span);
+                if !level.plan.swallowed() {
+                    self.push(
+                        Diagnostic::warning(codes::NO_FINI, span, "the program ends without FINI")
+                            .help("end the part program with FINI"),
+                    );
+                }
+                self.finish();
+            }
+            LevelKind::File => {
+                self.levels.pop();
+            }
+            LevelKind::Macro { first_local, caller_local } => {
+                self.memory.unbind(first_local, caller_local);
+                self.levels.pop();
+            }
+        }
+    }
+
+    /// Tells of names that got a value and never gave it, when that is asked for.
+    fn report_unused(&mut self) {
+        if !self.options.unused || self.state.incomplete {
+            return;
+        }
+        let unused: Vec<(Place, Span)> = self
+            .memory
+            .values()
+            .filter(|(place, slot)| {
+                matches!(place, Place::Global(_))
+                    && !slot.read
+                    && !matches!(slot.value, Value::Unset | Value::Poison)
+            })
+            .map(|(place, slot)| (place, slot.given))
+            .collect();
+        for (place, given) in unused {
+            let name = self.spelled(place);
+            self.push(
+                Diagnostic::warning(codes::UNUSED, given, format!("{name} is never used"))
+                    .help("take it away, or check the spelling where it should be used"),
+            );
+        }
+    }
+
+    fn out_of_statements(&mut self) {
+        let n = self.options.limits.statements;
+        self.error(
+            Diagnostic::error(
+                codes::TOO_MANY_STATEMENTS,
+                self.here.span,
+                format!("the program stops here after {n} executed statements"),
+            )
+            .label("a loop that does not end?")
+            .help("check what ends the loop; the limit is a setting"),
+        );
+        self.levels.clear();
+        self.emit(Kind::Fini);
+    }
+
+    /// Goes where the check surface that stopped the last motion leads.
+    fn follow_branch(&mut self) {
+        let Some(goals) = self.branch.take() else { return };
+        if let Outcome::Moved { check, .. } = self.outcome
+            && let Some(Some(goal)) = goals.get(check)
+        {
+            self.go_to(*goal);
+        }
+    }
+
+    /// The labels of the motion that was just put out.
+    pub(crate) fn branch_on(&mut self, goals: Vec<Option<u32>>) {
+        self.branch = Some(goals);
+    }
+
+    /// Goes on at statement `goal` of the present level.
+    pub(crate) fn go_to(&mut self, goal: u32) {
+        let Self { levels, interner, .. } = self;
+        let Some(level) = levels.last_mut() else { return };
+        let label = level.unit.program.statements.get(goal as usize).and_then(|s| s.label);
+        level
+            .jump(goal, || label.map_or_else(SmolStr::default, |l| interner.text(l.symbol).into()));
+    }
+
+    /// Puts out a record of the present statement.
+    pub(crate) fn emit(&mut self, kind: Kind) {
+        let origin = self.origin();
+        self.queue.push_back(Record { origin, kind });
+    }
+
+    /// Where the present statement stands.
+    pub(crate) fn origin(&mut self) -> Origin {
+        let Here { span, isn, line } = self.here;
+        let file = self.levels.last().and_then(|l| l.unit.name.clone());
+        Origin { span, isn, line, file, trace: self.trace() }
+    }
+
+    /// The expansions around the present statement.
+    pub(crate) fn trace(&mut self) -> Trace {
+        self.levels.last_mut().and_then(Level::trace)
+    }
+
+    /// Adds to the listing.
+    pub(crate) fn list(&mut self, kind: EntryKind) {
+        let limit = self.options.limits.printed;
+        self.n_listed += 1;
+        if self.n_listed <= limit {
+            let origin = self.origin();
+            self.listing.push(Entry { origin, kind });
+        } else if self.n_listed == limit + 1 {
+            self.error(
+                Diagnostic::warning(
+                    codes::TOO_MUCH_PRINTED,
+                    self.here.span,
+                    format!("more than {limit} printed lines: the rest is left out of the listing"),
+                )
+                .help("print less, or raise the limit; the part program itself goes on"),
+            );
+        }
+    }
+
+    /// Tells a message about the present statement.
+    pub(crate) fn error(&mut self, message: Diagnostic) {
+        let trace = self.trace();
+        self.push(message.within(trace));
+    }
+
+    fn push(&mut self, message: Diagnostic) {
+        self.reports.push(message, self.options.limits.messages);
+    }
+
+    /// Name and subscript of what is at `place`.
+    pub(crate) fn name_ref(&self, place: Place) -> NameRef {
+        let (symbol, subscript) = self.memory.name(place);
+        NameRef { name: self.interner.text(symbol).into(), subscript }
+    }
+
+    /// Name and subscript as a user writes them.
+    pub(crate) fn spelled(&self, place: Place) -> String {
+        let (symbol, subscript) = self.memory.name(place);
+        match subscript {
+            0 => self.interner.text(symbol).to_owned(),
+            n => format!("{}({n})", self.interner.text(symbol)),
+        }
+    }
+}

@@ -1,0 +1,245 @@
+//! Where values are kept: names of the program, elements of arrays, parameters of macro calls.
+
+use std::sync::Arc;
+
+use aptc_diagnostics::Span;
+use aptc_geometry::Form;
+use aptc_syntax::Symbol;
+use aptc_vocabulary::Word;
+
+/// What a name stands for.
+#[derive(Clone, Debug, Default)]
+pub(crate) enum Value {
+    /// Nothing yet.
+    #[default]
+    Unset,
+    /// A number.
+    Number(f64),
+    /// `.TRUE.` or `.FALSE.`
+    Logical(bool),
+    /// A geometric form, in the base system.
+    Form(Arc<Form>),
+    /// A vocabulary word: the actual value of a macro parameter.
+    Word(Word),
+    /// An array by RESERV.
+    Array(u32),
+    /// A mistake was reported where it should have got its value.
+    Poison,
+}
+
+/// A value and the place where it was given.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Slot {
+    /// The value.
+    pub(crate) value: Value,
+    /// Where it was given.
+    pub(crate) given: Span,
+    /// Was it used?
+    pub(crate) read: bool,
+}
+
+/// Where a slot is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Place {
+    /// A name of the program.
+    Global(Symbol),
+    /// An element of an array, from 0.
+    Element(u32, u32),
+    /// A parameter or LOCAL name of a macro call.
+    Local(u32),
+}
+
+/// A parameter or LOCAL name.
+#[derive(Clone, Debug)]
+pub(crate) struct Local {
+    /// Its name.
+    pub(crate) symbol: Symbol,
+    /// What it stands for.
+    pub(crate) binding: Binding,
+}
+
+/// What a parameter stands for.
+#[derive(Clone, Debug)]
+pub(crate) enum Binding {
+    /// A value of its own.
+    Own(Slot),
+    /// Another name, which the macro may also give a value.
+    Alias(Place),
+}
+
+/// An array.
+#[derive(Clone, Debug)]
+pub(crate) struct Array {
+    /// Its name.
+    pub(crate) symbol: Symbol,
+    /// Its elements.
+    pub(crate) slots: Vec<Slot>,
+}
+
+/// All values of a run.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Memory {
+    globals: Vec<Slot>,
+    arrays: Vec<Array>,
+    locals: Vec<Local>,
+    /// For each symbol its place in `locals` and 1, or 0 when it is no local of the present call.
+    bound: Vec<u32>,
+    /// Forms in the order of their first definition.
+    order: Vec<Place>,
+    n_elements: usize,
+}
+
+impl Memory {
+    /// Makes room for `n` symbols.
+    pub(crate) fn grow(&mut self, n: usize) {
+        if self.globals.len() < n {
+            self.globals.resize_with(n, Slot::default);
+            self.bound.resize(n, 0);
+        }
+    }
+
+    /// Forgets everything but the room.
+    pub(crate) fn clear(&mut self) {
+        let n = self.globals.len();
+        *self = Self::default();
+        self.grow(n);
+    }
+
+    /// Where the value of `symbol` is, seen from the present call.
+    pub(crate) fn place(&self, symbol: Symbol) -> Place {
+        match self.bound.get(symbol.0 as usize) {
+            None | Some(0) => Place::Global(symbol),
+            Some(&local) => match &self.locals[local as usize - 1].binding {
+                Binding::Own(_) => Place::Local(local - 1),
+                Binding::Alias(place) => *place,
+            },
+        }
+    }
+
+    /// Is it a parameter or LOCAL name of the present call?
+    pub(crate) fn is_local(&self, symbol: Symbol) -> bool {
+        self.bound.get(symbol.0 as usize).is_some_and(|b| *b != 0)
+    }
+
+    /// What is at `place`.
+    pub(crate) fn slot(&self, place: Place) -> &Slot {
+        match place {
+            Place::Global(symbol) => &self.globals[symbol.0 as usize],
+            Place::Element(array, i) => &self.arrays[array as usize].slots[i as usize],
+            Place::Local(i) => match &self.locals[i as usize].binding {
+                Binding::Own(slot) => slot,
+                Binding::Alias(place) => self.slot(*place),
+            },
+        }
+    }
+
+    /// What is at `place`, to change it.
+    pub(crate) fn slot_mut(&mut self, place: Place) -> &mut Slot {
+        match place {
+            Place::Global(symbol) => &mut self.globals[symbol.0 as usize],
+            Place::Element(array, i) => &mut self.arrays[array as usize].slots[i as usize],
+            Place::Local(i) => {
+                if let Binding::Alias(place) = self.locals[i as usize].binding {
+                    return self.slot_mut(place);
+                }
+                match &mut self.locals[i as usize].binding {
+                    Binding::Own(slot) => slot,
+                    Binding::Alias(_) => unreachable!("aliases were followed above"),
+                }
+            }
+        }
+    }
+
+    /// Gives `place` a value.
+    pub(crate) fn set(&mut self, place: Place, value: Value, given: Span) {
+        let first_form = matches!(value, Value::Form(_))
+            && !matches!(place, Place::Local(_))
+            && !matches!(self.slot(place).value, Value::Form(_));
+        if first_form {
+            self.order.push(place);
+        }
+        let slot = self.slot_mut(place);
+        slot.value = value;
+        slot.given = given;
+    }
+
+    /// The array with number `array`.
+    pub(crate) fn array(&self, array: u32) -> &Array {
+        &self.arrays[array as usize]
+    }
+
+    /// A new array of `n` elements.
+    pub(crate) fn reserve(&mut self, symbol: Symbol, n: usize, given: Span) {
+        let array = u32::try_from(self.arrays.len()).expect("fewer arrays than elements");
+        self.arrays.push(Array { symbol, slots: vec![Slot::default(); n] });
+        self.n_elements += n;
+        self.set(self.place(symbol), Value::Array(array), given);
+    }
+
+    /// Elements of all arrays.
+    pub(crate) fn n_elements(&self) -> usize {
+        self.n_elements
+    }
+
+    /// The name of what is at `place`: its symbol and subscript.
+    pub(crate) fn name(&self, place: Place) -> (Symbol, u32) {
+        match place {
+            Place::Global(symbol) => (symbol, 0),
+            Place::Element(array, i) => (self.arrays[array as usize].symbol, i + 1),
+            Place::Local(i) => (self.locals[i as usize].symbol, 0),
+        }
+    }
+
+    /// Forms of the program's names, in the order of their first definition.
+    pub(crate) fn forms(&self) -> impl Iterator<Item = (Place, &Arc<Form>)> {
+        self.order.iter().filter_map(|&place| match &self.slot(place).value {
+            Value::Form(form) => Some((place, form)),
+            _ => None,
+        })
+    }
+
+    /// All names and elements that have a value, in the order of their first appearance in the text.
+    pub(crate) fn values(&self) -> impl Iterator<Item = (Place, &Slot)> {
+        let symbols = (0u32..).zip(&self.globals);
+        symbols.flat_map(move |(i, slot)| {
+            let own = (Place::Global(Symbol(i)), slot);
+            let elements = match slot.value {
+                Value::Array(a) => {
+                    let slots = self.arrays[a as usize].slots.iter();
+                    Some((0u32..).zip(slots).map(move |(i, s)| (Place::Element(a, i), s)))
+                }
+                _ => None,
+            };
+            std::iter::once(own).chain(elements.into_iter().flatten())
+        })
+    }
+
+    /// How many parameters and LOCAL names there are in all calls.
+    pub(crate) fn n_locals(&self) -> usize {
+        self.locals.len()
+    }
+
+    /// Hides the locals from `from` on: they belong to the caller.
+    pub(crate) fn hide(&mut self, from: usize) {
+        for local in &self.locals[from..] {
+            self.bound[local.symbol.0 as usize] = 0;
+        }
+    }
+
+    /// A local of the present call.
+    pub(crate) fn bind(&mut self, symbol: Symbol, binding: Binding) {
+        self.locals.push(Local { symbol, binding });
+        let place = u32::try_from(self.locals.len()).expect("fewer locals than statements");
+        self.bound[symbol.0 as usize] = place;
+    }
+
+    /// Drops the locals from `from` on and shows those of the caller, from `caller` on, again.
+    pub(crate) fn unbind(&mut self, from: usize, caller: usize) {
+        self.hide(from);
+        self.locals.truncate(from);
+        for (i, local) in self.locals.iter().enumerate().skip(caller) {
+            self.bound[local.symbol.0 as usize] =
+                u32::try_from(i + 1).expect("fewer locals than statements");
+        }
+    }
+}

@@ -1,0 +1,42 @@
+//! Files as they are executed: statements, and the plan of their labels, macros and loops.
+
+mod plan;
+mod synonyms;
+
+use std::sync::Arc;
+
+use aptc_diagnostics::Span;
+use aptc_syntax::tree::{Expr, ExprKind, Program};
+use aptc_syntax::{Interner, Symbol};
+
+pub(crate) use plan::{MISSING, Plan, Role, Surroundings, plan};
+pub(crate) use synonyms::Synonyms;
+
+/// A parsed file.
+#[derive(Debug)]
+pub(crate) struct Unit {
+    /// Its text.
+    pub(crate) text: Arc<str>,
+    /// Its name when it is not the main part program.
+    pub(crate) name: Option<Arc<str>>,
+    /// Its statements.
+    pub(crate) program: Program,
+}
+
+impl Unit {
+    /// The label that an argument spells: a name, or digits as they stand in the text.
+    pub(crate) fn label(&self, interner: &Interner, argument: &Expr) -> Option<Symbol> {
+        match &argument.kind {
+            ExprKind::Name(name) => Some(name.symbol),
+            ExprKind::Number(_) => self.digits(interner, argument.span),
+            _ => None,
+        }
+    }
+
+    /// The label that the digits at `span` spell.
+    pub(crate) fn digits(&self, interner: &Interner, span: Span) -> Option<Symbol> {
+        let text = self.text.get(span.start as usize..span.end as usize)?;
+        let compact: String = text.chars().filter(|c| !c.is_whitespace()).collect();
+        interner.find(&compact.to_ascii_uppercase())
+    }
+}

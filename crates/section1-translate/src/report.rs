@@ -1,0 +1,47 @@
+//! Messages of a run: each fault once a place, however often a loop passes it.
+
+use std::collections::HashSet;
+
+use aptc_diagnostics::{Diagnostic, Span};
+
+/// The messages so far.
+#[derive(Debug, Default)]
+pub(crate) struct Reports {
+    messages: Vec<Diagnostic>,
+    seen: HashSet<(u16, Span, Option<Span>)>,
+    n_told: usize,
+    n_errors: usize,
+    n_dropped: usize,
+}
+
+impl Reports {
+    /// Takes a message in, unless the same fault was told for this place and call already.
+    pub(crate) fn push(&mut self, message: Diagnostic, limit: usize) {
+        let caller = message.trace.as_ref().map(|frame| frame.span);
+        if !self.seen.insert((message.code.number(), message.span, caller)) {
+            return;
+        }
+        self.n_errors += usize::from(message.is_error());
+        if self.n_told < limit {
+            self.n_told += 1;
+            self.messages.push(message);
+        } else {
+            self.n_dropped += 1;
+        }
+    }
+
+    /// How many errors were told.
+    pub(crate) fn n_errors(&self) -> usize {
+        self.n_errors
+    }
+
+    /// How many messages are not among those given out.
+    pub(crate) fn n_dropped(&self) -> usize {
+        self.n_dropped
+    }
+
+    /// The messages since the last time.
+    pub(crate) fn take(&mut self) -> Vec<Diagnostic> {
+        std::mem::take(&mut self.messages)
+    }
+}

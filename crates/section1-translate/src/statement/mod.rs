@@ -1,0 +1,295 @@
+//! Statements: each major word to its file.
+
+mod axis;
+mod cutter;
+mod drive;
+mod edit;
+mod goto;
+mod obtain;
+mod pattern;
+mod pocket;
+mod post;
+mod print;
+mod reader;
+mod refused;
+mod regional;
+mod setting;
+mod startup;
+mod surface;
+mod switch;
+mod system;
+mod text;
+
+use std::sync::Arc;
+
+use aptc_diagnostics::{Diagnostic, codes};
+use aptc_protap::Kind;
+use aptc_syntax::tree::{Body, Clause, Expr, Target};
+use aptc_vocabulary::{Class, Word, closest, word};
+
+use crate::Interpreter;
+use crate::eval::{Known, Poisoned};
+use crate::memory::Value;
+use crate::program::Unit;
+
+impl Interpreter<'_> {
+    /// Carries out a statement that does not change the order of execution by its place.
+    pub(crate) fn body(&mut self, unit: &Arc<Unit>, body: &Body) {
+        match body {
+            Body::Empty => {}
+            Body::Text { word, text, .. } => self.text(*word, text),
+            Body::Assign { target, value } => self.assignment(target, value),
+            Body::Clauses(clauses) => self.clauses(unit, clauses),
+            Body::Call { name, args } => self.call(name, args),
+            Body::IfThen { condition, then } => match self.logical(condition) {
+                Ok(true) => self.body(unit, then),
+                Ok(false) => {}
+                Err(Poisoned) => self.state.incomplete = true,
+            },
+            Body::Error { defines: Some(name) } => {
+                let place = self.memory.place(name.symbol);
+                self.memory.set(place, Value::Poison, name.span);
+            }
+            Body::Error { defines: None } => self.fail(),
+            // These have roles of their own in the plan.
+            Body::Macro { .. } | Body::If { .. } | Body::Do { .. } => {}
+        }
+    }
+
+    /// `A=3`, `P=POINT/1,2`.
+    fn assignment(&mut self, target: &Target, value: &Expr) {
+        if let aptc_syntax::tree::ExprKind::Define(definition) = &value.kind
+            && definition.target.is_none()
+        {
+            let form = self.define(definition, value.span);
+            let again = self.by_canon(definition);
+            // What went wrong was told.
+            let _: Known<_> = self.name_form(target, form, again);
+            return;
+        }
+        let value = self.value(value);
+        let Ok(place) = self.target(target) else { return };
+        match value {
+            Ok(Value::Form(form)) => {
+                let _: Known<_> = self.name_form(target, Ok(form), false);
+            }
+            Ok(value) => {
+                let _: Known<_> = self.assign(place, value, target);
+            }
+            Err(Poisoned) => self.memory.set(place, Value::Poison, target.span),
+        }
+    }
+
+    /// Words joined by commas, each carried out in turn.
+    fn clauses(&mut self, unit: &Arc<Unit>, clauses: &[Clause]) {
+        if let [first, rest @ ..] = clauses
+            && first.args.is_none()
+            && self.head_word(&first.head) == Some(word::OBTAIN)
+        {
+            self.obtain(first, rest);
+            return;
+        }
+        for clause in clauses {
+            match self.head_word(&clause.head) {
+                Some(word) => {
+                    if self.clause(unit, word, clause).is_err() && moves(word) {
+                        self.fail();
+                    }
+                }
+                None => self.unknown_head(clause),
+            }
+        }
+    }
+
+    /// One word with its arguments.
+    fn clause(&mut self, unit: &Arc<Unit>, word: Word, clause: &Clause) -> Known<()> {
+        let args = clause.args.as_deref();
+        match word {
+            word::FROM | word::GOTO | word::GODLTA => self.goto(word, clause),
+            word::GO | word::OFFSET => self.go(word, clause, unit),
+            word::INDIRV | word::INDIRP | word::SRFVCT => self.sense(word, clause),
+            word::GOLFT | word::GORGT | word::GOFWD | word::GOBACK | word::GOUP | word::GODOWN => {
+                self.drive(word, clause, unit)
+            }
+            word::TLLFT
+            | word::TLRGT
+            | word::TLON
+            | word::TLNDON
+            | word::TLONPS
+            | word::TLOFPS
+            | word::AUTOPS
+            | word::NOPS
+            | word::W2DCALC
+            | word::W3DCALC
+            | word::NDTEST
+            | word::CUT
+            | word::DNTCUT
+            | word::MULTAX
+            | word::GOUGCK
+            | word::CLPRNT
+            | word::NOPOST
+            | word::NOPLOT
+            | word::CANON => self.switch(word, clause),
+            word::PSIS => self.part_surface(clause),
+            word::CUTTER => self.cutter(clause),
+            word::TOLER
+            | word::INTOL
+            | word::OUTTOL
+            | word::THICK
+            | word::MAXDP
+            | word::NUMPTS
+            | word::PTONLY
+            | word::UNITS => self.setting(word, clause),
+            word::TLAXIS => self.tool_axis(clause),
+            word::POCKET => self.pocket(clause),
+            word::INDEX | word::COPY | word::TRACUT => self.edit(word, clause),
+            word::ZSURF | word::REFSYS => self.system(word, clause),
+            word::RESERV => self.reserve(clause),
+            word::PRINT | word::PUNCH => self.print(word, clause),
+            word::OBTAIN => self.obtain_alone(clause),
+            word::LOCAL => {
+                self.local(args.unwrap_or_default());
+                Ok(())
+            }
+            word::READ => {
+                self.read(args.unwrap_or_default());
+                Ok(())
+            }
+            word::INCLUD => {
+                match args {
+                    Some([name]) => self.include(crate::Asker::Include, name),
+                    _ => self.include(crate::Asker::Include, &missing(clause)),
+                }
+                Ok(())
+            }
+            word::LIBRY => {
+                self.library(args.unwrap_or_default());
+                Ok(())
+            }
+            word::FINI => {
+                self.finish();
+                Ok(())
+            }
+            // The plan took care of these.
+            word::SYN | word::LOOPST | word::LOOPND | word::CONTIN | word::TERMAC => Ok(()),
+            word::JUMPTO | word::TRANTO => self.late_jump(unit, clause),
+            _ => self.other(word, clause),
+        }
+    }
+
+    /// JUMPTO behind another word, as in `RAPID,JUMPTO/A`.
+    fn late_jump(&mut self, unit: &Arc<Unit>, clause: &Clause) -> Known<()> {
+        let argument = clause.args.as_deref().and_then(<[Expr]>::first);
+        let label = argument.and_then(|a| Some((unit.label(&self.interner, a)?, a.span)));
+        let Some((label, span)) = label else {
+            self.error(
+                Diagnostic::error(codes::NO_SUCH_LABEL, clause.span, "a label is expected here")
+                    .help("write JUMPTO/label"),
+            );
+            return Err(Poisoned);
+        };
+        match self.label_goal(label, span) {
+            Some(goal) => self.go_to(goal),
+            None => self.state.incomplete = true,
+        }
+        Ok(())
+    }
+
+    /// Words that the tables of classes decide.
+    fn other(&mut self, word: Word, clause: &Clause) -> Known<()> {
+        if let Some(known) = self.refused(word, clause) {
+            return known;
+        }
+        if word.is(Class::Regional) {
+            return self.regional(word, clause);
+        }
+        if word.is(Class::Post) {
+            return self.post(word, clause);
+        }
+        self.no_statement(word, clause);
+        Err(Poisoned)
+    }
+
+    /// A word that begins no statement.
+    fn no_statement(&mut self, word: Word, clause: &Clause) {
+        let what = match word.class() {
+            Class::Geometry => "defines geometry and needs a name: name=",
+            Class::Function => "is a function and stands in expressions",
+            Class::Modifier => "is a modifier and begins no statement",
+            _ => "begins no statement",
+        };
+        let what = match word.class() {
+            Class::Geometry => format!("{word} {what}{word}/..."),
+            _ => format!("{word} {what}"),
+        };
+        let mut message = Diagnostic::error(codes::NO_STATEMENT, clause.head.span, what);
+        if let Some(near) = closest(word.text(), |w| w != word && self.begins_statement(w)) {
+            message = message.help(format!("did you mean {near}?"));
+        }
+        self.error(message);
+        self.fail();
+    }
+
+    /// A name at the head that is no word: misspelt, or a word of a post-processor that nobody knows.
+    fn unknown_head(&mut self, clause: &Clause) {
+        let text = self.interner.text(clause.head.symbol).to_owned();
+        if let Some(word) = clause.head.word {
+            // A word of another dialect.
+            self.error(
+                Diagnostic::error(
+                    codes::OTHER_DIALECT,
+                    clause.head.span,
+                    format!("{word} is a word of NCL, not of APT"),
+                )
+                .help("translate the program with --dialect ncl"),
+            );
+            self.state.incomplete = true;
+            self.fail();
+            return;
+        }
+        let near = closest(&text, |w| self.begins_statement(w));
+        let value = self.memory.slot(self.memory.place(clause.head.symbol)).value.clone();
+        if near.is_some_and(|w| !w.is(Class::Post)) || !matches!(value, Value::Unset) {
+            let mut message = Diagnostic::error(
+                codes::NO_STATEMENT,
+                clause.head.span,
+                format!("{text} begins no statement"),
+            );
+            if let Some(near) = near {
+                message = message.help(format!("did you mean {near}?"));
+            } else if matches!(value, Value::Poison) {
+                self.fail();
+                return;
+            } else {
+                message = message.help(format!("a value is given by {text}=..."));
+            }
+            self.error(message);
+            self.fail();
+            return;
+        }
+        self.unknown_post(&text, near, clause);
+    }
+
+    fn begins_statement(&self, word: Word) -> bool {
+        self.synonyms.knows(word)
+            && (word.is(Class::Motion)
+                || word.is(Class::Control)
+                || word.is(Class::Post)
+                || word.is(Class::Text)
+                || word.is(Class::Regional))
+    }
+
+    /// A statement that sets or moves the tool could not be translated.
+    pub(crate) fn fail(&mut self) {
+        self.emit(Kind::Failed);
+    }
+}
+
+/// Does a failure of the statement leave it unknown where the tool stands, or how it cuts?
+fn moves(word: Word) -> bool {
+    word.is(Class::Motion) || word.is(Class::Regional)
+}
+
+fn missing(clause: &Clause) -> Expr {
+    Expr { kind: aptc_syntax::tree::ExprKind::Empty, span: clause.span }
+}

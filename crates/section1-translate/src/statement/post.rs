@@ -1,0 +1,80 @@
+//! Words of the post-processor: handed on as they stand.
+
+use aptc_diagnostics::{Diagnostic, codes};
+use aptc_protap::{self as protap, Kind};
+use aptc_syntax::tree::{Clause, ExprKind};
+use aptc_vocabulary::{Word, word};
+
+use crate::eval::{Arg, ArgKind, Known, Names, Poisoned};
+use crate::{Interpreter, UnknownWords};
+
+/// Words whose arguments are names of the user's own: of machines, tools, operations.
+const NAMING: &[Word] = &[word::MACHIN, word::TPRINT, word::OPNAME, word::PPWORD];
+
+impl Interpreter<'_> {
+    /// A word of the table.
+    pub(super) fn post(&mut self, word: Word, clause: &Clause) -> Known<()> {
+        let names = if NAMING.contains(&word) { Names::Free } else { Names::Defined };
+        let mut args = self.args(clause, names)?;
+        if word == word::MACHIN
+            && let (Some(first), Some(expr)) =
+                (args.first_mut(), clause.args.as_deref().and_then(<[_]>::first))
+            && let ExprKind::Name(name) = &expr.kind
+        {
+            // The machine is called as it is written, whatever else the name may stand for.
+            first.kind = ArgKind::Name(name.symbol);
+        }
+        let args = self.handed_on(args)?;
+        self.emit(Kind::Post { word: word.text().into(), args });
+        Ok(())
+    }
+
+    /// A word that no table has.
+    pub(super) fn unknown_post(&mut self, text: &str, near: Option<Word>, clause: &Clause) {
+        let refuse = self.options.unknown_words == UnknownWords::Refuse;
+        let message = format!("{text} is in no table of words");
+        let mut message = if refuse {
+            Diagnostic::error(codes::UNKNOWN_POST_WORD, clause.head.span, message)
+        } else {
+            Diagnostic::warning(codes::UNKNOWN_POST_WORD, clause.head.span, message)
+                .label("handed on to the post-processor as it stands")
+        };
+        if let Some(near) = near {
+            message = message.help(format!("did you mean {near}?"));
+        }
+        self.error(message);
+        if refuse {
+            return;
+        }
+        let args = self.args(clause, Names::Free).and_then(|args| self.handed_on(args));
+        if let Ok(args) = args {
+            self.emit(Kind::Post { word: text.into(), args });
+        }
+    }
+
+    /// The arguments as records have them.
+    pub(super) fn handed_on(&mut self, args: Vec<Arg>) -> Known<Vec<protap::Arg>> {
+        let mut handed = Vec::with_capacity(args.len());
+        for arg in args {
+            handed.push(match arg.kind {
+                ArgKind::Number(n) | ArgKind::Digits(n) => protap::Arg::Number(n),
+                ArgKind::Word(word) => protap::Arg::Word(word.text().into()),
+                ArgKind::Name(symbol) => protap::Arg::Word(self.interner.text(symbol).into()),
+                ArgKind::Text(text) => protap::Arg::Text(text),
+                ArgKind::Form { form, name } => protap::Arg::Form { name, form },
+                ArgKind::Empty => {
+                    self.error(
+                        Diagnostic::error(
+                            codes::BAD_ARGUMENTS,
+                            arg.span,
+                            "an empty field means nothing here",
+                        )
+                        .help("take the extra comma away"),
+                    );
+                    return Err(Poisoned);
+                }
+            });
+        }
+        Ok(handed)
+    }
+}

@@ -1,0 +1,225 @@
+//! PRINT and PUNCH.
+//!
+//! | statement | prints |
+//! | --- | --- |
+//! | PRINT/ON, PRINT/OFF | from here on the canonical form of each definition, or no longer |
+//! | PRINT/0 | a new page |
+//! | PRINT/1,names | bit by bit |
+//! | PRINT/2,names | values without names |
+//! | PRINT/3,names or ALL | values with names |
+//! | PRINT/4,names or ALL | as 3, and punches them |
+//! | PUNCH/1 2 3,names or ALL | punches all, numbers, forms |
+//! | PRINT/SSPRT,ON and its kin | tables of APT4 that nobody needs: without effect |
+
+use aptc_diagnostics::{Diagnostic, codes};
+use aptc_protap::NameRef;
+use aptc_syntax::tree::{Clause, Expr, ExprKind};
+use aptc_vocabulary::{Word, word};
+
+use super::reader::Reader;
+use crate::Interpreter;
+use crate::eval::{Arg, ArgKind, Known, Names, Poisoned};
+use crate::listing::EntryKind;
+use crate::memory::{Place, Value};
+
+/// How values are printed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Style {
+    Bits,
+    Plain,
+    Named,
+}
+
+/// Which of all values.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Which {
+    All,
+    Numbers,
+    Forms,
+}
+
+impl Interpreter<'_> {
+    /// PRINT/..., PUNCH/...
+    pub(super) fn print(&mut self, word: Word, clause: &Clause) -> Known<()> {
+        let exprs = clause.args.as_deref().unwrap_or_default();
+        if word == word::PUNCH {
+            return self.punch(clause, exprs);
+        }
+        let Some((first, rest)) = exprs.split_first() else {
+            return Err(self.bad_print(clause));
+        };
+        if let ExprKind::Name(name) = &first.kind {
+            return match self.head_word(name) {
+                Some(word::ON) if rest.is_empty() => {
+                    self.state.print = true;
+                    Ok(())
+                }
+                Some(word::OFF) if rest.is_empty() => {
+                    self.state.print = false;
+                    Ok(())
+                }
+                Some(word::SSPRT | word::SSTEST | word::TABPRT | word::AVPRT | word::LIBPRT) => {
+                    let text = self.interner.text(name.symbol).to_owned();
+                    self.list(EntryKind::Remark(format!("PRINT/{text} has no effect here")));
+                    Ok(())
+                }
+                _ => Err(self.bad_print(clause)),
+            };
+        }
+        #[expect(clippy::cast_possible_truncation, reason = "compared with 0 to 4")]
+        let style = match self.number(first)?.trunc() as i64 {
+            0 if rest.is_empty() => {
+                self.list(EntryKind::Page);
+                return Ok(());
+            }
+            1 => Style::Bits,
+            2 => Style::Plain,
+            3 | 4 => Style::Named,
+            _ => return Err(self.bad_print(clause)),
+        };
+        self.print_list(style, Which::All, rest, clause)
+    }
+
+    fn punch(&mut self, clause: &Clause, exprs: &[Expr]) -> Known<()> {
+        let (which, rest) = match exprs {
+            [first, rest @ ..] if !matches!(first.kind, ExprKind::Name(_)) => {
+                #[expect(clippy::cast_possible_truncation, reason = "compared with 1 to 3")]
+                let which = match self.number(first)?.trunc() as i64 {
+                    1 => Which::All,
+                    2 => Which::Numbers,
+                    3 => Which::Forms,
+                    _ => return Err(self.bad_print(clause)),
+                };
+                (which, rest)
+            }
+            all => (Which::All, all),
+        };
+        self.print_list(Style::Bits, which, rest, clause)
+    }
+
+    fn bad_print(&mut self, clause: &Clause) -> Poisoned {
+        let args: &[Arg] = &[];
+        let reader = Reader::new(word::PRINT, clause, args);
+        let mut message = reader.expected("ON, OFF, 0, or 1 to 4 and names");
+        message.span = clause.span;
+        message.message = "this form of PRINT or PUNCH is not known".to_owned();
+        message.help = Some("write PRINT/ON, PRINT/OFF, PRINT/0 or PRINT/3,names".to_owned());
+        self.error(message);
+        Poisoned
+    }
+
+    fn print_list(
+        &mut self,
+        style: Style,
+        which: Which,
+        exprs: &[Expr],
+        clause: &Clause,
+    ) -> Known<()> {
+        if exprs.is_empty() {
+            return Err(self.bad_print(clause));
+        }
+        for expr in exprs {
+            let all = match &expr.kind {
+                ExprKind::Name(name) => self.head_word(name) == Some(word::ALL),
+                _ => false,
+            };
+            if all {
+                self.print_all(style, which);
+            } else {
+                self.print_one(style, expr);
+            }
+        }
+        Ok(())
+    }
+
+    fn print_all(&mut self, style: Style, which: Which) {
+        let places: Vec<Place> = self
+            .memory
+            .values()
+            .filter(|(_, slot)| match slot.value {
+                Value::Number(_) => which != Which::Forms,
+                Value::Form(_) => which != Which::Numbers,
+                _ => false,
+            })
+            .map(|(place, _)| place)
+            .collect();
+        for place in places {
+            self.print_place(style, place);
+        }
+    }
+
+    fn print_place(&mut self, style: Style, place: Place) {
+        let name = self.name_ref(place);
+        let value = self.memory.slot(place).value.clone();
+        self.print_value(style, name, &value);
+    }
+
+    fn print_value(&mut self, style: Style, name: NameRef, value: &Value) {
+        let (word, elements) = match value {
+            Value::Number(n) => match style {
+                Style::Bits => ("SCALAR", vec![*n]),
+                style => {
+                    let name = (style == Style::Named).then_some(name);
+                    self.list(EntryKind::Scalar { name, value: *n });
+                    return;
+                }
+            },
+            Value::Form(form) => (form.kind().word(), form.canonical()),
+            _ => return,
+        };
+        self.list(match style {
+            Style::Bits => EntryKind::Bits { name, word, elements },
+            Style::Plain => EntryKind::Form { name: None, word, elements },
+            Style::Named => EntryKind::Form { name: Some(name), word, elements },
+        });
+    }
+
+    /// One item of the list; a name without a value is told, but is no error.
+    fn print_one(&mut self, style: Style, expr: &Expr) {
+        if let ExprKind::Name(name) = &expr.kind {
+            let place = self.memory.place(name.symbol);
+            if let Value::Array(array) = self.memory.slot(place).value {
+                let n = self.memory.array(array).slots.len();
+                for i in (0u32..).take(n) {
+                    self.print_place(style, Place::Element(array, i));
+                }
+                return;
+            }
+            if matches!(self.memory.slot(place).value, Value::Unset) {
+                self.print_undefined(name, place);
+                return;
+            }
+        }
+        let Ok(args) = self.arguments(std::slice::from_ref(expr), Names::Free) else { return };
+        for arg in args {
+            match arg.kind {
+                ArgKind::Number(n) | ArgKind::Digits(n) => {
+                    let name = match &expr.kind {
+                        ExprKind::Name(name) => self.name_ref(self.memory.place(name.symbol)),
+                        _ => NameRef::default(),
+                    };
+                    self.print_value(style, name, &Value::Number(n));
+                }
+                ArgKind::Form { form, name } => self.print_value(style, name, &Value::Form(form)),
+                _ => {}
+            }
+        }
+    }
+
+    fn print_undefined(&mut self, name: &aptc_syntax::tree::Name, place: Place) {
+        let shown = self.name_ref(place);
+        let text = shown.name.to_string();
+        if !self.state.incomplete {
+            let mut message = Diagnostic::warning(
+                codes::PRINTED_UNDEFINED,
+                name.span,
+                format!("{text} has no value to print"),
+            );
+            if let Some(near) = self.near(name.symbol, &text) {
+                message = message.help(format!("did you mean {near}?"));
+            }
+            self.error(message);
+        }
+        self.list(EntryKind::Undefined { name: shown });
+    }
+}
