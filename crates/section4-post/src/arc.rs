@@ -35,13 +35,12 @@ impl Post {
     /// Writes the motion as arcs; `false` when it must be lines.
     pub(crate) fn arc(&mut self, arc: &Arc, points: &[Position], origin: &Origin) -> bool {
         let Some(arcs) = self.machine.arcs.clone() else { return false };
-        let Some((turn, lead_in)) = self.turn(arc, points, &arcs) else { return false };
+        let Some(pos) = self.st.pos else { return false };
         if self.st.away || self.st.spindle_again || self.st.coolant_again {
-            self.approach(turn.start, self.st.ta, false, origin);
+            self.approach(pos, self.st.ta, false, origin);
         }
-        let lead = lead_in.map(|i| points[i]);
-        let begun = self.st.pos;
-        if let Some(p) = lead {
+        let Some((turn, lead_in)) = self.turn(arc, points, &arcs) else { return false };
+        if let Some(p) = lead_in.map(|i| points[i]) {
             self.go(&p, false, origin);
         }
         if self.blocks.with_motion.is_some() {
@@ -52,8 +51,7 @@ impl Post {
         let Some(pieces) = self.pieces(&turn, &arcs) else {
             // Only the points after the lead-in are still to go.
             let rest = lead_in.map_or(0, |i| i + 1);
-            let chords = matches!(arc.course, Course::Chords);
-            if chords && (lead.is_some() || begun.is_some()) {
+            if matches!(arc.course, Course::Chords) {
                 for p in &points[rest..] {
                     self.go(p, false, origin);
                 }
@@ -65,6 +63,7 @@ impl Post {
             self.ready(origin);
         }
         let n_pieces = pieces.len();
+        let angles = self.st.angles;
         for (block, end) in pieces {
             let part = {
                 #[expect(clippy::cast_precision_loss, reason = "a count of blocks")]
@@ -80,14 +79,14 @@ impl Post {
             let done = match block {
                 Piece::Arc(block) => self.blocks.arc(&block, Some(feed)),
                 Piece::Line => {
-                    let joints = [end.x, end.y, end.z, 0.0, 0.0];
+                    let joints = [end.x, end.y, end.z, angles[0], angles[1]];
                     self.blocks.straight(MotionCode::Line, &joints, crate::motion::ALL, Some(feed))
                 }
             };
             self.check(done, origin);
             self.count_cut(end, part, feed);
-            self.st.pos = Some(end);
         }
+        self.st.pos = points.last().map(|p| self.st.point(p.te));
         self.summary.arcs += 1;
         self.summary.chords_in_arcs += u64::try_from(points.len()).unwrap_or(0);
         true
@@ -128,11 +127,12 @@ impl Post {
     fn turn(&self, arc: &Arc, points: &[Position], arcs: &Arcs) -> Option<(Turn, Option<usize>)> {
         let last = points.last()?;
         let start = self.st.pos?;
-        // With rotary axes in motion, or a tool that leans, the circle is none for the axes.
-        let still = points.iter().all(|p| (p.ta - self.st.ta).norm() < 1e-9);
-        if !still || !self.flat_kinematics() {
+        // With rotary axes in motion the circle is none for the linear axes.
+        if points.iter().any(|p| (p.ta - self.st.ta).norm() > 1e-9) {
             return None;
         }
+        let start = self.at_rest(start);
+        let point = |p: &Position| self.at_rest(self.st.point(p.te));
         let resolution = self.blocks.number(b'X').resolution();
         let tol = self.st.band().max(resolution) + resolution;
         let radius = arc.circle.radius * self.st.scale;
@@ -140,8 +140,11 @@ impl Post {
         if radius * unit < arcs.min_radius || radius * unit > arcs.max_radius {
             return None;
         }
-        let center = self.st.point(arc.circle.center);
-        let axis = arc.circle.axis;
+        let center = self.at_rest(self.st.point(arc.circle.center));
+        let axis = match &self.st.chain {
+            Some(chain) => chain.turned(self.st.angles) * arc.circle.axis,
+            None => arc.circle.axis,
+        };
         let (plane, sense) = plane_of(axis, radius, resolution)?;
         if !arcs.planes.contains(&plane) {
             return None;
@@ -153,7 +156,7 @@ impl Post {
             let r = trig::hypot(d[a], d[b]);
             ((r - radius).abs() <= tol).then(|| (d[a], d[b], p[normal]))
         };
-        let end = self.st.point(last.te);
+        let end = point(last);
         match arc.course {
             Course::Sweep(degrees) => {
                 let (u, v, _) = polar(start)?;
@@ -166,7 +169,7 @@ impl Post {
             Course::Chords => {
                 // The tool may come to the circle on a line first.
                 let lead_in = if polar(start).is_some() { None } else { Some(0) };
-                let begin = lead_in.map_or(start, |i| self.st.point(points[i].te));
+                let begin = lead_in.map_or(start, |i| point(&points[i]));
                 let rest = &points[lead_in.map_or(0, |i| i + 1)..];
                 if rest.is_empty() {
                     return None;
@@ -176,7 +179,7 @@ impl Post {
                 let mut sweep = 0.0;
                 let mut heights = Vec::with_capacity(rest.len());
                 for p in rest {
-                    let next = polar(self.st.point(p.te))?;
+                    let next = polar(point(p))?;
                     let cross = at.0 * next.1 - at.1 * next.0;
                     let dot = at.0 * next.0 + at.1 * next.1;
                     let step = trig::atan2(cross, dot);
@@ -210,7 +213,8 @@ impl Post {
             _ => arcs.max_sweep.to_radians().min(PI),
         };
         let angles = turn.stops(most, arcs.max_sweep <= 90.0)?;
-        let round = |p: Vec3| self.blocks.round(&[p.x, p.y, p.z, 0.0, 0.0]).ok();
+        let [x, y] = self.st.angles;
+        let round = |p: Vec3| self.blocks.round(&[p.x, p.y, p.z, x, y]).ok();
         let back = |q: &crate::emit::Rounded| {
             let j = self.blocks.unround(q);
             Vec3::new(j[0], j[1], j[2])
@@ -302,11 +306,6 @@ impl Post {
         let (r, differ) = radii(moved);
         (differ <= radius_tol).then_some((moved, r))
     }
-
-    /// Do the axes see program coordinates as they are?
-    pub(crate) fn flat_kinematics(&self) -> bool {
-        self.machine.rotary.is_empty()
-    }
 }
 
 /// A block of an arc.
@@ -386,9 +385,7 @@ impl Turn {
 /// normal. `None` when the circle leans by more than a tenth of the resolution at its radius.
 fn plane_of(axis: Vec3, radius: f64, resolution: f64) -> Option<(ArcPlane, f64)> {
     let planes = [ArcPlane::Yz, ArcPlane::Zx, ArcPlane::Xy];
-    let i = (0..3).find(|&i| {
-        let lean = trig::hypot(axis[(i + 1) % 3], axis[(i + 2) % 3]);
-        lean * radius <= 0.1 * resolution || lean < 1e-9
-    })?;
+    let lean = |i: usize| trig::hypot(axis[(i + 1) % 3], axis[(i + 2) % 3]);
+    let i = (0..3).find(|&i| lean(i) * radius <= 0.1 * resolution || lean(i) < 1e-9)?;
     Some((planes[i], axis[i].signum()))
 }

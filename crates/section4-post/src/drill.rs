@@ -37,12 +37,23 @@ pub(crate) struct DrillCycle {
     pub(crate) dwell_rev: Option<f64>,
 }
 
-/// A hole in output units: heights along the tool axis.
+/// A hole in output units: heights along the tool axis, from the programmed point.
 struct Hole {
     at: Vec3,
+    ta: Vec3,
     bottom: f64,
     clearance: f64,
     retract: f64,
+}
+
+impl Hole {
+    fn point(&self, height: f64) -> Vec3 {
+        self.at + self.ta * height
+    }
+
+    fn height(&self, p: Vec3) -> f64 {
+        (p - self.at).dot(&self.ta)
+    }
 }
 
 impl Post {
@@ -58,7 +69,7 @@ impl Post {
             self.error(codes::COMPENSATION, origin, message, "write CUTCOM/OFF before CYCLE");
             return;
         }
-        let Some(hole) = self.heights(&cycle, at, origin) else { return };
+        let Some(hole) = self.heights(&cycle, at, p.ta, origin) else { return };
         let feed = match cycle.feed {
             Some(feed) => self.feed_of(feed, origin),
             None => {
@@ -76,22 +87,28 @@ impl Post {
             let per_second = self.st.spindle.speed / 60.0;
             cycle.dwell_rev.filter(|_| per_second > 0.0).map(|r| r / per_second)
         });
-        match self.native(&cycle, dwell, feed) {
+        if !self.machine.rotary.is_empty() && (self.st.ta - hole.ta).norm() > 1e-9 {
+            self.leave_cycle();
+            self.go_to(hole.point(hole.retract), hole.ta, true, origin);
+        }
+        let along_z =
+            self.st.chain.as_ref().is_none_or(|chain| {
+                (chain.turned(self.st.angles) * hole.ta - Vec3::z()).norm() < 1e-6
+            });
+        match self.native(&cycle, dwell, feed).filter(|_| along_z) {
             Some(native) => self.drill_native(native, &hole, origin),
             None => self.drill_expanded(&cycle, &hole, dwell, feed, origin),
         }
         self.count_hole(&hole, feed);
-        self.st.pos = Some(Vec3::new(at.x, at.y, hole.retract));
+        self.st.pos = Some(hole.point(hole.retract));
         self.st.ta = p.ta;
     }
 
-    fn heights(&mut self, cycle: &DrillCycle, at: Vec3, origin: &Origin) -> Option<Hole> {
+    fn heights(&mut self, cycle: &DrillCycle, at: Vec3, ta: Vec3, origin: &Origin) -> Option<Hole> {
         let scale = self.st.scale;
-        let surface = at.z;
-        let plane = self.clearance_above(at);
-        let clearance = match (cycle.clear, plane) {
-            (Some(c), _) => surface + c * scale,
-            (None, Some(z)) if z > surface => z,
+        let clearance = match (cycle.clear, self.clearance_above(at, ta)) {
+            (Some(c), _) => c * scale,
+            (None, Some(h)) if h > 0.0 => h,
             _ => {
                 let message = format!("CYCLE/{} has no clearance above the hole", cycle.kind);
                 let help = "add CLEAR,c to the cycle, or write CLRSRF before it";
@@ -99,31 +116,25 @@ impl Post {
                 return None;
             }
         };
-        let bottom = surface - cycle.depth * scale;
-        if bottom > clearance {
-            let message = format!("CYCLE/{}: the bottom lies above the clearance", cycle.kind);
-            let help = "give the depth below the point and the clearance above it";
-            self.error(codes::CYCLE_INCOMPLETE, origin, message, help);
-            return None;
-        }
-        let mut retract = cycle.retract.map_or(clearance, |r| surface + r * scale);
+        let bottom = -cycle.depth * scale;
+        let mut retract = cycle.retract.map_or(clearance, |r| r * scale);
         if cycle.retract_auto
             && let Some(p) = self.st.pos
         {
-            retract = retract.max(p.z);
+            retract = retract.max((p - at).dot(&ta));
         }
-        Some(Hole { at, bottom, clearance, retract: retract.max(clearance) })
+        Some(Hole { at, ta, bottom, clearance, retract: retract.max(clearance) })
     }
 
-    /// Height of the clearance plane over a point, in output units.
-    pub(crate) fn clearance_above(&self, at: Vec3) -> Option<f64> {
+    /// Height of the clearance plane over a point along the tool axis, in output units.
+    pub(crate) fn clearance_above(&self, at: Vec3, ta: Vec3) -> Option<f64> {
         let plane = self.st.clearance_mm?;
-        if plane.n.z.abs() < 1e-6 {
+        let slope = plane.n.dot(&ta);
+        if slope.abs() < 1e-6 {
             return None;
         }
-        let unit = self.st.out_mm();
-        let p = at - self.st.shift;
-        Some((plane.d / unit - plane.n.x * p.x - plane.n.y * p.y) / plane.n.z + self.st.shift.z)
+        let below = plane.d / self.st.out_mm() - plane.n.dot(&(at - self.st.shift));
+        Some(below / slope)
     }
 
     /// The control's own cycle for this, if it has one.
@@ -185,33 +196,34 @@ impl Post {
         let words = &self.machine.cycle;
         native.retract = if high { words.to_initial.clone() } else { words.to_clearance.clone() };
         self.reach_level(hole, if high { hole.retract } else { hole.clearance }, high, origin);
-        let xy = [hole.at.x, hole.at.y];
-        let done = self.blocks.hole(&native, xy, hole.bottom, hole.clearance);
+        let at = self.at_rest(hole.at);
+        let (bottom, clearance) = (at.z + hole.bottom, at.z + hole.clearance);
+        let done = self.blocks.hole(&native, [at.x, at.y], bottom, clearance);
         self.check(done, origin);
     }
 
     /// Brings the tool to where the cycle may begin: never across below `level`; exactly on it over the hole
     /// when the control takes the height as the one to come back to.
     fn reach_level(&mut self, hole: &Hole, level: f64, exactly: bool, origin: &Origin) {
-        let over = Vec3::new(hole.at.x, hole.at.y, level);
-        let ta = self.st.ta;
+        let over = hole.point(level);
         if self.st.away || self.st.pos.is_none() {
-            self.approach(over, ta, true, origin);
+            self.approach(over, hole.ta, true, origin);
             if self.st.pos.is_none() {
-                self.go_to(over, ta, true, origin);
+                self.go_to(over, hole.ta, true, origin);
             }
             return;
         }
         self.run_again();
         let Some(pos) = self.st.pos else { return };
         let half = self.blocks.number(b'Z').resolution() / 2.0;
-        if pos.z < level - half {
+        let height = hole.height(pos);
+        if height < level - half {
             self.blocks.end_cycle();
-            self.go_to(Vec3::new(pos.x, pos.y, level), ta, true, origin);
-        } else if exactly && pos.z > level + half {
+            self.go_to(pos + hole.ta * (level - height), hole.ta, true, origin);
+        } else if exactly && height > level + half {
             self.blocks.end_cycle();
-            self.go_to(Vec3::new(over.x, over.y, pos.z), ta, true, origin);
-            self.go_to(over, ta, true, origin);
+            self.go_to(hole.point(height), hole.ta, true, origin);
+            self.go_to(over, hole.ta, true, origin);
         }
     }
 
@@ -243,16 +255,15 @@ impl Post {
             return;
         }
         self.reach_level(hole, hole.clearance.max(hole.retract), false, origin);
-        let ta = self.st.ta;
-        let (x, y) = (hole.at.x, hole.at.y);
-        let z = |h: f64| Vec3::new(x, y, h);
-        let here = self.st.pos.map_or(hole.retract, |p| p.z);
+        let ta = hole.ta;
+        let z = |h: f64| hole.point(h);
+        let here = self.st.pos.map_or(hole.retract, |p| hole.height(p));
         self.go_to(z(here), ta, true, origin);
         self.go_to(z(hole.clearance), ta, true, origin);
         let back = self.machine.cycle.peck_back / self.st.out_mm();
         if pecks {
             let (step, first) = (step.unwrap_or(1.0), first.unwrap_or(1.0));
-            let mut depth = hole.at.z;
+            let mut depth = 0.0_f64;
             let mut n = 0;
             loop {
                 let next = (depth - if n == 0 { first } else { step }).max(hole.bottom);
@@ -300,12 +311,11 @@ impl Post {
 
     fn count_hole(&mut self, hole: &Hole, feed: FeedWord) {
         self.summary.holes += 1;
-        let top = Vec3::new(hole.at.x, hole.at.y, hole.clearance);
+        let top = hole.point(hole.clearance);
         self.st.pos.get_or_insert(top);
         self.count_rapid(top);
         self.st.pos = Some(top);
-        let bottom = Vec3::new(hole.at.x, hole.at.y, hole.bottom);
-        self.count_cut(bottom, hole.clearance - hole.bottom, feed);
+        self.count_cut(hole.point(hole.bottom), hole.clearance - hole.bottom, feed);
     }
 
     /// The cycle of the control ends; the tool stands where the last hole left it.

@@ -6,7 +6,7 @@
 
 use std::sync::Arc;
 
-use crate::machine::{ArcCenter, ArcPlane, Machine};
+use crate::machine::{ArcCenter, ArcPlane, Machine, Wrap};
 use crate::number::Number;
 
 mod cycle;
@@ -86,6 +86,8 @@ pub(crate) struct Blocks {
     axes: [u8; 5],
     /// Factor of each axis: 2 for diameters.
     factor: [f64; 5],
+    /// Rotary axes that are written within one turn.
+    modulo: [bool; 2],
     cycle: Option<NativeCycle>,
     /// OPSKIP is on.
     pub(crate) skip: bool,
@@ -110,6 +112,7 @@ impl Blocks {
         }
         let mut axes = [b' '; 5];
         let mut factor = [1.0; 5];
+        let mut modulo = [false; 2];
         for (i, letter) in [b'X', b'Y', b'Z'].into_iter().enumerate() {
             axes[i] = letter;
             if machine.axes.get(&char::from(letter)).is_some_and(|a| a.diameter) {
@@ -118,6 +121,7 @@ impl Blocks {
         }
         for (i, r) in machine.rotary.iter().take(2).enumerate() {
             axes[3 + i] = r.letter as u8;
+            modulo[i] = r.wrap == Wrap::Modulo && r.min.is_none() && r.max.is_none();
         }
         let n = &machine.program.block_numbers;
         let (numbered, next_number, number_step) = (n.on, n.start, n.step);
@@ -132,6 +136,7 @@ impl Blocks {
             feed_mode: None,
             axes,
             factor,
+            modulo,
             cycle: None,
             skip: false,
             numbered,
@@ -176,12 +181,25 @@ impl Blocks {
                 continue;
             }
             let value = joints[i] * self.factor[i];
-            q[i] = self
-                .number(letter)
-                .round(value)
-                .ok_or(TooGreat { letter: char::from(letter), value })?;
+            let number = self.number(letter);
+            q[i] = number.round(value).ok_or(TooGreat { letter: char::from(letter), value })?;
+            if i >= 3 && self.modulo[i - 3] {
+                q[i] = q[i].rem_euclid(number.round(360.0).unwrap_or(i64::MAX));
+            }
         }
         Ok(q)
+    }
+
+    /// Angles as they will be written, not wrapped.
+    pub(crate) fn round_angles(&self, angles: [f64; 2]) -> [f64; 2] {
+        let mut out = angles;
+        for i in 0..2 {
+            if self.axes[3 + i] != b' ' {
+                let n = self.number(self.axes[3 + i]);
+                out[i] = n.round(angles[i]).map_or(angles[i], |q| n.value(q));
+            }
+        }
+        out
     }
 
     /// The positions that rounded numbers stand for.

@@ -26,10 +26,14 @@
 
 mod arc;
 mod args;
+mod count;
 mod drill;
 mod emit;
+mod feed;
+mod kinematics;
 mod machine;
 mod motion;
+mod multiaxis;
 mod number;
 mod post;
 mod report;

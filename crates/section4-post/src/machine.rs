@@ -377,6 +377,8 @@ pub struct Compensation {
     pub length: String,
     /// Ends it.
     pub length_off: String,
+    /// Do the lines of RETRCT and GOHOME end it, so that the next motion along Z has to begin it again?
+    pub retract_ends_length: bool,
     /// CUTCOM/LEFT with `{offset}`; empty when the control has none.
     pub left: String,
     /// CUTCOM/RIGHT with `{offset}`.
@@ -466,8 +468,11 @@ pub struct Multiaxis {
     /// Does the control keep the tool end on its path? Then positions of the tool end are written, else
     /// positions of the axes.
     pub tool_center: bool,
-    /// Line that begins tool-centre control, with `{offset}`.
+    /// Words that begin tool-centre control, with `{offset}`.
     pub tool_center_on: String,
+    /// Do these words stand in the block of the first motion along Z, in place of the length offset? Else
+    /// they are a block before the first motion.
+    pub tool_center_with_z: bool,
     /// Line that ends it.
     pub tool_center_off: String,
     /// How far the tool end may leave the straight line because rotary axes turn evenly (LINTOL),

@@ -63,6 +63,12 @@ pub(crate) struct State {
     pub(crate) pos: Option<Vec3>,
     /// Tool axis.
     pub(crate) ta: Vec3,
+    /// Angles of the rotary axes as the control knows them, degrees, not wrapped.
+    pub(crate) angles: [f64; 2],
+    /// The rotary axes with the present tool.
+    pub(crate) chain: Option<crate::kinematics::Chain>,
+    /// Tool-centre control is on.
+    pub(crate) centered: bool,
     /// The machine is retracted and not at `pos`.
     pub(crate) away: bool,
     /// RAPID is pending.
@@ -90,7 +96,6 @@ pub(crate) struct State {
     pub(crate) cutcom: Option<(bool, u32)>,
     pub(crate) last_cutcom: Option<(bool, u32)>,
     pub(crate) wear_defined: Vec<u32>,
-    pub(crate) length_on: bool,
     /// CLRSRF, in millimetres.
     pub(crate) clearance_mm: Option<Plane>,
     pub(crate) cycle: Option<DrillCycle>,
@@ -120,6 +125,9 @@ impl State {
             ended: false,
             pos: None,
             ta: Vec3::z(),
+            angles: [0.0; 2],
+            chain: None,
+            centered: false,
             away: false,
             rapid: false,
             feed: None,
@@ -141,7 +149,6 @@ impl State {
             cutcom: None,
             last_cutcom: None,
             wear_defined: Vec::new(),
-            length_on: false,
             clearance_mm: None,
             cycle: None,
             last_cycle: None,

@@ -25,4 +25,6 @@ codes! {
     ARC_WITHOUT_START = 4019, "an arc from an unknown position";
     MORE_MESSAGES = 4020, "more messages than are shown";
     STAYS_CLEAR = 4021, "a retract from beyond the clearance plane";
+    TOOL_LENGTH = 4022, "a tool length that is needed and not known";
+    WIND_BACK = 4023, "rotary axes that turn over within a motion";
 }

@@ -7,8 +7,14 @@ use aptc_cldata::Arg;
 use super::Machine;
 
 /// The machine files, in the order of the list.
-const FILES: &[(&str, &str)] =
-    &[("linuxcnc-mill", include_str!("../../machines/linuxcnc-mill.toml"))];
+const FILES: &[(&str, &str)] = &[
+    ("linuxcnc-mill", include_str!("../../machines/linuxcnc-mill.toml")),
+    ("linuxcnc-4axis", include_str!("../../machines/linuxcnc-4axis.toml")),
+    ("linuxcnc-5axis", include_str!("../../machines/linuxcnc-5axis.toml")),
+    ("linuxcnc-5axis-head", include_str!("../../machines/linuxcnc-5axis-head.toml")),
+    ("linuxcnc-5axis-head-table", include_str!("../../machines/linuxcnc-5axis-head-table.toml")),
+    ("linuxcnc-5axis-nutated", include_str!("../../machines/linuxcnc-5axis-nutated.toml")),
+];
 
 /// A machine that is read when it is asked for.
 type Lazy = LazyLock<Machine, Box<dyn FnOnce() -> Machine + Send + Sync>>;

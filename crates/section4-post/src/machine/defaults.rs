@@ -111,6 +111,7 @@ impl Default for Compensation {
         Self {
             length: "G43 H{offset}".into(),
             length_off: "G49".into(),
+            retract_ends_length: false,
             left: String::new(),
             right: String::new(),
             off: "G40".into(),
@@ -125,6 +126,7 @@ impl Default for Multiaxis {
         Self {
             tool_center: false,
             tool_center_on: String::new(),
+            tool_center_with_z: false,
             tool_center_off: String::new(),
             lintol: 0.01,
             axis_tolerance: 5.0,

@@ -117,5 +117,4 @@ fn length(post: &mut Post, s: &Statement<'_>) {
     } else {
         post.blocks.with_tool_axis = Some(words);
     }
-    post.st.length_on = true;
 }

@@ -134,8 +134,7 @@ pub(super) fn gohome(post: &mut Post, s: &Statement<'_>) {
     let machine = Arc::clone(&post.machine);
     let vars = post.common_vars();
     post.blocks.template(&machine.program.home, &vars.list());
-    post.blocks.forget_after_start();
-    post.st.away = true;
+    post.left_for_home();
     // The CL position is where the tool was; the next cut begins where it says itself.
     post.st.pos = None;
 }

@@ -70,11 +70,12 @@ fn change(post: &mut Post, s: &Statement<'_>, at: usize) {
     post.blocks.template(&machine.program.tool_change, &vars);
     post.blocks.skip = skip;
     post.blocks.forget_after_start();
-    post.blocks.with_tool_axis = render(&machine.compensation.length, &[("offset", &offset_text)]);
-    post.st.length_on = post.blocks.with_tool_axis.is_some();
+    post.st.offset = Some(offset);
+    post.length_words();
+    post.st.chain = None;
+    post.st.centered = false;
     post.st.away = machine.program.start_retracts;
     post.st.tool = Some(tool);
-    post.st.offset = Some(offset);
     post.st.spindle_again = post.st.spindle.on;
     post.st.coolant_again = post.st.coolant.is_some();
     let cutter = post.st.cutter.map(|c| c.values());
@@ -89,6 +90,18 @@ fn change(post: &mut Post, s: &Statement<'_>, at: usize) {
         line,
         ..ToolUse::default()
     });
+}
+
+impl Post {
+    /// The length offset comes with the next motion along Z.
+    pub(crate) fn length_words(&mut self) {
+        let Some(offset) = self.st.offset else { return };
+        let multi = &self.machine.multiaxis;
+        let with_z = multi.tool_center && multi.tool_center_with_z;
+        let words = if with_z { &multi.tool_center_on } else { &self.machine.compensation.length };
+        self.blocks.with_tool_axis =
+            render(words, &[("offset", &offset.to_string())]).filter(|w| !w.is_empty());
+    }
 }
 
 /// A use in which no tool has worked: only its cutter is known.

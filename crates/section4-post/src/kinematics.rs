@@ -1,0 +1,379 @@
+//! Kinematics: from a position of the tool to positions of the axes, and back.
+//!
+//! Up to two rotary axes, any of which may carry the part or the tool, in any direction (so also nutated
+//! ones). With the rotations of the part `P1 P2` (P2 carries the part) and of the tool `T1 T2` (T2 carries
+//! the tool), a tool end `p` with axis `a` in the frame of the part stands in the machine at `P1 P2 p`, and
+//! `P1 P2 a = T1 T2 z`. That is always one equation `R(d1, x) R(d2, y) u = v` of two rotations, which has two
+//! solutions, one or none (Paden and Kahan's second subproblem).
+
+use aptc_geometry::{Vec3, trig};
+use nalgebra::{Matrix3, Unit};
+
+use crate::emit::Joints;
+use crate::machine::{Carries, Machine, Rotary, Wrap};
+
+use std::f64::consts::{PI, TAU};
+
+/// A rotary axis in radians and output units.
+#[derive(Clone, Debug)]
+struct Turn {
+    carries: Carries,
+    /// Unit direction.
+    d: Vec3,
+    /// A point of the axis.
+    c: Vec3,
+    min: f64,
+    max: f64,
+    endless: bool,
+}
+
+/// The rotary axes of a machine with a tool of a certain length.
+#[derive(Clone, Debug)]
+pub(crate) struct Chain {
+    turns: Vec<Turn>,
+    /// The control keeps the tool end on its path: positions are written in the frame of the part.
+    tool_center: bool,
+    /// Angles of the singular direction within which an axis may keep its angle, radians.
+    singular: f64,
+}
+
+/// Why there is no position of the axes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum NoSolution {
+    /// No angles give this tool axis.
+    Direction,
+    /// The angles lie beyond limits.
+    Limits,
+}
+
+/// Angles beyond their limit by less than this count as within, radians.
+const ON_LIMIT: f64 = 1e-9;
+
+impl Chain {
+    /// The chain of a machine; lengths of the machine file are divided by `unit_mm`, `length` is in output
+    /// units.
+    pub(crate) fn new(machine: &Machine, unit_mm: f64, length: f64) -> Self {
+        let turn = |r: &Rotary| {
+            let d = Vec3::from(r.axis);
+            let mut c = Vec3::from(r.point) / unit_mm;
+            if r.carries == Carries::Tool {
+                c.z += length;
+            }
+            Turn {
+                carries: r.carries,
+                d: Unit::new_normalize(d).into_inner(),
+                c,
+                min: r.min.map_or(f64::NEG_INFINITY, f64::to_radians),
+                max: r.max.map_or(f64::INFINITY, f64::to_radians),
+                endless: r.min.is_none() && r.max.is_none() && r.wrap == Wrap::Modulo,
+            }
+        };
+        Self {
+            turns: machine.rotary.iter().take(2).map(turn).collect(),
+            tool_center: machine.multiaxis.tool_center,
+            singular: machine.multiaxis.singular.to_radians(),
+        }
+    }
+
+    /// Tool end and tool axis in the frame of the part.
+    pub(crate) fn forward(&self, joints: &Joints) -> (Vec3, Vec3) {
+        let xyz = Vec3::new(joints[0], joints[1], joints[2]);
+        let mut axis = Vec3::z();
+        let mut end = Vec3::zeros();
+        let angles = [joints[3].to_radians(), joints[4].to_radians()];
+        // The tool end moves with the head; the axis nearest to the tool turns it first.
+        for (turn, angle) in self.turns.iter().zip(angles).rev() {
+            if turn.carries == Carries::Tool {
+                let r = rotation(turn.d, angle);
+                axis = r * axis;
+                end = turn.c + r * (end - turn.c);
+            }
+        }
+        let mut point = xyz + end;
+        for (turn, angle) in self.turns.iter().zip(angles) {
+            if turn.carries == Carries::Part {
+                let back = rotation(turn.d, -angle);
+                axis = back * axis;
+                point = turn.c + back * (point - turn.c);
+            }
+        }
+        (if self.tool_center { xyz } else { point }, axis)
+    }
+
+    /// Positions of the linear axes when the rotary axes stand at `angles`, degrees.
+    pub(crate) fn linear(&self, te: Vec3, angles: [f64; 2]) -> Vec3 {
+        if self.tool_center {
+            return te;
+        }
+        let radians = angles.map(f64::to_radians);
+        let mut point = te;
+        let mut end = Vec3::zeros();
+        for (turn, angle) in self.turns.iter().zip(radians).rev() {
+            let r = rotation(turn.d, angle);
+            match turn.carries {
+                Carries::Part => point = turn.c + r * (point - turn.c),
+                Carries::Tool => end = turn.c + r * (end - turn.c),
+            }
+        }
+        point - end
+    }
+
+    /// The rotation from the frame of the part to that of the axes at `angles`, degrees.
+    pub(crate) fn turned(&self, angles: [f64; 2]) -> Matrix3<f64> {
+        let mut m = Matrix3::identity();
+        if !self.tool_center {
+            for (turn, angle) in self.turns.iter().zip(angles).rev() {
+                if turn.carries == Carries::Part {
+                    m = rotation(turn.d, angle.to_radians()) * m;
+                }
+            }
+        }
+        m
+    }
+
+    /// Angles in degrees for a tool axis, the ones nearest to `from` (degrees). Among solutions within the
+    /// limits the one with the least sum of motion is taken; equal ones go to the first axis at rest.
+    pub(crate) fn angles(&self, axis: Vec3, from: [f64; 2]) -> Result<[f64; 2], NoSolution> {
+        let from = from.map(f64::to_radians);
+        let solutions = self.solutions(axis, from)?;
+        let mut best: Option<([f64; 2], f64)> = None;
+        for pair in solutions.into_iter().flatten() {
+            let near =
+                |i: usize| self.turns.get(i).map_or(Some(0.0), |t| t.nearest(pair[i], from[i]));
+            let (Some(x), Some(y)) = (near(0), near(1)) else { continue };
+            let way = (x - from[0]).abs() + (y - from[1]).abs();
+            if best.is_none_or(|(_, w)| way < w - 1e-9) {
+                best = Some(([x, y], way));
+            }
+        }
+        best.map(|(a, _)| a.map(clean_degrees)).ok_or(NoSolution::Limits)
+    }
+
+    /// The solutions without regard to limits, radians.
+    fn solutions(&self, axis: Vec3, from: [f64; 2]) -> Result<[Option<[f64; 2]>; 2], NoSolution> {
+        let z = Vec3::z();
+        match self.turns.as_slice() {
+            [] => {
+                let leans = trig::hypot(axis.x, axis.y) > UPRIGHT || axis.z < 0.0;
+                if leans { Err(NoSolution::Direction) } else { Ok([Some([0.0, 0.0]), None]) }
+            }
+            [one] => {
+                let (u, v, sign) = match one.carries {
+                    Carries::Part => (axis, z, 1.0),
+                    Carries::Tool => (z, axis, 1.0),
+                };
+                let x = one_turn(one.d, u, v, from[0], self.singular)? * sign;
+                Ok([Some([x, 0.0]), None])
+            }
+            [one, two, ..] => {
+                let (d1, d2, u, v, sign) = match (one.carries, two.carries) {
+                    // P1 P2 a = z
+                    (Carries::Part, Carries::Part) => (one.d, two.d, axis, z, [1.0, 1.0]),
+                    // T1 T2 z = a
+                    (Carries::Tool, Carries::Tool) => (one.d, two.d, z, axis, [1.0, 1.0]),
+                    // P a = T z: P(-x) T(y) z = a
+                    _ => (one.d, two.d, z, axis, [-1.0, 1.0]),
+                };
+                let from = [from[0] * sign[0], from[1] * sign[1]];
+                let pairs = two_turns(d1, d2, u, v, from, self.singular)?;
+                Ok(pairs.map(|p| p.map(|[x, y]| [x * sign[0], y * sign[1]])))
+            }
+        }
+    }
+}
+
+/// A tool axis counts as reached when it leans by less than this, radians: some 0.2 seconds of arc, below the
+/// last digit of any CL text.
+pub(crate) const UPRIGHT: f64 = 1e-6;
+
+impl Turn {
+    /// The angle equal to `angle` up to whole turns that is nearest to `from` and within the limits.
+    fn nearest(&self, angle: f64, from: f64) -> Option<f64> {
+        let near = from + wrapped(angle - from);
+        if self.endless {
+            return Some(near);
+        }
+        // Whole turns that bring it within the limits, the nearest first.
+        let within = |a: f64| a >= self.min - ON_LIMIT && a <= self.max + ON_LIMIT;
+        if within(near) {
+            return Some(near);
+        }
+        let mut best: Option<f64> = None;
+        for k in -4_i32..=4 {
+            let a = near + TAU * f64::from(k);
+            if within(a) && best.is_none_or(|b| (a - from).abs() < (b - from).abs()) {
+                best = Some(a);
+            }
+        }
+        best
+    }
+}
+
+/// The angle within -pi..pi.
+fn wrapped(angle: f64) -> f64 {
+    let a = angle - TAU * (angle / TAU).round();
+    if a <= -PI { a + TAU } else { a }
+}
+
+/// Degrees without the noise of the last bits around whole quarters, so that 90 is written as 90.
+fn clean_degrees(radians: f64) -> f64 {
+    let degrees = radians.to_degrees();
+    let near = (degrees / 90.0).round() * 90.0;
+    if (degrees - near).abs() < 1e-10 { near } else { degrees }
+}
+
+/// Rotation about the unit vector `d`, exact at multiples of 90 degrees about the axes of the frame.
+fn rotation(d: Vec3, angle: f64) -> Matrix3<f64> {
+    let degrees = clean_degrees(angle);
+    let (s, c) = (trig::sin_deg(degrees), trig::cos_deg(degrees));
+    let k = Matrix3::new(0.0, -d.z, d.y, d.z, 0.0, -d.x, -d.y, d.x, 0.0);
+    Matrix3::identity() * c + k * s + d * d.transpose() * (1.0 - c)
+}
+
+/// Angle of `R(d, x) u = v`; `from` when `u` lies along `d`.
+fn one_turn(d: Vec3, u: Vec3, v: Vec3, from: f64, singular: f64) -> Result<f64, NoSolution> {
+    if (d.dot(&u) - d.dot(&v)).abs() > UPRIGHT {
+        return Err(NoSolution::Direction);
+    }
+    Ok(angle_between(d, u, v, singular).unwrap_or(from))
+}
+
+/// Angle about `d` from `u` to `v`, seen across `d`; `None` when one of them lies within `singular` of `d`.
+fn angle_between(d: Vec3, u: Vec3, v: Vec3, singular: f64) -> Option<f64> {
+    let (pu, pv) = (u - d * d.dot(&u), v - d * d.dot(&v));
+    let least = singular.max(1e-12);
+    if pu.norm() < least || pv.norm() < least {
+        return None;
+    }
+    Some(trig::atan2(d.dot(&pu.cross(&pv)), pu.dot(&pv)))
+}
+
+/// Angles of `R(d1, x) R(d2, y) u = v`.
+fn two_turns(
+    d1: Vec3,
+    d2: Vec3,
+    u: Vec3,
+    v: Vec3,
+    from: [f64; 2],
+    singular: f64,
+) -> Result<[Option<[f64; 2]>; 2], NoSolution> {
+    // The vector w = R(d2, y) u = R(d1, -x) v lies in the plane of d1 and d2 and on both sides of it.
+    let cos = d1.dot(&d2);
+    let (p, q) = (v.dot(&d1), u.dot(&d2));
+    let det = 1.0 - cos * cos;
+    if det < 1e-12 {
+        return Err(NoSolution::Direction);
+    }
+    let (a, b) = ((p - cos * q) / det, (q - cos * p) / det);
+    let rest = 1.0 - (a * a + b * b + 2.0 * a * b * cos);
+    let normal = d1.cross(&d2);
+    // At the border both solutions are one; beyond it by rounding only, the border is meant.
+    if rest < -UPRIGHT {
+        return Err(NoSolution::Direction);
+    }
+    let c = (rest.max(0.0) / det).sqrt();
+    let base = d1 * a + d2 * b;
+    let solve = |w: Vec3| {
+        let y = angle_between(d2, u, w, 0.0).unwrap_or(from[1]);
+        // Near the singular direction the first axis may stay where it is.
+        let x = angle_between(d1, w, v, singular).unwrap_or(from[0]);
+        [x, y]
+    };
+    let one = solve(base + normal * c);
+    if c < 1e-9 {
+        return Ok([Some(one), None]);
+    }
+    Ok([Some(one), Some(solve(base - normal * c))])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn chain(turns: Vec<Turn>, tool_center: bool) -> Chain {
+        Chain { turns, tool_center, singular: 1e-9 }
+    }
+
+    fn turn(carries: Carries, d: Vec3, c: Vec3) -> Turn {
+        let d = d.normalize();
+        Turn { carries, d, c, min: f64::NEG_INFINITY, max: f64::INFINITY, endless: false }
+    }
+
+    fn vector() -> impl Strategy<Value = Vec3> {
+        (-1.0..1.0_f64, -1.0..1.0_f64, -1.0..1.0_f64)
+            .prop_map(|(x, y, z)| Vec3::new(x, y, z))
+            .prop_filter("a direction", |v| v.norm() > 0.1)
+    }
+
+    #[test]
+    fn table_table_stands_as_expected() {
+        // A about X, then C about Z on it.
+        let origin = Vec3::zeros();
+        let m = chain(
+            vec![turn(Carries::Part, Vec3::x(), origin), turn(Carries::Part, Vec3::z(), origin)],
+            false,
+        );
+        let [a, c] = m.angles(Vec3::new(0.0, -1.0, 1.0).normalize(), [0.0; 2]).unwrap();
+        let (te, ta) = m.forward(&[0.0, 0.0, 0.0, a, c]);
+        assert!((ta - Vec3::new(0.0, -1.0, 1.0).normalize()).norm() < 1e-12 && te.norm() < 1e-12);
+        assert!((a.abs() - 45.0).abs() < 1e-9, "{a} {c}");
+        // Upright, C is free and stays.
+        assert!((m.angles(Vec3::z(), [10.0, 77.0]).unwrap()[1] - 77.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn limits_choose_the_other_solution_or_refuse() {
+        let origin = Vec3::zeros();
+        let mut tilt = turn(Carries::Part, Vec3::x(), origin);
+        (tilt.min, tilt.max) = (0.0, 2.0);
+        let m = chain(vec![tilt.clone(), turn(Carries::Part, Vec3::z(), origin)], false);
+        for y in [-1.0, 1.0] {
+            let [a, _] = m.angles(Vec3::new(0.0, y, 1.0).normalize(), [0.0; 2]).unwrap();
+            assert!((a - 45.0).abs() < 1e-9);
+        }
+        assert_eq!(m.angles(-Vec3::z(), [0.0; 2]), Err(NoSolution::Limits));
+        let one = chain(vec![tilt], false);
+        assert_eq!(one.angles(Vec3::x(), [0.0; 2]), Err(NoSolution::Direction));
+    }
+
+    #[test]
+    fn the_nearest_turn_is_taken() {
+        let origin = Vec3::zeros();
+        let m = chain(vec![turn(Carries::Part, Vec3::x(), origin)], false);
+        let axis = Vec3::new(0.0, trig::sin_deg(-10.0), trig::cos_deg(-10.0));
+        let [a, _] = m.angles(axis, [355.0, 0.0]).unwrap();
+        let [b, _] = m.angles(axis, [-5.0, 0.0]).unwrap();
+        assert!((a - b - 360.0).abs() < 1e-9, "{a} {b}");
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(2000))]
+        #[test]
+        fn forward_of_inverse_is_the_same(
+            kind in 0..4_u8, d1 in vector(), d2 in vector(), c1 in vector(), c2 in vector(),
+            te in vector(), x in -3.0..3.0_f64, y in -3.0..3.0_f64, from in (-180.0..180.0_f64, -180.0..180.0_f64),
+            tool_center: bool,
+        ) {
+            prop_assume!(d1.normalize().cross(&d2.normalize()).norm() > 0.05);
+            let (a, b) = match kind {
+                0 => (Carries::Part, Carries::Part),
+                1 => (Carries::Part, Carries::Tool),
+                2 => (Carries::Tool, Carries::Tool),
+                _ => (Carries::Part, Carries::Part),
+            };
+            let mut turns = vec![turn(a, d1, c1 * 100.0), turn(b, d2, c2 * 100.0)];
+            if kind == 3 { turns.pop(); }
+            let m = chain(turns, tool_center);
+            // An axis that the machine can take.
+            let second = if kind == 3 { 0.0 } else { y.to_degrees() };
+            let (_, axis) = m.forward(&[0.0, 0.0, 0.0, x.to_degrees(), second]);
+            let angles = m.angles(axis, [from.0, from.1]).unwrap();
+            let te = te * 300.0;
+            let p = m.linear(te, angles);
+            let (back, ta) = m.forward(&[p.x, p.y, p.z, angles[0], angles[1]]);
+            prop_assert!((back - te).norm() < 1e-9 * 1000.0, "{back} {te}");
+            prop_assert!((ta - axis).norm() < 1e-7, "{ta} {axis}");
+        }
+    }
+}

@@ -1,0 +1,293 @@
+//! Motion with rotary axes: positions of the axes, straight paths of the tool end, winding back.
+
+use aptc_diagnostics::{Origin, codes};
+use aptc_geometry::Vec3;
+
+use crate::emit::{FeedMode, FeedWord, Joints, MotionCode};
+use crate::kinematics::{Chain, NoSolution, UPRIGHT};
+use crate::machine::{Carries, RotaryFeed};
+use crate::motion::ALL;
+use crate::post::{Post, trimmed};
+
+/// How often a motion may be halved: 4096 blocks of one motion at most.
+const MOST_HALVINGS: u32 = 12;
+
+/// Position of tool and axes together.
+#[derive(Clone, Copy, Debug)]
+struct Pose {
+    te: Vec3,
+    ta: Vec3,
+    /// Angles as they are written, degrees, not wrapped.
+    angles: [f64; 2],
+}
+
+impl Post {
+    /// Positions of the axes for a position of the tool; `None` after a refusal.
+    #[inline]
+    pub(crate) fn joints(&mut self, te: Vec3, ta: Vec3, origin: &Origin) -> Option<Joints> {
+        let joints = if self.machine.rotary.is_empty() {
+            if ta.x.abs() > UPRIGHT || ta.y.abs() > UPRIGHT || ta.z < 0.0 {
+                self.out_of_reach(ta, NoSolution::Direction, origin);
+                return None;
+            }
+            [te.x, te.y, te.z, 0.0, 0.0]
+        } else {
+            let pose = self.pose(te, ta, self.st.angles, origin)?;
+            self.joints_of(&pose)
+        };
+        if !self.machine.axes.is_empty() {
+            self.check_limits(&joints, origin);
+        }
+        Some(joints)
+    }
+
+    fn out_of_reach(&mut self, ta: Vec3, why: NoSolution, origin: &Origin) {
+        let axis = [ta.x, ta.y, ta.z].map(|c| trimmed(c, 6)).join(",");
+        let name = &self.machine.name;
+        let (message, help) = match (why, self.machine.rotary.len()) {
+            (NoSolution::Direction, 0) => (
+                format!("tool axis {axis} on {name}, whose tool axis is 0,0,1"),
+                "choose a machine with rotary axes: `aptc machines` lists them",
+            ),
+            (NoSolution::Direction, _) => (
+                format!("tool axis {axis}: no angles of {name} give it"),
+                "choose a machine with other rotary axes: `aptc machines` lists them",
+            ),
+            (NoSolution::Limits, _) => (
+                format!("tool axis {axis}: the angles are beyond the limits of {name}"),
+                "lay the part otherwise, or choose a machine that turns farther",
+            ),
+        };
+        self.error(codes::AXIS_OUT_OF_REACH, origin, message, help);
+    }
+
+    /// The chain with the present tool; `None` after a refusal.
+    fn chain(&mut self, origin: &Origin) -> Option<&Chain> {
+        if self.st.chain.is_none() {
+            let m = &self.machine;
+            let needs =
+                !m.multiaxis.tool_center && m.rotary.iter().any(|r| r.carries == Carries::Tool);
+            let unit = self.st.out_mm();
+            let said = self.st.tool_length.map(|l| l * self.st.scale);
+            let length = said.or(m.multiaxis.tool_length.map(|l| l / unit));
+            if needs && length.is_none() {
+                let message = format!(
+                    "{} turns the tool and needs its length, which is not known",
+                    self.machine.name
+                );
+                let help =
+                    "write LOADTL/n,LENGTH,l, or give `multiaxis.tool_length` in the machine file";
+                self.error(codes::TOOL_LENGTH, origin, message, help);
+                return None;
+            }
+            self.st.chain = Some(Chain::new(&self.machine, unit, length.unwrap_or(0.0)));
+        }
+        self.st.chain.as_ref()
+    }
+
+    fn pose(&mut self, te: Vec3, ta: Vec3, from: [f64; 2], origin: &Origin) -> Option<Pose> {
+        let norm = ta.norm();
+        if !(norm > 0.5 && norm < 2.0) {
+            self.out_of_reach(ta, NoSolution::Direction, origin);
+            return None;
+        }
+        let ta = ta / norm;
+        match self.chain(origin)?.angles(ta, from) {
+            Ok(angles) => {
+                let angles = self.blocks.round_angles(angles);
+                Some(Pose { te, ta, angles })
+            }
+            Err(why) => {
+                self.out_of_reach(ta, why, origin);
+                None
+            }
+        }
+    }
+
+    fn joints_of(&self, pose: &Pose) -> Joints {
+        let xyz = self.st.chain.as_ref().map_or(pose.te, |c| c.linear(pose.te, pose.angles));
+        [xyz.x, xyz.y, xyz.z, pose.angles[0], pose.angles[1]]
+    }
+
+    /// The place of the linear axes for a tool end while the rotary axes rest.
+    pub(crate) fn at_rest(&self, te: Vec3) -> Vec3 {
+        self.st.chain.as_ref().map_or(te, |c| c.linear(te, self.st.angles))
+    }
+
+    /// Switches tool-centre control on where it has a line of its own.
+    pub(crate) fn tool_center_on(&mut self) {
+        let m = &self.machine.multiaxis;
+        if !m.tool_center || m.tool_center_with_z || self.st.centered {
+            return;
+        }
+        let offset = self.st.offset.map_or(String::new(), |o| o.to_string());
+        if let Some(line) = crate::emit::render(&m.tool_center_on, &[("offset", &offset)]) {
+            self.blocks.line(&line);
+        }
+        self.st.centered = true;
+    }
+
+    /// One straight motion of the tool end while rotary axes may turn.
+    pub(crate) fn go_turning(&mut self, te: Vec3, ta: Vec3, rapid: bool, origin: &Origin) {
+        let Some(end) = self.pose(te, ta, self.st.angles, origin) else { return };
+        let total = self.distance(te);
+        let Some(pos) = self.st.pos else {
+            self.leg(&end, rapid, total, origin);
+            return;
+        };
+        let start = Pose { te: pos, ta: self.st.ta, angles: self.st.angles };
+        // Halves still to do, the next one last.
+        let mut to_do = vec![(end, 0)];
+        let mut from = start;
+        while let Some((to, halved)) = to_do.pop() {
+            if self.straight_enough(&from, &to) {
+                let part = (to.te - from.te).norm();
+                if !self.leg(&to, rapid, part, origin) {
+                    return;
+                }
+                from = to;
+                continue;
+            }
+            if halved >= MOST_HALVINGS {
+                if !self.wind_back(&from, &to, rapid, origin) {
+                    return;
+                }
+                from = to;
+                continue;
+            }
+            let middle = (from.ta + to.ta) / 2.0;
+            if middle.norm() < 1e-3 {
+                let message = "the tool axis turns over between two positions".to_string();
+                let help = "put positions between them that say which way it turns";
+                self.error(codes::AXIS_OUT_OF_REACH, origin, message, help);
+                return;
+            }
+            let te = (from.te + to.te) / 2.0;
+            let Some(half) = self.pose(te, middle.normalize(), from.angles, origin) else { return };
+            // The end again, now near to the half.
+            let Some(again) = self.pose(to.te, to.ta, half.angles, origin) else { return };
+            to_do.push((again, halved + 1));
+            to_do.push((half, halved + 1));
+        }
+        self.st.pos = Some(te);
+        self.st.ta = ta;
+    }
+
+    /// Does the tool follow closely enough when all axes move evenly from one pose to the other?
+    fn straight_enough(&self, from: &Pose, to: &Pose) -> bool {
+        #[expect(clippy::float_cmp, reason = "rounded numbers: the same text")]
+        if from.angles == to.angles {
+            return true;
+        }
+        let Some(chain) = &self.st.chain else { return true };
+        let unit = self.st.out_mm();
+        let lintol = self.st.lintol_mm.unwrap_or(self.machine.multiaxis.lintol) / unit;
+        let lean = self.machine.multiaxis.axis_tolerance.to_radians();
+        let (a, b) = (self.joints_of(from), self.joints_of(to));
+        // The path is nearly a parabola, so the middle tells most; the quarters find the turns of an S.
+        [0.5, 0.25, 0.75].into_iter().all(|s| {
+            let mut joints = [0.0; 5];
+            for i in 0..5 {
+                joints[i] = a[i] + (b[i] - a[i]) * s;
+            }
+            let (te, ta) = chain.forward(&joints);
+            let line = to.te - from.te;
+            let length2 = line.norm_squared();
+            let along = if length2 > 0.0 { (te - from.te).dot(&line) / length2 } else { 0.0 };
+            let foot = from.te + line * along.clamp(0.0, 1.0);
+            let normal = from.ta.cross(&to.ta);
+            let out = if normal.norm() > 1e-9 {
+                aptc_geometry::trig::asin(ta.dot(&normal.normalize()).clamp(-1.0, 1.0)).abs()
+            } else {
+                (ta - from.ta).norm()
+            };
+            (te - foot).norm() <= lintol && out <= lean
+        })
+    }
+
+    /// One block, or one rapid motion.
+    fn leg(&mut self, to: &Pose, rapid: bool, length: f64, origin: &Origin) -> bool {
+        let joints = self.joints_of(to);
+        if !self.machine.axes.is_empty() {
+            self.check_limits(&joints, origin);
+        }
+        if rapid {
+            self.rapid_to(to.te, &joints, origin);
+        } else {
+            let Some(feed) = self.turning_feed(to, length, origin) else { return false };
+            let done = self.blocks.straight(MotionCode::Line, &joints, ALL, Some(feed));
+            self.check(done, origin);
+            self.count_cut(to.te, length, feed);
+        }
+        self.st.pos = Some(to.te);
+        self.st.ta = to.ta;
+        self.st.angles = to.angles;
+        true
+    }
+
+    /// Feed of a block: inverse time where rotary axes turn and the control does not mean the tool end.
+    fn turning_feed(&mut self, to: &Pose, length: f64, origin: &Origin) -> Option<FeedWord> {
+        let turn = (0..2).map(|i| (to.angles[i] - self.st.angles[i]).abs()).fold(0.0, f64::max);
+        let m = &self.machine;
+        let by_time = self.st.inverse
+            || (turn > 0.0 && !m.multiaxis.tool_center && m.multiaxis.feed == RotaryFeed::Inverse);
+        if !by_time || m.feed.inverse_time.is_empty() {
+            let inverse = std::mem::replace(&mut self.st.inverse, false);
+            let feed = self.feed_for(to.te, origin);
+            self.st.inverse = inverse;
+            return feed;
+        }
+        // No axis may turn faster than it can.
+        let slowest = m
+            .rotary
+            .iter()
+            .zip(0..2)
+            .filter(|(r, _)| r.max_feed > 0.0)
+            .map(|(r, i)| (to.angles[i] - self.st.angles[i]).abs() / r.max_feed)
+            .fold(0.0, f64::max);
+        let feed = self.inverse_feed(length, origin)?;
+        if feed.mode != FeedMode::InverseTime {
+            return Some(feed);
+        }
+        // A pure turn has no length to take its time from: a full turn in a tenth of a minute.
+        let still = if length <= 0.0 && slowest <= 0.0 { turn / 3600.0 } else { slowest };
+        let value = if still > 0.0 { feed.value.min(1.0 / still) } else { feed.value };
+        Some(FeedWord { value, ..feed })
+    }
+
+    /// The rotary axes go over to another pair of angles while the tool is away from the part.
+    fn wind_back(&mut self, from: &Pose, to: &Pose, rapid: bool, origin: &Origin) -> bool {
+        let m = &self.machine.multiaxis;
+        let unit = self.st.out_mm();
+        let (retract, feed) = (m.rewind_retract / unit, m.rewind_feed / unit);
+        if retract <= 0.0 {
+            let message = format!(
+                "the rotary axes of {} would have to turn over within a motion",
+                self.machine.name
+            );
+            let help = "split the motion, lay the part otherwise, or allow it with \
+                        `multiaxis.rewind_retract` in the machine file";
+            self.error(codes::WIND_BACK, origin, message, help);
+            return false;
+        }
+        let message = "the rotary axes are wound back with the tool retracted".to_string();
+        self.warn(codes::WIND_BACK, origin, message, "look at this place before cutting");
+        let cut = FeedWord { mode: FeedMode::PerMinute, value: feed };
+        let up = Pose { te: from.te + from.ta * retract, ..*from };
+        let over = Pose { te: to.te + to.ta * retract, ..*to };
+        for (pose, rapid) in [(up, false), (over, true), (*to, rapid)] {
+            let joints = self.joints_of(&pose);
+            let done = if rapid {
+                self.blocks.straight(MotionCode::Rapid, &joints, ALL, None)
+            } else {
+                self.blocks.straight(MotionCode::Line, &joints, ALL, Some(cut))
+            };
+            self.check(done, origin);
+            self.count_rapid(pose.te);
+            self.st.pos = Some(pose.te);
+        }
+        self.st.ta = to.ta;
+        self.st.angles = to.angles;
+        true
+    }
+}
