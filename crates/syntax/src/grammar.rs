@@ -148,11 +148,13 @@ fn just<'t, E: Fault<'t>>(
 /// A list of arguments with empty fields.
 fn list<'t, E: Fault<'t>>(
     item: impl Parser<'t, Tokens<'t>, Expr, extra::Err<E>> + Clone,
-    file: FileId,
+    beside: Beside<'t>,
 ) -> impl Parser<'t, Tokens<'t>, Vec<Expr>, extra::Err<E>> + Clone {
-    item.or_not()
+    choice((single(beside), item))
+        .or_not()
         .map_with(move |item, e| {
-            item.unwrap_or_else(|| Expr { kind: ExprKind::Empty, span: at(file, e.span()) })
+            let empty = || Expr { kind: ExprKind::Empty, span: at(beside.file, e.span()) };
+            item.unwrap_or_else(empty)
         })
         .separated_by(just(Token::Comma))
         .collect::<Vec<_>>()
@@ -167,14 +169,15 @@ fn list<'t, E: Fault<'t>>(
 /// `POINT/1,2`: the head and its arguments.
 fn definition<'t, E: Fault<'t>>(
     item: impl Parser<'t, Tokens<'t>, Expr, extra::Err<E>> + Clone,
-    file: FileId,
+    beside: Beside<'t>,
 ) -> impl Parser<'t, Tokens<'t>, Expr, extra::Err<E>> + Clone {
+    let file = beside.file;
     select! {
         Token::Head(symbol, word) = e => Name { symbol, word, span: at(file, e.span()) },
     }
     .labelled("a definition")
     .then_ignore(just(Token::Slash))
-    .then(list(item, file))
+    .then(list(item, beside))
     .map_with(move |(head, args), e| Expr {
         kind: ExprKind::Define(Box::new(Definition {
             target: None,
@@ -192,8 +195,8 @@ fn item<'t, E: Fault<'t>>(
 ) -> impl Parser<'t, Tokens<'t>, Expr, extra::Err<E>> + Clone {
     let file = beside.file;
     recursive(move |item| {
-        let define = definition(item.clone(), file);
-        let inside = choice((define.clone().map(|d| vec![d]), list(item.clone(), file)));
+        let define = definition(item.clone(), beside);
+        let inside = choice((define.clone().map(|d| vec![d]), list(item.clone(), beside)));
         let value = choice((define.map(|d| (d, true)), item.map(|value| (value, false))));
         let full = expression(atom(inside, beside))
             .then(just(Token::Equal).ignore_then(value).or_not())
@@ -201,12 +204,12 @@ fn item<'t, E: Fault<'t>>(
                 None => Ok(left),
                 Some((value, defines)) => assigned(left, value, defines, file, span),
             });
-        if beside.quick { choice((single(beside), full)).boxed() } else { full.boxed() }
+        choice((single(beside), full))
     })
 }
 
 /// One token that is an argument by itself, as most are: no operator, bracket or `=` follows. Adds
-/// nothing to the language, and nearly a third to the speed.
+/// nothing to the language, and nearly a third to the speed; never matches where messages are asked for.
 fn single<'t, E: Fault<'t>>(
     beside: Beside<'t>,
 ) -> impl Parser<'t, Tokens<'t>, Expr, extra::Err<E>> + Clone {
@@ -215,7 +218,8 @@ fn single<'t, E: Fault<'t>>(
         let start = input.cursor();
         let first = input.next();
         let span = input.span_since(&start);
-        let alone = matches!(input.peek(), None | Some(Token::Comma | Token::Close));
+        let alone =
+            beside.quick && matches!(input.peek(), None | Some(Token::Comma | Token::Close));
         let at = at(file, span);
         match first {
             Some(Token::Number(value, _)) if alone => {
@@ -377,7 +381,7 @@ fn assign<'t, E: Fault<'t>>(
         subscript: subscript.map(Box::new),
         span: at(file, e.span()),
     });
-    let value = choice((definition(item.clone(), file), item));
+    let value = choice((definition(item.clone(), beside), item));
     target
         .then_ignore(just(Token::Equal))
         .then(value)
@@ -449,9 +453,9 @@ fn do_rule<'t, E: Fault<'t>>(
         .map(|((((label, variable), first), last), step)| Body::Do {
             label,
             variable,
-            first,
-            last,
-            step,
+            first: Box::new(first),
+            last: Box::new(last),
+            step: step.map(Box::new),
         })
 }
 
@@ -461,19 +465,18 @@ fn clauses<'t, E: Fault<'t>>(
     beside: Beside<'t>,
 ) -> impl Parser<'t, Tokens<'t>, Body, extra::Err<E>> + Clone {
     let file = beside.file;
-    let heads = name(file).separated_by(just(Token::Comma)).at_least(1).collect::<Vec<_>>();
-    heads.then(just(Token::Slash).ignore_then(list(item, file)).or_not()).map_with(
-        move |(heads, args), e| {
+    name(file)
+        .map(|head| Clause { head, args: None, span: head.span })
+        .separated_by(just(Token::Comma))
+        .at_least(1)
+        .collect::<Vec<_>>()
+        .then(just(Token::Slash).ignore_then(list(item, beside)).or_not())
+        .map_with(move |(mut clauses, args), e| {
             let end = at(file, e.span());
-            let mut clauses: Vec<Clause> = heads
-                .into_iter()
-                .map(|head| Clause { head, args: None, span: head.span })
-                .collect();
             if let Some(last) = clauses.last_mut() {
                 last.args = args;
                 last.span = last.span.to(Span::new(file, end.end, end.end));
             }
             Body::Clauses(clauses)
-        },
-    )
+        })
 }

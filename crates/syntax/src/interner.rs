@@ -3,6 +3,8 @@
 use std::collections::HashMap;
 use std::hash::{BuildHasherDefault, Hasher};
 
+use aptc_vocabulary::{Word, find};
+
 /// A name: its place in the [`Interner`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Symbol(pub u32);
@@ -12,6 +14,7 @@ pub struct Symbol(pub u32);
 #[derive(Clone, Debug, Default)]
 pub struct Interner {
     names: Vec<Box<str>>,
+    words: Vec<Option<Word>>,
     places: HashMap<Box<str>, u32, BuildHasherDefault<NameHasher>>,
 }
 
@@ -23,6 +26,7 @@ impl Interner {
         }
         let i = u32::try_from(self.names.len()).expect("fewer names than bytes of source");
         self.names.push(name.into());
+        self.words.push(find(name));
         self.places.insert(name.into(), i);
         Symbol(i)
     }
@@ -35,6 +39,11 @@ impl Interner {
     /// The spelling.
     pub fn text(&self, symbol: Symbol) -> &str {
         &self.names[symbol.0 as usize]
+    }
+
+    /// The vocabulary word of that spelling, in any dialect.
+    pub fn word(&self, symbol: Symbol) -> Option<Word> {
+        self.words[symbol.0 as usize]
     }
 
     /// How many names were met.

@@ -3,7 +3,6 @@
 use std::ops::Range;
 
 use aptc_diagnostics::{Diagnostic, FileId, Span, codes};
-use aptc_vocabulary::find;
 use chumsky::span::SimpleSpan;
 use logos::Logos;
 
@@ -136,13 +135,10 @@ impl Lexer<'_> {
     }
 
     fn name(&mut self, flat: &Flat, range: Range<usize>) -> Name {
-        let text = &flat.text[range.clone()];
-        let span = span(flat, range);
-        Name {
-            symbol: self.interner.intern(text),
-            word: find(text),
-            span: Span::new(self.file, span.start, span.end),
-        }
+        let symbol = self.interner.intern(&flat.text[range.clone()]);
+        let at = span(flat, range);
+        let span = Span::new(self.file, at.start, at.end);
+        Name { symbol, word: self.interner.word(symbol), span }
     }
 
     /// A name; or several with KREUZ or DOT between, which only blanks part from their neighbours:

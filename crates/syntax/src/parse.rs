@@ -16,7 +16,7 @@ use crate::grammar::{Beside, Grammar};
 use crate::lex::{Lexed, Lexer};
 use crate::message::Failed;
 use crate::scan::{Flat, Scanned, Scanner, place};
-use crate::shape::{self, Heads};
+use crate::shape::{self, Heads, Level};
 use crate::token::{Spanned, Token};
 use crate::tree::{Body, Name, Statement};
 use crate::{Interner, Options, Parsed, Symbol, identification, separator};
@@ -50,6 +50,7 @@ pub fn parse(file: FileId, text: &str, interner: &mut Interner, options: &Option
         nameless: interner.intern(""),
         interner,
         synonyms: BTreeSet::new(),
+        levels: Vec::new(),
         parsed: Parsed::default(),
     };
     let mut scanner = Scanner::new(text, options.free_form, options.first_isn);
@@ -84,6 +85,7 @@ struct Run<'r> {
     nameless: Symbol,
     interner: &'r mut Interner,
     synonyms: BTreeSet<Symbol>,
+    levels: Vec<Level>,
     parsed: Parsed,
 }
 
@@ -209,7 +211,8 @@ impl Run<'_> {
         if fault.is_none() {
             let heads =
                 Heads { assignment: is_assignment(statement, form), synonyms: &self.synonyms };
-            fault = shape::check(self.file, statement, &heads, self.options.max_bracket_depth);
+            let depth = self.options.max_bracket_depth;
+            fault = shape::check(self.file, statement, &heads, depth, &mut self.levels);
         }
         let content = if let Some(fault) = fault {
             self.parsed.diagnostics.push(fault);

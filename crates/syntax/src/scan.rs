@@ -22,11 +22,6 @@ impl Flat {
         self.places.clear();
     }
 
-    fn push_ascii(&mut self, byte: u8, at: usize) {
-        self.places.push(place(at));
-        self.text.push(char::from(byte));
-    }
-
     /// Do blanks or the end of a card part the characters?
     pub(crate) fn is_parted(&self, range: &Range<usize>) -> bool {
         match self.places.get(range.clone()) {
@@ -49,11 +44,14 @@ impl Flat {
         pieces
     }
 
-    fn push(&mut self, c: char, at: usize) {
-        for i in 0..c.len_utf8() {
-            self.places.push(place(at + i));
+    /// Takes in `text`, which stands at `at`.
+    fn push(&mut self, text: &str, at: usize, in_capitals: bool) {
+        let from = self.text.len();
+        self.text.push_str(text);
+        if in_capitals {
+            self.text[from..].make_ascii_uppercase();
         }
-        self.text.push(c);
+        self.places.extend(place(at)..place(at + text.len()));
     }
 }
 
@@ -159,38 +157,44 @@ impl<'s> Scanner<'s> {
         }
     }
 
-    /// Takes the characters of a card.
+    /// Takes the characters of a card, plain ones a run at a time.
     fn characters(&self, card: Range<usize>, flat: &mut Flat) -> End {
         let text = &self.source[card.clone()];
         let bytes = text.as_bytes();
         let mut i = 0;
         while let Some(&b) = bytes.get(i) {
             let at = card.start + i;
+            let run = bytes[i..].iter().take_while(|b| is_plain(**b)).count();
+            if run > 0 {
+                flat.push(&text[i..i + run], at, true);
+                i += run;
+                continue;
+            }
             match b {
-                b' ' | b'\t' | b'\r' | 0x0b | 0x0c => {}
                 b'$' if bytes.get(i + 1) == Some(&b'$') => return End::Comment,
                 b'$' => return End::GoesOn(at),
                 b'\'' | b'"' => {
                     // Text up to the same mark on this card; a lone mark is kept for the message.
                     let length = text[i + 1..].find(char::from(b)).map_or(1, |n| n + 2);
-                    for (n, c) in text[i..i + length].char_indices() {
-                        flat.push(c, at + n);
-                    }
+                    flat.push(&text[i..i + length], at, false);
                     i += length;
-                    continue;
                 }
                 0x80.. => {
-                    let c = text[i..].chars().next().unwrap_or(' ');
-                    flat.push(c, at);
-                    i += c.len_utf8();
-                    continue;
+                    let length = text[i..].chars().next().map_or(1, char::len_utf8);
+                    flat.push(&text[i..i + length], at, false);
+                    i += length;
                 }
-                _ => flat.push_ascii(b.to_ascii_uppercase(), at),
+                // A blank.
+                _ => i += 1,
             }
-            i += 1;
         }
         End::Card
     }
+}
+
+/// Is it neither blank nor `$` nor quote, and of ASCII?
+fn is_plain(byte: u8) -> bool {
+    !matches!(byte, b' ' | b'\t' | b'\r' | 0x0b | 0x0c | b'$' | b'\'' | b'"' | 0x80..)
 }
 
 /// Where the `%` stands that a card begins with.

@@ -15,7 +15,7 @@ pub(crate) const MAX_DEPTH: usize = 400;
 
 /// An open bracket, or the statement itself.
 #[derive(Default)]
-struct Level {
+pub(crate) struct Level {
     /// Place of the bracket among the tokens.
     open: Option<usize>,
     /// A name before a slash that is a head if a comma follows. A comma behind `P=XYZ/1` leaves no other
@@ -46,15 +46,18 @@ pub(crate) struct Heads<'h> {
     pub(crate) synonyms: &'h BTreeSet<Symbol>,
 }
 
-/// Checks the brackets and turns names before a list into heads; gives what is wrong.
+/// Checks the brackets and turns names before a list into heads; gives what is wrong. `levels` is only
+/// lent, to be used again.
 pub(crate) fn check(
     file: FileId,
     tokens: &mut [Spanned],
     heads: &Heads<'_>,
     max_bracket_depth: usize,
+    levels: &mut Vec<Level>,
 ) -> Option<Diagnostic> {
     let at = |tokens: &[Spanned], i: usize| Span::new(file, tokens[i].1.start, tokens[i].1.end);
-    let mut levels: Vec<Level> = vec![Level::default()];
+    levels.clear();
+    levels.push(Level::default());
     for i in 0..tokens.len() {
         let Some(level) = levels.last_mut() else { break };
         let was_at_head = std::mem::take(&mut level.at_head);

@@ -94,11 +94,11 @@ pub enum Body {
         /// The running variable.
         variable: Name,
         /// First value.
-        first: Expr,
+        first: Box<Expr>,
         /// Last value.
-        last: Expr,
+        last: Box<Expr>,
         /// Step, 1 when left out.
-        step: Option<Expr>,
+        step: Option<Box<Expr>>,
     },
     /// `SYN/new,old,...`, `JUMPTO/label`, `TRANTO/label` and so on are clauses. This one could not be
     /// read; a diagnostic was given. `defines` is the symbol that it would have defined, so that its users
