@@ -100,13 +100,38 @@ impl Tabcyl {
             let k = r / span.length;
             plus(&times(&times(&reach, &reach), &stretch), &times(&normal, &normal), -k * k)
         });
-        let center = |f: &CurveFoot| {
-            let normal = left(self.tangent(f.span, f.s)).normalize();
-            let (one, other) = (f.point + normal * r, f.point - normal * r);
-            let off = |c: &Vec2| (n.dot(c) - d).abs();
-            if off(&one) <= off(&other) { one } else { other }
-        };
-        feet.into_iter().map(|f| (f, center(&f))).collect()
+        let mut found = Vec::new();
+        for foot in feet {
+            let off = |f: &CurveFoot, r: f64| n.dot(&(f.point + self.left_normal(f) * r)) - d;
+            let side = if off(&foot, r).abs() <= off(&foot, -r).abs() { r } else { -r };
+            let foot = self.polished(foot, n, d, side);
+            if off(&foot, side).abs() <= 1e-10 * (foot.point.amax() + r) {
+                found.push((foot, foot.point + self.left_normal(&foot) * side));
+            }
+        }
+        found
+    }
+
+    fn left_normal(&self, f: &CurveFoot) -> Vec2 {
+        left(self.tangent(f.span, f.s)).normalize()
+    }
+
+    /// Newton on the offset curve itself: the squared equation has lost half the figures where `r` is
+    /// small.
+    fn polished(&self, mut foot: CurveFoot, n: Vec2, d: f64, side: f64) -> CurveFoot {
+        let off = |f: &CurveFoot| n.dot(&(f.point + self.left_normal(f) * side)) - d;
+        for _ in 0..4 {
+            let (span, s) = (foot.span, foot.s);
+            let bend = 1.0 - side * self.curvature(span, s);
+            let step = off(&foot) / (n.dot(&self.tangent(span, s)) * bend);
+            let s = (s - step).clamp(0.0, self.spans[span].length);
+            let next = CurveFoot { span, s, point: self.point(span, s) };
+            if !step.is_finite() || off(&next).abs() >= off(&foot).abs() {
+                break;
+            }
+            foot = next;
+        }
+        foot
     }
 
     /// The places in all spans where the polynomial of s / L that `make` gives is zero.

@@ -73,22 +73,27 @@ fn about_through(a: &Args<'_>) -> Result<Form, Fault> {
 }
 
 fn three_points(a: &Args<'_>) -> Result<Form, Fault> {
-    let (p, q, r) = (a.point2(0)?, a.point2(1)?, a.point2(2)?);
-    let (u, v) = (q - p, r - p);
-    let size = p.amax().max(q.amax()).max(r.amax());
-    for (i, j, side) in [(0, 1, u), (0, 2, v), (1, 2, r - q)] {
-        if side.norm() <= 1e-12 * size {
+    let p = [a.point2(0)?, a.point2(1)?, a.point2(2)?];
+    let size = p.iter().fold(0.0_f64, |m, p| m.max(p.amax()));
+    let side = |i: usize, j: usize| (p[j] - p[i]).norm();
+    for (i, j) in [(0, 1), (0, 2), (1, 2)] {
+        if side(i, j) <= 1e-12 * size {
             return Err(Fault::Coincide { a: i, b: j });
         }
     }
+    // From the corner opposite the longest side: differences of close points are exact.
+    let corners = [(0, 1, 2), (1, 2, 0), (2, 0, 1)];
+    let opposite = |&(_, j, k): &(usize, usize, usize)| side(j, k);
+    let best = corners.iter().max_by(|a, b| opposite(a).total_cmp(&opposite(b)));
+    let &(i, j, k) = best.unwrap_or(&corners[0]);
+    let (u, v) = (p[j] - p[i], p[k] - p[i]);
     let area = u.perp(&v);
     // Flatter, the centre would be more than a thousand million chords away.
-    let longest = u.norm_squared().max(v.norm_squared()).max((r - q).norm_squared());
-    if area.abs() <= 1e-9 * longest {
+    if area.abs() <= 1e-9 * u.norm() * v.norm() {
         return Err(Fault::Dependent { places: vec![0, 1, 2], what: "they lie on one line" });
     }
-    let to_center = -meet::left(u * v.norm_squared() - v * u.norm_squared()) / (-2.0 * area);
-    Ok(about(a, a.context.lift(p + to_center), to_center.norm()))
+    let to_center = meet::left(u * v.norm_squared() - v * u.norm_squared()) / (2.0 * area);
+    Ok(about(a, a.context.lift(p[i] + to_center), to_center.norm()))
 }
 
 /// LARGE takes the given circle in, SMALL leaves it out, or lies within.

@@ -177,15 +177,11 @@ fn parallel_by(a: &Args<'_>) -> Result<Form, Fault> {
 /// The vertical plane through the cut of two planes.
 fn two_planes(a: &Args<'_>) -> Result<Form, Fault> {
     let (one, other) = (a.plane(1)?, a.plane(2)?);
-    let along = one.n.cross(&other.n);
-    if along.norm() <= meet::PARALLEL {
-        return Err(Fault::Parallel { a: 1, b: 2, one, other });
-    }
-    let foot =
-        (other.n.cross(&along) * one.d + along.cross(&one.n) * other.d) / along.norm_squared();
+    let (foot, along) =
+        meet::planes(&one, &other).ok_or(Fault::Parallel { a: 1, b: 2, one, other })?;
     let flat = along.xy();
     let length = flat.norm();
-    if length <= meet::PARALLEL * along.norm() {
+    if length <= meet::PARALLEL {
         return Err(Fault::Aligned { a: 1, b: 2, what: "cut in a vertical line, seen as a point" });
     }
     Ok(Form::Line(meet::line_at(foot.xy(), -meet::left(flat) / length)))

@@ -153,11 +153,8 @@ fn three_planes(a: &Args<'_>) -> Result<Form, Fault> {
 /// New origin, new x axis, and a vector in the first or second quadrant of the new xy plane.
 fn origin_and_axes(a: &Args<'_>) -> Result<Form, Fault> {
     let (x, v) = (a.direction(1)?, a.direction(2)?);
-    let z = x.cross(&v);
-    if z.norm() <= super::meet::PARALLEL {
-        return Err(Fault::Aligned { a: 1, b: 2, what: "run along each other and give no plane" });
-    }
-    let z = z.normalize();
+    let what = "run along each other and give no plane";
+    let z = super::meet::across(x, v).ok_or(Fault::Aligned { a: 1, b: 2, what })?;
     Ok(Form::Matrix(columns(x, z.cross(&x), z, a.point(0)?)))
 }
 

@@ -1,6 +1,6 @@
 //! Where lines, circles and conics of the plane meet, with residuals that stay small near tangency.
 
-use aptc_geometry::{Line, Quadric, Vec2, Vec3};
+use aptc_geometry::{Line, Plane, Quadric, Vec2, Vec3};
 
 /// Sine of the angle below which two directions count as parallel.
 ///
@@ -57,6 +57,39 @@ pub(super) fn lines(one: &Line, other: &Line) -> Option<Vec2> {
     let along = direction(one);
     let sine = normal(other).dot(&along);
     (sine.abs() > PARALLEL).then(|| foot + along * ((other.d - normal(other).dot(&foot)) / sine))
+}
+
+/// The shortest vector with `u . x = r` and `v . x = s` for unit vectors u, v that are not parallel.
+fn shortest(u: Vec3, v: Vec3, r: f64, s: f64) -> Vec3 {
+    let w = u.cross(&v);
+    (v.cross(&w) * r + w.cross(&u) * s) / w.norm_squared()
+}
+
+/// The unit vector square to both `u` and `v`, which need not be unit; `None` when they are parallel.
+///
+/// Taken once more against its own residuals: of nearly parallel vectors the product alone has lost as
+/// many figures as their angle has zeros.
+pub(super) fn across(u: Vec3, v: Vec3) -> Option<Vec3> {
+    let (u, v) = (u.try_normalize(0.0)?, v.try_normalize(0.0)?);
+    let w = u.cross(&v);
+    if w.norm() <= PARALLEL {
+        return None;
+    }
+    let mut w = w.normalize();
+    for _ in 0..2 {
+        w = (w - shortest(u, v, u.dot(&w), v.dot(&w))).normalize();
+    }
+    Some(w)
+}
+
+/// A point and the unit direction of the line in which two planes cut each other.
+pub(super) fn planes(one: &Plane, other: &Plane) -> Option<(Vec3, Vec3)> {
+    let along = across(one.n, other.n)?;
+    let mut foot = Vec3::zeros();
+    for _ in 0..3 {
+        foot -= shortest(one.n, other.n, one.distance(foot), other.distance(foot));
+    }
+    Some((foot, along))
 }
 
 /// Where a line meets the circle of radius `r` about `c`.

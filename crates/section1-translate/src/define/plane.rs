@@ -39,14 +39,18 @@ fn coefficients(a: &Args<'_>) -> Result<Form, Fault> {
 fn three_points(a: &Args<'_>) -> Result<Form, Fault> {
     let (p, q, r) = (a.point(0)?, a.point(1)?, a.point(2)?);
     let (u, v) = (q - p, r - p);
-    let n = u.cross(&v);
-    let sides = u.norm().max(v.norm()).max((r - q).norm());
+    let sides = [u.norm(), v.norm(), (r - q).norm()];
+    let (longest, shortest) = (
+        sides.iter().fold(0.0, |m: f64, s| m.max(*s)),
+        sides.iter().fold(f64::MAX, |m, s| m.min(*s)),
+    );
     let size = p.amax().max(q.amax()).max(r.amax());
-    // The height of the triangle, against the rounding of its corners.
-    if sides <= 1e-12 * size || n.norm() <= sides * (1e-9 * sides).max(1e-12 * size) {
-        return Err(Fault::Dependent { places: vec![0, 1, 2], what: "they lie on one line" });
-    }
-    Ok(at(p, n.normalize()))
+    // Corners closer than their rounding have no direction between them.
+    let distinct = shortest > 1e-12 * size;
+    let height = u.cross(&v).norm() / longest;
+    let n = meet::across(u, v).filter(|_| distinct && height > 1e-12 * size);
+    let what = "they lie on one line";
+    n.map(|n| at(p, n)).ok_or(Fault::Dependent { places: vec![0, 1, 2], what })
 }
 
 fn parallel_at(a: &Args<'_>) -> Result<Form, Fault> {
@@ -71,23 +75,15 @@ fn across_plane(a: &Args<'_>) -> Result<Form, Fault> {
     if way.norm() <= 1e-12 * size {
         return Err(Fault::Coincide { a: first, b: second });
     }
-    let across = way.normalize().cross(&n);
-    if across.norm() <= meet::PARALLEL {
-        return Err(Fault::Dependent {
-            places: vec![plane, first, second],
-            what: "the way between the points stands upright on the plane",
-        });
-    }
-    Ok(at(p, across.normalize()))
+    let what = "the way between the points stands upright on the plane";
+    let across = meet::across(way, n);
+    across.map(|n| at(p, n)).ok_or(Fault::Dependent { places: vec![plane, first, second], what })
 }
 
 fn across_two_planes(a: &Args<'_>) -> Result<Form, Fault> {
     let (one, other) = (a.plane(2)?, a.plane(3)?);
-    let along = one.n.cross(&other.n);
-    if along.norm() <= meet::PARALLEL {
-        return Err(Fault::Parallel { a: 2, b: 3, one, other });
-    }
-    Ok(at(a.point(0)?, along.normalize()))
+    let along = meet::across(one.n, other.n).ok_or(Fault::Parallel { a: 2, b: 3, one, other })?;
+    Ok(at(a.point(0)?, along))
 }
 
 /// As LINE has it: the plane is vertical.

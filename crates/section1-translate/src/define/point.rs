@@ -51,26 +51,22 @@ fn two_lines(a: &Args<'_>) -> Result<Form, Fault> {
 
 fn three_planes(a: &Args<'_>) -> Result<Form, Fault> {
     let p = [a.plane(1)?, a.plane(2)?, a.plane(3)?];
-    for (i, j) in [(0, 1), (0, 2), (1, 2)] {
-        if p[i].n.cross(&p[j].n).norm() <= meet::PARALLEL {
+    let pairs = [(0, 1, 2), (0, 2, 1), (1, 2, 0)];
+    for (i, j, _) in pairs {
+        if meet::across(p[i].n, p[j].n).is_none() {
             return Err(Fault::Parallel { a: i + 1, b: j + 1, one: p[i], other: p[j] });
         }
     }
-    // Along the line of the two planes that stand most across each other: the residual stays that of
-    // rounding on all three.
-    let order = [(0, 1, 2), (0, 2, 1), (1, 2, 0)];
-    let across = |&(i, j, _): &(usize, usize, usize)| p[i].n.cross(&p[j].n).norm();
-    let &(i, j, k) =
-        order.iter().max_by(|a, b| across(a).total_cmp(&across(b))).expect("the list is not empty");
-    let along = p[i].n.cross(&p[j].n);
-    let foot =
-        (p[j].n.cross(&along) * p[i].d + along.cross(&p[i].n) * p[j].d) / along.norm_squared();
-    let along = along.normalize();
+    // Along the line of the two planes that stand most across each other.
+    let sine = |(i, j, _): (usize, usize, usize)| p[i].n.cross(&p[j].n).norm();
+    let best = pairs.into_iter().max_by(|a, b| sine(*a).total_cmp(&sine(*b)));
+    let (i, j, k) = best.unwrap_or(pairs[0]);
+    let (foot, along) = meet::planes(&p[i], &p[j]).ok_or(Fault::Kind { at: 1 })?;
     let sine = p[k].n.dot(&along);
     if sine.abs() <= meet::PARALLEL {
         return Err(Fault::OneDirection { planes: [1, 2, 3], along });
     }
-    Ok(Form::Point(foot + along * ((p[k].d - p[k].n.dot(&foot)) / sine)))
+    Ok(Form::Point(foot - along * (p[k].distance(foot) / sine)))
 }
 
 fn line_circle(a: &Args<'_>) -> Result<Form, Fault> {

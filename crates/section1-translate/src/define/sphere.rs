@@ -53,17 +53,29 @@ fn about_touching(a: &Args<'_>) -> Result<Form, Fault> {
 }
 
 fn four_points(a: &Args<'_>) -> Result<Form, Fault> {
-    let p = a.point(0)?;
-    let [u, v, w] = [a.point(1)? - p, a.point(2)? - p, a.point(3)? - p];
+    let p = [a.point(0)?, a.point(1)?, a.point(2)?, a.point(3)?];
+    let size = p.iter().fold(0.0_f64, |m, p| m.max(p.amax()));
+    for (i, j) in [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)] {
+        if (p[j] - p[i]).norm() <= 1e-12 * size {
+            return Err(Fault::Coincide { a: i, b: j });
+        }
+    }
+    // From the point whose neighbours are nearest: differences of close points are exact.
+    let others = |i: usize| [1, 2, 3].map(|k| p[(i + k) % 4] - p[i]);
+    let reach = |i: usize| others(i).iter().map(|e| e.norm()).product::<f64>();
+    let base = (0..4).min_by(|i, j| reach(*i).total_cmp(&reach(*j))).unwrap_or(0);
+    let [u, v, w] = others(base);
     let volume = u.dot(&v.cross(&w));
-    let longest = u.norm().max(v.norm()).max(w.norm());
     // Flatter, and the centre would be a thousand million edges away.
-    if volume.abs() <= 1e-9 * longest * longest * longest || volume.abs() < f64::MIN_POSITIVE {
+    if volume.abs() <= 1e-9 * reach(base) || volume.abs() < f64::MIN_POSITIVE {
         return Err(Fault::Dependent { places: vec![0, 1, 2, 3], what: "they lie in one plane" });
     }
-    let sum = v.cross(&w) * u.norm_squared()
-        + w.cross(&u) * v.norm_squared()
-        + u.cross(&v) * w.norm_squared();
-    let to_center = sum / (2.0 * volume);
-    Ok(sphere(p + to_center, to_center.norm()))
+    // The centre stands half an edge up each edge; taken again against its own residuals.
+    let mut center = Vec3::zeros();
+    for _ in 0..3 {
+        let lack = |e: &Vec3| e.dot(&(e * 0.5 - center));
+        let step = v.cross(&w) * lack(&u) + w.cross(&u) * lack(&v) + u.cross(&v) * lack(&w);
+        center += step / volume;
+    }
+    Ok(sphere(p[base] + center, center.norm()))
 }

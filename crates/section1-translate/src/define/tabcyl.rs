@@ -291,11 +291,8 @@ pub(super) fn tangent(a: &Args<'_>, p: usize, at: usize, near: usize) -> Result<
     let Some(foot) = nearest_foot(&feet, t.inside(near)) else {
         return Err(Fault::NoFoot { p, at, what: "no line through it touches" });
     };
-    // The way to the touch is the better direction, unless the point is the touch itself.
-    let way = t.outside(foot.point) - from;
-    let size = from.amax() + foot.point.amax();
-    let along = if way.norm() > 1e-4 * size { way.normalize() } else { t.along(&foot) };
-    Ok(meet::line_at(from, meet::left(along)))
+    // Along the curve, not along the way to the touch, which has no direction when the point is the touch.
+    Ok(meet::line_at(from, meet::left(t.along(&foot))))
 }
 
 /// The line through the point at `p` that stands upright on the curve nearest to the point at `near`.

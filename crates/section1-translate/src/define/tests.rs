@@ -1,9 +1,13 @@
 //! Definitions against APT-360's answers and against their own meaning.
 
+mod case;
+mod generate;
 mod oracle;
+mod properties;
+mod relations;
 
 use aptc_diagnostics::Span;
-use aptc_geometry::{Form, Vec3};
+use aptc_geometry::Form;
 use aptc_vocabulary::{Word, find};
 
 use super::{Arg, Context, DefineError, Value};
@@ -27,4 +31,3 @@ pub(super) fn w(text: &str) -> Value {
 pub(super) fn n(x: f64) -> Value {
     Value::Number(x)
 }
-

@@ -89,11 +89,7 @@ fn polar(a: &Args<'_>) -> Result<Form, Fault> {
 
 fn along_cut(a: &Args<'_>) -> Result<Form, Fault> {
     let (one, other) = (a.plane(2)?, a.plane(3)?);
-    let along = one.n.cross(&other.n);
-    if along.norm() <= meet::PARALLEL {
-        return Err(Fault::Parallel { a: 2, b: 3, one, other });
-    }
-    let along = along.normalize();
+    let along = meet::across(one.n, other.n).ok_or(Fault::Parallel { a: 2, b: 3, one, other })?;
     Ok(Form::Vector(along * a.side(4, along)?))
 }
 
