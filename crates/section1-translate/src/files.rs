@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use aptc_diagnostics::{Code, codes};
+
 /// Which statement asks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Asker {
@@ -36,6 +38,8 @@ pub struct LoadedFile {
 /// Why a file could not be had: the message of Section 0.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FileError {
+    /// The code of the message.
+    pub code: Code,
     /// What is wrong, small letters, no full stop.
     pub message: String,
     /// What to do, when that is known.
@@ -57,6 +61,7 @@ pub struct NoFiles;
 
 impl Files for NoFiles {
     fn read(&mut self, _: &FileRequest) -> Result<LoadedFile, FileError> {
-        Err(FileError { message: "no files can be read here".to_owned(), help: None })
+        let message = "no files can be read here".to_owned();
+        Err(FileError { code: codes::NOT_READ, message, help: None })
     }
 }

@@ -2,7 +2,7 @@
 
 use std::collections::HashSet;
 
-use aptc_diagnostics::{Diagnostic, Span};
+use aptc_diagnostics::{Diagnostic, FrameKind, Span};
 
 /// The messages so far.
 #[derive(Debug, Default)]
@@ -17,7 +17,8 @@ pub(crate) struct Reports {
 impl Reports {
     /// Takes a message in, unless the same fault was told for this place and call already.
     pub(crate) fn push(&mut self, message: Diagnostic, limit: usize) {
-        let caller = message.trace.as_ref().map(|frame| frame.span);
+        let frames = std::iter::successors(message.trace.as_deref(), |f| f.outer.as_deref());
+        let caller = frames.filter(|f| f.kind != FrameKind::Loop).map(|f| f.span).next();
         if !self.seen.insert((message.code.number(), message.span, caller)) {
             return;
         }

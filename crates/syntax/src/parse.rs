@@ -1,10 +1,10 @@
 //! From a file to its statements.
 
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 use std::ops::Range;
 
 use aptc_diagnostics::{Diagnostic, FileId, Span, codes};
-use aptc_vocabulary::word;
+use aptc_vocabulary::{Dialect, Word, word};
 use chumsky::Parser;
 use chumsky::error::{EmptyErr, Rich};
 use chumsky::input::Input;
@@ -49,7 +49,7 @@ pub fn parse(file: FileId, text: &str, interner: &mut Interner, options: &Option
         options,
         nameless: interner.intern(""),
         interner,
-        synonyms: BTreeSet::new(),
+        synonyms: BTreeMap::new(),
         levels: Vec::new(),
         parsed: Parsed::default(),
     };
@@ -84,7 +84,8 @@ struct Run<'r> {
     options: &'r Options,
     nameless: Symbol,
     interner: &'r mut Interner,
-    synonyms: BTreeSet<Symbol>,
+    /// New names of words, by SYN.
+    synonyms: BTreeMap<Symbol, Word>,
     levels: Vec<Level>,
     parsed: Parsed,
 }
@@ -206,11 +207,11 @@ impl Run<'_> {
                 .help("take the `$` away, or add the missing cards"),
             );
         }
+        self.apply_synonyms(&mut lists.tokens[from..]);
         let statement = &mut lists.tokens[from..];
         let form = form(statement);
         if fault.is_none() {
-            let heads =
-                Heads { assignment: is_assignment(statement, form), synonyms: &self.synonyms };
+            let heads = Heads { assignment: is_assignment(statement, form) };
             let depth = self.options.max_bracket_depth;
             fault = shape::check(self.file, statement, &heads, depth, &mut self.levels);
         }
@@ -235,7 +236,27 @@ impl Run<'_> {
         Body::Text { word: fixed.word_is, text_span, text: text.into() }
     }
 
-    /// Remembers the new names of words that define, so that `PT/X` is known for a definition.
+    /// Names that SYN gave to words mean those words from then on, up to FINI.
+    fn apply_synonyms(&mut self, tokens: &mut [Spanned]) {
+        if self.synonyms.is_empty() {
+            return;
+        }
+        match tokens.first() {
+            Some((Token::Name(_, Some(word::SYN)), _)) => return,
+            Some((Token::Name(_, Some(word::FINI)), _)) => self.synonyms.clear(),
+            _ => {}
+        }
+        for (token, _) in tokens {
+            if let Token::Name(symbol, word) = token
+                && let Some(meant) = self.synonyms.get(symbol)
+            {
+                *word = Some(*meant);
+            }
+        }
+    }
+
+    /// Remembers the new names of words. The first pair decides the order: the new name stands first,
+    /// unless its second is no word of APT.
     fn note_synonyms(&mut self, tokens: &[Spanned]) {
         let [(Token::Name(_, Some(word::SYN)), _), (Token::Slash, _), rest @ ..] = tokens else {
             return;
@@ -245,9 +266,16 @@ impl Run<'_> {
             _ => None,
         });
         let names: Vec<_> = names.collect();
+        let of_apt = |word: Option<Word>| {
+            word.filter(|w| Dialect::ALL.iter().any(|d| *d != Dialect::Ncl && w.is_in(*d)))
+        };
+        let mut word_first = None;
         for pair in names.chunks_exact(2) {
-            if pair.iter().any(|(_, word)| word.is_some_and(shape::defines)) {
-                self.synonyms.extend(pair.iter().map(|(symbol, _)| *symbol));
+            let (a, b) = (pair[0], pair[1]);
+            let (new, old) =
+                if *word_first.get_or_insert(of_apt(b.1).is_none()) { (b, a) } else { (a, b) };
+            if let Some(word) = of_apt(old.1).or_else(|| self.synonyms.get(&old.0).copied()) {
+                self.synonyms.insert(new.0, word);
             }
         }
     }

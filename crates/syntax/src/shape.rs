@@ -1,12 +1,9 @@
 //! A look over a statement's tokens before the grammar reads it: brackets, depth, and which slashes
 //! begin a list.
 
-use std::collections::BTreeSet;
-
 use aptc_diagnostics::{Diagnostic, FileId, Span, codes};
 use aptc_vocabulary::{Class, Dialect, Word, word};
 
-use crate::Symbol;
 use crate::token::{Spanned, Token};
 
 /// Greatest depth of an expression tree, brackets and operators together. Trees are walked and dropped by
@@ -39,11 +36,9 @@ impl Level {
 }
 
 /// What decides whether a name before a slash begins a definition.
-pub(crate) struct Heads<'h> {
+pub(crate) struct Heads {
     /// Is the statement an assignment, so that a comma makes its value a definition?
     pub(crate) assignment: bool,
-    /// Synonyms of the words that define.
-    pub(crate) synonyms: &'h BTreeSet<Symbol>,
 }
 
 /// Checks the brackets and turns names before a list into heads; gives what is wrong. `levels` is only
@@ -51,7 +46,7 @@ pub(crate) struct Heads<'h> {
 pub(crate) fn check(
     file: FileId,
     tokens: &mut [Spanned],
-    heads: &Heads<'_>,
+    heads: &Heads,
     max_bracket_depth: usize,
     levels: &mut Vec<Level>,
 ) -> Option<Diagnostic> {
@@ -113,9 +108,9 @@ pub(crate) fn check(
                 level.operators += 1;
                 level.at_head = level.open.is_some() || heads.assignment;
             }
-            Token::Name(symbol, word) if was_at_head => {
+            Token::Name(_, word) if was_at_head => {
                 if matches!(tokens.get(i + 1), Some((Token::Slash, _))) {
-                    if word.is_some_and(defines) || heads.synonyms.contains(&symbol) {
+                    if word.is_some_and(defines) {
                         promote(&mut tokens[i].0);
                     } else if level.open.is_none()
                         || word.is_some_and(|w| w.class() == Class::Geometry)

@@ -102,17 +102,19 @@ impl Interpreter<'_> {
             ExprKind::Text(text) => ArgKind::Text(text.clone()),
             ExprKind::Name(name) => self.name_argument(name, names)?,
             ExprKind::Indexed(name, subscripts) => {
-                if let Some(array) = self.several(name, subscripts) {
-                    let place = self.memory.place(name.symbol);
+                let place = self.memory.place(name.symbol);
+                let Value::Array(array) = self.memory.slot(place).value else {
+                    let value = self.indexed(name, subscripts, span)?;
+                    args.push(Arg { kind: self.argument_of(value, None, span)?, span });
+                    return Ok(());
+                };
+                if self.several(subscripts) {
                     self.memory.slot_mut(place).read = true;
                     return self.elements_as_arguments(array, subscripts, span, args);
                 }
-                let value = self.indexed(name, subscripts, span)?;
-                let place = match value {
-                    Value::Form(_) => self.element_place(name, subscripts),
-                    _ => None,
-                };
-                self.argument_of(value, place, span)?
+                let element = self.indexed_element(array, place, subscripts, span)?;
+                let value = self.element_value(element, span)?;
+                self.argument_of(value, Some(element), span)?
             }
             ExprKind::Define(definition) => {
                 let (form, name) = self.definition(definition, span)?;
@@ -140,13 +142,6 @@ impl Interpreter<'_> {
         }
         let value = self.named(name)?;
         self.argument_of(value, Some(place), name.span)
-    }
-
-    fn element_place(&mut self, name: &Name, subscripts: &[Expr]) -> Option<Place> {
-        let place = self.memory.place(name.symbol);
-        let Value::Array(array) = self.memory.slot(place).value else { return None };
-        let n = self.number(subscripts.first()?).ok()?;
-        self.element(array, n, name.span).ok()
     }
 
     fn argument_of(&mut self, value: Value, place: Option<Place>, span: Span) -> Known<ArgKind> {

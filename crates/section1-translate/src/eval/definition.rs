@@ -154,8 +154,10 @@ impl Interpreter<'_> {
                 return Err(Poisoned);
             }
             (Value::Form(_), Value::Form(_)) if again || self.state.redefinition => {}
-            // The same statement once more, in a loop or a macro, is meant so.
-            (Value::Form(_), Value::Form(_)) if given == target.span => {}
+            // The same statement once more, in a loop or a macro, is meant so, and elements of arrays
+            // are filled again as in APT4.
+            (Value::Form(_), Value::Form(_))
+                if given == target.span || matches!(place, Place::Element(..)) => {}
             (Value::Form(old), Value::Form(_)) => {
                 let (name, old) = (self.spelled(place), old.kind().word());
                 self.error(

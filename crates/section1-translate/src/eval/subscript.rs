@@ -24,6 +24,18 @@ impl Interpreter<'_> {
                 None => return Err(self.not_reserved(name)),
             },
         };
+        let element = self.indexed_element(array, place, args, span)?;
+        self.element_value(element, span)
+    }
+
+    /// The element that a single subscript names.
+    pub(super) fn indexed_element(
+        &mut self,
+        array: u32,
+        place: Place,
+        args: &[Expr],
+        span: Span,
+    ) -> Known<Place> {
         self.memory.slot_mut(place).read = true;
         let [subscript] = args else {
             self.error(
@@ -32,14 +44,16 @@ impl Interpreter<'_> {
                     span,
                     format!("{} subscripts where one is expected", args.len()),
                 )
-                .help(
-                    "several elements at once stand in lists of a definition, PRINT or PUNCH only",
-                ),
+                .help("several elements stand in lists of a definition, PRINT or PUNCH only"),
             );
             return Err(Poisoned);
         };
         let n = self.number(subscript)?;
-        let element = self.element(array, n, subscript.span)?;
+        self.element(array, n, subscript.span)
+    }
+
+    /// The value of an element.
+    pub(super) fn element_value(&mut self, element: Place, span: Span) -> Known<Value> {
         let slot = self.memory.slot_mut(element);
         match &slot.value {
             Value::Unset => Err(self.unset_element(element, span)),
@@ -88,13 +102,9 @@ impl Interpreter<'_> {
         Poisoned
     }
 
-    /// The array of `P(1,THRU,5)` and its like; `None` for a single element or a function call.
-    pub(super) fn several(&self, name: &Name, args: &[Expr]) -> Option<u32> {
-        let Value::Array(array) = self.memory.slot(self.memory.place(name.symbol)).value else {
-            return None;
-        };
-        let words = args.iter().any(|a| self.inclusive_word(a).is_some());
-        (words || args.len() > 1).then_some(array)
+    /// Do the subscripts name several elements, as in `P(1,THRU,5)`?
+    pub(super) fn several(&self, args: &[Expr]) -> bool {
+        args.len() > 1 || args.iter().any(|a| self.inclusive_word(a).is_some())
     }
 
     fn inclusive_word(&self, expr: &Expr) -> Option<aptc_vocabulary::Word> {

@@ -134,7 +134,7 @@ impl Interpreter<'_> {
                 Ok((unit, plan))
             }
             Err(why) => {
-                let mut message = Diagnostic::error(codes::NOT_READ, span, why.message);
+                let mut message = Diagnostic::error(why.code, span, why.message);
                 message.help = why.help;
                 self.error(message);
                 Err(Poisoned)

@@ -245,7 +245,7 @@ impl Planner<'_> {
     fn close_loop(&mut self, statement: &Statement) {
         if self.loop_open.take().is_none() {
             self.diagnostics.push(
-                Diagnostic::error(
+                Diagnostic::warning(
                     codes::LOOPND_ALONE,
                     statement.span,
                     "LOOPND ends no loop region",

@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use aptc_diagnostics::Diagnostic;
+use aptc_diagnostics::{Diagnostic, codes};
 use aptc_protap::{Kind, NameRef, Outcome, Record};
 use aptc_translate::{
     Entry, FileError, FileRequest, Files, Interpreter, LoadedFile, NoFiles, Options, Step,
@@ -28,7 +28,10 @@ impl Files for Shelf {
     fn read(&mut self, request: &FileRequest) -> Result<LoadedFile, FileError> {
         match self.0.get(&*request.name) {
             Some(text) => Ok(LoadedFile { name: request.name.clone(), text: (*text).into() }),
-            None => Err(FileError { message: format!("no file {}", request.name), help: None }),
+            None => {
+                let message = format!("no file {}", request.name);
+                Err(FileError { code: codes::NOT_READ, message, help: None })
+            }
         }
     }
 }
