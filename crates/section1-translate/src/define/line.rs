@@ -2,7 +2,8 @@
 //!
 //! Signs of the normal as APT-360 has them: through two points it lies to the right of the way from the
 //! first to the second; at an angle or slope from the x axis to the left of the direction; a tangent's
-//! points to the (last) circle; a parallel's to the side that the modifier names.
+//! points to the (last) circle; a parallel's to the side that the modifier names; a perpendicular's is that of
+//! the given line turned left.
 
 use aptc_geometry::{Form, Line, Vec2, trig};
 use aptc_vocabulary::{Word, word};
@@ -163,7 +164,8 @@ fn parallel_at(a: &Args<'_>) -> Result<Form, Fault> {
 }
 
 fn perpendicular_at(a: &Args<'_>) -> Result<Form, Fault> {
-    Ok(Form::Line(meet::line_at(a.point2(0)?, meet::direction(&a.line(2)?))))
+    let n = meet::left(meet::normal(&a.line(2)?));
+    Ok(Form::Line(meet::line_at(a.point2(0)?, n)))
 }
 
 /// A negative distance moves the line to the other side and leaves its normal.
