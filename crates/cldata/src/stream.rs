@@ -19,6 +19,17 @@ pub trait RecordWriter {
     fn finish(&mut self) -> io::Result<()>;
 }
 
+impl RecordWriter for Vec<Record> {
+    fn write(&mut self, record: &Record) -> io::Result<()> {
+        self.push(record.clone());
+        Ok(())
+    }
+
+    fn finish(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}
+
 /// Passes everything from the reader to the writer and ends the file. The number of records.
 pub fn copy(reader: &mut dyn RecordReader, writer: &mut dyn RecordWriter) -> io::Result<u64> {
     let mut record = Record::default();

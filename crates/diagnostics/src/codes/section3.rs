@@ -10,4 +10,11 @@ codes! {
     ARC_OFF_CIRCLE = 3004, "an arc whose start or end is not on its circle";
     CL_LINE_TOO_LONG = 3005, "a line of a CL file that is too long";
     CL_UNIT = 3006, "a CL file that does not state its unit";
+    NO_INDEX = 3101, "a COPY or NOMORE without its INDEX";
+    INDEX_TWICE = 3102, "an INDEX number that stands twice";
+    NESTED_TOO_DEEP = 3103, "too many ranges of INDEX within one another";
+    TOO_MANY_COPIES = 3104, "more copies than a program can hold";
+    INDEX_UNUSED = 3105, "an INDEX that nothing closes or copies";
+    CL_NOT_CARRIED = 3106, "something that TRACUT or COPY cannot carry properly";
+    VTLAXS_REFUSED = 3107, "a path that VTLAXS cannot tilt";
 }

@@ -1,0 +1,346 @@
+//! INDEX, COPY, TRACUT and VTLAXS carried out on the stream of records.
+
+use std::io;
+
+use aptc_cldata::{Edit, Kind, Position, Record, RecordWriter, Units};
+use aptc_diagnostics::{Code, Diagnostic, Origin, Severity, codes};
+use aptc_geometry::Transform;
+
+use crate::carry::{Carrier, Trouble};
+use crate::spool::{Block, Spool};
+use crate::vtlaxs::Vtlaxs;
+
+/// Levels of COPY within COPY. APT has three; more do no harm.
+const DEEPEST: usize = 100;
+/// Records that all copies of one program may make, against a mistake in a count.
+const MOST_COPIED: u64 = 1_000_000_000;
+
+/// Carries out the editing of a stream.
+///
+/// TRACUT is not cumulative: each acts on the positions as Section 2 made them and replaces the one
+/// before. A COPY repeats the edited records of its range; those stand between INDEX and `INDEX/n,NOMORE`
+/// or, without that, the COPY itself, copies made in between included. Copies are not transformed by a
+/// TRACUT around them again, and carry the origin of what they repeat.
+#[derive(Default)]
+pub struct Editor {
+    spool: Spool,
+    ranges: Vec<Range>,
+    tracut: Option<Carrier>,
+    vtlaxs: Vtlaxs,
+    /// Last position before editing.
+    last: Option<Position>,
+    /// The same where VTLAXS has been done.
+    put: Option<Position>,
+    /// Last position put out.
+    emitted: Option<Position>,
+    units: Units,
+    tolerance: f64,
+    failed: bool,
+    n_copied: u64,
+    scratch: Record,
+    list: Vec<Diagnostic>,
+    said: Vec<(Code, &'static str)>,
+}
+
+/// What stands between INDEX and its end.
+struct Range {
+    n: f64,
+    start: u64,
+    end: Option<u64>,
+    origin: Origin,
+    copied: bool,
+    /// Position before it.
+    before: Option<Position>,
+}
+
+impl Editor {
+    /// An editor that keeps ranges in memory.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// An editor that keeps ranges in that spool.
+    pub fn with_spool(spool: Spool) -> Self {
+        Self { spool, ..Self::default() }
+    }
+
+    /// From here on nothing is edited: motion had errors, and copies of a broken path are of no use.
+    pub fn motion_failed(&mut self) {
+        self.failed = true;
+    }
+
+    /// What there is to say so far.
+    pub fn take_diagnostics(&mut self) -> Vec<Diagnostic> {
+        std::mem::take(&mut self.list)
+    }
+
+    /// Takes a record and puts out what becomes of it.
+    pub fn push(&mut self, record: &Record, out: &mut dyn RecordWriter) -> io::Result<()> {
+        if self.failed {
+            return out.write(record);
+        }
+        match self.vtlaxs.push(record, self.last) {
+            crate::vtlaxs::Step::Pass => self.edit(record, out)?,
+            crate::vtlaxs::Step::Hold => {}
+            crate::vtlaxs::Step::Release(records) => {
+                for d in self.vtlaxs.take_diagnostics() {
+                    self.list.push(d);
+                }
+                for r in records {
+                    self.edit(&r, out)?;
+                }
+            }
+        }
+        if let Kind::Motion(m) = &record.kind {
+            self.last = m.points.last().copied().or(self.last);
+        }
+        Ok(())
+    }
+
+    /// Ends the stream.
+    pub fn finish(&mut self, out: &mut dyn RecordWriter) -> io::Result<()> {
+        let held = self.vtlaxs.end();
+        self.list.extend(self.vtlaxs.take_diagnostics());
+        for r in held {
+            self.edit(&r, out)?;
+        }
+        self.end_program();
+        Ok(())
+    }
+
+    fn edit(&mut self, record: &Record, out: &mut dyn RecordWriter) -> io::Result<()> {
+        match &record.kind {
+            Kind::Edit(Edit::Index { n, close: false }) => {
+                self.open(*n, &record.origin);
+                self.emit(record, out)
+            }
+            Kind::Edit(Edit::Index { n, close: true }) => {
+                self.emit(record, out)?;
+                self.close(*n, &record.origin);
+                Ok(())
+            }
+            Kind::Edit(Edit::Copy { n, step, count }) => {
+                self.copy(*n, step, *count, record, out)?;
+                self.emit(record, out)
+            }
+            Kind::Edit(Edit::Tracut(map)) => {
+                self.tracut = map.map(Carrier::new);
+                self.emit(record, out)
+            }
+            kind => {
+                match kind {
+                    Kind::Units(u) => self.units = *u,
+                    Kind::Intol(t) => self.tolerance = t[1],
+                    Kind::Outtol(t) => self.tolerance += t[1],
+                    _ => {}
+                }
+                let last = self.put;
+                if let Kind::Motion(m) = kind {
+                    self.put = m.points.last().copied().or(last);
+                }
+                let end = matches!(kind, Kind::Fini);
+                match self.tracut.clone() {
+                    Some(carrier) if touches(kind) => self.carried(&carrier, record, last, out)?,
+                    _ => self.emit(record, out)?,
+                }
+                if end {
+                    self.end_program();
+                }
+                Ok(())
+            }
+        }
+    }
+
+    fn carried(
+        &mut self,
+        carrier: &Carrier,
+        record: &Record,
+        start: Option<Position>,
+        out: &mut dyn RecordWriter,
+    ) -> io::Result<()> {
+        let mut scratch = std::mem::take(&mut self.scratch);
+        scratch.clone_from(record);
+        if let Err(trouble) = carrier.carry(&mut scratch.kind, start, self.chord_tolerance()) {
+            self.trouble(trouble, &scratch.origin);
+        }
+        let done = self.emit(&scratch, out);
+        self.scratch = scratch;
+        done
+    }
+
+    /// Tolerance of chords that an arc must be cut into: the one stated, or 10 micrometres.
+    fn chord_tolerance(&self) -> f64 {
+        if self.tolerance > 0.0 { self.tolerance } else { 0.01 / self.units.mm() }
+    }
+
+    /// Puts a record out, and into the spool while a range is open.
+    fn emit(&mut self, record: &Record, out: &mut dyn RecordWriter) -> io::Result<()> {
+        if self.ranges.iter().any(|r| r.end.is_none()) {
+            self.spool.put(record)?;
+        }
+        if let Kind::Motion(m) = &record.kind {
+            self.emitted = m.points.last().copied().or(self.emitted);
+        }
+        out.write(record)
+    }
+
+    fn open(&mut self, n: f64, origin: &Origin) {
+        let n_open = self.ranges.iter().filter(|r| r.end.is_none()).count();
+        if n_open >= DEEPEST {
+            let what = format!("INDEX/{n} is the {}th that is open", n_open + 1);
+            return self.error(codes::NESTED_TOO_DEEP, origin, what, "close some with NOMORE");
+        }
+        if self.ranges.iter().any(|r| same(r.n, n)) {
+            let what = format!("INDEX/{n} stands twice");
+            let d = Diagnostic::warning(codes::INDEX_TWICE, origin.span, what);
+            let d = d.note("a COPY takes the range that began last");
+            let d = d.help("give each range a number of its own");
+            self.list.push(d.within(origin.trace.clone()));
+        }
+        let range = Range {
+            n,
+            start: self.spool.end(),
+            end: None,
+            origin: origin.clone(),
+            copied: false,
+            before: self.emitted,
+        };
+        self.ranges.push(range);
+    }
+
+    /// The range of that number that began last.
+    fn find(&mut self, n: f64) -> Option<usize> {
+        self.ranges.iter().rposition(|r| same(r.n, n))
+    }
+
+    fn close(&mut self, n: f64, origin: &Origin) {
+        let end = self.spool.end();
+        match self.find(n).map(|i| &mut self.ranges[i]) {
+            Some(range) if range.end.is_none() => range.end = Some(end),
+            _ => {
+                let what = format!("INDEX/{n},NOMORE closes nothing");
+                let help = format!("write INDEX/{n} where the range begins");
+                self.error(codes::NO_INDEX, origin, what, &help);
+            }
+        }
+    }
+
+    fn copy(
+        &mut self,
+        n: f64,
+        step: &Transform,
+        count: u32,
+        record: &Record,
+        out: &mut dyn RecordWriter,
+    ) -> io::Result<()> {
+        let origin = &record.origin;
+        let Some(index) = self.find(n) else {
+            let what = format!("COPY/{n} without INDEX/{n}");
+            let help = format!("write INDEX/{n} where the range begins");
+            self.error(codes::NO_INDEX, origin, what, &help);
+            return Ok(());
+        };
+        // The end is that of NOMORE, or here; a range without NOMORE stays open for a further COPY.
+        let (start, end) = (self.ranges[index].start, self.ranges[index].end);
+        let end = end.unwrap_or(self.spool.end());
+        self.ranges[index].copied = true;
+        let mut map = *step;
+        let identity = *step == Transform::identity();
+        let mut copied = Record::default();
+        let mut block = Block::default();
+        for k in 0..count {
+            let carrier = Carrier::new(map);
+            let mut at = start;
+            let mut last = self.ranges[index].before;
+            while at < end {
+                at = self.spool.get(at, &mut copied, &mut block)?;
+                self.n_copied += 1;
+                if self.n_copied > MOST_COPIED {
+                    let what = format!("more than {MOST_COPIED} records by COPY");
+                    let help = "lower the count of copies";
+                    self.error(codes::TOO_MANY_COPIES, origin, what, help);
+                    return Ok(());
+                }
+                let before = last;
+                if let Kind::Motion(m) = &copied.kind {
+                    last = m.points.last().copied().or(last);
+                }
+                if !identity && touches(&copied.kind) {
+                    let tolerance = self.chord_tolerance();
+                    if let Err(trouble) = carrier.carry(&mut copied.kind, before, tolerance) {
+                        self.trouble(trouble, &copied.origin);
+                    }
+                }
+                self.emit(&copied, out)?;
+            }
+            if k + 1 < count {
+                map = map.then(step);
+            }
+        }
+        Ok(())
+    }
+
+    fn end_program(&mut self) {
+        for range in std::mem::take(&mut self.ranges) {
+            if !range.copied && range.end.is_none() {
+                let d = Diagnostic::warning(
+                    codes::INDEX_UNUSED,
+                    range.origin.span,
+                    format!("INDEX/{} without COPY or NOMORE", range.n),
+                );
+                self.list.push(d.within(range.origin.trace));
+            }
+        }
+        self.tracut = None;
+        (self.last, self.put, self.emitted) = (None, None, None);
+    }
+
+    fn error(&mut self, code: Code, origin: &Origin, what: String, help: &str) {
+        let d = Diagnostic::error(code, origin.span, what).help(help);
+        self.list.push(d.within(origin.trace.clone()));
+    }
+
+    /// Says what could not be carried, each kind once.
+    fn trouble(&mut self, trouble: Trouble, origin: &Origin) {
+        let (severity, what, help) = match trouble {
+            Trouble::Argument => (
+                Severity::Error,
+                "a geometric argument cannot be carried by this matrix and stays where it is",
+                "a matrix that turns and moves, or scales all directions alike, carries every form",
+            ),
+            Trouble::Axis => (
+                Severity::Error,
+                "the matrix leaves nothing of the tool axis",
+                "use a matrix that has an inverse",
+            ),
+            Trouble::Tilt => (
+                Severity::Warning,
+                "the matrix tilts the tool, but the positions have no axis that says so",
+                "write MULTAX before the motion",
+            ),
+        };
+        if self.said.contains(&(codes::CL_NOT_CARRIED, what)) {
+            return;
+        }
+        self.said.push((codes::CL_NOT_CARRIED, what));
+        let d = match severity {
+            Severity::Error => Diagnostic::error(codes::CL_NOT_CARRIED, origin.span, what),
+            _ => Diagnostic::warning(codes::CL_NOT_CARRIED, origin.span, what),
+        };
+        self.list.push(d.help(help).within(origin.trace.clone()));
+    }
+}
+
+/// Can a map change the record?
+fn touches(kind: &Kind) -> bool {
+    match kind {
+        Kind::Motion(_) => true,
+        Kind::Post { args, .. } => args.iter().any(|a| matches!(a, aptc_cldata::Arg::Form { .. })),
+        _ => false,
+    }
+}
+
+/// Numbers of ranges are whole.
+fn same(a: f64, b: f64) -> bool {
+    (a - b).abs() < 0.5
+}

@@ -1,0 +1,171 @@
+//! CLPRNT: the CL data as a table for people.
+
+use aptc_cldata::number::{self, Decimals};
+use aptc_cldata::{Arg, Course, Edit, Kind, MotionKind, NameRef, Output, Record};
+
+/// Prints records while CLPRNT is on.
+///
+/// CLPRNT prints the whole program, CLPRNT/ON and OFF parts of it. CLPRNT/OPTION is ON that wants the
+/// positions before transformation: give the listing the records before the editor then.
+#[derive(Default)]
+pub struct Listing {
+    on: bool,
+    line: u32,
+    head: bool,
+}
+
+impl Listing {
+    /// A listing that prints from the start, or from CLPRNT on.
+    pub fn new(on: bool) -> Self {
+        Self { on, line: 0, head: false }
+    }
+
+    /// Appends what is to be printed of the record.
+    pub fn push(&mut self, record: &Record, out: &mut String) {
+        if let Kind::Clprnt(on) = record.kind {
+            self.on = on;
+        }
+        if !self.on {
+            return;
+        }
+        if !self.head {
+            self.head = true;
+            out.push_str(&format!(
+                "{:>6}  {:<8} {:<10} {:>13} {:>13} {:>13} {:>10} {:>10} {:>10}\n",
+                "line", "record", "name", "x", "y", "z", "i", "j", "k"
+            ));
+        }
+        let line = record.origin.line;
+        let number = if line == self.line || line == 0 { String::new() } else { line.to_string() };
+        self.line = line;
+        self.record(&number, &record.kind, out);
+    }
+
+    fn record(&self, line: &str, kind: &Kind, out: &mut String) {
+        let mut row = |word: &str, rest: &str| {
+            out.push_str(format!("{line:>6}  {word:<8} {rest}").trim_end());
+            out.push('\n');
+        };
+        match kind {
+            Kind::Text { word, text } => row(word, text),
+            Kind::Post { word, args } => row(word, &list(args)),
+            Kind::Units(u) => row("UNITS", u.word()),
+            Kind::Multax(on) => row("MULTAX", on_off(*on)),
+            Kind::Cutter(c) => row("CUTTER", &numbers(&c.values())),
+            Kind::Intol(t) => row("INTOL", &numbers(t)),
+            Kind::Outtol(t) => row("OUTTOL", &numbers(t)),
+            Kind::Output(Output::Cut) => row("CUT", ""),
+            Kind::Output(Output::Dntcut) => row("DNTCUT", ""),
+            Kind::Clprnt(on) => row("CLPRNT", on_off(*on)),
+            Kind::Csys(m) => row("CSYS", &numbers(&m.rows())),
+            Kind::Comment(text) => row("$$", text.trim()),
+            Kind::Unread(text) => row("?", text),
+            Kind::Fini => row("FINI", ""),
+            Kind::Edit(Edit::Index { n, close }) => {
+                row("INDEX", &format!("{n}{}", if *close { ",NOMORE" } else { "" }));
+            }
+            Kind::Edit(Edit::Copy { n, step, count }) => {
+                row("COPY", &format!("{n},MODIFY,{},{count}", numbers(&step.rows())));
+            }
+            Kind::Edit(Edit::Tracut(None)) => row("TRACUT", "NOMORE"),
+            Kind::Edit(Edit::Tracut(Some(m))) => row("TRACUT", &numbers(&m.rows())),
+            Kind::Motion(m) => {
+                if let Some(arc) = &m.arc {
+                    let c = arc.circle;
+                    let v = [
+                        c.center.x, c.center.y, c.center.z, c.axis.x, c.axis.y, c.axis.z, c.radius,
+                    ];
+                    let sweep = match arc.course {
+                        Course::Chords => String::new(),
+                        Course::Sweep(angle) => format!(" angle {angle:.4}"),
+                    };
+                    row("CIRCLE", &format!("{}{sweep}", numbers(&v)));
+                }
+                let word = match m.kind {
+                    MotionKind::From => "FROM",
+                    MotionKind::Goto => "GOTO",
+                    MotionKind::Startup => "GO",
+                    MotionKind::Continuous => "CUT VEC",
+                };
+                for (i, p) in m.points.iter().enumerate() {
+                    let axis = if m.with_axis {
+                        format!(" {:>10.6} {:>10.6} {:>10.6}", p.ta.x, p.ta.y, p.ta.z)
+                    } else {
+                        String::new()
+                    };
+                    let te = format!("{:>13.6} {:>13.6} {:>13.6}", p.te.x, p.te.y, p.te.z);
+                    let (line, word) = if i == 0 { (line, word) } else { ("", "") };
+                    let name = if i == 0 { name_of(&m.name) } else { String::new() };
+                    let text = format!("{line:>6}  {word:<8} {name:<10} {te}{axis}");
+                    out.push_str(&text.replace("-0.000000", " 0.000000"));
+                    out.push('\n');
+                }
+            }
+        }
+    }
+}
+
+fn on_off(on: bool) -> &'static str {
+    if on { "ON" } else { "OFF" }
+}
+
+fn name_of(name: &NameRef) -> String {
+    if name.subscript > 0 {
+        format!("{}({})", name.name, name.subscript)
+    } else {
+        name.name.to_string()
+    }
+}
+
+fn put(out: &mut Vec<u8>, x: f64) {
+    number::put(out, x, Decimals::Fixed(6));
+}
+
+fn numbers(values: &[f64]) -> String {
+    let mut out = Vec::new();
+    for (i, x) in values.iter().enumerate() {
+        if i > 0 {
+            out.push(b',');
+        }
+        put(&mut out, *x);
+    }
+    String::from_utf8(out).expect("digits")
+}
+
+fn list(args: &[Arg]) -> String {
+    let parts: Vec<String> = args
+        .iter()
+        .map(|a| match a {
+            Arg::Number(x) => numbers(&[*x]),
+            Arg::Word(w) => w.to_string(),
+            Arg::Text(t) => format!("'{t}'"),
+            Arg::Form { name, form } => {
+                let n = if name.name.is_empty() { "0".to_owned() } else { name_of(name) };
+                format!("{n} {}({})", form.kind().word(), numbers(&form.canonical()))
+            }
+        })
+        .collect();
+    parts.join(",")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use aptc_cldata::{Motion, Position};
+    use aptc_geometry::Vec3;
+
+    #[test]
+    fn only_what_stands_between_on_and_off() {
+        let points = vec![Position::upright(Vec3::new(1.0, -2.5, -0.0))];
+        let goto = || Kind::Motion(Motion { points: points.clone(), ..Motion::default() });
+        let mut text = String::new();
+        let mut listing = Listing::new(false);
+        for kind in [goto(), Kind::Clprnt(true), goto(), Kind::Clprnt(false), goto()] {
+            listing.push(&Record { kind, ..Record::default() }, &mut text);
+        }
+        let lines: Vec<&str> = text.lines().collect();
+        assert_eq!(lines.len(), 3);
+        assert!(lines[2].contains("GOTO") && lines[2].contains("-2.500000"));
+        assert!(!text.contains("-0.000000"));
+    }
+}
