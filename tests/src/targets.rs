@@ -4,8 +4,16 @@
 //! Each takes bytes, does its work, and panics when something is broken that the work itself would not
 //! notice, such as a message that points outside its file.
 
+use std::fmt::Debug;
+
+use aptc_cldata::{
+    Dialect, JsonReader, JsonWriter, Kind, Reader, Record, RecordReader as _, RecordWriter as _,
+    TextOptions, TextWriter,
+};
 use aptc_diagnostics::{Diagnostic, FileId};
+use aptc_protap::Outcome;
 use aptc_syntax::{Interner, Options, parse};
+use aptc_translate::{Interpreter, NoFiles, Step};
 
 /// Lexer and parser: every statement and message lies within the text, on whole characters, in order.
 pub fn syntax(data: &[u8]) {
@@ -25,6 +33,71 @@ pub fn syntax(data: &[u8]) {
             last = statement.span.start;
         }
     }
+}
+
+/// Section 1: a program ends within its limits, and nothing that is no number leaves it.
+pub fn section1(data: &[u8]) {
+    let text = String::from_utf8_lossy(data);
+    let mut options = aptc_translate::Options::default();
+    let limits = &mut options.limits;
+    (limits.statements, limits.array_elements, limits.points) = (5_000, 10_000, 1_000);
+    let mut files = NoFiles;
+    let mut program = Interpreter::new("fuzz.apt", &text, &mut files, options);
+    while let Step::Record(record) = program.step() {
+        if !matches!(record.kind, aptc_protap::Kind::Text { .. }) {
+            holds_numbers(&record.kind);
+        }
+        program.outcome(Outcome::None);
+    }
+    places_are_right(&text, &program.take_diagnostics());
+}
+
+/// Readers of CL data, in the dialect that is detected and in each: positions are numbers, and what was
+/// read is written as text and as JSON lines, of which the latter give the same records again.
+pub fn cldata(data: &[u8]) {
+    for dialect in [None].into_iter().chain(Dialect::ALL.map(Some)) {
+        let records = read_cl(data, dialect);
+        for record in &records {
+            if let Kind::Motion(motion) = &record.kind {
+                holds_numbers(motion);
+            }
+        }
+        let mut text = TextWriter::new(Vec::new(), TextOptions::default());
+        let mut lines = Vec::new();
+        let mut json = JsonWriter::new(&mut lines);
+        for record in &records {
+            text.write(record).expect("memory takes all");
+            json.write(record).expect("memory takes all");
+        }
+        json.finish().expect("memory takes all");
+        drop(json);
+        let mut reader = JsonReader::new(lines.as_slice(), FileId(0));
+        let (mut again, mut record) = (Vec::new(), Record::default());
+        while reader.read(&mut record).expect("memory gives all") {
+            again.push(record.clone());
+        }
+        assert_eq!(again, records, "as JSON lines the records are others");
+    }
+}
+
+/// All records and no complaint about places; an error of the stream itself ends the reading.
+fn read_cl(data: &[u8], dialect: Option<Dialect>) -> Vec<Record> {
+    let (mut records, mut record) = (Vec::new(), Record::default());
+    let Ok(mut reader) = Reader::open(data, dialect) else { return records };
+    while let Ok(true) = reader.read(&mut record) {
+        records.push(record.clone());
+    }
+    for diagnostic in reader.into_diagnostics() {
+        assert!(!diagnostic.message.is_empty(), "{} says nothing", diagnostic.code);
+    }
+    records
+}
+
+/// No NaN and no infinity: they are refused at the edge of each Section.
+fn holds_numbers(record: &impl Debug) {
+    let shown = format!("{record:?}");
+    let mut words = shown.split(|c: char| !c.is_ascii_alphanumeric());
+    assert!(!words.any(|word| matches!(word, "NaN" | "inf")), "{shown}");
 }
 
 /// Every message about file 0 points at characters of `text`.

@@ -12,24 +12,48 @@ fn programs() -> Vec<Vec<u8>> {
     cases.iter().map(|case| fs::read(case.program()).expect("a program can be read")).collect()
 }
 
-#[test]
-fn truncated_programs_parse() {
+/// Runs `check` over every program cut short after each byte.
+fn truncated(check: fn(&[u8]), step: usize) {
     for program in programs() {
-        for length in 0..program.len() {
-            targets::syntax(&program[..length]);
+        (0..program.len()).step_by(step).for_each(|length| check(&program[..length]));
+    }
+}
+
+/// Runs `check` over every program with each `step`-th byte replaced by one that means something to a lexer,
+/// or does not belong in a program.
+fn changed(check: fn(&[u8]), step: usize) {
+    let bytes = b"$(),/=*+-.'0A \n\r\t\0\x7f\xff";
+    for program in programs() {
+        for (at, &byte) in (0..program.len()).zip(bytes.iter().cycle()).step_by(step) {
+            let mut damaged = program.clone();
+            damaged[at] = byte;
+            check(&damaged);
         }
     }
 }
 
 #[test]
+fn truncated_programs_parse() {
+    truncated(targets::syntax, 1);
+}
+
+#[test]
 fn programs_with_a_changed_byte_parse() {
-    // Bytes that mean something to the lexer, and some that do not belong in a program.
-    let bytes = b"$(),/=*+-.'0A \n\r\t\0\x7f\xff";
-    for program in programs() {
-        for (at, &byte) in (0..program.len()).zip(bytes.iter().cycle()) {
-            let mut damaged = program.clone();
-            damaged[at] = byte;
-            targets::syntax(&damaged);
-        }
-    }
+    changed(targets::syntax, 1);
+}
+
+#[test]
+fn truncated_programs_translate() {
+    truncated(targets::section1, 1);
+}
+
+#[test]
+fn programs_with_a_changed_byte_translate() {
+    changed(targets::section1, 1);
+}
+
+#[test]
+fn damaged_programs_are_read_as_cl_data() {
+    truncated(targets::cldata, 17);
+    changed(targets::cldata, 17);
 }
