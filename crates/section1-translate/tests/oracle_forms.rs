@@ -7,6 +7,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
+use aptc_diagnostics::codes;
 use aptc_geometry::FormKind;
 use aptc_protap::Outcome;
 use aptc_translate::{FileError, FileRequest, Files, LoadedFile, Options};
@@ -26,7 +27,8 @@ impl Files for Library {
                 return Ok(LoadedFile { name: request.name.clone(), text: text.into() });
             }
         }
-        Err(FileError { message: format!("no file {}", request.name), help: None })
+        let message = format!("no file {}", request.name);
+        Err(FileError { code: codes::NOT_READ, message, help: None })
     }
 }
 
