@@ -20,7 +20,7 @@ pub struct Origin {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub file: Option<Arc<str>>,
     /// Macro calls, loops and includes around the statement, innermost first.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, skip_serializing_if = "Option::is_none", with = "list")]
     pub trace: Trace,
 }
 
@@ -41,8 +41,8 @@ pub struct Frame {
     /// Which pass of a loop, from 2; 0 for what is no loop.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub pass: u32,
-    /// The expansion around this one.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    /// The expansion around this one. Written as the next in the list of an [`Origin`].
+    #[serde(skip)]
     pub outer: Trace,
 }
 
@@ -61,6 +61,32 @@ pub enum FrameKind {
     Loop,
     /// READ or INCLUD of a file.
     Include,
+}
+
+/// A trace as a list, so that its length is no depth of nesting.
+mod list {
+    use std::sync::Arc;
+
+    use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+    use super::{Frame, Trace};
+
+    pub(super) fn serialize<S: Serializer>(
+        trace: &Trace,
+        serializer: S,
+    ) -> Result<S::Ok, S::Error> {
+        let frames = std::iter::successors(trace.as_deref(), |f| f.outer.as_deref());
+        frames.collect::<Vec<&Frame>>().serialize(serializer)
+    }
+
+    pub(super) fn deserialize<'d, D: Deserializer<'d>>(deserializer: D) -> Result<Trace, D::Error> {
+        let frames = Vec::<Frame>::deserialize(deserializer)?;
+        let around = |outer, mut frame: Frame| {
+            frame.outer = outer;
+            Some(Arc::new(frame))
+        };
+        Ok(frames.into_iter().rev().fold(None, around))
+    }
 }
 
 impl Origin {

@@ -58,6 +58,9 @@ codes! {
     TOO_MANY_FILES = 1102, "more files within each other than the limit";
     TOO_MANY_ELEMENTS = 1103, "more elements of arrays than the limit";
     TOO_MUCH_PRINTED = 1104, "more printed lines than the limit";
+    NO_PROTAP = 1110, "a file that is no PROTAP file";
+    BAD_PROTAP_LINE = 1111, "a line that is no PROTAP record";
+    BAD_PROTAP_RECORD = 1112, "a PROTAP record that breaks a rule";
     NO_SUCH_FORMAT = 1200, "arguments that no format of a definition reads";
     WRONG_ARGUMENT = 1201, "an argument of another kind than the format wants";
     PARALLEL = 1202, "lines or planes that do not meet";
