@@ -17,6 +17,7 @@ mod format;
 mod line;
 mod matrix;
 mod meet;
+mod mismatch;
 mod patern;
 mod plane;
 mod point;
@@ -38,6 +39,7 @@ pub use canon::canonical;
 pub use context::Context;
 pub use fault::{DefineError, Fault};
 use format::Format;
+pub use mismatch::Mismatch;
 
 /// Does `head` define geometry here?
 pub fn is_definition(head: Word) -> bool {

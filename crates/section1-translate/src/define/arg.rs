@@ -83,7 +83,10 @@ impl Arg {
             Value::Form { form, name } => {
                 let kind = form.kind().word();
                 match (name.name.as_str(), name.subscript) {
-                    ("", _) => format!("an unnamed {kind}"),
+                    ("", _) => match form.canonical() {
+                        e if e.len() > 12 => format!("this {kind}"),
+                        e => format!("{kind} ({})", list(&e)),
+                    },
                     (symbol, 0) => format!("{kind} {symbol}"),
                     (symbol, i) => format!("{kind} {symbol}({i})"),
                 }
@@ -106,6 +109,20 @@ impl Arg {
             Value::Empty => "empty",
         }
     }
+}
+
+/// Numbers as short as six figures allow.
+pub(super) fn list(numbers: &[f64]) -> String {
+    numbers.iter().map(|x| short(*x)).collect::<Vec<_>>().join(",")
+}
+
+/// A number as short as six figures allow.
+pub(super) fn short(x: f64) -> String {
+    let rounded: f64 = format!("{x:.5e}").parse().unwrap_or(x);
+    // A zero with a sign tells the user nothing.
+    let rounded = rounded + 0.0;
+    let tiny = rounded.abs() < 1e-4 && rounded != 0.0;
+    if tiny { format!("{rounded:e}") } else { rounded.to_string() }
 }
 
 impl From<f64> for Value {

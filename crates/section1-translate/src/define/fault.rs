@@ -1,10 +1,12 @@
 //! Why a definition fails, as data, and the message made of it.
 
 use aptc_diagnostics::{Code, Diagnostic, Span, codes};
-use aptc_geometry::{NotCarried, Plane, Vec3, trig};
+use aptc_geometry::{Form, NotCarried, Plane, Vec3, trig};
 use aptc_vocabulary::Word;
 
-use super::Arg;
+use super::arg::{list, short};
+use super::mismatch::Mismatch;
+use super::{Arg, Value};
 
 /// Why a definition gives no form. Places are indices of arguments.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,23 +20,12 @@ pub enum DefineError {
     NoSuchFormat {
         /// The major word.
         head: Word,
-        /// The first argument that no format can take; one past the last when something is missing.
+        /// The argument at fault; one past the last when something is missing there.
         at: usize,
-        /// What could stand there.
-        expected: Vec<String>,
-        /// The formats that go furthest.
+        /// What is amiss there.
+        mismatch: Mismatch,
+        /// The formats that come nearest.
         candidates: Vec<String>,
-    },
-    /// One format fits but for the kind of an argument.
-    WrongArgument {
-        /// The major word.
-        head: Word,
-        /// The argument.
-        at: usize,
-        /// What the format wants there.
-        expected: String,
-        /// The format.
-        format: String,
     },
     /// The format is right and there is nothing, or no one thing, that satisfies it.
     NoForm {
@@ -158,16 +149,9 @@ impl DefineError {
                 statement,
                 format!("{head} defines no geometry"),
             ),
-            Self::NoSuchFormat { head, at, expected, candidates } => {
-                words.no_such_format(*head, *at, expected, candidates)
+            Self::NoSuchFormat { head, at, mismatch, candidates } => {
+                words.no_such_format(*head, *at, mismatch, candidates)
             }
-            Self::WrongArgument { head, at, expected, format } => Diagnostic::error(
-                codes::WRONG_ARGUMENT,
-                words.span(*at),
-                format!("{head} wants a {expected} here, found {}", words.name(*at)),
-            )
-            .label(format!("this is {}", words.name(*at)))
-            .note(format!("the format is {head}/{format}")),
             Self::NoForm { head, fault } => words.no_form(*head, fault),
             Self::NotCarried { at, why } => {
                 let (span, what) = match at {
@@ -221,16 +205,23 @@ impl Words<'_> {
         self.args.get(at).map_or_else(|| "nothing".to_owned(), Arg::describe)
     }
 
+    fn is_named(&self, at: usize) -> bool {
+        matches!(self.args.get(at).map(|a| &a.value), Some(Value::Form { name, .. }) if !name.name.is_empty())
+    }
+
     /// The argument with its canonical form.
     fn full(&self, at: usize) -> String {
-        let numbers = |form: &aptc_geometry::Form| {
-            let e: Vec<String> = form.canonical().iter().take(12).map(|x| short(*x)).collect();
-            e.join(",")
+        let numbers = |form: &Form| {
+            let e = form.canonical();
+            list(&e[..e.len().min(12)])
         };
         match self.args.get(at) {
             Some(arg) => match arg.form() {
-                Some(form) => format!("{} is {}", arg.describe(), numbers(form)),
-                None => arg.describe(),
+                // An unnamed form is described by its numbers already.
+                Some(form) if self.is_named(at) => {
+                    format!("{} is {}", arg.describe(), numbers(form))
+                }
+                _ => arg.describe(),
             },
             None => "nothing".to_owned(),
         }
@@ -240,32 +231,55 @@ impl Words<'_> {
         &self,
         head: Word,
         at: usize,
-        expected: &[String],
+        mismatch: &Mismatch,
         candidates: &[String],
     ) -> Diagnostic {
-        let found = self.args.iter().map(Arg::class).collect::<Vec<_>>().join(",");
-        let one_of = match expected {
-            [] => String::new(),
-            [one] => one.clone(),
-            [most @ .., last] => format!("{} or {last}", most.join(", ")),
+        let found = self.name(at);
+        let end = at >= self.args.len();
+        let (code, here) = match mismatch {
+            Mismatch::OtherWord(wanted) => {
+                (codes::NO_SUCH_FORMAT, format!("expected {wanted}, found {found}"))
+            }
+            Mismatch::Missing(item) if end => {
+                (codes::NO_SUCH_FORMAT, format!("{item} is missing at the end"))
+            }
+            Mismatch::Missing(item) => {
+                (codes::NO_SUCH_FORMAT, format!("{item} is missing before {found}"))
+            }
+            Mismatch::Swapped => {
+                let before = self.name(at - 1);
+                (codes::NO_SUCH_FORMAT, format!("{found} should stand before {before}"))
+            }
+            Mismatch::OtherKind(wanted) => {
+                (codes::WRONG_ARGUMENT, format!("expected a {wanted}, found {found}"))
+            }
+            Mismatch::Extra => (codes::NO_SUCH_FORMAT, format!("{found} is one argument too many")),
+            Mismatch::Unread(expected) => {
+                let one_of = match expected.as_slice() {
+                    [] => "nothing".to_owned(),
+                    [one] => one.clone(),
+                    [most @ .., last] => format!("{} or {last}", most.join(", ")),
+                };
+                let here = if end {
+                    format!("the statement ends where {one_of} is expected")
+                } else {
+                    format!("expected {one_of}, found {found}")
+                };
+                (codes::NO_SUCH_FORMAT, here)
+            }
         };
-        let here = if at < self.args.len() {
-            format!("expected {one_of}, found {}", self.name(at))
-        } else {
-            format!("the statement ends where {one_of} is expected")
+        let given = self.args.iter().map(Arg::class).collect::<Vec<_>>().join(",");
+        let message = match code {
+            codes::WRONG_ARGUMENT => format!("{head}: {here}"),
+            _ => format!("no format of {head} reads {head}/{given}: {here}"),
         };
-        let mut d = Diagnostic::error(
-            codes::NO_SUCH_FORMAT,
-            self.span(at),
-            format!("no format of {head} reads {head}/{found}: {here}"),
-        )
-        .label(here);
-        // The longer ones first would hide the likely one: tables stand in the order of use.
-        for format in candidates.iter().take(6) {
-            d = d.note(format!("{head}/{format}"));
+        let mut d = self.error(code, at, message).label(here);
+        let (shown, hidden) = candidates.split_at(candidates.len().min(6));
+        for format in shown {
+            d = d.note(format!("the format is {head}/{format}"));
         }
-        if candidates.len() > 6 {
-            d = d.note(format!("and {} more formats", candidates.len() - 6));
+        if !hidden.is_empty() {
+            d = d.note(format!("and {} more", hidden.len()));
         }
         d
     }
@@ -358,7 +372,7 @@ impl Words<'_> {
                     last,
                     format!("{} do not fix a {head}: {what}", names.join(", ")),
                 );
-                for place in places {
+                for place in places.iter().filter(|p| self.is_named(**p)) {
                     d = d.note(self.full(*place));
                 }
                 d
@@ -533,19 +547,6 @@ fn other_axis(word: Option<Word>) -> &'static str {
         Some("POSY" | "NEGY") => "choose by POSX, NEGX, POSZ or NEGZ",
         Some("POSZ" | "NEGZ") => "choose by POSX, NEGX, POSY or NEGY",
         _ => "choose by another axis",
-    }
-}
-
-/// A number as short as six figures allow.
-fn short(x: f64) -> String {
-    let digits = format!("{x:.5e}");
-    let rounded: f64 = digits.parse().unwrap_or(x);
-    // A zero with a sign tells the user nothing.
-    let rounded = rounded + 0.0;
-    if rounded.abs() < 1e-4 && rounded != 0.0 {
-        format!("{rounded:e}")
-    } else {
-        rounded.to_string()
     }
 }
 

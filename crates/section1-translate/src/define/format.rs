@@ -85,7 +85,7 @@ pub(super) fn solve(
         }
     }
     let Some(format) = table.iter().find(|f| f.fits(args)) else {
-        return Err(mismatch(head, table, args));
+        return Err(super::mismatch::explain(head, table, args));
     };
     let matched = Args { head, list: args, context };
     (format.solve)(&matched).map_err(|fault| DefineError::from_fault(head, fault))
@@ -94,40 +94,7 @@ pub(super) fn solve(
 impl Format {
     /// Do the arguments fit?
     pub(super) fn fits(&self, args: &[Arg]) -> bool {
-        self.reach(args, Item::takes) == Reach::All
-    }
-
-    /// How far the arguments fit, by a test of one place.
-    fn reach(&self, args: &[Arg], takes: fn(&Item, &Arg) -> bool) -> Reach {
-        let mut at = 0;
-        for item in self.items {
-            match item {
-                Item::Rest(_) => return Reach::All,
-                Item::XY => {
-                    let pair = |i: usize| matches!(args.get(i), Some(a) if takes(&Item::N, a));
-                    if matches!(args.get(at), Some(a) if takes(&Item::P, a)) {
-                        at += 1;
-                    } else if pair(at) && pair(at + 1) {
-                        at += 2;
-                    } else {
-                        return Reach::Stops(at);
-                    }
-                }
-                item => match args.get(at) {
-                    Some(arg) if takes(item, arg) => at += 1,
-                    _ => return Reach::Stops(at),
-                },
-            }
-        }
-        if at == args.len() { Reach::All } else { Reach::Stops(at) }
-    }
-
-    /// The item at argument `at`, if the pattern is that long and has no pairs before.
-    fn item_at(&self, at: usize) -> Option<&'static Item> {
-        match self.items.get(at) {
-            None => self.items.last().filter(|i| matches!(i, Item::Rest(_))),
-            found => found,
-        }
+        reach(self.items.iter(), args.iter()) == Reach::All
     }
 
     /// The pattern in the notation of the manuals: `XLARGE|XSMALL,INTOF,line,circle`.
@@ -138,16 +105,43 @@ impl Format {
 
 /// How far a format went.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Reach {
+pub(super) enum Reach {
     /// To the end.
     All,
     /// To this argument, which does not fit.
     Stops(usize),
 }
 
+/// How far the arguments fit the items.
+pub(super) fn reach<'a, 'b>(
+    items: impl Iterator<Item = &'a Item>,
+    args: impl Iterator<Item = &'b Arg>,
+) -> Reach {
+    let mut args = args.peekable();
+    let mut at = 0;
+    for item in items {
+        let Some(arg) = args.next() else { return Reach::Stops(at) };
+        let fits = match item {
+            Item::Rest(_) => return Reach::All,
+            // Two numbers stand for a point.
+            Item::XY if Item::N.takes(arg) => {
+                let pair = args.next_if(|a| Item::N.takes(a)).is_some();
+                at += usize::from(pair);
+                pair
+            }
+            item => item.takes(arg),
+        };
+        if !fits {
+            return Reach::Stops(at);
+        }
+        at += 1;
+    }
+    if args.peek().is_none() { Reach::All } else { Reach::Stops(at) }
+}
+
 impl Item {
     /// Does `arg` fit here?
-    fn takes(&self, arg: &Arg) -> bool {
+    pub(super) fn takes(&self, arg: &Arg) -> bool {
         match (self, &arg.value) {
             (Self::Rest(_), _) | (Self::N, Value::Number(_)) => true,
             (Self::W(word), Value::Word(found)) => word == found,
@@ -177,16 +171,6 @@ impl Item {
         }
     }
 
-    /// Does `arg` fit when all that is not a word counts as alike?
-    fn takes_loosely(&self, arg: &Arg) -> bool {
-        match self {
-            Self::W(_) | Self::Of(_) | Self::Rest(_) => self.takes(arg),
-            // A pair of coordinates is not guessed at: only a point fills the place loosely.
-            Self::XY => false,
-            _ => !matches!(arg.value, Value::Word(_) | Value::Empty),
-        }
-    }
-
     /// The item in words.
     pub(super) fn text(&self) -> String {
         match self {
@@ -211,34 +195,6 @@ impl Item {
         }
         .to_owned()
     }
-}
-
-/// Why no format fits: the one that fits but for the kind of an argument, or how far the best ones go.
-fn mismatch(head: Word, table: &'static [Format], args: &[Arg]) -> DefineError {
-    let reach = |f: &Format| match f.reach(args, Item::takes) {
-        Reach::All => args.len(),
-        Reach::Stops(at) => at,
-    };
-    let loose: Vec<&Format> =
-        table.iter().filter(|f| f.reach(args, Item::takes_loosely) == Reach::All).collect();
-    if let [format] = loose[..] {
-        let at = reach(format);
-        if let Some(item) = format.item_at(at) {
-            let (expected, format) = (item.text(), format.text());
-            return DefineError::WrongArgument { head, at, expected, format };
-        }
-    }
-    let furthest = table.iter().map(reach).max().unwrap_or(0);
-    let best: Vec<&Format> = table.iter().filter(|f| reach(f) == furthest).collect();
-    let mut expected: Vec<String> = Vec::new();
-    for format in &best {
-        let text = format.item_at(furthest).map_or_else(|| "the end".to_owned(), Item::text);
-        if !expected.contains(&text) {
-            expected.push(text);
-        }
-    }
-    let candidates = best.iter().map(|f| f.text()).collect();
-    DefineError::NoSuchFormat { head, at: furthest, expected, candidates }
 }
 
 /// A vertical component of a plane's unit normal, or a horizontal one of an axis, below which the plane

@@ -3,7 +3,7 @@
 use aptc_geometry::{Form, Vec3, trig};
 use aptc_vocabulary::{Word, word};
 
-use super::choose::{XY_MODS, XYZ_MODS};
+use super::choose::XYZ_MODS;
 use super::fault::Fault;
 use super::format::Item::{C, K, L, N, Of, P, PL, PT, TC, W};
 use super::format::{Args, Format, row};
@@ -16,8 +16,8 @@ pub(super) const FORMATS: &[Format] = &[
     row(&[N, N, N], xyz),
     row(&[W(word::INTOF), L, L], two_lines),
     row(&[W(word::INTOF), PL, PL, PL], three_planes),
-    row(&[Of(XY_MODS), W(word::INTOF), L, C], line_circle),
-    row(&[Of(XY_MODS), W(word::INTOF), C, C], two_circles),
+    row(&[Of(XYZ_MODS), W(word::INTOF), L, C], line_circle),
+    row(&[Of(XYZ_MODS), W(word::INTOF), C, C], two_circles),
     row(&[Of(XYZ_MODS), W(word::INTOF), L, K], line_conic),
     row(&[W(word::INTOF), L, TC, P], line_tabcyl),
     row(&[C, W(word::ATANGL), N], on_circle),

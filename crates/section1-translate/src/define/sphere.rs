@@ -10,6 +10,7 @@ use super::format::{Args, Format, row};
 pub(super) const FORMATS: &[Format] = &[
     row(&[N, N, N, N], numbers),
     row(&[W(word::CENTER), P, W(word::RADIUS), N], about_point),
+    row(&[W(word::CENTER), N, N, N, W(word::RADIUS), N], about_numbers),
     row(&[P, N], point_radius),
     row(&[W(word::CENTER), P, P], about_through),
     row(&[W(word::CENTER), P, W(word::TANTO), PL], about_touching),
@@ -27,6 +28,11 @@ fn numbers(a: &Args<'_>) -> Result<Form, Fault> {
 
 fn about_point(a: &Args<'_>) -> Result<Form, Fault> {
     Ok(sphere(a.point(1)?, a.positive(3)?))
+}
+
+fn about_numbers(a: &Args<'_>) -> Result<Form, Fault> {
+    let [x, y, z] = a.numbers(1)?;
+    Ok(sphere(Vec3::new(x, y, z), a.positive(5)?))
 }
 
 fn point_radius(a: &Args<'_>) -> Result<Form, Fault> {

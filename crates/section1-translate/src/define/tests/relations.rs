@@ -329,12 +329,12 @@ pub(super) fn residuals(head: &str, key: &str, c: &Case<'_>, size: f64) -> Optio
         ("POINT", "number,number,number") => is(c, c.n(0), c.n(1), c.n(2)),
         ("POINT", "INTOF,line,line") => vec![on(1, c.point()), on(2, c.point())],
         ("POINT", "INTOF,plane,plane,plane") => (1..4).map(|i| on(i, c.point())).collect(),
-        ("POINT", "mod,INTOF,line,circle") => {
+        ("POINT", "modz,INTOF,line,circle") => {
             let (p, l, o) = (c.point().xy(), c.pl(2), c.c(3));
             let other = mirror(p, o.center.xy(), l.n.xy());
             vec![on(2, c.point()), around(3, c.point()), chosen(c, 0, p, other)]
         }
-        ("POINT", "mod,INTOF,circle,circle") => {
+        ("POINT", "modz,INTOF,circle,circle") => {
             let (p, a, b) = (c.point().xy(), c.c(2).center.xy(), c.c(3).center.xy());
             let other = mirror(p, a, (b - a).normalize());
             vec![around(2, c.point()), around(3, c.point()), chosen(c, 0, p, other)]
@@ -599,6 +599,10 @@ pub(super) fn residuals(head: &str, key: &str, c: &Case<'_>, size: f64) -> Optio
         }
         ("SPHERE", "CENTER,point,RADIUS,number") => {
             vec![vec(c.circle().center, c.p(1)), c.circle().radius - c.n(3)]
+        }
+        ("SPHERE", "CENTER,number,number,number,RADIUS,number") => {
+            let at = Vec3::new(c.n(1), c.n(2), c.n(3));
+            vec![vec(c.circle().center, at), c.circle().radius - c.n(5)]
         }
         ("SPHERE", "point,number") => {
             vec![vec(c.circle().center, c.p(0)), c.circle().radius - c.n(1)]

@@ -1,0 +1,128 @@
+//! What to say when no format reads the arguments: the least change after which one would.
+
+use aptc_vocabulary::{Word, word};
+
+use super::format::{Format, Item, Reach, reach};
+use super::{Arg, DefineError, Value};
+
+/// What is amiss, best explanation first.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Mismatch {
+    /// A word that the format does not have here, where it has others.
+    OtherWord(String),
+    /// Something is left out here.
+    Missing(String),
+    /// This argument and the one before it stand in the wrong order.
+    Swapped,
+    /// An argument of another kind.
+    OtherKind(String),
+    /// One argument too many.
+    Extra,
+    /// No single change helps; these could stand here.
+    Unread(Vec<String>),
+}
+
+/// The best explanation, and the formats that it comes from.
+pub(super) fn explain(head: Word, table: &'static [Format], args: &[Arg]) -> DefineError {
+    let mut best: Vec<(Mismatch, usize, String)> = Vec::new();
+    for format in table {
+        let Some((mismatch, at)) = single(format, args) else { continue };
+        best.push((mismatch, at, format.text()));
+    }
+    // Among equal kinds of change the table's order decides: the usual formats stand first.
+    best.sort_by_key(|(mismatch, ..)| rank(mismatch));
+    if let Some((mismatch, at, _)) = best.first().cloned() {
+        let alike = |(m, a, _): &&(Mismatch, usize, String)| *a == at && *m == mismatch;
+        let candidates = best.iter().filter(alike).map(|(_, _, text)| text.clone()).collect();
+        return DefineError::NoSuchFormat { head, at, mismatch, candidates };
+    }
+    furthest(head, table, args)
+}
+
+fn rank(mismatch: &Mismatch) -> u8 {
+    match mismatch {
+        Mismatch::OtherWord(_) => 0,
+        Mismatch::Missing(_) => 1,
+        Mismatch::Swapped => 2,
+        Mismatch::OtherKind(_) => 3,
+        Mismatch::Extra => 4,
+        Mismatch::Unread(_) => 5,
+    }
+}
+
+/// The best single change that makes the arguments fit the format, and its place.
+fn single(format: &Format, args: &[Arg]) -> Option<(Mismatch, usize)> {
+    let items = format.items;
+    if let [_, Item::Rest(_)] = items {
+        // A word and then anything: whatever the word, it would be said to be the wrong one.
+        return None;
+    }
+    let mut found: Vec<(Mismatch, usize)> = Vec::new();
+    for at in 0..=args.len() {
+        if let Some(item) = items.get(at).filter(|i| !matches!(i, Item::Rest(_))) {
+            let rest = items.iter().enumerate().filter(|(i, _)| *i != at).map(|(_, item)| item);
+            if reach(rest, args.iter()) == Reach::All {
+                found.push((Mismatch::Missing(item.text()), at));
+            }
+        }
+        let Some(arg) = args.get(at) else { continue };
+        let others = args.iter().enumerate().filter(|(i, _)| *i != at).map(|(_, arg)| arg);
+        if reach(items.iter(), others.clone()) == Reach::All && !has_rest(items) {
+            found.push((Mismatch::Extra, at));
+        }
+        if at > 0 {
+            let order = |i: usize| {
+                if i == at {
+                    at - 1
+                } else if i + 1 == at {
+                    at
+                } else {
+                    i
+                }
+            };
+            let swapped = (0..args.len()).map(|i| &args[order(i)]);
+            if reach(items.iter(), swapped) == Reach::All {
+                found.push((Mismatch::Swapped, at));
+            }
+        }
+        if let Some(item) = items.get(at).filter(|i| !i.takes(arg)) {
+            let rest = items.iter().enumerate().filter(|(i, _)| *i != at).map(|(_, item)| item);
+            let word = matches!(arg.value, Value::Word(_));
+            let wants_word = matches!(item, Item::W(_) | Item::Of(_));
+            if word == wants_word && reach(rest, others) == Reach::All {
+                let text = item.text();
+                let mismatch =
+                    if word { Mismatch::OtherWord(text) } else { Mismatch::OtherKind(text) };
+                found.push((mismatch, at));
+            }
+        }
+    }
+    found.sort_by_key(|(mismatch, _)| rank(mismatch));
+    found.into_iter().next()
+}
+
+fn has_rest(items: &[Item]) -> bool {
+    items.iter().any(|i| matches!(i, Item::Rest(_)))
+}
+
+/// What could stand where the formats that go furthest stop.
+fn furthest(head: Word, table: &'static [Format], args: &[Arg]) -> DefineError {
+    let reach_of = |f: &Format| match reach(f.items.iter(), args.iter()) {
+        Reach::All => args.len(),
+        Reach::Stops(at) => at,
+    };
+    let at = table.iter().map(reach_of).max().unwrap_or(0);
+    let best: Vec<&Format> = table.iter().filter(|f| reach_of(f) == at).collect();
+    let mut expected: Vec<String> = Vec::new();
+    if table.is_empty() {
+        expected.push(word::CANON.text().to_owned());
+    }
+    for format in &best {
+        let text = format.items.get(at).map_or_else(|| "the end".to_owned(), Item::text);
+        if !expected.contains(&text) {
+            expected.push(text);
+        }
+    }
+    let candidates = best.iter().map(|f| f.text()).collect();
+    DefineError::NoSuchFormat { head, at, mismatch: Mismatch::Unread(expected), candidates }
+}
