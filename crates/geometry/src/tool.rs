@@ -31,6 +31,19 @@ pub struct ToolNear {
     pub segment: Segment,
 }
 
+/// The place of a tool farthest from a point.
+#[derive(Clone, Copy, Debug)]
+pub struct ToolFarthest {
+    /// Its distance from the point.
+    pub distance: f64,
+    /// The place.
+    pub point: Vec3,
+    /// Unit direction from the given point to it: the outward normal of the tool.
+    pub direction: Vec3,
+    /// Where on the profile.
+    pub segment: Segment,
+}
+
 /// The extreme point of a tool in a direction.
 #[derive(Clone, Copy, Debug)]
 pub struct ToolSupport {
@@ -128,6 +141,18 @@ impl<'a> Tool<'a> {
         }
     }
 
+    /// The face of the tool whose normal is nearest to the unit direction `n`.
+    pub fn face(&self, n: Vec3) -> Segment {
+        let up = n.dot(&self.ta);
+        let v = Vec2::new((n - self.ta * up).norm(), up);
+        let faces = [
+            (v.dot(&self.profile.nl), Segment::LowerLine),
+            (v.dot(&self.profile.nu), Segment::UpperLine),
+            (v.y, Segment::Top),
+        ];
+        faces.iter().fold(faces[0], |best, f| if f.0 > best.0 { *f } else { best }).1
+    }
+
     /// Unit vector square to the axis, from the axis towards `p`; for a point of the axis an arbitrary but
     /// fixed one.
     ///
@@ -141,14 +166,19 @@ impl<'a> Tool<'a> {
     }
 
     /// The place of the tool farthest from `p`: where a hollow surface with its centre at `p` touches.
-    /// The point and the unit direction to it from `p`.
     ///
     /// APT: `TLNORM` for a concave surface.
-    pub fn farthest(&self, p: Vec3) -> (Vec3, Vec3, f64) {
+    #[inline]
+    pub fn farthest(&self, p: Vec3) -> ToolFarthest {
         let (z, rho, out) = self.half_plane(p - self.te);
         let f = self.profile.farthest(rho, z);
         let local = |v: [f64; 2]| self.ta * v[1] - out * v[0];
-        (self.te + local(f.point), local(f.direction), f.distance)
+        ToolFarthest {
+            distance: f.distance,
+            point: self.te + local(f.point),
+            direction: local(f.direction),
+            segment: f.segment,
+        }
     }
 
     /// Centre of the corner arc on the side of the outward unit normal `tn`.
@@ -250,7 +280,7 @@ mod tests {
             let n = Vec3::from(n);
             prop_assume!(n.norm() > 0.1);
             let q = Vec3::from(q);
-            let (place, direction, distance) = tool.farthest(q);
+            let ToolFarthest { point: place, direction, distance, .. } = tool.farthest(q);
             prop_assert!((q + direction * distance - place).norm() < 1e-9);
             prop_assert!((tool.support(n.normalize()).point - q).norm() <= distance + 1e-9);
             prop_assert!(tool.distance(place).abs() < 1e-9);

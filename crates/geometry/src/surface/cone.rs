@@ -93,6 +93,16 @@ impl Cone {
         Foot { point: p - normal * distance, normal, distance, shape: self.shape(m.away, along) }
     }
 
+    /// Curvature at the point `q` of the surface with outward unit normal `n` there.
+    pub fn shape_at(&self, q: Vec3, n: Vec3) -> Shape {
+        let m = self.meridian(q);
+        let (along, _) = vertex_side(m.t, m.rho, self.cos_half, self.sin_half());
+        if along <= EPS_LEN * m.rho {
+            return Shape::round(n, f64::INFINITY);
+        }
+        self.shape(m.away, along)
+    }
+
     /// Curvature on the generator in the direction `away` from the axis, at `along` from the vertex.
     #[inline]
     pub fn shape(&self, away: Vec3, along: f64) -> Shape {

@@ -149,6 +149,18 @@ impl Surface {
         }
     }
 
+    /// Curvature at the point `q` of the surface with unit normal `n` there (to the positive side).
+    #[inline]
+    pub fn shape_at(&self, q: Vec3, n: Vec3) -> Shape {
+        match self {
+            Self::Plane(_) => Shape::flat(n),
+            Self::Sphere(s) => Shape::round(n, 1.0 / s.radius),
+            Self::Cylinder(s) => s.shape(n),
+            Self::Cone(s) => s.shape_at(q, n),
+            Self::Quadric(s) => s.shape_at(q, n),
+        }
+    }
+
     /// The direction in which the surface runs straight for ever (planes have many and give none).
     pub fn generator(&self) -> Option<Vec3> {
         match self {

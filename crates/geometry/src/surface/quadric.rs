@@ -181,6 +181,12 @@ impl QuadricSurface {
         Foot { point, normal, distance, shape: self.shape(normal, s) }
     }
 
+    /// Curvature at the point `q` of the surface with unit normal `n` there.
+    pub fn shape_at(&self, q: Vec3, n: Vec3) -> Shape {
+        let s = 0.5 * self.form.gradient(q).norm();
+        if s <= 1e-150 { Shape::round(n, f64::INFINITY) } else { self.shape(n, s) }
+    }
+
     fn shape(&self, n: Vec3, s: f64) -> Shape {
         let frame = frame_about(n);
         let [a, b, c, _, f, g, h, ..] = self.form.c;

@@ -1,0 +1,107 @@
+//! Time of one gap for each kind of pair, in nanoseconds, by `cargo bench -p aptc-contact`.
+
+use std::hint::black_box;
+use std::sync::Arc;
+use std::time::Instant;
+
+use aptc_contact::{Condition, Side, Tool, chord, gap, gap_near, second};
+use aptc_geometry::surface::QuadricSurface;
+use aptc_geometry::{
+    Cone, Cutter, Cylinder, Plane, Profile, Quadric, QuadricKind, Sphere, Surface, Vec3, trig,
+};
+
+const ROUNDS: u32 = 200_000;
+
+/// Nanoseconds a call, the best of five runs.
+fn time(mut call: impl FnMut(u32) -> f64) -> f64 {
+    let mut best = f64::INFINITY;
+    for _ in 0..5 {
+        let start = Instant::now();
+        let mut sum = 0.0;
+        for i in 0..ROUNDS {
+            sum += call(i);
+        }
+        black_box(sum);
+        best = best.min(start.elapsed().as_secs_f64());
+    }
+    best * 1e9 / f64::from(ROUNDS)
+}
+
+fn quadric(c: [f64; 10]) -> Surface {
+    let form = Quadric { kind: QuadricKind::Qadric, c };
+    Surface::Quadric(Arc::new(QuadricSurface::new(&form).expect("a quadric")))
+}
+
+#[expect(clippy::print_stdout, reason = "a bench prints its figures")]
+fn main() {
+    let (o, r) = (Vec3::zeros(), 50.0);
+    let cylinder = |axis: Vec3| Surface::Cylinder(Cylinder { point: o, axis, radius: r });
+    let cone = |axis: Vec3| Surface::Cone(Cone { vertex: o, axis, cos_half: trig::cos_deg(30.0) });
+    let slant = Vec3::new(0.3, 0.5, 0.8).normalize();
+    let ellipsoid = |a: f64, b: f64, c: f64| {
+        quadric([a, b, c, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0].map(
+            |k: f64| {
+                if k < 0.0 { -1.0 } else { k }
+            },
+        ))
+    };
+    let q = |x: f64| 1.0 / (x * x);
+    let surfaces = [
+        ("plane", Surface::Plane(Plane { n: slant, d: 1.0 }), Side::Positive),
+        ("sphere, outside", Surface::Sphere(Sphere { center: o, radius: r }), Side::Positive),
+        ("sphere, inside", Surface::Sphere(Sphere { center: o, radius: r }), Side::Negative),
+        ("cylinder along the axis", cylinder(Vec3::z()), Side::Positive),
+        ("cylinder square to it", cylinder(Vec3::y()), Side::Positive),
+        ("cylinder oblique, outside", cylinder(slant), Side::Positive),
+        ("cylinder oblique, inside", cylinder(slant), Side::Negative),
+        ("cone along the axis", cone(-Vec3::z()), Side::Positive),
+        ("cone oblique, outside", cone(slant), Side::Positive),
+        ("elliptic cylinder along the axis", ellipsoid(q(60.0), q(40.0), 0.0), Side::Positive),
+        ("ellipsoid, outside", ellipsoid(q(60.0), q(40.0), q(50.0)), Side::Positive),
+        ("ellipsoid, inside", ellipsoid(q(60.0), q(40.0), q(50.0)), Side::Negative),
+        ("saddle", quadric([0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.005, 0.0, 0.0, 0.5]), Side::Positive),
+    ];
+    println!("{:34} {:>9} {:>9} {:>9} {:>9}", "ns a gap", "ball", "warm", "bull nose", "warm");
+    for (name, surface, side) in &surfaces {
+        print!("{name:34}");
+        for corner in [5.0, 2.0] {
+            let profile = Profile::new(&Cutter::mill(10.0, corner, 30.0)).expect("a mill");
+            let away = if *side == Side::Positive { 70.0 } else { 20.0 };
+            let mut base = Vec3::new(0.6, 0.5, 0.62) * away;
+            for _ in 0..4 {
+                let tool = Tool { profile: &profile, te: base, ta: Vec3::z() };
+                let g = gap(&tool, surface, *side, 0.0).expect("a gap");
+                base -= g.normal * g.g;
+            }
+            let at = |i: u32| {
+                let x = f64::from(i % 64) * 0.01;
+                Tool { profile: &profile, te: base + Vec3::new(x, -x, 0.3 * x), ta: Vec3::z() }
+            };
+            let cold = time(|i| gap(&at(i), surface, *side, 0.0).map_or(0.0, |g| g.g));
+            let mut start = None;
+            let warm = time(|i| {
+                let g = gap_near(&at(i), surface, *side, 0.0, start).expect("a gap");
+                start = Some(g.surface_point);
+                g.g
+            });
+            print!(" {cold:9.1} {warm:9.1}");
+        }
+        println!();
+    }
+    let ball = Profile::new(&Cutter::mill(10.0, 5.0, 30.0)).expect("a ball");
+    println!("\n{:34} {:>9} {:>9}", "ns", "second", "chord");
+    for (name, surface, side) in &surfaces {
+        let te = Vec3::new(30.0, 20.0, 25.0);
+        let tool = Tool { profile: &ball, te, ta: Vec3::z() };
+        let g = gap(&tool, surface, *side, 0.0).expect("a gap");
+        let bend = time(|_| {
+            second(black_box(&tool), surface, *side, &g).map_or(0.0, |s| s.second(Vec3::x()))
+        });
+        let to = te + g.normal.cross(&Vec3::new(0.3, 0.2, 0.9)).normalize() * 2.0;
+        let run = time(|_| {
+            let c = chord(black_box(&tool), to, surface, Condition::Touch, *side, 0.0, None, 1e-9);
+            c.map_or(0.0, |c| c.low.g)
+        });
+        println!("{name:34} {bend:9.1} {run:9.1}");
+    }
+}

@@ -1,0 +1,231 @@
+//! The gap along a cut vector: where it is least and greatest while the tool moves straight.
+
+use aptc_geometry::{Reason, Surface, Tool, Vec3};
+
+use crate::curvature::second;
+use crate::gap::{Condition, Gap, Side, distance};
+
+/// Bound of the search for one extreme value.
+const MAX_STEPS: usize = 60;
+/// Greatest number of pieces into which a chord over a surface of mixed curvature is cut.
+const MAX_PIECES: usize = 64;
+
+/// An extreme value of the gap on a chord.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Extreme {
+    /// Where, 0 at the first tool end, 1 at the second.
+    pub t: f64,
+    /// The gap there; as a bound it may lie beyond the value by less than the resolution asked for.
+    pub g: f64,
+}
+
+/// Least and greatest gap along a cut vector.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Chord {
+    /// No gap on the chord is less.
+    pub low: Extreme,
+    /// No gap on the chord is greater.
+    pub high: Extreme,
+    /// Are the bounds proved? They are where the gap is convex or concave along every chord (plane, sphere,
+    /// cylinder, cone, convex quadrics); elsewhere they rest on the curvatures met on the way.
+    pub proved: bool,
+}
+
+/// One place of the chord.
+#[derive(Clone, Copy)]
+struct Place {
+    t: f64,
+    gap: Gap,
+    slope: f64,
+}
+
+/// Least and greatest gap while the tool moves straight from `tool` to the tool end `to`, its axis fixed.
+/// `ends` are the gaps at both ends when they are known. Extreme values are found to `resolution`.
+///
+/// A plane's gap is linear. Outside a convex solid the gap is a convex function of the tool's place and
+/// inside one a concave function, so tangents bound it: the greatest (least) value is at an end, the other
+/// between the tangents of a bracket that Newton's method closes.
+#[expect(clippy::too_many_arguments, reason = "the two ends, the surface and its condition")]
+pub fn chord(
+    tool: &Tool<'_>,
+    to: Vec3,
+    surface: &Surface,
+    condition: Condition,
+    side: Side,
+    thick: f64,
+    ends: Option<[Gap; 2]>,
+    resolution: f64,
+) -> Result<Chord, Reason> {
+    let v = to - tool.te;
+    let run = Run { tool, v, surface, condition, side, thick };
+    let (a, b) = match ends {
+        Some([a, b]) => (a, b),
+        None => (run.gap(0.0, None)?, run.gap(1.0, None)?),
+    };
+    let place = |t: f64, gap: Gap| Place { t, gap, slope: gap.normal.dot(&v) };
+    let (a, b) = (place(0.0, a), place(1.0, b));
+    let ends = if a.gap.g <= b.gap.g { [a, b] } else { [b, a] };
+    let extreme = |p: &Place| Extreme { t: p.t, g: p.gap.g };
+    if let Surface::Plane(_) = surface {
+        return Ok(Chord { low: extreme(&ends[0]), high: extreme(&ends[1]), proved: true });
+    }
+    let (far, near) = match side {
+        Side::Positive => (surface.convex(), surface.concave()),
+        Side::Negative => (surface.concave(), surface.convex()),
+    };
+    if far {
+        let low = run.dip(a, b, 1.0, resolution)?;
+        Ok(Chord { low, high: extreme(&ends[1]), proved: true })
+    } else if near {
+        let high = run.dip(a, b, -1.0, resolution)?;
+        Ok(Chord { low: extreme(&ends[0]), high, proved: true })
+    } else {
+        run.mixed(a, b, resolution)
+    }
+}
+
+struct Run<'a, 'b> {
+    tool: &'a Tool<'b>,
+    v: Vec3,
+    surface: &'a Surface,
+    condition: Condition,
+    side: Side,
+    thick: f64,
+}
+
+impl Run<'_, '_> {
+    fn gap(&self, t: f64, start: Option<Vec3>) -> Result<Gap, Reason> {
+        let tool = self.tool.at(self.tool.te + self.v * t);
+        distance(&tool, self.surface, self.condition, self.side, self.thick, start)
+    }
+
+    fn place(&self, t: f64, start: Option<Vec3>) -> Result<Place, Reason> {
+        let gap = self.gap(t, start)?;
+        Ok(Place { t, gap, slope: gap.normal.dot(&self.v) })
+    }
+
+    /// The least value of `sign * g`, a convex function, bounded from below by the tangents of a bracket.
+    fn dip(&self, a: Place, b: Place, sign: f64, resolution: f64) -> Result<Extreme, Reason> {
+        let value = |p: &Place| sign * p.gap.g;
+        let slope = |p: &Place| sign * p.slope;
+        if slope(&a) >= 0.0 {
+            return Ok(Extreme { t: a.t, g: a.gap.g });
+        }
+        if slope(&b) <= 0.0 {
+            return Ok(Extreme { t: b.t, g: b.gap.g });
+        }
+        let (mut a, mut b) = (a, b);
+        // The cubic through both ends and slopes starts the search: exact for constant curvature.
+        let mut t = cubic_minimum(&a, &b, slope(&a), slope(&b), value(&a), value(&b));
+        let mut last = f64::INFINITY;
+        for _ in 0..MAX_STEPS {
+            // In a hollow the nearest wall may change on the way: only a search without a start sees it.
+            let near = if t - a.t < b.t - t { a } else { b };
+            let start = (sign > 0.0).then_some(near.gap.surface_point);
+            let at = self.place(t, start)?;
+            if slope(&at) < 0.0 {
+                a = at;
+            } else {
+                b = at;
+            }
+            let cut = tangents_meet(&a, &b, slope(&a), slope(&b), value(&a), value(&b));
+            let best = if value(&a) < value(&b) { &a } else { &b };
+            if value(best) - cut.1 <= resolution || b.t - a.t <= 1e-15 {
+                return Ok(Extreme { t: best.t, g: sign * cut.1.min(value(best)) });
+            }
+            let tool = self.tool.at(self.tool.te + self.v * at.t);
+            let bend = second(&tool, self.surface, self.side, &at.gap)
+                .map_or(0.0, |s| sign * s.second(self.v));
+            let step = -slope(&at) / bend;
+            let newton = at.t + step;
+            t = if bend > 0.0 && newton > a.t && newton < b.t && step.abs() < 0.5 * last {
+                last = step.abs();
+                newton
+            } else {
+                last = f64::INFINITY;
+                let margin = 0.05 * (b.t - a.t);
+                cut.0.clamp(a.t + margin, b.t - margin)
+            };
+            if step.abs() <= 1e-9 && bend > 0.0 {
+                // The bracket closes from one side only: step over to see the other.
+                let over = 4.0 * step.abs().max(1e-12) * step.signum();
+                let cross = at.t + over;
+                if cross > a.t && cross < b.t {
+                    t = cross;
+                }
+            }
+        }
+        let cut = tangents_meet(&a, &b, slope(&a), slope(&b), value(&a), value(&b));
+        Ok(Extreme { t: cut.0, g: sign * cut.1 })
+    }
+
+    /// Any curvature: pieces are halved until the cubic through their ends and slopes foretells the gap in
+    /// their middle to a quarter of the resolution, and both ends bend as the cubic does.
+    fn mixed(&self, a: Place, b: Place, resolution: f64) -> Result<Chord, Reason> {
+        let mut low = Extreme { t: a.t, g: a.gap.g };
+        let mut high = low;
+        let mut todo: Vec<(Place, Place)> = vec![(a, b)];
+        let mut pieces = 0;
+        while let Some((a, b)) = todo.pop() {
+            pieces += 1;
+            let m = self.place(0.5 * (a.t + b.t), Some(a.gap.surface_point))?;
+            let h = b.t - a.t;
+            let foretold = 0.5 * (a.gap.g + b.gap.g) + h * (a.slope - b.slope) / 8.0;
+            let off = (m.gap.g - foretold).abs();
+            if off > 0.25 * resolution && pieces < MAX_PIECES {
+                todo.push((a, m));
+                todo.push((m, b));
+                continue;
+            }
+            for (a, b) in [(a, m), (m, b)] {
+                for (t, g) in cubic_extremes(&a, &b) {
+                    if g - off < low.g {
+                        low = Extreme { t, g: g - off };
+                    }
+                    if g + off > high.g {
+                        high = Extreme { t, g: g + off };
+                    }
+                }
+            }
+        }
+        Ok(Chord { low, high, proved: false })
+    }
+}
+
+/// Where the tangents at the ends of a bracket meet.
+fn tangents_meet(a: &Place, b: &Place, sa: f64, sb: f64, ga: f64, gb: f64) -> (f64, f64) {
+    let t = (ga - gb + sb * b.t - sa * a.t) / (sb - sa);
+    if t.is_finite() {
+        let t = t.clamp(a.t, b.t);
+        (t, (ga + sa * (t - a.t)).max(gb + sb * (t - b.t)))
+    } else {
+        (0.5 * (a.t + b.t), ga.min(gb))
+    }
+}
+
+/// Place of the minimum of the cubic through values and slopes, the slopes falling and rising.
+fn cubic_minimum(a: &Place, b: &Place, sa: f64, sb: f64, ga: f64, gb: f64) -> f64 {
+    let h = b.t - a.t;
+    let z = 3.0 * (ga - gb) / h + sa + sb;
+    let root = (z * z - sa * sb).max(0.0).sqrt();
+    let x = 1.0 - (sb + root - z) / (sb - sa + 2.0 * root);
+    let x = if x.is_finite() { x.clamp(0.02, 0.98) } else { 0.5 };
+    a.t + h * x
+}
+
+/// Ends and inner extreme values of the cubic through values and slopes.
+fn cubic_extremes(a: &Place, b: &Place) -> impl Iterator<Item = (f64, f64)> {
+    let h = b.t - a.t;
+    let (ga, gb) = (a.gap.g, b.gap.g);
+    let (c1, rise) = (a.slope * h, gb - ga);
+    let c2 = 3.0 * rise - 2.0 * c1 - b.slope * h;
+    let c3 = c1 + b.slope * h - 2.0 * rise;
+    let start = a.t;
+    let roots = aptc_geometry::roots::quadratic(3.0 * c3, c2, c1, 1.0);
+    let inner = roots.ok().into_iter().flat_map(|q| q.roots().to_vec());
+    [(a.t, ga), (b.t, gb)].into_iter().chain(
+        inner
+            .filter(|x| *x > 0.0 && *x < 1.0)
+            .map(move |x| (start + h * x, ga + x * (c1 + x * (c2 + x * c3)))),
+    )
+}

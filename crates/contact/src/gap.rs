@@ -1,0 +1,145 @@
+//! The gap between a tool and a surface.
+
+use aptc_geometry::profile::Segment;
+use aptc_geometry::{Reason, Surface, Tool, Vec3};
+
+use crate::{closed, search, tangents};
+
+/// The side of a surface on which the tool is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Side {
+    /// Where the surface's normals point: outside of sphere, cylinder and cone.
+    Positive,
+    /// The other side.
+    Negative,
+}
+
+impl Side {
+    /// The side on which a point lies; the positive one for a point of the surface.
+    pub fn of(p: Vec3, surface: &Surface) -> Self {
+        if surface.distance(p) < 0.0 { Self::Negative } else { Self::Positive }
+    }
+
+    /// +1 or -1.
+    #[inline]
+    pub fn sign(self) -> f64 {
+        match self {
+            Self::Positive => 1.0,
+            Self::Negative => -1.0,
+        }
+    }
+
+    /// The other side: PAST is TO from there.
+    #[must_use]
+    pub fn other(self) -> Self {
+        match self {
+            Self::Positive => Self::Negative,
+            Self::Negative => Self::Positive,
+        }
+    }
+}
+
+/// What the tool does to a surface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Condition {
+    /// The tool touches it (TO, PAST, TANTO, TLLFT, TLRGT, TLOFPS).
+    Touch,
+    /// The tool end lies on it (ON, TLON, TLONPS).
+    On,
+}
+
+/// The gap and where it is.
+#[derive(Clone, Copy, Debug)]
+pub struct Gap {
+    /// Signed gap less THICK: positive clear, negative deep by as much.
+    pub g: f64,
+    /// Gap before THICK was taken off.
+    pub raw: f64,
+    /// The point of the tool; the tool end for ON.
+    pub tool_point: Vec3,
+    /// The point of the surface.
+    pub surface_point: Vec3,
+    /// Unit normal of the surface there, towards the tool's side: the gradient of `g` by the tool end.
+    pub normal: Vec3,
+    /// Where on the cutter; `None` for ON.
+    pub segment: Option<Segment>,
+    /// By how much tool point and surface point fail to face each other: the length of the part of their
+    /// difference across the normal. `g` is wrong by about its square over the radius of curvature.
+    pub residual: f64,
+}
+
+impl Gap {
+    /// How fast the gap grows when the tool turns at the rate `omega` (radians, as a vector) about its end.
+    ///
+    /// The tool axis then changes by `omega x ta`.
+    pub fn turn_rate(&self, te: Vec3, omega: Vec3) -> f64 {
+        omega.cross(&(self.tool_point - te)).dot(&self.normal)
+    }
+}
+
+/// Gap between the tool and the surface, the tool being on `side` of it, less `thick` of stock.
+///
+/// APT: `AMIND`, `DISDS`, `TLNORM`. Source: B70-18 ch. D; closed forms for plane, sphere, cylinder and cone,
+/// and for all surfaces along whose generator the tool axis stands. Elsewhere the search starts from points
+/// all round the tool and ends at a normal pair, `residual` below 1e-9 of the cutter; its bound is reached
+/// only for surfaces tighter than the tool, and then it says so.
+#[inline]
+pub fn gap(tool: &Tool<'_>, surface: &Surface, side: Side, thick: f64) -> Result<Gap, Reason> {
+    gap_near(tool, surface, side, thick, None)
+}
+
+/// As [`gap`]; where a search is needed it starts at the surface point `start` of the last position and
+/// stays on its branch. That is several times faster, and local.
+#[inline]
+pub fn gap_near(
+    tool: &Tool<'_>,
+    surface: &Surface,
+    side: Side,
+    thick: f64,
+    start: Option<Vec3>,
+) -> Result<Gap, Reason> {
+    debug_assert!((tool.ta.norm() - 1.0).abs() < 1e-9, "the tool axis is a unit vector");
+    let mut gap = match surface {
+        Surface::Plane(s) => closed::plane(tool, s, side),
+        Surface::Sphere(s) => closed::sphere(tool, s, side),
+        Surface::Cylinder(s) => tangents::cylinder(tool, s, side)?,
+        Surface::Cone(s) => tangents::cone(tool, s, side)?,
+        _ => search::general(tool, surface, side, start)?,
+    };
+    gap.g = gap.raw - thick;
+    Ok(gap)
+}
+
+/// Signed distance of the tool end from the surface, positive on `side`. THICK does not count for ON.
+///
+/// APT: the ON branch of `DISDS`.
+#[inline]
+pub fn on(te: Vec3, surface: &Surface, side: Side) -> Gap {
+    let foot = surface.foot(te);
+    let s = side.sign();
+    Gap {
+        g: s * foot.distance,
+        raw: s * foot.distance,
+        tool_point: te,
+        surface_point: foot.point,
+        normal: foot.normal * s,
+        segment: None,
+        residual: 0.0,
+    }
+}
+
+/// [`gap_near`] or [`on`], as the condition says.
+#[inline]
+pub fn distance(
+    tool: &Tool<'_>,
+    surface: &Surface,
+    condition: Condition,
+    side: Side,
+    thick: f64,
+    start: Option<Vec3>,
+) -> Result<Gap, Reason> {
+    match condition {
+        Condition::Touch => gap_near(tool, surface, side, thick, start),
+        Condition::On => Ok(on(tool.te, surface, side)),
+    }
+}

@@ -1,0 +1,135 @@
+//! A tool inside a hollow: its hull is spanned by circles about its axis, the arc being one thickened by
+//! the corner radius, and only these can touch.
+
+use aptc_geometry::profile::Segment;
+use aptc_geometry::surface::frame_about;
+use aptc_geometry::{Foot, Profile, Reason, Tool, Vec3};
+
+use crate::gap::Gap;
+
+/// Cosines of the multiples of 22.5 degrees, to spread samples around an axis.
+pub(crate) const COS16: [f64; 16] = {
+    let (a, b, c) =
+        (0.923_879_532_511_286_7, std::f64::consts::FRAC_1_SQRT_2, 0.382_683_432_365_089_8);
+    [1.0, a, b, c, 0.0, -c, -b, -a, -1.0, -a, -b, -c, 0.0, c, b, a]
+};
+/// Bound of Newton's method on one circle.
+const MAX_STEPS: usize = 60;
+
+/// A circle of the cutter about its axis, thickened by r.
+#[derive(Clone, Copy)]
+struct Ring {
+    rho: f64,
+    z: f64,
+    r: f64,
+    segment: Segment,
+}
+
+/// The circles whose hull the cutter is.
+fn rings(profile: &Profile) -> [Option<Ring>; 5] {
+    let [[a, za], [b, zb]] = profile.joints();
+    let [e, f] = profile.corner();
+    let (rim, top) = (profile.top_radius(), profile.height());
+    let sharp = |rho: f64, z: f64, segment| Some(Ring { rho, z, r: 0.0, segment });
+    let r = profile.corner_radius();
+    let edge = |new: bool, ring| if new { ring } else { None };
+    [
+        sharp(rim, top, Segment::Rim),
+        Some(Ring { rho: e, z: f, r, segment: Segment::Arc }),
+        edge(r > 0.0, sharp(a, za, Segment::LowerPoint)),
+        edge(r > 0.0 && (b, zb) != (rim, top), sharp(b, zb, Segment::UpperPoint)),
+        sharp(0.0, profile.bottom(), Segment::Tip),
+    ]
+}
+
+/// A place on a circle.
+#[derive(Clone, Copy)]
+struct At {
+    out: Vec3,
+    foot: Foot,
+    /// Distance of the circle's point from the wall.
+    value: f64,
+    /// Its derivative by the angle.
+    slope: f64,
+}
+
+/// Gap of a tool on the negative side of a surface whose negative side is convex, its nearest points
+/// given by `foot`.
+///
+/// On each circle the distance from the wall is smooth and has at most two dips, on opposite sides, which
+/// sixteen samples tell apart.
+pub(crate) fn within(tool: &Tool<'_>, foot: impl Fn(Vec3) -> Foot) -> Result<Gap, Reason> {
+    let [a, b] = frame_about(tool.ta);
+    let mut best: Option<Gap> = None;
+    for ring in rings(tool.profile).iter().flatten() {
+        let center = tool.te + tool.ta * ring.z;
+        let at = |out: Vec3| {
+            let foot = foot(center + out * ring.rho);
+            let slope = -foot.normal.dot(&tool.ta.cross(&out)) * ring.rho;
+            At { out, foot, value: -foot.distance, slope }
+        };
+        let mut offer = |at: &At| {
+            let normal = -at.foot.normal;
+            let real =
+                ring.segment != Segment::Arc || tool.support(-normal).segment == Segment::Arc;
+            let raw = at.value - ring.r;
+            if real && best.is_none_or(|b| raw < b.raw) {
+                best = Some(Gap {
+                    g: raw,
+                    raw,
+                    tool_point: center + at.out * ring.rho - normal * ring.r,
+                    surface_point: at.foot.point,
+                    normal,
+                    segment: Some(ring.segment),
+                    residual: at.slope.abs(),
+                });
+            }
+            raw
+        };
+        if ring.rho <= 0.0 {
+            offer(&at(a));
+            continue;
+        }
+        let all: [At; 16] = std::array::from_fn(|k| at(a * COS16[k] + b * COS16[(k + 12) % 16]));
+        let mut least = f64::INFINITY;
+        for i in 0..16 {
+            let (before, here, after) = (&all[(i + 15) % 16], &all[i], &all[(i + 1) % 16]);
+            if here.value > before.value || here.value > after.value {
+                continue;
+            }
+            // No dip is deeper below its sample than this.
+            let depth = (before.value - here.value).max(after.value - here.value);
+            if here.value - depth - ring.r <= least {
+                least = least.min(offer(&descend(tool, ring, &at, *here)));
+            }
+        }
+    }
+    best.ok_or(Reason::NoHit)
+}
+
+/// Newton's method downhill on a circle, with steps no longer than the sampling.
+fn descend(tool: &Tool<'_>, ring: &Ring, place: &impl Fn(Vec3) -> At, start: At) -> At {
+    let mut at = start;
+    let mut cap = 0.4;
+    for _ in 0..MAX_STEPS {
+        if at.slope.abs() <= 1e-14 * ring.rho {
+            break;
+        }
+        let around = tool.ta.cross(&at.out);
+        let turn = at.foot.shape.offset(at.foot.distance).map_or(0.0, |s| s.second(around));
+        let bend = ring.rho * at.foot.normal.dot(&at.out) - turn * ring.rho * ring.rho;
+        let newton = -at.slope / bend;
+        let downhill = -cap * at.slope.signum();
+        let step = if bend > 0.0 && newton.abs() <= cap { newton } else { downhill };
+        let next = place((at.out + around * step).normalize());
+        if next.value < at.value || next.slope.abs() < 0.5 * at.slope.abs() && bend > 0.0 {
+            at = next;
+        } else {
+            cap = 0.5 * step.abs();
+            if cap < 1e-15 {
+                break;
+            }
+        }
+    }
+    at
+}

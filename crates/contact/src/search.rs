@@ -1,0 +1,273 @@
+//! Normal pairs where no closed form exists.
+//!
+//! The tool's distance is minimised over the surface moved away from the tool by a depth `back`: that
+//! changes no normal pair, and keeps the tool's distance smooth through sharp edges and through contact.
+
+use aptc_geometry::profile::Segment;
+use aptc_geometry::{Foot, Reason, Shape, Surface, Tool, Vec3};
+
+use crate::closed::{along_axis, is_axis};
+use crate::gap::{Gap, Side};
+
+/// Bound of one local search. Newton's method takes 3 to 8 steps; the rest is for places where the surface
+/// is as tight as the tool.
+const MAX_STEPS: usize = 60;
+/// A normal pair is accepted when the normals differ by less than this sine. The gap is then exact to its
+/// square.
+const FACING: f64 = 1e-10;
+/// Stations around the tool from which a search without a start sets out.
+const AROUND: usize = 12;
+
+/// Gap to a surface without closed form.
+pub(crate) fn general(
+    tool: &Tool<'_>,
+    surface: &Surface,
+    side: Side,
+    start: Option<Vec3>,
+) -> Result<Gap, Reason> {
+    if surface.generator().is_some_and(|d| is_axis(tool, d)) {
+        return Ok(along_axis(tool, surface, side));
+    }
+    let far_is_convex = match side {
+        Side::Positive => surface.convex(),
+        Side::Negative => surface.concave(),
+    };
+    let round = round(tool, surface, side);
+    if let Some(gap) = round
+        && (far_is_convex || start.is_some())
+    {
+        return Ok(gap);
+    }
+    if let Some(q) = start
+        && let Ok(gap) = local(tool, surface, side, q)
+    {
+        return Ok(gap);
+    }
+    let seeds = seeds(tool, surface, side, if far_is_convex { 1 } else { SEEDS });
+    let mut best: Option<Gap> = round;
+    let mut failure = Reason::NoHit;
+    for q in seeds.into_iter().flatten() {
+        match local(tool, surface, side, q) {
+            Ok(gap) if best.is_none_or(|b| gap.raw < b.raw) => best = Some(gap),
+            Ok(_) => {}
+            Err(reason) => failure = reason,
+        }
+    }
+    best.ok_or(failure)
+}
+
+/// A cutter with a centre: its nearest surface point, when the arc faces it. Of all arc contacts this is the
+/// nearest one.
+#[inline]
+fn round(tool: &Tool<'_>, surface: &Surface, side: Side) -> Option<Gap> {
+    let profile = tool.profile;
+    if !profile.is_round() {
+        return None;
+    }
+    let [_, f] = profile.corner();
+    let foot = surface.foot(tool.te + tool.ta * f);
+    let normal = foot.normal * side.sign();
+    let p = tool.support(-normal);
+    if p.segment != Segment::Arc {
+        return None;
+    }
+    let raw = side.sign() * foot.distance - profile.corner_radius();
+    Some(Gap {
+        g: raw,
+        raw,
+        tool_point: p.point,
+        surface_point: foot.point,
+        normal,
+        segment: Some(Segment::Arc),
+        residual: 0.0,
+    })
+}
+
+/// Greatest number of seeds that are searched from.
+const SEEDS: usize = 4;
+
+/// Surface points below the lowest stations around the tool: the local minima over the stations, the lowest
+/// `most` of them.
+fn seeds(tool: &Tool<'_>, surface: &Surface, side: Side, most: usize) -> [Option<Vec3>; SEEDS] {
+    let profile = tool.profile;
+    let [[rl, zl], [ru, zu]] = profile.joints();
+    let mid = |a: [f64; 2], b: [f64; 2]| [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])];
+    let (lower, upper) = ([rl, zl], [ru, zu]);
+    let rim = [profile.top_radius(), profile.height()];
+    let stations = [lower, upper, rim, mid(upper, rim), mid(lower, [0.0, profile.bottom()])];
+    let [a, b] = aptc_geometry::surface::frame_about(tool.ta);
+    let at = |rho: f64, z: f64, turn: usize| {
+        let out = a * COS12[turn] + b * COS12[(turn + 9) % AROUND];
+        let foot = surface.foot(tool.te + out * rho + tool.ta * z);
+        (side.sign() * foot.distance, foot.point)
+    };
+    let mut found: [Option<(f64, Vec3)>; SEEDS] = [None; SEEDS];
+    let mut offer = |value: f64, q: Vec3| {
+        let mut new = Some((value, q));
+        for slot in found.iter_mut().take(most) {
+            if new.is_some_and(|n| slot.is_none_or(|s| n.0 < s.0)) {
+                std::mem::swap(slot, &mut new);
+            }
+        }
+    };
+    let (value, q) = at(0.0, profile.bottom(), 0);
+    offer(value, q);
+    for (i, [rho, z]) in stations.into_iter().enumerate() {
+        if i > 0 && stations[..i].contains(&[rho, z]) {
+            continue;
+        }
+        let ring: [(f64, Vec3); AROUND] = std::array::from_fn(|turn| at(rho, z, turn));
+        for turn in 0..AROUND {
+            let (value, q) = ring[turn];
+            let neighbours = [ring[(turn + 1) % AROUND].0, ring[(turn + AROUND - 1) % AROUND].0];
+            if neighbours.iter().all(|v| value <= *v) {
+                offer(value, q);
+            }
+        }
+    }
+    found.map(|f| f.map(|f| f.1))
+}
+
+/// Cosines of the multiples of 30 degrees.
+const COS12: [f64; AROUND] = {
+    let c = 0.866_025_403_784_438_6;
+    [1.0, c, 0.5, 0.0, -0.5, -c, -1.0, -c, -0.5, 0.0, 0.5, c]
+};
+
+/// A place of the search.
+struct At {
+    /// Foot on the surface.
+    q: Vec3,
+    normal: Vec3,
+    /// Surface moved back.
+    x: Vec3,
+    /// Distance of the tool from it.
+    value: f64,
+    /// Part of the tool's normal across the surface's.
+    across: Vec3,
+    tool_point: Vec3,
+    segment: Segment,
+    bend: Shape,
+    /// Cosine between the tool's normal and the surface's reversed.
+    facing: f64,
+    shape: Option<Shape>,
+}
+
+fn at(tool: &Tool<'_>, foot: &Foot, side: Side, back: f64) -> At {
+    let normal = foot.normal * side.sign();
+    let shape = if side == Side::Positive { foot.shape } else { foot.shape.reversed() };
+    let x = foot.point - normal * back;
+    let near = tool.near(x);
+    let facing = -near.normal.dot(&normal);
+    At {
+        q: foot.point,
+        normal,
+        x,
+        value: near.distance,
+        across: near.normal + normal * facing,
+        tool_point: near.point,
+        segment: near.segment,
+        bend: near.shape,
+        facing,
+        shape: shape.offset(-back),
+    }
+}
+
+/// The normal pair into which the surface point `q` runs downhill.
+fn local(tool: &Tool<'_>, surface: &Surface, side: Side, q: Vec3) -> Result<Gap, Reason> {
+    let size = tool.profile.widest().max(0.1 * tool.profile.reach());
+    let mut foot = surface.foot(q);
+    let mut back = 0.25 * size + 2.0 * (-tool.distance(foot.point)).max(0.0);
+    let mut failure = Reason::NotConverged { best: q, residual: f64::INFINITY };
+    // A tool deeper in than the surface was moved back is met again with the surface farther back.
+    for _ in 0..4 {
+        // The moved surface must not pass a centre of curvature.
+        let shape = if side == Side::Positive { foot.shape } else { foot.shape.reversed() };
+        let tight = shape.principal()[0].max(0.0);
+        let most = if tight.is_finite() { 0.7 / tight.max(1e-300) } else { 0.0 };
+        let here =
+            descend(tool, surface, side, at(tool, &foot, side, back.min(most)), back.min(most));
+        let w = here.tool_point - here.q;
+        let raw = w.dot(&here.normal);
+        let residual = (w - here.normal * raw).norm();
+        if here.facing > 0.0 && here.across.norm() <= 1e-7 {
+            return Ok(Gap {
+                g: raw,
+                raw,
+                tool_point: here.tool_point,
+                surface_point: here.q,
+                normal: here.normal,
+                segment: Some(here.segment),
+                residual,
+            });
+        }
+        failure = Reason::NotConverged { best: here.q, residual };
+        if back >= most {
+            break;
+        }
+        back = 2.0 * back + 2.0 * (-here.value).max(0.0);
+        foot = surface.foot(here.q);
+    }
+    Err(failure)
+}
+
+/// Newton's method downhill on the surface moved `back`, from one place to the next.
+fn descend(tool: &Tool<'_>, surface: &Surface, side: Side, start: At, back: f64) -> At {
+    let size = tool.profile.widest().max(0.1 * tool.profile.reach());
+    let mut here = start;
+    let mut cap = size;
+    for _ in 0..MAX_STEPS {
+        let slope = here.across.norm();
+        if here.facing > 0.0 && slope <= FACING {
+            break;
+        }
+        let d = step(&here, cap);
+        let next = at(tool, &surface.foot(here.x + d), side, back);
+        // Close to the end the values agree to rounding, and the slope tells.
+        let lower = next.value < here.value - 1e-14 * size;
+        let flatter = next.value <= here.value + 1e-13 * size && next.across.norm() < 0.7 * slope;
+        if lower || flatter && next.facing > 0.0 {
+            cap = (2.0 * cap).min(size);
+            here = next;
+            continue;
+        }
+        cap = 0.35 * d.norm().min(cap);
+        if cap <= 1e-14 * size {
+            break;
+        }
+    }
+    here
+}
+
+/// Newton's step in the tangent plane, with the signs of the curvatures made positive; no longer than `cap`.
+fn step(here: &At, cap: f64) -> Vec3 {
+    let [u, v] = aptc_geometry::surface::frame_about(here.normal);
+    let g = [here.across.dot(&u), here.across.dot(&v)];
+    let mut h = [here.bend.second(u), 0.0, here.bend.second(v)];
+    h[1] = 0.5 * (here.bend.second(u + v) - h[0] - h[2]);
+    if let Some(shape) = &here.shape {
+        let k = [shape.second(u), shape.second(v), shape.second(u + v)];
+        h[0] += here.facing * k[0];
+        h[2] += here.facing * k[1];
+        h[1] += here.facing * 0.5 * (k[2] - k[0] - k[1]);
+    }
+    let (mean, half) = (0.5 * (h[0] + h[2]), 0.5 * (h[0] - h[2]));
+    let root = (half * half + h[1] * h[1]).sqrt();
+    let (w1, w2) = (mean + root, mean - root);
+    let top = w1.abs().max(w2.abs());
+    let d = if !top.is_finite() || top <= 0.0 {
+        [-g[0] * cap, -g[1] * cap]
+    } else {
+        // Eigenvector of w1.
+        let (p, q) = if half >= 0.0 { (half + root, h[1]) } else { (h[1], root - half) };
+        let s = aptc_geometry::trig::hypot(p, q);
+        let (p, q) = if s > 0.0 { (p / s, q / s) } else { (1.0, 0.0) };
+        let (a, b) = (p * g[0] + q * g[1], p * g[1] - q * g[0]);
+        let floor = 1e-6 * top;
+        let (a, b) = (-a / w1.abs().max(floor), -b / w2.abs().max(floor));
+        [p * a - q * b, q * a + p * b]
+    };
+    let d = u * d[0] + v * d[1];
+    let length = d.norm();
+    if length > cap { d * (cap / length) } else { d }
+}

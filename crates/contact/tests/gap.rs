@@ -1,0 +1,260 @@
+//! Gaps against closed forms, against brute force, and against their own derivatives.
+
+mod support;
+
+use aptc_contact::{Gap, Reason, Side, Tool, gap, gap_near, on, second};
+use aptc_geometry::{Cutter, Plane, Profile, Sphere, Surface, Vec3, trig};
+use proptest::prelude::*;
+use support::{axis, cutter, quadric, quadric_of, simple};
+
+fn mill(d: f64, r: f64) -> Profile {
+    Profile::new(&Cutter::mill(d, r, 50.0)).expect("a mill")
+}
+
+#[test]
+fn published_gaps() {
+    let ball = mill(10.0, 5.0);
+    let tool = Tool { profile: &ball, te: Vec3::new(0.0, 0.0, 2.0), ta: Vec3::z() };
+    let floor = Surface::Plane(Plane { n: Vec3::z(), d: 0.0 });
+    let g = gap(&tool, &floor, Side::Positive, 0.0).unwrap();
+    assert!((g.g - 2.0).abs() < 1e-15 && (g.tool_point - tool.te).norm() < 1e-15);
+    assert_eq!(g.normal, Vec3::z());
+    let dome = Surface::Sphere(Sphere { center: Vec3::new(0.0, 0.0, -10.0), radius: 10.0 });
+    assert!((gap(&tool, &dome, Side::Positive, 0.0).unwrap().g - 2.0).abs() < 1e-14);
+    assert!((gap(&tool, &dome, Side::Positive, 0.5).unwrap().g - 1.5).abs() < 1e-14);
+
+    let bull = mill(20.0, 3.0);
+    let tool = Tool { profile: &bull, te: Vec3::zeros(), ta: Vec3::z() };
+    let slope = Surface::Plane(Plane { n: Vec3::new(0.6, 0.0, 0.8), d: -5.0 });
+    let g = gap(&tool, &slope, Side::Positive, 0.0).unwrap();
+    assert!((g.g - 0.2).abs() < 1e-14);
+    assert!((g.tool_point - Vec3::new(-8.8, 0.0, 0.6)).norm() < 1e-14);
+
+    // z = xy/10, ball of radius 3 one above the saddle.
+    let saddle = quadric_of([0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.05, 0.0, 0.0, 0.5]);
+    let small = mill(6.0, 3.0);
+    let tool = Tool { profile: &small, te: Vec3::z(), ta: Vec3::z() };
+    let g = gap(&tool, &saddle, Side::Positive, 0.0).unwrap();
+    assert!((g.g - 1.0).abs() < 1e-14 && g.surface_point.norm() < 1e-7, "{g:?}");
+}
+
+/// Flat end tangent to the bottom of a bowl: the depth at its edge is 50 - sqrt(50^2 - 10^2).
+#[test]
+fn rim_of_a_flat_end_in_a_bowl() {
+    let flat = mill(20.0, 0.0);
+    let bowl = Surface::Sphere(Sphere { center: Vec3::new(0.0, 0.0, 50.0), radius: 50.0 });
+    let tool = Tool { profile: &flat, te: Vec3::zeros(), ta: Vec3::z() };
+    let g = gap(&tool, &bowl, Side::Negative, 0.0).unwrap();
+    // Seen from the edge the wall is nearer than straight below.
+    let depth = Vec3::new(10.0, 0.0, -50.0).norm() - 50.0;
+    assert!((g.g + depth).abs() < 1e-12);
+    let shorter = Profile::new(&Cutter::mill(20.0, 0.0, 95.0)).unwrap();
+    let tool = Tool { profile: &shorter, te: Vec3::new(0.0, 0.0, 4.0), ta: Vec3::z() };
+    // Now the top edge touches.
+    let g = gap(&tool, &bowl, Side::Negative, 0.0).unwrap();
+    assert!((g.tool_point.z - 99.0).abs() < 1e-12);
+}
+
+fn check(
+    tool: &Tool<'_>,
+    surface: &Surface,
+    side: Side,
+    found: Result<Gap, Reason>,
+) -> Result<(), TestCaseError> {
+    let reference = brute(tool, surface, side);
+    // Deep inside several notions of depth differ.
+    prop_assume!(reference > -1.5);
+    // A tool over the vertex of a cone is as deep as it must move back, not as deep as its points are.
+    if let (Surface::Cone(c), Ok(g)) = (surface, &found) {
+        prop_assume!(reference > 0.0 && g.g > 0.0 || (g.tool_point - c.vertex).norm() > 12.0);
+    }
+    let g = found.map_err(|e| TestCaseError::fail(format!("{e:?}, brute {reference}")))?;
+    // The reference is the distance of some point of the tool, so it bounds the gap from above; and the
+    // gap found belongs to a point of the tool.
+    let attained = side.sign() * surface.distance(g.tool_point);
+    prop_assert!(g.g < reference + 1e-6, "{:?}, brute {}", g, reference);
+    prop_assert!((g.g - attained).abs() < 1e-7, "{:?}, attained {}", g, attained);
+    prop_assert!((g.normal.norm() - 1.0).abs() < 1e-12);
+    prop_assert!((g.tool_point - g.surface_point - g.normal * g.raw).norm() < 1e-6);
+    prop_assert!(tool.distance(g.tool_point).abs() < 1e-7);
+    prop_assert!(surface.distance(g.surface_point).abs() < 1e-7);
+    prop_assert!(g.residual < 1e-6, "{:?}", g);
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(support::fixed(300))]
+
+    #[test]
+    fn closed_forms_agree_with_brute_force(
+        cutter in cutter(), surface in simple(), ta in axis(),
+        te in prop::array::uniform3(-30.0_f64..30.0), lift in -1.0_f64..3.0,
+    ) {
+        let profile = Profile::new(&cutter).unwrap();
+        let te = Vec3::from(te);
+        let side = Side::of(te, &surface);
+        // Put the tool near the surface: move it along the gradient to the gap `lift`.
+        let mut tool = Tool { profile: &profile, te, ta };
+        for _ in 0..3 {
+            let g = gap(&tool, &surface, side, 0.0).unwrap();
+            tool.te -= g.normal * (g.g - lift);
+        }
+        check(&tool, &surface, side, gap(&tool, &surface, side, 0.0))?;
+    }
+
+    #[test]
+    fn quadrics_agree_with_brute_force(
+        cutter in cutter(), surface in quadric(), ta in axis(),
+        te in prop::array::uniform3(-30.0_f64..30.0), lift in -0.5_f64..3.0,
+    ) {
+        let profile = Profile::new(&cutter).unwrap();
+        let te = Vec3::from(te);
+        let side = Side::of(te, &surface);
+        let mut tool = Tool { profile: &profile, te, ta };
+        for _ in 0..3 {
+            if let Ok(g) = gap(&tool, &surface, side, 0.0) {
+                tool.te -= g.normal * (g.g - lift);
+            }
+        }
+        check(&tool, &surface, side, gap(&tool, &surface, side, 0.0))?;
+    }
+
+    #[test]
+    fn derivatives_are_those_of_differences(
+        cutter in cutter(), simple in simple(), quadric in quadric(), which in any::<bool>(),
+        ta in axis(), te in prop::array::uniform3(-30.0_f64..30.0), lift in -0.1_f64..2.0,
+    ) {
+        let surface = if which { simple } else { quadric };
+        let profile = Profile::new(&cutter).unwrap();
+        let te = Vec3::from(te);
+        let side = Side::of(te, &surface);
+        let mut tool = Tool { profile: &profile, te, ta };
+        for _ in 0..3 {
+            if let Ok(g) = gap(&tool, &surface, side, 0.0) {
+                tool.te -= g.normal * (g.g - lift);
+            }
+        }
+        let Ok(here) = gap(&tool, &surface, side, 0.0) else { return Ok(()) };
+        if let Surface::Cone(c) = &surface {
+            prop_assume!((here.surface_point - c.vertex).norm() > 1.0);
+        }
+        let Some(bend) = second(&tool, &surface, side, &here) else { return Ok(()) };
+        let h = 1e-4;
+        for d in [Vec3::x(), Vec3::y(), Vec3::z()] {
+            let at = |s: f64| gap_near(&tool.at(tool.te + d * s), &surface, side, 0.0,
+                Some(here.surface_point));
+            if let (Ok(f), Ok(b)) = (at(h), at(-h)) {
+                // Only within one smooth piece.
+                let apart = (f.tool_point - b.tool_point).norm();
+                if f.segment == here.segment && b.segment == here.segment && apart < 1e-2 {
+                    let slope = (f.g - b.g) / (2.0 * h);
+                    prop_assert!((slope - here.normal.dot(&d)).abs() < 1e-4, "{} {:?}", slope, here);
+                    let curved = (f.normal - b.normal).dot(&d) / (2.0 * h);
+                    let exact = bend.second(d);
+                    prop_assert!(
+                        (curved - exact).abs() < 1e-3 * (1.0 + exact.abs()),
+                        "{} {} {:?}", curved, exact, here
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn sides_and_scales(
+        cutter in cutter(), surface in simple(), te in prop::array::uniform3(-30.0_f64..30.0),
+        thick in -1.0_f64..1.0,
+    ) {
+        let profile = Profile::new(&cutter).unwrap();
+        let tool = Tool { profile: &profile, te: Vec3::from(te), ta: Vec3::z() };
+        let side = Side::of(tool.te, &surface);
+        let g = gap(&tool, &surface, side, thick).unwrap();
+        prop_assert!((g.raw - thick - g.g).abs() < 1e-15);
+        // A plane with reversed normal and the other side is the same plane.
+        if let Surface::Plane(p) = &surface {
+            let turned = Surface::Plane(Plane { n: -p.n, d: -p.d });
+            let h = gap(&tool, &turned, side.other(), thick).unwrap();
+            prop_assert!((g.g - h.g).abs() < 1e-13 && (g.normal - h.normal).norm() < 1e-15);
+        }
+        let o = on(tool.te, &surface, side);
+        prop_assert!(o.g >= 0.0 && o.g >= g.raw - 1e-12);
+    }
+}
+
+/// Least signed distance of the tool's outline from the surface, by sampling and zooming in.
+fn brute(tool: &Tool<'_>, surface: &Surface, side: Side) -> f64 {
+    let profile = tool.profile;
+    let outline = outline(profile);
+    let [a, b] = aptc_geometry::surface::frame_about(tool.ta);
+    let at = |turn: f64, s: f64| {
+        let [rho, z] = outline(s);
+        let (sin, cos) = trig::sin_cos(turn);
+        side.sign() * surface.distance(tool.te + (a * cos + b * sin) * rho + tool.ta * z)
+    };
+    let (nt, ns) = (24, 36);
+    let tau = std::f64::consts::TAU;
+    let mut all: Vec<(f64, f64, f64)> = Vec::new();
+    for i in 0..nt {
+        for j in 0..=ns {
+            let (turn, s) =
+                (tau * f64::from(i) / f64::from(nt), 6.0 * f64::from(j) / f64::from(ns));
+            // A sharp corner is one place, not a third of all.
+            if profile.corner_radius() == 0.0 && s > 1.0 && s < 4.0 {
+                continue;
+            }
+            all.push((at(turn, s), turn, s));
+        }
+    }
+    all.sort_by(|x, y| x.0.total_cmp(&y.0));
+    let mut best = f64::INFINITY;
+    for &(value, turn, s) in all.iter().take(40) {
+        let (mut value, mut turn, mut s) = (value, turn, s);
+        let (mut dt, mut ds) = (tau / f64::from(nt), 6.0 / f64::from(ns));
+        for _ in 0..400 {
+            let around = [(1, 0), (-1, 0), (0, 1), (0, -1), (1, 1), (-1, -1), (1, -1), (-1, 1)];
+            let next = around
+                .iter()
+                .map(|(i, j)| (turn + dt * f64::from(*i), (s + ds * f64::from(*j)).clamp(0.0, 6.0)))
+                .map(|(t, s)| (at(t, s), t, s))
+                .min_by(|x, y| x.0.total_cmp(&y.0))
+                .expect("eight neighbours");
+            if next.0 < value {
+                (value, turn, s) = next;
+            } else {
+                (dt, ds) = (0.5 * dt, 0.5 * ds);
+                if dt < 1e-9 {
+                    break;
+                }
+            }
+        }
+        best = best.min(value);
+    }
+    best
+}
+
+/// The profile by a parameter in 0..6, two units for the arc, one for each line and face.
+fn outline(profile: &Profile) -> impl Fn(f64) -> [f64; 2] + '_ {
+    let [lower, upper] = profile.joints();
+    let [e, f] = profile.corner();
+    let (from, to) = if profile.corner_radius() > 0.0 {
+        (trig::atan2(lower[1] - f, lower[0] - e), trig::atan2(upper[1] - f, upper[0] - e))
+    } else {
+        (0.0, 0.0)
+    };
+    let r = profile.corner_radius();
+    let mix =
+        |a: [f64; 2], b: [f64; 2], x: f64| [a[0] + (b[0] - a[0]) * x, a[1] + (b[1] - a[1]) * x];
+    let rim = [profile.top_radius(), profile.height()];
+    move |s| {
+        if s <= 1.0 {
+            mix([0.0, profile.bottom()], lower, s)
+        } else if s <= 4.0 {
+            let (sin, cos) = trig::sin_cos(from + (to - from) * (s - 1.0) / 3.0);
+            [e + r * cos, f + r * sin]
+        } else if s <= 5.0 {
+            mix(upper, rim, s - 4.0)
+        } else {
+            mix(rim, [0.0, profile.height()], s - 5.0)
+        }
+    }
+}
