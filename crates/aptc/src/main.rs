@@ -1,2 +1,34 @@
-//! The APT part program compiler.
-fn main() {}
+//! The APT part program compiler: commands, options, terminal, files.
+
+mod cli;
+mod commands;
+mod exit;
+mod explain;
+mod output;
+mod render;
+mod report;
+
+use std::io;
+use std::process::ExitCode;
+
+use clap::Parser as _;
+
+use cli::{Cli, Command};
+
+fn main() -> ExitCode {
+    let cli = Cli::parse();
+    let result = match &cli.command {
+        None => commands::compile(&cli.compile, &cli.common),
+        Some(Command::Compile(args)) => commands::compile(args, &cli.common),
+        Some(Command::Check(args)) => commands::check(args, &cli.common),
+        Some(Command::Post(args)) => commands::post(args, &cli.common),
+        Some(Command::Explain { code }) => explain::explain(code.as_deref()),
+        Some(Command::Machines { machine }) => commands::machines(machine.as_deref()),
+    };
+    match result {
+        Ok(code) => code,
+        // Somebody closed the pipe: nothing to say, nobody to say it to.
+        Err(e) if e.kind() == io::ErrorKind::BrokenPipe => ExitCode::from(exit::FILES),
+        Err(e) => report::complain(&e.to_string()).unwrap_or(ExitCode::from(exit::FILES)),
+    }
+}

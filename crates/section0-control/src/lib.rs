@@ -1,5 +1,19 @@
 //! Section 0: conducts the Sections over a [`World`]; the face of the library.
 
+mod artifact;
+mod compile;
+mod geometry_json;
+mod listing;
+mod options;
+mod post;
+mod summary;
 mod world;
 
+pub use aptc_translate::UnknownWords;
+pub use artifact::Artifact;
+pub use compile::{Compiled, Part, compile, resume};
+pub use geometry_json::{Named, geometry_json};
+pub use options::{FULL_PROOF, MachineChoice, Options, Verify};
+pub use post::{Nc, post_part};
+pub use summary::Summary;
 pub use world::{Disk, Memory, Source, World, WorldError};

@@ -1,5 +1,6 @@
 //! The world outside: files, through one trait.
 
+use std::fmt;
 use std::fs;
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -44,6 +45,18 @@ pub enum WorldError {
         /// What it says.
         reason: String,
     },
+}
+
+impl fmt::Display for WorldError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Missing { searched } if searched.is_empty() => f.write_str("there is no such file"),
+            Self::Missing { searched } => write!(f, "there is no such file in {}", searched.join(", ")),
+            Self::Outside => f.write_str("it lies outside the allowed folders"),
+            Self::TooLarge { limit } => write!(f, "it is larger than {limit} bytes"),
+            Self::Unreadable { reason } => f.write_str(reason),
+        }
+    }
 }
 
 /// Files on disk, from a list of folders and never from outside them, also not through links.

@@ -1,0 +1,37 @@
+//! `aptc check`.
+
+use std::io::{self, Write as _};
+use std::process::ExitCode;
+
+use aptc_control::Disk;
+
+use super::compile::{exit_code, folders, options};
+use crate::cli::{CheckArgs, Common, MessageFormat};
+use crate::{exit, report};
+
+/// Reports all errors of the parts and writes no files. JSON and SARIF go to standard output, since there
+/// they are the data.
+pub(crate) fn check(args: &CheckArgs, common: &Common) -> io::Result<ExitCode> {
+    let mut worst = 0;
+    for part in &args.parts {
+        let source = match Disk::open(part, args.source.max_file_size) {
+            Ok(s) => s,
+            Err(e) => {
+                writeln!(io::stderr(), "aptc: cannot read {}: {e}", part.display())?;
+                worst = worst.max(exit::FILES);
+                continue;
+            }
+        };
+        let mut world = Disk::new(folders(part, &args.source), args.source.max_file_size);
+        let mut options = options(&args.source);
+        options.plot = false;
+        let compiled = aptc_control::compile(source, &mut world, &options);
+        if matches!(common.message_format, MessageFormat::Json | MessageFormat::Sarif) {
+            report::messages(&mut io::stdout().lock(), &compiled, common)?;
+        } else {
+            report::messages(&mut io::stderr().lock(), &compiled, common)?;
+        }
+        worst = worst.max(exit_code(&compiled));
+    }
+    Ok(ExitCode::from(worst))
+}

@@ -1,0 +1,199 @@
+//! `aptc compile`.
+
+use std::ffi::OsString;
+use std::fmt::Write as _;
+use std::io::{self, Write as _};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use aptc_control::{Artifact, Compiled, Disk, MachineChoice, Options, Verify};
+
+use crate::cli::{Common, CompileArgs, Emit, SourceArgs, VerifyHow};
+use crate::output::write_whole;
+use crate::{exit, report};
+
+/// Compiles every part; the exit code is that of the worst.
+pub(crate) fn compile(args: &CompileArgs, common: &Common) -> io::Result<ExitCode> {
+    let folder = args.output.clone().unwrap_or_else(|| PathBuf::from("."));
+    if let Err(e) = std::fs::create_dir_all(&folder) {
+        return report::complain(&format!("cannot make the folder {}: {e}", folder.display()));
+    }
+    let machine = match machine_choice(args.machine.as_deref(), args.source.max_file_size) {
+        Ok(m) => m,
+        Err(e) => return report::complain(&e),
+    };
+    let mut worst = 0;
+    for part in &args.parts {
+        let code = compile_one(part, &folder, args, common, machine.clone())?;
+        worst = worst.max(code);
+    }
+    Ok(ExitCode::from(worst))
+}
+
+fn compile_one(
+    part: &Path,
+    folder: &Path,
+    args: &CompileArgs,
+    common: &Common,
+    machine: Option<MachineChoice>,
+) -> io::Result<u8> {
+    let source = match Disk::open(part, args.source.max_file_size) {
+        Ok(s) => s,
+        Err(e) => {
+            writeln!(io::stderr(), "aptc: cannot read {}: {e}", part.display())?;
+            return Ok(exit::FILES);
+        }
+    };
+    let mut options = options(&args.source);
+    options.machine = machine;
+    options.keep_protap = args.emit.contains(&Emit::Protap);
+    options.plot = args.emit.contains(&Emit::Svg);
+    options.verify = match args.verify {
+        None => options.verify,
+        Some(VerifyHow::Full) => Verify::Full,
+        Some(VerifyHow::Sample) => Verify::Sample,
+        Some(VerifyHow::Off) => Verify::Off,
+    };
+    let mut world = Disk::new(folders(part, &args.source), args.source.max_file_size);
+    let numeric = part.extension().is_some_and(|e| e.eq_ignore_ascii_case("protap"));
+    let compiled = if numeric {
+        aptc_control::resume(source, &options)
+    } else {
+        aptc_control::compile(source, &mut world, &options)
+    };
+    report::messages(&mut io::stderr().lock(), &compiled, common)?;
+    let written = match write_artifacts(part, folder, args, &compiled) {
+        Ok(w) => w,
+        Err((path, e)) => {
+            writeln!(io::stderr(), "aptc: cannot write {}: {e}", path.display())?;
+            return Ok(exit::FILES);
+        }
+    };
+    if !common.quiet {
+        io::stdout().lock().write_all(summary(part, &compiled, &written).as_bytes())?;
+    }
+    Ok(exit_code(&compiled))
+}
+
+/// 0, 1 or 3.
+pub(crate) fn exit_code(compiled: &Compiled) -> u8 {
+    if compiled.has_errors() {
+        exit::ERRORS
+    } else if compiled.is_refuted() {
+        exit::REFUTED
+    } else {
+        0
+    }
+}
+
+/// The choices that say how a program is read.
+pub(crate) fn options(source: &SourceArgs) -> Options {
+    let mut options = Options::default();
+    options.translate.free_form = source.free_form;
+    if source.deny_unknown_words {
+        options.translate.unknown_words = aptc_control::UnknownWords::Refuse;
+    }
+    if let Some(n) = source.max_statements {
+        options.translate.limits.statements = n;
+    }
+    if let Some(n) = source.max_macro_depth {
+        options.translate.limits.macro_depth = n as usize;
+    }
+    options
+}
+
+/// Folders of included files: the part's own, then those given.
+pub(crate) fn folders(part: &Path, source: &SourceArgs) -> Vec<PathBuf> {
+    let own = part.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    std::iter::once(own.to_owned()).chain(source.include.iter().cloned()).collect()
+}
+
+/// The machine that was asked for: a file when there is one of that name and it ends in `.toml`.
+pub(crate) fn machine_choice(name: Option<&str>, limit: u64) -> Result<Option<MachineChoice>, String> {
+    let Some(name) = name else { return Ok(None) };
+    if !Path::new(name).extension().is_some_and(|e| e.eq_ignore_ascii_case("toml")) {
+        return Ok(Some(MachineChoice::Named(name.to_owned())));
+    }
+    let source = Disk::open(Path::new(name), limit).map_err(|e| format!("cannot read {name}: {e}"))?;
+    Ok(Some(MachineChoice::File(name.to_owned(), source.text.to_string())))
+}
+
+/// Writes what was asked for and can be made. An error leaves what was there before.
+fn write_artifacts(
+    part: &Path,
+    folder: &Path,
+    args: &CompileArgs,
+    compiled: &Compiled,
+) -> Result<Vec<PathBuf>, (PathBuf, io::Error)> {
+    let mut emit = args.emit.clone();
+    emit.sort_unstable();
+    emit.dedup();
+    let stem = part.file_stem().unwrap_or(part.as_os_str());
+    let mut written = Vec::new();
+    for kind in emit {
+        let artifact = match kind {
+            Emit::Protap => Artifact::Protap,
+            Emit::Cl => Artifact::Cl,
+            Emit::ClJson => Artifact::ClJson,
+            Emit::Cltape => Artifact::Cltape,
+            Emit::Nc => Artifact::Nc,
+            Emit::Lst => Artifact::Listing,
+            Emit::Svg => Artifact::Svg,
+            Emit::Geometry => Artifact::Geometry,
+        };
+        for (ending, bytes) in compiled.artifact(artifact, args.keep_going) {
+            let path = folder.join(with_ending(stem.to_owned(), &ending));
+            write_whole(&path, &bytes).map_err(|e| (path.clone(), e))?;
+            written.push(path);
+        }
+    }
+    Ok(written)
+}
+
+fn with_ending(mut stem: OsString, ending: &str) -> OsString {
+    stem.push(".");
+    stem.push(ending);
+    stem
+}
+
+/// A few lines: what was made, how long it takes, what is proved, what was written.
+fn summary(part: &Path, compiled: &Compiled, written: &[PathBuf]) -> String {
+    let mut out = String::new();
+    let mut add = |label: &str, text: String| {
+        writeln!(out, "  {label:<15}{text}").expect("strings take all");
+    };
+    for p in &compiled.parts {
+        let s = &p.summary;
+        add("part", s.partno.clone());
+        let unit = s.units.word().to_lowercase();
+        add("cut vectors", format!("{} in {} motions", s.cut_vectors, s.motions));
+        add(
+            "path length",
+            format!("{:.3} {unit} at feed rate, {:.3} {unit} rapid", s.cut_length, s.rapid_length),
+        );
+        for nc in &p.nc {
+            add("machining time", format!("{} on {}", clock(nc.seconds), nc.machine));
+        }
+        if let Some(certificate) = &p.certificate {
+            add("tolerance", certificate.clone());
+        }
+    }
+    if !written.is_empty() {
+        let names: Vec<_> = written.iter().map(|p| p.display().to_string()).collect();
+        add("wrote", names.join(" "));
+    }
+    format!("{}\n{out}", part.display())
+}
+
+/// `1 h 02 min 03 s`.
+fn clock(seconds: f64) -> String {
+    let s = seconds.max(0.0).round();
+    let (h, m, s) = ((s / 3600.0).floor(), (s / 60.0).floor() % 60.0, s % 60.0);
+    if h > 0.0 {
+        format!("{h} h {m:02} min {s:02} s")
+    } else if m > 0.0 {
+        format!("{m} min {s:02} s")
+    } else {
+        format!("{s} s")
+    }
+}

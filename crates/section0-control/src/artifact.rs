@@ -1,0 +1,105 @@
+//! What a compilation can be written as.
+
+use aptc_cldata::{Record, RecordWriter, TextOptions, TextWriter};
+
+use crate::Compiled;
+use crate::geometry_json::geometry_json;
+
+/// A kind of result.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Artifact {
+    /// Numeric part program, `protap`.
+    Protap,
+    /// CL data as ISO 4343 text, `cl`.
+    Cl,
+    /// CL data as JSON lines, `cl.json`.
+    ClJson,
+    /// CL data as APT-360 binary records, `cltape`.
+    Cltape,
+    /// Machine code, `nc`, and `MACHINE.nc` for further machines.
+    Nc,
+    /// Listing, `lst`.
+    Listing,
+    /// Plot, `svg`.
+    Svg,
+    /// Canonical forms, `geometry.json`.
+    Geometry,
+}
+
+impl Compiled {
+    /// The files of a kind: ending without the first dot, and content. Nothing where the run had errors
+    /// that this kind does not survive; with `keep_going` CL data then comes as `partial.cl`.
+    pub fn artifact(&self, kind: Artifact, keep_going: bool) -> Vec<(String, Vec<u8>)> {
+        let whole = self.is_cl_whole();
+        let one = |ending: &str, bytes: Vec<u8>| vec![(ending.to_owned(), bytes)];
+        match kind {
+            Artifact::Protap if whole => {
+                one("protap", aptc_protap::write(self.parts.iter().flat_map(|p| &p.protap)).into_bytes())
+            }
+            Artifact::Cl if whole => one("cl", self.cl_text()),
+            Artifact::Cl if keep_going => one("partial.cl", self.cl_text()),
+            Artifact::ClJson if whole => {
+                one("cl.json", self.written(aptc_cldata::JsonWriter::new(Vec::new())))
+            }
+            Artifact::Cltape if whole => {
+                one("cltape", self.written(aptc_cldata::Apt360Writer::new(Vec::new())))
+            }
+            Artifact::Nc if whole && !self.is_refuted() => self.nc(),
+            Artifact::Listing => one("lst", self.listing.clone().into_bytes()),
+            Artifact::Svg if whole => self.plot(),
+            Artifact::Geometry => {
+                let items = self.geometry.iter().map(|(n, v)| (n.as_str(), v));
+                one("geometry.json", geometry_json(items).into_bytes())
+            }
+            _ => Vec::new(),
+        }
+    }
+
+    fn edited(&self) -> impl Iterator<Item = &Record> {
+        self.parts.iter().flat_map(|p| &p.edited)
+    }
+
+    fn cl_text(&self) -> Vec<u8> {
+        self.written(TextWriter::new(Vec::new(), TextOptions::default()))
+    }
+
+    fn written<W: RecordWriter + IntoBytes>(&self, mut writer: W) -> Vec<u8> {
+        for record in self.edited() {
+            writer.write(record).expect("memory takes all");
+        }
+        writer.into_bytes()
+    }
+
+    /// `nc` for the first part program, `2.nc` for the next; the machine stands between for further ones.
+    fn nc(&self) -> Vec<(String, Vec<u8>)> {
+        let mut files = Vec::new();
+        for (i, part) in self.parts.iter().enumerate() {
+            for nc in &part.nc {
+                let number = if i == 0 { String::new() } else { format!("{}.", i + 1) };
+                let machine = if nc.further { format!("{}.", nc.machine) } else { String::new() };
+                files.push((format!("{number}{machine}nc"), nc.text.clone()));
+            }
+        }
+        files
+    }
+
+    fn plot(&self) -> Vec<(String, Vec<u8>)> {
+        if self.parts.iter().all(|p| p.noplot) {
+            return Vec::new();
+        }
+        let records: Vec<Record> =
+            self.parts.iter().filter(|p| !p.noplot).flat_map(|p| p.edited.iter().cloned()).collect();
+        vec![("svg".to_owned(), aptc_edit::plot_svg(&records).into_bytes())]
+    }
+}
+
+/// A writer onto memory that can give it back.
+trait IntoBytes {
+    fn into_bytes(self) -> Vec<u8>;
+}
+
+impl IntoBytes for TextWriter<Vec<u8>> {
+    fn into_bytes(self) -> Vec<u8> {
+        self.into_inner().expect("memory takes all")
+    }
+}

@@ -1,0 +1,172 @@
+//! Convex solids bounded by the simple surfaces, known by their support function.
+//!
+//! Plane, sphere, cylinder and cone bound a convex solid C (half space, ball, cylinder, one nappe). The
+//! signed distance of a point, positive outside, is `sd(p) = max over unit m of m . p - h(m)` with the support
+//! function h of C, so **every unit m proves a lower bound** of it: the bounds of this crate rest on that
+//! alone and need no solver.
+
+use aptc_geometry::{Form, Plane, Vec3};
+
+/// A convex solid.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Solid {
+    /// `n . p <= d`.
+    Half(Plane),
+    /// Centre, radius.
+    Ball(Vec3, f64),
+    /// Point of the axis, unit axis, radius.
+    Rod(Vec3, Vec3, f64),
+    /// Vertex, unit axis into the cone, cosine and sine of the half angle.
+    Nappe(Vec3, Vec3, f64, f64),
+}
+
+impl Solid {
+    /// The solid that a form bounds; `None` for forms that bound no simple convex solid.
+    pub(crate) fn new(form: &Form) -> Option<Self> {
+        Some(match form {
+            Form::Plane(p) => Self::Half(*p),
+            Form::Line(l) => Self::Half(l.plane()),
+            Form::Sphere(s) => Self::Ball(s.center, s.radius),
+            Form::Circle(c) => Self::Rod(c.center, c.axis, c.radius),
+            Form::Cylinder(c) => Self::Rod(c.point, c.axis, c.radius),
+            Form::Cone(c) => {
+                let sin = (1.0 - c.cos_half * c.cos_half).max(0.0).sqrt();
+                Self::Nappe(c.vertex, c.axis, c.cos_half, sin)
+            }
+            _ => return None,
+        })
+    }
+
+    /// Signed distance of `p`, positive outside.
+    pub(crate) fn distance(&self, p: Vec3) -> f64 {
+        match self {
+            Self::Half(plane) => plane.distance(p),
+            Self::Ball(c, r) => (p - c).norm() - r,
+            Self::Rod(q, t, r) => across(p - q, *t).norm() - r,
+            Self::Nappe(v, t, cos, sin) => {
+                let w = p - v;
+                let (along, radial) = (w.dot(t), across(w, *t).norm());
+                // Beyond the vertex the vertex itself is nearest.
+                if along * cos + radial * sin <= 0.0 && along * sin < radial * cos {
+                    w.norm()
+                } else {
+                    radial * cos - along * sin
+                }
+            }
+        }
+    }
+
+    /// Unit outward normal at the point of the surface nearest to `p`: the best direction to prove the
+    /// distance of `p` with. Any unit vector where `p` has no single nearest point.
+    pub(crate) fn direction(&self, p: Vec3) -> Vec3 {
+        match self {
+            Self::Half(plane) => plane.n,
+            Self::Ball(c, _) => unit_or(p - c, Vec3::z()),
+            Self::Rod(q, t, _) => unit_or(across(p - q, *t), any_across(*t)),
+            Self::Nappe(v, t, cos, sin) => {
+                let w = p - v;
+                let out = across(w, *t);
+                let (along, radial) = (w.dot(t), out.norm());
+                if along * cos + radial * sin <= 0.0 && along * sin < radial * cos {
+                    return unit_or(w, -*t);
+                }
+                unit_or(out, any_across(*t)) * *cos - *t * *sin
+            }
+        }
+    }
+
+    /// Support function `max over C of m . q`; infinite for directions in which C is unbounded.
+    pub(crate) fn support(&self, m: Vec3) -> f64 {
+        /// Largest sine by which a direction may miss the bounded ones and still count as rounding.
+        const ROUNDING: f64 = 1e-12;
+        match self {
+            Self::Half(plane) => {
+                if (m - plane.n).norm() <= ROUNDING { plane.d } else { f64::INFINITY }
+            }
+            Self::Ball(c, r) => m.dot(c) + r * m.norm(),
+            Self::Rod(q, t, r) => {
+                if m.dot(t).abs() <= ROUNDING { m.dot(q) + r * m.norm() } else { f64::INFINITY }
+            }
+            Self::Nappe(v, t, cos, sin) => {
+                // Bounded where no generator points along m.
+                let (along, radial) = (m.dot(t), across(m, *t).norm());
+                if along * cos + radial * sin <= ROUNDING { m.dot(v) } else { f64::INFINITY }
+            }
+        }
+    }
+
+    /// The direction nearest to `m` in which the solid is bounded, unit.
+    pub(crate) fn bounded_direction(&self, m: Vec3) -> Vec3 {
+        match self {
+            Self::Half(plane) => plane.n,
+            Self::Ball(..) => unit_or(m, Vec3::z()),
+            Self::Rod(_, t, _) => unit_or(across(m, *t), any_across(*t)),
+            Self::Nappe(_, t, cos, sin) => {
+                let out = across(m, *t);
+                let (along, radial) = (m.dot(t), out.norm());
+                if along * cos + radial * sin <= 0.0 {
+                    unit_or(m, -*t)
+                } else {
+                    unit_or(out, any_across(*t)) * *cos - *t * *sin
+                }
+            }
+        }
+    }
+}
+
+fn across(w: Vec3, t: Vec3) -> Vec3 {
+    w - w.dot(&t) * t
+}
+
+pub(crate) fn unit_or(v: Vec3, otherwise: Vec3) -> Vec3 {
+    let n = v.norm();
+    if n > 0.0 { v / n } else { otherwise }
+}
+
+pub(crate) fn any_across(t: Vec3) -> Vec3 {
+    let (x, y, z) = (t.x.abs(), t.y.abs(), t.z.abs());
+    let e = if x <= y && x <= z {
+        Vec3::x()
+    } else if y <= z {
+        Vec3::y()
+    } else {
+        Vec3::z()
+    };
+    unit_or(across(e, t), Vec3::x())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use aptc_geometry::{Cone, Cylinder, Sphere};
+    use proptest::prelude::*;
+
+    fn solids() -> Vec<Solid> {
+        let t = Vec3::new(1.0, 2.0, 2.0) / 3.0;
+        [
+            Form::Plane(Plane { n: t, d: 1.5 }),
+            Form::Sphere(Sphere { center: Vec3::new(1.0, -2.0, 0.5), radius: 3.0 }),
+            Form::Cylinder(Cylinder { point: Vec3::new(0.0, 1.0, 1.0), axis: t, radius: 2.0 }),
+            Form::Cone(Cone { vertex: Vec3::new(1.0, 0.0, -1.0), axis: t, cos_half: 0.8 }),
+        ]
+        .iter()
+        .map(|f| Solid::new(f).unwrap())
+        .collect()
+    }
+
+    proptest! {
+        #[test]
+        fn the_best_direction_proves_the_distance_and_no_other_proves_more(
+            p in prop::array::uniform3(-9.0..9.0_f64), m in prop::array::uniform3(-1.0..1.0_f64),
+        ) {
+            let p = Vec3::from(p);
+            for solid in solids() {
+                let best = solid.direction(p);
+                let sd = solid.distance(p);
+                prop_assert!((best.dot(&p) - solid.support(best) - sd).abs() < 1e-9, "{solid:?}");
+                let other = solid.bounded_direction(Vec3::from(m));
+                prop_assert!(other.dot(&p) - solid.support(other) <= sd + 1e-9, "{solid:?}");
+            }
+        }
+    }
+}
