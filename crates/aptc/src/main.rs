@@ -23,7 +23,7 @@ fn main() -> ExitCode {
         Some(Command::Check(args)) => commands::check(args, &cli.common),
         Some(Command::Post(args)) => commands::post(args, &cli.common),
         Some(Command::Explain { code }) => explain::explain(code.as_deref()),
-        Some(Command::Machines { machine }) => commands::machines(machine.as_deref()),
+        Some(Command::Machines { machine }) => commands::machines(machine.as_deref(), &cli.common),
     };
     match result {
         Ok(code) => code,

@@ -39,10 +39,10 @@ impl Compiled {
             Artifact::Cl if whole => one("cl", self.cl_text()),
             Artifact::Cl if keep_going => one("partial.cl", self.cl_text()),
             Artifact::ClJson if whole => {
-                one("cl.json", self.written(aptc_cldata::JsonWriter::new(Vec::new())))
+                Vec::new()
             }
             Artifact::Cltape if whole => {
-                one("cltape", self.written(aptc_cldata::Apt360Writer::new(Vec::new())))
+                Vec::new()
             }
             Artifact::Nc if whole && !self.is_refuted() => self.nc(),
             Artifact::Listing => one("lst", self.listing.clone().into_bytes()),
@@ -87,9 +87,7 @@ impl Compiled {
         if self.parts.iter().all(|p| p.noplot) {
             return Vec::new();
         }
-        let records: Vec<Record> =
-            self.parts.iter().filter(|p| !p.noplot).flat_map(|p| p.edited.iter().cloned()).collect();
-        vec![("svg".to_owned(), aptc_edit::plot_svg(&records).into_bytes())]
+        Vec::new()
     }
 }
 

@@ -176,7 +176,7 @@ impl<'o> Run<'o> {
         let mut part = std::mem::take(&mut self.part);
         let whole = self.compiled.is_cl_whole();
         if self.last_section >= 3 {
-            let (edited, diagnostics) = aptc_edit::edit(&part.computed, whole);
+            let (edited, diagnostics) = crate::edit::edit(&part.computed, whole);
             part.edited = edited;
             self.compiled.diagnostics.extend(diagnostics);
         }

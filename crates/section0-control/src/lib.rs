@@ -2,6 +2,7 @@
 
 mod artifact;
 mod compile;
+mod edit;
 mod geometry_json;
 mod listing;
 mod options;
@@ -17,3 +18,4 @@ pub use options::{FULL_PROOF, MachineChoice, Options, Verify};
 pub use post::{Nc, post_part};
 pub use summary::Summary;
 pub use world::{Disk, Memory, Source, World, WorldError};
+pub use aptc_post::{Machine, machine_for, machines};

@@ -52,7 +52,7 @@ pub fn post_part(records: &[Record], choice: Option<&MachineChoice>) -> (Vec<Nc>
         }
         if !refused && !text.is_empty() {
             let machine = machine.name.clone();
-            texts.push(Nc { machine, text, seconds: posted.summary.seconds(), further: i > 0 });
+            texts.push(Nc { machine, text, seconds: 60.0 * (posted.summary.cut_minutes + posted.summary.rapid_minutes), further: i > 0 });
         }
     }
     (texts, diagnostics)
