@@ -1,1 +1,17 @@
-//! Proof or refutation of every cut vector against its surfaces
+//! Proof or refutation of every cut vector against the surfaces that governed it.
+//!
+//! Shares with Section 2 the definitions of surfaces and cutter, and nothing else: bounds rest on support
+//! functions, so that a direction that was found badly makes a proof weaker and never wrong. The answer for
+//! each cut vector is *proved*, *refuted* with place and depth, or *not decided*.
+
+mod bound;
+mod certificate;
+mod inside;
+mod outside;
+mod segment;
+mod solid;
+mod tool;
+mod verifier;
+
+pub use certificate::{Certificate, Fault, StatementProof, SurfaceBound};
+pub use verifier::{Effort, Verifier};

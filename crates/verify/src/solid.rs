@@ -56,36 +56,25 @@ impl Solid {
         }
     }
 
-    /// Unit outward normal at the point of the surface nearest to `p`: the best direction to prove the
-    /// distance of `p` with. Any unit vector where `p` has no single nearest point.
-    pub(crate) fn direction(&self, p: Vec3) -> Vec3 {
-        match self {
-            Self::Half(plane) => plane.n,
-            Self::Ball(c, _) => unit_or(p - c, Vec3::z()),
-            Self::Rod(q, t, _) => unit_or(across(p - q, *t), any_across(*t)),
-            Self::Nappe(v, t, cos, sin) => {
-                let w = p - v;
-                let out = across(w, *t);
-                let (along, radial) = (w.dot(t), out.norm());
-                if along * cos + radial * sin <= 0.0 && along * sin < radial * cos {
-                    return unit_or(w, -*t);
-                }
-                unit_or(out, any_across(*t)) * *cos - *t * *sin
-            }
-        }
-    }
-
     /// Support function `max over C of m . q`; infinite for directions in which C is unbounded.
     pub(crate) fn support(&self, m: Vec3) -> f64 {
         /// Largest sine by which a direction may miss the bounded ones and still count as rounding.
         const ROUNDING: f64 = 1e-12;
         match self {
             Self::Half(plane) => {
-                if (m - plane.n).norm() <= ROUNDING { plane.d } else { f64::INFINITY }
+                if (m - plane.n).norm() <= ROUNDING {
+                    plane.d
+                } else {
+                    f64::INFINITY
+                }
             }
             Self::Ball(c, r) => m.dot(c) + r * m.norm(),
             Self::Rod(q, t, r) => {
-                if m.dot(t).abs() <= ROUNDING { m.dot(q) + r * m.norm() } else { f64::INFINITY }
+                if m.dot(t).abs() <= ROUNDING {
+                    m.dot(q) + r * m.norm()
+                } else {
+                    f64::INFINITY
+                }
             }
             Self::Nappe(v, t, cos, sin) => {
                 // Bounded where no generator points along m.
@@ -156,16 +145,15 @@ mod tests {
 
     proptest! {
         #[test]
-        fn the_best_direction_proves_the_distance_and_no_other_proves_more(
+        fn no_direction_proves_more_than_the_distance(
             p in prop::array::uniform3(-9.0..9.0_f64), m in prop::array::uniform3(-1.0..1.0_f64),
         ) {
             let p = Vec3::from(p);
             for solid in solids() {
-                let best = solid.direction(p);
-                let sd = solid.distance(p);
-                prop_assert!((best.dot(&p) - solid.support(best) - sd).abs() < 1e-9, "{solid:?}");
-                let other = solid.bounded_direction(Vec3::from(m));
-                prop_assert!(other.dot(&p) - solid.support(other) <= sd + 1e-9, "{solid:?}");
+                let d = solid.bounded_direction(Vec3::from(m));
+                let h = solid.support(d);
+                prop_assert!(h.is_finite() && (d.norm() - 1.0).abs() < 1e-12, "{solid:?}");
+                prop_assert!(d.dot(&p) - h <= solid.distance(p) + 1e-9, "{solid:?}");
             }
         }
     }

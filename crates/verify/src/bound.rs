@@ -1,0 +1,16 @@
+//! What is known of the gap along a cut vector.
+
+/// Bounds of the gap between tool and surface along a cut vector, positive clear of it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Bound {
+    /// The gap is nowhere less.
+    pub(crate) low: f64,
+    /// The gap is nowhere more.
+    pub(crate) high: f64,
+    /// Least gap met, where a violation can be shown.
+    pub(crate) least: f64,
+    /// Where along the vector it was met, 0 to 1.
+    pub(crate) low_at: f64,
+    /// Where the greatest gap is, 0 to 1.
+    pub(crate) high_at: f64,
+}

@@ -1,0 +1,107 @@
+//! What was proved.
+
+use std::fmt;
+
+use aptc_diagnostics::Origin;
+use serde::Serialize;
+
+/// The proof of a part program's path.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Certificate {
+    /// One entry a statement that moved the tool along surfaces.
+    pub statements: Vec<StatementProof>,
+    /// Cut vectors proved.
+    pub proved: u64,
+    /// Cut vectors refuted.
+    pub refuted: u64,
+    /// Cut vectors not decided.
+    pub undecided: u64,
+    /// Cut vectors left out of a sample.
+    pub left_out: u64,
+    /// Vectors of point-to-point motion, which have no surface to hold to.
+    pub free: u64,
+    /// Allowance for rounding, as a share of the size of the scene.
+    pub rounding: f64,
+}
+
+/// The proof of one statement.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct StatementProof {
+    /// The statement.
+    pub origin: Origin,
+    /// Cut vectors judged.
+    pub vectors: u64,
+    /// Of these proved.
+    pub proved: u64,
+    /// How.
+    pub method: &'static str,
+    /// Greatest proved violation and excess by surface, drive first.
+    pub surfaces: Vec<SurfaceBound>,
+    /// The first fault.
+    pub fault: Option<Fault>,
+}
+
+/// Bounds of the gap to a surface over a statement; the gap includes the thickness.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SurfaceBound {
+    /// Name of the surface.
+    pub name: String,
+    /// `drive`, `part` or `check`.
+    pub role: &'static str,
+    /// The gap is nowhere less.
+    pub least: f64,
+    /// The gap is nowhere more.
+    pub most: f64,
+    /// The band: allowed least and most.
+    pub band: [f64; 2],
+}
+
+/// Where a vector leaves its band, or could not be decided.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Fault {
+    /// Was it shown to leave the band? Else it is not decided.
+    pub refuted: bool,
+    /// Name and role of the surface.
+    pub surface: String,
+    /// Number of the vector within the statement, from 1.
+    pub vector: u64,
+    /// Tool end at the place.
+    pub te: [f64; 3],
+    /// By how much the band is left; for what is not decided at most this much, infinite when unknown.
+    pub depth: f64,
+    /// Is it material that is cut (else material that is left)?
+    pub gouge: bool,
+}
+
+impl Certificate {
+    /// Is every cut vector proved?
+    pub fn is_proved(&self) -> bool {
+        self.refuted == 0 && self.undecided == 0 && self.left_out == 0
+    }
+}
+
+impl fmt::Display for Certificate {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let judged = self.proved + self.refuted + self.undecided;
+        if judged == 0 {
+            f.write_str("no motion along surfaces")?;
+        } else if self.is_proved() {
+            write!(f, "all {judged} cut vectors along surfaces proved within tolerance")?;
+        } else {
+            write!(f, "{} of {judged} cut vectors along surfaces proved", self.proved)?;
+            if self.refuted > 0 {
+                write!(f, ", {} refuted", self.refuted)?;
+            }
+            if self.undecided > 0 {
+                write!(f, ", {} not decided", self.undecided)?;
+            }
+        }
+        if self.left_out > 0 {
+            write!(f, ", {} left out of the sample", self.left_out)?;
+        }
+        if self.free > 0 {
+            write!(f, "; {} from point to point", self.free)?;
+        }
+        Ok(())
+    }
+}

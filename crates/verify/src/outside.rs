@@ -1,0 +1,159 @@
+//! Bounds of the gap along a cut vector, the tool on the outside of a convex solid.
+//!
+//! For a tool that moves without turning, g(t) = min over the tool of sd is convex in t, because sd is
+//! convex and the tool with its motion is. So g is at most the greater of its ends. From below any unit
+//! vector d proves `g(t) >= -h(T, -d) - h(C, d) + t d.v`; the best d is the normal at the contact where
+//! d . v = 0, and how it was found does not matter to the proof.
+
+use aptc_geometry::Vec3;
+
+use crate::bound::Bound;
+use crate::solid::Solid;
+use crate::tool::{Pose, Tool, carry};
+
+/// Rounds of the searches for the best direction; reaching them costs tightness, not truth.
+const ROUNDS: usize = 60;
+
+/// Gap at a position: its value up to rounding, from above, and the direction that proves it.
+pub(crate) fn gap(tool: &Tool<'_>, pose: &Pose, solid: &Solid) -> (f64, Vec3) {
+    match solid {
+        Solid::Half(plane) => (-tool.height(pose, -plane.n) - plane.d, plane.n),
+        Solid::Ball(c, r) => {
+            let (d, n) = tool.near(pose, *c);
+            (d - r, -n)
+        }
+        Solid::Rod(q, t, r) => {
+            let (d, n) = along_axis(tool, pose, *q, *t, 0.0, f64::NEG_INFINITY);
+            (d - r, solid.bounded_direction(-n))
+        }
+        Solid::Nappe(v, t, _, sin) => {
+            let (d, n) = along_axis(tool, pose, *v, *t, *sin, 0.0);
+            (d, solid.bounded_direction(-n))
+        }
+    }
+}
+
+/// Least `near(q + s t) - s slope` over s >= least: the solid as the union of balls along its axis. The
+/// function is convex in s, so the sign of its slope brackets the least value.
+fn along_axis(
+    tool: &Tool<'_>,
+    pose: &Pose,
+    q: Vec3,
+    t: Vec3,
+    slope: f64,
+    least: f64,
+) -> (f64, Vec3) {
+    let value = |s: f64| {
+        let (d, n) = tool.near(pose, q + s * t);
+        (d - s * slope, n, n.dot(&t) - slope)
+    };
+    // Beyond twice the distance to the farthest place of interest the function only grows.
+    let middle = (pose.te - q).dot(&t);
+    let far = 2.0 * ((pose.te - q).norm() + tool.reach()) / (1.0 - slope).max(0.05);
+    let (mut a, mut b) = ((middle - far).max(least), (middle + far).max(least));
+    let (mut fa, mut fb) = (value(a), value(b));
+    if fa.2 >= 0.0 {
+        return (fa.0, fa.1);
+    }
+    if fb.2 <= 0.0 {
+        return (fb.0, fb.1);
+    }
+    let mut best = if fa.0 < fb.0 { (fa.0, fa.1, fa.2) } else { (fb.0, fb.1, fb.2) };
+    for round in 0..ROUNDS {
+        let secant = a - fa.2 * (b - a) / (fb.2 - fa.2);
+        // Every third round halves, so that the bracket shrinks whatever the shape.
+        let s = if round % 3 == 2 || !(a..=b).contains(&secant) { 0.5 * (a + b) } else { secant };
+        let f = value(s);
+        if f.0 < best.0 || (f.0 <= best.0 && f.2.abs() < best.2.abs()) {
+            best = f;
+        }
+        if f.2.abs() <= 1e-15 || b - a <= 1e-16 * (a.abs() + b.abs()) {
+            break;
+        }
+        if f.2 < 0.0 {
+            (a, fa) = (s, f);
+        } else {
+            (b, fb) = (s, f);
+        }
+    }
+    (best.0, best.1)
+}
+
+/// What the direction `d` proves of the gap along the motion from `pose` by `v`.
+pub(crate) fn proved(tool: &Tool<'_>, pose: &Pose, v: Vec3, solid: &Solid, d: Vec3) -> f64 {
+    -tool.height(pose, -d) - solid.support(d) + d.dot(&v).min(0.0)
+}
+
+/// Bounds along the vector from `a` to `b`, axis fixed.
+pub(crate) fn bound(tool: &Tool<'_>, a: &Pose, b: &Pose, solid: &Solid) -> Bound {
+    let v = b.te - a.te;
+    let at = |t: f64| {
+        let pose = Pose { te: a.te + t * v, ta: a.ta };
+        let (g, d) = gap(tool, &pose, solid);
+        (g, d, d.dot(&v))
+    };
+    let (first, last) = (at(0.0), at(1.0));
+    let (high, high_at) = if first.0 >= last.0 { (first.0, 0.0) } else { (last.0, 1.0) };
+    let mut best = (f64::NEG_INFINITY, 0.0);
+    let mut least = if first.0 <= last.0 { (first.0, 0.0) } else { (last.0, 1.0) };
+    let mut offer = |d: Vec3, g: f64, t: f64| {
+        let mut low = proved(tool, a, v, solid, d);
+        // A direction square to the motion proves the same for the whole of it.
+        let square = d - v * (d.dot(&v) / v.norm_squared().max(f64::MIN_POSITIVE));
+        let square = solid.bounded_direction(square);
+        if square.dot(&v).abs() <= 1e-12 * v.norm() {
+            low = low.max(proved(tool, a, v, solid, square));
+        }
+        if low > best.0 {
+            best = (low, t);
+        }
+        if g < least.0 {
+            least = (g, t);
+        }
+    };
+    offer(first.1, first.0, 0.0);
+    offer(last.1, last.0, 1.0);
+    if first.2 < 0.0 && last.2 > 0.0 {
+        let (mut t0, mut t1, mut f0, mut f1) = (0.0, 1.0, first.2, last.2);
+        for round in 0..ROUNDS {
+            let secant = t0 - f0 * (t1 - t0) / (f1 - f0);
+            let t = if round % 3 == 2 || !(t0..=t1).contains(&secant) {
+                0.5 * (t0 + t1)
+            } else {
+                secant
+            };
+            let m = at(t);
+            offer(m.1, m.0, t);
+            if m.2.abs() <= 1e-14 * v.norm() || t1 - t0 <= 1e-15 {
+                break;
+            }
+            if m.2 < 0.0 {
+                (t0, f0) = (t, m.2);
+            } else {
+                (t1, f1) = (t, m.2);
+            }
+        }
+    }
+    Bound { low: best.0, high, low_at: least.1, high_at, least: least.0 }
+}
+
+/// Bounds along the vector from `a` to `b` when the axis turns: every tool on the way lies in the hull of the
+/// tools at the ends, enlarged by `pad` (arc less chord of the farthest point of the tool).
+pub(crate) fn bound_turning(tool: &Tool<'_>, a: &Pose, b: &Pose, solid: &Solid, pad: f64) -> Bound {
+    let (first, last) = (gap(tool, a, solid), gap(tool, b, solid));
+    let hull = |d: Vec3| -tool.height(a, -d).max(tool.height(b, -d)) - solid.support(d);
+    let mut low = f64::NEG_INFINITY;
+    let middle = first.1 + last.1;
+    for d in [first.1, last.1, solid.bounded_direction(middle)] {
+        low = low.max(hull(d));
+    }
+    // A point fixed in the tool travels along its chord but for the pad, and sd is convex along the chord.
+    let carried = |from: &Pose, to: &Pose, d: Vec3| {
+        let p = tool.farthest(from, -d);
+        solid.distance(p).max(solid.distance(carry(from, to, p)))
+    };
+    let high = carried(a, b, first.1).min(carried(b, a, last.1)) + pad;
+    let (least, low_at) = if first.0 <= last.0 { (first.0, 0.0) } else { (last.0, 1.0) };
+    let high_at = if first.0 >= last.0 { 0.0 } else { 1.0 };
+    Bound { low: low - pad, high, low_at, high_at, least }
+}

@@ -1,0 +1,81 @@
+//! The cutter in space.
+
+use aptc_geometry::{Profile, Vec3};
+
+use crate::solid::{any_across, unit_or};
+
+/// Tool end and unit tool axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Pose {
+    pub(crate) te: Vec3,
+    pub(crate) ta: Vec3,
+}
+
+/// What is held against a surface: the cutter's solid, or the tool end alone (ON).
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Tool<'a> {
+    Solid(&'a Profile),
+    End,
+}
+
+impl Tool<'_> {
+    /// The point of the tool farthest along `n`.
+    pub(crate) fn farthest(&self, pose: &Pose, n: Vec3) -> Vec3 {
+        let Self::Solid(profile) = self else { return pose.te };
+        let up = n.dot(&pose.ta);
+        let across = n - up * pose.ta;
+        let out = across.norm();
+        let length = n.norm();
+        if length == 0.0 {
+            return pose.te;
+        }
+        let [x, z] = profile.support(out / length, up / length).point;
+        pose.te + x * unit_or(across, any_across(pose.ta)) + z * pose.ta
+    }
+
+    /// Support function: greatest `n . p` over the tool.
+    pub(crate) fn height(&self, pose: &Pose, n: Vec3) -> f64 {
+        self.farthest(pose, n).dot(&n)
+    }
+
+    /// Signed distance of `q` from the tool and its unit gradient.
+    pub(crate) fn near(&self, pose: &Pose, q: Vec3) -> (f64, Vec3) {
+        let w = q - pose.te;
+        let Self::Solid(profile) = self else {
+            return (w.norm(), unit_or(w, -pose.ta));
+        };
+        let z = w.dot(&pose.ta);
+        let across = w - z * pose.ta;
+        let near = profile.near(across.norm(), z);
+        let [out, up] = near.normal;
+        (near.distance, out * unit_or(across, any_across(pose.ta)) + up * pose.ta)
+    }
+
+    /// Greatest distance of a point of the tool from `c`.
+    pub(crate) fn farthest_from(&self, pose: &Pose, c: Vec3) -> f64 {
+        let w = c - pose.te;
+        let Self::Solid(profile) = self else { return w.norm() };
+        let z = w.dot(&pose.ta);
+        profile.farthest((w - z * pose.ta).norm(), z).distance
+    }
+
+    /// Radius of the sphere about the tool end that holds the tool.
+    pub(crate) fn reach(&self) -> f64 {
+        match self {
+            Self::Solid(profile) => profile.reach(),
+            Self::End => 0.0,
+        }
+    }
+}
+
+/// Where a point fixed in the tool goes when the tool moves from one position to another, the axis by the
+/// least rotation.
+pub(crate) fn carry(from: &Pose, to: &Pose, p: Vec3) -> Vec3 {
+    let x = p - from.te;
+    let (k, c) = (from.ta.cross(&to.ta), from.ta.dot(&to.ta));
+    // Opposite axes have no least rotation; whoever asks divides the motion until this does not occur.
+    if c <= -1.0 + 1e-9 {
+        return to.te + x;
+    }
+    to.te + x * c + k.cross(&x) + k * (k.dot(&x) / (1.0 + c))
+}
