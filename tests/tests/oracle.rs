@@ -34,7 +34,11 @@ fn compile(program: &Path, shared: &Path) -> Compiled {
 }
 
 /// Runs a comparison over all programs that have an oracle and holds the result against the list.
-fn hold(kind: &str, oracle_ending: &str, compare: impl Fn(&Path, &Path, &Path, &str) -> Result<(), String>) {
+fn hold(
+    kind: &str,
+    oracle_ending: &str,
+    compare: impl Fn(&Path, &Path, &Path, &str) -> Result<(), String>,
+) {
     let Some(shared) = shared() else { return };
     let mut known = known(kind);
     let mut faults = Vec::new();

@@ -21,7 +21,7 @@ pub(crate) fn explain(code: Option<&str>) -> io::Result<ExitCode> {
     };
     let Some(code) = codes::Code::parse(text) else {
         writeln!(io::stderr(), "aptc: there is no code {text}; `aptc explain` lists all")?;
-        return Ok(exit::USAGE);
+        return Ok(ExitCode::from(exit::FILES));
     };
     let name = code.to_string();
     match PAGES.iter().find(|(n, _)| *n == name) {

@@ -1,10 +1,11 @@
 //! Messages for people and programs: ariadne, one line, JSON lines, SARIF.
 
 use std::collections::BTreeSet;
+use std::fmt;
 use std::io::{self, Write};
 
 use aptc_diagnostics::{Diagnostic, FileId, FrameKind, Severity, SourceMap};
-use ariadne::{Config, IndexType, Label, Report, ReportKind, Source};
+use ariadne::{Cache, Config, IndexType, Label, Report, ReportKind, Source};
 use serde_json::{Value, json};
 
 use crate::cli::MessageFormat;
@@ -31,11 +32,9 @@ pub(crate) fn render(
 }
 
 fn human(out: &mut dyn Write, all: &[Diagnostic], map: &SourceMap, color: bool) -> io::Result<()> {
-    let mut cache = ariadne::sources(
-        map.iter().map(|(id, f)| (id, f.text.to_string())).collect::<Vec<(FileId, String)>>(),
-    );
+    let mut named =
+        Named { sources: map.iter().map(|(_, f)| Source::from(f.text.to_string())).collect(), map };
     let config = Config::default().with_index_type(IndexType::Byte).with_color(color);
-    let mut named = Named { cache: &mut cache, map };
     for d in all {
         let kind = match d.severity {
             Severity::Error => ReportKind::Error,
@@ -68,20 +67,20 @@ fn human(out: &mut dyn Write, all: &[Diagnostic], map: &SourceMap, color: bool) 
     Ok(())
 }
 
-/// The sources under the names that the user gave.
-struct Named<'a, C> {
-    cache: &'a mut C,
+/// The sources, cut into lines once, under the names that the user gave.
+struct Named<'a> {
+    sources: Vec<Source<String>>,
     map: &'a SourceMap,
 }
 
-impl<C: ariadne::Cache<FileId, Storage = String>> ariadne::Cache<FileId> for Named<'_, C> {
+impl Cache<FileId> for Named<'_> {
     type Storage = String;
 
-    fn fetch(&mut self, id: &FileId) -> Result<&Source<String>, impl std::fmt::Debug> {
-        self.cache.fetch(id)
+    fn fetch(&mut self, id: &FileId) -> Result<&Source<String>, impl fmt::Debug> {
+        self.sources.get(id.0 as usize).ok_or("no such file")
     }
 
-    fn display<'a>(&self, id: &'a FileId) -> Option<impl std::fmt::Display + 'a> {
+    fn display<'a>(&self, id: &'a FileId) -> Option<impl fmt::Display + 'a> {
         self.map.get(*id).map(|f| f.name.to_string())
     }
 }
@@ -140,10 +139,8 @@ pub(crate) fn to_json(d: &Diagnostic, map: &SourceMap) -> Value {
 
 fn sarif(all: &[Diagnostic], map: &SourceMap) -> Value {
     let used: BTreeSet<_> = all.iter().map(|d| d.code).collect();
-    let rules: Vec<Value> = used
-        .iter()
-        .map(|c| json!({"id": c, "shortDescription": {"text": c.title()}}))
-        .collect();
+    let rules: Vec<Value> =
+        used.iter().map(|c| json!({"id": c, "shortDescription": {"text": c.title()}})).collect();
     let results: Vec<Value> = all.iter().map(|d| sarif_result(d, map)).collect();
     json!({
         "$schema": "https://json.schemastore.org/sarif-2.1.0.json",

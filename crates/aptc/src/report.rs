@@ -10,7 +10,11 @@ use crate::cli::{Color, Common, MessageFormat};
 use crate::{exit, render};
 
 /// Writes all messages of a run, and a line that counts the errors.
-pub(crate) fn messages(out: &mut dyn Write, compiled: &Compiled, common: &Common) -> io::Result<()> {
+pub(crate) fn messages(
+    out: &mut dyn Write,
+    compiled: &Compiled,
+    common: &Common,
+) -> io::Result<()> {
     write(out, &compiled.diagnostics, &compiled.sources, common)
 }
 

@@ -63,9 +63,17 @@ fn check_gives_json_objects_a_line() {
     assert_eq!(run.status.code(), Some(1));
     let out = text(&run.stdout);
     let first: serde_json::Value = serde_json::from_str(out.lines().next().unwrap()).unwrap();
-    for key in
-        ["code", "severity", "message", "line", "column", "end_line", "end_column", "labels", "help"]
-    {
+    for key in [
+        "code",
+        "severity",
+        "message",
+        "line",
+        "column",
+        "end_line",
+        "end_column",
+        "labels",
+        "help",
+    ] {
         assert!(first.get(key).is_some(), "{key} in {first}");
     }
     assert_eq!((&first["line"], &first["column"]), (&3.into(), &12.into()));

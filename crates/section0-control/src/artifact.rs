@@ -1,6 +1,7 @@
 //! What a compilation can be written as.
 
-use aptc_cldata::{Record, RecordWriter, TextOptions, TextWriter};
+use aptc_cldata::{JsonWriter, Record, RecordWriter, TapeWriter, TextOptions, TextWriter};
+use aptc_vocabulary::Dialect;
 
 use crate::Compiled;
 use crate::geometry_json::geometry_json;
@@ -33,16 +34,18 @@ impl Compiled {
         let whole = self.is_cl_whole();
         let one = |ending: &str, bytes: Vec<u8>| vec![(ending.to_owned(), bytes)];
         match kind {
-            Artifact::Protap if whole => {
-                one("protap", aptc_protap::write(self.parts.iter().flat_map(|p| &p.protap)).into_bytes())
-            }
+            Artifact::Protap if whole => Vec::new(),
             Artifact::Cl if whole => one("cl", self.cl_text()),
             Artifact::Cl if keep_going => one("partial.cl", self.cl_text()),
             Artifact::ClJson if whole => {
-                Vec::new()
+                let mut bytes = Vec::new();
+                self.write(&mut JsonWriter::new(&mut bytes));
+                one("cl.json", bytes)
             }
             Artifact::Cltape if whole => {
-                Vec::new()
+                let mut bytes = Vec::new();
+                self.write(&mut TapeWriter::new(&mut bytes, Dialect::Apt360));
+                one("cltape", bytes)
             }
             Artifact::Nc if whole && !self.is_refuted() => self.nc(),
             Artifact::Listing => one("lst", self.listing.clone().into_bytes()),
@@ -60,14 +63,16 @@ impl Compiled {
     }
 
     fn cl_text(&self) -> Vec<u8> {
-        self.written(TextWriter::new(Vec::new(), TextOptions::default()))
+        let mut bytes = Vec::new();
+        self.write(&mut TextWriter::new(&mut bytes, TextOptions::default()));
+        bytes
     }
 
-    fn written<W: RecordWriter + IntoBytes>(&self, mut writer: W) -> Vec<u8> {
+    fn write(&self, writer: &mut dyn RecordWriter) {
         for record in self.edited() {
             writer.write(record).expect("memory takes all");
         }
-        writer.into_bytes()
+        writer.finish().expect("memory takes all");
     }
 
     /// `nc` for the first part program, `2.nc` for the next; the machine stands between for further ones.
@@ -88,16 +93,5 @@ impl Compiled {
             return Vec::new();
         }
         Vec::new()
-    }
-}
-
-/// A writer onto memory that can give it back.
-trait IntoBytes {
-    fn into_bytes(self) -> Vec<u8>;
-}
-
-impl IntoBytes for TextWriter<Vec<u8>> {
-    fn into_bytes(self) -> Vec<u8> {
-        self.into_inner().expect("memory takes all")
     }
 }

@@ -7,15 +7,17 @@ mod geometry_json;
 mod listing;
 mod options;
 mod post;
+mod post_cl;
 mod summary;
 mod world;
 
+pub use aptc_post::{Machine, machine_for, machines};
 pub use aptc_translate::UnknownWords;
 pub use artifact::Artifact;
 pub use compile::{Compiled, Part, compile, resume};
 pub use geometry_json::{Named, geometry_json};
 pub use options::{FULL_PROOF, MachineChoice, Options, Verify};
 pub use post::{Nc, post_part};
+pub use post_cl::post_cl;
 pub use summary::Summary;
 pub use world::{Disk, Memory, Source, World, WorldError};
-pub use aptc_post::{Machine, machine_for, machines};

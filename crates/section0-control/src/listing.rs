@@ -60,10 +60,13 @@ pub(crate) fn printed(out: &mut String, entries: &[Entry]) {
             EntryKind::Scalar { name, value } => {
                 line(out, isn, &format!("{:<12}{:<8}{}", label(name), "SCALAR", number(*value)));
             }
-            EntryKind::Form { name, word, elements } => form(out, isn, &label(name), word, elements),
+            EntryKind::Form { name, word, elements } => {
+                form(out, isn, &label(name), word, elements)
+            }
             EntryKind::Bits { name, word, elements } => {
                 let name = label(&Some(name.clone()));
-                let bits: Vec<_> = elements.iter().map(|x| format!("{:016X}", x.to_bits())).collect();
+                let bits: Vec<_> =
+                    elements.iter().map(|x| format!("{:016X}", x.to_bits())).collect();
                 line(out, isn, &format!("{name:<12}{word:<8}{}", bits.join(" ")));
             }
             EntryKind::Undefined { name } => {

@@ -52,7 +52,12 @@ pub fn post_part(records: &[Record], choice: Option<&MachineChoice>) -> (Vec<Nc>
         }
         if !refused && !text.is_empty() {
             let machine = machine.name.clone();
-            texts.push(Nc { machine, text, seconds: 60.0 * (posted.summary.cut_minutes + posted.summary.rapid_minutes), further: i > 0 });
+            texts.push(Nc {
+                machine,
+                text,
+                seconds: 60.0 * (posted.summary.cut_minutes + posted.summary.rapid_minutes),
+                further: i > 0,
+            });
         }
     }
     (texts, diagnostics)
@@ -66,13 +71,14 @@ fn machines(
     match choice {
         Some(MachineChoice::File(_, text)) => return Machine::parse(text).map(|m| vec![m]),
         Some(MachineChoice::Named(name)) => {
-            if let Some(m) = aptc_post::machine(name).or_else(|| aptc_post::machine_for(name, &[])) {
+            if let Some(m) = aptc_post::machine(name).or_else(|| aptc_post::machine_for(name, &[]))
+            {
                 return Ok(vec![m.clone()]);
             }
             let known: Vec<_> = aptc_post::machines().map(|m| m.name.as_str()).collect();
             let message = format!("there is no machine {name}");
             return Err(vec![
-                Diagnostic::error(codes::UNKNOWN_MACHINE, Span::default(), message)
+                Diagnostic::error(codes::MACHINE_FILE, Span::default(), message)
                     .help(format!("give a machine file, or one of {}", known.join(", "))),
             ]);
         }
@@ -93,13 +99,14 @@ fn machines(
     }
     let default = aptc_post::machine("linuxcnc-mill").expect("it is built in");
     let (span, message) = match unknown.first() {
-        Some((name, origin)) => {
-            (origin.span, format!("{name} is no machine that aptc knows; posted for {}", default.title))
-        }
+        Some((name, origin)) => (
+            origin.span,
+            format!("{name} is no machine that aptc knows; posted for {}", default.title),
+        ),
         None => (Span::default(), format!("no MACHIN statement; posted for {}", default.title)),
     };
     diagnostics.push(
-        Diagnostic::note_at(codes::DEFAULT_MACHINE, span, message)
+        Diagnostic::note_at(codes::MACHINE_ASSUMED, span, message)
             .help("choose a machine with --machine; `aptc machines` lists them"),
     );
     Ok(vec![default.clone()])

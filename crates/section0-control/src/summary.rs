@@ -1,6 +1,7 @@
 //! A few figures of a compiled part.
 
-use aptc_cldata::{Kind, MotionKind, Record, Units};
+use aptc_cldata::{Kind, MotionKind, Output, Record, Units};
+use aptc_geometry::Vec3;
 
 /// What a part program made, in figures.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -25,14 +26,14 @@ impl Summary {
     /// Counts an edited CL stream of one part program.
     pub(crate) fn of(records: &[Record]) -> Self {
         let mut s = Self::default();
-        let (mut last, mut rapid, mut output) = (None, false, true);
+        let (mut last, mut rapid, mut output) = (None::<Vec3>, false, true);
         for record in records {
             match &record.kind {
                 Kind::Text { word, text } if word == "PARTNO" => s.partno = text.trim().to_owned(),
                 Kind::Units(u) => s.units = *u,
                 Kind::Post { word, .. } if word == "RAPID" => rapid = true,
                 Kind::Post { word, .. } if word == "LOADTL" => s.tools += 1,
-                Kind::Output(o) => output = *o == aptc_cldata::Output::Cut,
+                Kind::Output(o) => output = *o == Output::Cut,
                 Kind::Motion(m) if output => {
                     s.motions += 1;
                     for p in &m.points {

@@ -50,8 +50,12 @@ pub enum WorldError {
 impl fmt::Display for WorldError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Missing { searched } if searched.is_empty() => f.write_str("there is no such file"),
-            Self::Missing { searched } => write!(f, "there is no such file in {}", searched.join(", ")),
+            Self::Missing { searched } if searched.is_empty() => {
+                f.write_str("there is no such file")
+            }
+            Self::Missing { searched } => {
+                write!(f, "there is no such file in {}", searched.join(", "))
+            }
             Self::Outside => f.write_str("it lies outside the allowed folders"),
             Self::TooLarge { limit } => write!(f, "it is larger than {limit} bytes"),
             Self::Unreadable { reason } => f.write_str(reason),

@@ -109,12 +109,16 @@ pub(crate) fn folders(part: &Path, source: &SourceArgs) -> Vec<PathBuf> {
 }
 
 /// The machine that was asked for: a file when there is one of that name and it ends in `.toml`.
-pub(crate) fn machine_choice(name: Option<&str>, limit: u64) -> Result<Option<MachineChoice>, String> {
+pub(crate) fn machine_choice(
+    name: Option<&str>,
+    limit: u64,
+) -> Result<Option<MachineChoice>, String> {
     let Some(name) = name else { return Ok(None) };
     if !Path::new(name).extension().is_some_and(|e| e.eq_ignore_ascii_case("toml")) {
         return Ok(Some(MachineChoice::Named(name.to_owned())));
     }
-    let source = Disk::open(Path::new(name), limit).map_err(|e| format!("cannot read {name}: {e}"))?;
+    let source =
+        Disk::open(Path::new(name), limit).map_err(|e| format!("cannot read {name}: {e}"))?;
     Ok(Some(MachineChoice::File(name.to_owned(), source.text.to_string())))
 }
 

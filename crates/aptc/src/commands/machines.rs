@@ -21,7 +21,9 @@ pub(crate) fn machines(name: Option<&str>, common: &Common) -> io::Result<ExitCo
     if !Path::new(name).extension().is_some_and(|e| e.eq_ignore_ascii_case("toml")) {
         return match machine_for(name, &[]) {
             Some(m) => describe(&mut out, m).map(|()| exit::GOOD),
-            None => report::complain(&format!("there is no machine {name}; `aptc machines` lists them")),
+            None => {
+                report::complain(&format!("there is no machine {name}; `aptc machines` lists them"))
+            }
         };
     }
     let source = match aptc_control::Disk::open(Path::new(name), 16 << 20) {
