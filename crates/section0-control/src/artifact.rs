@@ -92,6 +92,7 @@ impl Compiled {
         if self.parts.iter().all(|p| p.noplot) {
             return Vec::new();
         }
-        Vec::new()
+        let records = self.parts.iter().filter(|p| !p.noplot).flat_map(|p| &p.edited);
+        vec![("svg".to_owned(), aptc_edit::plot_svg(records).into_bytes())]
     }
 }

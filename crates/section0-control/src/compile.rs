@@ -4,13 +4,14 @@ use std::sync::Arc;
 
 use aptc_arelem::Arelem;
 use aptc_cldata as cl;
-use aptc_diagnostics::{Diagnostic, SourceMap};
+use aptc_diagnostics::{Diagnostic, SourceMap, codes};
 use aptc_protap as protap;
 use aptc_translate::{Entry, FileError, FileRequest, Files, Interpreter, LoadedFile, Step};
+use aptc_verify::{Certificate, Effort, Verifier};
 
 use crate::geometry_json::Named;
 use crate::post::{Nc, post_part};
-use crate::{Options, Source, Summary, World, WorldError, listing};
+use crate::{FULL_PROOF, Options, Source, Summary, Verify, World, WorldError, listing};
 
 /// What came of a part program.
 #[derive(Debug, Default)]
@@ -40,10 +41,8 @@ pub struct Part {
     pub nc: Vec<Nc>,
     /// Figures.
     pub summary: Summary,
-    /// The certificate in one line.
-    pub certificate: Option<String>,
-    /// Did verification refute a cut vector?
-    pub refuted: bool,
+    /// What was proved of the path.
+    pub certificate: Option<Certificate>,
     /// Was NOPLOT given?
     pub noplot: bool,
 }
@@ -56,7 +55,7 @@ impl Compiled {
 
     /// Did verification refute a cut vector?
     pub fn is_refuted(&self) -> bool {
-        self.parts.iter().any(|p| p.refuted) || self.diagnostics.iter().any(is_refutation)
+        self.diagnostics.iter().any(is_refutation)
     }
 
     /// Is the CL data whole: no error of Sections 1 to 3?
@@ -99,8 +98,8 @@ pub fn compile(source: Source, world: &mut dyn World, options: &Options) -> Comp
 pub fn resume(source: Source, options: &Options) -> Compiled {
     let mut run = Run::new(options);
     let file = run.compiled.sources.add(source.name, Arc::clone(&source.text));
-    let _ = file;
-    let records: Vec<protap::Record> = Vec::new();
+    let (records, diagnostics) = protap::read(file, &source.text);
+    run.compiled.diagnostics.extend(diagnostics);
     for record in records {
         run.take(record);
     }
@@ -172,6 +171,9 @@ impl<'o> Run<'o> {
         self.compiled.diagnostics.extend(self.section2.take_diagnostics());
         let mut part = std::mem::take(&mut self.part);
         let whole = self.compiled.is_cl_whole();
+        if self.options.verify != Verify::Off {
+            self.prove(&mut part);
+        }
         if self.last_section >= 3 {
             let (edited, diagnostics) = crate::edit::edit(&part.computed, whole);
             part.edited = edited;
@@ -190,6 +192,28 @@ impl<'o> Run<'o> {
         self.compiled.parts.push(part);
         self.section2 = Arelem::new(aptc_arelem::Options::default());
         (self.begun, self.nopost, self.last_section) = (false, false, 4);
+    }
+
+    /// Proves the path of Section 2 against its surfaces.
+    fn prove(&mut self, part: &mut Part) {
+        let points = |r: &cl::Record| match &r.kind {
+            cl::Kind::Motion(m) => m.points.len() as u64,
+            _ => 0,
+        };
+        let n: u64 = part.computed.iter().map(points).sum();
+        let every = n.div_ceil(FULL_PROOF).max(2);
+        let effort = match self.options.verify {
+            Verify::UpTo(most) if n > most => Effort::Every(every),
+            Verify::Sample => Effort::Every(every),
+            _ => Effort::Full,
+        };
+        let mut verifier = Verifier::new(effort);
+        for record in &part.computed {
+            verifier.push(record);
+        }
+        let (certificate, diagnostics) = verifier.finish();
+        part.certificate = Some(certificate);
+        self.compiled.diagnostics.extend(diagnostics);
     }
 
     fn finish(mut self, entries: &[Entry]) -> Compiled {
@@ -220,7 +244,12 @@ impl Files for Includes<'_> {
                 ),
                 _ => None,
             };
-            FileError { message: format!("cannot read {}: {e}", request.name), help }
+            let code = match &e {
+                WorldError::Outside => codes::OUTSIDE_FOLDERS,
+                WorldError::TooLarge { .. } => codes::FILE_TOO_LARGE,
+                _ => codes::UNREADABLE_FILE,
+            };
+            FileError { code, message: format!("cannot read {}: {e}", request.name), help }
         })
     }
 }

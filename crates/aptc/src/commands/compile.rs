@@ -179,7 +179,7 @@ fn summary(part: &Path, compiled: &Compiled, written: &[PathBuf]) -> String {
             add("machining time", format!("{} on {}", clock(nc.seconds), nc.machine));
         }
         if let Some(certificate) = &p.certificate {
-            add("tolerance", certificate.clone());
+            add("tolerance", certificate.to_string());
         }
     }
     if !written.is_empty() {
