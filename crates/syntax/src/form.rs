@@ -70,7 +70,7 @@ fn after_condition(rest: &[Spanned]) -> Form {
 }
 
 /// The bracket that closes the one at `open`.
-fn closing(tokens: &[Spanned], open: usize) -> Option<usize> {
+pub(crate) fn closing(tokens: &[Spanned], open: usize) -> Option<usize> {
     let mut depth = 0_usize;
     for (i, (token, _)) in tokens.iter().enumerate().skip(open) {
         match token {

@@ -26,26 +26,43 @@ struct Habit<'s> {
     letters: &'s str,
 }
 
-/// A warning about the texts behind column 72 (`tails`, up to the ends of their lines) that are no
-/// identification.
+/// What the cards of a file have behind column 72.
+pub(crate) struct Habits<'s> {
+    met: BTreeMap<Habit<'s>, usize>,
+    n_tails: usize,
+}
+
+impl<'s> Habits<'s> {
+    /// The habits of a file with these `tails`: texts behind column 72 up to the ends of their lines.
+    pub(crate) fn new(source: &'s str, tails: &[Range<u32>]) -> Self {
+        let mut met = BTreeMap::new();
+        for tail in tails {
+            if let Some(habit) = habit(&source[tail.start as usize..tail.end as usize]) {
+                *met.entry(habit).or_default() += 1;
+            }
+        }
+        Self { met, n_tails: tails.len() }
+    }
+
+    /// Is the tail an identification: a number at the right edge, or what most others in this file are?
+    pub(crate) fn is_identification(&self, tail: &str) -> bool {
+        let Some(habit) = habit(tail) else { return false };
+        let at_edge = habit.blanks + habit.width == WIDTH && habit.letters.len() < habit.width;
+        let n = self.met.get(&habit).copied().unwrap_or(0);
+        at_edge || (n >= HABIT && 2 * n >= self.n_tails)
+    }
+
+    /// Is the tail of a comment, which may be of any length, an identification as others are?
+    pub(crate) fn is_identification_of_comment(&self, tail: &str) -> bool {
+        self.is_identification(tail) && habit(tail).is_some_and(|h| self.met.contains_key(&h))
+    }
+}
+
+/// A warning about the texts behind column 72 that are no identification.
 pub(crate) fn check(file: FileId, source: &str, tails: &[Range<u32>]) -> Option<Diagnostic> {
     let text = |tail: &Range<u32>| &source[tail.start as usize..tail.end as usize];
-    let mut habits: BTreeMap<Habit<'_>, usize> = BTreeMap::new();
-    for tail in tails {
-        if let Some(habit) = habit(text(tail)) {
-            *habits.entry(habit).or_default() += 1;
-        }
-    }
-    let is_habit =
-        |habit: &Habit<'_>| habits.get(habit).is_some_and(|&n| n >= HABIT && 2 * n >= tails.len());
-    let strange = |tail: &&Range<u32>| match habit(text(tail)) {
-        None => true,
-        Some(h) => {
-            let at_edge = h.blanks + h.width == WIDTH && h.letters.len() < h.width;
-            !at_edge && !is_habit(&h)
-        }
-    };
-    let mut strange = tails.iter().filter(strange).map(|tail| {
+    let habits = Habits::new(source, tails);
+    let mut strange = tails.iter().filter(|t| !habits.is_identification(text(t))).map(|tail| {
         let text = text(tail);
         let start = tail.start + place(text.len() - text.trim_start().len());
         Span::new(file, start, tail.start + place(text.trim_end().len()))

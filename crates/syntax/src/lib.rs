@@ -20,6 +20,7 @@ mod characters;
 mod climb;
 mod fixed;
 mod form;
+mod format;
 mod grammar;
 mod identification;
 mod interner;
@@ -33,6 +34,7 @@ mod shape;
 mod token;
 pub mod tree;
 
+pub use format::{FormatOptions, format};
 pub use interner::{Interner, Symbol};
 pub use options::{Options, Parsed};
 pub use parse::parse;

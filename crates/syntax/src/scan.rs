@@ -61,11 +61,12 @@ pub(crate) fn place(at: usize) -> u32 {
 }
 
 /// How the text of a card ends.
-enum End {
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum End {
     /// With its last column.
     Card,
-    /// With a comment.
-    Comment,
+    /// With the comment that begins at this place.
+    Comment(usize),
     /// With the `$` at this place, after which the next card goes on.
     GoesOn(usize),
 }
@@ -91,6 +92,8 @@ pub(crate) struct Scanner<'s> {
     pub(crate) tails: Vec<Range<u32>>,
     /// The `%` of cards that NCL would take for comments.
     pub(crate) percents: Vec<Range<u32>>,
+    /// Cards of the last statement.
+    pub(crate) pieces: Vec<(Card, End)>,
 }
 
 impl<'s> Scanner<'s> {
@@ -103,6 +106,7 @@ impl<'s> Scanner<'s> {
             n_numbered: 0,
             tails: Vec::new(),
             percents: Vec::new(),
+            pieces: Vec::new(),
         }
     }
 
@@ -114,6 +118,7 @@ impl<'s> Scanner<'s> {
             self.isn = self.isn.saturating_add(1);
             self.n_numbered += 1;
             flat.clear();
+            self.pieces.clear();
             if let Some(at) = percent(&self.source[card.text.clone()]) {
                 let at = place(card.text.start + at);
                 self.percents.push(at..at + 1);
@@ -127,15 +132,16 @@ impl<'s> Scanner<'s> {
                     self.note_tail(&card);
                 }
                 scanned.fixed = Some(text);
+                self.pieces.push((card, End::Card));
                 return Some(scanned);
             }
-            let mut end = self.card(&card, flat);
+            let mut end = self.card(card, flat);
             while let End::GoesOn(dollar) = end {
                 let Some(card) = self.cards.next() else {
                     scanned.dangling = Some(place(dollar)..place(dollar + 1));
                     break;
                 };
-                end = self.card(&card, flat);
+                end = self.card(card, flat);
             }
             if !flat.text.is_empty() || scanned.dangling.is_some() {
                 return Some(scanned);
@@ -143,11 +149,12 @@ impl<'s> Scanner<'s> {
         }
     }
 
-    fn card(&mut self, card: &Card, flat: &mut Flat) -> End {
+    fn card(&mut self, card: Card, flat: &mut Flat) -> End {
         let end = self.characters(card.text.clone(), flat);
-        if matches!(end, End::Card) {
-            self.note_tail(card);
+        if end == End::Card {
+            self.note_tail(&card);
         }
+        self.pieces.push((card, end));
         end
     }
 
@@ -171,7 +178,7 @@ impl<'s> Scanner<'s> {
                 continue;
             }
             match b {
-                b'$' if bytes.get(i + 1) == Some(&b'$') => return End::Comment,
+                b'$' if bytes.get(i + 1) == Some(&b'$') => return End::Comment(at),
                 b'$' => return End::GoesOn(at),
                 b'\'' | b'"' => {
                     // Text up to the same mark on this card; a lone mark is kept for the message.

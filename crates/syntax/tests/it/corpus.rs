@@ -8,7 +8,7 @@ use aptc_testkit::shared;
 use crate::show::read_with;
 
 /// The files under a folder of the test data with their texts; none where it is absent.
-fn files(test: &str, folder: &str) -> Vec<(String, String)> {
+pub(crate) fn files(test: &str, folder: &str) -> Vec<(String, String)> {
     let mut todo: Vec<_> = shared(test, &format!("corpus/{folder}")).into_iter().collect();
     let mut found = Vec::new();
     while let Some(path) = todo.pop() {

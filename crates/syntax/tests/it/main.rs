@@ -1,6 +1,7 @@
 //! Tests of the crate through its public face.
 
 mod corpus;
+mod format;
 mod lexical;
 mod messages;
 mod robust;

@@ -6,7 +6,7 @@ use proptest::prelude::*;
 use crate::show::read_with;
 
 /// Pieces from which statements are made that look like APT, right or wrong.
-fn pieces() -> impl Strategy<Value = String> {
+pub(crate) fn pieces() -> impl Strategy<Value = String> {
     let piece = prop::sample::select(vec![
         "GOTO",
         "P1",
