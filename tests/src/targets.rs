@@ -12,7 +12,7 @@ use aptc_cldata::{
 };
 use aptc_diagnostics::{Diagnostic, FileId};
 use aptc_protap::Outcome;
-use aptc_syntax::{Interner, Options, parse};
+use aptc_syntax::{FormatOptions, Interner, Options, parse};
 use aptc_translate::{Interpreter, NoFiles, Step};
 
 /// Lexer and parser: every statement and message lies within the text, on whole characters, in order.
@@ -33,6 +33,32 @@ pub fn syntax(data: &[u8]) {
             last = statement.span.start;
         }
     }
+}
+
+/// Formatter: the statements say the same, and formatted text stays as it is.
+pub fn format(data: &[u8]) {
+    let text = String::from_utf8_lossy(data);
+    for free_form in [false, true] {
+        let keep_identification = data.len() % 2 == 1;
+        let options = FormatOptions { free_form, keep_identification };
+        let once = aptc_syntax::format(&text, &options);
+        let mut interner = Interner::default();
+        let mut said = |text: &str| -> Vec<String> {
+            let options = Options { free_form, ..Options::default() };
+            let program = parse(FileId(0), text, &mut interner, &options).program;
+            let all = program.statements.iter();
+            all.map(|s| without_places(&format!("{} {:?} {:?}", s.isn, s.label, s.body))).collect()
+        };
+        assert_eq!(said(&text), said(&once), "formatted it says something else");
+        assert_eq!(aptc_syntax::format(&once, &options), once, "formatted again it changes");
+    }
+}
+
+/// The record as it is shown for debugging, without spans.
+fn without_places(shown: &str) -> String {
+    let mut parts = shown.split("Span {");
+    let first = parts.next().unwrap_or_default().to_owned();
+    parts.fold(first, |all, part| all + part.split_once('}').map_or("", |(_, rest)| rest))
 }
 
 /// Section 1: a program ends within its limits, and nothing that is no number leaves it.

@@ -43,6 +43,12 @@ fn programs_with_a_changed_byte_parse() {
 }
 
 #[test]
+fn damaged_programs_are_formatted() {
+    truncated(targets::format, 13);
+    changed(targets::format, 13);
+}
+
+#[test]
 fn truncated_programs_translate() {
     truncated(targets::section1, 1);
 }
