@@ -33,7 +33,9 @@ pub fn interpret(rs274: &Path, program: &Path) -> Result<Vec<Call>, String> {
     // The parameters are a fresh file: a program's offsets would leak into the next one.
     let written = fs::write(&tools, table).and_then(|()| fs::write(&variables, ""));
     written.map_err(|error| format!("{}: {error}", folder.path().display()))?;
+    // The interpreter keeps its tools in a file of the home folder: two runs at once would destroy it.
     let output = Command::new(rs274)
+        .env("HOME", folder.path())
         .args(["-g", "-n", "2", "-t"])
         .arg(&tools)
         .arg("-v")

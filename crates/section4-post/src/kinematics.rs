@@ -149,6 +149,25 @@ impl Chain {
         best.map(|(a, _)| a.map(clean_degrees)).ok_or(NoSolution::Limits)
     }
 
+    /// The rotary axis that may turn without turning the tool by more than `factor` singular angles when its
+    /// axis is `axis`.
+    pub(crate) fn free(&self, axis: Vec3, factor: f64) -> Option<usize> {
+        let [one, two] = self.turns.as_slice() else { return None };
+        let z = Vec3::z();
+        let along = |d: Vec3, v: Vec3| d.cross(&v).norm() < UPRIGHT.max(factor * self.singular);
+        let (first, second) = match (one.carries, two.carries) {
+            (Carries::Part, Carries::Part) => (along(one.d, z), along(two.d, axis)),
+            _ => (along(one.d, axis), along(two.d, z)),
+        };
+        if second {
+            Some(1)
+        } else if first {
+            Some(0)
+        } else {
+            None
+        }
+    }
+
     /// The solutions without regard to limits, radians.
     fn solutions(&self, axis: Vec3, from: [f64; 2]) -> Result<[Option<[f64; 2]>; 2], NoSolution> {
         let z = Vec3::z();

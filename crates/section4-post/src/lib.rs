@@ -36,7 +36,9 @@ mod motion;
 mod multiaxis;
 mod number;
 mod post;
+mod readback;
 mod report;
+mod roundtrip;
 mod state;
 mod words;
 
@@ -47,4 +49,5 @@ pub use machine::{
 };
 pub use post::{Post, PostOptions, Posted, ToolScan, post_all};
 pub use report::{BlockOrigin, Extent, Summary, ToolUse};
+pub use roundtrip::{Proof, prove};
 pub use words::{Treatment, treatment};

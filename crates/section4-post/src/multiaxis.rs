@@ -12,6 +12,9 @@ use crate::post::{Post, trimmed};
 /// How often a motion may be halved: 4096 blocks of one motion at most.
 const MOST_HALVINGS: u32 = 12;
 
+/// How often a free axis may jump within one motion; beyond it the rotary axes are wound back.
+const MOST_TURNS: u32 = 16;
+
 /// Position of tool and axes together.
 #[derive(Clone, Copy, Debug)]
 struct Pose {
@@ -137,8 +140,13 @@ impl Post {
         };
         let start = Pose { te: pos, ta: self.st.ta, angles: self.st.angles };
         // Halves still to do, the next one last.
-        let mut to_do = vec![(end, 0)];
         let mut from = start;
+        if self.turn_free(&mut from, &end, 1.0, rapid, origin).is_none() {
+            return;
+        }
+        let Some(end) = self.pose(te, ta, from.angles, origin) else { return };
+        let mut to_do = vec![(end, 0)];
+        let mut turns = 0;
         while let Some((to, halved)) = to_do.pop() {
             if self.straight_enough(&from, &to) {
                 let part = (to.te - from.te).norm();
@@ -149,10 +157,23 @@ impl Post {
                 continue;
             }
             if halved >= MOST_HALVINGS {
-                if !self.wind_back(&from, &to, rapid, origin) {
-                    return;
+                // A free axis jumps: it turns while the tool stays in its place.
+                let turned = if turns < MOST_TURNS {
+                    self.turn_free(&mut from, &to, 3.0, rapid, origin)
+                } else {
+                    Some(false)
+                };
+                turns += 1;
+                match turned {
+                    None => return,
+                    Some(true) => to_do.push((to, 0)),
+                    Some(false) => {
+                        if !self.wind_back(&from, &to, rapid, origin) {
+                            return;
+                        }
+                        from = to;
+                    }
                 }
-                from = to;
                 continue;
             }
             let middle = (from.ta + to.ta) / 2.0;
@@ -171,6 +192,46 @@ impl Post {
         }
         self.st.pos = Some(te);
         self.st.ta = ta;
+    }
+
+    /// In the singular direction one rotary axis is free: it goes to where the motion needs it while the tool
+    /// stays in its place. Did it have to? `None` after a refusal.
+    fn turn_free(
+        &mut self,
+        from: &mut Pose,
+        to: &Pose,
+        cone: f64,
+        rapid: bool,
+        origin: &Origin,
+    ) -> Option<bool> {
+        let free = self.st.chain.as_ref().and_then(|c| c.free(from.ta, cone));
+        let Some(i) = free.filter(|&i| (to.angles[i] - from.angles[i]).abs() > 1e-9) else {
+            return Some(false);
+        };
+        let way = to.angles[i] - from.angles[i];
+        let turned = |angle: f64| {
+            let mut pose = *from;
+            pose.angles[i] += angle;
+            pose
+        };
+        let mut n: u32 = 1;
+        while n < 1 << MOST_HALVINGS && !self.straight_enough(from, &turned(way / f64::from(n))) {
+            n *= 2;
+        }
+        let legs: Vec<Pose> = (1..=n)
+            .map(|k| {
+                let mut pose = turned(way * f64::from(k) / f64::from(n));
+                pose.angles = self.blocks.round_angles(pose.angles);
+                pose
+            })
+            .collect();
+        for pose in legs {
+            if !self.leg(&pose, rapid, 0.0, origin) {
+                return None;
+            }
+            *from = pose;
+        }
+        Some(true)
     }
 
     /// Does the tool follow closely enough when all axes move evenly from one pose to the other?

@@ -8,8 +8,9 @@ use smol_str::SmolStr;
 
 use crate::args::{Statement, whole};
 use crate::emit::{Blocks, TooGreat};
-use crate::machine::{Machine, OutputUnits};
+use crate::machine::{Dialect, Machine, OutputUnits};
 use crate::report::{BlockOrigin, Summary, ToolUse};
+use crate::roundtrip::{Checker, Proof};
 use crate::state::State;
 use crate::words;
 
@@ -20,7 +21,7 @@ const MOST_EARLY: usize = 200;
 const MOST_MESSAGES: usize = 500;
 
 /// What the caller may set.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct PostOptions {
     /// The tools in order of LOADTL (see [`ToolScan`]), so that each tool change makes the next tool ready.
     pub tools: Vec<u32>,
@@ -30,6 +31,14 @@ pub struct PostOptions {
     pub annotate: bool,
     /// Is the origin of each block kept?
     pub map: bool,
+    /// Is the text read back and compared with the CL data? It costs about as much as writing.
+    pub check: bool,
+}
+
+impl Default for PostOptions {
+    fn default() -> Self {
+        Self { tools: Vec::new(), work_offset: None, annotate: false, map: false, check: true }
+    }
 }
 
 /// What remains when all records are through.
@@ -41,6 +50,8 @@ pub struct Posted {
     pub summary: Summary,
     /// Origin of each block, if asked for.
     pub map: Vec<BlockOrigin>,
+    /// How well the text agrees with the CL data; none when it was not read back.
+    pub proof: Option<Proof>,
 }
 
 /// Section 4 for one part program and one machine.
@@ -53,6 +64,7 @@ pub struct Post {
     pub(crate) summary: Summary,
     map: Vec<BlockOrigin>,
     annotated: Option<(u32, u32)>,
+    checker: Option<Box<Checker>>,
 }
 
 impl Post {
@@ -65,15 +77,19 @@ impl Post {
         st.away = machine.program.start_retracts;
         let blocks = Blocks::new(Arc::clone(&machine), st.inch);
         let summary = Summary { machine: machine.name.clone(), ..Summary::default() };
+        let check = options.check && machine.dialect == Dialect::Rs274;
+        let checker = check.then(|| Box::new(Checker::new(&machine)));
         let (diagnostics, map) = (Vec::new(), Vec::new());
-        Self { machine, options, st, blocks, diagnostics, summary, map, annotated: None }
+        Self { machine, options, st, blocks, diagnostics, summary, map, annotated: None, checker }
     }
 
     /// Takes one record; the text that it gives is added to `out`.
     pub fn push(&mut self, record: &Record, out: &mut Vec<u8>) {
         std::mem::swap(&mut self.blocks.out, out);
         let before = self.blocks.lines;
+        let begin = self.blocks.out.len();
         self.record(record);
+        self.read_back(Some(record), begin, &record.origin);
         if self.options.map && self.blocks.lines > before {
             self.note_origin(before, record);
         }
@@ -83,15 +99,18 @@ impl Post {
     /// Ends the program: what END or FINI did not write is written now.
     pub fn finish(mut self, out: &mut Vec<u8>) -> Posted {
         std::mem::swap(&mut self.blocks.out, out);
+        let begin = self.blocks.out.len();
         if self.st.started && !self.st.ended {
             self.end(&Origin::default());
         }
+        self.read_back(None, begin, &Origin::default());
         std::mem::swap(&mut self.blocks.out, out);
         self.summary.blocks = self.blocks.lines;
         self.summary.unit = if self.st.inch { "inch" } else { "mm" };
         self.summary.part = std::mem::take(&mut self.st.partno);
         self.summary.extent = self.st.extent;
-        Posted { diagnostics: self.diagnostics, summary: self.summary, map: self.map }
+        let proof = self.checker.map(|c| c.proof);
+        Posted { diagnostics: self.diagnostics, summary: self.summary, map: self.map, proof }
     }
 
     /// Was anything refused? Then the text is not to be used.
@@ -139,6 +158,27 @@ impl Post {
         }
     }
 
+    /// Compares what was written since `begin` with what the record asks for.
+    fn read_back(&mut self, record: Option<&Record>, begin: usize, origin: &Origin) {
+        if self.refused() {
+            // There is no text to prove.
+            self.checker = None;
+        }
+        let Some(checker) = &mut self.checker else { return };
+        if let Some(record) = record {
+            checker.record(record, self.st.clearance_mm);
+        }
+        if let Some(text) = self.blocks.out.get(begin..) {
+            checker.text(text);
+        }
+        checker.settle();
+        for fault in std::mem::take(&mut checker.faults) {
+            let message = format!("line {} of the machine code: {}", fault.line, fault.message);
+            let help = "this is a fault of aptc or of the machine file, not of the program; do not run the code";
+            self.error(codes::NOT_THE_CL, origin, message, help);
+        }
+    }
+
     fn units(&mut self, units: Units) {
         self.st.units = units;
         self.st.units_said = true;
@@ -167,6 +207,10 @@ impl Post {
         let vars = vars.list();
         self.blocks.template(&machine.program.start, &vars);
         self.blocks.forget_after_start();
+        let unit = self.st.out_mm();
+        if let Some(checker) = &mut self.checker {
+            checker.set_resolution_of(&self.blocks, unit);
+        }
         for text in std::mem::take(&mut self.st.early) {
             self.blocks.comment(&text);
         }

@@ -7,9 +7,9 @@ use crate::post::Post;
 
 mod coolnt;
 mod cutcom;
-mod cycle;
+pub(crate) mod cycle;
 mod fedrat;
-mod planes;
+pub(crate) mod planes;
 mod program;
 mod spindl;
 mod table;

@@ -11,6 +11,7 @@ const FILES: &[(&str, &str)] = &[
     ("linuxcnc-mill", include_str!("../../machines/linuxcnc-mill.toml")),
     ("linuxcnc-4axis", include_str!("../../machines/linuxcnc-4axis.toml")),
     ("linuxcnc-5axis", include_str!("../../machines/linuxcnc-5axis.toml")),
+    ("linuxcnc-5axis-bar", include_str!("../../machines/linuxcnc-5axis-bar.toml")),
     ("linuxcnc-5axis-head", include_str!("../../machines/linuxcnc-5axis-head.toml")),
     ("linuxcnc-5axis-head-table", include_str!("../../machines/linuxcnc-5axis-head-table.toml")),
     ("linuxcnc-5axis-nutated", include_str!("../../machines/linuxcnc-5axis-nutated.toml")),

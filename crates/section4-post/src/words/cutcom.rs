@@ -40,6 +40,10 @@ fn on(post: &mut Post, s: &Statement<'_>, left: bool, d: Option<u32>) {
         refuse(post, s, "the control has no radius compensation");
         return;
     }
+    let named = ["XYPLAN", "ZXPLAN", "YZPLAN"].iter().any(|w| s.has(w));
+    if !named && post.machine.arcs.is_some() {
+        post.blocks.select_plane(ArcPlane::Xy);
+    }
     for (word, plane) in
         [("XYPLAN", ArcPlane::Xy), ("ZXPLAN", ArcPlane::Zx), ("YZPLAN", ArcPlane::Yz)]
     {
@@ -51,6 +55,14 @@ fn on(post: &mut Post, s: &Statement<'_>, left: bool, d: Option<u32>) {
         bad_arguments(post, s, "CUTCOM/LEFT,d with the number of the offset");
         return;
     };
+    let upright =
+        post.st.chain.as_ref().map_or(post.st.ta, |c| c.turned(post.st.angles) * post.st.ta);
+    if (upright - aptc_geometry::Vec3::z()).norm() > 1e-6 {
+        let message = format!("{} while the tool leans in the frame of the axes", s.written());
+        let help = "compensate in Section 2 with THICK, or choose a machine that turns the part";
+        post.error(codes::COMPENSATION, s.origin, message, help);
+        return;
+    }
     post.leave_cycle();
     let text = d.to_string();
     let vars = [("offset", text.as_str())];

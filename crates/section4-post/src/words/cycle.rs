@@ -1,7 +1,7 @@
 //! CYCLE: reading its forms.
 
 use aptc_cldata::Arg;
-use aptc_diagnostics::codes;
+use aptc_diagnostics::{Code, codes};
 use smol_str::SmolStr;
 
 use super::fedrat::unit;
@@ -9,7 +9,7 @@ use crate::args::Statement;
 use crate::drill::DrillCycle;
 use crate::post::Post;
 use crate::state::Feedrate;
-use crate::words::{bad_arguments, refuse};
+use crate::words::refuse;
 
 /// Kinds of CYCLE that drill, with the name under which machine files have them.
 const KINDS: &[(&str, &str)] = &[
@@ -64,14 +64,41 @@ pub(super) fn cycle(post: &mut Post, s: &Statement<'_>) {
         }
         _ => {}
     }
-    let Some(&(_, kind)) = s.word(0).and_then(|w| KINDS.iter().find(|(k, _)| *k == w)) else {
-        bad_arguments(post, s, "CYCLE/DRILL,DEPTH,d,CLEAR,c or another kind, or CYCLE/OFF");
-        return;
-    };
-    if let Some(cycle) = values(post, s, kind) {
-        post.st.last_cycle = Some(cycle.clone());
-        post.st.cycle = Some(cycle);
+    match parse(s) {
+        Ok(cycle) => {
+            post.st.last_cycle = Some(cycle.clone());
+            post.st.cycle = Some(cycle);
+        }
+        Err(Refusal { code, message, help }) => post.error(code, s.origin, message, &help),
     }
+}
+
+/// Why a cycle cannot be understood.
+pub(crate) struct Refusal {
+    code: Code,
+    message: String,
+    help: String,
+}
+
+impl Refusal {
+    fn new(code: Code, message: String, help: &str) -> Self {
+        Self { code, message, help: help.to_string() }
+    }
+
+    fn arguments(s: &Statement<'_>, forms: &str) -> Self {
+        let message = format!("{} has no meaning", s.written());
+        Self::new(codes::POST_ARGUMENTS, message, &format!("write {forms}"))
+    }
+}
+
+/// The cycle that a statement with its kind and values means.
+pub(crate) fn parse(s: &Statement<'_>) -> Result<DrillCycle, Refusal> {
+    let kind = s.word(0).and_then(|w| KINDS.iter().find(|(k, _)| *k == w));
+    let Some(&(_, kind)) = kind else {
+        let forms = "CYCLE/DRILL,DEPTH,d,CLEAR,c or another kind, or CYCLE/OFF";
+        return Err(Refusal::arguments(s, forms));
+    };
+    values(s, kind)
 }
 
 #[derive(Default)]
@@ -89,8 +116,8 @@ struct Values {
     plain: Vec<f64>,
 }
 
-fn values(post: &mut Post, s: &Statement<'_>, kind: &str) -> Option<DrillCycle> {
-    let v = gather(post, s, kind)?;
+fn values(s: &Statement<'_>, kind: &str) -> Result<DrillCycle, Refusal> {
+    let v = gather(s, kind)?;
     let mut plain = v.plain.iter().copied();
     let depth = v.depth.or_else(|| plain.next());
     let mut step = v.step;
@@ -115,8 +142,7 @@ fn values(post: &mut Post, s: &Statement<'_>, kind: &str) -> Option<DrillCycle> 
     let Some(depth) = depth else {
         let message = format!("{} has no depth", s.written());
         let help = format!("write CYCLE/{kind},DEPTH,d,CLEAR,c: d from the point down, c above it");
-        post.error(codes::CYCLE_INCOMPLETE, s.origin, message, &help);
-        return None;
+        return Err(Refusal::new(codes::CYCLE_INCOMPLETE, message, &help));
     };
     // Where both stand, the feed begins at the nearer one and the tool ends at the farther one.
     let (near, far) = match (v.clear, v.rapto) {
@@ -130,15 +156,10 @@ fn values(post: &mut Post, s: &Statement<'_>, kind: &str) -> Option<DrillCycle> 
     let negative = near.is_some_and(|c| c < 0.0);
     if bad || negative {
         let message = format!("{}: the clearance must not lie below the point", s.written());
-        post.error(
-            codes::CYCLE_INCOMPLETE,
-            s.origin,
-            message,
-            "give CLEAR,c upwards from the point",
-        );
-        return None;
+        let help = "give CLEAR,c upwards from the point";
+        return Err(Refusal::new(codes::CYCLE_INCOMPLETE, message, help));
     }
-    Some(DrillCycle {
+    Ok(DrillCycle {
         kind: SmolStr::new(kind),
         depth: depth.abs(),
         clear: near,
@@ -152,7 +173,7 @@ fn values(post: &mut Post, s: &Statement<'_>, kind: &str) -> Option<DrillCycle> 
     })
 }
 
-fn gather(post: &mut Post, s: &Statement<'_>, kind: &str) -> Option<Values> {
+fn gather(s: &Statement<'_>, kind: &str) -> Result<Values, Refusal> {
     let mut v = Values::default();
     let args = &s.args[1..];
     let mut i = 0;
@@ -228,24 +249,23 @@ fn gather(post: &mut Post, s: &Statement<'_>, kind: &str) -> Option<Values> {
                         &mut v.dwell
                     }
                     _ => {
-                        refuse(post, s, &format!("CYCLE has nothing for {w} here"));
-                        return None;
+                        let message = format!("{}: CYCLE has nothing for {w} here", s.written());
+                        let help = "remove it, or write the motions of the hole";
+                        return Err(Refusal::new(codes::WORD_LACKING, message, help));
                     }
                 };
                 let Some(n) = number else {
-                    bad_arguments(post, s, &format!("a number after {w}"));
-                    return None;
+                    return Err(Refusal::arguments(s, &format!("a number after {w}")));
                 };
                 *slot = Some(n);
                 i += 2;
             }
             _ => {
-                bad_arguments(post, s, "CYCLE with numbers and words");
-                return None;
+                return Err(Refusal::arguments(s, "CYCLE with numbers and words"));
             }
         }
     }
-    Some(v)
+    Ok(v)
 }
 
 /// Is the unit after this number its own? It is when it ends the list or another number with a place of its

@@ -25,7 +25,14 @@ pub(super) fn clearp(post: &mut Post, s: &Statement<'_>) {
 }
 
 fn store(post: &mut Post, s: &Statement<'_>) {
-    let mm = post.st.units.mm();
+    match plane(s, post.st.units.mm()) {
+        Some(p) => post.st.clearance_mm = Some(p),
+        None => bad_arguments(post, s, "CLRSRF/plane, or CLRSRF/z"),
+    }
+}
+
+/// The plane of a statement, in millimetres.
+pub(crate) fn plane(s: &Statement<'_>, mm: f64) -> Option<Plane> {
     let plane = match s.args {
         [Arg::Form { form, .. }] => match &**form {
             Form::Plane(p) => Some(*p),
@@ -44,16 +51,13 @@ fn store(post: &mut Post, s: &Statement<'_>) {
             Plane::new(Vec3::new(*i, *j, *k), *d)
         }
         // A plane by name, subscript and canonical form, as CL text has it.
-        [Arg::Word(_), rest @ ..] => match *numbers(rest) {
+        [_, rest @ ..] => match *numbers(rest) {
             [_, a, b, c, d] => Plane::new(Vec3::new(a, b, c), d),
             _ => None,
         },
         _ => None,
-    };
-    match plane {
-        Some(p) => post.st.clearance_mm = Some(Plane { n: p.n, d: p.d * mm }),
-        None => bad_arguments(post, s, "CLRSRF/plane, or CLRSRF/z"),
-    }
+    }?;
+    Some(Plane { n: plane.n, d: plane.d * mm })
 }
 
 fn numbers(args: &[Arg]) -> Box<[f64]> {

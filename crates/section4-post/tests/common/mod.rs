@@ -1,6 +1,6 @@
 //! Short programs of CL data for tests, and LinuxCNC's stand-alone interpreter as a client.
 #![allow(dead_code, unreachable_pub, reason = "each test file uses a part of it")]
-#![expect(clippy::unwrap_used, clippy::print_stderr, reason = "test code; a skip must be seen")]
+#![expect(clippy::unwrap_used, reason = "test code")]
 
 use std::path::Path;
 use std::process::Command;
@@ -136,12 +136,8 @@ static RUN: AtomicU32 = AtomicU32::new(0);
 
 /// Runs LinuxCNC's interpreter. `None` when it is not installed; then the test says so and is content.
 pub fn rs274(nc: &str) -> Option<Result<Vec<Canon>, String>> {
-    let found = std::env::var_os("PATH")
-        .is_some_and(|p| std::env::split_paths(&p).any(|d| d.join("rs274").is_file()));
-    if !found {
-        eprintln!("skipped: rs274 (package linuxcnc-uspace) is not installed");
-        return None;
-    }
+    let thread = std::thread::current();
+    aptc_testkit::client(thread.name().unwrap_or("post"), "rs274")?;
     let n = RUN.fetch_add(1, Ordering::Relaxed);
     let dir = std::env::temp_dir().join(format!("aptc-post-{}-{n}", std::process::id()));
     std::fs::create_dir_all(&dir).unwrap();

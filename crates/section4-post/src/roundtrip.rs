@@ -1,0 +1,812 @@
+//! The proof: what was written is read back and compared with the CL data.
+//!
+//! Positions that the CL data asks for wait in a queue; each [`Step`] that the reader sees has to reach the
+//! next of them on the way that the CL data means: a cut never as a rapid, never off its line by more than
+//! the resolution and LINTOL, an arc through all its cut vectors, a hole from its clearance to its bottom and
+//! back. Lengths here are millimetres.
+
+use std::collections::VecDeque;
+
+use aptc_cldata::{Arg, Course, Kind, Motion, MotionKind, Record, Units};
+use aptc_diagnostics::{Diagnostic, Span, codes};
+use aptc_geometry::{Vec3, trig};
+
+use crate::args::Statement;
+use crate::drill::DrillCycle;
+use crate::kinematics::Chain;
+use crate::machine::{Machine, RapidPath};
+use crate::readback::{ArcStep, Control, Fault, Place, Step};
+
+/// Faults of one program that are told.
+const MOST_FAULTS: usize = 20;
+
+/// What the CL data asks for.
+#[derive(Clone, Debug)]
+enum Expect {
+    /// A position. `via`: on an arc of which only the end was given, to be passed, not to be stopped at.
+    Point { te: Vec3, ta: Vec3, rapid: bool, via: bool },
+    /// A hole.
+    Hole(Hole),
+    /// A retract along the tool axis, perhaps none.
+    Clear,
+    /// The tool is there, or is brought there from home.
+    From { te: Vec3, ta: Vec3 },
+    /// A tool change with the length of the tool, when it is known.
+    Tool { length: Option<f64> },
+    /// The machine goes home.
+    Home,
+    /// Text of the user's own: any motion may come.
+    Free,
+}
+
+#[derive(Clone, Debug)]
+struct Hole {
+    at: Vec3,
+    ta: Vec3,
+    bottom: f64,
+    clearance: f64,
+    retract: f64,
+    deepest: f64,
+}
+
+/// What the comparison has found.
+#[derive(Clone, Debug, Default, PartialEq, serde::Serialize)]
+pub struct Proof {
+    /// Positions of the CL data that were reached.
+    pub points: u64,
+    /// Greatest distance of a reached position from the CL data, millimetres.
+    pub position_mm: f64,
+    /// Greatest distance from the straight line between two positions, millimetres.
+    pub path_mm: f64,
+    /// Greatest angle between tool axes, degrees.
+    pub axis_deg: f64,
+}
+
+/// Compares the text with the CL data.
+pub(crate) struct Checker {
+    control: Control,
+    chain: Option<Chain>,
+    machine: std::sync::Arc<Machine>,
+    units: Units,
+    shift: Vec3,
+    tool_length: Option<f64>,
+    /// The length of the tool whose text is read.
+    read_length: Option<f64>,
+    cycle: Option<DrillCycle>,
+    last_cycle: Option<DrillCycle>,
+    clearance: Option<aptc_geometry::Plane>,
+    rapid: bool,
+    band: Option<f64>,
+    intol: f64,
+    lintol: f64,
+    queue: VecDeque<Expect>,
+    /// Where the CL data stands at the end of the queue.
+    planned: Option<(Vec3, Vec3)>,
+    /// The last position of the CL data that was reached, or FROM.
+    at: Option<(Vec3, Vec3)>,
+    /// Tool end and axis as read.
+    now: Option<(Vec3, Vec3)>,
+    away: bool,
+    /// Text of INSERT or PREFUN comes: any motion is the user's own.
+    free: bool,
+    /// The tool is retracted to wind the rotary axes back.
+    detour: bool,
+    linear: f64,
+    angular: f64,
+    steps: Vec<Step>,
+    pub(crate) faults: Vec<Fault>,
+    pub(crate) proof: Proof,
+}
+
+impl Checker {
+    pub(crate) fn new(machine: &std::sync::Arc<Machine>) -> Self {
+        Self {
+            control: Control::new(machine),
+            chain: None,
+            machine: std::sync::Arc::clone(machine),
+            units: Units::default(),
+            shift: Vec3::zeros(),
+            tool_length: None,
+            read_length: None,
+            cycle: None,
+            last_cycle: None,
+            clearance: None,
+            rapid: false,
+            band: None,
+            intol: 0.0,
+            lintol: machine.multiaxis.lintol,
+            queue: VecDeque::new(),
+            planned: None,
+            at: None,
+            now: None,
+            away: machine.program.start_retracts,
+            free: false,
+            detour: false,
+            linear: 0.001,
+            angular: 1e-5,
+            steps: Vec::new(),
+            faults: Vec::new(),
+            proof: Proof::default(),
+        }
+    }
+
+    /// Takes the resolution of the output as the measure.
+    pub(crate) fn set_resolution_of(&mut self, blocks: &crate::emit::Blocks, unit_mm: f64) {
+        let linear = [b'X', b'Y', b'Z'].map(|l| blocks.number(l).resolution() * unit_mm);
+        let turning =
+            self.machine.rotary.iter().map(|r| blocks.number(r.letter as u8).resolution());
+        let angular_deg = turning.fold(0.0, f64::max);
+        self.linear = linear.into_iter().fold(0.0, f64::max) + 1e-6;
+        self.angular = (angular_deg + self.machine.multiaxis.singular).to_radians() + 2e-6;
+    }
+
+    fn point(&self, p: Vec3) -> Vec3 {
+        p * self.units.mm() + self.shift
+    }
+
+    /// Takes what a record asks for.
+    pub(crate) fn record(&mut self, record: &Record, clearance_mm: Option<aptc_geometry::Plane>) {
+        self.clearance = clearance_mm;
+        match &record.kind {
+            Kind::Units(u) => self.units = *u,
+            Kind::Motion(m) => self.motion(m),
+            Kind::Intol(t) => {
+                self.intol = t.iter().fold(0.0, |a: f64, b| a.max(b.abs())) * self.units.mm();
+            }
+            Kind::Outtol(t) => {
+                self.band = Some(t.iter().fold(0.0, |a: f64, b| a.max(b.abs())) * self.units.mm());
+            }
+            Kind::Text { word, .. } if word == "INSERT" => self.queue.push_back(Expect::Free),
+            Kind::Post { word, args } => {
+                let s = Statement { word, args, origin: &record.origin };
+                self.word(&s);
+            }
+            _ => {}
+        }
+    }
+
+    fn word(&mut self, s: &Statement<'_>) {
+        match s.word {
+            "RAPID" => self.rapid = true,
+            "INSERT" | "PREFUN" => self.queue.push_back(Expect::Free),
+            "CYCLE" => match s.word(0) {
+                Some("OFF" | "NOMORE") => self.cycle = None,
+                Some("ON") => self.cycle = self.last_cycle.clone(),
+                Some("INIT" | "CLEAR") => {}
+                _ => {
+                    self.cycle = crate::words::cycle::parse(s).ok();
+                    self.last_cycle.clone_from(&self.cycle);
+                }
+            },
+            "CLRSRF" if matches!(s.word(0), Some("NOW" | "START")) => self.clear_to_plane(),
+            "RETRCT" if self.machine.program.retract.is_empty() => self.clear_to_plane(),
+            "RETRCT" => self.clear(),
+            "GOHOME" => {
+                self.rapid = false;
+                self.planned = None;
+                self.queue.push_back(Expect::Home);
+            }
+            "LINTOL" => {
+                if let Some(Arg::Number(t)) = s.args.first() {
+                    self.lintol = t * self.units.mm();
+                }
+            }
+            "TRANS" | "ORIGIN" => {
+                let mut v = [0.0; 3];
+                for (slot, i) in v.iter_mut().zip(0..) {
+                    *slot = s.number(i).unwrap_or(0.0);
+                }
+                let sign = if s.word == "TRANS" { 1.0 } else { -1.0 };
+                self.shift = Vec3::from(v) * (sign * self.units.mm());
+            }
+            "LOADTL" | "LOAD" | "TOOLNO" => {
+                if let Some(l) = s.after(&["LENGTH"]) {
+                    self.tool_length = Some(l * self.units.mm());
+                }
+                if s.word != "TOOLNO" {
+                    self.queue.push_back(Expect::Tool { length: self.tool_length });
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// CLRSRF/NOW: a rapid motion to the plane, when the tool is not beyond it.
+    fn clear_to_plane(&mut self) {
+        let Some((plane, (te, ta))) = self.clearance.zip(self.planned) else { return };
+        let slope = plane.n.dot(&ta);
+        if slope.abs() < 1e-6 {
+            return;
+        }
+        self.rapid = false;
+        let way = (plane.d - plane.n.dot(&(te - self.shift))) / slope;
+        if way > 0.0 {
+            let te = te + ta * way;
+            self.queue.push_back(Expect::Point { te, ta, rapid: true, via: false });
+            self.planned = Some((te, ta));
+        }
+    }
+
+    fn clear(&mut self) {
+        self.rapid = false;
+        self.queue.push_back(Expect::Clear);
+    }
+
+    fn motion(&mut self, m: &Motion) {
+        let Some(last) = m.points.last() else { return };
+        if m.kind == MotionKind::From {
+            self.rapid = false;
+            let (te, ta) = (self.point(last.te), last.ta.normalize());
+            self.planned = Some((te, ta));
+            self.queue.push_back(Expect::From { te, ta });
+            return;
+        }
+        let rapid = std::mem::take(&mut self.rapid);
+        if let Some(cycle) = &self.cycle
+            && m.kind == MotionKind::Goto
+            && !rapid
+            && m.arc.is_none()
+        {
+            let cycle = cycle.clone();
+            for p in &m.points {
+                if let Some(hole) = self.hole(&cycle, self.point(p.te), p.ta.normalize()) {
+                    self.planned = Some((hole.at + hole.ta * hole.retract, hole.ta));
+                    self.queue.push_back(Expect::Hole(hole));
+                }
+            }
+            return;
+        }
+        if let Some(arc) = &m.arc
+            && let Course::Sweep(degrees) = arc.course
+            && let Some((start, _)) = self.planned
+        {
+            // Points of the arc, none farther than 15 degrees from the next.
+            let c = self.point(arc.circle.center);
+            let axis = arc.circle.axis;
+            let spoke = start - c;
+            let (along, radial) = (spoke.dot(&axis), spoke - axis * spoke.dot(&axis));
+            let side = axis.cross(&radial);
+            let end = self.point(last.te);
+            let rise = (end - start).dot(&axis);
+            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "bounded")]
+            let n = (degrees.abs() / 15.0).ceil().clamp(1.0, 100_000.0) as u32;
+            for i in 1..n {
+                let part = f64::from(i) / f64::from(n);
+                let (s, co) = trig::sin_cos(degrees.to_radians() * part);
+                let te = c + axis * (along + rise * part) + radial * co + side * s;
+                self.queue.push_back(Expect::Point { te, ta: last.ta, rapid, via: true });
+            }
+        }
+        for p in &m.points {
+            let te = self.point(p.te);
+            self.queue.push_back(Expect::Point { te, ta: p.ta.normalize(), rapid, via: false });
+        }
+        self.planned = Some((self.point(last.te), last.ta.normalize()));
+    }
+
+    fn hole(&self, cycle: &DrillCycle, at: Vec3, ta: Vec3) -> Option<Hole> {
+        let mm = self.units.mm();
+        let plane = self.clearance.and_then(|p| {
+            let slope = p.n.dot(&ta);
+            (slope.abs() > 1e-6).then(|| (p.d - p.n.dot(&(at - self.shift))) / slope)
+        });
+        let clearance = cycle.clear.map(|c| c * mm).or(plane.filter(|h| *h > 0.0))?;
+        let mut retract = cycle.retract.map_or(clearance, |r| r * mm);
+        if cycle.retract_auto
+            && let Some((p, _)) = self.planned
+        {
+            retract = retract.max((p - at).dot(&ta));
+        }
+        let bottom = -cycle.depth * mm;
+        Some(Hole { at, ta, bottom, clearance, retract: retract.max(clearance), deepest: f64::MAX })
+    }
+
+    /// Reads text; its lines belong to the record that was taken last.
+    pub(crate) fn text(&mut self, text: &[u8]) {
+        for line in text.split(|b| *b == b'\n') {
+            if line.is_empty() {
+                continue;
+            }
+            let mut steps = std::mem::take(&mut self.steps);
+            steps.clear();
+            if let Err(fault) = self.control.read(line, &mut steps) {
+                self.say(fault.message);
+            }
+            for step in &steps {
+                self.step(step);
+            }
+            self.steps = steps;
+        }
+    }
+
+    /// After a record: all that it asks for must have been done.
+    pub(crate) fn settle(&mut self) {
+        loop {
+            self.marks();
+            self.skip_here();
+            match self.queue.front() {
+                Some(Expect::Clear) => {
+                    self.queue.pop_front();
+                }
+                Some(Expect::Point { .. } | Expect::Hole(_)) | None => break,
+                Some(_) => {}
+            }
+        }
+        let missed = match self.queue.front() {
+            Some(Expect::Point { te, .. }) => *te,
+            Some(Expect::Hole(h)) => h.at + h.ta * h.bottom,
+            _ => return,
+        };
+        self.say(format!("the position {} of the CL data is not reached", shown(missed)));
+        self.queue.clear();
+    }
+
+    /// What comes before the next position and is no motion.
+    fn marks(&mut self) {
+        loop {
+            match self.queue.front() {
+                Some(Expect::From { te, ta }) => {
+                    let far = self.at.is_some_and(|(at, _)| (at - te).norm() > self.linear);
+                    self.away |= far && !self.machine.program.retract.is_empty();
+                    self.at = Some((*te, *ta));
+                }
+                Some(Expect::Tool { length }) => {
+                    self.read_length = *length;
+                    self.chain = None;
+                    self.away = self.machine.program.start_retracts;
+                }
+                Some(Expect::Home) => {
+                    self.at = None;
+                    self.away = true;
+                }
+                Some(Expect::Free) => self.free = true,
+                _ => return,
+            }
+            self.queue.pop_front();
+        }
+    }
+
+    fn say(&mut self, message: String) {
+        if self.faults.len() < MOST_FAULTS {
+            self.faults.push(Fault { line: self.control.n_lines(), message });
+        }
+    }
+
+    fn pose(&mut self, place: &Place) -> Option<(Vec3, Vec3)> {
+        let joints =
+            [place[0]?, place[1]?, place[2]?, place[3].unwrap_or(0.0), place[4].unwrap_or(0.0)];
+        if self.machine.rotary.is_empty() {
+            return Some((Vec3::new(joints[0], joints[1], joints[2]), Vec3::z()));
+        }
+        Some(self.chain().forward(&joints))
+    }
+
+    fn chain(&mut self) -> &Chain {
+        let length = self.read_length.or(self.machine.multiaxis.tool_length).unwrap_or(0.0);
+        let machine = &self.machine;
+        self.chain.get_or_insert_with(|| Chain::new(machine, 1.0, length))
+    }
+
+    fn step(&mut self, step: &Step) {
+        self.marks();
+        match step {
+            Step::Away => {
+                self.away = true;
+                self.now = None;
+            }
+            Step::Line { from, to, rapid, .. } => self.line(from, to, *rapid),
+            Step::Arc(arc) => self.arc(arc),
+        }
+    }
+
+    /// Positions that the tool already stands at.
+    fn skip_here(&mut self) {
+        let Some((now, axis)) = self.now.filter(|_| !self.away) else { return };
+        while let Some(Expect::Point { te, ta, .. }) = self.queue.front() {
+            if (te - now).norm() > self.linear || (ta - axis).norm() > self.angular {
+                return;
+            }
+            let reached = (*te, *ta);
+            self.reached(reached.0, reached.1, now, axis);
+            self.queue.pop_front();
+        }
+    }
+
+    fn reached(&mut self, te: Vec3, ta: Vec3, now: Vec3, axis: Vec3) {
+        self.proof.points += 1;
+        self.proof.position_mm = self.proof.position_mm.max((te - now).norm());
+        let lean = ta.cross(&axis).norm().min(1.0);
+        self.proof.axis_deg = self.proof.axis_deg.max(trig::asin(lean).to_degrees());
+        self.at = Some((te, ta));
+    }
+
+    fn line(&mut self, from: &Place, to: &Place, rapid: bool) {
+        let Some((end, axis)) = self.pose(to) else {
+            // Across at a height that only the machine knows: allowed on the way from home.
+            if !rapid && !self.free {
+                self.say("a cut to a place that is not known".into());
+            }
+            return;
+        };
+        if self.free {
+            // Until the CL data is met again, motion is the user's own.
+            self.now = Some((end, axis));
+            if self.pop_if_at(end, axis) {
+                (self.free, self.away) = (false, false);
+                return;
+            }
+            if !matches!(self.queue.front(), Some(Expect::Hole(_))) {
+                self.at = self.now;
+                return;
+            }
+            self.free = false;
+        }
+        let begin = self.pose(from).or(if self.away { None } else { self.at });
+        if self.away {
+            self.arrive(end, axis, rapid);
+            self.now = Some((end, axis));
+            return;
+        }
+        self.now = begin.or(self.now);
+        self.skip_here();
+        self.now = Some((end, axis));
+        while let Some(Expect::Clear) = self.queue.front() {
+            self.queue.pop_front();
+            self.marks();
+            if begin.is_some_and(|(b, t)| along(end - b, t, self.angular) > 0.0) {
+                self.at = Some((end, axis));
+                return;
+            }
+        }
+        match self.queue.front_mut() {
+            None => self.say(format!("a motion to {} that the CL data does not have", shown(end))),
+            Some(Expect::Hole(hole)) => {
+                let mut hole = hole.clone();
+                let done = self.drill(&mut hole, begin, end, rapid);
+                self.queue.pop_front();
+                if !done {
+                    self.queue.push_front(Expect::Hole(hole));
+                }
+            }
+            Some(_) => self.toward(from, to, (end, axis), rapid),
+        }
+    }
+
+    /// A straight step towards the next position.
+    fn toward(&mut self, from: &Place, to: &Place, (end, axis): (Vec3, Vec3), rapid: bool) {
+        let Some((start, start_axis)) = self.at else {
+            // The first motion of all comes from nowhere.
+            self.pop_if_at(end, axis);
+            return;
+        };
+        let off = self.bend(from, to);
+        let band = self.band();
+        // Positions on an arc that became lines: passed within the band.
+        while let Some(Expect::Point { te, ta, via: true, .. }) = self.queue.front() {
+            let here = self.at.map_or(start, |a| a.0);
+            let (te, ta) = (*te, *ta);
+            if segment(te, here, end).0 > band || (te - end).norm() < self.linear {
+                break;
+            }
+            self.queue.pop_front();
+            self.proof.points += 1;
+            self.at = Some((te, ta));
+        }
+        let Some(Expect::Point { te, ta, rapid: want, .. }) = self.queue.front().cloned() else {
+            self.say(format!("a motion to {} that the CL data does not have", shown(end)));
+            return;
+        };
+        let turning = !self.machine.rotary.is_empty();
+        let retract = self.machine.multiaxis.rewind_retract;
+        if turning && retract > 0.0 && !self.detour {
+            let (begin, ta) = self.pose(from).unwrap_or((start, start_axis));
+            self.detour = along(end - begin, ta, 3.0 * self.angular) > 0.9 * retract;
+        }
+        if rapid && !want && !self.detour {
+            self.say(format!("a rapid motion to {} where the CL data cuts", shown(end)));
+        }
+        if !rapid && want && self.machine.rapid.path != RapidPath::Feed && !self.detour {
+            self.say(format!("a cut to {} where the CL data is rapid", shown(end)));
+        }
+        let tol = self.linear + if off > 0.0 { self.lintol } else { 0.0 };
+        let place = segment(end, start, te).0;
+        if off > tol && !self.detour {
+            self.say(format!("the tool end leaves its line by {off:.5} mm before {}", shown(end)));
+        }
+        self.proof.path_mm = self.proof.path_mm.max(if self.detour { 0.0 } else { off });
+        if self.pop_if_at(end, axis) {
+            self.detour = false;
+            return;
+        }
+        if place <= self.linear + if turning { self.lintol } else { 0.0 } {
+            return;
+        }
+        let d = te - start;
+        let split = rapid
+            && want
+            && ((end - Vec3::new(start.x, start.y, te.z)).norm() <= self.linear
+                || (end - Vec3::new(te.x, te.y, start.z)).norm() <= self.linear);
+        if split || (d.norm() <= band && place <= band) {
+            return;
+        }
+        if self.detour {
+            return;
+        }
+        self.say(format!("a motion to {}, but the CL data goes to {}", shown(end), shown(te)));
+        self.queue.pop_front();
+        self.at = Some((te, ta));
+    }
+
+    /// Is the next position this one? Then it is reached.
+    fn pop_if_at(&mut self, end: Vec3, axis: Vec3) -> bool {
+        let Some(Expect::Point { te, ta, .. }) = self.queue.front() else { return false };
+        if (te - end).norm() > 2.0 * self.linear || (ta - axis).norm() > self.angular {
+            return false;
+        }
+        let (te, ta) = (*te, *ta);
+        self.queue.pop_front();
+        self.reached(te, ta, end, axis);
+        true
+    }
+
+    /// From home to where the CL data goes on.
+    fn arrive(&mut self, end: Vec3, axis: Vec3, rapid: bool) {
+        let near = |p: Vec3, tol: f64| (p - end).norm() <= tol;
+        if self.at.is_some_and(|(at, _)| near(at, 2.0 * self.linear)) {
+            self.away = false;
+            self.now = Some((end, axis));
+            self.skip_here();
+            return;
+        }
+        while let Some(Expect::Clear) = self.queue.front() {
+            self.queue.pop_front();
+            // Straight to the clearance plane over the last position.
+            if self.at.is_some_and(|(at, t)| along(end - at, t, self.angular) >= 0.0) {
+                self.at = Some((end, axis));
+                self.away = false;
+                return;
+            }
+        }
+        match self.queue.front().cloned() {
+            Some(Expect::Hole(h)) if rapid => {
+                let height = (end - h.at).dot(&h.ta);
+                if height >= h.clearance - self.linear {
+                    self.away = false;
+                    return;
+                }
+                self.say(format!("a rapid motion to {} below the clearance of a hole", shown(end)));
+            }
+            Some(Expect::Point { rapid: want, .. }) => {
+                if self.pop_if_at(end, axis) {
+                    self.away = false;
+                    if rapid && !want {
+                        self.say(format!(
+                            "a rapid motion to {} where the CL data cuts",
+                            shown(end)
+                        ));
+                    }
+                } else if !rapid {
+                    self.say(format!("a cut to {} on the way from home", shown(end)));
+                    self.away = false;
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// By how much the tool end leaves the line of its ends when all axes move evenly.
+    fn bend(&mut self, from: &Place, to: &Place) -> f64 {
+        if from.iter().zip(to).skip(3).all(|(a, b)| a == b || b.is_none()) {
+            return 0.0;
+        }
+        let (Some((a, _)), Some((b, _))) = (self.pose(from), self.pose(to)) else { return 0.0 };
+        let mut most: f64 = 0.0;
+        for part in [0.25, 0.5, 0.75] {
+            let mut place = *to;
+            for i in 0..5 {
+                if let (Some(x), Some(y)) = (from[i], to[i]) {
+                    place[i] = Some(x + (y - x) * part);
+                }
+            }
+            if let Some((p, _)) = self.pose(&place) {
+                most = most.max(segment(p, a, b).0);
+            }
+        }
+        most
+    }
+
+    fn band(&self) -> f64 {
+        let said = self.band.unwrap_or(if self.intol > 0.0 { 0.0 } else { 0.0127 });
+        said.max(self.intol) + 4.0 * self.linear
+    }
+
+    fn arc(&mut self, arc: &ArcStep) {
+        let (Some(begin), Some(end)) = (self.pose(&arc.from), self.pose(&arc.to)) else {
+            self.say("an arc to a place that is not known".into());
+            return;
+        };
+        self.away = false;
+        self.now = Some(begin);
+        self.skip_here();
+        self.now = Some(end);
+        if std::mem::take(&mut self.free) {
+            self.at = Some(begin);
+        }
+        let band = self.band();
+        let most = arc.sweep.abs();
+        let (Some(start), Some(axis)) = (self.pose(&arc.at(0.0)), self.arc_axis(arc)) else {
+            return;
+        };
+        let Some(center) = self.arc_center(arc) else { return };
+        let spoke = start.0 - center;
+        let rise = (end.0 - begin.0).dot(&axis);
+        let mut passed = 0.0_f64;
+        while let Some(Expect::Point { te, ta, rapid, .. }) = self.queue.front().cloned() {
+            let d = te - center;
+            let flat = d - axis * d.dot(&axis);
+            let mut angle =
+                trig::atan2(axis.dot(&spoke.cross(&flat)), spoke.dot(&flat)) * arc.sweep.signum();
+            let slack = 2.0 * band / arc.radius;
+            if angle < passed - slack {
+                angle += std::f64::consts::TAU;
+            }
+            let height = rise * (angle / most).clamp(0.0, 1.0);
+            let off = ((flat.norm() - arc.radius).abs())
+                .max((d.dot(&axis) - spoke.dot(&axis) - height).abs());
+            if off > band || angle > most + slack {
+                break;
+            }
+            if rapid {
+                self.say("an arc where the CL data is rapid".into());
+            }
+            passed = passed.max(angle);
+            self.queue.pop_front();
+            self.proof.points += 1;
+            self.proof.path_mm = self.proof.path_mm.max(off);
+            self.at = Some((te, ta));
+        }
+        let Some((at, _)) = self.at else { return };
+        if (at - end.0).norm() <= 2.0 * self.linear {
+            return;
+        }
+        // A piece of a longer arc ends between two cut vectors.
+        if let Some(Expect::Point { te, .. }) = self.queue.front()
+            && segment(end.0, at, *te).0 <= band + arc.radius * 0.04
+        {
+            return;
+        }
+        self.say(format!("an arc to {} that the CL data does not have", shown(end.0)));
+    }
+
+    fn arc_axis(&mut self, arc: &ArcStep) -> Option<Vec3> {
+        let n = 3 - arc.axes[0] - arc.axes[1];
+        let mut up = arc.from;
+        up[n] = Some(up[n].unwrap_or(0.0) + 1.0);
+        let (a, b) = (self.pose(&arc.from)?.0, self.pose(&up)?.0);
+        Some((b - a).normalize())
+    }
+
+    fn arc_center(&mut self, arc: &ArcStep) -> Option<Vec3> {
+        let mut c = arc.from;
+        c[arc.axes[0]] = Some(arc.center[0]);
+        c[arc.axes[1]] = Some(arc.center[1]);
+        Some(self.pose(&c)?.0)
+    }
+
+    /// A step of a hole; true when it is done.
+    fn drill(
+        &mut self,
+        hole: &mut Hole,
+        begin: Option<(Vec3, Vec3)>,
+        end: Vec3,
+        rapid: bool,
+    ) -> bool {
+        let tol = 2.0 * self.linear;
+        let height = |p: Vec3| (p - hole.at).dot(&hole.ta);
+        let aside = |p: Vec3| {
+            let d = p - hole.at;
+            (d - hole.ta * d.dot(&hole.ta)).norm()
+        };
+        let (h, from) = (height(end), begin.map(|b| b.0));
+        if aside(end) > tol || from.is_some_and(|b| aside(b) > tol) {
+            // On the way to the hole: only rapid, and only up or at a height that is clear.
+            let low = from.is_some_and(|b| {
+                height(b) < hole.clearance - tol && aside(b) > tol && aside(end) <= tol
+            });
+            let across =
+                from.is_some_and(|b| (end - b - hole.ta * (end - b).dot(&hole.ta)).norm() > tol);
+            let turning = !self.machine.rotary.is_empty();
+            if !rapid || low || (across && h < hole.clearance - tol && !turning) {
+                self.say(format!("a motion to {} on the way to a hole", shown(end)));
+            }
+            let there = aside(end) <= tol && hole.bottom >= -tol && (h - hole.retract).abs() <= tol;
+            return there && hole.clearance <= tol;
+        }
+        if rapid && h < hole.clearance.min(hole.deepest) - tol {
+            self.say(format!("a rapid motion into a hole to {}", shown(end)));
+        }
+        if h < hole.bottom - tol {
+            self.say(format!("a hole too deep at {}", shown(end)));
+        }
+        hole.deepest = hole.deepest.min(h);
+        if hole.deepest > hole.bottom + tol || (h - hole.retract).abs() > tol {
+            return false;
+        }
+        self.proof.points += 1;
+        self.at = Some((hole.at + hole.ta * hole.retract, hole.ta));
+        true
+    }
+}
+
+/// Positions of the CL data that are looked at ahead of the text: more than an arc has cut vectors.
+const AHEAD: usize = 100_000;
+
+/// Reads machine code of any origin for a machine and compares it with CL data.
+///
+/// `inch` is the unit of the output. The messages have no place in the source; they name lines of `text`.
+pub fn prove(
+    machine: &Machine,
+    inch: bool,
+    records: &mut dyn Iterator<Item = Record>,
+    text: &str,
+) -> (Proof, Vec<Diagnostic>) {
+    let machine = std::sync::Arc::new(machine.clone());
+    let mut checker = Checker::new(&machine);
+    let blocks = crate::emit::Blocks::new(std::sync::Arc::clone(&machine), inch);
+    checker.set_resolution_of(&blocks, if inch { 25.4 } else { 1.0 });
+    let mut clearance = None;
+    let mut units = Units::default();
+    let mut more = true;
+    for line in text.lines() {
+        while more && checker.queue.len() < AHEAD {
+            match records.next() {
+                Some(record) => {
+                    if let Kind::Units(u) = record.kind {
+                        units = u;
+                    }
+                    if let Kind::Post { word, args } = &record.kind
+                        && matches!(word.as_str(), "CLRSRF" | "CLEARP")
+                    {
+                        let s = Statement { word, args, origin: &record.origin };
+                        clearance = crate::words::planes::plane(&s, units.mm()).or(clearance);
+                    }
+                    checker.record(&record, clearance);
+                }
+                None => more = false,
+            }
+        }
+        checker.text(line.as_bytes());
+        if checker.faults.len() >= MOST_FAULTS {
+            break;
+        }
+    }
+    if checker.faults.len() < MOST_FAULTS {
+        for record in records {
+            checker.record(&record, clearance);
+        }
+        checker.settle();
+    }
+    let say = |f: Fault| {
+        let message = format!("line {} of the machine code: {}", f.line, f.message);
+        Diagnostic::error(codes::NOT_THE_CL, Span::default(), message)
+    };
+    (checker.proof, checker.faults.into_iter().map(say).collect())
+}
+
+/// Distance of `p` from the segment `a b`, and where along it, 0 to 1.
+fn segment(p: Vec3, a: Vec3, b: Vec3) -> (f64, f64) {
+    let d = b - a;
+    let n = d.norm_squared();
+    let t = if n > 0.0 { ((p - a).dot(&d) / n).clamp(0.0, 1.0) } else { 0.0 };
+    ((p - a - d * t).norm(), t)
+}
+
+/// Length of a motion when it goes straight along the unit vector, to within the angle `lean`, else 0.
+fn along(d: Vec3, unit: Vec3, lean: f64) -> f64 {
+    let way = d.dot(&unit);
+    if (d - unit * way).norm() <= 0.002 + lean * way.abs() { way } else { 0.0 }
+}
+
+fn shown(p: Vec3) -> String {
+    [p.x, p.y, p.z].map(|c| crate::post::trimmed(c, 4)).join(",")
+}
