@@ -6,7 +6,9 @@ use aptc_arelem::Arelem;
 use aptc_cldata as cl;
 use aptc_diagnostics::{Diagnostic, SourceMap, codes};
 use aptc_protap as protap;
-use aptc_translate::{Entry, FileError, FileRequest, Files, Interpreter, LoadedFile, Step};
+use aptc_translate::{
+    Entry, FileError, FileRequest, Files, Interpreter, LoadedFile, Quantity, Step,
+};
 use aptc_verify::{Certificate, Effort, Verifier};
 
 use crate::geometry_json::Named;
@@ -89,8 +91,12 @@ pub fn compile(source: Source, world: &mut dyn World, options: &Options) -> Comp
     }
     run.end_part();
     run.compiled.sources = section1.sources().clone();
+    let named = |quantity| match quantity {
+        Quantity::Scalar(x) => Named::Scalar(x),
+        Quantity::Form(form) => Named::Form(form),
+    };
     run.compiled.geometry =
-        section1.geometry().into_iter().map(|(n, f)| (name_of(&n), Named::Form(f))).collect();
+        section1.geometry().into_iter().map(|(n, q)| (name_of(&n), named(q))).collect();
     run.finish(&entries)
 }
 

@@ -28,6 +28,33 @@ pub enum Step {
     End,
 }
 
+/// What a name stands for at the end of a program.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Quantity {
+    /// A number.
+    Scalar(f64),
+    /// A geometric form, in the base system.
+    Form(Arc<Form>),
+}
+
+impl Quantity {
+    /// The APT word of its type; SCALAR for a number.
+    pub fn word(&self) -> &'static str {
+        match self {
+            Self::Scalar(_) => "SCALAR",
+            Self::Form(form) => form.kind().word(),
+        }
+    }
+
+    /// The number, or the canonical elements.
+    pub fn elements(&self) -> Vec<f64> {
+        match self {
+            Self::Scalar(n) => vec![*n],
+            Self::Form(form) => form.canonical(),
+        }
+    }
+}
+
 /// A part program in execution.
 pub struct Interpreter<'w> {
     pub(crate) options: Options,
@@ -49,7 +76,7 @@ pub struct Interpreter<'w> {
     /// Where the labels behind the check surfaces of the last motion lead.
     branch: Option<Vec<Option<u32>>>,
     executed: u64,
-    finished: Vec<(NameRef, Arc<Form>)>,
+    finished: Vec<(NameRef, Quantity)>,
 }
 
 /// A macro of the program.
@@ -174,24 +201,29 @@ impl<'w> Interpreter<'w> {
         self.executed
     }
 
-    /// The last form of each name, in order of first definition; of several part programs in a file, all.
-    /// Parameters and LOCAL names of macros are not among them.
-    pub fn geometry(&self) -> Vec<(NameRef, Arc<Form>)> {
-        let mut forms = self.finished.clone();
-        self.add_geometry(&mut forms);
-        forms
+    /// The last value of each name, in the order in which they first got one; of several part programs
+    /// in a file, all. Parameters and LOCAL names of macros are not among them.
+    pub fn geometry(&self) -> Vec<(NameRef, Quantity)> {
+        let mut values = self.finished.clone();
+        self.add_geometry(&mut values);
+        values
     }
 
-    fn add_geometry(&self, forms: &mut Vec<(NameRef, Arc<Form>)>) {
+    fn add_geometry(&self, values: &mut Vec<(NameRef, Quantity)>) {
         let mut known: HashMap<NameRef, usize> =
-            forms.iter().enumerate().map(|(i, (n, _))| (n.clone(), i)).collect();
-        for (place, form) in self.memory.forms() {
+            values.iter().enumerate().map(|(i, (n, _))| (n.clone(), i)).collect();
+        for (place, value) in self.memory.in_order() {
+            let quantity = match value {
+                Value::Number(n) => Quantity::Scalar(*n),
+                Value::Form(form) => Quantity::Form(Arc::clone(form)),
+                _ => continue,
+            };
             let name = self.name_ref(place);
             if let Some(&i) = known.get(&name) {
-                forms[i].1 = Arc::clone(form);
+                values[i].1 = quantity;
             } else {
-                known.insert(name.clone(), forms.len());
-                forms.push((name, Arc::clone(form)));
+                known.insert(name.clone(), values.len());
+                values.push((name, quantity));
             }
         }
     }
@@ -242,9 +274,9 @@ impl<'w> Interpreter<'w> {
     pub(crate) fn finish(&mut self) {
         self.report_unused();
         self.emit(Kind::Fini);
-        let mut forms = std::mem::take(&mut self.finished);
-        self.add_geometry(&mut forms);
-        self.finished = forms;
+        let mut values = std::mem::take(&mut self.finished);
+        self.add_geometry(&mut values);
+        self.finished = values;
         let Some(level) = self.levels.drain(..).next() else { return };
         self.memory.clear();
         self.macros.clear();

@@ -35,6 +35,6 @@ mod report;
 mod statement;
 
 pub use files::{Asker, FileError, FileRequest, Files, LoadedFile, NoFiles};
-pub use interpreter::{Interpreter, Step};
+pub use interpreter::{Interpreter, Quantity, Step};
 pub use listing::{Entry, EntryKind};
 pub use options::{Language, Limits, Options, UnknownWords};

@@ -84,7 +84,7 @@ pub(crate) struct Memory {
     locals: Vec<Local>,
     /// For each symbol its place in `locals` and 1, or 0 when it is no local of the present call.
     bound: Vec<u32>,
-    /// Forms in the order of their first definition.
+    /// Names with a number or a form in the order in which they first got one.
     order: Vec<Place>,
     n_elements: usize,
 }
@@ -152,10 +152,10 @@ impl Memory {
 
     /// Gives `place` a value.
     pub(crate) fn set(&mut self, place: Place, value: Value, given: Span) {
-        let first_form = matches!(value, Value::Form(_))
-            && !matches!(place, Place::Local(_))
-            && !matches!(self.slot(place).value, Value::Form(_));
-        if first_form {
+        let slot = self.slot_mut(place);
+        let first = matches!(slot.value, Value::Unset | Value::Poison)
+            && matches!(value, Value::Number(_) | Value::Form(_));
+        if first && !matches!(place, Place::Local(_)) {
             self.order.push(place);
         }
         let slot = self.slot_mut(place);
@@ -190,12 +190,10 @@ impl Memory {
         }
     }
 
-    /// Forms of the program's names, in the order of their first definition.
-    pub(crate) fn forms(&self) -> impl Iterator<Item = (Place, &Arc<Form>)> {
-        self.order.iter().filter_map(|&place| match &self.slot(place).value {
-            Value::Form(form) => Some((place, form)),
-            _ => None,
-        })
+    /// Numbers and forms of the program's names, in the order in which they first got one.
+    pub(crate) fn in_order(&self) -> impl Iterator<Item = (Place, &Value)> {
+        let values = self.order.iter().map(|&place| (place, &self.slot(place).value));
+        values.filter(|(_, value)| matches!(value, Value::Number(_) | Value::Form(_)))
     }
 
     /// All names and elements that have a value, in the order of their first appearance in the text.

@@ -10,7 +10,7 @@ use std::path::Path;
 use aptc_diagnostics::codes;
 use aptc_geometry::FormKind;
 use aptc_protap::Outcome;
-use aptc_translate::{FileError, FileRequest, Files, LoadedFile, Options};
+use aptc_translate::{FileError, FileRequest, Files, LoadedFile, Options, Quantity};
 
 const SHARED: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../shared");
 
@@ -77,7 +77,7 @@ fn forms_of_whole_programs_are_those_of_apt360() {
                 };
                 full.eq_ignore_ascii_case(&symbol)
             });
-            let Some((_, form)) = found else {
+            let Some((_, Quantity::Form(form))) = found else {
                 wrong.push(format!("{program} {symbol}: missing"));
                 continue;
             };

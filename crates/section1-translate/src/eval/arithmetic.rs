@@ -53,7 +53,8 @@ impl Interpreter<'_> {
             }
             _ => power(x, y),
         };
-        if z.is_finite() { Ok(z) } else { Err(self.not_finite(op, x, y, span)) }
+        // A zero has no sign in APT.
+        if z.is_finite() { Ok(z + 0.0) } else { Err(self.not_finite(op, x, y, span)) }
     }
 
     fn not_finite(&mut self, op: BinaryOp, x: f64, y: f64, span: Span) -> Poisoned {

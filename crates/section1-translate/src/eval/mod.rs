@@ -49,7 +49,7 @@ impl Interpreter<'_> {
                 let (x, y) = (self.number(a), self.number(b));
                 self.arithmetic(*op, x?, y?, expr.span, b.span)
             }
-            ExprKind::Unary(UnaryOp::Neg, a) => Ok(-self.number(a)?),
+            ExprKind::Unary(UnaryOp::Neg, a) => Ok(0.0 - self.number(a)?),
             ExprKind::Unary(UnaryOp::Pos, a) => self.number(a),
             _ => {
                 let value = self.value(expr)?;

@@ -12,6 +12,10 @@ use crate::level::DoLoop;
 use crate::memory::Value;
 use crate::program::{MISSING, Unit};
 
+/// IF takes what is smaller than this for zero, as APT-360 does (`ASYCTL`, class 11): a loop that adds
+/// .03 ten times to .2 must see the .5 at its end. Comparisons such as `.EQ` are exact.
+const ZERO: f64 = 1e-5;
+
 /// Slack in the number of passes of a DO, so that 0 to 1 by .1 has eleven of them.
 const PASS_SLACK: f64 = 1e-9;
 
@@ -28,7 +32,11 @@ impl Interpreter<'_> {
             self.state.incomplete = true;
             return;
         };
-        let way = if value < 0.0 { 0 } else { usize::from(value > 0.0) + 1 };
+        let way = match value {
+            v if v.abs() < ZERO => 1,
+            v if v < 0.0 => 0,
+            _ => 2,
+        };
         if goals[way] == MISSING {
             self.state.incomplete = true;
         } else {

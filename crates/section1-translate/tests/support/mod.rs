@@ -2,12 +2,11 @@
 #![expect(dead_code, reason = "each test file uses some of it")]
 
 use std::collections::BTreeMap;
-use std::sync::Arc;
 
 use aptc_diagnostics::{Diagnostic, codes};
 use aptc_protap::{Kind, NameRef, Outcome, Record};
 use aptc_translate::{
-    Entry, FileError, FileRequest, Files, Interpreter, LoadedFile, NoFiles, Options, Step,
+    Entry, FileError, FileRequest, Files, Interpreter, LoadedFile, NoFiles, Options, Quantity, Step,
 };
 
 /// What came of a program.
@@ -15,7 +14,7 @@ pub(crate) struct Ran {
     pub(crate) records: Vec<Record>,
     pub(crate) diagnostics: Vec<Diagnostic>,
     pub(crate) listing: Vec<Entry>,
-    pub(crate) geometry: Vec<(NameRef, Arc<aptc_geometry::Form>)>,
+    pub(crate) geometry: Vec<(NameRef, Quantity)>,
     pub(crate) executed: u64,
     lines: Vec<u32>,
 }
@@ -96,7 +95,7 @@ impl Ran {
             None => (name, 0),
         };
         let found = self.geometry.iter().find(|(n, _)| n.name == base && n.subscript == subscript);
-        found.unwrap_or_else(|| panic!("no form {name}\n{}", self.messages())).1.canonical()
+        found.unwrap_or_else(|| panic!("no form {name}\n{}", self.messages())).1.elements()
     }
 }
 
