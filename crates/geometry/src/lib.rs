@@ -30,7 +30,7 @@ pub mod trig;
 pub use cutter::Cutter;
 pub use form::{Form, FormKind, Written};
 pub use forms::{Circle, Cone, Cylinder, Line, Pattern, Plane, Quadric, QuadricKind, Sphere};
-pub use polyconic::{ControlCurve, Polyconic};
+pub use polyconic::{ControlCurve, Polyconic, Section};
 pub use profile::{BadCutter, CutterWarning, Profile, Segment};
 pub use reason::{Place, Reason};
 pub use ruled::{Rail, RuledSurface, Second};

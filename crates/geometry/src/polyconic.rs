@@ -2,10 +2,11 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::Transform;
+use crate::{Transform, Vec2, Vec3};
 
-/// POLCON. In the plane at distance `d` from `origin` along the polyconic the section is a conic from
-/// (L, H) by (C, B) to the apex and by (A, D) to the end, all of them functions of `d`.
+/// POLCON. At share `d` of the length along x, the plane `x = origin + d length`, the section in y and z is
+/// a conic from (L, H) by (C, B) to the apex and from there by (A, D) to the end; P gives its fullness. All
+/// of them are functions of `d` in 0 to 1.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Polyconic {
     /// First canonical element: 2 when the control curves have square roots, else 1.
@@ -72,6 +73,56 @@ impl Polyconic {
     }
 }
 
+/// One section of a polyconic, in the coordinates y and z of its system.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Section {
+    /// Where the conic begins.
+    pub start: Vec2,
+    /// Where its end tangents meet.
+    pub apex: Vec2,
+    /// Where it ends.
+    pub end: Vec2,
+    /// Weight of the apex in the rational quadratic form: below 1 an ellipse, 1 a parabola, above it a
+    /// hyperbola.
+    pub weight: f64,
+}
+
+impl Section {
+    /// Point at `t` in 0 to 1.
+    pub fn point(&self, t: f64) -> Vec2 {
+        let (a, b, c) = ((1.0 - t) * (1.0 - t), 2.0 * t * (1.0 - t) * self.weight, t * t);
+        (self.start * a + self.apex * b + self.end * c) / (a + b + c)
+    }
+}
+
+impl Polyconic {
+    /// The section at share `d` of the length; `None` where the fullness is not between one half and one,
+    /// for which there is no conic.
+    ///
+    /// The fullness is the height of the shoulder over the far corner of the parallelogram of start, apex
+    /// and end, in shares of the diagonal; so one half is the chord and one is the apex itself.
+    pub fn section(&self, d: f64) -> Option<Section> {
+        let [a, b, c, e, l, h, p] = self.curves.map(|f| f.at(d));
+        let start = Vec2::new(l, h);
+        let apex = start + Vec2::new(c, b);
+        let shoulder = 2.0 * p - 1.0;
+        (shoulder > 0.0 && shoulder < 1.0).then(|| Section {
+            start,
+            apex,
+            end: apex + Vec2::new(a, e),
+            weight: shoulder / (1.0 - shoulder),
+        })
+    }
+
+    /// The point of the defined surface at share `d` of the length and `t` of the section, in the part's
+    /// system, without the thickness.
+    pub fn point(&self, d: f64, t: f64) -> Option<Vec3> {
+        let q = self.section(d)?.point(t);
+        let p = Vec3::new(self.origin + d * self.length, q.x, q.y);
+        Some(self.transform().map_or(p, |m| m.point(p)))
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -84,5 +135,29 @@ mod tests {
         assert_eq!(vec![p.curves[6].c[0], p.curves[6].root], vec![64.25, 78.25]);
         let c = ControlCurve { root: 2.0, c: [1.0, 3.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0] };
         assert!((c.at(4.0) - (4.0 + 1.0 + 12.0 + 16384.0)).abs() < 1e-9);
+    }
+
+    /// A quarter circle of radius 1 + d: fullness where the weight is cos 45.
+    #[test]
+    fn a_quarter_circle_comes_out_round() {
+        let mut e = [0.0; 79];
+        e[0] = 1.0;
+        (e[14], e[15]) = (2.0, 10.0);
+        let w = std::f64::consts::FRAC_1_SQRT_2;
+        // A and D: the way from the apex (r, r) to (0, r); C and B: from (r, 0) to the apex.
+        (e[16], e[17]) = (-1.0, -1.0);
+        (e[24], e[25]) = (1.0, 1.0);
+        (e[48], e[49]) = (1.0, 1.0);
+        e[64] = 0.5 + 0.5 * w / (1.0 + w);
+        let p = Polyconic::from_canonical(&e);
+        for d in [0.0, 0.3, 1.0] {
+            for t in [0.0, 0.2, 0.5, 0.8, 1.0] {
+                let q = p.point(d, t).unwrap();
+                assert!((q.yz().norm() - (1.0 + d)).abs() < 1e-14, "{q:?}");
+                assert!((q.x - (2.0 + 10.0 * d)).abs() < 1e-14);
+            }
+        }
+        e[64] = 0.4;
+        assert!(Polyconic::from_canonical(&e).section(0.5).is_none());
     }
 }

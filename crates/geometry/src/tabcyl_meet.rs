@@ -1,7 +1,7 @@
 //! Where a TABCYL meets lines, and where lines and circles touch it, in the plane of its directrix.
 
 use crate::tabcyl::left;
-use crate::{Tabcyl, TabcylSpan, Vec2, polynomial};
+use crate::{Tabcyl, TabcylSpan, Vec2, Vec3, polynomial};
 
 /// A place on the directrix.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -66,6 +66,36 @@ impl Tabcyl {
             let constant = (n.dot(&span.start) - d) / span.length;
             plus(&plus(&[constant, x], &unit.v, y), &[], 0.0)
         })
+    }
+
+    /// Directed distances along the unit direction `d` from `p` to the surface, rising; `None` when `d` runs
+    /// along the generatrix.
+    pub fn ray(&self, p: Vec3, d: Vec3) -> Option<Vec<f64>> {
+        let (from, along) = (self.flatten(p), self.flatten(d));
+        // Steeper, and the distance would be lost in rounding.
+        if along.norm() <= 1e-10 * d.norm() {
+            return None;
+        }
+        let n = left(along).normalize();
+        let feet = self.meets_line(n, n.dot(&from));
+        let far = |f: &CurveFoot| along.dot(&(f.point - from)) / along.norm_squared();
+        let mut all: Vec<f64> = feet.iter().map(far).collect();
+        all.sort_by(f64::total_cmp);
+        Some(all)
+    }
+
+    /// The place of the directrix, straight ends included, that is nearest to a point of its plane.
+    pub fn nearest_to(&self, p: Vec2) -> Option<CurveFoot> {
+        let mut feet = self.normals_from(p);
+        // A corner between two spans, or an end, may be nearer than any upright place.
+        let start = |i: usize| CurveFoot { span: i, s: 0.0, point: self.spans[i].start };
+        feet.extend((0..self.spans.len()).map(start));
+        feet.extend(self.spans.last().map(|l| CurveFoot {
+            span: self.spans.len() - 1,
+            s: l.length,
+            point: self.end,
+        }));
+        nearest_foot(&feet, p)
     }
 
     /// Every place where a line through `p` touches the directrix; the straight ends do not count.
@@ -232,5 +262,26 @@ mod tests {
             assert!(((c - f.point).norm() - 0.3).abs() < 1e-12);
             assert!(along.dot(&(c - f.point)).abs() < 1e-12);
         }
+    }
+
+    #[test]
+    fn rays_and_nearest_points_lie_on_the_surface() {
+        let t = wave();
+        let (p, d) = (Vec3::new(3.0, 5.0, 1.0), Vec3::new(0.1, -0.9, 0.4).normalize());
+        let hits = t.ray(p, d).unwrap();
+        assert!(!hits.is_empty());
+        for far in hits {
+            let q = t.flatten(p + d * far);
+            let foot = t.nearest_to(q).unwrap();
+            assert!((foot.point - q).norm() < 1e-12);
+        }
+        assert!(t.ray(p, Vec3::z()).is_none());
+        let q = Vec2::new(3.0, 0.3);
+        let best = t.nearest_to(q).unwrap();
+        let sampled = (0..t.spans.len())
+            .flat_map(|i| (0..=50).map(move |k| (i, f64::from(k) / 50.0)))
+            .map(|(i, s)| (t.point(i, s * t.spans[i].length) - q).norm())
+            .fold(f64::MAX, f64::min);
+        assert!((best.point - q).norm() <= sampled);
     }
 }
