@@ -17,6 +17,7 @@ mod format;
 mod line;
 mod matrix;
 mod meet;
+mod message;
 mod mismatch;
 mod patern;
 mod plane;

@@ -5,6 +5,7 @@ mod generate;
 mod oracle;
 mod properties;
 mod relations;
+mod systems;
 
 use aptc_diagnostics::Span;
 use aptc_geometry::Form;
