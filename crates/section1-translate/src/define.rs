@@ -47,6 +47,13 @@ pub fn is_definition(head: Word) -> bool {
     table(head).is_some()
 }
 
+/// The formats of a word in the notation of the manuals, `LINE/point,PARLEL,line`, in the order in which
+/// they are tried; none for a word that defines nothing.
+pub fn formats(head: Word) -> Vec<String> {
+    let rows = table(head).unwrap_or_default();
+    rows.iter().map(|f| format!("{head}/{}", f.text())).collect()
+}
+
 /// The form that `head/args` defines.
 ///
 /// Symbols stand in the base system; with a reference system in `context` they are carried into it
