@@ -10,21 +10,28 @@ use aptc_geometry::{
     Cone, Cutter, Cylinder, Plane, Profile, Quadric, QuadricKind, Sphere, Surface, Vec3, trig,
 };
 
-const ROUNDS: u32 = 200_000;
-
-/// Nanoseconds a call, the best of five runs.
+/// Nanoseconds a call: the best of many runs short enough to lie between two turns of the scheduler.
 fn time(mut call: impl FnMut(u32) -> f64) -> f64 {
     let mut best = f64::INFINITY;
-    for _ in 0..5 {
+    let mut rounds = 8;
+    for _ in 0..60 {
         let start = Instant::now();
         let mut sum = 0.0;
-        for i in 0..ROUNDS {
+        for i in 0..rounds {
             sum += call(i);
         }
         black_box(sum);
-        best = best.min(start.elapsed().as_secs_f64());
+        let each = start.elapsed().as_secs_f64() * 1e9 / f64::from(rounds);
+        best = best.min(each);
+        rounds = if best < 100.0 {
+            4096
+        } else if best < 1000.0 {
+            512
+        } else {
+            32
+        };
     }
-    best * 1e9 / f64::from(ROUNDS)
+    best
 }
 
 fn quadric(c: [f64; 10]) -> Surface {

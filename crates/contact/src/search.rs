@@ -8,6 +8,7 @@ use aptc_geometry::{Foot, Reason, Shape, Surface, Tool, Vec3};
 
 use crate::closed::{along_axis, is_axis};
 use crate::gap::{Gap, Side};
+use crate::rings;
 
 /// Bound of one local search. Newton's method takes 3 to 8 steps; the rest is for places where the surface
 /// is as tight as the tool.
@@ -38,12 +39,25 @@ pub(crate) fn general(
     {
         return Ok(gap);
     }
-    if let Some(q) = start
+    if far_is_convex {
+        // One dip: any start leads there.
+        let q = start.unwrap_or_else(|| surface.foot(middle(tool)).point);
+        if let Ok(gap) = local(tool, surface, side, q) {
+            return Ok(gap);
+        }
+    } else if let Some(q) = start
         && let Ok(gap) = local(tool, surface, side, q)
     {
         return Ok(gap);
     }
-    let seeds = seeds(tool, surface, side, if far_is_convex { 1 } else { SEEDS });
+    let hollow = match side {
+        Side::Positive => surface.concave(),
+        Side::Negative => surface.convex(),
+    };
+    if hollow {
+        return rings::within(tool, |p| turned(surface.foot(p), side));
+    }
+    let seeds = seeds(tool, surface, side);
     let mut best: Option<Gap> = round;
     let mut failure = Reason::NoHit;
     for q in seeds.into_iter().flatten() {
@@ -56,6 +70,24 @@ pub(crate) fn general(
     best.ok_or(failure)
 }
 
+/// A point of the tool's axis, near the corner.
+fn middle(tool: &Tool<'_>) -> Vec3 {
+    tool.te + tool.ta * tool.profile.corner()[1]
+}
+
+/// The foot as seen from `side`, which is then the negative one.
+fn turned(foot: Foot, side: Side) -> Foot {
+    match side {
+        Side::Negative => foot,
+        Side::Positive => Foot {
+            normal: -foot.normal,
+            distance: -foot.distance,
+            shape: foot.shape.reversed(),
+            ..foot
+        },
+    }
+}
+
 /// A cutter with a centre: its nearest surface point, when the arc faces it. Of all arc contacts this is the
 /// nearest one.
 #[inline]
@@ -64,8 +96,7 @@ fn round(tool: &Tool<'_>, surface: &Surface, side: Side) -> Option<Gap> {
     if !profile.is_round() {
         return None;
     }
-    let [_, f] = profile.corner();
-    let foot = surface.foot(tool.te + tool.ta * f);
+    let foot = surface.foot(middle(tool));
     let normal = foot.normal * side.sign();
     let p = tool.support(-normal);
     if p.segment != Segment::Arc {
@@ -87,8 +118,8 @@ fn round(tool: &Tool<'_>, surface: &Surface, side: Side) -> Option<Gap> {
 const SEEDS: usize = 4;
 
 /// Surface points below the lowest stations around the tool: the local minima over the stations, the lowest
-/// `most` of them.
-fn seeds(tool: &Tool<'_>, surface: &Surface, side: Side, most: usize) -> [Option<Vec3>; SEEDS] {
+/// of them.
+fn seeds(tool: &Tool<'_>, surface: &Surface, side: Side) -> [Option<Vec3>; SEEDS] {
     let profile = tool.profile;
     let [[rl, zl], [ru, zu]] = profile.joints();
     let mid = |a: [f64; 2], b: [f64; 2]| [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])];
@@ -104,7 +135,7 @@ fn seeds(tool: &Tool<'_>, surface: &Surface, side: Side, most: usize) -> [Option
     let mut found: [Option<(f64, Vec3)>; SEEDS] = [None; SEEDS];
     let mut offer = |value: f64, q: Vec3| {
         let mut new = Some((value, q));
-        for slot in found.iter_mut().take(most) {
+        for slot in &mut found {
             if new.is_some_and(|n| slot.is_none_or(|s| n.0 < s.0)) {
                 std::mem::swap(slot, &mut new);
             }

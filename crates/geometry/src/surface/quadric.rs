@@ -212,60 +212,60 @@ impl QuadricSurface {
         h.dot(&q) + self.constant
     }
 
-    /// Value of the form at q(mu) and its derivative.
+    /// Value of the form at q(mu) and its first two derivatives.
     #[inline]
-    fn form_at(&self, y: Vec3, mu: f64) -> (f64, f64) {
-        let mut value = self.constant;
-        let mut slope = 0.0;
+    fn form_at(&self, y: Vec3, mu: f64) -> (f64, f64, f64) {
+        let (mut value, mut slope, mut bend) = (self.constant, 0.0, 0.0);
         for i in 0..3 {
             let (l, b) = (self.lambda[i], self.beta[i]);
             let den = 1.0 / (1.0 + mu * l);
             let q = (y[i] - mu * b) * den;
             let half = l * q + b;
             value += (half + b) * q;
-            slope -= 2.0 * half * half * den;
+            let term = half * half * den;
+            slope -= 2.0 * term;
+            bend += 6.0 * term * l * den;
         }
-        (value, slope)
+        (value, slope, bend)
     }
 
     /// The multiplier of the nearest point; with the axis of the pole when it is the pole itself.
     #[inline]
     fn multiplier(&self, y: Vec3) -> (f64, Option<usize>) {
         let [low, high] = self.range;
-        let (value, slope) = self.form_at(y, 0.0);
+        let (mut value, mut slope, mut bend) = self.form_at(y, 0.0);
         if value == 0.0 || slope == 0.0 && low.is_infinite() && high.is_infinite() {
             return (0.0, None);
         }
         // The root lies on the side of 0 to which the form falls to zero.
         let (mut a, mut b) = if value > 0.0 { (0.0, high) } else { (low, 0.0) };
-        let mut mu = -value / slope;
+        let mut mu = 0.0;
         let mut last = f64::INFINITY;
         for _ in 0..MAX_STEPS {
-            if !(mu > a && mu < b) {
-                mu = inside(a, b);
-                if mu <= a || mu >= b {
-                    break;
-                }
-            }
-            let (value, slope) = self.form_at(y, mu);
             if value > 0.0 {
                 a = mu;
             } else {
                 b = mu;
             }
-            let step = -value / slope;
-            if value == 0.0 || step.abs() <= 2.0 * f64::EPSILON * mu.abs() {
-                return (mu, None);
+            // Halley's step: an error of 1e-5 of the way to the pole is followed by one of 1e-15.
+            let step = -2.0 * value * slope / (2.0 * slope * slope - value * bend);
+            let near = (mu - low).min(high - mu).min(1e300);
+            if value == 0.0 || step.abs() <= 3e-6 * near && mu + step > low && mu + step < high {
+                return (mu + step, None);
             }
-            // Newton from the convex side of the function converges from anywhere; should it slow down
-            // near a pole, halve.
-            if step.abs() > 0.5 * last {
+            // Should it slow down near a pole or leave the bracket, halve.
+            let next = mu + step;
+            if next > a && next < b && step.abs() < 0.5 * last {
+                last = step.abs();
+                mu = next;
+            } else {
                 last = f64::INFINITY;
                 mu = inside(a, b);
-            } else {
-                last = step.abs();
-                mu += step;
+                if mu <= a || mu >= b {
+                    break;
+                }
             }
+            (value, slope, bend) = self.form_at(y, mu);
         }
         // The bracket has shrunk on a pole: the medial case; or on the root itself.
         for (end, touched) in [(low, a - low), (high, high - b)] {
