@@ -3,18 +3,22 @@
 //! A [`Record`] carries its [`Origin`](aptc_diagnostics::Origin) from the statement on. Lengths are in the
 //! unit of the last [`Kind::Units`] record (inches without one), positions in the part frame.
 
+mod catia;
 pub mod clfile;
 mod dialect;
+pub mod diff;
 pub mod flatten;
 pub mod json;
 pub mod number;
 mod read;
 mod record;
 mod restore;
+pub mod stats;
 mod stream;
 pub mod tape;
 mod text;
 
+pub use catia::CatiaWriter;
 pub use clfile::{ClfileReader, ClfileWriter};
 pub use dialect::Dialect;
 pub use json::{JsonReader, JsonWriter};

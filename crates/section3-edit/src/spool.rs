@@ -29,6 +29,8 @@ pub struct Spool {
     spilled: u64,
     file: Option<Box<dyn Spill>>,
     opener: Option<Opener>,
+    /// Bytes kept in memory; 0 for the usual ones.
+    limit: usize,
 }
 
 impl Spool {
@@ -42,6 +44,14 @@ impl Spool {
         Self { opener: Some(Box::new(opener)), ..Self::default() }
     }
 
+    /// A spool that asks for a temporary file when it has more than `bytes`.
+    pub fn spilling_after(
+        bytes: usize,
+        opener: impl FnMut() -> io::Result<Box<dyn Spill>> + 'static,
+    ) -> Self {
+        Self { limit: bytes, ..Self::spilling(opener) }
+    }
+
     /// Where the next record will be put.
     pub(crate) fn end(&self) -> u64 {
         self.spilled + self.memory.len() as u64
@@ -50,7 +60,8 @@ impl Spool {
     /// Appends a record.
     pub(crate) fn put(&mut self, record: &Record) -> io::Result<()> {
         self.codec.put(&mut self.memory, record)?;
-        if self.memory.len() > IN_MEMORY {
+        let limit = if self.limit > 0 { self.limit } else { IN_MEMORY };
+        if self.memory.len() > limit {
             self.spill()?;
         }
         Ok(())

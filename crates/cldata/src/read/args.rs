@@ -7,6 +7,20 @@ use crate::{Arg, number};
 /// Most numbers taken from one statement.
 pub(super) const MOST_NUMBERS: usize = 32;
 
+/// A coordinate beyond this is a mistake in the file, not a place: its products would leave the range of
+/// numbers.
+const FARTHEST: f64 = 1e30;
+
+/// A number that can be a coordinate, all of the text but for blanks.
+pub(super) fn coordinate(text: &[u8]) -> Option<f64> {
+    number::parse(text).filter(|x| is_coordinate(*x))
+}
+
+/// Can it be a coordinate?
+pub(super) fn is_coordinate(x: f64) -> bool {
+    x.abs() < FARTHEST
+}
+
 /// Numbers of a statement, and how many.
 pub(super) struct Numbers {
     values: [f64; MOST_NUMBERS],
@@ -28,7 +42,7 @@ pub(super) fn all_numbers(args: &[u8]) -> Option<Numbers> {
     }
     let args = args.strip_suffix(b",").unwrap_or(args);
     for field in args.split(|b| *b == b',') {
-        *out.values.get_mut(out.len)? = number::parse(field)?;
+        *out.values.get_mut(out.len)? = coordinate(field)?;
         out.len += 1;
     }
     Some(out)

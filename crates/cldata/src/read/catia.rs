@@ -48,7 +48,7 @@ pub(super) fn comment(state: &mut State, text: &[u8]) -> bool {
     let row: Option<Vec<f64>> = body
         .split(u8::is_ascii_whitespace)
         .filter(|w| !w.is_empty())
-        .map(crate::number::parse)
+        .map(args::coordinate)
         .collect();
     match row {
         Some(row) if row.len() == 4 => rows.extend(row),

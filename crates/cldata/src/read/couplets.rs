@@ -31,7 +31,7 @@ impl Couplets {
             _ => self.list.iter().position(|a| matches!(a, Arg::Word(w) if w == word))? + 1,
         };
         let numbers = self.list[start..].iter().map_while(|a| match a {
-            Arg::Number(x) => Some(*x),
+            Arg::Number(x) => Some(*x).filter(|x| args::is_coordinate(*x)),
             _ => None,
         });
         Some(numbers.collect())

@@ -1,5 +1,6 @@
 //! The statement that fills CL files, `GOTO/x,y,z[,i,j,k]` on one line, read in one pass.
 
+use super::args::is_coordinate;
 use crate::number;
 
 /// Numbers of a plain GOTO line: 3 or 6 of them; `None` for anything else, which the slow way takes.
@@ -13,7 +14,7 @@ pub(super) fn goto(line: &[u8], values: &mut [f64; 6]) -> Option<usize> {
     at += 1;
     for (i, value) in values.iter_mut().enumerate() {
         at = blanks(rest, at);
-        let (x, len) = number::parse_head(&rest[at..])?;
+        let (x, len) = number::parse_head(&rest[at..]).filter(|n| is_coordinate(n.0))?;
         *value = x;
         at = blanks(rest, at + len);
         match rest.get(at) {

@@ -6,7 +6,6 @@ use smol_str::SmolStr;
 
 use super::args;
 use super::comments::unit;
-use crate::number;
 
 /// How deep definitions may stand in one another.
 const DEEPEST: u32 = 8;
@@ -43,7 +42,7 @@ fn parts_at(text: &[u8], depth: u32) -> Option<Vec<Part>> {
         if field.is_empty() {
             continue;
         }
-        if let Some(x) = number::parse(field) {
+        if let Some(x) = args::coordinate(field) {
             out.push(Part::Number(x));
         } else if let Some(inner) = field.strip_prefix(b"(").and_then(|f| f.strip_suffix(b")")) {
             out.push(Part::Nested(definition(inner, depth.checked_sub(1)?)?));

@@ -210,6 +210,11 @@ impl State {
     }
 
     pub(super) fn position(&mut self, from: bool, p: Position, with_axis: bool) {
+        // Deltas add up; nothing beyond what can be read may come of it.
+        if !p.te.iter().all(|x| super::args::is_coordinate(*x)) {
+            let help = "look for a wrong exponent in the deltas before";
+            return self.report.error(self.at, "a position too far away", help);
+        }
         if !self.goes_on(from, p, with_axis) {
             self.start_motion(from, p, with_axis);
         }

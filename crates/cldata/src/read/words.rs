@@ -277,7 +277,7 @@ const COORDINATES: &str = "write GOTO/x,y,z or GOTO/x,y,z,i,j,k with numbers";
 /// Numbers up to the first field that is none.
 fn leading_numbers(rest: &[u8]) -> Numbers {
     let end = args::fields(rest)
-        .take_while(|f| crate::number::parse(f).is_some())
+        .take_while(|f| args::coordinate(f).is_some())
         .fold(0, |at, f| at + f.len() + 1);
     args::all_numbers(&rest[..end.min(rest.len())])
         .or_else(|| args::all_numbers(b""))
@@ -433,7 +433,7 @@ fn matrix(list: &[Arg]) -> Option<Transform> {
     let mut e = [0.0; 12];
     for (value, arg) in e.iter_mut().zip(tail) {
         let Arg::Number(x) = arg else { return None };
-        *value = *x;
+        *value = Some(*x).filter(|x| args::is_coordinate(*x))?;
     }
     Some(Transform::from_rows(&e))
 }

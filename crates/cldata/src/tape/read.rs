@@ -17,6 +17,8 @@ use crate::{
 
 /// Most words of a record; the format's own limit is 245.
 const MOST_WORDS: u32 = 1 << 16;
+/// A number beyond this is no coordinate: its products would leave the range of numbers.
+const FARTHEST: f64 = 1e30;
 /// Most positions of one record of ours.
 const MOST_POINTS: usize = 1 << 16;
 
@@ -168,8 +170,10 @@ impl<R: Read> TapeReader<R> {
         self.queue.push_back(record);
     }
 
+    /// The words as numbers; one that cannot be a coordinate or a tolerance is 0.
     fn numbers(&self) -> Vec<f64> {
-        self.body.iter().map(words::number_of).collect()
+        let limited = |x: f64| if x.abs() < FARTHEST { x } else { 0.0 };
+        self.body.iter().map(words::number_of).map(limited).collect()
     }
 
     fn take(&mut self, kind: i32, subtype: i32) {
@@ -362,7 +366,7 @@ impl<R: Read> TapeReader<R> {
         }
         for p in points.chunks_exact(width) {
             let v = |i: usize| {
-                let number = |raw: &Raw| Some(words::number_of(raw)).filter(|x| x.is_finite());
+                let number = |raw: &Raw| Some(words::number_of(raw)).filter(|x| x.abs() < FARTHEST);
                 Some(Vec3::new(number(&p[i])?, number(&p[i + 1])?, number(&p[i + 2])?))
             };
             let axis = if width == 6 { v(3).filter(|a| a.norm() > 0.0) } else { Some(Vec3::z()) };
@@ -433,7 +437,7 @@ fn edit(word: &str, args: &[Arg]) -> Option<Kind> {
         let mut e = [0.0; 12];
         for (place, arg) in e.iter_mut().zip(list) {
             let Arg::Number(x) = arg else { return None };
-            *place = *x;
+            *place = Some(*x).filter(|x| x.abs() < FARTHEST)?;
         }
         (list.len() == 12).then(|| Transform::from_rows(&e))
     };

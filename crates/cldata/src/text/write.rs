@@ -58,6 +58,17 @@ impl<W: Write> TextWriter<W> {
         Ok(self.out)
     }
 
+    /// Appends lines that were made elsewhere.
+    pub(crate) fn raw(&mut self, lines: &str) {
+        self.begun = true;
+        self.text(lines);
+    }
+
+    /// Hands on what has come together, if it is much.
+    pub(crate) fn pass_on(&mut self) -> io::Result<()> {
+        if self.buf.len() > BUFFER && self.units_at.is_none() { self.hand_on() } else { Ok(()) }
+    }
+
     fn hand_on(&mut self) -> io::Result<()> {
         self.out.write_all(&self.buf)?;
         self.buf.clear();
@@ -288,7 +299,7 @@ impl<W: Write> TextWriter<W> {
     }
 
     /// Before the first length, UNITS must stand there.
-    fn settle_units(&mut self, kind: &Kind) {
+    pub(crate) fn settle_units(&mut self, kind: &Kind) {
         if self.units_at.is_some() && (has_lengths(kind) || self.buf.len() > BUFFER / 2) {
             self.state_units(self.options.units);
         }

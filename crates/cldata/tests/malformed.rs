@@ -1,0 +1,128 @@
+//! Files that are broken: messages with the line, no panic, nothing endless.
+
+#![expect(clippy::unwrap_used, reason = "a test: it fails")]
+
+use aptc_cldata::{
+    ClfileWriter, Dialect, Kind, Motion, Position, Reader, Record, RecordReader, RecordWriter,
+    TapeWriter,
+};
+use aptc_geometry::Vec3;
+
+fn read(bytes: &[u8], dialect: Option<Dialect>) -> (Vec<Record>, Vec<String>) {
+    let mut reader = Reader::open(bytes, dialect).unwrap();
+    let mut record = Record::default();
+    let mut out = Vec::new();
+    while reader.read(&mut record).unwrap() {
+        out.push(record.clone());
+    }
+    let said = reader.into_diagnostics();
+    (out, said.into_iter().map(|d| format!("{} {}", d.code, d.message)).collect())
+}
+
+#[test]
+fn statements_that_cannot_be_read_are_kept_and_told_with_their_line() {
+    for (text, code, line) in [
+        ("UNITS/MM\nGOTO/1,NAN,3\n", "APT3001", "line 2"),
+        ("UNITS/MM\nGOTO/1,1e999,3\n", "APT3001", "line 2"),
+        ("UNITS/MM\nGOTO/inf,2,3\n", "APT3001", "line 2"),
+        ("UNITS/MM\n\nGOTO/X,Y,Z\n", "APT3001", "line 3"),
+        ("UNITS/MM\nGOTO/1,2,3,\nCIRCLE/1,2\nGOTO/4,5,6\n", "APT3001", "line 3"),
+        ("UNITS/MM\nCIRCLE/1,2,3,0,0,1,5,1,1,1\n", "APT3001", "line 2"),
+        ("UNITS/FURLONGS\n", "APT3001", "line 1"),
+        ("UNITS/MM\nMOVARC/1,2,3\n", "APT3001", "line 2"),
+        ("UNITS/MM\nTLON,GOFWD/(CIRCLE/1,2,3,4),ON,(LINE/1\n", "APT3001", "line 2"),
+        ("UNITS/MM\nGODLTA/1,2,3\n", "APT3001", "line 2"),
+        ("UNITS/MM\nGOTO/1,2,3\nGOTO/1,2,3,0,0,0\n", "APT3003", "line 3"),
+        ("UNITS/MM\nZZTOP/1\nGOTO/1,2,3\nZZTOP/2\n", "APT3002", "ZZTOP is not known, 2 times"),
+        ("GOTO/1,2,3\n", "APT3006", "inches"),
+    ] {
+        let (records, said) = read(text.as_bytes(), None);
+        assert!(said.iter().any(|s| s.starts_with(code) && s.contains(line)), "{text}: {said:?}");
+        for r in &records {
+            if let Kind::Motion(m) = &r.kind {
+                assert!(m.points.iter().all(|p| p.te.iter().all(|x| x.is_finite())));
+            }
+        }
+        let kept = records.iter().filter(|r| matches!(r.kind, Kind::Unread(_))).count();
+        assert!(code != "APT3001" || kept > 0, "{text}");
+    }
+}
+
+#[test]
+fn a_line_of_ten_megabytes_is_left_out() {
+    let mut text = b"UNITS/MM\nGOTO/1,2,3\n".to_vec();
+    text.extend(std::iter::repeat_n(b'7', 10 << 20));
+    text.extend_from_slice(b"\nGOTO/4,5,6\n");
+    let (records, said) = read(&text, None);
+    let n = records.iter().filter(|r| matches!(r.kind, Kind::Motion(_))).count();
+    assert_eq!(n, 2);
+    assert!(said.iter().any(|s| s.starts_with("APT3005") && s.contains("line 3")), "{said:?}");
+}
+
+#[test]
+fn rubbish_does_no_harm() {
+    let mut seed = 7_u64;
+    let mut random = || {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+        (seed >> 33).to_le_bytes()[0]
+    };
+    for length in [0, 1, 15, 16, 17, 100, 5000, 300_000] {
+        let bytes: Vec<u8> = (0..length).map(|_| random()).collect();
+        for dialect in [None].into_iter().chain(Dialect::ALL.map(Some)) {
+            let (_, said) = read(&bytes, dialect);
+            assert!(said.len() <= 1100, "{} messages", said.len());
+        }
+    }
+    let text = vec![b'$'; 5_000_000];
+    read(&text, Some(Dialect::Iso));
+    let many = b"A/1,$\n".repeat(500_000);
+    read(&many, Some(Dialect::Iso));
+}
+
+/// A tape and a clfile with some records.
+fn binaries() -> [(Vec<u8>, Dialect); 2] {
+    let goto = |x: f64| {
+        let points = vec![Position::upright(Vec3::new(x, 1.0 / 3.0, 0.1)); 200];
+        Record { kind: Kind::Motion(Motion { points, ..Motion::default() }), ..Record::default() }
+    };
+    let records = [goto(1.0), goto(2.0), Record::default()];
+    let mut tape = TapeWriter::new(Vec::new(), aptc_vocabulary::Dialect::Apt360);
+    let mut clfile = ClfileWriter::new(Vec::new());
+    for r in &records {
+        tape.write(r).unwrap();
+        clfile.write(r).unwrap();
+    }
+    [(tape.into_inner().unwrap(), Dialect::Tape), (clfile.into_inner().unwrap(), Dialect::Clfile)]
+}
+
+#[test]
+fn binary_files_that_end_too_early() {
+    for (bytes, dialect) in binaries() {
+        let (whole, said) = read(&bytes, None);
+        assert!(said.is_empty(), "{said:?}");
+        for length in (0..bytes.len()).step_by(7) {
+            let (part, _) = read(&bytes[..length], Some(dialect));
+            assert!(part.len() <= whole.len());
+        }
+        let (_, said) = read(&bytes[..bytes.len() / 2], Some(dialect));
+        assert!(said.iter().any(|s| s.contains("ends within a record")), "{said:?}");
+    }
+}
+
+#[test]
+fn binary_files_with_wrong_counts() {
+    for (bytes, dialect) in binaries() {
+        for at in 0..400 {
+            for value in [0, 0x7f, 0xff] {
+                let mut broken = bytes.clone();
+                broken[at] = value;
+                let (records, _) = read(&broken, Some(dialect));
+                for r in &records {
+                    if let Kind::Motion(m) = &r.kind {
+                        assert!(m.points.iter().all(|p| p.te.iter().all(|x| x.is_finite())));
+                    }
+                }
+            }
+        }
+    }
+}
