@@ -69,19 +69,38 @@ pub fn section1(data: &[u8]) {
     (limits.statements, limits.array_elements, limits.points) = (5_000, 10_000, 1_000);
     let mut files = NoFiles;
     let mut program = Interpreter::new("fuzz.apt", &text, &mut files, options);
+    let mut records = Vec::new();
     while let Step::Record(record) = program.step() {
         if !matches!(record.kind, aptc_protap::Kind::Text { .. }) {
             holds_numbers(&record.kind);
         }
+        records.push(record);
         program.outcome(Outcome::None);
     }
     places_are_right(&text, &program.take_diagnostics());
+    let written = aptc_protap::write(&records);
+    let (again, complaints) = aptc_protap::read(FileId(0), &written);
+    assert!(complaints.is_empty(), "its own PROTAP is not read: {complaints:?}\n{written}");
+    assert_eq!(again, records, "as PROTAP text the records are others");
 }
 
-/// Readers of CL data, in the dialect that is detected and in each: positions are numbers, and what was
+/// Reader of PROTAP text: what it takes without complaint it writes so that it reads the same again.
+pub fn protap(data: &[u8]) {
+    let text = String::from_utf8_lossy(data);
+    let (records, complaints) = aptc_protap::read(FileId(0), &text);
+    places_are_right(&text, &complaints);
+    places_are_right(&text, &aptc_protap::verify(&records));
+    if complaints.is_empty() {
+        let written = aptc_protap::write(&records);
+        assert_eq!(aptc_protap::read(FileId(0), &written), (records, Vec::new()));
+    }
+}
+
+/// Readers of CL data, in the dialect that is detected and in one that the first byte chooses: positions are numbers, and what was
 /// read is written as text and as JSON lines, of which the latter give the same records again.
 pub fn cldata(data: &[u8]) {
-    for dialect in [None].into_iter().chain(Dialect::ALL.map(Some)) {
+    let chosen = data.first().map(|byte| Dialect::ALL[usize::from(*byte) % Dialect::ALL.len()]);
+    for dialect in [None, chosen] {
         let records = read_cl(data, dialect);
         for record in &records {
             if let Kind::Motion(motion) = &record.kind {

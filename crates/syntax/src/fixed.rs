@@ -28,6 +28,15 @@ const WORDS: [(&[u8; 6], Word); 5] = [
     (b"TITLES", word::TITLES),
 ];
 
+/// A text of the program as data: control characters are blanks. A carriage return in the middle of a card
+/// would else begin a line of its own in a CL file or in machine code.
+pub(crate) fn printable(text: &str) -> Box<str> {
+    if !text.contains(char::is_control) {
+        return text.into();
+    }
+    text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect::<String>().into()
+}
+
 /// Where the fixed-field word of a card begins, if it has one: at its head, behind a label, or behind
 /// `IF(...)`.
 pub(crate) fn start_of_text(source: &str, card: Range<usize>) -> Option<usize> {
@@ -183,4 +192,15 @@ fn trimmed(source: &str, range: Range<usize>) -> Range<usize> {
     let text = &source[range.clone()];
     let start = range.start + (text.len() - text.trim_start().len());
     start..start.max(range.start + text.trim_end().len())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_text_is_one_line() {
+        assert_eq!(&*printable("BRACKET 7"), "BRACKET 7");
+        assert_eq!(&*printable("M30\rG0\tZ-99\u{85}\0"), "M30 G0 Z-99  ");
+    }
 }

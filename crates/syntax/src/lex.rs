@@ -8,6 +8,7 @@ use logos::Logos;
 
 use crate::Interner;
 use crate::characters;
+use crate::fixed::printable;
 use crate::scan::{Flat, place};
 use crate::token::{Raw, Spanned, Token};
 use crate::tree::{BinaryOp, Name};
@@ -115,7 +116,7 @@ impl Lexer<'_> {
                 }
                 Raw::Text => {
                     let text = &self.source[span.start as usize + 1..span.end as usize - 1];
-                    self.texts.push(text.into());
+                    self.texts.push(printable(text));
                     Token::Text(place(self.texts.len() - 1))
                 }
                 Raw::Power => Token::Operator(BinaryOp::Pow),

@@ -10,7 +10,7 @@ use chumsky::error::{EmptyErr, Rich};
 use chumsky::input::Input;
 use chumsky::span::SimpleSpan;
 
-use crate::fixed::FixedText;
+use crate::fixed::{FixedText, printable};
 use crate::form::{Form, form, is_assignment};
 use crate::grammar::{Beside, Grammar};
 use crate::lex::{Lexed, Lexer};
@@ -233,7 +233,7 @@ impl Run<'_> {
     fn text(&self, fixed: &FixedText) -> Body {
         let text = &self.source[fixed.text.start as usize..fixed.text.end as usize];
         let text_span = Span::new(self.file, fixed.text.start, fixed.text.end);
-        Body::Text { word: fixed.word_is, text_span, text: text.into() }
+        Body::Text { word: fixed.word_is, text_span, text: printable(text) }
     }
 
     /// Names that SYN gave to words mean those words from then on, up to FINI.
