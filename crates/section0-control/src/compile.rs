@@ -1,5 +1,6 @@
 //! The road: from source text to machine code.
 
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use aptc_arelem::Arelem;
@@ -223,6 +224,7 @@ impl<'o> Run<'o> {
     }
 
     fn finish(mut self, entries: &[Entry]) -> Compiled {
+        once_each(&mut self.compiled.diagnostics);
         let mut text = String::new();
         for (_, file) in self.compiled.sources.iter().take(1) {
             listing::source(&mut text, file);
@@ -233,6 +235,12 @@ impl<'o> Run<'o> {
         self.compiled.listing = text;
         self.compiled
     }
+}
+
+/// A statement in a loop or macro that fails in the same way each time is told of once.
+fn once_each(diagnostics: &mut Vec<Diagnostic>) {
+    let mut told = BTreeSet::new();
+    diagnostics.retain(|d| told.insert((d.code, d.span, d.message.clone())));
 }
 
 /// Section 1's way to files.

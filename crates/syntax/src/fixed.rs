@@ -42,7 +42,11 @@ pub(crate) fn printable(text: &str) -> Box<str> {
 pub(crate) fn start_of_text(source: &str, card: Range<usize>) -> Option<usize> {
     let bytes = &source.as_bytes()[card.clone()];
     let mut at = first_letter(bytes, 0)?;
-    if let Some(end) = end_of_label(bytes, at) {
+    // `PARTNO LEVER: LEFT HAND` begins with the word and not with a label of eleven letters.
+    let begins_with_word = word_at(&bytes[at..]).is_some_and(|(_, length)| {
+        first_letter(bytes, at + length).is_none_or(|next| !matches!(bytes[next], b')' | b':'))
+    });
+    if !begins_with_word && let Some(end) = end_of_label(bytes, at) {
         at = first_letter(bytes, end)?;
     }
     if let Some(end) = end_of_condition(bytes, at) {
@@ -202,5 +206,16 @@ mod tests {
     fn a_text_is_one_line() {
         assert_eq!(&*printable("BRACKET 7"), "BRACKET 7");
         assert_eq!(&*printable("M30\rG0\tZ-99\u{85}\0"), "M30 G0 Z-99  ");
+    }
+
+    #[test]
+    fn a_colon_in_the_text_makes_no_label_of_the_word() {
+        let start = |text: &str| start_of_text(text, 0..text.len());
+        assert_eq!(start("PARTNO  WEDGE: OUTLINE"), Some(0));
+        assert_eq!(start("REMARK (A) AND B)"), Some(0));
+        assert_eq!(start("LAB: PPRINT TEXT"), Some(5));
+        assert_eq!(start("12) INSERTG0"), Some(4));
+        assert_eq!(start("PARTNO) PPRINT X"), Some(8));
+        assert_eq!(start("INSERT=3"), None);
     }
 }
