@@ -230,6 +230,8 @@ pub struct Controlled {
     pub side: i8,
     /// Thickness left on it, THICK.
     pub thick: f64,
+    /// Radius and height of the disk that stands for the cutter against it, CUTTER/OPTION.
+    pub disk: Option<[f64; 2]>,
     /// Allowed violation into the material.
     pub intol: f64,
     /// Allowed excess.

@@ -1,22 +1,15 @@
 //! The dispatcher (APT: `SECTN2`): passes records on, keeps the modal words, runs the motions.
 
-use std::sync::Arc;
-
 use aptc_cldata as cl;
 use aptc_diagnostics::{Diagnostic, Origin};
 use aptc_geometry::Vec3;
 use aptc_protap as protap;
-use aptc_protap::{
-    Direction, DriveSide, Kind, Outcome, PartSide, Relation, Sense, SurfaceRef, ToolAxis,
-};
+use aptc_protap::{Direction, DriveSide, Kind, Outcome, Relation, Sense, ToolAxis};
 
 use crate::failure::Failure;
-use crate::forward::{self, forward};
-use crate::plane;
-use crate::pocket;
-use crate::scene::{Check, Path, Scene, Start, Wall};
-use crate::state::{Given, Part, Role, Settings, Tool, plane_ref};
-use crate::tool::Shape;
+use crate::feed::Feed;
+use crate::forward::forward;
+use crate::state::{Given, Part, Settings, Tool, plane_ref, unit};
 
 /// Settings of Section 2 that no part program gives.
 #[derive(Clone, Debug, Default)]
@@ -36,14 +29,15 @@ pub struct Options {}
 /// ```
 #[derive(Debug, Default)]
 pub struct Arelem {
-    settings: Settings,
-    tool: Option<Tool>,
+    pub(crate) settings: Settings,
+    pub(crate) tool: Option<Tool>,
     /// The last motion failed: the position is unknown until FROM or GOTO.
-    poisoned: bool,
+    pub(crate) poisoned: bool,
     /// A motion that waits for its check surface, and the records since.
     pending: Option<Box<(Origin, protap::Drive)>>,
     deferred: Vec<protap::Record>,
-    diagnostics: Vec<Diagnostic>,
+    pub(crate) feed: Feed,
+    pub(crate) diagnostics: Vec<Diagnostic>,
 }
 
 impl Arelem {
@@ -98,7 +92,7 @@ impl Arelem {
                 Kind::DriveSide(s) => Some(s),
                 _ => None,
             })
-            .unwrap_or(self.settings.drive_side);
+            .or(self.settings.drive_side);
         let outcome = match next.and_then(|n| implied(n, side)) {
             Some(check) => {
                 drive.checks.push(check);
@@ -114,8 +108,15 @@ impl Arelem {
 
     fn step(&mut self, record: &protap::Record, out: &mut Vec<cl::Record>) -> Outcome {
         let origin = &record.origin;
-        if let Some(kind) = forward(&record.kind) {
-            out.push(cl::Record { origin: origin.clone(), kind });
+        match forward(&record.kind) {
+            Some(cl::Kind::Post { word, args }) if word == "FEDRAT" => {
+                if let Some(args) = self.feed.take(&args) {
+                    let kind = cl::Kind::Post { word, args };
+                    out.push(cl::Record { origin: origin.clone(), kind });
+                }
+            }
+            Some(kind) => out.push(cl::Record { origin: origin.clone(), kind }),
+            None => {}
         }
         match &record.kind {
             Kind::From(p) => self.place(origin, p, cl::MotionKind::From, out),
@@ -156,11 +157,14 @@ impl Arelem {
         let s = &mut self.settings;
         match kind {
             Kind::Units(u) => s.units = *u,
-            Kind::Cutter(c) => s.cutter = Some(*c),
+            Kind::Cutter(c) => s.set_cutter(*c),
             Kind::CutterOption { surface, disk } => s.set_disk(*surface, *disk),
             Kind::Intol(t) => s.set_intol(*t),
             Kind::Outtol(t) => s.set_outtol(*t),
             Kind::Thick(t) => s.thick = *t,
+            Kind::Maxdp { step, .. } => s.set_maxdp(*step),
+            Kind::Numpts(n) => s.numpts = Some(*n),
+            Kind::Calc(d) => s.calc = *d,
             Kind::Multax(on) => s.multax = *on,
             Kind::ToolAxis(a) => {
                 let kept = ToolAxis::Fixed(self.tool.map_or_else(Vec3::z, |t| t.ta));
@@ -181,8 +185,8 @@ impl Arelem {
                 };
             }
             Kind::Nops => s.nops = true,
-            Kind::DriveSide(d) => s.drive_side = *d,
-            Kind::PartSide(p) => s.part_side = *p,
+            Kind::DriveSide(d) => s.drive_side = Some(*d),
+            Kind::PartSide(p) => s.part_side = Some(*p),
             Kind::SurfaceNormals(v) => s.normals.clone_from(v),
             Kind::Sense(sense) => {
                 s.given = Some(match sense {
@@ -194,8 +198,9 @@ impl Arelem {
                         Sense::Vector(v) => v.iter().flatten().next().copied(),
                         Sense::Point(p) => p.iter().flatten().next().map(|p| p - t.te),
                     };
-                    if let Some(f) = first.and_then(unit) {
-                        t.forward = f;
+                    if let Some(f) = first {
+                        // Along the tool axis it says nothing about the way of a motion.
+                        t.turn(f);
                     }
                 }
             }
@@ -203,95 +208,17 @@ impl Arelem {
         }
     }
 
-    fn fail(&mut self, origin: &Origin, failure: &Failure) -> Outcome {
+    pub(crate) fn fail(&mut self, origin: &Origin, failure: &Failure) -> Outcome {
         self.diagnostics.push(failure.explain(origin));
         self.poisoned = true;
         Outcome::Failed
     }
 
-    /// FROM and GOTO.
-    fn place(
-        &mut self,
-        origin: &Origin,
-        place: &protap::Place,
-        kind: cl::MotionKind,
-        out: &mut Vec<cl::Record>,
-    ) -> Outcome {
-        if let Some(axis) = place.axis.and_then(unit) {
-            self.settings.set_axis(ToolAxis::Fixed(axis));
-            if let Some(t) = &mut self.tool {
-                t.ta = axis;
-            }
-        }
-        self.go_to(place.point);
-        if kind == cl::MotionKind::From {
-            // Nothing moved: there is no direction yet but one given before.
-            let given = self.settings.given.clone();
-            if let (Some(Given::Vectors(v)), Some(t)) = (given, &mut self.tool) {
-                t.forward = v.into_iter().flatten().next().and_then(unit).unwrap_or(t.forward);
-            }
-        } else {
-            self.settings.given = None;
-        }
-        self.put(origin, kind, forward::name(&place.name), vec![place.point], out);
-        self.moved(0)
-    }
-
-    fn points(
-        &mut self,
-        origin: &Origin,
-        name: &protap::NameRef,
-        points: &[Vec3],
-        out: &mut Vec<cl::Record>,
-    ) -> Outcome {
-        for p in points {
-            self.go_to(*p);
-        }
-        if points.is_empty() {
-            return Outcome::None;
-        }
-        self.settings.given = None;
-        self.put(origin, cl::MotionKind::Goto, forward::name(name), points.to_vec(), out);
-        self.moved(0)
-    }
-
-    /// GODLTA.
-    fn by(&mut self, origin: &Origin, v: Vec3, out: &mut Vec<cl::Record>) -> Outcome {
-        if self.poisoned {
-            return Outcome::Failed;
-        }
-        let Some(tool) = self.tool else { return self.fail(origin, &Failure::NoPosition) };
-        let te = tool.te + v;
-        self.go_to(te);
-        self.settings.given = None;
-        self.put(origin, cl::MotionKind::Goto, cl::NameRef::default(), vec![te], out);
-        self.moved(0)
-    }
-
-    /// Puts the tool there.
-    fn go_to(&mut self, te: Vec3) {
-        let fixed = match &self.settings.axis {
-            ToolAxis::Fixed(v) => unit(*v),
-            _ => None,
-        };
-        match &mut self.tool {
-            Some(t) => {
-                t.turn(te - t.te);
-                t.te = te;
-            }
-            None => {
-                let ta = fixed.unwrap_or_else(Vec3::z);
-                self.tool = Some(Tool { te, ta, forward: Vec3::zeros() });
-            }
-        }
-        self.poisoned = false;
-    }
-
-    fn moved(&self, check: usize) -> Outcome {
+    pub(crate) fn moved(&self, check: usize) -> Outcome {
         self.tool.map_or(Outcome::None, |t| Outcome::Moved { te: t.te, ta: t.ta, check })
     }
 
-    fn put(
+    pub(crate) fn put(
         &self,
         origin: &Origin,
         kind: cl::MotionKind,
@@ -306,206 +233,14 @@ impl Arelem {
         self.put_motion(origin, motion, out);
     }
 
-    fn put_motion(&self, origin: &Origin, motion: cl::Motion, out: &mut Vec<cl::Record>) {
+    pub(crate) fn put_motion(
+        &self,
+        origin: &Origin,
+        motion: cl::Motion,
+        out: &mut Vec<cl::Record>,
+    ) {
         if self.settings.cut {
             out.push(cl::Record { origin: origin.clone(), kind: cl::Kind::Motion(motion) });
-        }
-    }
-
-    /// CUT and DNTCUT: after DNTCUT, CUT puts out where the tool is.
-    fn cut(&mut self, origin: &Origin, on: bool, out: &mut Vec<cl::Record>) {
-        let again = on && !self.settings.cut;
-        self.settings.cut = on;
-        if let (true, false, Some(t)) = (again, self.poisoned, self.tool) {
-            self.put(origin, cl::MotionKind::Goto, cl::NameRef::default(), vec![t.te], out);
-        }
-        let output = if on { cl::Output::Cut } else { cl::Output::Dntcut };
-        out.push(cl::Record { origin: origin.clone(), kind: cl::Kind::Output(output) });
-    }
-
-    /// GO and OFFSET.
-    fn start(&mut self, origin: &Origin, go: &protap::Go, out: &mut Vec<cl::Record>) -> Outcome {
-        if self.poisoned {
-            return Outcome::Failed;
-        }
-        let Some(tool) = self.tool else { return self.fail(origin, &Failure::NoPosition) };
-        let roles = [Role::Drive, Role::Part, Role::Check];
-        let surfaces: Vec<(Relation, Wall)> = go
-            .surfaces
-            .iter()
-            .zip(roles)
-            .map(|((relation, surface), role)| {
-                (*relation, self.wall(surface, role, *relation == Relation::On))
-            })
-            .collect();
-        let part = (surfaces.len() < 2 && !self.settings.nops).then(|| {
-            let on = self.settings.part_side == PartSide::Tlonps;
-            let relation = if on { Relation::On } else { Relation::To };
-            (relation, self.wall(&self.part(&tool), Role::Part, on))
-        });
-        let along = match self.settings.given.take() {
-            None => Vec::new(),
-            Some(Given::Vectors(v)) => v.into_iter().map(|v| v.and_then(unit)).collect(),
-            Some(Given::Points(p)) => {
-                p.into_iter().map(|p| p.and_then(|p| unit(p - tool.te))).collect()
-            }
-        };
-        let normals = std::mem::take(&mut self.settings.normals);
-        let start = Start { tool, offset: go.offset, surfaces, part, along, normals };
-        let result = match self.check_start(&start) {
-            Some(f) => Err(f),
-            None => plane::start(&start)
-                .unwrap_or_else(|| Err(Failure::Unsupported { what: "this start-up".into() })),
-        };
-        let path = match result {
-            Ok(path) => path,
-            Err(f) => return self.fail(origin, &f),
-        };
-        if let Some((_, surface)) = go.surfaces.get(1) {
-            self.settings.part = Part::Surface(surface.clone());
-            self.settings.nops = false;
-        }
-        let name = go.surfaces.first().map(|(_, s)| forward::name(&s.name)).unwrap_or_default();
-        self.arrive(origin, cl::MotionKind::Startup, name, path, out)
-    }
-
-    /// POCKET: three feeds, the plunge, the general passes from the inside out, the finish pass.
-    fn pocket(
-        &mut self,
-        origin: &Origin,
-        p: &protap::Pocket,
-        out: &mut Vec<cl::Record>,
-    ) -> Outcome {
-        if self.poisoned {
-            return Outcome::Failed;
-        }
-        let Some(tool) = self.tool else { return self.fail(origin, &Failure::NoPosition) };
-        let passes = match pocket::passes(p, &self.settings, &tool) {
-            Ok(passes) => passes,
-            Err(why) => return self.fail(origin, &Failure::Pocket { why }),
-        };
-        let general: Vec<Vec3> = passes[..passes.len() - 1].iter().flatten().copied().collect();
-        let finish = passes.last().cloned().unwrap_or_default();
-        let all = [general, finish].concat();
-        let split = all.len() - passes.last().map_or(0, Vec::len);
-        let parts = [&all[..1], &all[1..split.max(1)], &all[split.max(1)..]];
-        for (points, feed) in parts.into_iter().zip(p.feeds) {
-            if points.is_empty() {
-                continue;
-            }
-            let args = vec![cl::Arg::Number(feed)];
-            let kind = cl::Kind::Post { word: "FEDRAT".into(), args };
-            out.push(cl::Record { origin: origin.clone(), kind });
-            for p in points {
-                self.go_to(*p);
-            }
-            let name = cl::NameRef { name: "POCKET".into(), subscript: 0 };
-            self.put(origin, cl::MotionKind::Goto, name, points.to_vec(), out);
-        }
-        self.settings.given = None;
-        self.moved(0)
-    }
-
-    fn check_start(&self, start: &Start) -> Option<Failure> {
-        for (relation, wall) in start.surfaces.iter().chain(&start.part) {
-            if !wall.is_surface() {
-                return Some(Failure::NotASurface { surface: wall.surface.clone() });
-            }
-            if *relation != Relation::On && wall.shape == Shape::Point {
-                return Some(Failure::NoCutter { surface: wall.surface.clone() });
-            }
-        }
-        None
-    }
-
-    /// Motion along surfaces.
-    fn drive(&mut self, origin: &Origin, d: &protap::Drive, out: &mut Vec<cl::Record>) -> Outcome {
-        if self.poisoned {
-            return Outcome::Failed;
-        }
-        let Some(tool) = self.tool else { return self.fail(origin, &Failure::NoPosition) };
-        self.settings.given = None;
-        let side = self.settings.drive_side;
-        let on = matches!(side, DriveSide::Tlon | DriveSide::Tlndon);
-        let checks = d.checks.iter().enumerate().map(|(i, c)| {
-            let role = if i == 0 { Role::Check } else { Role::SecondCheck };
-            let on_check = c.relation == Relation::On || (on && c.relation == Relation::Tanto);
-            let wall = self.wall(&c.surface, role, on_check);
-            Check { wall, relation: c.relation, nth: c.nth }
-        });
-        let scene = Scene {
-            tool,
-            direction: d.direction,
-            drive: self.wall(&d.drive, Role::Drive, on),
-            side,
-            part: self.wall(
-                &self.part(&tool),
-                Role::Part,
-                self.settings.part_side == PartSide::Tlonps,
-            ),
-            checks: checks.collect(),
-        };
-        let result = match check_scene(&scene) {
-            Some(f) => Err(f),
-            None => plane::run(&scene).unwrap_or_else(|| {
-                Err(Failure::Unsupported { what: "motion along these surfaces".into() })
-            }),
-        };
-        match result {
-            Ok(path) => {
-                let name = forward::name(&d.drive.name);
-                self.arrive(origin, cl::MotionKind::Continuous, name, path, out)
-            }
-            Err(f) => self.fail(origin, &f),
-        }
-    }
-
-    fn arrive(
-        &mut self,
-        origin: &Origin,
-        kind: cl::MotionKind,
-        name: cl::NameRef,
-        path: Path,
-        out: &mut Vec<cl::Record>,
-    ) -> Outcome {
-        if let (Some(end), Some(tool)) = (path.points.last(), &mut self.tool) {
-            tool.te = end.te;
-            tool.ta = end.ta;
-            tool.turn(path.forward);
-        }
-        let motion = cl::Motion {
-            kind,
-            name,
-            arc: path.arc,
-            points: path.points,
-            with_axis: self.settings.multax,
-            control: Some(Arc::new(path.control)),
-        };
-        self.put_motion(origin, motion, out);
-        self.moved(path.check)
-    }
-
-    /// The part surface in force, with AUTOPS laid through the tool.
-    fn part(&self, tool: &Tool) -> SurfaceRef {
-        match &self.settings.part {
-            Part::Surface(s) => s.clone(),
-            Part::Auto => plane_ref(tool.ta, tool.ta.dot(&tool.te)),
-        }
-    }
-
-    fn wall(&self, surface: &SurfaceRef, role: Role, on: bool) -> Wall {
-        let s = &self.settings;
-        let disk = match role {
-            Role::Part => s.part_disk,
-            Role::Drive => s.drive_disk,
-            Role::Check | Role::SecondCheck => None,
-        };
-        Wall {
-            surface: surface.clone(),
-            shape: Shape::of(s.cutter, disk),
-            on,
-            thick: if on { 0.0 } else { s.thick(role) },
-            band: s.band(role),
         }
     }
 }
@@ -529,7 +264,8 @@ fn needs_position(kind: &Kind) -> bool {
 
 /// The check surface that the next motion implies: tangent where it goes on forward or back, else on the
 /// side of it from which it goes on.
-fn implied(next: &protap::Drive, side: DriveSide) -> Option<protap::Check> {
+fn implied(next: &protap::Drive, side: Option<DriveSide>) -> Option<protap::Check> {
+    let side = side.unwrap_or(DriveSide::Tlon);
     let relation = match (next.direction, side) {
         (Direction::Gofwd | Direction::Goback, _) => Relation::Tanto,
         (Direction::Golft | Direction::Gorgt, DriveSide::Tlon | DriveSide::Tlndon) => Relation::On,
@@ -540,21 +276,4 @@ fn implied(next: &protap::Drive, side: DriveSide) -> Option<protap::Check> {
         (Direction::Goup | Direction::Godown, _) => return None,
     };
     Some(protap::Check { relation, nth: 1, surface: next.drive.clone(), branch: false })
-}
-
-fn check_scene(scene: &Scene) -> Option<Failure> {
-    let all = [&scene.drive, &scene.part].into_iter().chain(scene.checks.iter().map(|c| &c.wall));
-    for wall in all {
-        if !wall.is_surface() {
-            return Some(Failure::NotASurface { surface: wall.surface.clone() });
-        }
-    }
-    let touching = |w: &&Wall| !w.on && w.shape == Shape::Point;
-    let mut solid = std::iter::once(&scene.drive).chain(scene.checks.iter().map(|c| &c.wall));
-    solid.find(touching).map(|w| Failure::NoCutter { surface: w.surface.clone() })
-}
-
-fn unit(v: Vec3) -> Option<Vec3> {
-    let l = v.norm();
-    (l > 0.0 && l.is_finite()).then(|| v / l)
 }

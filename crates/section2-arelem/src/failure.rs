@@ -19,8 +19,6 @@ pub(crate) enum Failure {
     WrongSide { surface: SurfaceRef, word: &'static str, other: &'static str },
     /// Neither way is more left, right, forward or back than the other.
     Direction { word: Direction, angle_deg: f64 },
-    /// GOLFT and its like without any motion before.
-    NoSense { word: Direction },
     /// The check surface is never met.
     NotReached { surface: SurfaceRef, nth: u32, met: u32, closest: f64, place: Vec3, gone: f64 },
     /// Nowhere tangent.
@@ -37,10 +35,20 @@ pub(crate) enum Failure {
     NoCheck { word: Direction },
     /// A form that is no surface.
     NotASurface { surface: SurfaceRef },
+    /// The cutter has no normal contact with a surface.
+    NoContact { surface: SurfaceRef },
+    /// Drive and part surface run alike, so that they give no direction.
+    SideBySide { drive: SurfaceRef, part: SurfaceRef },
+    /// No tool axis satisfies TLAXIS.
+    NoAxis { place: Vec3 },
+    /// The cutter cannot be at both surfaces.
+    NoPlace { surfaces: Vec<SurfaceRef>, place: Vec3 },
+    /// CUTTER that is no solid.
+    BadCutter { why: String },
     /// POCKET with numbers or points that make none.
     Pocket { why: String },
-    /// A pairing of surfaces that is not done yet.
-    Unsupported { what: String },
+    /// A surface that is not done yet.
+    Unsupported { surface: SurfaceRef },
 }
 
 impl Failure {
@@ -112,11 +120,6 @@ impl Failure {
                 } else {
                     "use GOLFT or GORGT at a corner, or give INDIRV".into()
                 },
-            ),
-            Self::NoSense { word } => (
-                codes::NO_SENSE,
-                format!("{} has no direction before it to turn from", word_of(*word)),
-                "give INDIRV or INDIRP, or move the tool first".into(),
             ),
             Self::NotReached { surface, nth, met, .. } => (
                 codes::CHECK_NOT_REACHED,
@@ -191,31 +194,75 @@ impl Failure {
                 ),
                 "use a line, circle, plane or another surface".into(),
             ),
+            Self::NoContact { surface } => (
+                codes::NO_CONTACT,
+                format!("the cutter has no place that faces {}", called(surface)),
+                "bring the tool nearer, or use a surface that does not end there".into(),
+            ),
+            Self::SideBySide { drive, part } => (
+                codes::SIDE_BY_SIDE,
+                format!(
+                    "{} and {} run side by side: no direction follows",
+                    called(drive),
+                    called(part)
+                ),
+                "use a drive surface that crosses the part surface".into(),
+            ),
+            Self::NoAxis { place } => (
+                codes::NO_AXIS,
+                format!("no tool axis satisfies TLAXIS at {}", coordinates(*place)),
+                "make the angles smaller, or free the axis of one condition".into(),
+            ),
+            Self::NoPlace { surfaces, place } => (
+                codes::NO_PLACE,
+                format!("the cutter cannot be at {} near {}", list(surfaces), coordinates(*place)),
+                "check the sides, the cutter and the place where the motion starts".into(),
+            ),
+            Self::BadCutter { why } => (
+                codes::CUTTER_NO_SOLID,
+                format!("the cutter is no solid: {why}"),
+                "check CUTTER/d,r,e,f,alpha,beta,h".into(),
+            ),
             Self::Pocket { why } => (
                 codes::POCKET,
                 format!("no pocket: {why}"),
                 "POCKET/re,c,f,f1,f2,f3,o,p,P1,.. takes the corners of a convex figure in order"
                     .into(),
             ),
-            Self::Unsupported { what } => (
+            Self::Unsupported { surface } => (
                 codes::UNSUPPORTED_MOTION,
-                format!("{what} cannot be computed yet"),
-                "use other surfaces or a fixed tool axis".into(),
+                format!("motion with {} cannot be computed yet", called(surface)),
+                "use another surface, or give the positions with GOTO".into(),
             ),
         }
     }
 
     fn note(&self) -> Option<String> {
         let Self::NotReached { closest, place, gone, .. } = self else { return None };
-        Some(format!(
-            "closest at {},{},{}, {} from it, after {} of travel",
-            number(place.x),
-            number(place.y),
-            number(place.z),
-            number(*closest),
-            number(*gone)
-        ))
+        let (place, closest, gone) = (coordinates(*place), number(*closest), number(*gone));
+        Some(format!("closest at {place}, {closest} from it, after {gone} of travel"))
     }
+}
+
+/// A direction word before anything moved: x is forward.
+pub(crate) fn assumed_direction(origin: &Origin, word: Direction) -> Diagnostic {
+    let text =
+        format!("{} has no direction before it: the x axis is taken as forward", word_of(word));
+    Diagnostic::warning(codes::ASSUMED_DIRECTION, origin.span, text)
+        .within(origin.trace.clone())
+        .help("give INDIRV or INDIRP after FROM")
+}
+
+/// The cutter's side cuts into the drive surface that its lower edge follows.
+pub(crate) fn fouls(origin: &Origin, surface: &SurfaceRef, depth: f64) -> Diagnostic {
+    let text = format!(
+        "the upper part of the cutter cuts into {} by {}; its lower edge is followed",
+        called(surface),
+        number(depth)
+    );
+    Diagnostic::warning(codes::SIDE_FOULS, origin.span, text)
+        .within(origin.trace.clone())
+        .help("write CUTTER/OPTION,2,radius,height if that is meant, or use a shorter cutter")
 }
 
 /// How a message names a surface.
@@ -240,6 +287,10 @@ pub(crate) fn word_of(d: Direction) -> &'static str {
         Direction::Goup => "GOUP",
         Direction::Godown => "GODOWN",
     }
+}
+
+fn coordinates(p: Vec3) -> String {
+    format!("{},{},{}", number(p.x), number(p.y), number(p.z))
 }
 
 fn list(surfaces: &[SurfaceRef]) -> String {

@@ -4,14 +4,19 @@
 //! `ARLM2`) where all surfaces allow it, and stops at its check surface. Start-up motions (APT:
 //! `STRTUP`) bring the tool to its first surfaces.
 
+mod along;
 mod arelem;
+mod axis;
+mod build;
 mod failure;
+mod feed;
 mod forward;
 mod plane;
 mod pocket;
+mod points;
 mod prepare;
 mod scene;
+mod space;
 mod state;
-mod tool;
 
 pub use arelem::{Arelem, Options};

@@ -61,7 +61,7 @@ pub(crate) fn passes(p: &Pocket, settings: &Settings, tool: &Tool) -> Result<Pas
 /// Points moved along the tool axis onto the part surface.
 fn project(points: &[Vec3], settings: &Settings, tool: &Tool) -> Result<Vec<Vec3>, Reason> {
     let plane = match &settings.part {
-        Part::Surface(s) => match &*s.form {
+        Part::Surface(s) => match s.form.shape() {
             Form::Plane(p) => *p,
             _ => return Err("the part surface of this kind of pocket must be a plane".into()),
         },

@@ -16,7 +16,6 @@ pub(crate) fn way(tool: &Tool, word: Direction, tangent: Vec3) -> Result<Vec3, F
     let reference = match word {
         Direction::Goup => tool.ta,
         Direction::Godown => -tool.ta,
-        _ if tool.forward.norm() < 0.5 => return Err(Failure::NoSense { word }),
         Direction::Golft | Direction::Gorgt => {
             let left = tool.ta.cross(&tool.forward);
             if word == Direction::Golft { left } else { -left }
@@ -54,7 +53,7 @@ mod tests {
     use super::*;
 
     fn tool() -> Tool {
-        Tool { te: Vec3::zeros(), ta: Vec3::z(), forward: Vec3::x() }
+        Tool { te: Vec3::zeros(), ta: Vec3::z(), forward: Vec3::x(), assumed: false }
     }
 
     #[test]

@@ -3,19 +3,21 @@
 use std::sync::Arc;
 
 use aptc_cldata as cl;
-use aptc_geometry::{Form, Vec3};
-use aptc_protap::{Direction, DriveSide, Relation, SurfaceRef};
+use aptc_geometry::{Profile, Vec3};
+use aptc_protap::{Direction, Relation, SurfaceRef};
 
+use crate::axis::AxisRule;
 use crate::forward;
 use crate::state::{Band, Tool};
-use crate::tool::Shape;
 
 /// A surface with what is asked of the cutter against it.
 #[derive(Clone, Debug)]
 pub(crate) struct Wall {
     pub(crate) surface: SurfaceRef,
     /// What touches it.
-    pub(crate) shape: Shape,
+    pub(crate) profile: Profile,
+    /// Radius and height of the disk that the profile is, CUTTER/OPTION.
+    pub(crate) disk: Option<[f64; 2]>,
     /// Is the tool end on it, rather than the cutter at it?
     pub(crate) on: bool,
     /// Thickness left on it; 0 when the tool end is on it.
@@ -37,9 +39,33 @@ pub(crate) struct Scene {
     pub(crate) tool: Tool,
     pub(crate) direction: Direction,
     pub(crate) drive: Wall,
-    pub(crate) side: DriveSide,
+    pub(crate) stance: Stance,
     pub(crate) part: Wall,
     pub(crate) checks: Vec<Check>,
+    pub(crate) axis: AxisRule,
+    pub(crate) limits: Limits,
+}
+
+/// How the tool stands to the drive surface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Stance {
+    /// TLON, TLNDON.
+    On,
+    /// TLLFT.
+    Left,
+    /// TLRGT.
+    Right,
+    /// No word was given yet: as the start-up left it.
+    AsItStands,
+}
+
+/// Limits of one motion.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Limits {
+    /// NUMPTS.
+    pub(crate) vectors: Option<u32>,
+    /// MAXDP.
+    pub(crate) step: f64,
 }
 
 /// A start-up.
@@ -55,6 +81,7 @@ pub(crate) struct Start {
     pub(crate) along: Vec<Option<Vec3>>,
     /// SRFVCT for each surface.
     pub(crate) normals: Vec<Option<Vec3>>,
+    pub(crate) axis: AxisRule,
 }
 
 /// What came of it.
@@ -70,12 +97,15 @@ pub(crate) struct Path {
     pub(crate) forward: Vec3,
     /// For the proof.
     pub(crate) control: cl::Control,
+    /// The upper part of the cutter cuts into the drive surface by so much, and only its lower edge was
+    /// followed.
+    pub(crate) fouls: Option<f64>,
 }
 
 impl Wall {
     /// Distance between surface and tool axis for a surface along the axis.
     pub(crate) fn reach(&self) -> f64 {
-        if self.on { 0.0 } else { self.shape.radius() + self.thick }
+        if self.on { 0.0 } else { self.profile.widest() + self.thick }
     }
 
     /// For the proof: the tool is on that side of the form's normal.
@@ -92,17 +122,17 @@ impl Wall {
                 1
             },
             thick: self.thick,
+            disk: self.disk.filter(|_| !self.on),
             intol: self.band.intol,
             outtol: self.band.outtol,
         }
     }
+}
 
-    /// Can the form guide a tool at all?
-    pub(crate) fn is_surface(&self) -> bool {
-        !matches!(
-            *self.surface.form,
-            Form::Point(_) | Form::Vector(_) | Form::Matrix(_) | Form::Pattern(_)
-        )
+impl Stance {
+    /// +1 when the tool is to be on the left.
+    pub(crate) fn left(self) -> f64 {
+        if self == Self::Right { -1.0 } else { 1.0 }
     }
 }
 

@@ -2,11 +2,14 @@
 
 use std::sync::Arc;
 
-use aptc_geometry::{Cutter, Form, Plane, Vec3};
-use aptc_protap::{DriveSide, NameRef, OptionSurface, PartSide, SurfaceRef, ToolAxis, Units};
+use aptc_geometry::{BadCutter, Cutter, Form, Plane, Profile, Vec3};
+use aptc_protap::{
+    Dimension, DriveSide, NameRef, OptionSurface, PartSide, SurfaceRef, ToolAxis, Units,
+};
 
 /// Historic defaults, in millimetres: they were inches and are converted to the unit of the program.
 const OUTTOL_MM: f64 = 0.0005 * 25.4;
+const MAXDP_MM: f64 = 10.0 * 25.4;
 
 /// Surfaces with a tolerance and a thickness of their own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -50,16 +53,23 @@ pub(crate) struct Settings {
     /// Disks of CUTTER/OPTION: radius and height.
     pub(crate) part_disk: Option<(f64, f64)>,
     pub(crate) drive_disk: Option<(f64, f64)>,
+    /// What touches each surface, or why the cutter is none.
+    profile: Option<Result<Profile, String>>,
     intol: [f64; 4],
     outtol: Option<[f64; 4]>,
+    maxdp: Option<f64>,
+    pub(crate) numpts: Option<u32>,
+    pub(crate) calc: Dimension,
     pub(crate) thick: [f64; 4],
     pub(crate) multax: bool,
     pub(crate) axis: ToolAxis,
     pub(crate) axis_before: ToolAxis,
     pub(crate) part: Part,
     pub(crate) nops: bool,
-    pub(crate) drive_side: DriveSide,
-    pub(crate) part_side: PartSide,
+    /// The last of TLLFT, TLRGT, TLON, TLNDON; none yet.
+    pub(crate) drive_side: Option<DriveSide>,
+    /// The last of TLONPS, TLOFPS; none yet.
+    pub(crate) part_side: Option<PartSide>,
     pub(crate) given: Option<Given>,
     pub(crate) normals: Vec<Option<Vec3>>,
     pub(crate) cut: bool,
@@ -72,8 +82,10 @@ pub(crate) struct Tool {
     pub(crate) te: Vec3,
     /// Unit tool axis.
     pub(crate) ta: Vec3,
-    /// Unit direction of the last motion that did not run along the axis; zero when there was none.
+    /// Unit direction of the last motion that did not run along the axis; x before the first.
     pub(crate) forward: Vec3,
+    /// Was there none yet?
+    pub(crate) assumed: bool,
 }
 
 impl Default for Settings {
@@ -83,7 +95,11 @@ impl Default for Settings {
             cutter: None,
             part_disk: None,
             drive_disk: None,
+            profile: None,
             intol: [0.0; 4],
+            maxdp: None,
+            numpts: None,
+            calc: Dimension::Two,
             outtol: None,
             thick: [0.0; 4],
             multax: false,
@@ -91,8 +107,8 @@ impl Default for Settings {
             axis_before: ToolAxis::Fixed(Vec3::z()),
             part: Part::Surface(plane_ref(Vec3::z(), 0.0)),
             nops: false,
-            drive_side: DriveSide::Tlon,
-            part_side: PartSide::Tlofps,
+            drive_side: None,
+            part_side: None,
             given: None,
             normals: Vec::new(),
             cut: true,
@@ -107,6 +123,37 @@ impl Settings {
 
     pub(crate) fn set_outtol(&mut self, t: [f64; 4]) {
         self.outtol = Some(t);
+    }
+
+    pub(crate) fn set_cutter(&mut self, cutter: Cutter) {
+        self.cutter = Some(cutter);
+        self.profile = Some(Profile::new(&cutter).map_err(why));
+    }
+
+    /// The disk that stands for the cutter against the surface of that role.
+    pub(crate) fn disk(&self, role: Role) -> Option<(f64, f64)> {
+        match role {
+            Role::Part => self.part_disk,
+            Role::Drive => self.drive_disk,
+            Role::Check | Role::SecondCheck => None,
+        }
+    }
+
+    /// What touches the surface of that role; `None` before any CUTTER.
+    pub(crate) fn profile(&self, role: Role) -> Option<Result<Profile, String>> {
+        match self.disk(role) {
+            Some((r, h)) => Some(Profile::disk(r, h).map_err(why)),
+            None => self.profile.clone(),
+        }
+    }
+
+    pub(crate) fn set_maxdp(&mut self, step: f64) {
+        self.maxdp = Some(step);
+    }
+
+    /// Greatest length of a cut vector along curved surfaces.
+    pub(crate) fn maxdp(&self) -> f64 {
+        self.maxdp.map_or(MAXDP_MM / self.units.mm(), f64::abs)
     }
 
     pub(crate) fn set_disk(&mut self, surface: OptionSurface, disk: Option<(f64, f64)>) {
@@ -139,6 +186,26 @@ impl Settings {
     }
 }
 
+/// Why a cutter is none.
+fn why(bad: BadCutter) -> String {
+    match bad {
+        BadCutter::NegativeDiameter => "negative diameter",
+        BadCutter::NegativeHeight => "negative height",
+        BadCutter::Angles => "the two angles add up to 90 degrees or more",
+        BadCutter::NegativeAlpha => "negative alpha",
+        BadCutter::TooLow => "the two lines meet above the top",
+        BadCutter::NegativeCornerRadius => "negative corner radius",
+        _ => "its lines and its corner do not close",
+    }
+    .into()
+}
+
+/// The unit vector; none for one without a length.
+pub(crate) fn unit(v: Vec3) -> Option<Vec3> {
+    let l = v.norm();
+    (l > 0.0 && l.is_finite()).then(|| v / l)
+}
+
 /// A plane without a name.
 pub(crate) fn plane_ref(n: Vec3, d: f64) -> SurfaceRef {
     SurfaceRef { name: NameRef::default(), form: Arc::new(Form::Plane(Plane { n, d })) }
@@ -151,6 +218,7 @@ impl Tool {
         let across = along - self.ta * along.dot(&self.ta);
         if length > 0.0 && across.norm() > 1e-6 * length {
             self.forward = along / length;
+            self.assumed = false;
         }
     }
 }

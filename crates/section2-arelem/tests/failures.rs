@@ -34,7 +34,7 @@ fn each_refusal_has_its_code_and_is_the_only_message() {
     assert_eq!(code("CUTTER/1\nFROM/-5,-5,0\nGO/TO,LX\nTLLFT,GORGT/LX,ON,LY"), 2005);
     // Forward is square to LX; nothing came before.
     assert_eq!(code("CUTTER/1\nFROM/-5,-5,0\nGO/TO,LX\nTLRGT,GOFWD/LX,ON,LY"), 2006);
-    assert_eq!(code("CUTTER/1\nFROM/-5,-.5,0\nTLRGT,GORGT/LX,ON,LY"), 2007);
+    assert_eq!(code("CUTTER/1\nFROM/-5,-.5,0\nTLRGT,GOFWD/LX,ON,LY"), 2007);
     // Away from the check surface; met once only; not tangent.
     assert_eq!(code("CUTTER/1\nFROM/-5,-5,0\nGO/TO,LX\nTLLFT,GOLFT/LX,ON,LY"), 2008);
     assert_eq!(code("CUTTER/1\nFROM/-5,-5,0\nGO/TO,LX\nTLRGT,GORGT/LX,ON,2,INTOF,LY"), 2008);

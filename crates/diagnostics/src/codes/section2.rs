@@ -10,7 +10,7 @@ codes! {
     OFF_PART_SURFACE = 2004, "the tool is not within tolerance of the part surface";
     WRONG_SIDE = 2005, "the tool is on the other side of the drive surface";
     UNCLEAR_DIRECTION = 2006, "a direction word that does not say which way";
-    NO_SENSE = 2007, "a direction word with no direction before it";
+    ASSUMED_DIRECTION = 2007, "a direction word with no direction before it";
     CHECK_NOT_REACHED = 2008, "the check surface is not reached";
     NO_TANGENCY = 2009, "surfaces that are not tangent where the motion should end";
     CUTTER_TOO_LARGE = 2010, "the cutter does not fit into the surface";
@@ -21,4 +21,10 @@ codes! {
     NOT_A_SURFACE = 2015, "a form that cannot guide the tool";
     UNSUPPORTED_MOTION = 2016, "a motion that cannot be computed yet";
     POCKET = 2017, "a pocket that cannot be cleared";
+    NO_CONTACT = 2018, "a surface that no place of the cutter faces";
+    SIDE_BY_SIDE = 2019, "drive and part surface that run side by side";
+    NO_AXIS = 2020, "a tool axis that cannot be had";
+    NO_PLACE = 2021, "two surfaces that the cutter cannot be at";
+    CUTTER_NO_SOLID = 2022, "a cutter that is no solid";
+    SIDE_FOULS = 2023, "the side of the cutter cuts into the drive surface that its edge follows";
 }

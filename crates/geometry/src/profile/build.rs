@@ -88,7 +88,16 @@ impl Profile {
         // A sharp corner lies where the lines meet; zero e and f then say nothing.
         let given = Vec2::new(e, f);
         let sharp = r <= 0.0 && (given == tip || (given - meet).norm() <= tol);
-        let c = if sharp { meet } else { given };
+        let c = if sharp {
+            meet
+        } else if given == tip {
+            // Nor do they with a corner radius: the corner is then tangent to both lines.
+            let det = cross(nl, nu);
+            let (low, up) = (-r, nu.dot(&meet) - r);
+            Vec2::new((low * nu.y - up * nl.y) / det, (up * nl.x - low * nu.x) / det)
+        } else {
+            given
+        };
         let (c, lower, upper) =
             if sharp { (c, Join::Tangent, Join::Tangent) } else { snap(c, r, meet, nl, nu, tol)? };
 

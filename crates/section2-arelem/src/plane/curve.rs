@@ -30,7 +30,7 @@ impl Curve {
             (axis.cross(&frame.w).norm() <= PARALLEL)
                 .then(|| Self::Circle { c: frame.plan(point), r: r.abs() })
         };
-        match form {
+        match form.shape() {
             Form::Line(l) => plane(&l.plane()),
             Form::Plane(p) => plane(p),
             Form::Circle(c) => round(c.center, c.axis, c.radius),
@@ -99,18 +99,24 @@ impl Curve {
 
     /// First point of the curve along the ray, strictly ahead, with its distance.
     pub(crate) fn hit(&self, from: Vec2, along: Vec2) -> Option<f64> {
-        let ahead = |s: f64| s >= 0.0;
+        self.hits(from, along).into_iter().find(|s| *s >= 0.0)
+    }
+
+    /// Directed distances along the ray to all its points, rising.
+    pub(crate) fn hits(&self, from: Vec2, along: Vec2) -> Vec<f64> {
         match *self {
             Self::Line { n, d } => {
                 let rate = n.dot(&along);
-                let s = (d - n.dot(&from)) / rate;
-                (rate.abs() > PARALLEL && ahead(s)).then_some(s)
+                if rate.abs() <= PARALLEL {
+                    return Vec::new();
+                }
+                vec![(d - n.dot(&from)) / rate]
             }
             Self::Circle { c, r } => {
                 let w = c - from;
                 let foot = w.dot(&along);
-                let k = half_chord(r, (w - along * foot).norm())?;
-                [foot - k, foot + k].into_iter().find(|s| ahead(*s))
+                half_chord(r, (w - along * foot).norm())
+                    .map_or(Vec::new(), |k| vec![foot - k, foot + k])
             }
         }
     }

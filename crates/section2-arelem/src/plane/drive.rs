@@ -2,7 +2,7 @@
 
 use aptc_cldata::{Arc, Control, Course as ArcCourse, Position};
 use aptc_geometry::Circle;
-use aptc_protap::{DriveSide, Relation};
+use aptc_protap::Relation;
 
 use super::chords::{Ring, chords};
 use super::course::Course;
@@ -12,7 +12,7 @@ use super::frame::{Frame, Vec2, angle, left};
 use super::stop::{Stop, Target, stop};
 use crate::failure::Failure;
 use crate::prepare::way;
-use crate::scene::{Path, Scene, to_or_on};
+use crate::scene::{Path, Scene, Stance, to_or_on};
 
 /// The path of a motion; `None` when the scene is not one for the plane routine.
 pub(crate) fn run(scene: &Scene) -> Option<Result<Path, Failure>> {
@@ -82,6 +82,7 @@ fn follow(scene: &Scene, plan: &Plan) -> Result<Path, Failure> {
         check,
         forward: floor.lift(frame, begin.course.direction(s)),
         control: control(scene, plan, &begin, end, check),
+        fouls: None,
     })
 }
 
@@ -119,14 +120,18 @@ fn begin(scene: &Scene, plan: &Plan) -> Result<Begin, Failure> {
                 plan.frame.plan(way(tool, scene.direction, plan.floor.lift(&plan.frame, left(n)))?);
             let t = t.normalize();
             let toward = if n.dot(&left(t)) >= 0.0 { 1.0 } else { -1.0 };
-            (t, toward * side_of(scene.side))
+            let side = match scene.stance {
+                Stance::AsItStands => plan.curve.distance(place).signum(),
+                stance => toward * stance.left(),
+            };
+            (t, side)
         }
         // The cutter fills the circle: it turns in place, the surface around it.
         None => (plan.frame.plan(tool.forward), -1.0),
     };
     let asked = side * reach;
-    let off = match scene.side {
-        DriveSide::Tlon | DriveSide::Tlndon => plan.curve.distance(place).abs(),
+    let off = match scene.stance {
+        Stance::On => plan.curve.distance(place).abs(),
         _ => (plan.curve.distance(place) - asked) * side,
     };
     let allowed = 2.0 * (band.intol + band.outtol);
@@ -156,21 +161,16 @@ fn begin(scene: &Scene, plan: &Plan) -> Result<Begin, Failure> {
         }
         Curve::Circle { c, r } => {
             let r = (r + asked).max(0.0);
-            let v = if foot.is_some() { place - c } else { -left(t) * side_of(scene.side) };
+            let v = if foot.is_some() { place - c } else { -left(t) * scene.stance.left() };
             let sense = if left(v).dot(&t) >= 0.0 { 1.0 } else { -1.0 };
             let r = if foot.is_some() { r } else { 0.0 };
             Course::Round { c, r, start: angle(v), sense }
         }
     };
-    let slack = 1e-9 * (reach + off.abs());
+    let slack = 1e-6 * (band.intol + band.outtol) + 1e-12 * tool.te.norm();
     let within = (-band.intol - slack..=band.outtol + slack).contains(&off)
         && (-part.intol - slack..=part.outtol + slack).contains(&lift);
     Ok(Begin { place, course, side: if drive.on { 0.0 } else { side }, reposition: !within })
-}
-
-/// +1 when the tool is to be on the left.
-fn side_of(word: DriveSide) -> f64 {
-    if word == DriveSide::Tlrgt { -1.0 } else { 1.0 }
 }
 
 fn too_large(scene: &Scene, radius: f64) -> Failure {
@@ -181,12 +181,14 @@ fn too_large(scene: &Scene, radius: f64) -> Failure {
 fn misplaced(scene: &Scene, plan: &Plan, at: Vec2, side: f64, off: f64, allowed: f64) -> Failure {
     let surface = scene.drive.surface.clone();
     let other = (plan.curve.distance(at) + side * scene.drive.reach()).abs();
-    let (word, opposite) = match scene.side {
-        DriveSide::Tllft => ("TLLFT", "TLRGT"),
-        _ => ("TLRGT", "TLLFT"),
-    };
-    if !scene.drive.on && other <= allowed {
-        return Failure::WrongSide { surface, word, other: opposite };
+    match scene.stance {
+        Stance::Left if other <= allowed => {
+            return Failure::WrongSide { surface, word: "TLLFT", other: "TLRGT" };
+        }
+        Stance::Right if other <= allowed => {
+            return Failure::WrongSide { surface, word: "TLRGT", other: "TLLFT" };
+        }
+        _ => {}
     }
     Failure::OffDrive { surface, off, allowed, outside: off > 0.0 }
 }

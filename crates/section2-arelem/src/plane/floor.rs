@@ -1,6 +1,6 @@
 //! The part surface of the plane routine: it gives the height of the tool end over each place.
 
-use aptc_geometry::{Form, Plane, Vec3};
+use aptc_geometry::{Form, Plane, Tool, Vec3};
 
 use super::frame::{Frame, Vec2};
 use crate::scene::Wall;
@@ -33,7 +33,7 @@ pub(crate) enum Height {
 impl Floor {
     /// The plane of tool ends for a part surface; `None` when it is no plane across the axis.
     pub(crate) fn of(part: &Wall, frame: &Frame, te: Vec3, height: Height) -> Option<Self> {
-        let plane = match &*part.surface.form {
+        let plane = match part.surface.form.shape() {
             Form::Plane(p) => *p,
             Form::Line(l) => l.plane(),
             _ => return None,
@@ -46,8 +46,10 @@ impl Floor {
         if part.on {
             return Some(Self { n, level: d, side: 1.0 });
         }
-        let above = d + part.thick - part.shape.lowest(n, frame.w);
-        let below = d - part.thick + part.shape.lowest(-n, frame.w);
+        // The extreme points of the cutter, its end at the origin.
+        let tool = Tool { profile: &part.profile, te: Vec3::zeros(), ta: frame.w };
+        let above = d + part.thick + tool.support(-n).reach;
+        let below = d - part.thick - tool.support(n).reach;
         let at = n.dot(&te);
         let up = match height {
             Height::AsItStands => (at - above).abs() <= (at - below).abs(),
@@ -85,7 +87,7 @@ impl Floor {
 
     /// Side of the form's own normal on which the tool is.
     pub(crate) fn form_side(&self, part: &Wall) -> f64 {
-        let own = match &*part.surface.form {
+        let own = match part.surface.form.shape() {
             Form::Plane(p) => p.n,
             Form::Line(l) => l.plane().n,
             _ => self.n,

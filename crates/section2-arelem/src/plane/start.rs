@@ -36,6 +36,16 @@ pub(crate) fn start(go: &Start) -> Option<Result<Path, Failure>> {
         if let Some(trace) = Curve::of(&wall.surface.form, &frame) {
             let normal =
                 i.and_then(|i| go.normals.get(i).copied().flatten()).map(|v| frame.plan(v));
+            let along = i.and_then(|i| go.along.get(i).copied().flatten());
+            // A tool on the surface comes to it anew along its direction: TO is before that place.
+            let normal = normal.or_else(|| {
+                if trace.distance(te).abs() > standing(wall) {
+                    return None;
+                }
+                let t = flat(&frame, along?)?;
+                let q = te + t * ahead(&trace, te, t, wall)?;
+                Some(trace.normal(te)? * trace.normal(q)?.dot(&t))
+            });
             let by = match signed_reach(*relation, wall, &trace, te, normal) {
                 Ok(by) => by,
                 Err(f) => {
@@ -43,7 +53,6 @@ pub(crate) fn start(go: &Start) -> Option<Result<Path, Failure>> {
                     continue;
                 }
             };
-            let along = i.and_then(|i| go.along.get(i).copied().flatten());
             sides.push(Side { wall, relation: *relation, trace, by, along });
         } else if floor.is_none() {
             let height = if *relation == Relation::Past { Height::Far } else { Height::Near };
@@ -82,7 +91,7 @@ pub(crate) fn start(go: &Start) -> Option<Result<Path, Failure>> {
         Control { drive: controlled.next(), part: controlled.next(), checks: controlled.collect() };
     let points = vec![Position { te: end, ta: go.tool.ta }];
     let forward = end - go.tool.te;
-    Some(Ok(Path { points, arc: None, check: 0, forward, control }))
+    Some(Ok(Path { points, arc: None, check: 0, forward, control, fouls: None }))
 }
 
 /// Signed distance from the curve at which the tool end is to be: TO keeps the tool on its side, PAST
@@ -102,7 +111,7 @@ fn signed_reach(
     let given = from_to_to_past.and_then(|v| trace.normal(te).map(|n| -v.dot(&n)));
     let near = match given {
         Some(side) if side.abs() > 0.0 => side.signum(),
-        _ if at.abs() <= 1e-3 * (wall.band.intol + wall.band.outtol) => {
+        _ if at.abs() <= standing(wall) => {
             return Err(Failure::NoSide { surface: wall.surface.clone() });
         }
         _ => at.signum(),
@@ -129,37 +138,33 @@ fn locate(go: &Start, frame: &Frame, te: Vec2, sides: &[Side<'_>]) -> Result<Vec
             cutter: s.by.abs(),
         })
     };
-    let along = |v: Vec3| {
-        let t = frame.plan(v);
-        let l = t.norm();
-        if l > 0.0 { t / l } else { t }
-    };
     if let [side] = sides {
         let target = curve(side)?;
         let Some(v) = side.along.or_else(|| go.along.iter().copied().flatten().next()) else {
             return Ok(target.nearest(te, frame.plan(go.tool.forward)));
         };
-        let t = along(v);
         let misses = || Failure::Misses {
             surface: side.wall.surface.clone(),
             closest: (side.trace.distance(te).abs() - side.by.abs()).max(0.0),
         };
+        let t = flat(frame, v).ok_or_else(misses)?;
         if go.offset {
-            let s = side.trace.hit(te, t).ok_or_else(misses)?;
+            let s = ahead(&side.trace, te, t, side.wall).ok_or_else(misses)?;
             let q = te + t * s;
             let n = side.trace.normal(q).ok_or_else(misses)?;
             return Ok(q + n * side.by);
         }
-        return target.hit(te, t).map(|s| te + t * s).ok_or_else(misses);
+        return directed(side, &target, te, t).map(|s| te + t * s).ok_or_else(misses);
     }
     // Two surfaces: each direction given brings the tool nearer, then the nearest position counts.
     let mut from = te;
     let mut first = None;
     for side in sides {
         let Some(v) = side.along else { continue };
-        let t = along(v);
+        let Some(t) = flat(frame, v) else { continue };
         first.get_or_insert(t);
-        if let Some(s) = curve(side)?.hit(from, t).or_else(|| side.trace.hit(from, t)) {
+        if let Some(s) = directed(side, &curve(side)?, from, t).or_else(|| side.trace.hit(from, t))
+        {
             from += t * s;
         }
     }
@@ -176,6 +181,40 @@ fn locate(go: &Start, frame: &Frame, te: Vec2, sides: &[Side<'_>]) -> Result<Vec
             why: "the two do not meet where the cutter would have to be",
         },
     )
+}
+
+/// So near to a surface the tool stands on it.
+fn standing(wall: &Wall) -> f64 {
+    1e-3 * (wall.band.intol + wall.band.outtol)
+}
+
+/// Unit direction in the plane.
+fn flat(frame: &Frame, v: Vec3) -> Option<Vec2> {
+    let t = frame.plan(v);
+    let l = t.norm();
+    (l > 1e-12 * v.norm()).then(|| t / l)
+}
+
+/// Distance to the place where the direction pierces the surface, the place where the tool stands apart.
+fn ahead(trace: &Curve, te: Vec2, t: Vec2, wall: &Wall) -> Option<f64> {
+    trace.hits(te, t).into_iter().find(|s| *s > standing(wall))
+}
+
+/// Distance along the direction to the place asked for: TO is the last one before the surface is pierced,
+/// PAST the first one after it. A direction that passes beside a circle meets it TO and then PAST.
+fn directed(side: &Side<'_>, target: &Curve, te: Vec2, t: Vec2) -> Option<f64> {
+    let slack = 1e-9 * (te.norm() + side.by.abs());
+    let hits: Vec<f64> = target.hits(te, t).into_iter().filter(|s| *s >= -slack).collect();
+    let place = match ahead(&side.trace, te, t, side.wall) {
+        Some(pierce) => match side.relation {
+            Relation::On => Some(pierce),
+            Relation::Past => hits.into_iter().find(|s| *s >= pierce - slack),
+            _ => hits.into_iter().rev().find(|s| *s <= pierce + slack),
+        },
+        None if side.relation == Relation::Past => hits.into_iter().next_back(),
+        None => hits.into_iter().next(),
+    };
+    place.map(|s| s.max(0.0))
 }
 
 /// Height of the tool end when no surface gives it: as it was, or as the direction climbs.

@@ -9,7 +9,7 @@ use aptc_arelem::{Arelem, Options};
 use aptc_cldata as cl;
 use aptc_diagnostics::{Diagnostic, Origin};
 use aptc_geometry::{
-    Circle, Cone, Cutter, Cylinder, Form, Line, Plane, Quadric, QuadricKind, Sphere, Vec3,
+    Circle, Cone, Cutter, Cylinder, Form, Line, Plane, Profile, Quadric, QuadricKind, Sphere, Vec3,
 };
 use aptc_protap::{
     AxisAngle, Check, Dimension, Direction, Drive, DriveSide, Go, Kind, NameRef, OptionSurface,
@@ -35,6 +35,8 @@ pub(crate) fn form(kind: &str, w: &[f64]) -> Option<Form> {
     Some(match kind {
         "POINT" => Form::Point(v(0)),
         "VECTOR" => Form::Vector(v(0)),
+        // In a turned reference system a line is any plane.
+        "LINE" if w[2] != 0.0 => Form::Plane(Plane::new(v(0), w[3])?),
         "LINE" => Form::Line(Line::new(w[0], w[1], w[3])?),
         "PLANE" => Form::Plane(Plane::new(v(0), w[3])?),
         "CIRCLE" => Form::Circle(Circle { center: v(0), axis: v(3).normalize(), radius: w[6] }),
@@ -373,4 +375,77 @@ pub(crate) fn expected(program: &str) -> Option<Vec<Vec<Vec3>>> {
         }));
     }
     Some(groups.into_iter().map(|g| g.1).filter(|g| !g.is_empty()).collect())
+}
+
+/// Samples every cut vector of every motion along surfaces and asserts that it stays in its bands; the
+/// number of cut vectors.
+pub(crate) fn assert_in_bands(run: &Run, samples: u32) -> usize {
+    let mut profile = Profile::disk(0.0, 0.0).unwrap();
+    let mut last: Option<cl::Position> = None;
+    let mut count = 0;
+    for r in &run.cl {
+        match &r.kind {
+            cl::Kind::Cutter(c) => profile = Profile::new(c).unwrap(),
+            cl::Kind::Motion(m) => {
+                if let (Some(control), Some(start)) = (&m.control, last) {
+                    let startup = m.kind == cl::MotionKind::Startup;
+                    let mut a = start;
+                    for b in &m.points {
+                        let from = if startup { samples } else { 0 };
+                        for i in from..=samples {
+                            let p = between(&a, b, f64::from(i) / f64::from(samples));
+                            for c in control.drive.iter().chain(&control.part) {
+                                in_band(c, &profile, &p, r.origin.line);
+                            }
+                        }
+                        a = *b;
+                        count += 1;
+                    }
+                    if let Some(c) = control.checks.first()
+                        && !matches!(c.relation, cl::Relation::Tanto | cl::Relation::Pstan)
+                    {
+                        in_band(c, &profile, &a, r.origin.line);
+                    }
+                }
+                last = m.points.last().copied().or(last);
+            }
+            _ => {}
+        }
+    }
+    count
+}
+
+fn between(a: &cl::Position, b: &cl::Position, t: f64) -> cl::Position {
+    let cos = a.ta.dot(&b.ta).clamp(-1.0, 1.0);
+    let across = b.ta - a.ta * cos;
+    let sin = across.norm();
+    let ta = if sin < 1e-12 {
+        a.ta
+    } else {
+        let (s, c) = aptc_geometry::trig::sin_cos(aptc_geometry::trig::atan2(sin, cos) * t);
+        a.ta * c + across * (s / sin)
+    };
+    cl::Position { te: a.te + (b.te - a.te) * t, ta }
+}
+
+fn in_band(c: &cl::Controlled, profile: &Profile, p: &cl::Position, line: u32) {
+    let disk = c.disk.map(|[r, h]| Profile::disk(r, h).unwrap());
+    let tool = aptc_contact::Tool { profile: disk.as_ref().unwrap_or(profile), te: p.te, ta: p.ta };
+    let surface = aptc_geometry::Surface::from_form(&c.form).unwrap();
+    let side = if c.side < 0 { aptc_contact::Side::Negative } else { aptc_contact::Side::Positive };
+    let (g, low, high) = if c.side == 0 {
+        let g = aptc_contact::on(p.te, &surface, side).g;
+        let plane = matches!(surface, aptc_geometry::Surface::Plane(_));
+        (g, if plane { -c.outtol.max(c.intol) } else { -c.intol }, c.outtol)
+    } else {
+        (aptc_contact::gap(&tool, &surface, side, c.thick).unwrap().g, -c.intol, c.outtol)
+    };
+    let slack = 1e-10 * (1.0 + p.te.norm());
+    assert!(
+        g >= low - slack && g <= high + slack,
+        "line {line}: {} {:?} gap {g} not in {low}..{high} at {}",
+        c.name.name,
+        c.relation,
+        p.te
+    );
 }

@@ -1,0 +1,122 @@
+//! Motion to and along surfaces: the routine is chosen, and what it gives is put out.
+
+use std::sync::Arc;
+
+use aptc_cldata as cl;
+use aptc_diagnostics::Origin;
+use aptc_protap as protap;
+use aptc_protap::{Direction, Outcome};
+
+use crate::arelem::Arelem;
+use crate::failure::{self, Failure};
+use crate::feed::divide;
+use crate::points::put_feed;
+use crate::scene::Path;
+use crate::state::Part;
+use crate::{forward, plane, space};
+
+impl Arelem {
+    /// GO and OFFSET.
+    pub(crate) fn start(
+        &mut self,
+        origin: &Origin,
+        go: &protap::Go,
+        out: &mut Vec<cl::Record>,
+    ) -> Outcome {
+        if self.poisoned {
+            return Outcome::Failed;
+        }
+        let Some(tool) = self.tool else { return self.fail(origin, &Failure::NoPosition) };
+        let start = match self.start_scene(go, tool) {
+            Ok(start) => start,
+            Err(f) => return self.fail(origin, &f),
+        };
+        let result = match self.plane_allowed(&start.axis).then(|| plane::start(&start)).flatten() {
+            Some(result) => result,
+            None => space::start(&start),
+        };
+        let path = match result {
+            Ok(path) => path,
+            Err(f) => return self.fail(origin, &f),
+        };
+        if let Some((_, surface)) = go.surfaces.get(1) {
+            self.settings.part = Part::Surface(surface.clone());
+            self.settings.nops = false;
+        }
+        let name = go.surfaces.first().map(|(_, s)| forward::name(&s.name)).unwrap_or_default();
+        self.arrive(origin, cl::MotionKind::Startup, name, path, out)
+    }
+
+    /// Motion along surfaces.
+    pub(crate) fn drive(
+        &mut self,
+        origin: &Origin,
+        d: &protap::Drive,
+        out: &mut Vec<cl::Record>,
+    ) -> Outcome {
+        if self.poisoned {
+            return Outcome::Failed;
+        }
+        let Some(tool) = self.tool else { return self.fail(origin, &Failure::NoPosition) };
+        self.settings.given = None;
+        let result = self.scene(d, tool).and_then(|scene| {
+            match self.plane_allowed(&scene.axis).then(|| plane::run(&scene)).flatten() {
+                Some(result) => result,
+                None => space::run(&scene),
+            }
+        });
+        match result {
+            Ok(path) => {
+                if tool.assumed && !matches!(d.direction, Direction::Goup | Direction::Godown) {
+                    self.diagnostics.push(failure::assumed_direction(origin, d.direction));
+                }
+                if let Some(depth) = path.fouls {
+                    self.diagnostics.push(failure::fouls(origin, &d.drive, depth));
+                }
+                let name = forward::name(&d.drive.name);
+                self.arrive(origin, cl::MotionKind::Continuous, name, path, out)
+            }
+            Err(f) => self.fail(origin, &f),
+        }
+    }
+
+    pub(crate) fn arrive(
+        &mut self,
+        origin: &Origin,
+        kind: cl::MotionKind,
+        name: cl::NameRef,
+        path: Path,
+        out: &mut Vec<cl::Record>,
+    ) -> Outcome {
+        let start = self.tool.map(|t| t.te);
+        if let (Some(end), Some(tool)) = (path.points.last(), &mut self.tool) {
+            tool.te = end.te;
+            tool.ta = end.ta;
+            tool.turn(path.forward);
+        }
+        let motion = cl::Motion {
+            kind,
+            name,
+            arc: path.arc,
+            points: path.points,
+            with_axis: self.settings.multax,
+            control: Some(Arc::new(path.control)),
+        };
+        let slow = if kind == cl::MotionKind::Continuous { self.feed.slow() } else { None };
+        match (slow, start) {
+            (Some((slow, base)), Some(start)) if self.settings.cut => {
+                let (before, near) = divide(start, &motion.points, slow.distance);
+                if !before.is_empty() {
+                    self.put_motion(origin, cl::Motion { points: before, ..motion.clone() }, out);
+                }
+                put_feed(origin, vec![cl::Arg::Number(slow.feed)], out);
+                self.put_motion(origin, cl::Motion { points: near, ..motion }, out);
+                if !base.is_empty() {
+                    put_feed(origin, base, out);
+                }
+            }
+            _ => self.put_motion(origin, motion, out),
+        }
+        self.moved(path.check)
+    }
+}

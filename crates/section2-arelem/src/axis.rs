@@ -1,0 +1,136 @@
+//! The tool axis in multi-axis work (APT: `TLAXIS`).
+
+use aptc_contact::{Condition, Gap};
+use aptc_geometry::{Surface, Vec3, trig};
+use aptc_protap::{AxisAngle, OptionSurface, ToolAxis};
+
+use crate::space::Keep;
+use crate::state::unit;
+
+/// How the axis follows from the contacts.
+#[derive(Clone, Debug)]
+pub(crate) enum AxisRule {
+    /// It stays.
+    Fixed,
+    /// Along the normal of the part or drive surface.
+    Normal(OptionSurface),
+    /// Along the rulings.
+    Rulings(OptionSurface),
+    /// At an angle to the normal.
+    Angle(AxisAngle),
+    /// Square to a direction.
+    Square(Vec3),
+}
+
+/// The contacts at a place.
+pub(crate) struct Around<'a> {
+    /// The axis as it is.
+    pub(crate) ta: Vec3,
+    pub(crate) part: &'a Gap,
+    pub(crate) drive: &'a Gap,
+    /// Direction of motion.
+    pub(crate) along: Vec3,
+}
+
+impl AxisRule {
+    pub(crate) fn of(axis: &ToolAxis) -> Self {
+        match axis {
+            ToolAxis::NormPs => Self::Normal(OptionSurface::Part),
+            ToolAxis::NormDs => Self::Normal(OptionSurface::Drive),
+            ToolAxis::Parallel { surface, .. } => Self::Rulings(*surface),
+            ToolAxis::Angle(a) => Self::Angle(a.clone()),
+            ToolAxis::PerpTo(v) => Self::Square(*v),
+            _ => Self::Fixed,
+        }
+    }
+
+    /// Does it change along a path?
+    pub(crate) fn turns(&self) -> bool {
+        !matches!(self, Self::Fixed)
+    }
+
+    /// The axis at a place; `None` when the conditions contradict each other. `keeps` are drive and part.
+    pub(crate) fn at(&self, around: &Around<'_>, keeps: [&Keep; 2]) -> Option<Vec3> {
+        let pick = |s: OptionSurface| match s {
+            OptionSurface::Part => (around.part, around.drive, keeps[1]),
+            OptionSurface::Drive => (around.drive, around.part, keeps[0]),
+        };
+        match self {
+            Self::Fixed => Some(around.ta),
+            Self::Normal(s) => {
+                let (gap, _, keep) = pick(*s);
+                Some(outward(gap, keep, around.ta))
+            }
+            Self::Rulings(s) => {
+                let (gap, _, keep) = pick(*s);
+                let r = ruling(gap, keep)?;
+                Some(if r.dot(&around.ta) < 0.0 { -r } else { r })
+            }
+            Self::Angle(a) => {
+                let (gap, other, keep) = pick(a.surface);
+                let n = outward(gap, keep, around.ta);
+                lean(a, n, other.normal, around.along)
+            }
+            Self::Square(v) => {
+                let v = unit(*v)?;
+                unit(around.ta - v * around.ta.dot(&v))
+            }
+        }
+    }
+}
+
+/// The normal on the side of the tool: away from the surface when the cutter touches it, on the side of the
+/// axis as it is when the tool end lies on it.
+fn outward(gap: &Gap, keep: &Keep, ta: Vec3) -> Vec3 {
+    if keep.condition == Condition::On && gap.normal.dot(&ta) < 0.0 {
+        -gap.normal
+    } else {
+        gap.normal
+    }
+}
+
+fn ruling(gap: &Gap, keep: &Keep) -> Option<Vec3> {
+    if let Some(g) = keep.surface.generator() {
+        return unit(g);
+    }
+    match &keep.surface {
+        Surface::Cone(c) => unit(gap.surface_point - c.vertex),
+        _ => None,
+    }
+}
+
+/// The axis at the angle alpha to the normal `n`, positive towards the normal `other` of the surface that
+/// does not control it; with CUTANG leaning by beta along the motion, with a vector square to it.
+fn lean(a: &AxisAngle, n: Vec3, other: Vec3, along: Vec3) -> Option<Vec3> {
+    let (sin, cos) = (trig::sin_deg(a.angle_deg), trig::cos_deg(a.angle_deg));
+    let t = unit(along - n * along.dot(&n))?;
+    let side = n.cross(&t);
+    let m = if side.dot(&other) < 0.0 { -side } else { side };
+    if let Some(v) = a.reference {
+        return in_plane(a.angle_deg, cos, n, m, t, unit(v)?);
+    }
+    let lead = a.cutting_deg.map_or(0.0, trig::sin_deg);
+    let rest = sin * sin - lead * lead;
+    if rest < -1e-12 {
+        return None;
+    }
+    let across = rest.max(0.0).sqrt() * if a.angle_deg < 0.0 { -1.0 } else { 1.0 };
+    unit(n * cos + t * lead + m * across)
+}
+
+/// The axis square to `v` whose cosine with `n` is `cos`.
+fn in_plane(angle: f64, cos: f64, n: Vec3, m: Vec3, t: Vec3, v: Vec3) -> Option<Vec3> {
+    let flat = n - v * n.dot(&v);
+    let size = flat.norm();
+    if size < cos.abs() - 1e-12 || size <= 1e-9 {
+        return None;
+    }
+    let u = flat / size;
+    let w = v.cross(&u);
+    let c = (cos / size).clamp(-1.0, 1.0);
+    let s = ((1.0 - c) * (1.0 + c)).max(0.0).sqrt();
+    // Of the two the one on the side that the sign says; where the plane holds the motion, along it.
+    let towards = if w.dot(&m).abs() > 1e-6 { m } else { t };
+    let sign = if (w.dot(&towards) >= 0.0) == (angle >= 0.0) { 1.0 } else { -1.0 };
+    unit(u * c + w * (s * sign))
+}

@@ -1,0 +1,147 @@
+//! From a record and the modal words to what a motion is asked to do.
+
+use aptc_contact::{Side, gap};
+use aptc_geometry::{Form, Profile, Surface, Vec3};
+use aptc_protap as protap;
+use aptc_protap::{Dimension, DriveSide, PartSide, Relation, SurfaceRef};
+
+use crate::arelem::Arelem;
+use crate::axis::AxisRule;
+use crate::failure::Failure;
+use crate::scene::{Check, Limits, Scene, Stance, Start, Wall};
+use crate::state::{Given, Part, Role, Tool, plane_ref, unit};
+
+impl Arelem {
+    pub(crate) fn start_scene(&mut self, go: &protap::Go, tool: Tool) -> Result<Start, Failure> {
+        let roles = [Role::Drive, Role::Part, Role::Check];
+        let mut surfaces = Vec::with_capacity(go.surfaces.len());
+        for ((relation, surface), role) in go.surfaces.iter().zip(roles) {
+            surfaces.push((*relation, self.wall(surface, role, *relation == Relation::On)?));
+        }
+        let part = if surfaces.len() < 2 && !self.settings.nops {
+            let on = self.settings.part_side == Some(PartSide::Tlonps);
+            let relation = if on { Relation::On } else { Relation::To };
+            Some((relation, self.wall(&self.part(&tool), Role::Part, on)?))
+        } else {
+            None
+        };
+        let along = match self.settings.given.take() {
+            None => Vec::new(),
+            Some(Given::Vectors(v)) => v.into_iter().map(|v| v.and_then(unit)).collect(),
+            Some(Given::Points(p)) => {
+                p.into_iter().map(|p| p.and_then(|p| unit(p - tool.te))).collect()
+            }
+        };
+        let normals = std::mem::take(&mut self.settings.normals);
+        let axis = AxisRule::of(&self.settings.axis);
+        Ok(Start { tool, offset: go.offset, surfaces, part, along, normals, axis })
+    }
+
+    pub(crate) fn scene(&self, d: &protap::Drive, tool: Tool) -> Result<Scene, Failure> {
+        let s = &self.settings;
+        let stance = match s.drive_side {
+            Some(DriveSide::Tlon | DriveSide::Tlndon) => Stance::On,
+            Some(DriveSide::Tllft) => Stance::Left,
+            Some(DriveSide::Tlrgt) => Stance::Right,
+            None if self.stands_on(&d.drive, Role::Drive, &tool) => Stance::On,
+            None => Stance::AsItStands,
+        };
+        let on = stance == Stance::On;
+        let part = self.part(&tool);
+        let part_on = match s.part_side {
+            Some(side) => side == PartSide::Tlonps,
+            None => !self.touches(&part, &tool) && self.stands_on(&part, Role::Part, &tool),
+        };
+        let mut checks = Vec::with_capacity(d.checks.len());
+        for (i, c) in d.checks.iter().enumerate() {
+            let role = if i == 0 { Role::Check } else { Role::SecondCheck };
+            // A tangent surface is met as the surface is that it is tangent to.
+            let on_check = match c.relation {
+                Relation::On => true,
+                Relation::Tanto => on,
+                Relation::Pstan => part_on,
+                Relation::To | Relation::Past => false,
+            };
+            let wall = self.wall(&c.surface, role, on_check)?;
+            checks.push(Check { wall, relation: c.relation, nth: c.nth });
+        }
+        Ok(Scene {
+            tool,
+            direction: d.direction,
+            drive: self.wall(&d.drive, Role::Drive, on)?,
+            stance,
+            part: self.wall(&part, Role::Part, part_on)?,
+            checks,
+            axis: AxisRule::of(&s.axis),
+            limits: Limits { vectors: s.numpts, step: s.maxdp() },
+        })
+    }
+
+    /// Is the tool end on the surface, as GO/ON leaves it?
+    pub(crate) fn stands_on(&self, surface: &SurfaceRef, role: Role, tool: &Tool) -> bool {
+        let band = self.settings.band(role);
+        Surface::from_form(&surface.form)
+            .is_some_and(|s| s.distance(tool.te).abs() <= band.intol + band.outtol)
+    }
+
+    /// Does the cutter touch the part surface?
+    pub(crate) fn touches(&self, part: &SurfaceRef, tool: &Tool) -> bool {
+        let (Ok(wall), Some(surface)) =
+            (self.wall(part, Role::Part, false), Surface::from_form(&part.form))
+        else {
+            return false;
+        };
+        let at = aptc_contact::Tool { profile: &wall.profile, te: tool.te, ta: tool.ta };
+        [Side::Positive, Side::Negative].into_iter().any(|side| {
+            gap(&at, &surface, side, wall.thick)
+                .is_ok_and(|g| g.g.abs() <= 2.0 * (wall.band.intol + wall.band.outtol))
+        })
+    }
+
+    /// May the plane routine be tried?
+    pub(crate) fn plane_allowed(&self, axis: &AxisRule) -> bool {
+        self.settings.calc == Dimension::Two && !axis.turns()
+    }
+
+    /// The part surface in force, with AUTOPS laid through the tool.
+    pub(crate) fn part(&self, tool: &Tool) -> SurfaceRef {
+        match &self.settings.part {
+            Part::Surface(s) => s.clone(),
+            Part::Auto => plane_ref(tool.ta, tool.ta.dot(&tool.te)),
+        }
+    }
+
+    pub(crate) fn wall(&self, surface: &SurfaceRef, role: Role, on: bool) -> Result<Wall, Failure> {
+        let s = &self.settings;
+        if surface_of(surface).is_none() {
+            return Err(Failure::NotASurface { surface: surface.clone() });
+        }
+        let profile = match s.profile(role) {
+            Some(Ok(p)) => p,
+            Some(Err(why)) => return Err(Failure::BadCutter { why }),
+            // A point stands for the cutter where its shape does not matter.
+            None if on || self.is_square(surface, role) => Profile::disk(0.0, 0.0)
+                .map_err(|_| Failure::NoCutter { surface: surface.clone() })?,
+            None => return Err(Failure::NoCutter { surface: surface.clone() }),
+        };
+        let thick = if on { 0.0 } else { s.thick(role) };
+        let disk = s.disk(role).map(|(r, h)| [r, h]);
+        Ok(Wall { surface: surface.clone(), profile, disk, on, thick, band: s.band(role) })
+    }
+
+    /// A part plane square to the axis is touched by the tool end of any cutter.
+    pub(crate) fn is_square(&self, surface: &SurfaceRef, role: Role) -> bool {
+        let ta = self.tool.map_or_else(Vec3::z, |t| t.ta);
+        match surface.form.shape() {
+            Form::Plane(p) => role == Role::Part && p.n.cross(&ta).norm() <= 1e-9,
+            _ => false,
+        }
+    }
+}
+
+/// Can the form guide a tool?
+fn surface_of(s: &SurfaceRef) -> Option<()> {
+    let shape = s.form.shape();
+    let no = matches!(shape, Form::Point(_) | Form::Vector(_) | Form::Matrix(_) | Form::Pattern(_));
+    (!no).then_some(())
+}

@@ -1,0 +1,147 @@
+//! Point-to-point motion: FROM, GOTO, GODLTA, patterns, POCKET, and what CUT puts out.
+
+use aptc_cldata as cl;
+use aptc_diagnostics::Origin;
+use aptc_geometry::Vec3;
+use aptc_protap as protap;
+use aptc_protap::{Outcome, ToolAxis};
+
+use crate::arelem::Arelem;
+use crate::failure::Failure;
+use crate::state::{Given, Tool, unit};
+use crate::{forward, pocket};
+
+impl Arelem {
+    /// FROM and GOTO.
+    pub(crate) fn place(
+        &mut self,
+        origin: &Origin,
+        place: &protap::Place,
+        kind: cl::MotionKind,
+        out: &mut Vec<cl::Record>,
+    ) -> Outcome {
+        if let Some(axis) = place.axis.and_then(unit) {
+            self.settings.set_axis(ToolAxis::Fixed(axis));
+            if let Some(t) = &mut self.tool {
+                t.ta = axis;
+            }
+        }
+        self.go_to(place.point);
+        if kind == cl::MotionKind::From {
+            // Nothing moved: there is no direction yet but one given before.
+            let given = self.settings.given.clone();
+            if let (Some(Given::Vectors(v)), Some(t)) = (given, &mut self.tool)
+                && let Some(f) = v.into_iter().flatten().next()
+            {
+                t.turn(f);
+            }
+        } else {
+            self.settings.given = None;
+        }
+        self.put(origin, kind, forward::name(&place.name), vec![place.point], out);
+        self.moved(0)
+    }
+
+    pub(crate) fn points(
+        &mut self,
+        origin: &Origin,
+        name: &protap::NameRef,
+        points: &[Vec3],
+        out: &mut Vec<cl::Record>,
+    ) -> Outcome {
+        for p in points {
+            self.go_to(*p);
+        }
+        if points.is_empty() {
+            return Outcome::None;
+        }
+        self.settings.given = None;
+        self.put(origin, cl::MotionKind::Goto, forward::name(name), points.to_vec(), out);
+        self.moved(0)
+    }
+
+    /// GODLTA.
+    pub(crate) fn by(&mut self, origin: &Origin, v: Vec3, out: &mut Vec<cl::Record>) -> Outcome {
+        if self.poisoned {
+            return Outcome::Failed;
+        }
+        let Some(tool) = self.tool else { return self.fail(origin, &Failure::NoPosition) };
+        let te = tool.te + v;
+        self.go_to(te);
+        self.settings.given = None;
+        self.put(origin, cl::MotionKind::Goto, cl::NameRef::default(), vec![te], out);
+        self.moved(0)
+    }
+
+    /// Puts the tool there.
+    pub(crate) fn go_to(&mut self, te: Vec3) {
+        let fixed = match &self.settings.axis {
+            ToolAxis::Fixed(v) => unit(*v),
+            _ => None,
+        };
+        match &mut self.tool {
+            Some(t) => {
+                t.turn(te - t.te);
+                t.te = te;
+            }
+            None => {
+                let ta = fixed.unwrap_or_else(Vec3::z);
+                self.tool = Some(Tool { te, ta, forward: Vec3::x(), assumed: true });
+            }
+        }
+        self.poisoned = false;
+    }
+
+    /// CUT and DNTCUT: after DNTCUT, CUT puts out where the tool is.
+    pub(crate) fn cut(&mut self, origin: &Origin, on: bool, out: &mut Vec<cl::Record>) {
+        let again = on && !self.settings.cut;
+        self.settings.cut = on;
+        if let (true, false, Some(t)) = (again, self.poisoned, self.tool) {
+            self.put(origin, cl::MotionKind::Goto, cl::NameRef::default(), vec![t.te], out);
+        }
+        let output = if on { cl::Output::Cut } else { cl::Output::Dntcut };
+        out.push(cl::Record { origin: origin.clone(), kind: cl::Kind::Output(output) });
+    }
+
+    /// POCKET: three feeds, the plunge, the general passes from the inside out, the finish pass.
+    pub(crate) fn pocket(
+        &mut self,
+        origin: &Origin,
+        p: &protap::Pocket,
+        out: &mut Vec<cl::Record>,
+    ) -> Outcome {
+        if self.poisoned {
+            return Outcome::Failed;
+        }
+        let Some(tool) = self.tool else { return self.fail(origin, &Failure::NoPosition) };
+        let passes = match pocket::passes(p, &self.settings, &tool) {
+            Ok(passes) => passes,
+            Err(why) => return self.fail(origin, &Failure::Pocket { why }),
+        };
+        let general: Vec<Vec3> = passes[..passes.len() - 1].iter().flatten().copied().collect();
+        let finish = passes.last().cloned().unwrap_or_default();
+        let all = [general, finish].concat();
+        let split = all.len() - passes.last().map_or(0, Vec::len);
+        let parts = [&all[..1], &all[1..split.max(1)], &all[split.max(1)..]];
+        for (points, feed) in parts.into_iter().zip(p.feeds) {
+            if points.is_empty() {
+                continue;
+            }
+            let args = self.feed.take(&[cl::Arg::Number(feed)]);
+            put_feed(origin, args.unwrap_or_default(), out);
+            for p in points {
+                self.go_to(*p);
+            }
+            let name = cl::NameRef { name: "POCKET".into(), subscript: 0 };
+            self.put(origin, cl::MotionKind::Goto, name, points.to_vec(), out);
+        }
+        self.settings.given = None;
+        self.moved(0)
+    }
+}
+
+/// A basic feed for the post-processor.
+pub(crate) fn put_feed(origin: &Origin, args: Vec<cl::Arg>, out: &mut Vec<cl::Record>) {
+    let kind = cl::Kind::Post { word: "FEDRAT".into(), args };
+    out.push(cl::Record { origin: origin.clone(), kind });
+}

@@ -1,0 +1,12 @@
+//! Motion in space (APT: `ARLM3`): any drive, part and check surfaces, any cutter, fixed or turning axis.
+
+mod keep;
+mod run;
+mod start;
+mod stride;
+mod track;
+mod watch;
+
+pub(crate) use keep::Keep;
+pub(crate) use run::run;
+pub(crate) use start::start;

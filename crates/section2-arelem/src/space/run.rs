@@ -1,0 +1,374 @@
+//! One motion along any two surfaces (APT: `AREPRE`, `ARLM3`).
+
+use aptc_cldata::{Control, Position};
+use aptc_contact::{Condition, Gap, Side};
+use aptc_geometry::{Profile, Surface, Vec3};
+use aptc_protap::Relation;
+
+use super::keep::{Keep, Pose};
+use super::track::{Node, Track, Trouble};
+use super::watch::{Halt, Watch, clearance};
+use crate::failure::Failure;
+use crate::prepare::way;
+use crate::scene::{Path, Scene, Stance, Wall, to_or_on};
+
+/// Cut vectors of one motion when NUMPTS does not say.
+const MOST_VECTORS: u32 = 20_000;
+
+/// The path of a motion.
+///
+/// A turning axis may lay the cutter's side into a hollow drive surface that its lower edge just touches.
+/// Then the motion follows the lower edge, and says how deep the rest cuts in.
+pub(crate) fn run(scene: &Scene) -> Result<Path, Failure> {
+    let failure = match begin(scene) {
+        Ok(begin) => return follow(scene, &begin),
+        Err(f) => f,
+    };
+    let Failure::OffDrive { off, .. } = failure else { return Err(failure) };
+    if !scene.axis.turns() || off >= 0.0 || scene.drive.on {
+        return Err(failure);
+    }
+    let [_, [radius, height]] = scene.drive.profile.joints();
+    let Ok(edge) = Profile::disk(radius, height) else { return Err(failure) };
+    let mut lower = scene.clone();
+    lower.drive.profile = edge;
+    lower.drive.disk = Some([radius, height]);
+    match begin(&lower) {
+        Ok(begin) => follow(&lower, &begin).map(|path| Path { fouls: Some(-off), ..path }),
+        Err(_) => Err(failure),
+    }
+}
+
+fn follow(scene: &Scene, begin: &Begin) -> Result<Path, Failure> {
+    let mut watches: Vec<Watch> = Vec::with_capacity(scene.checks.len());
+    for check in &scene.checks {
+        let keep = keep(&check.wall, Side::Positive)?;
+        watches.push(Watch::new(&keep, check.relation, check.nth, &begin.node.pose));
+    }
+    let track = &begin.track;
+    let (cap, straight) = longest(scene, begin, &watches);
+    let most = scene.limits.vectors.unwrap_or(MOST_VECTORS);
+    let mut node = begin.node;
+    let mut points: Vec<Position> = begin.first.iter().copied().collect();
+    let mut loops = Loops::new(&node);
+    let (mut ratio, mut gone) = (1.0, 0.0);
+    for _ in 0..most {
+        let stride = match track.stride(&node, cap, &mut ratio) {
+            Ok(s) => s,
+            Err(t) => return Err(blocked(scene, begin, &watches, &node, gone, t)),
+        };
+        let mut stop: Option<(usize, Halt)> = None;
+        for (i, w) in watches.iter_mut().enumerate() {
+            let halt = w.scan(track, &node, &stride).map_err(|t| trouble(scene, &node, t))?;
+            if let Some(h) = halt
+                && stop.as_ref().is_none_or(|(_, s)| h.s < s.s)
+            {
+                stop = Some((i, h));
+            }
+        }
+        if let Some((i, halt)) = stop {
+            points.push(position(&halt.node.pose));
+            return Ok(Path {
+                points,
+                arc: None,
+                check: i,
+                forward: halt.node.along,
+                control: control(scene, track, &watches, i, &halt),
+                fouls: None,
+            });
+        }
+        gone += (stride.to.pose.te - node.pose.te).norm();
+        points.push(position(&stride.to.pose));
+        let met: u32 = watches.iter().map(|w| w.account().0).sum();
+        if straight || loops.closed(&node, &stride.to, met) {
+            break;
+        }
+        node = stride.to;
+    }
+    Err(not_reached(scene, &watches, gone))
+}
+
+fn position(p: &Pose) -> Position {
+    Position { te: p.te, ta: p.ta }
+}
+
+/// Greatest length of a cut vector, and whether the track is one straight line.
+fn longest(scene: &Scene, begin: &Begin, watches: &[Watch]) -> (f64, bool) {
+    let track = &begin.track;
+    if !track.keeps.iter().all(Keep::is_plane) || track.axis.turns() {
+        return (scene.limits.step, false);
+    }
+    // Far enough to pass whatever the check surfaces have on the line.
+    let extent = |w: &Wall| Surface::from_form(&w.surface.form).map_or(0.0, |s| s.extent());
+    let size = scene.checks.iter().map(|c| extent(&c.wall)).fold(scene.tool.te.norm(), f64::max);
+    let planes = watches.iter().map(|w| w.ahead(&begin.node)).fold(0.0, f64::max);
+    (8.0 * (size + track.keeps[0].profile.reach()) + 2.0 * planes, true)
+}
+
+/// Notices a track that has come back to its start.
+struct Loops {
+    start: Pose,
+    along: Vec3,
+    vectors: u32,
+    met: u32,
+}
+
+impl Loops {
+    fn new(node: &Node) -> Self {
+        Self { start: node.pose, along: node.along, vectors: 0, met: 0 }
+    }
+
+    /// Has it passed its start again without meeting anything on the round?
+    fn closed(&mut self, from: &Node, to: &Node, met: u32) -> bool {
+        self.vectors += 1;
+        let v = to.pose.te - from.pose.te;
+        let w = self.start.te - from.pose.te;
+        let length = v.norm();
+        let t = w.dot(&v) / (length * length);
+        let beside = (w - v * t).norm();
+        let again = self.vectors > 3
+            && (0.0..=1.0).contains(&t)
+            && beside <= 1e-2 * length
+            && self.along.dot(&to.along) > 0.5;
+        if !again {
+            return false;
+        }
+        let idle = met == self.met;
+        self.met = met;
+        self.vectors = 0;
+        idle
+    }
+}
+
+/// The tool at the start of a motion.
+struct Begin {
+    track: Track,
+    node: Node,
+    /// The first position when the tool must first be put in place.
+    first: Option<Position>,
+}
+
+fn keep(wall: &Wall, side: Side) -> Result<Keep, Failure> {
+    let unusable = || Failure::Unsupported { surface: wall.surface.clone() };
+    Ok(Keep {
+        profile: wall.profile,
+        surface: Surface::from_form(&wall.surface.form).ok_or_else(unusable)?,
+        condition: if wall.on { Condition::On } else { Condition::Touch },
+        side,
+        thick: wall.thick,
+        intol: wall.band.intol,
+        outtol: wall.band.outtol,
+    })
+}
+
+fn begin(scene: &Scene) -> Result<Begin, Failure> {
+    let tool = &scene.tool;
+    let pose = Pose { te: tool.te, ta: tool.ta };
+    let mut part = keep(&scene.part, Side::Positive)?;
+    let mut drive = keep(&scene.drive, Side::Positive)?;
+    let apart = |w: &Wall| Failure::NoContact { surface: w.surface.clone() };
+    if !scene.part.on {
+        part.side = nearer(&part, &pose).ok_or_else(|| apart(&scene.part))?;
+    }
+    let part_gap = part.gap(&pose, None).map_err(|_| apart(&scene.part))?;
+    // The direction of the track from the normals as they are; the side of the drive surface does not
+    // change it.
+    let probe = drive.surface.foot(pose.te).normal;
+    let line = probe.cross(&part_gap.normal);
+    if line.norm() <= 1e-7 {
+        return Err(Failure::SideBySide {
+            drive: scene.drive.surface.clone(),
+            part: scene.part.surface.clone(),
+        });
+    }
+    let heading = way(tool, scene.direction, line.normalize())?;
+    if !scene.drive.on {
+        let left = tool.ta.cross(&heading);
+        let lean = probe.dot(&left);
+        let wanted = lean * scene.stance.left();
+        drive.side = if wanted.abs() < 1e-3 || scene.stance == Stance::AsItStands {
+            nearer(&drive, &pose).ok_or_else(|| apart(&scene.drive))?
+        } else if wanted > 0.0 {
+            Side::Positive
+        } else {
+            Side::Negative
+        };
+    }
+    let drive_gap = drive.gap(&pose, None).map_err(|_| apart(&scene.drive))?;
+    let off_drive = placed(&drive, &drive_gap);
+    let off_part = placed(&part, &part_gap);
+    if off_drive > 2.0 {
+        return Err(misplaced(scene, &drive, &drive_gap, &pose));
+    }
+    if off_part > 2.0 {
+        return Err(Failure::OffPart {
+            surface: scene.part.surface.clone(),
+            off: part_gap.g,
+            allowed: 2.0 * part.width(),
+            outside: part_gap.g > 0.0,
+        });
+    }
+    let size =
+        pose.te.norm() + drive.profile.reach() + drive.surface.extent() + part.surface.extent();
+    let exact = 1e-13 * size + 2e-9 * drive.width().min(part.width());
+    let track = Track { keeps: [drive, part], axis: scene.axis.clone(), exact };
+    let node = track.node(pose, heading).map_err(|t| trouble_at(scene, &pose, t))?;
+    if off_drive <= 1.0 && off_part <= 1.0 {
+        return Ok(Begin { track, node, first: None });
+    }
+    let targets = [0.0, 0.0];
+    let node =
+        track.settle(pose, node.along, targets, &node).map_err(|t| trouble_at(scene, &pose, t))?;
+    let first = Some(position(&node.pose));
+    Ok(Begin { track, node, first })
+}
+
+/// The side on which the tool is nearer to touching.
+fn nearer(keep: &Keep, pose: &Pose) -> Option<Side> {
+    let gap = |side: Side| Keep { side, ..keep.clone() }.gap(pose, None).ok().map(|g| g.g.abs());
+    match (gap(Side::Positive), gap(Side::Negative)) {
+        (Some(a), Some(b)) if b < a => Some(Side::Negative),
+        (Some(_), _) => Some(Side::Positive),
+        (None, Some(_)) => Some(Side::Negative),
+        (None, None) => None,
+    }
+}
+
+/// How many bands the tool is from its place: up to one it is in the band.
+fn placed(keep: &Keep, gap: &Gap) -> f64 {
+    let slack = 1e-6 * keep.width();
+    let (low, high) = match keep.condition {
+        Condition::On => {
+            let most = keep.intol.max(keep.outtol);
+            (-most, most)
+        }
+        Condition::Touch => (-keep.intol, keep.outtol),
+    };
+    if gap.g >= low - slack && gap.g <= high + slack {
+        return 0.0;
+    }
+    let off = if gap.g < low { low - gap.g } else { gap.g - high };
+    1.0 + off / keep.width()
+}
+
+fn misplaced(scene: &Scene, keep: &Keep, gap: &Gap, pose: &Pose) -> Failure {
+    let surface = scene.drive.surface.clone();
+    let allowed = 2.0 * keep.width();
+    let other = Keep { side: keep.side.other(), ..keep.clone() };
+    let fits = other.gap(pose, None).is_ok_and(|g| g.g.abs() <= allowed);
+    let word = matches!(scene.stance, Stance::Left | Stance::Right);
+    if word && fits && keep.profile.widest() > 0.0 {
+        let (word, opposite) =
+            if scene.stance == Stance::Left { ("TLLFT", "TLRGT") } else { ("TLRGT", "TLLFT") };
+        return Failure::WrongSide { surface, word, other: opposite };
+    }
+    let off = if scene.drive.on { gap.g.abs() } else { gap.g };
+    Failure::OffDrive { surface, off, allowed, outside: off > 0.0 }
+}
+
+fn trouble(scene: &Scene, node: &Node, t: Trouble) -> Failure {
+    trouble_at(scene, &node.pose, t)
+}
+
+fn trouble_at(scene: &Scene, pose: &Pose, t: Trouble) -> Failure {
+    let (drive, part) = (scene.drive.surface.clone(), scene.part.surface.clone());
+    match t {
+        Trouble::SideBySide => Failure::SideBySide { drive, part },
+        Trouble::Axis => Failure::NoAxis { place: pose.te },
+        Trouble::Contact | Trouble::Stuck => {
+            Failure::NoPlace { surfaces: vec![drive, part], place: pose.te }
+        }
+    }
+}
+
+/// The track ends before a check surface: the cutter does not fit on, or the surfaces end.
+fn blocked(
+    scene: &Scene,
+    begin: &Begin,
+    watches: &[Watch],
+    node: &Node,
+    gone: f64,
+    t: Trouble,
+) -> Failure {
+    for (keep, wall) in begin.track.keeps.iter().zip([&scene.drive, &scene.part]) {
+        if keep.condition == Condition::On {
+            continue;
+        }
+        // A hollow that is tighter than the cutter at the place of contact.
+        let tightest = keep.gap(&node.pose, None).ok().map(|gap| {
+            let k = keep.surface.foot(gap.surface_point).shape.principal();
+            if keep.side == Side::Positive { -k[1] } else { k[0] }
+        });
+        if let Some(k) = tightest
+            && k > 0.0
+            && 1.0 / k < 1.01 * keep.profile.widest()
+        {
+            return Failure::TooLarge {
+                surface: wall.surface.clone(),
+                radius: 1.0 / k,
+                cutter: keep.profile.widest(),
+            };
+        }
+    }
+    match t {
+        Trouble::Axis | Trouble::SideBySide => trouble(scene, node, t),
+        _ => not_reached(scene, watches, gone),
+    }
+}
+
+fn not_reached(scene: &Scene, watches: &[Watch], gone: f64) -> Failure {
+    let (Some(check), Some(watch)) = (scene.checks.first(), watches.first()) else {
+        return Failure::NoCheck { word: scene.direction };
+    };
+    let (met, closest, pose) = watch.account();
+    if matches!(check.relation, Relation::Tanto | Relation::Pstan) {
+        let own = if check.relation == Relation::Pstan { &scene.part } else { &scene.drive };
+        return Failure::NoTangency {
+            surface: own.surface.clone(),
+            other: check.wall.surface.clone(),
+            closest: watch.alike,
+            allowed: 2.0 * (check.wall.band.intol + check.wall.band.outtol),
+        };
+    }
+    Failure::NotReached {
+        surface: check.wall.surface.clone(),
+        nth: check.nth,
+        met,
+        closest,
+        place: pose.te,
+        gone,
+    }
+}
+
+fn control(
+    scene: &Scene,
+    track: &Track,
+    watches: &[Watch],
+    stopped: usize,
+    halt: &Halt,
+) -> Control {
+    let mut checks: Vec<_> = scene
+        .checks
+        .iter()
+        .enumerate()
+        .map(|(i, c)| {
+            let side = if i == stopped {
+                halt.side
+            } else {
+                keep(&c.wall, Side::Positive)
+                    .ok()
+                    .and_then(|k| clearance(&k, &halt.node.pose).ok())
+                    .map_or(1.0, |(_, side)| side.sign())
+            };
+            c.wall.controlled(c.relation, side)
+        })
+        .collect();
+    debug_assert_eq!(checks.len(), watches.len());
+    checks.swap(0, stopped);
+    let side = |i: usize| track.keeps[i].side.sign();
+    Control {
+        drive: Some(scene.drive.controlled(to_or_on(scene.drive.on), side(0))),
+        part: Some(scene.part.controlled(to_or_on(scene.part.on), side(1))),
+        checks,
+    }
+}

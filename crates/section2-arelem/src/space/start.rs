@@ -1,0 +1,316 @@
+//! Start-up in space (APT: `STRTUP`): the nearest position that satisfies one, two or three surfaces.
+
+use aptc_cldata::{Control, Position};
+use aptc_contact::{Condition, Gap, Side};
+use aptc_geometry::{Fiop, Surface, Vec3};
+use aptc_protap::Relation;
+
+use super::keep::{Keep, Pose};
+use super::watch::clearance;
+use crate::axis::{Around, AxisRule};
+use crate::failure::Failure;
+use crate::scene::{Path, Start, Wall};
+
+/// Rounds of the iteration.
+const ROUNDS: usize = 200;
+
+/// A surface with the gap that the tool is to have.
+struct Aim<'a> {
+    wall: &'a Wall,
+    relation: Relation,
+    keep: Keep,
+    along: Option<Vec3>,
+}
+
+/// The position of a start-up.
+pub(crate) fn start(go: &Start) -> Result<Path, Failure> {
+    let pose = Pose { te: go.tool.te, ta: go.tool.ta };
+    let mut aims = Vec::new();
+    let named = go.surfaces.iter().enumerate().map(|(i, s)| (s, Some(i)));
+    for ((relation, wall), i) in named.chain(go.part.iter().map(|s| (s, None))) {
+        let normal = i.and_then(|i| go.normals.get(i).copied().flatten());
+        let along = i.and_then(|i| go.along.get(i).copied().flatten());
+        let keep = aim(*relation, wall, &pose, normal)?;
+        aims.push(Aim { wall, relation: *relation, keep, along });
+    }
+    let solver = Solver { aims: &aims, axis: &go.axis };
+    let free = go.surfaces.len() == 1 && go.part.is_none();
+    let direction = go.along.first().copied().flatten();
+    let end = match direction {
+        Some(v) if go.offset => solver.offset(pose, v)?,
+        Some(v) if free => solver.along(pose, v)?,
+        _ => {
+            let from = solver.approach(pose);
+            solver.nearest(from, pose)?
+        }
+    };
+    let mut sides = aims.iter().map(|a| a.wall.controlled(a.relation, a.keep.side.sign()));
+    let control = Control { drive: sides.next(), part: sides.next(), checks: sides.collect() };
+    let points = vec![Position { te: end.te, ta: end.ta }];
+    let forward = end.te - go.tool.te;
+    Ok(Path { points, arc: None, check: 0, forward, control, fouls: None })
+}
+
+/// The side on which the tool is to be: TO where it is, PAST on the other.
+fn aim(
+    relation: Relation,
+    wall: &Wall,
+    pose: &Pose,
+    to_past: Option<Vec3>,
+) -> Result<Keep, Failure> {
+    let surface = Surface::from_form(&wall.surface.form)
+        .ok_or_else(|| Failure::Unsupported { surface: wall.surface.clone() })?;
+    let condition = if wall.on { Condition::On } else { Condition::Touch };
+    let mut keep = Keep {
+        profile: wall.profile,
+        surface,
+        condition,
+        side: Side::Positive,
+        thick: wall.thick,
+        intol: wall.band.intol,
+        outtol: wall.band.outtol,
+    };
+    if wall.on {
+        return Ok(keep);
+    }
+    let near = match to_past {
+        Some(v) => {
+            let n = keep.surface.foot(pose.te).normal;
+            if n.dot(&v) > 0.0 { Side::Negative } else { Side::Positive }
+        }
+        None => {
+            let apart = || Failure::NoContact { surface: wall.surface.clone() };
+            let (gap, side) = clearance(&keep, pose).map_err(|_| apart())?;
+            let other = Keep { side: side.other(), ..keep.clone() };
+            let tie = other.gap(pose, None).is_ok_and(|g| {
+                (g.g - gap).abs() <= 1e-3 * keep.width() && keep.profile.widest() > 0.0
+            });
+            if tie {
+                return Err(Failure::NoSide { surface: wall.surface.clone() });
+            }
+            side
+        }
+    };
+    keep.side = if relation == Relation::Past { near.other() } else { near };
+    Ok(keep)
+}
+
+struct Solver<'a> {
+    aims: &'a [Aim<'a>],
+    axis: &'a AxisRule,
+}
+
+impl Solver<'_> {
+    /// Where the directions given for the surfaces bring the tool: each pierces its surface.
+    fn approach(&self, pose: Pose) -> Pose {
+        let mut te = pose.te;
+        for aim in self.aims {
+            let Some(v) = aim.along else { continue };
+            match aim.keep.surface.directed_distance(te, v, Fiop::Ahead) {
+                Ok(hit) => {
+                    let by = if aim.wall.on { 0.0 } else { aim.keep.profile.widest() };
+                    let by = if aim.relation == Relation::Past { by } else { -by };
+                    te = hit.point + v * by;
+                }
+                Err(_) => {
+                    // As far as the farthest of the surfaces is.
+                    let far = |a: &Aim<'_>| a.keep.surface.distance(te).abs();
+                    te += v * self.aims.iter().map(far).fold(0.0, f64::max);
+                }
+            }
+        }
+        Pose { te, ..pose }
+    }
+
+    fn gaps(&self, pose: &Pose, last: Option<&[Gap]>) -> Result<Vec<Gap>, Failure> {
+        self.aims
+            .iter()
+            .enumerate()
+            .map(|(i, a)| {
+                let start = last.and_then(|l| l.get(i)).map(|g| g.surface_point);
+                a.keep
+                    .gap(pose, start)
+                    .map_err(|_| Failure::NoContact { surface: a.wall.surface.clone() })
+            })
+            .collect()
+    }
+
+    /// Gap asked of each surface at a contact: within the band, outside at round and inside at hollow ones,
+    /// so that the motion that follows has the whole band for its first cut vector.
+    fn targets(&self, pose: &Pose, gaps: &[Gap]) -> Vec<f64> {
+        self.aims
+            .iter()
+            .enumerate()
+            .map(|(i, a)| {
+                if a.keep.is_plane() {
+                    return 0.0;
+                }
+                let other = gaps.get(if i == 0 { 1 } else { 0 }).map(|g| g.normal);
+                let along = other.map(|n| gaps[i].normal.cross(&n)).filter(|t| t.norm() > 1e-6);
+                let Some(t) = along else { return 0.0 };
+                a.keep.target(a.keep.bend(pose, &gaps[i], t.normalize()), 1.0)
+            })
+            .collect()
+    }
+
+    fn turned(&self, pose: &Pose, gaps: &[Gap]) -> Vec3 {
+        if !self.axis.turns() {
+            return pose.ta;
+        }
+        let drive = &gaps[0];
+        let part = gaps.get(1).unwrap_or(drive);
+        let keeps = [&self.aims[0].keep, self.aims.get(1).map_or(&self.aims[0].keep, |a| &a.keep)];
+        let along = drive.normal.cross(&part.normal);
+        let along = if along.norm() > 1e-9 { along.normalize() } else { Vec3::x() };
+        let around = Around { ta: pose.ta, part, drive, along };
+        self.axis.at(&around, keeps).unwrap_or(pose.ta)
+    }
+
+    /// The position nearest to `origin` that satisfies all surfaces.
+    ///
+    /// Each round moves the tool by the least vector from the origin that satisfies the surfaces where they
+    /// are linear; a round that makes the gaps worse is shortened.
+    fn nearest(&self, from: Pose, home: Pose) -> Result<Pose, Failure> {
+        let origin = from.te;
+        let mut pose = from;
+        let mut gaps = self.gaps(&pose, None)?;
+        let mut best_step = f64::INFINITY;
+        let mut factor: f64 = 1.0;
+        for _ in 0..ROUNDS {
+            let targets = self.targets(&pose, &gaps);
+            let ta = self.turned(&pose, &gaps);
+            let to =
+                least(origin, pose.te, &gaps, &targets).ok_or_else(|| self.impossible(home))?;
+            let step = to - pose.te;
+            let size = step.norm();
+            // Near the end the rounds must come closer; far from it surfaces may bend away.
+            if size > 0.95 * best_step {
+                factor = (0.7 * factor).max(0.05);
+            }
+            best_step = best_step.min(size);
+            let turn = (ta - pose.ta).norm();
+            pose = Pose { te: pose.te + step * factor, ta };
+            gaps = self.gaps(&pose, Some(&gaps))?;
+            let off = gaps.iter().zip(&targets).map(|(g, t)| (g.g - t).abs()).fold(0.0, f64::max);
+            let scale = pose.te.norm() + size + self.aims[0].keep.width();
+            if size <= 1e-11 * scale && turn <= 1e-11 && off <= 1e-11 * scale {
+                return Ok(pose);
+            }
+        }
+        // The least way is not known to the last digit; the place on the surfaces shall be.
+        self.settle(pose, gaps).ok_or_else(|| self.impossible(home))
+    }
+
+    /// The nearest place on all surfaces, by Newton's method with steps of least length.
+    fn settle(&self, mut pose: Pose, mut gaps: Vec<Gap>) -> Option<Pose> {
+        for _ in 0..ROUNDS {
+            let targets = self.targets(&pose, &gaps);
+            let off = gaps.iter().zip(&targets).map(|(g, t)| (g.g - t).abs()).fold(0.0, f64::max);
+            if off <= 1e-13 * (1.0 + pose.te.norm()) + 1e-9 * self.aims[0].keep.width() {
+                return Some(pose);
+            }
+            pose = Pose {
+                te: least(pose.te, pose.te, &gaps, &targets)?,
+                ta: self.turned(&pose, &gaps),
+            };
+            gaps = self.gaps(&pose, Some(&gaps)).ok()?;
+        }
+        None
+    }
+
+    fn impossible(&self, _home: Pose) -> Failure {
+        Failure::NoStart {
+            surfaces: self.aims.iter().map(|a| a.wall.surface.clone()).collect(),
+            why: "no common position was found",
+        }
+    }
+
+    /// Exactly along the direction to the one surface.
+    fn along(&self, pose: Pose, v: Vec3) -> Result<Pose, Failure> {
+        let Some(aim) = self.aims.first() else { return Ok(pose) };
+        self.run(aim, pose, v).ok_or_else(|| Failure::Misses {
+            surface: aim.wall.surface.clone(),
+            closest: aim.keep.gap(&pose, None).map_or(0.0, |g| g.g.abs()),
+        })
+    }
+
+    /// OFFSET: pierces the drive surface, moves out along its normal, then along the axis to the part.
+    fn offset(&self, pose: Pose, v: Vec3) -> Result<Pose, Failure> {
+        let Some(aim) = self.aims.first() else { return Ok(pose) };
+        let misses = |w: &Wall| Failure::Misses {
+            surface: w.surface.clone(),
+            closest: aim.keep.surface.distance(pose.te).abs(),
+        };
+        let hit = aim
+            .keep
+            .surface
+            .directed_distance(pose.te, v, Fiop::Ahead)
+            .map_err(|_| misses(aim.wall))?;
+        let mut at = Pose { te: hit.point, ..pose };
+        if !aim.wall.on {
+            let normal = aim.keep.surface.foot(hit.point).normal * aim.keep.side.sign();
+            at = self.run(aim, at, normal).ok_or_else(|| misses(aim.wall))?;
+        }
+        for aim in &self.aims[1..] {
+            let up = self.run(aim, at, at.ta);
+            at = up.or_else(|| self.run(aim, at, -at.ta)).ok_or_else(|| misses(aim.wall))?;
+        }
+        Ok(at)
+    }
+
+    /// The first place along `v` where the tool is at the surface, by steps no longer than the gap and
+    /// Newton's method at the end.
+    fn run(&self, aim: &Aim<'_>, from: Pose, v: Vec3) -> Option<Pose> {
+        let (mut s, mut last) = (0.0_f64, None);
+        let mut outside = None;
+        for _ in 0..ROUNDS {
+            let pose = Pose { te: from.te + v * s, ..from };
+            let gap = aim.keep.gap(&pose, last).ok()?;
+            last = Some(gap.surface_point);
+            let scale = 1.0 + pose.te.norm();
+            if gap.g.abs() <= 1e-13 * scale {
+                return Some(pose);
+            }
+            let slope = gap.normal.dot(&v);
+            let began_outside = *outside.get_or_insert(gap.g > 0.0);
+            // The gap changes no faster than the tool moves: a step of its size passes nothing.
+            let newton = -gap.g / slope;
+            let step =
+                if newton > 0.0 && newton < 2.0 * gap.g.abs() { newton } else { gap.g.abs() };
+            if newton < 0.0 && (gap.g > 0.0) != began_outside {
+                s += newton;
+            } else {
+                s += step;
+            }
+            if s > 1e9 * scale || s < -1e-9 * scale {
+                return None;
+            }
+        }
+        None
+    }
+}
+
+/// The point nearest to `origin` where the gaps, taken as linear about `at`, have their targets.
+fn least(origin: Vec3, at: Vec3, gaps: &[Gap], targets: &[f64]) -> Option<Vec3> {
+    // Unknown multipliers m: x = origin + sum m_i n_i with n_i . (x - at) = t_i - g_i.
+    let n: Vec<Vec3> = gaps.iter().map(|g| g.normal).collect();
+    let rhs: Vec<f64> =
+        gaps.iter().zip(targets).map(|(g, t)| t - g.g + g.normal.dot(&(at - origin))).collect();
+    match n.as_slice() {
+        [a] => Some(origin + a * rhs[0]),
+        [a, b] => {
+            let c = a.dot(b);
+            let det = 1.0 - c * c;
+            (det > 1e-12).then(|| {
+                origin + a * ((rhs[0] - c * rhs[1]) / det) + b * ((rhs[1] - c * rhs[0]) / det)
+            })
+        }
+        [a, b, c] => {
+            let det = a.cross(b).dot(c);
+            (det.abs() > 1e-9).then(|| {
+                origin + (b.cross(c) * rhs[0] + c.cross(a) * rhs[1] + a.cross(b) * rhs[2]) / det
+            })
+        }
+        _ => None,
+    }
+}

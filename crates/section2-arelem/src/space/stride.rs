@@ -1,0 +1,260 @@
+//! The longest cut vector that the band allows (APT: `DELTA`, `ADELTA`, `GOUGCK`).
+//!
+//! A chord between two places at gaps e and f above the low limit, over a surface whose gap bends along it,
+//! dips by what a parabola does: with A the depth of the parabola over its chord, the lowest place is at the
+//! limit when A = (sqrt e + sqrt f)^2. A grows with the square of the length. So the ratio of the longest
+//! chord to the one just tried is known from the lowest gap on it, and the search for the length takes two
+//! or three trials. The same holds for the high limit over hollow surfaces.
+
+use aptc_contact::{Gap, chord};
+use aptc_geometry::Vec3;
+
+use super::keep::{Keep, Pose};
+use super::track::{Node, Track, Trouble};
+
+/// Trials of one cut vector; two or three are usual.
+const TRIALS: usize = 40;
+/// A chord that could be longer by less than this ratio is taken: a longer one would save no cut vector in
+/// half a million.
+const LONG_ENOUGH: f64 = 2e-6;
+/// Greatest turn of the track in one cut vector, radians.
+const MOST_TURN: f64 = 2.0;
+/// Share of the band by which a chord aims inside of it.
+const AIM: f64 = 1e-6;
+/// Extreme gaps on a chord are found to this share of the band.
+const RESOLUTION: f64 = 1e-8;
+
+/// A cut vector.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Stride {
+    /// Length along the track.
+    pub(crate) length: f64,
+    pub(crate) to: Node,
+    /// Gaps at its end, from which the next one continues.
+    pub(crate) targets: [f64; 2],
+}
+
+/// How a chord lies in the bands: it fits, and the ratio by which it could be longer.
+#[derive(Clone, Copy, Debug)]
+struct Fit {
+    fits: bool,
+    ratio: f64,
+}
+
+impl Track {
+    /// The longest cut vector from a node, no longer than `cap`; `ratio` is the accepted length over the
+    /// foretold one of the last cut vector, and is kept up to date.
+    pub(crate) fn stride(&self, from: &Node, cap: f64, ratio: &mut f64) -> Result<Stride, Trouble> {
+        let plan = self.plan(from, cap);
+        let mut s = (plan.length * *ratio).min(plan.most);
+        let (mut good, mut bad): (Option<Stride>, f64) = (None, f64::INFINITY);
+        let mut trouble = Trouble::SideBySide;
+        let mut before: Option<(f64, f64)> = None;
+        for _ in 0..TRIALS {
+            let next = match self.reach(from, s, plan.length) {
+                Ok(tried) => {
+                    let fit = self.fit(from, &tried.to)?;
+                    if fit.fits {
+                        good = Some(tried);
+                        if fit.ratio <= 1.0 + LONG_ENOUGH || s >= plan.most {
+                            break;
+                        }
+                    } else {
+                        bad = bad.min(s);
+                    }
+                    let ratio = if fit.fits { fit.ratio } else { fit.ratio.min(1.0 - LONG_ENOUGH) };
+                    let next = lengthen(s, ratio, before) * (1.0 - 0.25 * LONG_ENOUGH);
+                    before = Some((s, ratio));
+                    next
+                }
+                Err(t) => {
+                    trouble = t;
+                    bad = bad.min(s);
+                    0.5 * s
+                }
+            };
+            let low = good.map_or(0.0, |g| g.length);
+            if bad - low <= LONG_ENOUGH * low || s <= self.exact {
+                break;
+            }
+            s = next.min(plan.most);
+            if s <= low || s >= bad {
+                s = if bad.is_finite() { 0.5 * (low + bad) } else { plan.most };
+            }
+        }
+        let stride = good.ok_or(trouble)?;
+        *ratio = (stride.length / plan.length).clamp(0.2, 2.0);
+        Ok(stride)
+    }
+
+    /// The place at distance `s`, its gaps at the targets that belong to its own curvature.
+    fn reach(&self, from: &Node, s: f64, usual: f64) -> Result<Stride, Trouble> {
+        let targets = self.targets(from, usual);
+        let to = self.walk(from, s, targets)?;
+        let again = self.targets(&to, usual);
+        let differ = |i: usize| (again[i] - targets[i]).abs() > 1e-3 * self.keeps[i].width();
+        let (to, targets) = if differ(0) || differ(1) {
+            (self.walk(from, s, again)?, again)
+        } else {
+            (to, targets)
+        };
+        Ok(Stride { length: s, to, targets })
+    }
+
+    /// Gaps of a vertex when cut vectors are about `usual` long.
+    pub(crate) fn targets(&self, at: &Node, usual: f64) -> [f64; 2] {
+        [0, 1].map(|i| {
+            let keep = &self.keeps[i];
+            let share = (at.bends[i].abs() * usual * usual / (8.0 * keep.width())).min(1.0);
+            keep.target(at.bends[i], if share < 1e-6 { 0.0 } else { share })
+        })
+    }
+
+    /// The length foretold from the curvature, and the greatest allowed.
+    fn plan(&self, from: &Node, cap: f64) -> Plan {
+        let turn = from.curl.norm();
+        let most = if turn * cap > MOST_TURN { MOST_TURN / turn } else { cap };
+        let mut length = most;
+        for (keep, bend) in self.keeps.iter().zip(from.bends) {
+            if bend.abs() * length * length > 8.0 * keep.width() {
+                length = (8.0 * keep.width() / bend.abs()).sqrt();
+            }
+        }
+        Plan { length, most }
+    }
+
+    /// Does the chord stay in both bands, and how much longer could it be?
+    fn fit(&self, from: &Node, to: &Node) -> Result<Fit, Trouble> {
+        let mut all = Fit { fits: true, ratio: f64::INFINITY };
+        // The end must be ahead: a track that closes on itself is not cut short.
+        if (to.pose.te - from.pose.te).dot(&from.along) <= 0.0 && from.curl.norm() <= 0.0 {
+            return Ok(Fit { fits: false, ratio: 0.5 });
+        }
+        for i in 0..2 {
+            let one = self.fit_one(i, from, to)?;
+            all.fits &= one.fits;
+            all.ratio = all.ratio.min(one.ratio);
+        }
+        Ok(all)
+    }
+
+    fn fit_one(&self, i: usize, from: &Node, to: &Node) -> Result<Fit, Trouble> {
+        let keep = &self.keeps[i];
+        let turning = (from.pose.ta - to.pose.ta).norm_squared() > 1e-24;
+        if keep.is_plane() && !turning {
+            return Ok(Fit { fits: true, ratio: f64::INFINITY });
+        }
+        let limits = keep.limits();
+        let v = to.pose.te - from.pose.te;
+        let ends = [&from.gaps[i], &to.gaps[i]];
+        let (low, high) = if turning {
+            turning_extremes(keep, from, to, ends)?
+        } else {
+            let c = chord(
+                &keep.tool(&from.pose),
+                to.pose.te,
+                &keep.surface,
+                keep.condition,
+                keep.side,
+                keep.thick,
+                Some([*ends[0], *ends[1]]),
+                RESOLUTION * keep.width(),
+            )?;
+            (c.low.g, c.high.g)
+        };
+        // The chord aims a little inside the band, so that it fits when it comes out a little longer.
+        let aim = AIM * keep.width();
+        let e = ends.map(|g| (g.g - limits.low - aim).max(0.0));
+        let f = ends.map(|g| (limits.high - aim - g.g).max(0.0));
+        let dips = [ends[0].g - low, ends[1].g - low].map(|d| d.max(0.0));
+        let rises = [high - ends[0].g, high - ends[1].g].map(|d| d.max(0.0));
+        let depth = 0.5 * (ends[1].normal.dot(&v) - ends[0].normal.dot(&v));
+        // Vertices of the motion before may lie at the very edge; they are no fault of this chord.
+        let least = ends[0].g.min(ends[1].g).min(limits.low);
+        let most = ends[0].g.max(ends[1].g).max(limits.high);
+        let fits = low >= least && high <= most;
+        let mut ratio = f64::INFINITY;
+        if depth > 0.0 || dips[0].min(dips[1]) > aim {
+            ratio = ratio.min(grow(e, dips, depth));
+        }
+        if depth < 0.0 || rises[0].min(rises[1]) > aim {
+            ratio = ratio.min(grow(f, rises, -depth));
+        }
+        Ok(Fit { fits, ratio })
+    }
+}
+
+/// The next length to try: by the ratio, and from the second trial on by the secant of the ratios, which
+/// also sees how the targets and the curvature change with the length.
+fn lengthen(s: f64, ratio: f64, before: Option<(f64, f64)>) -> f64 {
+    let simple = s * ratio.clamp(0.1, 4.0);
+    let Some((s0, r0)) = before else { return simple };
+    let slope = (ratio - r0) / (s - s0);
+    let secant = s - (ratio - 1.0) / slope;
+    // The ratio falls with the length; where rounding or a kink says otherwise the simple step holds.
+    if slope < 0.0 && secant > 0.25 * s && secant < 4.0 * s { secant } else { simple }
+}
+
+struct Plan {
+    length: f64,
+    most: f64,
+}
+
+/// Ratio of the longest chord to this one: `room` between the ends and the limit, `dips` between the ends
+/// and the extreme place, `depth` of the parabola where the chord has no inner extreme.
+fn grow(room: [f64; 2], dips: [f64; 2], depth: f64) -> f64 {
+    let allowed = room[0].sqrt() + room[1].sqrt();
+    let used = if dips[0].min(dips[1]) > 0.0 {
+        dips[0].sqrt() + dips[1].sqrt()
+    } else {
+        depth.max(0.0).sqrt()
+    };
+    if used > 0.0 { allowed / used } else { f64::INFINITY }
+}
+
+/// Least and greatest gap while the tool end moves straight and the axis turns evenly, from samples and a
+/// parabola through the extreme ones.
+fn turning_extremes(
+    keep: &Keep,
+    from: &Node,
+    to: &Node,
+    ends: [&Gap; 2],
+) -> Result<(f64, f64), Trouble> {
+    const PIECES: u32 = 8;
+    let mut values = vec![ends[0].g];
+    let mut start = ends[0].surface_point;
+    for i in 1..PIECES {
+        let pose = between(&from.pose, &to.pose, f64::from(i) / f64::from(PIECES));
+        let gap = keep.gap(&pose, Some(start))?;
+        start = gap.surface_point;
+        values.push(gap.g);
+    }
+    values.push(ends[1].g);
+    let (mut low, mut high) = (ends[0].g.min(ends[1].g), ends[0].g.max(ends[1].g));
+    for w in values.windows(3) {
+        let (a, b, c) = (w[0], w[1], w[2]);
+        let (slope, bend) = (0.5 * (c - a), a - 2.0 * b + c);
+        let inner = bend != 0.0 && (slope / bend).abs() <= 1.0;
+        let peak = if inner { b - slope * slope / (2.0 * bend) } else { b };
+        low = low.min(peak).min(b);
+        high = high.max(peak).max(b);
+    }
+    Ok((low, high))
+}
+
+/// The pose at `t` in [0, 1] of a cut vector: the tool end moves straight, the axis turns evenly.
+pub(crate) fn between(a: &Pose, b: &Pose, t: f64) -> Pose {
+    Pose { te: a.te + (b.te - a.te) * t, ta: slerp(a.ta, b.ta, t) }
+}
+
+fn slerp(a: Vec3, b: Vec3, t: f64) -> Vec3 {
+    let cos = a.dot(&b).clamp(-1.0, 1.0);
+    let across = b - a * cos;
+    let sin = across.norm();
+    if sin <= 1e-15 {
+        return a;
+    }
+    let angle = aptc_geometry::trig::atan2(sin, cos) * t;
+    let (s, c) = aptc_geometry::trig::sin_cos(angle);
+    (a * c + across * (s / sin)).normalize()
+}

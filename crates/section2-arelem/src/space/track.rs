@@ -1,0 +1,169 @@
+//! The curve on which the tool moves: in place at drive and part surface (APT: `CENTR`, `CENTR2`).
+
+use aptc_contact::{Gap, Reason};
+use aptc_geometry::{Vec3, trig};
+
+use super::keep::{Keep, Pose};
+use crate::axis::{Around, AxisRule};
+
+/// Rounds of Newton's method; three to five are usual with a fixed axis, some ten with a turning one.
+const ROUNDS: usize = 60;
+
+/// Sine between two surfaces below which they run side by side.
+const SIDE_BY_SIDE: f64 = 1e-7;
+
+/// Drive and part surface with the rule for the axis.
+#[derive(Clone, Debug)]
+pub(crate) struct Track {
+    /// Drive surface, part surface.
+    pub(crate) keeps: [Keep; 2],
+    pub(crate) axis: AxisRule,
+    /// Residual of the gaps that counts as zero.
+    pub(crate) exact: f64,
+}
+
+/// A place on the track.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Node {
+    pub(crate) pose: Pose,
+    pub(crate) gaps: [Gap; 2],
+    /// Unit direction of motion.
+    pub(crate) along: Vec3,
+    /// Second derivatives of the gaps along it.
+    pub(crate) bends: [f64; 2],
+    /// Curvature of the track.
+    pub(crate) curl: Vec3,
+}
+
+/// Why there is no place.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Trouble {
+    /// No normal pair, or the end of a surface.
+    Contact,
+    /// Drive and part surface run side by side.
+    SideBySide,
+    /// The iteration ended at its bound.
+    Stuck,
+    /// The rule of the tool axis has no solution.
+    Axis,
+}
+
+impl From<Reason> for Trouble {
+    fn from(_: Reason) -> Self {
+        Self::Contact
+    }
+}
+
+impl Track {
+    /// Gaps at a pose.
+    fn gaps(&self, pose: &Pose, hint: Option<&[Gap; 2]>) -> Result<[Gap; 2], Trouble> {
+        let start = |i: usize| hint.map(|h| h[i].surface_point);
+        Ok([self.keeps[0].gap(pose, start(0))?, self.keeps[1].gap(pose, start(1))?])
+    }
+
+    /// The node at a pose as it stands, going with `heading`.
+    pub(crate) fn node(&self, pose: Pose, heading: Vec3) -> Result<Node, Trouble> {
+        let gaps = self.gaps(&pose, None)?;
+        self.finish(pose, gaps, heading)
+    }
+
+    fn finish(&self, pose: Pose, gaps: [Gap; 2], heading: Vec3) -> Result<Node, Trouble> {
+        let along = direction(&gaps, heading)?;
+        let bends = [0, 1].map(|i| self.keeps[i].bend(&pose, &gaps[i], along));
+        let curl = solve(&gaps, along, [-bends[0], -bends[1], 0.0]).ok_or(Trouble::SideBySide)?;
+        Ok(Node { pose, gaps, along, bends, curl })
+    }
+
+    /// The place in the plane across `across` through the start, with the gaps at their targets.
+    ///
+    /// The gradients of the gaps are the surface normals, so Newton's method converges quadratically; the
+    /// 3x3 system is solved by vector products. A step that does not bring the gaps nearer is halved.
+    pub(crate) fn settle(
+        &self,
+        start: Pose,
+        across: Vec3,
+        targets: [f64; 2],
+        hint: &Node,
+    ) -> Result<Node, Trouble> {
+        let level = across.dot(&start.te);
+        let turning = self.axis.turns();
+        let mut pose = start;
+        let mut near = hint.gaps;
+        let mut last = (f64::INFINITY, pose, Vec3::zeros());
+        for _ in 0..ROUNDS {
+            let gaps = match self.gaps(&pose, Some(&near)) {
+                Ok(gaps) => gaps,
+                Err(trouble) if last.0.is_infinite() => return Err(trouble),
+                Err(_) => {
+                    last.2 *= 0.5;
+                    pose.te = last.1.te + last.2;
+                    continue;
+                }
+            };
+            let off = [targets[0] - gaps[0].g, targets[1] - gaps[1].g];
+            let out = level - across.dot(&pose.te);
+            let worst = off[0].abs().max(off[1].abs()).max(out.abs());
+            let mut turned = 0.0;
+            let mut ta = pose.ta;
+            if turning {
+                let along = direction(&gaps, hint.along)?;
+                let around = Around { ta, part: &gaps[1], drive: &gaps[0], along };
+                ta =
+                    self.axis.at(&around, [&self.keeps[0], &self.keeps[1]]).ok_or(Trouble::Axis)?;
+                turned = (ta - pose.ta).norm();
+            }
+            if worst <= self.exact && turned <= 1e-11 {
+                return self.finish(pose, gaps, hint.along);
+            }
+            if !turning && worst > 0.9 * last.0 && worst > 10.0 * self.exact {
+                // Too far: back, and half the step.
+                last.2 *= 0.5;
+                if last.2.norm() <= self.exact {
+                    break;
+                }
+                pose.te = last.1.te + last.2;
+                continue;
+            }
+            near = gaps;
+            let step = solve(&gaps, across, [off[0], off[1], out]).ok_or(Trouble::SideBySide)?;
+            last = (worst, pose, step);
+            pose = Pose { te: pose.te + step, ta };
+        }
+        Err(Trouble::Stuck)
+    }
+
+    /// The place at the distance `s` along the track from a node, to second order, then settled.
+    pub(crate) fn walk(&self, from: &Node, s: f64, targets: [f64; 2]) -> Result<Node, Trouble> {
+        let k = from.curl.norm();
+        let turn = k * s;
+        let (step, across) = if turn > 1e-9 {
+            let (sin, cos) = trig::sin_cos(turn);
+            let inwards = from.curl / k;
+            (from.along * (sin / k) + inwards * ((1.0 - cos) / k), from.along * cos + inwards * sin)
+        } else {
+            (from.along * s, from.along)
+        };
+        let start = Pose { te: from.pose.te + step, ta: from.pose.ta };
+        self.settle(start, across, targets, from)
+    }
+}
+
+/// The direction common to both surfaces, on the side of `heading`.
+fn direction(gaps: &[Gap; 2], heading: Vec3) -> Result<Vec3, Trouble> {
+    let cross = gaps[0].normal.cross(&gaps[1].normal);
+    let l = cross.norm();
+    if l <= SIDE_BY_SIDE {
+        return Err(Trouble::SideBySide);
+    }
+    let t = cross / l;
+    Ok(if t.dot(&heading) < 0.0 { -t } else { t })
+}
+
+/// The vector with given products with both normals and with `across`.
+fn solve(gaps: &[Gap; 2], across: Vec3, rhs: [f64; 3]) -> Option<Vec3> {
+    let (a, b) = (gaps[0].normal, gaps[1].normal);
+    let ab = a.cross(&b);
+    let det = ab.dot(&across);
+    (det.abs() > SIDE_BY_SIDE * 0.1)
+        .then(|| (b.cross(&across) * rhs[0] + across.cross(&a) * rhs[1] + ab * rhs[2]) / det)
+}

@@ -1,0 +1,514 @@
+//! Where the track meets a check surface (APT: `CHECK1`, `CHECK2`, `CHECK3`, `CPLAN`).
+//!
+//! The gap between cutter and check surface is followed along the track. TO and PAST are the zeros of the
+//! gaps on the two sides of the surface, in the order in which they come; ON the zeros of the tool end's
+//! distance; a tangency is a place where the gap is stationary and near zero, so that no plane has to
+//! stand in for the check surface. The gap changes no faster than the tool moves: that excludes most cut
+//! vectors at once, and bounds the search on the others.
+
+use aptc_contact::{Condition, Gap, Reason, Side};
+use aptc_protap::Relation;
+
+use super::keep::{Keep, Pose};
+use super::stride::Stride;
+use super::track::{Node, Track, Trouble};
+
+/// Bound of each search along one cut vector.
+const ROUNDS: usize = 80;
+/// How often a piece of a cut vector over a surface of mixed curvature is halved.
+const HALVINGS: u32 = 6;
+/// Rate of change of a gap along the track that is never exceeded, the turning of the axis apart.
+const RATE: f64 = 1.5;
+
+/// A check surface on the way.
+#[derive(Clone, Debug)]
+pub(crate) struct Watch {
+    relation: Relation,
+    nth: u32,
+    gauges: Vec<Gauge>,
+    /// TO and PAST alternate: does TO come first?
+    to_first: bool,
+    passed: u32,
+    met: u32,
+    /// Closer than this counts as touching.
+    near: f64,
+    /// A tangency may be this far from exact.
+    loose: f64,
+    closest: (f64, Pose),
+    /// Least gap at a place that runs alike, for the report.
+    pub(crate) alike: f64,
+}
+
+/// One of the gaps that are followed.
+#[derive(Clone, Debug)]
+struct Gauge {
+    keep: Keep,
+    /// Did the gap leave zero since the start?
+    armed: bool,
+    last: Option<Gap>,
+}
+
+/// A value of the gap on the track.
+#[derive(Clone, Copy, Debug)]
+struct Sample {
+    s: f64,
+    gap: Gap,
+    slope: f64,
+}
+
+/// The way between two nodes.
+struct Way<'a> {
+    track: &'a Track,
+    from: &'a Node,
+    stride: &'a Stride,
+    /// Turning of the axis over the length.
+    turn: aptc_geometry::Vec3,
+}
+
+/// A place where a gauge reads zero.
+#[derive(Clone, Copy, Debug)]
+struct Crossing {
+    s: f64,
+    touch: bool,
+}
+
+/// Where a motion ends.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Halt {
+    pub(crate) s: f64,
+    pub(crate) node: Node,
+    /// Side of the check surface's own normal on which the tool is.
+    pub(crate) side: f64,
+}
+
+impl Watch {
+    /// The gauges of a check surface for a motion that starts at `pose`.
+    pub(crate) fn new(keep: &Keep, relation: Relation, nth: u32, pose: &Pose) -> Self {
+        let sides: &[Side] = match keep.condition {
+            Condition::On => &[Side::Positive],
+            Condition::Touch => &[Side::Positive, Side::Negative],
+        };
+        let near = keep.intol.max(keep.outtol);
+        let mut gauges: Vec<Gauge> = sides
+            .iter()
+            .map(|side| Gauge {
+                keep: Keep { side: *side, ..keep.clone() },
+                armed: true,
+                last: None,
+            })
+            .collect();
+        let mut best = f64::NEG_INFINITY;
+        let mut closest = f64::INFINITY;
+        for g in &mut gauges {
+            if let Ok(gap) = g.keep.gap(pose, None) {
+                g.armed = gap.g.abs() > near;
+                best = best.max(gap.g);
+                if gap.g.abs() < closest.abs() {
+                    closest = gap.g;
+                }
+                g.last = Some(gap);
+            }
+        }
+        Self {
+            relation,
+            nth: nth.max(1),
+            gauges,
+            to_first: best > near,
+            passed: 0,
+            met: 0,
+            near,
+            loose: 2.0 * keep.width(),
+            closest: (closest, *pose),
+            alike: f64::INFINITY,
+        }
+    }
+
+    /// How often it was met, the closest approach and where that was.
+    pub(crate) fn account(&self) -> (u32, f64, Pose) {
+        (self.met, self.closest.0, self.closest.1)
+    }
+
+    /// Distance ahead at which a plane is passed for certain; 0 for other surfaces.
+    pub(crate) fn ahead(&self, node: &Node) -> f64 {
+        let to = |g: &Gauge| {
+            let gap = g.keep.is_plane().then_some(g.last)??;
+            let s = (-gap.g / gap.normal.dot(&node.along)).abs();
+            s.is_finite().then_some(s)
+        };
+        self.gauges.iter().filter_map(to).fold(0.0, f64::max)
+    }
+
+    /// Where the check surface stops the motion between a node and the end of a cut vector.
+    pub(crate) fn scan(
+        &mut self,
+        track: &Track,
+        from: &Node,
+        stride: &Stride,
+    ) -> Result<Option<Halt>, Trouble> {
+        let turn = from.pose.ta.cross(&stride.to.pose.ta) / stride.length;
+        let way = Way { track, from, stride, turn };
+        let tangent = matches!(self.relation, Relation::Tanto | Relation::Pstan);
+        let mut found: Vec<(Crossing, usize)> = Vec::new();
+        for i in 0..self.gauges.len() {
+            let (near, loose) = (self.near, self.loose);
+            let gauge = &mut self.gauges[i];
+            let Some((a, b)) = gauge.ends(&way, near) else { continue };
+            for p in [a, b] {
+                if p.gap.g.abs() < self.closest.0.abs() {
+                    let pose = if p.s > 0.0 { stride.to.pose } else { from.pose };
+                    self.closest = (p.gap.g, pose);
+                }
+            }
+            let keep = &self.gauges[i].keep;
+            let mut out = Vec::new();
+            if tangent {
+                tangencies(&way, keep, a, b, loose, HALVINGS, &mut self.alike, &mut out)?;
+            } else {
+                crossings(&way, keep, a, b, near, HALVINGS, &mut out)?;
+            }
+            found.extend(out.into_iter().map(|c| (c, i)));
+        }
+        found.sort_by(|a, b| a.0.s.total_cmp(&b.0.s));
+        for (crossing, i) in found {
+            let times = if crossing.touch && self.gauges.len() > 1 && !tangent { 2 } else { 1 };
+            for _ in 0..times {
+                let wanted = match self.relation {
+                    Relation::To => self.passed.is_multiple_of(2) == self.to_first,
+                    Relation::Past => self.passed.is_multiple_of(2) != self.to_first,
+                    _ => true,
+                };
+                self.passed += 1;
+                if !wanted {
+                    continue;
+                }
+                self.met += 1;
+                if self.met == self.nth {
+                    return self.halt(&way, crossing, i).map(Some);
+                }
+            }
+        }
+        Ok(None)
+    }
+
+    /// The node at a crossing.
+    fn halt(&self, way: &Way<'_>, crossing: Crossing, i: usize) -> Result<Halt, Trouble> {
+        let keep = &self.gauges[i].keep;
+        let node = way.node(crossing.s)?;
+        let gap = keep.gap(&node.pose, None)?;
+        let at = Sample { s: crossing.s, gap, slope: way.slope(&node, &gap) };
+        let s = if matches!(self.relation, Relation::Tanto | Relation::Pstan) {
+            None
+        } else if self.relation == Relation::To && at.slope.abs() < GRAZING {
+            grazing(way, keep, &at)
+        } else {
+            in_band(way, keep, &node, at)
+        };
+        let (s, node) = match s {
+            Some(s) => (s, way.node(s)?),
+            None => (crossing.s, node),
+        };
+        Ok(Halt { s, node, side: keep.side.sign() })
+    }
+}
+
+/// Sine of the angle below which a check surface is met at a graze.
+const GRAZING: f64 = 0.1;
+
+/// A surface that is only grazed is near for a long way: the tool stops where a tenth of the band is left,
+/// as APT-360 does, not at the very place of contact.
+fn grazing(way: &Way<'_>, keep: &Keep, at: &Sample) -> Option<f64> {
+    let left = 0.1 * keep.width();
+    let gap = keep.gap(&way.from.pose, Some(at.gap.surface_point)).ok()?;
+    let start = Sample { s: 0.0, gap, slope: way.slope(way.from, &gap) };
+    let over = |p: &Sample| p.gap.g - left;
+    if over(&start) <= 0.0 || over(at) >= 0.0 {
+        return None;
+    }
+    way.zero(keep, start, *at, over, |_| None, way.track.exact).ok().map(|p| p.s)
+}
+
+/// At a round or hollow check surface the tool stops where it would go on along it: outside, or inside, in
+/// the band.
+fn in_band(way: &Way<'_>, keep: &Keep, node: &Node, mut at: Sample) -> Option<f64> {
+    let next = at.gap.normal.cross(&node.gaps[1].normal);
+    if keep.is_plane() || next.norm() <= 1e-3 {
+        return None;
+    }
+    let target = keep.target(keep.bend(&node.pose, &at.gap, next.normalize()), 1.0);
+    for _ in 0..8 {
+        if (at.gap.g - target).abs() <= way.track.exact {
+            return Some(at.s);
+        }
+        let s = at.s - (at.gap.g - target) / at.slope;
+        if at.slope.abs() < 0.05 || s <= 0.0 {
+            return None;
+        }
+        at = way.sample(keep, s, &at).ok()?;
+    }
+    Some(at.s)
+}
+
+impl Gauge {
+    /// Readings at both ends of a cut vector; `None` when this side of the surface cannot be touched.
+    fn ends(&mut self, way: &Way<'_>, near: f64) -> Option<(Sample, Sample)> {
+        let at = |keep: &Keep, node: &Node, s: f64, last: Option<Gap>| {
+            let start = last.map(|g| g.surface_point);
+            let gap = keep.gap(&node.pose, start).ok()?;
+            Some(Sample { s, gap, slope: way.slope(node, &gap) })
+        };
+        let to = &way.stride.to;
+        let b = at(&self.keep, to, way.stride.length, self.last);
+        let a = match self.last {
+            Some(gap) => Some(Sample { s: 0.0, gap, slope: way.slope(way.from, &gap) }),
+            None => at(&self.keep, way.from, 0.0, None),
+        };
+        self.last = b.map(|b| b.gap);
+        let (mut a, b) = (a?, b?);
+        if !self.armed {
+            // The contact at the start does not count: from where it has ended.
+            let mut s = (2.0 * near).max(1e-6 * b.s);
+            let mut left = None;
+            for _ in 0..ROUNDS {
+                if s >= b.s {
+                    break;
+                }
+                if let Ok(sample) = way.sample(&self.keep, s, &a)
+                    && sample.gap.g.abs() > near
+                {
+                    left = Some(sample);
+                    break;
+                }
+                s *= 3.0;
+            }
+            match left {
+                Some(sample) => {
+                    self.armed = true;
+                    a = sample;
+                }
+                None => {
+                    self.armed = b.gap.g.abs() > near;
+                    a = b;
+                }
+            }
+        }
+        Some((a, b))
+    }
+}
+
+impl Way<'_> {
+    fn node(&self, s: f64) -> Result<Node, Trouble> {
+        self.track.walk(self.from, s, self.stride.targets)
+    }
+
+    /// Change of a gap with the way.
+    fn slope(&self, node: &Node, gap: &Gap) -> f64 {
+        gap.normal.dot(&node.along) + gap.turn_rate(node.pose.te, self.turn)
+    }
+
+    fn sample(&self, keep: &Keep, s: f64, near: &Sample) -> Result<Sample, Trouble> {
+        let node = self.node(s)?;
+        let gap = keep.gap(&node.pose, Some(near.gap.surface_point))?;
+        Ok(Sample { s, gap, slope: self.slope(&node, &gap) })
+    }
+
+    /// The zero of `f` between two samples of opposite sign, by Newton's method kept in the bracket.
+    fn zero(
+        &self,
+        keep: &Keep,
+        a: Sample,
+        b: Sample,
+        f: impl Fn(&Sample) -> f64,
+        newton: impl Fn(&Sample) -> Option<f64>,
+        enough: f64,
+    ) -> Result<Sample, Trouble> {
+        let (mut a, mut b) = (a, b);
+        let mut best = if f(&a).abs() < f(&b).abs() { a } else { b };
+        let mut side = 0_i32;
+        let (mut fa, mut fb) = (f(&a), f(&b));
+        for _ in 0..ROUNDS {
+            if f(&best).abs() <= enough || b.s - a.s <= 1e-15 * (b.s.abs() + 1e-300) {
+                break;
+            }
+            let secant = (a.s * fb - b.s * fa) / (fb - fa);
+            let s = newton(&best).filter(|s| *s > a.s && *s < b.s).unwrap_or(secant);
+            let s = if s > a.s && s < b.s { s } else { 0.5 * (a.s + b.s) };
+            let at = self.sample(keep, s, &best)?;
+            let value = f(&at);
+            // Illinois: the end that stays loses weight, so that the bracket closes from both sides.
+            if (value > 0.0) == (fa > 0.0) {
+                (a, fa) = (at, value);
+                if side == 1 {
+                    fb *= 0.5;
+                }
+                side = 1;
+            } else {
+                (b, fb) = (at, value);
+                if side == -1 {
+                    fa *= 0.5;
+                }
+                side = -1;
+            }
+            if f(&at).abs() < f(&best).abs() {
+                best = at;
+            } else if newton(&best).is_some() {
+                // Newton's method does not help here.
+                let mid = self.sample(keep, 0.5 * (a.s + b.s), &best)?;
+                let value = f(&mid);
+                if (value > 0.0) == (fa > 0.0) {
+                    (a, fa) = (mid, value);
+                } else {
+                    (b, fb) = (mid, value);
+                }
+                if value.abs() < f(&best).abs() {
+                    best = mid;
+                }
+            }
+        }
+        Ok(best)
+    }
+}
+
+impl Way<'_> {
+    /// The extreme gap between two samples whose slopes differ in sign, towards zero from where they are.
+    /// With `through` any place beyond zero will do. A kink is closed in by halving.
+    fn extreme(
+        &self,
+        keep: &Keep,
+        a: Sample,
+        b: Sample,
+        enough: f64,
+        through: bool,
+    ) -> Result<Sample, Trouble> {
+        let (mut a, mut b) = (a, b);
+        let falls = a.slope < 0.0;
+        let above = a.gap.g > 0.0;
+        let deeper = |p: &Sample, q: &Sample| (p.gap.g < q.gap.g) == falls;
+        let mut best = if deeper(&a, &b) { a } else { b };
+        for round in 0..ROUNDS {
+            let secant = (a.s * b.slope - b.s * a.slope) / (b.slope - a.slope);
+            // Every third step halves: at a kink the slopes tell nothing about the place.
+            let mid = 0.5 * (a.s + b.s);
+            let s = if round % 3 == 2 || !(secant > a.s && secant < b.s) { mid } else { secant };
+            let at = self.sample(keep, s, &best)?;
+            if deeper(&at, &best) {
+                best = at;
+            }
+            if at.slope.abs() <= enough || (through && (at.gap.g > 0.0) != above) {
+                return Ok(at);
+            }
+            if (at.slope < 0.0) == falls {
+                a = at;
+            } else {
+                b = at;
+            }
+            if b.s - a.s <= 1e-14 * b.s.abs() {
+                break;
+            }
+        }
+        Ok(best)
+    }
+}
+
+/// Is the gap along any cut vector free of more than one extreme value?
+fn simple(keep: &Keep) -> bool {
+    keep.surface.convex() || keep.surface.concave()
+}
+
+/// The zeros of the gap between two samples.
+fn crossings(
+    way: &Way<'_>,
+    keep: &Keep,
+    a: Sample,
+    b: Sample,
+    near: f64,
+    halvings: u32,
+    out: &mut Vec<Crossing>,
+) -> Result<(), Trouble> {
+    if b.s <= a.s {
+        return Ok(());
+    }
+    let (fa, fb) = (a.gap.g, b.gap.g);
+    let gap = |p: &Sample| p.gap.g;
+    let newton = |p: &Sample| (p.slope != 0.0).then(|| p.s - p.gap.g / p.slope);
+    if (fa > 0.0) != (fb > 0.0) {
+        let falls = fb < fa;
+        let runs = |p: &Sample| (p.slope < 0.0) == falls;
+        if halvings == 0 || simple(keep) || (runs(&a) && runs(&b)) {
+            let root = way.zero(keep, a, b, gap, newton, way.track.exact)?;
+            out.push(Crossing { s: root.s, touch: false });
+            return Ok(());
+        }
+    } else {
+        if fa.abs() + fb.abs() > reach(way, keep, &a, &b) {
+            return Ok(());
+        }
+        let towards = if fa > 0.0 { -1.0 } else { 1.0 };
+        if a.slope * towards > 0.0 && b.slope * towards < 0.0 {
+            let m = way.extreme(keep, a, b, 1e-9, true)?;
+            if (m.gap.g > 0.0) != (fa > 0.0) {
+                crossings(way, keep, a, m, near, 0, out)?;
+                return crossings(way, keep, m, b, near, 0, out);
+            }
+            if m.gap.g.abs() <= near {
+                out.push(Crossing { s: m.s, touch: true });
+                return Ok(());
+            }
+        }
+        if halvings == 0 || simple(keep) {
+            return Ok(());
+        }
+    }
+    let m = way.sample(keep, 0.5 * (a.s + b.s), &a)?;
+    crossings(way, keep, a, m, near, halvings - 1, out)?;
+    crossings(way, keep, m, b, near, halvings - 1, out)
+}
+
+/// The places between two samples where the gap is stationary and within `loose` of zero.
+#[expect(clippy::too_many_arguments, reason = "the bracket, its surface and what is found")]
+fn tangencies(
+    way: &Way<'_>,
+    keep: &Keep,
+    a: Sample,
+    b: Sample,
+    loose: f64,
+    halvings: u32,
+    alike: &mut f64,
+    out: &mut Vec<Crossing>,
+) -> Result<(), Trouble> {
+    if b.s <= a.s {
+        return Ok(());
+    }
+    let far = a.gap.g.abs() + b.gap.g.abs() - 2.0 * loose > reach(way, keep, &a, &b);
+    let turns = (a.slope > 0.0) != (b.slope > 0.0);
+    if turns && (!far || simple(keep)) {
+        let m = way.extreme(keep, a, b, 1e-12, false)?;
+        if m.gap.g.abs() <= loose {
+            out.push(Crossing { s: m.s, touch: true });
+        } else if m.gap.g.abs() < alike.abs() {
+            *alike = m.gap.g;
+        }
+        return Ok(());
+    }
+    if far || halvings == 0 || simple(keep) {
+        return Ok(());
+    }
+    let m = way.sample(keep, 0.5 * (a.s + b.s), &a)?;
+    tangencies(way, keep, a, m, loose, halvings - 1, alike, out)?;
+    tangencies(way, keep, m, b, loose, halvings - 1, alike, out)
+}
+
+/// How much a gap can change between two samples.
+fn reach(way: &Way<'_>, keep: &Keep, a: &Sample, b: &Sample) -> f64 {
+    (b.s - a.s) * (RATE + way.turn.norm() * keep.profile.reach())
+}
+
+/// The gap that says how far a tool is from a surface, whichever side it is on.
+pub(crate) fn clearance(keep: &Keep, pose: &Pose) -> Result<(f64, Side), Reason> {
+    let on_side = |side: Side| Keep { side, ..keep.clone() }.gap(pose, None).map(|g| g.g);
+    match (on_side(Side::Positive), on_side(Side::Negative)) {
+        (Ok(a), Ok(b)) if b > a => Ok((b, Side::Negative)),
+        (Ok(a), _) => Ok((a, Side::Positive)),
+        (Err(_), Ok(b)) => Ok((b, Side::Negative)),
+        (Err(r), Err(_)) => Err(r),
+    }
+}
