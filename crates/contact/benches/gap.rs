@@ -5,9 +5,10 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use aptc_contact::{Condition, Side, Tool, chord, gap, gap_near, second};
-use aptc_geometry::surface::QuadricSurface;
+use aptc_geometry::surface::{QuadricSurface, TabcylSurface};
 use aptc_geometry::{
-    Cone, Cutter, Cylinder, Plane, Profile, Quadric, QuadricKind, Sphere, Surface, Vec3, trig,
+    Cone, Cutter, Cylinder, Fit, Knot, Plane, Profile, Quadric, QuadricKind, Sphere, Surface,
+    Tabcyl, Vec2, Vec3, trig,
 };
 
 /// Nanoseconds a call: the best of many runs short enough to lie between two turns of the scheduler.
@@ -68,6 +69,23 @@ fn main() {
         ("ellipsoid, inside", ellipsoid(q(60.0), q(40.0), q(50.0)), Side::Negative),
         ("saddle", quadric([0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.005, 0.0, 0.0, 0.5]), Side::Positive),
     ];
+    let wave = |w: Vec3| {
+        let knots: Vec<Knot> = (0..60)
+            .map(|i| {
+                let x = f64::from(i) * 4.0 - 120.0;
+                Knot { point: Vec2::new(x, 5.0 * trig::sin(x * 0.05)), tangent: None }
+            })
+            .collect();
+        let [u, v] = aptc_geometry::surface::frame_about(w);
+        let axes = nalgebra::Matrix3::from_rows(&[u.transpose(), v.transpose(), w.transpose()]);
+        let form = Tabcyl::fit(&knots, Fit::Spline, axes, 10.0).expect("a curve");
+        Surface::Tabcyl(Arc::new(TabcylSurface::new(&Arc::new(form)).expect("spans")))
+    };
+    let tabcyls = [
+        ("TABCYL of 60 points along the axis", wave(Vec3::z()), Side::Positive),
+        ("TABCYL of 60 points square to it", wave(Vec3::x()), Side::Positive),
+    ];
+    let surfaces: Vec<_> = surfaces.into_iter().chain(tabcyls).collect();
     println!("{:34} {:>9} {:>9} {:>9} {:>9}", "ns a gap", "ball", "warm", "bull nose", "warm");
     for (name, surface, side) in &surfaces {
         print!("{name:34}");

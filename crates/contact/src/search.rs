@@ -216,8 +216,8 @@ fn local(tool: &Tool<'_>, surface: &Surface, side: Side, q: Vec3) -> Result<Gap,
         let shape = if side == Side::Positive { foot.shape } else { foot.shape.reversed() };
         let tight = shape.principal()[0].max(0.0);
         let most = if tight.is_finite() { 0.7 / tight.max(1e-300) } else { 0.0 };
-        let here =
-            descend(tool, surface, side, at(tool, &foot, side, back.min(most)), back.min(most));
+        let begin = at(tool, &foot, side, back.min(most));
+        let (here, border) = descend(tool, surface, side, begin, back.min(most));
         let w = here.tool_point - here.q;
         let raw = w.dot(&here.normal);
         let residual = (w - here.normal * raw).norm();
@@ -233,19 +233,24 @@ fn local(tool: &Tool<'_>, surface: &Surface, side: Side, q: Vec3) -> Result<Gap,
             });
         }
         failure = Reason::NotConverged { best: here.q, residual };
+        foot = surface.foot(here.q);
+        if border {
+            return Err(Reason::OutOfDomain);
+        }
         if back >= most {
             break;
         }
         back = 2.0 * back + 2.0 * (-here.value).max(0.0);
-        foot = surface.foot(here.q);
     }
     Err(failure)
 }
 
-/// Newton's method downhill on the surface moved `back`, from one place to the next.
-fn descend(tool: &Tool<'_>, surface: &Surface, side: Side, start: At, back: f64) -> At {
+/// Newton's method downhill on the surface moved `back`, from one place to the next; and whether it was
+/// stopped by the border of the surface or at a place without a tangent plane.
+fn descend(tool: &Tool<'_>, surface: &Surface, side: Side, start: At, back: f64) -> (At, bool) {
     let size = tool.profile.widest().max(0.1 * tool.profile.reach());
     let mut here = start;
+    let mut border = false;
     let mut cap = size;
     for _ in 0..MAX_STEPS {
         let slope = here.across.norm();
@@ -253,7 +258,9 @@ fn descend(tool: &Tool<'_>, surface: &Surface, side: Side, start: At, back: f64)
             break;
         }
         let d = step(&here, cap);
-        let next = at(tool, &surface.foot(here.x + d), side, back);
+        let foot = surface.foot(here.x + d);
+        border = foot.shape.k[0].is_infinite();
+        let next = at(tool, &foot, side, back);
         // Close to the end the values agree to rounding, and the slope tells.
         let lower = next.value < here.value - 1e-14 * size;
         let flatter = next.value <= here.value + 1e-13 * size && next.across.norm() < 0.7 * slope;
@@ -267,7 +274,7 @@ fn descend(tool: &Tool<'_>, surface: &Surface, side: Side, start: At, back: f64)
             break;
         }
     }
-    here
+    (here, border)
 }
 
 /// Newton's step in the tangent plane, with the signs of the curvatures made positive; no longer than `cap`.

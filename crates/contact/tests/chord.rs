@@ -5,7 +5,7 @@ mod support;
 use aptc_contact::{Condition, Side, Tool, chord, gap, on};
 use aptc_geometry::{Cutter, Cylinder, Profile, Surface, Vec3};
 use proptest::prelude::*;
-use support::{axis, cutter, quadric, simple};
+use support::{axis, cutter, quadric, simple, tabcyl};
 
 /// Ball of radius 1 round a cylinder of radius 4: the centre's path has radius 5, and a chord of angle .2
 /// dips by 5 (1 - cos .1); inside a cylinder of radius 6 it lifts off by as much.
@@ -38,7 +38,7 @@ proptest! {
 
     #[test]
     fn bounds_hold_and_are_tight(
-        cutter in cutter(), simple in simple(), quadric in quadric(), which in any::<bool>(),
+        cutter in cutter(), simple in simple(), quadric in prop_oneof![quadric(), tabcyl()], which in any::<bool>(),
         ta in axis(), te in prop::array::uniform3(-30.0_f64..30.0), lift in 0.0_f64..1.0,
         v in prop::array::uniform3(-4.0_f64..4.0), ends_on in any::<bool>(),
     ) {

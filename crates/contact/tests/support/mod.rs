@@ -1,8 +1,9 @@
 //! Random scenes.
 
-use aptc_geometry::surface::QuadricSurface;
+use aptc_geometry::surface::{QuadricSurface, TabcylSurface};
 use aptc_geometry::{
-    Cone, Cutter, Cylinder, Plane, Quadric, QuadricKind, Sphere, Surface, Vec3, trig,
+    Cone, Cutter, Cylinder, Fit, Knot, Plane, Quadric, QuadricKind, Sphere, Surface, Tabcyl, Vec2,
+    Vec3, trig,
 };
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
@@ -69,6 +70,25 @@ pub(crate) fn simple() -> impl Strategy<Value = Surface> {
                 2 => Surface::Cylinder(Cylinder { point, axis: n, radius }),
                 _ => Surface::Cone(Cone { vertex: point, axis: n, cos_half: trig::cos_deg(angle) }),
             }
+        },
+    )
+}
+
+/// Waves over a line, the generatrix along z or oblique.
+pub(crate) fn tabcyl() -> impl Strategy<Value = Surface> {
+    (prop::collection::vec(-4.0_f64..4.0, 19..21), axis(), any::<bool>()).prop_filter_map(
+        "a curve",
+        |(y, w, spline)| {
+            let knots: Vec<Knot> = y
+                .iter()
+                .enumerate()
+                .map(|(i, y)| Knot { point: Vec2::new(i as f64 * 12.0 - 110.0, *y), tangent: None })
+                .collect();
+            let fit = if spline { Fit::Spline } else { Fit::TwoPoint };
+            let [u, v] = aptc_geometry::surface::frame_about(w);
+            let axes = nalgebra::Matrix3::from_rows(&[u.transpose(), v.transpose(), w.transpose()]);
+            let form = Arc::new(Tabcyl::fit(&knots, fit, axes, 10.0).ok()?);
+            TabcylSurface::new(&form).map(|s| Surface::Tabcyl(Arc::new(s)))
         },
     )
 }

@@ -10,6 +10,7 @@ mod probe;
 mod quadric;
 mod shape;
 mod sphere;
+mod tabcyl;
 
 use std::sync::Arc;
 
@@ -17,6 +18,7 @@ pub use cone::vertex_side;
 pub use probe::{Aimed, ajundo, ccurv, control, radar};
 pub use quadric::QuadricSurface;
 pub use shape::{Frame, Shape, frame_about};
+pub use tabcyl::TabcylSurface;
 
 use crate::{Cone, Cylinder, Form, Place, Plane, Reason, Sphere, Vec3};
 
@@ -34,6 +36,7 @@ pub enum Surface {
     Cylinder(Cylinder),
     Cone(Cone),
     Quadric(Arc<QuadricSurface>),
+    Tabcyl(Arc<TabcylSurface>),
 }
 
 /// The point of a surface nearest to a given one.
@@ -81,6 +84,7 @@ impl Surface {
             Form::Sphere(s) => Self::Sphere(*s),
             Form::Cone(c) => Self::Cone(*c),
             Form::Quadric(q) => Self::Quadric(Arc::new(QuadricSurface::new(q)?)),
+            Form::Tabcyl(t) => Self::Tabcyl(Arc::new(TabcylSurface::new(t)?)),
             _ => return None,
         })
     }
@@ -95,6 +99,7 @@ impl Surface {
             Self::Cylinder(s) => s.ray(p, d),
             Self::Cone(s) => s.ray(p, d),
             Self::Quadric(s) => s.ray(p, d),
+            Self::Tabcyl(s) => s.ray(p, d),
         }
     }
 
@@ -123,6 +128,7 @@ impl Surface {
             Self::Cylinder(s) => s.normal(p),
             Self::Cone(s) => s.normal(p),
             Self::Quadric(s) => s.normal(p),
+            Self::Tabcyl(s) => s.normal(p),
         }
     }
 
@@ -136,6 +142,7 @@ impl Surface {
             Self::Cylinder(s) => s.foot(p),
             Self::Cone(s) => s.foot(p),
             Self::Quadric(s) => s.foot(p),
+            Self::Tabcyl(s) => s.foot(p),
         }
     }
 
@@ -158,6 +165,7 @@ impl Surface {
             Self::Cylinder(s) => s.shape(n),
             Self::Cone(s) => s.shape_at(q, n),
             Self::Quadric(s) => s.shape_at(q, n),
+            Self::Tabcyl(s) => s.shape_at(q),
         }
     }
 
@@ -166,6 +174,7 @@ impl Surface {
         match self {
             Self::Cylinder(s) => Some(s.axis),
             Self::Quadric(s) => s.generator(),
+            Self::Tabcyl(s) => Some(s.generator()),
             Self::Plane(_) | Self::Sphere(_) | Self::Cone(_) => None,
         }
     }
@@ -176,6 +185,7 @@ impl Surface {
         match self {
             Self::Plane(_) | Self::Sphere(_) | Self::Cylinder(_) | Self::Cone(_) => true,
             Self::Quadric(s) => s.convexity() > 0,
+            Self::Tabcyl(_) => false,
         }
     }
 
@@ -183,7 +193,7 @@ impl Surface {
     pub fn concave(&self) -> bool {
         match self {
             Self::Plane(_) => true,
-            Self::Sphere(_) | Self::Cylinder(_) | Self::Cone(_) => false,
+            Self::Sphere(_) | Self::Cylinder(_) | Self::Cone(_) | Self::Tabcyl(_) => false,
             Self::Quadric(s) => s.convexity() < 0,
         }
     }
@@ -197,6 +207,7 @@ impl Surface {
             Self::Cylinder(s) => s.point.norm() + s.radius,
             Self::Cone(s) => s.vertex.norm(),
             Self::Quadric(s) => s.extent(),
+            Self::Tabcyl(s) => s.extent(),
         }
     }
 }

@@ -1,0 +1,380 @@
+//! TABCYL as a surface: prepared so that the nearest point is found without looking at every span.
+
+use std::sync::Arc;
+
+use crate::surface::{EPS_LEN, Foot, Shape};
+use crate::tabcyl::left;
+use crate::{Place, Reason, Tabcyl, TabcylSpan, Vec2, Vec3};
+
+/// Spans that share one bounding circle.
+const GROUP: usize = 8;
+/// Bound of the search for the nearest point of one span; it closes a bracket of doubles at worst.
+const MAX_STEPS: usize = 60;
+/// Pieces of a strongly bent span that are searched one by one.
+const PIECES: usize = 8;
+
+/// A tabulated cylinder prepared for evaluation. Its positive side is the left of the directrix.
+#[derive(Clone, Debug)]
+pub struct TabcylSurface {
+    form: Arc<Tabcyl>,
+    spans: Vec<Prepared>,
+    /// Circles around every eight spans.
+    groups: Vec<Disk>,
+    axes: [Vec3; 3],
+    extent: f64,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Disk {
+    center: Vec2,
+    radius: f64,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Prepared {
+    span: TabcylSpan,
+    chord: Vec2,
+    disk: Disk,
+    /// Greatest second derivative of the offset.
+    bend: f64,
+    /// Greatest distance from the chord.
+    rise: f64,
+    /// Does the tangent turn at its beginning?
+    corner: bool,
+}
+
+/// Nearest place of the directrix.
+#[derive(Clone, Copy, Debug)]
+struct Near {
+    square: f64,
+    span: usize,
+    s: f64,
+}
+
+impl TabcylSurface {
+    /// Prepares a form; `None` when it has no spans.
+    pub fn new(form: &Arc<Tabcyl>) -> Option<Self> {
+        let mut spans: Vec<Prepared> = Vec::with_capacity(form.spans.len());
+        let mut extent = 0.0_f64;
+        for (i, span) in form.spans.iter().enumerate() {
+            let (l, chord) = (span.length, form.chord(i));
+            let rise = span.max.abs().max(span.min.abs());
+            let center =
+                span.start + chord * (0.5 * l) + left(chord) * (0.5 * (span.max + span.min));
+            let high = 0.5 * (span.max - span.min);
+            let radius = (0.25 * l * l + high * high).sqrt() * (1.0 + 1e-12);
+            let bend = span.second(0.0).abs().max(span.second(l).abs());
+            let corner = i > 0 && {
+                let before = form.tangent(i - 1, form.spans[i - 1].length).normalize();
+                before.perp(&form.tangent(i, 0.0).normalize()).abs() > 1e-9
+            };
+            extent = extent.max(center.norm() + radius);
+            let disk = Disk { center, radius };
+            spans.push(Prepared { span: *span, chord, disk, bend, rise, corner });
+        }
+        let groups = spans
+            .chunks(GROUP)
+            .map(|chunk| {
+                let sum = chunk.iter().fold(Vec2::zeros(), |c, s| c + s.disk.center);
+                let center = sum / f64::from(u32::try_from(chunk.len()).unwrap_or(1));
+                let reach = |s: &Prepared| (s.disk.center - center).norm() + s.disk.radius;
+                Disk { center, radius: chunk.iter().map(reach).fold(0.0, f64::max) }
+            })
+            .collect();
+        let axes = [form.u(), form.v(), form.w()];
+        (!spans.is_empty()).then(|| Self { form: form.clone(), spans, groups, axes, extent })
+    }
+
+    /// The form.
+    pub fn form(&self) -> &Tabcyl {
+        &self.form
+    }
+
+    /// Direction of the generatrix.
+    pub fn generator(&self) -> Vec3 {
+        self.axes[2]
+    }
+
+    /// Greatest distance of the directrix from the generatrix through the origin.
+    pub fn extent(&self) -> f64 {
+        self.extent
+    }
+
+    /// Directed distances along the unit direction `d`, the straight ends included.
+    ///
+    /// APT: `DDTABC`. Each is found where the cubic itself crosses the ray, at joints once.
+    pub fn ray(&self, p: Vec3, d: Vec3) -> Result<Vec<f64>, Reason> {
+        match self.form.ray(p, d) {
+            None => {
+                let foot = self.foot(p);
+                let on = foot.distance.abs() <= EPS_LEN * (self.extent + p.norm());
+                Err(if on { Reason::AllHit } else { Reason::Parallel })
+            }
+            Some(all) if all.is_empty() => Err(Reason::NoHit),
+            Some(all) => Ok(all),
+        }
+    }
+
+    /// Unit normal at the nearest point, to the left of the directrix.
+    ///
+    /// APT: `NORM-TAB`. At a corner between two spans there is none.
+    pub fn normal(&self, p: Vec3) -> Result<Vec3, Reason> {
+        let foot = self.foot(p);
+        if foot.shape.k[0].is_infinite() {
+            return Err(Reason::Degenerate(Place::Singular));
+        }
+        Ok(foot.normal)
+    }
+
+    /// The nearest point. At a corner, and beyond an end, the normal points from or to the given point.
+    pub fn foot(&self, p: Vec3) -> Foot {
+        let [u, v, w] = self.axes;
+        let (x, height) = (Vec2::new(u.dot(&p), v.dot(&p)), w.dot(&p));
+        let near = self.nearest(x);
+        let place = &self.spans[near.span];
+        let (offset, slope) = (place.span.offset(near.s), place.span.slope(near.s));
+        let q = place.span.start + place.chord * near.s + left(place.chord) * offset;
+        let stretch = (1.0 + slope * slope).sqrt();
+        let tangent = (place.chord + left(place.chord) * slope) / stretch;
+        let mut normal = left(tangent);
+        let away = x - q;
+        let mut distance = normal.dot(&away);
+        // Seen from the left, what bends to the left is a hollow.
+        let mut k = -place.span.second(near.s) / (stretch * stretch * stretch);
+        let along = tangent.dot(&away);
+        let size = near.square.sqrt();
+        if along.abs() > 1e-7 * size && size > 1e-12 * self.extent && self.free_end(&near) {
+            let side = self.side(&near, away);
+            normal = away * (side / size);
+            distance = side * size;
+            k = f64::INFINITY.copysign(side);
+        }
+        let lift = |a: Vec2| u * a.x + v * a.y;
+        let n = lift(normal);
+        Foot {
+            point: lift(q) + w * height,
+            normal: n,
+            distance,
+            shape: Shape { frame: [lift(Vec2::new(normal.y, -normal.x)), w], k: [k, 0.0, 0.0] },
+        }
+    }
+
+    /// Curvature at a point of the surface.
+    pub fn shape_at(&self, q: Vec3) -> Shape {
+        self.foot(q).shape
+    }
+
+    /// Is the place an end of the curve or a corner?
+    fn free_end(&self, near: &Near) -> bool {
+        let span = &self.spans[near.span];
+        if near.s <= 0.0 {
+            near.span == 0 || span.corner
+        } else if near.s >= span.span.length {
+            self.spans.get(near.span + 1).is_none_or(|next| next.corner)
+        } else {
+            false
+        }
+    }
+
+    /// +1 on the left of a corner or an end, else -1.
+    fn side(&self, near: &Near, away: Vec2) -> f64 {
+        let f = &self.form;
+        let joint = if near.s <= 0.0 { near.span } else { near.span + 1 };
+        let mut normal = Vec2::zeros();
+        if joint > 0 {
+            normal += left(f.tangent(joint - 1, f.spans[joint - 1].length).normalize());
+        }
+        if joint < f.spans.len() {
+            normal += left(f.tangent(joint, 0.0).normalize());
+        }
+        if normal.dot(&away) < 0.0 { -1.0 } else { 1.0 }
+    }
+
+    /// Nearest place of the directrix: groups and spans that cannot be nearer than the best are passed.
+    fn nearest(&self, x: Vec2) -> Near {
+        let bound = |d: &Disk| {
+            let away = ((x - d.center).norm() - d.radius).max(0.0);
+            away * away
+        };
+        let mut first = (f64::INFINITY, 0);
+        for (i, g) in self.groups.iter().enumerate() {
+            let b = (x - g.center).norm() - g.radius;
+            if b < first.0 {
+                first = (b, i);
+            }
+        }
+        let mut best = Near { square: f64::INFINITY, span: 0, s: 0.0 };
+        let mut visit = |group: usize| {
+            let from = group * GROUP;
+            let to = (from + GROUP).min(self.spans.len());
+            for (i, span) in self.spans[from..to].iter().enumerate() {
+                if bound(&span.disk) < best.square {
+                    let (square, s) = span.nearest(x);
+                    if square < best.square {
+                        best = Near { square, span: from + i, s };
+                    }
+                }
+            }
+            best.square
+        };
+        let mut least = visit(first.1);
+        for (i, g) in self.groups.iter().enumerate() {
+            if i != first.1 && bound(g) < least {
+                least = visit(i);
+            }
+        }
+        best
+    }
+}
+
+impl Prepared {
+    /// Square of the distance of `x` and the place on the chord of the nearest point.
+    fn nearest(&self, x: Vec2) -> (f64, f64) {
+        let w = x - self.span.start;
+        let (px, py) = (w.dot(&self.chord), self.chord.perp(&w));
+        let l = self.span.length;
+        if self.bend * (py.abs() + self.rise) < 0.9 {
+            // One dip: the derivative rises all along.
+            return self.dip(px, py, 0.0, l);
+        }
+        let mut best = (f64::INFINITY, 0.0);
+        let step = l / PIECES as f64;
+        for i in 0..PIECES {
+            let from = step * i as f64;
+            let found = self.dip(px, py, from, from + step);
+            if found.0 < best.0 {
+                best = found;
+            }
+        }
+        best
+    }
+
+    /// The nearest place between two places with at most one dip between them.
+    fn dip(&self, px: f64, py: f64, from: f64, to: f64) -> (f64, f64) {
+        let f = &self.span;
+        let square = |s: f64| {
+            let (a, b) = (s - px, f.offset(s) - py);
+            a * a + b * b
+        };
+        // Half the derivative of the squared distance, and its derivative.
+        let rate = |s: f64| (s - px) + (f.offset(s) - py) * f.slope(s);
+        let (mut a, mut b) = (from, to);
+        if rate(a) >= 0.0 {
+            return (square(a), a);
+        }
+        if rate(b) <= 0.0 {
+            return (square(b), b);
+        }
+        let mut s = px.clamp(a, b);
+        let mut last = b - a;
+        for _ in 0..MAX_STEPS {
+            let (offset, slope) = (f.offset(s) - py, f.slope(s));
+            let r = (s - px) + offset * slope;
+            if r < 0.0 {
+                a = s;
+            } else {
+                b = s;
+            }
+            let steep = 1.0 + slope * slope + offset * f.second(s);
+            let step = -r / steep;
+            let next = s + step;
+            if step.abs() <= 1e-15 * to {
+                break;
+            }
+            if steep > 0.0 && next > a && next < b && step.abs() < 0.5 * last {
+                last = step.abs();
+                s = next;
+            } else {
+                last = b - a;
+                let middle = 0.5 * (a + b);
+                if middle <= a || middle >= b {
+                    break;
+                }
+                s = middle;
+            }
+        }
+        (square(s), s)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::Matrix3;
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::surface::{Fiop, Surface};
+    use crate::{Fit, Knot, trig};
+
+    fn fitted(points: &[(f64, f64)], fit: Fit) -> TabcylSurface {
+        let knots: Vec<Knot> =
+            points.iter().map(|(x, y)| Knot { point: Vec2::new(*x, *y), tangent: None }).collect();
+        let form = Tabcyl::fit(&knots, fit, Matrix3::identity(), 10.0).unwrap();
+        TabcylSurface::new(&Arc::new(form)).unwrap()
+    }
+
+    /// The middle piece through (-3, 8), (-1, 0), (1, 0), (3, 8) is v = u^2 - 1.
+    #[test]
+    fn published_ray_and_normal() {
+        let s = fitted(&[(-3.0, 8.0), (-1.0, 0.0), (1.0, 0.0), (3.0, 8.0)], Fit::FourPoint);
+        let below = Vec3::new(0.0, -10.0, 0.0);
+        let t = Surface::Tabcyl(Arc::new(s.clone()));
+        let hit = t.directed_distance(below, Vec3::y(), Fiop::Nearest).unwrap();
+        assert!((hit.distance - 9.0).abs() < 1e-12);
+        assert!((s.normal(hit.point).unwrap() - Vec3::y()).norm() < 1e-12);
+        let slant = Vec3::new(0.0, 1.0, 1.0).normalize();
+        let hit = t.directed_distance(below, slant, Fiop::Nearest).unwrap();
+        assert!((hit.distance - 9.0 * 2.0_f64.sqrt()).abs() < 1e-12);
+        assert!((hit.point.z - 9.0).abs() < 1e-12);
+        let n = s.normal(Vec3::new(0.5, -0.75, 0.0)).unwrap();
+        assert!((n - Vec3::new(-1.0, 1.0, 0.0).normalize()).norm() < 1e-12);
+        assert_eq!(s.ray(below, Vec3::z()), Err(Reason::Parallel));
+        // Bent to the left with radius 1/2 at the bottom: a hollow from above.
+        let f = s.foot(Vec3::new(0.0, -0.9, 3.0));
+        assert!((f.shape.k[0] + 2.0).abs() < 1e-12 && (f.distance - 0.1).abs() < 1e-12);
+    }
+
+    #[test]
+    fn straight_points_are_a_plane() {
+        let s = fitted(&[(0.0, 0.0), (1.0, 1.0), (2.0, 2.0), (5.0, 5.0)], Fit::Spline);
+        let f = s.foot(Vec3::new(3.0, 1.0, 7.0));
+        assert!((f.distance + 2.0_f64.sqrt()).abs() < 1e-12);
+        assert!((f.point - Vec3::new(2.0, 2.0, 7.0)).norm() < 1e-12);
+        let l = s.ray(Vec3::new(3.0, 1.0, 7.0), Vec3::y()).unwrap();
+        assert_eq!(l.len(), 1);
+        assert!((l[0] - 2.0).abs() < 1e-12);
+        // Beyond the straight end the end itself is nearest.
+        let f = s.foot(Vec3::new(50.0, 49.0, 0.0));
+        let end = 5.0 + 10.0 * std::f64::consts::FRAC_1_SQRT_2;
+        assert!((f.point - Vec3::new(end, end, 0.0)).norm() < 1e-12);
+        assert!(f.distance < 0.0 && f.shape.k[0].is_infinite());
+    }
+
+    proptest! {
+        #[test]
+        fn nearest_of_all_spans(
+            y in prop::collection::vec(-3.0_f64..3.0, 12..40),
+            p in prop::array::uniform3(-6.0_f64..30.0), spline in any::<bool>(),
+        ) {
+            let points: Vec<(f64, f64)> =
+                y.iter().enumerate().map(|(i, y)| (i as f64 * 1.3 + 0.2 * trig::sin(*y), *y)).collect();
+            let fit = if spline { Fit::Spline } else { Fit::TwoPoint };
+            let knots: Vec<Knot> = points
+                .iter()
+                .map(|(x, y)| Knot { point: Vec2::new(*x, *y), tangent: None })
+                .collect();
+            let Ok(form) = Tabcyl::fit(&knots, fit, Matrix3::identity(), 10.0) else {
+                return Ok(());
+            };
+            let form = Arc::new(form);
+            let s = TabcylSurface::new(&form).unwrap();
+            let p = Vec3::new(p[0], p[1] * 0.3 - 4.0, p[2]);
+            let f = s.foot(p);
+            let slow = form.nearest_to(p.xy()).unwrap();
+            let exact = (slow.point - p.xy()).norm();
+            prop_assert!((f.distance.abs() - exact).abs() < 1e-9, "{:?} {}", f, exact);
+            prop_assert!((f.point + f.normal * f.distance - p).norm() < 1e-6 * (1.0 + exact));
+            prop_assert!((f.normal.norm() - 1.0).abs() < 1e-9);
+        }
+    }
+}
