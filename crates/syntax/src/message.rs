@@ -173,6 +173,11 @@ impl Failed<'_> {
             Form::Macro => return Some("a macro begins name=MACRO/parameter,parameter".to_owned()),
             _ => {}
         }
+        let goes_on =
+            matches!(at, Some(Token::Comma | Token::Slash | Token::Close | Token::Operator(_)));
+        if i == 0 && goes_on {
+            return Some("end the card before with `$` if its statement goes on here".to_owned());
+        }
         if i == 0 {
             return Some("a statement begins with a word, a symbol or a label".to_owned());
         }

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-use aptc_diagnostics::{Diagnostic, FileId, Span, codes};
+use aptc_diagnostics::{Diagnostic, FileId, Label, Span, codes};
 use aptc_vocabulary::{Dialect, Word, word};
 use chumsky::Parser;
 use chumsky::error::{EmptyErr, Rich};
@@ -38,6 +38,14 @@ struct Pending {
 enum Content {
     Ready(Box<Body>),
     Tokens(Range<usize>, Form),
+    Fault(Box<Diagnostic>, Option<Name>),
+}
+
+/// A statement that ended before it was complete, most likely for want of a `$`.
+struct Broken {
+    isn: u32,
+    /// Its message.
+    message: usize,
 }
 
 /// Reads `text`. Never fails as a whole: a statement that cannot be read is a [`Body::Error`] with one
@@ -51,6 +59,7 @@ pub fn parse(file: FileId, text: &str, interner: &mut Interner, options: &Option
         interner,
         synonyms: BTreeMap::new(),
         levels: Vec::new(),
+        broken: None,
         parsed: Parsed::default(),
     };
     let mut scanner = Scanner::new(text, options.free_form, options.first_isn);
@@ -87,6 +96,7 @@ struct Run<'r> {
     /// New names of words, by SYN.
     synonyms: BTreeMap<Symbol, Word>,
     levels: Vec<Level>,
+    broken: Option<Broken>,
     parsed: Parsed,
 }
 
@@ -110,8 +120,9 @@ impl Run<'_> {
         let mut thorough: Option<Thorough<'_>> = None;
         self.parsed.program.statements.reserve(pending.len());
         for Pending { isn, line, span, label, content, warning } in pending {
-            let body = match content {
-                Content::Ready(body) => *body,
+            let read = match content {
+                Content::Ready(body) => Ok(*body),
+                Content::Fault(fault, defines) => Err((*fault, defines)),
                 Content::Tokens(range, form) => {
                     let tokens = &tokens[range];
                     let end = SimpleSpan::from(span.end..span.end);
@@ -126,20 +137,51 @@ impl Run<'_> {
                         }
                     };
                     match (fault, result.into_output()) {
-                        (None, Some(body)) => {
-                            self.parsed.diagnostics.extend(warning);
-                            body
-                        }
-                        (fault, _) => {
-                            self.parsed.diagnostics.extend(fault);
-                            Body::Error { defines: defines(self.file, tokens) }
-                        }
+                        (Some(fault), _) => Err((fault, defines(self.file, tokens))),
+                        (None, body) => Ok(body.unwrap_or(Body::Empty)),
                     }
+                }
+            };
+            let body = match read {
+                Ok(body) => {
+                    self.parsed.diagnostics.extend(warning);
+                    body
+                }
+                Err((fault, defines)) => {
+                    self.tell(fault, isn, span);
+                    Body::Error { defines }
                 }
             };
             self.parsed.program.statements.push(Statement { span, line, isn, label, body });
         }
         open
+    }
+
+    /// Gives the message of a statement in error; but not where the card before broke off, whose message
+    /// then shows this one too: one mistake, one message.
+    fn tell(&mut self, fault: Diagnostic, isn: u32, span: Span) {
+        let breaks_off = match fault.code {
+            codes::UNCLOSED_BRACKET => true,
+            codes::EXPECTED_OTHERWISE => fault.span.end >= span.end,
+            _ => false,
+        };
+        let before =
+            self.broken.take().filter(|b| b.isn + 1 == isn && fault.span.start == span.start);
+        let goes_on = before.is_some();
+        let message = match before {
+            Some(Broken { message, .. }) => {
+                let earlier = &mut self.parsed.diagnostics[message];
+                earlier
+                    .labels
+                    .push(Label { span, text: "does the statement go on here?".to_owned() });
+                message
+            }
+            None => {
+                self.parsed.diagnostics.push(fault);
+                self.parsed.diagnostics.len() - 1
+            }
+        };
+        self.broken = (breaks_off || goes_on).then_some(Broken { isn, message });
     }
 
     /// The message for a statement that the grammar does not take.
@@ -216,10 +258,9 @@ impl Run<'_> {
             fault = shape::check(self.file, statement, &heads, depth, &mut self.levels);
         }
         let content = if let Some(fault) = fault {
-            self.parsed.diagnostics.push(fault);
             let defines = defines(self.file, statement);
             lists.tokens.truncate(from);
-            Content::Ready(Box::new(Body::Error { defines }))
+            Content::Fault(Box::new(fault), defines)
         } else if statement.is_empty() {
             Content::Ready(Box::new(Body::Empty))
         } else {

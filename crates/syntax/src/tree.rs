@@ -56,7 +56,8 @@ pub enum Body {
         value: Expr,
     },
     /// Words joined by commas, the last perhaps with arguments: `RAPID,GOTO/P`, `TLLFT,GOLFT/L1,TO,L2`,
-    /// `OBTAIN,LINE/L,A,B`, `FINI`. Never empty.
+    /// `OBTAIN,LINE/L,A,B`, `FINI`. Never empty. A label of digits among the arguments, `JUMPTO/12`, is a
+    /// number.
     Clauses(Vec<Clause>),
     /// `M=MACRO/A,B=2`.
     Macro {
@@ -101,7 +102,7 @@ pub enum Body {
         step: Option<Box<Expr>>,
     },
     /// `SYN/new,old,...`, `JUMPTO/label`, `TRANTO/label` and so on are clauses. This one could not be
-    /// read; a diagnostic was given. `defines` is the symbol that it would have defined, so that its users
+    /// read; a diagnostic was given, or that of the statement before stands for both. `defines` is the symbol that it would have defined, so that its users
     /// stay silent.
     Error {
         /// Name left of `=`.

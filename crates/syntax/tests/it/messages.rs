@@ -284,6 +284,23 @@ fn ten_mistakes_give_ten_messages() {
 }
 
 #[test]
+fn a_lost_continuation_gives_one_message() {
+    for text in ["GOTO/1,2,\n3\nA=1", "A=1+\n2\nA=1", "P=POINT/(LINE/1,\n,2\n*3\nA=1"] {
+        let (shown, parsed, _) = read_with(text, &Options::default());
+        assert_eq!(parsed.diagnostics.len(), 1, "{text}");
+        assert!(!parsed.diagnostics[0].labels.is_empty(), "{text}");
+        assert_eq!(shown.last().map(String::as_str), Some("A=1"), "{text}");
+    }
+    // But not where the next statement is wrong by itself, or further down.
+    for text in ["GOTO/1,2,\nGOTO/*\nA=1", "A=1+\n$$ why\n2"] {
+        let (_, parsed, _) = read_with(text, &Options::default());
+        assert_eq!(parsed.diagnostics.len(), 2, "{text}");
+    }
+    let (_, parsed, _) = read_with("TLLFT,GOLFT/L1,TO\n,L2", &Options::default());
+    assert!(parsed.diagnostics[0].help.as_deref().unwrap_or("").contains("card before"));
+}
+
+#[test]
 fn limits_have_messages() {
     let deep = |n: usize| format!("A={}1{}", "(".repeat(n), ")".repeat(n));
     let free = Options { free_form: true, ..Options::default() };
