@@ -18,7 +18,9 @@ fn main() {
         let mut map = SourceMap::default();
         let file = map.add(name.clone(), text.clone());
         let mut interner = Interner::default();
-        let parsed = parse(file, &text, &mut interner, &Options::default());
+        let options =
+            Options { free_form: std::env::var_os("FREE").is_some(), ..Options::default() };
+        let parsed = parse(file, &text, &mut interner, &options);
         let (n, m) = (parsed.program.statements.len(), parsed.diagnostics.len());
         shown += &format!("{name}: {n} statements, {m} messages\n");
         for d in &parsed.diagnostics {
