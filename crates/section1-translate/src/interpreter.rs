@@ -2,7 +2,7 @@
 //!
 //! APT: `AMONTR` and `ASYCTL` of Section 1, in one pass.
 
-use std::collections::{HashMap, VecDeque};
+use std::collections::{HashMap, HashSet, VecDeque};
 use std::sync::Arc;
 
 use aptc_diagnostics::{Diagnostic, Origin, SourceMap, Span, Trace, codes};
@@ -65,6 +65,7 @@ pub struct Interpreter<'w> {
     pub(crate) memory: Memory,
     pub(crate) macros: HashMap<Symbol, MacroDef>,
     pub(crate) libraries: HashMap<Symbol, Span>,
+    assigned: HashSet<Symbol>,
     pub(crate) levels: Vec<Level>,
     pub(crate) state: State,
     pub(crate) here: Here,
@@ -116,10 +117,21 @@ pub(crate) struct State {
     pub(crate) unit: Units,
     /// Was UNITS given?
     pub(crate) unit_given: bool,
-    /// A call or a jump could not be carried out: what it would have defined is not missed.
-    pub(crate) incomplete: bool,
+    /// What may be missing without being a mistake of its own.
+    pub(crate) doubt: Doubt,
     /// Was a statement of this program executed?
     pub(crate) begun: bool,
+}
+
+/// What statements that could not be carried out would perhaps have done.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Doubt {
+    /// A jump or a call: statements of the program were perhaps left out.
+    pub(crate) paths: bool,
+    /// A macro or a file that is missing: any name may have got a value.
+    pub(crate) names: bool,
+    /// A file that is missing: any macro may have been defined.
+    pub(crate) macros: bool,
 }
 
 impl<'w> Interpreter<'w> {
@@ -134,6 +146,7 @@ impl<'w> Interpreter<'w> {
             memory: Memory::default(),
             macros: HashMap::new(),
             libraries: HashMap::new(),
+            assigned: HashSet::new(),
             levels: Vec::new(),
             state: State::default(),
             here: Here::default(),
@@ -249,7 +262,11 @@ impl<'w> Interpreter<'w> {
 
     /// The plan of the part program that begins at `start`.
     pub(crate) fn plan(&mut self, unit: &Unit, start: u32) -> Arc<Plan> {
-        let around = Surroundings { interner: &self.interner, synonyms: &mut self.synonyms };
+        let around = Surroundings {
+            interner: &self.interner,
+            synonyms: &mut self.synonyms,
+            assigned: &mut self.assigned,
+        };
         let (plan, messages) = plan(unit, start, around);
         let trace = self.trace();
         for message in messages {
@@ -281,6 +298,7 @@ impl<'w> Interpreter<'w> {
         self.memory.clear();
         self.macros.clear();
         self.libraries.clear();
+        self.assigned.clear();
         self.synonyms = Synonyms::new(self.options.language);
         self.state = State::default();
         self.branch = None;
@@ -322,9 +340,9 @@ impl<'w> Interpreter<'w> {
                 self.go_to(end.saturating_add(1).min(plan.end()));
             }
             Role::Termac => self.leave(),
-            Role::If(goals) => self.three_way(&statement.body, goals),
+            Role::If(goals) => self.three_way(unit, &statement.body, goals),
             Role::Jump(goal) => self.jump_to(unit, &statement.body, goal),
-            Role::Do(end) => self.open_do(&statement.body, place, end),
+            Role::Do(end) => self.open_do(unit, &statement.body, place, end),
         }
     }
 
@@ -356,7 +374,8 @@ impl<'w> Interpreter<'w> {
 
     /// Tells of names that got a value and never gave it, when that is asked for.
     fn report_unused(&mut self) {
-        if !self.options.unused || self.state.incomplete {
+        let Doubt { paths, names, .. } = self.state.doubt;
+        if !self.options.unused || paths || names {
             return;
         }
         let unused: Vec<(Place, Span)> = self
@@ -452,6 +471,12 @@ impl<'w> Interpreter<'w> {
                 .help("print less, or raise the limit; the part program itself goes on"),
             );
         }
+    }
+
+    /// Is the name perhaps without a value because another statement was not carried out?
+    pub(crate) fn is_doubtful(&self, symbol: Symbol) -> bool {
+        let Doubt { paths, names, .. } = self.state.doubt;
+        names || paths && self.assigned.contains(&symbol)
     }
 
     /// Tells a message about the present statement.

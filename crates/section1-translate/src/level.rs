@@ -23,6 +23,10 @@ pub(crate) struct Level {
     pub(crate) last: u32,
     /// What it is.
     pub(crate) kind: LevelKind,
+    /// Macro calls, this one counted.
+    pub(crate) n_calls: usize,
+    /// Files that are read, this one counted.
+    pub(crate) n_files: usize,
     /// DO loops that are open, outermost first.
     pub(crate) dos: Vec<DoLoop>,
     /// Loops that are in a further pass, outermost first.
@@ -96,11 +100,21 @@ impl Level {
             end,
             last: u32::MAX,
             kind,
+            n_calls: 0,
+            n_files: 0,
             dos: Vec::new(),
             passes: Vec::new(),
             around,
             trace: None,
         }
+    }
+
+    /// The same with its place in the chain of levels.
+    pub(crate) fn inside(self, outer: Option<&Self>) -> Self {
+        let (calls, files) = outer.map_or((0, 0), |o| (o.n_calls, o.n_files));
+        let n_calls = calls + usize::from(matches!(self.kind, LevelKind::Macro { .. }));
+        let n_files = files + usize::from(matches!(self.kind, LevelKind::File));
+        Self { n_calls, n_files, ..self }
     }
 
     /// Goes on at the statement `goal`, named `name`.

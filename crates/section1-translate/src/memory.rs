@@ -74,6 +74,8 @@ pub(crate) struct Array {
     pub(crate) symbol: Symbol,
     /// Its elements.
     pub(crate) slots: Vec<Slot>,
+    /// A subscript was wrong where an element should have got its value: none is missed.
+    pub(crate) doubtful: bool,
 }
 
 /// All values of a run.
@@ -168,10 +170,15 @@ impl Memory {
         &self.arrays[array as usize]
     }
 
+    /// An element did not get its value for a mistake that was told.
+    pub(crate) fn doubt(&mut self, array: u32) {
+        self.arrays[array as usize].doubtful = true;
+    }
+
     /// A new array of `n` elements.
     pub(crate) fn reserve(&mut self, symbol: Symbol, n: usize, given: Span) {
         let array = u32::try_from(self.arrays.len()).expect("fewer arrays than elements");
-        self.arrays.push(Array { symbol, slots: vec![Slot::default(); n] });
+        self.arrays.push(Array { symbol, slots: vec![Slot::default(); n], doubtful: false });
         self.n_elements += n;
         self.set(self.place(symbol), Value::Array(array), given);
     }

@@ -135,7 +135,7 @@ impl Interpreter<'_> {
         Err(Poisoned)
     }
 
-    fn no_function(&mut self, word: Word, span: Span) -> Poisoned {
+    pub(super) fn no_function(&mut self, word: Word, span: Span) -> Poisoned {
         let message = if is_function(word) {
             Diagnostic::error(
                 codes::FUNCTION_NOT_KNOWN,

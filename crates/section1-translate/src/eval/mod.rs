@@ -230,8 +230,12 @@ impl Interpreter<'_> {
         };
         match self.memory.slot(place).value {
             Value::Array(array) => {
-                let n = self.number(subscript)?;
-                self.element(array, n, subscript.span)
+                let n = self.number(subscript);
+                let element = n.and_then(|n| self.element(array, n, subscript.span));
+                if element.is_err() {
+                    self.memory.doubt(array);
+                }
+                element
             }
             Value::Poison => Err(Poisoned),
             _ => Err(self.not_reserved(&target.name)),

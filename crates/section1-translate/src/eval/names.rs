@@ -45,7 +45,7 @@ impl Interpreter<'_> {
         let place = self.memory.place(name.symbol);
         let text = self.interner.text(name.symbol).to_owned();
         let shown = self.spelled(place);
-        if !self.state.incomplete {
+        if !self.is_doubtful(self.memory.name(place).0) {
             let mut message = Diagnostic::error(
                 codes::UNDEFINED_NAME,
                 name.span,
@@ -82,7 +82,7 @@ impl Interpreter<'_> {
                 }
                 let candidate = self.interner.text(other);
                 let slips = slips(text, candidate);
-                let limit = if text.len() < 4 { 1 } else { 2 };
+                let limit = if text.len() < 6 { 1 } else { 2 };
                 if slips > limit || slips >= text.len().min(candidate.len()) {
                     continue;
                 }
@@ -124,6 +124,9 @@ impl Interpreter<'_> {
 
     /// Says that a name with a subscript is no array.
     pub(crate) fn not_reserved(&mut self, name: &Name) -> Poisoned {
+        if let Some(word) = name.word.filter(|w| super::functions::is_function(*w)) {
+            return self.no_function(word, name.span);
+        }
         let place = self.memory.place(name.symbol);
         let text = self.spelled(place);
         let slot = self.memory.slot(place);
@@ -131,7 +134,7 @@ impl Interpreter<'_> {
         if matches!(slot.value, Value::Poison) {
             return Poisoned;
         }
-        if !self.state.incomplete {
+        if !self.is_doubtful(self.memory.name(place).0) {
             let mut message = Diagnostic::error(
                 codes::NOT_RESERVED,
                 name.span,

@@ -29,7 +29,7 @@ impl Interpreter<'_> {
     }
 
     /// The element that a single subscript names.
-    pub(super) fn indexed_element(
+    pub(crate) fn indexed_element(
         &mut self,
         array: u32,
         place: Place,
@@ -91,7 +91,11 @@ impl Interpreter<'_> {
 
     /// Says that an element has no value.
     pub(super) fn unset_element(&mut self, element: Place, span: Span) -> Poisoned {
-        if !self.state.incomplete {
+        let doubtful = match element {
+            Place::Element(array, _) => self.memory.array(array).doubtful,
+            _ => false,
+        };
+        if !doubtful && !self.is_doubtful(self.memory.name(element).0) {
             let name = self.spelled(element);
             self.error(
                 Diagnostic::error(codes::UNDEFINED_NAME, span, format!("{name} has no value here"))
@@ -103,7 +107,7 @@ impl Interpreter<'_> {
     }
 
     /// Do the subscripts name several elements, as in `P(1,THRU,5)`?
-    pub(super) fn several(&self, args: &[Expr]) -> bool {
+    pub(crate) fn several(&self, args: &[Expr]) -> bool {
         args.len() > 1 || args.iter().any(|a| self.inclusive_word(a).is_some())
     }
 
@@ -121,7 +125,7 @@ impl Interpreter<'_> {
     ///
     /// The list runs from a to b by c, or from b to a when c is negative or follows DECR (a negative c
     /// with DECR runs up again). When b lies before a, the first of the list stands alone.
-    pub(super) fn elements(&mut self, array: u32, args: &[Expr], span: Span) -> Known<Vec<Place>> {
+    pub(crate) fn elements(&mut self, array: u32, args: &[Expr], span: Span) -> Known<Vec<Place>> {
         let len = self.memory.array(array).slots.len();
         let words: Vec<_> = args.iter().map(|a| self.inclusive_word(a)).collect();
         let (range, rest) = match words.as_slice() {

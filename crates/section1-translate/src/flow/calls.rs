@@ -25,7 +25,10 @@ impl Interpreter<'_> {
         end: u32,
     ) {
         let new = MacroDef { unit: Arc::clone(unit), plan: Arc::clone(plan), place, end };
-        let Some(old) = self.macros.insert(name.symbol, new) else { return };
+        let Some(old) = self.macros.get(&name.symbol) else {
+            self.macros.insert(name.symbol, new);
+            return;
+        };
         let first = old.unit.program.statements[old.place as usize].span;
         if first == self.here.span {
             return;
@@ -49,22 +52,22 @@ impl Interpreter<'_> {
         }
         if self.begin_call(name, args).is_err() {
             // What the macro would have defined or moved is not missed.
-            self.state.incomplete = true;
+            self.state.doubt.paths = true;
             self.fail();
         }
     }
 
     fn begin_call(&mut self, name: &Name, args: &[Param]) -> Known<()> {
         let symbol = self.aliased(name.symbol);
-        if !self.macros.contains_key(&symbol) {
-            self.fetch_library(symbol)?;
+        if !self.macros.contains_key(&symbol) && self.fetch_library(symbol).is_err() {
+            self.state.doubt.names = true;
+            return Err(Poisoned);
         }
         let Some(definition) = self.macros.get(&symbol).cloned() else {
             return Err(self.no_macro(symbol, name.span));
         };
         let limit = self.options.limits.macro_depth;
-        let depth =
-            self.levels.iter().filter(|l| matches!(l.kind, LevelKind::Macro { .. })).count();
+        let depth = self.levels.last().map_or(0, |l| l.n_calls);
         if depth >= limit {
             self.error(
                 Diagnostic::error(
@@ -104,7 +107,8 @@ impl Interpreter<'_> {
         let range = (definition.place + 1, (definition.end + 1).min(definition.plan.end()));
         let kind = LevelKind::Macro { first_local, caller_local };
         let MacroDef { unit, plan, .. } = definition;
-        self.levels.push(Level::new(unit, plan, range, kind, trace));
+        let level = Level::new(unit, plan, range, kind, trace).inside(self.levels.last());
+        self.levels.push(level);
         Ok(())
     }
 
@@ -198,7 +202,8 @@ impl Interpreter<'_> {
 
     fn no_macro(&mut self, symbol: Symbol, span: Span) -> Poisoned {
         let text = self.interner.text(symbol).to_owned();
-        if self.state.incomplete {
+        self.state.doubt.names = true;
+        if self.state.doubt.macros {
             return Poisoned;
         }
         let mut message = Diagnostic::error(
@@ -274,7 +279,7 @@ impl Interpreter<'_> {
                 .note("it was linked to the processor of the installation that the program is from")
                 .help("write what it does as a macro"),
             );
-            self.state.incomplete = true;
+            self.state.doubt.names = true;
             self.fail();
         }
         special

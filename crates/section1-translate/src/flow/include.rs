@@ -32,7 +32,7 @@ impl Interpreter<'_> {
                 )
                 .help("keep the definitions in a file of their own and read it with READ/2,name"),
             );
-            self.state.incomplete = true;
+            (self.state.doubt.names, self.state.doubt.macros) = (true, true);
         } else {
             self.bad_read("READ reads 1, saved definitions, or 2, statements", "write READ/2,name");
         }
@@ -40,7 +40,7 @@ impl Interpreter<'_> {
 
     fn bad_read(&mut self, message: &str, help: &str) {
         self.error(Diagnostic::error(codes::NOT_READ, self.here.span, message).help(help));
-        self.state.incomplete = true;
+        (self.state.doubt.names, self.state.doubt.macros) = (true, true);
     }
 
     /// INCLUD/name, and the READ/2 of the same effect: the statements of a file stand here.
@@ -50,7 +50,7 @@ impl Interpreter<'_> {
             return;
         };
         let limit = self.options.limits.include_depth;
-        let depth = self.levels.iter().filter(|l| matches!(l.kind, LevelKind::File)).count();
+        let depth = self.levels.last().map_or(0, |l| l.n_files);
         if depth >= limit {
             self.error(
                 Diagnostic::error(
@@ -60,11 +60,11 @@ impl Interpreter<'_> {
                 )
                 .help("does the file read itself? the limit is a setting"),
             );
-            self.state.incomplete = true;
+            (self.state.doubt.names, self.state.doubt.macros) = (true, true);
             return;
         }
         let Ok((unit, plan)) = self.open(asker, &file, name.span) else {
-            self.state.incomplete = true;
+            (self.state.doubt.names, self.state.doubt.macros) = (true, true);
             self.fail();
             return;
         };
@@ -77,7 +77,8 @@ impl Interpreter<'_> {
             outer: self.trace(),
         };
         let range = (plan.start(), plan.end());
-        self.levels.push(Level::new(unit, plan, range, LevelKind::File, Some(Arc::new(frame))));
+        let level = Level::new(unit, plan, range, LevelKind::File, Some(Arc::new(frame)));
+        self.levels.push(level.inside(self.levels.last()));
     }
 
     /// LIBRY/names: system macros, each fetched with its first CALL.

@@ -4,8 +4,7 @@ mod calls;
 mod include;
 
 use aptc_diagnostics::{Diagnostic, Span, codes};
-use aptc_syntax::Symbol;
-use aptc_syntax::tree::{Body, ExprKind, Name};
+use aptc_syntax::tree::{Body, Expr, ExprKind, Name};
 
 use crate::Interpreter;
 use crate::level::DoLoop;
@@ -21,15 +20,15 @@ const PASS_SLACK: f64 = 1e-9;
 
 impl Interpreter<'_> {
     /// IF(a)l1,l2,l3.
-    pub(crate) fn three_way(&mut self, body: &Body, goals: [u32; 3]) {
+    pub(crate) fn three_way(&mut self, unit: &Unit, body: &Body, goals: [u32; 3]) {
         let Body::If { value, targets } = body else { return };
         for (target, goal) in targets.iter().zip(goals) {
             if goal == MISSING {
-                self.no_label(target.symbol, target.span);
+                self.no_label(unit, target.span);
             }
         }
         let Ok(value) = self.number(value) else {
-            self.state.incomplete = true;
+            self.state.doubt.paths = true;
             return;
         };
         let way = match value {
@@ -38,7 +37,7 @@ impl Interpreter<'_> {
             _ => 2,
         };
         if goals[way] == MISSING {
-            self.state.incomplete = true;
+            self.state.doubt.paths = true;
         } else {
             self.go_to(goals[way]);
         }
@@ -50,7 +49,7 @@ impl Interpreter<'_> {
             match self.logical(condition) {
                 Ok(true) => self.jump_to(unit, then, goal),
                 Ok(false) => {}
-                Err(_) => self.state.incomplete = true,
+                Err(_) => self.state.doubt.paths = true,
             }
             return;
         }
@@ -60,8 +59,9 @@ impl Interpreter<'_> {
         }
         let Body::Clauses(clauses) = body else { return };
         let argument = clauses.first().and_then(|c| c.args.as_deref()?.first());
-        match argument.and_then(|a| Some((unit.label(&self.interner, a)?, a.span))) {
-            Some((label, span)) => self.no_label(label, span),
+        let is_label = |a: &&Expr| matches!(a.kind, ExprKind::Name(_) | ExprKind::Number(_));
+        match argument.filter(is_label) {
+            Some(a) => self.no_label(unit, a.span),
             None => {
                 let span = argument.map_or(self.here.span, |a| a.span);
                 self.error(
@@ -70,19 +70,20 @@ impl Interpreter<'_> {
                 );
             }
         }
-        self.state.incomplete = true;
+        self.state.doubt.paths = true;
     }
 
     /// Says that a label stands nowhere.
-    pub(crate) fn no_label(&mut self, label: Symbol, span: Span) {
-        let text = self.interner.text(label).to_owned();
+    pub(crate) fn no_label(&mut self, unit: &Unit, span: Span) {
+        let text = unit.spelling(span);
+        let label = self.interner.find(&text);
         let mut message = Diagnostic::error(
             codes::NO_SUCH_LABEL,
             span,
             format!("no statement here has the label {text}"),
         );
         let plan = self.levels.last().map(|l| std::sync::Arc::clone(&l.plan));
-        let known = plan.iter().any(|p| p.labels().any(|l| l == label));
+        let known = plan.iter().any(|p| p.labels().any(|l| Some(l) == label));
         message = if known {
             message.help("labels hold within a macro, a loop region, or the rest of the program")
         } else {
@@ -92,15 +93,15 @@ impl Interpreter<'_> {
     }
 
     /// DO/label,var=first,last,step.
-    pub(crate) fn open_do(&mut self, body: &Body, place: u32, end: u32) {
+    pub(crate) fn open_do(&mut self, unit: &Unit, body: &Body, place: u32, end: u32) {
         let Body::Do { label, variable, first, last, step } = body else { return };
         if end == MISSING {
-            self.no_label(label.symbol, label.span);
+            self.no_label(unit, label.span);
         }
         let values = (self.number(first), self.number(last), step.as_ref().map(|s| self.number(s)));
         let (Ok(first), Ok(last), Ok(by)) = (values.0, values.1, values.2.unwrap_or(Ok(1.0)))
         else {
-            self.state.incomplete = true;
+            self.state.doubt.paths = true;
             let at = self.memory.place(variable.symbol);
             self.memory.set(at, Value::Poison, variable.span);
             return;
@@ -111,9 +112,11 @@ impl Interpreter<'_> {
                 Diagnostic::error(codes::DO_WITHOUT_STEP, span, "the step of the loop is zero")
                     .help("a loop that counts down has a negative step"),
             );
-            return;
         }
-        if end == MISSING {
+        if by == 0.0 || end == MISSING {
+            // The body runs once, and what further passes would have done is not missed.
+            self.state.doubt.paths = true;
+            self.set_running(variable, first);
             return;
         }
         #[expect(
@@ -188,11 +191,12 @@ impl Interpreter<'_> {
     }
 
     /// The label that stands as an argument at `span`, and where it leads from the present statement.
-    pub(crate) fn label_goal(&mut self, label: Symbol, span: Span) -> Option<u32> {
+    pub(crate) fn label_goal(&mut self, unit: &Unit, span: Span) -> Option<u32> {
         let level = self.levels.last()?;
-        let goal = level.plan.goal(level.last, label);
+        let label = self.interner.find(&unit.spelling(span));
+        let goal = label.and_then(|label| level.plan.goal(level.last, label));
         if goal.is_none() {
-            self.no_label(label, span);
+            self.no_label(unit, span);
         }
         goal
     }

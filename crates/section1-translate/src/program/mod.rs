@@ -2,6 +2,7 @@
 
 mod plan;
 mod synonyms;
+mod targets;
 
 use std::sync::Arc;
 
@@ -35,8 +36,13 @@ impl Unit {
 
     /// The label that the digits at `span` spell.
     pub(crate) fn digits(&self, interner: &Interner, span: Span) -> Option<Symbol> {
-        let text = self.text.get(span.start as usize..span.end as usize)?;
-        let compact: String = text.chars().filter(|c| !c.is_whitespace()).collect();
-        interner.find(&compact.to_ascii_uppercase())
+        interner.find(&self.spelling(span))
+    }
+
+    /// The text at `span` in upper case without blanks.
+    pub(crate) fn spelling(&self, span: Span) -> String {
+        let text = self.text.get(span.start as usize..span.end as usize).unwrap_or_default();
+        let compact = text.chars().filter(|c| !c.is_whitespace());
+        compact.map(|c| c.to_ascii_uppercase()).collect()
     }
 }

@@ -1,6 +1,6 @@
 //! What can be known before a program runs: labels, macro bodies, loops and synonyms.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use aptc_diagnostics::{Diagnostic, Span, codes};
 use aptc_syntax::tree::{Body, Clause, Name, Statement};
@@ -8,6 +8,7 @@ use aptc_syntax::{Interner, Symbol};
 use aptc_vocabulary::{Word, word};
 
 use super::synonyms::Fault;
+use super::targets::targets;
 use super::{Synonyms, Unit};
 
 /// A label that stands nowhere.
@@ -52,6 +53,8 @@ pub(crate) struct Surroundings<'s> {
     pub(crate) interner: &'s Interner,
     /// The synonyms so far; those of the program are taken in.
     pub(crate) synonyms: &'s mut Synonyms,
+    /// Names that some statement gives a value; those of the program are taken in.
+    pub(crate) assigned: &'s mut HashSet<Symbol>,
 }
 
 impl Plan {
@@ -108,6 +111,7 @@ pub(crate) fn plan(unit: &Unit, start: u32, around: Surroundings<'_>) -> (Plan, 
         unit,
         interner: around.interner,
         synonyms: around.synonyms,
+        assigned: around.assigned,
         plan: Plan { start, end: start, outer: vec![None], ..Plan::default() },
         diagnostics: Vec::new(),
         macro_open: None,
@@ -122,6 +126,7 @@ struct Planner<'p> {
     unit: &'p Unit,
     interner: &'p Interner,
     synonyms: &'p mut Synonyms,
+    assigned: &'p mut HashSet<Symbol>,
     plan: Plan,
     diagnostics: Vec<Diagnostic>,
     /// The MACRO that is not closed yet: place, scope, span.
@@ -149,6 +154,9 @@ impl Planner<'_> {
             let scope = self.scope();
             self.plan.scopes.push(scope);
             self.plan.roles.push(role);
+            targets(&statement.body, &mut |symbol| {
+                self.assigned.insert(symbol);
+            });
             if let Some(label) = &statement.label {
                 self.label(scope, label, place);
             }

@@ -2,7 +2,7 @@
 
 use aptc_syntax::Symbol;
 use aptc_syntax::tree::{Expr, ExprKind, Name};
-use aptc_vocabulary::{Dialect, Word};
+use aptc_vocabulary::{Dialect, Word, word};
 
 use crate::Language;
 
@@ -57,6 +57,8 @@ impl Synonyms {
             let (new, old, at) = if order { (b, a, first) } else { (a, b, second) };
             match self.word(&old) {
                 Some(word) => self.set(new.symbol, word),
+                // When neither is a word, the usual order is taken to be meant.
+                None if self.word(&new).is_none() => faults.push((second, Fault::NoWord)),
                 None => faults.push((at, Fault::NoWord)),
             }
         }
@@ -83,7 +85,9 @@ pub(crate) enum Fault {
     NoWord,
 }
 
-/// Is the word known to NCL and to nobody else?
-pub(crate) fn of_ncl_alone(word: Word) -> bool {
-    word.is_in(Dialect::Ncl) && !Dialect::ALL.iter().any(|d| *d != Dialect::Ncl && word.is_in(*d))
+/// Is the word known to NCL and to nobody else? INCLUD is not counted: other processors read files by it.
+fn of_ncl_alone(word: Word) -> bool {
+    word != word::INCLUD
+        && word.is_in(Dialect::Ncl)
+        && !Dialect::ALL.iter().any(|d| *d != Dialect::Ncl && word.is_in(*d))
 }

@@ -6,9 +6,8 @@
 
 use std::sync::Arc;
 
-use aptc_diagnostics::{Diagnostic, Span, codes};
+use aptc_diagnostics::Span;
 use aptc_protap::{Check, Direction, Drive, Kind, Relation};
-use aptc_syntax::Symbol;
 use aptc_syntax::tree::Clause;
 use aptc_vocabulary::{Word, word};
 
@@ -45,7 +44,7 @@ impl Interpreter<'_> {
         let mut reader = Reader::new(word, clause, &args);
         let drive = self.surface(&mut reader, "the drive surface")?;
         let mut checks: Vec<Check> = Vec::new();
-        let mut labels: Vec<Option<(Symbol, Span)>> = Vec::new();
+        let mut labels: Vec<Option<Span>> = Vec::new();
         while !reader.is_empty() {
             if reader.left() == 1
                 && reader.numbers_ahead() == 1
@@ -61,7 +60,7 @@ impl Interpreter<'_> {
         let mut goals = Vec::with_capacity(labels.len());
         for label in &labels {
             goals.push(match label {
-                Some((label, span)) => match self.label_goal(*label, *span) {
+                Some(span) => match self.label_goal(unit, *span) {
                     Some(goal) => Some(goal),
                     None => return Err(Poisoned),
                 },
@@ -82,7 +81,7 @@ impl Interpreter<'_> {
         reader: &mut Reader<'_>,
         unit: &Arc<Unit>,
         before: usize,
-    ) -> Known<(Check, Option<(Symbol, Span)>)> {
+    ) -> Known<(Check, Option<Span>)> {
         let relation = reader.word_of(RELATIONS).map_or(Relation::To, relation);
         let nth = if reader.ahead(1).and_then(Arg::word) == Some(word::INTOF) {
             self.nth(reader)?
@@ -95,26 +94,11 @@ impl Interpreter<'_> {
             && reader.ahead(1).and_then(Arg::word) != Some(word::INTOF)
             || reader.left() == 1 && before > 0;
         let label = match reader.peek() {
-            Some(Arg { kind: ArgKind::Name(label), span }) => Some((*label, *span)),
-            Some(Arg { kind: ArgKind::Digits(_), span }) if place_of_label => {
-                match unit.digits(&self.interner, *span) {
-                    Some(label) => Some((label, *span)),
-                    None => {
-                        self.error(
-                            Diagnostic::error(
-                                codes::NO_SUCH_LABEL,
-                                *span,
-                                "no statement here has this label",
-                            )
-                            .help("behind one of several check surfaces stands a label"),
-                        );
-                        return Err(Poisoned);
-                    }
-                }
-            }
+            Some(Arg { kind: ArgKind::Name(_), span }) => Some(*span),
+            Some(Arg { kind: ArgKind::Digits(_), span }) if place_of_label => Some(*span),
             // The name of a number may be that of a label too.
             Some(Arg { kind: ArgKind::Number(_), span }) if place_of_label => {
-                unit.digits(&self.interner, *span).map(|label| (label, *span))
+                unit.digits(&self.interner, *span).map(|_| *span)
             }
             _ => None,
         };

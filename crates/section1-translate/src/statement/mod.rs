@@ -24,7 +24,7 @@ use std::sync::Arc;
 
 use aptc_diagnostics::{Diagnostic, codes};
 use aptc_protap::Kind;
-use aptc_syntax::tree::{Body, Clause, Expr, Target};
+use aptc_syntax::tree::{Body, Clause, Expr, ExprKind, Target};
 use aptc_vocabulary::{Class, Word, closest, word};
 
 use crate::Interpreter;
@@ -44,7 +44,7 @@ impl Interpreter<'_> {
             Body::IfThen { condition, then } => match self.logical(condition) {
                 Ok(true) => self.body(unit, then),
                 Ok(false) => {}
-                Err(Poisoned) => self.state.incomplete = true,
+                Err(Poisoned) => self.state.doubt.paths = true,
             },
             Body::Error { defines: Some(name) } => {
                 let place = self.memory.place(name.symbol);
@@ -58,7 +58,7 @@ impl Interpreter<'_> {
 
     /// `A=3`, `P=POINT/1,2`.
     fn assignment(&mut self, target: &Target, value: &Expr) {
-        if let aptc_syntax::tree::ExprKind::Define(definition) = &value.kind
+        if let ExprKind::Define(definition) = &value.kind
             && definition.target.is_none()
         {
             let form = self.define(definition, value.span);
@@ -180,17 +180,17 @@ impl Interpreter<'_> {
     /// JUMPTO behind another word, as in `RAPID,JUMPTO/A`.
     fn late_jump(&mut self, unit: &Arc<Unit>, clause: &Clause) -> Known<()> {
         let argument = clause.args.as_deref().and_then(<[Expr]>::first);
-        let label = argument.and_then(|a| Some((unit.label(&self.interner, a)?, a.span)));
-        let Some((label, span)) = label else {
+        let is_label = |a: &&Expr| matches!(a.kind, ExprKind::Name(_) | ExprKind::Number(_));
+        let Some(label) = argument.filter(is_label) else {
             self.error(
                 Diagnostic::error(codes::NO_SUCH_LABEL, clause.span, "a label is expected here")
                     .help("write JUMPTO/label"),
             );
             return Err(Poisoned);
         };
-        match self.label_goal(label, span) {
+        match self.label_goal(unit, label.span) {
             Some(goal) => self.go_to(goal),
-            None => self.state.incomplete = true,
+            None => self.state.doubt.paths = true,
         }
         Ok(())
     }
@@ -243,7 +243,7 @@ impl Interpreter<'_> {
                 )
                 .help("translate the program with --dialect ncl"),
             );
-            self.state.incomplete = true;
+            self.state.doubt.names = true;
             self.fail();
             return;
         }
@@ -291,5 +291,5 @@ fn moves(word: Word) -> bool {
 }
 
 fn missing(clause: &Clause) -> Expr {
-    Expr { kind: aptc_syntax::tree::ExprKind::Empty, span: clause.span }
+    Expr { kind: ExprKind::Empty, span: clause.span }
 }

@@ -11,9 +11,9 @@
 //! | PUNCH/1 2 3,names or ALL | punches all, numbers, forms |
 //! | PRINT/SSPRT,ON and its kin | tables of APT4 that nobody needs: without effect |
 
-use aptc_diagnostics::{Diagnostic, codes};
+use aptc_diagnostics::{Diagnostic, Span, codes};
 use aptc_protap::NameRef;
-use aptc_syntax::tree::{Clause, Expr, ExprKind};
+use aptc_syntax::tree::{Clause, Expr, ExprKind, Name};
 use aptc_vocabulary::{Word, word};
 
 use super::reader::Reader;
@@ -190,6 +190,19 @@ impl Interpreter<'_> {
                 return;
             }
         }
+        if let ExprKind::Indexed(name, subscripts) = &expr.kind
+            && let Some(places) = self.printed_elements(name, subscripts, expr.span)
+        {
+            for place in places {
+                if matches!(self.memory.slot(place).value, Value::Unset) {
+                    self.print_undefined(name, place);
+                } else {
+                    self.memory.slot_mut(place).read = true;
+                    self.print_place(style, place);
+                }
+            }
+            return;
+        }
         let Ok(args) = self.arguments(std::slice::from_ref(expr), Names::Free) else { return };
         for arg in args {
             match arg.kind {
@@ -206,16 +219,35 @@ impl Interpreter<'_> {
         }
     }
 
-    fn print_undefined(&mut self, name: &aptc_syntax::tree::Name, place: Place) {
+    /// The elements that an item names; `None` when it is no array, none when they cannot be had.
+    fn printed_elements(
+        &mut self,
+        name: &Name,
+        subscripts: &[Expr],
+        span: Span,
+    ) -> Option<Vec<Place>> {
+        let place = self.memory.place(name.symbol);
+        let Value::Array(array) = self.memory.slot(place).value else { return None };
+        let places = if self.several(subscripts) {
+            self.elements(array, subscripts, span)
+        } else {
+            self.indexed_element(array, place, subscripts, span).map(|p| vec![p])
+        };
+        Some(places.unwrap_or_default())
+    }
+
+    fn print_undefined(&mut self, name: &Name, place: Place) {
         let shown = self.name_ref(place);
-        let text = shown.name.to_string();
-        if !self.state.incomplete {
+        let text = self.spelled(place);
+        if !self.is_doubtful(name.symbol) {
             let mut message = Diagnostic::warning(
                 codes::PRINTED_UNDEFINED,
                 name.span,
                 format!("{text} has no value to print"),
             );
-            if let Some(near) = self.near(name.symbol, &text) {
+            if shown.subscript == 0
+                && let Some(near) = self.near(name.symbol, &text)
+            {
                 message = message.help(format!("did you mean {near}?"));
             }
             self.error(message);

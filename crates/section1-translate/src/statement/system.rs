@@ -14,15 +14,7 @@ use crate::memory::Value;
 impl Interpreter<'_> {
     /// ZSURF/plane, z or NOMORE; REFSYS/matrix or NOMORE.
     pub(super) fn system(&mut self, word: Word, clause: &Clause) -> Known<()> {
-        let args = self.args(clause, Names::Defined);
-        let args = match args {
-            Ok(args) => args,
-            Err(Poisoned) => {
-                // Definitions in a system that is unknown would be wrong in silence.
-                self.state.incomplete = true;
-                return Err(Poisoned);
-            }
-        };
+        let args = self.args(clause, Names::Defined)?;
         let mut reader = Reader::new(word, clause, &args);
         if reader.is_word(word::NOMORE) {
             if word == word::ZSURF {
@@ -74,7 +66,6 @@ impl Interpreter<'_> {
 
     fn refsys(&mut self, reader: &mut Reader<'_>) -> Known<()> {
         let Some(Form::Matrix(m)) = reader.peek().and_then(|a| a.form()) else {
-            self.state.incomplete = true;
             return Err(self.expect(reader, "a matrix or NOMORE"));
         };
         reader.skip(1);
@@ -87,7 +78,6 @@ impl Interpreter<'_> {
                 )
                 .help("a reference system has three axes that span space"),
             );
-            self.state.incomplete = true;
             return Err(Poisoned);
         }
         self.state.refsys = Some(*m);
@@ -103,6 +93,10 @@ impl Interpreter<'_> {
         let mut known = Ok(());
         for pair in args.chunks(2) {
             let [a, b] = pair else {
+                if let Some(name) = Self::as_name(&pair[0].kind) {
+                    let place = self.memory.place(name.symbol);
+                    self.memory.set(place, Value::Poison, name.span);
+                }
                 known = Err(self.bad_reserve(pair[0].span, "this has no partner in RESERV"));
                 continue;
             };

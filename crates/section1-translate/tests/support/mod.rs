@@ -91,7 +91,7 @@ impl Ran {
     /// The canonical elements of a name.
     pub(crate) fn form(&self, name: &str) -> Vec<f64> {
         let (base, subscript) = match name.split_once('(') {
-            Some((base, rest)) => (base, rest.trim_end_matches(')').parse().unwrap()),
+            Some((base, rest)) => (base, rest.trim_end_matches(')').parse().expect("a subscript")),
             None => (name, 0),
         };
         let found = self.geometry.iter().find(|(n, _)| n.name == base && n.subscript == subscript);

@@ -1,0 +1,91 @@
+//! What programs print.
+
+mod support;
+
+use aptc_protap::NameRef;
+use aptc_translate::EntryKind;
+use support::{clean, run};
+
+fn name(name: &str, subscript: u32) -> NameRef {
+    NameRef { name: name.into(), subscript }
+}
+
+fn printed(text: &str) -> Vec<EntryKind> {
+    clean(text).listing.into_iter().map(|e| e.kind).collect()
+}
+
+fn scalar(n: &str, subscript: u32, value: f64) -> EntryKind {
+    EntryKind::Scalar { name: Some(name(n, subscript)), value }
+}
+
+fn form(n: &str, subscript: u32, word: &'static str, elements: &[f64]) -> EntryKind {
+    EntryKind::Form { name: Some(name(n, subscript)), word, elements: elements.to_vec() }
+}
+
+#[test]
+fn print_on_lists_each_definition_nested_ones_too() {
+    let text = "P=POINT/1,2\nPRINT/ON\nL=LINE/P,(Q=POINT/1,5)\nA=3\nM=MATRIX/(MATRIX/SCALE,2),(MATRIX/SCALE,3)\nPRINT/OFF\nR=POINT/0,0\nFINI\n";
+    let six = [6.0, 0.0, 0.0, 0.0, 0.0, 6.0, 0.0, 0.0, 0.0, 0.0, 6.0, 0.0];
+    let entries = printed(text);
+    assert_eq!(entries[0], form("Q", 0, "POINT", &[1.0, 5.0, 0.0]));
+    assert_eq!(entries[1], form("L", 0, "LINE", &[1.0, 0.0, 0.0, 1.0]));
+    assert!(matches!(&entries[2], EntryKind::Form { name: Some(n), .. } if n.name.is_empty()));
+    assert_eq!(entries[4], form("M", 0, "MATRIX", &six));
+    assert_eq!(entries.len(), 5);
+}
+
+#[test]
+fn print_3_names_what_it_prints() {
+    let text = "RESERV/B,3\nA=2\nB(1)=5\nB(3)=7\nP=POINT/1,2,3\nPRINT/3,A,B,P,(POINT/0,0),4.5,B(1)\n\
+        PRINT/2,A,P\nPRINT/1,A\nPRINT/0\nFINI\n";
+    assert_eq!(
+        printed(text),
+        [
+            scalar("A", 0, 2.0),
+            scalar("B", 1, 5.0),
+            scalar("B", 3, 7.0),
+            form("P", 0, "POINT", &[1.0, 2.0, 3.0]),
+            form("", 0, "POINT", &[0.0, 0.0, 0.0]),
+            EntryKind::Scalar { name: Some(NameRef::default()), value: 4.5 },
+            scalar("B", 1, 5.0),
+            EntryKind::Scalar { name: None, value: 2.0 },
+            EntryKind::Form { name: None, word: "POINT", elements: vec![1.0, 2.0, 3.0] },
+            EntryKind::Bits { name: name("A", 0), word: "SCALAR", elements: vec![2.0] },
+            EntryKind::Page
+        ]
+    );
+}
+
+#[test]
+fn print_all_gives_all_there_is() {
+    let text = "A=2\nP=POINT/1,2,3\nPRINT/3,ALL\nFINI\n";
+    assert_eq!(printed(text), [scalar("A", 0, 2.0), form("P", 0, "POINT", &[1.0, 2.0, 3.0])]);
+}
+
+#[test]
+fn titles_stand_between() {
+    let title = |text: &str, right| EntryKind::Title { text: text.into(), right };
+    assert_eq!(
+        printed("TITLES  X   Y\nPRINT/2,1\nTITLES RIGHT RADIUS\nFINI\n"),
+        [
+            title("X   Y", false),
+            EntryKind::Scalar { name: None, value: 1.0 },
+            title("RADIUS", true)
+        ]
+    );
+}
+
+#[test]
+fn a_name_without_value_is_a_warning_and_no_poison() {
+    let ran = run("PRINT/3,A\nA=1\nGOTO/A,0,0\nFINI\n");
+    assert_eq!(ran.told(), [(1051, 1)]);
+    assert!(!ran.diagnostics[0].is_error());
+    assert_eq!(ran.listing[0].kind, EntryKind::Undefined { name: name("A", 0) });
+    assert_eq!(support::numbers(&ran), [1.0]);
+}
+
+#[test]
+fn entries_know_their_statement() {
+    let ran = clean("A=1\n\nPRINT/3,A\nFINI\n");
+    assert_eq!((ran.listing[0].origin.line, ran.listing[0].origin.isn), (3, 3));
+}
