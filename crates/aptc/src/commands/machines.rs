@@ -14,7 +14,7 @@ pub(crate) fn machines(name: Option<&str>, common: &Common) -> io::Result<ExitCo
     let mut out = io::stdout().lock();
     let Some(name) = name else {
         for m in all() {
-            writeln!(out, "{:<24}{}", m.name, m.title)?;
+            writeln!(out, "{:<28}{}", m.name, m.title)?;
         }
         return Ok(exit::GOOD);
     };
