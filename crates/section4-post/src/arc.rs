@@ -258,6 +258,8 @@ impl Post {
                 center_at: center,
                 radius: r,
                 large: sweep.abs() > PI,
+                sweep: sweep.to_degrees(),
+                rise: to[3 - a - b] - from[3 - a - b],
             };
             pieces.push((Piece::Arc(block), end));
             (from_q, from, from_angle) = (q, to, angle);

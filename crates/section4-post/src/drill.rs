@@ -5,7 +5,7 @@ use aptc_diagnostics::{Origin, codes};
 use aptc_geometry::Vec3;
 use smol_str::SmolStr;
 
-use crate::emit::{FeedWord, MotionCode, NativeCycle};
+use crate::emit::{FeedMode, FeedWord, MotionCode, NativeCycle};
 use crate::machine::CycleWord;
 use crate::motion::ALL;
 use crate::post::Post;
@@ -91,12 +91,9 @@ impl Post {
             self.leave_cycle();
             self.go_to(hole.point(hole.retract), hole.ta, true, origin);
         }
-        let along_z =
-            self.st.chain.as_ref().is_none_or(|chain| {
-                (chain.turned(self.st.angles) * hole.ta - Vec3::z()).norm() < 1e-6
-            });
+        let along_z = self.along_z(hole.ta);
         match self.native(&cycle, dwell, feed).filter(|_| along_z) {
-            Some(native) => self.drill_native(native, &hole, origin),
+            Some(native) => self.drill_native(native, &cycle, dwell, &hole, origin),
             None => self.drill_expanded(&cycle, &hole, dwell, feed, origin),
         }
         self.count_hole(&hole, feed);
@@ -154,7 +151,7 @@ impl Post {
             (Some(a), Some(b)) => (a - b).abs() < 1e-9,
             _ => true,
         };
-        if !even {
+        if !even && !entry.lines.iter().any(|l| l.contains("{first}")) {
             return None;
         }
         let wants = match entry.spindle.as_str() {
@@ -188,10 +185,22 @@ impl Post {
         if dwell.is_some_and(|t| t > 0.0) && !takes_dwell {
             return None;
         }
-        Some(NativeCycle { code: entry.code.clone(), retract: String::new(), words, feed })
+        let (code, retract, lines) = (entry.code.clone(), String::new(), entry.lines.clone());
+        Some(NativeCycle { code, retract, words, feed, lines })
     }
 
-    fn drill_native(&mut self, mut native: NativeCycle, hole: &Hole, origin: &Origin) {
+    fn drill_native(
+        &mut self,
+        mut native: NativeCycle,
+        cycle: &DrillCycle,
+        dwell: Option<f64>,
+        hole: &Hole,
+        origin: &Origin,
+    ) {
+        if !native.lines.is_empty() {
+            self.drill_called(native, cycle, dwell, hole, origin);
+            return;
+        }
         let high = hole.retract > hole.clearance + self.blocks.number(b'Z').resolution() / 2.0;
         let words = &self.machine.cycle;
         native.retract = if high { words.to_initial.clone() } else { words.to_clearance.clone() };
@@ -200,6 +209,59 @@ impl Post {
         let (bottom, clearance) = (at.z + hole.bottom, at.z + hole.clearance);
         let done = self.blocks.hole(&native, [at.x, at.y], bottom, clearance);
         self.check(done, origin);
+    }
+
+    /// A hole of a cycle that lines define and a position calls.
+    fn drill_called(
+        &mut self,
+        mut native: NativeCycle,
+        cycle: &DrillCycle,
+        dwell: Option<f64>,
+        hole: &Hole,
+        origin: &Origin,
+    ) {
+        self.reach_level(hole, hole.retract, false, origin);
+        let at = self.at_rest(hole.at);
+        let written = |b: &crate::emit::Blocks, letter: u8, value: f64| {
+            let n = b.number(letter);
+            let mut out = Vec::new();
+            if let Some(q) = n.round(value) {
+                n.write(q, &mut out);
+            }
+            String::from_utf8(out).unwrap_or_default()
+        };
+        let z = |value: f64| written(&self.blocks, b'Z', value);
+        let scale = self.st.scale;
+        let step = cycle.step.or(cycle.first_step).map_or(-hole.bottom, |s| s * scale);
+        let first = cycle.first_step.or(cycle.step).map_or(-hole.bottom, |s| s * scale);
+        let speed = self.st.spindle.speed;
+        let pitch = match native.feed.mode {
+            FeedMode::PerRevolution => native.feed.value,
+            _ if speed > 0.0 => native.feed.value / speed,
+            _ => 0.0,
+        };
+        let values = [
+            ("surface", z(at.z)),
+            ("bottom", z(at.z + hole.bottom)),
+            ("clearance", z(at.z + hole.clearance)),
+            ("retract", z(at.z + hole.retract)),
+            ("depth", z(hole.bottom)),
+            ("clear", z(hole.clearance)),
+            ("back", z(hole.retract)),
+            ("step", z(step)),
+            ("first", z(first)),
+            ("dwell", crate::post::trimmed(dwell.unwrap_or(0.0), 3)),
+            ("feed", written(&self.blocks, b'F', native.feed.value)),
+            ("pitch", crate::post::trimmed(pitch, 4)),
+        ];
+        let vars: Vec<(&str, &str)> = values.iter().map(|(n, v)| (*n, v.as_str())).collect();
+        native.lines = native.lines.iter().filter_map(|l| crate::emit::render(l, &vars)).collect();
+        let done =
+            self.blocks.hole(&native, [at.x, at.y], at.z + hole.bottom, at.z + hole.clearance);
+        self.check(done, origin);
+        if self.machine.cycle.off.is_empty() {
+            self.st.pos = Some(hole.point(hole.retract));
+        }
     }
 
     /// Brings the tool to where the cycle may begin: never across below `level`; exactly on it over the hole

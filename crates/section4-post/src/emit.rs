@@ -6,12 +6,15 @@
 
 use std::sync::Arc;
 
-use crate::machine::{ArcCenter, ArcPlane, Machine, Wrap};
+use crate::machine::{ArcCenter, ArcPlane, Dialect, Machine, Wrap};
 use crate::number::Number;
 
+mod apt;
 mod cycle;
+mod heidenhain;
 mod text;
 
+pub(crate) use apt::AptText;
 pub(crate) use cycle::NativeCycle;
 pub(crate) use text::render;
 
@@ -67,6 +70,10 @@ pub(crate) struct ArcBlock {
     pub(crate) radius: f64,
     /// More than half a turn?
     pub(crate) large: bool,
+    /// Angle travelled, degrees, positive anticlockwise.
+    pub(crate) sweep: f64,
+    /// Motion along the normal of the plane.
+    pub(crate) rise: f64,
 }
 
 /// Writer of blocks.
@@ -229,6 +236,9 @@ impl Blocks {
             return Ok(());
         }
         self.end_cycle();
+        if self.machine.dialect == Dialect::Heidenhain {
+            return self.tnc_straight(code, &q, mask, feed);
+        }
         self.begin();
         self.feed_mode_word(feed);
         if let Some(words) = self.with_motion.take() {
@@ -255,6 +265,9 @@ impl Blocks {
     /// G2 or G3.
     pub(crate) fn arc(&mut self, arc: &ArcBlock, feed: Option<FeedWord>) -> Result<(), TooGreat> {
         self.end_cycle();
+        if self.machine.dialect == Dialect::Heidenhain {
+            return self.tnc_arc(arc, feed);
+        }
         self.begin();
         self.feed_mode_word(feed);
         self.plane_word(arc.plane);
@@ -304,9 +317,11 @@ impl Blocks {
             return;
         }
         self.end_cycle();
-        self.begin();
-        self.push(text);
-        self.end();
+        for line in text.split('\n') {
+            self.begin();
+            self.push(line);
+            self.end();
+        }
     }
 
     /// The rounded number that the control knows of an axis, 0 to 4.

@@ -80,21 +80,22 @@ impl Chain {
         let xyz = Vec3::new(joints[0], joints[1], joints[2]);
         let mut axis = Vec3::z();
         let mut end = Vec3::zeros();
-        let angles = [joints[3].to_radians(), joints[4].to_radians()];
+        let spins = self.spins([joints[3], joints[4]]);
         // The tool end moves with the head; the axis nearest to the tool turns it first.
-        for (turn, angle) in self.turns.iter().zip(angles).rev() {
+        for (turn, spin) in self.turns.iter().zip(spins).rev() {
             if turn.carries == Carries::Tool {
-                let r = rotation(turn.d, angle);
-                axis = r * axis;
-                end = turn.c + r * (end - turn.c);
+                axis = spin.turn(turn.d, axis);
+                end = turn.c + spin.turn(turn.d, end - turn.c);
             }
         }
         let mut point = xyz + end;
-        for (turn, angle) in self.turns.iter().zip(angles) {
+        for (turn, spin) in self.turns.iter().zip(spins) {
             if turn.carries == Carries::Part {
-                let back = rotation(turn.d, -angle);
-                axis = back * axis;
-                point = turn.c + back * (point - turn.c);
+                let back = spin.back();
+                axis = back.turn(turn.d, axis);
+                if !self.tool_center {
+                    point = turn.c + back.turn(turn.d, point - turn.c);
+                }
             }
         }
         (if self.tool_center { xyz } else { point }, axis)
@@ -105,17 +106,28 @@ impl Chain {
         if self.tool_center {
             return te;
         }
-        let radians = angles.map(f64::to_radians);
         let mut point = te;
         let mut end = Vec3::zeros();
-        for (turn, angle) in self.turns.iter().zip(radians).rev() {
-            let r = rotation(turn.d, angle);
+        for (turn, spin) in self.turns.iter().zip(self.spins(angles)).rev() {
             match turn.carries {
-                Carries::Part => point = turn.c + r * (point - turn.c),
-                Carries::Tool => end = turn.c + r * (end - turn.c),
+                Carries::Part => point = turn.c + spin.turn(turn.d, point - turn.c),
+                Carries::Tool => end = turn.c + spin.turn(turn.d, end - turn.c),
             }
         }
         point - end
+    }
+
+    /// Greatest distance of a rotary axis from the zero of its frame.
+    pub(crate) fn reach(&self) -> f64 {
+        self.turns.iter().map(|t| t.c.norm()).sum()
+    }
+
+    fn spins(&self, degrees: [f64; 2]) -> [Spin; 2] {
+        match self.turns.len() {
+            0 => [Spin::NONE; 2],
+            1 => [Spin::new(degrees[0]), Spin::NONE],
+            _ => degrees.map(Spin::new),
+        }
     }
 
     /// The rotation from the frame of the part to that of the axes at `angles`, degrees.
@@ -124,7 +136,10 @@ impl Chain {
         if !self.tool_center {
             for (turn, angle) in self.turns.iter().zip(angles).rev() {
                 if turn.carries == Carries::Part {
-                    m = rotation(turn.d, angle.to_radians()) * m;
+                    let spin = Spin::new(angle);
+                    m = Matrix3::from_columns(
+                        &[0, 1, 2].map(|i| spin.turn(turn.d, m.column(i).into())),
+                    );
                 }
             }
         }
@@ -241,12 +256,28 @@ fn clean_degrees(radians: f64) -> f64 {
     if (degrees - near).abs() < 1e-10 { near } else { degrees }
 }
 
-/// Rotation about the unit vector `d`, exact at multiples of 90 degrees about the axes of the frame.
-fn rotation(d: Vec3, angle: f64) -> Matrix3<f64> {
-    let degrees = clean_degrees(angle);
-    let (s, c) = (trig::sin_deg(degrees), trig::cos_deg(degrees));
-    let k = Matrix3::new(0.0, -d.z, d.y, d.z, 0.0, -d.x, -d.y, d.x, 0.0);
-    Matrix3::identity() * c + k * s + d * d.transpose() * (1.0 - c)
+/// Sine and cosine of an angle, exact at multiples of 90 degrees.
+#[derive(Clone, Copy, Debug)]
+struct Spin {
+    sin: f64,
+    cos: f64,
+}
+
+impl Spin {
+    const NONE: Self = Self { sin: 0.0, cos: 1.0 };
+
+    fn new(degrees: f64) -> Self {
+        Self { sin: trig::sin_deg(degrees), cos: trig::cos_deg(degrees) }
+    }
+
+    fn back(self) -> Self {
+        Self { sin: -self.sin, ..self }
+    }
+
+    /// The vector turned about the unit vector `d`.
+    fn turn(self, d: Vec3, v: Vec3) -> Vec3 {
+        v * self.cos + d.cross(&v) * self.sin + d * (d.dot(&v) * (1.0 - self.cos))
+    }
 }
 
 /// Angle of `R(d, x) u = v`; `from` when `u` lies along `d`.

@@ -101,6 +101,8 @@ pub enum Dialect {
     /// Words of letter and number, after RS-274.
     #[default]
     Rs274,
+    /// The same with the keywords and cycles of Siemens 840D.
+    Siemens,
     /// Heidenhain conversational.
     Heidenhain,
     /// CL data again, as text of ISO 4343.
@@ -327,8 +329,14 @@ pub enum ArcCenter {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Cycle {
-    /// Its code: `G81`.
+    /// Its code: `G81`. Depth, clearance and feed follow as Z, R and F.
+    #[serde(default)]
     pub code: String,
+    /// Or lines that define it, where a position calls it: `{surface}` `{bottom}` `{clearance}` `{retract}`
+    /// as coordinates, `{depth}` `{clear}` `{back}` as distances from the surface, `{step}` `{first}`
+    /// `{dwell}` `{feed}` `{pitch}`.
+    #[serde(default)]
+    pub lines: Vec<String>,
     /// The words that it needs besides depth, retract plane and feed: `Q` step, `P` dwell.
     #[serde(default)]
     pub words: Vec<CycleWord>,
@@ -353,8 +361,10 @@ pub enum CycleWord {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct CycleWords {
-    /// Ends a cycle.
+    /// Ends a cycle; empty when it holds for one position only.
     pub off: String,
+    /// Words at the end of a position that calls a cycle defined by lines.
+    pub call: String,
     /// Retracts to the plane of the first height.
     pub to_initial: String,
     /// Retracts to the clearance plane only.
@@ -385,6 +395,8 @@ pub struct Compensation {
     pub right: String,
     /// CUTCOM/OFF.
     pub off: String,
+    /// Does it stand in the block of the next motion, and not alone?
+    pub off_with_motion: bool,
     /// Line written once for each offset number before it is used, with `{offset}`: where the wear is kept.
     pub wear_define: String,
     /// How it is guaranteed that the number means wear only: a comment in the program.

@@ -128,18 +128,25 @@ impl Post {
     /// A rapid motion of all axes, in the way of the machine.
     pub(crate) fn rapid_to(&mut self, te: Vec3, joints: &Joints, origin: &Origin) {
         let path = self.machine.rapid.path;
+        // Only a tool that stands along Z while the rotary axes rest is moved apart from the other axes.
+        #[expect(clippy::float_cmp, reason = "rounded angles: the same text")]
+        let still = self.st.angles == [joints[3], joints[4]] && self.along_z(self.st.ta);
+        let way = self.st.pos.map(|p| {
+            let p = self.at_rest(p);
+            [joints[0] - p.x, joints[1] - p.y, joints[2] - p.z]
+        });
         let split = path == RapidPath::Split
-            && self.st.pos.is_none_or(|p| {
-                let d = te - p;
+            && still
+            && way.is_none_or(|d| {
                 let r = self.blocks.number(b'Z').resolution();
-                d.z.abs() >= r && d.x.abs().max(d.y.abs()) >= r
+                d[2].abs() >= r && d[0].abs().max(d[1].abs()) >= r
             });
         let done = if path == RapidPath::Feed {
             let value = self.machine.rapid.feed / self.st.out_mm();
             let feed = FeedWord { mode: FeedMode::PerMinute, value };
             self.blocks.straight(MotionCode::Line, joints, ALL, Some(feed))
         } else if split {
-            let up = self.st.pos.is_some_and(|p| te.z > p.z);
+            let up = way.is_some_and(|d| d[2] > 0.0);
             let (first, then) =
                 if up { (TOOL_AXIS, BUT_TOOL_AXIS) } else { (BUT_TOOL_AXIS, TOOL_AXIS) };
             let one = self.blocks.straight(MotionCode::Rapid, joints, first, None);
@@ -174,6 +181,7 @@ impl Post {
             self.st.ta = axis;
         }
         self.st.angles = [joints[3], joints[4]];
+        self.st.placed = None;
     }
 
     pub(crate) fn check_limits(&mut self, joints: &Joints, origin: &Origin) {

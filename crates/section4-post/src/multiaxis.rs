@@ -22,6 +22,14 @@ struct Pose {
     ta: Vec3,
     /// Angles as they are written, degrees, not wrapped.
     angles: [f64; 2],
+    /// Linear axes.
+    xyz: Vec3,
+}
+
+impl Pose {
+    fn joints(&self) -> Joints {
+        [self.xyz.x, self.xyz.y, self.xyz.z, self.angles[0], self.angles[1]]
+    }
 }
 
 impl Post {
@@ -36,7 +44,7 @@ impl Post {
             [te.x, te.y, te.z, 0.0, 0.0]
         } else {
             let pose = self.pose(te, ta, self.st.angles, origin)?;
-            self.joints_of(&pose)
+            pose.joints()
         };
         if !self.machine.axes.is_empty() {
             self.check_limits(&joints, origin);
@@ -98,7 +106,7 @@ impl Post {
         match self.chain(origin)?.angles(ta, from) {
             Ok(angles) => {
                 let angles = self.blocks.round_angles(angles);
-                Some(Pose { te, ta, angles })
+                Some(self.placed(te, ta, angles))
             }
             Err(why) => {
                 self.out_of_reach(ta, why, origin);
@@ -107,14 +115,20 @@ impl Post {
         }
     }
 
-    fn joints_of(&self, pose: &Pose) -> Joints {
-        let xyz = self.st.chain.as_ref().map_or(pose.te, |c| c.linear(pose.te, pose.angles));
-        [xyz.x, xyz.y, xyz.z, pose.angles[0], pose.angles[1]]
+    fn placed(&self, te: Vec3, ta: Vec3, angles: [f64; 2]) -> Pose {
+        let xyz = self.st.chain.as_ref().map_or(te, |c| c.linear(te, angles));
+        Pose { te, ta, angles, xyz }
     }
 
     /// The place of the linear axes for a tool end while the rotary axes rest.
     pub(crate) fn at_rest(&self, te: Vec3) -> Vec3 {
         self.st.chain.as_ref().map_or(te, |c| c.linear(te, self.st.angles))
+    }
+
+    /// Does the tool stand along Z in the frame of the axes, as the rotary axes are now?
+    pub(crate) fn along_z(&self, ta: Vec3) -> bool {
+        let seen = self.st.chain.as_ref().map_or(ta, |c| c.turned(self.st.angles) * ta);
+        (seen - Vec3::z()).norm() < 1e-6
     }
 
     /// Switches tool-centre control on where it has a line of its own.
@@ -138,13 +152,27 @@ impl Post {
             self.leg(&end, rapid, total, origin);
             return;
         };
-        let start = Pose { te: pos, ta: self.st.ta, angles: self.st.angles };
+        // The place of the axes is known from the last block unless the tool end came otherwise.
+        let start = match self.st.placed {
+            Some((te, xyz)) if te == pos => {
+                Pose { te: pos, ta: self.st.ta, angles: self.st.angles, xyz }
+            }
+            _ => self.placed(pos, self.st.ta, self.st.angles),
+        };
         // Halves still to do, the next one last.
         let mut from = start;
-        if self.turn_free(&mut from, &end, 1.0, rapid, origin).is_none() {
+        if self.straight_enough(&from, &end) {
+            self.leg(&end, rapid, total, origin);
             return;
         }
-        let Some(end) = self.pose(te, ta, from.angles, origin) else { return };
+        let end = match self.turn_free(&mut from, &end, 1.0, rapid, origin) {
+            None => return,
+            Some(false) => end,
+            Some(true) => match self.pose(te, ta, from.angles, origin) {
+                Some(end) => end,
+                None => return,
+            },
+        };
         let mut to_do = vec![(end, 0)];
         let mut turns = 0;
         while let Some((to, halved)) = to_do.pop() {
@@ -190,8 +218,6 @@ impl Post {
             to_do.push((again, halved + 1));
             to_do.push((half, halved + 1));
         }
-        self.st.pos = Some(te);
-        self.st.ta = ta;
     }
 
     /// In the singular direction one rotary axis is free: it goes to where the motion needs it while the tool
@@ -210,21 +236,15 @@ impl Post {
         };
         let way = to.angles[i] - from.angles[i];
         let turned = |angle: f64| {
-            let mut pose = *from;
-            pose.angles[i] += angle;
-            pose
+            let mut angles = from.angles;
+            angles[i] += angle;
+            self.placed(from.te, from.ta, self.blocks.round_angles(angles))
         };
         let mut n: u32 = 1;
         while n < 1 << MOST_HALVINGS && !self.straight_enough(from, &turned(way / f64::from(n))) {
             n *= 2;
         }
-        let legs: Vec<Pose> = (1..=n)
-            .map(|k| {
-                let mut pose = turned(way * f64::from(k) / f64::from(n));
-                pose.angles = self.blocks.round_angles(pose.angles);
-                pose
-            })
-            .collect();
+        let legs: Vec<Pose> = (1..=n).map(|k| turned(way * f64::from(k) / f64::from(n))).collect();
         for pose in legs {
             if !self.leg(&pose, rapid, 0.0, origin) {
                 return None;
@@ -244,8 +264,14 @@ impl Post {
         let unit = self.st.out_mm();
         let lintol = self.st.lintol_mm.unwrap_or(self.machine.multiaxis.lintol) / unit;
         let lean = self.machine.multiaxis.axis_tolerance.to_radians();
-        let (a, b) = (self.joints_of(from), self.joints_of(to));
-        // The path is nearly a parabola, so the middle tells most; the quarters find the turns of an S.
+        let (a, b) = (from.joints(), to.joints());
+        // The tool end is turned by the angles x while the axes move by d: from its second derivative
+        // x^2 r + 2 x d it cannot leave the line by more than an eighth of that.
+        let x = (0..2).map(|i| (b[3 + i] - a[3 + i]).abs()).sum::<f64>().to_radians();
+        let r = chain.reach() + from.xyz.norm().max(to.xyz.norm());
+        if x < 2.0 * lean && x * (x * r + 2.0 * (to.xyz - from.xyz).norm()) <= 8.0 * lintol {
+            return true;
+        }
         [0.5, 0.25, 0.75].into_iter().all(|s| {
             let mut joints = [0.0; 5];
             for i in 0..5 {
@@ -268,7 +294,7 @@ impl Post {
 
     /// One block, or one rapid motion.
     fn leg(&mut self, to: &Pose, rapid: bool, length: f64, origin: &Origin) -> bool {
-        let joints = self.joints_of(to);
+        let joints = to.joints();
         if !self.machine.axes.is_empty() {
             self.check_limits(&joints, origin);
         }
@@ -283,6 +309,7 @@ impl Post {
         self.st.pos = Some(to.te);
         self.st.ta = to.ta;
         self.st.angles = to.angles;
+        self.st.placed = Some((to.te, to.xyz));
         true
     }
 
@@ -334,10 +361,10 @@ impl Post {
         let message = "the rotary axes are wound back with the tool retracted".to_string();
         self.warn(codes::WIND_BACK, origin, message, "look at this place before cutting");
         let cut = FeedWord { mode: FeedMode::PerMinute, value: feed };
-        let up = Pose { te: from.te + from.ta * retract, ..*from };
-        let over = Pose { te: to.te + to.ta * retract, ..*to };
+        let up = self.placed(from.te + from.ta * retract, from.ta, from.angles);
+        let over = self.placed(to.te + to.ta * retract, to.ta, to.angles);
         for (pose, rapid) in [(up, false), (over, true), (*to, rapid)] {
-            let joints = self.joints_of(&pose);
+            let joints = pose.joints();
             let done = if rapid {
                 self.blocks.straight(MotionCode::Rapid, &joints, ALL, None)
             } else {
@@ -349,6 +376,7 @@ impl Post {
         }
         self.st.ta = to.ta;
         self.st.angles = to.angles;
+        self.st.placed = None;
         true
     }
 }

@@ -7,7 +7,7 @@ use aptc_diagnostics::{Code, Diagnostic, Origin, codes};
 use smol_str::SmolStr;
 
 use crate::args::{Statement, whole};
-use crate::emit::{Blocks, TooGreat};
+use crate::emit::{AptText, Blocks, TooGreat};
 use crate::machine::{Dialect, Machine, OutputUnits};
 use crate::report::{BlockOrigin, Summary, ToolUse};
 use crate::roundtrip::{Checker, Proof};
@@ -65,6 +65,8 @@ pub struct Post {
     map: Vec<BlockOrigin>,
     annotated: Option<(u32, u32)>,
     checker: Option<Box<Checker>>,
+    /// Writes CL data instead of blocks.
+    apt: Option<AptText>,
 }
 
 impl Post {
@@ -77,14 +79,30 @@ impl Post {
         st.away = machine.program.start_retracts;
         let blocks = Blocks::new(Arc::clone(&machine), st.inch);
         let summary = Summary { machine: machine.name.clone(), ..Summary::default() };
-        let check = options.check && machine.dialect == Dialect::Rs274;
+        let check = options.check && machine.dialect != Dialect::Apt;
         let checker = check.then(|| Box::new(Checker::new(&machine)));
         let (diagnostics, map) = (Vec::new(), Vec::new());
-        Self { machine, options, st, blocks, diagnostics, summary, map, annotated: None, checker }
+        let apt = (machine.dialect == Dialect::Apt).then(AptText::new);
+        Self {
+            machine,
+            options,
+            st,
+            blocks,
+            diagnostics,
+            summary,
+            map,
+            annotated: None,
+            checker,
+            apt,
+        }
     }
 
     /// Takes one record; the text that it gives is added to `out`.
     pub fn push(&mut self, record: &Record, out: &mut Vec<u8>) {
+        if let Some(apt) = &mut self.apt {
+            apt.write(record, out);
+            return;
+        }
         std::mem::swap(&mut self.blocks.out, out);
         let before = self.blocks.lines;
         let begin = self.blocks.out.len();
@@ -98,6 +116,9 @@ impl Post {
 
     /// Ends the program: what END or FINI did not write is written now.
     pub fn finish(mut self, out: &mut Vec<u8>) -> Posted {
+        if let Some(apt) = &mut self.apt {
+            apt.finish(out);
+        }
         std::mem::swap(&mut self.blocks.out, out);
         let begin = self.blocks.out.len();
         if self.st.started && !self.st.ended {
@@ -255,7 +276,8 @@ impl Post {
             units: if self.st.inch { p.inch.clone() } else { p.metric.clone() },
             work_offset: self.options.work_offset.clone().unwrap_or_else(|| p.work_offset.clone()),
             path_mode,
-            number: if p.number == 0 { String::new() } else { p.number.to_string() },
+            number: if p.number == 0 { String::new() } else { format!("{:04}", p.number) },
+            name: program_name(&self.st.partno),
         }
     }
 
@@ -364,6 +386,7 @@ pub(crate) struct Vars {
     work_offset: String,
     pub(crate) path_mode: String,
     number: String,
+    name: String,
 }
 
 impl Vars {
@@ -375,6 +398,7 @@ impl Vars {
             ("work_offset", &self.work_offset),
             ("path_mode", &self.path_mode),
             ("number", &self.number),
+            ("name", &self.name),
         ]
     }
 }
@@ -429,6 +453,18 @@ pub fn post_all(
     }
     let posted = post.finish(&mut out);
     (String::from_utf8_lossy(&out).into_owned(), posted)
+}
+
+/// A name that every control takes: letters and digits of PARTNO.
+fn program_name(part: &str) -> String {
+    let name: String = part
+        .to_ascii_uppercase()
+        .chars()
+        .map(|c| if c.is_ascii_alphanumeric() { c } else { '_' })
+        .collect();
+    let words: Vec<&str> = name.split('_').filter(|w| !w.is_empty()).collect();
+    let name: String = words.join("_").chars().take(24).collect();
+    if name.is_empty() { "PART".into() } else { name }
 }
 
 fn inch(machine: &Machine, units: Units) -> bool {

@@ -5,9 +5,46 @@
 
 mod control;
 mod cycles;
+mod siemens;
+mod tnc;
 mod words;
 
-pub(crate) use control::{ArcStep, Control, Place, Step};
+use crate::machine::{Dialect, Machine};
+
+pub(crate) use control::{ArcStep, Place, Step};
+
+/// A control of some dialect.
+pub(crate) enum Reader {
+    /// RS-274 and Siemens.
+    Words(Box<control::Control>),
+    /// Heidenhain.
+    Tnc(Box<tnc::Tnc>),
+}
+
+impl Reader {
+    pub(crate) fn new(machine: &Machine) -> Self {
+        match machine.dialect {
+            Dialect::Heidenhain => Self::Tnc(Box::new(tnc::Tnc::new(machine))),
+            _ => Self::Words(Box::new(control::Control::new(machine))),
+        }
+    }
+
+    /// Number of lines read.
+    pub(crate) fn n_lines(&self) -> u64 {
+        match self {
+            Self::Words(c) => c.n_lines(),
+            Self::Tnc(c) => c.n_lines(),
+        }
+    }
+
+    /// Reads a line; what it does is added to `steps`.
+    pub(crate) fn read(&mut self, text: &[u8], steps: &mut Vec<Step>) -> Result<(), Fault> {
+        match self {
+            Self::Words(c) => c.read(text, steps),
+            Self::Tnc(c) => c.read(text, steps),
+        }
+    }
+}
 
 /// A line that the control would not take.
 #[derive(Clone, Debug, PartialEq)]

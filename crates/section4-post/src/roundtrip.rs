@@ -15,7 +15,7 @@ use crate::args::Statement;
 use crate::drill::DrillCycle;
 use crate::kinematics::Chain;
 use crate::machine::{Machine, RapidPath};
-use crate::readback::{ArcStep, Control, Fault, Place, Step};
+use crate::readback::{ArcStep, Fault, Place, Reader, Step};
 
 /// Faults of one program that are told.
 const MOST_FAULTS: usize = 20;
@@ -64,7 +64,7 @@ pub struct Proof {
 
 /// Compares the text with the CL data.
 pub(crate) struct Checker {
-    control: Control,
+    control: Reader,
     chain: Option<Chain>,
     machine: std::sync::Arc<Machine>,
     units: Units,
@@ -101,7 +101,7 @@ pub(crate) struct Checker {
 impl Checker {
     pub(crate) fn new(machine: &std::sync::Arc<Machine>) -> Self {
         Self {
-            control: Control::new(machine),
+            control: Reader::new(machine),
             chain: None,
             machine: std::sync::Arc::clone(machine),
             units: Units::default(),
@@ -522,10 +522,7 @@ impl Checker {
             return;
         }
         let d = te - start;
-        let split = rapid
-            && want
-            && ((end - Vec3::new(start.x, start.y, te.z)).norm() <= self.linear
-                || (end - Vec3::new(te.x, te.y, start.z)).norm() <= self.linear);
+        let split = rapid && want && self.is_split(from, to, te);
         if split || (d.norm() <= band && place <= band) {
             return;
         }
@@ -535,6 +532,20 @@ impl Checker {
         self.say(format!("a motion to {}, but the CL data goes to {}", shown(end), shown(te)));
         self.queue.pop_front();
         self.at = Some((te, ta));
+    }
+
+    /// Is it a rapid motion with Z apart from the other axes, towards `te`?
+    fn is_split(&mut self, from: &Place, to: &Place, te: Vec3) -> bool {
+        let angles = [to[3].unwrap_or(0.0), to[4].unwrap_or(0.0)];
+        let goal =
+            if self.machine.rotary.is_empty() { te } else { self.chain().linear(te, angles) };
+        let tol = 2.0 * self.linear;
+        let is = |i: usize, v: f64| to[i].is_some_and(|x| (x - v).abs() <= tol);
+        let stays = |i: usize| from[i].is_some_and(|v| is(i, v));
+        let turned = from.iter().zip(to).skip(3).any(|(a, b)| a != b);
+        !turned
+            && ((stays(0) && stays(1) && is(2, goal.z))
+                || (is(0, goal.x) && is(1, goal.y) && stays(2)))
     }
 
     /// Is the next position this one? Then it is reached.

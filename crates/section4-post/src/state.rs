@@ -67,6 +67,8 @@ pub(crate) struct State {
     pub(crate) angles: [f64; 2],
     /// The rotary axes with the present tool.
     pub(crate) chain: Option<crate::kinematics::Chain>,
+    /// A tool end and the place of the linear axes for it at `angles`.
+    pub(crate) placed: Option<(Vec3, Vec3)>,
     /// Tool-centre control is on.
     pub(crate) centered: bool,
     /// The machine is retracted and not at `pos`.
@@ -127,6 +129,7 @@ impl State {
             ta: Vec3::z(),
             angles: [0.0; 2],
             chain: None,
+            placed: None,
             centered: false,
             away: false,
             rapid: false,

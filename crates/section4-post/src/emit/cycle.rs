@@ -1,6 +1,7 @@
 //! Drilling cycles of the control.
 
-use super::{Blocks, FeedMode, FeedWord, TooGreat, idx};
+use super::{Blocks, FeedMode, FeedWord, MotionCode, TooGreat, idx};
+use crate::machine::Dialect;
 
 /// A cycle as the control does it, lengths in output units.
 #[derive(Clone, Debug, PartialEq)]
@@ -13,6 +14,8 @@ pub(crate) struct NativeCycle {
     pub(crate) words: Vec<(u8, f64)>,
     /// Feed.
     pub(crate) feed: FeedWord,
+    /// Lines that define it, with the numbers of the hole; then code and words do not count.
+    pub(crate) lines: Vec<String>,
 }
 
 impl Blocks {
@@ -32,6 +35,9 @@ impl Blocks {
         let same = self.cycle.as_ref() == Some(cycle);
         if !same {
             self.end_cycle();
+        }
+        if !cycle.lines.is_empty() {
+            return self.called_hole(cycle, same, [x, y]);
         }
         self.begin();
         self.feed_mode_word(Some(cycle.feed));
@@ -63,6 +69,44 @@ impl Blocks {
         Ok(())
     }
 
+    /// One hole of a cycle that lines define and a position calls.
+    fn called_hole(
+        &mut self,
+        cycle: &NativeCycle,
+        same: bool,
+        [x, y]: [i64; 2],
+    ) -> Result<(), TooGreat> {
+        if !same {
+            for line in &cycle.lines {
+                self.begin();
+                self.push(line);
+                self.end();
+            }
+            self.cycle = Some(cycle.clone());
+            self.known[idx(b'F')] = None;
+            self.motion = None;
+        }
+        let call = self.machine.cycle.call.clone();
+        self.begin();
+        if self.machine.dialect == Dialect::Heidenhain {
+            self.push("L");
+        } else {
+            self.motion_word(MotionCode::Rapid);
+        }
+        self.known[idx(b'X')] = None;
+        self.coordinate(b'X', x);
+        self.coordinate(b'Y', y);
+        if self.machine.dialect == Dialect::Heidenhain {
+            self.push("FMAX");
+        }
+        if !call.is_empty() {
+            self.push(&call);
+        }
+        self.end();
+        self.known[idx(b'Z')] = None;
+        Ok(())
+    }
+
     /// Is a cycle of the control on?
     pub(crate) fn in_cycle(&self) -> bool {
         self.cycle.is_some()
@@ -74,9 +118,11 @@ impl Blocks {
             return;
         }
         let off = self.machine.cycle.off.clone();
-        self.begin();
-        self.push(&off);
-        self.end();
+        if !off.is_empty() {
+            self.begin();
+            self.push(&off);
+            self.end();
+        }
         self.known[idx(b'Z')] = None;
         self.known[idx(b'R')] = None;
         self.motion = None;

@@ -34,9 +34,15 @@ impl Blocks {
         for piece in clean.as_bytes().chunks(room) {
             let piece = std::str::from_utf8(piece).unwrap_or("");
             let line = format!("{open}{piece}{close}");
-            let numbered = std::mem::replace(&mut self.numbered, false);
+            // Where block numbers have no letter, every line has one.
+            let all = self.machine.program.block_numbers.letter.is_empty();
+            let numbered = self.numbered;
+            self.numbered &= all;
             let skip = std::mem::replace(&mut self.skip, false);
             self.begin();
+            if self.numbered {
+                self.separate();
+            }
             self.out.extend_from_slice(line.as_bytes());
             self.end();
             self.numbered = numbered;

@@ -15,6 +15,16 @@ const FILES: &[(&str, &str)] = &[
     ("linuxcnc-5axis-head", include_str!("../../machines/linuxcnc-5axis-head.toml")),
     ("linuxcnc-5axis-head-table", include_str!("../../machines/linuxcnc-5axis-head-table.toml")),
     ("linuxcnc-5axis-nutated", include_str!("../../machines/linuxcnc-5axis-nutated.toml")),
+    ("fanuc-0i-mill", include_str!("../../machines/fanuc-0i-mill.toml")),
+    ("fanuc-31i-5axis", include_str!("../../machines/fanuc-31i-5axis.toml")),
+    ("haas-vf", include_str!("../../machines/haas-vf.toml")),
+    ("haas-umc", include_str!("../../machines/haas-umc.toml")),
+    ("siemens-840d-mill", include_str!("../../machines/siemens-840d-mill.toml")),
+    ("siemens-840d-5axis", include_str!("../../machines/siemens-840d-5axis.toml")),
+    ("heidenhain-tnc", include_str!("../../machines/heidenhain-tnc.toml")),
+    ("heidenhain-tnc-5axis", include_str!("../../machines/heidenhain-tnc-5axis.toml")),
+    ("grbl", include_str!("../../machines/grbl.toml")),
+    ("apt", include_str!("../../machines/apt.toml")),
 ];
 
 /// A machine that is read when it is asked for.
@@ -49,6 +59,14 @@ pub fn machine_for(name: &str, args: &[Arg]) -> Option<&'static Machine> {
         Some(Arg::Number(n)) => format!("{name},{n}"),
         _ => name.clone(),
     };
-    let find = |wanted: &str| machines().find(|m| m.machin.iter().any(|k| k == wanted));
+    // The names stand in one line of each file: only the file that is meant need be read.
+    let find = |wanted: &str| {
+        let quoted = format!("\"{wanted}\"");
+        let has = |text: &str| {
+            text.lines().any(|l| l.starts_with("machin = ") && l.contains(quoted.as_str()))
+        };
+        let idx = FILES.iter().position(|(_, text)| has(text))?;
+        MACHINES.get(idx).map(|m| &**m)
+    };
     find(&numbered).or_else(|| find(&name)).or_else(|| machine(&name))
 }

@@ -50,7 +50,7 @@ impl Machine {
         };
         say(self.name.is_empty(), "`name` is empty".into());
         for letter in NEEDED {
-            let missing = self.dialect == Dialect::Rs274 && !self.format.contains_key(letter);
+            let missing = self.dialect != Dialect::Apt && !self.format.contains_key(letter);
             say(missing, format!("`format` lacks {letter}"));
         }
         for (letter, f) in &self.format {
@@ -69,7 +69,7 @@ impl Machine {
             say(none, format!("`axis` of rotary {} has no direction", r.letter));
             let format = self.format.contains_key(&r.letter);
             say(
-                self.dialect == Dialect::Rs274 && !format,
+                self.dialect != Dialect::Apt && !format,
                 format!("`format` lacks {}, a rotary axis", r.letter),
             );
             if let (Some(a), Some(b)) = (r.min, r.max) {

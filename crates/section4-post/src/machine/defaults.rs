@@ -96,6 +96,7 @@ impl Default for CycleWords {
     fn default() -> Self {
         Self {
             off: "G80".into(),
+            call: String::new(),
             to_initial: "G98".into(),
             to_clearance: "G99".into(),
             step: 'Q',
@@ -115,6 +116,7 @@ impl Default for Compensation {
             left: String::new(),
             right: String::new(),
             off: "G40".into(),
+            off_with_motion: false,
             wear_define: String::new(),
             wear_note: String::new(),
         }

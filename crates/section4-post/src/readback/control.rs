@@ -66,6 +66,8 @@ pub(crate) struct Control {
     radius_tolerance_mm: f64,
     /// M2 or M30 was read.
     pub(crate) ended: bool,
+    /// MCALL: the cycle that each position calls.
+    pub(super) called: Option<super::siemens::Called>,
 }
 
 impl Control {
@@ -76,10 +78,11 @@ impl Control {
             letters[3 + i] = r.letter as u8;
             modulo[3 + i] = r.wrap == Wrap::Modulo && r.min.is_none() && r.max.is_none();
         }
+        let siemens = machine.dialect == crate::machine::Dialect::Siemens;
         let diameter = |l: char| machine.axes.get(&l).is_some_and(|a| a.diameter);
         let divide = ['X', 'Y', 'Z', ' ', ' '].map(|l| if diameter(l) { 2.0 } else { 1.0 });
         Self {
-            line: Line::default(),
+            line: Line::new(siemens),
             n_lines: 0,
             mm: None,
             mode: Mode::None,
@@ -96,6 +99,7 @@ impl Control {
             cycle: super::cycles::Sticky::default(),
             radius_tolerance_mm: machine.arcs.as_ref().map_or(0.005, |a| 2.5 * a.radius_tolerance),
             ended: false,
+            called: None,
         }
     }
 
@@ -114,7 +118,7 @@ impl Control {
     }
 
     fn obey(&mut self, line: &Line, steps: &mut Vec<Step>) -> Result<(), String> {
-        if line.words.is_empty() {
+        if line.words.is_empty() && line.keywords.is_empty() {
             return Ok(());
         }
         if self.ended {
@@ -125,6 +129,9 @@ impl Control {
         let mut home = false;
         let mut motion_said = false;
         let mut dwell = false;
+        for keyword in &line.keywords {
+            machine_frame |= self.keyword(keyword)?;
+        }
         for w in &line.words {
             match w.letter {
                 b'G' => {
@@ -214,22 +221,24 @@ impl Control {
                 seen |= bit;
             }
         }
+        if dwell {
+            return Ok(());
+        }
         let scale = self.mm;
         if let Some(f) = line.value(b'F') {
             self.feed = Some(if self.inverse { f } else { f * scale.unwrap_or(1.0) });
         } else if self.inverse {
             self.feed = None;
         }
-        if dwell {
+        if home {
+            let named = [0, 1, 2, 3, 4]
+                .map(|i| line.words.iter().any(|w| w.letter == self.letters[i]).then_some(0.0));
+            self.leave(&named, named.iter().any(Option::is_some));
+            steps.push(Step::Away);
             return Ok(());
         }
         let target = self.target(line)?;
         let moves = target.iter().any(Option::is_some);
-        if home {
-            self.leave(&target, moves);
-            steps.push(Step::Away);
-            return Ok(());
-        }
         if machine_frame {
             self.leave(&target, moves);
             if moves {
@@ -247,7 +256,11 @@ impl Control {
             let arc = matches!(self.mode, Mode::Clockwise | Mode::Anticlockwise) && motion_said;
             return if arc { Err("an arc without an end".into()) } else { Ok(()) };
         }
-        self.go(line, &target, steps)
+        self.go(line, &target, steps)?;
+        match self.called {
+            Some(called) => self.call(&called, steps),
+            None => Ok(()),
+        }
     }
 
     /// The positions that a line names, in millimetres.

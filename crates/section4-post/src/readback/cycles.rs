@@ -19,6 +19,17 @@ const BACK: f64 = 0.254;
 /// Most pecks of one hole.
 const MOST_PECKS: usize = 100_000;
 
+/// What a cycle does at the bottom.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Kind {
+    /// Feed down, rapid out.
+    Drill,
+    /// Feed down, feed out.
+    FeedOut,
+    /// In pecks, out of the hole after each or not.
+    Pecks { first: f64, step: f64, out: bool },
+}
+
 impl Control {
     pub(super) fn drill(
         &mut self,
@@ -45,23 +56,43 @@ impl Control {
             return Err("a cycle from a height that is not known".into());
         };
         let initial = *self.cycle.initial.get_or_insert(now);
-        let mut over = *target;
-        over[2] = Some(now);
         if now < clear - 1e-6 {
             // Some controls go up first and others across first.
             return Err("a cycle that begins below its R".into());
         }
+        let mut over = *target;
+        over[2] = Some(now);
         self.step(&over, true, feed, steps);
+        let end = if self.to_initial { initial.max(clear) } else { clear };
+        let kind = match code {
+            81 | 82 | 86 => Kind::Drill,
+            84 | 74 | 85 | 89 => Kind::FeedOut,
+            73 | 83 => {
+                let step = self.cycle.q.filter(|q| *q > 0.0).ok_or("pecks without Q")?;
+                Kind::Pecks { first: step, step, out: code == 83 }
+            }
+            _ => return Err(format!("the cycle G{code}")),
+        };
+        self.down_and_up(kind, [clear, bottom, end], feed, steps)
+    }
+
+    /// A hole below the present place: from the clearance to the bottom and up to the end.
+    pub(super) fn down_and_up(
+        &mut self,
+        kind: Kind,
+        [clear, bottom, end]: [f64; 3],
+        feed: f64,
+        steps: &mut Vec<Step>,
+    ) -> Result<(), String> {
         let z = |h: f64| [None, None, Some(h), None, None];
         self.step(&z(clear), true, feed, steps);
-        match code {
-            81 | 82 | 86 => self.step(&z(bottom), false, feed, steps),
-            84 | 74 | 85 | 89 => {
+        match kind {
+            Kind::Drill => self.step(&z(bottom), false, feed, steps),
+            Kind::FeedOut => {
                 self.step(&z(bottom), false, feed, steps);
                 self.step(&z(clear), false, feed, steps);
             }
-            73 | 83 => {
-                let q = self.cycle.q.filter(|q| *q > 0.0).ok_or("pecks without Q")?;
+            Kind::Pecks { first, step, out } => {
                 let mut depth = clear;
                 for n in 0.. {
                     if n > MOST_PECKS {
@@ -69,21 +100,19 @@ impl Control {
                     }
                     if n > 0 {
                         let back = (depth + BACK).min(clear);
-                        if code == 83 {
+                        if out {
                             self.step(&z(clear), true, feed, steps);
                         }
                         self.step(&z(back), true, feed, steps);
                     }
-                    depth = (depth - q).max(bottom);
+                    depth = (depth - if n == 0 { first } else { step }).max(bottom);
                     self.step(&z(depth), false, feed, steps);
                     if depth <= bottom {
                         break;
                     }
                 }
             }
-            _ => return Err(format!("the cycle G{code}")),
         }
-        let end = if self.to_initial { initial.max(clear) } else { clear };
         self.step(&z(end), true, feed, steps);
         Ok(())
     }

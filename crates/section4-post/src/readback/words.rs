@@ -7,18 +7,34 @@ pub(super) struct Word {
     pub(super) value: f64,
 }
 
+/// A word of several letters with its arguments: `CYCLE81(10,0,2,-5)`.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Keyword {
+    pub(super) name: String,
+    /// Its arguments; none where the place is empty.
+    pub(super) args: Vec<Option<f64>>,
+}
+
 /// The words of one line.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Line {
     pub(super) words: Vec<Word>,
+    pub(super) keywords: Vec<Keyword>,
+    /// Are words of several letters understood?
+    with_keywords: bool,
     /// Values of named parameters: `#<_wear_1>`.
     parameters: Vec<(String, f64)>,
 }
 
 impl Line {
+    pub(super) fn new(with_keywords: bool) -> Self {
+        Self { with_keywords, ..Self::default() }
+    }
+
     /// Reads a line; an error says what cannot be read.
     pub(super) fn read(&mut self, text: &[u8]) -> Result<(), String> {
         self.words.clear();
+        self.keywords.clear();
         let mut i = 0;
         while let Some(&c) = text.get(i) {
             match c {
@@ -40,6 +56,12 @@ impl Line {
                     self.parameters.retain(|(n, _)| *n != name);
                     self.parameters.push((name, value));
                     i = next + 1 + used;
+                }
+                c if self.with_keywords
+                    && c.is_ascii_alphabetic()
+                    && text.get(i + 1).is_some_and(u8::is_ascii_alphabetic) =>
+                {
+                    i = self.keyword(text, i)?;
                 }
                 c if c.is_ascii_alphabetic() => {
                     let letter = c.to_ascii_uppercase();
@@ -65,7 +87,30 @@ impl Line {
         Ok(())
     }
 
-    /// The number of a letter; an error when it stands twice.
+    /// A keyword from `at`: where it ends.
+    fn keyword(&mut self, text: &[u8], at: usize) -> Result<usize, String> {
+        let name_char = |b: &u8| b.is_ascii_alphanumeric() || *b == b'_';
+        let end = at + text[at..].iter().take_while(|b| name_char(b)).count();
+        let name = String::from_utf8_lossy(&text[at..end]).to_ascii_uppercase();
+        let mut args = Vec::new();
+        let mut next = end;
+        if text.get(end) == Some(&b'(') {
+            let close = text[end..].iter().position(|b| *b == b')').ok_or("a bracket left open")?;
+            next = end + close + 1;
+            for field in text[end + 1..end + close].split(|b| *b == b',') {
+                let field = field.trim_ascii();
+                args.push(if field.is_empty() || field.starts_with(b"\"") {
+                    None
+                } else {
+                    Some(number(field)?.0)
+                });
+            }
+        }
+        self.keywords.push(Keyword { name, args });
+        Ok(next)
+    }
+
+    /// The number of a letter, if it stands in the line.
     pub(super) fn value(&self, letter: u8) -> Option<f64> {
         self.words.iter().find(|w| w.letter == letter).map(|w| w.value)
     }

@@ -55,9 +55,7 @@ fn on(post: &mut Post, s: &Statement<'_>, left: bool, d: Option<u32>) {
         bad_arguments(post, s, "CUTCOM/LEFT,d with the number of the offset");
         return;
     };
-    let upright =
-        post.st.chain.as_ref().map_or(post.st.ta, |c| c.turned(post.st.angles) * post.st.ta);
-    if (upright - aptc_geometry::Vec3::z()).norm() > 1e-6 {
+    if !post.along_z(post.st.ta) {
         let message = format!("{} while the tool leans in the frame of the axes", s.written());
         let help = "compensate in Section 2 with THICK, or choose a machine that turns the part";
         post.error(codes::COMPENSATION, s.origin, message, help);
@@ -94,8 +92,12 @@ fn off(post: &mut Post, s: &Statement<'_>) {
     let was = post.st.cutcom.take().is_some();
     let begun = post.blocks.with_motion.take().is_none();
     if was && begun {
-        let line = post.machine.compensation.off.clone();
-        post.blocks.line(&line);
+        let words = post.machine.compensation.off.clone();
+        if post.machine.compensation.off_with_motion {
+            post.blocks.with_motion = Some(words);
+        } else {
+            post.blocks.line(&words);
+        }
     } else if was {
         let message = "compensation ends before any motion".to_string();
         post.warn(codes::COMPENSATION, s.origin, message, "remove CUTCOM or move between");
