@@ -27,8 +27,8 @@ pub(crate) struct Failed<'f> {
 impl Failed<'_> {
     /// What was expected where, what was found, and what to do.
     pub(crate) fn explain(&self, error: Option<Rich<'_, Token, SimpleSpan<u32>>>) -> Diagnostic {
-        let run_together = |i| separator::check(self.name(i)?, self.source);
-        if let Some(diagnostic) = run_together(0) {
+        let head = self.name(0).and_then(|name| separator::check_head(name, self.source));
+        if let Some(diagnostic) = head.filter(|_| self.form == Form::Clauses) {
             return diagnostic;
         }
         let Some(error) = error else {
@@ -37,7 +37,14 @@ impl Failed<'_> {
         };
         let at = error.span();
         let i = self.tokens.iter().position(|t| t.1.start >= at.start).unwrap_or(self.tokens.len());
-        if let Some(diagnostic) = i.checked_sub(1).and_then(run_together) {
+        // In `P=POINT1,2` only a definition makes sense of the comma.
+        let defines = self.form == Form::Assign && self.token(i) == Some(Token::Comma);
+        let before = i.checked_sub(1).and_then(|n| self.name(n));
+        let run_together = before.and_then(|name| match self.token(i.wrapping_sub(2)) {
+            Some(Token::Equal) if defines => separator::check_head(name, self.source),
+            _ => separator::check(name, self.source),
+        });
+        if let Some(diagnostic) = run_together {
             return diagnostic;
         }
         let mut expected: Vec<String> = match error.reason() {

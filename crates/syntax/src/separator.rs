@@ -1,7 +1,8 @@
 //! Words that ran together because a sign is missing between them.
 //!
 //! Blanks have no meaning, so `GOTO P1` is the one word GOTOP1. Nobody means that: where blanks part a
-//! name that is no word into pieces and a word is among them, the sign is missing.
+//! name that is no word into pieces and a word is among them, the sign is missing. Without a blank, as in
+//! `GOTOP1` or `P1POINT/1,2`, it is only said of the head of a statement, which must be a word.
 
 use aptc_diagnostics::{Diagnostic, codes};
 use aptc_vocabulary::{Class, Dialect, Word, find, word};
@@ -16,7 +17,7 @@ pub(crate) fn in_heads(body: &Body, source: &str) -> Option<Diagnostic> {
         Body::IfThen { then, .. } => return in_heads(then, source),
         _ => return None,
     };
-    clauses.iter().find_map(|clause| check(clause.head, source))
+    clauses.iter().find_map(|clause| check_head(clause.head, source))
 }
 
 /// What to do about an IF without brackets.
@@ -38,6 +39,58 @@ pub(crate) fn check(name: Name, source: &str) -> Option<Diagnostic> {
     Some(Diagnostic::error(codes::MISSING_SEPARATOR, name.span, message).help(help))
 }
 
+/// The message for `name`, which must be a word, if it is words run together with or without blanks.
+pub(crate) fn check_head(name: Name, source: &str) -> Option<Diagnostic> {
+    if name.word.is_some() {
+        return None;
+    }
+    check(name, source).or_else(|| {
+        let text = source.get(name.span.start as usize..name.span.end as usize)?;
+        if text.len() > LONGEST || !text.bytes().all(|b| b.is_ascii_alphanumeric()) {
+            return None;
+        }
+        let text = text.to_ascii_uppercase();
+        let help = (1..text.len()).rev().find_map(|n| within(text.split_at(n)))?;
+        let message = format!("{text} is no word of APT");
+        Some(Diagnostic::error(codes::MISSING_SEPARATOR, name.span, message).help(help))
+    })
+}
+
+/// Words shorter than this begin too many names by chance.
+const SHORTEST: usize = 4;
+/// Longer names than this are neither words nor symbols of APT.
+const LONGEST_WORD: usize = 6;
+
+/// What to do when one side of a name without blanks is a word that moves, defines or steers.
+fn within((front, rest): (&str, &str)) -> Option<String> {
+    // A word of a post-processor that nobody knows has no digit and at most six letters.
+    let is_one = |side: &str| {
+        front.len() + rest.len() <= LONGEST_WORD && !side.bytes().any(|b| b.is_ascii_digit())
+    };
+    let steers = |word: &Word| {
+        front.len() >= SHORTEST
+            && is_major(*word)
+            && matches!(word.class(), Class::Motion | Class::Geometry | Class::Control)
+    };
+    if let Some(word) = find(front).filter(steers).filter(|_| !is_one(rest)) {
+        return Some(behind(word, rest));
+    }
+    let defines = |word: &Word| rest.len() >= SHORTEST && shape::defines(*word);
+    let word = find(rest).filter(defines).filter(|_| !is_one(front))?;
+    Some(format!("put a `=` before {word}: {front}={word}"))
+}
+
+/// What to do when `rest` follows a word.
+fn behind(word: Word, rest: &str) -> String {
+    match word {
+        word::IF => IF_HELP.to_owned(),
+        _ if ALONE.contains(&word) => format!("{word} stands alone: take {rest} away"),
+        _ if word.class() == Class::Function => format!("write {word}({rest})"),
+        _ if find(rest).is_some_and(is_major) => format!("put a `,` behind {word}: {word},{rest}"),
+        _ => format!("put a `/` behind {word}: {word}/{rest}"),
+    }
+}
+
 /// What to do when the source text of a name (`GOTO P1`, `RAPID GOTO`, `P1 POINT`) is words with blanks
 /// but no sign between; `None` when nothing speaks for that.
 ///
@@ -51,15 +104,7 @@ pub fn missing_sign(text: &str) -> Option<String> {
     let parts = |n: usize| (joined(&pieces[..n]), joined(&pieces[n..]));
     for (front, rest) in (1..pieces.len()).rev().map(parts) {
         let Some(word) = find(&front).filter(|w| is_major(*w)) else { continue };
-        return Some(match word {
-            word::IF => IF_HELP.to_owned(),
-            _ if ALONE.contains(&word) => format!("{word} stands alone: take {rest} away"),
-            _ if word.class() == Class::Function => format!("write {word}({rest})"),
-            _ if find(&rest).is_some_and(is_major) => {
-                format!("put a `,` behind {word}: {word},{rest}")
-            }
-            _ => format!("put a `/` behind {word}: {word}/{rest}"),
-        });
+        return Some(behind(word, &rest));
     }
     for (front, rest) in (1..pieces.len()).map(parts) {
         let Some(word) = find(&rest).filter(|w| is_major(*w)) else { continue };

@@ -52,7 +52,7 @@ pub enum Body {
     Assign {
         /// What gets the value.
         target: Target,
-        /// The value: an expression, or [`Expr::Define`].
+        /// The value: an expression, or [`ExprKind::Define`].
         value: Expr,
     },
     /// Words joined by commas, the last perhaps with arguments: `RAPID,GOTO/P`, `TLLFT,GOLFT/L1,TO,L2`,

@@ -245,6 +245,17 @@ const CASES: &[Case] = &[
         "blanks have no meaning: this is the one word MACROA",
         "MACRO/A",
     ),
+    ("GOTOP1", codes::MISSING_SEPARATOR, "GOTOP1", "GOTOP1 is no word of APT", "GOTO/P1"),
+    ("GOTO1,2,3", codes::MISSING_SEPARATOR, "GOTO1", "GOTO1 is no word of APT", "GOTO/1"),
+    ("P1POINT/1,2", codes::MISSING_SEPARATOR, "P1POINT", "P1POINT is no word of APT", "P1=POINT"),
+    (
+        "TLLFTGOLFT/L1",
+        codes::MISSING_SEPARATOR,
+        "TLLFTGOLFT",
+        "TLLFTGOLFT is no word of APT",
+        "TLLFT,GOLFT",
+    ),
+    ("P1=POINT1,2", codes::MISSING_SEPARATOR, "POINT1", "POINT1 is no word of APT", "POINT/1"),
 ];
 
 #[test]
@@ -281,6 +292,14 @@ fn ten_mistakes_give_ten_messages() {
     let (shown, parsed, _) = read_with(&text, &Options::default());
     assert_eq!(parsed.diagnostics.len(), 10);
     assert_eq!(shown.iter().filter(|s| *s == "C=1").count(), 10);
+}
+
+#[test]
+fn words_of_unknown_post_processors_pass() {
+    for text in ["MYWORD/1", "SPINDX/2", "COOLON", "CUTTEX/1", "LINEX/2"] {
+        let (_, parsed, _) = read_with(text, &Options::default());
+        assert_eq!(parsed.diagnostics, [], "{text}");
+    }
 }
 
 #[test]
