@@ -25,4 +25,4 @@ pub use motion::{
 };
 pub use record::{Arg, Dimension, Edit, Kind, NameRef, Record, Units};
 pub use text::{Writer, read, write};
-pub use verify::{Verifier, verify};
+pub use verify::{Verifier, fault_of_form, verify};

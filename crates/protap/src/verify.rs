@@ -68,7 +68,7 @@ impl Verifier {
             Kind::Post { word, args } | Kind::Regional { word, args } => {
                 is_word(word).or_else(|| args.iter().find_map(arg))
             }
-            Kind::Define { name, form } => one_line(&name.name).or_else(|| is_form(form)),
+            Kind::Define { name, form } => one_line(&name.name).or_else(|| fault_of_form(form)),
             Kind::Cutter(c) => cutter(c),
             Kind::CutterOption { disk: Some((radius, height)), .. } => numbers(&[*radius, *height])
                 .or_else(|| {
@@ -196,11 +196,12 @@ fn arg(arg: &Arg) -> Option<String> {
         Arg::Number(n) => numbers(&[*n]),
         Arg::Word(word) => is_word(word),
         Arg::Text(text) => one_line(text),
-        Arg::Form { name, form } => one_line(&name.name).or_else(|| is_form(form)),
+        Arg::Form { name, form } => one_line(&name.name).or_else(|| fault_of_form(form)),
     }
 }
 
-fn is_form(form: &Form) -> Option<String> {
+/// Why a form breaks rule 1 or 3, if it does.
+pub fn fault_of_form(form: &Form) -> Option<String> {
     let radius = |r: f64| (r < 0.0).then(|| format!("a radius of {r}"));
     let own = match form {
         Form::Line(l) => unit(Vec3::new(l.a, l.b, 0.0)),
@@ -214,15 +215,18 @@ fn is_form(form: &Form) -> Option<String> {
         }),
         Form::Written(w) => match &w.shape {
             Form::Written(_) => return Some("a written form in a written form".to_owned()),
-            shape => is_form(shape),
+            shape => fault_of_form(shape),
         },
         _ => None,
     };
-    own.or_else(|| numbers(&form.canonical()))
+    own.or_else(|| match form {
+        Form::Point(v) | Form::Vector(v) => vector(*v),
+        form => numbers(&form.canonical()),
+    })
 }
 
 fn surface(s: &SurfaceRef) -> Option<String> {
-    one_line(&s.name.name).or_else(|| is_form(&s.form)).or_else(|| {
+    one_line(&s.name.name).or_else(|| fault_of_form(&s.form)).or_else(|| {
         let other = matches!(
             s.form.shape(),
             Form::Point(_) | Form::Vector(_) | Form::Matrix(_) | Form::Pattern(_)

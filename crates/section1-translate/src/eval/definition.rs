@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use aptc_diagnostics::{Diagnostic, Span, codes};
 use aptc_geometry::{Form, Vec3};
-use aptc_protap::{Kind, NameRef, Units};
+use aptc_protap::{Kind, NameRef, Units, fault_of_form};
 use aptc_syntax::tree::{Definition, ExprKind, Target};
 use aptc_vocabulary::{Class, closest, word};
 
@@ -13,6 +13,7 @@ use crate::Interpreter;
 use crate::define::{self, Context};
 use crate::listing::EntryKind;
 use crate::memory::{Place, Value};
+use crate::statement::refused::no_geometry;
 
 /// How far a TABCYL goes straight on at both ends, inches.
 const TABCYL_END_INCHES: f64 = 10.0;
@@ -104,7 +105,18 @@ impl Interpreter<'_> {
             all => (define::define(head, all, &context), all),
         };
         match form {
-            Ok(form) => Ok(Arc::new(form)),
+            Ok(form) => {
+                // Numbers at the edge of what can be written leave no form behind.
+                if let Some(why) = fault_of_form(&form) {
+                    self.error(Diagnostic::error(
+                        codes::OUT_OF_RANGE,
+                        span,
+                        format!("this {head} is beyond what numbers can hold: {why}"),
+                    ));
+                    return Err(Poisoned);
+                }
+                Ok(Arc::new(form))
+            }
             Err(why) => {
                 let message = why.diagnostic(args, span);
                 self.error(message);
@@ -116,6 +128,18 @@ impl Interpreter<'_> {
     fn no_definition(&mut self, definition: &Definition) -> Poisoned {
         let head = &definition.head;
         let text = self.interner.text(head.symbol).to_owned();
+        let word = self.head_word(head);
+        if let Some((word, reason)) = word.and_then(|w| Some((w, no_geometry(w)?))) {
+            self.error(
+                Diagnostic::error(
+                    codes::REFUSED_WORD,
+                    head.span,
+                    format!("{word} is not carried out"),
+                )
+                .note(reason),
+            );
+            return Poisoned;
+        }
         let mut message =
             Diagnostic::error(codes::NO_GEOMETRY, head.span, format!("{text} defines no geometry"));
         if let Some(word) = closest(&text, |w| w.class() == Class::Geometry) {

@@ -11,7 +11,7 @@ mod pocket;
 mod post;
 mod print;
 mod reader;
-mod refused;
+pub(crate) mod refused;
 mod regional;
 mod setting;
 mod startup;
@@ -94,6 +94,9 @@ impl Interpreter<'_> {
                 Some(word) => {
                     if self.clause(unit, word, clause).is_err() && moves(word) {
                         self.fail();
+                    }
+                    if word == word::FINI {
+                        return;
                     }
                 }
                 None => self.unknown_head(clause),

@@ -47,7 +47,22 @@ const TABLE: &[(Word, Fate, &str)] = &[
     (word::WCORN, Refused, "the axis is tilted by TLAXIS instead"),
     (word::INTSEC, Refused, "intersection curves of surfaces are not computed"),
     (word::TLPROJ, Refused, "paths are not projected"),
+    (word::LOFT, Refused, "its processor was never published"),
+    (word::MESH, Refused, "its processor was never published"),
+    (word::CONSEC, Refused, "its processor was never published"),
+    (word::ELMSRF, Refused, "its processor was never published"),
+    (word::TOOL, Refused, "its processor was never published"),
+    (word::SCURV, Refused, "sculptured curves are not translated"),
+    (word::SSURF, Refused, "sculptured surfaces are not translated"),
+    (word::PARSRF, Refused, "sculptured surfaces are not translated"),
+    (word::BOUNDS, Refused, "bounded surfaces are not translated"),
+    (word::OBJECT, Refused, "bounded surfaces are not translated"),
 ];
+
+/// Why a word that defines geometry in some system does not do so here.
+pub(crate) fn no_geometry(word: Word) -> Option<&'static str> {
+    TABLE.iter().find(|(w, ..)| *w == word).map(|(.., reason)| *reason)
+}
 
 impl Interpreter<'_> {
     /// Says why a word of the table is not carried out; `None` for other words.
@@ -71,5 +86,78 @@ impl Interpreter<'_> {
                 Err(Poisoned)
             }
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use aptc_vocabulary::{Class, Dialect, all};
+
+    use super::*;
+    use crate::{NoFiles, Options, Step, define};
+
+    /// Codes of the messages about a program.
+    fn told(text: &str) -> Vec<aptc_diagnostics::Code> {
+        let mut files = NoFiles;
+        let mut program = Interpreter::new("test", text, &mut files, Options::default());
+        while program.step() != Step::End {}
+        program.take_diagnostics().into_iter().map(|d| d.code).collect()
+    }
+
+    /// Every word that heads statements in APT-360 or APT4 is carried out, or stands in the table.
+    #[test]
+    fn no_word_of_the_vocabulary_is_forgotten() {
+        let mut forgotten = Vec::new();
+        for word in all() {
+            if !word.is_major(Dialect::Apt360) && !word.is_major(Dialect::Apt4) {
+                continue;
+            }
+            let stands = TABLE.iter().any(|(w, ..)| *w == word);
+            let statement = match word.class() {
+                Class::Operator => continue,
+                Class::Geometry => {
+                    if define::is_definition(word) == stands {
+                        forgotten.push(word);
+                    }
+                    format!("X={word}/0\n")
+                }
+                Class::Function => format!("X={word}(1)\n"),
+                Class::Text => format!("{word} A TEXT\n"),
+                _ => match word {
+                    word::IF => "IF(1)1,1,1\n1) STOP\n".to_owned(),
+                    word::DO => "DO/1,I=1,1\n1) STOP\n".to_owned(),
+                    word::MACRO | word::TERMAC => "M=MACRO/\nTERMAC\n".to_owned(),
+                    word::CALL => "CALL/M\n".to_owned(),
+                    word::FINI => String::new(),
+                    _ => format!("{word}/1\n"),
+                },
+            };
+            let codes = told(&format!("{statement}FINI\n"));
+            let refused = codes.contains(&codes::REFUSED_WORD);
+            let lost = codes.contains(&codes::NO_STATEMENT)
+                || codes.contains(&codes::OTHER_DIALECT)
+                || codes.contains(&codes::UNKNOWN_POST_WORD)
+                || codes.contains(&codes::NO_GEOMETRY)
+                || codes.contains(&codes::EXPECTED_OTHERWISE);
+            if lost || refused && !stands {
+                forgotten.push(word);
+            }
+        }
+        assert!(forgotten.is_empty(), "{forgotten:?}");
+    }
+
+    #[test]
+    fn a_word_stands_in_the_table_once_and_with_a_reason() {
+        for (i, (word, _, reason)) in TABLE.iter().enumerate() {
+            assert!(!reason.is_empty());
+            assert!(TABLE[..i].iter().all(|(w, ..)| w != word), "{word}");
+        }
+    }
+
+    #[test]
+    fn ignored_words_are_noted_and_refused_ones_are_errors() {
+        assert!(told("TUNEUP/1000,2000,3000\nDEBUG/ON\nFINI\n").is_empty());
+        assert_eq!(told("VTLAXS/ON,LEFT,10,2,0,RIGHT\nFINI\n"), [codes::REFUSED_WORD]);
+        assert_eq!(told("S=MESH/1,2\nFINI\n"), [codes::REFUSED_WORD]);
     }
 }
