@@ -28,6 +28,14 @@ pub(crate) enum Command {
     Check(CheckArgs),
     /// Post-process a CL file for a machine
     Post(PostArgs),
+    /// Put part programs into one style
+    Fmt(FmtArgs),
+    /// Convert CL data from one dialect to another
+    Convert(ConvertArgs),
+    /// Compare two CL files by geometry
+    Cldiff(CldiffArgs),
+    /// Figures of a CL file
+    Stats(StatsArgs),
     /// Explain an error code
     Explain {
         /// The code, for example APT1042; all codes are listed without one
@@ -125,6 +133,68 @@ pub(crate) struct PostArgs {
     /// Where to write; the CL file's name with .nc in the current folder if not given, - for standard output
     #[arg(short, long, value_name = "OUT")]
     pub(crate) output: Option<PathBuf>,
+}
+
+/// `aptc fmt`.
+#[derive(Args, Clone, Debug)]
+pub(crate) struct FmtArgs {
+    /// Part programs, changed in place
+    #[arg(required = true, value_name = "PART")]
+    pub(crate) parts: Vec<PathBuf>,
+    /// Write nothing; exit code 1 if a file would change
+    #[arg(long)]
+    pub(crate) check: bool,
+    /// Write nothing; show what would change
+    #[arg(long)]
+    pub(crate) diff: bool,
+    /// Keep the identification in columns 73 to 80
+    #[arg(long)]
+    pub(crate) keep_columns: bool,
+    /// Lines of any length: no card columns
+    #[arg(long)]
+    pub(crate) free_form: bool,
+}
+
+/// `aptc convert`.
+#[derive(Args, Clone, Debug)]
+pub(crate) struct ConvertArgs {
+    /// The CL file
+    #[arg(value_name = "FILE")]
+    pub(crate) file: PathBuf,
+    /// Its dialect; found out if not given
+    #[arg(long, value_name = "DIALECT")]
+    pub(crate) from: Option<String>,
+    /// Dialect to write: iso, catia, json, cltape or clfile
+    #[arg(long, value_name = "DIALECT", default_value = "iso")]
+    pub(crate) to: String,
+    /// Where to write
+    #[arg(short, long, value_name = "OUT")]
+    pub(crate) output: PathBuf,
+}
+
+/// `aptc cldiff`.
+#[derive(Args, Clone, Debug)]
+pub(crate) struct CldiffArgs {
+    /// One CL file
+    #[arg(value_name = "FIRST")]
+    pub(crate) first: PathBuf,
+    /// The other
+    #[arg(value_name = "SECOND")]
+    pub(crate) second: PathBuf,
+    /// Deviation that does not count, in the unit of the first file
+    #[arg(short, long, value_name = "LENGTH", default_value_t = 0.001)]
+    pub(crate) tolerance: f64,
+}
+
+/// `aptc stats`.
+#[derive(Args, Clone, Debug)]
+pub(crate) struct StatsArgs {
+    /// The CL file
+    #[arg(value_name = "FILE")]
+    pub(crate) file: PathBuf,
+    /// As a JSON object
+    #[arg(long)]
+    pub(crate) json: bool,
 }
 
 /// Outputs of `aptc compile`.

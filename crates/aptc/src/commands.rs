@@ -1,11 +1,15 @@
-//! The commands, one file each.
+//! The commands.
 
 mod check;
+mod cl;
 mod compile;
+mod fmt;
 mod machines;
 mod post;
 
 pub(crate) use check::check;
+pub(crate) use cl::{cldiff, convert, stats};
 pub(crate) use compile::compile;
+pub(crate) use fmt::fmt;
 pub(crate) use machines::machines;
 pub(crate) use post::post;

@@ -22,6 +22,10 @@ fn main() -> ExitCode {
         Some(Command::Compile(args)) => commands::compile(args, &cli.common),
         Some(Command::Check(args)) => commands::check(args, &cli.common),
         Some(Command::Post(args)) => commands::post(args, &cli.common),
+        Some(Command::Fmt(args)) => commands::fmt(args),
+        Some(Command::Convert(args)) => commands::convert(args, &cli.common),
+        Some(Command::Cldiff(args)) => commands::cldiff(args),
+        Some(Command::Stats(args)) => commands::stats(args, &cli.common),
         Some(Command::Explain { code }) => explain::explain(code.as_deref()),
         Some(Command::Machines { machine }) => commands::machines(machine.as_deref(), &cli.common),
     };

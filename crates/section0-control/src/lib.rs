@@ -21,3 +21,10 @@ pub use post::{Nc, post_part};
 pub use post_cl::post_cl;
 pub use summary::Summary;
 pub use world::{Disk, Memory, Source, World, WorldError};
+
+pub use aptc_cldata::{
+    CatiaWriter, ClfileWriter, Decimals, Dialect, JsonWriter, Reader, Record, RecordReader,
+    RecordWriter, TapeWriter, TextOptions, TextWriter, copy, diff, stats,
+};
+pub use aptc_syntax::{FormatOptions, format};
+pub use aptc_vocabulary::Dialect as Codes;

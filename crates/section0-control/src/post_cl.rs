@@ -1,17 +1,28 @@
 //! Section 4 from a CL file.
 
-use std::sync::Arc;
+use std::io::Cursor;
 
-use aptc_cldata::{Kind, Reader, Record, RecordReader as _};
+use aptc_cldata::{Dialect, Kind, Reader, Record, RecordReader as _, detect};
 
-use crate::{Compiled, MachineChoice, Part, Source, Summary, post_part};
+use crate::{Compiled, MachineChoice, Part, Summary, post_part};
 
-/// Posts every part program of a CL file.
-pub fn post_cl(source: Source, machine: Option<&MachineChoice>) -> Compiled {
+/// Posts every part program of a CL file, in whatever dialect it is written; binary too.
+pub fn post_cl(
+    name: &str,
+    bytes: Vec<u8>,
+    dialect: Option<Dialect>,
+    machine: Option<&MachineChoice>,
+) -> Compiled {
     let mut compiled = Compiled::default();
-    let file = compiled.sources.add(source.name, Arc::clone(&source.text));
+    let dialect = dialect.unwrap_or_else(|| detect(&bytes));
+    let text = if dialect.is_text() {
+        String::from_utf8_lossy(&bytes).into_owned()
+    } else {
+        String::new()
+    };
+    let file = compiled.sources.add(name, text);
     let mut reader =
-        Reader::open_file(source.text.as_bytes(), None, file).expect("memory can be read");
+        Reader::open_file(Cursor::new(bytes), Some(dialect), file).expect("memory can be read");
     let mut part = Part::default();
     let mut record = Record::default();
     while reader.read(&mut record).expect("memory can be read") {

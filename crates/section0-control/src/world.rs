@@ -84,6 +84,14 @@ impl Disk {
         let text = read_limited(path, limit)?;
         Ok(Source { name: path.display().to_string().into(), text })
     }
+
+    /// Reads a file that the user named himself, as it is.
+    ///
+    /// # Errors
+    /// As [`World::include`], but from any folder.
+    pub fn bytes(path: &Path, limit: u64) -> Result<Vec<u8>, WorldError> {
+        read_bytes(path, limit)
+    }
 }
 
 impl World for Disk {
@@ -132,6 +140,14 @@ fn candidates(folder: &Path, name: &str) -> Vec<PathBuf> {
 }
 
 fn read_limited(path: &Path, limit: u64) -> Result<Arc<str>, WorldError> {
+    let bytes = read_bytes(path, limit)?;
+    Ok(match String::from_utf8(bytes) {
+        Ok(text) => text.into(),
+        Err(e) => e.into_bytes().iter().map(|&b| char::from(b)).collect::<String>().into(),
+    })
+}
+
+fn read_bytes(path: &Path, limit: u64) -> Result<Vec<u8>, WorldError> {
     let unreadable = |e: std::io::Error| WorldError::Unreadable { reason: e.to_string() };
     // Asked before it is opened: to open a pipe would wait for ever.
     if !fs::metadata(path).map_err(unreadable)?.is_file() {
@@ -143,10 +159,7 @@ fn read_limited(path: &Path, limit: u64) -> Result<Arc<str>, WorldError> {
     if bytes.len() as u64 > limit {
         return Err(WorldError::TooLarge { limit });
     }
-    Ok(match String::from_utf8(bytes) {
-        Ok(text) => text.into(),
-        Err(e) => e.into_bytes().iter().map(|&b| char::from(b)).collect::<String>().into(),
-    })
+    Ok(bytes)
 }
 
 /// A world in memory, for tests and for callers that have no disk.

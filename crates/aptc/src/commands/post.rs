@@ -20,11 +20,12 @@ pub(crate) fn post(args: &PostArgs, common: &Common) -> io::Result<ExitCode> {
         Ok(m) => m,
         Err(e) => return report::complain(&e),
     };
-    let source = match Disk::open(&args.file, MOST_BYTES) {
-        Ok(s) => s,
+    let bytes = match Disk::bytes(&args.file, MOST_BYTES) {
+        Ok(b) => b,
         Err(e) => return report::complain(&format!("cannot read {}: {e}", args.file.display())),
     };
-    let posted = aptc_control::post_cl(source, machine.as_ref());
+    let name = args.file.display().to_string();
+    let posted = aptc_control::post_cl(&name, bytes, None, machine.as_ref());
     report::write(&mut io::stderr().lock(), &posted.diagnostics, &posted.sources, common)?;
     let code = if posted.has_errors() { ExitCode::from(exit::ERRORS) } else { exit::GOOD };
     if args.output.as_deref() == Some(Path::new("-")) {

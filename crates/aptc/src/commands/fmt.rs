@@ -1,0 +1,64 @@
+//! `aptc fmt`.
+
+use std::io::{self, Write as _};
+use std::process::ExitCode;
+
+use aptc_control::{Disk, FormatOptions, format};
+
+use crate::cli::FmtArgs;
+use crate::output::write_whole;
+use crate::{exit, report};
+
+/// Puts part programs into one style. With `--check` and `--diff` nothing is written, and the exit code is 1
+/// when a file would change.
+pub(crate) fn fmt(args: &FmtArgs) -> io::Result<ExitCode> {
+    let options = FormatOptions {
+        free_form: args.free_form,
+        keep_identification: args.keep_columns,
+        ..FormatOptions::default()
+    };
+    let mut code = exit::GOOD;
+    for part in &args.parts {
+        let source = match Disk::open(part, 256 << 20) {
+            Ok(s) => s,
+            Err(e) => return report::complain(&format!("cannot read {}: {e}", part.display())),
+        };
+        let formatted = format(&source.text, &options);
+        if formatted == *source.text {
+            continue;
+        }
+        if args.check || args.diff {
+            code = ExitCode::from(exit::ERRORS);
+            let mut out = io::stdout().lock();
+            if args.diff {
+                difference(&mut out, &source.name, &source.text, &formatted)?;
+            } else {
+                writeln!(out, "would change {}", source.name)?;
+            }
+        } else if let Err(e) = write_whole(part, formatted.as_bytes()) {
+            return report::complain(&format!("cannot write {}: {e}", part.display()));
+        }
+    }
+    Ok(code)
+}
+
+/// The lines that change: the formatter keeps their number, so they can be shown side by side.
+fn difference(out: &mut impl io::Write, name: &str, old: &str, new: &str) -> io::Result<()> {
+    writeln!(out, "--- {name}\n+++ {name}")?;
+    let (mut old, mut new) = (old.lines(), new.lines());
+    for line in 1_u32.. {
+        match (old.next(), new.next()) {
+            (None, None) => break,
+            (a, b) if a == b => {}
+            (a, b) => {
+                writeln!(out, "@@ line {line} @@")?;
+                for (sign, text) in [('-', a), ('+', b)] {
+                    if let Some(text) = text {
+                        writeln!(out, "{sign}{text}")?;
+                    }
+                }
+            }
+        }
+    }
+    Ok(())
+}
