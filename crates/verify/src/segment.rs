@@ -37,7 +37,7 @@ impl Demand {
     /// What a controlled surface asks.
     pub(crate) fn new(c: &Controlled) -> Self {
         let on = c.side == 0 || c.relation == Relation::On;
-        let flipped = match &*c.form {
+        let flipped = match c.form.shape() {
             Form::Plane(p) if c.side < 0 => Some(*p),
             Form::Line(l) if c.side < 0 => Some(l.plane()),
             _ => None,

@@ -23,7 +23,7 @@ pub(crate) enum Solid {
 impl Solid {
     /// The solid that a form bounds; `None` for forms that bound no simple convex solid.
     pub(crate) fn new(form: &Form) -> Option<Self> {
-        Some(match form {
+        Some(match form.shape() {
             Form::Plane(p) => Self::Half(*p),
             Form::Line(l) => Self::Half(l.plane()),
             Form::Sphere(s) => Self::Ball(s.center, s.radius),

@@ -98,11 +98,12 @@ impl Verifier {
             proof.vectors += 1;
             let mut verdicts = Vec::with_capacity(3);
             for judged in &mut along {
+                let shape = judged.disk.unwrap_or(profile);
                 // A start-up comes through the air: what it promises is where it ends.
                 let verdict = if startup {
-                    judged.demand.judge_position(&profile, to, pad)
+                    judged.demand.judge_position(&shape, to, pad)
                 } else {
-                    judged.demand.judge(&profile, &start, to, pad)
+                    judged.demand.judge(&shape, &start, to, pad)
                 };
                 verdicts.push(judged.take(verdict, i));
             }
@@ -164,6 +165,8 @@ impl Verifier {
 /// A surface with what is known of it over a statement.
 struct Judged {
     demand: Demand,
+    /// The disk of CUTTER/OPTION, which is proved as programmed.
+    disk: Option<Profile>,
     name: String,
     role: &'static str,
     low: f64,
@@ -182,7 +185,8 @@ impl Judged {
         if matches!(c.relation, Relation::Tanto | Relation::Pstan) {
             demand.most = f64::INFINITY;
         }
-        Self { demand, name, role, low: f64::INFINITY, high: f64::NEG_INFINITY }
+        let disk = c.disk.and_then(|[radius, height]| Profile::disk(radius, height).ok());
+        Self { demand, disk, name, role, low: f64::INFINITY, high: f64::NEG_INFINITY }
     }
 
     /// Notes a verdict; the fault, if it is one.

@@ -211,7 +211,8 @@ fn begin(scene: &Scene) -> Result<Begin, Failure> {
     let size =
         pose.te.norm() + drive.profile.reach() + drive.surface.extent() + part.surface.extent();
     let exact = 1e-13 * size + 2e-9 * drive.width().min(part.width());
-    let track = Track { keeps: [drive, part], axis: scene.axis.clone(), exact };
+    let track =
+        Track { keeps: [drive, part], axis: scene.axis.clone(), exact, rounding: 1e-14 * size };
     let node = track.node(pose, heading).map_err(|t| trouble_at(scene, &pose, t))?;
     if off_drive <= 1.0 && off_part <= 1.0 {
         return Ok(Begin { track, node, first: None });

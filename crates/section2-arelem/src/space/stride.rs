@@ -170,8 +170,9 @@ impl Track {
         let rises = [high - ends[0].g, high - ends[1].g].map(|d| d.max(0.0));
         let depth = 0.5 * (ends[1].normal.dot(&v) - ends[0].normal.dot(&v));
         // Vertices of the motion before may lie at the very edge; they are no fault of this chord.
-        let least = ends[0].g.min(ends[1].g).min(limits.low);
-        let most = ends[0].g.max(ends[1].g).max(limits.high);
+        let slack = self.rounding + RESOLUTION * keep.width();
+        let least = ends[0].g.min(ends[1].g).min(limits.low) - slack;
+        let most = ends[0].g.max(ends[1].g).max(limits.high) + slack;
         let fits = low >= least && high <= most;
         let mut ratio = f64::INFINITY;
         if depth > 0.0 || dips[0].min(dips[1]) > aim {

@@ -20,6 +20,8 @@ pub(crate) struct Track {
     pub(crate) axis: AxisRule,
     /// Residual of the gaps that counts as zero.
     pub(crate) exact: f64,
+    /// Error of a gap from rounding alone.
+    pub(crate) rounding: f64,
 }
 
 /// A place on the track.
