@@ -225,7 +225,9 @@ mod tests {
             let g = brute(&profile, &solid, &pose, within);
             // A tool sunk beyond its corner is refuted whatever its exact depth, which is then a matter of
             // definition.
-            if g < -1.0 {
+            // At a sharp vertex the depth of the vertex in the tool and that of the tool in the cone differ at once.
+            let shallow = if matches!(solid, Solid::Nappe(..)) { -0.02 } else { -1.0 };
+            if g < shallow {
                 return Ok(());
             }
             seen = (seen.0.min(g), seen.1.max(g));
