@@ -7,7 +7,9 @@ use aptc_diagnostics::{FileId, Span};
 use aptc_vocabulary::word;
 use chumsky::error::{Error, LabelError};
 use chumsky::input::MappedInput;
-use chumsky::prelude::*;
+use chumsky::prelude::{
+    Boxed, IterParser, Parser, SimpleSpan, choice, custom, extra, recursive, select,
+};
 
 use crate::form::Form;
 use crate::token::{Spanned, Token};
