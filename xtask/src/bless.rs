@@ -14,6 +14,7 @@ pub(crate) fn run(options: &[&str]) -> Result<(), String> {
             "aptc-tests",
             "--test",
             "corpus",
+            "the_corpus_is_as_its_goldens",
             "--",
             "--nocapture",
         ])

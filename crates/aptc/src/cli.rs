@@ -26,6 +26,8 @@ pub(crate) enum Command {
     Compile(CompileArgs),
     /// Report all errors of a part program, write nothing
     Check(CheckArgs),
+    /// Prove the path of a program, or a CL file against the surfaces of the program
+    Verify(VerifyArgs),
     /// Post-process a CL file for a machine
     Post(PostArgs),
     /// Put part programs into one style
@@ -36,9 +38,11 @@ pub(crate) enum Command {
     Cldiff(CldiffArgs),
     /// Figures of a CL file
     Stats(StatsArgs),
-    /// Explain an error code
+    /// Compile the programs of a folder and hold the results against the goldens beside them
+    Test(TestArgs),
+    /// Explain an error code or a word of the language
     Explain {
-        /// The code, for example APT1042; all codes are listed without one
+        /// The code or the word, for example APT1042 or CIRCLE; all codes are listed without one
         code: Option<String>,
     },
     /// List the machines, or check and show one
@@ -62,6 +66,15 @@ pub(crate) struct Common {
     pub(crate) quiet: bool,
 }
 
+/// Dialect of a part program.
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum SourceDialect {
+    /// APT-360 and APT4
+    Apt,
+    /// What NCL has in common with them
+    Ncl,
+}
+
 /// How a part program is read.
 #[derive(Args, Clone, Debug)]
 pub(crate) struct SourceArgs {
@@ -74,15 +87,59 @@ pub(crate) struct SourceArgs {
     /// Unknown post-processor words are errors
     #[arg(long)]
     pub(crate) deny_unknown_words: bool,
+    /// Dialect of the source text
+    #[arg(long, value_enum, default_value = "apt", value_name = "NAME")]
+    pub(crate) dialect: SourceDialect,
+    /// Warn of names that are defined and never used
+    #[arg(long)]
+    pub(crate) warn_unused: bool,
     /// Most statements that are carried out, loops and macros counted
     #[arg(long, value_name = "N")]
     pub(crate) max_statements: Option<u64>,
     /// Deepest nesting of macro calls
     #[arg(long, value_name = "N")]
     pub(crate) max_macro_depth: Option<u32>,
+    /// Most files read within each other
+    #[arg(long, value_name = "N")]
+    pub(crate) max_include_depth: Option<u32>,
+    /// Most elements of all arrays together
+    #[arg(long, value_name = "N")]
+    pub(crate) max_array_elements: Option<u32>,
+    /// Most points of a pattern, TABCYL or sculptured form
+    #[arg(long, value_name = "N")]
+    pub(crate) max_points: Option<u32>,
+    /// Most seconds that a part program may take
+    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
+    pub(crate) max_seconds: Option<std::time::Duration>,
     /// Largest file that is read, in bytes
     #[arg(long, value_name = "BYTES", default_value_t = 256 << 20)]
     pub(crate) max_file_size: u64,
+}
+
+/// `--max-seconds`: above 0.
+fn seconds(text: &str) -> Result<std::time::Duration, String> {
+    let seconds: f64 = text.parse().map_err(|_| "a number of seconds is expected".to_owned())?;
+    match std::time::Duration::try_from_secs_f64(seconds) {
+        Ok(time) if !time.is_zero() => Ok(time),
+        _ => Err("it must be above 0".to_owned()),
+    }
+}
+
+/// How machine code is written.
+#[derive(Args, Clone, Debug)]
+pub(crate) struct CodeArgs {
+    /// Machine by name or file, instead of the program's MACHIN
+    #[arg(short, long, value_name = "NAME")]
+    pub(crate) machine: Option<String>,
+    /// Work offset instead of the machine's own, for example G55
+    #[arg(long, value_name = "CODE")]
+    pub(crate) work_offset: Option<String>,
+    /// Block of material for the check of rapid motion, when the program has no STOCK
+    #[arg(long, value_name = "X1,Y1,Z1,X2,Y2,Z2", value_parser = corners, allow_hyphen_values = true)]
+    pub(crate) stock: Option<[f64; 6]>,
+    /// Statement numbers as comments in the machine code
+    #[arg(long)]
+    pub(crate) annotate: bool,
 }
 
 /// `aptc compile`.
@@ -98,9 +155,8 @@ pub(crate) struct CompileArgs {
     #[arg(long, value_enum, value_delimiter = ',', value_name = "KINDS",
           default_values = ["cl", "nc", "lst", "svg"])]
     pub(crate) emit: Vec<Emit>,
-    /// Machine by name or file, instead of the program's MACHIN
-    #[arg(short, long, value_name = "NAME")]
-    pub(crate) machine: Option<String>,
+    #[command(flatten)]
+    pub(crate) code: CodeArgs,
     /// How much of the path is proved
     #[arg(long, value_enum, value_name = "HOW")]
     pub(crate) verify: Option<VerifyHow>,
@@ -121,18 +177,62 @@ pub(crate) struct CheckArgs {
     pub(crate) source: SourceArgs,
 }
 
+/// `aptc verify`.
+#[derive(Args, Clone, Debug)]
+pub(crate) struct VerifyArgs {
+    /// Part programs
+    #[arg(required = true, value_name = "PART")]
+    pub(crate) parts: Vec<PathBuf>,
+    /// A CL file of any dialect, held against the surfaces of the one program
+    #[arg(long, value_name = "FILE")]
+    pub(crate) cl: Option<PathBuf>,
+    /// The certificates as a JSON document on standard output
+    #[arg(long)]
+    pub(crate) json: bool,
+    /// How much of the path is proved
+    #[arg(long, value_enum, value_name = "HOW", default_value = "full")]
+    pub(crate) verify: VerifyHow,
+    #[command(flatten)]
+    pub(crate) source: SourceArgs,
+}
+
 /// `aptc post`.
 #[derive(Args, Clone, Debug)]
 pub(crate) struct PostArgs {
     /// The CL file
     #[arg(value_name = "FILE")]
     pub(crate) file: PathBuf,
-    /// Machine by name or file, instead of the file's MACHIN
-    #[arg(short, long, value_name = "NAME")]
-    pub(crate) machine: Option<String>,
+    /// Its dialect; found out if not given
+    #[arg(long, value_name = "DIALECT")]
+    pub(crate) from: Option<String>,
+    /// Carry out INDEX, COPY and TRACUT; what aptc compile wrote has been edited already
+    #[arg(long)]
+    pub(crate) edit: bool,
+    #[command(flatten)]
+    pub(crate) code: CodeArgs,
+    /// Write the setup sheet too, OUT.setup.txt and OUT.setup.html
+    #[arg(long)]
+    pub(crate) setup: bool,
+    /// Write from which statement each block comes, OUT.nc.map.json
+    #[arg(long)]
+    pub(crate) map: bool,
     /// Where to write; the CL file's name with .nc in the current folder if not given, - for standard output
     #[arg(short, long, value_name = "OUT")]
     pub(crate) output: Option<PathBuf>,
+}
+
+/// `aptc test`.
+#[derive(Args, Clone, Debug)]
+pub(crate) struct TestArgs {
+    /// Folder of part programs: X.apt, or folders with a program.apt
+    #[arg(value_name = "DIR")]
+    pub(crate) folder: PathBuf,
+    /// Only programs whose name contains this
+    #[arg(value_name = "FILTER", default_value = "")]
+    pub(crate) filter: String,
+    /// Write the goldens anew
+    #[arg(long)]
+    pub(crate) bless: bool,
 }
 
 /// `aptc fmt`.
@@ -164,6 +264,9 @@ pub(crate) struct ConvertArgs {
     /// Its dialect; found out if not given
     #[arg(long, value_name = "DIALECT")]
     pub(crate) from: Option<String>,
+    /// Carry out INDEX, COPY, TRACUT and CALSUB; what aptc compile wrote has been edited already
+    #[arg(long)]
+    pub(crate) edit: bool,
     /// Dialect to write: iso, catia, json, cltape or clfile
     #[arg(long, value_name = "DIALECT", default_value = "iso")]
     pub(crate) to: String,
@@ -184,6 +287,12 @@ pub(crate) struct CldiffArgs {
     /// Deviation that does not count, in the unit of the first file
     #[arg(short, long, value_name = "LENGTH", default_value_t = 0.001)]
     pub(crate) tolerance: f64,
+    /// The files are machine code of this machine; else those ending in nc, ngc, mpf, h and the like are
+    #[arg(short, long, value_name = "NAME")]
+    pub(crate) machine: Option<String>,
+    /// As a JSON object
+    #[arg(long)]
+    pub(crate) json: bool,
 }
 
 /// `aptc stats`.
@@ -210,10 +319,16 @@ pub(crate) enum Emit {
     Cltape,
     /// Machine code, X.nc
     Nc,
+    /// Setup sheet for the operator, X.setup.txt and X.setup.html
+    Setup,
+    /// From which statement each block comes, X.nc.map.json
+    Map,
     /// Listing, X.lst
     Lst,
     /// Plot, X.svg
     Svg,
+    /// Picture of the first motion that failed, X.diagram.svg
+    Diagram,
     /// Canonical forms of all named geometry, X.geometry.json
     Geometry,
 }
@@ -251,6 +366,15 @@ pub(crate) enum VerifyHow {
     Sample,
     /// None
     Off,
+}
+
+/// Six numbers with commas between.
+fn corners(text: &str) -> Result<[f64; 6], String> {
+    let numbers: Result<Vec<f64>, _> = text.split(',').map(|n| n.trim().parse()).collect();
+    let numbers = numbers.map_err(|e| format!("{e}"))?;
+    numbers
+        .try_into()
+        .map_err(|n: Vec<f64>| format!("six numbers are needed, {} are given", n.len()))
 }
 
 fn version() -> &'static str {

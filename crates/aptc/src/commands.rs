@@ -6,6 +6,8 @@ mod compile;
 mod fmt;
 mod machines;
 mod post;
+mod test;
+mod verify;
 
 pub(crate) use check::check;
 pub(crate) use cl::{cldiff, convert, stats};
@@ -13,3 +15,5 @@ pub(crate) use compile::compile;
 pub(crate) use fmt::fmt;
 pub(crate) use machines::machines;
 pub(crate) use post::post;
+pub(crate) use test::test;
+pub(crate) use verify::verify;

@@ -5,6 +5,7 @@ mod commands;
 mod exit;
 mod explain;
 mod output;
+mod progress;
 mod render;
 mod report;
 
@@ -21,10 +22,12 @@ fn main() -> ExitCode {
         None => commands::compile(&cli.compile, &cli.common),
         Some(Command::Compile(args)) => commands::compile(args, &cli.common),
         Some(Command::Check(args)) => commands::check(args, &cli.common),
+        Some(Command::Verify(args)) => commands::verify(args, &cli.common),
         Some(Command::Post(args)) => commands::post(args, &cli.common),
+        Some(Command::Test(args)) => commands::test(args, &cli.common),
         Some(Command::Fmt(args)) => commands::fmt(args),
         Some(Command::Convert(args)) => commands::convert(args, &cli.common),
-        Some(Command::Cldiff(args)) => commands::cldiff(args),
+        Some(Command::Cldiff(args)) => commands::cldiff(args, &cli.common),
         Some(Command::Stats(args)) => commands::stats(args, &cli.common),
         Some(Command::Explain { code }) => explain::explain(code.as_deref()),
         Some(Command::Machines { machine }) => commands::machines(machine.as_deref(), &cli.common),

@@ -1,24 +1,57 @@
 //! Files that are written whole or not at all.
 
 use std::fs;
-use std::io::{self, Write};
+use std::io::{self, Seek as _, Write};
 use std::path::Path;
+
+use tempfile::NamedTempFile;
+
+/// A result that is being written aside, in the folder where it is to go.
+pub(crate) struct Aside(NamedTempFile);
+
+impl Aside {
+    /// Begins the result that will be `path`.
+    pub(crate) fn begin(path: &Path) -> io::Result<Self> {
+        let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        tempfile::Builder::new().prefix(".aptc-").tempfile_in(folder).map(Self)
+    }
+
+    /// Gives it its name: what was there stays until all is written.
+    pub(crate) fn keep(self, path: &Path) -> io::Result<()> {
+        self.0.as_file().sync_all()?;
+        #[cfg(unix)]
+        {
+            // A temporary file is readable by its owner alone; a result is an ordinary file.
+            use std::os::unix::fs::PermissionsExt as _;
+            let mode = fs::metadata(path).map_or(0o644, |m| m.permissions().mode());
+            self.0.as_file().set_permissions(fs::Permissions::from_mode(mode))?;
+        }
+        self.0.persist(path).map_err(|e| e.error)?;
+        Ok(())
+    }
+
+    /// Copies it to another stream instead.
+    pub(crate) fn copy_to(mut self, out: &mut dyn Write) -> io::Result<()> {
+        self.0.rewind()?;
+        io::copy(&mut self.0, out).map(|_| ())
+    }
+}
+
+impl Write for Aside {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.0.write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.0.flush()
+    }
+}
 
 /// Writes `bytes` aside in the folder of `path`, then renames: what was there stays until all is written.
 pub(crate) fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let mut aside = tempfile::Builder::new().prefix(".aptc-").tempfile_in(folder)?;
+    let mut aside = Aside::begin(path)?;
     aside.write_all(bytes)?;
-    aside.as_file().sync_all()?;
-    #[cfg(unix)]
-    {
-        // A temporary file is readable by its owner alone; a result is an ordinary file.
-        use std::os::unix::fs::PermissionsExt as _;
-        let mode = fs::metadata(path).map_or(0o644, |m| m.permissions().mode());
-        aside.as_file().set_permissions(fs::Permissions::from_mode(mode))?;
-    }
-    aside.persist(path).map_err(|e| e.error)?;
-    Ok(())
+    aside.keep(path)
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::fmt;
 use std::io::{self, Write};
 
-use aptc_diagnostics::{Diagnostic, FileId, FrameKind, Severity, SourceMap};
+use aptc_diagnostics::{Diagnostic, FileId, FrameKind, Severity, SourceMap, Span};
 use ariadne::{Cache, Config, IndexType, Label, Report, ReportKind, Source};
 use serde_json::{Value, json};
 
@@ -41,8 +41,18 @@ fn human(out: &mut dyn Write, all: &[Diagnostic], map: &SourceMap, color: bool) 
             Severity::Warning => ReportKind::Warning,
             Severity::Note => ReportKind::Advice,
         };
-        if map.get(d.span.file).is_none() {
+        // A message about the whole run has no place: line 1 would only mislead.
+        let no_place = d.span == Span::default() && d.label.is_empty() && d.labels.is_empty();
+        if no_place || map.get(d.span.file).is_none() {
             writeln!(out, "{}[{}]: {}", severity_word(d.severity), d.code, d.message)?;
+            tail(out, d)?;
+            continue;
+        }
+        if map.get(d.span.file).is_some_and(|f| !f.is_kept()) {
+            let (line, column) = map.line_column(d.span.file, d.span.start);
+            let name = map.get(d.span.file).map_or("aptc", |f| &f.name);
+            writeln!(out, "{}[{}]: {}", severity_word(d.severity), d.code, d.message)?;
+            writeln!(out, "  --> {name}:{line}:{column}")?;
             tail(out, d)?;
             continue;
         }

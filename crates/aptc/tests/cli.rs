@@ -18,15 +18,15 @@ fn aptc(folder: &Path, arguments: &[&str]) -> Output {
 }
 
 fn folder_with(files: &[(&str, &str)]) -> tempfile::TempDir {
-    let dir = tempfile::tempdir().unwrap();
+    let dir = tempfile::tempdir().expect("a folder");
     for (name, text) in files {
-        fs::write(dir.path().join(name), text).unwrap();
+        fs::write(dir.path().join(name), text).expect("it is written");
     }
     dir
 }
 
 fn text(bytes: &[u8]) -> String {
-    String::from_utf8(bytes.to_vec()).unwrap()
+    String::from_utf8(bytes.to_vec()).expect("it is text")
 }
 
 #[test]
@@ -118,4 +118,60 @@ fn every_code_is_explained() {
         assert_eq!(page.status.code(), Some(0));
         assert!(text(&page.stdout).lines().count() > 3, "{code} has a page");
     }
+}
+
+#[test]
+fn the_limits_are_settings() {
+    let endless = "PARTNO X\nI=0\nLOOPST\nA) I=I+1\nJUMPTO/A\nLOOPND\nFINI\n";
+    let files = [
+        ("endless.apt", endless),
+        ("array.apt", "RESERV/A,50\nFINI\n"),
+        ("pattern.apt", "Q=PATERN/LINEAR,(POINT/0,0),(POINT/1,0),50\nFINI\n"),
+        ("macro.apt", "A=MACRO/\nTERMAC\nB=MACRO/\nCALL/A\nTERMAC\nCALL/B\nFINI\n"),
+        ("outer.apt", "INCLUD/INNER\nFINI\n"),
+        ("inner.apt", "INCLUD/DEEP\n"),
+        ("deep.apt", "X=1\n"),
+    ];
+    let dir = folder_with(&files);
+    for (part, option, value, code) in [
+        ("endless.apt", "--max-seconds", "0.05", "APT1105"),
+        ("endless.apt", "--max-statements", "1000", "APT1100"),
+        ("array.apt", "--max-array-elements", "40", "APT1103"),
+        ("pattern.apt", "--max-points", "40", "APT1215"),
+        ("macro.apt", "--max-macro-depth", "1", "APT1101"),
+        ("outer.apt", "--max-include-depth", "1", "APT1102"),
+        ("array.apt", "--max-file-size", "5", "larger than 5 bytes"),
+    ] {
+        let run = aptc(dir.path(), &["check", part, option, value]);
+        let told = text(&run.stderr);
+        assert_ne!(run.status.code(), Some(0), "{option}");
+        assert!(told.contains(code), "{option} {value}: {told}");
+        if part != "endless.apt" {
+            let run = aptc(dir.path(), &["check", part]);
+            assert!(!text(&run.stderr).contains("Error"), "{part}: {}", text(&run.stderr));
+        }
+    }
+}
+
+#[test]
+fn names_that_are_never_used_are_told_on_request() {
+    let dir = folder_with(&[("x.apt", "P1=POINT/1,2\nP2=POINT/3,4\nGOTO/P1\nFINI\n")]);
+    assert!(!text(&aptc(dir.path(), &["check", "x.apt"]).stderr).contains("never used"));
+    let run = aptc(dir.path(), &["check", "x.apt", "--warn-unused"]);
+    assert!(text(&run.stderr).contains("P2 is never used"), "{}", text(&run.stderr));
+}
+
+#[test]
+fn words_are_explained() {
+    let dir = folder_with(&[]);
+    let run = aptc(dir.path(), &["explain", "circle"]);
+    assert_eq!(run.status.code(), Some(0));
+    assert!(
+        text(&run.stdout).contains("CIRCLE/CENTER,point,RADIUS,number"),
+        "{}",
+        text(&run.stdout)
+    );
+    let run = aptc(dir.path(), &["explain", "CIRCEL"]);
+    assert_ne!(run.status.code(), Some(0));
+    assert!(text(&run.stderr).contains("did you mean CIRCLE?"), "{}", text(&run.stderr));
 }

@@ -25,7 +25,7 @@ pub use json::{JsonReader, JsonWriter};
 pub use number::Decimals;
 pub use read::{Reader, TextReader, detect};
 pub use record::{
-    Arc, Arg, Control, Controlled, Course, Edit, Kind, Motion, MotionKind, NameRef, Output,
+    Arc, Arg, Clprnt, Control, Controlled, Course, Edit, Kind, Motion, MotionKind, NameRef, Output,
     Position, Record, Relation, Units,
 };
 pub use stream::{RecordReader, RecordWriter, copy};

@@ -7,6 +7,8 @@ use aptc_geometry::{Circle, Cutter, Form, Transform, Vec3};
 use serde::{Deserialize, Serialize};
 use smol_str::SmolStr;
 
+pub use aptc_geometry::Units;
+
 /// One record with the place it came from.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Record {
@@ -51,8 +53,8 @@ pub enum Kind {
     Output(Output),
     /// INDEX, COPY, TRACUT: work for Section 3.
     Edit(Edit),
-    /// CLPRNT on or off.
-    Clprnt(bool),
+    /// CLPRNT.
+    Clprnt(Clprnt),
     /// CSYS, MSYS, the matrix of CATIA: map from the frame of the positions that follow to the base frame
     /// of the CAM system's part. Said, not applied.
     Csys(Transform),
@@ -92,18 +94,6 @@ pub struct NameRef {
     /// The subscript.
     #[serde(default)]
     pub subscript: u32,
-}
-
-/// Unit of length.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[expect(missing_docs, reason = "the names say it")]
-#[serde(rename_all = "lowercase")]
-pub enum Units {
-    Mm,
-    Cm,
-    #[default]
-    Inches,
-    Feet,
 }
 
 /// Motion of one statement, or a part of it.
@@ -181,6 +171,20 @@ pub enum Output {
     Dntcut,
 }
 
+/// What CLPRNT prints from here on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Clprnt {
+    /// CLPRNT alone: the whole program, whatever others say.
+    Whole,
+    /// CLPRNT/ON.
+    On,
+    /// CLPRNT/OFF.
+    Off,
+    /// CLPRNT/OPTION: as ON, but positions before TRACUT and COPY.
+    Option,
+}
+
 /// Work for Section 3.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
@@ -228,6 +232,8 @@ pub struct Controlled {
     /// Side of the cutter: +1 on the side of the form's normal (outside of circles, spheres, cylinders and
     /// cones), -1 on the other; 0 when ON.
     pub side: i8,
+    /// Which of the meetings with it stops the motion, n,INTOF; 1 for drive and part surface.
+    pub nth: u32,
     /// Thickness left on it, THICK.
     pub thick: f64,
     /// Radius and height of the disk that stands for the cutter against it, CUTTER/OPTION.
@@ -252,28 +258,6 @@ pub enum Relation {
     Tanto,
     /// Tangent to the part surface.
     Pstan,
-}
-
-impl Units {
-    /// Millimetres in one unit, exactly.
-    pub const fn mm(self) -> f64 {
-        match self {
-            Self::Mm => 1.0,
-            Self::Cm => 10.0,
-            Self::Inches => 25.4,
-            Self::Feet => 304.8,
-        }
-    }
-
-    /// The APT word.
-    pub const fn word(self) -> &'static str {
-        match self {
-            Self::Mm => "MM",
-            Self::Cm => "CM",
-            Self::Inches => "INCHES",
-            Self::Feet => "FEET",
-        }
-    }
 }
 
 impl Position {

@@ -153,7 +153,13 @@ fn kind() -> impl Strategy<Value = Kind> {
         1 => proptest::array::uniform4(0.0..1.0_f64).prop_map(Kind::Outtol),
         1 => prop::sample::select(vec![Output::Cut, Output::Dntcut]).prop_map(Kind::Output),
         2 => edit.prop_map(Kind::Edit),
-        1 => any::<bool>().prop_map(Kind::Clprnt),
+        1 => prop_oneof![
+            Just(Clprnt::Whole),
+            Just(Clprnt::On),
+            Just(Clprnt::Off),
+            Just(Clprnt::Option)
+        ]
+        .prop_map(Kind::Clprnt),
         1 => transform().prop_map(Kind::Csys),
         1 => prop_oneof![
             text(),

@@ -12,7 +12,7 @@
 //! | 5000 | 3 FROM, 5 GOTO, 6 goes on | name, subscript, points of 3 or, with axis, 6 |
 //! | 6000 | 1 CUT, 4 INTOL, 5 OUTTOL, 6 CUTTER | values |
 //! | 9000 | 2 MULTAX, 9 UNITS | values |
-//! | 13000 | 4 CLPRNT | 1 on, 0 off |
+//! | 13000 | 4 CLPRNT | 0 off, 1 on, 2 the whole program, 3 OPTION |
 //! | 14000 | 0 FINI | |
 //!
 //! The format tells start-up and continuous motion not from GOTO, forms not from their numbers, and has

@@ -21,17 +21,30 @@ fn read(text: &str, dialect: Option<Dialect>) -> Vec<Record> {
     out
 }
 
-/// The last motion and the position before it.
+/// The last motion and the position before it. Arcs on one circle after one another count as one.
 fn last_arc(records: &[Record]) -> (Motion, aptc_cldata::Position) {
-    let motions: Vec<&Motion> = records
+    let mut motions: Vec<Motion> = records
         .iter()
         .filter_map(|r| match &r.kind {
-            Kind::Motion(m) => Some(m),
+            Kind::Motion(m) => Some(m.clone()),
             _ => None,
         })
         .collect();
+    let sweep = |m: &Motion| match m.arc.map(|a| (a.course, a.circle)) {
+        Some((Course::Sweep(s), circle)) => Some((s, circle)),
+        _ => None,
+    };
+    while let [.., a, b] = motions.as_slice()
+        && let (Some((s, circle)), Some((t, same))) = (sweep(a), sweep(b))
+        && circle == same
+    {
+        let mut whole = b.clone();
+        whole.arc = Some(Arc { circle, course: Course::Sweep(s + t) });
+        motions.truncate(motions.len() - 2);
+        motions.push(whole);
+    }
     let [.., before, last] = motions.as_slice() else { panic!("two motions") };
-    ((*last).clone(), *before.points.last().unwrap())
+    (last.clone(), *before.points.last().unwrap())
 }
 
 /// From (10, 0, 2) to (0, 10, 2) about (0, 0), anticlockwise: 90 degrees on the radius 10.
@@ -146,6 +159,13 @@ fn circle_before_points() {
     let records = read(&more, Some(Dialect::Creo));
     let Kind::Motion(m) = &records.last().unwrap().kind else { panic!("motion") };
     assert!(m.arc.is_none() && m.points.len() == 1);
+    // Also one that goes straight across the circle.
+    let across = read(&format!("{text}GOTO / -10, 0, 2\n"), Some(Dialect::Creo));
+    let Kind::Motion(m) = &across.last().unwrap().kind else { panic!("motion") };
+    assert!(m.arc.is_none() && m.points.len() == 1);
+    let across = read("GOTO/10,0,2\nCIRCLE/0,0,2,0,0,1,10\nGOTO/0,10,2\nGOTO/-10,0,2\n", None);
+    let Kind::Motion(m) = &across.last().unwrap().kind else { panic!("motion") };
+    assert!(m.arc.is_none() && m.points.len() == 1);
     // The end alone: right-handed about the plane vector.
     is_quarter("GOTO/10,0,2\nCIRCLE/0,0,2,0,0,1,10\nGOTO/0,10,2\n", None);
     is_arc(
@@ -187,7 +207,8 @@ fn cw_and_ccw() {
 #[test]
 fn circle_in_a_comment() {
     is_quarter(
-        "GOTO/10,0,2\n$$ CIRCLE/ 0, 0, 2, 0, 0, 1, 10\nGOTO/7.0710678,7.0710678,2\nGOTO/0,10,2\n",
+        "OUTTOL/.5\nGOTO/10,0,2\n$$ CIRCLE/ 0, 0, 2, 0, 0, 1, 10\nGOTO/7.0710678,7.0710678,2\n\
+         GOTO/0,10,2\n",
         None,
     );
     let marked = "$$ LINE 1\nGOTO/10,0,2\n$$ LINE 2\n$$ CIRCLE 0,0,2,0,0,1,10\n\

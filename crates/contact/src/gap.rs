@@ -110,6 +110,12 @@ pub fn gap_near(
     Ok(gap)
 }
 
+/// May [`gap_near`] with a start miss a deeper place of contact? So it is where the surface is of mixed
+/// curvature seen from that side: then several places of the cutter may touch at once.
+pub fn several(tool: &Tool<'_>, surface: &Surface, side: Side) -> bool {
+    search::several(tool, surface, side)
+}
+
 /// Signed distance of the tool end from the surface, positive on `side`. THICK does not count for ON.
 ///
 /// APT: the ON branch of `DISDS`.

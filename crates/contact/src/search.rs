@@ -70,6 +70,17 @@ pub(crate) fn general(
     best.ok_or(failure)
 }
 
+/// May a search with a start miss a deeper place?
+pub(crate) fn several(tool: &Tool<'_>, surface: &Surface, side: Side) -> bool {
+    let closed = matches!(
+        surface,
+        Surface::Plane(_) | Surface::Sphere(_) | Surface::Cylinder(_) | Surface::Cone(_)
+    );
+    let (far, near) = (surface.convex(), surface.concave());
+    let convex = if side == Side::Positive { far } else { near };
+    !(closed || convex || surface.generator().is_some_and(|d| is_axis(tool, d)))
+}
+
 /// A point of the tool's axis, near the corner.
 fn middle(tool: &Tool<'_>) -> Vec3 {
     tool.te + tool.ta * tool.profile.corner()[1]

@@ -18,6 +18,8 @@ pub struct SourceFile {
     /// The whole text.
     pub text: Arc<str>,
     line_starts: Vec<u32>,
+    /// Byte, line and column of the places asked about, when the text is not kept.
+    places: Vec<[u32; 3]>,
 }
 
 /// All files of one run, in the order in which they were read.
@@ -36,8 +38,22 @@ impl SourceMap {
             .map(|i| u32::try_from(i).expect("Section 0 refuses files of 4 GiB"))
             .collect();
         let id = FileId(u32::try_from(self.files.len()).expect("fewer than 4 G files"));
-        self.files.push(SourceFile { name: name.into(), text, line_starts });
+        let places = Vec::new();
+        self.files.push(SourceFile { name: name.into(), text, line_starts, places });
         id
+    }
+
+    /// Takes a file in whose text is too long to be kept; its places are told later.
+    pub fn add_unkept(&mut self, name: impl Into<Arc<str>>) -> FileId {
+        self.add(name, "")
+    }
+
+    /// Tells byte, line and column of the places of a file whose text is not kept.
+    pub fn set_places(&mut self, id: FileId, mut places: Vec<[u32; 3]>) {
+        places.sort_unstable();
+        if let Some(file) = self.files.get_mut(id.0 as usize) {
+            file.places = places;
+        }
     }
 
     /// The file, if there is one with that number.
@@ -60,12 +76,21 @@ impl SourceMap {
 impl SourceFile {
     /// Line and column, both from 1, of a byte; the column counts characters.
     pub fn line_column(&self, byte: u32) -> (u32, u32) {
+        if !self.places.is_empty() {
+            let after = self.places.partition_point(|p| p[0] <= byte);
+            return after.checked_sub(1).map_or((1, 1), |i| (self.places[i][1], self.places[i][2]));
+        }
         let byte = byte.min(u32::try_from(self.text.len()).unwrap_or(u32::MAX));
         let line = self.line_starts.partition_point(|&s| s <= byte);
         let start = self.line_starts[line - 1] as usize;
         let before = self.text.get(start..byte as usize).unwrap_or("");
         let column = before.chars().count() + 1;
         (u32::try_from(line).unwrap_or(u32::MAX), u32::try_from(column).unwrap_or(u32::MAX))
+    }
+
+    /// Is the text there to be shown?
+    pub fn is_kept(&self) -> bool {
+        !self.text.is_empty()
     }
 
     /// Text of a line counted from 1, without its end; empty when there is no such line.
@@ -92,5 +117,9 @@ mod tests {
         assert_eq!(map.line_column(f, u32::try_from(seven).unwrap()), (2, 9));
         assert_eq!(map.get(f).unwrap().line(3), "FINI");
         assert_eq!(map.line_column(FileId(9), 0), (0, 0));
+        let long = map.add_unkept("long.cl");
+        map.set_places(long, vec![[700, 30, 4], [90, 5, 1]]);
+        assert_eq!((map.line_column(long, 90), map.line_column(long, 700)), ((5, 1), (30, 4)));
+        assert!(!map.get(long).unwrap().is_kept() && map.get(f).unwrap().is_kept());
     }
 }

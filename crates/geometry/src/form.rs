@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
+use crate::sculptured::{CurveDefinition, Solid, SurfaceDefinition};
 use crate::{
     Circle, Cone, Cylinder, Line, Pattern, Plane, Polyconic, Quadric, QuadricKind, RuledSurface,
     Sphere, Tabcyl, Transform, Vec3,
@@ -27,6 +28,12 @@ pub enum Form {
     Tabcyl(Arc<Tabcyl>),
     Ruled(Arc<RuledSurface>),
     Polyconic(Arc<Polyconic>),
+    /// SCURV, as defined.
+    Scurv(Arc<CurveDefinition>),
+    /// SSURF, as defined.
+    Ssurf(Arc<SurfaceDefinition>),
+    /// BOUNDS and OBJECT.
+    Solid(Arc<Solid>),
     /// Elements as CANON gave them, beside the form in normal shape that they stand for.
     Written(Arc<Written>),
 }
@@ -65,6 +72,10 @@ pub enum FormKind {
     Tabcyl,
     Rldsrf,
     Polcon,
+    Scurv,
+    Ssurf,
+    Bounds,
+    Object,
 }
 
 impl FormKind {
@@ -89,6 +100,10 @@ impl FormKind {
             Self::Tabcyl => "TABCYL",
             Self::Rldsrf => "RLDSRF",
             Self::Polcon => "POLCON",
+            Self::Scurv => "SCURV",
+            Self::Ssurf => "SSURF",
+            Self::Bounds => "BOUNDS",
+            Self::Object => "OBJECT",
         }
     }
 
@@ -112,6 +127,10 @@ impl FormKind {
             Self::Tabcyl => "TABCYL",
             Self::Rldsrf => "ruled surface",
             Self::Polcon => "polyconic",
+            Self::Scurv => "sculptured curve",
+            Self::Ssurf => "sculptured surface",
+            Self::Bounds => "bounded space",
+            Self::Object => "object",
         }
     }
 }
@@ -140,6 +159,10 @@ impl Form {
             Self::Tabcyl(_) => FormKind::Tabcyl,
             Self::Ruled(_) => FormKind::Rldsrf,
             Self::Polyconic(_) => FormKind::Polcon,
+            Self::Scurv(_) => FormKind::Scurv,
+            Self::Ssurf(_) => FormKind::Ssurf,
+            Self::Solid(s) if s.object => FormKind::Object,
+            Self::Solid(_) => FormKind::Bounds,
             Self::Written(w) => w.kind,
         }
     }
@@ -152,10 +175,25 @@ impl Form {
         }
     }
 
+    /// Can it control the tool, as drive, part or check surface? Points, vectors, matrices, patterns,
+    /// curves in space and solids cannot.
+    pub fn is_surface(&self) -> bool {
+        !matches!(
+            self.shape(),
+            Self::Point(_)
+                | Self::Vector(_)
+                | Self::Matrix(_)
+                | Self::Pattern(_)
+                | Self::Scurv(_)
+                | Self::Solid(_)
+        )
+    }
+
     /// The canonical elements in APT's order, as OBTAIN and CANON see them: POINT x y z, LINE a b 0 d,
     /// PLANE a b c d, CIRCLE and CYLNDR x y z i j k r, SPHERE x y z r, CONE x y z i j k cosine, quadrics
     /// ten halved coefficients, VECTOR a b c, MATRIX three rows of four, PATERN its points, TABCYL count,
-    /// control, axes, spans, POLCON its 79, RLDSRF its rails.
+    /// control, axes, spans, POLCON its 79, RLDSRF its rails. SCURV, SSURF and BOUNDS
+    /// have none but by CANON; they give the numbers of their definition in the order written.
     pub fn canonical(&self) -> Vec<f64> {
         fn join(a: Vec3, b: Vec3, c: f64) -> Vec<f64> {
             vec![a.x, a.y, a.z, b.x, b.y, b.z, c]
@@ -174,6 +212,9 @@ impl Form {
             Self::Tabcyl(t) => t.canonical(),
             Self::Ruled(r) => r.canonical(),
             Self::Polyconic(p) => p.canonical(),
+            Self::Scurv(c) => c.numbers(),
+            Self::Ssurf(s) => s.numbers(),
+            Self::Solid(s) => s.numbers(),
             Self::Written(w) => w.elements.clone(),
         }
     }

@@ -18,6 +18,8 @@ pub mod profile;
 mod reason;
 pub mod roots;
 mod ruled;
+pub mod sculpt;
+pub mod sculptured;
 pub mod surface;
 mod tabcyl;
 mod tabcyl_fit;
@@ -26,6 +28,7 @@ mod tool;
 mod transform;
 mod transformed;
 pub mod trig;
+mod units;
 
 pub use cutter::Cutter;
 pub use form::{Form, FormKind, Written};
@@ -34,6 +37,7 @@ pub use polyconic::{ControlCurve, Polyconic, Section};
 pub use profile::{BadCutter, CutterWarning, Profile, Segment};
 pub use reason::{Place, Reason};
 pub use ruled::{Rail, RuledSurface, Second};
+pub use sculpt::{Sculptured, SpaceCurve};
 pub use surface::{Fiop, Foot, Shape, Surface};
 pub use tabcyl::{Tabcyl, TabcylSpan, Vec2};
 pub use tabcyl_fit::{Fit, FitError, Knot};
@@ -41,6 +45,7 @@ pub use tabcyl_meet::{CurveFoot, nearest_foot};
 pub use tool::{Tool, ToolFarthest, ToolNear, ToolSupport};
 pub use transform::Transform;
 pub use transformed::NotCarried;
+pub use units::Units;
 
 /// A point or a vector; which of the two the name says.
 pub type Vec3 = nalgebra::Vector3<f64>;

@@ -51,6 +51,9 @@ impl RuledSurface {
 }
 
 impl Rail {
+    /// Share of the base line by which a rail's end may lie off its surface, as points of a drawing do.
+    pub(crate) const BEHIND: f64 = 1e-6;
+
     fn canonical(&self) -> Vec<f64> {
         let mut e = self.surface.canonical();
         e.extend([self.start, self.end, self.toward].iter().flat_map(|p| [p.x, p.y, p.z]));
@@ -71,13 +74,10 @@ impl Rail {
         let surface = Surface::from_form(&self.surface).ok_or(Reason::NoHit)?;
         let chord = (self.end - self.start).norm();
         let toward = self.toward.try_normalize(0.0).ok_or(Reason::Degenerate(Place::Direction))?;
-        let from = self.base(t) - toward * (BEHIND * chord);
+        let from = self.base(t) - toward * (Self::BEHIND * chord);
         surface.directed_distance(from, toward, Fiop::AheadFirst).map(|hit| hit.point)
     }
 }
-
-/// Share of the base line by which a rail's end may lie off its surface, as points of a drawing do.
-const BEHIND: f64 = 1e-6;
 
 impl RuledSurface {
     /// The ruling over fraction `t` of the base lines: its point on the first curve, and on the second or

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::sculptured::{Side, Solid};
 use crate::{
     Circle, Cone, Cylinder, Form, FormKind, Line, Pattern, Plane, Polyconic, Quadric, Rail,
     RuledSurface, Second, Sphere, Transform, Vec3, Written,
@@ -80,6 +81,20 @@ impl Form {
                 scale()?;
                 let whole = p.transform().unwrap_or_else(Transform::identity).then(m);
                 Self::Polyconic(Arc::new(Polyconic { matrix: whole.rows(), ..(**p).clone() }))
+            }
+            Self::Scurv(c) => Self::Scurv(Arc::new(c.then(m))),
+            Self::Ssurf(s) => Self::Ssurf(Arc::new(s.then(m))),
+            Self::Solid(s) => {
+                let parts = s.parts.iter().map(|(form, side)| {
+                    let side = match *side {
+                        Side::Of(p) => Side::Of(m.point(p)),
+                        Side::Toward(v) => Side::Toward(unit(v)?),
+                        other => other,
+                    };
+                    Ok((form.transformed(m)?, side))
+                });
+                let parts = parts.collect::<Result<_, _>>()?;
+                Self::Solid(Arc::new(Solid { object: s.object, parts }))
             }
             Self::Written(w) => {
                 let shape = w.shape.transformed(m)?;

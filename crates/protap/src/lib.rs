@@ -23,6 +23,6 @@ pub use motion::{
     AxisAngle, Check, Direction, Drive, DriveSide, Go, OptionSurface, Outcome, PartSide, Place,
     Pocket, Relation, Sense, SurfaceRef, ToolAxis,
 };
-pub use record::{Arg, Dimension, Edit, Kind, NameRef, Record, Units};
-pub use text::{Writer, read, write};
+pub use record::{Arg, Clprnt, Dimension, Edit, Kind, NameRef, Record, Units};
+pub use text::{Writer, read, read_in_place, write};
 pub use verify::{Verifier, fault_of_form, verify};

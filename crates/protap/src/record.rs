@@ -11,6 +11,8 @@ use crate::{
     Drive, DriveSide, Go, OptionSurface, PartSide, Place, Pocket, Sense, SurfaceRef, ToolAxis,
 };
 
+pub use aptc_geometry::Units;
+
 /// One record with the place it came from.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Record {
@@ -132,7 +134,7 @@ pub enum Kind {
     /// tool stands is unknown up to the next FROM or GOTO.
     Failed,
     /// 13000,4: CLPRNT.
-    Clprnt(bool),
+    Clprnt(Clprnt),
     /// NOPOST: Section 4 is not entered.
     Nopost,
     /// NOPLOT: no plot.
@@ -141,6 +143,20 @@ pub enum Kind {
     Ptonly(u32),
     /// 14000: end of the part program.
     Fini,
+}
+
+/// What CLPRNT prints from here on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Clprnt {
+    /// CLPRNT alone: the whole program, whatever others say.
+    Whole,
+    /// CLPRNT/ON.
+    On,
+    /// CLPRNT/OFF.
+    Off,
+    /// CLPRNT/OPTION: as ON, but positions before TRACUT and COPY.
+    Option,
 }
 
 /// An argument of a post-processor word.
@@ -170,18 +186,6 @@ pub struct NameRef {
     /// The subscript.
     #[serde(default)]
     pub subscript: u32,
-}
-
-/// Unit of length.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[expect(missing_docs, reason = "the names say it")]
-#[serde(rename_all = "lowercase")]
-pub enum Units {
-    Mm,
-    Cm,
-    #[default]
-    Inches,
-    Feet,
 }
 
 /// 2DCALC or 3DCALC.
@@ -216,16 +220,4 @@ pub enum Edit {
     },
     /// TRACUT/M, and TRACUT/NOMORE as `None`.
     Tracut(Option<Transform>),
-}
-
-impl Units {
-    /// Millimetres in one unit, exactly.
-    pub const fn mm(self) -> f64 {
-        match self {
-            Self::Mm => 1.0,
-            Self::Cm => 10.0,
-            Self::Inches => 25.4,
-            Self::Feet => 304.8,
-        }
-    }
 }

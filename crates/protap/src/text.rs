@@ -69,6 +69,22 @@ pub fn write<'r>(records: impl IntoIterator<Item = &'r Record>) -> String {
 
 /// The records of `text`, which is the file `file`; lines that cannot be read are left out and told.
 pub fn read(file: FileId, text: &str) -> (Vec<Record>, Vec<Diagnostic>) {
+    let (records, messages) = read_lines(file, text);
+    (records.into_iter().map(|(record, _)| record).collect(), messages)
+}
+
+/// As [`read`], but each record says that it comes from its own line here: the part program that its span speaks
+/// of is not at hand, and a message about the record should show something.
+pub fn read_in_place(file: FileId, text: &str) -> (Vec<Record>, Vec<Diagnostic>) {
+    let (records, messages) = read_lines(file, text);
+    let placed = records.into_iter().map(|(mut record, span)| {
+        record.origin.span = span;
+        record
+    });
+    (placed.collect(), messages)
+}
+
+fn read_lines(file: FileId, text: &str) -> (Vec<(Record, Span)>, Vec<Diagnostic>) {
     let mut records = Vec::new();
     let mut messages = Vec::new();
     let mut start = 0;
@@ -109,7 +125,7 @@ pub fn read(file: FileId, text: &str) -> (Vec<Record>, Vec<Diagnostic>) {
             }
         }
         match serde_json::from_str::<Record>(line) {
-            Ok(record) => records.push(record),
+            Ok(record) => records.push((record, span)),
             Err(why) => {
                 let shown: String = line.chars().take(SHOWN).collect();
                 messages.push(

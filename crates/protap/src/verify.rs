@@ -4,7 +4,8 @@
 //! 2. Words are upper case letters and digits; names and texts hold no line ends.
 //! 3. Unit vectors of forms have length 1, radii are not negative, the cosine of a cone lies between 0
 //!    and 1, and a written form holds no written form.
-//! 4. Surfaces of GO, PSIS and motion are surfaces: no POINT, VECTOR, MATRIX or PATERN.
+//! 4. Surfaces of GO, PSIS and motion are surfaces: no POINT, VECTOR, MATRIX, PATERN, SCURV, BOUNDS or
+//!    OBJECT.
 //! 5. GO has one to three surfaces, and only the third is met at a tangent; an intersection is counted
 //!    from 1; INDIRV, INDIRP and SRFVCT have one to three fields, one of them filled, directions not zero.
 //! 6. Tolerances, diameter, corner radius and height are not negative; NUMPTS and copies are at least 1;
@@ -227,11 +228,7 @@ pub fn fault_of_form(form: &Form) -> Option<String> {
 
 fn surface(s: &SurfaceRef) -> Option<String> {
     one_line(&s.name.name).or_else(|| fault_of_form(&s.form)).or_else(|| {
-        let other = matches!(
-            s.form.shape(),
-            Form::Point(_) | Form::Vector(_) | Form::Matrix(_) | Form::Pattern(_)
-        );
-        other.then(|| format!("a {} is no surface", s.form.kind().word()))
+        (!s.form.is_surface()).then(|| format!("a {} is no surface", s.form.kind().word()))
     })
 }
 

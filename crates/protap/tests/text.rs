@@ -8,7 +8,7 @@ use aptc_geometry::{
     Sphere, Transform, Vec3, Written,
 };
 use aptc_protap::{
-    Arg, AxisAngle, Check, Dimension, Direction, Drive, DriveSide, Edit, Go, Kind, NameRef,
+    Arg, AxisAngle, Check, Clprnt, Dimension, Direction, Drive, DriveSide, Edit, Go, Kind, NameRef,
     OptionSurface, PartSide, Place, Pocket, Record, Relation, Sense, SurfaceRef, ToolAxis, Units,
     Writer, read, verify, write,
 };
@@ -181,7 +181,8 @@ fn setting() -> impl Strategy<Value = Kind> {
         any::<bool>().prop_map(Kind::Multax),
         any::<bool>().prop_map(Kind::Gougck),
         any::<bool>().prop_map(Kind::Cut),
-        any::<bool>().prop_map(Kind::Clprnt),
+        prop_oneof![Just(Clprnt::Whole), Just(Clprnt::On), Just(Clprnt::Off), Just(Clprnt::Option)]
+            .prop_map(Kind::Clprnt),
         tool_axis().prop_map(Kind::ToolAxis),
         surface().prop_map(Kind::PartSurface),
         Just(Kind::DriveSide(DriveSide::Tlndon)),

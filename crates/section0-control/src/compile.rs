@@ -1,20 +1,22 @@
 //! The road: from source text to machine code.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
+use std::time::{Duration, Instant};
 
-use aptc_arelem::Arelem;
+use aptc_arelem::{Arelem, Situation};
 use aptc_cldata as cl;
-use aptc_diagnostics::{Diagnostic, SourceMap, codes};
+use aptc_diagnostics::{Diagnostic, FrameKind, SourceMap, codes};
 use aptc_protap as protap;
+use aptc_regional::Regional;
 use aptc_translate::{
     Entry, FileError, FileRequest, Files, Interpreter, LoadedFile, Quantity, Step,
 };
-use aptc_verify::{Certificate, Effort, Verifier};
+use aptc_verify::Certificate;
 
 use crate::geometry_json::Named;
 use crate::post::{Nc, post_part};
-use crate::{FULL_PROOF, Options, Source, Summary, Verify, World, WorldError, listing};
+use crate::{Options, Source, Summary, Verify, World, WorldError, listing};
 
 /// What came of a part program.
 #[derive(Debug, Default)]
@@ -29,6 +31,8 @@ pub struct Compiled {
     pub listing: String,
     /// Final values of all names.
     pub geometry: Vec<(String, Named)>,
+    /// The situation in which the first motion failed, of which a picture can be made.
+    pub situation: Option<Situation>,
 }
 
 /// One part program, PARTNO to FINI.
@@ -78,8 +82,14 @@ pub fn compile(source: Source, world: &mut dyn World, options: &Options) -> Comp
         Interpreter::new(&source.name, &source.text, &mut files, options.translate.clone());
     let mut run = Run::new(options);
     let mut entries = Vec::new();
+    let clock = Clock::start(options.time);
     loop {
-        let step = section1.step();
+        if clock.is_over() {
+            let why = format!("the program was stopped after {} seconds", clock.seconds());
+            let help = "check what ends its loops, or allow more by --max-seconds";
+            section1.stop(codes::TOO_MUCH_TIME, why, help);
+        }
+        let Some(step) = section1.step_within(BETWEEN_LOOKS) else { continue };
         run.compiled.diagnostics.extend(section1.take_diagnostics());
         entries.extend(section1.take_listing());
         match step {
@@ -101,14 +111,42 @@ pub fn compile(source: Source, world: &mut dyn World, options: &Options) -> Comp
     run.finish(&entries)
 }
 
+/// Statements between two looks at the clock; fewer cost more than they are worth, more let a program run
+/// on for a second.
+const BETWEEN_LOOKS: u64 = 10_000;
+
+/// The time that a part program may take.
+struct Clock {
+    start: Instant,
+    limit: Option<Duration>,
+}
+
+impl Clock {
+    fn start(limit: Option<Duration>) -> Self {
+        Self { start: Instant::now(), limit }
+    }
+
+    fn is_over(&self) -> bool {
+        self.limit.is_some_and(|limit| self.start.elapsed() >= limit)
+    }
+
+    fn seconds(&self) -> f64 {
+        self.limit.unwrap_or_default().as_secs_f64()
+    }
+}
+
 /// Goes on from a numeric part program, at Section 2.
 pub fn resume(source: Source, options: &Options) -> Compiled {
     let mut run = Run::new(options);
     let file = run.compiled.sources.add(source.name, Arc::clone(&source.text));
-    let (records, diagnostics) = protap::read(file, &source.text);
+    let (records, diagnostics) = protap::read_in_place(file, &source.text);
     run.compiled.diagnostics.extend(diagnostics);
-    for record in records {
-        run.take(record);
+    run.compiled.diagnostics.extend(protap::verify(&records));
+    // What breaks a rule of its records has no meaning for the Sections that follow.
+    if !run.compiled.has_errors() {
+        for record in records {
+            run.take(record);
+        }
     }
     run.end_part();
     run.finish(&[])
@@ -123,6 +161,7 @@ struct Run<'o> {
     options: &'o Options,
     compiled: Compiled,
     section2: Arelem,
+    regional: Regional,
     part: Part,
     /// Has the present part program any record?
     begun: bool,
@@ -137,6 +176,7 @@ impl<'o> Run<'o> {
             options,
             compiled: Compiled::default(),
             section2: Arelem::new(aptc_arelem::Options::default()),
+            regional: Regional::default(),
             part: Part::default(),
             begun: false,
             nopost: false,
@@ -154,11 +194,7 @@ impl<'o> Run<'o> {
             _ => {}
         }
         let runs = self.options.motion && self.last_section >= 2;
-        let outcome = if runs {
-            self.section2.execute(&record, &mut self.part.computed)
-        } else {
-            protap::Outcome::None
-        };
+        let outcome = if runs { self.mill(&record) } else { protap::Outcome::None };
         let fini = matches!(record.kind, protap::Kind::Fini);
         if self.options.keep_protap {
             self.part.protap.push(record);
@@ -169,6 +205,24 @@ impl<'o> Run<'o> {
         outcome
     }
 
+    /// Section 2: the arithmetic element, and regional milling, which hand the tool to each other.
+    fn mill(&mut self, record: &protap::Record) -> protap::Outcome {
+        let outcome = self.section2.execute(record, &mut self.part.computed);
+        let milled = self.regional.execute(record, &mut self.part.computed);
+        self.compiled.diagnostics.extend(self.regional.take_diagnostics());
+        match milled {
+            Ok(None) => outcome,
+            Ok(Some(s)) => {
+                self.section2.stand(Some((s.te, s.ta, s.along)));
+                protap::Outcome::Moved { te: s.te, ta: s.ta, check: 0 }
+            }
+            Err(aptc_regional::Failed) => {
+                self.section2.stand(None);
+                protap::Outcome::Failed
+            }
+        }
+    }
+
     /// Sections 3 and 4 of a part program.
     fn end_part(&mut self) {
         if !self.begun {
@@ -176,6 +230,8 @@ impl<'o> Run<'o> {
         }
         self.section2.finish(&mut self.part.computed);
         self.compiled.diagnostics.extend(self.section2.take_diagnostics());
+        let situation = self.section2.take_situation();
+        self.compiled.situation = self.compiled.situation.take().or(situation);
         let mut part = std::mem::take(&mut self.part);
         let whole = self.compiled.is_cl_whole();
         if self.options.verify != Verify::Off {
@@ -192,33 +248,19 @@ impl<'o> Run<'o> {
             && self.last_section >= 4
             && self.compiled.is_cl_whole()
         {
-            let (nc, diagnostics) = post_part(&part.edited, self.options.machine.as_ref());
+            let (nc, diagnostics) = post_part(&part.edited, &self.options.code);
             part.nc = nc;
             self.compiled.diagnostics.extend(diagnostics);
         }
         self.compiled.parts.push(part);
         self.section2 = Arelem::new(aptc_arelem::Options::default());
+        self.regional = Regional::default();
         (self.begun, self.nopost, self.last_section) = (false, false, 4);
     }
 
     /// Proves the path of Section 2 against its surfaces.
     fn prove(&mut self, part: &mut Part) {
-        let points = |r: &cl::Record| match &r.kind {
-            cl::Kind::Motion(m) => m.points.len() as u64,
-            _ => 0,
-        };
-        let n: u64 = part.computed.iter().map(points).sum();
-        let every = n.div_ceil(FULL_PROOF).max(2);
-        let effort = match self.options.verify {
-            Verify::UpTo(most) if n > most => Effort::Every(every),
-            Verify::Sample => Effort::Every(every),
-            _ => Effort::Full,
-        };
-        let mut verifier = Verifier::new(effort);
-        for record in &part.computed {
-            verifier.push(record);
-        }
-        let (certificate, diagnostics) = verifier.finish();
+        let (certificate, diagnostics) = crate::verify::prove(&part.computed, self.options.verify);
         part.certificate = Some(certificate);
         self.compiled.diagnostics.extend(diagnostics);
     }
@@ -230,17 +272,46 @@ impl<'o> Run<'o> {
             listing::source(&mut text, file);
         }
         listing::printed(&mut text, entries);
-        listing::clprnt(&mut text, self.compiled.parts.iter().map(|p| p.edited.as_slice()));
+        listing::clprnt(&mut text, &self.compiled.parts);
         listing::messages(&mut text, &self.compiled.diagnostics, &self.compiled.sources);
         self.compiled.listing = text;
         self.compiled
     }
 }
 
-/// A statement in a loop or macro that fails in the same way each time is told of once.
-fn once_each(diagnostics: &mut Vec<Diagnostic>) {
+/// A statement in a loop or macro that fails in the same way each time is told of once, also when a loop brings
+/// other numbers each time.
+pub(crate) fn once_each(diagnostics: &mut Vec<Diagnostic>) {
+    let known = |d: &&Diagnostic| {
+        matches!(d.code, codes::UNKNOWN_POST_WORD | codes::UNKNOWN_CL_WORD | codes::UNREADABLE_CL)
+    };
+    let unknown: BTreeSet<_> = diagnostics.iter().filter(known).map(|d| d.span.start).collect();
+    // The reader said it already, of the word itself; Section 4 says it of the statement.
+    diagnostics.retain(|d| {
+        !matches!(d.code, codes::WORD_UNKNOWN | codes::UNREAD_BY_POST)
+            || !unknown.contains(&d.span.start)
+    });
     let mut told = BTreeSet::new();
     diagnostics.retain(|d| told.insert((d.code, d.span, d.message.clone())));
+    let mut passes = BTreeMap::<_, u32>::new();
+    let in_loop = |d: &Diagnostic| {
+        let frames = || std::iter::successors(d.trace.as_deref(), |f| f.outer.as_deref());
+        let calls = frames().filter(|f| f.kind != FrameKind::Loop).map(|f| f.span);
+        let looped = frames().any(|f| f.kind == FrameKind::Loop);
+        looped.then(|| (d.code, d.span, calls.collect::<Vec<_>>()))
+    };
+    diagnostics.retain(|d| {
+        let Some(key) = in_loop(d) else { return true };
+        let n = passes.entry(key).or_insert(0);
+        *n += 1;
+        *n == 1
+    });
+    for d in diagnostics {
+        let n = in_loop(d).and_then(|key| passes.remove(&key)).unwrap_or(1);
+        if n > 1 {
+            d.notes.push(format!("the same in {} further passes, with other values", n - 1));
+        }
+    }
 }
 
 /// Section 1's way to files.

@@ -1,6 +1,7 @@
 //! Section 0: conducts the Sections over a [`World`]; the face of the library.
 
 mod artifact;
+mod cl_edit;
 mod compile;
 mod edit;
 mod geometry_json;
@@ -9,17 +10,21 @@ mod options;
 mod post;
 mod post_cl;
 mod summary;
+mod verify;
 mod world;
 
-pub use aptc_post::{Machine, machine_for, machines};
-pub use aptc_translate::UnknownWords;
+pub use aptc_post::{Machine, NcReader, machine_for, machines};
+pub use aptc_translate::{Language, UnknownWords, about, near_word};
+pub use aptc_verify::Certificate;
 pub use artifact::Artifact;
+pub use cl_edit::edit_cl;
 pub use compile::{Compiled, Part, compile, resume};
 pub use geometry_json::{Named, geometry_json};
-pub use options::{FULL_PROOF, MachineChoice, Options, Verify};
+pub use options::{CodeOptions, FULL_PROOF, MachineChoice, Options, Verify};
 pub use post::{Nc, post_part};
-pub use post_cl::post_cl;
+pub use post_cl::{ClOptions, PostedCl, find_places, post_cl};
 pub use summary::Summary;
+pub use verify::{ClFile, verify};
 pub use world::{Disk, Memory, Source, World, WorldError};
 
 pub use aptc_cldata::{

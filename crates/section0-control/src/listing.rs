@@ -3,10 +3,13 @@
 
 use std::fmt::Write as _;
 
-use aptc_cldata::{Decimals, Kind, Record, RecordWriter as _, TextOptions, TextWriter};
+use aptc_cldata::{Clprnt, Kind, Record};
 use aptc_diagnostics::{Diagnostic, Severity, SourceFile, SourceMap};
+use aptc_edit::Listing as Table;
 use aptc_protap::NameRef;
 use aptc_translate::{Entry, EntryKind};
+
+use crate::Part;
 
 /// Writes the source of a part program with its line numbers.
 pub(crate) fn source(out: &mut String, file: &SourceFile) {
@@ -16,30 +19,29 @@ pub(crate) fn source(out: &mut String, file: &SourceFile) {
     }
 }
 
-/// Writes the CL data between CLPRNT/ON and CLPRNT/OFF.
-pub(crate) fn clprnt<'a>(out: &mut String, parts: impl Iterator<Item = &'a [Record]>) {
-    for records in parts {
-        let mut on = false;
-        let wanted: Vec<&Record> = records
-            .iter()
-            .filter(|r| {
-                if let Kind::Clprnt(b) = r.kind {
-                    on = b;
-                }
-                on
-            })
-            .collect();
-        if wanted.is_empty() {
+/// Writes the CL data that CLPRNT asks for: before and after the editor.
+pub(crate) fn clprnt(out: &mut String, parts: &[Part]) {
+    for part in parts {
+        let asks =
+            |what| part.computed.iter().any(|r| matches!(&r.kind, Kind::Clprnt(w) if *w == what));
+        if asks(Clprnt::Whole) {
+            table(out, "CL DATA", Table::whole(), &part.edited);
             continue;
         }
-        out.push_str("\nCL DATA\n\n");
-        let options = TextOptions { decimals: Decimals::Fixed(6), ..TextOptions::default() };
-        let mut writer = TextWriter::new(Vec::new(), options);
-        for record in wanted {
-            writer.write(record).expect("memory takes all");
+        table(out, "CL DATA", Table::parts(), &part.edited);
+        if asks(Clprnt::Option) {
+            table(out, "CL DATA BEFORE TRANSFORMATION", Table::before_editing(), &part.computed);
         }
-        let bytes = writer.into_inner().expect("memory takes all");
-        out.push_str(&String::from_utf8_lossy(&bytes));
+    }
+}
+
+fn table(out: &mut String, title: &str, mut listing: Table, records: &[Record]) {
+    let mut text = String::new();
+    for record in records {
+        listing.push(record, &mut text);
+    }
+    if !text.is_empty() {
+        writeln!(out, "\n{title}\n\n{text}").expect("strings take all");
     }
 }
 
@@ -61,7 +63,7 @@ pub(crate) fn printed(out: &mut String, entries: &[Entry]) {
                 line(out, isn, &format!("{:<12}{:<8}{}", label(name), "SCALAR", number(*value)));
             }
             EntryKind::Form { name, word, elements } => {
-                form(out, isn, &label(name), word, elements)
+                form(out, isn, &label(name), word, elements);
             }
             EntryKind::Bits { name, word, elements } => {
                 let name = label(&Some(name.clone()));

@@ -1,12 +1,14 @@
 //! What the user may choose.
 
+use std::time::Duration;
+
 /// Choices of a run.
 #[derive(Clone, Debug)]
 pub struct Options {
     /// How statements are read and carried out, with the limits.
     pub translate: aptc_translate::Options,
-    /// Machine instead of the program's MACHIN.
-    pub machine: Option<MachineChoice>,
+    /// How machine code is written.
+    pub code: CodeOptions,
     /// How much of the path is proved.
     pub verify: Verify,
     /// Keep the PROTAP records.
@@ -17,6 +19,23 @@ pub struct Options {
     pub post: bool,
     /// Draw the plot.
     pub plot: bool,
+    /// Stop a part program that has not ended after so long.
+    pub time: Option<Duration>,
+}
+
+/// How machine code is written.
+#[derive(Clone, Debug, Default)]
+pub struct CodeOptions {
+    /// Machine instead of the program's MACHIN.
+    pub machine: Option<MachineChoice>,
+    /// Work offset instead of the machine file's, as `G55`.
+    pub work_offset: Option<String>,
+    /// Two opposite corners of the block of material, as STOCK gives them.
+    pub stock: Option<[f64; 6]>,
+    /// Write the statement number as a comment before its blocks.
+    pub annotate: bool,
+    /// Keep the statement of each block.
+    pub map: bool,
 }
 
 /// A machine by its name or by the text of a machine file.
@@ -48,12 +67,13 @@ impl Default for Options {
     fn default() -> Self {
         Self {
             translate: aptc_translate::Options::default(),
-            machine: None,
+            code: CodeOptions::default(),
             verify: Verify::UpTo(FULL_PROOF),
             keep_protap: false,
             motion: true,
             post: true,
             plot: true,
+            time: None,
         }
     }
 }

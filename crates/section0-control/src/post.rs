@@ -1,113 +1,226 @@
 //! Section 4 for every machine that a part program names.
 
+use std::io::{self, Write};
+
 use aptc_cldata::{Arg, Kind, Record};
 use aptc_diagnostics::{Diagnostic, Span, codes};
-use aptc_post::{Machine, Post, PostOptions, ToolScan};
+use aptc_post::{BlockOrigin, Machine, Post, PostOptions, SetupSheet, ToolScan};
+use smol_str::SmolStr;
 
-use crate::MachineChoice;
+use crate::{CodeOptions, MachineChoice};
 
 /// Machine code for one machine.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub struct Nc {
-    /// Name of the machine.
-    pub machine: String,
+    /// The machine.
+    pub machine: Machine,
     /// The text.
     pub text: Vec<u8>,
-    /// Machining time in seconds.
-    pub seconds: f64,
+    /// Tools, times, travel and notes.
+    pub summary: aptc_post::Summary,
+    /// From which statement each run of lines comes, if it was asked for.
+    pub map: Vec<BlockOrigin>,
     /// Is it for a machine after the first?
     pub further: bool,
 }
 
-/// Posts an edited CL stream for the machine that was chosen, else for those that MACHIN names, else for the
-/// default machine. A text that the post refused is left out.
-pub fn post_part(records: &[Record], choice: Option<&MachineChoice>) -> (Vec<Nc>, Vec<Diagnostic>) {
-    let mut diagnostics = Vec::new();
-    let machines = match machines(records, choice, &mut diagnostics) {
-        Ok(m) => m,
-        Err(d) => {
-            diagnostics.extend(d);
-            return (Vec::new(), diagnostics);
-        }
-    };
-    let mut scan = ToolScan::default();
-    for record in records {
-        scan.push(record);
+impl Nc {
+    /// Machining time in seconds.
+    pub fn seconds(&self) -> f64 {
+        60.0 * (self.summary.cut_minutes + self.summary.rapid_minutes)
     }
-    let tools = scan.finish();
-    let mut texts = Vec::new();
-    for (i, machine) in machines.iter().enumerate() {
-        let options = PostOptions { tools: tools.clone(), ..PostOptions::default() };
-        let mut post = Post::new(machine, options);
-        let mut text = Vec::new();
-        for record in records {
-            post.push(record, &mut text);
-        }
-        let posted = post.finish(&mut text);
-        let refused = posted.diagnostics.iter().any(Diagnostic::is_error);
-        for d in posted.diagnostics {
-            if !diagnostics.contains(&d) {
-                diagnostics.push(d);
-            }
-        }
-        if !refused && !text.is_empty() {
-            let machine = machine.name.clone();
-            texts.push(Nc {
-                machine,
-                text,
-                seconds: 60.0 * (posted.summary.cut_minutes + posted.summary.rapid_minutes),
-                further: i > 0,
-            });
-        }
+
+    /// The setup sheet.
+    pub fn setup(&self) -> SetupSheet {
+        SetupSheet::new(&self.machine, &self.summary)
     }
-    (texts, diagnostics)
 }
 
-fn machines(
-    records: &[Record],
-    choice: Option<&MachineChoice>,
-    diagnostics: &mut Vec<Diagnostic>,
-) -> Result<Vec<Machine>, Vec<Diagnostic>> {
-    match choice {
-        Some(MachineChoice::File(_, text)) => return Machine::parse(text).map(|m| vec![m]),
-        Some(MachineChoice::Named(name)) => {
-            if let Some(m) = aptc_post::machine(name).or_else(|| aptc_post::machine_for(name, &[]))
-            {
-                return Ok(vec![m.clone()]);
-            }
-            let known: Vec<_> = aptc_post::machines().map(|m| m.name.as_str()).collect();
-            let message = format!("there is no machine {name}");
-            return Err(vec![
-                Diagnostic::error(codes::MACHINE_FILE, Span::default(), message)
-                    .help(format!("give a machine file, or one of {}", known.join(", "))),
-            ]);
-        }
-        None => {}
-    }
-    let (mut found, mut unknown) = (Vec::<Machine>::new(), Vec::new());
+/// Posts an edited CL stream for the machine that was chosen, else for those that MACHIN names, else for the
+/// default machine. A text that the post refused is left out.
+pub fn post_part(records: &[Record], code: &CodeOptions) -> (Vec<Nc>, Vec<Diagnostic>) {
+    let mut head = PartHead::default();
     for record in records {
-        let Kind::Post { word, args } = &record.kind else { continue };
-        let (true, Some(Arg::Word(name))) = (word == "MACHIN", args.first()) else { continue };
+        head.push(record);
+    }
+    let mut create = || Ok(Vec::new());
+    let mut poster = Poster::new(&head, code, &mut create).expect("memory takes all");
+    for record in records {
+        poster.push(record).expect("memory takes all");
+    }
+    let (texts, diagnostics) = poster.finish().expect("memory takes all");
+    (texts.into_iter().map(|(nc, text)| Nc { text, ..nc }).collect(), diagnostics)
+}
+
+/// Bytes of machine code that come together before they are handed on.
+const BLOCK: usize = 64 * 1024;
+
+/// What must be known of a part program before its first block is written.
+#[derive(Debug, Default)]
+pub(crate) struct PartHead {
+    tools: ToolScan,
+    machines: Vec<Machine>,
+    /// PARTNO, or the first record.
+    start: Option<(Span, bool)>,
+    /// The first MACHIN that names no known machine.
+    unknown: Option<(SmolStr, Span)>,
+}
+
+impl PartHead {
+    /// Looks at one record.
+    pub(crate) fn push(&mut self, record: &Record) {
+        let partno = matches!(&record.kind, Kind::Text { word, .. } if word == "PARTNO");
+        if self.start.is_none_or(|(_, found)| partno && !found) {
+            self.start = Some((record.origin.span, partno));
+        }
+        let Kind::Post { word, args } = &record.kind else { return };
+        self.tools.push(record);
+        let (true, Some(Arg::Word(name))) = (word == "MACHIN", args.first()) else { return };
         match aptc_post::machine_for(name, &args[1..]) {
-            Some(m) if found.iter().any(|f| f.name == m.name) => {}
-            Some(m) => found.push(m.clone()),
-            None => unknown.push((name.clone(), record.origin.clone())),
+            Some(m) if self.machines.iter().any(|f| f.name == m.name) => {}
+            Some(m) => self.machines.push(m.clone()),
+            None if self.unknown.is_none() => {
+                self.unknown = Some((name.clone(), record.origin.span));
+            }
+            None => {}
         }
     }
-    if !found.is_empty() {
-        return Ok(found);
+
+    fn machines(
+        &self,
+        choice: Option<&MachineChoice>,
+        diagnostics: &mut Vec<Diagnostic>,
+    ) -> Vec<Machine> {
+        match choice {
+            Some(MachineChoice::File(_, text)) => match Machine::parse(text) {
+                Ok(m) => return vec![m],
+                Err(d) => {
+                    diagnostics.extend(d);
+                    return Vec::new();
+                }
+            },
+            Some(MachineChoice::Named(name)) => {
+                let found = aptc_post::machine(name).or_else(|| aptc_post::machine_for(name, &[]));
+                if let Some(m) = found {
+                    return vec![m.clone()];
+                }
+                let known: Vec<_> = aptc_post::machines().map(|m| m.name.as_str()).collect();
+                let message = format!("there is no machine {name}");
+                diagnostics.push(
+                    Diagnostic::error(codes::MACHINE_FILE, Span::default(), message)
+                        .help(format!("give a machine file, or one of {}", known.join(", "))),
+                );
+                return Vec::new();
+            }
+            None => {}
+        }
+        if !self.machines.is_empty() {
+            return self.machines.clone();
+        }
+        let default = aptc_post::machine("linuxcnc-mill").expect("it is built in");
+        let (span, message) = match &self.unknown {
+            Some((name, span)) => (
+                *span,
+                format!("{name} is no machine that aptc knows; posted for {}", default.title),
+            ),
+            None => (
+                self.start.map_or(Span::default(), |s| s.0),
+                format!("no MACHIN statement; posted for {}", default.title),
+            ),
+        };
+        diagnostics.push(
+            Diagnostic::note_at(codes::MACHINE_ASSUMED, span, message)
+                .help("choose a machine with --machine; `aptc machines` lists them"),
+        );
+        vec![default.clone()]
     }
-    let default = aptc_post::machine("linuxcnc-mill").expect("it is built in");
-    let (span, message) = match unknown.first() {
-        Some((name, origin)) => (
-            origin.span,
-            format!("{name} is no machine that aptc knows; posted for {}", default.title),
-        ),
-        None => (Span::default(), format!("no MACHIN statement; posted for {}", default.title)),
-    };
-    diagnostics.push(
-        Diagnostic::note_at(codes::MACHINE_ASSUMED, span, message)
-            .help("choose a machine with --machine; `aptc machines` lists them"),
-    );
-    Ok(vec![default.clone()])
+}
+
+/// Posts one part program for all its machines at once, record by record.
+pub(crate) struct Poster<W> {
+    runs: Vec<Run<W>>,
+    diagnostics: Vec<Diagnostic>,
+}
+
+/// Machine codes with their texts.
+type Texts<W> = Vec<(Nc, W)>;
+
+/// One machine.
+struct Run<W> {
+    machine: Machine,
+    post: Post,
+    block: Vec<u8>,
+    out: W,
+    /// Has anything been written?
+    begun: bool,
+}
+
+impl<W: Write> Poster<W> {
+    /// A post-processor for each machine, each with an output of its own from `create`.
+    pub(crate) fn new(
+        head: &PartHead,
+        code: &CodeOptions,
+        create: &mut dyn FnMut() -> io::Result<W>,
+    ) -> io::Result<Self> {
+        let mut diagnostics = Vec::new();
+        let tools = head.tools.clone().finish();
+        let mut runs = Vec::new();
+        for machine in head.machines(code.machine.as_ref(), &mut diagnostics) {
+            let options = PostOptions {
+                tools: tools.clone(),
+                work_offset: code.work_offset.clone(),
+                stock: code.stock,
+                annotate: code.annotate,
+                map: code.map,
+                ..PostOptions::default()
+            };
+            let post = Post::new(&machine, options);
+            runs.push(Run { machine, post, block: Vec::new(), out: create()?, begun: false });
+        }
+        Ok(Self { runs, diagnostics })
+    }
+
+    /// Takes one record.
+    pub(crate) fn push(&mut self, record: &Record) -> io::Result<()> {
+        for run in &mut self.runs {
+            run.post.push(record, &mut run.block);
+            if run.block.len() >= BLOCK {
+                run.pass_on()?;
+            }
+        }
+        Ok(())
+    }
+
+    /// The machine codes that were not refused, their texts apart, and all messages.
+    pub(crate) fn finish(mut self) -> io::Result<(Texts<W>, Vec<Diagnostic>)> {
+        let mut texts = Vec::new();
+        for (i, mut run) in self.runs.into_iter().enumerate() {
+            let post = run.post;
+            let posted = post.finish(&mut run.block);
+            run.begun |= !run.block.is_empty();
+            run.out.write_all(&run.block)?;
+            run.out.flush()?;
+            let refused = posted.diagnostics.iter().any(Diagnostic::is_error);
+            for d in posted.diagnostics {
+                if !self.diagnostics.contains(&d) {
+                    self.diagnostics.push(d);
+                }
+            }
+            if !refused && run.begun {
+                let (machine, further, text) = (run.machine, i > 0, Vec::new());
+                let (summary, map) = (posted.summary, posted.map);
+                texts.push((Nc { machine, text, summary, map, further }, run.out));
+            }
+        }
+        Ok((texts, self.diagnostics))
+    }
+}
+
+impl<W: Write> Run<W> {
+    fn pass_on(&mut self) -> io::Result<()> {
+        self.begun = true;
+        self.out.write_all(&self.block)?;
+        self.block.clear();
+        Ok(())
+    }
 }

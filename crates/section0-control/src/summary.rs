@@ -1,6 +1,6 @@
 //! A few figures of a compiled part.
 
-use aptc_cldata::{Kind, MotionKind, Output, Record, Units};
+use aptc_cldata::{Arg, Kind, MotionKind, Output, Record, Units};
 use aptc_geometry::Vec3;
 
 /// What a part program made, in figures.
@@ -20,39 +20,60 @@ pub struct Summary {
     pub rapid_length: f64,
     /// Tools loaded.
     pub tools: u64,
+    state: State,
+}
+
+/// What holds from here on.
+#[derive(Clone, Debug, Default, PartialEq)]
+struct State {
+    last: Option<Vec3>,
+    rapid: bool,
+    /// Between the holes of a cycle the tool goes at rapid.
+    cycle: bool,
+    /// DNTCUT.
+    silent: bool,
 }
 
 impl Summary {
     /// Counts an edited CL stream of one part program.
     pub(crate) fn of(records: &[Record]) -> Self {
         let mut s = Self::default();
-        let (mut last, mut rapid, mut output) = (None::<Vec3>, false, true);
         for record in records {
-            match &record.kind {
-                Kind::Text { word, text } if word == "PARTNO" => s.partno = text.trim().to_owned(),
-                Kind::Units(u) => s.units = *u,
-                Kind::Post { word, .. } if word == "RAPID" => rapid = true,
-                Kind::Post { word, .. } if word == "LOADTL" => s.tools += 1,
-                Kind::Output(o) => output = *o == Output::Cut,
-                Kind::Motion(m) if output => {
-                    s.motions += 1;
-                    for p in &m.points {
-                        if let (Some(from), false) = (last, m.kind == MotionKind::From) {
-                            let length = (p.te - from).norm();
-                            s.cut_vectors += 1;
-                            if rapid {
-                                s.rapid_length += length;
-                            } else {
-                                s.cut_length += length;
-                            }
-                        }
-                        last = Some(p.te);
-                    }
-                    rapid = false;
-                }
-                _ => {}
-            }
+            s.push(record);
         }
         s
+    }
+
+    /// Counts one record more.
+    pub(crate) fn push(&mut self, record: &Record) {
+        match &record.kind {
+            Kind::Text { word, text } if word == "PARTNO" => {
+                text.trim().clone_into(&mut self.partno);
+            }
+            Kind::Units(u) => self.units = *u,
+            Kind::Post { word, .. } if word == "RAPID" => self.state.rapid = true,
+            Kind::Post { word, .. } if word == "LOADTL" => self.tools += 1,
+            Kind::Post { word, args } if word == "CYCLE" => {
+                self.state.cycle = !matches!(args.first(), Some(Arg::Word(w)) if w == "OFF");
+            }
+            Kind::Output(o) => self.state.silent = *o == Output::Dntcut,
+            Kind::Motion(m) if !self.state.silent => {
+                self.motions += 1;
+                let rapid = std::mem::take(&mut self.state.rapid) || self.state.cycle;
+                for p in &m.points {
+                    let last = self.state.last.replace(p.te);
+                    if let (Some(from), false) = (last, m.kind == MotionKind::From) {
+                        let length = (p.te - from).norm();
+                        self.cut_vectors += 1;
+                        if rapid {
+                            self.rapid_length += length;
+                        } else {
+                            self.cut_length += length;
+                        }
+                    }
+                }
+            }
+            _ => {}
+        }
     }
 }

@@ -5,12 +5,14 @@
 //! elements of CANON. Neither knows names, redefinition or nesting: the interpreter resolves those first.
 
 mod arg;
+mod bounds;
 mod canon;
 mod choose;
 mod circle;
 mod cone;
 mod conic;
 mod context;
+mod cursor;
 mod cylndr;
 mod fault;
 mod format;
@@ -25,7 +27,10 @@ mod point;
 mod polcon;
 mod qadric;
 mod rldsrf;
+mod sculpted;
+mod scurv;
 mod sphere;
+mod ssurf;
 mod tabcyl;
 mod vector;
 
@@ -37,9 +42,10 @@ use aptc_vocabulary::{Word, word};
 
 pub use arg::{Arg, Value};
 pub use canon::canonical;
-pub use context::Context;
+pub use context::{Context, Found};
 pub use fault::{DefineError, Fault};
 use format::Format;
+pub(crate) use format::Item;
 pub use mismatch::Mismatch;
 
 /// Does `head` define geometry here?
@@ -50,8 +56,8 @@ pub fn is_definition(head: Word) -> bool {
 /// The formats of a word in the notation of the manuals, `LINE/point,PARLEL,line`, in the order in which
 /// they are tried; none for a word that defines nothing.
 pub fn formats(head: Word) -> Vec<String> {
-    let rows = table(head).unwrap_or_default();
-    rows.iter().map(|f| format!("{head}/{}", f.text())).collect()
+    let rows = table(head).unwrap_or_default().iter();
+    rows.chain(sculptured(head)).map(|f| format!("{head}/{}", f.text())).collect()
 }
 
 /// The form that `head/args` defines.
@@ -59,7 +65,7 @@ pub fn formats(head: Word) -> Vec<String> {
 /// Symbols stand in the base system; with a reference system in `context` they are carried into it
 /// first and the result is carried back. `args` hold no CANON: see [`canonical`].
 pub fn define(head: Word, args: &[Arg], context: &Context) -> Result<Form, DefineError> {
-    let Some(formats) = table(head) else { return Err(DefineError::no_word(head)) };
+    let Some(formats) = table_for(head, args) else { return Err(DefineError::no_word(head)) };
     let Some(system) = &context.refsys else {
         return format::solve(head, formats, args, context);
     };
@@ -70,7 +76,23 @@ pub fn define(head: Word, args: &[Arg], context: &Context) -> Result<Form, Defin
         arg.carry(&inverse).map_err(|why| DefineError::not_carried(i, why))?;
     }
     let form = format::solve(head, formats, &moved, &local)?;
+    context.found.replace(local.found.take());
     form.transformed(system).map_err(DefineError::result_not_carried)
+}
+
+/// The formats of a major word that are for arguments of this kind: those of sculptured forms stand apart,
+/// so that neither is proposed for the other.
+fn table_for(head: Word, args: &[Arg]) -> Option<&'static [Format]> {
+    if sculpted::asked(head, args) { Some(sculptured(head)) } else { table(head) }
+}
+
+/// The formats of POINT and VECTOR that take sculptured forms.
+fn sculptured(head: Word) -> &'static [Format] {
+    match head {
+        word::POINT => sculpted::POINTS,
+        word::VECTOR => sculpted::VECTORS,
+        _ => &[],
+    }
 }
 
 /// The formats of a major word.
@@ -94,6 +116,10 @@ fn table(head: Word) -> Option<&'static [Format]> {
         word::TABCYL => tabcyl::FORMATS,
         word::RLDSRF => rldsrf::FORMATS,
         word::POLCON => polcon::FORMATS,
+        word::SCURV => scurv::FORMATS,
+        word::SSURF => ssurf::FORMATS,
+        word::BOUNDS => bounds::BOUNDS,
+        word::OBJECT => bounds::OBJECT,
         _ => return None,
     })
 }

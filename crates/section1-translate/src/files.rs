@@ -13,7 +13,7 @@ pub enum Asker {
     Library,
     /// INCLUD/name.
     Include,
-    /// READ/1,name: geometry that PUNCH or another system saved.
+    /// READ/1,name: saved definitions of a name.
     Geometry,
 }
 

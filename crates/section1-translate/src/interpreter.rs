@@ -5,19 +5,20 @@
 use std::collections::{HashMap, HashSet, VecDeque};
 use std::sync::Arc;
 
-use aptc_diagnostics::{Diagnostic, Origin, SourceMap, Span, Trace, codes};
+use aptc_diagnostics::{Code, Diagnostic, Origin, SourceMap, Span, Trace, codes};
 use aptc_geometry::{Form, Plane, Transform};
 use aptc_protap::{Kind, NameRef, Outcome, Record, Units};
 use aptc_syntax::tree::{Body, Statement};
 use aptc_syntax::{Interner, Symbol};
 use smol_str::SmolStr;
 
+use crate::define::Found;
 use crate::level::{Level, LevelKind};
 use crate::listing::{Entry, EntryKind};
 use crate::memory::{Memory, Place, Value};
-use crate::program::{Plan, Role, Surroundings, Synonyms, Unit, plan};
+use crate::program::{Plan, Role, Surroundings, Synonyms, Unit, foreign, plan};
 use crate::report::Reports;
-use crate::{Files, Options};
+use crate::{Files, Language, Options};
 
 /// What a step gives.
 #[derive(Clone, Debug, PartialEq)]
@@ -77,6 +78,11 @@ pub struct Interpreter<'w> {
     /// Where the labels behind the check surfaces of the last motion lead.
     branch: Option<Vec<Option<u32>>>,
     executed: u64,
+    /// How many had been executed at the first error.
+    failed_at: Option<u64>,
+    /// The name without a value for whose sake the present statement is left out, and where it should
+    /// have got one.
+    pub(crate) blamed: Option<(Place, Span)>,
     finished: Vec<(NameRef, Quantity)>,
 }
 
@@ -119,6 +125,8 @@ pub(crate) struct State {
     pub(crate) unit_given: bool,
     /// What may be missing without being a mistake of its own.
     pub(crate) doubt: Doubt,
+    /// The place found last on a sculptured form, for PARMF.
+    pub(crate) found: Option<Found>,
     /// Was a statement of this program executed?
     pub(crate) begun: bool,
 }
@@ -157,9 +165,21 @@ impl<'w> Interpreter<'w> {
             outcome: Outcome::None,
             branch: None,
             executed: 0,
+            failed_at: None,
+            blamed: None,
             finished: Vec::new(),
         };
-        let unit = run.load(name, text, None);
+        let (unit, messages) = run.parse(name, text, None);
+        let other = match run.options.language {
+            Language::Apt => foreign(&unit.program),
+            Language::Ncl => None,
+        };
+        if let Some(message) = other {
+            // What else could be said about its statements would say the same again.
+            run.push(message);
+            return run;
+        }
+        messages.into_iter().for_each(|m| run.push(m));
         run.begin(unit, 0);
         run
     }
@@ -167,16 +187,38 @@ impl<'w> Interpreter<'w> {
     /// Executes statements up to the next record.
     pub fn step(&mut self) -> Step {
         loop {
+            if let Some(step) = self.step_within(u64::MAX) {
+                return step;
+            }
+        }
+    }
+
+    /// The same with at most `n` statements; `None` when they gave no record. So that somebody with a clock
+    /// may look at it.
+    pub fn step_within(&mut self, n: u64) -> Option<Step> {
+        for _ in 0..n {
             if let Some(record) = self.queue.pop_front() {
                 self.outcome = Outcome::None;
-                return Step::Record(record);
+                return Some(Step::Record(record));
             }
             if self.levels.is_empty() {
-                return Step::End;
+                return Some(Step::End);
             }
             self.follow_branch();
             self.advance();
         }
+        None
+    }
+
+    /// Ends the program before its end with a message about the statement that was to come.
+    pub fn stop(&mut self, code: Code, why: String, help: &str) {
+        if self.levels.is_empty() {
+            return;
+        }
+        self.queue.clear();
+        self.error(Diagnostic::error(code, self.here.span, why).help(help));
+        self.levels.clear();
+        self.emit(Kind::Fini);
     }
 
     /// Takes in what came of the last record.
@@ -241,8 +283,22 @@ impl<'w> Interpreter<'w> {
         }
     }
 
-    /// Parses a file and makes room for its names.
+    /// Parses a file, tells its mistakes and makes room for its names.
     pub(crate) fn load(&mut self, name: &str, text: &str, shown: Option<Arc<str>>) -> Arc<Unit> {
+        let (unit, messages) = self.parse(name, text, shown);
+        let trace = self.trace();
+        for message in messages {
+            self.push(message.within(trace.clone()));
+        }
+        unit
+    }
+
+    fn parse(
+        &mut self,
+        name: &str,
+        text: &str,
+        shown: Option<Arc<str>>,
+    ) -> (Arc<Unit>, Vec<Diagnostic>) {
         let text: Arc<str> = text.into();
         let file = self.sources.add(name, Arc::clone(&text));
         let options = aptc_syntax::Options {
@@ -253,11 +309,7 @@ impl<'w> Interpreter<'w> {
         };
         let parsed = aptc_syntax::parse(file, &text, &mut self.interner, &options);
         self.memory.grow(self.interner.len());
-        let trace = self.trace();
-        for message in parsed.diagnostics {
-            self.push(message.within(trace.clone()));
-        }
-        Arc::new(Unit { text, name: shown, program: parsed.program })
+        (Arc::new(Unit { text, name: shown, program: parsed.program }), parsed.diagnostics)
     }
 
     /// The plan of the part program that begins at `start`.
@@ -272,6 +324,8 @@ impl<'w> Interpreter<'w> {
         for message in messages {
             self.push(message.within(trace.clone()));
         }
+        self.state.doubt.macros |= plan.lost_macro();
+        self.state.doubt.paths |= plan.lost_macro();
         Arc::new(plan)
     }
 
@@ -322,9 +376,24 @@ impl<'w> Interpreter<'w> {
             self.out_of_statements();
             return;
         }
+        let after_error = self.options.limits.after_error;
+        if self.failed_at.is_some_and(|n| self.executed - n >= after_error) {
+            self.stopped_after_error(after_error);
+            return;
+        }
         self.executed += 1;
         self.state.begun = true;
+        let told = self.reports.n_errors();
+        self.blamed = None;
         self.execute(&unit, &plan, place, statement);
+        if self.reports.n_errors() > 0 {
+            self.failed_at.get_or_insert(self.executed);
+        }
+        if let Some((name, since)) = self.blamed.take()
+            && self.reports.n_errors() == told
+        {
+            self.left_out(name, since, unit.program.statements[place as usize].span);
+        }
     }
 
     /// Carries out the statement.
@@ -354,7 +423,8 @@ impl<'w> Interpreter<'w> {
                 let end = level.plan.end();
                 let at = level.unit.program.statements.get(end.saturating_sub(1) as usize);
                 let span = at.map_or(self.here.span, |s| s.span);
-                if !level.plan.swallowed() {
+                let cut_short = level.unit.text.trim_end().ends_with('$');
+                if !level.plan.swallowed() && !cut_short {
                     self.push(
                         Diagnostic::warning(codes::NO_FINI, span, "the program ends without FINI")
                             .help("end the part program with FINI"),
@@ -397,6 +467,15 @@ impl<'w> Interpreter<'w> {
         }
     }
 
+    /// Notes in the listing why a statement without a mistake of its own is left out.
+    fn left_out(&mut self, name: Place, since: Span, statement: Span) {
+        let name = self.spelled(name);
+        let at = |span: Span| self.sources.line_column(span.file, span.start).0;
+        let (line, since) = (at(statement), at(since));
+        let remark = format!("line {line} is left out: {name} has no value since line {since}");
+        self.list(EntryKind::Remark(remark));
+    }
+
     fn out_of_statements(&mut self) {
         let n = self.options.limits.statements;
         self.error(
@@ -408,6 +487,16 @@ impl<'w> Interpreter<'w> {
             .label("a loop that does not end?")
             .help("check what ends the loop; the limit is a setting"),
         );
+        self.levels.clear();
+        self.emit(Kind::Fini);
+    }
+
+    /// A loop whose end an error has taken away is not a second mistake: the listing says that the search for
+    /// more ends here.
+    fn stopped_after_error(&mut self, n: u64) {
+        let line = self.sources.line_column(self.here.span.file, self.here.span.start).0;
+        let remark = format!("stopped at line {line}, {n} statements after the first error");
+        self.list(EntryKind::Remark(remark));
         self.levels.clear();
         self.emit(Kind::Fini);
     }
@@ -424,6 +513,8 @@ impl<'w> Interpreter<'w> {
 
     /// The labels of the motion that was just put out.
     pub(crate) fn branch_on(&mut self, goals: Vec<Option<u32>>) {
+        // Where the tool stands decides here, not a value.
+        self.memory.stir();
         self.branch = Some(goals);
     }
 
@@ -432,8 +523,22 @@ impl<'w> Interpreter<'w> {
         let Self { levels, interner, .. } = self;
         let Some(level) = levels.last_mut() else { return };
         let label = level.unit.program.statements.get(goal as usize).and_then(|s| s.label);
+        let from = level.last;
         level
             .jump(goal, || label.map_or_else(SmolStr::default, |l| interner.text(l.symbol).into()));
+        if goal <= from && level.is_endless(goal, self.memory.last_change()) {
+            self.endless();
+        }
+    }
+
+    fn endless(&mut self) {
+        let what = "this loop never ends: from one pass to the next no value changes";
+        self.error(
+            Diagnostic::error(codes::ENDLESS_LOOP, self.here.span, what)
+                .help("change what the IF asks for within the loop"),
+        );
+        self.levels.clear();
+        self.emit(Kind::Fini);
     }
 
     /// Puts out a record of the present statement.

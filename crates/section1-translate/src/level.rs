@@ -81,7 +81,13 @@ struct Pass {
     span: Span,
     line: u32,
     pass: u32,
+    /// When a value had last changed at the last jump back, and how many jumps ago that was.
+    seen: u64,
+    idle: u32,
 }
+
+/// So many passes of a loop that change nothing are believed to go on for ever.
+const IDLE: u32 = 3;
 
 impl Level {
     /// A level that begins at the start of `range`.
@@ -117,6 +123,15 @@ impl Level {
         Self { n_calls, n_files, ..self }
     }
 
+    /// Whether the loop that the last jump back began again goes on for ever: passes have changed no value that
+    /// its end could depend on. `change` says when a value last changed.
+    pub(crate) fn is_endless(&mut self, goal: u32, change: u64) -> bool {
+        let Some(pass) = self.passes.last_mut().filter(|p| p.start == goal) else { return false };
+        pass.idle = if pass.seen == change && pass.pass > 2 { pass.idle + 1 } else { 0 };
+        pass.seen = change;
+        pass.idle >= IDLE
+    }
+
     /// Goes on at the statement `goal`, named `name`.
     pub(crate) fn jump(&mut self, goal: u32, name: impl FnOnce() -> SmolStr) {
         let from = self.last;
@@ -139,7 +154,16 @@ impl Level {
                 let statement = &self.unit.program.statements[goal as usize];
                 let span = statement.label.map_or(statement.span, |l| l.span);
                 let (name, line) = (name(), statement.line);
-                self.passes.push(Pass { start: goal, end: from, name, span, line, pass: 2 });
+                self.passes.push(Pass {
+                    start: goal,
+                    end: from,
+                    name,
+                    span,
+                    line,
+                    pass: 2,
+                    seen: 0,
+                    idle: 0,
+                });
             }
         }
     }

@@ -33,8 +33,10 @@ mod options;
 mod program;
 mod report;
 mod statement;
+mod words;
 
 pub use files::{Asker, FileError, FileRequest, Files, LoadedFile, NoFiles};
 pub use interpreter::{Interpreter, Quantity, Step};
 pub use listing::{Entry, EntryKind};
 pub use options::{Language, Limits, Options, UnknownWords};
+pub use words::{about, near_word};

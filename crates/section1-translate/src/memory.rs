@@ -56,6 +56,8 @@ pub(crate) struct Local {
     pub(crate) symbol: Symbol,
     /// What it stands for.
     pub(crate) binding: Binding,
+    /// When its own value last changed.
+    changed: u64,
 }
 
 /// What a parameter stands for.
@@ -78,6 +80,19 @@ pub(crate) struct Array {
     pub(crate) doubtful: bool,
 }
 
+/// Are two values the same, to the last bit?
+fn same(a: &Value, b: &Value) -> bool {
+    match (a, b) {
+        (Value::Number(a), Value::Number(b)) => a.to_bits() == b.to_bits(),
+        (Value::Logical(a), Value::Logical(b)) => a == b,
+        (Value::Form(a), Value::Form(b)) => Arc::ptr_eq(a, b) || a == b,
+        (Value::Word(a), Value::Word(b)) => a == b,
+        (Value::Array(a), Value::Array(b)) => a == b,
+        (Value::Unset, Value::Unset) | (Value::Poison, Value::Poison) => true,
+        _ => false,
+    }
+}
+
 /// All values of a run.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Memory {
@@ -89,6 +104,10 @@ pub(crate) struct Memory {
     /// Names with a number or a form in the order in which they first got one.
     order: Vec<Place>,
     n_elements: usize,
+    /// Counts changes of values.
+    clock: u64,
+    /// When a value that outlives the present call last changed.
+    changed: u64,
 }
 
 impl Memory {
@@ -160,9 +179,34 @@ impl Memory {
         if first && !matches!(place, Place::Local(_)) {
             self.order.push(place);
         }
+        if !same(&self.slot(place).value, &value) {
+            self.touch(place);
+        }
         let slot = self.slot_mut(place);
         slot.value = value;
         slot.given = given;
+    }
+
+    fn touch(&mut self, place: Place) {
+        self.clock += 1;
+        match place {
+            Place::Local(i) if matches!(self.locals[i as usize].binding, Binding::Own(_)) => {
+                self.locals[i as usize].changed = self.clock;
+            }
+            _ => self.changed = self.clock,
+        }
+    }
+
+    /// Something else than a value changed that the order of execution depends on.
+    pub(crate) fn stir(&mut self) {
+        self.clock += 1;
+        self.changed = self.clock;
+    }
+
+    /// When anything last changed that the present call can see; a value that is set again to what it was has
+    /// not changed, and what calls that are over had for themselves does not count.
+    pub(crate) fn last_change(&self) -> u64 {
+        self.locals.iter().map(|local| local.changed).fold(self.changed, u64::max)
     }
 
     /// The array with number `array`.
@@ -233,7 +277,7 @@ impl Memory {
 
     /// A local of the present call.
     pub(crate) fn bind(&mut self, symbol: Symbol, binding: Binding) {
-        self.locals.push(Local { symbol, binding });
+        self.locals.push(Local { symbol, binding, changed: 0 });
         let place = u32::try_from(self.locals.len()).expect("fewer locals than statements");
         self.bound[symbol.0 as usize] = place;
     }

@@ -44,6 +44,9 @@ pub struct Limits {
     pub include_depth: usize,
     /// Statements executed; what ends a loop that never ends by itself.
     pub statements: u64,
+    /// Statements executed after the first error, to find more: what the error left undone may have been the
+    /// end of a loop.
+    pub after_error: u64,
     /// Elements of all arrays together.
     pub array_elements: usize,
     /// Points of a PATERN or a TABCYL.
@@ -65,6 +68,7 @@ impl Default for Limits {
             macro_depth: 64,
             include_depth: 16,
             statements: 20_000_000,
+            after_error: 50_000,
             array_elements: 4_000_000,
             points: 100_000,
             printed: 1_000_000,

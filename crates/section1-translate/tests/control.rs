@@ -172,6 +172,20 @@ fn files_are_read_where_they_are_asked_for() {
 }
 
 #[test]
+fn saved_definitions_are_read_by_their_names() {
+    let mut shelf = Shelf(BTreeMap::from([
+        ("TOR1", "TOR1=SSURF/CANON,1,2,3\n"),
+        ("C1", "C1=CIRCLE/CANON,1,2,0,0,0,1,5\n"),
+    ]));
+    let text = "READ/1,C1,TOR1\nM=MATRIX/TRANSL,1,0,0\nT2=SSURF/COMBIN,TOR1,TRFORM,M\n\
+        GOTO/(POINT/CENTER,C1)\nFINI\n";
+    let ran = run_with(text, &mut shelf, Options::default(), |_| Outcome::None);
+    assert!(ran.diagnostics.is_empty(), "{}", ran.messages());
+    assert_eq!(numbers(&ran), [1.0]);
+    assert_eq!(run("READ/1\nFINI\n").told(), [(1095, 1)]);
+}
+
+#[test]
 fn several_programs_in_a_file_know_nothing_of_each_other() {
     let text = "PARTNO ONE\nA=1\nM=MACRO/\nTERMAC\nGOTO/A,0,0\nFINI\nPARTNO TWO\nA=POINT/2,0\n\
         M=MACRO/\nTERMAC\nGOTO/A\nFINI\n\n$$ nothing more\n";

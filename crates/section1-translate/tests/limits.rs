@@ -16,12 +16,23 @@ fn limited(text: &str, limits: Limits) -> Ran {
 #[test]
 fn executed_statements() {
     let limits = || Limits { statements: 1_000, ..Limits::default() };
-    let ran = limited("1) GOTO/1,0,0\nJUMPTO/1\nFINI\n", limits());
-    assert_eq!(ran.told(), [(1100, 1)]);
+    let ran = limited("I=0\n1) I=I+1\nJUMPTO/1\nFINI\n", limits());
+    assert_eq!(ran.told(), [(1100, 3)]);
     assert_eq!(ran.executed, 1_000);
     assert_eq!(ran.records.last().map(|r| &r.kind), Some(&Kind::Fini));
     let fits = "DO/1,I=1,998\n1) CONTIN\nFINI\n";
     assert_eq!(limited(fits, limits()).told(), []);
+}
+
+#[test]
+fn a_loop_whose_end_an_error_has_taken_away() {
+    let ran = limited("I=0\nA=B+1\n1) I=I+1\nJUMPTO/1\nFINI\n", Limits::default());
+    assert_eq!(ran.told().len(), 1, "{:?}", ran.told());
+    assert!(ran.executed < 100_000, "{}", ran.executed);
+    let further = "A=B+1\nDO/1,I=1,500\n1) CONTIN\nC=D+1\nFINI\n";
+    let codes = |n| limited(further, Limits { after_error: n, ..Limits::default() }).told().len();
+    assert_eq!((codes(2_000), codes(100)), (2, 1));
+    assert_eq!(ran.records.last().map(|r| &r.kind), Some(&Kind::Fini));
 }
 
 #[test]

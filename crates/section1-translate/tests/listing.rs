@@ -89,3 +89,27 @@ fn entries_know_their_statement() {
     let ran = clean("A=1\n\nPRINT/3,A\nFINI\n");
     assert_eq!((ran.listing[0].origin.line, ran.listing[0].origin.isn), (3, 3));
 }
+
+#[test]
+fn what_is_left_out_is_noted_with_the_definition_at_fault() {
+    let text = "L1=LINE/0,0,1,0\nL2=LINE/PARLEL,L1,XLARGE,5\nP=POINT/INTOF,L1,L2\nGOTO/P\nGOTO/1,2\n\
+                GOFWD/L1,TO,L2\nFINI\n";
+    let ran = run(text);
+    assert_eq!(ran.told().len(), 1, "{}", ran.messages());
+    let remarks: Vec<String> = ran
+        .listing
+        .iter()
+        .filter_map(|e| match &e.kind {
+            EntryKind::Remark(text) => Some(text.clone()),
+            _ => None,
+        })
+        .collect();
+    assert_eq!(
+        remarks,
+        [
+            "line 3 is left out: L2 has no value since line 2",
+            "line 4 is left out: P has no value since line 3",
+            "line 6 is left out: L2 has no value since line 2",
+        ]
+    );
+}

@@ -135,7 +135,7 @@ const MISTAKES: &[Mistake] = &[
     ("OUTTOL/.02", "OUTTOL/-.02", 1307, "-.02", "lengths"),
     ("OUTTOL/.02", "TLAXIS/0,0,0", 1308, "0", ""),
     ("OUTTOL/.02", "TLAXIS/ATANGL,1,100", 1308, "100", "surface normal"),
-    ("OUTTOL/.02", "UNITS/MILES", 1050, "MILES", "define"),
+    ("OUTTOL/.02", "UNITS/MILES", 1304, "MILES", "MM, CM"),
     ("UNITS/MM", "UNITS/ON", 1304, "ON", ""),
     ("INDEX/1", "INDEX/A1", 1050, "A1", ""),
     ("COPY/1,MODIFY,M1,2", "COPY/1,MODIFY,M1", 1304, "", "how many copies"),

@@ -5,17 +5,22 @@ mod support;
 
 use aptc_geometry::{Cutter, Form, Transform, Vec3};
 use aptc_protap::{
-    Arg, AxisAngle, Dimension, Direction, DriveSide, Edit, Kind, NameRef, OptionSurface, PartSide,
-    Place, Relation, Sense, ToolAxis, Units,
+    Arg, AxisAngle, Clprnt, Dimension, Direction, DriveSide, Edit, Kind, NameRef, OptionSurface,
+    PartSide, Place, Relation, Sense, ToolAxis, Units,
 };
 use support::{clean, run};
 
 const FORMS: &str = "P=POINT/1,2,3\nV=VECTOR/0,0,2\nL1=LINE/XAXIS\nL2=LINE/YAXIS\nL3=LINE/1,0,1,1\n\
     PL=PLANE/0,0,1,4\nC=CIRCLE/0,0,5\nM=MATRIX/TRANSL,1,2,3\nA=7\n";
 
-/// What a statement becomes.
+/// What a statement becomes. UNITS stands before the forms that it measures.
 fn kinds(statement: &str) -> Vec<Kind> {
-    clean(&format!("{FORMS}{statement}\nFINI\n")).kinds().into_iter().cloned().collect()
+    let (unit, rest) = match statement.split_once('\n') {
+        Some((unit, rest)) if unit.starts_with("UNITS") => (unit, rest),
+        None if statement.starts_with("UNITS") => (statement, ""),
+        _ => ("", statement),
+    };
+    clean(&format!("{unit}\n{FORMS}{rest}\nFINI\n")).kinds().into_iter().cloned().collect()
 }
 
 /// What a statement becomes that gives one record.
@@ -194,9 +199,10 @@ fn words_that_stand_alone() {
         ("MULTAX/OFF", Kind::Multax(false)),
         ("GOUGCK/ON", Kind::Gougck(true)),
         ("GOUGCK/OFF", Kind::Gougck(false)),
-        ("CLPRNT", Kind::Clprnt(true)),
-        ("CLPRNT/OFF", Kind::Clprnt(false)),
-        ("CLPRNT/OPTION", Kind::Clprnt(true)),
+        ("CLPRNT", Kind::Clprnt(Clprnt::Whole)),
+        ("CLPRNT/ON", Kind::Clprnt(Clprnt::On)),
+        ("CLPRNT/OFF", Kind::Clprnt(Clprnt::Off)),
+        ("CLPRNT/OPTION", Kind::Clprnt(Clprnt::Option)),
         ("NOPOST", Kind::Nopost),
         ("NOPLOT", Kind::Noplot),
         ("PTONLY/3,12", Kind::Ptonly(3)),

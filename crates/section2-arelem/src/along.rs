@@ -5,14 +5,15 @@ use std::sync::Arc;
 use aptc_cldata as cl;
 use aptc_diagnostics::Origin;
 use aptc_protap as protap;
-use aptc_protap::{Direction, Outcome};
+use aptc_protap::{Direction, Outcome, SurfaceRef};
 
 use crate::arelem::Arelem;
+use crate::diagram::Situation;
 use crate::failure::{self, Failure};
 use crate::feed::divide;
 use crate::points::put_feed;
 use crate::scene::Path;
-use crate::state::Part;
+use crate::state::{Part, Role, Tool};
 use crate::{forward, plane, space};
 
 impl Arelem {
@@ -37,7 +38,11 @@ impl Arelem {
         };
         let path = match result {
             Ok(path) => path,
-            Err(f) => return self.fail(origin, &f),
+            Err(f) => {
+                let named = go.surfaces.iter().map(|(_, s)| s.clone()).enumerate().collect();
+                self.picture(&f, &tool, named);
+                return self.fail(origin, &f);
+            }
         };
         if let Some((_, surface)) = go.surfaces.get(1) {
             self.settings.part = Part::Surface(surface.clone());
@@ -73,10 +78,32 @@ impl Arelem {
                 if let Some(depth) = path.fouls {
                     self.diagnostics.push(failure::fouls(origin, &d.drive, depth));
                 }
+                if let Some(astray) = path.astray {
+                    self.diagnostics.push(failure::astray(origin, &d.drive, astray));
+                }
                 let name = forward::name(&d.drive.name);
                 self.arrive(origin, cl::MotionKind::Continuous, name, path, out)
             }
-            Err(f) => self.fail(origin, &f),
+            Err(f) => {
+                let checks = d.checks.iter().enumerate().map(|(i, c)| (2 + i, c.surface.clone()));
+                let mut all = vec![(0, d.drive.clone()), (1, self.part(&tool))];
+                all.extend(checks);
+                self.picture(&f, &tool, all);
+                self.fail(origin, &f)
+            }
+        }
+    }
+
+    /// Keeps the situation of the first failure for a picture.
+    fn picture(&mut self, failure: &Failure, tool: &Tool, surfaces: Vec<(usize, SurfaceRef)>) {
+        if self.situation.is_none() {
+            self.situation = Some(Situation {
+                tool: *tool,
+                profile: self.settings.profile(Role::Check).and_then(Result::ok),
+                surfaces,
+                place: failure.place(),
+                text: failure.text(),
+            });
         }
     }
 

@@ -6,6 +6,7 @@ use aptc_geometry::Vec3;
 use aptc_protap as protap;
 use aptc_protap::{Direction, DriveSide, Kind, Outcome, Relation, Sense, ToolAxis};
 
+use crate::diagram::Situation;
 use crate::failure::Failure;
 use crate::feed::Feed;
 use crate::forward::forward;
@@ -33,11 +34,15 @@ pub struct Arelem {
     pub(crate) tool: Option<Tool>,
     /// The last motion failed: the position is unknown until FROM or GOTO.
     pub(crate) poisoned: bool,
+    /// Was there a statement that could not be translated?
+    failed_before: bool,
     /// A motion that waits for its check surface, and the records since.
     pending: Option<Box<(Origin, protap::Drive)>>,
     deferred: Vec<protap::Record>,
     pub(crate) feed: Feed,
     pub(crate) diagnostics: Vec<Diagnostic>,
+    /// The first motion that failed.
+    pub(crate) situation: Option<Situation>,
 }
 
 impl Arelem {
@@ -75,9 +80,30 @@ impl Arelem {
         }
     }
 
+    /// Another part of Section 2 moved the tool: it stands at `te` with the axis `ta`, and the last cut
+    /// vector was `along` (zero when there was none). `None`: that motion failed, and the position is
+    /// unknown until FROM or GOTO.
+    pub fn stand(&mut self, place: Option<(Vec3, Vec3, Vec3)>) {
+        let Some((te, ta, along)) = place else {
+            self.poisoned = true;
+            return;
+        };
+        let before = self.tool;
+        let mut tool = before.unwrap_or(Tool { te, ta, forward: Vec3::x(), assumed: true });
+        (tool.te, tool.ta) = (te, ta);
+        tool.turn(along);
+        self.tool = Some(tool);
+        self.poisoned = false;
+    }
+
     /// The diagnostics since the last call.
     pub fn take_diagnostics(&mut self) -> Vec<Diagnostic> {
         std::mem::take(&mut self.diagnostics)
+    }
+
+    /// The situation in which the first motion failed.
+    pub fn take_situation(&mut self) -> Option<Situation> {
+        self.situation.take()
     }
 
     /// Runs the waiting motion with the check surface that `next` implies, then the records since.
@@ -138,6 +164,7 @@ impl Arelem {
             Kind::Drive(d) => self.drive(origin, d, out),
             Kind::Failed => {
                 self.poisoned = true;
+                self.failed_before = true;
                 Outcome::Failed
             }
             Kind::Pocket(p) => self.pocket(origin, p, out),
@@ -209,7 +236,10 @@ impl Arelem {
     }
 
     pub(crate) fn fail(&mut self, origin: &Origin, failure: &Failure) -> Outcome {
-        self.diagnostics.push(failure.explain(origin));
+        // A CUTTER that could not be translated was told of.
+        if !(self.failed_before && matches!(failure, Failure::NoCutter { .. })) {
+            self.diagnostics.push(failure.explain(origin));
+        }
         self.poisoned = true;
         Outcome::Failed
     }
@@ -256,6 +286,7 @@ fn needs_position(kind: &Kind) -> bool {
             | Kind::GoDeltaAxis(_)
             | Kind::Go(_)
             | Kind::Pocket(_)
+            | Kind::Regional { .. }
             | Kind::Failed
             | Kind::Cut(true)
             | Kind::Fini

@@ -1,7 +1,7 @@
 //! The tool axis in multi-axis work (APT: `TLAXIS`).
 
 use aptc_contact::{Condition, Gap};
-use aptc_geometry::{Surface, Vec3, trig};
+use aptc_geometry::{Vec3, trig};
 use aptc_protap::{AxisAngle, OptionSurface, ToolAxis};
 
 use crate::space::Keep;
@@ -90,13 +90,7 @@ fn outward(gap: &Gap, keep: &Keep, ta: Vec3) -> Vec3 {
 }
 
 fn ruling(gap: &Gap, keep: &Keep) -> Option<Vec3> {
-    if let Some(g) = keep.surface.generator() {
-        return unit(g);
-    }
-    match &keep.surface {
-        Surface::Cone(c) => unit(gap.surface_point - c.vertex),
-        _ => None,
-    }
+    keep.surface.ruling(gap.surface_point)
 }
 
 /// The axis at the angle alpha to the normal `n`, positive towards the normal `other` of the surface that

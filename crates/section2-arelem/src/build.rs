@@ -141,7 +141,5 @@ impl Arelem {
 
 /// Can the form guide a tool?
 fn surface_of(s: &SurfaceRef) -> Option<()> {
-    let shape = s.form.shape();
-    let no = matches!(shape, Form::Point(_) | Form::Vector(_) | Form::Matrix(_) | Form::Pattern(_));
-    (!no).then_some(())
+    s.form.is_surface().then_some(())
 }

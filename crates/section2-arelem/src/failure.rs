@@ -4,6 +4,8 @@ use aptc_diagnostics::{Code, Diagnostic, Origin, codes};
 use aptc_geometry::Vec3;
 use aptc_protap::{Direction, SurfaceRef};
 
+use crate::scene::Astray;
+
 /// Why a motion failed.
 #[derive(Clone, Debug)]
 pub(crate) enum Failure {
@@ -15,8 +17,6 @@ pub(crate) enum Failure {
     OffDrive { surface: SurfaceRef, off: f64, allowed: f64, outside: bool },
     /// The tool stands off the part surface.
     OffPart { surface: SurfaceRef, off: f64, allowed: f64, outside: bool },
-    /// The tool is on the other side of the drive surface than the words say.
-    WrongSide { surface: SurfaceRef, word: &'static str, other: &'static str },
     /// Neither way is more left, right, forward or back than the other.
     Direction { word: Direction, angle_deg: f64 },
     /// The check surface is never met.
@@ -26,7 +26,14 @@ pub(crate) enum Failure {
     /// The cutter does not fit into a round surface.
     TooLarge { surface: SurfaceRef, radius: f64, cutter: f64 },
     /// Start-up without a position that does what is asked.
-    NoStart { surfaces: Vec<SurfaceRef>, why: &'static str },
+    NoStart {
+        surfaces: Vec<SurfaceRef>,
+        why: &'static str,
+        /// The best place that was found.
+        place: Option<Vec3>,
+        /// How far it is from each surface, negative when it cuts in.
+        left: Vec<(SurfaceRef, f64)>,
+    },
     /// INDIRV or INDIRP leads away from the surface or along it.
     Misses { surface: SurfaceRef, closest: f64 },
     /// TO and PAST mean nothing while the tool stands on the surface.
@@ -100,14 +107,6 @@ impl Failure {
                 "bring the tool to it with GO, or give PSIS or AUTOPS for the surface it is on"
                     .into(),
             ),
-            Self::WrongSide { surface, word, other } => (
-                codes::WRONG_SIDE,
-                format!(
-                    "{word}, but going this way the tool is on the other side of {}",
-                    called(surface)
-                ),
-                format!("write {other}, or turn the other way"),
-            ),
             Self::Direction { word, angle_deg } => (
                 codes::UNCLEAR_DIRECTION,
                 format!(
@@ -158,7 +157,7 @@ impl Failure {
                 ),
                 format!("use a cutter of a diameter below {}", number(2.0 * radius)),
             ),
-            Self::NoStart { surfaces, why } => (
+            Self::NoStart { surfaces, why, .. } => (
                 codes::NO_START,
                 format!("no position of the tool satisfies {}: {why}", list(surfaces)),
                 "check TO, ON and PAST of each surface, or come from another point".into(),
@@ -237,7 +236,31 @@ impl Failure {
         }
     }
 
+    /// The words of the message alone.
+    pub(crate) fn text(&self) -> String {
+        self.words().1
+    }
+
+    /// The place that it speaks of.
+    pub(crate) fn place(&self) -> Option<Vec3> {
+        match self {
+            Self::NotReached { place, .. }
+            | Self::NoAxis { place }
+            | Self::NoPlace { place, .. } => Some(*place),
+            Self::NoStart { place, .. } => *place,
+            _ => None,
+        }
+    }
+
     fn note(&self) -> Option<String> {
+        if let Self::NoStart { place: Some(place), left, .. } = self {
+            let each = left.iter().map(|(s, g)| {
+                let side = if *g < 0.0 { "in" } else { "off" };
+                format!("{} {side} {}", number(g.abs()), called(s))
+            });
+            let each = each.collect::<Vec<_>>().join(", ");
+            return Some(format!("nearest at {}: {each}", coordinates(*place)));
+        }
         let Self::NotReached { closest, place, gone, .. } = self else { return None };
         let (place, closest, gone) = (coordinates(*place), number(*closest), number(*gone));
         Some(format!("closest at {place}, {closest} from it, after {gone} of travel"))
@@ -251,6 +274,18 @@ pub(crate) fn assumed_direction(origin: &Origin, word: Direction) -> Diagnostic 
     Diagnostic::warning(codes::ASSUMED_DIRECTION, origin.span, text)
         .within(origin.trace.clone())
         .help("give INDIRV or INDIRP after FROM")
+}
+
+/// The tool stays on the other side of the drive surface than the word says (APT-360: warning 1601).
+pub(crate) fn astray(origin: &Origin, surface: &SurfaceRef, is: Astray) -> Diagnostic {
+    let text = format!(
+        "{}, but going this way the tool is on the other side of {}; it stays there",
+        is.word,
+        called(surface)
+    );
+    Diagnostic::warning(codes::WRONG_SIDE, origin.span, text)
+        .within(origin.trace.clone())
+        .help(format!("write {}, or turn the other way", is.holds))
 }
 
 /// The cutter's side cuts into the drive surface that its lower edge follows.

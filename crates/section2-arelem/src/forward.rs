@@ -12,13 +12,18 @@ pub(crate) fn forward(kind: &protap::Kind) -> Option<cl::Kind> {
         P::Post { word, args } => {
             cl::Kind::Post { word: word.clone(), args: args.iter().map(argument).collect() }
         }
-        P::Units(u) => cl::Kind::Units(units(*u)),
+        P::Units(u) => cl::Kind::Units(*u),
         P::Multax(on) => cl::Kind::Multax(*on),
         P::Cutter(c) => cl::Kind::Cutter(*c),
         P::Intol(t) => cl::Kind::Intol(*t),
         P::Outtol(t) => cl::Kind::Outtol(*t),
         P::Edit(e) => cl::Kind::Edit(edit(e)),
-        P::Clprnt(on) => cl::Kind::Clprnt(*on),
+        P::Clprnt(what) => cl::Kind::Clprnt(match what {
+            protap::Clprnt::Whole => cl::Clprnt::Whole,
+            protap::Clprnt::On => cl::Clprnt::On,
+            protap::Clprnt::Off => cl::Clprnt::Off,
+            protap::Clprnt::Option => cl::Clprnt::Option,
+        }),
         P::Fini => cl::Kind::Fini,
         _ => return None,
     })
@@ -46,15 +51,6 @@ fn argument(a: &protap::Arg) -> cl::Arg {
         protap::Arg::Word(w) => cl::Arg::Word(w.clone()),
         protap::Arg::Text(t) => cl::Arg::Text(t.clone()),
         protap::Arg::Form { name: n, form } => cl::Arg::Form { name: name(n), form: form.clone() },
-    }
-}
-
-fn units(u: protap::Units) -> cl::Units {
-    match u {
-        protap::Units::Mm => cl::Units::Mm,
-        protap::Units::Cm => cl::Units::Cm,
-        protap::Units::Inches => cl::Units::Inches,
-        protap::Units::Feet => cl::Units::Feet,
     }
 }
 

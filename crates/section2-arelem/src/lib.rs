@@ -8,6 +8,7 @@ mod along;
 mod arelem;
 mod axis;
 mod build;
+mod diagram;
 mod failure;
 mod feed;
 mod forward;
@@ -20,3 +21,4 @@ mod space;
 mod state;
 
 pub use arelem::{Arelem, Options};
+pub use diagram::Situation;

@@ -100,6 +100,15 @@ pub(crate) struct Path {
     /// The upper part of the cutter cuts into the drive surface by so much, and only its lower edge was
     /// followed.
     pub(crate) fouls: Option<f64>,
+    /// TLLFT or TLRGT was said, and the tool is on the other side.
+    pub(crate) astray: Option<Astray>,
+}
+
+/// The word that was given for the side of the drive surface, and the one that holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Astray {
+    pub(crate) word: &'static str,
+    pub(crate) holds: &'static str,
 }
 
 impl Wall {
@@ -121,6 +130,7 @@ impl Wall {
             } else {
                 1
             },
+            nth: 1,
             thick: self.thick,
             disk: self.disk.filter(|_| !self.on),
             intol: self.band.intol,
@@ -130,6 +140,15 @@ impl Wall {
 }
 
 impl Stance {
+    /// The warning for a tool on the other side; none when no side was said.
+    pub(crate) fn astray(self) -> Option<Astray> {
+        match self {
+            Self::Left => Some(Astray { word: "TLLFT", holds: "TLRGT" }),
+            Self::Right => Some(Astray { word: "TLRGT", holds: "TLLFT" }),
+            Self::On | Self::AsItStands => None,
+        }
+    }
+
     /// +1 when the tool is to be on the left.
     pub(crate) fn left(self) -> f64 {
         if self == Self::Right { -1.0 } else { 1.0 }

@@ -177,8 +177,11 @@ impl Settings {
         let outtol = self.outtol.map_or(default, |t| t[role as usize]).max(0.0);
         let intol = self.intol[role as usize].max(0.0);
         // A band of no width has no chord of a curve in it.
-        let least = default * 1e-4;
-        if outtol + intol < least { Band { intol, outtol: least } } else { Band { intol, outtol } }
+        if outtol + intol > 0.0 {
+            Band { intol, outtol }
+        } else {
+            Band { intol, outtol: default * 1e-4 }
+        }
     }
 
     pub(crate) fn thick(&self, role: Role) -> f64 {

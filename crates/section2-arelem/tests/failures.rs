@@ -30,8 +30,6 @@ fn each_refusal_has_its_code_and_is_the_only_message() {
     assert_eq!(code("FROM/0,-5,0\nGO/TO,LX"), 2002);
     assert_eq!(code("CUTTER/1\nFROM/-5,-2,0\nINDIRV/1,0,0\nTLRGT,GOFWD/LX,ON,LY"), 2003);
     assert_eq!(code("CUTTER/1\nFROM/-5,-5,3\nGO/TO,LX\nPSIS/PL1\nTLRGT,GORGT/LX,ON,LY"), 2004);
-    // The tool is on the right of LX going right.
-    assert_eq!(code("CUTTER/1\nFROM/-5,-5,0\nGO/TO,LX\nTLLFT,GORGT/LX,ON,LY"), 2005);
     // Forward is square to LX; nothing came before.
     assert_eq!(code("CUTTER/1\nFROM/-5,-5,0\nGO/TO,LX\nTLRGT,GOFWD/LX,ON,LY"), 2006);
     assert_eq!(code("CUTTER/1\nFROM/-5,-.5,0\nTLRGT,GOFWD/LX,ON,LY"), 2007);
@@ -51,12 +49,22 @@ fn each_refusal_has_its_code_and_is_the_only_message() {
 #[test]
 fn after_a_failure_motions_are_skipped_up_to_the_next_position() {
     let text =
-        "CUTTER/1\nFROM/-5,-5,0\nGO/TO,LX\nTLLFT,GORGT/LX,ON,LY\nGOFWD/LX,ON,L5\nGODLTA/0,0,1
+        "CUTTER/1\nFROM/-5,-5,0\nGO/TO,LX\nTLLFT,GOLFT/LX,ON,LY\nGOFWD/LX,ON,L5\nGODLTA/0,0,1
 CUTTER/1\nGOTO/0,0,5\nGODLTA/0,0,1";
     let ran = run(&forms(), text);
-    assert_eq!(ran.code(), 2005);
+    assert_eq!(ran.code(), 2008);
     let lines: Vec<u32> = ran.motions().map(|(l, _)| l).collect();
     assert_eq!(lines, [2, 3, 8, 9]);
+}
+
+#[test]
+fn a_tool_on_the_other_side_stays_there_with_a_warning() {
+    for calc in ["2DCALC", "3DCALC"] {
+        let text = format!("{calc}\nCUTTER/1\nFROM/-5,-5,0\nGO/TO,LX\nTLLFT,GORGT/LX,ON,LY");
+        let ran = run(&forms(), &text);
+        assert_eq!(ran.code(), 2005);
+        assert!((ran.end() - aptc_geometry::Vec3::new(0.0, -0.5, 0.0)).norm() < 1e-12);
+    }
 }
 
 #[test]
@@ -95,4 +103,49 @@ fn the_first_check_surface_met_decides() {
     let aptc_protap::Outcome::Moved { te, check, .. } = last else { panic!("{last:?}") };
     assert_eq!(check, 1);
     assert!((te.x + 0.5).abs() < 1e-12);
+}
+
+#[test]
+fn a_failure_has_a_picture_of_its_surfaces() {
+    let mut arelem = aptc_arelem::Arelem::new(aptc_arelem::Options::default());
+    let text = "CUTTER/1\nFROM/-5,-5,0\nGO/TO,LX\nTLLFT,GOLFT/LX,ON,C1";
+    let mut out = Vec::new();
+    for kind in text.lines().flat_map(|l| support::statement(&forms(), l)) {
+        arelem.execute(&aptc_protap::Record { origin: Default::default(), kind }, &mut out);
+    }
+    let svg = arelem.take_situation().expect("the last motion failed").svg();
+    assert!(svg.starts_with("<svg") && svg.ends_with("</svg>\n"));
+    for word in ["drive surface LX", "check surface C1", "is not reached", "<polygon", "<path"] {
+        assert!(svg.contains(word), "{word}: {svg}");
+    }
+    assert!(arelem.take_situation().is_none());
+}
+
+#[test]
+fn failures_in_space_have_their_reasons_and_numbers() {
+    let mut f = forms();
+    f.insert("BOWL".into(), form("SPHERE", &[0.0, 0.0, 0.0, 3.0]).expect("a sphere"));
+    f.insert("FAR".into(), form("SPHERE", &[50.0, 0.0, 0.0, 3.0]).expect("a sphere"));
+    let told = |text: &str| {
+        let ran = run(&f, &format!("3DCALC\nINTOL/0\nOUTTOL/.001\n{text}"));
+        assert_eq!(ran.diagnostics.len(), 1, "{:?}", ran.diagnostics);
+        let d = &ran.diagnostics[0];
+        (d.code.number(), format!("{} {:?}", d.message, d.notes))
+    };
+    // A ball of radius 4 in a sphere of radius 3.
+    let (code, text) = told("CUTTER/8,4\nFROM/.5,0,-4\nGO/TO,BOWL");
+    assert!(
+        code == 2010 && text.contains("cutter radius 4") && text.contains("surface 3"),
+        "{code} {text}"
+    );
+    // Two spheres that no ball of radius 1 touches at once.
+    let (code, text) = told("CUTTER/2,1\nFROM/20,0,0\nGO/TO,BOWL,TO,FAR");
+    assert!(code == 2011 && text.contains("off BOWL") && text.contains("off FAR"), "{code} {text}");
+    // Off the drive surface by three quarters.
+    let (code, text) = told("CUTTER/1\nFROM/-5,-1.25,0\nINDIRV/1,0,0\nTLRGT,GOFWD/LX,ON,LY");
+    assert!(code == 2003 && text.contains("0.75 off it"), "{code} {text}");
+    // Past the check surface: how near it came and after how much travel.
+    let (code, text) =
+        told("CUTTER/1\nFROM/-5,0,0\nINDIRV/1,0,0\nTLON,GOFWD/LX,TO,(SPHERE/0,9,0,3)");
+    assert!(code == 2008 && text.contains("5.5 from it"), "{code} {text}");
 }

@@ -1,1 +1,27 @@
-//! Section 2: regional milling of sculptured surfaces
+//! Section 2: regional milling of sculptured surfaces.
+//!
+//! SCON sets the areas of a region: the drive curve or surface (DS) that is followed, the part surface
+//! (PS) that is cut, the tool axis (AXIS), feeds (FEED) and step-over (STEPOV). SMIL then mills a point
+//! (POSN), a line (PATH) or the region (ZIGZAG, PICKFD): points of the drive are projected on the part
+//! surface, the cutter is put against it there, and chords are as long as the tolerances let them be.
+//!
+//! Source: PS-90-SS-01 vol. II, sections 5.2 and 6, with the corrections that its routines need.
+
+mod area;
+mod avoid;
+mod axis;
+mod checks;
+mod drive;
+mod failure;
+mod guard;
+mod path;
+mod position;
+mod project;
+mod region;
+mod regional;
+mod scon;
+mod settings;
+mod smil;
+mod stepover;
+
+pub use regional::{Failed, Regional, Stand};

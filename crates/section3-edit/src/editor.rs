@@ -12,8 +12,12 @@ use crate::vtlaxs::Vtlaxs;
 
 /// Levels of COPY within COPY. APT has three; more do no harm.
 const DEEPEST: usize = 100;
-/// Records that all copies of one program may make, against a mistake in a count.
-const MOST_COPIED: u64 = 1_000_000_000;
+/// Records that all copies of one program may make, against a mistake in a count: in memory, and where they
+/// go to a file.
+const MOST_COPIED: u64 = 5_000_000;
+const MOST_COPIED_TO_FILE: u64 = 1_000_000_000;
+/// Messages of one stream.
+const MOST_MESSAGES: usize = 500;
 
 /// Carries out the editing of a stream.
 ///
@@ -37,6 +41,7 @@ pub struct Editor {
     tolerance: f64,
     failed: bool,
     n_copied: u64,
+    n_spooled: u64,
     scratch: Record,
     list: Vec<Diagnostic>,
     said: Vec<(Code, &'static str)>,
@@ -49,6 +54,10 @@ struct Range {
     end: Option<u64>,
     origin: Origin,
     copied: bool,
+    /// Records in the spool where it begins and ends.
+    counts: (u64, Option<u64>),
+    /// The range that ended while this one, which began in it, was still open.
+    overlaps: Option<f64>,
     /// Position before it.
     before: Option<Position>,
 }
@@ -177,6 +186,7 @@ impl Editor {
     fn emit(&mut self, record: &Record, out: &mut dyn RecordWriter) -> io::Result<()> {
         if self.ranges.iter().any(|r| r.end.is_none()) {
             self.spool.put(record)?;
+            self.n_spooled += 1;
         }
         if let Kind::Motion(m) = &record.kind {
             self.emitted = m.points.last().copied().or(self.emitted);
@@ -195,7 +205,7 @@ impl Editor {
             let d = Diagnostic::warning(codes::INDEX_TWICE, origin.span, what);
             let d = d.note("a COPY takes the range that began last");
             let d = d.help("give each range a number of its own");
-            self.list.push(d.within(origin.trace.clone()));
+            self.say(d.within(origin.trace.clone()));
         }
         let range = Range {
             n,
@@ -203,6 +213,8 @@ impl Editor {
             end: None,
             origin: origin.clone(),
             copied: false,
+            counts: (self.n_spooled, None),
+            overlaps: None,
             before: self.emitted,
         };
         self.ranges.push(range);
@@ -214,9 +226,12 @@ impl Editor {
     }
 
     fn close(&mut self, n: f64, origin: &Origin) {
-        let end = self.spool.end();
+        let (end, n_spooled) = (self.spool.end(), self.n_spooled);
         match self.find(n).map(|i| &mut self.ranges[i]) {
-            Some(range) if range.end.is_none() => range.end = Some(end),
+            Some(range) if range.end.is_none() => {
+                range.end = Some(end);
+                range.counts.1 = Some(n_spooled);
+            }
             _ => {
                 let what = format!("INDEX/{n},NOMORE closes nothing");
                 let help = format!("write INDEX/{n} where the range begins");
@@ -244,23 +259,37 @@ impl Editor {
         let (start, end) = (self.ranges[index].start, self.ranges[index].end);
         let end = end.unwrap_or(self.spool.end());
         self.ranges[index].copied = true;
+        if let Some(outer) = self.ranges[index].overlaps {
+            let what = format!("the range of COPY/{n} overlaps that of COPY/{outer}");
+            let help = format!("end the range {n} before COPY/{outer}, or begin it after");
+            self.error(codes::COPY_OVERLAP, origin, what, &help);
+            return Ok(());
+        }
+        for r in &mut self.ranges {
+            let inside = r.start > start && r.start < end;
+            if inside && r.end.is_none() && !r.copied {
+                r.overlaps.get_or_insert(n);
+            }
+        }
         let mut map = *step;
         let identity = *step == Transform::identity();
         let mut copied = Record::default();
         let mut block = Block::default();
+        let range = &self.ranges[index];
+        let n_range = range.counts.1.unwrap_or(self.n_spooled).saturating_sub(range.counts.0);
+        self.n_copied = self.n_copied.saturating_add(n_range.saturating_mul(count.into()));
+        let most = if self.spool.is_spilling() { MOST_COPIED_TO_FILE } else { MOST_COPIED };
+        if self.n_copied > most {
+            let what = format!("{count} copies make more than {most} records");
+            self.error(codes::TOO_MANY_COPIES, origin, what, "lower the count of copies");
+            return Ok(());
+        }
         for k in 0..count {
             let carrier = Carrier::new(map);
             let mut at = start;
             let mut last = self.ranges[index].before;
             while at < end {
                 at = self.spool.get(at, &mut copied, &mut block)?;
-                self.n_copied += 1;
-                if self.n_copied > MOST_COPIED {
-                    let what = format!("more than {MOST_COPIED} records by COPY");
-                    let help = "lower the count of copies";
-                    self.error(codes::TOO_MANY_COPIES, origin, what, help);
-                    return Ok(());
-                }
                 let before = last;
                 if let Kind::Motion(m) = &copied.kind {
                     last = m.points.last().copied().or(last);
@@ -287,8 +316,12 @@ impl Editor {
                     codes::INDEX_UNUSED,
                     range.origin.span,
                     format!("INDEX/{} without COPY or NOMORE", range.n),
-                );
-                self.list.push(d.within(range.origin.trace));
+                )
+                .help(format!(
+                    "write COPY/{0},.. or INDEX/{0},NOMORE where the range ends",
+                    range.n
+                ));
+                self.say(d.within(range.origin.trace));
             }
         }
         self.tracut = None;
@@ -297,7 +330,14 @@ impl Editor {
 
     fn error(&mut self, code: Code, origin: &Origin, what: String, help: &str) {
         let d = Diagnostic::error(code, origin.span, what).help(help);
-        self.list.push(d.within(origin.trace.clone()));
+        self.say(d.within(origin.trace.clone()));
+    }
+
+    /// Keeps a message, of very many only the first.
+    fn say(&mut self, d: Diagnostic) {
+        if self.list.len() < MOST_MESSAGES {
+            self.list.push(d);
+        }
     }
 
     /// Says what could not be carried, each kind once.

@@ -33,9 +33,11 @@ mod editor;
 mod listing;
 mod plot;
 mod spool;
+mod subprogram;
 mod vtlaxs;
 
 pub use editor::Editor;
 pub use listing::Listing;
 pub use plot::{Plot, plot_svg};
 pub use spool::{Spill, Spool};
+pub use subprogram::Subprograms;

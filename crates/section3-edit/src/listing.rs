@@ -1,29 +1,53 @@
 //! CLPRNT: the CL data as a table for people.
 
 use aptc_cldata::number::{self, Decimals};
-use aptc_cldata::{Arg, Course, Edit, Kind, MotionKind, NameRef, Output, Record};
+use aptc_cldata::{Arg, Clprnt, Course, Edit, Kind, MotionKind, NameRef, Output, Record};
 
-/// Prints records while CLPRNT is on.
+/// Prints records where CLPRNT asks for them.
 ///
-/// CLPRNT prints the whole program, CLPRNT/ON and OFF parts of it. CLPRNT/OPTION is ON that wants the
-/// positions before transformation: give the listing the records before the editor then.
+/// CLPRNT alone prints the whole program, CLPRNT/ON and OFF parts of it. CLPRNT/OPTION prints a part as it was
+/// before transformation: that is the business of a listing of its own, which gets the records before the
+/// editor.
 #[derive(Default)]
 pub struct Listing {
+    part: Part,
     on: bool,
     line: u32,
     head: bool,
 }
 
+#[derive(Clone, Copy, Default, PartialEq, Eq)]
+enum Part {
+    #[default]
+    On,
+    Before,
+    Whole,
+}
+
 impl Listing {
-    /// A listing that prints from the start, or from CLPRNT on.
-    pub fn new(on: bool) -> Self {
-        Self { on, line: 0, head: false }
+    /// A listing of edited records from CLPRNT/ON to OFF.
+    pub fn parts() -> Self {
+        Self::default()
+    }
+
+    /// A listing of all edited records: CLPRNT stands somewhere in the program.
+    pub fn whole() -> Self {
+        Self { part: Part::Whole, on: true, ..Self::default() }
+    }
+
+    /// A listing of records before the editor, from CLPRNT/OPTION to OFF.
+    pub fn before_editing() -> Self {
+        Self { part: Part::Before, ..Self::default() }
     }
 
     /// Appends what is to be printed of the record.
     pub fn push(&mut self, record: &Record, out: &mut String) {
-        if let Kind::Clprnt(on) = record.kind {
-            self.on = on;
+        if let (Kind::Clprnt(what), Part::On | Part::Before) = (&record.kind, self.part) {
+            self.on = match what {
+                Clprnt::On => self.part == Part::On,
+                Clprnt::Option => self.part == Part::Before,
+                Clprnt::Off | Clprnt::Whole => false,
+            };
         }
         if !self.on {
             return;
@@ -56,7 +80,15 @@ impl Listing {
             Kind::Outtol(t) => row("OUTTOL", &numbers(t)),
             Kind::Output(Output::Cut) => row("CUT", ""),
             Kind::Output(Output::Dntcut) => row("DNTCUT", ""),
-            Kind::Clprnt(on) => row("CLPRNT", on_off(*on)),
+            Kind::Clprnt(what) => row(
+                "CLPRNT",
+                match what {
+                    Clprnt::Whole => "",
+                    Clprnt::On => "ON",
+                    Clprnt::Off => "OFF",
+                    Clprnt::Option => "OPTION",
+                },
+            ),
             Kind::Csys(m) => row("CSYS", &numbers(&m.rows())),
             Kind::Comment(text) => row("$$", text.trim()),
             Kind::Unread(text) => row("?", text),
@@ -158,14 +190,24 @@ mod tests {
     fn only_what_stands_between_on_and_off() {
         let points = vec![Position::upright(Vec3::new(1.0, -2.5, -0.0))];
         let goto = || Kind::Motion(Motion { points: points.clone(), ..Motion::default() });
-        let mut text = String::new();
-        let mut listing = Listing::new(false);
-        for kind in [goto(), Kind::Clprnt(true), goto(), Kind::Clprnt(false), goto()] {
-            listing.push(&Record { kind, ..Record::default() }, &mut text);
-        }
+        let on = |what| Kind::Clprnt(what);
+        let print = |mut listing: Listing, kinds: [Kind; 7]| {
+            let mut text = String::new();
+            for kind in kinds {
+                listing.push(&Record { kind, ..Record::default() }, &mut text);
+            }
+            text
+        };
+        let program = || {
+            use Clprnt::{Off, On, Option};
+            [goto(), on(On), goto(), on(Option), goto(), on(Off), goto()]
+        };
+        let text = print(Listing::parts(), program());
         let lines: Vec<&str> = text.lines().collect();
         assert_eq!(lines.len(), 3);
         assert!(lines[2].contains("GOTO") && lines[2].contains("-2.500000"));
         assert!(!text.contains("-0.000000"));
+        assert_eq!(print(Listing::before_editing(), program()).lines().count(), 3);
+        assert_eq!(print(Listing::whole(), program()).lines().count(), 8);
     }
 }

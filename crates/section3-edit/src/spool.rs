@@ -12,7 +12,7 @@ pub trait Spill: Read + Write + Seek {}
 impl<T: Read + Write + Seek> Spill for T {}
 
 /// Bytes kept in memory before the file is asked for.
-const IN_MEMORY: usize = 16 << 20;
+const IN_MEMORY: usize = 4 << 20;
 /// Bytes read from the file at once.
 const BLOCK: usize = 256 * 1024;
 
@@ -39,7 +39,7 @@ impl Spool {
         Self::default()
     }
 
-    /// A spool that asks for a temporary file when it has 16 MiB.
+    /// A spool that asks for a temporary file when it has 4 MiB.
     pub fn spilling(opener: impl FnMut() -> io::Result<Box<dyn Spill>> + 'static) -> Self {
         Self { opener: Some(Box::new(opener)), ..Self::default() }
     }
@@ -50,6 +50,11 @@ impl Spool {
         opener: impl FnMut() -> io::Result<Box<dyn Spill>> + 'static,
     ) -> Self {
         Self { limit: bytes, ..Self::spilling(opener) }
+    }
+
+    /// Does it go to a file when it grows?
+    pub(crate) fn is_spilling(&self) -> bool {
+        self.opener.is_some()
     }
 
     /// Where the next record will be put.

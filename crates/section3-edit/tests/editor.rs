@@ -194,6 +194,17 @@ fn mistakes_are_told() {
         (vec![index(1.0), nomore(1.0), index(1.0), nomore(1.0)], 3102),
         ((0..150).map(|i| index(f64::from(i))).collect(), 3103),
         (vec![index(1.0), goto(0.0, 0.0, 0.0)], 3105),
+        (
+            vec![
+                index(1.0),
+                goto(0.0, 0.0, 0.0),
+                index(2.0),
+                goto(1.0, 0.0, 0.0),
+                copy(1.0, shift(1.0, 0.0), 1),
+                copy(2.0, shift(1.0, 0.0), 1),
+            ],
+            3109,
+        ),
     ] {
         let (_, said) = edit(program);
         assert!(said.iter().any(|d| d.code.number() == code), "{code}: {said:?}");
@@ -235,4 +246,51 @@ proptest! {
         let (b, _) = edit_with(&mut spilling, program);
         prop_assert_eq!(a, b);
     }
+}
+
+/// The manual's own example: three COPY of one INDEX, others between them, three levels.
+#[test]
+fn one_index_serves_three_copies_around_others() {
+    let at = |x: f64| goto(x, 0.0, 0.0);
+    let same = Transform::identity;
+    let (out, said) = edit(vec![
+        index(1.0),
+        at(1.0),
+        copy(1.0, same(), 1),
+        copy(1.0, shift(10.0, 0.0), 1),
+        index(2.0),
+        at(2.0),
+        index(3.0),
+        at(3.0),
+        copy(3.0, shift(0.5, 0.0), 1),
+        copy(2.0, shift(10.0, 0.0), 1),
+        index(4.0),
+        at(4.0),
+        copy(4.0, Transform::rotation(Vec3::z(), 180.0), 1),
+        copy(1.0, same(), 1),
+    ]);
+    assert!(said.is_empty(), "{said:?}");
+    let x: Vec<f64> = places(&out).iter().map(|p| p.0).collect();
+    let once = [1.0, 1.0, 11.0, 11.0, 2.0, 3.0, 3.5, 12.0, 13.0, 13.5, 4.0, -4.0];
+    assert_eq!(x, [once, once].concat());
+}
+
+/// TRACUT of the originals inside a range, then the matrix of COPY on what it gave.
+#[test]
+fn tracut_and_copy_with_matrices_that_do_not_commute() {
+    let quarter = Transform::rotation(Vec3::z(), 90.0);
+    let tracut = |m| Kind::Edit(Edit::Tracut(m));
+    let start = goto(3.0, 1.0, 0.0);
+    // In the range: turn, then shift and turn again with each copy.
+    let step = shift(10.0, 0.0).then(&quarter);
+    let (out, _) =
+        edit(vec![index(1.0), tracut(Some(quarter)), start, tracut(None), copy(1.0, step, 2)]);
+    let p0 = quarter.point(Vec3::new(3.0, 1.0, 0.0));
+    let p1 = step.point(p0);
+    let p2 = step.point(p1);
+    for (got, p) in places(&out).iter().zip([p0, p1, p2]) {
+        assert!((got.0 - p.x).abs() < 1e-12 && (got.1 - p.y).abs() < 1e-12, "{got:?} {p}");
+    }
+    // By hand: (3,1) turns to (-1,3), shifted to (9,3), turned to (-3,9).
+    assert!((p1 - Vec3::new(-3.0, 9.0, 0.0)).norm() < 1e-12, "{p1}");
 }

@@ -34,6 +34,9 @@ struct Turn {
 impl Post {
     /// Writes the motion as arcs; `false` when it must be lines.
     pub(crate) fn arc(&mut self, arc: &Arc, points: &[Position], origin: &Origin) -> bool {
+        if self.st.thread.is_some() {
+            return false;
+        }
         let Some(arcs) = self.machine.arcs.clone() else { return false };
         let Some(pos) = self.st.pos else { return false };
         if self.st.away || self.st.spindle_again || self.st.coolant_again {
@@ -64,6 +67,7 @@ impl Post {
         }
         let n_pieces = pieces.len();
         let angles = self.st.angles;
+        self.reach_of(&turn, origin);
         for (block, end) in pieces {
             let part = {
                 #[expect(clippy::cast_precision_loss, reason = "a count of blocks")]
@@ -86,10 +90,35 @@ impl Post {
             self.check(done, origin);
             self.count_cut(end, part, feed);
         }
+        if self.stock.is_some() {
+            let mut from = self.st.pos;
+            for p in points {
+                let to = self.st.point(p.te);
+                self.takes_away(from, to, p.ta, origin);
+                from = Some(to);
+            }
+        }
         self.st.pos = points.last().map(|p| self.st.point(p.te));
         self.summary.arcs += 1;
         self.summary.chords_in_arcs += u64::try_from(points.len()).unwrap_or(0);
         true
+    }
+
+    /// The axes go along a turn: its ends and where it bulges farthest.
+    fn reach_of(&mut self, turn: &Turn, origin: &Origin) {
+        let angles = self.st.angles;
+        // A turn of more than four quarters goes through the same extremes again.
+        for angle in turn.stops(PI / 2.0, true).unwrap_or_default().into_iter().take(5) {
+            self.reach_on(turn.at(angle), angles, origin);
+        }
+        self.reach_on(turn.end, angles, origin);
+    }
+
+    fn reach_on(&mut self, at: Vec3, angles: [f64; 2], origin: &Origin) {
+        let joints = [at.x, at.y, at.z, angles[0], angles[1]];
+        self.reach(&joints, origin);
+        let te = self.st.chain.as_ref().map_or(at, |c| c.forward(&joints).0);
+        self.take_extent(te);
     }
 
     /// A Sweep arc that the control cannot do, as chords within the path tolerance.

@@ -4,7 +4,7 @@ use aptc_geometry::Vec3;
 
 use crate::emit::{FeedMode, FeedWord};
 use crate::post::Post;
-use crate::report::Extent;
+use crate::report::{AxisUse, Extent};
 
 impl Post {
     pub(crate) fn count_cut(&mut self, te: Vec3, length: f64, feed: FeedWord) {
@@ -12,7 +12,7 @@ impl Post {
         let minutes = match feed.mode {
             FeedMode::PerMinute => length / feed.value,
             FeedMode::PerRevolution if self.st.spindle.speed > 0.0 => {
-                length / (feed.value * self.st.spindle.speed)
+                length / (feed.value * self.revolutions(te.x))
             }
             FeedMode::PerRevolution => 0.0,
             FeedMode::InverseTime => 1.0 / feed.value,
@@ -40,8 +40,31 @@ impl Post {
         self.tool_use().minutes += minutes;
     }
 
+    /// How far each axis went.
+    pub(crate) fn axes_used(&self) -> Vec<AxisUse> {
+        let unit = self.st.out_mm();
+        let linear = ['X', 'Y', 'Z'].into_iter().map(|letter| {
+            let axis = self.machine.axes.get(&letter);
+            let limit = |l: Option<f64>| l.map(|mm| mm / unit);
+            (letter, false, axis.map_or([None; 2], |a| [limit(a.min), limit(a.max)]))
+        });
+        let rotary = self.machine.rotary.iter().map(|r| (r.letter, true, [r.min, r.max]));
+        linear
+            .chain(rotary)
+            .zip(self.st.reach)
+            .filter(|(_, [min, max])| min <= max)
+            .map(|((letter, rotary, limits), [min, max])| AxisUse {
+                letter,
+                rotary,
+                min,
+                max,
+                limits,
+            })
+            .collect()
+    }
+
     #[inline]
-    fn take_extent(&mut self, te: Vec3) {
+    pub(crate) fn take_extent(&mut self, te: Vec3) {
         let p = [te.x, te.y, te.z];
         self.st.extent.get_or_insert_with(|| Extent::of(p)).take(p);
     }

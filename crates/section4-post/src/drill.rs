@@ -91,12 +91,17 @@ impl Post {
             self.leave_cycle();
             self.go_to(hole.point(hole.retract), hole.ta, true, origin);
         }
+        for height in [hole.bottom, hole.retract] {
+            if self.joints(hole.point(height), hole.ta, origin).is_none() {
+                return;
+            }
+        }
         let along_z = self.along_z(hole.ta);
         match self.native(&cycle, dwell, feed).filter(|_| along_z) {
             Some(native) => self.drill_native(native, &cycle, dwell, &hole, origin),
             None => self.drill_expanded(&cycle, &hole, dwell, feed, origin),
         }
-        self.count_hole(&hole, feed);
+        self.count_hole(&hole, feed, origin);
         self.st.pos = Some(hole.point(hole.retract));
         self.st.ta = p.ta;
     }
@@ -205,6 +210,7 @@ impl Post {
         let words = &self.machine.cycle;
         native.retract = if high { words.to_initial.clone() } else { words.to_clearance.clone() };
         self.reach_level(hole, if high { hole.retract } else { hole.clearance }, high, origin);
+        self.way_to_hole(hole, origin);
         let at = self.at_rest(hole.at);
         let (bottom, clearance) = (at.z + hole.bottom, at.z + hole.clearance);
         let done = self.blocks.hole(&native, [at.x, at.y], bottom, clearance);
@@ -221,6 +227,7 @@ impl Post {
         origin: &Origin,
     ) {
         self.reach_level(hole, hole.retract, false, origin);
+        self.way_to_hole(hole, origin);
         let at = self.at_rest(hole.at);
         let written = |b: &crate::emit::Blocks, letter: u8, value: f64| {
             let n = b.number(letter);
@@ -261,6 +268,14 @@ impl Post {
         self.check(done, origin);
         if self.machine.cycle.off.is_empty() {
             self.st.pos = Some(hole.point(hole.retract));
+        }
+    }
+
+    /// The control takes the tool across at the height where it is, then down to the clearance.
+    fn way_to_hole(&mut self, hole: &Hole, origin: &Origin) {
+        if let Some(pos) = self.st.pos {
+            let way = [pos, hole.point(hole.height(pos)), hole.point(hole.clearance)];
+            self.must_be_free(&way, hole.ta, origin);
         }
     }
 
@@ -368,16 +383,18 @@ impl Post {
         let Some(joints) = self.joints(te, self.st.ta, origin) else { return };
         let done = self.blocks.straight(MotionCode::Line, &joints, ALL, Some(feed));
         self.check(done, origin);
+        self.takes_away(self.st.pos, te, self.st.ta, origin);
         self.st.pos = Some(te);
     }
 
-    fn count_hole(&mut self, hole: &Hole, feed: FeedWord) {
+    fn count_hole(&mut self, hole: &Hole, feed: FeedWord, origin: &Origin) {
         self.summary.holes += 1;
         let top = hole.point(hole.clearance);
         self.st.pos.get_or_insert(top);
         self.count_rapid(top);
         self.st.pos = Some(top);
         self.count_cut(hole.point(hole.bottom), hole.clearance - hole.bottom, feed);
+        self.takes_away(Some(top), hole.point(hole.bottom), hole.ta, origin);
     }
 
     /// The cycle of the control ends; the tool stands where the last hole left it.

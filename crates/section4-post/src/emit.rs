@@ -6,7 +6,7 @@
 
 use std::sync::Arc;
 
-use crate::machine::{ArcCenter, ArcPlane, Dialect, Machine, Wrap};
+use crate::machine::{ArcCenter, ArcPlane, Dialect, Machine, MachineKind, Wrap};
 use crate::number::Number;
 
 mod apt;
@@ -126,6 +126,9 @@ impl Blocks {
                 factor[i] = 2.0;
             }
         }
+        if machine.kind == MachineKind::Lathe {
+            axes[1] = b' ';
+        }
         for (i, r) in machine.rotary.iter().take(2).enumerate() {
             axes[3 + i] = r.letter as u8;
             modulo[i] = r.wrap == Wrap::Modulo && r.min.is_none() && r.max.is_none();
@@ -168,7 +171,8 @@ impl Blocks {
     /// The modes are as the start lines of the machine leave them; positions are unknown.
     pub(crate) fn forget_after_start(&mut self) {
         self.forget();
-        self.plane = Some(ArcPlane::Xy);
+        let lathe = self.machine.kind == MachineKind::Lathe;
+        self.plane = Some(if lathe { ArcPlane::Zx } else { ArcPlane::Xy });
         self.feed_mode = Some(FeedMode::PerMinute);
     }
 
@@ -286,7 +290,9 @@ impl Blocks {
             if axes.contains(&i) {
                 self.known[idx(self.axes[i])] = None;
             }
-            self.coordinate(self.axes[i], arc.end[i]);
+            if self.axes[i] != b' ' {
+                self.coordinate(self.axes[i], arc.end[i]);
+            }
         }
         if center == ArcCenter::Radius {
             let r = if arc.large { -arc.radius } else { arc.radius };
@@ -298,6 +304,28 @@ impl Blocks {
             }
         }
         self.feed_word(feed)?;
+        self.end();
+        Ok(())
+    }
+
+    /// A straight cut that goes with the spindle, `lead` along Z a turn.
+    pub(crate) fn thread(&mut self, joints: &Joints, lead: f64) -> Result<(), TooGreat> {
+        let q = self.round(joints)?;
+        self.end_cycle();
+        self.begin();
+        let machine = Arc::clone(&self.machine);
+        self.push(&machine.turning.thread);
+        self.motion = None;
+        for (letter, q) in self.axes.into_iter().zip(q).take(3) {
+            if letter != b' ' {
+                self.coordinate(letter, q);
+            }
+        }
+        let letter = machine.turning.lead.map_or(b'K', |l| l as u8);
+        self.value(letter, lead)?;
+        if letter == b'F' {
+            self.known[idx(b'F')] = None;
+        }
         self.end();
         Ok(())
     }

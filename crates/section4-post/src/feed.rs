@@ -69,7 +69,8 @@ impl Post {
             self.st.feed = Some(feed);
             return Some(feed);
         }
-        if !std::mem::replace(&mut self.st.feed_missing_said, true) {
+        let said = std::mem::replace(&mut self.st.feed_missing_said, true);
+        if !said && !self.st.refused_words.contains("FEDRAT") {
             let message = "this cut has no feed rate".to_string();
             let help = "write FEDRAT/f before it, or RAPID when it shall not cut";
             self.error(codes::NO_FEED, origin, message, help);

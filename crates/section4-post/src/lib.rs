@@ -34,20 +34,27 @@ mod kinematics;
 mod machine;
 mod motion;
 mod multiaxis;
+mod nc_reader;
 mod number;
 mod post;
 mod readback;
 mod report;
 mod roundtrip;
+mod setup;
 mod state;
+mod stock;
+mod turning;
 mod words;
 
 pub use machine::{
     ArcCenter, ArcPlane, Arcs, Axis, BlockNumbers, Carries, Compensation, Cycle, CycleWord,
     CycleWords, Dialect, Feed, Format, Machine, MachineKind, Multiaxis, OutputUnits, Program,
-    Rapid, RapidPath, Rotary, RotaryFeed, Spindle, Wrap, machine, machine_for, machines,
+    Rapid, RapidPath, Rotary, RotaryFeed, Spindle, Turning, TurningPlane, Wrap, machine,
+    machine_for, machines,
 };
+pub use nc_reader::NcReader;
 pub use post::{Post, PostOptions, Posted, ToolScan, post_all};
-pub use report::{BlockOrigin, Extent, Summary, ToolUse};
+pub use report::{AxisUse, BlockOrigin, Extent, Summary, ToolUse};
 pub use roundtrip::{Proof, prove};
+pub use setup::{SetupSheet, setup_html, setup_text};
 pub use words::{Treatment, treatment};

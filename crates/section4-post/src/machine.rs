@@ -71,6 +71,9 @@ pub struct Machine {
     /// Length and radius compensation in the control.
     #[serde(default)]
     pub compensation: Compensation,
+    /// Turning; for lathes.
+    #[serde(default)]
+    pub turning: Turning,
     /// The linear axes by letter.
     #[serde(default)]
     pub axes: BTreeMap<char, Axis>,
@@ -131,7 +134,8 @@ pub struct Program {
     pub start: Vec<String>,
     /// Lines of END and FINI.
     pub end: Vec<String>,
-    /// Lines of LOADTL: `{tool}`, `{offset}`, `{next}` the next tool, `{tool_comment}`, `{units}`,
+    /// Lines of LOADTL: `{tool}` and `{offset}`, with two digits `{tool2}` and `{offset2}`, `{next}` the next
+    /// tool, `{tool_comment}` what TPRINT says, `{units}`,
     /// `{work_offset}`. They must leave the tool retracted, and all modes as a restart needs them.
     pub tool_change: Vec<String>,
     /// Line that makes the next tool ready, with `{next}`.
@@ -401,6 +405,30 @@ pub struct Compensation {
     pub wear_define: String,
     /// How it is guaranteed that the number means wear only: a comment in the program.
     pub wear_note: String,
+}
+
+/// Turning.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Turning {
+    /// The plane in which turned parts are drawn.
+    pub plane: TurningPlane,
+    /// Code of a straight cut that goes with the spindle: `G33`; empty when there is none.
+    pub thread: String,
+    /// Address of the lead along Z in such a block.
+    pub lead: Option<char>,
+}
+
+/// The plane in which turned parts are drawn.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum TurningPlane {
+    /// The spindle along Z, radii along X.
+    #[default]
+    #[serde(rename = "ZX")]
+    Zx,
+    /// The spindle along X, radii along Y.
+    #[serde(rename = "XY")]
+    Xy,
 }
 
 /// A linear axis.

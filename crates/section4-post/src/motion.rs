@@ -5,7 +5,7 @@ use aptc_diagnostics::{Origin, codes};
 use aptc_geometry::Vec3;
 
 use crate::emit::{FeedMode, FeedWord, Joints, MotionCode};
-use crate::machine::RapidPath;
+use crate::machine::{MachineKind, RapidPath};
 use crate::post::Post;
 
 pub(crate) const ALL: [bool; 5] = [true; 5];
@@ -15,6 +15,9 @@ const BUT_TOOL_AXIS: [bool; 5] = [true, true, false, true, true];
 impl Post {
     pub(crate) fn motion(&mut self, m: &Motion, origin: &Origin) {
         let Some(last) = m.points.last() else { return };
+        if self.machine.kind == MachineKind::Lathe && !self.stays_in_plane(m, origin) {
+            return;
+        }
         if m.kind == MotionKind::From {
             self.from(last, origin);
             return;
@@ -112,6 +115,11 @@ impl Post {
             self.go_turning(te, ta, rapid, origin);
             return;
         }
+        if let (Some(lead), false) = (self.st.thread, rapid) {
+            self.thread_to(te, lead, origin);
+            (self.st.pos, self.st.ta) = (Some(te), ta);
+            return;
+        }
         let Some(joints) = self.joints(te, ta, origin) else { return };
         if rapid {
             self.rapid_to(te, &joints, origin);
@@ -120,6 +128,7 @@ impl Post {
             let done = self.blocks.straight(MotionCode::Line, &joints, ALL, Some(feed));
             self.check(done, origin);
             self.count_cut(te, self.distance(te), feed);
+            self.takes_away(self.st.pos, te, ta, origin);
         }
         self.st.pos = Some(te);
         self.st.ta = ta;
@@ -141,6 +150,15 @@ impl Post {
                 let r = self.blocks.number(b'Z').resolution();
                 d[2].abs() >= r && d[0].abs().max(d[1].abs()) >= r
             });
+        if self.stock.is_some()
+            && let Some(from) = self.st.pos
+        {
+            let up = te.z > from.z;
+            let corner =
+                if up { Vec3::new(from.x, from.y, te.z) } else { Vec3::new(te.x, te.y, from.z) };
+            let way = [from, if split { corner } else { from }, te];
+            self.must_be_free(&way, self.st.ta, origin);
+        }
         let done = if path == RapidPath::Feed {
             let value = self.machine.rapid.feed / self.st.out_mm();
             let feed = FeedWord { mode: FeedMode::PerMinute, value };
@@ -175,6 +193,8 @@ impl Post {
         let done = self.blocks.straight(MotionCode::Rapid, &joints, BUT_TOOL_AXIS, None);
         self.check(done, origin);
         if down {
+            let way = self.down_to(over);
+            self.must_be_free(&way, axis, origin);
             let done = self.blocks.straight(MotionCode::Rapid, &joints, TOOL_AXIS, None);
             self.check(done, origin);
             self.st.pos = Some(over);
@@ -184,13 +204,30 @@ impl Post {
         self.st.placed = None;
     }
 
-    pub(crate) fn check_limits(&mut self, joints: &Joints, origin: &Origin) {
+    /// The axes go to `joints`: how far is kept, and what is beyond a limit is refused.
+    #[inline]
+    pub(crate) fn reach(&mut self, joints: &Joints, origin: &Origin) {
+        for (range, &j) in self.st.reach.iter_mut().zip(joints) {
+            *range = [range[0].min(j), range[1].max(j)];
+        }
+        if !self.machine.axes.is_empty() {
+            self.check_limits(joints, origin);
+        }
+    }
+
+    fn check_limits(&mut self, joints: &Joints, origin: &Origin) {
         let unit = self.st.out_mm();
         for (i, letter) in ['X', 'Y', 'Z'].into_iter().enumerate() {
             let Some(axis) = self.machine.axes.get(&letter) else { continue };
             let mm = joints[i] * unit;
-            let beyond = axis.min.filter(|m| mm < m - 1e-9).or(axis.max.filter(|m| mm > m + 1e-9));
-            if let Some(limit) = beyond {
+            let below = axis.min.filter(|m| mm < m - 1e-9);
+            let above = axis.max.filter(|m| mm > m + 1e-9);
+            if let Some(limit) = below.or(above) {
+                // Once for each end of each axis: what follows from it is not told again.
+                let told = &mut self.st.limits_told[i][usize::from(above.is_some())];
+                if std::mem::replace(told, true) {
+                    continue;
+                }
                 let message = format!(
                     "{letter}{} is beyond the limit {letter}{} of {}",
                     crate::post::trimmed(joints[i], 4),
@@ -207,12 +244,13 @@ impl Post {
     pub(crate) fn ready(&mut self, origin: &Origin) {
         self.st.ready_said = true;
         let missing: Vec<&str> = [
-            (!self.st.spindle.on, "spindle"),
-            (self.st.tool.is_none(), "tool"),
-            (self.st.coolant.is_none(), "coolant"),
+            (!self.st.spindle.on, "spindle", "SPINDL"),
+            (self.st.tool.is_none(), "tool", "LOADTL"),
+            (self.st.coolant.is_none(), "coolant", "COOLNT"),
         ]
         .into_iter()
-        .filter_map(|(missing, what)| missing.then_some(what))
+        .filter(|(missing, _, word)| *missing && !self.st.refused_words.contains(*word))
+        .map(|(_, what, _)| what)
         .collect();
         if !missing.is_empty() {
             let message = format!("the first cut comes without {}", missing.join(" and "));

@@ -46,13 +46,16 @@ impl Post {
             let pose = self.pose(te, ta, self.st.angles, origin)?;
             pose.joints()
         };
-        if !self.machine.axes.is_empty() {
-            self.check_limits(&joints, origin);
-        }
+        self.reach(&joints, origin);
         Some(joints)
     }
 
+    /// Told once where no axis but one is possible, else once a statement.
     fn out_of_reach(&mut self, ta: Vec3, why: NoSolution, origin: &Origin) {
+        let place = if self.machine.rotary.is_empty() { (0, 0) } else { (origin.isn, origin.line) };
+        if self.axis_told.replace(place) == Some(place) {
+            return;
+        }
         let axis = [ta.x, ta.y, ta.z].map(|c| trimmed(c, 6)).join(",");
         let name = &self.machine.name;
         let (message, help) = match (why, self.machine.rotary.len()) {
@@ -295,9 +298,7 @@ impl Post {
     /// One block, or one rapid motion.
     fn leg(&mut self, to: &Pose, rapid: bool, length: f64, origin: &Origin) -> bool {
         let joints = to.joints();
-        if !self.machine.axes.is_empty() {
-            self.check_limits(&joints, origin);
-        }
+        self.reach(&joints, origin);
         if rapid {
             self.rapid_to(to.te, &joints, origin);
         } else {
@@ -305,6 +306,7 @@ impl Post {
             let done = self.blocks.straight(MotionCode::Line, &joints, ALL, Some(feed));
             self.check(done, origin);
             self.count_cut(to.te, length, feed);
+            self.takes_away(self.st.pos, to.te, to.ta, origin);
         }
         self.st.pos = Some(to.te);
         self.st.ta = to.ta;

@@ -8,10 +8,12 @@ use smol_str::SmolStr;
 
 use crate::args::{Statement, whole};
 use crate::emit::{AptText, Blocks, TooGreat};
-use crate::machine::{Dialect, Machine, OutputUnits};
+use crate::machine::{Dialect, Machine, MachineKind, OutputUnits};
 use crate::report::{BlockOrigin, Summary, ToolUse};
 use crate::roundtrip::{Checker, Proof};
 use crate::state::State;
+use crate::stock::Stock;
+use crate::turning::seen_by_lathe;
 use crate::words;
 
 /// Comments before the first block that are kept back until the start lines stand; more begin the program.
@@ -27,6 +29,8 @@ pub struct PostOptions {
     pub tools: Vec<u32>,
     /// Work offset instead of the machine file's.
     pub work_offset: Option<String>,
+    /// Two opposite corners of the block of material, in units of the CL data, as STOCK gives them.
+    pub stock: Option<[f64; 6]>,
     /// Is the statement number written as a comment before its blocks?
     pub annotate: bool,
     /// Is the origin of each block kept?
@@ -37,7 +41,14 @@ pub struct PostOptions {
 
 impl Default for PostOptions {
     fn default() -> Self {
-        Self { tools: Vec::new(), work_offset: None, annotate: false, map: false, check: true }
+        Self {
+            tools: Vec::new(),
+            work_offset: None,
+            stock: None,
+            annotate: false,
+            map: false,
+            check: true,
+        }
     }
 }
 
@@ -65,6 +76,14 @@ pub struct Post {
     map: Vec<BlockOrigin>,
     annotated: Option<(u32, u32)>,
     checker: Option<Box<Checker>>,
+    /// The material, where it is known.
+    pub(crate) stock: Option<Box<Stock>>,
+    /// The statement whose rapid motion through the stock was reported last.
+    pub(crate) hit_told: Option<(u32, u32)>,
+    /// Where a tool axis was reported that the machine cannot take.
+    pub(crate) axis_told: Option<(u32, u32)>,
+    /// A position off the plane of turning was reported.
+    pub(crate) off_plane_told: bool,
     /// Writes CL data instead of blocks.
     apt: Option<AptText>,
 }
@@ -93,6 +112,10 @@ impl Post {
             map,
             annotated: None,
             checker,
+            stock: None,
+            hit_told: None,
+            axis_told: None,
+            off_plane_told: false,
             apt,
         }
     }
@@ -103,6 +126,13 @@ impl Post {
             apt.write(record, out);
             return;
         }
+        let seen = match self.machine.kind {
+            MachineKind::Lathe => {
+                seen_by_lathe(self.machine.turning.plane, record, self.st.cycle.is_some())
+            }
+            MachineKind::Mill => None,
+        };
+        let record = seen.as_ref().unwrap_or(record);
         std::mem::swap(&mut self.blocks.out, out);
         let before = self.blocks.lines;
         let begin = self.blocks.out.len();
@@ -130,6 +160,7 @@ impl Post {
         self.summary.unit = if self.st.inch { "inch" } else { "mm" };
         self.summary.part = std::mem::take(&mut self.st.partno);
         self.summary.extent = self.st.extent;
+        self.summary.axes = self.axes_used();
         let proof = self.checker.map(|c| c.proof);
         Posted { diagnostics: self.diagnostics, summary: self.summary, map: self.map, proof }
     }
@@ -222,6 +253,12 @@ impl Post {
             return;
         }
         self.st.started = true;
+        if let (None, Some(corners)) = (&self.stock, self.options.stock)
+            && !self.set_stock(corners, origin)
+        {
+            let message = "the block of --stock has no volume".to_owned();
+            self.error(codes::POST_ARGUMENTS, origin, message, "give two opposite corners");
+        }
         let machine = Arc::clone(&self.machine);
         let vars = self.common_vars();
         self.summary.work_offset = vars.work_offset.clone();

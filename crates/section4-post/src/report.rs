@@ -23,8 +23,12 @@ pub struct Summary {
     pub cut_length: f64,
     /// Length of rapid motion.
     pub rapid_length: f64,
-    /// Positions of the tool end.
+    /// Positions of the tool end, bulges of arcs included.
     pub extent: Option<Extent>,
+    /// How far each axis goes, in the order in which the control knows them.
+    pub axes: Vec<AxisUse>,
+    /// Least and greatest corner of the block of material, when it was given.
+    pub stock: Option<[[f64; 3]; 2]>,
     /// Arcs written.
     pub arcs: u64,
     /// Cut vectors that the arcs replaced.
@@ -46,6 +50,22 @@ pub struct Extent {
     pub min: [f64; 3],
     /// Greatest X, Y, Z.
     pub max: [f64; 3],
+}
+
+/// How far an axis of the machine goes, in the numbers that stand in the text: lengths in output units,
+/// angles in degrees, a diameter as its radius.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct AxisUse {
+    /// Its letter.
+    pub letter: char,
+    /// Is it a rotary axis?
+    pub rotary: bool,
+    /// Least position.
+    pub min: f64,
+    /// Greatest position.
+    pub max: f64,
+    /// Limits of the machine file, least and greatest, where it gives them.
+    pub limits: [Option<f64>; 2],
 }
 
 /// Work of one tool between two tool changes.

@@ -1,7 +1,10 @@
 //! What the CL data has said so far.
 
+use std::collections::BTreeSet;
+
 use aptc_cldata::Units;
 use aptc_geometry::{Cutter, Plane, Vec3};
+use smol_str::SmolStr;
 
 use crate::drill::DrillCycle;
 use crate::report::Extent;
@@ -81,6 +84,8 @@ pub(crate) struct State {
     /// FEDRAT/INVERS.
     pub(crate) inverse: bool,
     pub(crate) feed_missing_said: bool,
+    /// Words of statements that were refused.
+    pub(crate) refused_words: BTreeSet<SmolStr>,
     pub(crate) spindle: SpindleState,
     /// The spindle was stopped by a tool change and has to run again.
     pub(crate) spindle_again: bool,
@@ -102,6 +107,8 @@ pub(crate) struct State {
     pub(crate) clearance_mm: Option<Plane>,
     pub(crate) cycle: Option<DrillCycle>,
     pub(crate) last_cycle: Option<DrillCycle>,
+    /// THREAD is on: the lead, output units.
+    pub(crate) thread: Option<f64>,
     pub(crate) intol: f64,
     pub(crate) outtol: f64,
     pub(crate) tolerance_said: bool,
@@ -109,6 +116,10 @@ pub(crate) struct State {
     pub(crate) lintol_mm: Option<f64>,
     pub(crate) ready_said: bool,
     pub(crate) extent: Option<Extent>,
+    /// Least and greatest position of each axis, output units and degrees; the wrong way round at first.
+    pub(crate) reach: [[f64; 2]; 5],
+    /// Which ends of X, Y and Z have been reported as exceeded.
+    pub(crate) limits_told: [[bool; 2]; 3],
     pub(crate) multax: bool,
 }
 
@@ -137,6 +148,7 @@ impl State {
             feed_word: None,
             inverse: false,
             feed_missing_said: false,
+            refused_words: BTreeSet::new(),
             spindle: SpindleState::default(),
             spindle_again: false,
             max_rpm: None,
@@ -155,6 +167,7 @@ impl State {
             clearance_mm: None,
             cycle: None,
             last_cycle: None,
+            thread: None,
             intol: 0.0,
             outtol: 0.0005,
             tolerance_said: false,
@@ -162,6 +175,8 @@ impl State {
             lintol_mm: None,
             ready_said: false,
             extent: None,
+            reach: [[f64::INFINITY, f64::NEG_INFINITY]; 5],
+            limits_told: [[false; 2]; 3],
             multax: false,
         }
     }

@@ -1,6 +1,6 @@
 //! Post-processor words: one table says what becomes of each.
 
-use aptc_diagnostics::{Origin, codes};
+use aptc_diagnostics::{Diagnostic, Origin, codes};
 
 use crate::args::Statement;
 use crate::post::Post;
@@ -11,8 +11,11 @@ pub(crate) mod cycle;
 mod fedrat;
 pub(crate) mod planes;
 mod program;
+mod rotabl;
 mod spindl;
+mod stock;
 mod table;
+mod thread;
 mod tool;
 
 pub use table::{Treatment, treatment};
@@ -23,7 +26,15 @@ type Action = fn(&mut Post, &Statement<'_>);
 /// A post-processor statement.
 pub(crate) fn post_word(post: &mut Post, s: &Statement<'_>) {
     match table::action(s.word) {
-        Some(table::Entry::Do(action)) => action(post, s),
+        Some(table::Entry::Do(action)) => {
+            let before = post.diagnostics.len();
+            action(post, s);
+            let said = post.diagnostics.get(before..).unwrap_or_default();
+            if said.iter().any(Diagnostic::is_error) {
+                // What is missing because of it is no mistake of its own.
+                post.st.refused_words.insert(s.word.into());
+            }
+        }
         Some(table::Entry::Ignore(reason)) => {
             let message = format!("{} is left out: {reason}", s.word);
             post.note(codes::WORD_IGNORED, s.origin, message, "");
@@ -33,6 +44,8 @@ pub(crate) fn post_word(post: &mut Post, s: &Statement<'_>) {
         None => {
             let message = format!("{} is not known to the post-processor and is left out", s.word);
             post.warn(codes::WORD_UNKNOWN, s.origin, message, "check the spelling, or remove it");
+            // It may be any of those that the first cut wants, misspelt.
+            post.st.refused_words.extend(["SPINDL", "LOADTL", "COOLNT"].map(Into::into));
         }
     }
 }

@@ -2,7 +2,7 @@
 
 mod common;
 
-use aptc_post::{Dialect, PostOptions, machines, post_all};
+use aptc_post::{Dialect, MachineKind, PostOptions, machines, post_all};
 use common::{chords, records};
 
 fn part() -> String {
@@ -21,7 +21,7 @@ fn part() -> String {
 #[test]
 fn every_machine_posts_a_plate() {
     let records = records(&part());
-    for m in machines() {
+    for m in machines().filter(|m| m.kind == MachineKind::Mill) {
         let (nc, posted) = post_all(m, PostOptions::default(), &records);
         let errors: Vec<_> = posted.diagnostics.iter().filter(|d| d.is_error()).collect();
         assert!(errors.is_empty(), "{}: {errors:#?}\n{nc}", m.name);

@@ -1,4 +1,5 @@
 //! Where the post-processor must refuse, it names the statement and the cure.
+#![expect(clippy::unwrap_used, reason = "test code")]
 
 mod common;
 
@@ -44,6 +45,12 @@ fn each_refusal_has_its_code() {
 }
 
 #[test]
+fn a_tool_axis_that_a_mill_cannot_take_is_told_once() {
+    let text = "LOADTL/1\nSPINDL/100\nCOOLNT/ON\nFEDRAT/10\nGOTO/0,0,1\nGOTO/1,1,1,1,0,0\nGOTO/1,1,2,0,1,0\nFINI";
+    assert_eq!(errors("linuxcnc-mill", text), ["APT4004"]);
+}
+
+#[test]
 fn default_feed_of_a_machine_warns() {
     let text = include_str!("../machines/linuxcnc-mill.toml");
     let text = format!("default_feed = 150\n{text}");
@@ -74,4 +81,111 @@ fn no_number_has_a_minus_zero_or_an_exponent() {
         "LOADTL/1\nSPINDL/100\nCOOLNT/ON\nFEDRAT/10\nGOTO/-.0000001,1E-7,1\nGOTO/123456789.125,-1E-9,0\nFINI",
     );
     assert!(!nc.contains("-0\n") && !nc.contains("-0 ") && nc.contains("X123456789.125"), "{nc}");
+}
+
+/// The mill with limits of X, metric.
+fn limited() -> aptc_post::Machine {
+    let text = include_str!("../machines/linuxcnc-mill.toml");
+    aptc_post::Machine::parse(&format!("{text}\n[axes.X]\nmin = -10.0\nmax = 20.0\n")).unwrap()
+}
+
+const READY: &str = "UNITS/MM\nCUTTER/10\nLOADTL/1\nSPINDL/100,CLW\nCOOLNT/ON\nFEDRAT/100\n";
+
+#[test]
+fn an_arc_that_bulges_beyond_a_limit_is_refused_though_its_ends_are_within() {
+    let post = |radius: f64| {
+        // A half turn from X0 to X0 around 0,0: it goes out to X = radius.
+        let text = format!(
+            "{READY}GOTO/0,-{radius},0\nARC/0,0,0,0,0,1,{radius},180\nGOTO/0,{radius},0\nFINI"
+        );
+        aptc_post::post_all(&limited(), Default::default(), &common::records(&text)).1
+    };
+    assert!(!post(19.9).diagnostics.iter().any(|d| d.is_error()));
+    let refused = post(20.1);
+    let list: Vec<_> = refused.diagnostics.iter().filter(|d| d.is_error()).collect();
+    assert_eq!(list.len(), 1, "{list:?}");
+    assert!(list[0].message.starts_with("X20.1 is beyond the limit X20"), "{}", list[0].message);
+}
+
+#[test]
+fn the_summary_has_the_bulge_of_arcs_and_the_bottom_of_holes() {
+    let text = format!(
+        "{READY}GOTO/0,-15,0\nARC/0,0,0,0,0,1,15,180\nGOTO/0,15,0\nCYCLE/DRILL,DEPTH,7,MMPM,50,CLEAR,2\nGOTO/0,15,0\nCYCLE/OFF\nFINI"
+    );
+    let posted = aptc_post::post_all(&limited(), Default::default(), &common::records(&text)).1;
+    assert!(!posted.diagnostics.iter().any(|d| d.is_error()));
+    let s = &posted.summary;
+    let extent = s.extent.unwrap();
+    assert!((extent.max[0] - 15.0).abs() < 1e-9, "{extent:?}");
+    let axis = |letter| s.axes.iter().find(|a| a.letter == letter).unwrap();
+    assert!((axis('X').max - 15.0).abs() < 1e-9);
+    assert_eq!(axis('X').limits, [Some(-10.0), Some(20.0)]);
+    assert!((axis('Z').min + 7.0).abs() < 1e-9);
+}
+
+const BLOCK: &str = "UNITS/MM\nSTOCK/0,0,-20,100,60,0\nCUTTER/10\nLOADTL/1\nSPINDL/100,CLW\nCOOLNT/ON\nFEDRAT/100\nFROM/-20,30,10\n";
+
+#[test]
+fn a_rapid_through_the_stock_is_refused_with_place_and_depth() {
+    let text = format!("{BLOCK}RAPID\nGOTO/-20,30,-3\nRAPID\nGOTO/120,30,-3\nFINI");
+    let (_, posted) = post("linuxcnc-mill", &text);
+    let list: Vec<_> = posted.diagnostics.iter().filter(|d| d.is_error()).collect();
+    assert_eq!(list.len(), 1, "{list:?}");
+    assert_eq!(list[0].code.to_string(), "APT4024");
+    assert!(list[0].message.contains("3 deep at"), "{}", list[0].message);
+}
+
+#[test]
+fn a_rapid_through_what_was_cut_away_is_free() {
+    // A slot, an arc and a hole; each is left the way it was cut.
+    for machine in ["linuxcnc-mill", "grbl"] {
+        for way in WAYS {
+            let text = format!("{BLOCK}RAPID\nGOTO/-20,30,10\n{way}\nFINI");
+            good(machine, &text.replace("COOLNT/ON", "COOLNT/FLOOD"));
+        }
+    }
+}
+
+/// GRBL has no cycles: there each peck is a motion of its own.
+const WAYS: &[&str] = &[
+    "GOTO/-20,30,-3\nGOTO/120,30,-3\nRAPID\nGOTO/-20,30,-3",
+    "GOTO/50,30,-5\nRAPID\nGOTO/50,30,20",
+    "GOTO/30,30,5\nGOTO/30,30,-4\nCHORDS/50,30,0,0,0,1,20\nGOTO/50,10,-4;70,30,-4\nRAPID\nGOTO/70,30,9",
+    "CYCLE/DRILL,DEPTH,15,MMPM,50,CLEAR,2\nGOTO/20,20,0\nGOTO/80,20,0\nCYCLE/OFF\nRAPID\nGOTO/80,20,-15\nRAPID\nGOTO/80,20,5",
+    "CYCLE/DEEP,DEPTH,15,STEP,4,MMPM,50,CLEAR,2\nGOTO/20,20,0\nGOTO/80,20,0\nCYCLE/OFF\nRAPID\nGOTO/80,20,20",
+];
+
+#[test]
+fn between_holes_the_tool_goes_above_the_stock() {
+    let text = format!(
+        "{BLOCK}RAPID\nGOTO/-20,30,10\nCYCLE/DRILL,DEPTH,5,MMPM,50,CLEAR,2\nGOTO/-15,20,-8\nGOTO/30,20,-8\nCYCLE/OFF\nFINI"
+    );
+    for machine in ["linuxcnc-mill", "fanuc-0i-mill", "grbl"] {
+        let text = text.replace("COOLNT/ON", "COOLNT/FLOOD");
+        assert_eq!(errors(machine, &text), ["APT4024"], "{machine}");
+    }
+}
+
+#[test]
+fn a_dog_leg_goes_through_stock_where_the_straight_line_does_not() {
+    // Up and across at once from a corner: a control that moves Z first is free, one that moves it last is not.
+    let down = format!("{BLOCK}RAPID\nGOTO/-20,30,10\nRAPID\nGOTO/120,30,-5\nFINI");
+    assert_eq!(errors("linuxcnc-mill", &down), ["APT4024"]);
+    assert!(errors("fanuc-0i-mill", &down).is_empty(), "across first, then down beside the block");
+}
+
+#[test]
+fn a_tool_that_leans_ends_the_check_with_a_warning() {
+    let text = format!("{BLOCK}MULTAX\nGOTO/-20,30,10,.6,0,.8\nRAPID\nGOTO/50,30,-5,.6,0,.8\nFINI");
+    let (_, posted) = post("linuxcnc-5axis", &text);
+    let told: Vec<_> = posted.diagnostics.iter().map(|d| d.code.to_string()).collect();
+    assert_eq!(told.iter().filter(|c| *c == "APT4025").count(), 1, "{told:?}");
+}
+
+#[test]
+fn the_machine_file_of_the_book_is_whole() {
+    let page = include_str!("../../../docs/machines.md");
+    let text = page.split("```toml\n").nth(1).unwrap().split("```").next().unwrap();
+    let machine = aptc_post::Machine::parse(text).unwrap();
+    assert_eq!(machine.name, "our-mill");
 }

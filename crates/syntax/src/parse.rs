@@ -46,6 +46,8 @@ struct Broken {
     isn: u32,
     /// Its message.
     message: usize,
+    /// Did it end with a comma?
+    comma: bool,
 }
 
 /// Reads `text`. Never fails as a whole: a statement that cannot be read is a [`Body::Error`] with one
@@ -165,8 +167,15 @@ impl Run<'_> {
             codes::EXPECTED_OTHERWISE => fault.span.end >= span.end,
             _ => false,
         };
-        let before =
-            self.broken.take().filter(|b| b.isn + 1 == isn && fault.span.start == span.start);
+        let starts = fault.span.start == span.start;
+        // A card that ends with a comma goes on in the next one, unless that is a statement of its own.
+        let text = self.source.get(span.start as usize..span.end as usize).unwrap_or_default();
+        let sign = text.find(['/', ',', '=', '(', ')']).and_then(|i| text.as_bytes().get(i));
+        let own = matches!(sign, Some(b'/' | b'='));
+        let lost = |b: &Broken| b.isn + 1 == isn && (starts || b.comma && !own);
+        let before = self.broken.take().filter(lost);
+        let at = fault.span.start as usize..fault.span.end as usize;
+        let comma = breaks_off && self.source.get(at) == Some(",");
         let goes_on = before.is_some();
         let message = match before {
             Some(Broken { message, .. }) => {
@@ -181,7 +190,7 @@ impl Run<'_> {
                 self.parsed.diagnostics.len() - 1
             }
         };
-        self.broken = (breaks_off || goes_on).then_some(Broken { isn, message });
+        self.broken = (breaks_off || goes_on).then_some(Broken { isn, message, comma });
     }
 
     /// The message for a statement that the grammar does not take.

@@ -20,6 +20,10 @@ pub struct Certificate {
     pub left_out: u64,
     /// Vectors of point-to-point motion, which have no surface to hold to.
     pub free: u64,
+    /// Motions of the program that a CL file lacks.
+    pub unmatched: u64,
+    /// Positions of a CL file that belong to no motion of the program.
+    pub extra: u64,
     /// Allowance for rounding, as a share of the size of the scene.
     pub rounding: f64,
 }
@@ -73,10 +77,27 @@ pub struct Fault {
     pub gouge: bool,
 }
 
+/// A length for a message: small ones keep their digits.
+pub(crate) fn length(x: f64) -> String {
+    if x != 0.0 && x.abs() < 1e-4 { format!("{x:.2e}") } else { format!("{x:.6}") }
+}
+
+impl Fault {
+    /// The place in words.
+    pub(crate) fn place(&self) -> String {
+        let [x, y, z] = self.te;
+        format!("at tool end {x:.5}, {y:.5}, {z:.5}")
+    }
+}
+
 impl Certificate {
     /// Is every cut vector proved?
     pub fn is_proved(&self) -> bool {
-        self.refuted == 0 && self.undecided == 0 && self.left_out == 0
+        self.refuted == 0
+            && self.undecided == 0
+            && self.left_out == 0
+            && self.unmatched == 0
+            && self.extra == 0
     }
 }
 
@@ -85,7 +106,7 @@ impl fmt::Display for Certificate {
         let judged = self.proved + self.refuted + self.undecided;
         if judged == 0 {
             f.write_str("no motion along surfaces")?;
-        } else if self.is_proved() {
+        } else if self.refuted + self.undecided == 0 {
             write!(f, "all {judged} cut vectors along surfaces proved within tolerance")?;
         } else {
             write!(f, "{} of {judged} cut vectors along surfaces proved", self.proved)?;
@@ -98,6 +119,9 @@ impl fmt::Display for Certificate {
         }
         if self.left_out > 0 {
             write!(f, ", {} left out of the sample", self.left_out)?;
+        }
+        if self.unmatched > 0 {
+            write!(f, ", {} motions not found", self.unmatched)?;
         }
         if self.free > 0 {
             write!(f, "; {} from point to point", self.free)?;

@@ -7,6 +7,7 @@
 use aptc_geometry::{Vec3, trig};
 
 use crate::bound::Bound;
+use crate::pile::Pile;
 use crate::solid::{Solid, any_across};
 use crate::tool::{Pose, Tool, carry};
 
@@ -66,9 +67,13 @@ fn around(tool: &Tool<'_>, pose: &Pose, solid: &Solid, axis: Vec3) -> (f64, f64,
     let w = pose.te - origin;
     let amplitude = flat * ((w - w.dot(&axis) * axis).norm() + tool.reach());
     let step = std::f64::consts::TAU / f64::from(SECTORS);
-    let ends: Vec<f64> = (0..SECTORS).map(|i| excess(f64::from(i) * step)).collect();
+    let mut ends = [0.0; SECTORS as usize];
+    for (i, end) in (0_u32..).zip(&mut ends) {
+        *end = excess(f64::from(i) * step);
+    }
     let (mut best, mut best_angle) = (f64::NEG_INFINITY, 0.0);
-    let mut stack = Vec::with_capacity(64);
+    // A sector waits for each of the first, and one for each halving.
+    let mut stack = Pile::<_, 72>::new();
     for (i, &f) in (0_u32..).zip(&ends) {
         if f > best {
             (best, best_angle) = (f, f64::from(i) * step);

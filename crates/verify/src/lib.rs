@@ -6,12 +6,22 @@
 
 mod bound;
 mod certificate;
+mod curved;
+mod demand;
+mod foreign;
+mod free;
 mod inside;
+mod judged;
 mod outside;
-mod segment;
+mod pile;
+mod search;
+mod sheet;
 mod solid;
+mod sweep;
 mod tool;
 mod verifier;
+mod witness;
 
 pub use certificate::{Certificate, Fault, StatementProof, SurfaceBound};
+pub use foreign::{Marks, Matched, matched};
 pub use verifier::{Effort, Verifier};

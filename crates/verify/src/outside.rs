@@ -1,5 +1,7 @@
 //! Bounds of the gap along a cut vector, the tool on the outside of a convex solid.
 //!
+//! The depth of a cut is the length of the shortest way back out.
+//!
 //! For a tool that moves without turning, g(t) = min over the tool of sd is convex in t, because sd is
 //! convex and the tool with its motion is. So g is at most the greater of its ends. From below any unit
 //! vector d proves `g(t) >= -h(T, -d) - h(C, d) + t d.v`; the best d is the normal at the contact where

@@ -59,6 +59,22 @@ impl Tool<'_> {
         profile.farthest((w - z * pose.ta).norm(), z).distance
     }
 
+    /// Has it no inside: the tool end alone, a disk, a cutter of no width?
+    pub(crate) fn is_thin(&self) -> bool {
+        match self {
+            Self::Solid(p) => p.widest() <= 0.0 || p.height() <= p.bottom(),
+            Self::End => true,
+        }
+    }
+
+    /// A point well inside.
+    pub(crate) fn inner(&self, pose: &Pose) -> Vec3 {
+        match self {
+            Self::Solid(p) => pose.te + pose.ta * (0.5 * (p.bottom() + p.height())),
+            Self::End => pose.te,
+        }
+    }
+
     /// Radius of the sphere about the tool end that holds the tool.
     pub(crate) fn reach(&self) -> f64 {
         match self {

@@ -7,6 +7,7 @@ use aptc_control::Disk;
 
 use super::compile::{exit_code, folders, options};
 use crate::cli::{CheckArgs, Common, MessageFormat};
+use crate::progress::Progress;
 use crate::{exit, report};
 
 /// Reports all errors of the parts and writes no files. JSON and SARIF go to standard output, since there
@@ -25,7 +26,9 @@ pub(crate) fn check(args: &CheckArgs, common: &Common) -> io::Result<ExitCode> {
         let mut world = Disk::new(folders(part, &args.source), args.source.max_file_size);
         let mut options = options(&args.source);
         options.plot = false;
+        let progress = Progress::of(part, common);
         let compiled = aptc_control::compile(source, &mut world, &options);
+        drop(progress);
         if matches!(common.message_format, MessageFormat::Json | MessageFormat::Sarif) {
             report::messages(&mut io::stdout().lock(), &compiled, common)?;
         } else {

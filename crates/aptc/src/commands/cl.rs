@@ -6,12 +6,14 @@ use std::path::Path;
 use std::process::ExitCode;
 
 use aptc_control::{
-    CatiaWriter, ClfileWriter, Codes, Decimals, Dialect, JsonWriter, Reader, Record,
-    RecordReader as _, RecordWriter, TapeWriter, TextOptions, TextWriter, copy, diff, stats,
+    CatiaWriter, ClfileWriter, Codes, Decimals, Dialect, JsonWriter, NcReader, Reader, Record,
+    RecordReader, RecordWriter, TapeWriter, TextOptions, TextWriter, copy, diff, edit_cl,
+    find_places, machines, stats,
 };
-use aptc_diagnostics::SourceMap;
+use aptc_diagnostics::{Diagnostic, SourceMap};
 
 use crate::cli::{CldiffArgs, Common, ConvertArgs, StatsArgs};
+use crate::output::Aside;
 use crate::{exit, report};
 
 type FileReader = Reader<BufReader<File>>;
@@ -25,13 +27,19 @@ pub(crate) fn convert(args: &ConvertArgs, common: &Common) -> io::Result<ExitCod
         Ok(r) => r,
         Err(e) => return report::complain(&e),
     };
-    let folder =
-        args.output.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let mut aside = tempfile::Builder::new().prefix(".aptc-").tempfile_in(folder)?;
-    {
-        let out = aside.as_file_mut();
+    let mut aside = match Aside::begin(&args.output) {
+        Ok(a) => a,
+        Err(e) => return cannot_write(&args.output, &e),
+    };
+    let mut edited = Vec::new();
+    let done = {
+        let out = &mut aside;
         let mut writer: Box<dyn RecordWriter> = match to {
-            Dialect::Iso => Box::new(TextWriter::new(out, TextOptions::default())),
+            Dialect::Iso => {
+                // Lines of another CL file are no origins worth a comment each.
+                let marks = reader.is_marked();
+                Box::new(TextWriter::new(out, TextOptions { marks, ..TextOptions::default() }))
+            }
             Dialect::Catia => Box::new(CatiaWriter::new(out, Decimals::Shortest)),
             Dialect::Json => Box::new(JsonWriter::new(out)),
             Dialect::Tape => Box::new(TapeWriter::new(out, Codes::Apt360)),
@@ -41,21 +49,97 @@ pub(crate) fn convert(args: &ConvertArgs, common: &Common) -> io::Result<ExitCod
                 return report::complain(&text);
             }
         };
-        copy(&mut reader, &mut *writer)?;
+        if args.edit {
+            edit_cl(&mut reader, &mut *writer).map(|list| edited = list)
+        } else {
+            copy(&mut reader, &mut *writer).map(|_| ())
+        }
+    };
+    if let Err(e) = done.and_then(|()| aside.keep(&args.output)) {
+        return cannot_write(&args.output, &e);
     }
-    aside.persist(&args.output).map_err(|e| e.error)?;
-    messages(reader, &args.file, common)
+    messages(reader, edited, &args.file, common)
 }
 
-/// Compares two CL files; exit code 1 when they differ.
-pub(crate) fn cldiff(args: &CldiffArgs) -> io::Result<ExitCode> {
-    let (mut a, mut b) = match (open(&args.first, None), open(&args.second, None)) {
+fn cannot_write(path: &Path, e: &io::Error) -> io::Result<ExitCode> {
+    report::complain(&format!("cannot write {}: {e}", path.display()))
+}
+
+/// Compares two CL files or two files of machine code; exit code 1 when they differ or cannot be read.
+pub(crate) fn cldiff(args: &CldiffArgs, common: &Common) -> io::Result<ExitCode> {
+    let opened = |path: &Path| Compared::open(path, args.machine.as_deref());
+    let (mut a, mut b) = match (opened(&args.first), opened(&args.second)) {
         (Ok(a), Ok(b)) => (a, b),
         (Err(e), _) | (_, Err(e)) => return report::complain(&e),
     };
-    let difference = diff::diff(&mut a, &mut b, args.tolerance)?;
-    io::stdout().lock().write_all(difference.text().as_bytes())?;
-    Ok(if difference.is_same() { exit::GOOD } else { ExitCode::from(exit::ERRORS) })
+    if a.is_code() != b.is_code() {
+        return report::complain("one of the files is machine code, the other CL data");
+    }
+    let difference = diff::diff(a.reader(), b.reader(), args.tolerance)?;
+    let mut out = io::stdout().lock();
+    if args.json {
+        writeln!(out, "{}", serde_json::to_string_pretty(&difference)?)?;
+    } else {
+        out.write_all(difference.text().as_bytes())?;
+    }
+    let mut good = difference.is_same();
+    for (compared, path) in [(a, &args.first), (b, &args.second)] {
+        // Units and words that no table has are no matter of a comparison.
+        let mut found = compared.into_diagnostics();
+        found.retain(Diagnostic::is_error);
+        good &= found.is_empty();
+        tell(&found, path, common)?;
+    }
+    Ok(if good { exit::GOOD } else { ExitCode::from(exit::ERRORS) })
+}
+
+/// A file to be compared.
+enum Compared {
+    Cl(Box<FileReader>),
+    Code(Box<NcReader<BufReader<File>>>),
+}
+
+impl Compared {
+    /// Machine code when a machine is given or the file's name says so.
+    fn open(path: &Path, machine: Option<&str>) -> Result<Self, String> {
+        let ending = path.extension().map(|e| e.to_string_lossy().to_lowercase());
+        let usual = match ending.as_deref() {
+            Some("nc" | "ngc" | "cnc" | "gcode" | "tap" | "eia" | "iso") => Some("linuxcnc-mill"),
+            Some("mpf" | "spf") => Some("siemens-840d-mill"),
+            Some("h") => Some("heidenhain-tnc"),
+            _ => None,
+        };
+        let Some(name) = machine.or(usual) else {
+            return open(path, None).map(|r| Self::Cl(Box::new(r)));
+        };
+        let machine = machines()
+            .find(|m| m.name.eq_ignore_ascii_case(name))
+            .ok_or_else(|| format!("there is no machine {name}; `aptc machines` lists them"))?;
+        let fault = |e: io::Error| format!("cannot read {}: {e}", path.display());
+        if !path.is_file() {
+            return Err(format!("cannot read {}: it is no file", path.display()));
+        }
+        let input = BufReader::new(File::open(path).map_err(fault)?);
+        Ok(Self::Code(Box::new(NcReader::new(machine, input))))
+    }
+
+    fn is_code(&self) -> bool {
+        matches!(self, Self::Code(_))
+    }
+
+    fn reader(&mut self) -> &mut dyn RecordReader {
+        match self {
+            Self::Cl(r) => &mut **r,
+            Self::Code(r) => &mut **r,
+        }
+    }
+
+    fn into_diagnostics(self) -> Vec<Diagnostic> {
+        match self {
+            Self::Cl(r) => r.into_diagnostics(),
+            Self::Code(r) => r.into_diagnostics(),
+        }
+    }
 }
 
 /// Prints the figures of a CL file.
@@ -75,17 +159,20 @@ pub(crate) fn stats(args: &StatsArgs, common: &Common) -> io::Result<ExitCode> {
     } else {
         out.write_all(figures.text().as_bytes())?;
     }
-    messages(reader, &args.file, common)
+    messages(reader, Vec::new(), &args.file, common)
 }
 
-fn open(path: &Path, dialect: Option<&str>) -> Result<FileReader, String> {
-    let dialect = match dialect {
-        None => None,
-        Some(name) => Some(
-            Dialect::from_name(name)
-                .ok_or_else(|| format!("there is no CL dialect {name}; {}", dialects()))?,
-        ),
-    };
+/// The dialect of that name, if one is given.
+pub(crate) fn dialect(name: Option<&str>) -> Result<Option<Dialect>, String> {
+    let Some(name) = name else { return Ok(None) };
+    match Dialect::from_name(name) {
+        Some(d) => Ok(Some(d)),
+        None => Err(format!("there is no CL dialect {name}; {}", dialects())),
+    }
+}
+
+fn open(path: &Path, name: Option<&str>) -> Result<FileReader, String> {
+    let dialect = dialect(name)?;
     let fault = |e: io::Error| format!("cannot read {}: {e}", path.display());
     if !path.is_file() {
         return Err(format!("cannot read {}: it is no file", path.display()));
@@ -99,12 +186,24 @@ fn dialects() -> String {
     format!("known are {}", names.join(", "))
 }
 
-/// Tells what the reader found; the file's text is not kept, so the messages give lines in their words.
-fn messages(reader: FileReader, path: &Path, common: &Common) -> io::Result<ExitCode> {
-    let diagnostics = reader.into_diagnostics();
+/// Writes the messages about a file.
+fn tell(diagnostics: &[Diagnostic], path: &Path, common: &Common) -> io::Result<()> {
     let mut sources = SourceMap::default();
-    sources.add(path.display().to_string(), "");
-    report::write(&mut io::stderr().lock(), &diagnostics, &sources, common)?;
-    let errors = diagnostics.iter().any(aptc_diagnostics::Diagnostic::is_error);
+    let file = sources.add_unkept(path.display().to_string());
+    find_places(diagnostics, &mut sources, file, File::open(path)?)?;
+    report::write(&mut io::stderr().lock(), diagnostics, &sources, common)
+}
+
+/// Tells what the reader and the editor found; the file's text is not kept, but the places are found.
+fn messages(
+    reader: FileReader,
+    edited: Vec<Diagnostic>,
+    path: &Path,
+    common: &Common,
+) -> io::Result<ExitCode> {
+    let mut diagnostics = reader.into_diagnostics();
+    diagnostics.extend(edited);
+    tell(&diagnostics, path, common)?;
+    let errors = diagnostics.iter().any(Diagnostic::is_error);
     Ok(if errors { ExitCode::from(exit::ERRORS) } else { exit::GOOD })
 }

@@ -6,10 +6,11 @@ use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use aptc_control::{Artifact, Compiled, Disk, MachineChoice, Options, Verify};
+use aptc_control::{Artifact, CodeOptions, Compiled, Disk, MachineChoice, Options, Verify};
 
-use crate::cli::{Common, CompileArgs, Emit, SourceArgs, VerifyHow};
+use crate::cli::{CodeArgs, Common, CompileArgs, Emit, SourceArgs, SourceDialect, VerifyHow};
 use crate::output::write_whole;
+use crate::progress::Progress;
 use crate::{exit, report};
 
 /// Compiles every part; the exit code is that of the worst.
@@ -18,13 +19,14 @@ pub(crate) fn compile(args: &CompileArgs, common: &Common) -> io::Result<ExitCod
     if let Err(e) = std::fs::create_dir_all(&folder) {
         return report::complain(&format!("cannot make the folder {}: {e}", folder.display()));
     }
-    let machine = match machine_choice(args.machine.as_deref(), args.source.max_file_size) {
-        Ok(m) => m,
+    let mut code = match code_options(&args.code, args.source.max_file_size) {
+        Ok(c) => c,
         Err(e) => return report::complain(&e),
     };
+    code.map = args.emit.contains(&Emit::Map);
     let mut worst = 0;
     for part in &args.parts {
-        let code = compile_one(part, &folder, args, common, machine.clone())?;
+        let code = compile_one(part, &folder, args, common, code.clone())?;
         worst = worst.max(code);
     }
     Ok(ExitCode::from(worst))
@@ -35,7 +37,7 @@ fn compile_one(
     folder: &Path,
     args: &CompileArgs,
     common: &Common,
-    machine: Option<MachineChoice>,
+    code: CodeOptions,
 ) -> io::Result<u8> {
     let source = match Disk::open(part, args.source.max_file_size) {
         Ok(s) => s,
@@ -45,7 +47,7 @@ fn compile_one(
         }
     };
     let mut options = options(&args.source);
-    options.machine = machine;
+    options.code = code;
     options.keep_protap = args.emit.contains(&Emit::Protap);
     options.plot = args.emit.contains(&Emit::Svg);
     options.verify = match args.verify {
@@ -56,11 +58,13 @@ fn compile_one(
     };
     let mut world = Disk::new(folders(part, &args.source), args.source.max_file_size);
     let numeric = part.extension().is_some_and(|e| e.eq_ignore_ascii_case("protap"));
+    let progress = Progress::of(part, common);
     let compiled = if numeric {
         aptc_control::resume(source, &options)
     } else {
         aptc_control::compile(source, &mut world, &options)
     };
+    drop(progress);
     report::messages(&mut io::stderr().lock(), &compiled, common)?;
     let written = match write_artifacts(part, folder, args, &compiled) {
         Ok(w) => w,
@@ -93,6 +97,20 @@ pub(crate) fn options(source: &SourceArgs) -> Options {
     if source.deny_unknown_words {
         options.translate.unknown_words = aptc_control::UnknownWords::Refuse;
     }
+    if source.dialect == SourceDialect::Ncl {
+        options.translate.language = aptc_control::Language::Ncl;
+    }
+    options.translate.unused = source.warn_unused;
+    options.time = source.max_seconds;
+    if let Some(n) = source.max_include_depth {
+        options.translate.limits.include_depth = n as usize;
+    }
+    if let Some(n) = source.max_array_elements {
+        options.translate.limits.array_elements = n as usize;
+    }
+    if let Some(n) = source.max_points {
+        options.translate.limits.points = n as usize;
+    }
     if let Some(n) = source.max_statements {
         options.translate.limits.statements = n;
     }
@@ -108,11 +126,19 @@ pub(crate) fn folders(part: &Path, source: &SourceArgs) -> Vec<PathBuf> {
     std::iter::once(own.to_owned()).chain(source.include.iter().cloned()).collect()
 }
 
+/// How machine code is to be written.
+pub(crate) fn code_options(args: &CodeArgs, limit: u64) -> Result<CodeOptions, String> {
+    Ok(CodeOptions {
+        machine: machine_choice(args.machine.as_deref(), limit)?,
+        work_offset: args.work_offset.clone(),
+        stock: args.stock,
+        annotate: args.annotate,
+        map: false,
+    })
+}
+
 /// The machine that was asked for: a file when there is one of that name and it ends in `.toml`.
-pub(crate) fn machine_choice(
-    name: Option<&str>,
-    limit: u64,
-) -> Result<Option<MachineChoice>, String> {
+fn machine_choice(name: Option<&str>, limit: u64) -> Result<Option<MachineChoice>, String> {
     let Some(name) = name else { return Ok(None) };
     if !Path::new(name).extension().is_some_and(|e| e.eq_ignore_ascii_case("toml")) {
         return Ok(Some(MachineChoice::Named(name.to_owned())));
@@ -141,9 +167,12 @@ fn write_artifacts(
             Emit::ClJson => Artifact::ClJson,
             Emit::Cltape => Artifact::Cltape,
             Emit::Nc => Artifact::Nc,
+            Emit::Setup => Artifact::Setup,
+            Emit::Map => Artifact::Map,
             Emit::Lst => Artifact::Listing,
             Emit::Svg => Artifact::Svg,
             Emit::Geometry => Artifact::Geometry,
+            Emit::Diagram => Artifact::Diagram,
         };
         for (ending, bytes) in compiled.artifact(artifact, args.keep_going) {
             let path = folder.join(with_ending(stem.to_owned(), &ending));
@@ -176,7 +205,7 @@ fn summary(part: &Path, compiled: &Compiled, written: &[PathBuf]) -> String {
             format!("{:.3} {unit} at feed rate, {:.3} {unit} rapid", s.cut_length, s.rapid_length),
         );
         for nc in &p.nc {
-            add("machining time", format!("{} on {}", clock(nc.seconds), nc.machine));
+            add("machining time", format!("{} on {}", clock(nc.seconds()), nc.machine.name));
         }
         if let Some(certificate) = &p.certificate {
             add("tolerance", certificate.to_string());

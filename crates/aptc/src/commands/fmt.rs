@@ -12,11 +12,8 @@ use crate::{exit, report};
 /// Puts part programs into one style. With `--check` and `--diff` nothing is written, and the exit code is 1
 /// when a file would change.
 pub(crate) fn fmt(args: &FmtArgs) -> io::Result<ExitCode> {
-    let options = FormatOptions {
-        free_form: args.free_form,
-        keep_identification: args.keep_columns,
-        ..FormatOptions::default()
-    };
+    let options =
+        FormatOptions { free_form: args.free_form, keep_identification: args.keep_columns };
     let mut code = exit::GOOD;
     for part in &args.parts {
         let source = match Disk::open(part, 256 << 20) {

@@ -1,52 +1,86 @@
 //! `aptc post`.
 
-use std::io::{self, Write as _};
+use std::fs::File;
+use std::io::{self, Read, Write as _};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use aptc_control::Disk;
+use aptc_control::{Artifact, ClOptions, PostedCl, post_cl};
 
-use super::compile::machine_choice;
+use super::cl::dialect;
+use super::compile::code_options;
 use crate::cli::{Common, PostArgs};
-use crate::output::write_whole;
+use crate::output::{Aside, write_whole};
 use crate::{exit, report};
 
-/// Largest CL file that is read.
-const MOST_BYTES: u64 = 4 << 30;
+/// Largest machine file that is read.
+const MOST_BYTES: u64 = 64 << 20;
 
-/// Posts a CL file. The machine code is written whole or, where the post refused, not at all.
+/// Posts a CL file, record by record. The machine code is written whole or, where the post refused, not at
+/// all.
 pub(crate) fn post(args: &PostArgs, common: &Common) -> io::Result<ExitCode> {
-    let machine = match machine_choice(args.machine.as_deref(), MOST_BYTES) {
-        Ok(m) => m,
+    let mut code = match code_options(&args.code, MOST_BYTES) {
+        Ok(c) => c,
         Err(e) => return report::complain(&e),
     };
-    let bytes = match Disk::bytes(&args.file, MOST_BYTES) {
-        Ok(b) => b,
-        Err(e) => return report::complain(&format!("cannot read {}: {e}", args.file.display())),
+    code.map = args.map;
+    let dialect = match dialect(args.from.as_deref()) {
+        Ok(d) => d,
+        Err(e) => return report::complain(&e),
     };
-    let name = args.file.display().to_string();
-    let posted = aptc_control::post_cl(&name, bytes, None, machine.as_ref());
-    report::write(&mut io::stderr().lock(), &posted.diagnostics, &posted.sources, common)?;
-    let code = if posted.has_errors() { ExitCode::from(exit::ERRORS) } else { exit::GOOD };
-    if args.output.as_deref() == Some(Path::new("-")) {
-        let mut out = io::stdout().lock();
-        for (_, text) in posted.artifact(aptc_control::Artifact::Nc, false) {
-            out.write_all(&text)?;
-        }
-        return Ok(code);
-    }
-    let path = args.output.clone().unwrap_or_else(|| {
+    let show = args.output.as_deref() == Some(Path::new("-"));
+    let path = args.output.clone().filter(|_| !show).unwrap_or_else(|| {
         PathBuf::from(args.file.file_name().unwrap_or_default()).with_extension("nc")
     });
-    for (ending, text) in posted.artifact(aptc_control::Artifact::Nc, false) {
+    let beside = if show { std::env::temp_dir().join("nc") } else { path.clone() };
+    if !args.file.is_file() {
+        let why = if args.file.exists() { "it is no file" } else { "there is no such file" };
+        return report::complain(&format!("cannot read {}: {why}", args.file.display()));
+    }
+    let name = args.file.display().to_string();
+    let mut open = || Ok(Box::new(File::open(&args.file)?) as Box<dyn Read>);
+    let cl = ClOptions { dialect, edit: args.edit };
+    let posted = match post_cl(&name, &mut open, cl, &code, &mut || Aside::begin(&beside)) {
+        Ok(p) => p,
+        Err(e) => return report::complain(&format!("cannot post {name}: {e}")),
+    };
+    let PostedCl { compiled, texts } = posted;
+    report::messages(&mut io::stderr().lock(), &compiled, common)?;
+    let exit = if compiled.has_errors() { ExitCode::from(exit::ERRORS) } else { exit::GOOD };
+    let whole = compiled.is_cl_whole();
+    let texts = compiled.nc().map(|(stem, _)| format!("{stem}nc")).zip(texts);
+    for (ending, text) in texts.filter(|_| whole) {
+        if show {
+            text.copy_to(&mut io::stdout().lock())?;
+            continue;
+        }
         // The first text has the name that was asked for, further ones `2.nc` and so on.
         let path = if ending == "nc" { path.clone() } else { path.with_extension(ending) };
-        if let Err(e) = write_whole(&path, &text) {
-            return report::complain(&format!("cannot write {}: {e}", path.display()));
-        }
-        if !common.quiet {
-            writeln!(io::stdout(), "wrote {}", path.display())?;
+        if let Some(done) = wrote(&path, text.keep(&path), common)? {
+            return Ok(done);
         }
     }
-    Ok(code)
+    if show {
+        return Ok(exit);
+    }
+    let kinds =
+        [(args.setup, Artifact::Setup), (args.map, Artifact::Map)].into_iter().filter(|k| k.0);
+    for (ending, text) in kinds.flat_map(|(_, kind)| compiled.artifact(kind, false)) {
+        let path = path.with_extension(ending);
+        if let Some(done) = wrote(&path, write_whole(&path, &text), common)? {
+            return Ok(done);
+        }
+    }
+    Ok(exit)
+}
+
+/// Tells of a file that was written; the exit code if it could not be.
+fn wrote(path: &Path, done: io::Result<()>, common: &Common) -> io::Result<Option<ExitCode>> {
+    if let Err(e) = done {
+        return report::complain(&format!("cannot write {}: {e}", path.display())).map(Some);
+    }
+    if !common.quiet {
+        writeln!(io::stdout(), "wrote {}", path.display())?;
+    }
+    Ok(None)
 }

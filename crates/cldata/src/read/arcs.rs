@@ -52,6 +52,40 @@ pub(crate) fn sweep(center: Vec3, axis: Vec3, start: Vec3, end: Vec3) -> f64 {
     if angle <= 0.0 { angle + 360.0 } else { angle }
 }
 
+/// How far two angles in degrees are apart, whole turns aside.
+pub(super) fn apart(a: f64, b: f64) -> f64 {
+    let d = (a - b).rem_euclid(360.0);
+    d.min(360.0 - d)
+}
+
+/// Greatest distance of an arc between two successive points from its chord.
+pub(super) fn rise(circle: &Circle, start: Vec3, points: impl Iterator<Item = Vec3>) -> f64 {
+    let mut last = start;
+    points.fold(0.0, |most: f64, p| {
+        let angle = sweep(circle.center, circle.axis, last, p);
+        last = p;
+        let half = angle.min(360.0 - angle).to_radians() / 2.0;
+        most.max(circle.radius * (1.0 - trig::cos(half)))
+    })
+}
+
+/// The axis about which the points follow one another right-handed within one turn, that of the circle or
+/// the opposite one; `None` when their order does not say.
+pub(super) fn sense(
+    circle: &Circle,
+    start: Vec3,
+    points: impl Iterator<Item = Vec3>,
+) -> Option<Vec3> {
+    let mut last = start;
+    let (mut left, mut right) = (0.0, 0.0);
+    for p in points {
+        left += sweep(circle.center, circle.axis, last, p);
+        right += sweep(circle.center, -circle.axis, last, p);
+        last = p;
+    }
+    if left <= 360.5 { Some(circle.axis) } else { (right <= 360.5).then_some(-circle.axis) }
+}
+
 /// The plane through the circle's axis, or touching the circle, in which a motion ends.
 pub(super) struct EndPlane {
     /// The plane.

@@ -32,6 +32,7 @@ pub(super) fn tlaxis(state: &mut State, rest: &[u8]) -> bool {
     state.close();
     if axis != Vec3::z() || state.axis_seen {
         state.axis(Some(axis));
+        state.axis_held = true;
     }
     state.ta = axis;
     true

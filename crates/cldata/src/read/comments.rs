@@ -40,7 +40,7 @@ fn mark(state: &mut State, text: &[u8]) -> bool {
 }
 
 /// `n`, `= n`, `n FILE name`.
-fn line(state: &mut State, isn: bool, rest: &[u8]) -> bool {
+pub(super) fn line(state: &mut State, isn: bool, rest: &[u8]) -> bool {
     let mut at = 0;
     while matches!(rest.get(at), Some(b' ' | b'\t' | b':' | b'=')) {
         at += 1;

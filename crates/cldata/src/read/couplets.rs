@@ -3,11 +3,11 @@
 use aptc_geometry::{Circle, Vec3};
 
 use super::arcs::Pending;
-use super::args;
 use super::comments::unit;
 use super::state::State;
 use super::words::{unread, wrong};
-use crate::Arg;
+use super::{args, nx};
+use crate::{Arg, Kind};
 
 const MOVARC_FORMS: &str =
     "write MOVARC/x,y,z,i,j,k,r,ANGLE,sweep or MOVARC/CENTER,x,y,z,AXIS,i,j,k,RADIUS,r";
@@ -42,6 +42,15 @@ impl Couplets {
         Some(Vec3::new(*n.first()?, *n.get(1)?, *n.get(2)?))
     }
 
+    /// Three numbers from an argument on.
+    fn vector_at(&self, at: usize) -> Option<Vec3> {
+        let number = |i: usize| match self.list.get(at + i) {
+            Some(Arg::Number(x)) => Some(*x).filter(|x| args::is_coordinate(*x)),
+            _ => None,
+        };
+        Some(Vec3::new(number(0)?, number(1)?, number(2)?))
+    }
+
     fn number(&self, word: &str) -> Option<f64> {
         self.after(word)?.first().copied()
     }
@@ -70,7 +79,31 @@ pub(super) fn movarc(state: &mut State, text: &[u8], rest: &[u8]) {
     state.pending = Some(Pending::End { center, axis, radius, turns, sweep });
 }
 
-/// ARCDAT, ARCMOV, GOCLW, GOCCLW, CW, CCW, HELICAL.
+/// `MCSYS/NUM,n,POINT,x,y,z,VECTOR,i,j,k,VECTOR,l,m,n`: the frame by origin, x and y axis; its number
+/// stays a post-processor word.
+pub(super) fn mcsys(state: &mut State, rest: &[u8]) -> bool {
+    let couplets = Couplets::read(rest);
+    let mut vectors = couplets
+        .list
+        .iter()
+        .enumerate()
+        .filter(|(_, a)| matches!(a, Arg::Word(w) if w == "VECTOR"))
+        .map(|(i, _)| couplets.vector_at(i + 1));
+    let (Some(o), Some(Some(x)), Some(Some(y))) =
+        (couplets.vector("POINT"), vectors.next(), vectors.next())
+    else {
+        return false;
+    };
+    let Some(frame) = nx::frame(&[o, x, y].map(|v| [v.x, v.y, v.z]).concat()) else { return false };
+    if let Some(n) = couplets.number("NUM") {
+        let args = vec![Arg::Word("NUM".into()), Arg::Number(n)];
+        state.emit(Kind::Post { word: "MCSYS".into(), args });
+    }
+    state.emit(Kind::Csys(frame));
+    true
+}
+
+/// ARC, ARCDAT, ARCMOV, GOCLW, GOCCLW, CW, CCW, HELICAL.
 pub(super) fn arc_word(state: &mut State, text: &[u8], word: &str, rest: &[u8]) {
     let couplets = Couplets::read(rest);
     let n = couplets.after("").unwrap_or_default();
@@ -93,6 +126,10 @@ pub(super) fn arc_word(state: &mut State, text: &[u8], word: &str, rest: &[u8]) 
                 let end = Vec3::new(n[0], n[1], n[2]);
                 return arc(state, Circle { axis, ..circle }, 0, end);
             }
+        }
+        // The circle and its end.
+        ("ARC", 10) => {
+            return arc(state, Circle { center: v(0), axis: v(3), radius: n[6] }, 0, v(7));
         }
         // Centre, axis, radius, end.
         ("GOCLW" | "GOCCLW", 10) => {
@@ -119,7 +156,7 @@ pub(super) fn arc_word(state: &mut State, text: &[u8], word: &str, rest: &[u8]) 
         }
         _ => {}
     }
-    if matches!(word, "CW" | "CCW") && n.is_empty() {
+    if matches!(word, "CW" | "CCW" | "ARC") && n.is_empty() {
         return unread(state, text);
     }
     let help = "give centre, axis, radius and end as numbers";

@@ -2,6 +2,7 @@
 
 use aptc_diagnostics::Severity;
 
+use super::layout;
 use crate::{Dialect, Units, clfile, tape};
 
 /// Bytes at the head of a file that are looked at.
@@ -19,13 +20,19 @@ pub fn dialect(head: &[u8]) -> Dialect {
     if head.trim_ascii_start().first() == Some(&b'{') {
         return Dialect::Json;
     }
-    for line in head.split(|b| *b == b'\n') {
-        let line = line.trim_ascii();
+    for line in lines(head) {
         if let Some(found) = by_line(&line.to_ascii_uppercase()) {
             return found;
         }
     }
     Dialect::Iso
+}
+
+/// The statements' part of each line, without the blanks around it.
+fn lines(head: &[u8]) -> impl Iterator<Item = &[u8]> {
+    let layout = layout::of(head);
+    head.split(move |b| *b == layout.eol)
+        .map(move |line| line.get(layout.skip..).unwrap_or_default().trim_ascii())
 }
 
 /// A line that only one dialect has, in capitals.
@@ -39,7 +46,7 @@ fn by_line(line: &[u8]) -> Option<Dialect> {
     if has(b"PRO/CLFILE") || starts(b"$$->") || starts(b"REMARK ->") {
         return Some(Dialect::Creo);
     }
-    if starts(b"TOOL PATH/") || starts(b"TOOL PATH /") || starts(b"TLDATA/") {
+    if starts(b"TOOL PATH/") || starts(b"TOOL PATH /") || starts(b"TLDATA/") || starts(b"PAINT/") {
         return Some(Dialect::Nx);
     }
     if starts(b"CSI_SET_") || starts(b"TRNTYP/") || starts(b"CYCLE/INIT") {
@@ -54,12 +61,19 @@ fn by_line(line: &[u8]) -> Option<Dialect> {
     None
 }
 
+/// Is there a mark of the source's lines?
+pub(super) fn marked(head: &[u8]) -> bool {
+    [&b"$$ LINE "[..], b"$$ ISN "].iter().any(|m| memchr::memmem::find(head, m).is_some())
+}
+
 /// What the head of a text says about the unit.
 pub(super) enum Unit {
     /// It is stated, or will be.
     Stated,
     /// Feeds are in this unit; lengths will be too.
     Feeds(Units),
+    /// Nothing says it, and the system that wrote the file works in this unit if it is not told otherwise.
+    Usual(Units),
     /// Nothing says it.
     Unknown,
 }
@@ -67,8 +81,8 @@ pub(super) enum Unit {
 /// Looks for UNITS or UNIT, else for feeds in millimetres or inches.
 pub(super) fn unit(head: &[u8]) -> Unit {
     let mut feeds = None;
-    for line in head.split(|b| *b == b'\n') {
-        let line = line.trim_ascii().to_ascii_uppercase();
+    for line in lines(head) {
+        let line = line.to_ascii_uppercase();
         if line.starts_with(b"$$") {
             continue;
         }
@@ -79,7 +93,8 @@ pub(super) fn unit(head: &[u8]) -> Unit {
         if !matches!(word, b"FEDRAT" | b"CYCLE" | b"TOOLNO") || feeds.is_some() {
             continue;
         }
-        for field in line[word.len()..].split(|b| matches!(b, b',' | b'/')) {
+        let rest = memchr::memchr(b'/', &line).map_or(&b""[..], |slash| &line[slash..]);
+        for field in rest.split(|b| matches!(b, b',' | b'/')) {
             match field.trim_ascii() {
                 b"MMPM" | b"MMPR" => feeds = Some(Units::Mm),
                 b"IPM" | b"IPR" => feeds = Some(Units::Inches),
@@ -91,6 +106,14 @@ pub(super) fn unit(head: &[u8]) -> Unit {
 }
 
 impl Unit {
+    /// The same, knowing who wrote the file.
+    pub(super) fn of(self, dialect: Dialect) -> Self {
+        match (self, dialect) {
+            (Self::Unknown, Dialect::Catia) => Self::Usual(Units::Mm),
+            (other, _) => other,
+        }
+    }
+
     /// The unit to be stated before the first record, and what is to be said about it.
     pub(super) fn statement(&self) -> Option<(Option<Units>, Severity, &'static str)> {
         match self {
@@ -103,6 +126,11 @@ impl Unit {
             Self::Feeds(u) => {
                 Some((Some(*u), Severity::Note, "the unit is not stated; inches, as the feeds are"))
             }
+            Self::Usual(u) => Some((
+                Some(*u),
+                Severity::Warning,
+                "the unit is not stated; millimetres are taken, as CATIA has them",
+            )),
             Self::Unknown => {
                 Some((None, Severity::Warning, "the unit is not stated; inches are taken"))
             }

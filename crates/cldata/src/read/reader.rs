@@ -4,19 +4,22 @@ use std::io::{self, Chain, Cursor, Read};
 
 use aptc_diagnostics::{Diagnostic, FileId};
 
-use super::detect;
+use super::encoding::Decoded;
 use super::text_reader::TextReader;
+use super::{detect, layout};
 use crate::clfile::ClfileReader;
 use crate::json::JsonReader;
 use crate::tape::TapeReader;
 use crate::{Dialect, Record, RecordReader};
 
 /// The stream with the bytes that were looked at before it.
-type Input<R> = Chain<Cursor<Vec<u8>>, R>;
+type Input<R> = Chain<Cursor<Vec<u8>>, Decoded<R>>;
 
 /// Reads CL data of any dialect.
 pub struct Reader<R> {
     dialect: Dialect,
+    /// Does the head have marks?
+    marked: bool,
     inner: Inner<R>,
 }
 
@@ -34,11 +37,14 @@ impl<R: Read> Reader<R> {
     }
 
     /// The same; `file` stands in the spans of records and messages.
-    pub fn open_file(mut input: R, dialect: Option<Dialect>, file: FileId) -> io::Result<Self> {
+    pub fn open_file(input: R, dialect: Option<Dialect>, file: FileId) -> io::Result<Self> {
+        let mut input = Decoded::new(input);
         let mut head = Vec::new();
         input.by_ref().take(detect::HEAD as u64).read_to_end(&mut head)?;
         let dialect = dialect.unwrap_or_else(|| detect::dialect(&head));
-        let unit = detect::unit(&head);
+        let unit = detect::unit(&head).of(dialect);
+        let layout = layout::of(&head);
+        let marked = detect::marked(&head);
         let input = Cursor::new(head).chain(input);
         let inner = match dialect {
             Dialect::Json => Inner::Json(JsonReader::new(input, file)),
@@ -47,10 +53,11 @@ impl<R: Read> Reader<R> {
             text => {
                 let mut reader = TextReader::new(input, text, file);
                 reader.state_unit(&unit);
+                reader.lay_out(layout);
                 Inner::Text(Box::new(reader))
             }
         };
-        Ok(Self { dialect, inner })
+        Ok(Self { dialect, marked, inner })
     }
 
     /// The dialect that is read.
@@ -58,10 +65,10 @@ impl<R: Read> Reader<R> {
         self.dialect
     }
 
-    /// Did the file say with `$$ LINE` where its records come from? Known after the first of them.
+    /// Does the file say with `$$ LINE` where its records come from? Looked for in its first 64 KiB.
     pub fn is_marked(&self) -> bool {
         match &self.inner {
-            Inner::Text(r) => r.is_marked(),
+            Inner::Text(r) => self.marked || r.is_marked(),
             Inner::Json(_) | Inner::Tape(_) | Inner::Clfile(_) => true,
         }
     }

@@ -3,6 +3,8 @@
 use std::io::{self, Read};
 use std::ops::Range;
 
+use super::layout::Layout;
+
 /// Bytes held at once, and so the longest line.
 const BUFFER: usize = 256 * 1024;
 /// Longest statement over all its lines.
@@ -17,6 +19,8 @@ pub(super) struct Scanner<R> {
     /// The next line and its length with the end of line, when it has been looked at.
     peeked: Option<(Range<usize>, usize)>,
     at_end: bool,
+    /// Where statements stand on the lines.
+    pub(super) layout: Layout,
     /// Number of the next line, from 1.
     pub(super) line: u64,
     /// Bytes before the unread ones.
@@ -44,6 +48,7 @@ impl<R: Read> Scanner<R> {
             unread: 0..0,
             peeked: None,
             at_end: false,
+            layout: Layout::default(),
             line: 1,
             offset: 0,
             joined: Vec::new(),
@@ -76,7 +81,7 @@ impl<R: Read> Scanner<R> {
         let mut searched = 0;
         loop {
             let held = &self.buf[self.unread.clone()];
-            if let Some(n) = memchr::memchr(b'\n', &held[searched..]) {
+            if let Some(n) = memchr::memchr(self.layout.eol, &held[searched..]) {
                 self.set_line(searched + n, searched + n + 1);
                 return Ok(true);
             }
@@ -103,6 +108,8 @@ impl<R: Read> Scanner<R> {
         while end > start && matches!(self.buf[end - 1], b'\r' | 0x1a | 0) {
             end -= 1;
         }
+        let Layout { skip, width, .. } = self.layout;
+        let (end, start) = (end.min(start.saturating_add(width)), end.min(start + skip));
         self.peeked = Some((start..end, with_end));
     }
 
@@ -130,7 +137,7 @@ impl<R: Read> Scanner<R> {
         self.overlong.1 += 1;
         loop {
             let held = self.unread.len();
-            if let Some(n) = memchr::memchr(b'\n', &self.buf[self.unread.clone()]) {
+            if let Some(n) = memchr::memchr(self.layout.eol, &self.buf[self.unread.clone()]) {
                 self.unread.start += n + 1;
                 self.offset += n as u64 + 1;
                 self.line += 1;

@@ -26,6 +26,8 @@ pub(super) struct State {
     pub(super) ta: Vec3,
     /// Has an axis been given since the beginning or MULTAX/OFF?
     pub(super) axis_seen: bool,
+    /// Did TLAXIS give it, so that it holds?
+    pub(super) axis_held: bool,
     pub(super) multax: bool,
     pub(super) units: Option<Units>,
     /// INTOL of the drive surface.
@@ -48,6 +50,12 @@ pub(super) struct State {
     queue: VecDeque<Record>,
     /// Was the last statement a GOTO, so that a line of numbers goes on with it?
     pub(super) in_goto: bool,
+    /// Is this such a line?
+    pub(super) bare: bool,
+    /// Between DEFSUB and ENDSUB, and after CALSUB, the place of the tool is not known here: GODLTA stays a
+    /// word that the editor makes into motion. The position before DEFSUB.
+    pub(super) subprogram: Option<Option<Vec3>>,
+    pub(super) called: bool,
 }
 
 /// The way of the tool at the start of an arc.
@@ -87,6 +95,7 @@ impl State {
             te: None,
             ta: Vec3::z(),
             axis_seen: false,
+            axis_held: false,
             multax: false,
             units: None,
             intol: 0.0,
@@ -102,6 +111,9 @@ impl State {
             open: None,
             queue: VecDeque::new(),
             in_goto: false,
+            bare: false,
+            subprogram: None,
+            called: false,
         }
     }
 
@@ -192,11 +204,12 @@ impl State {
             self.axis_seen = true;
             return (self.ta, true);
         }
-        let modal = match self.dialect {
-            Dialect::Nx | Dialect::Catia => true,
-            Dialect::Creo | Dialect::Camworks => false,
-            _ => self.multax,
-        };
+        let modal = self.axis_held
+            || match self.dialect {
+                Dialect::Nx | Dialect::Catia => true,
+                Dialect::Creo | Dialect::Camworks => false,
+                _ => self.multax,
+            };
         if !(modal && self.axis_seen) {
             self.ta = Vec3::z();
         }
@@ -219,6 +232,21 @@ impl State {
             self.start_motion(from, p, with_axis);
         }
         self.te = Some(p.te);
+        self.called = false;
+    }
+
+    /// DEFSUB, ENDSUB and CALSUB.
+    pub(super) fn subprogram_word(&mut self, word: &str) {
+        match word {
+            "DEFSUB" if self.subprogram.is_none() => self.subprogram = Some(self.te),
+            "ENDSUB" => {
+                if let Some(before) = self.subprogram.take() {
+                    self.te = before;
+                }
+            }
+            "CALSUB" => self.called = true,
+            _ => {}
+        }
     }
 
     /// Adds the point to the open motion if it belongs there.
@@ -226,12 +254,21 @@ impl State {
         if self.path.is_some() || self.pending.is_some() {
             return false;
         }
-        let slack = self.slack();
+        let (slack, widest) = (self.slack(), self.widest());
+        // A point with a GOTO of its own may end a straight move across the circle.
+        let (bare, creo) = (self.bare, self.dialect == Dialect::Creo);
         let Some(open) = &mut self.open else { return false };
+        let last = open.motion.points.last().map(|q| q.te);
+        let near = |c: &Circle| match last {
+            Some(last) if !bare => !creo && arcs::rise(c, last, std::iter::once(p.te)) <= widest,
+            _ => true,
+        };
         let same = (open.motion.kind == MotionKind::From) == from
             && open.motion.with_axis == with_axis
             && open.motion.points.len() < MOST_POINTS
-            && open.on.is_none_or(|c| arcs::off_circle(&c, p.te).abs() <= slack * c.radius);
+            && open
+                .on
+                .is_none_or(|c| arcs::off_circle(&c, p.te).abs() <= slack * c.radius && near(&c));
         if same {
             open.motion.points.push(p);
         } else if open.motion.points.len() >= MOST_POINTS {
@@ -317,11 +354,19 @@ impl State {
             return None;
         }
         let off = arcs::off_circle(&circle, start).abs().max(arcs::off_circle(&circle, end).abs());
-        if off > 10.0 * self.slack() * circle.radius {
+        let fits = off <= 10.0 * self.slack() * circle.radius;
+        if !fits {
             self.off_circle();
         }
-        let sweep = sweep
-            .unwrap_or_else(|| arcs::sweep(center, axis, start, end) + 360.0 * f64::from(turns));
+        let shortest = arcs::sweep(center, axis, start, end);
+        let sweep = sweep.unwrap_or(shortest + 360.0 * f64::from(turns));
+        // Some posts state the plane's axis for both senses; then only the angle tells them apart.
+        let left = arcs::apart(sweep, shortest) <= 1.0;
+        if fits && !left && arcs::apart(sweep, 360.0 - shortest) < 1.0 {
+            let what = "an arc whose angle fits only the other sense of rotation; it is turned";
+            self.report.note(self.at, codes::CL_VALUE, Severity::Warning, what);
+            circle.axis = -circle.axis;
+        }
         Some(Arc { circle, course: Course::Sweep(sweep) })
     }
 
@@ -338,7 +383,39 @@ impl State {
             let angle = arcs::sweep(circle.center, circle.axis, start, end.te);
             open.motion.arc = Some(Arc { circle, course: Course::Sweep(angle) });
         }
+        if let (Some(circle), Some(start), [_, _, ..]) = (open.on, open.start, &*open.motion.points)
+            && let Some(parts) = self.parts(circle, start, &open.motion)
+        {
+            let record = |m| Record { origin: open.origin.clone(), kind: Kind::Motion(m) };
+            self.queue.extend(parts.into_iter().map(record));
+            return;
+        }
         self.queue.push_back(Record { origin: open.origin, kind: Kind::Motion(open.motion) });
+    }
+
+    /// Greatest distance of an arc from what can be one of its chords: twice the tolerance that is stated, at
+    /// least 50 micrometres.
+    fn widest(&self) -> f64 {
+        let stated = 2.0 * (self.intol + self.outtol);
+        stated.max(0.05 / self.units.unwrap_or_default().mm())
+    }
+
+    /// Points too far apart to be ends of chords (Creo's ARC_ONLY gives a few on each arc): an arc to each.
+    fn parts(&self, circle: Circle, start: Vec3, motion: &Motion) -> Option<Vec<Motion>> {
+        let widest = self.widest();
+        let points = || motion.points.iter().map(|p| p.te);
+        if arcs::rise(&circle, start, points()) <= widest {
+            return None;
+        }
+        let axis = arcs::sense(&circle, start, points())?;
+        let mut from = start;
+        let part = |p: &Position| {
+            let sweep = arcs::sweep(circle.center, axis, from, p.te);
+            from = p.te;
+            let arc = Arc { circle: Circle { axis, ..circle }, course: Course::Sweep(sweep) };
+            Motion { arc: Some(arc), points: vec![*p], ..head(motion) }
+        };
+        Some(motion.points.iter().map(part).collect())
     }
 
     /// End of the stream.
@@ -356,4 +433,10 @@ impl State {
         let motion = Motion { kind, name, points, with_axis, ..Motion::default() };
         self.emit(Kind::Motion(motion));
     }
+}
+
+/// The motion without its positions.
+fn head(m: &Motion) -> Motion {
+    let Motion { kind, ref name, with_axis, .. } = *m;
+    Motion { kind, name: name.clone(), with_axis, ..Motion::default() }
 }

@@ -5,6 +5,7 @@ use std::io::{self, Read};
 use aptc_diagnostics::{Diagnostic, FileId, Severity, codes};
 use aptc_geometry::Vec3;
 
+use super::layout::Layout;
 use super::report::Place;
 use super::scan::Scanner;
 use super::state::State;
@@ -37,6 +38,11 @@ impl<R: Read> TextReader<R> {
             self.unit = unit;
             self.state.units = unit;
         }
+    }
+
+    /// The file lies so.
+    pub(super) fn lay_out(&mut self, layout: Layout) {
+        self.scanner.layout = layout;
     }
 
     /// Has a mark said where records come from?

@@ -8,8 +8,8 @@ use super::arcs::Pending;
 use super::args::{self, Numbers};
 use super::comments::unit;
 use super::state::{Direction, State};
-use super::{catia, couplets, nx};
-use crate::{Arg, Dialect, Edit, Kind, Output, Units, restore};
+use super::{catia, comments, couplets, nx};
+use crate::{Arg, Clprnt, Dialect, Edit, Kind, Output, Units, restore};
 
 /// Words whose statement is text to its end.
 const TEXT_WORDS: [&[u8; 6]; 5] = [b"PARTNO", b"PPRINT", b"INSERT", b"REMARK", b"TITLES"];
@@ -51,7 +51,10 @@ pub(super) fn statement(state: &mut State, text: &[u8]) {
         && matches!(text[0], b'0'..=b'9' | b'-' | b'+' | b'.')
         && let Some(numbers) = args::all_numbers(text)
     {
-        return goto(state, numbers.get(), false);
+        state.bare = true;
+        goto(state, numbers.get(), false);
+        state.bare = false;
+        return;
     }
     let slash = memchr::memchr(b'/', text);
     let (head, rest) = slash.map_or((text, &b""[..]), |s| (&text[..s], &text[s + 1..]));
@@ -97,11 +100,17 @@ fn is_known(word: &str) -> bool {
                 | "PAINT"
                 | "SETUP"
                 | "TRNTYP"
+                | "MOVNRB"
+                | "ISN"
+                | "MOVE"
         )
 }
 
 /// `RAPID,GOTO/P`: several words before the slash, joined by commas.
 fn joined(state: &mut State, text: &[u8], head: &[u8], rest: &[u8]) {
+    if let Some((word, rest)) = without_slash(head).filter(|_| head.len() == text.len()) {
+        return word_statement(state, text, &word, rest);
+    }
     let words: Option<Vec<SmolStr>> = head.split(|b| *b == b',').map(major).collect();
     let Some(words) = words.filter(|w| w.len() > 1) else { return unread(state, text) };
     if words.last().is_some_and(|w| matches!(w.as_str(), "GOFWD" | "GF")) {
@@ -117,6 +126,16 @@ fn joined(state: &mut State, text: &[u8], head: &[u8], rest: &[u8]) {
             word_statement(state, word.as_bytes(), word, b"");
         }
     }
+}
+
+/// `CHANNEL,1`, `NEXTTL, 4` and `OPNAME 'text'`: a word whose arguments follow without a slash.
+fn without_slash(head: &[u8]) -> Option<(SmolStr, &[u8])> {
+    let end = head.iter().position(|b| matches!(b, b',' | b'\''))?;
+    let word = major(&head[..end])?;
+    let rest = if head[end] == b',' { &head[end + 1..] } else { &head[end..] };
+    let first = args::fields(rest).next()?.trim_ascii();
+    let quoted = first.len() > 1 && first.starts_with(b"'") && first.ends_with(b"'");
+    (quoted || crate::number::parse(first).is_some()).then_some((word, rest))
 }
 
 fn word_statement(state: &mut State, text: &[u8], word: &SmolStr, rest: &[u8]) {
@@ -137,7 +156,7 @@ fn word_statement(state: &mut State, text: &[u8], word: &SmolStr, rest: &[u8]) {
         "CSYS" => csys(state, word, rest),
         "CIRCLE" => circle(state, text, rest),
         "MOVARC" => couplets::movarc(state, text, rest),
-        "ARCDAT" | "ARCMOV" | "CW" | "CCW" | "GOCLW" | "GOCCLW" | "HELICAL" => {
+        "ARC" | "ARCDAT" | "ARCMOV" | "CW" | "CCW" | "GOCLW" | "GOCCLW" | "HELICAL" => {
             couplets::arc_word(state, text, word, rest);
         }
         "INDIRV" | "INDIRP" => indir(state, text, word, rest),
@@ -145,18 +164,21 @@ fn word_statement(state: &mut State, text: &[u8], word: &SmolStr, rest: &[u8]) {
         "AUTOPS" if rest.is_empty() => state.psis = None,
         "GOFWD" | "GF" if rest.contains(&b'(') => catia::circular_move(state, text, rest),
         "TLON" if rest.is_empty() => {}
-        "CONT" if state.arcdat.is_some() => {
-            if let Some(Circle { center, axis, radius }) = state.arcdat {
+        "CONT" | "MOVE" if args::all_numbers(rest).is_some_and(|n| n.get().len() > 1) => {
+            if let Some(Circle { center, axis, radius }) = state.arcdat.filter(|_| word == "CONT") {
                 state.close();
                 state.pending = Some(points(center, axis, radius));
             }
             motion(state, text, rest, false);
         }
+        "ISN" if comments::line(state, true, rest) => {}
+        "MCSYS" if couplets::mcsys(state, rest) => {}
         "GOHOME" => gohome(state, word, rest),
-        "PPWORD" if state.dialect == Dialect::Creo => {
+        // The points of a MOVNRB stand after it as GOTO.
+        "PPWORD" | "MOVNRB" if state.dialect == Dialect::Creo => {
             state.emit(Kind::Comment(format!(" {}", args::text(text)).into()));
         }
-        "TLAXIS" if state.dialect == Dialect::Catia && catia::tlaxis(state, rest) => {}
+        "TLAXIS" if catia::tlaxis(state, rest) => {}
         "FINI" => fini(state),
         _ if state.dialect == Dialect::Nx && nx::statement(state, text, word, rest) => {}
         _ => post(state, word, rest),
@@ -209,6 +231,7 @@ pub(super) fn post(state: &mut State, word: &SmolStr, rest: &[u8]) {
     let mut list = Vec::new();
     args::parse(rest, &mut list);
     let word = super::tools::as_iso(word, &mut list);
+    state.subprogram_word(&word);
     if !state.geometry.is_empty() {
         list = with_forms(std::mem::take(&mut state.geometry), list, rest);
     }
@@ -310,6 +333,9 @@ fn goto(state: &mut State, n: &[f64], from: bool) {
 
 fn godlta(state: &mut State, text: &[u8], rest: &[u8]) {
     let numbers = args::all_numbers(rest);
+    if (state.subprogram.is_some() || state.called) && numbers.is_some() {
+        return post(state, &"GODLTA".into(), rest);
+    }
     let Some(te) = state.te else {
         return wrong(state, text, "GODLTA before the tool has a position", "begin with FROM");
     };
@@ -350,6 +376,7 @@ fn multax(state: &mut State, text: &[u8], rest: &[u8]) {
     };
     state.multax = on;
     if !on {
+        state.axis_held = false;
         state.axis_seen = false;
         state.ta = Vec3::z();
     }
@@ -488,8 +515,10 @@ fn tracut(state: &mut State, word: &SmolStr, rest: &[u8]) {
 
 fn clprnt(state: &mut State, word: &SmolStr, rest: &[u8]) {
     match args::upper(rest).as_str() {
-        "" | "ON" => state.emit(Kind::Clprnt(true)),
-        "OFF" => state.emit(Kind::Clprnt(false)),
+        "" => state.emit(Kind::Clprnt(Clprnt::Whole)),
+        "ON" => state.emit(Kind::Clprnt(Clprnt::On)),
+        "OFF" => state.emit(Kind::Clprnt(Clprnt::Off)),
+        "OPTION" => state.emit(Kind::Clprnt(Clprnt::Option)),
         _ => post(state, word, rest),
     }
 }
@@ -567,6 +596,8 @@ fn fini(state: &mut State) {
     state.ta = Vec3::z();
     state.axis_seen = false;
     state.multax = false;
+    state.axis_held = false;
     state.pending = None;
     state.direction = None;
+    (state.subprogram, state.called) = (None, false);
 }

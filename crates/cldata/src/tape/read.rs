@@ -11,7 +11,7 @@ use smol_str::SmolStr;
 use super::Framing;
 use super::words::{self, Raw};
 use crate::{
-    Arc, Arg, Course, Edit, Kind, Motion, MotionKind, NameRef, Output, Position, Record,
+    Arc, Arg, Clprnt, Course, Edit, Kind, Motion, MotionKind, NameRef, Output, Position, Record,
     RecordReader, Units,
 };
 
@@ -120,8 +120,10 @@ impl<R: Read> TapeReader<R> {
         };
         let (n, kind, subtype) = match self.framing {
             Framing::Tape => (int(4), int(8), int(12)),
-            Framing::Fortran { .. } if (int(0) - 12) % 8 != 0 => (-1, 0, 0),
-            Framing::Fortran { .. } => ((int(0) - 12) / 8, int(8), int(12)),
+            Framing::Fortran { .. } => match int(0).checked_sub(12) {
+                Some(n) if n % 8 == 0 => (n / 8, int(8), int(12)),
+                _ => (-1, 0, 0),
+            },
         };
         let Some(n) = u32::try_from(n).ok().filter(|n| *n <= MOST_WORDS) else {
             self.say("a length that no record has; the rest of the file is not read");
@@ -246,8 +248,14 @@ impl<R: Read> TapeReader<R> {
                 self.emit(Kind::Units(units));
             }
             (13000, 4) => {
-                let on = self.numbers().first().is_none_or(|x| *x > 0.5);
-                self.emit(Kind::Clprnt(on));
+                let code = self.numbers().first().copied().unwrap_or(1.0);
+                let what = match code {
+                    x if x < 0.5 => Clprnt::Off,
+                    x if x < 1.5 => Clprnt::On,
+                    x if x < 2.5 => Clprnt::Whole,
+                    _ => Clprnt::Option,
+                };
+                self.emit(Kind::Clprnt(what));
             }
             (14000, _) => {
                 self.emit(Kind::Fini);

@@ -8,8 +8,8 @@ use aptc_vocabulary as vocabulary;
 use super::Framing;
 use super::words::{self, Raw};
 use crate::{
-    Arg, Course, Edit, Kind, Motion, MotionKind, Output, Position, Record, RecordWriter, Units,
-    flatten,
+    Arg, Clprnt, Course, Edit, Kind, Motion, MotionKind, Output, Position, Record, RecordWriter,
+    Units, flatten,
 };
 
 /// Points of one record: 240 words.
@@ -274,7 +274,15 @@ impl<W: Write> RecordWriter for TapeWriter<W> {
                 self.record(6000, 1, &[words::integer(u32::from(*o == Output::Dntcut))])
             }
             Kind::Edit(e) => self.edit(e),
-            Kind::Clprnt(on) => self.record(13000, 4, &[words::integer(u32::from(*on))]),
+            Kind::Clprnt(what) => {
+                let code = match what {
+                    Clprnt::Off => 0,
+                    Clprnt::On => 1,
+                    Clprnt::Whole => 2,
+                    Clprnt::Option => 3,
+                };
+                self.record(13000, 4, &[words::integer(code)])
+            }
             Kind::Csys(m) => self.major("CSYS", &m.rows().map(Arg::Number)),
             Kind::Unread(text) => self.major("$UNREAD", &[Arg::Text(text.clone())]),
             Kind::Comment(_) => Ok(()),

@@ -9,7 +9,8 @@ use aptc_geometry::{Transform, Vec3};
 use super::{is_reserved, kind_word};
 use crate::number::{self, Decimals};
 use crate::{
-    Arc, Arg, Course, Edit, Kind, Motion, MotionKind, NameRef, Output, Record, RecordWriter, Units,
+    Arc, Arg, Clprnt, Course, Edit, Kind, Motion, MotionKind, NameRef, Output, Record,
+    RecordWriter, Units,
 };
 
 /// Bytes kept before they are handed on.
@@ -378,7 +379,12 @@ impl<W: Write> TextWriter<W> {
             Kind::Output(Output::Dntcut) => self.text("DNTCUT\n"),
             Kind::Edit(e) => self.edit(e),
             Kind::Csys(m) => self.statement("CSYS", &m.rows()),
-            Kind::Clprnt(on) => self.text(if *on { "CLPRNT/ON\n" } else { "CLPRNT/OFF\n" }),
+            Kind::Clprnt(what) => self.text(match what {
+                Clprnt::Whole => "CLPRNT\n",
+                Clprnt::On => "CLPRNT/ON\n",
+                Clprnt::Off => "CLPRNT/OFF\n",
+                Clprnt::Option => "CLPRNT/OPTION\n",
+            }),
             Kind::Comment(text) => {
                 self.text(if is_reserved(text) { "$$." } else { "$$" });
                 self.line_text(text);

@@ -58,6 +58,8 @@ codes! {
     TOO_MANY_FILES = 1102, "more files within each other than the limit";
     TOO_MANY_ELEMENTS = 1103, "more elements of arrays than the limit";
     TOO_MUCH_PRINTED = 1104, "more printed lines than the limit";
+    TOO_MUCH_TIME = 1105, "more time than the limit";
+    ENDLESS_LOOP = 1106, "a loop that never ends";
     NO_PROTAP = 1110, "a file that is no PROTAP file";
     BAD_PROTAP_LINE = 1111, "a line that is no PROTAP record";
     BAD_PROTAP_RECORD = 1112, "a PROTAP record that breaks a rule";
@@ -93,4 +95,5 @@ codes! {
     BAD_TOLERANCE = 1307, "a tolerance that is none";
     BAD_AXIS = 1308, "a tool axis that is none";
     BAD_POCKET = 1309, "a POCKET that is none";
+    UNITS_CHANGED = 1310, "a unit that changes between definitions";
 }

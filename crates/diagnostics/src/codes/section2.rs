@@ -27,4 +27,11 @@ codes! {
     NO_PLACE = 2021, "two surfaces that the cutter cannot be at";
     CUTTER_NO_SOLID = 2022, "a cutter that is no solid";
     SIDE_FOULS = 2023, "the side of the cutter cuts into the drive surface that its edge follows";
+    AREA_NOT_SET = 2040, "regional milling before its areas are set";
+    REGION_VALUE = 2041, "a number or direction of regional milling out of its range";
+    PART_NOT_MET = 2042, "a drive point from which the part surface is not met";
+    NO_CHORD = 2043, "a path of regional milling that no chord keeps in tolerance";
+    PATH_TOO_LONG = 2044, "a path with more points or more length than allowed";
+    UNFIT_SURFACE = 2045, "a sculptured curve or surface that cannot be fitted";
+    INTERFERENCE = 2046, "the cutter gouges a checked surface and cannot avoid it";
 }

@@ -17,4 +17,6 @@ codes! {
     INDEX_UNUSED = 3105, "an INDEX that nothing closes or copies";
     CL_NOT_CARRIED = 3106, "something that TRACUT or COPY cannot carry properly";
     VTLAXS_REFUSED = 3107, "a path that VTLAXS cannot tilt";
+    SUBPROGRAM = 3108, "a DEFSUB without its end, or called within itself";
+    COPY_OVERLAP = 3109, "ranges of COPY that overlap";
 }

@@ -27,4 +27,8 @@ codes! {
     STAYS_CLEAR = 4021, "a retract from beyond the clearance plane";
     TOOL_LENGTH = 4022, "a tool length that is needed and not known";
     WIND_BACK = 4023, "rotary axes that turn over within a motion";
+    RAPID_IN_STOCK = 4024, "a rapid motion through the stock";
+    OFF_TURNING_PLANE = 4026, "a position off the plane of a lathe";
+    THREAD = 4027, "a thread that cannot be cut so";
+    STOCK_UNCHECKED = 4025, "motion that cannot be checked against the stock";
 }

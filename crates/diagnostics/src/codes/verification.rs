@@ -6,5 +6,9 @@ codes! {
     VERIFICATION:
     REFUTED = 5001, "a cut vector leaves its tolerance band";
     UNPROVED = 5002, "a cut vector could not be proved";
+    UNMATCHED = 5003, "a CL file that does not go with the program";
+    REAL_CUTTER = 5004, "the real cutter leaves the band that its disk keeps";
+    RAPID_CUT = 5005, "a cut at rapid";
+    RAPID_LOW = 5006, "a rapid motion below the clearance plane";
     NOT_THE_CL = 5401, "machine code that does not do what the CL data says";
 }

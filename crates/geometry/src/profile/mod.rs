@@ -147,6 +147,26 @@ impl Profile {
         arc.max(self.rim.norm()).max(self.pl.norm()).max(self.pu.norm()).max(self.tip.y.abs())
     }
 
+    /// Height of the lowest point at the distance `rho` from the axis; `None` beside the cutter.
+    pub fn height_at(&self, rho: f64) -> Option<f64> {
+        if !(0.0..=self.widest).contains(&rho) {
+            return None;
+        }
+        let line = |a: Vec2, b: Vec2| {
+            let s = if b.x > a.x { (rho - a.x) / (b.x - a.x) } else { 0.0 };
+            a.y + s * (b.y - a.y)
+        };
+        let arc_end = if self.nu.y < 0.0 { self.pu.x } else { self.c.x + self.r };
+        Some(if rho <= self.pl.x {
+            line(self.tip, self.pl)
+        } else if rho <= arc_end {
+            let x = rho - self.c.x;
+            self.c.y - (self.r * self.r - x * x).max(0.0).sqrt()
+        } else {
+            line(self.pu, self.rim)
+        })
+    }
+
     /// Half width at height `z`; `None` above the top and below the bottom.
     pub fn radius_at(&self, z: f64) -> Option<f64> {
         let line = |a: Vec2, b: Vec2| {

@@ -135,6 +135,19 @@ mod tests {
 
     proptest! {
         #[test]
+        fn the_lowest_point_at_a_distance_is_on_the_skin(
+            kind in 0_usize..8, s in prop::array::uniform4(0.05_f64..0.95), share in 0.0_f64..1.0,
+        ) {
+            let p = Profile::new(&cutter(kind, s)).unwrap();
+            let rho = share * p.widest();
+            let z = p.height_at(rho).unwrap();
+            prop_assert!(p.near(rho, z).distance.abs() < 1e-9, "{rho} {z} {p:?}");
+            // Below it there is nothing.
+            prop_assert!(p.near(rho, z - 1e-3).distance > 0.0, "{rho} {z} {p:?}");
+            prop_assert!(p.height_at(p.widest() + 1e-6).is_none());
+        }
+
+        #[test]
         fn support_bounds_the_solid(
             kind in 0_usize..8, s in prop::array::uniform4(0.05_f64..0.95),
             turn in -90.0_f64..90.0, x in prop::array::uniform2(-30.0_f64..30.0),

@@ -5,6 +5,7 @@
 
 mod cone;
 mod cylinder;
+mod parametric;
 mod plane;
 mod probe;
 mod quadric;
@@ -15,6 +16,7 @@ mod tabcyl;
 use std::sync::Arc;
 
 pub use cone::vertex_side;
+pub use parametric::ParametricSurface;
 pub use probe::{Aimed, ajundo, ccurv, control, radar};
 pub use quadric::QuadricSurface;
 pub use shape::{Frame, Shape, frame_about};
@@ -37,6 +39,7 @@ pub enum Surface {
     Cone(Cone),
     Quadric(Arc<QuadricSurface>),
     Tabcyl(Arc<TabcylSurface>),
+    Parametric(Arc<ParametricSurface>),
 }
 
 /// The point of a surface nearest to a given one.
@@ -85,6 +88,9 @@ impl Surface {
             Form::Cone(c) => Self::Cone(*c),
             Form::Quadric(q) => Self::Quadric(Arc::new(QuadricSurface::new(q)?)),
             Form::Tabcyl(t) => Self::Tabcyl(Arc::new(TabcylSurface::new(t)?)),
+            Form::Ruled(r) => Self::Parametric(Arc::new(ParametricSurface::ruled(r)?)),
+            Form::Polyconic(p) => Self::Parametric(Arc::new(ParametricSurface::polyconic(p)?)),
+            Form::Ssurf(d) => Self::Parametric(Arc::new(ParametricSurface::sculptured(d)?)),
             _ => return None,
         })
     }
@@ -100,6 +106,7 @@ impl Surface {
             Self::Cone(s) => s.ray(p, d),
             Self::Quadric(s) => s.ray(p, d),
             Self::Tabcyl(s) => s.ray(p, d),
+            Self::Parametric(s) => s.ray(p, d),
         }
     }
 
@@ -129,6 +136,7 @@ impl Surface {
             Self::Cone(s) => s.normal(p),
             Self::Quadric(s) => s.normal(p),
             Self::Tabcyl(s) => s.normal(p),
+            Self::Parametric(s) => s.normal(p),
         }
     }
 
@@ -143,6 +151,7 @@ impl Surface {
             Self::Cone(s) => s.foot(p),
             Self::Quadric(s) => s.foot(p),
             Self::Tabcyl(s) => s.foot(p),
+            Self::Parametric(s) => s.foot(p),
         }
     }
 
@@ -166,6 +175,7 @@ impl Surface {
             Self::Cone(s) => s.shape_at(q, n),
             Self::Quadric(s) => s.shape_at(q, n),
             Self::Tabcyl(s) => s.shape_at(q),
+            Self::Parametric(s) => s.shape_at(q),
         }
     }
 
@@ -175,7 +185,17 @@ impl Surface {
             Self::Cylinder(s) => Some(s.axis),
             Self::Quadric(s) => s.generator(),
             Self::Tabcyl(s) => Some(s.generator()),
-            Self::Plane(_) | Self::Sphere(_) | Self::Cone(_) => None,
+            Self::Plane(_) | Self::Sphere(_) | Self::Cone(_) | Self::Parametric(_) => None,
+        }
+    }
+
+    /// The direction of the straight line in the surface through its point nearest to `q`, where there is
+    /// just one.
+    pub fn ruling(&self, q: Vec3) -> Option<Vec3> {
+        match self {
+            Self::Cone(c) => (self.foot(q).point - c.vertex).try_normalize(0.0),
+            Self::Parametric(s) => s.ruling(q),
+            _ => self.generator().and_then(|g| g.try_normalize(0.0)),
         }
     }
 
@@ -185,7 +205,7 @@ impl Surface {
         match self {
             Self::Plane(_) | Self::Sphere(_) | Self::Cylinder(_) | Self::Cone(_) => true,
             Self::Quadric(s) => s.convexity() > 0,
-            Self::Tabcyl(_) => false,
+            Self::Tabcyl(_) | Self::Parametric(_) => false,
         }
     }
 
@@ -193,7 +213,8 @@ impl Surface {
     pub fn concave(&self) -> bool {
         match self {
             Self::Plane(_) => true,
-            Self::Sphere(_) | Self::Cylinder(_) | Self::Cone(_) | Self::Tabcyl(_) => false,
+            Self::Sphere(_) | Self::Cylinder(_) | Self::Cone(_) => false,
+            Self::Tabcyl(_) | Self::Parametric(_) => false,
             Self::Quadric(s) => s.convexity() < 0,
         }
     }
@@ -208,6 +229,7 @@ impl Surface {
             Self::Cone(s) => s.vertex.norm(),
             Self::Quadric(s) => s.extent(),
             Self::Tabcyl(s) => s.extent(),
+            Self::Parametric(s) => s.extent(),
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use aptc_geometry::sculptured::{CurveDefinition, CurveShape, SurfaceDefinition, SurfaceShape};
 use aptc_geometry::{
     Circle, Cone, Cylinder, Form, FormKind, Line, Plane, Polyconic, Quadric, QuadricKind, Sphere,
     Transform, Vec3, Written,
@@ -55,6 +56,8 @@ fn kind(head: Word) -> Option<FormKind> {
         word::MATRIX => FormKind::Matrix,
         word::TABCYL => FormKind::Tabcyl,
         word::POLCON => FormKind::Polcon,
+        word::SCURV => FormKind::Scurv,
+        word::SSURF => FormKind::Ssurf,
         _ => return None,
     })
 }
@@ -72,12 +75,21 @@ fn count(kind: FormKind) -> Option<usize> {
         | FormKind::Qadric => 10,
         FormKind::Matrix => 12,
         FormKind::Polcon => Polyconic::N_ELEMENTS,
-        FormKind::Patern | FormKind::Tabcyl | FormKind::Rldsrf => return None,
+        FormKind::Patern
+        | FormKind::Tabcyl
+        | FormKind::Rldsrf
+        | FormKind::Scurv
+        | FormKind::Ssurf
+        | FormKind::Bounds
+        | FormKind::Object => return None,
     })
 }
 
 fn altered(kind: FormKind, old: Option<&Form>, args: &[Arg]) -> Result<Form, Fault> {
     let mut elements = match old {
+        Some(old) if old.kind() == kind && !has_elements(old) => {
+            return Err(Fault::NoCurve { what: "was not given by CANON and has no such elements" });
+        }
         Some(old) if old.kind() == kind => old.canonical(),
         Some(old) => return Err(Fault::OtherKind { found: old.kind().word() }),
         None => vec![f64::NAN; count(kind).unwrap_or(args.len())],
@@ -98,6 +110,15 @@ fn altered(kind: FormKind, old: Option<&Form>, args: &[Arg]) -> Result<Form, Fau
         return Err(Fault::Elements { at: args.len(), need, found: args.len() });
     }
     build(kind, elements)
+}
+
+/// Sculptured forms have elements only when CANON gave them.
+fn has_elements(form: &Form) -> bool {
+    match form {
+        Form::Scurv(c) => matches!(c.shape, CurveShape::Canonical(_)) && c.map.is_none(),
+        Form::Ssurf(s) => matches!(s.shape, SurfaceShape::Canonical(_)) && s.map.is_none(),
+        _ => true,
+    }
 }
 
 /// The form of a full list of elements.
@@ -146,7 +167,18 @@ fn build(kind: FormKind, e: Vec<f64>) -> Result<Form, Fault> {
         FormKind::Matrix => Form::Matrix(Transform::from_rows(&array(&e))),
         FormKind::Polcon => Form::Polyconic(Arc::new(Polyconic::from_canonical(&array(&e)))),
         FormKind::Tabcyl => super::tabcyl::from_elements(&e)?,
-        FormKind::Patern | FormKind::Rldsrf => {
+        FormKind::Scurv | FormKind::Ssurf if e.is_empty() => {
+            return Err(Fault::Elements { at: 0, need: 1, found: 0 });
+        }
+        FormKind::Scurv => {
+            let curve = CurveDefinition::plain(CurveShape::Canonical(e));
+            return Ok(Form::Scurv(Arc::new(curve)));
+        }
+        FormKind::Ssurf => {
+            let surface = SurfaceDefinition::plain(SurfaceShape::Canonical(e));
+            return Ok(Form::Ssurf(Arc::new(surface)));
+        }
+        FormKind::Patern | FormKind::Rldsrf | FormKind::Bounds | FormKind::Object => {
             return Err(Fault::NoCurve { what: "has no canonical input" });
         }
     };

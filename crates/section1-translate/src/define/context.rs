@@ -1,5 +1,9 @@
 //! What stands around a definition: ZSURF, REFSYS and limits.
 
+use std::cell::RefCell;
+use std::sync::Arc;
+
+use aptc_geometry::sculpt::SpaceCurve;
 use aptc_geometry::{Plane, Transform, Vec2, Vec3};
 
 use super::DefineError;
@@ -15,11 +19,40 @@ pub struct Context {
     pub max_points: usize,
     /// How far a TABCYL goes straight on at both ends; historic 10 inches, in program units.
     pub tabcyl_end: f64,
+    /// What the definition found on a curve or surface, for PARMF.
+    pub found: RefCell<Option<Found>>,
+}
+
+/// The place on a curve or surface that a POINT or VECTOR found.
+#[derive(Clone, Debug)]
+pub enum Found {
+    /// At `t` of the whole curve.
+    Curve {
+        /// The parameter.
+        t: f64,
+        /// The curve.
+        curve: Arc<SpaceCurve>,
+    },
+    /// On a patch.
+    Surface {
+        /// Number of the patch, from 1.
+        number: usize,
+        /// Parameters in it.
+        local: [f64; 2],
+        /// Parameters of the whole mesh; those in the patch where there is no mesh.
+        global: [f64; 2],
+    },
 }
 
 impl Default for Context {
     fn default() -> Self {
-        Self { zsurf: None, refsys: None, max_points: 100_000, tabcyl_end: 10.0 }
+        Self {
+            zsurf: None,
+            refsys: None,
+            max_points: 100_000,
+            tabcyl_end: 10.0,
+            found: RefCell::default(),
+        }
     }
 }
 

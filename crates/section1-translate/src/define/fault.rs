@@ -95,6 +95,20 @@ pub enum Fault {
     TooMany { at: usize, limit: usize },
     /// Fewer points, increments or elements than needed.
     TooFew { at: usize, need: usize, found: usize, what: &'static str },
+    /// More points and tangents than a conic can meet.
+    TooManyConditions { at: usize, need: usize, found: usize },
+    /// A spline of a mesh with another number of points than the first.
+    OtherCount { at: usize, need: usize, found: usize },
+    /// Definitions within definitions beyond the limit.
+    TooDeep { limit: usize },
+    /// A sculptured form that cannot be fitted.
+    NotFitted { at: usize, why: String },
+    /// A parameter beyond the end of a curve.
+    Beyond { at: usize, value: f64, last: f64 },
+    /// A surface without that patch.
+    NoSuchPatch { at: usize, value: f64, n: usize },
+    /// A vector that the curve or surface does not have here.
+    NoVector { at: usize },
     /// Something else than what a list may hold.
     Unexpected { at: usize, expected: &'static str },
     /// A quadric without a curve or surface.

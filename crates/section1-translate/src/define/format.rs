@@ -10,7 +10,7 @@ use super::{Arg, Context, DefineError, Value};
 
 /// What may stand at a place of a format.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Item {
+pub(crate) enum Item {
     /// A number.
     N,
     /// This word.
@@ -39,10 +39,18 @@ pub(super) enum Item {
     PT,
     /// A matrix.
     M,
+    /// A line, plane parallel to z, circle or cylinder along z.
+    LC,
+    /// A sculptured curve.
+    SC,
+    /// A sculptured surface.
+    SS,
     /// A surface that RLDSRF may cut.
     S,
     /// Whatever follows; the solver reads it. The text tells what is expected.
     Rest(&'static str),
+    /// The same, or the end.
+    Tail(&'static str),
 }
 
 /// How the arguments of a format become a form.
@@ -120,6 +128,9 @@ pub(super) fn reach<'a, 'b>(
     let mut args = args.peekable();
     let mut at = 0;
     for item in items {
+        if matches!(item, Item::Tail(_)) {
+            return Reach::All;
+        }
         let Some(arg) = args.next() else { return Reach::Stops(at) };
         let fits = match item {
             Item::Rest(_) => return Reach::All,
@@ -141,9 +152,9 @@ pub(super) fn reach<'a, 'b>(
 
 impl Item {
     /// Does `arg` fit here?
-    pub(super) fn takes(&self, arg: &Arg) -> bool {
+    pub(crate) fn takes(&self, arg: &Arg) -> bool {
         match (self, &arg.value) {
-            (Self::Rest(_), _) | (Self::N, Value::Number(_)) => true,
+            (Self::Rest(_) | Self::Tail(_), _) | (Self::N, Value::Number(_)) => true,
             (Self::W(word), Value::Word(found)) => word == found,
             (Self::Of(words), Value::Word(found)) => words.contains(found),
             (Self::P | Self::PV | Self::XY, Value::Tuple { .. }) => true,
@@ -163,16 +174,27 @@ impl Item {
             Self::TC => matches!(form, Form::Tabcyl(_)),
             Self::PT => matches!(form, Form::Pattern(_)),
             Self::M => matches!(form, Form::Matrix(_)),
+            Self::LC => {
+                matches!(form, Form::Line(_) | Form::Plane(_) | Form::Circle(_) | Form::Cylinder(_))
+            }
+            Self::SC => matches!(form, Form::Scurv(_)),
+            Self::SS => matches!(form, Form::Ssurf(_)),
             Self::S => !matches!(
                 form,
-                Form::Point(_) | Form::Vector(_) | Form::Matrix(_) | Form::Pattern(_)
+                Form::Point(_)
+                    | Form::Vector(_)
+                    | Form::Matrix(_)
+                    | Form::Pattern(_)
+                    | Form::Scurv(_)
+                    | Form::Ssurf(_)
+                    | Form::Solid(_)
             ),
-            Self::N | Self::W(_) | Self::Of(_) | Self::Rest(_) => false,
+            Self::N | Self::W(_) | Self::Of(_) | Self::Rest(_) | Self::Tail(_) => false,
         }
     }
 
     /// The item in words.
-    pub(super) fn text(&self) -> String {
+    pub(crate) fn text(&self) -> String {
         match self {
             Self::N => "number",
             Self::W(word) => word.text(),
@@ -190,8 +212,11 @@ impl Item {
             Self::TC => "TABCYL",
             Self::PT => "pattern",
             Self::M => "matrix",
+            Self::LC => "line|circle",
+            Self::SC => "SCURV",
+            Self::SS => "SSURF",
             Self::S => "surface",
-            Self::Rest(text) => text,
+            Self::Rest(text) | Self::Tail(text) => text,
         }
         .to_owned()
     }

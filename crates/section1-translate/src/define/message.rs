@@ -360,6 +360,44 @@ impl Words<'_> {
                 *at,
                 format!("this {head} needs at least {need} {what}, found {found}"),
             ),
+            Fault::TooManyConditions { at, need, found } => self
+                .error(
+                    codes::DEPENDENT,
+                    *at,
+                    format!("a conic meets {need} points and tangents at most, found {found}"),
+                )
+                .help("use SPLINE, or COMBIN of several CURSEGs"),
+            Fault::OtherCount { at, need, found } => self.error(
+                codes::TOO_FEW,
+                *at,
+                format!("this spline has {found} points, the first of the mesh has {need}"),
+            ),
+            Fault::TooDeep { limit } => Diagnostic::error(
+                codes::TOO_MANY_POINTS,
+                self.statement,
+                format!("this {head} holds definitions within each other, more than {limit} deep"),
+            ),
+            Fault::NotFitted { at, why } => {
+                let name = self.name(*at);
+                self.error(codes::NO_FIT, *at, format!("{name} cannot be fitted: {why}"))
+            }
+            Fault::Beyond { at, value, last } => self.error(
+                codes::OUT_OF_RANGE,
+                *at,
+                format!("the parameter runs from 0 to {}, not to {}", short(*last), short(*value)),
+            ),
+            Fault::NoSuchPatch { at, value, n } => self.error(
+                codes::NO_SUCH_POINT,
+                *at,
+                format!("the surface has patches 1 to {n}, none is {}", short(*value)),
+            ),
+            Fault::NoVector { at } => self
+                .error(
+                    codes::NO_LENGTH,
+                    *at,
+                    format!("there is no {} at this place", self.name(*at)),
+                )
+                .help("a curve has CRSSPL and NORMAL only where its definition gives CRSSPL"),
             Fault::Unexpected { at, expected } => {
                 let found = self.name(*at);
                 self.error(

@@ -53,13 +53,13 @@ fn rank(mismatch: &Mismatch) -> u8 {
 /// The best single change that makes the arguments fit the format, and its place.
 fn single(format: &Format, args: &[Arg]) -> Option<(Mismatch, usize)> {
     let items = format.items;
-    if let [_, Item::Rest(_)] = items {
+    if let [_, Item::Rest(_) | Item::Tail(_)] = items {
         // A word and then anything: whatever the word, it would be said to be the wrong one.
         return None;
     }
     let mut found: Vec<(Mismatch, usize)> = Vec::new();
     for at in 0..=args.len() {
-        if let Some(item) = items.get(at).filter(|i| !matches!(i, Item::Rest(_))) {
+        if let Some(item) = items.get(at).filter(|i| !matches!(i, Item::Rest(_) | Item::Tail(_))) {
             let rest = items.iter().enumerate().filter(|(i, _)| *i != at).map(|(_, item)| item);
             if reach(rest, args.iter()) == Reach::All {
                 found.push((Mismatch::Missing(item.text()), at));
@@ -102,7 +102,7 @@ fn single(format: &Format, args: &[Arg]) -> Option<(Mismatch, usize)> {
 }
 
 fn has_rest(items: &[Item]) -> bool {
-    items.iter().any(|i| matches!(i, Item::Rest(_)))
+    items.iter().any(|i| matches!(i, Item::Rest(_) | Item::Tail(_)))
 }
 
 /// What could stand where the formats that go furthest stop.

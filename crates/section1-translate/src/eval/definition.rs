@@ -1,5 +1,6 @@
 //! Geometric definitions: names and nesting here, formats and solutions in [`crate::define`].
 
+use std::cell::RefCell;
 use std::sync::Arc;
 
 use aptc_diagnostics::{Diagnostic, Span, codes};
@@ -85,11 +86,22 @@ impl Interpreter<'_> {
             return Err(self.no_definition(definition));
         };
         let args: Vec<define::Arg> = args?.into_iter().map(define::Arg::from).collect();
+        let refused = args.first().and_then(|a| match a.value {
+            define::Value::Word(word::CLDATA) => Some("translation does not have cut vectors"),
+            define::Value::Word(word::FETCH) => Some("saved surfaces are read by READ/1,name"),
+            _ => None,
+        });
+        if let (Some(reason), Some(first)) = (refused, args.first()) {
+            let message = format!("this form of {head} is not carried out");
+            self.error(Diagnostic::error(codes::REFUSED_WORD, first.span, message).note(reason));
+            return Err(Poisoned);
+        }
         let context = Context {
             zsurf: self.state.zsurf,
             refsys: self.state.refsys,
             max_points: self.options.limits.points,
-            tabcyl_end: TABCYL_END_INCHES * Units::Inches.mm() / self.state.unit.mm(),
+            tabcyl_end: self.prolongation(),
+            found: RefCell::default(),
         };
         let canon = define::Value::Word(word::CANON);
         // Those whose places a message names.
@@ -104,6 +116,9 @@ impl Interpreter<'_> {
             }
             all => (define::define(head, all, &context), all),
         };
+        if let Some(found) = context.found.take() {
+            self.state.found = Some(found);
+        }
         match form {
             Ok(form) => {
                 // Numbers at the edge of what can be written leave no form behind.
@@ -123,6 +138,11 @@ impl Interpreter<'_> {
                 Err(Poisoned)
             }
         }
+    }
+
+    /// How far a TABCYL goes straight on at its ends, and a RULED cylinder to both sides.
+    pub(crate) fn prolongation(&self) -> f64 {
+        TABCYL_END_INCHES * Units::Inches.mm() / self.state.unit.mm()
     }
 
     fn no_definition(&mut self, definition: &Definition) -> Poisoned {

@@ -143,9 +143,7 @@ impl Interpreter<'_> {
                 format!("the function {word} is not available here"),
             )
             .note(match word {
-                word::CLDATF | word::PARMF => {
-                    "it needs cut vectors or sculptured surfaces, which translation does not have"
-                }
+                word::CLDATF => "it needs cut vectors, which translation does not have",
                 _ => "it belongs to another dialect",
             })
         } else {

@@ -24,18 +24,20 @@ impl Interpreter<'_> {
     ) -> Option<Known<Value>> {
         let n = match word {
             word::DOTF | word::ANGLF | word::ANGLB | word::DISTF | word::CANF => 2,
-            word::LNTHF | word::NUMF => 1,
+            word::LNTHF | word::NUMF | word::PARMF => 1,
             word::SPATF => 3,
             _ => return None,
         };
-        let number = self.count_arguments(word, args, (n, n), span).and_then(|()| match word {
+        let most = if matches!(word, word::NUMF | word::PARMF) { 2 } else { n };
+        let number = self.count_arguments(word, args, (n, most), span).and_then(|()| match word {
             word::DOTF => self.vectors(args).map(|v| v[0].dot(&v[1])),
             word::SPATF => self.vectors(args).map(|v| v[0].cross(&v[1]).dot(&v[2])),
             word::LNTHF => self.vectors(args).map(|v| v[0].norm()),
             word::ANGLF => self.angle_about(args, span).map(f64::to_degrees),
             word::ANGLB => self.angle_about(args, span),
             word::DISTF => self.distance(args, span),
-            word::NUMF => self.points_of(&args[0]),
+            word::NUMF => self.points_of(args),
+            word::PARMF => self.parameter(args, span),
             _ => self.canonical_element(args, span),
         });
         Some(number.map(Value::Number))
@@ -113,8 +115,12 @@ impl Interpreter<'_> {
     }
 
     /// Number of points of a pattern.
-    fn points_of(&mut self, expr: &Expr) -> Known<f64> {
+    fn points_of(&mut self, args: &[Expr]) -> Known<f64> {
+        let expr = &args[0];
         let form = self.form(expr, "a pattern")?;
+        if let Some(parts) = self.parts_of(&form, args) {
+            return parts;
+        }
         match form.shape() {
             #[expect(clippy::cast_precision_loss, reason = "a count of points")]
             Form::Pattern(p) => Ok(p.points.len() as f64),

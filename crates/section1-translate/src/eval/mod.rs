@@ -9,6 +9,7 @@ mod definition;
 mod functions;
 mod geometric;
 mod names;
+mod sculptured;
 mod subscript;
 
 use std::sync::Arc;
@@ -22,6 +23,7 @@ use crate::memory::{Place, Value};
 
 pub(crate) use argument::{Arg, ArgKind, Names};
 pub(crate) use definition::describe;
+pub(crate) use sculptured::found_on;
 
 /// A value that could not be had; a message was given where the mistake is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

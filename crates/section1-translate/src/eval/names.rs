@@ -19,7 +19,10 @@ impl Interpreter<'_> {
                 Some(word) => Ok(Value::Word(word)),
                 None => Err(self.undefined(name)),
             },
-            Value::Poison => Err(Poisoned),
+            Value::Poison => {
+                self.blamed = Some((place, slot.given));
+                Err(Poisoned)
+            }
             Value::Array(_) => Err(self.subscript_missing(place, name.span)),
             value => {
                 let value = value.clone();
@@ -61,7 +64,16 @@ impl Interpreter<'_> {
                     message = message.help("give the parameter a value in the CALL");
                 }
                 None => {
-                    message = message.help(format!("define {text} in a statement before this one"));
+                    let (from, to) = (name.span.start as usize, name.span.end as usize);
+                    let written = self.levels.last().and_then(|l| l.unit.text.get(from..to));
+                    let pieces: Vec<&str> =
+                        written.unwrap_or_default().split_whitespace().collect();
+                    message = message.help(if pieces.len() > 1 {
+                        // Blanks have no meaning, but people set them where they mean something.
+                        format!("put a `,` in between if it is {}", pieces.join(" and "))
+                    } else {
+                        format!("define {text} in a statement before this one")
+                    });
                 }
             }
             self.error(message);

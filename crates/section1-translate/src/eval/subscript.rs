@@ -57,7 +57,10 @@ impl Interpreter<'_> {
         let slot = self.memory.slot_mut(element);
         match &slot.value {
             Value::Unset => Err(self.unset_element(element, span)),
-            Value::Poison => Err(Poisoned),
+            Value::Poison => {
+                self.blamed = Some((element, slot.given));
+                Err(Poisoned)
+            }
             value => {
                 let value = value.clone();
                 slot.read = true;

@@ -1,4 +1,5 @@
-//! Files that a program reads: READ/2, INCLUD, LIBRY.
+//! Files that a program reads: READ/2, INCLUD, LIBRY; and READ/1, whose saved definitions are statements
+//! in a file of their name, by CANON or otherwise.
 
 use std::sync::Arc;
 
@@ -13,7 +14,7 @@ use crate::program::{Plan, Role, Unit};
 use crate::{Asker, FileRequest, Interpreter};
 
 impl Interpreter<'_> {
-    /// READ/1,..., READ/2,name.
+    /// READ/1,names, READ/2,name.
     pub(crate) fn read(&mut self, args: &[Expr]) {
         let kind = args.first().map(|a| &a.kind);
         #[expect(clippy::float_cmp, reason = "the digits 1 and 2 themselves")]
@@ -24,15 +25,16 @@ impl Interpreter<'_> {
                 _ => self.bad_read("READ/2 reads one file", "write READ/2,name"),
             }
         } else if is(1.0) {
-            self.error(
-                Diagnostic::error(
-                    codes::NOT_READ,
-                    self.here.span,
-                    "READ/1 reads definitions that another run saved, which is not done here",
-                )
-                .help("keep the definitions in a file of their own and read it with READ/2,name"),
-            );
-            (self.state.doubt.names, self.state.doubt.macros) = (true, true);
+            if args.len() == 1 {
+                let help =
+                    "write READ/1,name; the definitions of a name stand in a file of that name";
+                self.bad_read("READ/1 names no definitions", help);
+                return;
+            }
+            // The file that is opened last is read first.
+            for name in args[1..].iter().rev() {
+                self.include(Asker::Geometry, name);
+            }
         } else {
             self.bad_read("READ reads 1, saved definitions, or 2, statements", "write READ/2,name");
         }

@@ -1,5 +1,6 @@
 //! Files as they are executed: statements, and the plan of their labels, macros and loops.
 
+mod foreign;
 mod plan;
 mod synonyms;
 mod targets;
@@ -10,6 +11,7 @@ use aptc_diagnostics::Span;
 use aptc_syntax::tree::{Expr, ExprKind, Program};
 use aptc_syntax::{Interner, Symbol};
 
+pub(crate) use foreign::foreign;
 pub(crate) use plan::{MISSING, Plan, Role, Surroundings, plan};
 pub(crate) use synonyms::Synonyms;
 

@@ -45,6 +45,8 @@ pub(crate) struct Plan {
     labels: HashMap<(u32, Symbol), u32>,
     /// Does a macro that is not closed hold the end of the program?
     swallowed: bool,
+    /// Was a macro left out because it stands in another?
+    lost_macro: bool,
 }
 
 /// What is needed beside the statements.
@@ -71,6 +73,11 @@ impl Plan {
     /// Does a macro that is not closed hold the end of the program?
     pub(crate) fn swallowed(&self) -> bool {
         self.swallowed
+    }
+
+    /// Was a macro left out because it stands in another?
+    pub(crate) fn lost_macro(&self) -> bool {
+        self.lost_macro
     }
 
     /// What the statement at `place` does to the order of execution.
@@ -116,6 +123,7 @@ pub(crate) fn plan(unit: &Unit, start: u32, around: Surroundings<'_>) -> (Plan, 
         diagnostics: Vec::new(),
         macro_open: None,
         loop_open: None,
+        inner: [0; 2],
     };
     planner.structure();
     planner.goals();
@@ -133,6 +141,8 @@ struct Planner<'p> {
     macro_open: Option<(u32, u32, Span)>,
     /// Likewise the LOOPST.
     loop_open: Option<(u32, Span)>,
+    /// TERMACs and LOOPNDs that belong to a MACRO or LOOPST inside another, told already.
+    inner: [u32; 2],
 }
 
 impl Planner<'_> {
@@ -148,8 +158,13 @@ impl Planner<'_> {
                 Some(word::SYN) => self.synonym(statement),
                 _ => {}
             }
-            if let Body::Macro { name, .. } = &statement.body {
+            if let Body::Macro { name, params } = &statement.body {
+                let inner = self.macro_open.is_some();
                 role = self.open_macro(place, name, statement.span);
+                if inner {
+                    // Their values would have come with the CALL.
+                    self.assigned.extend(params.iter().map(|p| p.name.symbol));
+                }
             }
             let scope = self.scope();
             self.plan.scopes.push(scope);
@@ -207,6 +222,8 @@ impl Planner<'_> {
                 .also(open, "this macro has no TERMAC yet")
                 .help("end the outer macro with TERMAC first; macros may call each other"),
             );
+            self.inner[0] += 1;
+            self.plan.lost_macro = true;
             return Role::Skip;
         }
         let scope = self.new_scope(None);
@@ -216,6 +233,10 @@ impl Planner<'_> {
 
     fn close_macro(&mut self, place: u32, statement: &Statement) -> Role {
         let Some((open, _, _)) = self.macro_open else {
+            if self.inner[0] > 0 {
+                self.inner[0] -= 1;
+                return Role::Skip;
+            }
             self.diagnostics.push(
                 Diagnostic::error(codes::TERMAC_ALONE, statement.span, "TERMAC ends no macro")
                     .help("begin the macro with `name=MACRO/...`, or take the TERMAC away"),
@@ -242,6 +263,7 @@ impl Planner<'_> {
                     "one LOOPST .. LOOPND may hold any number of loops; take the inner pair away",
                 ),
             );
+            self.inner[1] += 1;
             return Role::Skip;
         }
         let outer = self.scope();
@@ -252,6 +274,10 @@ impl Planner<'_> {
 
     fn close_loop(&mut self, statement: &Statement) {
         if self.loop_open.take().is_none() {
+            if self.inner[1] > 0 {
+                self.inner[1] -= 1;
+                return;
+            }
             self.diagnostics.push(
                 Diagnostic::warning(
                     codes::LOOPND_ALONE,

@@ -86,7 +86,7 @@ pub(crate) enum Fault {
 }
 
 /// Is the word known to NCL and to nobody else? INCLUD is not counted: other processors read files by it.
-fn of_ncl_alone(word: Word) -> bool {
+pub(super) fn of_ncl_alone(word: Word) -> bool {
     word != word::INCLUD
         && word.is_in(Dialect::Ncl)
         && !Dialect::ALL.iter().any(|d| *d != Dialect::Ncl && word.is_in(*d))

@@ -14,11 +14,15 @@ mod reader;
 pub(crate) mod refused;
 mod regional;
 mod setting;
+mod shape;
 mod startup;
 mod surface;
 mod switch;
 mod system;
 mod text;
+mod tilt;
+
+pub(crate) use refused::fate;
 
 use std::sync::Arc;
 
@@ -146,6 +150,7 @@ impl Interpreter<'_> {
             word::TLAXIS => self.tool_axis(clause),
             word::POCKET => self.pocket(clause),
             word::INDEX | word::COPY | word::TRACUT => self.edit(word, clause),
+            word::VTLAXS | word::WCORN => self.tilt(word, clause),
             word::ZSURF | word::REFSYS => self.system(word, clause),
             word::RESERV => self.reserve(clause),
             word::PRINT | word::PUNCH => self.print(word, clause),
@@ -251,6 +256,18 @@ impl Interpreter<'_> {
             return;
         }
         let near = closest(&text, |w| self.begins_statement(w));
+        if near.is_none() && clause.args.as_deref().is_some_and(|args| self.names_check(args)) {
+            self.error(
+                Diagnostic::error(
+                    codes::NO_STATEMENT,
+                    clause.head.span,
+                    format!("{text} begins no statement"),
+                )
+                .help("motion begins with GO, GOLFT, GORGT, GOFWD, GOBACK, GOUP or GODOWN"),
+            );
+            self.fail();
+            return;
+        }
         let value = self.memory.slot(self.memory.place(clause.head.symbol)).value.clone();
         if near.is_some_and(|w| !w.is(Class::Post)) || !matches!(value, Value::Unset) {
             let mut message = Diagnostic::error(
@@ -273,6 +290,15 @@ impl Interpreter<'_> {
         self.unknown_post(&text, near, clause);
     }
 
+    /// Do the arguments say how far to go to a check surface, as those of a motion do?
+    fn names_check(&self, args: &[Expr]) -> bool {
+        let checks = [word::TO, word::ON, word::PAST, word::TANTO];
+        args.iter().skip(1).any(|arg| match &arg.kind {
+            ExprKind::Name(name) => self.synonyms.word(name).is_some_and(|w| checks.contains(&w)),
+            _ => false,
+        })
+    }
+
     fn begins_statement(&self, word: Word) -> bool {
         self.synonyms.knows(word)
             && (word.is(Class::Motion)
@@ -288,9 +314,18 @@ impl Interpreter<'_> {
     }
 }
 
+/// How a statement with a table of arguments is written: `SCON/AXIS,vector[,PLUS|MINUS]`.
+pub(crate) fn statement_shapes(word: Word) -> Vec<String> {
+    let shapes = match word {
+        word::VTLAXS | word::WCORN => tilt::shapes(word),
+        _ => regional::shapes(word),
+    };
+    shapes.iter().map(|s| format!("{word}/{}", s.text())).collect()
+}
+
 /// Does a failure of the statement leave it unknown where the tool stands, or how it cuts?
 fn moves(word: Word) -> bool {
-    word.is(Class::Motion) || word.is(Class::Regional)
+    word.is(Class::Motion) || word.is(Class::Regional) || word == word::CUTTER
 }
 
 fn missing(clause: &Clause) -> Expr {

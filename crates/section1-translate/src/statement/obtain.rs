@@ -1,7 +1,7 @@
 //! OBTAIN: canonical elements as scalars.
 
 use aptc_diagnostics::{Diagnostic, Span, codes};
-use aptc_syntax::tree::{Clause, Expr, Name};
+use aptc_syntax::tree::{BinaryOp, Clause, Expr, ExprKind, Name};
 
 use crate::Interpreter;
 use crate::eval::{Known, Poisoned};
@@ -29,6 +29,18 @@ impl Interpreter<'_> {
             let known = self.obtain_from(&head, args, span);
             if known.is_err() {
                 self.obtained_nothing(args);
+            }
+            return known;
+        }
+        // OBTAIN/TYPE/form,a: the slash between the two reads as a division.
+        if let Some([first, fields @ ..]) = clause.args.as_deref()
+            && let Some((head, source)) = typed(first)
+        {
+            let args: Vec<Expr> =
+                std::iter::once(source.clone()).chain(fields.iter().cloned()).collect();
+            let known = self.obtain_from(&head, &args, clause.span);
+            if known.is_err() {
+                self.obtained_nothing(&args);
             }
             return known;
         }
@@ -115,5 +127,16 @@ impl Interpreter<'_> {
                 .help("write OBTAIN,TYPE/form,a,b,c"),
         );
         Poisoned
+    }
+}
+
+/// `TYPE/form`.
+fn typed(expr: &Expr) -> Option<(Name, &Expr)> {
+    match &expr.kind {
+        ExprKind::Binary(BinaryOp::Div, head, form) => match &head.kind {
+            ExprKind::Name(name) => Some((*name, form)),
+            _ => None,
+        },
+        _ => None,
     }
 }

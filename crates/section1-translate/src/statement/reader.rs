@@ -165,11 +165,7 @@ impl Interpreter<'_> {
             }
             return Err(self.expect(reader, what));
         };
-        let surface = !matches!(
-            form.shape(),
-            Form::Point(_) | Form::Vector(_) | Form::Matrix(_) | Form::Pattern(_)
-        );
-        if !surface {
+        if !form.is_surface() {
             return Err(self.expect(reader, what));
         }
         reader.skip(1);

@@ -34,7 +34,6 @@ const TABLE: &[(Word, Fate, &str)] = &[
     (word::CMIT, Ignored, "it steered an input device of the old system"),
     (word::MIT, Ignored, "it steered an input device of the old system"),
     (word::DAC, Ignored, "it steered a display of the old system"),
-    (word::PLOTFT, Ignored, "it drew a surface on a plotter"),
     (word::REAL, Ignored, "all numbers are real"),
     (word::SUBSCR, Ignored, "arrays are reserved by RESERV"),
     (word::APTRAN, Refused, "it begins statements of another language"),
@@ -43,21 +42,22 @@ const TABLE: &[(Word, Fate, &str)] = &[
     (word::TANCRV, Refused, "its processor was never published"),
     (word::BEVELS, Refused, "its processor was never published"),
     (word::DMILL, Refused, "its processor was never published"),
-    (word::VTLAXS, Refused, "the axis is tilted by TLAXIS instead"),
-    (word::WCORN, Refused, "the axis is tilted by TLAXIS instead"),
     (word::INTSEC, Refused, "intersection curves of surfaces are not computed"),
     (word::TLPROJ, Refused, "paths are not projected"),
+    (word::PARSRF, Refused, "its data were written by programs, in a form never published"),
+    (word::HEX, Refused, "saved forms are read as statements by READ/1, not in hexadecimal"),
     (word::LOFT, Refused, "its processor was never published"),
     (word::MESH, Refused, "its processor was never published"),
     (word::CONSEC, Refused, "its processor was never published"),
     (word::ELMSRF, Refused, "its processor was never published"),
     (word::TOOL, Refused, "its processor was never published"),
-    (word::SCURV, Refused, "sculptured curves are not translated"),
-    (word::SSURF, Refused, "sculptured surfaces are not translated"),
-    (word::PARSRF, Refused, "sculptured surfaces are not translated"),
-    (word::BOUNDS, Refused, "bounded surfaces are not translated"),
-    (word::OBJECT, Refused, "bounded surfaces are not translated"),
 ];
+
+/// What becomes of a word of the table, and why.
+pub(crate) fn fate(word: Word) -> Option<(&'static str, &'static str)> {
+    let (_, fate, reason) = TABLE.iter().find(|(w, ..)| *w == word)?;
+    Some((if *fate == Ignored { "Ignored" } else { "Refused" }, reason))
+}
 
 /// Why a word that defines geometry in some system does not do so here.
 pub(crate) fn no_geometry(word: Word) -> Option<&'static str> {
@@ -157,7 +157,7 @@ mod tests {
     #[test]
     fn ignored_words_are_noted_and_refused_ones_are_errors() {
         assert!(told("TUNEUP/1000,2000,3000\nDEBUG/ON\nFINI\n").is_empty());
-        assert_eq!(told("VTLAXS/ON,LEFT,10,2,0,RIGHT\nFINI\n"), [codes::REFUSED_WORD]);
+        assert_eq!(told("BEVELS/1\nFINI\n"), [codes::REFUSED_WORD]);
         assert_eq!(told("S=MESH/1,2\nFINI\n"), [codes::REFUSED_WORD]);
     }
 }

@@ -2,20 +2,32 @@
 
 use aptc_diagnostics::{Diagnostic, codes};
 use aptc_protap::{Kind, Units};
-use aptc_syntax::tree::Clause;
+use aptc_syntax::tree::{Clause, Expr, ExprKind};
 use aptc_vocabulary::{Word, word};
 
 use super::reader::Reader;
 use crate::Interpreter;
 use crate::eval::{Known, Names, Poisoned};
+use crate::memory::{Place, Value};
 
 impl Interpreter<'_> {
     /// A word with one to four numbers, or UNITS.
     pub(super) fn setting(&mut self, word: Word, clause: &Clause) -> Known<()> {
+        if word == word::UNITS
+            && let Some(Expr { kind: ExprKind::Name(name), span }) =
+                clause.args.as_deref().and_then(<[_]>::first)
+            && self.synonyms.word(name).is_none()
+        {
+            let text = self.interner.text(name.symbol);
+            let what = format!("{text} is no unit of length");
+            let message = Diagnostic::error(codes::BAD_ARGUMENTS, *span, what);
+            self.error(message.help("write UNITS/MM, CM, INCHES or FEET"));
+            return Err(Poisoned);
+        }
         let args = self.args(clause, Names::Defined)?;
         let mut reader = Reader::new(word, clause, &args);
         match word {
-            word::UNITS => return self.units(&mut reader),
+            word::UNITS => return self.units(&mut reader, clause),
             word::MAXDP => {
                 let step = self.one(&mut reader, "the greatest step")?;
                 let length = reader.number();
@@ -101,7 +113,9 @@ impl Interpreter<'_> {
     }
 
     /// UNITS/MM|CM|INCHES|FEET.
-    fn units(&mut self, reader: &mut Reader<'_>) -> Known<()> {
+    ///
+    /// It says what numbers mean from here on; geometry that was defined before keeps its numbers.
+    fn units(&mut self, reader: &mut Reader<'_>, clause: &Clause) -> Known<()> {
         let unit = match reader.word_of(&[word::MM, word::CM, word::INCHES, word::FEET]) {
             Some(word::MM) => Units::Mm,
             Some(word::CM) => Units::Cm,
@@ -110,6 +124,18 @@ impl Interpreter<'_> {
             None => return Err(self.expect(reader, "MM, CM, INCHES or FEET")),
         };
         self.at_end(reader)?;
+        let former = self.state.unit;
+        let forms = |(_, value): (Place, &Value)| matches!(value, Value::Form(_));
+        if unit != former && self.memory.in_order().any(forms) {
+            let message = format!(
+                "UNITS changes from {} to {} after geometry was defined; its numbers stay as they are",
+                former.word(),
+                unit.word()
+            );
+            let help =
+                "write UNITS before the first definition, or scale what was defined by a MATRIX";
+            self.error(Diagnostic::warning(codes::UNITS_CHANGED, clause.span, message).help(help));
+        }
         self.state.unit = unit;
         self.state.unit_given = true;
         self.emit(Kind::Units(unit));

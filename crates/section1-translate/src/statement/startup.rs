@@ -72,7 +72,9 @@ impl Interpreter<'_> {
                 return Err(self.expect(&reader, &format!("{what} or three numbers")));
             };
             if word != word::INDIRP && field == Vec3::zeros() {
-                self.error(reader.expected("a direction").label("the vector before has no length"));
+                let mut message = reader.expected("a direction");
+                message.message = format!("{word} gives no direction: the vector has no length");
+                self.error(message.help("give three numbers that are not all zero"));
                 return Err(crate::eval::Poisoned);
             }
             fields.push(Some(field));

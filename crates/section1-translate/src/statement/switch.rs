@@ -1,7 +1,7 @@
 //! Words that stand alone or with ON or OFF.
 
 use aptc_diagnostics::{Diagnostic, codes};
-use aptc_protap::{Dimension, DriveSide, Kind, PartSide};
+use aptc_protap::{Clprnt, Dimension, DriveSide, Kind, PartSide};
 use aptc_syntax::tree::Clause;
 use aptc_vocabulary::{Word, word};
 
@@ -93,13 +93,15 @@ impl Interpreter<'_> {
     fn clprnt(&mut self, clause: &Clause) -> Known<()> {
         let args = self.args(clause, Names::Defined)?;
         let mut reader = Reader::new(word::CLPRNT, clause, &args);
-        let on = match reader.word_of(&[word::ON, word::OFF, word::OPTION]) {
-            Some(word) => word != word::OFF,
-            None if reader.is_empty() => true,
+        let what = match reader.word_of(&[word::ON, word::OFF, word::OPTION]) {
+            Some(word::OFF) => Clprnt::Off,
+            Some(word::ON) => Clprnt::On,
+            Some(_) => Clprnt::Option,
+            None if reader.is_empty() => Clprnt::Whole,
             None => return Err(self.expect(&reader, "ON, OFF or OPTION")),
         };
         self.at_end(&reader)?;
-        self.emit(Kind::Clprnt(on));
+        self.emit(Kind::Clprnt(what));
         Ok(())
     }
 }

@@ -1,6 +1,6 @@
 //! One motion along a line or circle.
 
-use aptc_cldata::{Arc, Control, Course as ArcCourse, Position};
+use aptc_cldata::{Arc, Control, Controlled, Course as ArcCourse, Position};
 use aptc_geometry::Circle;
 use aptc_protap::Relation;
 
@@ -12,7 +12,7 @@ use super::frame::{Frame, Vec2, angle, left};
 use super::stop::{Stop, Target, stop};
 use crate::failure::Failure;
 use crate::prepare::way;
-use crate::scene::{Path, Scene, Stance, to_or_on};
+use crate::scene::{Astray, Path, Scene, Stance, to_or_on};
 
 /// The path of a motion; `None` when the scene is not one for the plane routine.
 pub(crate) fn run(scene: &Scene) -> Option<Result<Path, Failure>> {
@@ -83,6 +83,7 @@ fn follow(scene: &Scene, plan: &Plan) -> Result<Path, Failure> {
         forward: floor.lift(frame, begin.course.direction(s)),
         control: control(scene, plan, &begin, end, check),
         fouls: None,
+        astray: begin.astray,
     })
 }
 
@@ -94,6 +95,7 @@ struct Begin {
     side: f64,
     /// Is the tool so far off that it must first be put in place?
     reposition: bool,
+    astray: Option<Astray>,
 }
 
 impl Begin {
@@ -129,19 +131,26 @@ fn begin(scene: &Scene, plan: &Plan) -> Result<Begin, Failure> {
         // The cutter fills the circle: it turns in place, the surface around it.
         None => (plan.frame.plan(tool.forward), -1.0),
     };
-    let asked = side * reach;
-    let off = match scene.stance {
-        Stance::On => plan.curve.distance(place).abs(),
-        _ => (plan.curve.distance(place) - asked) * side,
-    };
     let allowed = 2.0 * (band.intol + band.outtol);
+    let beside = |side: f64| match scene.stance {
+        Stance::On => plan.curve.distance(place).abs(),
+        _ => plan.curve.distance(place) * side - reach,
+    };
+    // A tool that is in place on the other side than the word says stays there.
+    let astray = scene
+        .stance
+        .astray()
+        .filter(|_| beside(side).abs() > allowed && beside(-side).abs() <= allowed);
+    let side = if astray.is_some() { -side } else { side };
+    let (asked, off) = (side * reach, beside(side));
     if let Curve::Circle { r, .. } = plan.curve
         && r + asked < -allowed
     {
         return Err(too_large(scene, r));
     }
     if off.abs() > allowed {
-        return Err(misplaced(scene, plan, place, side, off, allowed));
+        let surface = scene.drive.surface.clone();
+        return Err(Failure::OffDrive { surface, off, allowed, outside: off > 0.0 });
     }
     let lift = plan.floor.off(tool.te);
     let part = scene.part.band;
@@ -170,27 +179,18 @@ fn begin(scene: &Scene, plan: &Plan) -> Result<Begin, Failure> {
     let slack = 1e-6 * (band.intol + band.outtol) + 1e-12 * tool.te.norm();
     let within = (-band.intol - slack..=band.outtol + slack).contains(&off)
         && (-part.intol - slack..=part.outtol + slack).contains(&lift);
-    Ok(Begin { place, course, side: if drive.on { 0.0 } else { side }, reposition: !within })
+    Ok(Begin {
+        place,
+        course,
+        side: if drive.on { 0.0 } else { side },
+        reposition: !within,
+        astray,
+    })
 }
 
 fn too_large(scene: &Scene, radius: f64) -> Failure {
     let cutter = scene.drive.reach();
     Failure::TooLarge { surface: scene.drive.surface.clone(), radius, cutter }
-}
-
-fn misplaced(scene: &Scene, plan: &Plan, at: Vec2, side: f64, off: f64, allowed: f64) -> Failure {
-    let surface = scene.drive.surface.clone();
-    let other = (plan.curve.distance(at) + side * scene.drive.reach()).abs();
-    match scene.stance {
-        Stance::Left if other <= allowed => {
-            return Failure::WrongSide { surface, word: "TLLFT", other: "TLRGT" };
-        }
-        Stance::Right if other <= allowed => {
-            return Failure::WrongSide { surface, word: "TLRGT", other: "TLLFT" };
-        }
-        _ => {}
-    }
-    Failure::OffDrive { surface, off, allowed, outside: off > 0.0 }
 }
 
 /// Parameter of the first stop and the check surface that makes it.
@@ -231,7 +231,10 @@ fn control(scene: &Scene, plan: &Plan, begin: &Begin, end: Vec2, stopped: usize)
         .checks
         .iter()
         .zip(&plan.targets)
-        .map(|(c, t)| c.wall.controlled(c.relation, t.curve.distance(end)))
+        .map(|(c, t)| Controlled {
+            nth: c.nth,
+            ..c.wall.controlled(c.relation, t.curve.distance(end))
+        })
         .collect();
     checks.swap(0, stopped);
     Control {

@@ -12,4 +12,5 @@ mod start;
 mod stop;
 
 pub(crate) use drive::run;
+pub(crate) use frame::Frame;
 pub(crate) use start::start;

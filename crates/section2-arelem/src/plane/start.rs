@@ -91,7 +91,7 @@ pub(crate) fn start(go: &Start) -> Option<Result<Path, Failure>> {
         Control { drive: controlled.next(), part: controlled.next(), checks: controlled.collect() };
     let points = vec![Position { te: end, ta: go.tool.ta }];
     let forward = end - go.tool.te;
-    Some(Ok(Path { points, arc: None, check: 0, forward, control, fouls: None }))
+    Some(Ok(Path { points, arc: None, check: 0, forward, control, fouls: None, astray: None }))
 }
 
 /// Signed distance from the curve at which the tool end is to be: TO keeps the tool on its side, PAST
@@ -177,6 +177,8 @@ fn locate(go: &Start, frame: &Frame, te: Vec2, sides: &[Side<'_>]) -> Result<Vec
     }
     meets.into_iter().min_by(|a, b| (a - from).norm().total_cmp(&(b - from).norm())).ok_or_else(
         || Failure::NoStart {
+            place: None,
+            left: Vec::new(),
             surfaces: sides.iter().map(|s| s.wall.surface.clone()).collect(),
             why: "the two do not meet where the cutter would have to be",
         },

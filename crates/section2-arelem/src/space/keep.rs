@@ -1,6 +1,6 @@
 //! One surface that the tool keeps to, and how near it has to stay.
 
-use aptc_contact::{Condition, Gap, Reason, Side, Tool, distance, second};
+use aptc_contact::{Condition, Gap, Reason, Side, Tool, distance, second, several};
 use aptc_geometry::{Profile, Surface, Vec3};
 
 /// A tool position: tool end and unit tool axis.
@@ -32,6 +32,8 @@ pub(crate) struct Limits {
 
 /// Share of the band that vertices keep from its edge, so that rounding does not carry them out.
 const EDGE: f64 = 1e-7;
+/// The same against surfaces whose nearest point is found by iteration.
+const EDGE_SEARCHED: f64 = 1e-6;
 
 impl Keep {
     pub(crate) fn tool(&self, pose: &Pose) -> Tool<'_> {
@@ -45,10 +47,27 @@ impl Keep {
         distance(&tool, &self.surface, self.condition, self.side, self.thick, start)
     }
 
+    /// The gap, when a place of contact deeper than `known` by more than `exact` was missed.
+    pub(crate) fn deeper(&self, pose: &Pose, known: &Gap, exact: f64) -> Option<Gap> {
+        let tool = self.tool(pose);
+        if self.condition == Condition::On || !several(&tool, &self.surface, self.side) {
+            return None;
+        }
+        self.gap(pose, None).ok().filter(|g| g.g < known.g - exact)
+    }
+
     /// Second derivative of the gap when the tool end moves along the unit vector `v`.
     #[inline]
     pub(crate) fn bend(&self, pose: &Pose, gap: &Gap, v: Vec3) -> f64 {
         second(&self.tool(pose), &self.surface, self.side, gap).map_or(0.0, |s| s.second(v))
+    }
+
+    /// Radius of the hollow at the surface point `q`, when the widest of the cutter does not fit into it.
+    pub(crate) fn too_tight(&self, q: Vec3) -> Option<f64> {
+        let k = self.surface.foot(q).shape.principal();
+        let tightest = if self.side == Side::Positive { -k[1] } else { k[0] };
+        let tight = tightest > 0.0 && 1.0 / tightest < 1.01 * self.profile.widest();
+        (self.condition == Condition::Touch && tight).then(|| 1.0 / tightest)
     }
 
     pub(crate) fn is_plane(&self) -> bool {
@@ -65,7 +84,13 @@ impl Keep {
     /// vectors may go in, and inside where it is hollow.
     pub(crate) fn target(&self, bend: f64, share: f64) -> f64 {
         let limits = self.limits();
-        let edge = EDGE * (limits.high - limits.low);
+        let share_of_edge = match self.surface {
+            Surface::Plane(_) | Surface::Sphere(_) | Surface::Cylinder(_) | Surface::Cone(_) => {
+                EDGE
+            }
+            _ => EDGE_SEARCHED,
+        };
+        let edge = share_of_edge * (limits.high - limits.low);
         if bend > 0.0 {
             share * (limits.high - edge).max(0.0)
         } else if bend < 0.0 {

@@ -1,16 +1,17 @@
 //! One motion along any two surfaces (APT: `AREPRE`, `ARLM3`).
 
-use aptc_cldata::{Control, Position};
+use aptc_cldata::{Control, Controlled, Position};
 use aptc_contact::{Condition, Gap, Side};
 use aptc_geometry::{Profile, Surface, Vec3};
 use aptc_protap::Relation;
 
 use super::keep::{Keep, Pose};
+use super::nearest::approach;
 use super::track::{Node, Track, Trouble};
 use super::watch::{Halt, Watch, clearance};
 use crate::failure::Failure;
 use crate::prepare::way;
-use crate::scene::{Path, Scene, Stance, Wall, to_or_on};
+use crate::scene::{Astray, Path, Scene, Stance, Wall, to_or_on};
 
 /// Cut vectors of one motion when NUMPTS does not say.
 const MOST_VECTORS: u32 = 20_000;
@@ -55,7 +56,7 @@ fn follow(scene: &Scene, begin: &Begin) -> Result<Path, Failure> {
     for _ in 0..most {
         let stride = match track.stride(&node, cap, &mut ratio) {
             Ok(s) => s,
-            Err(t) => return Err(blocked(scene, begin, &watches, &node, gone, t)),
+            Err(t) => return Err(blocked(scene, begin, &watches, &node, &points, gone, t)),
         };
         let mut stop: Option<(usize, Halt)> = None;
         for (i, w) in watches.iter_mut().enumerate() {
@@ -66,7 +67,14 @@ fn follow(scene: &Scene, begin: &Begin) -> Result<Path, Failure> {
                 stop = Some((i, h));
             }
         }
-        if let Some((i, halt)) = stop {
+        if let Some((i, mut halt)) = stop {
+            // The last cut vector ends where the gaps were to be farther on; where the surface changes its
+            // bend on the way that does not fit, and a cut vector made for that length does.
+            if !track.fits(&node, &halt.node) {
+                let shorter = track.stride(&node, halt.s, &mut ratio);
+                let again = shorter.and_then(|s| watches[i].again(track, &node, &s, &halt));
+                halt = again.ok().filter(|h| track.fits(&node, &h.node)).unwrap_or(halt);
+            }
             points.push(position(&halt.node.pose));
             return Ok(Path {
                 points,
@@ -75,6 +83,7 @@ fn follow(scene: &Scene, begin: &Begin) -> Result<Path, Failure> {
                 forward: halt.node.along,
                 control: control(scene, track, &watches, i, &halt),
                 fouls: None,
+                astray: begin.astray,
             });
         }
         gone += (stride.to.pose.te - node.pose.te).norm();
@@ -85,7 +94,7 @@ fn follow(scene: &Scene, begin: &Begin) -> Result<Path, Failure> {
         }
         node = stride.to;
     }
-    Err(not_reached(scene, &watches, gone))
+    Err(not_reached(scene, &watches, begin.node.pose, &points, gone))
 }
 
 fn position(p: &Pose) -> Position {
@@ -146,6 +155,7 @@ struct Begin {
     node: Node,
     /// The first position when the tool must first be put in place.
     first: Option<Position>,
+    astray: Option<Astray>,
 }
 
 fn keep(wall: &Wall, side: Side) -> Result<Keep, Failure> {
@@ -194,11 +204,12 @@ fn begin(scene: &Scene) -> Result<Begin, Failure> {
             Side::Negative
         };
     }
+    let astray = across(scene, &mut drive, &pose);
     let drive_gap = drive.gap(&pose, None).map_err(|_| apart(&scene.drive))?;
     let off_drive = placed(&drive, &drive_gap);
     let off_part = placed(&part, &part_gap);
     if off_drive > 2.0 {
-        return Err(misplaced(scene, &drive, &drive_gap, &pose));
+        return Err(misplaced(scene, &drive, &drive_gap));
     }
     if off_part > 2.0 {
         return Err(Failure::OffPart {
@@ -215,13 +226,13 @@ fn begin(scene: &Scene) -> Result<Begin, Failure> {
         Track { keeps: [drive, part], axis: scene.axis.clone(), exact, rounding: 1e-14 * size };
     let node = track.node(pose, heading).map_err(|t| trouble_at(scene, &pose, t))?;
     if off_drive <= 1.0 && off_part <= 1.0 {
-        return Ok(Begin { track, node, first: None });
+        return Ok(Begin { track, node, first: None, astray });
     }
     let targets = [0.0, 0.0];
     let node =
         track.settle(pose, node.along, targets, &node).map_err(|t| trouble_at(scene, &pose, t))?;
     let first = Some(position(&node.pose));
-    Ok(Begin { track, node, first })
+    Ok(Begin { track, node, first, astray })
 }
 
 /// The side on which the tool is nearer to touching.
@@ -252,17 +263,21 @@ fn placed(keep: &Keep, gap: &Gap) -> f64 {
     1.0 + off / keep.width()
 }
 
-fn misplaced(scene: &Scene, keep: &Keep, gap: &Gap, pose: &Pose) -> Failure {
+/// A tool that is in place on the other side than the word says stays there.
+fn across(scene: &Scene, drive: &mut Keep, pose: &Pose) -> Option<Astray> {
+    let astray = scene.stance.astray()?;
+    let fits = |keep: &Keep| keep.gap(pose, None).is_ok_and(|g| placed(keep, &g) <= 2.0);
+    let other = Keep { side: drive.side.other(), ..drive.clone() };
+    if fits(drive) || !fits(&other) {
+        return None;
+    }
+    *drive = other;
+    Some(astray)
+}
+
+fn misplaced(scene: &Scene, keep: &Keep, gap: &Gap) -> Failure {
     let surface = scene.drive.surface.clone();
     let allowed = 2.0 * keep.width();
-    let other = Keep { side: keep.side.other(), ..keep.clone() };
-    let fits = other.gap(pose, None).is_ok_and(|g| g.g.abs() <= allowed);
-    let word = matches!(scene.stance, Stance::Left | Stance::Right);
-    if word && fits && keep.profile.widest() > 0.0 {
-        let (word, opposite) =
-            if scene.stance == Stance::Left { ("TLLFT", "TLRGT") } else { ("TLRGT", "TLLFT") };
-        return Failure::WrongSide { surface, word, other: opposite };
-    }
     let off = if scene.drive.on { gap.g.abs() } else { gap.g };
     Failure::OffDrive { surface, off, allowed, outside: off > 0.0 }
 }
@@ -288,40 +303,34 @@ fn blocked(
     begin: &Begin,
     watches: &[Watch],
     node: &Node,
+    points: &[Position],
     gone: f64,
     t: Trouble,
 ) -> Failure {
     for (keep, wall) in begin.track.keeps.iter().zip([&scene.drive, &scene.part]) {
-        if keep.condition == Condition::On {
-            continue;
-        }
-        // A hollow that is tighter than the cutter at the place of contact.
-        let tightest = keep.gap(&node.pose, None).ok().map(|gap| {
-            let k = keep.surface.foot(gap.surface_point).shape.principal();
-            if keep.side == Side::Positive { -k[1] } else { k[0] }
-        });
-        if let Some(k) = tightest
-            && k > 0.0
-            && 1.0 / k < 1.01 * keep.profile.widest()
-        {
-            return Failure::TooLarge {
-                surface: wall.surface.clone(),
-                radius: 1.0 / k,
-                cutter: keep.profile.widest(),
-            };
+        let contact = keep.gap(&node.pose, None).ok().map(|gap| gap.surface_point);
+        if let Some(radius) = contact.and_then(|q| keep.too_tight(q)) {
+            let (surface, cutter) = (wall.surface.clone(), keep.profile.widest());
+            return Failure::TooLarge { surface, radius, cutter };
         }
     }
     match t {
         Trouble::Axis | Trouble::SideBySide => trouble(scene, node, t),
-        _ => not_reached(scene, watches, gone),
+        _ => not_reached(scene, watches, begin.node.pose, points, gone),
     }
 }
 
-fn not_reached(scene: &Scene, watches: &[Watch], gone: f64) -> Failure {
+fn not_reached(
+    scene: &Scene,
+    watches: &[Watch],
+    start: Pose,
+    points: &[Position],
+    gone: f64,
+) -> Failure {
     let (Some(check), Some(watch)) = (scene.checks.first(), watches.first()) else {
         return Failure::NoCheck { word: scene.direction };
     };
-    let (met, closest, pose) = watch.account();
+    let (met, mut closest, mut pose) = watch.account();
     if matches!(check.relation, Relation::Tanto | Relation::Pstan) {
         let own = if check.relation == Relation::Pstan { &scene.part } else { &scene.drive };
         return Failure::NoTangency {
@@ -330,6 +339,12 @@ fn not_reached(scene: &Scene, watches: &[Watch], gone: f64) -> Failure {
             closest: watch.alike,
             allowed: 2.0 * (check.wall.band.intol + check.wall.band.outtol),
         };
+    }
+    let path: Vec<Pose> =
+        std::iter::once(start).chain(points.iter().map(|p| Pose { te: p.te, ta: p.ta })).collect();
+    let nearer = keep(&check.wall, Side::Positive).ok().and_then(|k| approach(&k, &path));
+    if let Some((gap, place)) = nearer.filter(|n| n.0 < closest.abs()) {
+        (closest, pose) = (gap, place);
     }
     Failure::NotReached {
         surface: check.wall.surface.clone(),
@@ -361,7 +376,7 @@ fn control(
                     .and_then(|k| clearance(&k, &halt.node.pose).ok())
                     .map_or(1.0, |(_, side)| side.sign())
             };
-            c.wall.controlled(c.relation, side)
+            Controlled { nth: c.nth, ..c.wall.controlled(c.relation, side) }
         })
         .collect();
     debug_assert_eq!(checks.len(), watches.len());

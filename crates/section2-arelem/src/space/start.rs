@@ -33,7 +33,7 @@ pub(crate) fn start(go: &Start) -> Result<Path, Failure> {
         let keep = aim(*relation, wall, &pose, normal)?;
         aims.push(Aim { wall, relation: *relation, keep, along });
     }
-    let solver = Solver { aims: &aims, axis: &go.axis };
+    let mut solver = Solver { aims: &aims, axis: &go.axis, guide: None };
     let free = go.surfaces.len() == 1 && go.part.is_none();
     let direction = go.along.first().copied().flatten();
     let end = match direction {
@@ -41,14 +41,21 @@ pub(crate) fn start(go: &Start) -> Result<Path, Failure> {
         Some(v) if free => solver.along(pose, v)?,
         _ => {
             let from = solver.approach(pose);
-            solver.nearest(from, pose)?
+            solver.guide = solver.guided(pose, from);
+            let guided = solver.nearest(from, pose);
+            if solver.guide.is_some() && guided.is_err() {
+                solver.guide = None;
+                solver.nearest(from, pose)?
+            } else {
+                guided?
+            }
         }
     };
     let mut sides = aims.iter().map(|a| a.wall.controlled(a.relation, a.keep.side.sign()));
     let control = Control { drive: sides.next(), part: sides.next(), checks: sides.collect() };
     let points = vec![Position { te: end.te, ta: end.ta }];
     let forward = end.te - go.tool.te;
-    Ok(Path { points, arc: None, check: 0, forward, control, fouls: None })
+    Ok(Path { points, arc: None, check: 0, forward, control, fouls: None, astray: None })
 }
 
 /// The side on which the tool is to be: TO where it is, PAST on the other.
@@ -98,9 +105,41 @@ fn aim(
 struct Solver<'a> {
     aims: &'a [Aim<'a>],
     axis: &'a AxisRule,
+    /// A plane in which the tool end stays: unit normal and distance.
+    guide: Option<(Vec3, f64)>,
 }
 
 impl Solver<'_> {
+    /// One direction for two surfaces of which one is a plane: the tool end stays in the plane through its
+    /// place that holds the direction and is as square as it can be to the line along which it could leave
+    /// both surfaces. Source: APT-360, `ASTRUP`.
+    fn guided(&self, home: Pose, from: Pose) -> Option<(Vec3, f64)> {
+        let [a, b] = self.aims else { return None };
+        let v = match (a.along, b.along) {
+            (Some(v), None) | (None, Some(v)) => v,
+            _ => return None,
+        };
+        let plane = if b.keep.is_plane() { b } else { a };
+        if !plane.keep.is_plane() {
+            return None;
+        }
+        let gaps = self.gaps(&from, None).ok()?;
+        let along = gaps[0].normal.cross(&gaps[1].normal).try_normalize(1e-9)?;
+        let across = (along - v * along.dot(&v)).try_normalize(1e-6)?;
+        let own = plane.keep.surface.foot(from.te).normal;
+        (own.dot(&across).abs() <= 0.9999).then(|| (across, across.dot(&home.te)))
+    }
+
+    /// The point nearest to `origin` at which all conditions hold where they are linear.
+    fn least(&self, origin: Vec3, pose: &Pose, gaps: &[Gap], targets: &[f64]) -> Option<Vec3> {
+        let mut rows: Vec<(Vec3, f64)> =
+            gaps.iter().zip(targets).map(|(g, t)| (g.normal, t - g.g)).collect();
+        if let Some((n, d)) = self.guide {
+            rows.push((n, d - n.dot(&pose.te)));
+        }
+        least(origin, pose.te, &rows)
+    }
+
     /// Where the directions given for the surfaces bring the tool: each pierces its surface.
     fn approach(&self, pose: Pose) -> Pose {
         let mut te = pose.te;
@@ -176,11 +215,13 @@ impl Solver<'_> {
         let mut gaps = self.gaps(&pose, None)?;
         let mut best_step = f64::INFINITY;
         let mut factor: f64 = 1.0;
+        let mut closest = (f64::INFINITY, from, gaps.clone());
         for _ in 0..ROUNDS {
             let targets = self.targets(&pose, &gaps);
             let ta = self.turned(&pose, &gaps);
-            let to =
-                least(origin, pose.te, &gaps, &targets).ok_or_else(|| self.impossible(home))?;
+            let to = self
+                .least(origin, &pose, &gaps, &targets)
+                .ok_or_else(|| self.impossible(home, &closest))?;
             let step = to - pose.te;
             let size = step.norm();
             // Near the end the rounds must come closer; far from it surfaces may bend away.
@@ -192,25 +233,34 @@ impl Solver<'_> {
             pose = Pose { te: pose.te + step * factor, ta };
             gaps = self.gaps(&pose, Some(&gaps))?;
             let off = gaps.iter().zip(&targets).map(|(g, t)| (g.g - t).abs()).fold(0.0, f64::max);
-            let scale = pose.te.norm() + size + self.aims[0].keep.width();
-            if size <= 1e-11 * scale && turn <= 1e-11 && off <= 1e-11 * scale {
-                return Ok(pose);
+            if off < closest.0 {
+                closest = (off, pose, gaps.clone());
+            }
+            let scale = self.size(&pose) + size;
+            if size <= 1e-13 * scale && turn <= 1e-11 && off <= 1e-13 * scale {
+                if !self.deeper(&pose, &mut gaps) {
+                    return Ok(pose);
+                }
+                (best_step, factor) = (f64::INFINITY, 1.0);
             }
         }
         // The least way is not known to the last digit; the place on the surfaces shall be.
-        self.settle(pose, gaps).ok_or_else(|| self.impossible(home))
+        self.settle(pose, gaps).ok_or_else(|| self.impossible(home, &closest))
     }
 
     /// The nearest place on all surfaces, by Newton's method with steps of least length.
     fn settle(&self, mut pose: Pose, mut gaps: Vec<Gap>) -> Option<Pose> {
+        // Where a surface bends otherwise on the other side of an edge, gaps that are asked for anew each round
+        // would never come to rest; these lie within the band too.
+        let targets = self.targets(&pose, &gaps);
         for _ in 0..ROUNDS {
-            let targets = self.targets(&pose, &gaps);
             let off = gaps.iter().zip(&targets).map(|(g, t)| (g.g - t).abs()).fold(0.0, f64::max);
-            if off <= 1e-13 * (1.0 + pose.te.norm()) + 1e-9 * self.aims[0].keep.width() {
+            let enough = 1e-13 * self.size(&pose) + 1e-9 * self.aims[0].keep.width();
+            if off <= enough && !self.deeper(&pose, &mut gaps) {
                 return Some(pose);
             }
             pose = Pose {
-                te: least(pose.te, pose.te, &gaps, &targets)?,
+                te: self.least(pose.te, &pose, &gaps, &targets)?,
                 ta: self.turned(&pose, &gaps),
             };
             gaps = self.gaps(&pose, Some(&gaps)).ok()?;
@@ -218,8 +268,39 @@ impl Solver<'_> {
         None
     }
 
-    fn impossible(&self, _home: Pose) -> Failure {
+    /// A length of the size of the scene.
+    fn size(&self, pose: &Pose) -> f64 {
+        let of = |a: &Aim<'_>| a.keep.surface.extent() + a.keep.profile.reach();
+        pose.te.norm() + self.aims.iter().map(of).fold(0.0, f64::max)
+    }
+
+    /// Replaces gaps where the cutter touches elsewhere first.
+    fn deeper(&self, pose: &Pose, gaps: &mut [Gap]) -> bool {
+        let mut any = false;
+        for (aim, gap) in self.aims.iter().zip(gaps) {
+            let exact = 1e-10 * self.size(pose) + 1e-8 * aim.keep.width();
+            if let Some(deeper) = aim.keep.deeper(pose, gap, exact) {
+                *gap = deeper;
+                any = true;
+            }
+        }
+        any
+    }
+
+    /// Why there is no position: a hollow too tight for the cutter, or how near it came.
+    fn impossible(&self, home: Pose, closest: &(f64, Pose, Vec<Gap>)) -> Failure {
+        for aim in self.aims {
+            let q = aim.keep.surface.foot(home.te).point;
+            if let Some(radius) = aim.keep.too_tight(q) {
+                let (surface, cutter) = (aim.wall.surface.clone(), aim.keep.profile.widest());
+                return Failure::TooLarge { surface, radius, cutter };
+            }
+        }
+        let (_, pose, gaps) = closest;
+        let left = self.aims.iter().zip(gaps).map(|(a, g)| (a.wall.surface.clone(), g.g)).collect();
         Failure::NoStart {
+            left,
+            place: Some(pose.te),
             surfaces: self.aims.iter().map(|a| a.wall.surface.clone()).collect(),
             why: "no common position was found",
         }
@@ -267,7 +348,7 @@ impl Solver<'_> {
             let pose = Pose { te: from.te + v * s, ..from };
             let gap = aim.keep.gap(&pose, last).ok()?;
             last = Some(gap.surface_point);
-            let scale = 1.0 + pose.te.norm();
+            let scale = self.size(&pose);
             if gap.g.abs() <= 1e-13 * scale {
                 return Some(pose);
             }
@@ -290,12 +371,12 @@ impl Solver<'_> {
     }
 }
 
-/// The point nearest to `origin` where the gaps, taken as linear about `at`, have their targets.
-fn least(origin: Vec3, at: Vec3, gaps: &[Gap], targets: &[f64]) -> Option<Vec3> {
-    // Unknown multipliers m: x = origin + sum m_i n_i with n_i . (x - at) = t_i - g_i.
-    let n: Vec<Vec3> = gaps.iter().map(|g| g.normal).collect();
-    let rhs: Vec<f64> =
-        gaps.iter().zip(targets).map(|(g, t)| t - g.g + g.normal.dot(&(at - origin))).collect();
+/// The point nearest to `origin` from which the point `at` is reached by the steps asked for along each
+/// direction.
+fn least(origin: Vec3, at: Vec3, rows: &[(Vec3, f64)]) -> Option<Vec3> {
+    // Unknown multipliers m: x = origin + sum m_i n_i with n_i . (x - at) = step_i.
+    let n: Vec<Vec3> = rows.iter().map(|r| r.0).collect();
+    let rhs: Vec<f64> = rows.iter().map(|r| r.1 + r.0.dot(&(at - origin))).collect();
     match n.as_slice() {
         [a] => Some(origin + a * rhs[0]),
         [a, b] => {

@@ -22,7 +22,7 @@ const MOST_TURN: f64 = 2.0;
 /// Share of the band by which a chord aims inside of it.
 const AIM: f64 = 1e-6;
 /// Extreme gaps on a chord are found to this share of the band.
-const RESOLUTION: f64 = 1e-8;
+const RESOLUTION: f64 = 2e-7;
 
 /// A cut vector.
 #[derive(Clone, Copy, Debug)]
@@ -48,12 +48,14 @@ impl Track {
         let plan = self.plan(from, cap);
         let mut s = (plan.length * *ratio).min(plan.most);
         let (mut good, mut bad): (Option<Stride>, f64) = (None, f64::INFINITY);
-        let mut trouble = Trouble::SideBySide;
+        let mut trouble = Trouble::Stuck;
         let mut before: Option<(f64, f64)> = None;
+        // A chord that does not fit though its ratio says so is shortened more each time.
+        let mut back = LONG_ENOUGH;
         for _ in 0..TRIALS {
-            let next = match self.reach(from, s, plan.length) {
-                Ok(tried) => {
-                    let fit = self.fit(from, &tried.to)?;
+            let tried = self.reach(from, s, plan.length);
+            let next = match tried.and_then(|t| self.fit(from, &t.to).map(|fit| (t, fit))) {
+                Ok((tried, fit)) => {
                     if fit.fits {
                         good = Some(tried);
                         if fit.ratio <= 1.0 + LONG_ENOUGH || s >= plan.most {
@@ -62,7 +64,10 @@ impl Track {
                     } else {
                         bad = bad.min(s);
                     }
-                    let ratio = if fit.fits { fit.ratio } else { fit.ratio.min(1.0 - LONG_ENOUGH) };
+                    let ratio = if fit.fits { fit.ratio } else { fit.ratio.min(1.0 - back) };
+                    if !fit.fits && good.is_none() {
+                        back = (4.0 * back).min(0.5);
+                    }
                     let next = lengthen(s, ratio, before) * (1.0 - 0.25 * LONG_ENOUGH);
                     before = Some((s, ratio));
                     next
@@ -85,6 +90,11 @@ impl Track {
         let stride = good.ok_or(trouble)?;
         *ratio = (stride.length / plan.length).clamp(0.2, 2.0);
         Ok(stride)
+    }
+
+    /// Does the chord between two nodes stay in both bands?
+    pub(crate) fn fits(&self, from: &Node, to: &Node) -> bool {
+        self.fit(from, to).is_ok_and(|f| f.fits)
     }
 
     /// The place at distance `s`, its gaps at the targets that belong to its own curvature.
@@ -171,8 +181,8 @@ impl Track {
         let depth = 0.5 * (ends[1].normal.dot(&v) - ends[0].normal.dot(&v));
         // Vertices of the motion before may lie at the very edge; they are no fault of this chord.
         let slack = self.rounding + RESOLUTION * keep.width();
-        let least = ends[0].g.min(ends[1].g).min(limits.low) - slack;
-        let most = ends[0].g.max(ends[1].g).max(limits.high) + slack;
+        let least = (ends[0].g.min(ends[1].g) - slack).min(limits.low + slack);
+        let most = (ends[0].g.max(ends[1].g) + slack).max(limits.high - slack);
         let fits = low >= least && high <= most;
         let mut ratio = f64::INFINITY;
         if depth > 0.0 || dips[0].min(dips[1]) > aim {

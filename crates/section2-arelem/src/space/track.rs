@@ -115,7 +115,15 @@ impl Track {
                 turned = (ta - pose.ta).norm();
             }
             if worst <= self.exact && turned <= 1e-11 {
-                return self.finish(pose, gaps, hint.along);
+                let deeper =
+                    [0, 1].map(|i| self.keeps[i].deeper(&pose, &gaps[i], 4.0 * self.exact));
+                if deeper.iter().all(Option::is_none) {
+                    return self.finish(pose, gaps, hint.along);
+                }
+                // The cutter touches elsewhere first: on from there.
+                near = [0, 1].map(|i| deeper[i].unwrap_or(gaps[i]));
+                last = (f64::INFINITY, pose, Vec3::zeros());
+                continue;
             }
             if !turning && worst > 0.9 * last.0 && worst > 10.0 * self.exact {
                 // Too far: back, and half the step.

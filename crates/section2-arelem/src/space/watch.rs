@@ -79,6 +79,10 @@ pub(crate) struct Halt {
     pub(crate) node: Node,
     /// Side of the check surface's own normal on which the tool is.
     pub(crate) side: f64,
+    /// Which gauge said so, what it reads there, and whether the place is where it reads that.
+    gauge: usize,
+    reading: f64,
+    crosses: bool,
 }
 
 impl Watch {
@@ -207,7 +211,36 @@ impl Watch {
             Some(s) => (s, way.node(s)?),
             None => (crossing.s, node),
         };
-        Ok(Halt { s, node, side: keep.side.sign() })
+        let crosses =
+            !matches!(self.relation, Relation::Tanto | Relation::Pstan) && !crossing.touch;
+        let reading = keep.gap(&node.pose, Some(gap.surface_point))?.g;
+        Ok(Halt { s, node, side: keep.side.sign(), gauge: i, reading, crosses })
+    }
+
+    /// The same halt on the way of another cut vector from the same node.
+    pub(crate) fn again(
+        &self,
+        track: &Track,
+        from: &Node,
+        stride: &Stride,
+        halt: &Halt,
+    ) -> Result<Halt, Trouble> {
+        let turn = from.pose.ta.cross(&stride.to.pose.ta) / stride.length;
+        let way = Way { track, from, stride, turn };
+        let keep = &self.gauges[halt.gauge].keep;
+        let mut node = way.node(halt.s)?;
+        let mut s = halt.s;
+        for _ in 0..8 {
+            let gap = keep.gap(&node.pose, None)?;
+            let off = gap.g - halt.reading;
+            let slope = way.slope(&node, &gap);
+            if !halt.crosses || off.abs() <= track.exact || slope.abs() < GRAZING {
+                break;
+            }
+            s -= off / slope;
+            node = way.node(s)?;
+        }
+        Ok(Halt { s, node, ..*halt })
     }
 }
 

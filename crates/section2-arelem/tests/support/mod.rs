@@ -2,6 +2,9 @@
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 #![allow(dead_code, reason = "each test program uses a part of it")]
 
+pub(crate) mod brute;
+pub(crate) mod scene;
+
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -282,6 +285,7 @@ fn one(forms: &Forms, word: &str, args: &[String]) -> Kind {
         "OUTTOL" => Kind::Outtol(four(args)),
         "THICK" => Kind::Thick(four(args)),
         "MAXDP" => Kind::Maxdp { step: number(&args[0]).unwrap(), length: None },
+        "NUMPTS" => Kind::Numpts(args[0].parse().unwrap()),
         "3DCALC" => Kind::Calc(Dimension::Three),
         "2DCALC" => Kind::Calc(Dimension::Two),
         "MULTAX" => Kind::Multax(args.first().is_none_or(|a| a == "ON")),

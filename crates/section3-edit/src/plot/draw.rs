@@ -15,8 +15,10 @@ const GAP: f64 = 14.0;
 const MARGIN: f64 = 34.0;
 
 /// Colours of the tools, in turn.
-const COLOURS: [&str; 8] =
-    ["#1d6fd1", "#d9580d", "#178a4c", "#8b3fc4", "#c72c6b", "#0b8484", "#a86f00", "#6b7280"];
+const COLOURS: [&str; 12] = [
+    "#1d6fd1", "#d9580d", "#178a4c", "#8b3fc4", "#c72c6b", "#0b8484", "#a86f00", "#6b7280",
+    "#5b8c00", "#b3261e", "#4658c9", "#7a4a2b",
+];
 
 /// A view: its name, the axes to the right and up, and the letters beside the grid.
 struct View {
@@ -249,7 +251,7 @@ impl Panel<'_> {
             }
             let line = if u.abs() < step / 2.0 { &mut zero } else { &mut path };
             let _ = write!(line, "M{} {}v{}", tenth(px), tenth(self.y), tenth(self.height));
-            if px > self.x + 40.0 && px < self.x + self.width - 24.0 {
+            if px > self.x + 40.0 && px < self.x + self.width - 40.0 {
                 text(out, px, self.y + self.height - 6.0, "middle", "tick", &tick(u, step));
             }
         }
@@ -260,7 +262,7 @@ impl Panel<'_> {
             }
             let line = if w.abs() < step / 2.0 { &mut zero } else { &mut path };
             let _ = write!(line, "M{} {}h{}", tenth(self.x), tenth(py), tenth(self.width));
-            if py > self.y + 30.0 && py < self.y + self.height - 18.0 {
+            if py > self.y + 54.0 && py < self.y + self.height - 18.0 {
                 text(out, self.x + 6.0, py - 3.0, "start", "tick", &tick(w, step));
             }
         }

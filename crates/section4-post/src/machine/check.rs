@@ -2,10 +2,10 @@
 
 use aptc_diagnostics::{Diagnostic, FileId, Span, codes};
 
-use super::{Dialect, Machine};
+use super::{Dialect, Machine, MachineKind};
 
-/// Letters that every machine's `format` table must have.
-const NEEDED: &[char] = &['X', 'Y', 'Z', 'F', 'S'];
+/// Letters that every machine's `format` table must have; mills have Y too.
+const NEEDED: &[char] = &['X', 'Z', 'F', 'S'];
 
 impl Machine {
     /// The machine of a TOML text, or all that is wrong with it.
@@ -49,7 +49,8 @@ impl Machine {
             }
         };
         say(self.name.is_empty(), "`name` is empty".into());
-        for letter in NEEDED {
+        let y = (self.kind == MachineKind::Mill).then_some(&'Y');
+        for letter in NEEDED.iter().chain(y) {
             let missing = self.dialect != Dialect::Apt && !self.format.contains_key(letter);
             say(missing, format!("`format` lacks {letter}"));
         }
@@ -89,6 +90,8 @@ impl Machine {
                 say(!positive(high - low), format!("`axes.{letter}`: min is not below max"));
             }
         }
+        let lathe = self.kind == MachineKind::Lathe;
+        say(lathe && !self.rotary.is_empty(), "a lathe with `rotary` axes is not known".into());
         if let Some(arcs) = &self.arcs {
             let sweep = arcs.max_sweep;
             say(

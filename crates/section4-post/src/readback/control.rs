@@ -6,7 +6,7 @@ use aptc_geometry::trig;
 
 use super::Fault;
 use super::words::Line;
-use crate::machine::{ArcCenter, ArcPlane, Machine, Wrap};
+use crate::machine::{ArcCenter, ArcPlane, Machine, MachineKind, Wrap};
 
 /// Positions of X Y Z and two rotary axes in millimetres and degrees; none where the text has not said it.
 pub(crate) type Place = [Option<f64>; 5];
@@ -40,6 +40,7 @@ enum Mode {
     None,
     Rapid,
     Line,
+    Thread,
     Clockwise,
     Anticlockwise,
     /// A cycle by its number.
@@ -59,6 +60,8 @@ pub(crate) struct Control {
     feed: Option<f64>,
     pub(super) at: Place,
     letters: [u8; 5],
+    /// There is no Y: it is always 0.
+    lathe: bool,
     divide: [f64; 5],
     modulo: [bool; 5],
     pub(super) to_initial: bool,
@@ -74,6 +77,10 @@ impl Control {
     pub(crate) fn new(machine: &Machine) -> Self {
         let mut letters = [b'X', b'Y', b'Z', 0, 0];
         let mut modulo = [false; 5];
+        let lathe = machine.kind == MachineKind::Lathe;
+        if lathe {
+            letters[1] = 0;
+        }
         for (i, r) in machine.rotary.iter().take(2).enumerate() {
             letters[3 + i] = r.letter as u8;
             modulo[3 + i] = r.wrap == Wrap::Modulo && r.min.is_none() && r.max.is_none();
@@ -93,6 +100,7 @@ impl Control {
             feed: None,
             at: [None; 5],
             letters,
+            lathe,
             divide,
             modulo,
             to_initial: true,
@@ -137,7 +145,9 @@ impl Control {
                 b'G' => {
                     let code = tenths(w.value)?;
                     match code {
-                        0 | 10 | 20 | 30 | 730 | 740 | 800..=890 if code % 10 == 0 => {
+                        70 if self.lathe => self.divide[0] = 2.0,
+                        80 if self.lathe => self.divide[0] = 1.0,
+                        0 | 10 | 20 | 30 | 320 | 330 | 730 | 740 | 800..=890 if code % 10 == 0 => {
                             // G80 may stand with another motion code; it ends cycles first.
                             if motion_said && code != 800 && self.mode != Mode::None {
                                 return Err("two motion codes in one block".into());
@@ -210,6 +220,8 @@ impl Control {
                 }
                 b'N' | b'S' | b'T' | b'H' | b'D' | b'O' | b'P' | b'Q' | b'R' | b'I' | b'J'
                 | b'K' | b'X' | b'Y' | b'Z' | b'L' | b'E' => {}
+                // Steps of X and Z.
+                b'U' | b'W' if self.lathe => {}
                 letter if self.letters[3..].contains(&letter) => {}
                 letter => return Err(format!("the letter {}", char::from(letter))),
             }
@@ -267,10 +279,16 @@ impl Control {
     fn target(&self, line: &Line) -> Result<Place, String> {
         let mut target = [None; 5];
         for w in &line.words {
-            let Some(i) = self.letters.iter().position(|l| *l == w.letter) else { continue };
+            let step = match w.letter {
+                b'U' if self.lathe => Some(0),
+                b'W' if self.lathe => Some(2),
+                _ => None,
+            };
+            let named = self.letters.iter().position(|l| *l == w.letter);
+            let Some(i) = step.or(named) else { continue };
             let mm = if i < 3 { self.mm.ok_or("a position before the unit is said")? } else { 1.0 };
             let value = w.value * mm / self.divide[i];
-            target[i] = Some(if self.absolute {
+            target[i] = Some(if self.absolute && step.is_none() {
                 value
             } else {
                 self.at[i].ok_or("a step from a place that is not known")? + value
@@ -289,6 +307,9 @@ impl Control {
 
     pub(super) fn merged(&self, target: &Place) -> Place {
         let mut to = self.at;
+        if self.lathe {
+            to[1] = Some(0.0);
+        }
         for i in 0..5 {
             let Some(value) = target[i] else { continue };
             // The control takes the shorter way round.
@@ -309,6 +330,7 @@ impl Control {
             Mode::None => return Err("a position without a motion code".into()),
             Mode::Rapid => Step::Line { from, to, rapid: true, feed: None },
             Mode::Line => Step::Line { from, to, rapid: false, feed: Some(self.needed_feed()?) },
+            Mode::Thread => Step::Line { from, to, rapid: false, feed: None },
             Mode::Clockwise | Mode::Anticlockwise => {
                 self.needed_feed()?;
                 Step::Arc(self.arc(line, from, to)?)
@@ -391,6 +413,7 @@ fn motion(code: i64) -> Mode {
     match code {
         0 => Mode::Rapid,
         10 => Mode::Line,
+        320 | 330 => Mode::Thread,
         20 => Mode::Clockwise,
         30 => Mode::Anticlockwise,
         800 => Mode::None,

@@ -6,6 +6,7 @@ use aptc_geometry::Vec3;
 
 use crate::args::{Statement, whole};
 use crate::emit::render;
+use crate::machine::MachineKind;
 use crate::post::{Post, trimmed};
 use crate::words::{bad_arguments, refuse};
 
@@ -75,6 +76,23 @@ impl Post {
         }
         self.summary.cut_minutes += seconds / 60.0;
         self.tool_use().minutes += seconds / 60.0;
+    }
+}
+
+/// `MODE/MILL|TURN|LATHE`: must be what the machine is.
+pub(super) fn mode(post: &mut Post, s: &Statement<'_>) {
+    let wanted = match s.word(0) {
+        Some("MILL") if s.args.len() == 1 => MachineKind::Mill,
+        Some("TURN" | "LATHE") if s.args.len() == 1 => MachineKind::Lathe,
+        _ => {
+            refuse(post, s, "only MODE/MILL and MODE/TURN are known");
+            return;
+        }
+    };
+    if wanted != post.machine.kind {
+        let is = if wanted == MachineKind::Mill { "a lathe" } else { "a mill" };
+        let reason = format!("{} is {is}", post.machine.name);
+        refuse(post, s, &reason);
     }
 }
 

@@ -1,7 +1,9 @@
 //! The table of words.
 
 use crate::args::Statement;
-use crate::words::{Action, coolnt, cutcom, cycle, fedrat, planes, program, spindl, tool};
+use crate::words::{
+    Action, coolnt, cutcom, cycle, fedrat, planes, program, rotabl, spindl, stock, thread, tool,
+};
 
 /// What becomes of a word.
 pub(crate) enum Entry {
@@ -51,32 +53,45 @@ fn nothing(_: &mut crate::post::Post, _: &Statement<'_>) {}
 /// Sorted by word.
 static TABLE: &[(&str, Entry)] = &[
     ("AIR", Do(coolnt::air)),
+    ("ARCSLP", Refuse("the slope of an arc has to stand with its MOVARC")),
     ("AUXFUN", Do(program::auxfun)),
     ("BREAK", Ignore(TAPE)),
     ("CAMERA", Silent(SHOWN)),
+    ("CHECK", Ignore("limits stand in the machine file")),
+    ("CLAMP", Ignore("the machine file says what holds a rotary axis")),
     ("CLEARP", Do(planes::clearp)),
     ("CLRSRF", Do(planes::clrsrf)),
     ("COOLNT", Do(coolnt::coolnt)),
+    ("COUPLE", Refuse("no machine here couples an axis to the spindle")),
     ("CUTCOM", Do(cutcom::cutcom)),
     ("CYCLE", Do(cycle::cycle)),
     ("DELAY", Do(program::delay)),
     ("DELETE", Do(program::opskip)),
     ("DISPLY", Do(program::disply)),
     ("DRAFT", Silent(DRAWN)),
+    ("DRAWLI", Silent(DRAWN)),
+    ("DRESS", Refuse("no machine here dresses a wheel")),
     ("DWELL", Do(program::delay)),
     ("END", Do(program::end)),
+    ("FACEML", Refuse("no machine here has a milling cycle for faces")),
     ("FEDRAT", Do(fedrat::fedrat)),
+    ("GOCLER", Do(planes::retrct)),
     ("GOHOME", Do(planes::gohome)),
     ("HEAD", Refuse("no machine here has several heads")),
     ("INSERT", Do(program::insert_word)),
+    ("INTCOD", Refuse("no machine here has interpolation codes of its own")),
+    ("ISTOP", Do(program::stop)),
     ("LEADER", Ignore(TAPE)),
     ("LETTER", Silent(DRAWN)),
     ("LINTOL", Do(program::lintol)),
     ("LOAD", Do(tool::load)),
     ("LOADTL", Do(tool::loadtl)),
+    ("LOCKX", Refuse("no machine here locks axes")),
     ("LPRINT", Silent(LISTED)),
     ("MACHIN", Do(nothing)),
+    ("MAXDPM", Ignore("the machine file has the speed of rotary axes")),
     ("MCHTOL", Do(program::mchtol)),
+    ("MODE", Do(program::mode)),
     ("OPSKIP", Do(program::opskip)),
     ("OPSTOP", Do(program::opstop)),
     ("ORIGIN", Do(program::origin)),
@@ -86,27 +101,63 @@ static TABLE: &[(&str, Entry)] = &[
     ("PEN", Silent(DRAWN)),
     ("PENDWN", Silent(DRAWN)),
     ("PENUP", Silent(DRAWN)),
+    ("PICKUP", Refuse("no machine here picks up parts")),
+    ("PIVOTZ", Ignore("the machine file says where rotary axes turn")),
     ("PLABEL", Silent(DRAWN)),
     ("PLOT", Silent(DRAWN)),
+    ("PLUNGE", Refuse("write the motion itself: GODLTA or CYCLE")),
+    ("POSTN", Refuse("write the motion itself: GOTO with a tool axis")),
+    ("PPFUN", Ignore("it is for another post-processor")),
     ("PPLOT", Silent(DRAWN)),
     ("PPRINT", Do(program::pprint)),
     ("PREFUN", Do(program::prefun)),
+    ("PROBX", Refuse("no machine here probes")),
+    ("PROBY", Refuse("no machine here probes")),
     ("RAPID", Do(fedrat::rapid)),
+    ("RESET", Refuse("axes are not reset; ORIGIN and TRANS move the part")),
     ("RETRCT", Do(planes::retrct)),
+    ("REVERS", Refuse("nothing is mirrored here; TRACUT mirrors a path")),
     ("REWIND", Do(program::rewind)),
+    ("ROTABL", Do(rotabl::rotabl)),
+    ("ROTHED", Do(rotabl::rotabl)),
+    ("SAFETY", Ignore("CLRSRF is the clearance plane")),
     ("SELCTL", Do(tool::selctl)),
     ("SELECT", Do(tool::select)),
     ("SEQNO", Do(program::seqno)),
+    ("SLOWDN", Ignore("the control slows down by itself")),
     ("SPINDL", Do(spindl::spindl)),
+    ("STOCK", Do(stock::stock)),
     ("STOP", Do(program::stop)),
+    ("SWITCH", Ignore("the offset number comes from LOADTL or TURRET")),
+    ("SYN", Ignore("it is for another post-processor")),
+    ("TDATA", Ignore("tool data come with CUTTER")),
+    ("THREAD", Do(thread::thread)),
     ("TMARK", Ignore(TAPE)),
     ("TOOLNO", Do(tool::toolno)),
+    ("TPRINT", Do(tool::tprint)),
     ("TRANS", Do(program::trans)),
+    ("TURRET", Do(tool::loadtl)),
+    ("ULOCKX", Refuse("no machine here locks axes")),
+    ("UNLOAD", Ignore("the next tool change takes the tool out")),
+    ("ZERO", Refuse("axes are not set to zero; ORIGIN and TRANS move the part")),
 ];
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// The words of the IBM manual and of the posts whose CL files are read: none is unknown.
+    const USUAL: &str = "END STOP OPSTOP ISTOP RAPID SWITCH RETRCT DRESS PICKUP UNLOAD PENUP PENDWN ZERO \
+        GOHOME RESET PROBX PROBY ULOCKX LOCKX FACEML REWIND COOLNT SPINDL FEDRAT LOADTL SELCTL TOOLNO \
+        CUTCOM CYCLE DELAY AUXFUN PREFUN CLEARP CLRSRF ROTABL ROTHED HEAD TURRET THREAD ARCSLP ORIGIN TRANS \
+        SEQNO TMARK LEADER OPSKIP POSTN CHECK CLAMP LINTOL MODE SLOWDN COUPLE MAXDPM PIVOTZ PLUNGE SAFETY \
+        REVERS AIR LETTER PPLOT MCHTOL INTCOD DISPLY PARTNO PPRINT INSERT GOCLER DRAWLI BREAK MACHIN TPRINT";
+
+    #[test]
+    fn no_usual_word_is_unknown() {
+        let unknown: Vec<_> = USUAL.split_whitespace().filter(|w| treatment(w).is_none()).collect();
+        assert!(unknown.is_empty(), "{unknown:?}");
+    }
 
     #[test]
     fn sorted() {

@@ -55,11 +55,14 @@ fn change(post: &mut Post, s: &Statement<'_>, at: usize) {
     let machine = Arc::clone(&post.machine);
     let comment = std::mem::take(&mut post.st.tool_comment);
     let (tool_text, offset_text) = (tool.to_string(), offset.to_string());
+    let (tool_two, offset_two) = (format!("{tool:02}"), format!("{offset:02}"));
     let common = post.common_vars();
     let mut vars = common.list();
     vars.extend([
         ("tool", tool_text.as_str()),
         ("offset", &offset_text),
+        ("tool2", &tool_two),
+        ("offset2", &offset_two),
         ("next", &next),
         ("tool_comment", &comment),
     ]);
@@ -140,6 +143,16 @@ fn ready(post: &mut Post, s: &Statement<'_>, tool: Option<f64>) {
     if let Some(line) = render(&template, &[("next", &tool.to_string())]) {
         post.blocks.line(&line);
     }
+}
+
+/// `TPRINT/name,..`: what the operator calls the next tool.
+pub(super) fn tprint(post: &mut Post, s: &Statement<'_>) {
+    let name = match s.args.first() {
+        Some(Arg::Word(name)) => name.as_str(),
+        Some(Arg::Text(name)) => name,
+        _ => return,
+    };
+    post.st.tool_comment = name.to_string();
 }
 
 /// `TOOLNO/n[,l]`: data of a tool; LOADTL brings it in.

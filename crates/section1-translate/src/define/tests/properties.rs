@@ -29,8 +29,14 @@ fn key(format: &Format) -> String {
         .replace("increments or number,AT,increment", "steps")
 }
 
+/// Sculptured definitions solve nothing: what they keep is tested where they are.
+fn is_solved(word: Word) -> bool {
+    !matches!(word, word::SCURV | word::SSURF | word::BOUNDS | word::OBJECT)
+}
+
 fn every_format() -> Vec<(Word, &'static Format)> {
     all()
+        .filter(|w| is_solved(*w))
         .filter_map(|w| table(w).map(|t| (w, t)))
         .flat_map(|(w, t)| t.iter().map(move |f| (w, f)))
         .collect()

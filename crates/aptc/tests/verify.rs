@@ -1,0 +1,87 @@
+//! `aptc verify` from outside.
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+
+fn aptc(folder: &Path, arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_aptc"))
+        .args(arguments)
+        .current_dir(folder)
+        .output()
+        .expect("the program starts")
+}
+
+fn folder_with(name: &str, content: &str) -> tempfile::TempDir {
+    let dir = tempfile::tempdir().expect("a folder");
+    fs::write(dir.path().join(name), content).expect("it is written");
+    dir
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8(bytes.to_vec()).expect("it is text")
+}
+
+const PART: &str = "PARTNO BOX\nUNITS/MM\nLOADTL/1\nSPINDL/1000,CLW\nFEDRAT/100,MMPM\n\
+                    CUTTER/10\nINTOL/.01\nOUTTOL/.01\nL1=LINE/0,0,100,0\n\
+                    L2=LINE/60,-100,60,100\nL3=LINE/0,-70,100,-70\nC1=CIRCLE/60,0,20\nFLOOR=PLANE/0,0,1,0\n\
+                    FROM/-20,-20,30\nGO/TO,L1,TO,FLOOR\nTLRGT,GORGT/L1,TO,C1\nGORGT/C1,PAST,L2\n\
+                    TLLFT,GORGT/L2,PAST,L3\nFINI\n";
+
+#[test]
+fn a_cl_file_is_held_against_the_program() {
+    let dir = folder_with("box.apt", PART);
+    let own = aptc(dir.path(), &["verify", "box.apt"]);
+    assert_eq!(own.status.code(), Some(0), "{}{}", text(&own.stdout), text(&own.stderr));
+    assert!(text(&own.stdout).contains("proved within tolerance"), "{}", text(&own.stdout));
+    aptc(dir.path(), &["compile", "box.apt", "--emit", "cl,cltape", "--quiet"]);
+    let cl = fs::read_to_string(dir.path().join("box.cl")).unwrap();
+    // The same without the comments that say where each record comes from.
+    let bare: String =
+        cl.lines().filter(|l| !l.starts_with("$$")).map(|l| format!("{l}\n")).collect();
+    fs::write(dir.path().join("bare.cl"), &bare).unwrap();
+    for file in ["box.cl", "box.cltape", "bare.cl"] {
+        let run = aptc(dir.path(), &["verify", "box.apt", "--cl", file, "--json"]);
+        assert_eq!(run.status.code(), Some(0), "{file}: {}", text(&run.stderr));
+        let found: serde_json::Value = serde_json::from_slice(&run.stdout).unwrap();
+        let c = &found["programs"][0]["parts"][0]["certificate"];
+        assert!(c["proved"].as_u64().unwrap() > 5 && c["unmatched"] == 0, "{file}: {c}");
+        for key in ["origin", "method", "surfaces", "fault"] {
+            assert!(c["statements"][0].get(key).is_some(), "{key}");
+        }
+    }
+    // A vertex of the arc is left out: its chord cuts in.
+    let gotos: Vec<&str> = bare.lines().filter(|l| l.starts_with("GOTO")).collect();
+    let arc = gotos[gotos.len() / 2];
+    fs::write(dir.path().join("bad.cl"), bare.replace(&format!("{arc}\n"), "")).unwrap();
+    let run = aptc(dir.path(), &["verify", "box.apt", "--cl", "bad.cl"]);
+    assert_eq!(run.status.code(), Some(3), "{}", text(&run.stderr));
+    assert!(text(&run.stderr).contains("APT5001") && text(&run.stderr).contains("C1"));
+    // A file of something else.
+    fs::write(dir.path().join("other.cl"), "UNITS/MM\nGOTO/1000,1000,1000\nFINI\n").unwrap();
+    let run = aptc(dir.path(), &["verify", "box.apt", "--cl", "other.cl"]);
+    assert_eq!(run.status.code(), Some(3));
+    assert!(text(&run.stderr).contains("APT5003"), "{}", text(&run.stderr));
+}
+
+#[test]
+fn how_much_is_proved_can_be_chosen() {
+    let dir = folder_with("box.apt", PART);
+    for (how, said) in [("full", "all"), ("sample", "left out"), ("off", "")] {
+        let run = aptc(dir.path(), &["compile", "box.apt", "--verify", how]);
+        assert_eq!(run.status.code(), Some(0), "{}", text(&run.stderr));
+        let summary = text(&run.stdout);
+        assert_eq!(summary.contains("tolerance"), how != "off", "{summary}");
+        assert!(summary.contains(said), "{how}: {summary}");
+    }
+}
+
+#[test]
+fn a_cut_at_rapid_gives_no_machine_code() {
+    let bad = PART.replace("FINI", "RAPID\nGOTO/0,50,-9\nGODLTA/0,0,20\nGO/TO,L1,TO,FLOOR\nFINI");
+    let dir = folder_with("box.apt", &bad);
+    let run = aptc(dir.path(), &["compile", "box.apt"]);
+    assert_eq!(run.status.code(), Some(3), "{}", text(&run.stderr));
+    assert!(text(&run.stderr).contains("APT5005"), "{}", text(&run.stderr));
+    assert!(dir.path().join("box.cl").is_file() && !dir.path().join("box.nc").is_file());
+}

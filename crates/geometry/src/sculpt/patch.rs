@@ -1,0 +1,285 @@
+//! One rational bicubic patch.
+
+use serde::{Deserialize, Serialize};
+
+use super::arc::{CubicArc, Vec4, bernstein, carry};
+use crate::surface::Shape;
+use crate::{Transform, Vec3};
+
+/// A rational bicubic patch by its sixteen homogeneous control points, `net[j][i]` with i along u and j
+/// along v, parameters 0 to 1.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Patch {
+    /// Control points.
+    pub net: [[Vec4; 4]; 4],
+    /// Do the weights differ?
+    pub rational: bool,
+}
+
+/// A place on a surface with its derivatives.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Derivatives {
+    /// The point.
+    pub point: Vec3,
+    /// By u.
+    pub u: Vec3,
+    /// By v.
+    pub v: Vec3,
+    /// Twice by u.
+    pub uu: Vec3,
+    /// By u and v.
+    pub uv: Vec3,
+    /// Twice by v.
+    pub vv: Vec3,
+}
+
+impl Derivatives {
+    /// Unit normal along u x v, `None` where the two derivatives are parallel or vanish.
+    pub fn normal(&self) -> Option<Vec3> {
+        let n = self.u.cross(&self.v);
+        let size = n.norm();
+        (size > 1e-12 * self.u.norm() * self.v.norm() && size > 0.0).then(|| n / size)
+    }
+
+    /// First and second fundamental forms, the second against the unit normal `n`: [g11, g12, g22],
+    /// [d11, d12, d22].
+    pub fn forms(&self, n: Vec3) -> ([f64; 3], [f64; 3]) {
+        (
+            [self.u.dot(&self.u), self.u.dot(&self.v), self.v.dot(&self.v)],
+            [self.uu.dot(&n), self.uv.dot(&n), self.vv.dot(&n)],
+        )
+    }
+
+    /// Principal curvatures, the greater first, positive when the surface is hollow on the side of `n`.
+    ///
+    /// APT: `CURCAL`. `None` where the derivatives are parallel.
+    pub fn curvatures(&self, n: Vec3) -> Option<[f64; 2]> {
+        let ([g11, g12, g22], [d11, d12, d22]) = self.forms(n);
+        let a = g11 * g22 - g12 * g12;
+        if a <= 1e-24 * g11 * g22 || a <= 0.0 {
+            return None;
+        }
+        let mean = 0.5 * (d11 * g22 - 2.0 * d12 * g12 + d22 * g11) / a;
+        let gauss = (d11 * d22 - d12 * d12) / a;
+        let root = (mean * mean - gauss).max(0.0).sqrt();
+        Some([mean + root, mean - root])
+    }
+
+    /// Normal curvature along the tangent direction nearest to `w`, positive when hollow on the side of
+    /// `n`. `None` when `w` stands on the surface or the derivatives are parallel.
+    ///
+    /// APT: `MIDKUR`.
+    pub fn curvature_along(&self, n: Vec3, w: Vec3) -> Option<f64> {
+        let [a, b] = self.components(w)?;
+        let ([g11, g12, g22], [d11, d12, d22]) = self.forms(n);
+        let first = g11 * a * a + 2.0 * g12 * a * b + g22 * b * b;
+        let second = d11 * a * a + 2.0 * d12 * a * b + d22 * b * b;
+        (first > 0.0).then(|| second / first)
+    }
+
+    /// Components of `w`, laid into the tangent plane, along the derivatives.
+    ///
+    /// APT: `ALGO1` takes the step towards a point this way.
+    pub fn components(&self, w: Vec3) -> Option<[f64; 2]> {
+        let (g11, g12, g22) = (self.u.dot(&self.u), self.u.dot(&self.v), self.v.dot(&self.v));
+        let det = g11 * g22 - g12 * g12;
+        if det <= 1e-24 * g11 * g22 || det <= 0.0 {
+            return None;
+        }
+        let (p, q) = (w.dot(&self.u), w.dot(&self.v));
+        Some([(p * g22 - q * g12) / det, (q * g11 - p * g12) / det])
+    }
+
+    /// Curvature as the gap solver takes it: second derivatives of the distance from the surface.
+    pub fn shape(&self, n: Vec3) -> Option<Shape> {
+        let frame = crate::surface::frame_about(n);
+        let [a, b] = [self.components(frame[0])?, self.components(frame[1])?];
+        let (_, [d11, d12, d22]) = self.forms(n);
+        let of = |p: [f64; 2], q: [f64; 2]| {
+            -(d11 * p[0] * q[0] + d12 * (p[0] * q[1] + p[1] * q[0]) + d22 * p[1] * q[1])
+        };
+        Some(Shape { frame, k: [of(a, a), of(a, b), of(b, b)] })
+    }
+
+    /// The same place when u and v run `a` and `b` times as fast.
+    #[must_use]
+    pub fn rated(self, a: f64, b: f64) -> Self {
+        Self {
+            point: self.point,
+            u: self.u * a,
+            v: self.v * b,
+            uu: self.uu * (a * a),
+            uv: self.uv * (a * b),
+            vv: self.vv * (b * b),
+        }
+    }
+}
+
+impl Patch {
+    /// From control points; the weights must be positive.
+    pub fn new(net: [[Vec4; 4]; 4]) -> Self {
+        let w = net[0][0].w;
+        let rational = net.iter().flatten().any(|h| (h.w - w).abs() > 1e-15 * w.abs());
+        Self { net, rational }
+    }
+
+    /// From corner points, tangents along u, tangents along v and twists: rows P(v=0), P(v=1), V(v=0),
+    /// V(v=1), in each P(u=0), P(u=1), U(u=0), U(u=1).
+    pub fn hermite(rows: [[Vec3; 4]; 4]) -> Self {
+        // Points have weight 1, derivatives 0.
+        let with = |p: Vec3, w: f64| Vec4::new(p.x, p.y, p.z, w);
+        let of =
+            |r: [Vec3; 4], w: f64| [with(r[0], w), with(r[1], w), with(r[2], 0.0), with(r[3], 0.0)];
+        let [a, b, c, d] = rows;
+        Self::homogeneous_hermite([of(a, 1.0), of(b, 1.0), of(c, 0.0), of(d, 0.0)])
+    }
+
+    /// The same in homogeneous coordinates.
+    pub fn homogeneous_hermite(rows: [[Vec4; 4]; 4]) -> Self {
+        let arcs = rows.map(|[a, b, s, t]| CubicArc::homogeneous(a, b, s, t).b);
+        let mut net = [[Vec4::zeros(); 4]; 4];
+        for i in 0..4 {
+            let along = CubicArc::homogeneous(arcs[0][i], arcs[1][i], arcs[2][i], arcs[3][i]);
+            for (row, b) in net.iter_mut().zip(along.b) {
+                row[i] = b;
+            }
+        }
+        Self::new(net)
+    }
+
+    /// Point and derivatives at (u, v); outside 0 to 1 the same polynomials go on.
+    pub fn at(&self, u: f64, v: f64) -> Derivatives {
+        let (bu, bv) = (bernstein(u), bernstein(v));
+        let mut rows = [[Vec4::zeros(); 3]; 4];
+        for (row, net) in rows.iter_mut().zip(&self.net) {
+            for (k, b) in bu.iter().enumerate() {
+                row[k] = net[0] * b[0] + net[1] * b[1] + net[2] * b[2] + net[3] * b[3];
+            }
+        }
+        let of = |k: usize, l: usize| {
+            let b = bv[l];
+            rows[0][k] * b[0] + rows[1][k] * b[1] + rows[2][k] * b[2] + rows[3][k] * b[3]
+        };
+        let (h, hu, hv) = (of(0, 0), of(1, 0), of(0, 1));
+        let (huu, huv, hvv) = (of(2, 0), of(1, 1), of(0, 2));
+        if !self.rational {
+            let w = h.w;
+            let d = |h: Vec4| h.xyz() / w;
+            return Derivatives {
+                point: d(h),
+                u: d(hu),
+                v: d(hv),
+                uu: d(huu),
+                uv: d(huv),
+                vv: d(hvv),
+            };
+        }
+        let w = h.w;
+        let point = h.xyz() / w;
+        let u = (hu.xyz() - point * hu.w) / w;
+        let v = (hv.xyz() - point * hv.w) / w;
+        Derivatives {
+            point,
+            u,
+            v,
+            uu: (huu.xyz() - u * (2.0 * hu.w) - point * huu.w) / w,
+            uv: (huv.xyz() - u * hv.w - v * hu.w - point * huv.w) / w,
+            vv: (hvv.xyz() - v * (2.0 * hv.w) - point * hvv.w) / w,
+        }
+    }
+
+    /// The point at (u, v).
+    pub fn point(&self, u: f64, v: f64) -> Vec3 {
+        self.at(u, v).point
+    }
+
+    /// The part over `u[0]..u[1]` and `v[0]..v[1]`.
+    #[must_use]
+    pub fn part(&self, u: [f64; 2], v: [f64; 2]) -> Self {
+        let rows = self.net.map(|b| CubicArc { b }.part(u[0], u[1]).b);
+        let mut net = [[Vec4::zeros(); 4]; 4];
+        for i in 0..4 {
+            let b = [rows[0][i], rows[1][i], rows[2][i], rows[3][i]];
+            let along = CubicArc { b }.part(v[0], v[1]).b;
+            for (row, b) in net.iter_mut().zip(along) {
+                row[i] = b;
+            }
+        }
+        Self { net, rational: self.rational }
+    }
+
+    /// The patch carried by `m`.
+    #[must_use]
+    pub fn transformed(&self, m: &Transform) -> Self {
+        Self { net: self.net.map(|r| r.map(|h| carry(h, m))), rational: self.rational }
+    }
+
+    /// Least and greatest coordinates of the control points: a box that holds the patch.
+    pub fn bounds(&self) -> [Vec3; 2] {
+        let mut b = [Vec3::repeat(f64::INFINITY), Vec3::repeat(f64::NEG_INFINITY)];
+        for h in self.net.iter().flatten() {
+            let p = h.xyz() / h.w;
+            b = [b[0].inf(&p), b[1].sup(&p)];
+        }
+        b
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::arc::weighted;
+    use super::*;
+    use proptest::prelude::*;
+
+    /// A patch over 60 x 60 with random heights and weights.
+    pub(crate) fn random(z: [f64; 16], w: [f64; 16]) -> Patch {
+        Patch::new(core::array::from_fn(|j| {
+            core::array::from_fn(|i| {
+                let k = 4 * j + i;
+                let p = Vec3::new(20.0 * i as f64, 20.0 * j as f64, 10.0 * z[k]);
+                weighted(p, 1.0 + 0.5 * w[k])
+            })
+        }))
+    }
+
+    proptest! {
+        #[test]
+        fn derivatives_by_differences(
+            z in prop::array::uniform16(-1.0_f64..1.0), w in prop::array::uniform16(-1.0_f64..1.0),
+            u in 0.1_f64..0.9, v in 0.1_f64..0.9,
+        ) {
+            let p = random(z, w);
+            let (d, h) = (p.at(u, v), 1e-5);
+            let (f, b) = (p.at(u + h, v), p.at(u - h, v));
+            prop_assert!(((f.point - b.point) / (2.0 * h) - d.u).norm() < 1e-5);
+            prop_assert!(((f.u - b.u) / (2.0 * h) - d.uu).norm() < 1e-4);
+            prop_assert!(((f.v - b.v) / (2.0 * h) - d.uv).norm() < 1e-4);
+            let (f, b) = (p.at(u, v + h), p.at(u, v - h));
+            prop_assert!(((f.point - b.point) / (2.0 * h) - d.v).norm() < 1e-5);
+            prop_assert!(((f.v - b.v) / (2.0 * h) - d.vv).norm() < 1e-4);
+            let q = p.part([0.25, 0.75], [0.1, 0.9]);
+            prop_assert!((q.point(0.5, 0.5) - p.point(0.5, 0.5)).norm() < 1e-12);
+            let [lo, hi] = p.bounds();
+            prop_assert!(d.point.inf(&lo) == lo && d.point.sup(&hi) == hi);
+        }
+    }
+
+    #[test]
+    fn published_curvatures() {
+        // z = x y at (1, 1).
+        let d = Derivatives {
+            point: Vec3::new(1.0, 1.0, 1.0),
+            u: Vec3::new(1.0, 0.0, 1.0),
+            v: Vec3::new(0.0, 1.0, 1.0),
+            uv: Vec3::z(),
+            ..Derivatives::default()
+        };
+        let n = d.normal().unwrap();
+        let [a, b] = d.curvatures(n).unwrap();
+        assert!((a - 0.192_450_1).abs() < 1e-7 && (b + 0.577_350_3).abs() < 1e-7);
+        let s = d.shape(n).unwrap();
+        let trace = s.k[0] + s.k[2];
+        assert!((trace + a + b).abs() < 1e-14);
+        assert_eq!(Derivatives::default().curvatures(Vec3::z()), None);
+    }
+}

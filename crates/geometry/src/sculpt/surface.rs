@@ -1,0 +1,266 @@
+//! SSURF: patches with a common parameter.
+
+use serde::{Deserialize, Serialize};
+
+use super::patch::{Derivatives, Patch};
+use super::whole;
+use crate::{Transform, Vec3};
+
+/// How the patches lie.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Layout {
+    /// A grid: patch (i, j), stored at `j * columns + i`, covers `u[i]..u[i + 1]` and `v[j]..v[j + 1]`.
+    /// Spans of the surface lie between whole numbers; a span may be several patches.
+    Mesh {
+        /// Rising parameters of the columns' borders, from 0 to the number of spans.
+        u: Vec<f64>,
+        /// The same across.
+        v: Vec<f64>,
+    },
+    /// Patches in any arrangement; they are parametrised one after the other along u.
+    Patches,
+}
+
+/// Why patches make no surface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SculptFault {
+    /// No patch at all.
+    Empty,
+    /// The number of patches is not that of the grid's cells.
+    WrongCount,
+    /// A number is not finite, or a weight is not positive.
+    NotFinite,
+}
+
+/// A sculptured surface.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Sculptured {
+    /// The patches.
+    pub patches: Vec<Patch>,
+    /// How they lie.
+    pub layout: Layout,
+}
+
+impl Sculptured {
+    /// A grid of `columns` by `rows` patches with a span each.
+    pub fn grid(patches: Vec<Patch>, columns: usize, rows: usize) -> Result<Self, SculptFault> {
+        let knots = |n: usize| (0..=n).map(|k| k as f64).collect();
+        Self::checked(patches, Layout::Mesh { u: knots(columns), v: knots(rows) })
+    }
+
+    /// Patches without a common grid.
+    pub fn loose(patches: Vec<Patch>) -> Result<Self, SculptFault> {
+        Self::checked(patches, Layout::Patches)
+    }
+
+    /// From patches and layout.
+    pub fn checked(patches: Vec<Patch>, layout: Layout) -> Result<Self, SculptFault> {
+        if patches.is_empty() {
+            return Err(SculptFault::Empty);
+        }
+        if let Layout::Mesh { u, v } = &layout {
+            let rising = |k: &[f64]| k.len() > 1 && k.windows(2).all(|w| w[0] < w[1]);
+            if !rising(u) || !rising(v) || (u.len() - 1) * (v.len() - 1) != patches.len() {
+                return Err(SculptFault::WrongCount);
+            }
+        }
+        let sound = patches
+            .iter()
+            .flat_map(|p| p.net.iter().flatten())
+            .all(|h| h.iter().all(|x| x.is_finite()) && h.w > 0.0);
+        if sound { Ok(Self { patches, layout }) } else { Err(SculptFault::NotFinite) }
+    }
+
+    /// How far u and v go; both begin at 0.
+    pub fn spans(&self) -> [f64; 2] {
+        match &self.layout {
+            Layout::Mesh { u, v } => [u[u.len() - 1], v[v.len() - 1]],
+            Layout::Patches => [self.patches.len() as f64, 1.0],
+        }
+    }
+
+    /// Index of the patch over (u, v) with its own parameters and how fast they run.
+    fn cell(&self, u: f64, v: f64) -> (usize, [f64; 2], [f64; 2]) {
+        match &self.layout {
+            Layout::Mesh { u: ku, v: kv } => {
+                let (i, a, da) = interval(ku, u);
+                let (j, b, db) = interval(kv, v);
+                (j * (ku.len() - 1) + i, [a, b], [da, db])
+            }
+            Layout::Patches => {
+                let i = whole(u).min(self.patches.len() - 1);
+                (i, [u - i as f64, v], [1.0, 1.0])
+            }
+        }
+    }
+
+    /// Point and derivatives at (u, v); beyond the borders the outermost patches go on in a straight line.
+    pub fn at(&self, u: f64, v: f64) -> Derivatives {
+        let (i, [a, b], [da, db]) = self.cell(u, v);
+        prolonged(&self.patches[i], a, b).rated(da, db)
+    }
+
+    /// Point and derivatives at (u, v) of the n-th span of the grid, counted from 1 along u first, by the
+    /// surface's parameters; `None` when there is none.
+    pub fn at_span(&self, n: usize, u: f64, v: f64) -> Option<Derivatives> {
+        let k = n.checked_sub(1)?;
+        let [nu, nv] = self.spans().map(whole);
+        let (i, j) = match self.layout {
+            Layout::Mesh { .. } => (k % nu, k / nu),
+            Layout::Patches => (k, 0),
+        };
+        if i >= nu || j >= nv {
+            return None;
+        }
+        let Layout::Mesh { u: ku, v: kv } = &self.layout else {
+            return Some(prolonged(&self.patches[i], u, v));
+        };
+        let (a, s, ds) = within(ku, i, u);
+        let (b, t, dt) = within(kv, j, v);
+        Some(prolonged(&self.patches[b * (ku.len() - 1) + a], s, t).rated(ds, dt))
+    }
+
+    /// Parameters of the whole surface for those of the patch of the given index.
+    pub fn global(&self, index: usize, u: f64, v: f64) -> [f64; 2] {
+        match &self.layout {
+            Layout::Mesh { u: ku, v: kv } => {
+                let columns = ku.len() - 1;
+                let along = |k: &[f64], i: usize, t: f64| k[i] + (k[i + 1] - k[i]) * t;
+                [along(ku, index % columns, u), along(kv, index / columns, v)]
+            }
+            Layout::Patches => [index as f64 + u, v],
+        }
+    }
+
+    /// The number of the span, counted from 1, with the parameters in it.
+    pub fn span_of(&self, u: f64, v: f64) -> (usize, [f64; 2]) {
+        let [nu, nv] = self.spans();
+        let cut = |t: f64, n: f64| t.max(0.0).floor().min(n - 1.0);
+        let (i, j) = (cut(u, nu), cut(v, nv));
+        (whole(j * nu + i) + 1, [u - i, v - j])
+    }
+
+    /// The surface carried by `m`.
+    #[must_use]
+    pub fn transformed(&self, m: &Transform) -> Self {
+        Self {
+            patches: self.patches.iter().map(|p| p.transformed(m)).collect(),
+            layout: self.layout.clone(),
+        }
+    }
+
+    /// Several surfaces as one. Two grids of equal height that share the border of the first's end and the
+    /// second's beginning are not joined: the patches keep no common grid.
+    pub fn combined(surfaces: &[Self]) -> Result<Self, SculptFault> {
+        match surfaces {
+            [one] => Ok(one.clone()),
+            many => Self::loose(many.iter().flat_map(|s| s.patches.iter().cloned()).collect()),
+        }
+    }
+
+    /// Columns and rows of patches (0 0 without a grid), their number, then for each its sixteen control
+    /// points (w x, w y, w z, w), along u first.
+    pub fn canonical(&self) -> Vec<f64> {
+        let grid = match &self.layout {
+            Layout::Mesh { u, v } => [u.len() as f64 - 1.0, v.len() as f64 - 1.0],
+            Layout::Patches => [0.0, 0.0],
+        };
+        let mut e = vec![grid[0], grid[1], self.patches.len() as f64];
+        for p in &self.patches {
+            e.extend(p.net.iter().flatten().flat_map(|h| h.iter().copied()));
+        }
+        e
+    }
+
+    /// Least and greatest coordinates of the control points.
+    pub fn bounds(&self) -> [Vec3; 2] {
+        let start = [Vec3::repeat(f64::INFINITY), Vec3::repeat(f64::NEG_INFINITY)];
+        self.patches
+            .iter()
+            .map(Patch::bounds)
+            .fold(start, |a, b| [a[0].inf(&b[0]), a[1].sup(&b[1])])
+    }
+
+    /// A length that says how large the numbers of the surface are.
+    pub fn extent(&self) -> f64 {
+        let [lo, hi] = self.bounds();
+        lo.norm().max(hi.norm())
+    }
+}
+
+/// The interval of rising knots in which `t` lies, the place in it and the rate.
+fn interval(knots: &[f64], t: f64) -> (usize, f64, f64) {
+    let last = knots.len() - 2;
+    let i = knots.partition_point(|k| *k <= t).saturating_sub(1).min(last);
+    let rate = 1.0 / (knots[i + 1] - knots[i]);
+    (i, (t - knots[i]) * rate, rate)
+}
+
+/// The same within the span that begins at the whole number `span`: its end belongs to it.
+fn within(knots: &[f64], span: usize, t: f64) -> (usize, f64, f64) {
+    let from = span as f64;
+    let first = knots.partition_point(|k| *k < from);
+    let last = knots.partition_point(|k| *k < from + 1.0).saturating_sub(1).max(first);
+    let x = from + t;
+    let i = knots.partition_point(|k| *k <= x).saturating_sub(1).clamp(first, last);
+    let rate = 1.0 / (knots[i + 1] - knots[i]);
+    (i, (x - knots[i]) * rate, rate)
+}
+
+/// Within the unit square the patch, outside its linear continuation over the border.
+fn prolonged(p: &Patch, u: f64, v: f64) -> Derivatives {
+    let (a, b) = (u.clamp(0.0, 1.0), v.clamp(0.0, 1.0));
+    let d = p.at(a, b);
+    let (s, t) = (u - a, v - b);
+    if s == 0.0 && t == 0.0 {
+        return d;
+    }
+    let mut e = d;
+    e.point = d.point + d.u * s + d.v * t + d.uv * (s * t);
+    e.u = d.u + d.uv * t;
+    e.v = d.v + d.uv * s;
+    if s == 0.0 {
+        // Only v went over: u still bends at the border.
+        e.vv = Vec3::zeros();
+    } else {
+        e.uu = Vec3::zeros();
+        if t != 0.0 {
+            e.vv = Vec3::zeros();
+        }
+    }
+    e
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn bilinear(x: f64, y: f64) -> Patch {
+        let p = |a: f64, b: f64| Vec3::new(x + a, y + b, (x + a) * (y + b));
+        let (c, d, e, f) = (p(0.0, 0.0), p(1.0, 0.0), p(0.0, 1.0), p(1.0, 1.0));
+        let twist = Vec3::z();
+        Patch::hermite([
+            [c, d, d - c, d - c],
+            [e, f, f - e, f - e],
+            [e - c, f - d, twist, twist],
+            [e - c, f - d, twist, twist],
+        ])
+    }
+
+    #[test]
+    fn a_grid_counts_spans_and_goes_on_straight() {
+        let patches = vec![bilinear(0.0, 0.0), bilinear(1.0, 0.0)];
+        let s = Sculptured::grid(patches, 2, 1).unwrap();
+        let d = s.at(1.5, 0.5);
+        assert!((d.point - Vec3::new(1.5, 0.5, 0.75)).norm() < 1e-15);
+        assert_eq!(s.span_of(1.5, 0.5), (2, [0.5, 0.5]));
+        assert_eq!(s.at_span(2, 0.5, 0.5), Some(d));
+        assert_eq!(s.at_span(3, 0.5, 0.5), None);
+        let far = s.at(3.0, 2.0);
+        assert!((far.point - Vec3::new(3.0, 2.0, 6.0)).norm() < 1e-14);
+        let [u, v] = s.global(1, 0.25, 0.5);
+        assert!((u - 1.25).abs() < 1e-15 && (v - 0.5).abs() < 1e-15);
+        assert_eq!(Sculptured::grid(s.patches.clone(), 3, 1).unwrap_err(), SculptFault::WrongCount);
+    }
+}

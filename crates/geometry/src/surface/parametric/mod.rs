@@ -1,0 +1,476 @@
+//! Surfaces given by two parameters: RLDSRF, POLCON and SSURF.
+//!
+//! Beyond their ends they go on straight, as a TABCYL does, so that a cutter can come to an end.
+
+mod polyconic;
+mod ruled;
+mod sculptured;
+#[cfg(test)]
+mod tests;
+
+use std::sync::Arc;
+
+use crate::surface::{EPS_LEN, Foot, Shape, frame_about};
+use crate::{Place, Polyconic, Reason, RuledSurface, Vec2, Vec3};
+use polyconic::Sections;
+use ruled::Rulings;
+use sculptured::Spans;
+
+/// Bound of one search; Newton's method takes some six steps.
+const MAX_STEPS: usize = 60;
+/// Places from which the nearest point is looked for.
+const SEEDS: usize = 4;
+
+/// A ruled surface or a polyconic prepared for evaluation. Its positive side is that of the cross product
+/// of the derivatives along and across: along the first rail and along the ruling, along the polyconic and
+/// along its section.
+#[derive(Clone, Debug)]
+pub struct ParametricSurface {
+    patch: Patch,
+    /// Parameters of the grid of samples.
+    us: Vec<f64>,
+    vs: Vec<f64>,
+    /// The samples, all `v` of the first `u` first.
+    grid: Vec<Vec3>,
+    /// Greatest distance of a place from the nearest sample, between the ends.
+    spacing: f64,
+    extent: f64,
+}
+
+#[derive(Clone, Debug)]
+enum Patch {
+    Ruled(Rulings),
+    Polyconic(Sections),
+    Sculptured(Box<Spans>),
+}
+
+/// Value and derivatives at a place.
+#[derive(Clone, Copy, Debug)]
+struct Jet {
+    s: Vec3,
+    su: Vec3,
+    sv: Vec3,
+    suu: Vec3,
+    suv: Vec3,
+    svv: Vec3,
+}
+
+/// How far each parameter goes.
+#[derive(Clone, Copy, Debug)]
+struct Domain {
+    u: [f64; 2],
+    v: [f64; 2],
+}
+
+impl ParametricSurface {
+    /// A ruled surface; `None` when one of its curves is not found over the whole base line.
+    pub fn ruled(form: &RuledSurface) -> Option<Self> {
+        let rulings = Rulings::new(form)?;
+        let pieces = rulings.pieces();
+        Self::prepared(
+            Patch::Ruled(rulings),
+            pieces,
+            &[-10.0, -3.0, -1.0, 0.0, 1.0, 2.0, 4.0, 11.0],
+        )
+    }
+
+    /// A polyconic; `None` when its sections are no conics somewhere, or when it has a thickness.
+    pub fn polyconic(form: &Arc<Polyconic>) -> Option<Self> {
+        let vs = steps(12);
+        Self::prepared(Patch::Polyconic(Sections::new(form)?), 24, &vs)
+    }
+
+    /// A sculptured surface with its straight continuation; `None` when it cannot be fitted.
+    pub fn sculptured(form: &crate::sculptured::SurfaceDefinition) -> Option<Self> {
+        let spans = Spans::new(form)?;
+        let [pieces, across] = spans.pieces();
+        let domain = spans.domain();
+        let mut vs = steps(across);
+        // The ends of the domain are put in where it is prepared.
+        vs.retain(|v| *v > domain.v[0] && *v < domain.v[1]);
+        if domain.v[0] < 0.0 {
+            vs.insert(0, 0.5 * domain.v[0]);
+        }
+        if domain.v[1] > 1.0 {
+            vs.push(0.5 * (1.0 + domain.v[1]));
+        }
+        Self::prepared(Patch::Sculptured(Box::new(spans)), pieces, &vs)
+    }
+
+    fn prepared(patch: Patch, pieces: u32, vs: &[f64]) -> Option<Self> {
+        let domain = patch.domain();
+        let mut us = vec![domain.u[0], 0.5 * domain.u[0]];
+        us.extend(steps(pieces));
+        us.extend([0.5 * (1.0 + domain.u[1]), domain.u[1]]);
+        let mut vs: Vec<f64> =
+            vs.iter().copied().filter(|v| *v > domain.v[0] && *v < domain.v[1]).collect();
+        vs.insert(0, domain.v[0]);
+        vs.push(domain.v[1]);
+        let mut grid = Vec::with_capacity(us.len() * vs.len());
+        let mut extent = 0.0_f64;
+        for u in &us {
+            for v in &vs {
+                let s = patch.jet(*u, *v).s;
+                if !s.iter().all(|x| x.is_finite()) {
+                    return None;
+                }
+                if (0.0..=1.0).contains(u) && (0.0..=1.0).contains(v) {
+                    extent = extent.max(s.norm());
+                }
+                grid.push(s);
+            }
+        }
+        let n = vs.len();
+        // Between the ends; samples of rulings are exact along them.
+        let between = |i: &usize| vs[i % n] >= -1.0 && vs[i % n] <= 2.0 && i % n + 1 < n;
+        let apart = |i: usize| {
+            let along = (grid[i + n] - grid[i]).norm();
+            match &patch {
+                Patch::Ruled(_) => along,
+                Patch::Polyconic(_) | Patch::Sculptured(_) => {
+                    along + (grid[i + 1] - grid[i]).norm()
+                }
+            }
+        };
+        let spacing = (0..grid.len() - n).filter(between).map(apart).fold(0.0, f64::max);
+        Some(Self { patch, us, vs, grid, spacing, extent })
+    }
+
+    /// Greatest distance of its points from the origin, between its ends.
+    pub fn extent(&self) -> f64 {
+        self.extent
+    }
+
+    /// The direction of the ruling through the point nearest to `p`, away from the first curve.
+    pub fn ruling(&self, p: Vec3) -> Option<Vec3> {
+        let Patch::Ruled(_) = &self.patch else { return None };
+        let (u, v) = self.nearest(p)?;
+        self.patch.jet(u, v).sv.try_normalize(0.0)
+    }
+
+    /// Directed distances along the unit direction `d`, rising.
+    ///
+    /// APT: `ADDSTR`.
+    pub fn ray(&self, p: Vec3, d: Vec3) -> Result<Vec<f64>, Reason> {
+        let [a, b] = frame_about(d);
+        let flat = |s: Vec3| Vec2::new((s - p).dot(&a), (s - p).dot(&b));
+        let points: Vec<Vec2> = self.grid.iter().map(|s| flat(*s)).collect();
+        let n = self.vs.len();
+        let mut all: Vec<f64> = Vec::new();
+        for i in 0..self.us.len() - 1 {
+            for j in 0..n - 1 {
+                let corners = [(i, j), (i, j + 1), (i + 1, j), (i + 1, j + 1)];
+                let around = |axis: usize| {
+                    let x = corners.map(|(i, j)| points[i * n + j][axis]);
+                    let (low, high) = x.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |m, x| {
+                        (m.0.min(*x), m.1.max(*x))
+                    });
+                    let slack = 0.5 * (high - low);
+                    low - slack <= 0.0 && high + slack >= 0.0
+                };
+                if !(around(0) && around(1)) {
+                    continue;
+                }
+                let (u, v) =
+                    (0.5 * (self.us[i] + self.us[i + 1]), 0.5 * (self.vs[j] + self.vs[j + 1]));
+                if let Some(s) = self.pierce(u, v, [a, b], p) {
+                    all.push((s - p).dot(&d));
+                }
+            }
+        }
+        all.sort_by(f64::total_cmp);
+        let same = 1e-7 * (self.extent + p.norm());
+        all.dedup_by(|x, y| (*x - *y).abs() <= same);
+        if !all.is_empty() {
+            return Ok(all);
+        }
+        let on = self.foot(p).distance.abs() <= EPS_LEN * (self.extent + p.norm());
+        Err(if on { Reason::AllHit } else { Reason::NoHit })
+    }
+
+    /// The place where the line through `p` across the frame pierces, from a place near it.
+    fn pierce(&self, u: f64, v: f64, [a, b]: [Vec3; 2], p: Vec3) -> Option<Vec3> {
+        let domain = self.patch.domain();
+        let (mut u, mut v) = (u, v);
+        let enough = 1e-13 * (self.extent + p.norm());
+        for _ in 0..MAX_STEPS {
+            let jet = self.patch.jet(u, v);
+            let w = jet.s - p;
+            let (x, y) = (w.dot(&a), w.dot(&b));
+            if x.abs().max(y.abs()) <= enough {
+                return Some(jet.s);
+            }
+            let (xu, xv, yu, yv) = (jet.su.dot(&a), jet.sv.dot(&a), jet.su.dot(&b), jet.sv.dot(&b));
+            let det = xu * yv - xv * yu;
+            let (du, dv) = ((xv * y - yv * x) / det, (yu * x - xu * y) / det);
+            if !(du.is_finite() && dv.is_finite()) {
+                return None;
+            }
+            let shorter = 0.5 / du.abs().max(0.2 * dv.abs()).max(0.5);
+            let (nu, nv) = (domain.clamp_u(u + du * shorter), domain.clamp_v(v + dv * shorter));
+            if (nu - u).abs() <= 1e-16 && (nv - v).abs() <= 1e-16 * (1.0 + v.abs()) {
+                return (x.abs().max(y.abs()) <= 1e3 * enough).then_some(jet.s);
+            }
+            (u, v) = (nu, nv);
+        }
+        None
+    }
+
+    /// Unit normal at the nearest point.
+    pub fn normal(&self, p: Vec3) -> Result<Vec3, Reason> {
+        let foot = self.foot(p);
+        if foot.shape.k[0].is_infinite() {
+            return Err(Reason::Degenerate(Place::Singular));
+        }
+        Ok(foot.normal)
+    }
+
+    /// Curvature at a point of the surface.
+    pub fn shape_at(&self, q: Vec3) -> Shape {
+        self.foot(q).shape
+    }
+
+    /// The nearest point. Beyond an end the normal points from or to the given point.
+    pub fn foot(&self, p: Vec3) -> Foot {
+        let (u, v) = self.nearest(p).unwrap_or((0.5, 0.5));
+        let jet = self.patch.jet(u, v);
+        let normal = self.normal_at(u, v, &jet);
+        let away = p - jet.s;
+        let size = away.norm();
+        let distance = normal.dot(&away);
+        let across = (away - normal * distance).norm();
+        if across > 1e-6 * size && size > 1e-12 * self.extent && self.patch.domain().border(u, v) {
+            let side = if distance < 0.0 { -1.0 } else { 1.0 };
+            let normal = away * (side / size);
+            let shape = Shape { frame: frame_about(normal), k: [f64::INFINITY * side, 0.0, 0.0] };
+            return Foot { point: jet.s, normal, distance: side * size, shape };
+        }
+        Foot { point: jet.s, normal, distance, shape: shape(&jet, normal) }
+    }
+
+    fn normal_at(&self, u: f64, v: f64, jet: &Jet) -> Vec3 {
+        let cross = |jet: &Jet| {
+            let n = jet.su.cross(&jet.sv);
+            let flat = n.norm() <= 1e-9 * jet.su.norm() * jet.sv.norm();
+            if flat { None } else { n.try_normalize(0.0) }
+        };
+        // Where one derivative vanishes the normal of a place beside it.
+        let beside = |x: f64| x + (0.5 - x) * 1e-5;
+        cross(jet).or_else(|| cross(&self.patch.jet(beside(u), beside(v)))).unwrap_or_else(Vec3::z)
+    }
+
+    /// Parameters of the nearest point: Newton's method from the lowest samples.
+    fn nearest(&self, p: Vec3) -> Option<(f64, f64)> {
+        let seeds = match &self.patch {
+            Patch::Ruled(r) => self.columns(r, p),
+            Patch::Polyconic(_) | Patch::Sculptured(_) => self.lowest(p),
+        };
+        let mut best: Option<(f64, (f64, f64))> = None;
+        for (sample, u, v) in seeds.into_iter().flatten() {
+            // No place is nearer than its sample by more than the samples are apart.
+            if best.is_some_and(|b| sample.sqrt() - self.spacing > b.0.sqrt()) {
+                continue;
+            }
+            let (square, place) = self.descend(p, u, v);
+            if best.is_none_or(|b| square < b.0) {
+                best = Some((square, place));
+            }
+        }
+        best.map(|b| b.1)
+    }
+
+    /// On a ruling the nearest point is known: the lowest of the sampled rulings.
+    fn columns(&self, rulings: &Rulings, p: Vec3) -> [Option<(f64, f64, f64)>; SEEDS] {
+        let n = self.vs.len();
+        let domain = rulings.domain();
+        let column = |i: usize| {
+            let (a, b) = (self.grid[i * n], self.grid[i * n + n - 1]);
+            let w = b - a;
+            let along = ((p - a).dot(&w) / w.norm_squared()).clamp(0.0, 1.0);
+            let v = domain.v[0] + (domain.v[1] - domain.v[0]) * along;
+            ((p - a - w * along).norm_squared(), v)
+        };
+        let all: Vec<(f64, f64)> = (0..self.us.len()).map(column).collect();
+        let mut found = [None; SEEDS];
+        for (i, (square, v)) in all.iter().enumerate() {
+            let lower = |j: usize| all.get(j).is_some_and(|o| o.0 < *square);
+            if !(lower(i + 1) || i > 0 && lower(i - 1)) {
+                offer(&mut found, (*square, self.us[i], *v));
+            }
+        }
+        found
+    }
+
+    /// The lowest samples of the grid that are lower than their neighbours.
+    fn lowest(&self, p: Vec3) -> [Option<(f64, f64, f64)>; SEEDS] {
+        let n = self.vs.len();
+        let squares: Vec<f64> = self.grid.iter().map(|s| (s - p).norm_squared()).collect();
+        let mut found = [None; SEEDS];
+        for i in 0..self.us.len() {
+            for j in 0..n {
+                let here = squares[i * n + j];
+                let lower =
+                    |i: usize, j: usize| i < self.us.len() && j < n && squares[i * n + j] < here;
+                let (up, left) = (i.wrapping_sub(1), j.wrapping_sub(1));
+                if !(lower(up, j) || lower(i + 1, j) || lower(i, left) || lower(i, j + 1)) {
+                    offer(&mut found, (here, self.us[i], self.vs[j]));
+                }
+            }
+        }
+        found
+    }
+
+    /// Newton's method for the nearest point, kept in the domain; steps that do not lower the distance are
+    /// halved.
+    fn descend(&self, p: Vec3, u: f64, v: f64) -> (f64, (f64, f64)) {
+        let domain = self.patch.domain();
+        let (mut u, mut v) = (u, v);
+        let mut jet = self.patch.jet(u, v);
+        let mut square = (jet.s - p).norm_squared();
+        let tiny = 1e-15 * (self.extent + p.norm());
+        for _ in 0..MAX_STEPS {
+            let (du, dv) = step(&jet, p, domain.fixed(u, v, &jet, p));
+            let moved = (jet.su * du + jet.sv * dv).norm();
+            if moved <= tiny {
+                break;
+            }
+            let mut factor = (0.5 / du.abs().max(1e-300)).min(1.0);
+            let mut better = None;
+            for _ in 0..30 {
+                let (nu, nv) = (domain.clamp_u(u + factor * du), domain.clamp_v(v + factor * dv));
+                let next = self.patch.jet(nu, nv);
+                let value = (next.s - p).norm_squared();
+                // Near the end the distances agree to rounding, and the step tells.
+                let close = moved <= 1e-6 * (self.extent + p.norm());
+                if value < square || close && value <= square * (1.0 + 1e-14) {
+                    better = Some((nu, nv, next, value));
+                    break;
+                }
+                factor *= 0.5;
+            }
+            let Some((nu, nv, next, value)) = better else { break };
+            let stays = (nu - u).abs() <= 1e-16 && (nv - v).abs() <= 1e-16;
+            (u, v, jet, square) = (nu, nv, next, value);
+            if stays {
+                break;
+            }
+        }
+        (square, (u, v))
+    }
+}
+
+/// Keeps the lowest few.
+fn offer(found: &mut [Option<(f64, f64, f64)>; SEEDS], new: (f64, f64, f64)) {
+    let mut new = Some(new);
+    for slot in found {
+        if new.is_some_and(|n| slot.is_none_or(|s| n.0 < s.0)) {
+            std::mem::swap(slot, &mut new);
+        }
+    }
+}
+
+/// 0 to 1 in `n` equal steps.
+fn steps(n: u32) -> Vec<f64> {
+    (0..=n).map(|i| f64::from(i) / f64::from(n)).collect()
+}
+
+/// Newton's step towards the nearest point; parameters that are `fixed` stay.
+fn step(jet: &Jet, p: Vec3, fixed: [bool; 2]) -> (f64, f64) {
+    let w = jet.s - p;
+    let (gu, gv) = (w.dot(&jet.su), w.dot(&jet.sv));
+    let (e, f, g) = (jet.su.norm_squared(), jet.su.dot(&jet.sv), jet.sv.norm_squared());
+    let (huu, huv, hvv) = (e + w.dot(&jet.suu), f + w.dot(&jet.suv), g + w.dot(&jet.svv));
+    let alone = |grad: f64, h: f64, size: f64| {
+        if size > 0.0 { -grad / if h > 1e-3 * size { h } else { size } } else { 0.0 }
+    };
+    match fixed {
+        [true, true] => (0.0, 0.0),
+        [true, false] => (0.0, alone(gv, hvv, g)),
+        [false, true] => (alone(gu, huu, e), 0.0),
+        [false, false] => {
+            let det = huu * hvv - huv * huv;
+            if huu > 0.0 && det > 1e-6 * e * g {
+                ((huv * gv - hvv * gu) / det, (huv * gu - huu * gv) / det)
+            } else {
+                let det = e * g - f * f;
+                if det > 1e-12 * e * g {
+                    ((f * gv - g * gu) / det, (f * gu - e * gv) / det)
+                } else {
+                    (alone(gu, huu, e), alone(gv, hvv, g))
+                }
+            }
+        }
+    }
+}
+
+/// The second fundamental form from the derivatives, positive where the surface bends away from its normal.
+fn shape(jet: &Jet, normal: Vec3) -> Shape {
+    let (l, m, n) = (-normal.dot(&jet.suu), -normal.dot(&jet.suv), -normal.dot(&jet.svv));
+    let (e, f, g) = (jet.su.norm_squared(), jet.su.dot(&jet.sv), jet.sv.norm_squared());
+    let area = (e * g - f * f).max(0.0).sqrt();
+    if e <= 0.0 || area <= 1e-9 * (e * g).sqrt() {
+        return Shape::flat(normal);
+    }
+    let along = jet.su / e.sqrt();
+    let k11 = l / e;
+    let k12 = (m - f * k11) / area;
+    let k22 = (e * n - f * f * k11 - 2.0 * f * area * k12) / (area * area);
+    Shape { frame: [along, normal.cross(&along)], k: [k11, k12, k22] }
+}
+
+impl Domain {
+    fn clamp_u(&self, u: f64) -> f64 {
+        u.clamp(self.u[0], self.u[1])
+    }
+
+    fn clamp_v(&self, v: f64) -> f64 {
+        v.clamp(self.v[0], self.v[1])
+    }
+
+    fn border(&self, u: f64, v: f64) -> bool {
+        u <= self.u[0] || u >= self.u[1] || v <= self.v[0] || v >= self.v[1]
+    }
+
+    /// Parameters at an end beyond which the distance would fall.
+    fn fixed(&self, u: f64, v: f64, jet: &Jet, p: Vec3) -> [bool; 2] {
+        let w = jet.s - p;
+        let (gu, gv) = (w.dot(&jet.su), w.dot(&jet.sv));
+        let at =
+            |x: f64, ends: [f64; 2], g: f64| x <= ends[0] && g > 0.0 || x >= ends[1] && g < 0.0;
+        [at(u, self.u, gu), at(v, self.v, gv)]
+    }
+}
+
+impl Patch {
+    fn domain(&self) -> Domain {
+        match self {
+            Self::Ruled(r) => r.domain(),
+            Self::Polyconic(p) => p.domain(),
+            Self::Sculptured(s) => s.domain(),
+        }
+    }
+
+    /// The place, straight on beyond the ends.
+    fn jet(&self, u: f64, v: f64) -> Jet {
+        match self {
+            Self::Ruled(r) => r.jet(u, v),
+            Self::Polyconic(p) => p.jet(u, v),
+            Self::Sculptured(s) => s.jet(u, v),
+        }
+    }
+}
+
+impl Jet {
+    /// A place beyond the ends by `a` and `b`, from the jet at the end itself.
+    fn beyond(&self, a: f64, b: f64) -> Self {
+        let zero = Vec3::zeros();
+        Self {
+            s: self.s + self.su * a + self.sv * b + self.suv * (a * b),
+            su: self.su + self.suv * b,
+            sv: self.sv + self.suv * a,
+            suu: if a == 0.0 { self.suu } else { zero },
+            suv: self.suv,
+            svv: if b == 0.0 { self.svv } else { zero },
+        }
+    }
+}

@@ -1,0 +1,177 @@
+//! Rulings between two plane curves, as a function of two parameters.
+
+use crate::surface::Surface;
+use crate::{Fiop, Form, Rail, Reason, RuledSurface, Second, Vec3};
+
+use super::{Domain, Jet};
+
+/// Pieces of a curve that is no TABCYL.
+const PIECES: u32 = 32;
+/// Share of the base line by which derivatives keep away from its ends.
+const INSET: f64 = 1e-6;
+/// How far rulings go beyond the curves, in lengths of a ruling; the manual advises against more than two.
+const REACH: f64 = 10.0;
+
+/// The rulings.
+#[derive(Clone, Debug)]
+pub(super) struct Rulings {
+    first: Curve,
+    second: Far,
+    /// At the start and at the end: does a curve leave the base line at a right angle?
+    steep: [bool; 2],
+}
+
+#[derive(Clone, Debug)]
+enum Far {
+    Curve(Curve),
+    Apex(Vec3),
+}
+
+/// One of the curves, its surface prepared.
+#[derive(Clone, Debug)]
+struct Curve {
+    surface: Surface,
+    start: Vec3,
+    base: Vec3,
+    toward: Vec3,
+    spans: u32,
+}
+
+/// Value and derivatives of a curve.
+#[derive(Clone, Copy, Debug)]
+struct Line {
+    p: Vec3,
+    d: Vec3,
+    dd: Vec3,
+}
+
+impl Rulings {
+    pub(super) fn new(form: &RuledSurface) -> Option<Self> {
+        let first = Curve::new(&form.first)?;
+        let second = match &form.second {
+            Second::Rail(rail) => Far::Curve(Curve::new(rail)?),
+            Second::Apex(p) => Far::Apex(*p),
+        };
+        let mut new = Self { first, second, steep: [false; 2] };
+        let steep = |t: f64| new.curves().any(|c| c.steep(t));
+        new.steep = [steep(0.0), steep(1.0)];
+        let found =
+            |c: &Curve| (0..=PIECES).all(|i| c.point(f64::from(i) / f64::from(PIECES)).is_ok());
+        let complete = new.curves().all(found);
+        complete.then_some(new)
+    }
+
+    fn curves(&self) -> impl Iterator<Item = &Curve> {
+        let second = match &self.second {
+            Far::Curve(c) => Some(c),
+            Far::Apex(_) => None,
+        };
+        std::iter::once(&self.first).chain(second)
+    }
+
+    /// Into how many pieces the curves are cut for samples.
+    pub(super) fn pieces(&self) -> u32 {
+        self.curves().map(|c| c.spans).max().unwrap_or(PIECES)
+    }
+
+    pub(super) fn domain(&self) -> Domain {
+        let far = match &self.second {
+            Far::Curve(_) => 1.0 + REACH,
+            Far::Apex(_) => 1.0,
+        };
+        Domain { u: [-0.5, 1.5], v: [-REACH, far] }
+    }
+
+    /// Fraction of the base line at `u` in [0, 1] with its derivatives: slow where a curve is steep, which
+    /// makes the square root in it smooth.
+    fn fraction(&self, u: f64) -> [f64; 3] {
+        match self.steep {
+            [false, false] => [u, 1.0, 0.0],
+            [true, false] => [u * u, 2.0 * u, 2.0],
+            [false, true] => [u * (2.0 - u), 2.0 - 2.0 * u, -2.0],
+            [true, true] => [u * u * (3.0 - 2.0 * u), 6.0 * u * (1.0 - u), 6.0 - 12.0 * u],
+        }
+    }
+
+    fn line(&self, curve: &Curve, u: f64) -> Line {
+        let at = u.clamp(0.0, 1.0);
+        let [t, ..] = self.fraction(at);
+        // At a steep end the derivatives are those of a place beside it.
+        let inset = |x: f64| {
+            let low = if self.steep[0] { INSET } else { 0.0 };
+            let high = if self.steep[1] { 1.0 - INSET } else { 1.0 };
+            x.clamp(low, high)
+        };
+        let [ti, d1, d2] = self.fraction(inset(at));
+        #[expect(clippy::float_cmp, reason = "the same value or another place")]
+        let same = ti == t;
+        let place = |t: f64| curve.point(t).unwrap_or_else(|_| curve.start + curve.base * t);
+        let p = place(t);
+        let [dp, ddp] = curve.derivatives(if same { p } else { place(ti) });
+        let d = dp * d1;
+        let beyond = u - at;
+        let dd = if beyond == 0.0 { ddp * (d1 * d1) + dp * d2 } else { Vec3::zeros() };
+        Line { p: p + d * beyond, d, dd }
+    }
+
+    pub(super) fn jet(&self, u: f64, v: f64) -> Jet {
+        let a = self.line(&self.first, u);
+        let b = match &self.second {
+            Far::Curve(c) => self.line(c, u),
+            Far::Apex(p) => Line { p: *p, d: Vec3::zeros(), dd: Vec3::zeros() },
+        };
+        Jet {
+            s: a.p + (b.p - a.p) * v,
+            su: a.d + (b.d - a.d) * v,
+            sv: b.p - a.p,
+            suu: a.dd + (b.dd - a.dd) * v,
+            suv: b.d - a.d,
+            svv: Vec3::zeros(),
+        }
+    }
+}
+
+impl Curve {
+    fn new(rail: &Rail) -> Option<Self> {
+        let spans = match rail.surface.shape() {
+            Form::Tabcyl(t) => {
+                u32::try_from(4 * t.spans.len()).unwrap_or(PIECES).clamp(PIECES, 400)
+            }
+            _ => PIECES,
+        };
+        Some(Self {
+            surface: Surface::from_form(&rail.surface)?,
+            start: rail.start,
+            base: rail.end - rail.start,
+            toward: rail.toward.try_normalize(0.0)?,
+            spans,
+        })
+    }
+
+    /// As [`Rail::point`], with the surface prepared.
+    fn point(&self, t: f64) -> Result<Vec3, Reason> {
+        let from = self.start + self.base * t - self.toward * (Rail::BEHIND * self.base.norm());
+        match self.surface.directed_distance(from, self.toward, Fiop::AheadFirst) {
+            Ok(hit) => Ok(hit.point),
+            // An end is on its curve, also where rounding lets a steep curve miss it.
+            Err(_) if t <= 0.0 || t >= 1.0 => Ok(self.start + self.base * t),
+            Err(reason) => Err(reason),
+        }
+    }
+
+    /// First and second derivative by the fraction of the base line at the point `p`: it moves along the base line
+    /// and along `toward`, in the surface.
+    fn derivatives(&self, p: Vec3) -> [Vec3; 2] {
+        let foot = self.surface.foot(p);
+        let ahead = foot.normal.dot(&self.toward);
+        let d = self.base - self.toward * (foot.normal.dot(&self.base) / ahead);
+        let dd = self.toward * (-foot.shape.second(d) / ahead);
+        let finite = |v: &Vec3| v.iter().all(|x| x.is_finite());
+        if finite(&d) && finite(&dd) { [d, dd] } else { [self.base, Vec3::zeros()] }
+    }
+
+    /// Is the surface parallel to `toward` at that end?
+    fn steep(&self, t: f64) -> bool {
+        self.point(t).is_ok_and(|p| self.surface.foot(p).normal.dot(&self.toward).abs() < 1e-2)
+    }
+}

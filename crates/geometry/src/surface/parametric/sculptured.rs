@@ -1,0 +1,120 @@
+//! SSURF as a surface that controls the tool.
+//!
+//! Both parameters run from 0 to 1 over the whole surface. Beyond its borders the surface goes on straight
+//! for a few times its own length, but where it closes on itself or shrinks to a point.
+
+use crate::Vec3;
+use crate::sculpt::{Layout, Patch, Sculptured};
+use crate::sculptured::SurfaceDefinition;
+
+use super::{Domain, Jet};
+
+/// A ruled cylinder over a curve reaches ten units to both sides, as APT4 has it; the continuation goes on.
+const REACH: f64 = 10.0;
+
+/// How far the continuation goes, in lengths of the surface.
+const BEYOND: f64 = 3.0;
+
+/// A sculptured surface prepared for evaluation.
+#[derive(Clone, Debug)]
+pub(super) struct Spans {
+    surface: Sculptured,
+    spans: [f64; 2],
+    domain: Domain,
+}
+
+impl Spans {
+    /// `None` when the definition cannot be fitted.
+    pub(super) fn new(definition: &SurfaceDefinition) -> Option<Self> {
+        let surface = crate::sculpt::fit_surface(definition, REACH).ok()?;
+        let surface = as_grid(&surface).unwrap_or(surface);
+        let spans = surface.spans();
+        let size = surface.extent();
+        let open = |a: &dyn Fn(f64) -> Vec3, b: &dyn Fn(f64) -> Vec3| {
+            // The two borders fall together, or one of them is a point.
+            let places = [0.0, 0.31, 0.72];
+            let apart = |t: f64| (a(t) - b(t)).norm() > 1e-9 * size;
+            let long = |c: &dyn Fn(f64) -> Vec3| {
+                places.iter().any(|t| (c(*t) - c(0.5)).norm() > 1e-9 * size)
+            };
+            (places.iter().any(|t| apart(*t)), long(a), long(b))
+        };
+        let at = |u: f64, v: f64| surface.at(u * spans[0], v * spans[1]).point;
+        let range = |(apart, first, last): (bool, bool, bool)| {
+            let beyond = |free: bool, far: f64, end: f64| if apart && free { far } else { end };
+            [beyond(first, -BEYOND, 0.0), beyond(last, 1.0 + BEYOND, 1.0)]
+        };
+        let u = range(open(&|v| at(0.0, v), &|v| at(1.0, v)));
+        let v = range(open(&|u| at(u, 0.0), &|u| at(u, 1.0)));
+        Some(Self { spans, domain: Domain { u, v }, surface })
+    }
+
+    pub(super) fn domain(&self) -> Domain {
+        self.domain
+    }
+
+    /// Samples along each parameter that do not miss a span.
+    pub(super) fn pieces(&self) -> [u32; 2] {
+        self.spans.map(|n| {
+            let n = n.clamp(1.0, 64.0);
+            4 * (1..=64_u32).find(|k| f64::from(*k) >= n).unwrap_or(64)
+        })
+    }
+
+    pub(super) fn jet(&self, u: f64, v: f64) -> Jet {
+        let [nu, nv] = self.spans;
+        let inside = |t: f64| t.clamp(0.0, 1.0);
+        let (a, b) = (inside(u), inside(v));
+        let d = self.surface.at(a * nu, b * nv).rated(nu, nv);
+        let jet = Jet { s: d.point, su: d.u, sv: d.v, suu: d.uu, suv: d.uv, svv: d.vv };
+        let (over_u, over_v) = (u - a, v - b);
+        if over_u == 0.0 && over_v == 0.0 { jet } else { jet.beyond(over_u, over_v) }
+    }
+}
+
+/// Loose patches that fit together into a rectangle, as one grid; `None` when they do not.
+fn as_grid(surface: &Sculptured) -> Option<Sculptured> {
+    if !matches!(surface.layout, Layout::Patches) || surface.patches.len() < 2 {
+        return None;
+    }
+    let size = surface.extent();
+    let corner = |p: &Patch, u: f64, v: f64| p.point(u, v);
+    let same = |a: Vec3, b: Vec3| (a - b).norm() <= 1e-6 * size;
+    let beside = |p: &Patch, q: &Patch| {
+        [0.0, 0.5, 1.0].iter().all(|t| same(corner(p, 1.0, *t), corner(q, 0.0, *t)))
+    };
+    let above = |p: &Patch, q: &Patch| {
+        [0.0, 0.5, 1.0].iter().all(|t| same(corner(p, *t, 1.0), corner(q, *t, 0.0)))
+    };
+    let n = surface.patches.len();
+    let mut place: Vec<Option<(usize, usize)>> = vec![None; n];
+    // Each patch finds its place from one that has it; the first stands at the lower left.
+    place[0] = Some((0, 0));
+    for _ in 0..n {
+        for k in 0..n {
+            let Some((i, j)) = place[k] else { continue };
+            for (m, other) in surface.patches.iter().enumerate() {
+                if place[m].is_some() {
+                    continue;
+                }
+                if beside(&surface.patches[k], other) {
+                    place[m] = Some((i + 1, j));
+                } else if above(&surface.patches[k], other) {
+                    place[m] = Some((i, j + 1));
+                }
+            }
+        }
+    }
+    let places: Vec<(usize, usize)> = place.into_iter().collect::<Option<_>>()?;
+    let columns = places.iter().map(|p| p.0).max()? + 1;
+    let rows = places.iter().map(|p| p.1).max()? + 1;
+    if columns * rows != n {
+        return None;
+    }
+    let mut order = vec![None; n];
+    for (k, (i, j)) in places.into_iter().enumerate() {
+        order[j * columns + i] = Some(surface.patches[k].clone());
+    }
+    let patches = order.into_iter().collect::<Option<Vec<_>>>()?;
+    Sculptured::grid(patches, columns, rows).ok()
+}

@@ -1,0 +1,126 @@
+//! The proof of a program's path, or of a CL file against the surfaces of the program.
+
+use std::io::Cursor;
+
+use aptc_cldata::{Dialect, Kind, Reader, Record, RecordReader as _, detect};
+use aptc_diagnostics::{Diagnostic, SourceMap, Span, codes};
+use aptc_verify::{Certificate, Effort, Marks, Verifier, matched};
+
+use crate::{Compiled, FULL_PROOF, Options, Source, Verify, World, compile};
+
+/// A CL file to be held against a program.
+#[derive(Clone, Debug)]
+pub struct ClFile {
+    /// Its name.
+    pub name: String,
+    /// Its content, in any dialect.
+    pub bytes: Vec<u8>,
+}
+
+/// Compiles the program up to Section 2 and judges its path, or that of the file in its place. The
+/// certificates stand in the parts.
+pub fn verify(
+    source: Source,
+    world: &mut dyn World,
+    options: &Options,
+    file: Option<ClFile>,
+) -> Compiled {
+    let own = Options { post: false, plot: false, ..options.clone() };
+    let Some(file) = file else { return compile(source, world, &own) };
+    let own = Options { verify: Verify::Off, ..own };
+    let mut compiled = compile(source, world, &own);
+    let (programs, marks, mut said) = read(&file, &mut compiled.sources);
+    if programs.len() != compiled.parts.len() {
+        let (n, m) = (programs.len(), compiled.parts.len());
+        let message = format!(
+            "{} has {n} part program{}, the source {m}",
+            file.name,
+            if n == 1 { "" } else { "s" }
+        );
+        said.push(Diagnostic::error(codes::UNMATCHED, Span::default(), message));
+    }
+    for (part, records) in compiled.parts.iter_mut().zip(&programs) {
+        match matched(&part.computed, records, marks) {
+            Ok(found) => {
+                let judge = Verifier::foreign(effort(&found.records, options.verify));
+                let (mut certificate, diagnostics) = run(judge, &found.records);
+                certificate.unmatched = found.missing.len() as u64;
+                certificate.extra = found.extra;
+                part.certificate = Some(certificate);
+                said.extend(diagnostics);
+                said.extend(found.missing.iter().map(|origin| {
+                    let message = format!("no motion of {} is that of this statement", file.name);
+                    Diagnostic::error(codes::UNMATCHED, origin.span, message)
+                        .within(origin.trace.clone())
+                }));
+                if found.extra > 0 {
+                    let message = format!(
+                        "{} positions of {} belong to no motion of the program",
+                        found.extra, file.name
+                    );
+                    said.push(Diagnostic::error(codes::UNMATCHED, Span::default(), message));
+                }
+            }
+            Err(why) => {
+                said.push(Diagnostic::error(codes::UNMATCHED, Span::default(), why));
+            }
+        }
+    }
+    compiled.diagnostics.extend(said);
+    compiled
+}
+
+/// Judges records as much as was asked for.
+pub(crate) fn prove(records: &[Record], verify: Verify) -> (Certificate, Vec<Diagnostic>) {
+    run(Verifier::new(effort(records, verify)), records)
+}
+
+fn run(mut verifier: Verifier, records: &[Record]) -> (Certificate, Vec<Diagnostic>) {
+    for record in records {
+        verifier.push(record);
+    }
+    verifier.finish()
+}
+
+fn effort(records: &[Record], verify: Verify) -> Effort {
+    let points = |r: &Record| match &r.kind {
+        Kind::Motion(m) => m.points.len() as u64,
+        _ => 0,
+    };
+    let n: u64 = records.iter().map(points).sum();
+    let every = n.div_ceil(FULL_PROOF).max(2);
+    match verify {
+        Verify::UpTo(most) if n > most => Effort::Every(every),
+        Verify::Sample => Effort::Every(every),
+        _ => Effort::Full,
+    }
+}
+
+/// The part programs of the file, and how its records say where they come from.
+fn read(file: &ClFile, sources: &mut SourceMap) -> (Vec<Vec<Record>>, Marks, Vec<Diagnostic>) {
+    let dialect = detect(&file.bytes);
+    let text = if dialect.is_text() {
+        String::from_utf8_lossy(&file.bytes).into_owned()
+    } else {
+        String::new()
+    };
+    let id = sources.add(file.name.clone(), text);
+    let mut reader =
+        Reader::open_file(Cursor::new(&file.bytes), Some(dialect), id).expect("memory can be read");
+    let mut programs: Vec<Vec<Record>> = Vec::new();
+    let mut open = false;
+    let mut record = Record::default();
+    while reader.read(&mut record).expect("memory can be read") {
+        if !open {
+            programs.push(Vec::new());
+        }
+        open = !matches!(record.kind, Kind::Fini);
+        programs.last_mut().expect("one is there").push(record.clone());
+    }
+    let marks = match dialect {
+        Dialect::Tape | Dialect::Clfile => Marks::Statements,
+        _ if reader.is_marked() => Marks::Lines,
+        _ => Marks::None,
+    };
+    (programs, marks, reader.into_diagnostics())
+}

@@ -1,0 +1,209 @@
+//! Each modifier of the motion statements by closed forms, in the plane and in space.
+
+mod support;
+
+use aptc_geometry::{Vec3, trig};
+use support::{Forms, Run, form, run};
+
+fn forms() -> Forms {
+    let mut f = Forms::new();
+    let mut add = |name: &str, kind: &str, w: &[f64]| {
+        f.insert(name.into(), form(kind, w).expect("a legal form"));
+    };
+    add("LX", "LINE", &[0.0, 1.0, 0.0, 0.0]);
+    add("LY", "LINE", &[1.0, 0.0, 0.0, 0.0]);
+    add("L20", "LINE", &[1.0, 0.0, 0.0, 20.0]);
+    add("C", "CIRCLE", &[10.0, 0.0, 0.0, 0.0, 0.0, 1.0, 3.0]);
+    add("CT", "CIRCLE", &[5.0, 3.0, 0.0, 0.0, 0.0, 1.0, 3.0]);
+    add("CB", "CIRCLE", &[0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 2.0]);
+    add("PL", "PLANE", &[0.0, 0.0, 1.0, 0.0]);
+    add("PL2", "PLANE", &[0.0, 0.0, 1.0, 2.0]);
+    add("SP", "SPHERE", &[0.0, 0.0, -50.0, 50.0]);
+    add("CY", "CYLNDR", &[10.0, 0.0, 0.0, 0.0, 1.0, 0.0, 3.0]);
+    add("TILT", "PLANE", &[0.6, 0.0, 0.8, 6.0]);
+    f
+}
+
+/// Runs the text in the plane and in space; both end at `end`.
+#[track_caller]
+fn both(text: &str, end: [f64; 3]) -> [Run; 2] {
+    ["2DCALC", "3DCALC"].map(|calc| {
+        let ran = run(&forms(), &format!("{calc}\n{text}")).clean();
+        let off = (ran.end() - Vec3::from(end)).norm();
+        assert!(off < 1e-9, "{calc} {text}: {:?}", ran.end());
+        ran
+    })
+}
+
+#[test]
+fn to_on_past_and_the_second_intersection() {
+    let start = "CUTTER/2\nINTOL/0\nOUTTOL/1E-12\nFROM/0,0,0\nINDIRV/1,0,0\nTLON,GOFWD/LX,";
+    for (how, x) in [
+        ("TO,C", 6.0),
+        ("ON,C", 7.0),
+        ("PAST,C", 8.0),
+        ("TO,2,INTOF,C", 12.0),
+        ("ON,2,INTOF,C", 13.0),
+        ("PAST,2,INTOF,C", 14.0),
+    ] {
+        both(&format!("{start}{how}"), [x, 0.0, 0.0]);
+    }
+}
+
+#[test]
+fn tangent_to_a_circle_and_on_along_it() {
+    let start = "CUTTER/1\nINTOL/0\nOUTTOL/1E-12\nFROM/0,-2,0\nGO/TO,LX\nINDIRV/1,0,0\n";
+    both(&format!("{start}TLRGT,GOFWD/LX,TANTO,CT"), [5.0, -0.5, 0.0]);
+    // On round the circle to where the line is met again, half a millionth of the way outside.
+    let wide = start.replace("1E-12", "1E-6");
+    for calc in ["2DCALC", "3DCALC"] {
+        let text = format!("{calc}\n{wide}TLRGT,GOFWD/LX,TANTO,CT\nGOFWD/CT,ON,(LINE/1,0,0,5)");
+        let ran = run(&forms(), &text).clean();
+        assert!((ran.end() - Vec3::new(5.0, 6.5, 0.0)).norm() < 1.1e-6, "{calc} {:?}", ran.end());
+    }
+}
+
+#[test]
+fn thickness_of_drive_check_and_part_surface() {
+    let start = "CUTTER/1\nINTOL/0\nOUTTOL/1E-12\nFROM/0,-2,5\nTHICK/";
+    let go = "\nGO/TO,LX,TO,PL\nINDIRV/1,0,0\nTLRGT,GOFWD/LX,";
+    both(&format!("{start}.3,.1,.2{go}TO,L20"), [19.3, -0.6, 0.3]);
+    both(&format!("{start}-.3,-.1,-.2{go}TO,L20"), [19.7, -0.4, -0.3]);
+    // Where the tool end lies on the surface there is no thickness.
+    both(&format!("{start}.3,.1,.2{go}ON,L20"), [20.0, -0.6, 0.3]);
+    both(&format!("{start}.3,.1,.2{go}PAST,L20"), [20.7, -0.6, 0.3]);
+}
+
+#[test]
+fn start_ups_to_one_two_and_three_surfaces() {
+    let start = "CUTTER/1\nINTOL/0\nOUTTOL/1E-12\nFROM/4,-3,5\n";
+    both(&format!("{start}NOPS\nGO/TO,LX"), [4.0, -0.5, 5.0]);
+    both(&format!("{start}GO/TO,LX"), [4.0, -0.5, 0.0]);
+    both(&format!("{start}GO/PAST,LX,TO,PL2"), [4.0, 0.5, 2.0]);
+    both(&format!("{start}GO/TO,LX,TO,PL2,TO,LY"), [0.5, -0.5, 2.0]);
+    both(&format!("{start}GO/ON,LX,ON,PL2,PAST,LY"), [-0.5, 0.0, 2.0]);
+    // OFFSET pierces along the vector and leaves along the normal.
+    both(&format!("{start}INDIRV/1,1,0\nOFFSET/LX,TO,PL2"), [7.0, -0.5, 2.0]);
+    // A directed start stays on its vector.
+    both(&format!("{start}INDIRV/1,1,0\nGO/TO,LX,TO,PL2"), [6.5, -0.5, 2.0]);
+}
+
+#[test]
+fn part_surfaces_on_off_and_through_the_tool() {
+    let start = "CUTTER/1,.5\nINTOL/0\nOUTTOL/1E-12\nFROM/0,0,7\n";
+    // AUTOPS is the plane through the tool end.
+    both(&format!("{start}AUTOPS\nINDIRV/1,0,0\nTLON,GOFWD/LX,ON,L20"), [20.0, 0.0, 7.0]);
+    // The ball of radius 1/2 at the tilted plane: centre half a unit off it.
+    let z = |x: f64| (6.0 + 0.5 - 0.6 * x) / 0.8 - 0.5;
+    let end = [10.0, 0.0, z(10.0)];
+    let text = "GO/ON,LX,TO,TILT\nINDIRV/1,0,0\nTLON,TLOFPS,GOFWD/LX,ON,(LINE/1,0,0,10)";
+    both(&format!("{start}{text}"), end);
+    let text = "GO/ON,LX,ON,TILT\nINDIRV/1,0,0\nTLON,TLONPS,GOFWD/LX,ON,(LINE/1,0,0,10)";
+    both(&format!("{start}{text}"), [10.0, 0.0, 0.0]);
+}
+
+#[test]
+fn cutters_with_angles_touch_where_they_are_widest() {
+    let along = "\nINTOL/0\nOUTTOL/1E-12\nFROM/-5,0,0\nINDIRV/1,0,0\nTLON,GOFWD/LX,TO,L20";
+    let tan = |a: f64| trig::sin_deg(a) / trig::cos_deg(a);
+    // Tapered outwards by 10 degrees, 10 high: the rim touches a wall.
+    both(&format!("CUTTER/4,0,2,0,0,10,10{along}"), [20.0 - 2.0 - 10.0 * tan(10.0), 0.0, 0.0]);
+    // Tapered inwards: the lower corner touches.
+    both(&format!("CUTTER/4,0,2,0,0,-10,10{along}"), [18.0, 0.0, 0.0]);
+    // A corner radius of 1 between the end and the upright side.
+    both(&format!("CUTTER/4,1,1,1,0,0,10{along}"), [18.0, 0.0, 0.0]);
+    // A point of 45 degrees beside a ridge of radius 3, its tip 3 from the middle: the line that goes up to
+    // the ridge at 45 degrees is (3 + z) / sqrt 2 from the middle.
+    let text =
+        "CUTTER/4,0,2,2,45,0,10\nINTOL/0\nOUTTOL/1E-9\nFROM/0,5,9\nGO/ON,(LINE/1,0,0,13),TO,CY
+INDIRV/0,-1,0\nTLON,GOFWD/(LINE/1,0,0,13),ON,LX";
+    let ran = run(&forms(), &format!("3DCALC\n{text}")).clean();
+    let z = 3.0 * 2.0_f64.sqrt() - 3.0;
+    assert!((ran.end() - Vec3::new(13.0, 0.0, z)).norm() < 1e-8, "{:?}", ran.end());
+}
+
+#[test]
+fn a_disk_stands_for_the_cutter() {
+    let text = "CUTTER/4\nCUTTER/OPTION,2,.5,1\nINTOL/0\nOUTTOL/1E-12\nFROM/0,-3,0\nGO/TO,LX
+INDIRV/1,0,0\nTLRGT,GOFWD/LX,TO,L20";
+    // The disk at the drive surface, the real cutter at the check surface.
+    both(text, [18.0, -0.5, 0.0]);
+    both(&format!("{text}\nCUTTER/OPTION,2,OFF\nGOTO/0,-3,0\nGO/TO,LX"), [0.0, -2.0, 0.0]);
+}
+
+#[test]
+fn maxdp_and_numpts() {
+    let text =
+        "CUTTER/1\nINTOL/0\nOUTTOL/.01\nFROM/0,-5,0\nGO/TO,CB\nINDIRV/1,0,0\nTLRGT,GOFWD/CB,ON,LY";
+    // In the plane MAXDP does not count, as with APT-360.
+    let ran = run(&forms(), &format!("3DCALC\nMAXDP/.05\n{text}")).clean();
+    let (_, last) = ran.motions().last().expect("a motion");
+    let longest = last.points.windows(2).map(|w| (w[1].te - w[0].te).norm()).fold(0.0, f64::max);
+    assert!(longest <= 0.05 + 1e-12 && longest > 0.045, "{longest}");
+    let few = run(&forms(), &format!("3DCALC\nNUMPTS/5\n{text}"));
+    assert_eq!(few.code(), 2008);
+}
+
+/// The least number of cut vectors for an arc: vertices on the outer edge of the band, middles on the inner.
+fn least(turn: f64, radius: f64, band: [f64; 2], outside: bool) -> usize {
+    let (inner, outer) = if outside {
+        (radius - band[0], radius + band[1])
+    } else {
+        (radius - band[1], radius + band[0])
+    };
+    let cos = inner / outer;
+    let half = trig::atan2(((1.0 - cos) * (1.0 + cos)).sqrt(), cos);
+    let n = turn / (2.0 * half);
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "hundreds")]
+    let whole = n.ceil() as usize;
+    whole
+}
+
+/// Circles in the plane and in space, by APT-360's table of counts: no more than one above the least.
+#[test]
+fn arcs_have_the_fewest_cut_vectors() {
+    let full = std::f64::consts::TAU;
+    for (band, expected, outside) in [
+        ([0.0, 0.001], 106, true),
+        ([0.0, 0.001], 93, false),
+        ([0.001, 0.001], 75, true),
+        ([0.0005, 0.002], 67, true),
+    ] {
+        // Path of the cutter's centre: radius 2.25 outside, 1.75 inside a circle of radius 2.
+        let radius = if outside { 2.25 } else { 1.75 };
+        assert_eq!(least(full, radius, band, outside), expected, "{band:?}");
+        // To the left below the circle's middle: outside the circle is on the right of the way.
+        let (from, side) = if outside { (-5.0, "TLLFT") } else { (-1.0, "TLRGT") };
+        for calc in ["2DCALC", "3DCALC"] {
+            let text = format!(
+                "{calc}\nCUTTER/.5\nINTOL/{}\nOUTTOL/{}\nFROM/0,{from},0\nGO/TO,CB\nINDIRV/-1,0,0\n{side},GOFWD/CB,ON,2,INTOF,LY",
+                band[0], band[1]
+            );
+            let ran = run(&forms(), &text);
+            let ran = ran.clean();
+            let (_, last) = ran.motions().last().expect("a motion");
+            let n = last.points.len();
+            assert!(n == expected || n == expected + 1, "{calc} {band:?}: {n}, least {expected}");
+        }
+    }
+}
+
+/// Over a sphere, ball cutter, tool end in a plane through the centre: a circle again.
+#[test]
+fn spheres_have_the_fewest_cut_vectors() {
+    for band in [1e-2, 1e-3, 1e-4] {
+        let text = format!(
+            "CUTTER/10,5\nMAXDP/1000\nINTOL/{band}\nOUTTOL/{band}\nFROM/-30,0,0\nGO/ON,LX,TO,SP
+INDIRV/1,0,0\nTLON,GOFWD/LX,ON,(LINE/1,0,0,30)"
+        );
+        let ran = run(&forms(), &text).clean();
+        let start = ran.motions().nth(1).and_then(|(_, m)| m.points.last()).expect("a start").te;
+        let centre = Vec3::new(0.0, 0.0, -55.0);
+        let (a, b) = (start - centre, ran.end() - centre);
+        let turn = trig::atan2(a.cross(&b).norm(), a.dot(&b));
+        let (_, last) = ran.motions().last().expect("a motion");
+        let n = last.points.len();
+        let least = least(turn, 55.0, [band, band], true);
+        assert!(n == least || n == least + 1, "{band}: {n}, least {least}");
+    }
+}

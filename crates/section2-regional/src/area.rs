@@ -1,0 +1,102 @@
+//! The areas that SCON sets.
+
+use std::sync::Arc;
+
+use aptc_geometry::{Plane, Sculptured, SpaceCurve, Vec3};
+use aptc_protap::NameRef;
+
+/// What guides the tool.
+#[derive(Clone, Debug)]
+pub(crate) enum Guide {
+    /// A curve.
+    Curve(Arc<SpaceCurve>),
+    /// A surface.
+    Surface(Arc<Sculptured>),
+}
+
+/// How the tool stands to the drive point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Hold {
+    /// ON: the tool end is on the line of projection through the drive point.
+    On,
+    /// AT: the cutter touches the part surface where that line pierces it.
+    At,
+}
+
+/// The direction in which drive points are projected.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Projection {
+    /// A vector.
+    Along(Vec3),
+    /// NORMAL: against the normal of the drive surface.
+    Normal,
+    /// CRSSPL: the direction across the drive curve.
+    Cross,
+}
+
+/// SCON/DS.
+#[derive(Clone, Debug)]
+pub(crate) struct DriveArea {
+    pub(crate) name: NameRef,
+    pub(crate) guide: Guide,
+    /// Limits of u and v.
+    pub(crate) u: [f64; 2],
+    pub(crate) v: [f64; 2],
+    pub(crate) hold: Hold,
+    pub(crate) projection: Projection,
+    /// Moves the tip down the axis before the projection.
+    pub(crate) offset: f64,
+}
+
+/// SCON/PS.
+#[derive(Clone, Debug)]
+pub(crate) struct PartArea {
+    pub(crate) name: NameRef,
+    pub(crate) surface: Arc<Sculptured>,
+    /// TO: the cutter touches; ON when false: the tool end lies on it.
+    pub(crate) touches: bool,
+    /// +1 on the side of dU x dV.
+    pub(crate) side: f64,
+    /// Material left on it.
+    pub(crate) thick: f64,
+}
+
+/// SCON/AXIS.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum AxisArea {
+    /// A unit vector.
+    Fixed(Vec3),
+    /// Along the drive normal, +1 or -1.
+    NormDs(f64),
+    /// At an angle to the normal of drive or part surface.
+    Angle {
+        /// Part surface; drive when false.
+        part: bool,
+        /// Slew across the path, radians.
+        alpha: f64,
+        /// Tilt along the path, radians, positive leading.
+        beta: f64,
+    },
+}
+
+/// SCON/STEPOV.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct StepoverArea {
+    pub(crate) scallop: f64,
+    pub(crate) most: f64,
+    pub(crate) lift: f64,
+    pub(crate) paths: Option<usize>,
+}
+
+/// All areas.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Areas {
+    pub(crate) drive: Option<DriveArea>,
+    pub(crate) part: Option<PartArea>,
+    pub(crate) axis: Option<AxisArea>,
+    /// Feeds of path, side step, plunge, retract; 0 leaves the feed.
+    pub(crate) feeds: Option<[f64; 4]>,
+    pub(crate) stepover: Option<StepoverArea>,
+    /// The clearance plane; INIT leaves it.
+    pub(crate) clearance: Option<Plane>,
+}

@@ -1,0 +1,184 @@
+//! AVCTRL: a gouging position tilted or lifted until it is clear.
+
+use aptc_geometry::{Profile, Transform, Vec3};
+
+use crate::guard::Guard;
+use crate::position::{Position, tool_end};
+
+/// How a gouge is avoided.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Avoid {
+    pub(crate) on: bool,
+    /// CUTANG: technological angle and range of the tilt, degrees.
+    pub(crate) tilt: Option<[f64; 3]>,
+    /// NORMPS: lift along the part normal; AXIS, along the tool axis, when false.
+    pub(crate) along_normal: bool,
+    /// LIMIT of the lift; none when omitted.
+    pub(crate) limit: Option<f64>,
+}
+
+/// Tilts that are tried on each side.
+const TILTS: u32 = 90;
+/// Halvings towards the least tilt and the least lift that clear.
+const HALVINGS: u32 = 24;
+
+/// What a position is judged with.
+pub(crate) struct Case<'a> {
+    pub(crate) profile: &'a Profile,
+    pub(crate) guard: &'a Guard,
+    /// Thickness and what the position takes of the tolerance.
+    pub(crate) clearance: f64,
+    pub(crate) outtol: f64,
+    /// Unit direction of the motion.
+    pub(crate) forward: Vec3,
+    /// Unit direction of the step-over, or across the path.
+    pub(crate) over: Vec3,
+}
+
+impl Avoid {
+    /// A clear tool end and axis for the contact of `p`; `None` when tilt and lift within their limits
+    /// give none. The lift starts from the tool as it was.
+    ///
+    /// APT: `AVOID`, with the tilt and the lift searched for, and each answer checked again.
+    pub(crate) fn around(&self, p: &Position, case: &Case<'_>) -> Option<(Vec3, Vec3)> {
+        if !self.on {
+            return None;
+        }
+        self.tilted(p, case).or_else(|| self.lifted(p, case))
+    }
+
+    /// The least tilt that clears, by pitch or roll, with the technological angle added in its direction
+    /// and held within the range.
+    fn tilted(&self, p: &Position, case: &Case<'_>) -> Option<(Vec3, Vec3)> {
+        let [constant, low, high] = self.tilt?;
+        let place = |axis: Vec3, deg: f64| {
+            let ta = Transform::rotation(axis, deg).vector(p.ta).normalize();
+            let te = tool_end(case.profile, ta, p.contact, p.normal, case.clearance, case.forward);
+            case.guard.position(case.profile, te, ta).is_ok().then_some((te, ta))
+        };
+        // Turning about these moves the axis towards forward and towards the step-over.
+        let axes = [p.ta.cross(&case.forward), p.ta.cross(&case.over)];
+        let mut best: Option<(f64, Vec3)> = None;
+        for axis in axes.into_iter().filter_map(|a| a.try_normalize(1e-9)) {
+            for end in [low, high] {
+                let (mut clear, mut failed) = (None, 0.0);
+                for k in 1..=TILTS {
+                    let deg = end * f64::from(k) / f64::from(TILTS);
+                    if best.is_some_and(|(b, _)| deg.abs() >= b.abs()) {
+                        break;
+                    }
+                    if place(axis, deg).is_some() {
+                        clear = Some(deg);
+                        break;
+                    }
+                    failed = deg;
+                }
+                let Some(mut found) = clear else { continue };
+                for _ in 0..HALVINGS {
+                    let mid = 0.5 * (found + failed);
+                    if place(axis, mid).is_some() { found = mid } else { failed = mid }
+                }
+                best = Some((found, axis));
+            }
+        }
+        let (deg, axis) = best?;
+        let more = (deg + constant.abs().copysign(deg)).clamp(low.min(high), low.max(high));
+        place(axis, more).or_else(|| place(axis, deg))
+    }
+
+    /// The least lift that clears.
+    fn lifted(&self, p: &Position, case: &Case<'_>) -> Option<(Vec3, Vec3)> {
+        let along = if self.along_normal { p.normal } else { p.ta };
+        let reach = case.profile.reach();
+        let most = self.limit.unwrap_or(f64::INFINITY).min(1e3 * reach);
+        let clear = |d: f64| case.guard.position(case.profile, p.te + along * d, p.ta).is_ok();
+        let (mut low, mut high) = (0.0, (1e-3 * reach).min(most));
+        while !clear(high) {
+            if high >= most {
+                return None;
+            }
+            low = high;
+            high = (2.0 * high).min(most);
+        }
+        for _ in 0..HALVINGS {
+            let mid = 0.5 * (low + high);
+            if clear(mid) { high = mid } else { low = mid }
+        }
+        let lift = (high + case.outtol).min(most);
+        clear(lift).then(|| (p.te + along * lift, p.ta))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::guard::Checked;
+    use aptc_contact::PatchTree;
+    use aptc_geometry::sculpt::{SplinePoint, mesh};
+    use aptc_geometry::{Cutter, Profile};
+    use std::sync::Arc;
+
+    /// A flat wall beside the contact: the plane x = 2.5 from z = 2 to z = 12.
+    fn wall() -> Guard {
+        let row = |z: f64| {
+            let at = |i| SplinePoint::plain(Vec3::new(2.5, f64::from(i) * 10.0 - 10.0, z));
+            (0..3).map(at).collect()
+        };
+        let s = Arc::new(mesh(&[row(2.0), row(12.0)], true).unwrap());
+        let tree = Arc::new(PatchTree::new(&s));
+        let checked = Checked { name: "WALL".into(), surface: s, tree, part: false };
+        Guard { surfaces: vec![checked], intol: 1e-3, thick: 0.0 }
+    }
+
+    /// A ball on the plane z = 0 at the origin, leaning to the wall.
+    fn position(profile: &Profile) -> Position {
+        let ta = Transform::rotation(Vec3::y(), 20.0).vector(Vec3::z());
+        let te = tool_end(profile, ta, Vec3::zeros(), Vec3::z(), 0.0, Vec3::x());
+        Position {
+            te,
+            ta,
+            part_uv: [0.0; 2],
+            contact: Vec3::zeros(),
+            normal: Vec3::z(),
+            shift: 0.0,
+            drive_uv: [0.0; 2],
+        }
+    }
+
+    #[test]
+    fn tilt_succeeds_stays_in_range_or_gives_way_to_lift() {
+        let profile = Profile::new(&Cutter::mill(4.0, 2.0, 30.0)).unwrap();
+        let guard = wall();
+        let p = position(&profile);
+        assert!(guard.position(&profile, p.te, p.ta).is_err());
+        let case = Case {
+            profile: &profile,
+            guard: &guard,
+            clearance: 0.0,
+            outtol: 1e-3,
+            forward: Vec3::x(),
+            over: Vec3::y(),
+        };
+        let tilt = |range: [f64; 3], limit| Avoid {
+            on: true,
+            tilt: Some(range),
+            along_normal: true,
+            limit,
+        };
+        // Away from the wall, which stands ahead: a negative pitch.
+        let (te, ta) = tilt([1.5, -60.0, 60.0], None).around(&p, &case).unwrap();
+        assert!(ta.x < p.ta.x && ta.y.abs() < 1e-12);
+        assert!(guard.position(&profile, te, ta).is_ok());
+        // The ball still touches the same contact.
+        assert!((te + ta * 2.0 - Vec3::z() * 2.0).norm() < 1e-12);
+        let least = tilt([0.0, -60.0, 60.0], None).around(&p, &case).unwrap().1;
+        let between = aptc_geometry::trig::acos_clamped(least.dot(&ta)).to_degrees();
+        assert!((between - 1.5).abs() < 1e-6, "{between}");
+        // A range that does not suffice, then a lift along the normal, or none within its limit.
+        let (te, ta) = tilt([0.0, -2.0, 2.0], None).around(&p, &case).unwrap();
+        assert!(ta == p.ta && te.z > 5.0, "{te}");
+        assert!(guard.position(&profile, te, ta).is_ok());
+        assert!(tilt([0.0, -2.0, 2.0], Some(1.0)).around(&p, &case).is_none());
+        assert!(Avoid::default().around(&p, &case).is_none());
+    }
+}

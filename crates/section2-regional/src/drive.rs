@@ -1,0 +1,100 @@
+//! Places of the drive curve or surface.
+
+use aptc_geometry::Vec3;
+
+use crate::area::{DriveArea, Guide, Projection};
+
+/// A place of the drive with what is asked of it (APT: the array DR).
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct DrivePoint {
+    /// Its parameters.
+    pub(crate) uv: [f64; 2],
+    /// The point.
+    pub(crate) point: Vec3,
+    /// Derivative along the path, in the direction of rising parameter.
+    pub(crate) along: Vec3,
+    /// Derivative across the path; zero for a curve without CRSSPL.
+    pub(crate) across: Vec3,
+    /// Unit normal of the drive surface along dU x dV; `None` for a curve and where it vanishes.
+    pub(crate) normal: Option<Vec3>,
+    /// Unit direction of projection; `None` where it is not defined.
+    pub(crate) direction: Option<Vec3>,
+}
+
+/// Which parameter runs along the path.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Course {
+    /// TANSPL: u.
+    U,
+    /// CRSSPL: v.
+    V,
+}
+
+impl Course {
+    /// Index of the running parameter.
+    pub(crate) fn index(self) -> usize {
+        match self {
+            Self::U => 0,
+            Self::V => 1,
+        }
+    }
+
+    /// The other one.
+    pub(crate) fn across(self) -> Self {
+        match self {
+            Self::U => Self::V,
+            Self::V => Self::U,
+        }
+    }
+}
+
+impl DriveArea {
+    /// The place at (u, v); v does not count for a curve.
+    ///
+    /// APT: `DGEOM`.
+    pub(crate) fn place(&self, uv: [f64; 2], course: Course) -> DrivePoint {
+        match &self.guide {
+            Guide::Curve(c) => {
+                let p = c.at(uv[0]);
+                let f = uv[0] / c.span();
+                let across = match c.cross {
+                    [Some(a), Some(b)] => a * (1.0 - f) + b * f,
+                    [Some(a), None] | [None, Some(a)] => a,
+                    [None, None] => Vec3::zeros(),
+                };
+                let direction = match self.projection {
+                    Projection::Along(v) => Some(v),
+                    Projection::Normal | Projection::Cross => across.try_normalize(0.0),
+                };
+                DrivePoint { uv, point: p.point, along: p.first, across, normal: None, direction }
+            }
+            Guide::Surface(s) => {
+                let d = s.at(uv[0], uv[1]);
+                let normal = d.normal();
+                let (along, across) = match course {
+                    Course::U => (d.u, d.v),
+                    Course::V => (d.v, d.u),
+                };
+                let direction = match self.projection {
+                    Projection::Along(v) => Some(v),
+                    Projection::Normal => normal.map(|n| -n),
+                    Projection::Cross => across.try_normalize(0.0),
+                };
+                DrivePoint { uv, point: d.point, along, across, normal, direction }
+            }
+        }
+    }
+
+    /// Limits of the running parameter.
+    pub(crate) fn limits(&self, course: Course) -> [f64; 2] {
+        match course {
+            Course::U => self.u,
+            Course::V => self.v,
+        }
+    }
+
+    /// Is it a curve?
+    pub(crate) fn is_curve(&self) -> bool {
+        matches!(self.guide, Guide::Curve(_))
+    }
+}

@@ -1,0 +1,182 @@
+//! Why regional milling ends: data first, words in [`Failure::explain`].
+
+use aptc_diagnostics::{Code, Diagnostic, Origin, codes};
+use aptc_geometry::Vec3;
+
+use crate::guard::Gouge;
+
+/// Why a statement of regional milling fails.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Failure {
+    /// A curve or surface that cannot be fitted.
+    Unfit { name: Box<str>, why: Box<str> },
+    /// Areas that SMIL needs are not set.
+    NotSet { areas: Vec<&'static str> },
+    /// A number that is out of its range.
+    Value { what: &'static str, value: f64, need: Box<str> },
+    /// A direction of length zero.
+    NoDirection { what: &'static str },
+    /// No cutter, or one that is no solid.
+    NoCutter,
+    /// The part surface is not met.
+    NotMet { part: Box<str>, uv: [f64; 2], place: Vec3 },
+    /// The tool axis cannot be had.
+    NoAxis { uv: [f64; 2] },
+    /// No chord keeps the tolerance.
+    NoStep { uv: [f64; 2], part_uv: [f64; 2], deviation: f64, allowed: f64 },
+    /// More points than NUMPTS.
+    TooMany { limit: usize, uv: [f64; 2] },
+    /// Longer than MAXDP lets a path be.
+    TooLong { limit: f64, uv: [f64; 2] },
+    /// A checked surface is gouged.
+    Gouge(Box<Deep>),
+    /// A statement that is not done here.
+    Undone { what: &'static str },
+}
+
+/// A gouge with the tool that makes it.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Deep {
+    pub(crate) gouge: Gouge,
+    pub(crate) te: Vec3,
+    pub(crate) ta: Vec3,
+    /// Is AVCTRL on?
+    pub(crate) avoids: bool,
+}
+
+impl Failure {
+    pub(crate) fn gouge(gouge: Gouge, te: Vec3, ta: Vec3, avoids: bool) -> Self {
+        Self::Gouge(Box::new(Deep { gouge, te, ta, avoids }))
+    }
+
+    /// The words, at the statement.
+    pub(crate) fn explain(&self, origin: &Origin) -> Diagnostic {
+        let (code, text, help) = self.words();
+        Diagnostic::error(code, origin.span, text).within(origin.trace.clone()).help(help)
+    }
+
+    fn words(&self) -> (Code, String, String) {
+        match self {
+            Self::Unfit { name, why } => (
+                codes::UNFIT_SURFACE,
+                format!("{name} cannot be fitted: {why}"),
+                "correct its definition".into(),
+            ),
+            Self::NotSet { areas } => (
+                codes::AREA_NOT_SET,
+                format!("{} not set since the last INIT", join(areas)),
+                format!("give SCON/{} before SMIL", areas.first().unwrap_or(&"DS")),
+            ),
+            Self::Value { what, value, need } => (
+                codes::REGION_VALUE,
+                format!("{what} is {value}, and must be {need}"),
+                "correct the number".into(),
+            ),
+            Self::NoDirection { what } => (
+                codes::REGION_VALUE,
+                format!("{what} has length zero"),
+                "give a vector with a length".into(),
+            ),
+            Self::NoCutter => (
+                codes::NO_CUTTER,
+                "no cutter is given that is a solid".into(),
+                "give CUTTER/diameter,corner radius first".into(),
+            ),
+            Self::NotMet { part, uv, place } => (
+                codes::PART_NOT_MET,
+                format!(
+                    "from the drive point at u {}, v {} ({}) no place of {part} is met",
+                    short(uv[0]),
+                    short(uv[1]),
+                    point(*place)
+                ),
+                "turn the direction of projection, or narrow the limits of DS".into(),
+            ),
+            Self::NoAxis { uv } => (
+                codes::NO_AXIS,
+                format!(
+                    "at the drive point u {}, v {} no tool axis is defined",
+                    short(uv[0]),
+                    short(uv[1])
+                ),
+                "the normal vanishes there, or the path runs along the direction of projection"
+                    .into(),
+            ),
+            Self::NoStep { uv, part_uv, deviation, allowed } => (
+                codes::NO_CHORD,
+                format!(
+                    "no chord from the drive point u {}, v {} keeps the tolerance {}: it is off by {} \
+                     near u {}, v {} of the part surface",
+                    short(uv[0]),
+                    short(uv[1]),
+                    short(*allowed),
+                    short(*deviation),
+                    short(part_uv[0]),
+                    short(part_uv[1])
+                ),
+                "the cutter does not fit there, or the tolerance is too narrow".into(),
+            ),
+            Self::TooMany { limit, uv } => (
+                codes::PATH_TOO_LONG,
+                format!(
+                    "the path has more than {limit} points; it ends at u {}, v {} of the drive",
+                    short(uv[0]),
+                    short(uv[1])
+                ),
+                "raise NUMPTS or the tolerances".into(),
+            ),
+            Self::TooLong { limit, uv } => (
+                codes::PATH_TOO_LONG,
+                format!(
+                    "the path is longer than {}; it ends at u {}, v {} of the drive",
+                    short(*limit),
+                    short(uv[0]),
+                    short(uv[1])
+                ),
+                "raise the second number of MAXDP".into(),
+            ),
+            Self::Gouge(deep) => (
+                codes::INTERFERENCE,
+                format!(
+                    "at the tool end {} with axis {} the cutter is {} deep in {}, patch {}, u {}, v {}",
+                    point(deep.te),
+                    point(deep.ta),
+                    short(deep.gouge.depth),
+                    deep.gouge.surface,
+                    deep.gouge.span.0,
+                    short(deep.gouge.span.1[0]),
+                    short(deep.gouge.span.1[1])
+                ),
+                if deep.avoids {
+                    "widen RANGE or LIMIT of AVCTRL, or use a smaller cutter".into()
+                } else {
+                    "switch AVCTRL on, or use a smaller cutter".into()
+                },
+            ),
+            Self::Undone { what } => (
+                codes::UNSUPPORTED_MOTION,
+                format!("{what} cannot be computed yet"),
+                "use SMIL".into(),
+            ),
+        }
+    }
+}
+
+fn join(words: &[&str]) -> String {
+    match words {
+        [one] => format!("SCON/{one} is"),
+        many => format!("SCON/{} are", many.join(" and SCON/")),
+    }
+}
+
+/// A number as a message shows it.
+pub(crate) fn short(x: f64) -> String {
+    let text = format!("{x:.6}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" { "0".into() } else { text.into() }
+}
+
+/// A point as a message shows it.
+pub(crate) fn point(p: Vec3) -> String {
+    format!("{}, {}, {}", short(p.x), short(p.y), short(p.z))
+}

@@ -1,0 +1,209 @@
+//! A drive point projected on the part surface.
+
+use aptc_contact::Tool;
+use aptc_geometry::sculpt::Derivatives;
+use aptc_geometry::{Profile, Sculptured, Vec3};
+
+/// How far beyond the borders of the part surface, in spans, its linear continuation is followed.
+const BEYOND: f64 = 10.0;
+/// Newton's steps of a search.
+const STEPS: usize = 40;
+/// Starts along each side of a patch for a search without a place to begin at.
+const STARTS: usize = 4;
+
+/// What is moved along the line of projection until the part surface is met.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Probe<'a> {
+    /// A ball of this radius about the moving point; of radius 0 the point itself.
+    Ball(f64),
+    /// The cutter with its tool end at the moving point, `thick` off the surface.
+    Cutter { profile: &'a Profile, ta: Vec3, thick: f64 },
+}
+
+/// Where it meets.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Met {
+    /// Parameters of the part surface.
+    pub(crate) uv: [f64; 2],
+    /// Point and derivatives there.
+    pub(crate) at: Derivatives,
+    /// Unit normal there, towards the tool.
+    pub(crate) normal: Vec3,
+    /// How far along the direction.
+    pub(crate) way: f64,
+}
+
+/// The line of projection and the surface with the side of the tool.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Shot<'a> {
+    pub(crate) surface: &'a Sculptured,
+    pub(crate) side: f64,
+    pub(crate) from: Vec3,
+    pub(crate) along: Vec3,
+    pub(crate) probe: Probe<'a>,
+}
+
+impl Shot<'_> {
+    /// The meeting that Newton's method reaches from `start`.
+    pub(crate) fn near(&self, start: [f64; 2]) -> Option<Met> {
+        let [a, b] = aptc_geometry::surface::frame_about(self.along);
+        let size = self.surface.extent() + self.from.norm();
+        let [nu, nv] = self.surface.spans();
+        let [mut u, mut v] = start;
+        for _ in 0..STEPS {
+            let d = self.surface.at(u, v);
+            let n = d.normal()? * self.side;
+            let w = d.point + self.reach(n) - self.from;
+            let (e, g) = (w.dot(&a), w.dot(&b));
+            if e.abs().max(g.abs()) <= 1e-13 * size {
+                // A surface seen from behind is no contact.
+                let way = w.dot(&self.along);
+                let faces = n.dot(&self.along) < 0.0;
+                return faces.then_some(Met { uv: [u, v], at: d, normal: n, way });
+            }
+            let [nu1, nv1] = self.turn(&d)?;
+            let (wu, wv) = (d.u + self.reach_rate(n, nu1), d.v + self.reach_rate(n, nv1));
+            let (eu, ev, gu, gv) = (wu.dot(&a), wv.dot(&a), wu.dot(&b), wv.dot(&b));
+            let det = eu * gv - ev * gu;
+            if det == 0.0 || !det.is_finite() {
+                return None;
+            }
+            let (du, dv) = ((ev * g - gv * e) / det, (gu * e - eu * g) / det);
+            // Half a span at most, so that the patch between is seen.
+            let cap = (0.5 / du.abs().max(dv.abs())).min(1.0);
+            u = (u + du * cap).clamp(-BEYOND, nu + BEYOND);
+            v = (v + dv * cap).clamp(-BEYOND, nv + BEYOND);
+        }
+        None
+    }
+
+    /// The first meeting along the direction, by searches from all over the surface; a meeting on the
+    /// surface comes before one on its continuation.
+    pub(crate) fn first(&self) -> Option<Met> {
+        let [nu, nv] = self.surface.spans();
+        let steps = |n: f64| n * STARTS as f64;
+        let inside = |m: &Met| {
+            (-1e-9..=nu + 1e-9).contains(&m.uv[0]) && (-1e-9..=nv + 1e-9).contains(&m.uv[1])
+        };
+        let mut best: Option<Met> = None;
+        let (mut j, rows, columns) = (0.0, steps(nv), steps(nu));
+        while j < rows {
+            let mut i = 0.0;
+            while i < columns {
+                let start = [(i + 0.5) / STARTS as f64, (j + 0.5) / STARTS as f64];
+                if let Some(m) = self.near(start) {
+                    let better = best.as_ref().is_none_or(|b| match (inside(&m), inside(b)) {
+                        (true, false) => true,
+                        (false, true) => false,
+                        _ => m.way < b.way,
+                    });
+                    if better {
+                        best = Some(m);
+                    }
+                }
+                i += 1.0;
+            }
+            j += 1.0;
+        }
+        best
+    }
+
+    /// From the contact to the moving point.
+    fn reach(&self, n: Vec3) -> Vec3 {
+        match self.probe {
+            Probe::Ball(r) => n * r,
+            Probe::Cutter { profile, ta, thick } => {
+                n * thick - Tool { profile, te: Vec3::zeros(), ta }.support(-n).point
+            }
+        }
+    }
+
+    /// Its derivative when the normal changes by `dn`.
+    fn reach_rate(&self, n: Vec3, dn: Vec3) -> Vec3 {
+        match self.probe {
+            Probe::Ball(r) => dn * r,
+            Probe::Cutter { profile, ta, thick } => {
+                let s = Tool { profile, te: Vec3::zeros(), ta }.support(-n);
+                // On a face the contact would jump: a large radius keeps Newton's method moving.
+                let most = 1e3 * profile.reach();
+                let k = |i: usize| s.radii[i].min(most) * s.frame[i].dot(&dn);
+                dn * thick + s.frame[0] * k(0) + s.frame[1] * k(1)
+            }
+        }
+    }
+
+    /// Derivatives of the unit normal towards the tool.
+    fn turn(&self, d: &Derivatives) -> Option<[Vec3; 2]> {
+        let n = d.u.cross(&d.v);
+        let size = n.norm();
+        if size <= 0.0 {
+            return None;
+        }
+        let unit = n / size;
+        let of = |m: Vec3| (m - unit * unit.dot(&m)) * (self.side / size);
+        Some([of(d.uu.cross(&d.v) + d.u.cross(&d.uv)), of(d.uv.cross(&d.v) + d.u.cross(&d.vv))])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use aptc_geometry::Cutter;
+    use aptc_geometry::sculpt::{SplinePoint, mesh};
+
+    fn waves() -> Sculptured {
+        let z = |x: f64, y: f64| aptc_geometry::trig::sin(x) + 0.5 * aptc_geometry::trig::cos(y);
+        let rows: Vec<Vec<_>> = (0..5)
+            .map(|j| {
+                (0..6)
+                    .map(|i| {
+                        let (x, y) = (f64::from(i) * 2.0, f64::from(j) * 2.0);
+                        SplinePoint::plain(Vec3::new(x, y, z(0.4 * x, 0.3 * y)))
+                    })
+                    .collect()
+            })
+            .collect();
+        mesh(&rows, false).unwrap()
+    }
+
+    #[test]
+    fn a_point_pierces_and_a_ball_rests() {
+        let s = waves();
+        let shot = |probe| Shot {
+            surface: &s,
+            side: 1.0,
+            from: Vec3::new(3.3, 4.1, 20.0),
+            along: -Vec3::z(),
+            probe,
+        };
+        let m = shot(Probe::Ball(0.0)).first().unwrap();
+        assert!((m.at.point.xy() - Vec3::new(3.3, 4.1, 0.0).xy()).norm() < 1e-11);
+        let m = shot(Probe::Ball(1.5)).first().unwrap();
+        let centre = m.at.point + m.normal * 1.5;
+        assert!((centre.xy() - Vec3::new(3.3, 4.1, 0.0).xy()).norm() < 1e-11);
+        // Nothing of the surface is nearer to the centre.
+        let near = aptc_geometry::sculpt::nearest_on(&s, centre);
+        assert!((near.distance - 1.5).abs() < 1e-9, "{}", near.distance);
+    }
+
+    #[test]
+    fn a_bull_nose_touches_and_does_not_gouge() {
+        let s = waves();
+        let profile = Profile::new(&Cutter::mill(2.0, 0.3, 10.0)).unwrap();
+        let from = Vec3::new(5.2, 3.7, 20.0);
+        let probe = Probe::Cutter { profile: &profile, ta: Vec3::z(), thick: 0.0 };
+        let shot = Shot { surface: &s, side: 1.0, from, along: -Vec3::z(), probe };
+        let m = shot.first().unwrap();
+        let te = from - Vec3::z() * m.way;
+        let tool = Tool { profile: &profile, te, ta: Vec3::z() };
+        assert!(tool.distance(m.at.point).abs() < 1e-9);
+        let mut least = f64::INFINITY;
+        for i in 0..=250 {
+            for j in 0..=200 {
+                let q = s.at(f64::from(i) * 0.02, f64::from(j) * 0.02).point;
+                least = least.min(tool.distance(q));
+            }
+        }
+        assert!(least > -1e-9, "{least}");
+    }
+}

@@ -1,0 +1,288 @@
+//! SCON: its words into areas.
+
+use std::sync::Arc;
+
+use aptc_geometry::sculpt::{fit_curve, fit_surface};
+use aptc_geometry::{Form, Sculptured, SpaceCurve, Vec3};
+use aptc_protap::{Arg, NameRef};
+
+use crate::area::{AxisArea, DriveArea, Guide, Hold, PartArea, Projection, StepoverArea};
+use crate::failure::Failure;
+use crate::regional::Regional;
+
+/// A ruled cylinder over a curve reaches so many inches to both sides (APT4).
+const REACH_INCHES: f64 = 10.0;
+
+/// Arguments read one after the other.
+pub(crate) struct Words<'a>(pub(crate) &'a [Arg]);
+
+impl<'a> Words<'a> {
+    /// The next word.
+    pub(crate) fn word(&mut self) -> Option<&'a str> {
+        match self.0 {
+            [Arg::Word(w), rest @ ..] => {
+                self.0 = rest;
+                Some(w)
+            }
+            _ => None,
+        }
+    }
+
+    /// Is the next one this word? It is then taken.
+    pub(crate) fn take(&mut self, word: &str) -> bool {
+        let found = matches!(self.0, [Arg::Word(w), ..] if w == word);
+        if found {
+            self.0 = &self.0[1..];
+        }
+        found
+    }
+
+    /// The next number.
+    pub(crate) fn number(&mut self) -> Option<f64> {
+        match self.0 {
+            [Arg::Number(x), rest @ ..] => {
+                self.0 = rest;
+                Some(*x)
+            }
+            _ => None,
+        }
+    }
+
+    /// The next form.
+    pub(crate) fn form(&mut self) -> Option<(&'a NameRef, &'a Arc<Form>)> {
+        match self.0 {
+            [Arg::Form { name, form }, rest @ ..] => {
+                self.0 = rest;
+                Some((name, form))
+            }
+            _ => None,
+        }
+    }
+
+    /// The next vector.
+    pub(crate) fn vector(&mut self) -> Option<Vec3> {
+        match self.0 {
+            [Arg::Form { form, .. }, rest @ ..] => match form.shape() {
+                Form::Vector(v) | Form::Point(v) => {
+                    self.0 = rest;
+                    Some(*v)
+                }
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
+    /// PLUS or MINUS; +1 when neither stands there.
+    pub(crate) fn sign(&mut self) -> f64 {
+        if self.take("MINUS") {
+            return -1.0;
+        }
+        self.take("PLUS");
+        1.0
+    }
+}
+
+fn unit(v: Option<Vec3>, what: &'static str) -> Result<Vec3, Failure> {
+    v.and_then(|v| v.try_normalize(0.0)).ok_or(Failure::NoDirection { what })
+}
+
+/// A number that must be there; Section 1 has checked the form of the statement.
+fn need(x: Option<f64>, what: &'static str) -> Result<f64, Failure> {
+    x.filter(|x| x.is_finite()).ok_or_else(|| Failure::Value {
+        what,
+        value: x.unwrap_or(f64::NAN),
+        need: "a number".into(),
+    })
+}
+
+impl Regional {
+    /// Sets or clears areas.
+    ///
+    /// APT: `SCON`.
+    pub(crate) fn scon(&mut self, args: &[Arg]) -> Result<(), Failure> {
+        let mut w = Words(args);
+        match w.word() {
+            Some("INIT") => self.init(w),
+            Some("DS") => self.areas.drive = Some(self.drive_area(&mut w)?),
+            Some("PS") => self.areas.part = Some(self.part_area(&mut w)?),
+            Some("AXIS") => self.areas.axis = Some(axis_area(&mut w)?),
+            Some("FEED") => self.feed_area(&mut w)?,
+            Some("STEPOV") => self.areas.stepover = Some(stepover_area(&mut w)?),
+            _ => return Err(Failure::Undone { what: "this form of SCON" }),
+        }
+        Ok(())
+    }
+
+    fn init(&mut self, mut w: Words<'_>) {
+        while let Some(word) = w.word() {
+            let a = &mut self.areas;
+            let all = word == "ALL";
+            if all || word == "DS" {
+                a.drive = None;
+            }
+            if all || word == "PS" {
+                a.part = None;
+            }
+            if all || word == "AXIS" {
+                a.axis = None;
+            }
+            if all || word == "FEED" {
+                a.feeds = None;
+            }
+            if all || word == "STEPOV" {
+                a.stepover = None;
+            }
+        }
+    }
+
+    fn drive_area(&mut self, w: &mut Words<'_>) -> Result<DriveArea, Failure> {
+        let Some((name, form)) = w.form() else {
+            return Err(Failure::Undone { what: "SCON/DS without a sculptured curve or surface" });
+        };
+        let guide = match form.shape() {
+            Form::Scurv(_) => Guide::Curve(self.curve(name, form)?),
+            _ => Guide::Surface(self.surface(name, form)?),
+        };
+        w.take("PARAM");
+        let mut limit = |what| need(w.number(), what);
+        let u = [limit("the first limit of u")?, limit("the second limit of u")?];
+        let (v, spans) = match &guide {
+            Guide::Curve(c) => ([0.0, 0.0], [c.span(), 0.0]),
+            Guide::Surface(s) => {
+                ([limit("the first limit of v")?, limit("the second limit of v")?], s.spans())
+            }
+        };
+        // A curve goes on beyond its ends, as APT4 has it; a surface's limits lie on it.
+        let room = if matches!(guide, Guide::Curve(_)) { 1.0 } else { 1e-9 };
+        for ([a, b], span) in [(u, spans[0]), (v, spans[1])] {
+            for value in [a, b] {
+                if value < -room || value > span + room {
+                    let need = format!("between 0 and {span}").into();
+                    return Err(Failure::Value { what: "a limit of the drive", value, need });
+                }
+            }
+        }
+        let hold = if w.take("ON") { Hold::On } else { Hold::At };
+        w.take("AT");
+        let projection = if w.take("NORMAL") {
+            Projection::Normal
+        } else if w.take("CRSSPL") {
+            Projection::Cross
+        } else {
+            Projection::Along(unit(w.vector(), "the direction of projection")?)
+        };
+        let offset = w.number().unwrap_or(0.0);
+        Ok(DriveArea { name: name.clone(), guide, u, v, hold, projection, offset })
+    }
+
+    fn part_area(&mut self, w: &mut Words<'_>) -> Result<PartArea, Failure> {
+        let touches = !w.take("ON");
+        w.take("TO");
+        let Some((name, form)) = w.form() else {
+            return Err(Failure::Undone { what: "SCON/PS without a sculptured surface" });
+        };
+        let surface = self.surface(name, form)?;
+        let side = w.sign();
+        let thick = need(w.number(), "the thickness")?;
+        Ok(PartArea { name: name.clone(), surface, touches, side, thick })
+    }
+
+    fn feed_area(&mut self, w: &mut Words<'_>) -> Result<(), Failure> {
+        if let Some((_, form)) = w.form() {
+            self.areas.clearance = match form.shape() {
+                Form::Plane(p) => Some(*p),
+                Form::Line(l) => Some(l.plane()),
+                _ => return Err(Failure::Undone { what: "a clearance surface that is no plane" }),
+            };
+            return Ok(());
+        }
+        let mut feeds = [0.0; 4];
+        for f in &mut feeds {
+            *f = need(w.number(), "a feed")?;
+        }
+        self.areas.feeds = Some(feeds);
+        Ok(())
+    }
+
+    /// The fitted curve; each definition is fitted once.
+    pub(crate) fn curve(
+        &mut self,
+        name: &NameRef,
+        form: &Arc<Form>,
+    ) -> Result<Arc<SpaceCurve>, Failure> {
+        let Form::Scurv(d) = form.shape() else {
+            return Err(Failure::Undone { what: "a drive that is no sculptured curve" });
+        };
+        let fitted = fit_curve(d).map_err(|why| unfit(name, &why))?;
+        Ok(Arc::new(fitted))
+    }
+
+    /// The fitted surface; each definition is fitted once.
+    pub(crate) fn surface(
+        &mut self,
+        name: &NameRef,
+        form: &Arc<Form>,
+    ) -> Result<Arc<Sculptured>, Failure> {
+        if let Some((_, s)) = self.fitted.iter().find(|(f, _)| Arc::ptr_eq(f, form)) {
+            return Ok(Arc::clone(s));
+        }
+        let Form::Ssurf(d) = form.shape() else {
+            return Err(Failure::Undone { what: "a surface that is not sculptured" });
+        };
+        let reach = REACH_INCHES * self.settings.inch();
+        let fitted = Arc::new(fit_surface(d, reach).map_err(|why| unfit(name, &why))?);
+        self.fitted.push((Arc::clone(form), Arc::clone(&fitted)));
+        Ok(fitted)
+    }
+}
+
+fn unfit(name: &NameRef, why: &aptc_geometry::sculpt::FitFault) -> Failure {
+    let name = if name.name.is_empty() { "the curve or surface" } else { name.name.as_str() };
+    Failure::Unfit { name: name.into(), why: why.to_string().into() }
+}
+
+fn axis_area(w: &mut Words<'_>) -> Result<AxisArea, Failure> {
+    if w.take("NORMDS") {
+        return Ok(AxisArea::NormDs(w.sign()));
+    }
+    if w.take("ATANGL") {
+        let part = w.take("PS");
+        w.take("DS");
+        let alpha = need(w.number(), "the slew angle")?;
+        w.take("CUTANG");
+        let lag = w.take("LAG");
+        w.take("LEAD");
+        let beta = need(w.number(), "the tilt angle")?;
+        for (what, value) in [("the slew angle", alpha), ("the tilt angle", beta)] {
+            if value.abs() >= 90.0 {
+                return Err(Failure::Value { what, value, need: "between -90 and 90".into() });
+            }
+        }
+        let beta = if lag { -beta } else { beta };
+        return Ok(AxisArea::Angle { part, alpha: alpha.to_radians(), beta: beta.to_radians() });
+    }
+    let v = unit(w.vector(), "the tool axis")?;
+    Ok(AxisArea::Fixed(v * w.sign()))
+}
+
+fn stepover_area(w: &mut Words<'_>) -> Result<StepoverArea, Failure> {
+    let scallop = need(w.number(), "the height of the scallop")?;
+    let most = need(w.number(), "the greatest step")?;
+    let lift = need(w.number(), "the lift")?;
+    let paths = need(w.number(), "the number of paths")?;
+    for (what, value) in
+        [("the height of the scallop", scallop), ("the lift", lift), ("the number of paths", paths)]
+    {
+        if value < 0.0 {
+            return Err(Failure::Value { what, value, need: "0 or more".into() });
+        }
+    }
+    let paths = (paths >= 1.0).then(|| paths.min(1e9)).map(whole);
+    Ok(StepoverArea { scallop, most, lift, paths })
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "bounded by the caller")]
+fn whole(x: f64) -> usize {
+    x as usize
+}

@@ -1,0 +1,167 @@
+//! What the CL data asks for, put in the queue record by record.
+
+use aptc_cldata::{Arg, Course, Kind, Motion, MotionKind, Record};
+use aptc_geometry::{Vec3, trig};
+
+use super::{Checker, Expect, Hole};
+use crate::args::Statement;
+use crate::drill::DrillCycle;
+
+impl Checker {
+    /// Takes what a record asks for.
+    pub(crate) fn record(&mut self, record: &Record, clearance_mm: Option<aptc_geometry::Plane>) {
+        self.clearance = clearance_mm;
+        match &record.kind {
+            Kind::Units(u) => self.units = *u,
+            Kind::Motion(m) => self.motion(m),
+            Kind::Intol(t) => {
+                self.intol = t.iter().fold(0.0, |a: f64, b| a.max(b.abs())) * self.units.mm();
+            }
+            Kind::Outtol(t) => {
+                self.band = Some(t.iter().fold(0.0, |a: f64, b| a.max(b.abs())) * self.units.mm());
+            }
+            Kind::Text { word, .. } if word == "INSERT" => self.queue.push_back(Expect::Free),
+            Kind::Post { word, args } => {
+                let s = Statement { word, args, origin: &record.origin };
+                self.word(&s);
+            }
+            _ => {}
+        }
+    }
+
+    fn word(&mut self, s: &Statement<'_>) {
+        match s.word {
+            "RAPID" => self.rapid = true,
+            "INSERT" | "PREFUN" => self.queue.push_back(Expect::Free),
+            "CYCLE" => match s.word(0) {
+                Some("OFF" | "NOMORE") => self.cycle = None,
+                Some("ON") => self.cycle = self.last_cycle.clone(),
+                Some("INIT" | "CLEAR") => {}
+                _ => {
+                    self.cycle = crate::words::cycle::parse(s).ok();
+                    self.last_cycle.clone_from(&self.cycle);
+                }
+            },
+            "CLRSRF" if matches!(s.word(0), Some("NOW" | "START")) => self.clear_to_plane(),
+            "RETRCT" if self.machine.program.retract.is_empty() => self.clear_to_plane(),
+            "RETRCT" => self.clear(),
+            "GOHOME" => {
+                self.rapid = false;
+                self.planned = None;
+                self.queue.push_back(Expect::Home);
+            }
+            "LINTOL" => {
+                if let Some(Arg::Number(t)) = s.args.first() {
+                    self.lintol = t * self.units.mm();
+                }
+            }
+            "TRANS" | "ORIGIN" => {
+                let mut v = [0.0; 3];
+                for (slot, i) in v.iter_mut().zip(0..) {
+                    *slot = s.number(i).unwrap_or(0.0);
+                }
+                let sign = if s.word == "TRANS" { 1.0 } else { -1.0 };
+                self.shift = Vec3::from(v) * (sign * self.units.mm());
+            }
+            "LOADTL" | "LOAD" | "TOOLNO" => {
+                if let Some(l) = s.after(&["LENGTH"]) {
+                    self.tool_length = Some(l * self.units.mm());
+                }
+                if s.word != "TOOLNO" {
+                    self.queue.push_back(Expect::Tool { length: self.tool_length });
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// CLRSRF/NOW: a rapid motion to the plane, when the tool is not beyond it.
+    fn clear_to_plane(&mut self) {
+        let Some((plane, (te, ta))) = self.clearance.zip(self.planned) else { return };
+        let slope = plane.n.dot(&ta);
+        if slope.abs() < 1e-6 {
+            return;
+        }
+        self.rapid = false;
+        let way = (plane.d - plane.n.dot(&(te - self.shift))) / slope;
+        if way > 0.0 {
+            let te = te + ta * way;
+            self.queue.push_back(Expect::Point { te, ta, rapid: true, via: false });
+            self.planned = Some((te, ta));
+        }
+    }
+
+    fn clear(&mut self) {
+        self.rapid = false;
+        self.queue.push_back(Expect::Clear);
+    }
+
+    fn motion(&mut self, m: &Motion) {
+        let Some(last) = m.points.last() else { return };
+        if m.kind == MotionKind::From {
+            self.rapid = false;
+            let (te, ta) = (self.point(last.te), last.ta.normalize());
+            self.planned = Some((te, ta));
+            self.queue.push_back(Expect::From { te, ta });
+            return;
+        }
+        let rapid = std::mem::take(&mut self.rapid);
+        if let Some(cycle) = &self.cycle
+            && m.kind == MotionKind::Goto
+            && !rapid
+            && m.arc.is_none()
+        {
+            let cycle = cycle.clone();
+            for p in &m.points {
+                if let Some(hole) = self.hole(&cycle, self.point(p.te), p.ta.normalize()) {
+                    self.planned = Some((hole.at + hole.ta * hole.retract, hole.ta));
+                    self.queue.push_back(Expect::Hole(hole));
+                }
+            }
+            return;
+        }
+        if let Some(arc) = &m.arc
+            && let Course::Sweep(degrees) = arc.course
+            && let Some((start, _)) = self.planned
+        {
+            // Points of the arc, none farther than 15 degrees from the next.
+            let c = self.point(arc.circle.center);
+            let axis = arc.circle.axis;
+            let spoke = start - c;
+            let (along, radial) = (spoke.dot(&axis), spoke - axis * spoke.dot(&axis));
+            let side = axis.cross(&radial);
+            let end = self.point(last.te);
+            let rise = (end - start).dot(&axis);
+            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "bounded")]
+            let n = (degrees.abs() / 15.0).ceil().clamp(1.0, 100_000.0) as u32;
+            for i in 1..n {
+                let part = f64::from(i) / f64::from(n);
+                let (s, co) = trig::sin_cos(degrees.to_radians() * part);
+                let te = c + axis * (along + rise * part) + radial * co + side * s;
+                self.queue.push_back(Expect::Point { te, ta: last.ta, rapid, via: true });
+            }
+        }
+        for p in &m.points {
+            let te = self.point(p.te);
+            self.queue.push_back(Expect::Point { te, ta: p.ta.normalize(), rapid, via: false });
+        }
+        self.planned = Some((self.point(last.te), last.ta.normalize()));
+    }
+
+    fn hole(&self, cycle: &DrillCycle, at: Vec3, ta: Vec3) -> Option<Hole> {
+        let mm = self.units.mm();
+        let plane = self.clearance.and_then(|p| {
+            let slope = p.n.dot(&ta);
+            (slope.abs() > 1e-6).then(|| (p.d - p.n.dot(&(at - self.shift))) / slope)
+        });
+        let clearance = cycle.clear.map(|c| c * mm).or(plane.filter(|h| *h > 0.0))?;
+        let mut retract = cycle.retract.map_or(clearance, |r| r * mm);
+        if cycle.retract_auto
+            && let Some((p, _)) = self.planned
+        {
+            retract = retract.max((p - at).dot(&ta));
+        }
+        let bottom = -cycle.depth * mm;
+        Some(Hole { at, ta, bottom, clearance, retract: retract.max(clearance), deepest: f64::MAX })
+    }
+}

@@ -1,0 +1,400 @@
+//! What the text does, step by step, held against what was asked for.
+
+use aptc_geometry::{Vec3, trig};
+
+use super::{Checker, Expect, Hole, shown};
+use crate::kinematics::Chain;
+use crate::machine::RapidPath;
+use crate::readback::{ArcStep, Place, Step};
+
+impl Checker {
+    fn pose(&mut self, place: &Place) -> Option<(Vec3, Vec3)> {
+        let joints =
+            [place[0]?, place[1]?, place[2]?, place[3].unwrap_or(0.0), place[4].unwrap_or(0.0)];
+        if self.machine.rotary.is_empty() {
+            return Some((Vec3::new(joints[0], joints[1], joints[2]), Vec3::z()));
+        }
+        Some(self.chain().forward(&joints))
+    }
+
+    fn chain(&mut self) -> &Chain {
+        let length = self.read_length.or(self.machine.multiaxis.tool_length).unwrap_or(0.0);
+        let machine = &self.machine;
+        self.chain.get_or_insert_with(|| Chain::new(machine, 1.0, length))
+    }
+
+    pub(super) fn step(&mut self, step: &Step) {
+        self.marks();
+        match step {
+            Step::Away => {
+                self.away = true;
+                self.now = None;
+            }
+            Step::Line { from, to, rapid, .. } => self.line(from, to, *rapid),
+            Step::Arc(arc) => self.arc(arc),
+        }
+    }
+
+    /// Positions that the tool already stands at.
+    pub(super) fn skip_here(&mut self) {
+        let Some((now, axis)) = self.now.filter(|_| !self.away) else { return };
+        while let Some(Expect::Point { te, ta, .. }) = self.queue.front() {
+            if (te - now).norm() > self.linear || (ta - axis).norm() > self.angular {
+                return;
+            }
+            let reached = (*te, *ta);
+            self.reached(reached.0, reached.1, now, axis);
+            self.queue.pop_front();
+        }
+    }
+
+    fn reached(&mut self, te: Vec3, ta: Vec3, now: Vec3, axis: Vec3) {
+        self.proof.points += 1;
+        self.proof.position_mm = self.proof.position_mm.max((te - now).norm());
+        let lean = ta.cross(&axis).norm().min(1.0);
+        self.proof.axis_deg = self.proof.axis_deg.max(trig::asin(lean).to_degrees());
+        self.at = Some((te, ta));
+    }
+
+    fn line(&mut self, from: &Place, to: &Place, rapid: bool) {
+        let Some((end, axis)) = self.pose(to) else {
+            // Across at a height that only the machine knows: allowed on the way from home.
+            if !rapid && !self.free {
+                self.say("a cut to a place that is not known".into());
+            }
+            return;
+        };
+        if self.free {
+            // Until the CL data is met again, motion is the user's own.
+            self.now = Some((end, axis));
+            if self.pop_if_at(end, axis) {
+                (self.free, self.away) = (false, false);
+                return;
+            }
+            if !matches!(self.queue.front(), Some(Expect::Hole(_))) {
+                self.at = self.now;
+                return;
+            }
+            self.free = false;
+        }
+        let begin = self.pose(from).or(if self.away { None } else { self.at });
+        if self.away {
+            self.arrive(end, axis, rapid);
+            self.now = Some((end, axis));
+            return;
+        }
+        self.now = begin.or(self.now);
+        self.skip_here();
+        self.now = Some((end, axis));
+        while let Some(Expect::Clear) = self.queue.front() {
+            self.queue.pop_front();
+            self.marks();
+            if begin.is_some_and(|(b, t)| along(end - b, t, self.angular) > 0.0) {
+                self.at = Some((end, axis));
+                return;
+            }
+        }
+        match self.queue.front_mut() {
+            None => self.say(format!("a motion to {} that the CL data does not have", shown(end))),
+            Some(Expect::Hole(hole)) => {
+                let mut hole = hole.clone();
+                let done = self.drill(&mut hole, begin, end, rapid);
+                self.queue.pop_front();
+                if !done {
+                    self.queue.push_front(Expect::Hole(hole));
+                }
+            }
+            Some(_) => self.toward(from, to, (end, axis), rapid),
+        }
+    }
+
+    /// A straight step towards the next position.
+    fn toward(&mut self, from: &Place, to: &Place, (end, axis): (Vec3, Vec3), rapid: bool) {
+        let Some((start, start_axis)) = self.at else {
+            // The first motion of all comes from nowhere.
+            self.pop_if_at(end, axis);
+            return;
+        };
+        let off = self.bend(from, to);
+        let band = self.band();
+        // Positions on an arc that became lines: passed within the band.
+        while let Some(Expect::Point { te, ta, via: true, .. }) = self.queue.front() {
+            let here = self.at.map_or(start, |a| a.0);
+            let (te, ta) = (*te, *ta);
+            if segment(te, here, end).0 > band || (te - end).norm() < self.linear {
+                break;
+            }
+            self.queue.pop_front();
+            self.proof.points += 1;
+            self.at = Some((te, ta));
+        }
+        let Some(Expect::Point { te, ta, rapid: want, .. }) = self.queue.front().cloned() else {
+            self.say(format!("a motion to {} that the CL data does not have", shown(end)));
+            return;
+        };
+        let turning = !self.machine.rotary.is_empty();
+        let retract = self.machine.multiaxis.rewind_retract;
+        if turning && retract > 0.0 && !self.detour {
+            let (begin, ta) = self.pose(from).unwrap_or((start, start_axis));
+            self.detour = along(end - begin, ta, 3.0 * self.angular) > 0.9 * retract;
+        }
+        if rapid && !want && !self.detour {
+            self.say(format!("a rapid motion to {} where the CL data cuts", shown(end)));
+        }
+        if !rapid && want && self.machine.rapid.path != RapidPath::Feed && !self.detour {
+            self.say(format!("a cut to {} where the CL data is rapid", shown(end)));
+        }
+        let tol = self.linear + if off > 0.0 { self.lintol } else { 0.0 };
+        let place = segment(end, start, te).0;
+        if off > tol && !self.detour {
+            self.say(format!("the tool end leaves its line by {off:.5} mm before {}", shown(end)));
+        }
+        self.proof.path_mm = self.proof.path_mm.max(if self.detour { 0.0 } else { off });
+        if self.pop_if_at(end, axis) {
+            self.detour = false;
+            return;
+        }
+        if place <= self.linear + if turning { self.lintol } else { 0.0 } {
+            return;
+        }
+        let d = te - start;
+        let split = rapid && want && self.is_split(from, to, te);
+        if split || (d.norm() <= band && place <= band) {
+            return;
+        }
+        if self.detour {
+            return;
+        }
+        self.say(format!("a motion to {}, but the CL data goes to {}", shown(end), shown(te)));
+        self.queue.pop_front();
+        self.at = Some((te, ta));
+    }
+
+    /// Is it a rapid motion with Z apart from the other axes, towards `te`?
+    fn is_split(&mut self, from: &Place, to: &Place, te: Vec3) -> bool {
+        let angles = [to[3].unwrap_or(0.0), to[4].unwrap_or(0.0)];
+        let goal =
+            if self.machine.rotary.is_empty() { te } else { self.chain().linear(te, angles) };
+        let tol = 2.0 * self.linear;
+        let is = |i: usize, v: f64| to[i].is_some_and(|x| (x - v).abs() <= tol);
+        let stays = |i: usize| from[i].is_some_and(|v| is(i, v));
+        let turned = from.iter().zip(to).skip(3).any(|(a, b)| a != b);
+        !turned
+            && ((stays(0) && stays(1) && is(2, goal.z))
+                || (is(0, goal.x) && is(1, goal.y) && stays(2)))
+    }
+
+    /// Is the next position this one? Then it is reached.
+    fn pop_if_at(&mut self, end: Vec3, axis: Vec3) -> bool {
+        let Some(Expect::Point { te, ta, .. }) = self.queue.front() else { return false };
+        if (te - end).norm() > 2.0 * self.linear || (ta - axis).norm() > self.angular {
+            return false;
+        }
+        let (te, ta) = (*te, *ta);
+        self.queue.pop_front();
+        self.reached(te, ta, end, axis);
+        true
+    }
+
+    /// From home to where the CL data goes on.
+    fn arrive(&mut self, end: Vec3, axis: Vec3, rapid: bool) {
+        let near = |p: Vec3, tol: f64| (p - end).norm() <= tol;
+        if self.at.is_some_and(|(at, _)| near(at, 2.0 * self.linear)) {
+            self.away = false;
+            self.now = Some((end, axis));
+            self.skip_here();
+            return;
+        }
+        while let Some(Expect::Clear) = self.queue.front() {
+            self.queue.pop_front();
+            // Straight to the clearance plane over the last position.
+            if self.at.is_some_and(|(at, t)| along(end - at, t, self.angular) >= 0.0) {
+                self.at = Some((end, axis));
+                self.away = false;
+                return;
+            }
+        }
+        match self.queue.front().cloned() {
+            Some(Expect::Hole(h)) if rapid => {
+                let height = (end - h.at).dot(&h.ta);
+                if height >= h.clearance - self.linear {
+                    self.away = false;
+                    return;
+                }
+                self.say(format!("a rapid motion to {} below the clearance of a hole", shown(end)));
+            }
+            Some(Expect::Point { rapid: want, .. }) => {
+                if self.pop_if_at(end, axis) {
+                    self.away = false;
+                    if rapid && !want {
+                        self.say(format!(
+                            "a rapid motion to {} where the CL data cuts",
+                            shown(end)
+                        ));
+                    }
+                } else if !rapid {
+                    self.say(format!("a cut to {} on the way from home", shown(end)));
+                    self.away = false;
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// By how much the tool end leaves the line of its ends when all axes move evenly.
+    fn bend(&mut self, from: &Place, to: &Place) -> f64 {
+        if from.iter().zip(to).skip(3).all(|(a, b)| a == b || b.is_none()) {
+            return 0.0;
+        }
+        let (Some((a, _)), Some((b, _))) = (self.pose(from), self.pose(to)) else { return 0.0 };
+        let mut most: f64 = 0.0;
+        for part in [0.25, 0.5, 0.75] {
+            let mut place = *to;
+            for i in 0..5 {
+                if let (Some(x), Some(y)) = (from[i], to[i]) {
+                    place[i] = Some(x + (y - x) * part);
+                }
+            }
+            if let Some((p, _)) = self.pose(&place) {
+                most = most.max(segment(p, a, b).0);
+            }
+        }
+        most
+    }
+
+    fn band(&self) -> f64 {
+        let said = self.band.unwrap_or(if self.intol > 0.0 { 0.0 } else { 0.0127 });
+        said.max(self.intol) + 4.0 * self.linear
+    }
+
+    fn arc(&mut self, arc: &ArcStep) {
+        let (Some(begin), Some(end)) = (self.pose(&arc.from), self.pose(&arc.to)) else {
+            self.say("an arc to a place that is not known".into());
+            return;
+        };
+        self.away = false;
+        self.now = Some(begin);
+        self.skip_here();
+        self.now = Some(end);
+        if std::mem::take(&mut self.free) {
+            self.at = Some(begin);
+        }
+        let band = self.band();
+        let most = arc.sweep.abs();
+        let (Some(start), Some(axis)) = (self.pose(&arc.at(0.0)), self.arc_axis(arc)) else {
+            return;
+        };
+        let Some(center) = self.arc_center(arc) else { return };
+        let spoke = start.0 - center;
+        let rise = (end.0 - begin.0).dot(&axis);
+        let mut passed = 0.0_f64;
+        while let Some(Expect::Point { te, ta, rapid, .. }) = self.queue.front().cloned() {
+            let d = te - center;
+            let flat = d - axis * d.dot(&axis);
+            let mut angle =
+                trig::atan2(axis.dot(&spoke.cross(&flat)), spoke.dot(&flat)) * arc.sweep.signum();
+            let slack = 2.0 * band / arc.radius;
+            if angle < passed - slack {
+                angle += std::f64::consts::TAU;
+            }
+            let height = rise * (angle / most).clamp(0.0, 1.0);
+            let off = ((flat.norm() - arc.radius).abs())
+                .max((d.dot(&axis) - spoke.dot(&axis) - height).abs());
+            if off > band || angle > most + slack {
+                break;
+            }
+            if rapid {
+                self.say("an arc where the CL data is rapid".into());
+            }
+            passed = passed.max(angle);
+            self.queue.pop_front();
+            self.proof.points += 1;
+            self.proof.path_mm = self.proof.path_mm.max(off);
+            self.at = Some((te, ta));
+        }
+        let Some((at, _)) = self.at else { return };
+        if (at - end.0).norm() <= 2.0 * self.linear {
+            return;
+        }
+        // A piece of a longer arc ends between two cut vectors.
+        if let Some(Expect::Point { te, .. }) = self.queue.front()
+            && segment(end.0, at, *te).0 <= band + arc.radius * 0.04
+        {
+            return;
+        }
+        self.say(format!("an arc to {} that the CL data does not have", shown(end.0)));
+    }
+
+    fn arc_axis(&mut self, arc: &ArcStep) -> Option<Vec3> {
+        let n = 3 - arc.axes[0] - arc.axes[1];
+        let mut up = arc.from;
+        up[n] = Some(up[n].unwrap_or(0.0) + 1.0);
+        let (a, b) = (self.pose(&arc.from)?.0, self.pose(&up)?.0);
+        Some((b - a).normalize())
+    }
+
+    fn arc_center(&mut self, arc: &ArcStep) -> Option<Vec3> {
+        let mut c = arc.from;
+        c[arc.axes[0]] = Some(arc.center[0]);
+        c[arc.axes[1]] = Some(arc.center[1]);
+        Some(self.pose(&c)?.0)
+    }
+
+    /// A step of a hole; true when it is done.
+    fn drill(
+        &mut self,
+        hole: &mut Hole,
+        begin: Option<(Vec3, Vec3)>,
+        end: Vec3,
+        rapid: bool,
+    ) -> bool {
+        let tol = 2.0 * self.linear;
+        let height = |p: Vec3| (p - hole.at).dot(&hole.ta);
+        let aside = |p: Vec3| {
+            let d = p - hole.at;
+            (d - hole.ta * d.dot(&hole.ta)).norm()
+        };
+        let (h, from) = (height(end), begin.map(|b| b.0));
+        if aside(end) > tol || from.is_some_and(|b| aside(b) > tol) {
+            // On the way to the hole: only rapid, and only up or at a height that is clear.
+            let low = from.is_some_and(|b| {
+                height(b) < hole.clearance - tol && aside(b) > tol && aside(end) <= tol
+            });
+            let across =
+                from.is_some_and(|b| (end - b - hole.ta * (end - b).dot(&hole.ta)).norm() > tol);
+            let turning = !self.machine.rotary.is_empty();
+            if !rapid || low || (across && h < hole.clearance - tol && !turning) {
+                self.say(format!("a motion to {} on the way to a hole", shown(end)));
+            }
+            let there = aside(end) <= tol && hole.bottom >= -tol && (h - hole.retract).abs() <= tol;
+            return there && hole.clearance <= tol;
+        }
+        if rapid && h < hole.clearance.min(hole.deepest) - tol {
+            self.say(format!("a rapid motion into a hole to {}", shown(end)));
+        }
+        if h < hole.bottom - tol {
+            self.say(format!("a hole too deep at {}", shown(end)));
+        }
+        hole.deepest = hole.deepest.min(h);
+        if hole.deepest > hole.bottom + tol || (h - hole.retract).abs() > tol {
+            return false;
+        }
+        self.proof.points += 1;
+        self.at = Some((hole.at + hole.ta * hole.retract, hole.ta));
+        true
+    }
+}
+
+/// Distance of `p` from the segment `a b`, and where along it, 0 to 1.
+fn segment(p: Vec3, a: Vec3, b: Vec3) -> (f64, f64) {
+    let d = b - a;
+    let n = d.norm_squared();
+    let t = if n > 0.0 { ((p - a).dot(&d) / n).clamp(0.0, 1.0) } else { 0.0 };
+    ((p - a - d * t).norm(), t)
+}
+
+/// Length of a motion when it goes straight along the unit vector, to within the angle `lean`, else 0.
+fn along(d: Vec3, unit: Vec3, lean: f64) -> f64 {
+    let way = d.dot(&unit);
+    if (d - unit * way).norm() <= 0.002 + lean * way.abs() { way } else { 0.0 }
+}

@@ -1,0 +1,224 @@
+//! One cut vector against a surface with charts.
+
+use aptc_cldata::Position;
+use aptc_geometry::Vec3;
+
+use crate::demand::{Verdict, angle, between_poses};
+use crate::pile::Pile;
+use crate::search::{Moved, clearance};
+use crate::sheet::{Sheet, Spot};
+use crate::sweep::Sweep;
+use crate::tool::{Pose, Tool};
+use crate::witness::{Excess, excess};
+
+/// Halvings of a vector whose axis turns.
+const DEPTH: u32 = 14;
+/// Stretches of one vector that are looked at.
+const MOST: u32 = 2000;
+
+/// A surface with charts and what is asked of the gap to it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Curved<'s> {
+    pub(crate) sheet: &'s Sheet,
+    /// The side of the tool.
+    pub(crate) side: f64,
+    /// Is the tool end alone concerned?
+    pub(crate) on: bool,
+    pub(crate) least: f64,
+    pub(crate) most: f64,
+}
+
+/// What came of one bound.
+enum Half {
+    /// It holds; the gap is nowhere beyond this.
+    Holds(f64),
+    /// It does not: share of the way, gap there.
+    Broken(f64, f64),
+    /// By how much it may be broken, and where.
+    Open(f64, f64),
+}
+
+impl Curved<'_> {
+    /// Judges the vector; `pad` covers rounding.
+    pub(crate) fn judge(&self, tool: &Tool<'_>, a: &Position, b: &Position, pad: f64) -> Verdict {
+        let world =
+            |t: f64| between_poses(&Pose { te: a.te, ta: a.ta }, &Pose { te: b.te, ta: b.ta }, t);
+        let pose = |t: f64| self.sheet.local(&world(t));
+        let turn = angle(a.ta, b.ta);
+        let low = self.not_below(tool, self.side, self.least, &pose, turn, pad);
+        // A point has the same distance from both sides.
+        let high = if self.on {
+            match self.not_below(tool, -self.side, -self.most, &pose, turn, pad) {
+                Half::Holds(g) => Half::Holds(-g),
+                Half::Broken(t, g) => Half::Broken(t, -g),
+                open @ Half::Open(..) => open,
+            }
+        } else {
+            self.not_above(tool, &pose, turn, pad)
+        };
+        match (low, high) {
+            (Half::Broken(t, g), Half::Broken(s, h)) => {
+                let deeper = self.least - g >= h - self.most;
+                let (t, gap) = if deeper { (t, g) } else { (s, h) };
+                Verdict::Refuted { gap, te: world(t).te }
+            }
+            (Half::Broken(t, gap), _) | (_, Half::Broken(t, gap)) => {
+                Verdict::Refuted { gap, te: world(t).te }
+            }
+            (Half::Open(t, at_most), _) | (_, Half::Open(t, at_most)) => {
+                Verdict::Undecided { at_most, te: world(t).te }
+            }
+            (Half::Holds(low), Half::Holds(high)) => Verdict::Proved { low, high },
+        }
+    }
+
+    /// The gap at a position, from below and to a thousandth of the tool; `None` when it is not found.
+    pub(crate) fn gap(&self, tool: &Tool<'_>, pose: &Pose) -> Option<f64> {
+        let pose = self.sheet.local(pose);
+        let sweep = Sweep { tool, a: pose, b: pose, pad: 0.0 };
+        // Nothing is near enough to end the search before the nearest is found.
+        let enough = 4.0 * tool.reach().max(self.most.abs().min(1.0));
+        let found =
+            clearance(&sweep, &Moved { sheet: self.sheet, side: self.side, shift: 0.0 }, enough);
+        let (distance, ..) = found.nearest?;
+        let inner = pose.te + pose.ta * (0.5 * tool.reach());
+        let right = if self.on { pose.te } else { inner };
+        let sign = self.sheet.sign(right) * self.side;
+        if self.on { Some(sign * distance) } else { (sign > 0.0).then_some(distance.min(enough)) }
+    }
+
+    /// That the gap is nowhere below `least`, the tool on the side `side`.
+    fn not_below(
+        &self,
+        tool: &Tool<'_>,
+        side: f64,
+        least: f64,
+        pose: &dyn Fn(f64) -> Pose,
+        turn: f64,
+        pad: f64,
+    ) -> Half {
+        if least == f64::NEG_INFINITY {
+            return Half::Holds(f64::NEG_INFINITY);
+        }
+        // A tool without thickness would pass through the surface without holding any of its points: the
+        // surface is moved farther back, and the tool stays farther away from it.
+        let thin = if tool.is_thin() { self.back(least, pad) } else { 0.0 };
+        let moved = Moved { sheet: self.sheet, side, shift: least - thin };
+        let mut low = f64::INFINITY;
+        let mut open = (0.0, 0.0);
+        let mut stack = Pile::<(f64, f64, u32), 32>::new();
+        stack.push((0.0, 1.0, 0));
+        let mut seen = 0;
+        while let Some((t0, t1, depth)) = stack.pop() {
+            seen += 1;
+            let bend = turn * (t1 - t0);
+            let sweep_pad = if bend <= 1e-15 { 0.0 } else { tool.reach() * bend * bend / 8.0 };
+            let sweep = Sweep { tool, a: pose(t0), b: pose(t1), pad: sweep_pad };
+            let found = clearance(&sweep, &moved, thin - pad);
+            let shown = found.least - thin;
+            if shown >= -pad {
+                low = low.min(least + shown);
+                continue;
+            }
+            if let Some((distance, t, spot)) = found.nearest
+                && distance < thin - pad
+            {
+                let t = t0 + t * (t1 - t0);
+                match self.confirm(tool, side, least, &pose(t), &spot, distance - thin, pad) {
+                    Some(gap) => return Half::Broken(t, gap),
+                    None => open = widest(open, (t, thin - distance)),
+                }
+                continue;
+            }
+            if sweep_pad > 0.0 && depth < DEPTH && seen < MOST {
+                let m = 0.5 * (t0 + t1);
+                stack.push((m, t1, depth + 1));
+                stack.push((t0, m, depth + 1));
+            } else {
+                open = widest(open, (t0, -shown));
+            }
+        }
+        if open.1 > 0.0 {
+            return Half::Open(open.0, open.1);
+        }
+        // Nothing of the surface is in the tool: it is wholly on one side.
+        let start = pose(0.0);
+        let inner = tool.inner(&start);
+        let near = least.abs() + pad;
+        if self.sheet.sign(inner) * side > 0.0 || self.distance(inner, 2.0 * near) <= near {
+            Half::Holds(low)
+        } else {
+            Half::Broken(0.0, -self.distance(inner, tool.reach()))
+        }
+    }
+
+    /// How much farther back the surface is moved for a tool without thickness.
+    fn back(&self, least: f64, pad: f64) -> f64 {
+        let band = self.most - self.least;
+        let band = if band.is_finite() { band } else { 0.0 };
+        (4.0 * least.abs()).max(4.0 * band).max(1e3 * pad)
+    }
+
+    /// A place of the surface moved by `least` is in the tool by `-inside`. The gap where that means what it
+    /// seems to; moved surfaces fold where the surface is bent too much.
+    #[expect(clippy::too_many_arguments, reason = "one place and all that is known of it")]
+    fn confirm(
+        &self,
+        tool: &Tool<'_>,
+        side: f64,
+        least: f64,
+        pose: &Pose,
+        spot: &Spot,
+        inside: f64,
+        pad: f64,
+    ) -> Option<f64> {
+        let jet = self.sheet.jet(spot);
+        if least >= 0.0 && !tool.is_thin() {
+            return Some(least + inside);
+        }
+        // The deepest point of the tool below the place, and how far it is from the whole surface.
+        let p = tool.farthest(pose, jet.n * -side);
+        let far = self.distance(p, 2.0 * (inside.abs() + least.abs()));
+        let gap = if self.sheet.sign(p) * side > 0.0 { far } else { -far };
+        (gap < least - pad).then_some(gap)
+    }
+
+    /// Distance of a point from the surface, to a millionth; not more than somewhat above `enough`.
+    fn distance(&self, p: Vec3, enough: f64) -> f64 {
+        let pose = Pose { te: p, ta: Vec3::z() };
+        let sweep = Sweep { tool: &Tool::End, a: pose, b: pose, pad: 0.0 };
+        let moved = Moved { sheet: self.sheet, side: 1.0, shift: 0.0 };
+        let first = clearance(&sweep, &moved, enough).nearest.map_or(enough, |n| n.0.min(enough));
+        let mut far = first;
+        for _ in 0..4 {
+            let found = clearance(&sweep, &moved, far * (1.0 - 1e-6));
+            match found.nearest {
+                Some((d, ..)) if d < far * (1.0 - 1e-6) => far = d,
+                _ => break,
+            }
+        }
+        far
+    }
+
+    /// That the gap is nowhere above the greatest allowed.
+    fn not_above(&self, tool: &Tool<'_>, pose: &dyn Fn(f64) -> Pose, turn: f64, pad: f64) -> Half {
+        if self.most == f64::INFINITY {
+            return Half::Holds(f64::INFINITY);
+        }
+        match excess(tool, self.sheet, self.side, pose, turn, self.most + pad) {
+            Excess::Within(high) => Half::Holds(high),
+            // How deep the tool is in the surface is not how deep the surface is in the tool.
+            Excess::Beyond(t, gap) if self.most < 0.0 => Half::Open(t, gap - self.most),
+            Excess::Beyond(t, gap) => Half::Broken(t, gap),
+            Excess::Open(t, gap) => Half::Open(t, gap - self.most),
+        }
+    }
+}
+
+fn widest(a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
+    if b.1 > a.1 { b } else { a }
+}
+
+#[cfg(test)]
+#[path = "curved_tests.rs"]
+mod tests;

@@ -1,0 +1,130 @@
+//! Surfaces with charts against brute force.
+
+use std::sync::atomic::{AtomicU32, Ordering};
+
+use super::*;
+use crate::demand::Demand;
+use crate::sheet::tests::quadrics;
+use aptc_cldata::{Controlled, Position, Relation};
+use aptc_geometry::{Cutter, Form, Profile, trig};
+use proptest::prelude::*;
+use std::sync::Arc;
+
+fn cutters() -> [Cutter; 4] {
+    [
+        Cutter::mill(2.0, 1.0, 6.0),
+        Cutter::mill(3.0, 0.5, 6.0),
+        Cutter::mill(2.0, 0.0, 5.0),
+        Cutter { e: 0.5, beta_deg: 15.0, ..Cutter::mill(1.0, 0.0, 3.0) },
+    ]
+}
+
+fn controlled(form: &Form, side: i8) -> Controlled {
+    Controlled {
+        name: aptc_cldata::NameRef::default(),
+        form: Arc::new(form.clone()),
+        relation: Relation::To,
+        side,
+        nth: 1,
+        thick: 0.0,
+        disk: None,
+        intol: 0.0,
+        outtol: 0.0,
+    }
+}
+
+/// Points of the whole tool, its inside too.
+fn flesh(profile: &Profile, pose: &Pose) -> Vec<Vec3> {
+    let u = crate::solid::any_across(pose.ta);
+    let w = pose.ta.cross(&u);
+    let mut out = Vec::new();
+    for i in 0..=10 {
+        let (s, c) = trig::sin_cos(f64::from(i) * std::f64::consts::PI / 10.0);
+        let [x, z] = profile.support(s, -c).point;
+        for k in 0..=2 {
+            let x = x * f64::from(k) / 2.0;
+            for j in 0..20 {
+                let (s, c) = trig::sin_cos(f64::from(j) * std::f64::consts::TAU / 20.0);
+                out.push(pose.te + z * pose.ta + x * (c * u + s * w));
+            }
+        }
+    }
+    out
+}
+
+/// Motions that were not decided, of all that are tried.
+static UNDECIDED: AtomicU32 = AtomicU32::new(0);
+
+/// Not decided is an answer, but a rare one.
+fn rare(limit: f64) -> Result<(), TestCaseError> {
+    let n = UNDECIDED.fetch_add(1, Ordering::Relaxed);
+    prop_assert!(n < 3, "{n} were not decided, the last against {limit}");
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { rng_seed: proptest::test_runner::RngSeed::Fixed(1961), ..ProptestConfig::with_cases(48) })]
+    /// The bounds of a vector hold what the nearest points of the surface, found another way, say.
+    #[test]
+    fn bounds_hold_what_sampling_finds(
+        which in 0_usize..9, c in 0_usize..4, right: bool,
+        te in prop::array::uniform3(-5.0..5.0_f64), v in prop::array::uniform3(-1.0..1.0_f64),
+        lean in prop::array::uniform2(-0.3..0.3_f64), turn in prop::array::uniform2(-0.05..0.05_f64),
+        turning: bool, band in prop::array::uniform2(0.0..1.0_f64),
+    ) {
+        let form = &quadrics()[which];
+        let surface = aptc_geometry::Surface::from_form(form).unwrap();
+        let profile = Profile::new(&cutters()[c]).unwrap();
+        let up = |x: f64, y: f64| Vec3::new(x, y, 1.0).normalize();
+        let (te, v) = (Vec3::from(te), Vec3::from(v));
+        let a = Position { te, ta: up(lean[0], lean[1]) };
+        let ta = if turning { up(lean[0] + turn[0], lean[1] + turn[1]) } else { a.ta };
+        let b = Position { te: te + v, ta };
+        let side = if right { 1.0 } else { -1.0 };
+        // The gap by sampling the tool, from above.
+        let mut seen = (f64::INFINITY, f64::NEG_INFINITY);
+        let sampled = |t: f64| {
+            let pose = between_poses(
+                &Pose { te: a.te, ta: a.ta }, &Pose { te: b.te, ta: b.ta }, t);
+            flesh(&profile, &pose)
+                .into_iter()
+                .map(|p| side * surface.distance(p))
+                .fold(f64::INFINITY, f64::min)
+        };
+        for i in 0..=2 {
+            let g = sampled(f64::from(i) / 2.0);
+            seen = (seen.0.min(g), seen.1.max(g));
+        }
+        let mut demand = Demand::new(&controlled(form, if right { 1 } else { -1 }));
+        // A band that is open above: proved only if no sample lies below.
+        demand.least = seen.0 - band[0] * 0.2 + 0.05;
+        demand.most = f64::INFINITY;
+        match demand.judge(&profile, &a, &b, 1e-9) {
+            Verdict::Proved { low, .. } => {
+                prop_assert!(seen.0 >= demand.least - 1e-8, "proved {} {:?}", demand.least, seen);
+                prop_assert!(seen.0 >= low - 1e-8, "{} {:?}", low, seen);
+            }
+            Verdict::Refuted { gap, .. } => {
+                prop_assert!(gap < demand.least, "{} {}", gap, demand.least);
+                // The samples are coarse: they lie above the gap by no more than their distance.
+                prop_assert!(seen.0 < demand.least + 0.6, "refuted {} {:?}", demand.least, seen);
+            }
+            Verdict::Undecided { .. } if demand.least >= 0.0 => rare(demand.least)?,
+            Verdict::Undecided { .. } => {}
+        }
+        // And one open below.
+        demand.least = f64::NEG_INFINITY;
+        demand.most = seen.1 + band[1] * 0.2 - 0.1;
+        match demand.judge(&profile, &a, &b, 1e-9) {
+            Verdict::Proved { high, .. } => prop_assert!(high <= demand.most + 1e-8),
+            Verdict::Refuted { gap, te } => {
+                // Where it says so no sample of the tool lies nearer.
+                let g = sampled((te - a.te).norm() / v.norm().max(1e-300));
+                prop_assert!(gap <= g + 1e-8, "refuted {} {} {}", demand.most, gap, g);
+                prop_assert!(gap > demand.most);
+            }
+            Verdict::Undecided { .. } if demand.most >= 0.0 => rare(demand.most)?,
+            Verdict::Undecided { .. } => {}
+        }
+    }
+}

@@ -1,0 +1,380 @@
+//! One cut vector against one surface: proved, refuted or not decided.
+
+use std::sync::Arc;
+
+use aptc_cldata::{Controlled, Position, Relation};
+use aptc_geometry::{Form, Plane, Profile, Vec3, trig};
+
+use crate::bound::Bound;
+use crate::curved::Curved;
+use crate::pile::Pile;
+use crate::sheet::Sheet;
+use crate::solid::Solid;
+use crate::tool::{Pose, Tool};
+use crate::{inside, outside};
+
+/// Stretches of a vector that wait, from, to and how often halved: never more than one a halving.
+type Stack = Pile<(f64, f64, u32), 16>;
+
+/// What is asked of the gap to a surface.
+#[derive(Clone, Debug)]
+pub(crate) struct Demand {
+    /// What the surface is held to be.
+    body: Body,
+    /// The side of the tool, +1 or -1.
+    side: f64,
+    /// Is the tool inside of it?
+    within: bool,
+    /// Is the tool end alone concerned (ON)?
+    on: bool,
+    /// Least and greatest gap allowed.
+    pub(crate) least: f64,
+    pub(crate) most: f64,
+}
+
+/// What is known of a surface.
+#[derive(Clone, Debug)]
+enum Body {
+    /// It bounds a convex solid with a support function.
+    Solid(Solid),
+    /// It has charts.
+    Sheet(Arc<Sheet>),
+    /// Nothing that could be proved against.
+    Unknown,
+}
+
+/// The answer for one cut vector and one surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Verdict {
+    /// The gap stays between these bounds, which lie in the band.
+    Proved { low: f64, high: f64 },
+    /// At the tool end `te` the gap is `gap`, outside the band.
+    Refuted { gap: f64, te: Vec3 },
+    /// The bounds could not be brought together; nothing violates the band by more than `at_most`, which was
+    /// met near the tool end `te`.
+    Undecided { at_most: f64, te: Vec3 },
+}
+
+impl Demand {
+    /// What a controlled surface asks.
+    pub(crate) fn new(c: &Controlled) -> Self {
+        let on = c.side == 0 || c.relation == Relation::On;
+        let flipped = match c.form.shape() {
+            Form::Plane(p) if c.side < 0 => Some(*p),
+            Form::Line(l) if c.side < 0 => Some(l.plane()),
+            _ => None,
+        };
+        let body = match flipped {
+            Some(p) => Body::Solid(Solid::Half(Plane { n: -p.n, d: -p.d })),
+            None => match (Solid::new(&c.form), Sheet::new(&c.form)) {
+                (Some(solid), _) => Body::Solid(solid),
+                (None, Some(sheet)) => Body::Sheet(Arc::new(sheet)),
+                (None, None) => Body::Unknown,
+            },
+        };
+        let flat = matches!(body, Body::Solid(Solid::Half(_)));
+        let side = if c.side < 0 { -1.0 } else { 1.0 };
+        let within = c.side < 0 && !flat && !on;
+        let (least, most) = match (on, flat) {
+            // Neither side of a plane is its outside.
+            (true, true) => (-c.intol.max(c.outtol), c.intol.max(c.outtol)),
+            (true, false) => (-c.intol, c.outtol),
+            (false, _) => (c.thick - c.intol, c.thick + c.outtol),
+        };
+        Self { body, side, within, on, least, most }
+    }
+
+    /// Judges the cut vector from `a` to `b`; `pad` covers rounding. Of what is refuted the deepest place is
+    /// given, to a tenth of its depth.
+    pub(crate) fn judge(&self, profile: &Profile, a: &Position, b: &Position, pad: f64) -> Verdict {
+        /// Halvings of a vector at most; a turning axis needs them.
+        const DEPTH: u32 = 12;
+        let tool = if self.on { Tool::End } else { Tool::Solid(profile) };
+        let solid = match &self.body {
+            Body::Solid(solid) => solid,
+            Body::Sheet(sheet) => return self.curved(sheet).judge(&tool, a, b, pad),
+            Body::Unknown => return Verdict::Undecided { at_most: f64::INFINITY, te: a.te },
+        };
+        let (least, most) = (self.least - pad, self.most + pad);
+        let pose = |t: f64| between(a, b, t);
+        let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+        let mut open: (f64, Vec3) = (0.0, a.te);
+        let mut worst: Option<(f64, f64, Vec3)> = None;
+        let mut stack = Stack::new();
+        stack.push((0.0, 1.0, 0));
+        while let Some((t0, t1, depth)) = stack.pop() {
+            let (p, q) = (pose(t0), pose(t1));
+            let bound = self.bound(&tool, &p, &q, solid);
+            let excess = (least - bound.low).max(bound.high - most);
+            if excess <= 0.0 {
+                (low, high) = (low.min(bound.low), high.max(bound.high));
+                continue;
+            }
+            for t in [bound.low_at, bound.high_at] {
+                let place = between_poses(&p, &q, t);
+                let gap = self.gap(&tool, &place, solid);
+                let depth = (least - gap).max(gap - most);
+                if depth > worst.map_or(0.0, |w| w.0) {
+                    worst = Some((depth, gap, place.te));
+                }
+            }
+            if worst.is_some_and(|w| excess <= 1.1 * w.0) {
+                continue;
+            }
+            if depth >= DEPTH {
+                if excess > open.0 {
+                    open = (excess, p.te);
+                }
+            } else {
+                let m = 0.5 * (t0 + t1);
+                stack.push((m, t1, depth + 1));
+                stack.push((t0, m, depth + 1));
+            }
+        }
+        match worst {
+            Some((_, gap, te)) => Verdict::Refuted { gap, te },
+            None if open.0 > 0.0 => Verdict::Undecided { at_most: open.0, te: open.1 },
+            None => Verdict::Proved { low, high },
+        }
+    }
+
+    /// The gap at a position; `None` where the surface has no closed form.
+    pub(crate) fn gap_at(&self, profile: &Profile, at: &Position) -> Option<f64> {
+        let tool = if self.on { Tool::End } else { Tool::Solid(profile) };
+        let pose = Pose { te: at.te, ta: at.ta };
+        match &self.body {
+            Body::Solid(solid) => Some(self.gap(&tool, &pose, solid)),
+            Body::Sheet(sheet) => self.curved(sheet).gap(&tool, &pose),
+            Body::Unknown => None,
+        }
+    }
+
+    fn curved<'s>(&self, sheet: &'s Sheet) -> Curved<'s> {
+        Curved { sheet, side: self.side, on: self.on, least: self.least, most: self.most }
+    }
+
+    /// How it is proved.
+    pub(crate) fn method(&self) -> &'static str {
+        match self.body {
+            Body::Solid(_) => "support functions",
+            Body::Sheet(_) => "branch and bound",
+            Body::Unknown => "none",
+        }
+    }
+
+    fn gap(&self, tool: &Tool<'_>, pose: &Pose, solid: &Solid) -> f64 {
+        if self.within {
+            inside::gap(tool, pose, solid).1
+        } else {
+            outside::gap(tool, pose, solid).0
+        }
+    }
+
+    fn bound(&self, tool: &Tool<'_>, p: &Pose, q: &Pose, solid: &Solid) -> Bound {
+        let turn = angle(p.ta, q.ta);
+        if turn <= 1e-15 {
+            return if self.within {
+                inside::bound(tool, p, q, solid)
+            } else {
+                outside::bound(tool, p, q, solid)
+            };
+        }
+        let pad = tool.reach() * turn * turn / 8.0;
+        if self.within {
+            inside::bound_turning(tool, p, q, solid, pad)
+        } else {
+            outside::bound_turning(tool, p, q, solid, pad)
+        }
+    }
+}
+
+pub(crate) fn angle(a: Vec3, b: Vec3) -> f64 {
+    trig::atan2(a.cross(&b).norm(), a.dot(&b))
+}
+
+fn between(a: &Position, b: &Position, t: f64) -> Pose {
+    between_poses(&Pose { te: a.te, ta: a.ta }, &Pose { te: b.te, ta: b.ta }, t)
+}
+
+/// Tool end on the straight line, tool axis turning evenly.
+pub(crate) fn between_poses(a: &Pose, b: &Pose, t: f64) -> Pose {
+    let te = a.te + t * (b.te - a.te);
+    let turn = angle(a.ta, b.ta);
+    if turn <= 1e-15 {
+        return Pose { te, ta: a.ta };
+    }
+    let s = trig::sin(turn);
+    let ta = if s > 1e-9 {
+        a.ta * (trig::sin((1.0 - t) * turn) / s) + b.ta * (trig::sin(t * turn) / s)
+    } else {
+        a.ta + t * (b.ta - a.ta)
+    };
+    Pose { te, ta: ta.normalize() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use aptc_geometry::{Cone, Cutter, Cylinder, Sphere};
+    use proptest::prelude::*;
+
+    fn cutters() -> [Cutter; 4] {
+        let cone =
+            Cutter { e: 1.0, alpha_deg: 0.0, beta_deg: 15.0, ..Cutter::mill(4.0, 0.0, 12.0) };
+        let cone = Cutter { e: 2.0, ..cone };
+        [
+            Cutter::mill(10.0, 5.0, 30.0),
+            Cutter::mill(12.0, 2.0, 30.0),
+            Cutter::mill(8.0, 0.0, 25.0),
+            cone,
+        ]
+    }
+
+    fn forms() -> [Form; 4] {
+        let t = Vec3::new(2.0, -1.0, 2.0) / 3.0;
+        [
+            Form::Plane(Plane { n: t, d: 1.0 }),
+            Form::Sphere(Sphere { center: Vec3::new(3.0, 1.0, -20.0), radius: 20.0 }),
+            Form::Cylinder(Cylinder { point: Vec3::new(0.0, 2.0, -15.0), axis: t, radius: 12.0 }),
+            Form::Cone(Cone { vertex: Vec3::new(0.0, 0.0, 5.0), axis: -Vec3::z(), cos_half: 0.8 }),
+        ]
+    }
+
+    /// Points all over the outside of the tool, its faces included.
+    fn skin(profile: &Profile) -> Vec<(f64, f64)> {
+        let corner = |i: i32| {
+            let (s, c) = trig::sin_cos(f64::from(i) * std::f64::consts::PI / 80.0);
+            let [x, z] = profile.support(s, -c).point;
+            (x, z)
+        };
+        let mut out = vec![(0.0, corner(0).1), (0.0, corner(80).1)];
+        for i in 0..80 {
+            let (a, b) = (corner(i), corner(i + 1));
+            let n = if (a.0 - b.0).abs() + (a.1 - b.1).abs() > 1.0 { 60 } else { 1 };
+            out.extend((0..n).map(|k| {
+                let t = f64::from(k) / f64::from(n);
+                (a.0 + t * (b.0 - a.0), a.1 + t * (b.1 - a.1))
+            }));
+        }
+        let rim = corner(0);
+        out.extend((1..60).map(|k| (rim.0 * f64::from(k) / 60.0, rim.1)));
+        out
+    }
+
+    /// How far apart the samples are, at most, with a diagonal.
+    const COARSE: f64 = 0.08;
+
+    /// The gap by brute force, and how far apart the points are.
+    fn brute(profile: &Profile, solid: &Solid, pose: &Pose, within: bool) -> f64 {
+        let u = crate::solid::any_across(pose.ta);
+        let w = pose.ta.cross(&u);
+        let mut least = f64::INFINITY;
+        for (x, z) in skin(profile) {
+            for i in 0..240 {
+                let (s, c) = trig::sin_cos(f64::from(i) * std::f64::consts::TAU / 240.0);
+                let d = solid.distance(pose.te + z * pose.ta + x * (c * u + s * w));
+                least = least.min(if within { -d } else { d });
+            }
+        }
+        least
+    }
+
+    fn check(
+        cutter: &Cutter,
+        form: &Form,
+        within: bool,
+        a: &Position,
+        b: &Position,
+    ) -> Result<(), TestCaseError> {
+        let profile = Profile::new(cutter).unwrap();
+        let solid = Solid::new(form).unwrap();
+        if within && matches!(solid, Solid::Half(_)) {
+            return Ok(());
+        }
+        let (least, most) = (f64::NEG_INFINITY, f64::INFINITY);
+        let demand = Demand { body: Body::Solid(solid), side: 1.0, within, on: false, least, most };
+        let Verdict::Proved { low, high } = demand.judge(&profile, a, b, 0.0) else {
+            return Err(TestCaseError::fail("an open band is always proved"));
+        };
+        let mut seen = (f64::INFINITY, f64::NEG_INFINITY);
+        let mut deep_seen = (f64::INFINITY, f64::NEG_INFINITY);
+        for i in 0..=8 {
+            let pose = between(a, b, f64::from(i) / 8.0);
+            let g = brute(&profile, &solid, &pose, within);
+            // A tool sunk beyond its corner is refuted whatever its exact depth, which is then a matter of
+            // definition.
+            if g < -1.0 {
+                return Ok(());
+            }
+            // The depth of a cut is the way back out. Where the vertex of a cone is in the tool, the tool's
+            // points are nearer to the flank than the vertex is to the tool, by the sine of the half angle.
+            let deep = |g: f64| match solid {
+                Solid::Nappe(.., sin) if g < 0.0 && !within => g / sin,
+                _ => g,
+            };
+            seen = (seen.0.min(g), seen.1.max(g));
+            deep_seen = (deep_seen.0.min(deep(g - COARSE)), deep_seen.1.max(deep(g - COARSE)));
+            let exact = demand.gap(&Tool::Solid(&profile), &pose, &solid);
+            prop_assert!(exact <= g + 1e-9, "gap {exact} sampled {g} {solid:?}");
+            prop_assert!(exact >= deep(g - COARSE), "gap {exact} sampled {g} {solid:?} {cutter:?}");
+        }
+        prop_assert!(low <= seen.0 + 1e-9, "{low} {seen:?} {solid:?}");
+        prop_assert!(high >= deep_seen.1, "{high} {seen:?} {solid:?}");
+        if a.ta == b.ta {
+            // Without turning the bounds are the gap itself.
+            prop_assert!(low >= deep_seen.0 - 0.1, "loose {low} {seen:?} {solid:?} {cutter:?}");
+            prop_assert!(high <= seen.1 + 0.1, "loose {high} {seen:?} {solid:?} {cutter:?}");
+        }
+        Ok(())
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { rng_seed: proptest::test_runner::RngSeed::Fixed(1961), ..ProptestConfig::with_cases(48) })]
+        #[test]
+        fn bounds_hold_what_sampling_finds(
+            te in prop::array::uniform3(-6.0..6.0_f64), v in prop::array::uniform3(-3.0..3.0_f64),
+            lean in prop::array::uniform2(-0.3..0.3_f64), turn in prop::array::uniform2(-0.1..0.1_f64),
+            c in 0_usize..4, f in 0_usize..4, within: bool,
+        ) {
+            let up = |x: f64, y: f64| Vec3::new(x, y, 1.0).normalize();
+            let (te, v) = (Vec3::from(te), Vec3::from(v));
+            let a = Position { te, ta: up(lean[0], lean[1]) };
+            let still = Position { te: te + v, ta: a.ta };
+            let turned = Position { te: te + v, ta: up(lean[0] + turn[0], lean[1] + turn[1]) };
+            check(&cutters()[c], &forms()[f], within, &a, &still)?;
+            check(&cutters()[c], &forms()[f], within, &a, &turned)?;
+        }
+    }
+
+    #[test]
+    fn a_chord_across_a_cylinder_gouges_by_its_sagitta() {
+        // Ball centre on a path of radius 5 about a cylinder of radius 4: chord of angle .2.
+        let rod = Form::Cylinder(Cylinder { point: Vec3::zeros(), axis: Vec3::z(), radius: 4.0 });
+        let profile = Profile::new(&Cutter::mill(2.0, 1.0, 10.0)).unwrap();
+        let solid = Solid::new(&rod).unwrap();
+        let at = |angle: f64| {
+            let (s, c) = trig::sin_cos(angle);
+            Position::upright(5.0 * Vec3::new(c, s, 0.0))
+        };
+        let sagitta = 0.024_979_173_6;
+        let demand = |least| Demand {
+            body: Body::Solid(solid),
+            side: 1.0,
+            within: false,
+            on: false,
+            least,
+            most: 1e-9,
+        };
+        let judge = |d: Demand| d.judge(&profile, &at(0.0), &at(0.2), 1e-12);
+        match judge(demand(-sagitta - 1e-9)) {
+            Verdict::Proved { low, high } => {
+                assert!((low + sagitta).abs() < 1e-9 && high.abs() < 1e-12, "{low} {high}");
+            }
+            v => panic!("{v:?}"),
+        }
+        match judge(demand(-sagitta + 1e-8)) {
+            Verdict::Refuted { gap, .. } => assert!((gap + sagitta).abs() < 1e-9),
+            v => panic!("{v:?}"),
+        }
+    }
+}

@@ -1,0 +1,78 @@
+//! The motions of a program in the order and place in which a CL file has them after editing.
+
+use aptc_cldata::{Edit, Kind, Motion, Record, Units};
+use aptc_geometry::{Transform, Vec3};
+
+/// A record of the program, and the map that editing carries it by.
+#[derive(Clone, Debug)]
+pub(crate) struct Item {
+    pub(crate) record: Record,
+    pub(crate) map: Option<Transform>,
+    pub(crate) units: Units,
+}
+
+/// Records that copies may make; beyond it the file is judged piecemeal by nobody.
+const MOST: usize = 10_000_000;
+
+impl Item {
+    pub(crate) fn motion(&self) -> Option<&Motion> {
+        match &self.record.kind {
+            Kind::Motion(m) if !m.points.is_empty() => Some(m),
+            _ => None,
+        }
+    }
+
+    /// Where the motion ends, as the edited file has it, in millimetres.
+    pub(crate) fn end_mm(&self) -> Vec3 {
+        let end = self.motion().and_then(|m| m.points.last()).map_or_else(Vec3::zeros, |p| p.te);
+        self.map.map_or(end, |m| m.point(end)) * self.units.mm()
+    }
+}
+
+/// Carries out INDEX, COPY and TRACUT on the list of records; their own records are left out.
+pub(crate) fn unfold(program: &[Record]) -> Result<Vec<Item>, String> {
+    let mut out: Vec<Item> = Vec::with_capacity(program.len());
+    let mut tracut: Option<Transform> = None;
+    let mut units = Units::default();
+    let mut ranges: Vec<(f64, usize, Option<usize>)> = Vec::new();
+    for record in program {
+        match &record.kind {
+            Kind::Edit(Edit::Tracut(map)) => tracut = *map,
+            Kind::Edit(Edit::Index { n, close: false }) => ranges.push((*n, out.len(), None)),
+            Kind::Edit(Edit::Index { n, close: true }) => {
+                let end = out.len();
+                if let Some(r) = ranges.iter_mut().rev().find(|r| same(r.0, *n)) {
+                    r.2.get_or_insert(end);
+                }
+            }
+            Kind::Edit(Edit::Copy { n, step, count }) => {
+                let Some(&(_, start, end)) = ranges.iter().rev().find(|r| same(r.0, *n)) else {
+                    continue;
+                };
+                let range = out[start..end.unwrap_or(out.len())].to_vec();
+                if range.len().saturating_mul(*count as usize) + out.len() > MOST {
+                    return Err("COPY makes more records than can be compared".to_owned());
+                }
+                let mut map = Transform::identity();
+                for _ in 0..*count {
+                    map = map.then(step);
+                    out.extend(range.iter().map(|item| Item {
+                        map: Some(item.map.map_or(map, |m| m.then(&map))),
+                        ..item.clone()
+                    }));
+                }
+            }
+            kind => {
+                if let Kind::Units(u) = kind {
+                    units = *u;
+                }
+                out.push(Item { record: record.clone(), map: tracut, units });
+            }
+        }
+    }
+    Ok(out)
+}
+
+fn same(a: f64, b: f64) -> bool {
+    (a - b).abs() < 1e-9
+}

@@ -1,0 +1,164 @@
+//! Rapid motion, which has no surface to hold to and shall cut none.
+
+use aptc_cldata::{Controlled, Position};
+use aptc_diagnostics::{Diagnostic, Origin, codes};
+use aptc_geometry::{Form, Plane, Profile, Vec3};
+
+use crate::certificate::{Fault, length};
+use crate::judged::Judged;
+
+/// A motion after RAPID, with the place where it begins.
+#[derive(Clone, Debug)]
+pub(crate) struct Rapid {
+    pub(crate) origin: Origin,
+    pub(crate) points: Vec<Position>,
+    pub(crate) profile: Profile,
+    pub(crate) pad: f64,
+}
+
+/// A sideways share of a motion below this is rounding.
+const SIDEWAYS: f64 = 1e-9;
+
+/// Holds rapid motions against the part surfaces of the motions before and after them, and against the
+/// clearance plane.
+#[derive(Debug, Default)]
+pub(crate) struct Free {
+    before: Option<(Controlled, Position, Profile)>,
+    /// Those since the last motion along surfaces; with them where they end below its part surface.
+    waiting: Vec<(Rapid, Option<Fault>)>,
+    clearance: Option<Plane>,
+}
+
+impl Free {
+    /// CLRSRF/plane; a CLRSRF without one leaves the plane as it was.
+    pub(crate) fn set_clearance(&mut self, plane: Option<Plane>) {
+        self.clearance = plane.or(self.clearance);
+    }
+
+    /// Where CLRSRF/NOW leaves a tool that stands at `at`: on the clearance plane, when it is below it.
+    pub(crate) fn cleared(&self, at: &Position) -> Position {
+        let Some(plane) = &self.clearance else { return *at };
+        let slope = plane.n.dot(&at.ta);
+        let way = if slope.abs() > 1e-6 { -plane.distance(at.te) / slope } else { 0.0 };
+        Position { te: at.te + way.max(0.0) * at.ta, ta: at.ta }
+    }
+
+    /// A rapid motion.
+    pub(crate) fn rapid(&mut self, rapid: Rapid, out: &mut Vec<Diagnostic>) {
+        let judge = |end: End| {
+            self.before.as_ref().and_then(|(part, at, profile)| cut(&rapid, part, at, profile, end))
+        };
+        let fault = judge(End::Excused);
+        match (fault, &self.clearance) {
+            // One mistake, one message.
+            (Some(fault), _) => return out.push(told(&rapid, &fault)),
+            (None, Some(plane)) => out.extend(low(&rapid, plane)),
+            (None, None) => {}
+        }
+        let plunge = judge(End::Judged);
+        self.waiting.push((rapid, plunge));
+    }
+
+    /// A motion along surfaces, with its part surface and where it ended.
+    pub(crate) fn along(
+        &mut self,
+        part: &Controlled,
+        at: &Position,
+        profile: &Profile,
+        out: &mut Vec<Diagnostic>,
+    ) {
+        for (rapid, plunge) in std::mem::take(&mut self.waiting) {
+            // A motion that ends below the surface before and the surface after it went into the part.
+            let judge = |end: End| cut(&rapid, part, at, profile, end);
+            let into = plunge.filter(|_| judge(End::Judged).is_some());
+            if let Some(fault) = judge(End::Excused).or(into) {
+                out.push(told(&rapid, &fault));
+            }
+        }
+        self.before = Some((part.clone(), *at, *profile));
+    }
+}
+
+/// May a rapid motion end deeper than the surface?
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum End {
+    Excused,
+    Judged,
+}
+
+/// The deepest cut of the rapid motion into the part surface.
+///
+/// A tool that goes straight up leaves the way it came. Where it begins deeper than the surface, for
+/// another cut reached deeper there, only what is deeper still is a cut of the rapid motion; the same where it
+/// ends, unless that is judged. Around a tool that
+/// works inside of a round surface the surface closes above: leaving it is no cut.
+fn cut(
+    rapid: &Rapid,
+    part: &Controlled,
+    at: &Position,
+    profile: &Profile,
+    end: End,
+) -> Option<Fault> {
+    if part.side < 0 && !matches!(part.form.shape(), Form::Plane(_) | Form::Line(_)) {
+        return None;
+    }
+    let mut judged = Judged::clear(part, at, profile)?;
+    let last = rapid.points.last().filter(|_| end == End::Excused);
+    let ends = rapid.points.first().into_iter().chain(last);
+    let mut depth = 0.0_f64;
+    for p in ends {
+        let fault = judged.vector(&rapid.profile, p, p, rapid.pad, 0);
+        depth = fault.filter(|f| f.refuted).map_or(depth, |f| depth.max(f.depth));
+    }
+    let mut worst: Option<Fault> = None;
+    for (i, pair) in (1..).zip(rapid.points.windows(2)).filter(|(_, w)| !goes_up(w)) {
+        let fault = judged.vector(&rapid.profile, &pair[0], &pair[1], rapid.pad, i);
+        if let Some(f) = fault.filter(|f| f.refuted && f.depth > depth + rapid.pad)
+            && worst.as_ref().is_none_or(|w| f.depth > w.depth)
+        {
+            worst = Some(f);
+        }
+    }
+    worst
+}
+
+/// Does the tool go along its axis, away from its end?
+fn goes_up(pair: &[Position]) -> bool {
+    let way = pair[1].te - pair[0].te;
+    let up = way.dot(&pair[0].ta);
+    up >= 0.0 && (way - up * pair[0].ta).norm() <= SIDEWAYS * (pair[0].te.norm() + up)
+}
+
+fn told(rapid: &Rapid, fault: &Fault) -> Diagnostic {
+    let message = format!(
+        "rapid motion cuts into {} by {} beyond tolerance {}",
+        fault.surface,
+        length(fault.depth),
+        fault.place()
+    );
+    let d = Diagnostic::error(codes::RAPID_CUT, rapid.origin.span, message);
+    d.help("go up before going aside, or leave RAPID out").within(rapid.origin.trace.clone())
+}
+
+/// Going aside below the clearance plane.
+fn low(rapid: &Rapid, plane: &Plane) -> Option<Diagnostic> {
+    let up = |p: &Position| if plane.n.dot(&p.ta) < 0.0 { -1.0 } else { 1.0 };
+    let height = |p: &Position| up(p) * plane.distance(p.te);
+    let aside = |a: Vec3| (a - plane.n * plane.n.dot(&a)).norm();
+    let deepest = rapid
+        .points
+        .windows(2)
+        .filter(|w| aside(w[1].te - w[0].te) > SIDEWAYS * (w[1].te.norm() + w[0].te.norm()))
+        .flat_map(|w| [w[0], w[1]])
+        .min_by(|a, b| height(a).total_cmp(&height(b)))?;
+    let depth = -height(&deepest);
+    if depth <= rapid.pad {
+        return None;
+    }
+    let [x, y, z]: [f64; 3] = deepest.te.into();
+    let message = format!(
+        "rapid motion goes aside {depth:.5} below the clearance plane, at tool end {x:.5}, {y:.5}, {z:.5}"
+    );
+    let d = Diagnostic::warning(codes::RAPID_LOW, rapid.origin.span, message);
+    Some(d.help("write CLRSRF/NOW before it").within(rapid.origin.trace.clone()))
+}

@@ -1,0 +1,162 @@
+//! A surface with what is known of it over a statement.
+
+use aptc_cldata::{Controlled, Position, Relation};
+use aptc_geometry::Profile;
+
+use crate::certificate::{Fault, SurfaceBound};
+use crate::demand::{Demand, Verdict};
+
+#[derive(Debug)]
+pub(crate) struct Judged {
+    demand: Demand,
+    /// The disk of CUTTER/OPTION, which is proved as programmed.
+    disk: Option<Profile>,
+    name: String,
+    role: &'static str,
+    low: f64,
+    high: f64,
+}
+
+impl Judged {
+    /// Drive, part or check surface as it was asked for.
+    pub(crate) fn new(c: &Controlled, role: &'static str) -> Self {
+        let mut demand = Demand::new(c);
+        // A tangent check is met where the drive surface leaves it, not at a distance.
+        if matches!(c.relation, Relation::Tanto | Relation::Pstan) {
+            demand.most = f64::INFINITY;
+        }
+        Self::with(demand, c, role)
+    }
+
+    /// That the tool does not pass the check surface before it stops there. `None` where it may: it stops
+    /// at a later meeting, runs in tangentially, or has passed it when the motion begins.
+    pub(crate) fn never_past(
+        c: &Controlled,
+        profile: &Profile,
+        start: &Position,
+        pad: f64,
+    ) -> Option<Self> {
+        if c.nth > 1 {
+            return None;
+        }
+        let mut demand = Demand::new(c);
+        let band = c.intol.max(c.outtol);
+        match c.relation {
+            Relation::To => demand.most = f64::INFINITY,
+            Relation::Past => demand.least = f64::NEG_INFINITY,
+            Relation::On => {
+                let gap = demand.gap_at(profile, start)?;
+                if gap.abs() <= 2.0 * band {
+                    return None;
+                }
+                (demand.least, demand.most) =
+                    if gap > 0.0 { (-band, f64::INFINITY) } else { (f64::NEG_INFINITY, band) };
+            }
+            Relation::Tanto | Relation::Pstan => return None,
+        }
+        let gap = demand.gap_at(profile, start)?;
+        // What begins at the surface may have to leave it first.
+        let beside = gap >= demand.least + 2.0 * band && gap <= demand.most - 2.0 * band;
+        (beside && pad.is_finite()).then(|| Self::with(demand, c, "check"))
+    }
+
+    /// That the tool does not cut into a surface along which it moved before or will move: the cutter is on
+    /// the side of it where it was at `at`.
+    pub(crate) fn clear(c: &Controlled, at: &Position, profile: &Profile) -> Option<Self> {
+        let mut c = c.clone();
+        c.disk = None;
+        c.outtol = f64::INFINITY;
+        if c.side == 0 {
+            // The tool end is on it, the cutter above.
+            let above = Position { te: at.te + 1e-3 * profile.reach() * at.ta, ta: at.ta };
+            let gap = Demand::new(&c).gap_at(profile, &above)?;
+            c.side = if gap < 0.0 { -1 } else { 1 };
+        }
+        c.relation = Relation::To;
+        Some(Self::with(Demand::new(&c), &c, "part"))
+    }
+
+    fn with(demand: Demand, c: &Controlled, role: &'static str) -> Self {
+        let name = match (c.name.name.as_str(), c.name.subscript) {
+            ("", _) => c.form.kind().word().to_owned(),
+            (n, 0) => n.to_owned(),
+            (n, i) => format!("{n}({i})"),
+        };
+        let disk = c.disk.and_then(|[radius, height]| Profile::disk(radius, height).ok());
+        Self { demand, disk, name, role, low: f64::INFINITY, high: f64::NEG_INFINITY }
+    }
+
+    /// Judges a cut vector; the fault, if there is one.
+    pub(crate) fn vector(
+        &mut self,
+        profile: &Profile,
+        from: &Position,
+        to: &Position,
+        pad: f64,
+        vector: u64,
+    ) -> Option<Fault> {
+        let verdict = self.demand.judge(self.disk.as_ref().unwrap_or(profile), from, to, pad);
+        if let Verdict::Proved { low, high } = verdict {
+            (self.low, self.high) = (self.low.min(low), self.high.max(high));
+        }
+        self.fault(verdict, vector)
+    }
+
+    /// Where a disk stands for the cutter: how the cutter itself cuts in.
+    pub(crate) fn real_cutter(
+        &self,
+        profile: &Profile,
+        from: &Position,
+        to: &Position,
+        pad: f64,
+        vector: u64,
+    ) -> Option<Fault> {
+        self.disk?;
+        let mut demand = self.demand.clone();
+        demand.most = f64::INFINITY;
+        self.fault(demand.judge(profile, from, to, pad), vector).filter(|f| f.refuted)
+    }
+
+    fn fault(&self, verdict: Verdict, vector: u64) -> Option<Fault> {
+        let surface = || format!("{} surface {}", self.role, self.name);
+        match verdict {
+            Verdict::Proved { .. } => None,
+            Verdict::Refuted { gap, te } => {
+                let gouge = gap < self.demand.least;
+                let depth = if gouge { self.demand.least - gap } else { gap - self.demand.most };
+                Some(Fault {
+                    refuted: true,
+                    surface: surface(),
+                    vector,
+                    te: te.into(),
+                    depth,
+                    gouge,
+                })
+            }
+            Verdict::Undecided { at_most, te } => Some(Fault {
+                refuted: false,
+                surface: surface(),
+                vector,
+                te: te.into(),
+                depth: at_most,
+                gouge: false,
+            }),
+        }
+    }
+
+    /// How the surface is proved against; of several ways the first by name is the slowest.
+    pub(crate) fn method(&self) -> &'static str {
+        self.demand.method()
+    }
+
+    /// What is known of the gap; nothing before a vector was proved.
+    pub(crate) fn bound(&self) -> Option<SurfaceBound> {
+        (self.low <= self.high).then(|| SurfaceBound {
+            name: self.name.clone(),
+            role: self.role,
+            least: self.low,
+            most: self.high,
+            band: [self.demand.least, self.demand.most],
+        })
+    }
+}

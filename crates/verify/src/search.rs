@@ -1,0 +1,105 @@
+//! That a curved surface, moved along its normals, stays clear of the tool: branch and bound over its charts.
+//!
+//! The tool's points all have signed distance at least `s` from the surface when no point of the surface
+//! moved by `s` along its normal lies in the tool and the tool is not wholly on the wrong side. For a piece
+//! in the parallelogram `c +- a +- b` inflated by `d` any unit m shows that it stays at
+//! `m . c - h(T, m) - |m . a| - |m . b| - d` from the tool. As m serves the direction from the tool to c.
+
+use crate::sheet::{Patches, Sheet, Spot, Tile};
+use crate::sweep::{Meeting, Sweep};
+
+/// Pieces that one search looks at; beyond it the answer is open.
+const MOST: u32 = 20_000;
+/// Pieces that a search looks at for a still nearer place when it has found one that is too near.
+const MORE: u32 = 400;
+
+/// What a search found.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Clearance {
+    /// No point of the moved surface is nearer to the tool; negative infinity when it is not known.
+    pub(crate) least: f64,
+    /// The nearest that was met: distance, share of the way, place of the surface.
+    pub(crate) nearest: Option<(f64, f64, Spot)>,
+}
+
+/// The surface moved by `shift` along its normals to the side `side`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Moved<'a> {
+    pub(crate) sheet: &'a Sheet,
+    pub(crate) side: f64,
+    pub(crate) shift: f64,
+}
+
+/// Bounds the distance between the moved surface and the tool on its way. The search ends where `enough` is
+/// shown; below that it goes on to a tenth of what it falls short.
+pub(crate) fn clearance(sweep: &Sweep<'_>, moved: &Moved<'_>, enough: f64) -> Clearance {
+    let (center, radius) = sweep.sphere();
+    let mut pile = Patches::new();
+    let mut out = Clearance { least: f64::INFINITY, nearest: None };
+    // What is farther than `enough` need not be looked at, and the rest of the surface is.
+    let within = radius + moved.shift.abs() + enough.abs();
+    if !moved.sheet.roots(center, within, &mut pile) {
+        return Clearance { least: f64::NEG_INFINITY, nearest: None };
+    }
+    let found = |out: &Clearance| out.nearest.is_some_and(|n| n.0 < enough);
+    let mut seen = 0;
+    while let Some(patch) = pile.pop() {
+        seen += 1;
+        if found(&out) {
+            seen = seen.max(MOST - MORE);
+        }
+        if seen > MOST {
+            out.least = f64::NEG_INFINITY;
+            break;
+        }
+        let tile = moved.sheet.tile(&patch);
+        let far = (tile.c - center).norm() - tile.radius() - within;
+        if far >= 0.0 {
+            out.least = out.least.min(enough.max(far));
+            continue;
+        }
+        let x = tile.c + tile.n * (moved.side * moved.shift);
+        let meeting = sweep.meet(x);
+        if out.nearest.is_none_or(|n| meeting.distance < n.0) {
+            out.nearest = Some((meeting.distance, meeting.t, patch.spot()));
+        }
+        let slack = slack(&tile, &meeting, moved.shift.abs());
+        let low = meeting.m.dot(&x) - sweep.height(meeting.m) - slack[0] - slack[1];
+        let nearest = out.nearest.map_or(f64::INFINITY, |n| n.0);
+        let known = if nearest < enough { nearest - 0.1 * (enough - nearest) } else { enough };
+        if low >= known {
+            out.least = out.least.min(low);
+            continue;
+        }
+        if slack[0] + slack[1] <= sweep.pad {
+            // Smaller pieces do not help, a shorter way does.
+            out.least = out.least.min(low);
+            break;
+        }
+        let i = usize::from(slack[1] > slack[0]);
+        let [near, away] = patch.halves(i);
+        // The half towards the tool is looked at first.
+        let towards = tile.side[i].dot(&meeting.m) < 0.0;
+        let (first, second) = if towards { (away, near) } else { (near, away) };
+        let tiny = slack[i] <= f64::EPSILON * (x.norm() + radius);
+        if tiny || !(pile.push(second) && pile.push(first)) {
+            out.least = out.least.min(low);
+        }
+    }
+    out.least = out.least.min(enough.max(out.nearest.map_or(enough, |n| n.0)));
+    out
+}
+
+/// By how much the distance may be less on the piece than in its middle, by parameter.
+fn slack(tile: &Tile, meeting: &Meeting, shift: f64) -> [f64; 2] {
+    let m = meeting.m;
+    let along = m.dot(&tile.n);
+    let across = (m - tile.n * along).norm();
+    let whole = tile.turn[0] + tile.turn[1];
+    [0, 1].map(|i| {
+        let turn = tile.turn[i];
+        m.dot(&tile.side[i]).abs()
+            + tile.stray[i]
+            + shift * turn * (across + 0.5 * whole * along.abs())
+    })
+}

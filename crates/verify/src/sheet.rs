@@ -1,0 +1,194 @@
+//! Curved surfaces as charts: points, tangents, and how far a piece strays from its parallelogram.
+//!
+//! A chart is a map of a rectangle of parameters into space with bounds of its second derivatives, so that
+//! a piece `u +- hu, v +- hv` lies within `du + dv` of the parallelogram `c +- a +- b`. Nothing here is
+//! solved for: a bound rests on Taylor's formula alone.
+
+mod quadric;
+mod tabcyl;
+
+use aptc_geometry::{Form, Vec3};
+
+use crate::pile::Pile;
+use crate::tool::Pose;
+
+pub(crate) use quadric::Quadric;
+pub(crate) use tabcyl::Tabcyl;
+
+/// A surface in a system of its own.
+#[derive(Clone, Debug)]
+pub(crate) struct Sheet {
+    /// Unit axes of its system.
+    axes: [Vec3; 3],
+    /// Its origin.
+    origin: Vec3,
+    kind: Kind,
+}
+
+#[derive(Clone, Debug)]
+enum Kind {
+    Quadric(Quadric),
+    Tabcyl(Tabcyl),
+}
+
+/// A rectangle of parameters.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Patch {
+    pub(crate) chart: usize,
+    pub(crate) at: [f64; 2],
+    pub(crate) half: [f64; 2],
+}
+
+/// A place of the surface by its parameters.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Spot {
+    pub(crate) chart: usize,
+    pub(crate) at: [f64; 2],
+}
+
+/// What holds a piece.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Tile {
+    /// The middle.
+    pub(crate) c: Vec3,
+    /// Half sides.
+    pub(crate) side: [Vec3; 2],
+    /// Greatest distance from the parallelogram, by parameter.
+    pub(crate) stray: [f64; 2],
+    /// Unit normal in the middle, to the positive side.
+    pub(crate) n: Vec3,
+    /// Greatest change of the unit normal, by parameter.
+    pub(crate) turn: [f64; 2],
+}
+
+/// Position and derivatives at a place.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Jet {
+    pub(crate) p: Vec3,
+    pub(crate) d: [Vec3; 2],
+    /// Unit normal to the positive side.
+    pub(crate) n: Vec3,
+}
+
+/// Pieces that wait to be looked at.
+pub(crate) type Patches = Pile<Patch, 256>;
+
+impl Sheet {
+    /// The surface of a form; `None` for those without charts here.
+    pub(crate) fn new(form: &Form) -> Option<Self> {
+        match form.shape() {
+            Form::Quadric(q) => {
+                let (axes, origin, quadric) = Quadric::new(&q.c)?;
+                Some(Self { axes, origin, kind: Kind::Quadric(quadric) })
+            }
+            Form::Tabcyl(t) => {
+                let axes = [t.u(), t.v(), t.w()];
+                Some(Self { axes, origin: Vec3::zeros(), kind: Kind::Tabcyl(Tabcyl::new(t)?) })
+            }
+            _ => None,
+        }
+    }
+
+    /// A position in the surface's own system.
+    pub(crate) fn local(&self, pose: &Pose) -> Pose {
+        let turn =
+            |w: Vec3| Vec3::new(self.axes[0].dot(&w), self.axes[1].dot(&w), self.axes[2].dot(&w));
+        Pose { te: turn(pose.te - self.origin), ta: turn(pose.ta) }
+    }
+
+    /// On which side the point of the surface's own system lies: +1, -1.
+    pub(crate) fn sign(&self, p: Vec3) -> f64 {
+        match &self.kind {
+            Kind::Quadric(q) => 1.0_f64.copysign(q.value(p)),
+            Kind::Tabcyl(t) => t.sign(p),
+        }
+    }
+
+    /// The pieces that hold all of the surface within the sphere; false when they are too many.
+    pub(crate) fn roots(&self, center: Vec3, radius: f64, out: &mut Patches) -> bool {
+        match &self.kind {
+            Kind::Quadric(q) => q.roots(center, radius, out),
+            Kind::Tabcyl(t) => t.roots(center, radius, out),
+        }
+    }
+
+    pub(crate) fn jet(&self, spot: &Spot) -> Jet {
+        match &self.kind {
+            Kind::Quadric(q) => q.jet(spot),
+            Kind::Tabcyl(t) => t.jet(spot),
+        }
+    }
+
+    /// The same place where the parameters left the chart, in the chart next to it.
+    pub(crate) fn settle(&self, spot: Spot) -> Spot {
+        match &self.kind {
+            Kind::Quadric(q) => q.settle(spot),
+            Kind::Tabcyl(t) => t.settle(spot),
+        }
+    }
+
+    pub(crate) fn tile(&self, patch: &Patch) -> Tile {
+        let jet = self.jet(&Spot { chart: patch.chart, at: patch.at });
+        let [uu, uv, vv] = self.second(patch);
+        let [hu, hv] = patch.half;
+        let cross = 0.5 * uv * hu * hv;
+        let stray = [0.5 * uu * hu * hu + cross, 0.5 * vv * hv * hv + cross];
+        let side = [jet.d[0] * hu, jet.d[1] * hv];
+        let turn = match &self.kind {
+            Kind::Quadric(q) => {
+                let reach = |i: usize| side[i].norm() + stray[i];
+                q.turn(jet.p, [reach(0), reach(1)])
+            }
+            Kind::Tabcyl(_) => [uu * hu, 0.0],
+        };
+        Tile { c: jet.p, side, stray, n: jet.n, turn }
+    }
+
+    /// Bounds of the second derivatives over a piece: uu, uv, vv.
+    fn second(&self, patch: &Patch) -> [f64; 3] {
+        match &self.kind {
+            Kind::Quadric(q) => q.second(patch),
+            Kind::Tabcyl(t) => t.second(patch),
+        }
+    }
+
+    /// How far the straight line between two places may lie from the surface; infinite when they have no
+    /// chart in common.
+    pub(crate) fn sag(&self, a: &Spot, b: &Spot) -> f64 {
+        if a.chart != b.chart {
+            return f64::INFINITY;
+        }
+        let half = [0, 1].map(|i| 0.5 * (b.at[i] - a.at[i]).abs());
+        let at = [0, 1].map(|i| 0.5 * (b.at[i] + a.at[i]));
+        let [uu, uv, vv] = self.second(&Patch { chart: a.chart, at, half });
+        let [hu, hv] = half;
+        0.5 * (uu * hu * hu + 2.0 * uv * hu * hv + vv * hv * hv)
+    }
+}
+
+impl Tile {
+    /// Radius of the sphere about the middle that holds the piece.
+    pub(crate) fn radius(&self) -> f64 {
+        self.side[0].norm() + self.side[1].norm() + self.stray[0] + self.stray[1]
+    }
+}
+
+impl Patch {
+    /// Both halves across parameter `i`.
+    pub(crate) fn halves(&self, i: usize) -> [Self; 2] {
+        let h = 0.5 * self.half[i];
+        [-h, h].map(|shift| {
+            let mut p = *self;
+            p.half[i] = h;
+            p.at[i] += shift;
+            p
+        })
+    }
+
+    pub(crate) fn spot(&self) -> Spot {
+        Spot { chart: self.chart, at: self.at }
+    }
+}
+
+#[cfg(test)]
+pub(crate) mod tests;

@@ -1,0 +1,329 @@
+//! Quadrics in their principal axes, each kind with charts that have no pole on the surface.
+
+use aptc_geometry::{Vec3, trig};
+
+use super::{Jet, Patch, Patches, Spot};
+
+/// Eigenvalues and linear terms below this fraction of the greatest are rounding.
+const STRAIGHT: f64 = 1e-13;
+
+/// A quadric `sum lambda y^2 + 2 beta . y + k = 0` in its own system.
+#[derive(Clone, Debug)]
+pub(crate) struct Quadric {
+    lambda: Vec3,
+    beta: Vec3,
+    k: f64,
+    shape: Shape,
+}
+
+/// What it is; lengths are semi-axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Shape {
+    /// Six charts: a cube's faces blown up to the unit sphere, scaled.
+    Ellipsoid(Vec3),
+    /// `x2/a2 + y2/b2 - z2/c2 = 1`, over z / c and the angle.
+    OneSheet(Vec3),
+    /// `z2/c2 - x2/a2 - y2/b2 = 1`, two graphs over x and y.
+    TwoSheets(Vec3),
+    /// `x2/a2 + y2/b2 = z2/c2`, over z / c and the angle.
+    Cone(Vec3),
+    /// `z = p x2 + q y2`, over x and y.
+    Paraboloid(f64, f64),
+    /// `x2/a2 + y2/b2 = 1`, over the angle and z.
+    EllipticRod(f64, f64),
+    /// `x2/a2 - y2/b2 = 1`, two charts over y / b and z.
+    HyperbolicRod(f64, f64),
+    /// `z = p x2`, over x and y.
+    ParabolicRod(f64),
+}
+
+impl Quadric {
+    /// Axes and origin of the own system, and the quadric in it, from the ten coefficients; `None` for
+    /// planes, pairs of planes, lines, points and nothing.
+    pub(crate) fn new(c: &[f64; 10]) -> Option<([Vec3; 3], Vec3, Self)> {
+        let greatest = c.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+        if !(greatest > 0.0 && greatest.is_finite()) {
+            return None;
+        }
+        let [a, b, d, k, f, g, h, p, q, r] = c.map(|x| x / greatest);
+        let (mut axes, mut lambda) = eigen([[a, h, g], [h, b, f], [g, f, d]]);
+        let top = lambda.iter().fold(0.0_f64, |m, l| m.max(l.abs()));
+        let linear = Vec3::new(p, q, r);
+        for l in &mut lambda {
+            if l.abs() <= STRAIGHT * top {
+                *l = 0.0;
+            }
+        }
+        let straight: Vec<usize> = (0..3).filter(|&i| lambda[i] == 0.0).collect();
+        if let [i, j] = straight[..] {
+            // The linear part has one direction: it becomes an axis.
+            let across = axes[i] * axes[i].dot(&linear) + axes[j] * axes[j].dot(&linear);
+            if across.norm() > STRAIGHT * linear.norm() {
+                let w = across.normalize();
+                let other = axes[3 - i - j];
+                (axes[i], axes[j]) = (w.cross(&other), w);
+            }
+        }
+        let mut beta = axes.map(|e| e.dot(&linear));
+        let mut origin = Vec3::zeros();
+        let mut k = k;
+        for i in 0..3 {
+            if lambda[i] != 0.0 {
+                let shift = -beta[i] / lambda[i];
+                origin += axes[i] * shift;
+                k -= beta[i] * beta[i] / lambda[i];
+                beta[i] = 0.0;
+            } else if beta[i].abs() <= STRAIGHT * linear.norm() {
+                beta[i] = 0.0;
+            }
+        }
+        if let Some(i) = (0..3).find(|&i| beta[i] != 0.0) {
+            origin -= axes[i] * (k / (2.0 * beta[i]));
+            k = 0.0;
+        }
+        let (order, shape) = classify(lambda, beta, k)?;
+        let pick = |x: [f64; 3]| Vec3::new(x[order[0]], x[order[1]], x[order[2]]);
+        let own = Self { lambda: pick(lambda), beta: pick(beta), k, shape };
+        Some((order.map(|i| axes[i]), origin, own))
+    }
+
+    pub(crate) fn value(&self, y: Vec3) -> f64 {
+        self.lambda.component_mul(&y).dot(&y) + 2.0 * self.beta.dot(&y) + self.k
+    }
+
+    fn half_gradient(&self, y: Vec3) -> Vec3 {
+        self.lambda.component_mul(&y) + self.beta
+    }
+
+    /// Bounds of the change of the unit normal over distances from `y`, split between two parameters.
+    pub(crate) fn turn(&self, y: Vec3, reach: [f64; 2]) -> [f64; 2] {
+        let g = self.half_gradient(y).norm();
+        let change = reach.map(|r| self.lambda.amax() * r);
+        let rest = g - change[0] - change[1];
+        if rest > 0.5 * g {
+            return change.map(|c| c / rest);
+        }
+        // Unit normals are never farther apart; the greater share is to the parameter that turns more.
+        change.map(|c| 2.0 * c / (change[0] + change[1]).max(f64::MIN_POSITIVE))
+    }
+
+    pub(crate) fn roots(&self, center: Vec3, radius: f64, out: &mut Patches) -> bool {
+        const PI: f64 = std::f64::consts::PI;
+        let mut push =
+            |chart: usize, at: [f64; 2], half: [f64; 2]| out.push(Patch { chart, at, half });
+        let (c, r) = (center, radius);
+        match self.shape {
+            Shape::Ellipsoid(_) => (0..6).all(|i| push(i, [0.0; 2], [1.0; 2])),
+            Shape::OneSheet(s) | Shape::Cone(s) => (0..4).all(|i| {
+                push(0, [c.z / s.z, PI * (0.5 * f64::from(i) - 0.75)], [r / s.z, PI / 4.0])
+            }),
+            Shape::TwoSheets(_) => (0..2).all(|i| push(i, [c.x, c.y], [r, r])),
+            Shape::Paraboloid(..) | Shape::ParabolicRod(_) => push(0, [c.x, c.y], [r, r]),
+            Shape::EllipticRod(..) => {
+                (0..4).all(|i| push(0, [PI * (0.5 * f64::from(i) - 0.75), c.z], [PI / 4.0, r]))
+            }
+            Shape::HyperbolicRod(_, b) => (0..2).all(|i| push(i, [c.y / b, c.z], [r / b, r])),
+        }
+    }
+
+    pub(crate) fn jet(&self, spot: &Spot) -> Jet {
+        let [u, v] = spot.at;
+        let sheet = if spot.chart == 0 { 1.0 } else { -1.0 };
+        let (p, du, dv) = match self.shape {
+            Shape::Ellipsoid(s) => blown_up(s, spot.chart, u, v),
+            Shape::OneSheet(s) => {
+                let w = (1.0 + u * u).sqrt();
+                around(s, u, v, w, u / w)
+            }
+            Shape::Cone(s) => around(s, u, v, u, 1.0),
+            Shape::TwoSheets(s) => {
+                let (x, y) = (u / s.x, v / s.y);
+                let w = (1.0 + x * x + y * y).sqrt();
+                let z = sheet * s.z;
+                (
+                    Vec3::new(u, v, z * w),
+                    Vec3::new(1.0, 0.0, z * x / (s.x * w)),
+                    Vec3::new(0.0, 1.0, z * y / (s.y * w)),
+                )
+            }
+            Shape::Paraboloid(p, q) => (
+                Vec3::new(u, v, p * u * u + q * v * v),
+                Vec3::new(1.0, 0.0, 2.0 * p * u),
+                Vec3::new(0.0, 1.0, 2.0 * q * v),
+            ),
+            Shape::ParabolicRod(p) => {
+                (Vec3::new(u, v, p * u * u), Vec3::new(1.0, 0.0, 2.0 * p * u), Vec3::y())
+            }
+            Shape::EllipticRod(a, b) => {
+                let (sin, cos) = trig::sin_cos(u);
+                (Vec3::new(a * cos, b * sin, v), Vec3::new(-a * sin, b * cos, 0.0), Vec3::z())
+            }
+            Shape::HyperbolicRod(a, b) => {
+                let w = (1.0 + u * u).sqrt();
+                (
+                    Vec3::new(sheet * a * w, b * u, v),
+                    Vec3::new(sheet * a * u / w, b, 0.0),
+                    Vec3::z(),
+                )
+            }
+        };
+        let n = crate::solid::unit_or(self.half_gradient(p), Vec3::z());
+        Jet { p, d: [du, dv], n }
+    }
+
+    pub(crate) fn settle(&self, spot: Spot) -> Spot {
+        let Shape::Ellipsoid(s) = self.shape else { return spot };
+        if spot.at.iter().all(|x| x.abs() <= 1.5) {
+            return spot;
+        }
+        // Onto the face of the cube in whose direction the place lies.
+        let (p, ..) = blown_up(s, spot.chart, spot.at[0], spot.at[1]);
+        let y = p.component_div(&s);
+        let i = y.iamax();
+        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+        let chart = if y[i] > 0.0 { i } else { i + 3 };
+        Spot { chart, at: [y[j] / y[i].abs(), y[k] / y[i].abs()] }
+    }
+
+    pub(crate) fn second(&self, patch: &Patch) -> [f64; 3] {
+        let far = |i: usize| patch.at[i].abs() + patch.half[i];
+        match self.shape {
+            // Those of the unit sphere, stretched by the semi-axes.
+            Shape::Ellipsoid(s) => {
+                let top = s.max();
+                [SPHERE_UU * top, SPHERE_UV * top, SPHERE_UU * top]
+            }
+            Shape::OneSheet(s) => {
+                let (wide, u) = (s.x.max(s.y), far(0));
+                [wide, wide * u / (1.0 + u * u).sqrt(), wide * (1.0 + u * u).sqrt()]
+            }
+            Shape::Cone(s) => {
+                let wide = s.x.max(s.y);
+                [0.0, wide, wide * far(0)]
+            }
+            Shape::TwoSheets(s) => {
+                let [a, b] = [s.x, s.y];
+                [s.z / (a * a), s.z * 0.5 / (a * b), s.z / (b * b)]
+            }
+            Shape::Paraboloid(p, q) => [2.0 * p.abs(), 0.0, 2.0 * q.abs()],
+            Shape::ParabolicRod(p) => [2.0 * p.abs(), 0.0, 0.0],
+            Shape::EllipticRod(a, b) => [a.max(b), 0.0, 0.0],
+            Shape::HyperbolicRod(a, _) => [a, 0.0, 0.0],
+        }
+    }
+}
+
+/// Bounds of the second derivatives of `(1, u, v) / |(1, u, v)|`: uu and vv, uv.
+const SPHERE_UU: f64 = 1.2;
+const SPHERE_UV: f64 = 0.7;
+
+fn blown_up(s: Vec3, chart: usize, u: f64, v: f64) -> (Vec3, Vec3, Vec3) {
+    let (i, sign) = if chart < 3 { (chart, 1.0) } else { (chart - 3, -1.0) };
+    let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+    let mut r = Vec3::zeros();
+    (r[i], r[j], r[k]) = (sign, u, v);
+    let n = (1.0 + u * u + v * v).sqrt();
+    let p = r / n;
+    let along = |axis: usize, w: f64| {
+        let mut e = Vec3::zeros();
+        e[axis] = 1.0;
+        (e - p * (w / n)) / n
+    };
+    let (du, dv) = (along(j, u), along(k, v));
+    (p.component_mul(&s), du.component_mul(&s), dv.component_mul(&s))
+}
+
+/// `(a w cos v, b w sin v, c u)` with the derivative of w by u.
+fn around(s: Vec3, u: f64, v: f64, w: f64, dw: f64) -> (Vec3, Vec3, Vec3) {
+    let (sin, cos) = trig::sin_cos(v);
+    (
+        Vec3::new(s.x * w * cos, s.y * w * sin, s.z * u),
+        Vec3::new(s.x * dw * cos, s.y * dw * sin, s.z),
+        Vec3::new(-s.x * w * sin, s.y * w * cos, 0.0),
+    )
+}
+
+/// Order of the axes and kind.
+fn classify(lambda: [f64; 3], beta: [f64; 3], k: f64) -> Option<([usize; 3], Shape)> {
+    let flat: Vec<usize> = (0..3).filter(|&i| lambda[i] == 0.0).collect();
+    let round: Vec<usize> = (0..3).filter(|&i| lambda[i] != 0.0).collect();
+    let greatest = lambda.iter().fold(0.0_f64, |m, l| m.max(l.abs()));
+    let is_zero = k.abs() <= 1e-14 * greatest;
+    // Semi-axes, with the sign of the square when the constant is brought to the other side as 1.
+    let square = |i: usize| -lambda[i] / k;
+    let axis = |i: usize| 1.0 / square(i).abs().sqrt();
+    match (&round[..], &flat[..]) {
+        (&[x, y, z], _) => {
+            let sign = |i: usize| if is_zero { lambda[i] > 0.0 } else { square(i) > 0.0 };
+            let positive: Vec<usize> = [x, y, z].into_iter().filter(|&i| sign(i)).collect();
+            let negative: Vec<usize> = [x, y, z].into_iter().filter(|&i| !sign(i)).collect();
+            let order = |two: &[usize], one: usize| [two[0], two[1], one];
+            let semi = |o: [usize; 3]| Vec3::new(axis(o[0]), axis(o[1]), axis(o[2]));
+            match (positive.len(), is_zero) {
+                (3, false) => Some(([x, y, z], Shape::Ellipsoid(semi([x, y, z])))),
+                (2, false) => {
+                    let o = order(&positive, negative[0]);
+                    Some((o, Shape::OneSheet(semi(o))))
+                }
+                (1, false) => {
+                    let o = order(&negative, positive[0]);
+                    Some((o, Shape::TwoSheets(semi(o))))
+                }
+                (n @ (1 | 2), true) => {
+                    let o = if n == 2 {
+                        order(&positive, negative[0])
+                    } else {
+                        order(&negative, positive[0])
+                    };
+                    let semi = o.map(|i| 1.0 / lambda[i].abs().sqrt());
+                    Some((o, Shape::Cone(Vec3::from(semi))))
+                }
+                _ => None,
+            }
+        }
+        (&[x, y], &[z]) if beta[z] != 0.0 => {
+            let p = |i: usize| -lambda[i] / (2.0 * beta[z]);
+            Some(([x, y, z], Shape::Paraboloid(p(x), p(y))))
+        }
+        (&[x, y], &[z]) if !is_zero => match (square(x) > 0.0, square(y) > 0.0) {
+            (true, true) => Some(([x, y, z], Shape::EllipticRod(axis(x), axis(y)))),
+            (true, false) => Some(([x, y, z], Shape::HyperbolicRod(axis(x), axis(y)))),
+            (false, true) => Some(([y, x, z], Shape::HyperbolicRod(axis(y), axis(x)))),
+            (false, false) => None,
+        },
+        (&[x], &[i, j]) => {
+            let (z, y) = if beta[i] != 0.0 { (i, j) } else { (j, i) };
+            (beta[z] != 0.0).then(|| ([x, y, z], Shape::ParabolicRod(-lambda[x] / (2.0 * beta[z]))))
+        }
+        _ => None,
+    }
+}
+
+/// Unit eigenvectors and eigenvalues of a symmetric matrix, by Jacobi's rotations.
+fn eigen(mut m: [[f64; 3]; 3]) -> ([Vec3; 3], [f64; 3]) {
+    let mut axes = [Vec3::x(), Vec3::y(), Vec3::z()];
+    for _ in 0..40 {
+        let off = m[0][1].abs() + m[0][2].abs() + m[1][2].abs();
+        if off == 0.0 {
+            break;
+        }
+        for (i, j) in [(0, 1), (0, 2), (1, 2)] {
+            if m[i][j] == 0.0 {
+                continue;
+            }
+            let theta = (m[j][j] - m[i][i]) / (2.0 * m[i][j]);
+            let t = 1.0_f64.copysign(theta) / (theta.abs() + (theta * theta + 1.0).sqrt());
+            let c = 1.0 / (t * t + 1.0).sqrt();
+            let s = t * c;
+            let k = 3 - i - j;
+            let (ii, jj, ij) = (m[i][i], m[j][j], m[i][j]);
+            let (ik, jk) = (m[i][k], m[j][k]);
+            (m[i][i], m[j][j]) = (ii - t * ij, jj + t * ij);
+            (m[i][j], m[j][i]) = (0.0, 0.0);
+            (m[i][k], m[j][k]) = (c * ik - s * jk, s * ik + c * jk);
+            (m[k][i], m[k][j]) = (m[i][k], m[j][k]);
+            (axes[i], axes[j]) = (axes[i] * c - axes[j] * s, axes[i] * s + axes[j] * c);
+        }
+    }
+    (axes, [m[0][0], m[1][1], m[2][2]])
+}

@@ -1,0 +1,135 @@
+//! Charts hold what they say, and cover the surface.
+
+use super::*;
+use aptc_geometry::{Quadric as Ten, QuadricKind, trig};
+use proptest::prelude::*;
+
+/// A quadric of each kind, turned and moved.
+pub(crate) fn quadrics() -> Vec<Form> {
+    let diagonal: [[f64; 10]; 9] = [
+        [0.04, 0.1, 0.2, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+        [0.2, 0.1, -0.05, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+        [-0.2, -0.1, 0.05, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+        [0.2, 0.1, -0.15, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+        [0.2, 0.1, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0],
+        [0.2, -0.1, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0],
+        [0.1, 0.3, 0.0, -2.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+        [0.1, -0.3, 0.0, -2.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+        [0.1, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.3, -1.0],
+    ];
+    let map = aptc_geometry::Transform::rotation(Vec3::new(1.0, 2.0, 2.0) / 3.0, 40.0)
+        .then(&aptc_geometry::Transform::translation(Vec3::new(0.3, -0.2, 0.5)));
+    diagonal
+        .into_iter()
+        .map(|c| {
+            let form = Form::Quadric(Ten { kind: QuadricKind::Qadric, c });
+            form.transformed(&map).expect("a rigid motion")
+        })
+        .collect()
+}
+
+fn world(sheet: &Sheet, y: Vec3) -> Vec3 {
+    sheet.origin + sheet.axes[0] * y.x + sheet.axes[1] * y.y + sheet.axes[2] * y.z
+}
+
+proptest! {
+    #[test]
+    fn a_tile_holds_its_piece(
+        which in 0_usize..9, root in 0_usize..6, at in prop::array::uniform2(-1.0..1.0_f64),
+        half in prop::array::uniform2(0.001..0.5_f64), in_piece in prop::array::uniform2(-1.0..1.0_f64),
+    ) {
+        let form = &quadrics()[which];
+        let Form::Quadric(ten) = form else { unreachable!() };
+        let sheet = Sheet::new(form).unwrap();
+        let mut roots = Patches::new();
+        prop_assert!(sheet.roots(Vec3::new(0.2, 0.4, -0.3), 4.0, &mut roots));
+        let mut patch = roots.pop().unwrap();
+        for _ in 0..root {
+            patch = roots.pop().unwrap_or(patch);
+        }
+        for i in 0..2 {
+            patch.at[i] += at[i] * patch.half[i];
+            patch.half[i] *= half[i];
+        }
+        let tile = sheet.tile(&patch);
+        let move_by = [0, 1].map(|i| in_piece[i] * patch.half[i]);
+        let spot = Spot { chart: patch.chart, at: [0, 1].map(|i| patch.at[i] + move_by[i]) };
+        let jet = sheet.jet(&spot);
+        let p = world(&sheet, jet.p);
+        prop_assert!(ten.value(p).abs() < 1e-10 * (1.0 + p.norm_squared()), "off the surface");
+        let flat = tile.c + tile.side[0] * in_piece[0] + tile.side[1] * in_piece[1];
+        let stray = (jet.p - flat).norm();
+        prop_assert!(stray <= (tile.stray[0] + tile.stray[1]) * (1.0 + 1e-9) + 1e-12, "{} {:?}", stray, tile);
+        let turn = (jet.n - tile.n).norm();
+        prop_assert!(turn <= (tile.turn[0] + tile.turn[1]) * (1.0 + 1e-9) + 1e-12, "{} {:?}", turn, tile);
+        let g = ten.gradient(p);
+        let n = sheet.axes[0] * jet.n.x + sheet.axes[1] * jet.n.y + sheet.axes[2] * jet.n.z;
+        prop_assert!(g.norm() < 1e-6 || (g.normalize() - n).norm() < 1e-8, "{:?} {:?}", g, n);
+        // Half way between two places the line is off by no more than the sag.
+        let start = patch.spot();
+        let middle = Spot { at: [0, 1].map(|i| patch.at[i] + 0.5 * move_by[i]), ..start };
+        let sag = (sheet.jet(&middle).p - 0.5 * (jet.p + tile.c)).norm();
+        prop_assert!(sag <= sheet.sag(&start, &spot) * (1.0 + 1e-9) + 1e-12);
+    }
+
+    #[test]
+    fn the_roots_cover_the_surface(
+        which in 0_usize..9, from in prop::array::uniform3(-2.0..2.0_f64),
+        to in prop::array::uniform3(-1.0..1.0_f64),
+    ) {
+        let form = &quadrics()[which];
+        let Form::Quadric(ten) = form else { unreachable!() };
+        let sheet = Sheet::new(form).unwrap();
+        // Where a ray meets the surface, some piece is near, however finely it is cut.
+        let (p, d) = (Vec3::from(from), Vec3::from(to));
+        prop_assume!(d.norm() > 0.1);
+        let f = |t: f64| ten.value(p + d * t);
+        let (mut a, mut b) = (0.0, 4.0);
+        prop_assume!(f(a) * f(b) < 0.0);
+        for _ in 0..60 {
+            let m = 0.5 * (a + b);
+            if f(a) * f(m) <= 0.0 { b = m } else { a = m }
+        }
+        let q = sheet.local(&Pose { te: p + d * a, ta: Vec3::z() }).te;
+        let mut pile = Patches::new();
+        prop_assert!(sheet.roots(q, 0.5, &mut pile));
+        let mut found = false;
+        while let Some(patch) = pile.pop() {
+            let tile = sheet.tile(&patch);
+            if (tile.c - q).norm() > tile.radius() {
+                continue;
+            }
+            if tile.radius() < 1e-3 {
+                found = true;
+                break;
+            }
+            let i = usize::from(tile.side[1].norm() > tile.side[0].norm());
+            for half in patch.halves(i) {
+                prop_assert!(pile.push(half));
+            }
+        }
+        prop_assert!(found);
+    }
+}
+
+#[test]
+fn derivatives_of_the_blown_up_cube_are_bounded() {
+    let unit = Form::Quadric(Ten {
+        kind: QuadricKind::Ellips,
+        c: [1.0, 1.0, 1.0, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+    });
+    let sheet = Sheet::new(&unit).unwrap();
+    let h = 1e-4;
+    let d = |u: f64, v: f64| sheet.jet(&Spot { chart: 0, at: [u, v] }).d[0];
+    let mut top = [0.0_f64; 2];
+    for i in -60..=60 {
+        for j in -60..=60 {
+            let (u, v) = (f64::from(i) * 0.05, f64::from(j) * 0.05);
+            top[0] = top[0].max((d(u + h, v) - d(u - h, v)).norm() / (2.0 * h));
+            top[1] = top[1].max((d(u, v + h) - d(u, v - h)).norm() / (2.0 * h));
+        }
+    }
+    let bounds = sheet.second(&Patch::default());
+    assert!(top[0] <= bounds[0] && top[1] <= bounds[1], "{top:?} {bounds:?}");
+    assert!(trig::hypot(bounds[0], bounds[1]) < 2.0);
+}

@@ -1,0 +1,93 @@
+//! The tool on its way along a cut vector, held against points by separating planes.
+
+use aptc_geometry::Vec3;
+
+use crate::tool::{Pose, Tool};
+
+/// A tool and its way. Every tool on the way lies in the hull of those at the ends, enlarged by `pad`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Sweep<'a> {
+    pub(crate) tool: &'a Tool<'a>,
+    pub(crate) a: Pose,
+    pub(crate) b: Pose,
+    /// Arc less chord of the farthest point of the tool, when the axis turns.
+    pub(crate) pad: f64,
+}
+
+/// Where a point is nearest to the tool on its way, not exactly.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Meeting {
+    /// Share of the way.
+    pub(crate) t: f64,
+    /// Signed distance there, negative in the tool.
+    pub(crate) distance: f64,
+    /// Unit direction from the tool to the point.
+    pub(crate) m: Vec3,
+}
+
+impl Sweep<'_> {
+    fn pose(&self, t: f64) -> Pose {
+        let mix = |p: Vec3, q: Vec3| p + (q - p) * t;
+        let ta = if self.pad == 0.0 { self.a.ta } else { mix(self.a.ta, self.b.ta).normalize() };
+        Pose { te: mix(self.a.te, self.b.te), ta }
+    }
+
+    /// The middle of a sphere that holds all of the way, and its radius.
+    pub(crate) fn sphere(&self) -> (Vec3, f64) {
+        let half = 0.5 * (self.b.te - self.a.te);
+        (self.a.te + half, half.norm() + self.tool.reach() + self.pad)
+    }
+
+    /// The nearest meeting, found by few looks: an inexact one makes a bound weaker and not wrong.
+    pub(crate) fn meet(&self, x: Vec3) -> Meeting {
+        let v = self.b.te - self.a.te;
+        let at = |t: f64| {
+            let (distance, m) = self.tool.near(&self.pose(t), x);
+            (Meeting { t, distance, m }, -m.dot(&v))
+        };
+        let (first, mut f0) = at(0.0);
+        if f0 >= 0.0 && self.pad == 0.0 {
+            return first;
+        }
+        let (last, mut f1) = at(1.0);
+        if f1 <= 0.0 || f0 >= 0.0 {
+            return if last.distance < first.distance { last } else { first };
+        }
+        let (mut t0, mut t1) = (0.0, 1.0);
+        let mut best = if last.distance < first.distance { last } else { first };
+        let small = 1e-6 * v.norm();
+        for round in 0..8 {
+            let secant = t0 - f0 * (t1 - t0) / (f1 - f0);
+            let t = if round == 3 { 0.5 * (t0 + t1) } else { secant };
+            let (now, slope) = at(t);
+            if now.distance <= best.distance {
+                best = now;
+            }
+            if slope.abs() <= small {
+                break;
+            }
+            if slope < 0.0 {
+                (t0, f0) = (t, slope);
+            } else {
+                (t1, f1) = (t, slope);
+            }
+        }
+        // Square to the way the direction bounds all of it alike.
+        let square = best.m - v * (best.m.dot(&v) / v.norm_squared());
+        if self.pad == 0.0 && square.norm() > 0.5 {
+            best.m = square.normalize();
+        }
+        best
+    }
+
+    /// Support function of all of the way.
+    pub(crate) fn height(&self, m: Vec3) -> f64 {
+        let first = self.tool.height(&self.a, m);
+        let last = if self.pad == 0.0 {
+            first + m.dot(&(self.b.te - self.a.te))
+        } else {
+            self.tool.height(&self.b, m)
+        };
+        first.max(last) + self.pad
+    }
+}

@@ -1,0 +1,105 @@
+//! The book: each program in it compiles without an error, each link leads somewhere, no page is forgotten.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use aptc_control::{Memory, Options, Source};
+
+fn docs() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs")
+}
+
+/// All pages but those of the messages, whose examples have mistakes; paths from `docs`.
+fn pages() -> Vec<(String, String)> {
+    let mut pages = Vec::new();
+    for folder in ["", "language", "motion"] {
+        for entry in fs::read_dir(docs().join(folder)).expect("the folder is there") {
+            let path = entry.expect("an entry").path();
+            if path.extension().is_some_and(|e| e == "md") {
+                let text = fs::read_to_string(&path).expect("a page is text");
+                let name = path.strip_prefix(docs()).expect("it lies there").display().to_string();
+                pages.push((name, text));
+            }
+        }
+    }
+    pages.sort();
+    pages
+}
+
+/// The blocks between "```apt" and "```" with the line on which each begins.
+fn programs(page: &str) -> Vec<(usize, String)> {
+    let mut found = Vec::new();
+    let mut lines = page.lines().enumerate();
+    while let Some((n, line)) = lines.next() {
+        if line.trim_end() == "```apt" {
+            let body: Vec<_> =
+                lines.by_ref().map(|(_, l)| l).take_while(|l| !l.starts_with("```")).collect();
+            found.push((n + 2, body.join("\n") + "\n"));
+        }
+    }
+    found
+}
+
+#[test]
+fn each_program_of_the_book_compiles_and_is_proved() {
+    let (mut n, mut faults) = (0, Vec::new());
+    for (name, page) in pages() {
+        for (line, text) in programs(&page) {
+            n += 1;
+            let source = Source { name: name.as_str().into(), text: text.into() };
+            let compiled =
+                aptc_control::compile(source, &mut Memory::default(), &Options::default());
+            if compiled.has_errors() || compiled.is_refuted() {
+                let told: Vec<_> = compiled.diagnostics.iter().filter(|d| d.is_error()).collect();
+                faults.push(format!("{name}, program in line {line}: {told:#?}"));
+            }
+        }
+    }
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+    assert!(n >= 20, "only {n} programs were found");
+}
+
+#[test]
+fn each_link_leads_to_a_file() {
+    let mut dead = Vec::new();
+    for (name, page) in pages() {
+        let folder = docs().join(&name).parent().expect("a folder").to_owned();
+        for link in links(&page) {
+            let file = link.split('#').next().unwrap_or_default();
+            if !file.is_empty() && !link.contains("://") && !folder.join(file).exists() {
+                dead.push(format!("{name}: {link}"));
+            }
+        }
+    }
+    assert!(dead.is_empty(), "dead links: {dead:?}");
+}
+
+#[test]
+fn the_summary_names_each_page_once() {
+    let summary = fs::read_to_string(docs().join("SUMMARY.md")).expect("there is a summary");
+    let named = links(&summary);
+    let once: BTreeSet<_> = named.iter().cloned().collect();
+    assert_eq!(once.len(), named.len(), "a page is named twice");
+    let all: BTreeSet<_> = pages().into_iter().map(|p| p.0).filter(|p| p != "SUMMARY.md").collect();
+    let forgotten: Vec<_> = all.difference(&once).collect();
+    assert!(forgotten.is_empty(), "pages that the summary forgets: {forgotten:?}");
+}
+
+/// Targets of `[..](target)`, code blocks left out.
+fn links(page: &str) -> Vec<String> {
+    let mut code = false;
+    let mut found = Vec::new();
+    for line in page.lines() {
+        if line.starts_with("```") {
+            code = !code;
+        }
+        let mut rest = if code { "" } else { line };
+        while let Some((_, after)) = rest.split_once("](") {
+            let Some((target, tail)) = after.split_once(')') else { break };
+            found.push(target.to_owned());
+            rest = tail;
+        }
+    }
+    found
+}
