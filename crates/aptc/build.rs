@@ -10,12 +10,21 @@ fn main() {
     let out = PathBuf::from(env::var("OUT_DIR").expect("cargo sets it"));
     fs::write(out.join("pages.rs"), pages(&root.join("docs/errors"))).expect("OUT_DIR is writable");
     println!("cargo::rerun-if-changed=../../docs/errors");
-    println!("cargo::rerun-if-changed=../../.git/HEAD");
-    let git =
-        Command::new("git").args(["rev-parse", "--short", "HEAD"]).current_dir(&root).output();
-    let commit = git.ok().filter(|o| o.status.success());
-    let commit = commit.and_then(|o| String::from_utf8(o.stdout).ok()).unwrap_or_default();
-    println!("cargo::rustc-env=APTC_COMMIT={}", commit.trim());
+    // Each commit writes it; a worktree has its own.
+    if let Some(log) =
+        git(&root, &["rev-parse", "--path-format=absolute", "--git-path", "logs/HEAD"])
+    {
+        println!("cargo::rerun-if-changed={log}");
+    }
+    let commit = git(&root, &["rev-parse", "--short", "HEAD"]).unwrap_or_default();
+    println!("cargo::rustc-env=APTC_COMMIT={commit}");
+}
+
+/// What git prints; `None` where there is no git or no repository.
+fn git(root: &Path, arguments: &[&str]) -> Option<String> {
+    let output = Command::new("git").args(arguments).current_dir(root).output().ok()?;
+    let text = String::from_utf8(output.stdout).ok()?;
+    output.status.success().then(|| text.trim().to_owned())
 }
 
 /// A slice of (code, page) in order of code.

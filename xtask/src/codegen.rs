@@ -1,7 +1,9 @@
-//! Generates the word tables of `aptc-vocabulary` from `crates/vocabulary/words.tsv`.
+//! Generates the word tables of `aptc-vocabulary` and the grammars for editors from `words.tsv`.
 //!
 //! The table is data that people edit; what the compiler needs of it (packed spellings for the hash,
 //! codes sorted for the way back) is derived here once instead of at each start of the program.
+
+mod grammar;
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -31,16 +33,20 @@ pub(crate) enum Mode {
 pub(crate) fn run(mode: Mode) -> Result<(), String> {
     let crate_dir = root().join("crates/vocabulary");
     let rows = parse(&read(&crate_dir.join("words.tsv"))?)?;
-    let path = crate_dir.join("src/table.rs");
-    let generated = generate(&rows)?;
-    if mode == Mode::Check {
-        return if read(&path).is_ok_and(|present| present == generated) {
-            Ok(())
-        } else {
-            Err(format!("{} is stale; run `cargo xtask codegen`", path.display()))
-        };
+    let files = [
+        (crate_dir.join("src/table.rs"), generate(&rows)?),
+        (root().join("editors/apt.tmLanguage.json"), grammar::part_program(&rows)),
+        (root().join("editors/apt-cl.tmLanguage.json"), grammar::cl_text()),
+    ];
+    for (path, generated) in files {
+        if mode == Mode::Write {
+            std::fs::write(&path, generated)
+                .map_err(|error| format!("{}: {error}", path.display()))?;
+        } else if !read(&path).is_ok_and(|present| present == generated) {
+            return Err(format!("{} is stale; run `cargo xtask codegen`", path.display()));
+        }
     }
-    std::fs::write(&path, generated).map_err(|error| format!("{}: {error}", path.display()))
+    Ok(())
 }
 
 /// A code as the table writes it: `1031M`, `73m`, `6000:2M`, `s4M` (surface type), `-M`.

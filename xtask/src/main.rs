@@ -8,6 +8,7 @@ mod clients;
 mod codegen;
 mod fuzz;
 mod mutate;
+mod package;
 mod random;
 mod repository;
 mod test;
@@ -29,7 +30,8 @@ cargo xtask <chore>
                       each fuzz target for a time (60 s); needs cargo-fuzz
   bench [FILTER] [--runs N]
                       benchmarks; medians into docs/performance.md when all are run
-  codegen [--check]   write crates/vocabulary/src/table.rs from words.tsv, or fail when it is stale
+  package             static tarball and .deb with manual pages and completions, in target/package
+  codegen [--check]   write the word tables and the editors' grammars from words.tsv, or fail when stale
 ";
 
 fn main() -> ExitCode {
@@ -39,11 +41,11 @@ fn main() -> ExitCode {
         ["test"] => test::run(),
         ["ci"] => ci::run(),
         ["tidy"] => tidy::run(),
-
         ["bless", options @ ..] => bless::run(options),
         ["bench", options @ ..] => bench::run(options),
         ["fuzz", options @ ..] => fuzz::run(options),
         ["mutate", options @ ..] => mutate::run(options),
+        ["package"] => package::run(),
         ["codegen"] => codegen::run(codegen::Mode::Write),
         ["codegen", "--check"] => codegen::run(codegen::Mode::Check),
         _ => {

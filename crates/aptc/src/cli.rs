@@ -50,6 +50,17 @@ pub(crate) enum Command {
         /// Name of a machine or path of a machine file
         machine: Option<String>,
     },
+    /// Print the completions of commands and options for a shell
+    Completions {
+        /// The shell
+        shell: clap_complete::Shell,
+    },
+    /// Write a manual page for each command
+    Man {
+        /// Folder for the pages
+        #[arg(short, long, value_name = "DIR")]
+        output: PathBuf,
+    },
 }
 
 /// Options that every command has.

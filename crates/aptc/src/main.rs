@@ -5,6 +5,7 @@ mod commands;
 mod exit;
 mod explain;
 mod output;
+mod plain;
 mod progress;
 mod render;
 mod report;
@@ -31,6 +32,8 @@ fn main() -> ExitCode {
         Some(Command::Stats(args)) => commands::stats(args, &cli.common),
         Some(Command::Explain { code }) => explain::explain(code.as_deref()),
         Some(Command::Machines { machine }) => commands::machines(machine.as_deref(), &cli.common),
+        Some(Command::Completions { shell }) => commands::completions(*shell),
+        Some(Command::Man { output }) => commands::man(output),
     };
     match result {
         Ok(code) => code,

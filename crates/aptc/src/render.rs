@@ -9,6 +9,7 @@ use ariadne::{Cache, Config, IndexType, Label, Report, ReportKind, Source};
 use serde_json::{Value, json};
 
 use crate::cli::MessageFormat;
+use crate::plain::plain;
 
 /// Writes all messages in the chosen form.
 pub(crate) fn render(
@@ -32,8 +33,10 @@ pub(crate) fn render(
 }
 
 fn human(out: &mut dyn Write, all: &[Diagnostic], map: &SourceMap, color: bool) -> io::Result<()> {
-    let mut named =
-        Named { sources: map.iter().map(|(_, f)| Source::from(f.text.to_string())).collect(), map };
+    let mut named = Named {
+        sources: map.iter().map(|(_, f)| Source::from(plain(&f.text).into_owned())).collect(),
+        map,
+    };
     let config = Config::default().with_index_type(IndexType::Byte).with_color(color);
     for d in all {
         let kind = match d.severity {
@@ -44,14 +47,14 @@ fn human(out: &mut dyn Write, all: &[Diagnostic], map: &SourceMap, color: bool) 
         // A message about the whole run has no place: line 1 would only mislead.
         let no_place = d.span == Span::default() && d.label.is_empty() && d.labels.is_empty();
         if no_place || map.get(d.span.file).is_none() {
-            writeln!(out, "{}[{}]: {}", severity_word(d.severity), d.code, d.message)?;
+            writeln!(out, "{}[{}]: {}", severity_word(d.severity), d.code, plain(&d.message))?;
             tail(out, d)?;
             continue;
         }
         if map.get(d.span.file).is_some_and(|f| !f.is_kept()) {
             let (line, column) = map.line_column(d.span.file, d.span.start);
             let name = map.get(d.span.file).map_or("aptc", |f| &f.name);
-            writeln!(out, "{}[{}]: {}", severity_word(d.severity), d.code, d.message)?;
+            writeln!(out, "{}[{}]: {}", severity_word(d.severity), d.code, plain(&d.message))?;
             writeln!(out, "  --> {name}:{line}:{column}")?;
             tail(out, d)?;
             continue;
@@ -60,17 +63,17 @@ fn human(out: &mut dyn Write, all: &[Diagnostic], map: &SourceMap, color: bool) 
         let mut report = Report::build(kind, place.clone())
             .with_config(config)
             .with_code(d.code)
-            .with_message(&d.message)
-            .with_label(Label::new(place).with_message(&d.label).with_order(-1));
+            .with_message(plain(&d.message))
+            .with_label(Label::new(place).with_message(plain(&d.label)).with_order(-1));
         for l in d.labels.iter().filter(|l| map.get(l.span.file).is_some()) {
             let place = (l.span.file, l.span.start as usize..l.span.end.max(l.span.start) as usize);
-            report = report.with_label(Label::new(place).with_message(&l.text));
+            report = report.with_label(Label::new(place).with_message(plain(&l.text)));
         }
         for note in notes(d) {
-            report.add_note(note);
+            report.add_note(plain(&note));
         }
         if let Some(help) = &d.help {
-            report.set_help(help);
+            report.set_help(plain(help));
         }
         report.finish().write(&mut named, &mut *out)?;
     }
@@ -108,9 +111,9 @@ fn notes(d: &Diagnostic) -> Vec<String> {
 
 fn tail(out: &mut dyn Write, d: &Diagnostic) -> io::Result<()> {
     for note in notes(d) {
-        writeln!(out, "  note: {note}")?;
+        writeln!(out, "  note: {}", plain(&note))?;
     }
-    d.help.as_ref().map_or(Ok(()), |h| writeln!(out, "  help: {h}"))
+    d.help.as_ref().map_or(Ok(()), |h| writeln!(out, "  help: {}", plain(h)))
 }
 
 fn short(out: &mut dyn Write, all: &[Diagnostic], map: &SourceMap) -> io::Result<()> {
@@ -118,7 +121,7 @@ fn short(out: &mut dyn Write, all: &[Diagnostic], map: &SourceMap) -> io::Result
         let name = map.get(d.span.file).map_or("aptc", |f| &f.name);
         let (line, column) = map.line_column(d.span.file, d.span.start);
         let (severity, code) = (severity_word(d.severity), d.code);
-        writeln!(out, "{name}:{line}:{column}: {severity}[{code}]: {}", d.message)?;
+        writeln!(out, "{name}:{line}:{column}: {severity}[{code}]: {}", plain(&d.message))?;
     }
     Ok(())
 }

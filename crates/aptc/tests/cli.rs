@@ -175,3 +175,30 @@ fn words_are_explained() {
     assert_ne!(run.status.code(), Some(0));
     assert!(text(&run.stderr).contains("did you mean CIRCLE?"), "{}", text(&run.stderr));
 }
+
+#[test]
+fn an_input_cannot_speak_to_the_terminal() {
+    let program = "PARTNO A\u{1b}]0;B\u{7}\nP1=POINT/1,2\u{1b}[2J\nGOTO/P2\nFINI\n";
+    let dir = folder_with(&[("x.apt", program)]);
+    for format in ["human", "short", "json", "sarif"] {
+        let output =
+            aptc(dir.path(), &["compile", "x.apt", "--color", "never", "--message-format", format]);
+        let all = [output.stdout, output.stderr].concat();
+        let wild = all.iter().find(|b| b.is_ascii_control() && !b"\n\t".contains(b));
+        assert_eq!(wild, None, "{format}: {}", String::from_utf8_lossy(&all));
+    }
+}
+
+#[test]
+fn an_installation_gets_completions_and_manual_pages() {
+    let dir = folder_with(&[]);
+    for shell in ["bash", "zsh", "fish"] {
+        let script = text(&aptc(dir.path(), &["completions", shell]).stdout);
+        assert!(script.contains("cldiff"), "{shell} knows the commands");
+    }
+    assert!(aptc(dir.path(), &["man", "-o", "man"]).status.success());
+    for page in ["aptc.1", "aptc-compile.1", "aptc-post.1"] {
+        let page = fs::read_to_string(dir.path().join("man").join(page)).expect("a page");
+        assert!(page.contains(".SH OPTIONS"));
+    }
+}

@@ -41,11 +41,13 @@ const EDGES: [(&str, &[&str]); 18] = [
 ];
 
 /// Libraries that one room keeps to itself, so that they can be exchanged there.
-const KEPT: [(&str, &[&str]); 6] = [
+const KEPT: [(&str, &[&str]); 8] = [
     ("logos", &["aptc-syntax"]),
     ("chumsky", &["aptc-syntax"]),
     ("ariadne", &["aptc"]),
     ("clap", &["aptc"]),
+    ("clap_complete", &["aptc"]),
+    ("clap_mangen", &["aptc"]),
     ("indicatif", &["aptc"]),
     ("tempfile", &["aptc", "aptc-control", "aptc-tests"]),
 ];

@@ -10,6 +10,7 @@ use aptc_control::{Artifact, CodeOptions, Compiled, Disk, MachineChoice, Options
 
 use crate::cli::{CodeArgs, Common, CompileArgs, Emit, SourceArgs, SourceDialect, VerifyHow};
 use crate::output::write_whole;
+use crate::plain::plain;
 use crate::progress::Progress;
 use crate::{exit, report};
 
@@ -193,7 +194,7 @@ fn with_ending(mut stem: OsString, ending: &str) -> OsString {
 fn summary(part: &Path, compiled: &Compiled, written: &[PathBuf]) -> String {
     let mut out = String::new();
     let mut add = |label: &str, text: String| {
-        writeln!(out, "  {label:<15}{text}").expect("strings take all");
+        writeln!(out, "  {label:<15}{}", plain(&text)).expect("strings take all");
     };
     for p in &compiled.parts {
         let s = &p.summary;
