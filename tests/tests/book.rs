@@ -13,7 +13,7 @@ fn docs() -> PathBuf {
 /// All pages but those of the messages, whose examples have mistakes; paths from `docs`.
 fn pages() -> Vec<(String, String)> {
     let mut pages = Vec::new();
-    for folder in ["", "language", "motion"] {
+    for folder in ["", "formats", "language", "motion"] {
         for entry in fs::read_dir(docs().join(folder)).expect("the folder is there") {
             let path = entry.expect("an entry").path();
             if path.extension().is_some_and(|e| e == "md") {
