@@ -12,7 +12,11 @@ use crate::tool::{Pose, Tool};
 use crate::witness::{Excess, excess};
 
 /// Halvings of a vector whose axis turns.
-const DEPTH: u32 = 14;
+const DEPTH: u32 = 22;
+/// A bound may miss the truth by so many times what is allowed for the turn of the axis.
+const TURNED: f64 = 20.0;
+/// Halvings of a vector along which the surface was not searched to the end.
+const LONG: u32 = 5;
 /// Stretches of one vector that are looked at.
 const MOST: u32 = 2000;
 
@@ -75,15 +79,16 @@ impl Curved<'_> {
     /// The gap at a position, from below and to a thousandth of the tool; `None` when it is not found.
     pub(crate) fn gap(&self, tool: &Tool<'_>, pose: &Pose) -> Option<f64> {
         let pose = self.sheet.local(pose);
-        let sweep = Sweep { tool, a: pose, b: pose, pad: 0.0 };
+        let sweep = Sweep::still(tool, pose);
         // Nothing is near enough to end the search before the nearest is found.
         let enough = 4.0 * tool.reach().max(self.most.abs().min(1.0));
         let found =
             clearance(&sweep, &Moved { sheet: self.sheet, side: self.side, shift: 0.0 }, enough);
-        let (distance, ..) = found.nearest?;
+        let (distance, _, spot) = found.nearest?;
         let inner = pose.te + pose.ta * (0.5 * tool.reach());
         let right = if self.on { pose.te } else { inner };
-        let sign = self.sheet.sign(right) * self.side;
+        let sign = self.sheet.sign(right).unwrap_or_else(|| self.facing(tool, &pose, &spot));
+        let sign = sign * self.side;
         if self.on { Some(sign * distance) } else { (sign > 0.0).then_some(distance.min(enough)) }
     }
 
@@ -112,8 +117,8 @@ impl Curved<'_> {
         while let Some((t0, t1, depth)) = stack.pop() {
             seen += 1;
             let bend = turn * (t1 - t0);
-            let sweep_pad = if bend <= 1e-15 { 0.0 } else { tool.reach() * bend * bend / 8.0 };
-            let sweep = Sweep { tool, a: pose(t0), b: pose(t1), pad: sweep_pad };
+            let sweep = Sweep::new(tool, pose(t0), pose(t1), bend);
+            let turned = sweep.pad + 0.25 * sweep.turn * (sweep.b.te - sweep.a.te).norm();
             let found = clearance(&sweep, &moved, thin - pad);
             let shown = found.least - thin;
             if shown >= -pad {
@@ -130,7 +135,14 @@ impl Curved<'_> {
                 }
                 continue;
             }
-            if sweep_pad > 0.0 && depth < DEPTH && seen < MOST {
+            // Where much more is missing than what the turn takes, shorter stretches do not help; they do where
+            // the search came to no end.
+            let helps = if shown == f64::NEG_INFINITY {
+                depth < LONG
+            } else {
+                sweep.turn > 0.0 && -shown <= TURNED * turned && depth < DEPTH
+            };
+            if helps && seen < MOST {
                 let m = 0.5 * (t0 + t1);
                 stack.push((m, t1, depth + 1));
                 stack.push((t0, m, depth + 1));
@@ -145,11 +157,40 @@ impl Curved<'_> {
         let start = pose(0.0);
         let inner = tool.inner(&start);
         let near = least.abs() + pad;
-        if self.sheet.sign(inner) * side > 0.0 || self.distance(inner, 2.0 * near) <= near {
+        let sign = self.sheet.sign(inner).unwrap_or_else(|| self.stands(tool, &start)) * side;
+        if sign > 0.0 || self.nearest(inner, 2.0 * near).0 <= near {
             Half::Holds(low)
+        } else if sign < 0.0 {
+            Half::Broken(0.0, -self.nearest(inner, tool.reach()).0)
         } else {
-            Half::Broken(0.0, -self.distance(inner, tool.reach()))
+            Half::Open(0.0, f64::INFINITY)
         }
+    }
+
+    /// On which side of the surface the tool stands that does not pass through it: that of its point nearest
+    /// to the surface; 0 where that does not tell.
+    fn stands(&self, tool: &Tool<'_>, pose: &Pose) -> f64 {
+        let sweep = Sweep::still(tool, *pose);
+        let moved = Moved { sheet: self.sheet, side: 1.0, shift: 0.0 };
+        let band = [self.least, self.most].into_iter().filter(|x| x.is_finite());
+        let near = 4.0 * band.fold(1e-6 * tool.reach(), |m, x| m.max(x.abs()));
+        for enough in [near, 4.0 * tool.reach().max(near)] {
+            if let Some((distance, _, spot)) = clearance(&sweep, &moved, enough).nearest
+                && distance < enough
+            {
+                return self.facing(tool, pose, &spot);
+            }
+        }
+        0.0
+    }
+
+    /// The side of the surface at a place on which the tool's point next to it lies.
+    fn facing(&self, tool: &Tool<'_>, pose: &Pose, spot: &Spot) -> f64 {
+        /// Cosine below which the tool lies beside the place.
+        const BESIDE: f64 = 0.05;
+        let jet = self.sheet.jet(spot);
+        let cos = -tool.near(pose, jet.p).1.dot(&jet.n);
+        if cos.abs() > BESIDE { cos.signum() } else { 0.0 }
     }
 
     /// How much farther back the surface is moved for a tool without thickness.
@@ -178,26 +219,31 @@ impl Curved<'_> {
         }
         // The deepest point of the tool below the place, and how far it is from the whole surface.
         let p = tool.farthest(pose, jet.n * -side);
-        let far = self.distance(p, 2.0 * (inside.abs() + least.abs()));
-        let gap = if self.sheet.sign(p) * side > 0.0 { far } else { -far };
+        let (far, place) = self.nearest(p, 2.0 * (inside.abs() + least.abs()));
+        let sign = self.sheet.sign(p).or_else(|| {
+            let jet = self.sheet.jet(&place?);
+            Some((p - jet.p).dot(&jet.n).signum())
+        })?;
+        let gap = if sign * side > 0.0 { far } else { -far };
         (gap < least - pad).then_some(gap)
     }
 
-    /// Distance of a point from the surface, to a millionth; not more than somewhat above `enough`.
-    fn distance(&self, p: Vec3, enough: f64) -> f64 {
+    /// Distance of a point from the surface, to a millionth, and the place; not more than somewhat above
+    /// `enough`.
+    fn nearest(&self, p: Vec3, enough: f64) -> (f64, Option<Spot>) {
         let pose = Pose { te: p, ta: Vec3::z() };
-        let sweep = Sweep { tool: &Tool::End, a: pose, b: pose, pad: 0.0 };
+        let sweep = Sweep::still(&Tool::End, pose);
         let moved = Moved { sheet: self.sheet, side: 1.0, shift: 0.0 };
-        let first = clearance(&sweep, &moved, enough).nearest.map_or(enough, |n| n.0.min(enough));
-        let mut far = first;
-        for _ in 0..4 {
-            let found = clearance(&sweep, &moved, far * (1.0 - 1e-6));
-            match found.nearest {
-                Some((d, ..)) if d < far * (1.0 - 1e-6) => far = d,
+        let (mut far, mut place) = (enough, None);
+        let mut within = enough;
+        for _ in 0..5 {
+            match clearance(&sweep, &moved, within).nearest {
+                Some((d, _, spot)) if d < within => (far, place) = (d, Some(spot)),
                 _ => break,
             }
+            within = far * (1.0 - 1e-6);
         }
-        far
+        (far, place)
     }
 
     /// That the gap is nowhere above the greatest allowed.

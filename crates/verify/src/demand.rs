@@ -14,7 +14,7 @@ use crate::tool::{Pose, Tool};
 use crate::{inside, outside};
 
 /// Stretches of a vector that wait, from, to and how often halved: never more than one a halving.
-type Stack = Pile<(f64, f64, u32), 16>;
+type Stack = Pile<(f64, f64, u32), 32>;
 
 /// What is asked of the gap to a surface.
 #[derive(Clone, Debug)]
@@ -81,14 +81,22 @@ impl Demand {
             (true, false) => (-c.intol, c.outtol),
             (false, _) => (c.thick - c.intol, c.thick + c.outtol),
         };
+        // The working surface of a POLCON lies by its thickness to the positive side of the one that is defined.
+        let moved = match c.form.shape() {
+            Form::Polyconic(p) => side * p.thickness,
+            _ => 0.0,
+        };
+        let (least, most) = (least + moved, most + moved);
         Self { body, side, within, on, least, most }
     }
 
     /// Judges the cut vector from `a` to `b`; `pad` covers rounding. Of what is refuted the deepest place is
     /// given, to a tenth of its depth.
     pub(crate) fn judge(&self, profile: &Profile, a: &Position, b: &Position, pad: f64) -> Verdict {
-        /// Halvings of a vector at most; a turning axis needs them.
-        const DEPTH: u32 = 12;
+        /// Halvings of a vector at most, and stretches that are looked at. Where the path of a turning tool
+        /// just meets the border of its band the bounds are short of it by the square of the stretch.
+        const DEPTH: u32 = 24;
+        const MOST: u32 = 4000;
         let tool = if self.on { Tool::End } else { Tool::Solid(profile) };
         let solid = match &self.body {
             Body::Solid(solid) => solid,
@@ -102,7 +110,9 @@ impl Demand {
         let mut worst: Option<(f64, f64, Vec3)> = None;
         let mut stack = Stack::new();
         stack.push((0.0, 1.0, 0));
+        let mut seen = 0;
         while let Some((t0, t1, depth)) = stack.pop() {
+            seen += 1;
             let (p, q) = (pose(t0), pose(t1));
             let bound = self.bound(&tool, &p, &q, solid);
             let excess = (least - bound.low).max(bound.high - most);
@@ -121,7 +131,7 @@ impl Demand {
             if worst.is_some_and(|w| excess <= 1.1 * w.0) {
                 continue;
             }
-            if depth >= DEPTH {
+            if depth >= DEPTH || seen > MOST {
                 if excess > open.0 {
                     open = (excess, p.te);
                 }
@@ -179,13 +189,29 @@ impl Demand {
                 outside::bound(tool, p, q, solid)
             };
         }
-        let pad = tool.reach() * turn * turn / 8.0;
         if self.within {
-            inside::bound_turning(tool, p, q, solid, pad)
+            inside::bound_turning(tool, p, q, solid, turn)
         } else {
-            outside::bound_turning(tool, p, q, solid, pad)
+            outside::bound_turning(tool, p, q, solid, turn)
         }
     }
+}
+
+/// How far a point of the tool at distance `lever` from the tool end leaves the chord of its way at most, when
+/// the axis turns by `turn`; at the share t of the way the part 4 t (1 - t) of it.
+pub(crate) fn bulge(lever: f64, turn: f64) -> f64 {
+    lever * turn * turn / 8.0
+}
+
+/// Greatest value of the line from `f0` to `f1` and a parabola over it of height `rise`.
+pub(crate) fn parabola(f0: f64, f1: f64, rise: f64) -> f64 {
+    let top = f0.max(f1);
+    let difference = (f1 - f0).abs();
+    if 4.0 * rise <= difference || !rise.is_finite() {
+        return if rise.is_finite() { top } else { f64::INFINITY };
+    }
+    let lean = difference / (4.0 * rise);
+    0.5 * (f0 + f1) + rise * (1.0 + lean * lean)
 }
 
 pub(crate) fn angle(a: Vec3, b: Vec3) -> f64 {

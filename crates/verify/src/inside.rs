@@ -7,6 +7,7 @@
 use aptc_geometry::{Vec3, trig};
 
 use crate::bound::Bound;
+use crate::demand::{bulge, parabola};
 use crate::pile::Pile;
 use crate::solid::{Solid, any_across};
 use crate::tool::{Pose, Tool, carry};
@@ -146,20 +147,27 @@ pub(crate) fn bound(tool: &Tool<'_>, a: &Pose, b: &Pose, solid: &Solid) -> Bound
     Bound { low, high, least: first.1.min(last.1), low_at, high_at }
 }
 
-/// Bounds along the vector from `a` to `b` when the axis turns; `pad` as for the outside.
-pub(crate) fn bound_turning(tool: &Tool<'_>, a: &Pose, b: &Pose, solid: &Solid, pad: f64) -> Bound {
+/// Bounds along the vector from `a` to `b` when the axis turns by `turn`, as for the outside: the depth of a
+/// point is concave along the chord of its way.
+pub(crate) fn bound_turning(
+    tool: &Tool<'_>,
+    a: &Pose,
+    b: &Pose,
+    solid: &Solid,
+    turn: f64,
+) -> Bound {
     let (first, last) = (gap(tool, a, solid), gap(tool, b, solid));
-    let (low, low_at) = if first.0 <= last.0 { (first.0, 0.0) } else { (last.0, 1.0) };
-    // A tool-fixed point travels along its chord but for the pad, where m . p is linear.
+    let low = -parabola(-first.0, -last.0, bulge(tool.reach(), turn));
+    let low_at = if first.0 <= last.0 { 0.0 } else { 1.0 };
     let carried = |from: &Pose, to: &Pose, m: Vec3| {
         let p = tool.farthest(from, m);
-        let least = m.dot(&p).min(m.dot(&carry(from, to, p)));
-        solid.support(m) - least
+        let ends = [-m.dot(&p), -m.dot(&carry(from, to, p))];
+        solid.support(m) + parabola(ends[0], ends[1], bulge((p - from.te).norm(), turn))
     };
     let mut high = f64::INFINITY;
     for m in [first.2, last.2, solid.bounded_direction(first.2 + last.2)] {
         high = high.min(carried(a, b, m)).min(carried(b, a, m));
     }
     let high_at = if first.1 >= last.1 { 0.0 } else { 1.0 };
-    Bound { low: low - pad, high: high + pad, least: first.1.min(last.1), low_at, high_at }
+    Bound { low, high, least: first.1.min(last.1), low_at, high_at }
 }

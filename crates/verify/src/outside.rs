@@ -10,32 +10,44 @@
 use aptc_geometry::Vec3;
 
 use crate::bound::Bound;
+use crate::demand::{angle, bulge, parabola};
 use crate::solid::Solid;
-use crate::tool::{Pose, Tool, carry};
+use crate::tool::{Pose, Tool, carry, turned};
 
 /// Rounds of the searches for the best direction; reaching them costs tightness, not truth.
 const ROUNDS: usize = 60;
 
 /// Gap at a position: its value up to rounding, from above, and the direction that proves it.
 pub(crate) fn gap(tool: &Tool<'_>, pose: &Pose, solid: &Solid) -> (f64, Vec3) {
+    let (gap, d, _) = touch(tool, pose, solid);
+    (gap, d)
+}
+
+/// The gap, the direction that proves it and the point of the tool that has it.
+fn touch(tool: &Tool<'_>, pose: &Pose, solid: &Solid) -> (f64, Vec3, Vec3) {
+    // Of a tool that has `c` at the distance `d` in the direction `n` the point next to it.
+    let next = |c: Vec3, d: f64, n: Vec3| c - n * d;
     match solid {
-        Solid::Half(plane) => (-tool.height(pose, -plane.n) - plane.d, plane.n),
+        Solid::Half(plane) => {
+            let p = tool.farthest(pose, -plane.n);
+            (plane.distance(p), plane.n, p)
+        }
         Solid::Ball(c, r) => {
             let (d, n) = tool.near(pose, *c);
-            (d - r, -n)
+            (d - r, -n, next(*c, d, n))
         }
         Solid::Rod(q, t, r) => {
-            let (d, n) = along_axis(tool, pose, *q, *t, 0.0, f64::NEG_INFINITY);
-            (d - r, solid.bounded_direction(-n))
+            let (d, n, s) = along_axis(tool, pose, *q, *t, 0.0, f64::NEG_INFINITY);
+            (d - r, solid.bounded_direction(-n), next(q + s * t, d, n))
         }
         Solid::Nappe(v, t, _, sin) => {
-            let (d, n) = along_axis(tool, pose, *v, *t, *sin, 0.0);
-            (d, solid.bounded_direction(-n))
+            let (d, n, s) = along_axis(tool, pose, *v, *t, *sin, 0.0);
+            (d, solid.bounded_direction(-n), next(v + s * t, d + s * sin, n))
         }
     }
 }
 
-/// Least `near(q + s t) - s slope` over s >= least: the solid as the union of balls along its axis. The
+/// Least `near(q + s t) - s slope` over s >= least, its direction and s: the solid as the union of balls along its axis. The
 /// function is convex in s, so the sign of its slope brackets the least value.
 fn along_axis(
     tool: &Tool<'_>,
@@ -44,10 +56,10 @@ fn along_axis(
     t: Vec3,
     slope: f64,
     least: f64,
-) -> (f64, Vec3) {
+) -> (f64, Vec3, f64) {
     let value = |s: f64| {
         let (d, n) = tool.near(pose, q + s * t);
-        (d - s * slope, n, n.dot(&t) - slope)
+        (d - s * slope, n, n.dot(&t) - slope, s)
     };
     // Beyond twice the distance to the farthest place of interest the function only grows.
     let middle = (pose.te - q).dot(&t);
@@ -55,12 +67,12 @@ fn along_axis(
     let (mut a, mut b) = ((middle - far).max(least), (middle + far).max(least));
     let (mut fa, mut fb) = (value(a), value(b));
     if fa.2 >= 0.0 {
-        return (fa.0, fa.1);
+        return (fa.0, fa.1, fa.3);
     }
     if fb.2 <= 0.0 {
-        return (fb.0, fb.1);
+        return (fb.0, fb.1, fb.3);
     }
-    let mut best = if fa.0 < fb.0 { (fa.0, fa.1, fa.2) } else { (fb.0, fb.1, fb.2) };
+    let mut best = if fa.0 < fb.0 { fa } else { fb };
     for round in 0..ROUNDS {
         let secant = a - fa.2 * (b - a) / (fb.2 - fa.2);
         // Every third round halves, so that the bracket shrinks whatever the shape.
@@ -78,7 +90,7 @@ fn along_axis(
             (b, fb) = (s, f);
         }
     }
-    (best.0, best.1)
+    (best.0, best.1, best.3)
 }
 
 /// What the direction `d` proves of the gap along the motion from `pose` by `v`.
@@ -139,23 +151,63 @@ pub(crate) fn bound(tool: &Tool<'_>, a: &Pose, b: &Pose, solid: &Solid) -> Bound
     Bound { low: best.0, high, low_at: least.1, high_at, least: least.0 }
 }
 
-/// Bounds along the vector from `a` to `b` when the axis turns: every tool on the way lies in the hull of the
-/// tools at the ends, enlarged by `pad` (arc less chord of the farthest point of the tool).
-pub(crate) fn bound_turning(tool: &Tool<'_>, a: &Pose, b: &Pose, solid: &Solid, pad: f64) -> Bound {
-    let (first, last) = (gap(tool, a, solid), gap(tool, b, solid));
-    let hull = |d: Vec3| -tool.height(a, -d).max(tool.height(b, -d)) - solid.support(d);
+/// The gap from below when the direction that proves it turns from one end to the other: second order in the
+/// turn also for a flat face that rolls over the solid.
+///
+/// On the way d the gap is at least `d . (te - o) - h(T, -d) - h(C - o, d)`, the support of the tool taken
+/// about its end. The first term bends by `psi^2 |te - o| + 2 psi |v|`. In the tool's own system d goes along
+/// its chord but for `(theta + psi)^2 / 8`, and support functions are convex; where the direction turns with
+/// the tool, which a ball allows, it stands still there.
+fn turning(tool: &Tool<'_>, a: &Pose, b: &Pose, solid: &Solid, d: [Vec3; 2], theta: f64) -> f64 {
+    let origin = match solid {
+        Solid::Half(_) => return f64::NEG_INFINITY,
+        Solid::Ball(o, _) | Solid::Rod(o, ..) | Solid::Nappe(o, ..) => *o,
+    };
+    let at = |pose: &Pose, d: Vec3| -tool.height(pose, -d) - solid.support(d);
+    let across = |te: Vec3| match solid {
+        Solid::Rod(_, t, _) => (te - origin) - t * (te - origin).dot(t),
+        _ => te - origin,
+    };
+    let far = across(a.te).norm().max(across(b.te).norm());
+    let drift = across(b.te - a.te + origin).norm();
+    let bend = |psi: f64| bulge(far, psi) + 0.25 * psi * drift;
+    let psi = angle(d[0], d[1]);
+    let rise = bend(psi) + bulge(tool.reach(), theta + psi);
+    let mut low = -parabola(-at(a, d[0]), -at(b, d[1]), rise);
+    if let Solid::Ball(..) = solid {
+        for (from, to, d) in [(a, b, d[0]), (b, a, d[1])] {
+            let ends = [at(from, d), at(to, turned(from.ta, to.ta, d))];
+            low = low.max(-parabola(-ends[0], -ends[1], bend(theta)));
+        }
+    }
+    low
+}
+
+/// Bounds along the vector from `a` to `b` when the axis turns by `turn`: each point fixed in the tool keeps to
+/// the chord of its way but for its bulge, which vanishes at the ends.
+pub(crate) fn bound_turning(
+    tool: &Tool<'_>,
+    a: &Pose,
+    b: &Pose,
+    solid: &Solid,
+    turn: f64,
+) -> Bound {
+    let rise = bulge(tool.reach(), turn);
+    let (first, last) = (touch(tool, a, solid), touch(tool, b, solid));
+    let hull = |d: Vec3| -parabola(tool.height(a, -d), tool.height(b, -d), rise) - solid.support(d);
     let mut low = f64::NEG_INFINITY;
     let middle = first.1 + last.1;
     for d in [first.1, last.1, solid.bounded_direction(middle)] {
         low = low.max(hull(d));
     }
-    // A point fixed in the tool travels along its chord but for the pad, and sd is convex along the chord.
-    let carried = |from: &Pose, to: &Pose, d: Vec3| {
-        let p = tool.farthest(from, -d);
-        solid.distance(p).max(solid.distance(carry(from, to, p)))
+    low = low.max(turning(tool, a, b, solid, [first.1, last.1], turn));
+    // The distance is convex along the chord.
+    let carried = |from: &Pose, to: &Pose, p: Vec3| {
+        let ends = [solid.distance(p), solid.distance(carry(from, to, p))];
+        parabola(ends[0], ends[1], bulge((p - from.te).norm(), turn))
     };
-    let high = carried(a, b, first.1).min(carried(b, a, last.1)) + pad;
+    let high = carried(a, b, first.2).min(carried(b, a, last.2));
     let (least, low_at) = if first.0 <= last.0 { (first.0, 0.0) } else { (last.0, 1.0) };
     let high_at = if first.0 >= last.0 { 0.0 } else { 1.0 };
-    Bound { low: low - pad, high, low_at, high_at, least }
+    Bound { low, high, low_at, high_at, least }
 }

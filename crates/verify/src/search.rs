@@ -5,13 +5,18 @@
 //! in the parallelogram `c +- a +- b` inflated by `d` any unit m shows that it stays at
 //! `m . c - h(T, m) - |m . a| - |m . b| - d` from the tool. As m serves the direction from the tool to c.
 
+use aptc_geometry::Vec3;
+
 use crate::sheet::{Patches, Sheet, Spot, Tile};
-use crate::sweep::{Meeting, Sweep};
+use crate::sweep::Sweep;
 
 /// Pieces that one search looks at; beyond it the answer is open.
 const MOST: u32 = 20_000;
 /// Pieces that a search looks at for a still nearer place when it has found one that is too near.
 const MORE: u32 = 400;
+
+/// Share of the shift below which a piece that is too near is not cut further.
+const FOLD: f64 = 1e-4;
 
 /// What a search found.
 #[derive(Clone, Copy, Debug)]
@@ -52,6 +57,23 @@ pub(crate) fn clearance(sweep: &Sweep<'_>, moved: &Moved<'_>, enough: f64) -> Cl
             out.least = f64::NEG_INFINITY;
             break;
         }
+        if let Some((node, below)) = moved.sheet.group(&patch, center) {
+            let far = (node.center - center).norm() - node.radius - within;
+            let low = if far >= 0.0 {
+                enough.max(far)
+            } else {
+                let radius = node.radius + moved.shift.abs();
+                let meeting = sweep.meet(node.center);
+                sweep.proved(&meeting, node.center, radius, |_| [radius, 0.0]).0
+            };
+            if far >= 0.0 || low >= known(&out, enough) {
+                out.least = out.least.min(low);
+            } else if !below.into_iter().flatten().all(|p| pile.push(p)) {
+                out.least = f64::NEG_INFINITY;
+                break;
+            }
+            continue;
+        }
         let tile = moved.sheet.tile(&patch);
         let far = (tile.c - center).norm() - tile.radius() - within;
         if far >= 0.0 {
@@ -63,18 +85,24 @@ pub(crate) fn clearance(sweep: &Sweep<'_>, moved: &Moved<'_>, enough: f64) -> Cl
         if out.nearest.is_none_or(|n| meeting.distance < n.0) {
             out.nearest = Some((meeting.distance, meeting.t, patch.spot()));
         }
-        let slack = slack(&tile, &meeting, moved.shift.abs());
-        let low = meeting.m.dot(&x) - sweep.height(meeting.m) - slack[0] - slack[1];
-        let nearest = out.nearest.map_or(f64::INFINITY, |n| n.0);
-        let known = if nearest < enough { nearest - 0.1 * (enough - nearest) } else { enough };
-        if low >= known {
+        let within_tile = tile.radius() + 2.0 * moved.shift.abs();
+        let (low, slack, rise) =
+            sweep.proved(&meeting, x, within_tile, |m| slack(&tile, m, moved.shift.abs()));
+        if low >= known(&out, enough) {
             out.least = out.least.min(low);
             continue;
         }
-        if slack[0] + slack[1] <= sweep.pad {
+        if slack[0] + slack[1] <= rise {
             // Smaller pieces do not help, a shorter way does.
             out.least = out.least.min(low);
             break;
+        }
+        if tile.radius() <= FOLD * moved.shift.abs() {
+            // What is left is the normal, which turns by as much however small the piece: the moved surface
+            // has a fold or a tip here.
+            out.least = out.least.min(low);
+            seen = seen.max(MOST - MORE);
+            continue;
         }
         let i = usize::from(slack[1] > slack[0]);
         let [near, away] = patch.halves(i);
@@ -90,9 +118,14 @@ pub(crate) fn clearance(sweep: &Sweep<'_>, moved: &Moved<'_>, enough: f64) -> Cl
     out
 }
 
+/// What a piece must stay away from the tool to be of no more interest.
+fn known(out: &Clearance, enough: f64) -> f64 {
+    let nearest = out.nearest.map_or(f64::INFINITY, |n| n.0);
+    if nearest < enough { nearest - 0.1 * (enough - nearest) } else { enough }
+}
+
 /// By how much the distance may be less on the piece than in its middle, by parameter.
-fn slack(tile: &Tile, meeting: &Meeting, shift: f64) -> [f64; 2] {
-    let m = meeting.m;
+fn slack(tile: &Tile, m: Vec3, shift: f64) -> [f64; 2] {
     let along = m.dot(&tile.n);
     let across = (m - tile.n * along).norm();
     let whole = tile.turn[0] + tile.turn[1];

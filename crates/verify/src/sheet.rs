@@ -4,7 +4,13 @@
 //! a piece `u +- hu, v +- hv` lies within `du + dv` of the parallelogram `c +- a +- b`. Nothing here is
 //! solved for: a bound rests on Taylor's formula alone.
 
+mod bend;
+mod patched;
+mod polyconic;
 mod quadric;
+mod rail;
+mod ruled;
+mod sculpted;
 mod tabcyl;
 
 use aptc_geometry::{Form, Vec3};
@@ -12,6 +18,8 @@ use aptc_geometry::{Form, Vec3};
 use crate::pile::Pile;
 use crate::tool::Pose;
 
+pub(crate) use patched::Node;
+use patched::Patched;
 pub(crate) use quadric::Quadric;
 pub(crate) use tabcyl::Tabcyl;
 
@@ -29,14 +37,17 @@ pub(crate) struct Sheet {
 enum Kind {
     Quadric(Quadric),
     Tabcyl(Tabcyl),
+    Patched(Box<Patched>),
 }
 
-/// A rectangle of parameters.
+/// A rectangle of parameters, or a group of charts.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Patch {
     pub(crate) chart: usize,
     pub(crate) at: [f64; 2],
     pub(crate) half: [f64; 2],
+    /// Is `chart` the number of a group of charts?
+    pub(crate) group: bool,
 }
 
 /// A place of the surface by its parameters.
@@ -85,8 +96,25 @@ impl Sheet {
                 let axes = [t.u(), t.v(), t.w()];
                 Some(Self { axes, origin: Vec3::zeros(), kind: Kind::Tabcyl(Tabcyl::new(t)?) })
             }
+            Form::Ruled(r) => {
+                let (cells, grid) = ruled::Rulings::new(r)?;
+                Some(Self::of(Patched::new(patched::Kind::Ruled(cells), grid)?))
+            }
+            Form::Polyconic(p) => {
+                let (cells, grid) = polyconic::Sections::new(p)?;
+                Some(Self::of(Patched::new(patched::Kind::Polyconic(Box::new(cells)), grid)?))
+            }
+            Form::Ssurf(d) => {
+                let (cells, grid) = sculpted::Sculpted::with_continuation(d)?;
+                Some(Self::of(Patched::new(patched::Kind::Sculpted(cells), grid)?))
+            }
             _ => None,
         }
+    }
+
+    fn of(patched: Patched) -> Self {
+        let axes = [Vec3::x(), Vec3::y(), Vec3::z()];
+        Self { axes, origin: Vec3::zeros(), kind: Kind::Patched(Box::new(patched)) }
     }
 
     /// A position in the surface's own system.
@@ -96,11 +124,13 @@ impl Sheet {
         Pose { te: turn(pose.te - self.origin), ta: turn(pose.ta) }
     }
 
-    /// On which side the point of the surface's own system lies: +1, -1.
-    pub(crate) fn sign(&self, p: Vec3) -> f64 {
+    /// On which side the point of the surface's own system lies, +1 or -1; `None` where only the nearest
+    /// place tells.
+    pub(crate) fn sign(&self, p: Vec3) -> Option<f64> {
         match &self.kind {
-            Kind::Quadric(q) => 1.0_f64.copysign(q.value(p)),
-            Kind::Tabcyl(t) => t.sign(p),
+            Kind::Quadric(q) => Some(1.0_f64.copysign(q.value(p))),
+            Kind::Tabcyl(t) => Some(t.sign(p)),
+            Kind::Patched(_) => None,
         }
     }
 
@@ -109,6 +139,15 @@ impl Sheet {
         match &self.kind {
             Kind::Quadric(q) => q.roots(center, radius, out),
             Kind::Tabcyl(t) => t.roots(center, radius, out),
+            Kind::Patched(p) => out.push(p.root()),
+        }
+    }
+
+    /// The sphere that holds a group of charts, and what is in it, nearer to `x` last.
+    pub(crate) fn group(&self, patch: &Patch, x: Vec3) -> Option<(&Node, [Option<Patch>; 2])> {
+        match &self.kind {
+            Kind::Patched(p) if patch.group => Some((p.node(patch.chart), p.below(patch.chart, x))),
+            _ => None,
         }
     }
 
@@ -116,6 +155,7 @@ impl Sheet {
         match &self.kind {
             Kind::Quadric(q) => q.jet(spot),
             Kind::Tabcyl(t) => t.jet(spot),
+            Kind::Patched(p) => p.jet(spot),
         }
     }
 
@@ -124,6 +164,7 @@ impl Sheet {
         match &self.kind {
             Kind::Quadric(q) => q.settle(spot),
             Kind::Tabcyl(t) => t.settle(spot),
+            Kind::Patched(p) => p.settle(spot),
         }
     }
 
@@ -140,6 +181,7 @@ impl Sheet {
                 q.turn(jet.p, [reach(0), reach(1)])
             }
             Kind::Tabcyl(_) => [uu * hu, 0.0],
+            Kind::Patched(p) => p.turn(patch, &jet),
         };
         Tile { c: jet.p, side, stray, n: jet.n, turn }
     }
@@ -149,6 +191,7 @@ impl Sheet {
         match &self.kind {
             Kind::Quadric(q) => q.second(patch),
             Kind::Tabcyl(t) => t.second(patch),
+            Kind::Patched(p) => p.second(patch.chart),
         }
     }
 
@@ -160,7 +203,7 @@ impl Sheet {
         }
         let half = [0, 1].map(|i| 0.5 * (b.at[i] - a.at[i]).abs());
         let at = [0, 1].map(|i| 0.5 * (b.at[i] + a.at[i]));
-        let [uu, uv, vv] = self.second(&Patch { chart: a.chart, at, half });
+        let [uu, uv, vv] = self.second(&Patch { chart: a.chart, at, half, group: false });
         let [hu, hv] = half;
         0.5 * (uu * hu * hu + 2.0 * uv * hu * hv + vv * hv * hv)
     }
@@ -190,5 +233,7 @@ impl Patch {
     }
 }
 
+#[cfg(test)]
+pub(crate) mod forms;
 #[cfg(test)]
 pub(crate) mod tests;

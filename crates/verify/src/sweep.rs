@@ -2,16 +2,33 @@
 
 use aptc_geometry::Vec3;
 
-use crate::tool::{Pose, Tool};
+use crate::demand::{bulge, parabola};
+use crate::tool::{Pose, Tool, turned};
 
-/// A tool and its way. Every tool on the way lies in the hull of those at the ends, enlarged by `pad`.
+/// A tool and its way. Every tool on the way lies in the hull of those at the ends, enlarged by `pad`. Seen
+/// from the tool a point of space goes along its chord but for a bulge, second order in the turn.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sweep<'a> {
     pub(crate) tool: &'a Tool<'a>,
     pub(crate) a: Pose,
     pub(crate) b: Pose,
+    /// Angle by which the axis turns.
+    pub(crate) turn: f64,
     /// Arc less chord of the farthest point of the tool, when the axis turns.
     pub(crate) pad: f64,
+}
+
+impl<'a> Sweep<'a> {
+    /// From one position to another, the axis turning by `turn`; angles of rounding count as none.
+    pub(crate) fn new(tool: &'a Tool<'a>, a: Pose, b: Pose, turn: f64) -> Self {
+        let turn = if turn <= 1e-15 { 0.0 } else { turn };
+        Self { tool, a, b, turn, pad: bulge(tool.reach(), turn) }
+    }
+
+    /// Standing at a position.
+    pub(crate) fn still(tool: &'a Tool<'a>, at: Pose) -> Self {
+        Self::new(tool, at, at, 0.0)
+    }
 }
 
 /// Where a point is nearest to the tool on its way, not exactly.
@@ -80,14 +97,35 @@ impl Sweep<'_> {
         best
     }
 
-    /// Support function of all of the way.
-    pub(crate) fn height(&self, m: Vec3) -> f64 {
-        let first = self.tool.height(&self.a, m);
-        let last = if self.pad == 0.0 {
-            first + m.dot(&(self.b.te - self.a.te))
-        } else {
-            self.tool.height(&self.b, m)
+    /// What a meeting proves of the distance of a piece about `x` that lies within `radius` of it: not less than
+    /// the first number with the greater slack of both ends taken off; the last one is the part of it that
+    /// is due to the turn. `slack` tells by parameter how much the piece may be nearer in a direction.
+    pub(crate) fn proved(
+        &self,
+        meeting: &Meeting,
+        x: Vec3,
+        radius: f64,
+        slack: impl Fn(Vec3) -> [f64; 2],
+    ) -> (f64, [f64; 2], f64) {
+        let m = meeting.m;
+        if self.pad == 0.0 {
+            let first = self.tool.height(&self.a, m);
+            let height = first.max(first + m.dot(&(self.b.te - self.a.te)));
+            let slack = slack(m);
+            return (m.dot(&x) - height - slack[0] - slack[1], slack, 0.0);
+        }
+        // The direction turns with the tool, whose support in it stays the same.
+        let pose = self.pose(meeting.t);
+        let own = self.tool.height(&Pose { te: Vec3::zeros(), ta: pose.ta }, m);
+        let end = |at: &Pose| {
+            let m = turned(pose.ta, at.ta, m);
+            let slack = slack(m);
+            (m.dot(&(x - at.te)) - own - slack[0] - slack[1], slack)
         };
-        first.max(last) + self.pad
+        let ((a, slack_a), (b, slack_b)) = (end(&self.a), end(&self.b));
+        let lever = (x - self.a.te).norm().max((x - self.b.te).norm()) + radius;
+        let drift = (self.b.te - self.a.te).norm();
+        let rise = bulge(lever, self.turn) + 0.25 * self.turn * drift;
+        (-parabola(-a, -b, rise), [0, 1].map(|i| slack_a[i].max(slack_b[i])), rise)
     }
 }

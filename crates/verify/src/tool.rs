@@ -87,11 +87,15 @@ impl Tool<'_> {
 /// Where a point fixed in the tool goes when the tool moves from one position to another, the axis by the
 /// least rotation.
 pub(crate) fn carry(from: &Pose, to: &Pose, p: Vec3) -> Vec3 {
-    let x = p - from.te;
-    let (k, c) = (from.ta.cross(&to.ta), from.ta.dot(&to.ta));
+    to.te + turned(from.ta, to.ta, p - from.te)
+}
+
+/// A vector turned by the least rotation that brings the unit vector `from` to `to`.
+pub(crate) fn turned(from: Vec3, to: Vec3, x: Vec3) -> Vec3 {
+    let (k, c) = (from.cross(&to), from.dot(&to));
     // Opposite axes have no least rotation; whoever asks divides the motion until this does not occur.
     if c <= -1.0 + 1e-9 {
-        return to.te + x;
+        return x;
     }
-    to.te + x * c + k.cross(&x) + k * (k.dot(&x) / (1.0 + c))
+    x * c + k.cross(&x) + k * (k.dot(&x) / (1.0 + c))
 }

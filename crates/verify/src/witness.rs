@@ -8,6 +8,7 @@ use std::cell::Cell;
 
 use aptc_geometry::Vec3;
 
+use crate::demand::parabola;
 use crate::pile::Pile;
 use crate::search::{Clearance, Moved, clearance};
 use crate::sheet::{Sheet, Spot};
@@ -62,7 +63,7 @@ pub(crate) fn excess(
     };
     let globally = |t: f64, enough: f64| {
         let pose = pose(t);
-        let sweep = Sweep { tool, a: pose, b: pose, pad: 0.0 };
+        let sweep = Sweep::still(tool, pose);
         clearance(&sweep, &Moved { sheet, side, shift: 0.0 }, enough)
     };
     let asked = Cell::new(0_u32);
@@ -140,17 +141,6 @@ fn between(tool: &Tool<'_>, sheet: &Sheet, a: &Touch, b: &Touch, turn: f64) -> f
         parabola(g0, g1, (angle * angle * lever + 2.0 * angle * drift) / 8.0)
     };
     moving.min(fixed(a.p)).min(fixed(b.p))
-}
-
-/// Greatest value of the line from `f0` to `f1` and a parabola over it of height `rise`.
-fn parabola(f0: f64, f1: f64, rise: f64) -> f64 {
-    let top = f0.max(f1);
-    let difference = (f1 - f0).abs();
-    if 4.0 * rise <= difference || !rise.is_finite() {
-        return if rise.is_finite() { top } else { f64::INFINITY };
-    }
-    let lean = difference / (4.0 * rise);
-    0.5 * (f0 + f1) + rise * (1.0 + lean * lean)
 }
 
 /// The place of the surface nearest to the tool, going down from `spot`: distance, place, point. Newton's

@@ -16,7 +16,7 @@ mod tabcyl;
 use std::sync::Arc;
 
 pub use cone::vertex_side;
-pub use parametric::ParametricSurface;
+pub use parametric::{Continued, ParametricSurface, continued};
 pub use probe::{Aimed, ajundo, ccurv, control, radar};
 pub use quadric::QuadricSurface;
 pub use shape::{Frame, Shape, frame_about};

@@ -109,8 +109,9 @@ impl Quadric {
 
     pub(crate) fn roots(&self, center: Vec3, radius: f64, out: &mut Patches) -> bool {
         const PI: f64 = std::f64::consts::PI;
-        let mut push =
-            |chart: usize, at: [f64; 2], half: [f64; 2]| out.push(Patch { chart, at, half });
+        let mut push = |chart: usize, at: [f64; 2], half: [f64; 2]| {
+            out.push(Patch { chart, at, half, group: false })
+        };
         let (c, r) = (center, radius);
         match self.shape {
             Shape::Ellipsoid(_) => (0..6).all(|i| push(i, [0.0; 2], [1.0; 2])),

@@ -68,7 +68,8 @@ impl Tabcyl {
             }
             for (i, s) in self.spans.iter().enumerate().skip(g * GROUP).take(GROUP) {
                 let half = 0.5 * s.length;
-                let patch = Patch { chart: i, at: [half, center.z], half: [half, radius] };
+                let patch =
+                    Patch { chart: i, at: [half, center.z], half: [half, radius], group: false };
                 if !far(&s.disk) && !out.push(patch) {
                     return false;
                 }

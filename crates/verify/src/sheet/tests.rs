@@ -28,6 +28,55 @@ pub(crate) fn quadrics() -> Vec<Form> {
         .collect()
 }
 
+proptest! {
+    /// Pieces of all surfaces by two parameters, their continuations too, found by going down the tree.
+    #[test]
+    fn a_piece_by_two_parameters_is_held(
+        which in 0_usize..9, walk in prop::collection::vec(any::<bool>(), 12),
+        at in prop::array::uniform2(-1.0..1.0_f64), half in prop::array::uniform2(0.001..1.0_f64),
+        in_piece in prop::array::uniform2(-1.0..1.0_f64),
+    ) {
+        let form = &forms::parametric()[which];
+        let sheet = Sheet::new(form).expect("it has charts");
+        let Kind::Patched(patched) = &sheet.kind else { unreachable!() };
+        let mut patch = patched.root();
+        let mut spheres = Vec::new();
+        for side in walk {
+            let Some((node, [first, second])) = sheet.group(&patch, Vec3::zeros()) else { break };
+            spheres.push(*node);
+            patch = if side { first.or(second) } else { second }.unwrap();
+        }
+        prop_assert!(!patch.group);
+        for i in 0..2 {
+            patch.at[i] += at[i] * patch.half[i] * (1.0 - half[i]);
+            patch.half[i] *= half[i];
+        }
+        let tile = sheet.tile(&patch);
+        let spot = Spot {
+            chart: patch.chart,
+            at: [0, 1].map(|i| patch.at[i] + in_piece[i] * patch.half[i]),
+        };
+        let jet = sheet.jet(&spot);
+        for s in spheres {
+            prop_assert!((jet.p - s.center).norm() <= s.radius * (1.0 + 1e-9), "outside of its group");
+        }
+        let flat = tile.c + tile.side[0] * in_piece[0] + tile.side[1] * in_piece[1];
+        let stray = (jet.p - flat).norm();
+        prop_assert!(stray <= (tile.stray[0] + tile.stray[1]) * (1.0 + 1e-6) + 1e-9, "{stray} {tile:?}");
+        let turn = (jet.n - tile.n).norm();
+        prop_assert!(turn <= (tile.turn[0] + tile.turn[1]) * (1.0 + 1e-6) + 1e-8, "{turn} {tile:?}");
+        if jet.p.norm() > 8.0 {
+            // Far out the straight continuations cross each other.
+            return Ok(());
+        }
+        let surface = aptc_geometry::Surface::from_form(form).unwrap();
+        let foot = surface.foot(jet.p);
+        // Section 2 takes the direction of a steep rail from beside its end.
+        let near = if which == 1 { 1e-5 } else { 1e-8 };
+        prop_assert!(foot.distance.abs() < near * (1.0 + jet.p.norm()), "off the surface by {}", foot.distance);
+    }
+}
+
 fn world(sheet: &Sheet, y: Vec3) -> Vec3 {
     sheet.origin + sheet.axes[0] * y.x + sheet.axes[1] * y.y + sheet.axes[2] * y.z
 }

@@ -15,6 +15,7 @@ use crate::{Place, Polyconic, Reason, RuledSurface, Vec2, Vec3};
 use polyconic::Sections;
 use ruled::Rulings;
 use sculptured::Spans;
+pub use sculptured::{Continued, continued};
 
 /// Bound of one search; Newton's method takes some six steps.
 const MAX_STEPS: usize = 60;

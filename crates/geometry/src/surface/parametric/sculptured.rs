@@ -23,6 +23,23 @@ pub(super) struct Spans {
     domain: Domain,
 }
 
+/// A sculptured surface with how far it goes straight on, in shares of itself: 0 to 1 is the surface.
+#[derive(Clone, Debug)]
+pub struct Continued {
+    /// The surface; loose patches that fit together are one grid.
+    pub surface: Sculptured,
+    /// The range along u.
+    pub u: [f64; 2],
+    /// The range along v.
+    pub v: [f64; 2],
+}
+
+/// The surface of a definition as it guides the tool; `None` when it cannot be fitted.
+pub fn continued(definition: &SurfaceDefinition) -> Option<Continued> {
+    let Spans { surface, domain, .. } = Spans::new(definition)?;
+    Some(Continued { surface, u: domain.u, v: domain.v })
+}
+
 impl Spans {
     /// `None` when the definition cannot be fitted.
     pub(super) fn new(definition: &SurfaceDefinition) -> Option<Self> {

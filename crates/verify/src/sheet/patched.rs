@@ -1,0 +1,289 @@
+//! Surfaces by two parameters: RLDSRF, POLCON and SSURF. A grid of cells, each with constant bounds of its
+//! derivatives, in a tree of spheres; beyond the borders they go on straight.
+
+use aptc_geometry::Vec3;
+use aptc_geometry::sculpt::Derivatives;
+
+use super::bend::Bend;
+use super::polyconic::Sections;
+use super::ruled::Rulings;
+use super::sculpted::Sculpted;
+use super::{Jet, Patch, Spot};
+
+/// Evaluation of the cells of a grid.
+pub(crate) trait Cells {
+    /// Point and derivatives at a place of the cell in column `i` and row `j`.
+    fn at(&self, i: usize, j: usize, u: f64, v: f64) -> Derivatives;
+    /// Bounds of the derivatives over the cell.
+    fn bend(&self, i: usize, j: usize) -> Bend;
+}
+
+/// Where a parameter runs.
+#[derive(Clone, Debug)]
+pub(crate) struct Side {
+    /// Borders of the cells, rising.
+    pub(crate) knots: Vec<f64>,
+    /// Where the straight continuation ends before the first and behind the last.
+    pub(crate) before: Option<f64>,
+    pub(crate) behind: Option<f64>,
+    /// Do neighbouring cells touch?
+    pub(crate) joined: bool,
+}
+
+/// Both parameters.
+#[derive(Clone, Debug)]
+pub(crate) struct Grid {
+    pub(crate) sides: [Side; 2],
+}
+
+/// What is in the cells.
+#[derive(Clone, Debug)]
+pub(crate) enum Kind {
+    Sculpted(Sculpted),
+    Ruled(Rulings),
+    Polyconic(Box<Sections>),
+}
+
+/// A surface of cells. The positive side is that of the cross product of the derivatives.
+#[derive(Clone, Debug)]
+pub(crate) struct Patched {
+    kind: Kind,
+    grid: Grid,
+    /// Columns first.
+    charts: Vec<Chart>,
+    nodes: Vec<Node>,
+}
+
+/// A cell, or the continuation of one.
+#[derive(Clone, Debug)]
+struct Chart {
+    range: [[f64; 2]; 2],
+    /// The cell that is evaluated, and its borders.
+    cell: [usize; 2],
+    within: [[f64; 2]; 2],
+    /// Bounds of the second derivatives.
+    second: [f64; 3],
+}
+
+/// Charts within a sphere.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Node {
+    pub(crate) center: Vec3,
+    pub(crate) radius: f64,
+    below: Below,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Below {
+    Nodes([usize; 2]),
+    Chart(usize),
+}
+
+impl Side {
+    /// Ranges of the charts along the parameter, each with its cell.
+    fn ranges(&self) -> Vec<([f64; 2], usize)> {
+        let n = self.knots.len() - 1;
+        let before = self.before.map(|end| ([end, self.knots[0]], 0));
+        let cells = (0..n).map(|i| ([self.knots[i], self.knots[i + 1]], i));
+        let behind = self.behind.map(|end| ([self.knots[n], end], n - 1));
+        before.into_iter().chain(cells).chain(behind).collect()
+    }
+}
+
+impl Patched {
+    pub(crate) fn new(kind: Kind, grid: Grid) -> Option<Self> {
+        let [us, vs] = [0, 1].map(|k| grid.sides[k].ranges());
+        let mut new = Self { kind, grid, charts: Vec::new(), nodes: Vec::new() };
+        for &(v, j) in &vs {
+            for &(u, i) in &us {
+                new.charts.push(new.chart([u, v], [i, j]));
+            }
+        }
+        let mut leaves = Vec::with_capacity(new.charts.len());
+        for (i, c) in new.charts.iter().enumerate() {
+            let tile = new.whole(i);
+            let radius = tile.1;
+            if !(radius.is_finite()
+                && tile.0.iter().all(|x| x.is_finite())
+                && c.second.iter().all(|x| x.is_finite()))
+            {
+                return None;
+            }
+            leaves.push(Node { center: tile.0, radius, below: Below::Chart(i) });
+        }
+        new.grow(&mut leaves);
+        Some(new)
+    }
+
+    fn chart(&self, range: [[f64; 2]; 2], cell: [usize; 2]) -> Chart {
+        let within = [0, 1].map(|k| {
+            let knots = &self.grid.sides[k].knots;
+            [knots[cell[k]], knots[cell[k] + 1]]
+        });
+        let b = self.bend(cell);
+        // How far the chart is beyond its cell.
+        let over =
+            [0, 1].map(|k| (within[k][0] - range[k][0]).max(range[k][1] - within[k][1]).max(0.0));
+        let second = match over.map(|o| o > 0.0) {
+            [false, false] => [b.uu, b.uv, b.vv],
+            [true, false] => [0.0, b.uv, b.vv + over[0] * b.uvv],
+            [false, true] => [b.uu + over[1] * b.uuv, b.uv, 0.0],
+            [true, true] => [0.0, b.uv, 0.0],
+        };
+        Chart { range, cell, within, second }
+    }
+
+    /// Middle and radius of a sphere that holds a chart.
+    fn whole(&self, chart: usize) -> (Vec3, f64) {
+        let patch = self.patch(chart);
+        let jet = self.jet(&patch.spot());
+        let [uu, uv, vv] = self.charts[chart].second;
+        let [hu, hv] = patch.half;
+        let stray = 0.5 * uu * hu * hu + uv * hu * hv + 0.5 * vv * hv * hv;
+        (jet.p, jet.d[0].norm() * hu + jet.d[1].norm() * hv + stray)
+    }
+
+    /// The whole of a chart.
+    fn patch(&self, chart: usize) -> Patch {
+        let range = &self.charts[chart].range;
+        let at = [0, 1].map(|k| 0.5 * (range[k][0] + range[k][1]));
+        let half = [0, 1].map(|k| 0.5 * (range[k][1] - range[k][0]));
+        Patch { chart, at, half, group: false }
+    }
+
+    /// A tree over the leaves, halved along the longest side of their box; its root comes last.
+    fn grow(&mut self, leaves: &mut [Node]) -> usize {
+        if let [one] = leaves {
+            self.nodes.push(*one);
+            return self.nodes.len() - 1;
+        }
+        let far = f64::INFINITY;
+        let (lo, hi) = leaves.iter().fold((Vec3::repeat(far), Vec3::repeat(-far)), |b, n| {
+            (b.0.inf(&n.center), b.1.sup(&n.center))
+        });
+        let axis = (hi - lo).imax();
+        leaves.sort_by(|a, b| a.center[axis].total_cmp(&b.center[axis]));
+        let middle = leaves.len() / 2;
+        let reach = |c: Vec3, n: &[Node]| {
+            n.iter().map(|n| (n.center - c).norm() + n.radius).fold(0.0, f64::max)
+        };
+        let center = 0.5 * (lo + hi);
+        let radius = reach(center, leaves);
+        let (a, b) = leaves.split_at_mut(middle);
+        let pair = [self.grow(a), self.grow(b)];
+        self.nodes.push(Node { center, radius, below: Below::Nodes(pair) });
+        self.nodes.len() - 1
+    }
+
+    /// The root of the tree.
+    pub(crate) fn root(&self) -> Patch {
+        Patch { chart: self.nodes.len() - 1, group: true, ..Patch::default() }
+    }
+
+    pub(crate) fn node(&self, index: usize) -> &Node {
+        &self.nodes[index]
+    }
+
+    /// What is in a node: two nodes, the one nearer to `x` last, or a chart.
+    pub(crate) fn below(&self, index: usize, x: Vec3) -> [Option<Patch>; 2] {
+        let node = |index: usize| Some(Patch { chart: index, group: true, ..Patch::default() });
+        match self.nodes[index].below {
+            Below::Chart(chart) => [None, Some(self.patch(chart))],
+            Below::Nodes([a, b]) => {
+                let far = |i: usize| (self.nodes[i].center - x).norm() - self.nodes[i].radius;
+                if far(a) < far(b) { [node(b), node(a)] } else { [node(a), node(b)] }
+            }
+        }
+    }
+
+    pub(crate) fn jet(&self, spot: &Spot) -> Jet {
+        let chart = &self.charts[spot.chart];
+        let d = self.at(chart, spot.at);
+        let n = d.u.cross(&d.v);
+        let flat = n.norm() <= 1e-9 * d.u.norm() * d.v.norm();
+        let n = if flat || n.norm() == 0.0 {
+            // Where a derivative vanishes the normal of a place beside it.
+            let at = [0, 1].map(|k| {
+                let middle = 0.5 * (chart.range[k][0] + chart.range[k][1]);
+                spot.at[k] + (middle - spot.at[k]) * 1e-5
+            });
+            let d = self.at(chart, at);
+            d.u.cross(&d.v)
+        } else {
+            n
+        };
+        Jet { p: d.point, d: [d.u, d.v], n: crate::solid::unit_or(n, Vec3::z()) }
+    }
+
+    /// Point and derivatives, straight on beyond the cell.
+    fn at(&self, chart: &Chart, at: [f64; 2]) -> Derivatives {
+        let inside = [0, 1].map(|k| at[k].clamp(chart.within[k][0], chart.within[k][1]));
+        let [i, j] = chart.cell;
+        let mut d = match &self.kind {
+            Kind::Sculpted(s) => s.at(i, j, inside[0], inside[1]),
+            Kind::Ruled(s) => s.at(i, j, inside[0], inside[1]),
+            Kind::Polyconic(s) => s.at(i, j, inside[0], inside[1]),
+        };
+        let (a, b) = (at[0] - inside[0], at[1] - inside[1]);
+        if a != 0.0 || b != 0.0 {
+            d.point += d.u * a + d.v * b + d.uv * (a * b);
+            (d.u, d.v) = (d.u + d.uv * b, d.v + d.uv * a);
+        }
+        d
+    }
+
+    fn bend(&self, [i, j]: [usize; 2]) -> Bend {
+        match &self.kind {
+            Kind::Sculpted(s) => s.bend(i, j),
+            Kind::Ruled(s) => s.bend(i, j),
+            Kind::Polyconic(s) => s.bend(i, j),
+        }
+    }
+
+    pub(crate) fn second(&self, chart: usize) -> [f64; 3] {
+        self.charts[chart].second
+    }
+
+    /// Bounds of the change of the unit normal over a piece, by parameter.
+    pub(crate) fn turn(&self, patch: &Patch, jet: &Jet) -> [f64; 2] {
+        let [uu, uv, vv] = self.charts[patch.chart].second;
+        let [hu, hv] = patch.half;
+        let (su, sv) = (jet.d[0].norm() + uu * hu + uv * hv, jet.d[1].norm() + uv * hu + vv * hv);
+        let change = [(uu * sv + su * uv) * hu, (uv * sv + su * vv) * hv];
+        let n = jet.d[0].cross(&jet.d[1]).norm();
+        let rest = n - change[0] - change[1];
+        if rest > 0.5 * n {
+            return change.map(|c| c / rest);
+        }
+        change.map(|c| 2.0 * c / (change[0] + change[1]).max(f64::MIN_POSITIVE))
+    }
+
+    /// The same place in the chart next to it when the parameters left theirs; at a border the border.
+    pub(crate) fn settle(&self, spot: Spot) -> Spot {
+        let columns = self.columns();
+        let rows = self.charts.len() / columns;
+        let mut place = [spot.chart % columns, spot.chart / columns];
+        let mut at = spot.at;
+        for k in 0..2 {
+            let n = [columns, rows][k];
+            let range = self.charts[place[1] * columns + place[0]].range[k];
+            let joined = self.grid.sides[k].joined;
+            // No farther than into the neighbour: what lies beyond is looked at from there.
+            if at[k] > range[1] && joined && place[k] + 1 < n {
+                place[k] += 1;
+            } else if at[k] < range[0] && joined && place[k] > 0 {
+                place[k] -= 1;
+            }
+            let range = self.charts[place[1] * columns + place[0]].range[k];
+            at[k] = at[k].clamp(range[0], range[1]);
+        }
+        Spot { chart: place[1] * columns + place[0], at }
+    }
+
+    fn columns(&self) -> usize {
+        let side = &self.grid.sides[0];
+        side.knots.len() - 1
+            + usize::from(side.before.is_some())
+            + usize::from(side.behind.is_some())
+    }
+}

@@ -1,0 +1,92 @@
+//! SSURF: the cells are its patches, cut in four where they are few.
+
+use aptc_geometry::Sculptured;
+use aptc_geometry::sculpt::{Derivatives, Layout, Patch};
+use aptc_geometry::sculptured::SurfaceDefinition;
+use aptc_geometry::surface::continued;
+
+use super::bend::{Bend, of_patch};
+use super::patched::{Cells, Grid, Side};
+
+/// Up to this number of patches each is cut in four: bounds are constant over a cell.
+const FEW: usize = 400;
+
+/// The patches of a sculptured surface.
+#[derive(Clone, Debug)]
+pub(crate) struct Sculpted {
+    patches: Vec<Patch>,
+    columns: usize,
+    /// Cells along each side of a patch.
+    cut: usize,
+    /// Borders of the patches.
+    knots: [Vec<f64>; 2],
+}
+
+impl Sculpted {
+    /// The surface of a definition with its straight continuation, over 0 to 1.
+    pub(crate) fn with_continuation(definition: &SurfaceDefinition) -> Option<(Self, Grid)> {
+        let whole = continued(definition)?;
+        let spans = whole.surface.spans();
+        let (cells, mut grid) = Self::new(&whole.surface);
+        // There the parameters run from 0 to 1.
+        for (k, range) in [whole.u, whole.v].into_iter().enumerate() {
+            let side = &mut grid.sides[k];
+            side.before = (range[0] < 0.0).then(|| range[0] * spans[k]);
+            side.behind = (range[1] > 1.0).then(|| range[1] * spans[k]);
+        }
+        Some((cells, grid))
+    }
+
+    /// The surface alone.
+    pub(crate) fn new(surface: &Sculptured) -> (Self, Grid) {
+        let cut = if surface.patches.len() <= FEW { 2 } else { 1 };
+        let whole = |n: usize| (0..=n).map(|k| k as f64).collect::<Vec<_>>();
+        let (knots, joined) = match &surface.layout {
+            Layout::Mesh { u, v } => ([u.clone(), v.clone()], true),
+            Layout::Patches => ([whole(surface.patches.len()), whole(1)], false),
+        };
+        let columns = knots[0].len() - 1;
+        let sides = [0, 1].map(|k| Side {
+            knots: halved(&knots[k], cut),
+            before: None,
+            behind: None,
+            joined: joined || k == 1,
+        });
+        let cells = Self { patches: surface.patches.clone(), columns, cut, knots };
+        (cells, Grid { sides })
+    }
+
+    /// The patch of a cell with where it begins and how fast its parameters run.
+    fn patch(&self, i: usize, j: usize) -> (&Patch, [f64; 2], [f64; 2]) {
+        let (i, j) = (i / self.cut, j / self.cut);
+        let [u, v] = &self.knots;
+        let rate = [1.0 / (u[i + 1] - u[i]), 1.0 / (v[j + 1] - v[j])];
+        (&self.patches[j * self.columns + i], [u[i], v[j]], rate)
+    }
+}
+
+impl Cells for Sculpted {
+    fn at(&self, i: usize, j: usize, u: f64, v: f64) -> Derivatives {
+        let (patch, from, [a, b]) = self.patch(i, j);
+        patch.at((u - from[0]) * a, (v - from[1]) * b).rated(a, b)
+    }
+
+    fn bend(&self, i: usize, j: usize) -> Bend {
+        let (patch, _, [a, b]) = self.patch(i, j);
+        let n = self.cut as f64;
+        let part = |k: usize| {
+            let from = (k % self.cut) as f64 / n;
+            [from, from + 1.0 / n]
+        };
+        of_patch(&patch.part(part(i), part(j))).rated(a * n, b * n)
+    }
+}
+
+/// Rising numbers with `cut` steps between two of them.
+pub(super) fn halved(knots: &[f64], cut: usize) -> Vec<f64> {
+    let mut out = vec![knots[0]];
+    for w in knots.windows(2) {
+        out.extend((1..=cut).map(|k| w[0] + (w[1] - w[0]) * (k as f64 / cut as f64)));
+    }
+    out
+}
