@@ -98,7 +98,7 @@ impl Sheet {
             }
             Form::Ruled(r) => {
                 let (cells, grid) = ruled::Rulings::new(r)?;
-                Some(Self::of(Patched::new(patched::Kind::Ruled(cells), grid)?))
+                Some(Self::of(Patched::new(patched::Kind::Ruled(Box::new(cells)), grid)?))
             }
             Form::Polyconic(p) => {
                 let (cells, grid) = polyconic::Sections::new(p)?;

@@ -40,7 +40,7 @@ pub(crate) struct Grid {
 #[derive(Clone, Debug)]
 pub(crate) enum Kind {
     Sculpted(Sculpted),
-    Ruled(Rulings),
+    Ruled(Box<Rulings>),
     Polyconic(Box<Sections>),
 }
 
