@@ -424,7 +424,9 @@ impl<'w> Interpreter<'w> {
                 let at = level.unit.program.statements.get(end.saturating_sub(1) as usize);
                 let span = at.map_or(self.here.span, |s| s.span);
                 let cut_short = level.unit.text.trim_end().ends_with('$');
-                if !level.plan.swallowed() && !cut_short {
+                // The last statement may be a FINI that could not be read.
+                let unread = self.reports.has_error_in(span);
+                if !level.plan.swallowed() && !cut_short && !unread {
                     self.push(
                         Diagnostic::warning(codes::NO_FINI, span, "the program ends without FINI")
                             .help("end the part program with FINI"),

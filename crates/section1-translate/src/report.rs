@@ -11,16 +11,28 @@ pub(crate) struct Reports {
     seen: HashSet<(u16, Span, Option<Span>)>,
     n_told: usize,
     n_errors: usize,
+    /// Where the last error is.
+    last_error: Option<Span>,
     n_dropped: usize,
 }
 
 impl Reports {
+    /// Was an error told of a statement, given by its span?
+    pub(crate) fn has_error_in(&self, statement: Span) -> bool {
+        self.last_error.is_some_and(|e| {
+            e.file == statement.file && e.start >= statement.start && e.end <= statement.end
+        })
+    }
+
     /// Takes a message in, unless the same fault was told for this place and call already.
     pub(crate) fn push(&mut self, message: Diagnostic, limit: usize) {
         let frames = std::iter::successors(message.trace.as_deref(), |f| f.outer.as_deref());
         let caller = frames.filter(|f| f.kind != FrameKind::Loop).map(|f| f.span).next();
         if !self.seen.insert((message.code.number(), message.span, caller)) {
             return;
+        }
+        if message.is_error() {
+            self.last_error = Some(message.span);
         }
         self.n_errors += usize::from(message.is_error());
         if self.n_told < limit {

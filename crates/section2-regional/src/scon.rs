@@ -218,13 +218,14 @@ impl Regional {
         Ok(Arc::new(fitted))
     }
 
-    /// The fitted surface; each definition is fitted once.
+    /// The fitted surface; each definition is fitted once. Equal ones are one: records that were read from
+    /// text hold the same surface several times.
     pub(crate) fn surface(
         &mut self,
         name: &NameRef,
         form: &Arc<Form>,
     ) -> Result<Arc<Sculptured>, Failure> {
-        if let Some((_, s)) = self.fitted.iter().find(|(f, _)| Arc::ptr_eq(f, form)) {
+        if let Some((_, s)) = self.fitted.iter().find(|(f, _)| Arc::ptr_eq(f, form) || f == form) {
             return Ok(Arc::clone(s));
         }
         let Form::Ssurf(d) = form.shape() else {

@@ -272,7 +272,7 @@ impl Args<'_> {
         let whole = value.round();
         if (value - whole).abs() > 1e-6 || whole < f64::from(least) {
             let need =
-                if least > 1 { "a whole number, 2 or more" } else { "a whole number above 0" };
+                if least > 1 { "that is whole and 2 or more" } else { "that is whole and above 0" };
             return Err(Fault::Range { at, value, need });
         }
         let limit = self.context.max_points;

@@ -97,7 +97,12 @@ fn single(format: &Format, args: &[Arg]) -> Option<(Mismatch, usize)> {
             }
         }
     }
-    found.sort_by_key(|(mismatch, _)| rank(mismatch));
+    // Where one of a row of equals is left out, it is the last: whoever writes gives them in order.
+    let last = |mismatch: &Mismatch, at: usize| match mismatch {
+        Mismatch::Missing(_) => args.len() - at,
+        _ => at,
+    };
+    found.sort_by_key(|(mismatch, at)| (rank(mismatch), last(mismatch, *at)));
     found.into_iter().next()
 }
 

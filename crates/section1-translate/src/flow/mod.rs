@@ -22,8 +22,11 @@ impl Interpreter<'_> {
     /// IF(a)l1,l2,l3.
     pub(crate) fn three_way(&mut self, unit: &Unit, body: &Body, goals: [u32; 3]) {
         let Body::If { value, targets } = body else { return };
-        for (target, goal) in targets.iter().zip(goals) {
-            if goal == MISSING {
+        for (i, (target, goal)) in targets.iter().zip(goals).enumerate() {
+            // A label that stands nowhere is told of once, however often it is named here.
+            let text = unit.spelling(target.span);
+            let told = targets[..i].iter().any(|before| unit.spelling(before.span) == text);
+            if goal == MISSING && !told {
                 self.no_label(unit, target.span);
             }
         }

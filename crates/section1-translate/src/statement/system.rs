@@ -93,7 +93,12 @@ impl Interpreter<'_> {
         let mut known = Ok(());
         for pair in args.chunks(2) {
             let [a, b] = pair else {
-                if let Some(name) = Self::as_name(&pair[0].kind) {
+                // `RESERV/A(10)` as other languages write it.
+                let name = match &pair[0].kind {
+                    ExprKind::Indexed(name, _) => Some(*name),
+                    kind => Self::as_name(kind),
+                };
+                if let Some(name) = name {
                     let place = self.memory.place(name.symbol);
                     self.memory.set(place, Value::Poison, name.span);
                 }

@@ -91,6 +91,10 @@ fn inverse(post: &mut Post, s: &Statement<'_>) {
 }
 
 /// RAPID: the next motion only.
-pub(super) fn rapid(post: &mut Post, _: &Statement<'_>) {
+pub(super) fn rapid(post: &mut Post, s: &Statement<'_>) {
+    if !s.args.is_empty() {
+        bad_arguments(post, s, "RAPID, and where to go in the statement behind it: GOTO/x,y,z");
+        return;
+    }
     post.st.rapid = true;
 }
