@@ -86,6 +86,48 @@ fn the_summary_names_each_page_once() {
     assert!(forgotten.is_empty(), "pages that the summary forgets: {forgotten:?}");
 }
 
+#[test]
+fn the_index_of_errors_names_each_page_with_its_title() {
+    let index = fs::read_to_string(docs().join("errors.md")).expect("there is an index");
+    let mut missing = Vec::new();
+    for entry in fs::read_dir(docs().join("errors")).expect("the folder is there").flatten() {
+        let text = fs::read_to_string(entry.path()).expect("a page is text");
+        let heading = text.lines().next().unwrap_or_default().trim_start_matches("# ");
+        let Some((code, title)) = heading.split_once(": ") else { continue };
+        let line = format!("| [{code}](errors/{code}.md) | {title} |");
+        if !index.lines().any(|l| l == line) {
+            missing.push(line);
+        }
+    }
+    missing.sort();
+    assert!(missing.is_empty(), "lines that docs/errors.md lacks:\n{}", missing.join("\n"));
+}
+
+#[test]
+fn the_limits_of_the_book_are_those_of_the_program() {
+    let page = fs::read_to_string(docs().join("limits.md")).expect("the page is there");
+    let limits = aptc_translate::Limits::default();
+    let proof = aptc_control::FULL_PROOF;
+    let number = |n: usize| u64::try_from(n).expect("a limit");
+    let defaults = [
+        ("--max-statements", limits.statements),
+        ("--max-macro-depth", number(limits.macro_depth)),
+        ("--max-include-depth", number(limits.include_depth)),
+        ("--max-array-elements", number(limits.array_elements)),
+        ("--max-points", number(limits.points)),
+        ("lines of PRINT", number(limits.printed)),
+        ("brackets within each other", number(limits.bracket_depth)),
+        ("words, numbers and signs", number(limits.elements)),
+        ("messages shown", number(limits.messages)),
+        ("cut vectors proved one by one", proof),
+    ];
+    for (what, value) in defaults {
+        let line = page.lines().find(|l| l.contains(what)).unwrap_or_else(|| panic!("no {what}"));
+        let told: String = line.chars().filter(|c| *c != ',').collect();
+        assert!(told.contains(&format!("| {value} |")), "{what} is {value}: {line}");
+    }
+}
+
 /// Targets of `[..](target)`, code blocks left out.
 fn links(page: &str) -> Vec<String> {
     let mut code = false;
