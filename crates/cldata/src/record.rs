@@ -232,6 +232,8 @@ pub struct Controlled {
     /// Side of the cutter: +1 on the side of the form's normal (outside of circles, spheres, cylinders and
     /// cones), -1 on the other; 0 when ON.
     pub side: i8,
+    /// Does the hollow count as open along the tool axis, for a cutter taller than it?
+    pub open: bool,
     /// Which of the meetings with it stops the motion, n,INTOF; 1 for drive and part surface.
     pub nth: u32,
     /// Thickness left on it, THICK.

@@ -71,7 +71,7 @@ pub fn chord(
     }
     let (far, near) = match side {
         Side::Positive => (surface.convex(), surface.concave()),
-        Side::Negative => (surface.concave(), surface.convex()),
+        Side::Negative | Side::Open => (surface.concave(), surface.convex()),
     };
     if far {
         let low = run.dip(a, b, 1.0, resolution)?;

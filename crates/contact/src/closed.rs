@@ -31,8 +31,12 @@ pub(crate) fn sphere(tool: &Tool<'_>, sphere: &Sphere, side: Side) -> Gap {
             let near = tool.near(sphere.center);
             (near.point, -near.normal, near.distance - sphere.radius, near.segment)
         }
-        Side::Negative => {
-            let far = tool.farthest(sphere.center);
+        Side::Negative | Side::Open => {
+            let far = if side == Side::Open {
+                tool.farthest_below(sphere.center)
+            } else {
+                tool.farthest(sphere.center)
+            };
             (far.point, far.direction, sphere.radius - far.distance, far.segment)
         }
     };
@@ -40,7 +44,10 @@ pub(crate) fn sphere(tool: &Tool<'_>, sphere: &Sphere, side: Side) -> Gap {
         g: raw,
         raw,
         tool_point: point,
-        surface_point: sphere.center + away * sphere.radius,
+        surface_point: match side {
+            Side::Open => point + away * raw,
+            _ => sphere.center + away * sphere.radius,
+        },
         normal: away * side.sign(),
         segment: Some(segment),
         residual: 0.0,

@@ -4,6 +4,7 @@ use aptc_geometry::profile::Segment;
 use aptc_geometry::{Shape, Surface, Tool};
 
 use crate::gap::{Gap, Side};
+use crate::open;
 
 /// Second derivatives of the gap when the tool moves without turning, at a gap found by
 /// [`crate::gap`] or [`crate::on`]: `g(te + v) = g + n.v + second(v)/2 + ...`.
@@ -14,7 +15,10 @@ use crate::gap::{Gap, Side};
 #[inline]
 pub fn second(tool: &Tool<'_>, surface: &Surface, side: Side, gap: &Gap) -> Option<Shape> {
     let outward = gap.normal * side.sign();
-    let shape = surface.shape_at(gap.surface_point, outward);
+    let shape = match side {
+        Side::Open => open::shape(surface, tool.ta, gap.surface_point, outward),
+        _ => surface.shape_at(gap.surface_point, outward),
+    };
     let shape = if side == Side::Positive { shape } else { shape.reversed() };
     let Some(segment) = gap.segment else { return shape.offset(gap.raw) };
 

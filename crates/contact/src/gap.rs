@@ -3,7 +3,7 @@
 use aptc_geometry::profile::Segment;
 use aptc_geometry::{Reason, Surface, Tool, Vec3};
 
-use crate::{closed, search, tangents};
+use crate::{closed, open, search, tangents};
 
 /// The side of a surface on which the tool is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -12,6 +12,10 @@ pub enum Side {
     Positive,
     /// The other side.
     Negative,
+    /// The other side of a hollow that counts as open along the tool axis: whatever lies above the hollow,
+    /// seen along the axis, is no material. So a cutter works inside of a sphere or a lying cylinder that it
+    /// is taller than. For sphere, cylinder and cone; see [`opens`].
+    Open,
 }
 
 impl Side {
@@ -25,16 +29,7 @@ impl Side {
     pub fn sign(self) -> f64 {
         match self {
             Self::Positive => 1.0,
-            Self::Negative => -1.0,
-        }
-    }
-
-    /// The other side: PAST is TO from there.
-    #[must_use]
-    pub fn other(self) -> Self {
-        match self {
-            Self::Positive => Self::Negative,
-            Self::Negative => Self::Positive,
+            Self::Negative | Self::Open => -1.0,
         }
     }
 }
@@ -104,10 +99,17 @@ pub fn gap_near(
         Surface::Sphere(s) => closed::sphere(tool, s, side),
         Surface::Cylinder(s) => tangents::cylinder(tool, s, side)?,
         Surface::Cone(s) => tangents::cone(tool, s, side)?,
+        _ if side == Side::Open => return Err(Reason::NoHit),
         _ => search::general(tool, surface, side, start)?,
     };
     gap.g = gap.raw - thick;
     Ok(gap)
+}
+
+/// May the hollow of the surface count as open along the axis `ta`? That of a sphere may, and that of a
+/// cylinder or cone that lies: one that stands is a bore.
+pub fn opens(surface: &Surface, ta: Vec3) -> bool {
+    open::opens(surface, ta)
 }
 
 /// May [`gap_near`] with a start miss a deeper place of contact? So it is where the surface is of mixed

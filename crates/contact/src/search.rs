@@ -31,7 +31,7 @@ pub(crate) fn general(
     }
     let far_is_convex = match side {
         Side::Positive => surface.convex(),
-        Side::Negative => surface.concave(),
+        Side::Negative | Side::Open => surface.concave(),
     };
     let round = round(tool, surface, side);
     if let Some(gap) = round
@@ -52,7 +52,7 @@ pub(crate) fn general(
     }
     let hollow = match side {
         Side::Positive => surface.concave(),
-        Side::Negative => surface.convex(),
+        Side::Negative | Side::Open => surface.convex(),
     };
     if hollow {
         return rings::within(tool, |p| turned(surface.foot(p), side));
@@ -89,7 +89,7 @@ fn middle(tool: &Tool<'_>) -> Vec3 {
 /// The foot as seen from `side`, which is then the negative one.
 fn turned(foot: Foot, side: Side) -> Foot {
     match side {
-        Side::Negative => foot,
+        Side::Negative | Side::Open => foot,
         Side::Positive => Foot {
             normal: -foot.normal,
             distance: -foot.distance,

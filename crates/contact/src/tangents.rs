@@ -9,6 +9,7 @@ use aptc_geometry::{Cone, Cylinder, Reason, Tool, ToolSupport, Vec3};
 
 use crate::closed::is_axis;
 use crate::gap::{Gap, Side};
+use crate::open;
 use crate::rings::{self, COS16};
 
 /// Bound of each one-parameter search; bisection alone would need 53 steps.
@@ -24,7 +25,7 @@ pub(crate) fn cylinder(tool: &Tool<'_>, s: &Cylinder, side: Side) -> Result<Gap,
         let out = if rho > 0.0 { w / rho } else { frame_about(t)[0] };
         let (m, raw) = match side {
             Side::Positive => (-out, rho - s.radius - tool.profile.widest()),
-            Side::Negative => (out, s.radius - rho - tool.profile.widest()),
+            Side::Negative | Side::Open => (out, s.radius - rho - tool.profile.widest()),
         };
         return Ok(made(tool.support(m), m, raw, 0.0));
     }
@@ -34,6 +35,7 @@ pub(crate) fn cylinder(tool: &Tool<'_>, s: &Cylinder, side: Side) -> Result<Gap,
     match side {
         Side::Positive => Ok(oblique_outside(tool, s)),
         Side::Negative => rings::within(tool, |p| s.foot(p)),
+        Side::Open => rings::within(tool, |p| open::cylinder(s, tool.ta, p)),
     }
 }
 
@@ -52,8 +54,12 @@ fn square(tool: &Tool<'_>, s: &Cylinder, side: Side) -> Gap {
             let n = tool.profile.near(x.abs(), z);
             (place(n.point, 1.0), -place(n.normal, 1.0), n.distance - s.radius, n.segment)
         }
-        Side::Negative => {
-            let f = tool.profile.farthest(x.abs(), z);
+        Side::Negative | Side::Open => {
+            let f = if side == Side::Open {
+                tool.profile.farthest_below(x.abs(), z)
+            } else {
+                tool.profile.farthest(x.abs(), z)
+            };
             (place(f.point, -1.0), place(f.direction, -1.0), s.radius - f.distance, f.segment)
         }
     };
@@ -146,6 +152,8 @@ pub(crate) fn cone(tool: &Tool<'_>, s: &Cone, side: Side) -> Result<Gap, Reason>
         family.at(out)
     } else if side == Side::Positive {
         family.greatest()
+    } else if side == Side::Open {
+        return rings::within(tool, |p| open::cone(s, tool.ta, p));
     } else {
         return rings::within(tool, |p| s.foot(p));
     };

@@ -25,7 +25,7 @@ fn published_sagitta() {
         assert!(c.proved);
         let (extreme, other, sign) = match side {
             Side::Positive => (c.low, c.high, -1.0),
-            Side::Negative => (c.high, c.low, 1.0),
+            _ => (c.high, c.low, 1.0),
         };
         assert!((extreme.g - sign * dip).abs() < 1e-12, "{c:?}");
         assert!((extreme.t - 0.5).abs() < 1e-6);

@@ -2,8 +2,8 @@
 
 mod support;
 
-use aptc_contact::{Gap, Reason, Side, Tool, gap, gap_near, on, second};
-use aptc_geometry::{Cutter, Plane, Profile, Sphere, Surface, Vec3, trig};
+use aptc_contact::{Gap, Reason, Side, Tool, gap, gap_near, on, opens, second};
+use aptc_geometry::{Cone, Cutter, Cylinder, Plane, Profile, Sphere, Surface, Vec3, trig};
 use proptest::prelude::*;
 use support::{axis, cutter, quadric, quadric_of, simple, tabcyl};
 
@@ -171,6 +171,71 @@ proptest! {
     }
 
     #[test]
+    fn an_open_hollow_has_the_walls_that_do_not_lean_over_the_tool(
+        cutter in cutter(), kind in 0_usize..3, te in prop::array::uniform3(-9.0_f64..9.0),
+        lean in prop::array::uniform2(-0.4_f64..0.4), axis in prop::array::uniform2(-0.5_f64..0.5),
+    ) {
+        let profile = Profile::new(&cutter).unwrap();
+        let ta = Vec3::new(lean[0], lean[1], 1.0).normalize();
+        let tool = Tool { profile: &profile, te: Vec3::from(te), ta };
+        let t = Vec3::new(1.0, axis[0], axis[1]).normalize();
+        let o = Vec3::zeros();
+        let (surface, tilt, flat) = match kind {
+            0 => (Surface::Sphere(Sphere { center: o, radius: 40.0 }), None, 1.0),
+            1 => (Surface::Cylinder(Cylinder { point: o, axis: t, radius: 40.0 }), Some(0.0), 1.0),
+            _ => (Surface::Cone(Cone { vertex: t * -90.0, axis: t, cos_half: 0.9 }), Some(0.19_f64.sqrt()), 0.9),
+        };
+        prop_assert!(opens(&surface, ta));
+        let g = gap(&tool, &surface, Side::Open, 0.0).unwrap();
+        // The least clearance of all tangent planes allowed.
+        let reach = |m: Vec3| match &surface {
+            Surface::Cone(s) => m.dot(&s.vertex),
+            _ => 40.0,
+        };
+        let [u, v] = aptc_geometry::surface::frame_about(if tilt.is_some() { t } else { ta });
+        let mut least = f64::INFINITY;
+        let around = if tilt.is_some() { 7200 } else { 360 };
+        for i in 0..around {
+            let turn = f64::from(i) / f64::from(around) * std::f64::consts::TAU;
+            let (s, c) = trig::sin_cos(turn);
+            let e = u * c + v * s;
+            for k in 0..=90 {
+                let m = match tilt {
+                    Some(tilt) => e * flat - t * tilt,
+                    None => {
+                        let turn = f64::from(k) / 90.0 * std::f64::consts::FRAC_PI_2;
+                        let (s, c) = trig::sin_cos(turn);
+                        e * c - ta * s
+                    }
+                };
+                if m.dot(&ta) <= 1e-12 {
+                    least = least.min(reach(m) - tool.support(m).reach);
+                }
+                if tilt.is_some() {
+                    break;
+                }
+            }
+        }
+        prop_assert!(g.g <= least + 1e-9, "{} {least} {surface:?}", g.g);
+        prop_assert!(g.g >= least - 0.1, "{} {least} {surface:?}", g.g);
+        prop_assert!((g.surface_point - g.tool_point + g.normal * g.g).norm() < 1e-9);
+        let h = 1e-4;
+        for d in [Vec3::x(), Vec3::y(), Vec3::z()] {
+            let at = |s: f64| gap(&tool.at(tool.te + d * s), &surface, Side::Open, 0.0).unwrap();
+            let (f, b) = (at(h), at(-h));
+            if (f.normal - b.normal).norm() < 1e-3 && f.segment == b.segment {
+                prop_assert!(((f.g - b.g) / (2.0 * h) - g.normal.dot(&d)).abs() < 1e-4);
+                let bend = (f.normal - b.normal).dot(&d) / (2.0 * h);
+                let told = second(&tool, &surface, Side::Open, &g).map(|s| s.second(d));
+                // The bend jumps where the wall begins to run straight up.
+                if let Some(told) = told && g.normal.dot(&ta) > 1e-3 {
+                    prop_assert!((told - bend).abs() < 1e-3 * (1.0 + bend.abs()), "{told} {bend} {surface:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
     fn sides_and_scales(
         cutter in cutter(), surface in simple(), te in prop::array::uniform3(-30.0_f64..30.0),
         thick in -1.0_f64..1.0,
@@ -183,7 +248,7 @@ proptest! {
         // A plane with reversed normal and the other side is the same plane.
         if let Surface::Plane(p) = &surface {
             let turned = Surface::Plane(Plane { n: -p.n, d: -p.d });
-            let h = gap(&tool, &turned, side.other(), thick).unwrap();
+            let h = gap(&tool, &turned, if side == Side::Positive { Side::Negative } else { Side::Positive }, thick).unwrap();
             prop_assert!((g.g - h.g).abs() < 1e-13 && (g.normal - h.normal).norm() < 1e-15);
         }
         let o = on(tool.te, &surface, side);

@@ -1,6 +1,6 @@
 //! The cutter in space: a profile with its tool end and axis.
 
-use crate::profile::{Profile, Segment};
+use crate::profile::{Farthest, Profile, Segment};
 use crate::surface::{EPS_ANG, Shape, frame_about};
 use crate::{Vec2, Vec3};
 
@@ -171,7 +171,19 @@ impl<'a> Tool<'a> {
     #[inline]
     pub fn farthest(&self, p: Vec3) -> ToolFarthest {
         let (z, rho, out) = self.half_plane(p - self.te);
-        let f = self.profile.farthest(rho, z);
+        self.far(&self.profile.farthest(rho, z), out)
+    }
+
+    /// The place of the tool farthest from the ray that runs from `p` along the tool axis: where a hollow
+    /// that is open that way and has its centre at `p` touches.
+    #[inline]
+    pub fn farthest_below(&self, p: Vec3) -> ToolFarthest {
+        let (z, rho, out) = self.half_plane(p - self.te);
+        self.far(&self.profile.farthest_below(rho, z), out)
+    }
+
+    #[inline]
+    fn far(&self, f: &Farthest, out: Vec3) -> ToolFarthest {
         let local = |v: [f64; 2]| self.ta * v[1] - out * v[0];
         ToolFarthest {
             distance: f.distance,

@@ -92,7 +92,7 @@ impl Arelem {
             return false;
         };
         let at = aptc_contact::Tool { profile: &wall.profile, te: tool.te, ta: tool.ta };
-        [Side::Positive, Side::Negative].into_iter().any(|side| {
+        [Side::Positive, Side::Negative, Side::Open].into_iter().any(|side| {
             gap(&at, &surface, side, wall.thick)
                 .is_ok_and(|g| g.g.abs() <= 2.0 * (wall.band.intol + wall.band.outtol))
         })

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use aptc_cldata as cl;
+use aptc_contact::Side;
 use aptc_geometry::{Profile, Vec3};
 use aptc_protap::{Direction, Relation, SurfaceRef};
 
@@ -130,12 +131,19 @@ impl Wall {
             } else {
                 1
             },
+            open: false,
             nth: 1,
             thick: self.thick,
             disk: self.disk.filter(|_| !self.on),
             intol: self.band.intol,
             outtol: self.band.outtol,
         }
+    }
+
+    /// The same of a surface in space, whose hollow may count as open.
+    pub(crate) fn beside(&self, relation: Relation, side: Side) -> cl::Controlled {
+        let open = side == Side::Open && !self.on;
+        cl::Controlled { open, ..self.controlled(relation, side.sign()) }
     }
 }
 

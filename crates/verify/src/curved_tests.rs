@@ -25,6 +25,7 @@ fn controlled(form: &Form, side: i8) -> Controlled {
         form: Arc::new(form.clone()),
         relation: Relation::To,
         side,
+        open: false,
         nth: 1,
         thick: 0.0,
         disk: None,

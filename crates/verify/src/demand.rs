@@ -25,6 +25,8 @@ pub(crate) struct Demand {
     side: f64,
     /// Is the tool inside of it?
     within: bool,
+    /// Is that inside open along the tool axis?
+    open: bool,
     /// Is the tool end alone concerned (ON)?
     on: bool,
     /// Least and greatest gap allowed.
@@ -87,7 +89,7 @@ impl Demand {
             _ => 0.0,
         };
         let (least, most) = (least + moved, most + moved);
-        Self { body, side, within, on, least, most }
+        Self { body, side, within, open: c.open, on, least, most }
     }
 
     /// Judges the cut vector from `a` to `b`; `pad` covers rounding. Of what is refuted the deepest place is
@@ -174,7 +176,7 @@ impl Demand {
 
     fn gap(&self, tool: &Tool<'_>, pose: &Pose, solid: &Solid) -> f64 {
         if self.within {
-            inside::gap(tool, pose, solid).1
+            inside::gap(tool, pose, solid, self.open).1
         } else {
             outside::gap(tool, pose, solid).0
         }
@@ -184,13 +186,13 @@ impl Demand {
         let turn = angle(p.ta, q.ta);
         if turn <= 1e-15 {
             return if self.within {
-                inside::bound(tool, p, q, solid)
+                inside::bound(tool, p, q, solid, self.open)
             } else {
                 outside::bound(tool, p, q, solid)
             };
         }
         if self.within {
-            inside::bound_turning(tool, p, q, solid, turn)
+            inside::bound_turning(tool, p, q, solid, self.open, turn)
         } else {
             outside::bound_turning(tool, p, q, solid, turn)
         }
@@ -318,7 +320,15 @@ mod tests {
             return Ok(());
         }
         let (least, most) = (f64::NEG_INFINITY, f64::INFINITY);
-        let demand = Demand { body: Body::Solid(solid), side: 1.0, within, on: false, least, most };
+        let demand = Demand {
+            body: Body::Solid(solid),
+            side: 1.0,
+            within,
+            open: false,
+            on: false,
+            least,
+            most,
+        };
         let Verdict::Proved { low, high } = demand.judge(&profile, a, b, 0.0) else {
             return Err(TestCaseError::fail("an open band is always proved"));
         };
@@ -387,6 +397,7 @@ mod tests {
             body: Body::Solid(solid),
             side: 1.0,
             within: false,
+            open: false,
             on: false,
             least,
             most: 1e-9,

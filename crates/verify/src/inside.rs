@@ -3,6 +3,9 @@
 //! The gap is h(C, m) - m . p at the worst tool point p and direction m, so for a tool that moves without
 //! turning it is concave in t: nowhere less than at the lesser end. From above any unit m proves
 //! `g(t) <= h(C, m) - h(T, m) - t m.v`.
+//!
+//! A hollow that is open along the tool axis `ta` has the tangent planes of the solid whose m does not look
+//! up the axis: all of the above holds with these m alone.
 
 use aptc_geometry::{Vec3, trig};
 
@@ -12,18 +15,32 @@ use crate::pile::Pile;
 use crate::solid::{Solid, any_across};
 use crate::tool::{Pose, Tool, carry};
 
+/// A direction may look up the axis by so much and still count as square to it.
+const LEVEL: f64 = 1e-12;
+
 /// Gap at a position, from below and from above, and the direction in which it is least.
-pub(crate) fn gap(tool: &Tool<'_>, pose: &Pose, solid: &Solid) -> (f64, f64, Vec3) {
-    match solid {
-        Solid::Half(plane) => {
+pub(crate) fn gap(tool: &Tool<'_>, pose: &Pose, solid: &Solid, open: bool) -> (f64, f64, Vec3) {
+    nearest(tool, pose, solid, open.then_some(0.0))
+}
+
+/// The same over the directions m with `m . ta <= up`.
+fn nearest(tool: &Tool<'_>, pose: &Pose, solid: &Solid, up: Option<f64>) -> (f64, f64, Vec3) {
+    match (solid, up) {
+        (Solid::Half(plane), _) => {
             let g = plane.d - tool.height(pose, plane.n);
             (g, g, plane.n)
         }
-        Solid::Ball(c, r) => {
+        (Solid::Ball(c, r), None) => {
             let g = r - tool.farthest_from(pose, *c);
             (g, g, ball_direction(tool, pose, *c))
         }
-        Solid::Rod(_, t, _) | Solid::Nappe(_, t, ..) => around(tool, pose, solid, *t),
+        (Solid::Ball(c, r), Some(up)) => {
+            let (far, m) = tool.farthest_below(pose, *c);
+            // Turning m by an angle changes m . (p - c) by no more than this much.
+            let more = up * ((pose.te - c).norm() + tool.reach());
+            (r - far - more, r - far, m)
+        }
+        (Solid::Rod(_, t, _) | Solid::Nappe(_, t, ..), _) => around(tool, pose, solid, *t, up),
     }
 }
 
@@ -43,7 +60,13 @@ fn ball_direction(tool: &Tool<'_>, pose: &Pose, c: Vec3) -> Vec3 {
 /// The least of `h(C, m) - h(T, m)` over the normals m of a surface of revolution, which form a circle. On a
 /// sector of half width w about the angle u each tool point gives a sinusoid, whose value is at most that at
 /// the better end plus its amplitude times (1/cos w - 1).
-fn around(tool: &Tool<'_>, pose: &Pose, solid: &Solid, axis: Vec3) -> (f64, f64, Vec3) {
+fn around(
+    tool: &Tool<'_>,
+    pose: &Pose,
+    solid: &Solid,
+    axis: Vec3,
+    up: Option<f64>,
+) -> (f64, f64, Vec3) {
     /// Sectors to begin with.
     const SECTORS: u32 = 24;
     /// Halvings of a sector at most.
@@ -67,20 +90,25 @@ fn around(tool: &Tool<'_>, pose: &Pose, solid: &Solid, axis: Vec3) -> (f64, f64,
     };
     let w = pose.te - origin;
     let amplitude = flat * ((w - w.dot(&axis) * axis).norm() + tool.reach());
-    let step = std::f64::consts::TAU / f64::from(SECTORS);
-    let mut ends = [0.0; SECTORS as usize];
+    let Some((from, turn)) = allowed(flat * e1, flat * e2, tilt, pose.ta, up) else {
+        return (f64::INFINITY, f64::INFINITY, -pose.ta);
+    };
+    let step = turn / f64::from(SECTORS);
+    let at = |i: u32| from + f64::from(i) * step;
+    let mut ends = [0.0; SECTORS as usize + 1];
     for (i, end) in (0_u32..).zip(&mut ends) {
-        *end = excess(f64::from(i) * step);
+        *end = excess(at(i));
     }
     let (mut best, mut best_angle) = (f64::NEG_INFINITY, 0.0);
     // A sector waits for each of the first, and one for each halving.
     let mut stack = Pile::<_, 72>::new();
     for (i, &f) in (0_u32..).zip(&ends) {
         if f > best {
-            (best, best_angle) = (f, f64::from(i) * step);
+            (best, best_angle) = (f, at(i));
         }
-        let next = ends[((i + 1) % SECTORS) as usize];
-        stack.push((f64::from(i) * step, f, f64::from(i + 1) * step, next, 0));
+        if let Some(&next) = ends.get(i as usize + 1) {
+            stack.push((at(i), f, at(i + 1), next, 0));
+        }
     }
     let mut top = best;
     while let Some((a, fa, b, fb, depth)) = stack.pop() {
@@ -102,10 +130,28 @@ fn around(tool: &Tool<'_>, pose: &Pose, solid: &Solid, axis: Vec3) -> (f64, f64,
     (-top.max(best), -best, normal(best_angle))
 }
 
+/// The angles at which `c e1 + s e2 + tilt` does not look up the axis by more than `up`: the first and how
+/// far they go on; `None` when there are none.
+fn allowed(e1: Vec3, e2: Vec3, tilt: Vec3, ta: Vec3, up: Option<f64>) -> Option<(f64, f64)> {
+    const TURN: f64 = std::f64::consts::TAU;
+    let Some(up) = up else { return Some((0.0, TURN)) };
+    let (x, y) = (e1.dot(&ta), e2.dot(&ta));
+    let size = trig::hypot(x, y);
+    let most = up + LEVEL - tilt.dot(&ta);
+    if most >= size {
+        return Some((0.0, TURN));
+    }
+    if most < -size {
+        return None;
+    }
+    let half = trig::atan2(((size - most) * (size + most)).sqrt(), most);
+    Some((trig::atan2(y, x) + half, TURN - 2.0 * half))
+}
+
 /// Bounds along the vector from `a` to `b`, axis fixed.
-pub(crate) fn bound(tool: &Tool<'_>, a: &Pose, b: &Pose, solid: &Solid) -> Bound {
+pub(crate) fn bound(tool: &Tool<'_>, a: &Pose, b: &Pose, solid: &Solid, open: bool) -> Bound {
     let v = b.te - a.te;
-    let at = |t: f64| gap(tool, &Pose { te: a.te + t * v, ta: a.ta }, solid);
+    let at = |t: f64| gap(tool, &Pose { te: a.te + t * v, ta: a.ta }, solid, open);
     let (first, last) = (at(0.0), at(1.0));
     let (low, low_at) = if first.0 <= last.0 { (first.0, 0.0) } else { (last.0, 1.0) };
     // Any direction bounds the gap from above; the best is square to the motion.
@@ -133,7 +179,9 @@ pub(crate) fn bound(tool: &Tool<'_>, a: &Pose, b: &Pose, solid: &Solid) -> Bound
             let slope = -m.2.dot(&v);
             offer(m.2, t);
             let square = solid.bounded_direction(m.2 - v * (m.2.dot(&v) / v.norm_squared()));
-            offer(square, t);
+            if !open || square.dot(&a.ta) <= LEVEL {
+                offer(square, t);
+            }
             if slope.abs() <= 1e-14 * v.norm() || t1 - t0 <= 1e-15 {
                 break;
             }
@@ -154,9 +202,12 @@ pub(crate) fn bound_turning(
     a: &Pose,
     b: &Pose,
     solid: &Solid,
+    open: bool,
     turn: f64,
 ) -> Bound {
-    let (first, last) = (gap(tool, a, solid), gap(tool, b, solid));
+    // What does not look up the axis on the way looks up it at either end by no more than its turn.
+    let up = open.then(|| (a.ta - b.ta).norm());
+    let (first, last) = (nearest(tool, a, solid, up), nearest(tool, b, solid, up));
     let low = -parabola(-first.0, -last.0, bulge(tool.reach(), turn));
     let low_at = if first.0 <= last.0 { 0.0 } else { 1.0 };
     let carried = |from: &Pose, to: &Pose, m: Vec3| {
@@ -166,8 +217,67 @@ pub(crate) fn bound_turning(
     };
     let mut high = f64::INFINITY;
     for m in [first.2, last.2, solid.bounded_direction(first.2 + last.2)] {
-        high = high.min(carried(a, b, m)).min(carried(b, a, m));
+        if !open || m.dot(&a.ta).max(m.dot(&b.ta)) <= LEVEL {
+            high = high.min(carried(a, b, m)).min(carried(b, a, m));
+        }
     }
     let high_at = if first.1 >= last.1 { 0.0 } else { 1.0 };
     Bound { low, high, least: first.1.min(last.1), low_at, high_at }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use aptc_geometry::{Cutter, Profile};
+
+    fn up(lean: f64) -> Vec3 {
+        Vec3::new(lean, 0.0, 1.0).normalize()
+    }
+
+    /// Of a sphere of radius 40 about the origin, and a cylinder of that radius along y.
+    fn hollows() -> [Solid; 2] {
+        [Solid::Ball(Vec3::zeros(), 40.0), Solid::Rod(Vec3::zeros(), Vec3::y(), 40.0)]
+    }
+
+    #[test]
+    fn a_tall_ball_cutter_in_a_bowl_leaves_the_sagitta_of_its_chord() {
+        let profile = Profile::new(&Cutter::mill(10.0, 5.0, 127.0)).unwrap();
+        let tool = Tool::Solid(&profile);
+        let at = |angle: f64| {
+            let (s, c) = trig::sin_cos(angle);
+            Pose { te: Vec3::new(35.0 * s, 0.0, -35.0 * c - 5.0), ta: Vec3::z() }
+        };
+        let sagitta = 35.0 * (1.0 - trig::cos(0.1));
+        for solid in hollows() {
+            let b = bound(&tool, &at(0.3), &at(0.5), &solid, true);
+            assert!(b.low.abs() < 1e-9 && (b.high - sagitta).abs() < 1e-9, "{} {}", b.low, b.high);
+            // The shank stands beyond the whole of the hollow.
+            assert!(gap(&tool, &at(0.3), &solid, false).1 < -45.0);
+            // Above the hollow's middle its wall runs straight up.
+            let high = Pose { te: Vec3::new(35.0, 0.0, 7.0), ta: Vec3::z() };
+            let g = gap(&tool, &high, &solid, true);
+            assert!(g.0.abs() < 1e-9 && g.1.abs() < 1e-9, "{} {}", g.0, g.1);
+        }
+    }
+
+    #[test]
+    fn an_axis_that_turns_in_a_bowl_stays_in_its_bounds() {
+        let profile = Profile::new(&Cutter::mill(10.0, 1.0, 127.0)).unwrap();
+        let tool = Tool::Solid(&profile);
+        for solid in hollows() {
+            for k in 0..40 {
+                let x = 0.7 * f64::from(k);
+                let a = Pose { te: Vec3::new(x, 0.5, -20.0), ta: up(0.01 * x) };
+                let b = Pose { te: Vec3::new(x + 0.6, 0.3, -20.4), ta: up(0.01 * x + 0.02) };
+                let turn = (a.ta.cross(&b.ta)).norm();
+                let bound = bound_turning(&tool, &a, &b, &solid, true, turn);
+                for i in 0..=20 {
+                    let t = f64::from(i) / 20.0;
+                    let ta = (a.ta + t * (b.ta - a.ta)).normalize();
+                    let g = gap(&tool, &Pose { te: a.te + t * (b.te - a.te), ta }, &solid, true);
+                    assert!(g.1 >= bound.low - 1e-9 && g.0 <= bound.high + 1e-9, "{k} {t}");
+                }
+            }
+        }
+    }
 }

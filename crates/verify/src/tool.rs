@@ -59,6 +59,21 @@ impl Tool<'_> {
         profile.farthest((w - z * pose.ta).norm(), z).distance
     }
 
+    /// Greatest distance of a point of the tool from the ray that runs from `c` along the tool axis, and the
+    /// unit direction to it.
+    pub(crate) fn farthest_below(&self, pose: &Pose, c: Vec3) -> (f64, Vec3) {
+        let w = c - pose.te;
+        let z = w.dot(&pose.ta);
+        let across = w - z * pose.ta;
+        let Self::Solid(profile) = self else {
+            let off = -across - z.max(0.0) * pose.ta;
+            return (off.norm(), unit_or(off, -pose.ta));
+        };
+        let f = profile.farthest_below(across.norm(), z);
+        let [out, up] = f.direction;
+        (f.distance, up * pose.ta - out * unit_or(across, any_across(pose.ta)))
+    }
+
     /// Has it no inside: the tool end alone, a disk, a cutter of no width?
     pub(crate) fn is_thin(&self) -> bool {
         match self {

@@ -21,6 +21,7 @@ fn controlled(name: &str, form: Form, relation: Relation, side: i8) -> Controlle
         form: Arc::new(form),
         relation,
         side,
+        open: false,
         nth: 1,
         thick: 0.0,
         disk: None,

@@ -101,6 +101,40 @@ impl Profile {
         Farthest { distance, point: [p.x, p.y], direction: [d.x, d.y], segment }
     }
 
+    /// The place farthest from the ray that runs up from the point at `rho` from the axis and height `z`: of
+    /// what lies above the point the distance counts level.
+    ///
+    /// A hollow that is open along the tool axis and has its centre at the point touches there.
+    pub fn farthest_below(&self, rho: f64, z: f64) -> Farthest {
+        let x = Vec2::new(-rho, z);
+        let off = |p: Vec2| Vec2::new(p.x - x.x, (p.y - x.y).min(0.0));
+        let mut best = (self.tip, Segment::Tip, off(self.tip));
+        let mut offer = |p: Vec2, segment: Segment| {
+            let d = off(p);
+            if d.norm_squared() > best.2.norm_squared() {
+                best = (p, segment, d);
+            }
+        };
+        offer(self.pl, Segment::LowerPoint);
+        offer(self.pu, Segment::UpperPoint);
+        offer(self.rim, Segment::Rim);
+        if self.r > 0.0 {
+            let w = self.c - x;
+            let away = w.norm();
+            if away > 0.0 && self.in_arc(w) {
+                offer(self.c + w * (self.r / away), Segment::Arc);
+            }
+            let level = Vec2::new(1.0, 0.0);
+            if self.in_arc(level) {
+                offer(self.c + level * self.r, Segment::Arc);
+            }
+        }
+        let (p, segment, d) = best;
+        let distance = d.norm();
+        let d = if distance > 0.0 { d / distance } else { Vec2::new(0.0, -1.0) };
+        Farthest { distance, point: [p.x, p.y], direction: [d.x, d.y], segment }
+    }
+
     /// Nearest profile point and normal for a sphere about the point at `rho`, `z` that the tool touches
     /// from outside.
     ///
@@ -164,6 +198,14 @@ mod tests {
             let n = p.near(x[0].abs(), x[1]);
             prop_assert!(n.point[0] * out + n.point[1] * up <= far.reach + 1e-9);
             // The farthest place is a support point in its direction.
+            let f = p.farthest_below(x[0].abs(), x[1]);
+            let (z, rho) = (x[1], x[0].abs());
+            for k in 0..=90 {
+                let (out, up) = (trig::cos_deg(2.0 * f64::from(k) - 90.0), trig::sin_deg(2.0 * f64::from(k) - 90.0));
+                let q = p.support(out, up).point;
+                let away = trig::hypot(q[0] + rho, (q[1] - z).min(0.0));
+                prop_assert!(away <= f.distance + 1e-9, "{f:?} {q:?}");
+            }
             let f = p.farthest(x[0].abs(), x[1]);
             let s = p.support(f.direction[0].max(0.0), f.direction[1]);
             if f.direction[0] > 1e-9 {

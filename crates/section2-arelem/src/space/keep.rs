@@ -1,6 +1,6 @@
 //! One surface that the tool keeps to, and how near it has to stay.
 
-use aptc_contact::{Condition, Gap, Reason, Side, Tool, distance, second, several};
+use aptc_contact::{Condition, Gap, Reason, Side, Tool, distance, opens, second, several};
 use aptc_geometry::{Profile, Surface, Vec3};
 
 /// A tool position: tool end and unit tool axis.
@@ -45,6 +45,43 @@ impl Keep {
     pub(crate) fn gap(&self, pose: &Pose, start: Option<Vec3>) -> Result<Gap, Reason> {
         let tool = self.tool(pose);
         distance(&tool, &self.surface, self.condition, self.side, self.thick, start)
+    }
+
+    /// The same surface with the tool on another side.
+    pub(crate) fn on_side(&self, side: Side) -> Self {
+        Self { side, ..self.clone() }
+    }
+
+    /// The sides on which the tool may be.
+    pub(crate) fn sides(&self, pose: &Pose) -> impl Iterator<Item = Side> + use<> {
+        let open = self.taller(pose).then_some(Side::Open);
+        [Side::Positive, Side::Negative].into_iter().chain(open)
+    }
+
+    /// Is the surface a bowl or a trough that the cutter cannot stand in as a whole?
+    pub(crate) fn taller(&self, pose: &Pose) -> bool {
+        let radius = match &self.surface {
+            Surface::Sphere(s) => s.radius,
+            Surface::Cylinder(s) => s.radius,
+            Surface::Cone(s) => (pose.te - s.vertex).dot(&s.axis) * s.sin_half() / s.cos_half,
+            _ => return false,
+        };
+        let half = 0.5 * (self.profile.height() - self.profile.bottom());
+        let around = aptc_geometry::trig::hypot(half, self.profile.widest());
+        self.condition == Condition::Touch && opens(&self.surface, pose.ta) && around > radius
+    }
+
+    /// The inside of the surface: as a whole where the cutter fits into it, else open along its axis.
+    pub(crate) fn inner(&self, pose: &Pose) -> Side {
+        let clears = |side: Side| self.on_side(side).clears(pose);
+        // A cutter outside may well stand where the hollow would be open.
+        let whole = !self.taller(pose) || clears(Side::Negative) || clears(Side::Positive);
+        if whole { Side::Negative } else { Side::Open }
+    }
+
+    /// Is the cutter clear of the surface but for two bands?
+    pub(crate) fn clears(&self, pose: &Pose) -> bool {
+        self.gap(pose, None).is_ok_and(|g| g.g >= -2.0 * self.width())
     }
 
     /// The gap, when a place of contact deeper than `known` by more than `exact` was missed.

@@ -201,7 +201,7 @@ fn begin(scene: &Scene) -> Result<Begin, Failure> {
         } else if wanted > 0.0 {
             Side::Positive
         } else {
-            Side::Negative
+            drive.inner(&pose)
         };
     }
     let astray = across(scene, &mut drive, &pose);
@@ -237,13 +237,9 @@ fn begin(scene: &Scene) -> Result<Begin, Failure> {
 
 /// The side on which the tool is nearer to touching.
 fn nearer(keep: &Keep, pose: &Pose) -> Option<Side> {
-    let gap = |side: Side| Keep { side, ..keep.clone() }.gap(pose, None).ok().map(|g| g.g.abs());
-    match (gap(Side::Positive), gap(Side::Negative)) {
-        (Some(a), Some(b)) if b < a => Some(Side::Negative),
-        (Some(_), _) => Some(Side::Positive),
-        (None, Some(_)) => Some(Side::Negative),
-        (None, None) => None,
-    }
+    let gap = |side: Side| keep.on_side(side).gap(pose, None).ok().map(|g| (g.g.abs(), side));
+    let sides = keep.sides(pose).filter_map(gap);
+    sides.reduce(|best, next| if next.0 < best.0 { next } else { best }).map(|(_, side)| side)
 }
 
 /// How many bands the tool is from its place: up to one it is in the band.
@@ -267,7 +263,10 @@ fn placed(keep: &Keep, gap: &Gap) -> f64 {
 fn across(scene: &Scene, drive: &mut Keep, pose: &Pose) -> Option<Astray> {
     let astray = scene.stance.astray()?;
     let fits = |keep: &Keep| keep.gap(pose, None).is_ok_and(|g| placed(keep, &g) <= 2.0);
-    let other = Keep { side: drive.side.other(), ..drive.clone() };
+    let other = match drive.side {
+        Side::Positive => drive.on_side(drive.inner(pose)),
+        Side::Negative | Side::Open => drive.on_side(Side::Positive),
+    };
     if fits(drive) || !fits(&other) {
         return None;
     }
@@ -374,17 +373,16 @@ fn control(
                 keep(&c.wall, Side::Positive)
                     .ok()
                     .and_then(|k| clearance(&k, &halt.node.pose).ok())
-                    .map_or(1.0, |(_, side)| side.sign())
+                    .map_or(Side::Positive, |(_, side)| side)
             };
-            Controlled { nth: c.nth, ..c.wall.controlled(c.relation, side) }
+            Controlled { nth: c.nth, ..c.wall.beside(c.relation, side) }
         })
         .collect();
     debug_assert_eq!(checks.len(), watches.len());
     checks.swap(0, stopped);
-    let side = |i: usize| track.keeps[i].side.sign();
     Control {
-        drive: Some(scene.drive.controlled(to_or_on(scene.drive.on), side(0))),
-        part: Some(scene.part.controlled(to_or_on(scene.part.on), side(1))),
+        drive: Some(scene.drive.beside(to_or_on(scene.drive.on), track.keeps[0].side)),
+        part: Some(scene.part.beside(to_or_on(scene.part.on), track.keeps[1].side)),
         checks,
     }
 }

@@ -1,7 +1,7 @@
 //! Start-up in space (APT: `STRTUP`): the nearest position that satisfies one, two or three surfaces.
 
 use aptc_cldata::{Control, Position};
-use aptc_contact::{Condition, Gap, Side};
+use aptc_contact::{Condition, Gap, Side, opens};
 use aptc_geometry::{Fiop, Surface, Vec3};
 use aptc_protap::Relation;
 
@@ -33,29 +33,74 @@ pub(crate) fn start(go: &Start) -> Result<Path, Failure> {
         let keep = aim(*relation, wall, &pose, normal)?;
         aims.push(Aim { wall, relation: *relation, keep, along });
     }
-    let mut solver = Solver { aims: &aims, axis: &go.axis, guide: None };
-    let free = go.surfaces.len() == 1 && go.part.is_none();
-    let direction = go.along.first().copied().flatten();
-    let end = match direction {
-        Some(v) if go.offset => solver.offset(pose, v)?,
-        Some(v) if free => solver.along(pose, v)?,
-        _ => {
-            let from = solver.approach(pose);
-            solver.guide = solver.guided(pose, from);
-            let guided = solver.nearest(from, pose);
-            if solver.guide.is_some() && guided.is_err() {
-                solver.guide = None;
-                solver.nearest(from, pose)?
-            } else {
-                guided?
-            }
-        }
-    };
-    let mut sides = aims.iter().map(|a| a.wall.controlled(a.relation, a.keep.side.sign()));
+    let end = arrive(go, &mut aims, pose)?;
+    let mut sides = aims.iter().map(|a| a.wall.beside(a.relation, a.keep.side));
     let control = Control { drive: sides.next(), part: sides.next(), checks: sides.collect() };
     let points = vec![Position { te: end.te, ta: end.ta }];
     let forward = end.te - go.tool.te;
     Ok(Path { points, arc: None, check: 0, forward, control, fouls: None, astray: None })
+}
+
+/// The position; where a hollow may count as open, its side is decided.
+///
+/// A machinist means the bottom of a hollow, so that it is looked for as if it were open. A cutter that fits
+/// below the rest of the hollow there has the hollow as it is. One that does not, but fits where it stands,
+/// is to touch the hollow's roof if it can: only a cutter taller than the hollow makes it open.
+fn arrive(go: &Start, aims: &mut [Aim<'_>], pose: Pose) -> Result<Pose, Failure> {
+    let hollow = |a: &Aim<'_>| {
+        let touches = a.keep.condition == Condition::Touch;
+        touches && a.keep.side != Side::Positive && opens(&a.keep.surface, pose.ta)
+    };
+    if !aims.iter().any(hollow) {
+        return solve(go, aims, pose);
+    }
+    let fits = |keep: &Keep, at: &Pose, least: f64| {
+        keep.on_side(Side::Negative).gap(at, None).is_ok_and(|g| g.g >= least)
+    };
+    let upwards = |a: &Aim<'_>| a.along.is_some_and(|v| v.dot(&pose.ta) > 0.1);
+    let put = |aims: &mut [Aim<'_>], open: &dyn Fn(&Aim<'_>) -> bool| {
+        for a in aims.iter_mut().filter(|a| hollow(a)) {
+            a.keep.side = if open(a) { Side::Open } else { Side::Negative };
+        }
+    };
+    put(aims, &|a| !(upwards(a) && fits(&a.keep, &pose, 0.0)));
+    let open = solve(go, aims, pose);
+    let sides: Vec<Side> = aims.iter().map(|a| a.keep.side).collect();
+    if let Ok(end) = &open {
+        put(aims, &|a| !fits(&a.keep, end, -1.01 * a.keep.intol));
+        if aims.iter().all(|a| a.keep.side != Side::Open) {
+            return open;
+        }
+    }
+    put(aims, &|a| a.keep.taller(&pose) && !fits(&a.keep, &pose, 0.0));
+    let whole = solve(go, aims, pose);
+    if whole.is_ok() || aims.iter().any(|a| hollow(a) && !a.keep.taller(&pose)) {
+        return whole;
+    }
+    for (aim, side) in aims.iter_mut().zip(sides) {
+        aim.keep.side = side;
+    }
+    open
+}
+
+fn solve(go: &Start, aims: &[Aim<'_>], pose: Pose) -> Result<Pose, Failure> {
+    let mut solver = Solver { aims, axis: &go.axis, guide: None };
+    let free = go.surfaces.len() == 1 && go.part.is_none();
+    match go.along.first().copied().flatten() {
+        Some(v) if go.offset => solver.offset(pose, v),
+        Some(v) if free => solver.along(pose, v),
+        _ => {
+            let from = solver.let_down(solver.approach(pose));
+            solver.guide = solver.guided(pose, from);
+            let guided = solver.nearest(from, pose);
+            if solver.guide.is_some() && guided.is_err() {
+                solver.guide = None;
+                solver.nearest(from, pose)
+            } else {
+                guided
+            }
+        }
+    }
 }
 
 /// The side on which the tool is to be: TO where it is, PAST on the other.
@@ -83,12 +128,15 @@ fn aim(
     let near = match to_past {
         Some(v) => {
             let n = keep.surface.foot(pose.te).normal;
-            if n.dot(&v) > 0.0 { Side::Negative } else { Side::Positive }
+            if n.dot(&v) > 0.0 { keep.inner(pose) } else { Side::Positive }
         }
         None => {
             let apart = || Failure::NoContact { surface: wall.surface.clone() };
             let (gap, side) = clearance(&keep, pose).map_err(|_| apart())?;
-            let other = Keep { side: side.other(), ..keep.clone() };
+            let other = keep.on_side(match side {
+                Side::Positive => Side::Negative,
+                Side::Negative | Side::Open => Side::Positive,
+            });
             let tie = other.gap(pose, None).is_ok_and(|g| {
                 (g.g - gap).abs() <= 1e-3 * keep.width() && keep.profile.widest() > 0.0
             });
@@ -98,7 +146,11 @@ fn aim(
             side
         }
     };
-    keep.side = if relation == Relation::Past { near.other() } else { near };
+    keep.side = match (relation, near) {
+        (Relation::Past, Side::Positive) => keep.inner(pose),
+        (Relation::Past, Side::Negative | Side::Open) => Side::Positive,
+        _ => near,
+    };
     Ok(keep)
 }
 
@@ -159,6 +211,19 @@ impl Solver<'_> {
             }
         }
         Pose { te, ..pose }
+    }
+
+    /// Above an open hollow, where only the walls that run on straight up face the tool, it is let down into
+    /// the hollow first.
+    fn let_down(&self, pose: Pose) -> Pose {
+        let above = |a: &&Aim<'_>| {
+            let gap = a.keep.gap(&pose, None);
+            a.keep.side == Side::Open
+                && a.along.is_none()
+                && gap.is_ok_and(|g| g.normal.dot(&pose.ta).abs() <= 1e-9)
+        };
+        let aim = self.aims.iter().find(above);
+        aim.and_then(|aim| self.run(aim, pose, -pose.ta)).unwrap_or(pose)
     }
 
     fn gaps(&self, pose: &Pose, last: Option<&[Gap]>) -> Result<Vec<Gap>, Failure> {

@@ -78,7 +78,7 @@ pub(crate) struct Halt {
     pub(crate) s: f64,
     pub(crate) node: Node,
     /// Side of the check surface's own normal on which the tool is.
-    pub(crate) side: f64,
+    pub(crate) side: Side,
     /// Which gauge said so, what it reads there, and whether the place is where it reads that.
     gauge: usize,
     reading: f64,
@@ -88,19 +88,16 @@ pub(crate) struct Halt {
 impl Watch {
     /// The gauges of a check surface for a motion that starts at `pose`.
     pub(crate) fn new(keep: &Keep, relation: Relation, nth: u32, pose: &Pose) -> Self {
-        let sides: &[Side] = match keep.condition {
-            Condition::On => &[Side::Positive],
-            Condition::Touch => &[Side::Positive, Side::Negative],
+        let inner = match keep.condition {
+            Condition::On => None,
+            Condition::Touch => Some(keep.inner(pose)),
         };
+        // A cutter that comes from outside is inside only when all of it is.
+        let inner = inner.map(|s| if keep.on_side(s).clears(pose) { s } else { Side::Negative });
         let near = keep.intol.max(keep.outtol);
-        let mut gauges: Vec<Gauge> = sides
-            .iter()
-            .map(|side| Gauge {
-                keep: Keep { side: *side, ..keep.clone() },
-                armed: true,
-                last: None,
-            })
-            .collect();
+        let gauge = |side: Side| Gauge { keep: keep.on_side(side), armed: true, last: None };
+        let sides = std::iter::once(Side::Positive).chain(inner);
+        let mut gauges: Vec<Gauge> = sides.map(gauge).collect();
         let mut best = f64::NEG_INFINITY;
         let mut closest = f64::INFINITY;
         for g in &mut gauges {
@@ -214,7 +211,7 @@ impl Watch {
         let crosses =
             !matches!(self.relation, Relation::Tanto | Relation::Pstan) && !crossing.touch;
         let reading = keep.gap(&node.pose, Some(gap.surface_point))?.g;
-        Ok(Halt { s, node, side: keep.side.sign(), gauge: i, reading, crosses })
+        Ok(Halt { s, node, side: keep.side, gauge: i, reading, crosses })
     }
 
     /// The same halt on the way of another cut vector from the same node.
@@ -535,13 +532,17 @@ fn reach(way: &Way<'_>, keep: &Keep, a: &Sample, b: &Sample) -> f64 {
     (b.s - a.s) * (RATE + way.turn.norm() * keep.profile.reach())
 }
 
-/// The gap that says how far a tool is from a surface, whichever side it is on.
+/// The gap that says how far a tool is from a surface, whichever side it is on: where it fits, else where it
+/// is least in the way.
 pub(crate) fn clearance(keep: &Keep, pose: &Pose) -> Result<(f64, Side), Reason> {
-    let on_side = |side: Side| Keep { side, ..keep.clone() }.gap(pose, None).map(|g| g.g);
-    match (on_side(Side::Positive), on_side(Side::Negative)) {
-        (Ok(a), Ok(b)) if b > a => Ok((b, Side::Negative)),
-        (Ok(a), _) => Ok((a, Side::Positive)),
-        (Err(_), Ok(b)) => Ok((b, Side::Negative)),
-        (Err(r), Err(_)) => Err(r),
+    let mut best: Result<(f64, Side), Reason> = Err(Reason::NoHit);
+    for side in keep.sides(pose) {
+        match (keep.on_side(side).gap(pose, None), &best) {
+            (Ok(gap), Ok((most, _))) if gap.g > *most && *most < 0.0 => best = Ok((gap.g, side)),
+            (Ok(gap), Err(_)) => best = Ok((gap.g, side)),
+            (Err(reason), Err(_)) => best = Err(reason),
+            _ => {}
+        }
     }
+    best
 }
