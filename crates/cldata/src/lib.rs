@@ -9,6 +9,7 @@ mod dialect;
 pub mod diff;
 pub mod flatten;
 pub mod json;
+pub mod milling;
 pub mod number;
 mod read;
 mod record;

@@ -7,6 +7,8 @@ use aptc_geometry::{Circle, Cutter, Form, Transform, Vec3};
 use serde::{Deserialize, Serialize};
 use smol_str::SmolStr;
 
+use crate::milling::Milling;
+
 pub use aptc_geometry::Units;
 
 /// One record with the place it came from.
@@ -218,6 +220,8 @@ pub struct Control {
     pub part: Option<Controlled>,
     /// Check surfaces; the first is the one that stopped the motion.
     pub checks: Vec<Controlled>,
+    /// What regional milling keeps to; it has no drive, part and check surface.
+    pub milling: Option<Milling>,
 }
 
 /// A surface with what was asked of the cutter against it.

@@ -34,6 +34,15 @@ pub(crate) struct Region<'a> {
     pub(crate) skip: bool,
 }
 
+/// What came of a region.
+#[derive(Debug)]
+pub(crate) struct Done {
+    pub(crate) puts: Vec<Put>,
+    /// Least and greatest u and v of the drive between the first path and the last.
+    pub(crate) range: [[f64; 2]; 2],
+    pub(crate) why: Option<Failure>,
+}
+
 /// A region has at most so many paths.
 const PATHS: usize = 1_000_000;
 
@@ -41,13 +50,19 @@ impl Region<'_> {
     /// Mills the region from `from` on.
     ///
     /// APT: `CUTREG`. The number of paths counts the side steps too, as it did.
-    pub(crate) fn mill(&self, from: [f64; 2]) -> (Vec<Put>, Option<Failure>) {
-        let mut out = Vec::new();
-        let why = self.paths(from, &mut out).err();
-        (out, why)
+    pub(crate) fn mill(&self, from: [f64; 2]) -> Done {
+        let mut puts = Vec::new();
+        let mut range = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
+        let why = self.paths(from, &mut puts, &mut range).err();
+        Done { puts, range, why }
     }
 
-    fn paths(&self, from: [f64; 2], out: &mut Vec<Put>) -> Result<(), Failure> {
+    fn paths(
+        &self,
+        from: [f64; 2],
+        out: &mut Vec<Put>,
+        range: &mut [[f64; 2]; 2],
+    ) -> Result<(), Failure> {
         let k = self.course.index();
         let across = self.course.across();
         let [along, over] = self.senses;
@@ -70,6 +85,11 @@ impl Region<'_> {
             let to = if sense * along > 0.0 { ends[1] } else { ends[0] };
             let points = self.run(&self.setup, here, (to, self.course, sense), skip, out)?;
             calls += 1;
+            for p in points.first().into_iter().chain(points.last()) {
+                for (r, x) in range.iter_mut().zip(p.drive_uv) {
+                    *r = [r[0].min(x), r[1].max(x)];
+                }
+            }
             let Some(last) = points.last() else { break };
             let at = last.drive_uv[across.index()];
             let rest = (border - at) * over;

@@ -1,11 +1,14 @@
 //! SMIL: a point, a line or the region.
 
+use std::sync::Arc;
+
 use aptc_cldata as cl;
+use aptc_cldata::milling::{Milled, Milling, Scallop};
 use aptc_diagnostics::Origin;
 use aptc_geometry::{Form, Vec3};
-use aptc_protap::Arg;
+use aptc_protap::{Arg, NameRef};
 
-use crate::area::{AxisArea, DriveArea, PartArea};
+use crate::area::{AxisArea, DriveArea, Guide, Hold, PartArea};
 use crate::drive::Course;
 use crate::failure::Failure;
 use crate::guard::Guard;
@@ -14,8 +17,18 @@ use crate::region::{Put, Region};
 use crate::regional::{Regional, Stand};
 use crate::scon::Words;
 
-/// What is put out, and why it ended early.
-type Done = (Vec<Put>, Option<Failure>);
+/// What a statement gives.
+struct Done {
+    puts: Vec<Put>,
+    /// Why it ended early.
+    why: Option<Failure>,
+    /// What is left between its passes.
+    scallop: Option<Scallop>,
+    /// Is its first point not put out, as the tool stands there?
+    joined: bool,
+    /// Was the tool end led away from where it stands on the surface?
+    away: bool,
+}
 
 impl Regional {
     /// Mills; the positions go to `out`.
@@ -33,14 +46,18 @@ impl Regional {
         w.take("PARAM");
         let from = [w.number().unwrap_or(0.0), w.number().unwrap_or(0.0)];
         let guard = self.guard();
-        let (puts, broken) = match word {
-            "POSN" => (self.point(from, &mut w)?, None),
+        let done = match word {
+            "POSN" => {
+                let (puts, away) = self.point(from, &mut w)?;
+                Done { puts, why: None, scallop: None, joined: false, away }
+            }
             "PATH" => self.line(from, &mut w, guard.as_ref())?,
             "ZIGZAG" | "PICKFD" => self.area(word == "PICKFD", from, &mut w, guard.as_ref())?,
             _ => return Err(Failure::Undone { what: "this form of SMIL" }),
         };
-        let stand = self.put(origin, puts, out);
-        broken.map_or(Ok(stand), Err)
+        let control = self.control(&done);
+        let stand = self.put(origin, done.puts, control.as_ref(), out);
+        done.why.map_or(Ok(stand), Err)
     }
 
     /// Drive, part and axis, or which of them are not set.
@@ -88,7 +105,8 @@ impl Regional {
         Ok(if drive.is_curve() { [from[0], 0.0] } else { from })
     }
 
-    fn point(&self, from: [f64; 2], w: &mut Words<'_>) -> Result<Vec<Put>, Failure> {
+    /// The position, and whether it is led away from the surface.
+    fn point(&self, from: [f64; 2], w: &mut Words<'_>) -> Result<(Vec<Put>, bool), Failure> {
         let setup = self.setup()?;
         let from = self.checked(from)?;
         let (p, _) = setup.position(from, Course::U, 1.0, None, false)?;
@@ -104,7 +122,7 @@ impl Regional {
                 _ => p.te,
             }
         };
-        Ok(vec![Put::Move(vec![(te, p.ta)])])
+        Ok((vec![Put::Move(vec![(te, p.ta)])], te != p.te))
     }
 
     fn course(&self, w: &mut Words<'_>) -> Result<(Course, f64), Failure> {
@@ -135,7 +153,8 @@ impl Regional {
             }
         };
         let moves = points.iter().skip(usize::from(skip)).map(|p| (p.te, p.ta)).collect();
-        Ok((vec![Put::Move(moves)], broken))
+        let puts = vec![Put::Move(moves)];
+        Ok(Done { puts, why: broken, scallop: None, joined: skip, away: false })
     }
 
     fn area(
@@ -167,11 +186,55 @@ impl Regional {
             return Err(Failure::Undone { what: "a region along a curve" });
         }
         let senses = [along, over];
-        Ok(Region { setup, stepover, feeds, clearance, course, senses, skip }.mill(from))
+        let same =
+            matches!(&setup.drive.guide, Guide::Surface(s) if Arc::ptr_eq(s, &setup.part.surface));
+        let along = same && setup.drive.hold == Hold::At && setup.drive.offset == 0.0;
+        let known = along && setup.part.touches && (guard.is_none() || !self.avoid.on);
+        let done = Region { setup, stepover, feeds, clearance, course, senses, skip }.mill(from);
+        let range = known.then_some(done.range);
+        let height = stepover.scallop;
+        let scallop = (height > 0.0 && done.why.is_none()).then_some(Scallop { height, range });
+        Ok(Done { puts: done.puts, why: done.why, scallop, joined: skip, away: false })
+    }
+
+    /// What the statement keeps to.
+    fn control(&self, done: &Done) -> Option<Arc<cl::Control>> {
+        let part = self.areas.part.as_ref()?;
+        let name = |n: &NameRef| cl::NameRef { name: n.name.clone(), subscript: n.subscript };
+        let own = Milled {
+            name: name(&part.name),
+            surface: Arc::clone(&part.surface),
+            side: part.side,
+            thick: part.thick,
+        };
+        let others = self.checked.iter().filter(|c| !Arc::ptr_eq(&c.surface, &part.surface));
+        let checked = others.map(|c| Milled {
+            name: cl::NameRef { name: c.name.as_str().into(), subscript: 0 },
+            surface: Arc::clone(&c.surface),
+            side: 1.0,
+            thick: 0.0,
+        });
+        let band = self.settings.band();
+        let milling = Milling {
+            part: (part.touches || !done.away).then_some(own),
+            on: !part.touches,
+            checked: checked.collect(),
+            intol: band.intol,
+            outtol: band.outtol,
+            scallop: done.scallop,
+            joined: done.joined,
+        };
+        Some(Arc::new(cl::Control { milling: Some(milling), ..cl::Control::default() }))
     }
 
     /// Positions as CL records; where the tool stands then.
-    fn put(&self, origin: &Origin, puts: Vec<Put>, out: &mut Vec<cl::Record>) -> Option<Stand> {
+    fn put(
+        &self,
+        origin: &Origin,
+        puts: Vec<Put>,
+        control: Option<&Arc<cl::Control>>,
+        out: &mut Vec<cl::Record>,
+    ) -> Option<Stand> {
         let mut stand = None;
         let mut before: Option<Vec3> = None;
         for put in puts {
@@ -188,14 +251,20 @@ impl Regional {
                         stand = Some(Stand { te: *te, ta: *ta, along });
                         before = Some(*te);
                     }
-                    self.motion(origin, points, out);
+                    self.motion(origin, points, control, out);
                 }
             }
         }
         stand
     }
 
-    fn motion(&self, origin: &Origin, points: Vec<(Vec3, Vec3)>, out: &mut Vec<cl::Record>) {
+    fn motion(
+        &self,
+        origin: &Origin,
+        points: Vec<(Vec3, Vec3)>,
+        control: Option<&Arc<cl::Control>>,
+        out: &mut Vec<cl::Record>,
+    ) {
         if points.is_empty() || self.settings.cut == Some(false) {
             return;
         }
@@ -208,7 +277,7 @@ impl Regional {
             arc: None,
             points: points.into_iter().map(|(te, ta)| cl::Position { te, ta }).collect(),
             with_axis: self.settings.multax,
-            control: None,
+            control: control.map(Arc::clone),
         };
         out.push(cl::Record { origin: origin.clone(), kind: cl::Kind::Motion(motion) });
     }

@@ -58,6 +58,9 @@ pub struct SurfaceBound {
     pub most: f64,
     /// The band: allowed least and most.
     pub band: [f64; 2],
+    /// Tool end at the end of the vector with the least, where it is known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub at: Option<[f64; 3]>,
 }
 
 /// Where a vector leaves its band, or could not be decided.

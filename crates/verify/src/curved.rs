@@ -33,7 +33,7 @@ pub(crate) struct Curved<'s> {
 }
 
 /// What came of one bound.
-enum Half {
+pub(crate) enum Half {
     /// It holds; the gap is nowhere beyond this.
     Holds(f64),
     /// It does not: share of the way, gap there.

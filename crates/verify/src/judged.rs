@@ -157,6 +157,7 @@ impl Judged {
             least: self.low,
             most: self.high,
             band: [self.demand.least, self.demand.most],
+            at: None,
         })
     }
 }

@@ -13,7 +13,7 @@ mod ruled;
 mod sculpted;
 mod tabcyl;
 
-use aptc_geometry::{Form, Vec3};
+use aptc_geometry::{Form, Sculptured, Vec3};
 
 use crate::pile::Pile;
 use crate::tool::Pose;
@@ -112,6 +112,12 @@ impl Sheet {
         }
     }
 
+    /// A sculptured surface without its continuation.
+    pub(crate) fn bare(surface: &Sculptured) -> Option<Self> {
+        let (cells, grid) = sculpted::Sculpted::new(surface);
+        Some(Self::of(Patched::new(patched::Kind::Sculpted(cells), grid)?))
+    }
+
     fn of(patched: Patched) -> Self {
         let axes = [Vec3::x(), Vec3::y(), Vec3::z()];
         Self { axes, origin: Vec3::zeros(), kind: Kind::Patched(Box::new(patched)) }
@@ -140,6 +146,14 @@ impl Sheet {
             Kind::Quadric(q) => q.roots(center, radius, out),
             Kind::Tabcyl(t) => t.roots(center, radius, out),
             Kind::Patched(p) => out.push(p.root()),
+        }
+    }
+
+    /// The charts of a sculptured surface over a range of its parameters.
+    pub(crate) fn pieces(&self, range: &[[f64; 2]; 2]) -> Vec<Patch> {
+        match &self.kind {
+            Kind::Patched(p) => p.pieces(range),
+            Kind::Quadric(_) | Kind::Tabcyl(_) => Vec::new(),
         }
     }
 

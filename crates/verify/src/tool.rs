@@ -30,7 +30,7 @@ impl Tool<'_> {
             return pose.te;
         }
         let [x, z] = profile.support(out / length, up / length).point;
-        pose.te + x * unit_or(across, any_across(pose.ta)) + z * pose.ta
+        pose.te + x * radial(across, out, pose.ta) + z * pose.ta
     }
 
     /// Support function: greatest `n . p` over the tool.
@@ -46,9 +46,10 @@ impl Tool<'_> {
         };
         let z = w.dot(&pose.ta);
         let across = w - z * pose.ta;
-        let near = profile.near(across.norm(), z);
+        let far = across.norm();
+        let near = profile.near(far, z);
         let [out, up] = near.normal;
-        (near.distance, out * unit_or(across, any_across(pose.ta)) + up * pose.ta)
+        (near.distance, out * radial(across, far, pose.ta) + up * pose.ta)
     }
 
     /// Greatest distance of a point of the tool from `c`.
@@ -97,6 +98,11 @@ impl Tool<'_> {
             Self::End => 0.0,
         }
     }
+}
+
+/// Unit vector along `across` of length `n`, any square to the axis where it has none.
+fn radial(across: Vec3, n: f64, ta: Vec3) -> Vec3 {
+    if n > 0.0 { across / n } else { any_across(ta) }
 }
 
 /// Where a point fixed in the tool goes when the tool moves from one position to another, the axis by the

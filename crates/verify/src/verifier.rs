@@ -1,14 +1,17 @@
 //! Judges a stream of CL records.
 
+mod milling;
+
 use std::sync::Arc;
 
 use aptc_cldata::{Arg, Control, Kind, Motion, MotionKind, Position, Record};
 use aptc_diagnostics::{Diagnostic, Origin, codes};
-use aptc_geometry::{Cutter, Form, Plane, Profile};
+use aptc_geometry::{Cutter, Form, Plane, Profile, Sculptured};
 
 use crate::certificate::{Certificate, Fault, StatementProof, length};
 use crate::free::{Free, Rapid};
 use crate::judged::Judged;
+use crate::sheet::Sheet;
 
 /// Allowance for rounding as a share of the size of the scene: what is proved is proved of a band wider by
 /// this. Positions are solved to 1e-12 of the scene.
@@ -36,6 +39,8 @@ pub struct Verifier {
     /// RAPID was said for the next motion.
     rapid: bool,
     free: Free,
+    /// Sculptured surfaces that are prepared.
+    sheets: Vec<(Arc<Sculptured>, Arc<Sheet>)>,
     certificate: Certificate,
     diagnostics: Vec<Diagnostic>,
 }
@@ -71,6 +76,7 @@ impl Verifier {
             open: None,
             rapid: false,
             free: Free::default(),
+            sheets: Vec::new(),
             certificate,
             diagnostics: Vec::new(),
         }
@@ -137,11 +143,14 @@ impl Verifier {
         match &mut self.open {
             Some(open) => open.points.extend_from_slice(&motion.points),
             None => {
+                // How the tool comes to a region is not its promise.
+                let joined = control.milling.as_ref().is_none_or(|m| m.joined && !rapid);
+                let start = self.last.filter(|_| joined);
                 self.open = Some(Open {
                     control: Arc::clone(control),
                     startup,
                     origin: origin.clone(),
-                    start: self.last,
+                    start,
                     points: motion.points.clone(),
                     profile,
                 });
@@ -194,6 +203,9 @@ impl Verifier {
     }
 
     fn statement(&mut self, open: &Open) {
+        if let Some(milling) = &open.control.milling {
+            return self.milled(open, milling);
+        }
         let Open { control, startup, start, points, profile, .. } = open;
         let pad = self.pad(points, profile);
         let n = points.len() as u64;

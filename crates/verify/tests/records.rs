@@ -36,6 +36,7 @@ fn control() -> Control {
         drive: Some(controlled("WALL", plane(0.0, 1.0, 0.0, 0.0), Relation::To, 1)),
         part: Some(controlled("FLOOR", plane(0.0, 0.0, 1.0, 0.0), Relation::On, 0)),
         checks: vec![controlled("END", plane(1.0, 0.0, 0.0, 100.0), Relation::To, -1)],
+        milling: None,
     }
 }
 

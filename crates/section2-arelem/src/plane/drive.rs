@@ -243,5 +243,6 @@ fn control(scene: &Scene, plan: &Plan, begin: &Begin, end: Vec2, stopped: usize)
             scene.part.controlled(to_or_on(scene.part.on), plan.floor.form_side(&scene.part)),
         ),
         checks,
+        milling: None,
     }
 }

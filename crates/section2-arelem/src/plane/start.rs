@@ -87,8 +87,8 @@ pub(crate) fn start(go: &Start) -> Option<Result<Path, Failure>> {
         controlled.push(wall.controlled(*relation, side.unwrap_or(1.0)));
     }
     let mut controlled = controlled.into_iter();
-    let control =
-        Control { drive: controlled.next(), part: controlled.next(), checks: controlled.collect() };
+    let (drive, part) = (controlled.next(), controlled.next());
+    let control = Control { drive, part, checks: controlled.collect(), milling: None };
     let points = vec![Position { te: end, ta: go.tool.ta }];
     let forward = end - go.tool.te;
     Some(Ok(Path { points, arc: None, check: 0, forward, control, fouls: None, astray: None }))

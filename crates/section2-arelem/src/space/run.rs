@@ -384,5 +384,6 @@ fn control(
         drive: Some(scene.drive.beside(to_or_on(scene.drive.on), track.keeps[0].side)),
         part: Some(scene.part.beside(to_or_on(scene.part.on), track.keeps[1].side)),
         checks,
+        milling: None,
     }
 }

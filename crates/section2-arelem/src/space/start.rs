@@ -35,7 +35,8 @@ pub(crate) fn start(go: &Start) -> Result<Path, Failure> {
     }
     let end = arrive(go, &mut aims, pose)?;
     let mut sides = aims.iter().map(|a| a.wall.beside(a.relation, a.keep.side));
-    let control = Control { drive: sides.next(), part: sides.next(), checks: sides.collect() };
+    let (drive, part) = (sides.next(), sides.next());
+    let control = Control { drive, part, checks: sides.collect(), milling: None };
     let points = vec![Position { te: end.te, ta: end.ta }];
     let forward = end.te - go.tool.te;
     Ok(Path { points, arc: None, check: 0, forward, control, fouls: None, astray: None })

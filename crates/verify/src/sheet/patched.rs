@@ -175,6 +175,24 @@ impl Patched {
         self.nodes.len() - 1
     }
 
+    /// The charts over a range of the parameters.
+    pub(crate) fn pieces(&self, range: &[[f64; 2]; 2]) -> Vec<Patch> {
+        let mut out = Vec::new();
+        for (i, chart) in self.charts.iter().enumerate() {
+            let mut patch = self.patch(i);
+            let mut empty = false;
+            for (k, [from, to]) in range.iter().enumerate() {
+                let (lo, hi) = (chart.range[k][0].max(*from), chart.range[k][1].min(*to));
+                empty |= lo >= hi;
+                (patch.at[k], patch.half[k]) = (0.5 * (lo + hi), 0.5 * (hi - lo));
+            }
+            if !empty {
+                out.push(patch);
+            }
+        }
+        out
+    }
+
     /// The root of the tree.
     pub(crate) fn root(&self) -> Patch {
         Patch { chart: self.nodes.len() - 1, group: true, ..Patch::default() }

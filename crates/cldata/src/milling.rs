@@ -1,0 +1,50 @@
+//! What regional milling promises of its motions.
+
+use std::sync::Arc as Shared;
+
+use aptc_geometry::Sculptured;
+
+use crate::NameRef;
+
+/// What the motions of a statement of regional milling keep to, for the proof.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Milling {
+    /// The part surface; none where the tool end is led away from a surface that it would lie on.
+    pub part: Option<Milled>,
+    /// Does the tool end lie on the part surface (ON)? Else the cutter touches it.
+    pub on: bool,
+    /// Further surfaces that are checked (CHKSRF).
+    pub checked: Vec<Milled>,
+    /// How deep the cutter may be in a surface.
+    pub intol: f64,
+    /// How much may be left on the part surface beyond thickness and scallop.
+    pub outtol: f64,
+    /// What is left between the passes of a region; none where nothing is promised.
+    pub scallop: Option<Scallop>,
+    /// Does the first vector begin on the surface, where the statement before ended? Else it is how the tool
+    /// comes there.
+    pub joined: bool,
+}
+
+/// A surface that the cutter does not cut into.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Milled {
+    /// Its name.
+    pub name: NameRef,
+    /// The surface in the part frame.
+    pub surface: Shared<Sculptured>,
+    /// The side of the cutter, +1 on that of dU x dV.
+    pub side: f64,
+    /// Thickness left on it.
+    pub thick: f64,
+}
+
+/// What may be left between the passes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scallop {
+    /// Greatest height over the part surface and its thickness.
+    pub height: f64,
+    /// The region: least and greatest u and v of the part surface; none where it is not known, as the passes
+    /// follow another surface or gouges are avoided.
+    pub range: Option<[[f64; 2]; 2]>,
+}

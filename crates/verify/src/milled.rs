@@ -1,0 +1,185 @@
+//! Regional milling: no point of a surface deeper in the cutter than allowed, along each cut vector.
+
+use std::sync::Arc;
+
+use aptc_cldata::milling::{Milled, Milling};
+use aptc_cldata::{NameRef, Position};
+use aptc_geometry::{Profile, Sculptured, Vec3};
+
+use crate::certificate::{Fault, SurfaceBound};
+use crate::curved::{Curved, Half};
+use crate::demand::{Verdict, angle, between_poses};
+use crate::pile::Pile;
+use crate::search::{Moved, clearance};
+use crate::sheet::Sheet;
+use crate::sweep::Sweep;
+use crate::tool::{Pose, Tool};
+
+/// Halvings of a vector, and stretches of it that are looked at.
+const DEPTH: u32 = 22;
+const MOST: u32 = 2000;
+/// As for a surface that guides the tool.
+const TURNED: f64 = 20.0;
+const LONG: u32 = 5;
+
+/// A surface of a statement of regional milling with what is known of it.
+#[derive(Debug)]
+pub(crate) struct MilledSurface {
+    pub(crate) sheet: Arc<Sheet>,
+    name: String,
+    role: &'static str,
+    /// Is the tool end held to it? Else the cutter stays away from it.
+    on: bool,
+    side: f64,
+    /// Least and greatest distance asked for.
+    band: [f64; 2],
+    low: f64,
+    high: f64,
+    /// The tool end where the least was met.
+    at: Option<Vec3>,
+}
+
+impl MilledSurface {
+    /// The part surface first, then those that are checked; `None` when one has no charts.
+    pub(crate) fn all(
+        milling: &Milling,
+        mut sheet: impl FnMut(&Arc<Sculptured>) -> Option<Arc<Sheet>>,
+    ) -> Option<Vec<Self>> {
+        let part = milling.part.iter().map(|p| (p, "part"));
+        let all = part.chain(milling.checked.iter().map(|c| (c, "checked")));
+        all.map(|(of, role)| Some(Self::new(of, role, milling, sheet(&of.surface)?))).collect()
+    }
+
+    fn new(of: &Milled, role: &'static str, milling: &Milling, sheet: Arc<Sheet>) -> Self {
+        let on = role == "part" && milling.on;
+        // A thickness is left by a cutter that touches, not where the tool end is led.
+        let thick = if on { 0.0 } else { of.thick };
+        let (least, most) = (thick - milling.intol, thick + milling.outtol);
+        Self {
+            sheet,
+            name: name_of(&of.name),
+            role,
+            on,
+            side: of.side,
+            band: [least, if on { most } else { f64::INFINITY }],
+            low: f64::INFINITY,
+            high: f64::NEG_INFINITY,
+            at: None,
+        }
+    }
+
+    /// Judges a cut vector; the fault, if there is one.
+    pub(crate) fn vector(
+        &mut self,
+        profile: &Profile,
+        a: &Position,
+        b: &Position,
+        pad: f64,
+        vector: u64,
+    ) -> Option<Fault> {
+        let (verdict, from) = if self.on {
+            let [least, most] = self.band;
+            let curved = Curved { sheet: &self.sheet, side: self.side, on: true, least, most };
+            (curved.judge(&Tool::End, a, b, pad), least)
+        } else {
+            (self.clear(&Tool::Solid(profile), a, b, pad), self.band[0])
+        };
+        let surface = || format!("{} surface {}", self.role, self.name);
+        match verdict {
+            Verdict::Proved { low, high } => {
+                if low < self.low {
+                    (self.low, self.at) = (low, Some(b.te));
+                }
+                self.high = self.high.max(high);
+                None
+            }
+            Verdict::Refuted { gap, te } => {
+                let gouge = gap < from;
+                let depth = if gouge { from - gap } else { gap - self.band[1] };
+                let te = te.into();
+                Some(Fault { refuted: true, surface: surface(), vector, te, depth, gouge })
+            }
+            Verdict::Undecided { at_most, te } => Some(Fault {
+                refuted: false,
+                surface: surface(),
+                vector,
+                te: te.into(),
+                depth: at_most,
+                gouge: true,
+            }),
+        }
+    }
+
+    /// That no point of the surface is nearer to the cutter than the least.
+    fn clear(&self, tool: &Tool<'_>, a: &Position, b: &Position, pad: f64) -> Verdict {
+        let ends = [Pose { te: a.te, ta: a.ta }, Pose { te: b.te, ta: b.ta }];
+        let pose = |t: f64| between_poses(&ends[0], &ends[1], t);
+        match keeps_off(tool, &self.sheet, &pose, angle(a.ta, b.ta), self.band[0] - pad) {
+            Half::Holds(low) => Verdict::Proved { low, high: f64::INFINITY },
+            Half::Broken(t, gap) => Verdict::Refuted { gap, te: pose(t).te },
+            Half::Open(t, at_most) => Verdict::Undecided { at_most, te: pose(t).te },
+        }
+    }
+
+    pub(crate) fn bound(&self) -> Option<SurfaceBound> {
+        (self.low < f64::INFINITY).then(|| SurfaceBound {
+            name: self.name.clone(),
+            role: self.role,
+            least: self.low,
+            most: self.high,
+            band: self.band,
+            at: self.at.map(Into::into),
+        })
+    }
+}
+
+pub(crate) fn name_of(n: &NameRef) -> String {
+    if n.subscript > 0 { format!("{}({})", n.name, n.subscript) } else { n.name.to_string() }
+}
+
+/// That no point of the surface is nearer to the tool than `least`, negative in the tool.
+fn keeps_off(
+    tool: &Tool<'_>,
+    sheet: &Sheet,
+    pose: &dyn Fn(f64) -> Pose,
+    turn: f64,
+    least: f64,
+) -> Half {
+    let moved = Moved { sheet, side: 1.0, shift: 0.0 };
+    let mut low = f64::INFINITY;
+    let mut open = (0.0, 0.0);
+    let mut stack = Pile::<(f64, f64, u32), 32>::new();
+    stack.push((0.0, 1.0, 0));
+    let mut seen = 0;
+    while let Some((t0, t1, depth)) = stack.pop() {
+        seen += 1;
+        let sweep = Sweep::new(tool, pose(t0), pose(t1), turn * (t1 - t0));
+        let found = clearance(&sweep, &moved, least);
+        if found.least >= least {
+            low = low.min(found.least);
+            continue;
+        }
+        if let Some((_, t, spot)) = found.nearest {
+            let t = t0 + t * (t1 - t0);
+            let distance = tool.near(&pose(t), sheet.jet(&spot).p).0;
+            if distance < least {
+                return Half::Broken(t, distance);
+            }
+        }
+        let short = least - found.least;
+        let turned = sweep.pad + 0.25 * sweep.turn * (sweep.b.te - sweep.a.te).norm();
+        let helps = if short == f64::INFINITY {
+            depth < LONG
+        } else {
+            sweep.turn > 0.0 && short <= TURNED * turned && depth < DEPTH
+        };
+        if helps && seen < MOST {
+            let m = 0.5 * (t0 + t1);
+            stack.push((m, t1, depth + 1));
+            stack.push((t0, m, depth + 1));
+        } else if short > open.1 {
+            open = (t0, short);
+        }
+    }
+    if open.1 > 0.0 { Half::Open(open.0, open.1) } else { Half::Holds(low) }
+}

@@ -1,0 +1,109 @@
+//! What is left between the passes of a region.
+//!
+//! Over each point of the part surface the point at the allowed height along the normal was in the cutter at
+//! some time: what stands on the surface is lower. A piece of the surface, raised by that height, lies in a
+//! parallelogram made thicker by how its normal turns; what a tool sweeps without turning is convex, so that
+//! it holds the piece when it holds the corners by that thickness.
+
+use aptc_geometry::Vec3;
+
+use crate::sheet::{Patch, Sheet};
+use crate::swath::Swath;
+
+/// Pieces that are looked at.
+const MOST: u32 = 4_000_000;
+/// Halvings of what is left at a place.
+const HALVINGS: u32 = 50;
+
+/// What is asked of a region.
+#[derive(Debug)]
+pub(crate) struct Cusps<'a> {
+    pub(crate) sheet: &'a Sheet,
+    pub(crate) side: f64,
+    /// Allowed height over the surface, thickness and tolerance included.
+    pub(crate) height: f64,
+    /// None where the region is not known.
+    pub(crate) range: Option<[[f64; 2]; 2]>,
+}
+
+/// The answer.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Left {
+    /// Nothing stands higher.
+    Proved,
+    /// Something does: its height, and the number of the nearest way.
+    Higher(f64, usize),
+    /// It is not known near this way.
+    Open(usize),
+}
+
+impl Cusps<'_> {
+    /// Judges what the ways leave; `pad` covers rounding.
+    pub(crate) fn judge(&self, swath: &Swath<'_>, pad: f64) -> Left {
+        let Some(range) = &self.range else { return Left::Open(0) };
+        let mut stack: Vec<Patch> = self.sheet.pieces(range);
+        let mut hint = 0;
+        let mut seen = 0;
+        while let Some(patch) = stack.pop() {
+            seen += 1;
+            let tile = self.sheet.tile(&patch);
+            let x = tile.c + tile.n * (self.side * self.height);
+            let slop =
+                tile.stray[0] + tile.stray[1] + self.height.abs() * (tile.turn[0] + tile.turn[1]);
+            let mut best = (f64::INFINITY, hint);
+            let mut covered = false;
+            let mut look = |i: usize| {
+                let (d, t) = swath.distance(i, x);
+                if d < best.0 {
+                    best = (d, i);
+                }
+                covered = d <= pad - slop && swath.farthest(i, x, tile.side, t) <= pad - slop;
+                covered
+            };
+            // Neighbouring pieces are mostly held by the same way.
+            if !look(hint) {
+                swath.around(x, pad, look);
+            }
+            hint = best.1;
+            if covered {
+                continue;
+            }
+            if best.0 > pad {
+                let (height, way) = self.height_at(swath, tile.c, tile.n, best.1);
+                return Left::Higher(height, way);
+            }
+            let sides = [0, 1].map(|i| tile.side[i].norm() + tile.stray[i]);
+            if seen > MOST || sides[0] + sides[1] <= pad {
+                return Left::Open(best.1);
+            }
+            stack.extend(patch.halves(usize::from(sides[1] > sides[0])));
+        }
+        Left::Proved
+    }
+
+    /// How high the material stands over a place where it is higher than allowed.
+    fn height_at(&self, swath: &Swath<'_>, c: Vec3, n: Vec3, near: usize) -> (f64, usize) {
+        let free = |h: f64| {
+            let x = c + n * (self.side * h);
+            swath.least(x, 0.0).filter(|b| b.0 <= 0.0).map(|b| b.1)
+        };
+        let (mut low, mut high) = (self.height, 2.0 * self.height.abs());
+        let mut way = None;
+        for _ in 0..20 {
+            way = free(high);
+            if way.is_some() {
+                break;
+            }
+            (low, high) = (high, 2.0 * high);
+        }
+        let Some(mut way) = way else { return (f64::INFINITY, near) };
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (low + high);
+            match free(middle) {
+                Some(i) => (high, way) = (middle, i),
+                None => low = middle,
+            }
+        }
+        (high, way)
+    }
+}

@@ -1,0 +1,153 @@
+//! Statements of regional milling, by closed forms.
+
+use std::sync::Arc;
+
+use aptc_cldata::milling::{Milled, Milling, Scallop};
+use aptc_cldata::{Control, Kind, Motion, MotionKind, NameRef, Position, Record};
+use aptc_diagnostics::{Diagnostic, Origin, codes};
+use aptc_geometry::sculpt::{SplinePoint, mesh};
+use aptc_geometry::{Cutter, Sculptured, Vec3, trig};
+use aptc_verify::{Certificate, Effort, Verifier};
+
+const BAND: f64 = 0.01;
+
+/// A square of 20 over x and y, `z` above it.
+fn square(z: impl Fn(f64, f64) -> f64) -> Arc<Sculptured> {
+    let at = |i: i32, j: i32| {
+        let (x, y) = (5.0 * f64::from(i), 5.0 * f64::from(j));
+        SplinePoint::plain(Vec3::new(x, y, z(x, y)))
+    };
+    let rows: Vec<Vec<_>> = (0..5).map(|j| (0..5).map(|i| at(i, j)).collect()).collect();
+    Arc::new(mesh(&rows, false).expect("a surface"))
+}
+
+fn milled(name: &str, surface: &Arc<Sculptured>, thick: f64) -> Milled {
+    let name = NameRef { name: name.into(), subscript: 0 };
+    Milled { name, surface: Arc::clone(surface), side: 1.0, thick }
+}
+
+fn milling(surface: &Arc<Sculptured>, scallop: Option<f64>) -> Milling {
+    let range = Some([[0.0, 4.0]; 2]);
+    Milling {
+        part: Some(milled("FLOOR", surface, 0.0)),
+        on: false,
+        checked: Vec::new(),
+        intol: BAND,
+        outtol: BAND,
+        scallop: scallop.map(|height| Scallop { height, range }),
+        joined: false,
+    }
+}
+
+fn judge(milling: Milling, points: Vec<Position>) -> (Certificate, Vec<Diagnostic>) {
+    let record = |kind| Record { origin: Origin::default(), kind };
+    let control = Control { milling: Some(milling), ..Control::default() };
+    let motion = Motion {
+        kind: MotionKind::Continuous,
+        points,
+        control: Some(Arc::new(control)),
+        ..Motion::default()
+    };
+    let mut verifier = Verifier::new(Effort::Full);
+    verifier.push(&record(Kind::Cutter(Cutter::mill(10.0, 5.0, 40.0))));
+    verifier.push(&record(Kind::Motion(motion)));
+    verifier.finish()
+}
+
+fn upright(points: &[[f64; 3]]) -> Vec<Position> {
+    points.iter().map(|p| Position::upright(Vec3::from(*p))).collect()
+}
+
+/// Passes along x, `step` apart, at the height `z`.
+fn passes(step: f64, z: f64) -> Vec<[f64; 3]> {
+    let n = (20.0 / step).ceil();
+    let mut out = Vec::new();
+    let mut i = 0.0;
+    while i <= n {
+        let y = (step * i).min(20.0);
+        let ends = if i % 2.0 == 0.0 { [0.0, 20.0] } else { [20.0, 0.0] };
+        out.extend(ends.map(|x| [x, y, z]));
+        i += 1.0;
+    }
+    out
+}
+
+#[test]
+fn a_gouge_is_found_with_its_depth_and_place() {
+    let flat = square(|_, _| 0.0);
+    let good = judge(milling(&flat, None), upright(&passes(2.0, 0.0)));
+    assert!(good.0.is_proved() && good.1.is_empty(), "{:?}", good.1);
+    for depth in [1.5 * BAND, 0.3] {
+        let mut points = passes(2.0, 0.0);
+        points[5][2] -= depth;
+        let (c, said) = judge(milling(&flat, None), upright(&points));
+        let fault = c.statements[0].fault.clone().expect("a fault");
+        assert_eq!((c.refuted, said[0].code), (2, codes::REFUTED));
+        // To a tenth of what is beyond the band.
+        let beyond = depth - BAND;
+        assert!(fault.depth > 0.85 * beyond && fault.depth < beyond * (1.0 + 1e-9), "{fault:?}");
+        assert!(fault.vector == 6 || fault.vector == 7);
+    }
+}
+
+#[test]
+fn a_chord_over_a_crest_cuts_by_its_sagitta_and_a_checked_wall_is_held_off() {
+    // Along the crest of a wave a long chord between points of the surface.
+    let wave = square(|x, _| 0.5 * trig::sin(0.15 * x));
+    let over = |x: f64| {
+        let d = wave.at(x / 5.0, 2.0);
+        let n = d.normal().expect("regular");
+        let te = d.point + (n - Vec3::z()) * 5.0;
+        [te.x, te.y, te.z]
+    };
+    let fine: Vec<[f64; 3]> = (1..100).map(|i| over(0.2 * f64::from(i))).collect();
+    assert!(judge(milling(&wave, None), upright(&fine)).0.is_proved());
+    let (c, _) = judge(milling(&wave, None), upright(&[over(6.0), over(15.0)]));
+    assert_eq!(c.refuted, 1);
+    // A wall that goes up beside the path.
+    let wall = square(|x, _| 40.0 * (x - 19.0).max(0.0));
+    let mut with = milling(&wave, None);
+    with.checked.push(milled("WALL", &wall, 0.0));
+    let (c, _) = judge(with, upright(&fine));
+    let fault = c.statements[0].fault.clone().expect("the wall");
+    assert!(c.refuted > 0 && fault.surface == "checked surface WALL", "{fault:?}");
+}
+
+#[test]
+fn what_is_left_between_passes_is_bounded() {
+    let flat = square(|_, _| 0.0);
+    for step in [1.0_f64, 2.5] {
+        let ridge = 5.0 - (25.0 - 0.25 * step * step).sqrt();
+        let path = upright(&passes(step, 0.0));
+        let (c, said) = judge(milling(&flat, Some(ridge - BAND + 1e-4)), path.clone());
+        assert!(c.is_proved(), "{step} {said:?}");
+        let (c, _) = judge(milling(&flat, Some(ridge - BAND - 1e-4)), path.clone());
+        let fault = c.statements[0].fault.clone().expect("a ridge");
+        assert!(!fault.gouge && c.refuted == 1 && fault.depth < 1.1e-4, "{fault:?}");
+        // A pass that was left out: the ridge is four times as high.
+        let mut short = path;
+        short.drain(6..8);
+        let (c, _) = judge(milling(&flat, Some(ridge)), short);
+        assert!(c.refuted > 0, "{step}");
+    }
+    // Where the region is not known that is said.
+    let mut unknown = milling(&flat, Some(0.1));
+    unknown.scallop.as_mut().expect("set").range = None;
+    let (c, said) = judge(unknown, upright(&passes(1.0, 0.0)));
+    assert_eq!((c.undecided, said[0].code), (1, codes::UNPROVED));
+}
+
+#[test]
+fn a_ball_that_stands_on_a_wave_with_turning_axis_is_proved() {
+    let wave = square(|x, y| 0.5 * trig::sin(0.15 * x) * trig::cos(0.1 * y));
+    let place = |x: f64, deep: f64| {
+        let d = wave.at(x / 5.0, 1.7);
+        let n = d.normal().expect("regular");
+        Position { te: d.point - n * deep, ta: n }
+    };
+    let path: Vec<Position> = (1..60).map(|i| place(f64::from(i) / 3.0, 0.0)).collect();
+    let (c, said) = judge(milling(&wave, None), path);
+    assert!(c.is_proved(), "{said:?}");
+    let path: Vec<Position> = (1..60).map(|i| place(f64::from(i) / 3.0, 2.0 * BAND)).collect();
+    assert_eq!(judge(milling(&wave, None), path).0.refuted, 59);
+}
