@@ -192,11 +192,20 @@ pub(crate) struct CheckArgs {
 #[derive(Args, Clone, Debug)]
 pub(crate) struct VerifyArgs {
     /// Part programs
-    #[arg(required = true, value_name = "PART")]
+    #[arg(required_unless_present = "nc", value_name = "PART")]
     pub(crate) parts: Vec<PathBuf>,
     /// A CL file of any dialect, held against the surfaces of the one program
     #[arg(long, value_name = "FILE")]
     pub(crate) cl: Option<PathBuf>,
+    /// Machine code of any origin, held against the CL file
+    #[arg(long, value_name = "FILE", requires_all = ["machine", "cl"], conflicts_with = "parts")]
+    pub(crate) nc: Option<PathBuf>,
+    /// The machine for which the code is: its name or file
+    #[arg(short, long, value_name = "NAME", requires = "nc")]
+    pub(crate) machine: Option<String>,
+    /// Dialect of the CL file; found out if it is not given
+    #[arg(long, value_name = "DIALECT", requires = "nc")]
+    pub(crate) from: Option<String>,
     /// The certificates as a JSON document on standard output
     #[arg(long)]
     pub(crate) json: bool,

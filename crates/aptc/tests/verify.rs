@@ -85,3 +85,31 @@ fn a_cut_at_rapid_gives_no_machine_code() {
     assert!(text(&run.stderr).contains("APT5005"), "{}", text(&run.stderr));
     assert!(dir.path().join("box.cl").is_file() && !dir.path().join("box.nc").is_file());
 }
+
+#[test]
+fn machine_code_is_held_against_a_cl_file() {
+    let dir = folder_with("box.apt", PART);
+    let run = aptc(dir.path(), &["compile", "box.apt", "--machine", "linuxcnc-mill"]);
+    assert!(run.status.success(), "{}", text(&run.stderr));
+    let nc = fs::read_to_string(dir.path().join("box.nc")).expect("it was written");
+    let check = |file: &str| {
+        let options = ["verify", "--nc", file, "--machine", "linuxcnc-mill", "--cl", "box.cl"];
+        aptc(dir.path(), &options)
+    };
+    let good = check("box.nc");
+    assert!(good.status.success(), "{}", text(&good.stderr));
+    assert!(
+        text(&good.stdout).starts_with("box.nc does what box.cl says"),
+        "{}",
+        text(&good.stdout)
+    );
+    // A foreign hand changed one coordinate.
+    let changed = nc.replacen("G1 Y-75", "G1 Y-75.21", 1);
+    assert_ne!(changed, nc);
+    fs::write(dir.path().join("bad.nc"), changed).expect("it is written");
+    let bad = check("bad.nc");
+    assert_eq!(bad.status.code(), Some(3), "{}", text(&bad.stderr));
+    assert!(text(&bad.stderr).contains("APT5401") && text(&bad.stderr).contains("line "));
+    // Both the machine and the CL data have to be named.
+    assert_eq!(aptc(dir.path(), &["verify", "--nc", "box.nc"]).status.code(), Some(2));
+}

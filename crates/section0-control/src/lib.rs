@@ -11,9 +11,10 @@ mod post;
 mod post_cl;
 mod summary;
 mod verify;
+mod verify_code;
 mod world;
 
-pub use aptc_post::{Machine, NcReader, machine_for, machines};
+pub use aptc_post::{Machine, NcReader, Proof, machine_for, machines};
 pub use aptc_translate::{Language, UnknownWords, about, near_word};
 pub use aptc_verify::Certificate;
 pub use artifact::Artifact;
@@ -25,6 +26,7 @@ pub use post::{Nc, post_part};
 pub use post_cl::{ClOptions, PostedCl, find_places, post_cl};
 pub use summary::Summary;
 pub use verify::{ClFile, verify};
+pub use verify_code::verify_code;
 pub use world::{Disk, Memory, Source, World, WorldError};
 
 pub use aptc_cldata::{

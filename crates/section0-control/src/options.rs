@@ -2,6 +2,9 @@
 
 use std::time::Duration;
 
+use aptc_diagnostics::{Diagnostic, Span, codes};
+use aptc_post::Machine;
+
 /// Choices of a run.
 #[derive(Clone, Debug)]
 pub struct Options {
@@ -36,6 +39,24 @@ pub struct CodeOptions {
     pub annotate: bool,
     /// Keep the statement of each block.
     pub map: bool,
+}
+
+impl MachineChoice {
+    /// The machine, or why there is none.
+    pub fn machine(&self) -> Result<Machine, Vec<Diagnostic>> {
+        match self {
+            Self::File(_, text) => Machine::parse(text),
+            Self::Named(name) => {
+                let found = aptc_post::machine(name).or_else(|| aptc_post::machine_for(name, &[]));
+                found.cloned().ok_or_else(|| {
+                    let known: Vec<_> = aptc_post::machines().map(|m| m.name.as_str()).collect();
+                    let message = format!("there is no machine {name}");
+                    let d = Diagnostic::error(codes::MACHINE_FILE, Span::default(), message);
+                    vec![d.help(format!("give a machine file, or one of {}", known.join(", ")))]
+                })
+            }
+        }
+    }
 }
 
 /// A machine by its name or by the text of a machine file.

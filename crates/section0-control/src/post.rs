@@ -91,28 +91,14 @@ impl PartHead {
         choice: Option<&MachineChoice>,
         diagnostics: &mut Vec<Diagnostic>,
     ) -> Vec<Machine> {
-        match choice {
-            Some(MachineChoice::File(_, text)) => match Machine::parse(text) {
-                Ok(m) => return vec![m],
+        if let Some(choice) = choice {
+            return match choice.machine() {
+                Ok(m) => vec![m],
                 Err(d) => {
                     diagnostics.extend(d);
-                    return Vec::new();
+                    Vec::new()
                 }
-            },
-            Some(MachineChoice::Named(name)) => {
-                let found = aptc_post::machine(name).or_else(|| aptc_post::machine_for(name, &[]));
-                if let Some(m) = found {
-                    return vec![m.clone()];
-                }
-                let known: Vec<_> = aptc_post::machines().map(|m| m.name.as_str()).collect();
-                let message = format!("there is no machine {name}");
-                diagnostics.push(
-                    Diagnostic::error(codes::MACHINE_FILE, Span::default(), message)
-                        .help(format!("give a machine file, or one of {}", known.join(", "))),
-                );
-                return Vec::new();
-            }
-            None => {}
+            };
         }
         if !self.machines.is_empty() {
             return self.machines.clone();

@@ -193,7 +193,8 @@ impl Post {
                 let sweep = degrees.to_radians() * sense;
                 let start_angle = trig::atan2(v, u);
                 let turn = Turn { plane, center, radius, start_angle, sweep, start, end };
-                turn.agrees(tol).then_some((turn, None))
+                let rises = turn.rise().abs() > resolution;
+                (turn.agrees(tol) && (arcs.helix || !rises)).then_some((turn, None))
             }
             Course::Chords => {
                 // The tool may come to the circle on a line first.
@@ -250,7 +251,8 @@ impl Post {
         };
         let ([a, b], letters) = turn.plane.axes();
         let resolution = self.blocks.number(b'X').resolution();
-        let tol = self.st.band().max(resolution) + 3.0 * resolution;
+        let band = if self.st.fitted { 0.0 } else { self.st.band().max(resolution) };
+        let tol = band + crate::fitting::ROUNDING * resolution;
         let radius_tol = arcs.radius_tolerance / self.st.out_mm();
         let mut from_q = round(turn.start)?;
         let mut from = back(&from_q);

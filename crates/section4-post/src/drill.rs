@@ -130,13 +130,12 @@ impl Post {
 
     /// Height of the clearance plane over a point along the tool axis, in output units.
     pub(crate) fn clearance_above(&self, at: Vec3, ta: Vec3) -> Option<f64> {
-        let plane = self.st.clearance_mm?;
+        let plane = self.st.clearance()?;
         let slope = plane.n.dot(&ta);
         if slope.abs() < 1e-6 {
             return None;
         }
-        let below = plane.d / self.st.out_mm() - plane.n.dot(&(at - self.st.shift));
-        Some(below / slope)
+        Some((plane.d - plane.n.dot(&at)) / slope)
     }
 
     /// The control's own cycle for this, if it has one.

@@ -96,6 +96,8 @@ pub(crate) struct Blocks {
     /// Rotary axes that are written within one turn.
     modulo: [bool; 2],
     cycle: Option<NativeCycle>,
+    /// The plane of the program is tilted: the control itself places the rotary axes.
+    pub(crate) tilted: bool,
     /// OPSKIP is on.
     pub(crate) skip: bool,
     /// Blocks are numbered.
@@ -148,6 +150,7 @@ impl Blocks {
             factor,
             modulo,
             cycle: None,
+            tilted: false,
             skip: false,
             numbered,
             next_number,
@@ -229,9 +232,12 @@ impl Blocks {
         &mut self,
         code: MotionCode,
         joints: &Joints,
-        mask: [bool; 5],
+        mut mask: [bool; 5],
         feed: Option<FeedWord>,
     ) -> Result<(), TooGreat> {
+        if self.tilted {
+            mask[3..].fill(false);
+        }
         let q = self.round(joints)?;
         let moves = (0..5).any(|i| {
             mask[i] && self.axes[i] != b' ' && self.known[idx(self.axes[i])] != Some(q[i])

@@ -35,6 +35,8 @@ pub(crate) struct Chain {
     tool_center: bool,
     /// Angles of the singular direction within which an axis may keep its angle, radians.
     singular: f64,
+    /// Positions are written in a tilted plane: the rotation from the frame of the part to it.
+    pub(crate) plane: Option<Matrix3<f64>>,
 }
 
 /// Why there is no position of the axes.
@@ -72,12 +74,49 @@ impl Chain {
             turns: machine.rotary.iter().take(2).map(turn).collect(),
             tool_center: machine.multiaxis.tool_center,
             singular: machine.multiaxis.singular.to_radians(),
+            plane: None,
         }
+    }
+
+    /// Tool end and tool axis in the frame of the part for a tool end that is given beside a table turned to
+    /// `angles`, degrees, in the frame of the linear axes.
+    pub(crate) fn programmed(&self, te: Vec3, angles: [f64; 2]) -> (Vec3, Vec3) {
+        let spins = self.spins(angles);
+        let (mut point, mut axis) = (te, Vec3::z());
+        for (turn, spin) in self.turns.iter().zip(spins).rev() {
+            if turn.carries == Carries::Tool {
+                axis = spin.turn(turn.d, axis);
+            }
+        }
+        for (turn, spin) in self.turns.iter().zip(spins) {
+            if turn.carries == Carries::Part {
+                axis = spin.back().turn(turn.d, axis);
+                point = turn.c + spin.back().turn(turn.d, point - turn.c);
+            }
+        }
+        (point, axis)
+    }
+
+    /// The rotation from the frame of the part to that of the linear axes at `angles`, degrees.
+    pub(crate) fn table(&self, angles: [f64; 2]) -> Matrix3<f64> {
+        let mut m = Matrix3::identity();
+        for (turn, angle) in self.turns.iter().zip(angles).rev() {
+            if turn.carries == Carries::Part {
+                let spin = Spin::new(angle);
+                m = Matrix3::from_columns(
+                    &[0, 1, 2].map(|i| spin.turn(turn.d, m.column(i).into())),
+                );
+            }
+        }
+        m
     }
 
     /// Tool end and tool axis in the frame of the part.
     pub(crate) fn forward(&self, joints: &Joints) -> (Vec3, Vec3) {
         let xyz = Vec3::new(joints[0], joints[1], joints[2]);
+        if let Some(plane) = &self.plane {
+            return (plane.tr_mul(&xyz), plane.tr_mul(&Vec3::z()));
+        }
         let mut axis = Vec3::z();
         let mut end = Vec3::zeros();
         let spins = self.spins([joints[3], joints[4]]);
@@ -103,6 +142,9 @@ impl Chain {
 
     /// Positions of the linear axes when the rotary axes stand at `angles`, degrees.
     pub(crate) fn linear(&self, te: Vec3, angles: [f64; 2]) -> Vec3 {
+        if let Some(plane) = &self.plane {
+            return plane * te;
+        }
         if self.tool_center {
             return te;
         }
@@ -130,25 +172,23 @@ impl Chain {
         }
     }
 
-    /// The rotation from the frame of the part to that of the axes at `angles`, degrees.
+    /// The rotation from the frame of the part to that in which positions are written at `angles`, degrees.
     pub(crate) fn turned(&self, angles: [f64; 2]) -> Matrix3<f64> {
-        let mut m = Matrix3::identity();
-        if !self.tool_center {
-            for (turn, angle) in self.turns.iter().zip(angles).rev() {
-                if turn.carries == Carries::Part {
-                    let spin = Spin::new(angle);
-                    m = Matrix3::from_columns(
-                        &[0, 1, 2].map(|i| spin.turn(turn.d, m.column(i).into())),
-                    );
-                }
-            }
+        match self.plane {
+            Some(plane) => plane,
+            None if self.tool_center => Matrix3::identity(),
+            None => self.table(angles),
         }
-        m
     }
 
     /// Angles in degrees for a tool axis, the ones nearest to `from` (degrees). Among solutions within the
     /// limits the one with the least sum of motion is taken; equal ones go to the first axis at rest.
     pub(crate) fn angles(&self, axis: Vec3, from: [f64; 2]) -> Result<[f64; 2], NoSolution> {
+        if let Some(plane) = &self.plane {
+            // The plane is there for this tool axis alone; the angles stay.
+            let along = (plane * axis - Vec3::z()).norm() < UPRIGHT;
+            return if along { Ok(from) } else { Err(NoSolution::Direction) };
+        }
         let from = from.map(f64::to_radians);
         let solutions = self.solutions(axis, from)?;
         let mut best: Option<([f64; 2], f64)> = None;
@@ -342,7 +382,7 @@ mod tests {
     use proptest::prelude::*;
 
     fn chain(turns: Vec<Turn>, tool_center: bool) -> Chain {
-        Chain { turns, tool_center, singular: 1e-9 }
+        Chain { turns, tool_center, singular: 1e-9, plane: None }
     }
 
     fn turn(carries: Carries, d: Vec3, c: Vec3) -> Turn {

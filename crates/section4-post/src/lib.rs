@@ -24,12 +24,16 @@
 //! assert!(String::from_utf8(text).unwrap().contains("\nX2.5\n"));
 //! ```
 
+mod angles;
 mod arc;
 mod args;
 mod count;
 mod drill;
 mod emit;
 mod feed;
+mod fit;
+mod fitting;
+mod index;
 mod kinematics;
 mod machine;
 mod motion;

@@ -300,6 +300,9 @@ pub struct Arcs {
     pub max_radius: f64,
     /// By how much the radii at both ends may differ, millimetres: half of what the control allows.
     pub radius_tolerance: f64,
+    /// Runs of short lines become arcs that leave them by at most this, millimetres; 0 for never, unless
+    /// ARCSLP/LINCIR asks for it.
+    pub fit: f64,
 }
 
 /// A plane of circular motion.
@@ -515,6 +518,12 @@ pub struct Multiaxis {
     pub tool_center_with_z: bool,
     /// Line that ends it.
     pub tool_center_off: String,
+    /// Lines that tilt the plane of the program after ROTABL and ROTHED, for controls with tool-centre control:
+    /// `{first}` `{second}` `{third}` are the angles about Z, the new X and the new Z, `{x}` `{y}` `{z}` those about
+    /// X, the new Y and the new Z. Without them positions stay in the frame of the part.
+    pub plane_on: Vec<String>,
+    /// Lines that end it.
+    pub plane_off: Vec<String>,
     /// How far the tool end may leave the straight line because rotary axes turn evenly (LINTOL),
     /// millimetres.
     pub lintol: f64,

@@ -81,6 +81,7 @@ impl Post {
         if machine.program.retract.is_empty() {
             return;
         }
+        self.leave_plane();
         let vars = self.common_vars();
         self.blocks.template(&machine.program.retract, &vars.list());
         self.left_for_home();
@@ -189,6 +190,7 @@ impl Post {
             _ => (te, ta, rapid),
         };
         let Some(joints) = self.joints(over, axis, origin) else { return };
+        self.enter_plane();
         self.tool_center_on();
         let done = self.blocks.straight(MotionCode::Rapid, &joints, BUT_TOOL_AXIS, None);
         self.check(done, origin);

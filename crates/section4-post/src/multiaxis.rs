@@ -94,7 +94,9 @@ impl Post {
                 self.error(codes::TOOL_LENGTH, origin, message, help);
                 return None;
             }
-            self.st.chain = Some(Chain::new(&self.machine, unit, length.unwrap_or(0.0)));
+            let mut chain = Chain::new(&self.machine, unit, length.unwrap_or(0.0));
+            chain.plane = self.st.plane;
+            self.st.chain = Some(chain);
         }
         self.st.chain.as_ref()
     }
@@ -137,7 +139,7 @@ impl Post {
     /// Switches tool-centre control on where it has a line of its own.
     pub(crate) fn tool_center_on(&mut self) {
         let m = &self.machine.multiaxis;
-        if !m.tool_center || m.tool_center_with_z || self.st.centered {
+        if !m.tool_center || m.tool_center_with_z || self.st.centered || self.st.plane.is_some() {
             return;
         }
         let offset = self.st.offset.map_or(String::new(), |o| o.to_string());

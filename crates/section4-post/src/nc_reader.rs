@@ -82,6 +82,8 @@ impl<R: BufRead> NcReader<R> {
     fn step(&mut self, step: &Step) {
         let motion = match step {
             Step::Away => return self.word("GOHOME", Vec::new()),
+            // Places of the axes are compared, in whatever plane they are written.
+            Step::Frame(_) => return,
             Step::Line { to, rapid, feed, .. } => {
                 if *rapid {
                     self.word("RAPID", Vec::new());

@@ -2,12 +2,13 @@
 
 use std::sync::Arc;
 
-use aptc_cldata::{Arg, Kind, Record, Units};
+use aptc_cldata::{Arg, Kind, MotionKind, Record, Units};
 use aptc_diagnostics::{Code, Diagnostic, Origin, codes};
 use smol_str::SmolStr;
 
 use crate::args::{Statement, whole};
 use crate::emit::{AptText, Blocks, TooGreat};
+use crate::fitting::{Waiting, asks_nothing};
 use crate::machine::{Dialect, Machine, MachineKind, OutputUnits};
 use crate::report::{BlockOrigin, Summary, ToolUse};
 use crate::roundtrip::{Checker, Proof};
@@ -84,6 +85,8 @@ pub struct Post {
     pub(crate) axis_told: Option<(u32, u32)>,
     /// A position off the plane of turning was reported.
     pub(crate) off_plane_told: bool,
+    /// Cuts that may become arcs.
+    pub(crate) waiting: Waiting,
     /// Writes CL data instead of blocks.
     apt: Option<AptText>,
 }
@@ -96,6 +99,7 @@ impl Post {
         st.inch = inch(&machine, st.units);
         st.rescale();
         st.away = machine.program.start_retracts;
+        st.fit_mm = machine.arcs.as_ref().map(|a| a.fit).filter(|t| *t > 0.0);
         let blocks = Blocks::new(Arc::clone(&machine), st.inch);
         let summary = Summary { machine: machine.name.clone(), ..Summary::default() };
         let check = options.check && machine.dialect != Dialect::Apt;
@@ -116,6 +120,7 @@ impl Post {
             hit_told: None,
             axis_told: None,
             off_plane_told: false,
+            waiting: Waiting::default(),
             apt,
         }
     }
@@ -134,14 +139,31 @@ impl Post {
         };
         let record = seen.as_ref().unwrap_or(record);
         std::mem::swap(&mut self.blocks.out, out);
-        let before = self.blocks.lines;
-        let begin = self.blocks.out.len();
-        self.record(record);
-        self.read_back(Some(record), begin, &record.origin);
-        if self.options.map && self.blocks.lines > before {
-            self.note_origin(before, record);
+        if self.st.fit_mm.is_some() && self.st.index.is_none() && self.waits(record) {
+            let begin = self.blocks.out.len();
+            self.release(false);
+            self.read_back(Some(record), begin, &record.origin);
+        } else if self.waiting.is_empty() || !asks_nothing(&record.kind) {
+            self.release_all();
+            let before = self.blocks.lines;
+            let begin = self.blocks.out.len();
+            let from_part = self.seen_from_part(record);
+            self.record(from_part.as_ref().unwrap_or(record));
+            self.read_back(Some(record), begin, &record.origin);
+            if self.options.map && self.blocks.lines > before {
+                self.note_origin(before, record);
+            }
         }
         std::mem::swap(&mut self.blocks.out, out);
+    }
+
+    /// Writes the cuts that waited for the end of their run.
+    fn release_all(&mut self) {
+        if !self.waiting.is_empty() {
+            let begin = self.blocks.out.len();
+            self.release(true);
+            self.read_back(None, begin, &Origin::default());
+        }
     }
 
     /// Ends the program: what END or FINI did not write is written now.
@@ -150,6 +172,8 @@ impl Post {
             apt.finish(out);
         }
         std::mem::swap(&mut self.blocks.out, out);
+        self.release_all();
+        self.tell_fitted();
         let begin = self.blocks.out.len();
         if self.st.started && !self.st.ended {
             self.end(&Origin::default());
@@ -223,7 +247,9 @@ impl Post {
         if let Some(text) = self.blocks.out.get(begin..) {
             checker.text(text);
         }
-        checker.settle();
+        if self.waiting.is_empty() {
+            checker.settle();
+        }
         for fault in std::mem::take(&mut checker.faults) {
             let message = format!("line {} of the machine code: {}", fault.line, fault.message);
             let help = "this is a fault of aptc or of the machine file, not of the program; do not run the code";
@@ -282,6 +308,7 @@ impl Post {
             let help = "write CUTCOM/OFF before a straight motion away from the part";
             self.error(codes::COMPENSATION, origin, message, help);
         }
+        self.leave_plane();
         let machine = Arc::clone(&self.machine);
         let vars = self.common_vars();
         self.blocks.template(&machine.program.end, &vars.list());
@@ -352,25 +379,31 @@ impl Post {
     }
 
     fn note_origin(&mut self, before: u64, record: &Record) {
+        let name = match &record.kind {
+            Kind::Post { word, .. } | Kind::Text { word, .. } => word.clone(),
+            Kind::Motion(m) => motion_name(m.kind),
+            Kind::Fini => SmolStr::new_static("FINI"),
+            _ => SmolStr::default(),
+        };
+        self.note_lines(before, &record.origin, name);
+    }
+
+    /// With `map`: the blocks since `before` come from a cut.
+    pub(crate) fn note_cut(&mut self, before: u64, origin: &Origin, kind: MotionKind) {
+        if self.options.map && self.blocks.lines > before {
+            self.note_lines(before, origin, motion_name(kind));
+        }
+    }
+
+    fn note_lines(&mut self, before: u64, origin: &Origin, record: SmolStr) {
         let (first, last) = (before + 1, self.blocks.lines);
         if let Some(run) = self.map.last_mut()
-            && run.origin == record.origin
+            && run.origin == *origin
         {
             run.last = last;
             return;
         }
-        let name = match &record.kind {
-            Kind::Post { word, .. } | Kind::Text { word, .. } => word.clone(),
-            Kind::Motion(m) => SmolStr::new_static(match m.kind {
-                aptc_cldata::MotionKind::From => "FROM",
-                aptc_cldata::MotionKind::Goto => "GOTO",
-                aptc_cldata::MotionKind::Startup => "GO",
-                aptc_cldata::MotionKind::Continuous => "CONTINUOUS",
-            }),
-            Kind::Fini => SmolStr::new_static("FINI"),
-            _ => SmolStr::default(),
-        };
-        self.map.push(BlockOrigin { first, last, record: name, origin: record.origin.clone() });
+        self.map.push(BlockOrigin { first, last, record, origin: origin.clone() });
     }
 
     pub(crate) fn error(&mut self, code: Code, origin: &Origin, message: String, help: &str) {
@@ -504,7 +537,16 @@ fn program_name(part: &str) -> String {
     if name.is_empty() { "PART".into() } else { name }
 }
 
-fn inch(machine: &Machine, units: Units) -> bool {
+fn motion_name(kind: MotionKind) -> SmolStr {
+    SmolStr::new_static(match kind {
+        MotionKind::From => "FROM",
+        MotionKind::Goto => "GOTO",
+        MotionKind::Startup => "GO",
+        MotionKind::Continuous => "CONTINUOUS",
+    })
+}
+
+pub(crate) fn inch(machine: &Machine, units: Units) -> bool {
     match machine.units {
         OutputUnits::Part => matches!(units, Units::Inches | Units::Feet),
         OutputUnits::Mm => false,

@@ -11,7 +11,7 @@ mod words;
 
 use crate::machine::{Dialect, Machine};
 
-pub(crate) use control::{ArcStep, Place, Step};
+pub(crate) use control::{ArcStep, Frame, Place, Step};
 
 /// A control of some dialect.
 pub(crate) enum Reader {

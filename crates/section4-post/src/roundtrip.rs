@@ -10,14 +10,16 @@ mod done;
 mod prove;
 
 use std::collections::VecDeque;
+use std::fmt;
 
 use aptc_cldata::Units;
 use aptc_geometry::Vec3;
 
 use crate::drill::DrillCycle;
+use crate::index::Index;
 use crate::kinematics::Chain;
 use crate::machine::Machine;
-use crate::readback::{Fault, Reader, Step};
+use crate::readback::{Fault, Frame, Reader, Step};
 
 pub use prove::prove;
 
@@ -28,7 +30,8 @@ const MOST_FAULTS: usize = 20;
 #[derive(Clone, Debug)]
 enum Expect {
     /// A position. `via`: on an arc of which only the end was given, to be passed, not to be stopped at.
-    Point { te: Vec3, ta: Vec3, rapid: bool, via: bool },
+    /// `round`: the way to it is an arc of the CL data.
+    Point { te: Vec3, ta: Vec3, rapid: bool, via: bool, round: bool },
     /// A hole.
     Hole(Hole),
     /// A retract along the tool axis, perhaps none.
@@ -66,13 +69,29 @@ pub struct Proof {
     pub axis_deg: f64,
 }
 
+impl fmt::Display for Proof {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "{} positions reached within {:.5} mm, paths within {:.5} mm, tool axes within {:.5} degrees",
+            self.points, self.position_mm, self.path_mm, self.axis_deg
+        )
+    }
+}
+
 /// Compares the text with the CL data.
 pub(crate) struct Checker {
     control: Reader,
     chain: Option<Chain>,
+    /// The tilted plane in which the text is written.
+    frame: Option<Frame>,
     machine: std::sync::Arc<Machine>,
     units: Units,
     shift: Vec3,
+    /// ROTABL and ROTHED: the angles, and from there to the frame of the part.
+    index: Option<Index>,
+    indexed: [f64; 2],
+    multax: bool,
     tool_length: Option<f64>,
     /// The length of the tool whose text is read.
     read_length: Option<f64>,
@@ -81,6 +100,8 @@ pub(crate) struct Checker {
     clearance: Option<aptc_geometry::Plane>,
     rapid: bool,
     band: Option<f64>,
+    /// How far arcs may leave the lines of the CL data: ARCSLP/LINCIR.
+    fit: Option<f64>,
     intol: f64,
     lintol: f64,
     queue: VecDeque<Expect>,
@@ -107,9 +128,13 @@ impl Checker {
         Self {
             control: Reader::new(machine),
             chain: None,
+            frame: None,
             machine: std::sync::Arc::clone(machine),
             units: Units::default(),
             shift: Vec3::zeros(),
+            index: None,
+            indexed: [0.0; 2],
+            multax: false,
             tool_length: None,
             read_length: None,
             cycle: None,
@@ -117,6 +142,7 @@ impl Checker {
             clearance: None,
             rapid: false,
             band: None,
+            fit: machine.arcs.as_ref().map(|a| a.fit).filter(|t| *t > 0.0),
             intol: 0.0,
             lintol: machine.multiaxis.lintol,
             queue: VecDeque::new(),
@@ -144,8 +170,10 @@ impl Checker {
         self.angular = (angular_deg + self.machine.multiaxis.singular).to_radians() + 2e-6;
     }
 
-    fn point(&self, p: Vec3) -> Vec3 {
-        p * self.units.mm() + self.shift
+    /// Tool end and tool axis in millimetres in the frame of the part.
+    fn seen(&self, te: Vec3, ta: Vec3) -> (Vec3, Vec3) {
+        let (te, ta) = (te * self.units.mm() + self.shift, ta.normalize());
+        self.index.as_ref().and_then(|i| i.position(te, ta)).unwrap_or((te, ta))
     }
 
     /// Reads text; its lines belong to the record that was taken last.

@@ -70,6 +70,12 @@ pub(crate) struct State {
     pub(crate) angles: [f64; 2],
     /// The rotary axes with the present tool.
     pub(crate) chain: Option<crate::kinematics::Chain>,
+    /// ROTABL and ROTHED.
+    pub(crate) index: Option<Box<crate::index::Index>>,
+    /// The tilted plane in which positions are written: the rotation from the frame of the part to it.
+    pub(crate) plane: Option<nalgebra::Matrix3<f64>>,
+    /// The control was told of it.
+    pub(crate) plane_on: bool,
     /// A tool end and the place of the linear axes for it at `angles`.
     pub(crate) placed: Option<(Vec3, Vec3)>,
     /// Tool-centre control is on.
@@ -107,6 +113,12 @@ pub(crate) struct State {
     pub(crate) clearance_mm: Option<Plane>,
     pub(crate) cycle: Option<DrillCycle>,
     pub(crate) last_cycle: Option<DrillCycle>,
+    /// How far arcs may leave the lines that they replace, millimetres; none while ARCSLP/LINCIR is off.
+    pub(crate) fit_mm: Option<f64>,
+    /// The same while it was on last.
+    pub(crate) last_fit_mm: Option<f64>,
+    /// The arc that is written replaces lines: rounding may not move it by more than a few steps.
+    pub(crate) fitted: bool,
     /// THREAD is on: the lead, output units.
     pub(crate) thread: Option<f64>,
     pub(crate) intol: f64,
@@ -140,6 +152,9 @@ impl State {
             ta: Vec3::z(),
             angles: [0.0; 2],
             chain: None,
+            index: None,
+            plane: None,
+            plane_on: false,
             placed: None,
             centered: false,
             away: false,
@@ -167,6 +182,9 @@ impl State {
             clearance_mm: None,
             cycle: None,
             last_cycle: None,
+            fit_mm: None,
+            last_fit_mm: None,
+            fitted: false,
             thread: None,
             intol: 0.0,
             outtol: 0.0005,
@@ -190,6 +208,14 @@ impl State {
     #[inline]
     pub(crate) fn point(&self, p: Vec3) -> Vec3 {
         p * self.scale + self.shift
+    }
+
+    /// CLRSRF in output units, in the frame of the positions.
+    pub(crate) fn clearance(&self) -> Option<Plane> {
+        let p = self.clearance_mm?;
+        let moved = Plane { n: p.n, d: p.d + p.n.dot(&self.shift_mm) };
+        let seen = self.index.as_ref().map_or(moved, |i| i.plane(&moved));
+        Some(Plane { n: seen.n, d: seen.d / self.out_mm() })
     }
 
     /// Greatest deviation that the CL data allows, in output units.

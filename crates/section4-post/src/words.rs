@@ -5,6 +5,7 @@ use aptc_diagnostics::{Diagnostic, Origin, codes};
 use crate::args::Statement;
 use crate::post::Post;
 
+pub(crate) mod arcslp;
 mod coolnt;
 mod cutcom;
 pub(crate) mod cycle;

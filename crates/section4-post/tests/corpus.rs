@@ -1,24 +1,10 @@
 //! CL files of real systems: each posts for a fitting machine, or stands on the list with its diagnostic.
 
-#![expect(clippy::unwrap_used, reason = "test code")]
-
 mod common;
 
-use std::fs::File;
-use std::path::Path;
-
-use aptc_cldata::{Kind, Reader, Record, RecordReader};
+use aptc_cldata::Kind;
 use aptc_post::{PostOptions, machine, post_all};
-
-fn read(path: &Path) -> Vec<Record> {
-    let mut reader = Reader::open(File::open(path).unwrap(), None).unwrap();
-    let mut list = Vec::new();
-    let mut record = Record::default();
-    while reader.read(&mut record).unwrap() {
-        list.push(record.clone());
-    }
-    list
-}
+use common::file_records as read;
 
 /// Files that are refused, and why.
 const REFUSED: &[(&str, &str)] = &[

@@ -11,7 +11,8 @@ const HEAD: &str =
     "UNITS/MM\nLOADTL/1,LENGTH,80\nSPINDL/3000,CLW\nCOOLNT/ON\nFEDRAT/500\nFROM/0,0,100\n";
 
 fn faults(name: &str, cl: &str, nc: &str) -> Vec<String> {
-    let (_, list) = prove(machine(name).unwrap(), false, &mut records(cl).into_iter(), nc);
+    let (m, mut cl) = (machine(name).unwrap(), records(cl).into_iter());
+    let (_, list) = prove(m, &mut cl, &mut nc.as_bytes()).unwrap();
     list.into_iter().map(|d| d.message).collect()
 }
 

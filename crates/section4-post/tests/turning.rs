@@ -99,7 +99,7 @@ fn words_that_turn_a_table_are_refused_and_never_dropped() {
     let ready = "UNITS/MM\nLOADTL/1\nSPINDL/500,CLW\nCOOLNT/ON\nFEDRAT/100\nGOTO/0,0,5\n";
     for (machine, statement, codes) in [
         ("linuxcnc-mill", "ROTABL/ATANGL,90", vec!["APT4006"]),
-        ("linuxcnc-4axis", "ROTABL/ATANGL,90", vec!["APT4006"]),
+        ("linuxcnc-4axis", "ROTABL/ATANGL,90", vec![]),
         ("linuxcnc-mill", "ROTABL/0,CLW", vec![]),
         ("linuxcnc-mill", "MODE/TURN", vec!["APT4006"]),
         ("linuxcnc-mill", "MODE/MILL", vec![]),

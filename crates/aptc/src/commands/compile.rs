@@ -139,7 +139,10 @@ pub(crate) fn code_options(args: &CodeArgs, limit: u64) -> Result<CodeOptions, S
 }
 
 /// The machine that was asked for: a file when there is one of that name and it ends in `.toml`.
-fn machine_choice(name: Option<&str>, limit: u64) -> Result<Option<MachineChoice>, String> {
+pub(crate) fn machine_choice(
+    name: Option<&str>,
+    limit: u64,
+) -> Result<Option<MachineChoice>, String> {
     let Some(name) = name else { return Ok(None) };
     if !Path::new(name).extension().is_some_and(|e| e.eq_ignore_ascii_case("toml")) {
         return Ok(Some(MachineChoice::Named(name.to_owned())));

@@ -1,17 +1,24 @@
 //! `aptc verify`.
 
-use std::io::{self, Write as _};
+use std::fs::File;
+use std::io::{self, BufReader, Write as _};
+use std::path::Path;
 use std::process::ExitCode;
 
 use aptc_control::{Certificate, ClFile, Compiled, Disk, Verify};
+use aptc_diagnostics::SourceMap;
 use serde_json::json;
 
-use super::compile::{folders, options};
+use super::cl::dialect;
+use super::compile::{folders, machine_choice, options};
 use crate::cli::{Common, VerifyArgs, VerifyHow};
 use crate::{exit, report};
 
 /// Judges every part; exit code 0 only when all of the path is proved.
 pub(crate) fn verify(args: &VerifyArgs, common: &Common) -> io::Result<ExitCode> {
+    if let (Some(nc), Some(cl)) = (&args.nc, &args.cl) {
+        return verify_nc(nc, cl, args, common);
+    }
     if args.cl.is_some() && args.parts.len() > 1 {
         return report::complain("a CL file goes with one program: name only that");
     }
@@ -60,6 +67,59 @@ pub(crate) fn verify(args: &VerifyArgs, common: &Common) -> io::Result<ExitCode>
         writeln!(out)?;
     }
     Ok(ExitCode::from(worst))
+}
+
+/// Holds machine code against CL data; exit code 0 only when it does what they say.
+fn verify_nc(nc: &Path, cl: &Path, args: &VerifyArgs, common: &Common) -> io::Result<ExitCode> {
+    let limit = args.source.max_file_size;
+    let machine = match machine_choice(args.machine.as_deref(), limit) {
+        Ok(Some(choice)) => choice.machine(),
+        Ok(None) => return report::complain("--machine is missing"),
+        Err(e) => return report::complain(&e),
+    };
+    let dialect = match dialect(args.from.as_deref()) {
+        Ok(d) => d,
+        Err(e) => return report::complain(&e),
+    };
+    let mut sources = SourceMap::default();
+    sources.add_unkept(nc.display().to_string());
+    let machine = match machine {
+        Ok(m) => m,
+        Err(list) => {
+            report::write(&mut io::stderr().lock(), &list, &sources, common)?;
+            return Ok(ExitCode::from(exit::ERRORS));
+        }
+    };
+    let open = |path: &Path| match File::open(path) {
+        Ok(f) if path.is_file() => Ok(f),
+        Ok(_) => Err(format!("cannot read {}: it is no file", path.display())),
+        Err(e) => Err(format!("cannot read {}: {e}", path.display())),
+    };
+    let (text, records) = match (open(nc), open(cl)) {
+        (Ok(a), Ok(b)) => (a, b),
+        (Err(e), _) | (_, Err(e)) => return report::complain(&e),
+    };
+    let mut text = BufReader::new(text);
+    let done = aptc_control::verify_code(&machine, Box::new(records), dialect, &mut text);
+    let (proof, found) = match done {
+        Ok(d) => d,
+        Err(e) => return report::complain(&format!("cannot read {}: {e}", cl.display())),
+    };
+    report::write(&mut io::stderr().lock(), &found, &sources, common)?;
+    let mut out = io::stdout().lock();
+    if args.json {
+        let name = |p: &Path| p.display().to_string();
+        let document = json!({
+            "nc": name(nc), "cl": name(cl), "machine": machine.name,
+            "proved": found.is_empty(), "proof": proof,
+        });
+        serde_json::to_writer_pretty(&mut out, &document)?;
+        writeln!(out)?;
+    } else if !common.quiet {
+        let what = if found.is_empty() { "does what" } else { "does not do what" };
+        writeln!(out, "{} {what} {} says: {proof}", nc.display(), cl.display())?;
+    }
+    Ok(if found.is_empty() { exit::GOOD } else { ExitCode::from(exit::REFUTED) })
 }
 
 /// 1 for a program with errors, else 0 where everything is proved and 3 where not; a sample proves what it

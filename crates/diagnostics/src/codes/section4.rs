@@ -30,5 +30,7 @@ codes! {
     RAPID_IN_STOCK = 4024, "a rapid motion through the stock";
     OFF_TURNING_PLANE = 4026, "a position off the plane of a lathe";
     THREAD = 4027, "a thread that cannot be cut so";
+    ARCS_FITTED = 4028, "arcs in place of short lines";
+    INDEXED = 4029, "a turn of a table or head that cannot be";
     STOCK_UNCHECKED = 4025, "motion that cannot be checked against the stock";
 }

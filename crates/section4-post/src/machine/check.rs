@@ -90,6 +90,14 @@ impl Machine {
                 say(!positive(high - low), format!("`axes.{letter}`: min is not below max"));
             }
         }
+        let m = &self.multiaxis;
+        let half = m.plane_on.is_empty() != m.plane_off.is_empty();
+        say(half, "`multiaxis.plane_on` and `plane_off` belong together".into());
+        say(
+            !m.plane_on.is_empty() && !m.tool_center,
+            "`multiaxis.plane_on` needs `tool_center`: without it the axes are written anyway"
+                .into(),
+        );
         let lathe = self.kind == MachineKind::Lathe;
         say(lathe && !self.rotary.is_empty(), "a lathe with `rotary` axes is not known".into());
         if let Some(arcs) = &self.arcs {
@@ -99,6 +107,8 @@ impl Machine {
                 format!("`arcs.max_sweep` {sweep} is not within 1 to 360"),
             );
             say(!positive(arcs.radius_tolerance), "`arcs.radius_tolerance` is not positive".into());
+            let fit = arcs.fit.is_finite() && arcs.fit >= 0.0;
+            say(!fit, "`arcs.fit` is neither 0 nor positive".into());
         }
         say(!positive(self.rapid.feed), "`rapid.feed` is not positive".into());
         say(!positive(self.multiaxis.lintol), "`multiaxis.lintol` is not positive".into());

@@ -88,6 +88,7 @@ impl Default for Arcs {
             min_radius: 0.01,
             max_radius: 10_000.0,
             radius_tolerance: 0.002,
+            fit: 0.0,
         }
     }
 }
@@ -130,6 +131,8 @@ impl Default for Multiaxis {
             tool_center_on: String::new(),
             tool_center_with_z: false,
             tool_center_off: String::new(),
+            plane_on: Vec::new(),
+            plane_off: Vec::new(),
             lintol: 0.01,
             axis_tolerance: 5.0,
             feed: RotaryFeed::Tip,

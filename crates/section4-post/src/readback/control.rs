@@ -3,9 +3,11 @@
 use std::f64::consts::{PI, TAU};
 
 use aptc_geometry::trig;
+use nalgebra::Matrix3;
 
 use super::Fault;
 use super::words::Line;
+use crate::angles::about;
 use crate::machine::{ArcCenter, ArcPlane, Machine, MachineKind, Wrap};
 
 /// Positions of X Y Z and two rotary axes in millimetres and degrees; none where the text has not said it.
@@ -20,6 +22,17 @@ pub(crate) enum Step {
     Line { from: Place, to: Place, rapid: bool, feed: Option<f64> },
     /// A circular motion.
     Arc(ArcStep),
+    /// The plane of the program is tilted, or no more.
+    Frame(Option<Frame>),
+}
+
+/// A tilted plane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Frame {
+    /// Its axes in the frame of the part, as columns.
+    Plane(Matrix3<f64>),
+    /// The frame of the linear axes with the rotary axes at these angles, degrees.
+    Table([f64; 2]),
 }
 
 /// A circular motion.
@@ -137,7 +150,11 @@ impl Control {
         let mut home = false;
         let mut motion_said = false;
         let mut dwell = false;
+        let mut frame = None;
         for keyword in &line.keywords {
+            if keyword.name == "CYCLE800" {
+                frame = Some(super::siemens::swivelled(keyword));
+            }
             machine_frame |= self.keyword(keyword)?;
         }
         for w in &line.words {
@@ -167,6 +184,16 @@ impl Control {
                         200 | 700 => self.mm = Some(25.4),
                         210 | 710 => self.mm = Some(1.0),
                         280 | 300 => home = true,
+                        682 => {
+                            let angle = |l: u8| line.value(l).unwrap_or(0.0);
+                            let q = about(2, angle(b'I')) * about(0, angle(b'J'));
+                            frame = Some(Some(Frame::Plane(q * about(2, angle(b'K')))));
+                        }
+                        690 | 2550 => frame = Some(None),
+                        2540 => {
+                            let [a, b] = [3, 4].map(|i: usize| self.at[i].unwrap_or(0.0));
+                            frame = Some(Some(Frame::Table([a, b])));
+                        }
                         530 => machine_frame = true,
                         900 => self.absolute = true,
                         901 => self.center = ArcCenter::Absolute,
@@ -199,10 +226,8 @@ impl Control {
                         | 610
                         | 611
                         | 640
-                        | 690
+                        | 531
                         | 2340
-                        | 2540
-                        | 2550
                         | 51 => {}
                         _ => return Err(format!("G{} is not known", w.value)),
                     }
@@ -234,6 +259,16 @@ impl Control {
             }
         }
         if dwell {
+            return Ok(());
+        }
+        if let Some(frame) = frame {
+            let at = |l: u8| line.value(l).unwrap_or(0.0).abs();
+            if at(b'X') + at(b'Y') + at(b'Z') > 0.0 {
+                return Err("a tilted plane with a zero of its own".into());
+            }
+            // The numbers of the linear axes no longer mean the same places.
+            self.at[..3].fill(None);
+            steps.push(Step::Frame(frame));
             return Ok(());
         }
         let scale = self.mm;

@@ -17,7 +17,7 @@ pub(super) struct Sticky {
 const BACK: f64 = 0.254;
 
 /// Most pecks of one hole.
-const MOST_PECKS: usize = 100_000;
+pub(super) const MOST_PECKS: usize = 100_000;
 
 /// What a cycle does at the bottom.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,8 +1,9 @@
 //! Keywords of Siemens 840D: frames, transformations and modal cycles.
 
-use super::control::{Control, Step};
+use super::control::{Control, Frame, Step};
 use super::cycles::Kind;
 use super::words::Keyword;
+use crate::angles::about;
 
 /// A cycle that each position calls: heights in millimetres.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -13,13 +14,21 @@ pub(super) struct Called {
     end: f64,
 }
 
+/// The tilted plane of CYCLE800 in its mode 57: about X, the new Y and the new Z. Without angles there is none.
+pub(super) fn swivelled(k: &Keyword) -> Option<Frame> {
+    let angle = |i: usize| k.args.get(i).copied().flatten();
+    angle(7)?;
+    let [a, b, c] = [7, 8, 9].map(|i| angle(i).unwrap_or(0.0));
+    Some(Frame::Plane(about(0, a) * about(1, b) * about(2, c)))
+}
+
 impl Control {
     /// Obeys a keyword; true when the block is in the frame of the machine.
     pub(super) fn keyword(&mut self, k: &Keyword) -> Result<bool, String> {
         match k.name.as_str() {
             "SUPA" => return Ok(true),
-            "TRAORI" | "TRAFOOF" | "CYCLE832" | "MSG" | "STOPRE" | "FFWON" | "SOFT"
-            | "WORKPIECE" => {}
+            "CYCLE800" | "TRAORI" | "TRAFOOF" | "CYCLE832" | "MSG" | "STOPRE" | "FFWON"
+            | "SOFT" | "WORKPIECE" => {}
             "MCALL" => self.called = None,
             name if name.starts_with("CYCLE") => self.called = Some(self.cycle_of(k)?),
             name => return Err(format!("the word {name} is not known")),

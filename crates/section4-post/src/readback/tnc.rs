@@ -5,8 +5,9 @@ use std::f64::consts::TAU;
 use aptc_geometry::trig;
 
 use super::Fault;
-use super::control::{ArcStep, Place, Step};
-use super::cycles::Kind;
+use super::control::{ArcStep, Frame, Place, Step};
+use super::cycles::{Kind, MOST_PECKS};
+use crate::angles::about;
 use crate::machine::{Machine, Wrap};
 
 /// A control.
@@ -19,6 +20,7 @@ pub(crate) struct Tnc {
     feed: Option<f64>,
     center: [Option<f64>; 3],
     cycle: Option<Cycle>,
+    pecking: Pecking,
     /// A line that goes on in the next.
     open: String,
     radius_tolerance_mm: f64,
@@ -32,6 +34,38 @@ struct Cycle {
     bottom: f64,
     end: f64,
     feed: f64,
+}
+
+/// PECKING, cycle 1 of old controls, as its lines give it: from the height at which it is called.
+#[derive(Clone, Copy, Debug, Default)]
+struct Pecking {
+    distance: Option<f64>,
+    depth: f64,
+    step: f64,
+    feed: f64,
+}
+
+impl Pecking {
+    /// Takes `1.2 DEPTH-24.62`; false for a line of another cycle.
+    fn take(&mut self, rest: &[&str], mm: f64) -> bool {
+        let Some((&head, words)) = rest.split_first() else { return false };
+        let value = |name: &str| words.first().and_then(|w| number(w.strip_prefix(name)?));
+        match head {
+            "1.1" => self.distance = value("DIST").map(|d| d * mm),
+            "1.2" => self.depth = value("DEPTH").unwrap_or(0.0) * mm,
+            "1.3" => self.step = value("PLNGNG").unwrap_or(0.0) * mm,
+            "1.5" => self.feed = value("F").unwrap_or(0.0) * mm,
+            _ => return matches!(head, "1.0" | "1.4"),
+        }
+        true
+    }
+
+    fn cycle(&self, z: Option<f64>) -> Option<Cycle> {
+        let (z, distance) = (z?, self.distance?);
+        let kind = Kind::Pecks { first: distance + self.step, step: self.step, out: true };
+        let bottom = z - distance + self.depth;
+        (self.step > 0.0).then_some(Cycle { kind, clear: z, bottom, end: z, feed: self.feed })
+    }
 }
 
 impl Tnc {
@@ -51,6 +85,7 @@ impl Tnc {
             feed: None,
             center: [None; 3],
             cycle: None,
+            pecking: Pecking::default(),
             open: String::new(),
             radius_tolerance_mm: machine.arcs.as_ref().map_or(0.005, |a| 2.5 * a.radius_tolerance),
             ended: false,
@@ -99,10 +134,28 @@ impl Tnc {
                 self.ended = true;
                 Ok(())
             }
-            "BLK" | "TOOL" | "STOP" | "PLANE" | "FUNCTION" | "CALL" | "LBL" => Ok(()),
+            "BLK" | "TOOL" | "STOP" | "FUNCTION" | "CALL" | "LBL" => Ok(()),
+            "PLANE" => {
+                let angle = |name: &str| {
+                    rest.iter().find_map(|w| number(w.strip_prefix(name)?)).unwrap_or(0.0)
+                };
+                let frame = match rest.first() {
+                    Some(&"RESET") => None,
+                    Some(&"SPATIAL") => {
+                        let q = about(0, angle("SPA")) * about(1, angle("SPB"));
+                        Some(Frame::Plane(q * about(2, angle("SPC"))))
+                    }
+                    _ => return Err("a plane that is not known".into()),
+                };
+                self.at[..3].fill(None);
+                steps.push(Step::Frame(frame));
+                Ok(())
+            }
             "CYCL" if rest.first() == Some(&"DEF") => self.define(&rest[1..]),
             "L" => self.line(&rest, steps),
             "CC" => {
+                // It holds until the next.
+                self.center = [None; 3];
                 for w in &rest {
                     let (letter, value) = word(w)?;
                     if let Some(i) = b"XYZ".iter().position(|l| *l == letter) {
@@ -124,7 +177,7 @@ impl Tnc {
             return Ok(true);
         }
         let Some(f) = w.strip_prefix('F') else { return Ok(false) };
-        let f: f64 = f.parse().map_err(|_| format!("the feed {w}"))?;
+        let f = number(f).ok_or_else(|| format!("the feed {w}"))?;
         if f <= 0.0 {
             return Err("a feed that does not cut".into());
         }
@@ -179,7 +232,8 @@ impl Tnc {
             self.at = to;
         }
         if call {
-            let cycle = self.cycle.ok_or("M99 without a cycle")?;
+            let old = self.pecking.cycle(self.at[2]);
+            let cycle = self.cycle.or(old).ok_or("M99 without a cycle")?;
             self.drill(&cycle, steps)?;
         }
         Ok(())
@@ -199,7 +253,7 @@ impl Tnc {
                 "DR-" => turn = -1.0,
                 "R0" | "RL" | "RR" => {}
                 w if w.starts_with("IPA") => {
-                    angle = Some(w[3..].parse::<f64>().map_err(|_| format!("the angle {w}"))?);
+                    angle = Some(number(&w[3..]).ok_or_else(|| format!("the angle {w}"))?);
                 }
                 w if w.starts_with('I') && w.len() > 2 => {
                     let (letter, value) = word(&w[1..])?;
@@ -254,28 +308,26 @@ impl Tnc {
                 _ => turned,
             }
         };
-        // The centre holds until the next CC names its axes.
-        self.center = [None; 3];
-        for (i, c) in axes.into_iter().zip(center) {
-            self.center[i] = Some(c);
-        }
         steps.push(Step::Arc(ArcStep { from: self.at, to, axes, center, radius, sweep }));
         self.at = to;
-        self.center = [None; 3];
         Ok(())
     }
 
     fn define(&mut self, rest: &[&str]) -> Result<(), String> {
-        let Some(number) = rest.first().and_then(|n| n.parse::<f64>().ok()) else {
+        if self.pecking.take(rest, self.mm) {
+            self.cycle = None;
+            return Ok(());
+        }
+        let Some(which) = rest.first().copied().and_then(number) else {
             return Err("a cycle without a number".into());
         };
         let q = |n: u32| {
             let name = format!("Q{n}=");
-            rest.iter().find_map(|w| w.strip_prefix(name.as_str())?.parse::<f64>().ok())
+            rest.iter().find_map(|w| number(w.strip_prefix(name.as_str())?))
         };
-        let need = |n: u32| q(n).ok_or_else(|| format!("the cycle {number} without Q{n}"));
+        let need = |n: u32| q(n).ok_or_else(|| format!("the cycle {which} without Q{n}"));
         #[expect(clippy::cast_possible_truncation, reason = "a number of a cycle")]
-        let code = number as i64;
+        let code = which as i64;
         if !(200..=300).contains(&code) {
             return Ok(());
         }
@@ -327,7 +379,10 @@ impl Tnc {
             }
             Kind::Pecks { first, step, out } => {
                 let mut depth = cycle.clear;
-                for n in 0..100_000 {
+                for n in 0.. {
+                    if n > MOST_PECKS {
+                        return Err("too many pecks".into());
+                    }
                     if n > 0 {
                         if out {
                             z(cycle.clear, true);
@@ -347,9 +402,15 @@ impl Tnc {
     }
 }
 
+/// A number of a block: digits with sign and point, so no `nan` and no exponent.
+fn number(text: &str) -> Option<f64> {
+    let plain = text.bytes().all(|b| matches!(b, b'0'..=b'9' | b'+' | b'-' | b'.'));
+    text.parse().ok().filter(|_| plain)
+}
+
 /// A letter and its number: `X+12.5`.
 fn word(w: &str) -> Result<(u8, f64), String> {
     let letter = *w.as_bytes().first().ok_or("an empty word")?;
-    let value = w.get(1..).and_then(|n| n.parse().ok());
+    let value = w.get(1..).and_then(number);
     value.map(|v| (letter, v)).ok_or_else(|| format!("the word {w} is not known"))
 }

@@ -1,18 +1,24 @@
 //! What the CL data asks for, put in the queue record by record.
 
 use aptc_cldata::{Arg, Course, Kind, Motion, MotionKind, Record};
-use aptc_geometry::{Vec3, trig};
+use aptc_geometry::{Circle, Plane, Vec3, trig};
 
 use super::{Checker, Expect, Hole};
 use crate::args::Statement;
 use crate::drill::DrillCycle;
+use crate::index::{Index, wanted};
+use crate::words::arcslp;
 
 impl Checker {
     /// Takes what a record asks for.
-    pub(crate) fn record(&mut self, record: &Record, clearance_mm: Option<aptc_geometry::Plane>) {
-        self.clearance = clearance_mm;
+    pub(crate) fn record(&mut self, record: &Record, clearance_mm: Option<Plane>) {
+        self.clearance = clearance_mm.map(|p| {
+            let moved = Plane { n: p.n, d: p.d + p.n.dot(&self.shift) };
+            self.index.as_ref().map_or(moved, |i| i.plane(&moved))
+        });
         match &record.kind {
             Kind::Units(u) => self.units = *u,
+            Kind::Multax(on) => self.multax = *on,
             Kind::Motion(m) => self.motion(m),
             Kind::Intol(t) => {
                 self.intol = t.iter().fold(0.0, |a: f64, b| a.max(b.abs())) * self.units.mm();
@@ -50,6 +56,12 @@ impl Checker {
                 self.planned = None;
                 self.queue.push_back(Expect::Home);
             }
+            "ARCSLP" => {
+                if let Some(fit) = arcslp::asked(s, &self.machine, self.units.mm()) {
+                    self.fit = fit;
+                }
+            }
+            "ROTABL" | "ROTHED" => self.turn(s),
             "LINTOL" => {
                 if let Some(Arg::Number(t)) = s.args.first() {
                     self.lintol = t * self.units.mm();
@@ -75,6 +87,26 @@ impl Checker {
         }
     }
 
+    /// The table or head turns while the tool is away.
+    fn turn(&mut self, s: &Statement<'_>) {
+        if self.multax || self.machine.rotary.is_empty() {
+            return;
+        }
+        let Ok(wanted) = wanted(s, &self.machine, self.indexed) else { return };
+        self.indexed[wanted.axis] = wanted.angle;
+        let turned = self.indexed.iter().any(|a| (a / 360.0 - (a / 360.0).round()).abs() > 1e-12);
+        self.index = turned.then(|| Index::new(&self.machine, self.indexed));
+        self.rapid = false;
+        self.planned = None;
+        self.queue.push_back(Expect::Home);
+    }
+
+    fn seen_circle(&self, circle: &Circle, ta: Vec3) -> (Vec3, Vec3) {
+        let (center, _) = self.seen(circle.center, ta);
+        let (tip, _) = self.seen(circle.center + circle.axis, ta);
+        (center, (tip - center).normalize())
+    }
+
     /// CLRSRF/NOW: a rapid motion to the plane, when the tool is not beyond it.
     fn clear_to_plane(&mut self) {
         let Some((plane, (te, ta))) = self.clearance.zip(self.planned) else { return };
@@ -83,10 +115,10 @@ impl Checker {
             return;
         }
         self.rapid = false;
-        let way = (plane.d - plane.n.dot(&(te - self.shift))) / slope;
+        let way = (plane.d - plane.n.dot(&te)) / slope;
         if way > 0.0 {
             let te = te + ta * way;
-            self.queue.push_back(Expect::Point { te, ta, rapid: true, via: false });
+            self.queue.push_back(Expect::Point { te, ta, rapid: true, via: false, round: false });
             self.planned = Some((te, ta));
         }
     }
@@ -100,7 +132,7 @@ impl Checker {
         let Some(last) = m.points.last() else { return };
         if m.kind == MotionKind::From {
             self.rapid = false;
-            let (te, ta) = (self.point(last.te), last.ta.normalize());
+            let (te, ta) = self.seen(last.te, last.ta);
             self.planned = Some((te, ta));
             self.queue.push_back(Expect::From { te, ta });
             return;
@@ -113,7 +145,8 @@ impl Checker {
         {
             let cycle = cycle.clone();
             for p in &m.points {
-                if let Some(hole) = self.hole(&cycle, self.point(p.te), p.ta.normalize()) {
+                let (te, ta) = self.seen(p.te, p.ta);
+                if let Some(hole) = self.hole(&cycle, te, ta) {
                     self.planned = Some((hole.at + hole.ta * hole.retract, hole.ta));
                     self.queue.push_back(Expect::Hole(hole));
                 }
@@ -125,12 +158,11 @@ impl Checker {
             && let Some((start, _)) = self.planned
         {
             // Points of the arc, none farther than 15 degrees from the next.
-            let c = self.point(arc.circle.center);
-            let axis = arc.circle.axis;
+            let (c, axis) = self.seen_circle(&arc.circle, last.ta);
             let spoke = start - c;
             let (along, radial) = (spoke.dot(&axis), spoke - axis * spoke.dot(&axis));
             let side = axis.cross(&radial);
-            let end = self.point(last.te);
+            let (end, ta) = self.seen(last.te, last.ta);
             let rise = (end - start).dot(&axis);
             #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "bounded")]
             let n = (degrees.abs() / 15.0).ceil().clamp(1.0, 100_000.0) as u32;
@@ -138,21 +170,21 @@ impl Checker {
                 let part = f64::from(i) / f64::from(n);
                 let (s, co) = trig::sin_cos(degrees.to_radians() * part);
                 let te = c + axis * (along + rise * part) + radial * co + side * s;
-                self.queue.push_back(Expect::Point { te, ta: last.ta, rapid, via: true });
+                self.queue.push_back(Expect::Point { te, ta, rapid, via: true, round: true });
             }
         }
         for p in &m.points {
-            let te = self.point(p.te);
-            self.queue.push_back(Expect::Point { te, ta: p.ta.normalize(), rapid, via: false });
+            let ((te, ta), round) = (self.seen(p.te, p.ta), m.arc.is_some());
+            self.queue.push_back(Expect::Point { te, ta, rapid, via: false, round });
         }
-        self.planned = Some((self.point(last.te), last.ta.normalize()));
+        self.planned = Some(self.seen(last.te, last.ta));
     }
 
     fn hole(&self, cycle: &DrillCycle, at: Vec3, ta: Vec3) -> Option<Hole> {
         let mm = self.units.mm();
         let plane = self.clearance.and_then(|p| {
             let slope = p.n.dot(&ta);
-            (slope.abs() > 1e-6).then(|| (p.d - p.n.dot(&(at - self.shift))) / slope)
+            (slope.abs() > 1e-6).then(|| (p.d - p.n.dot(&at)) / slope)
         });
         let clearance = cycle.clear.map(|c| c * mm).or(plane.filter(|h| *h > 0.0))?;
         let mut retract = cycle.retract.map_or(clearance, |r| r * mm);

@@ -5,7 +5,7 @@ use aptc_geometry::{Vec3, trig};
 use super::{Checker, Expect, Hole, shown};
 use crate::kinematics::Chain;
 use crate::machine::RapidPath;
-use crate::readback::{ArcStep, Place, Step};
+use crate::readback::{ArcStep, Frame, Place, Step};
 
 impl Checker {
     fn pose(&mut self, place: &Place) -> Option<(Vec3, Vec3)> {
@@ -19,8 +19,15 @@ impl Checker {
 
     fn chain(&mut self) -> &Chain {
         let length = self.read_length.or(self.machine.multiaxis.tool_length).unwrap_or(0.0);
-        let machine = &self.machine;
-        self.chain.get_or_insert_with(|| Chain::new(machine, 1.0, length))
+        let (machine, frame) = (&self.machine, self.frame.as_ref());
+        self.chain.get_or_insert_with(|| {
+            let mut chain = Chain::new(machine, 1.0, length);
+            chain.plane = frame.map(|f| match f {
+                Frame::Plane(q) => q.transpose(),
+                Frame::Table(angles) => chain.table(*angles),
+            });
+            chain
+        })
     }
 
     pub(super) fn step(&mut self, step: &Step) {
@@ -29,6 +36,10 @@ impl Checker {
             Step::Away => {
                 self.away = true;
                 self.now = None;
+            }
+            Step::Frame(frame) => {
+                self.frame = *frame;
+                self.chain = None;
             }
             Step::Line { from, to, rapid, .. } => self.line(from, to, *rapid),
             Step::Arc(arc) => self.arc(arc),
@@ -288,7 +299,8 @@ impl Checker {
         let spoke = start.0 - center;
         let rise = (end.0 - begin.0).dot(&axis);
         let mut passed = 0.0_f64;
-        while let Some(Expect::Point { te, ta, rapid, .. }) = self.queue.front().cloned() {
+        let fit = self.fit.map_or(band, |t| t + 2.0 * self.linear);
+        while let Some(Expect::Point { te, ta, rapid, round, .. }) = self.queue.front().cloned() {
             let d = te - center;
             let flat = d - axis * d.dot(&axis);
             let mut angle =
@@ -298,9 +310,14 @@ impl Checker {
                 angle += std::f64::consts::TAU;
             }
             let height = rise * (angle / most).clamp(0.0, 1.0);
-            let off = ((flat.norm() - arc.radius).abs())
+            let mut off = ((flat.norm() - arc.radius).abs())
                 .max((d.dot(&axis) - spoke.dot(&axis) - height).abs());
-            if off > band || angle > most + slack {
+            if let Some((last, _)) = self.at.filter(|_| !round) {
+                // In place of a line: the middle of the line counts as well.
+                let near = nearest(center, last, te) - center;
+                off = off.max(((near - axis * near.dot(&axis)).norm() - arc.radius).abs());
+            }
+            if off > if round { band } else { fit } || angle > most + slack {
                 break;
             }
             if rapid {
@@ -391,6 +408,11 @@ fn segment(p: Vec3, a: Vec3, b: Vec3) -> (f64, f64) {
     let n = d.norm_squared();
     let t = if n > 0.0 { ((p - a).dot(&d) / n).clamp(0.0, 1.0) } else { 0.0 };
     ((p - a - d * t).norm(), t)
+}
+
+/// The place of the segment `a b` that is nearest to `p`.
+fn nearest(p: Vec3, a: Vec3, b: Vec3) -> Vec3 {
+    a + (b - a) * segment(p, a, b).1
 }
 
 /// Length of a motion when it goes straight along the unit vector, to within the angle `lean`, else 0.

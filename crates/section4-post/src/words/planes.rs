@@ -69,7 +69,7 @@ fn numbers(args: &[Arg]) -> Box<[f64]> {
 }
 
 fn retract(post: &mut Post, s: &Statement<'_>) {
-    let Some(plane) = post.st.clearance_mm else {
+    let Some(plane) = post.st.clearance() else {
         let message = "CLRSRF/NOW before a clearance plane was given".to_string();
         let help = "write CLRSRF/plane first";
         post.error(codes::POST_ARGUMENTS, s.origin, message, help);
@@ -91,8 +91,7 @@ fn retract(post: &mut Post, s: &Statement<'_>) {
         post.error(codes::POST_ARGUMENTS, s.origin, message, "give a plane across the tool axis");
         return;
     }
-    let below = plane.d / post.st.out_mm() - plane.n.dot(&(pos - post.st.shift));
-    let way = below / slope;
+    let way = (plane.d - plane.n.dot(&pos)) / slope;
     let resolution = post.blocks.number(b'Z').resolution();
     if way < -resolution {
         let message = "the tool is beyond the clearance plane already and stays there".to_string();
@@ -135,6 +134,7 @@ pub(super) fn gohome(post: &mut Post, s: &Statement<'_>) {
     post.start(s.origin);
     post.annotate(s.origin);
     post.leave_cycle();
+    post.leave_plane();
     let machine = Arc::clone(&post.machine);
     let vars = post.common_vars();
     post.blocks.template(&machine.program.home, &vars.list());

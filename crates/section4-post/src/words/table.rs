@@ -2,7 +2,8 @@
 
 use crate::args::Statement;
 use crate::words::{
-    Action, coolnt, cutcom, cycle, fedrat, planes, program, rotabl, spindl, stock, thread, tool,
+    Action, arcslp, coolnt, cutcom, cycle, fedrat, planes, program, rotabl, spindl, stock, thread,
+    tool,
 };
 
 /// What becomes of a word.
@@ -53,7 +54,7 @@ fn nothing(_: &mut crate::post::Post, _: &Statement<'_>) {}
 /// Sorted by word.
 static TABLE: &[(&str, Entry)] = &[
     ("AIR", Do(coolnt::air)),
-    ("ARCSLP", Refuse("the slope of an arc has to stand with its MOVARC")),
+    ("ARCSLP", Do(arcslp::arcslp)),
     ("AUXFUN", Do(program::auxfun)),
     ("BREAK", Ignore(TAPE)),
     ("CAMERA", Silent(SHOWN)),

@@ -69,6 +69,7 @@ fn change(post: &mut Post, s: &Statement<'_>, at: usize) {
     // The blocks of a tool change are never skipped and begin on no modal state.
     let skip = std::mem::replace(&mut post.blocks.skip, false);
     post.blocks.with_tool_axis = None;
+    post.leave_plane();
     let line = post.blocks.lines + 1;
     post.blocks.template(&machine.program.tool_change, &vars);
     post.blocks.skip = skip;
@@ -101,7 +102,7 @@ impl Post {
     pub(crate) fn length_words(&mut self) {
         let Some(offset) = self.st.offset else { return };
         let multi = &self.machine.multiaxis;
-        let with_z = multi.tool_center && multi.tool_center_with_z;
+        let with_z = multi.tool_center && multi.tool_center_with_z && self.st.plane.is_none();
         let words = if with_z { &multi.tool_center_on } else { &self.machine.compensation.length };
         self.blocks.with_tool_axis =
             render(words, &[("offset", &offset.to_string())]).filter(|w| !w.is_empty());

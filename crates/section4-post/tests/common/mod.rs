@@ -6,7 +6,9 @@ use std::path::Path;
 use std::process::Command;
 use std::sync::atomic::{AtomicU32, Ordering};
 
-use aptc_cldata::{Arc, Arg, Course, Kind, Motion, MotionKind, Position, Record, Units};
+use aptc_cldata::{
+    Arc, Arg, Course, Kind, Motion, MotionKind, Position, Reader, Record, RecordReader, Units,
+};
 use aptc_diagnostics::Origin;
 use aptc_geometry::{Circle, Cutter, Vec3};
 use aptc_post::{PostOptions, Posted, machine, post_all};
@@ -91,6 +93,17 @@ fn statement(line: &str, arc: &mut Option<Arc>) -> Option<Kind> {
             Kind::Post { word: word.into(), args: args.map(arg).collect() }
         }
     })
+}
+
+/// The records of a CL file of any dialect.
+pub fn file_records(path: &Path) -> Vec<Record> {
+    let mut reader = Reader::open(std::fs::File::open(path).unwrap(), None).unwrap();
+    let mut list = Vec::new();
+    let mut record = Record::default();
+    while reader.read(&mut record).unwrap() {
+        list.push(record.clone());
+    }
+    list
 }
 
 /// Points of chords of an arc in a plane across Z, vertices on the circle.
