@@ -91,11 +91,14 @@ fn functions_of_forms() {
         "ANGLF(C,P)",
         "ANGLB(C,P)",
         "DISTF(L1,L2)",
+        "DISTF(P,L2)",
+        "DISTF(L2,(POINT/0,0))",
         "NUMF(Q)",
         "CANF(C,7)",
         "LNTHF(V1 KREUZ V2)",
     ];
-    let expected = [5.0, 25.0, 0.0, 6.0, 270.0, 1.5 * std::f64::consts::PI, 7.0, 5.0, 5.0, 10.0];
+    let expected =
+        [5.0, 25.0, 0.0, 6.0, 270.0, 1.5 * std::f64::consts::PI, 7.0, 11.0, 7.0, 5.0, 5.0, 10.0];
     close(&values(&expressions, before), &expected);
 }
 

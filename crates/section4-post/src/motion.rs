@@ -121,18 +121,19 @@ impl Post {
             (self.st.pos, self.st.ta) = (Some(te), ta);
             return;
         }
-        let Some(joints) = self.joints(te, ta, origin) else { return };
-        if rapid {
-            self.rapid_to(te, &joints, origin);
-        } else {
-            let Some(feed) = self.feed_for(te, origin) else { return };
-            let done = self.blocks.straight(MotionCode::Line, &joints, ALL, Some(feed));
-            self.check(done, origin);
-            self.count_cut(te, self.distance(te), feed);
-            self.takes_away(self.st.pos, te, ta, origin);
+        if let Some(joints) = self.joints(te, ta, origin) {
+            self.st.ta = ta;
+            if rapid {
+                self.rapid_to(te, &joints, origin);
+            } else if let Some(feed) = self.feed_for(te, origin) {
+                let done = self.blocks.straight(MotionCode::Line, &joints, ALL, Some(feed));
+                self.check(done, origin);
+                self.count_cut(te, self.distance(te), feed);
+                self.takes_away(self.st.pos, te, ta, origin);
+            }
         }
+        // Also after a motion that was refused: what follows begins where the program meant it to.
         self.st.pos = Some(te);
-        self.st.ta = ta;
     }
 
     /// A rapid motion of all axes, in the way of the machine.

@@ -16,6 +16,25 @@ fn no_feed_is_said_once_and_names_the_cure() {
 }
 
 #[test]
+fn an_arc_behind_a_refused_cut_has_its_start() {
+    let ready = "UNITS/MM\nLOADTL/1\nSPINDL/100\nCOOLNT/ON\n";
+    let arc = "MOVARC/0,0,0,0,0,1,5,ANGLE,90\nGOTO/0,5,0\nFINI";
+    let text = format!("{ready}GOTO/5,0,0\n{arc}");
+    assert_eq!(errors("linuxcnc-mill", &text), ["APT4001"]);
+    let text = format!("{ready}FEDRAT/100\nGOTO/5,0,0,0,1,0\n{arc}");
+    assert_eq!(errors("linuxcnc-mill", &text), ["APT4004"]);
+}
+
+#[test]
+fn compensation_without_an_offset_says_what_is_missing() {
+    let text = "UNITS/MM\nSPINDL/100\nCOOLNT/ON\nFEDRAT/100\nGOTO/5,0,0\nCUTCOM/LEFT\nGOTO/6,0,0";
+    let (_, posted) = post("linuxcnc-mill", text);
+    let error = posted.diagnostics.iter().find(|d| d.is_error()).unwrap();
+    assert_eq!(error.code.to_string(), "APT4007");
+    assert!(error.message.contains("no tool is loaded"), "{}", error.message);
+}
+
+#[test]
 fn each_refusal_has_its_code() {
     for (statement, code) in [
         ("CYCLE/DRILL", "APT4005"),

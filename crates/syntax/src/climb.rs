@@ -10,8 +10,8 @@ pub(crate) type Operand = (Vec<(UnaryOp, SimpleSpan<u32>)>, Expr);
 
 /// The tree of `first` and the operators and operands behind it. Recursion is bounded by
 /// [`MAX_DEPTH`](crate::shape::MAX_DEPTH), which the row was checked against.
-pub(crate) fn tree(first: Operand, rest: Vec<(BinaryOp, Operand)>) -> Expr {
-    let mut row = Row { rest: rest.into_iter().peekable() };
+pub(crate) fn tree(first: Operand, rest: impl Iterator<Item = (BinaryOp, Operand)>) -> Expr {
+    let mut row = Row { rest: rest.peekable() };
     row.expression(first, 0)
 }
 
@@ -32,11 +32,11 @@ fn power(op: BinaryOp) -> u8 {
 /// `.NOT.` binds less than a relation: `.NOT. A .EQ. B` denies the relation.
 const NOT: u8 = 3;
 
-struct Row {
-    rest: std::iter::Peekable<std::vec::IntoIter<(BinaryOp, Operand)>>,
+struct Row<I: Iterator<Item = (BinaryOp, Operand)>> {
+    rest: std::iter::Peekable<I>,
 }
 
-impl Row {
+impl<I: Iterator<Item = (BinaryOp, Operand)>> Row<I> {
     /// What begins with `first`, as far as operators bind closer than `least`.
     fn expression(&mut self, first: Operand, least: u8) -> Expr {
         let mut left = self.signed(first);

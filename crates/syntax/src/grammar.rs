@@ -12,9 +12,10 @@ use chumsky::prelude::{
 };
 
 use crate::form::Form;
+use crate::shelf::{Shelf, Shelves};
 use crate::token::{Spanned, Token};
 use crate::tree::{
-    BinaryOp, Body, Clause, Definition, Expr, ExprKind, Name, Param, Target, UnaryOp,
+    BinaryOp, Body, Clause, Definition, Expr, ExprKind, Indexed, Name, Param, Target, UnaryOp,
 };
 use crate::{Symbol, climb};
 
@@ -45,6 +46,8 @@ pub(crate) struct Beside<'t> {
     pub(crate) fixed: &'t [Body],
     /// The symbol without letters, for arguments without a name.
     pub(crate) nameless: Symbol,
+    /// Where lists wait until they are complete.
+    pub(crate) shelves: &'t Shelves,
     /// Is speed asked for, not messages?
     pub(crate) quick: bool,
 }
@@ -92,7 +95,7 @@ impl<'t, E: Fault<'t>> Grammar<'t, E> {
             .then(target.clone())
             .then_ignore(just(Token::Comma))
             .then(target)
-            .map(|(((value, a), b), c)| Body::If { value, targets: [a, b, c] })
+            .map(|(((value, a), b), c)| Body::If { value, targets: Box::new([a, b, c]) })
             .boxed();
         let fixed = beside.fixed;
         let text = select! {
@@ -151,20 +154,26 @@ fn just<'t, E: Fault<'t>>(
 fn list<'t, E: Fault<'t>>(
     item: impl Parser<'t, Tokens<'t>, Expr, extra::Err<E>> + Clone,
     beside: Beside<'t>,
-) -> impl Parser<'t, Tokens<'t>, Vec<Expr>, extra::Err<E>> + Clone {
-    item.or_not()
-        .map_with(move |item, e| {
-            let empty = || Expr { kind: ExprKind::Empty, span: at(beside.file, e.span()) };
-            item.unwrap_or_else(empty)
-        })
-        .separated_by(just(Token::Comma))
-        .collect::<Vec<_>>()
-        .map(|mut list| {
-            if matches!(&list[..], [Expr { kind: ExprKind::Empty, .. }]) {
-                list.clear();
-            }
-            list
-        })
+) -> impl Parser<'t, Tokens<'t>, Box<[Expr]>, extra::Err<E>> + Clone {
+    let item = item.or_not().map_with(move |item, e| {
+        let empty = || Expr { kind: ExprKind::Empty, span: at(beside.file, e.span()) };
+        item.unwrap_or_else(empty)
+    });
+    separated(item, &beside.shelves.exprs).map(|list| match &list[..] {
+        [Expr { kind: ExprKind::Empty, .. }] => Box::default(),
+        _ => list,
+    })
+}
+
+/// One `item` or more with commas between.
+fn separated<'t, T: 't, E: Fault<'t>>(
+    item: impl Parser<'t, Tokens<'t>, T, extra::Err<E>> + Clone,
+    shelf: &'t Shelf<T>,
+) -> impl Parser<'t, Tokens<'t>, Box<[T]>, extra::Err<E>> + Clone {
+    item.clone()
+        .map(|first| shelf.put(shelf.pile(), first))
+        .foldl(just(Token::Comma).ignore_then(item).repeated(), |pile, next| shelf.put(pile, next))
+        .map(|pile| shelf.take(pile))
 }
 
 /// `POINT/1,2`: the head and its arguments.
@@ -184,7 +193,7 @@ fn definition<'t, E: Fault<'t>>(
             target: None,
             head,
             args,
-            juxtaposed: Vec::new(),
+            juxtaposed: Box::default(),
         })),
         span: at(file, e.span()),
     })
@@ -198,9 +207,10 @@ fn item<'t, E: Fault<'t>>(
     let full = recursive(move |full| {
         let item = choice((single(beside), full));
         let define = definition(item.clone(), beside);
-        let inside = choice((define.clone().map(|d| vec![d]), list(item.clone(), beside)));
+        let inside =
+            choice((define.clone().map(Inside::One), list(item.clone(), beside).map(Inside::List)));
         let value = choice((define.map(|d| (d, true)), item.map(|value| (value, false))));
-        expression(atom(inside, beside))
+        expression(atom(inside, beside), beside)
             .then(just(Token::Equal).ignore_then(value).or_not())
             .try_map(move |(left, value), span| match value {
                 None => Ok(left),
@@ -280,8 +290,10 @@ fn assigned<'t, E: Fault<'t>>(
 fn target_of(expr: Expr) -> Option<Target> {
     match expr.kind {
         ExprKind::Name(name) => Some(Target { name, subscript: None, span: expr.span }),
-        ExprKind::Indexed(name, mut list) if list.len() == 1 => {
-            Some(Target { name, subscript: list.pop().map(Box::new), span: expr.span })
+        ExprKind::Indexed(indexed) => {
+            let Indexed { name, list } = *indexed;
+            let [subscript] = *<Box<[Expr; 1]>>::try_from(list).ok()?;
+            Some(Target { name, subscript: Some(Box::new(subscript)), span: expr.span })
         }
         _ => None,
     }
@@ -289,7 +301,7 @@ fn target_of(expr: Expr) -> Option<Target> {
 
 /// What operators stand between.
 fn atom<'t, E: Fault<'t>>(
-    inside: impl Parser<'t, Tokens<'t>, Vec<Expr>, extra::Err<E>> + Clone,
+    inside: impl Parser<'t, Tokens<'t>, Inside, extra::Err<E>> + Clone,
     beside: Beside<'t>,
 ) -> impl Parser<'t, Tokens<'t>, Expr, extra::Err<E>> + Clone {
     let Beside { file, texts, .. } = beside;
@@ -310,7 +322,11 @@ fn atom<'t, E: Fault<'t>>(
     .then(inside.clone().or_not())
     .map_with(move |(name, list), e| match list {
         None => Expr { kind: ExprKind::Name(name), span: name.span },
-        Some(list) => Expr { kind: ExprKind::Indexed(name, list), span: at(file, e.span()) },
+        Some(list) => {
+            let list = list.into_list();
+            let span = at(file, e.span());
+            Expr { kind: ExprKind::Indexed(Box::new(Indexed { name, list })), span }
+        }
     });
     let word = select! {
         Token::Name(symbol, word) = e => {
@@ -324,28 +340,53 @@ fn atom<'t, E: Fault<'t>>(
     choice((simple, named, bracket)).labelled("a value")
 }
 
+/// What stands in brackets.
+enum Inside {
+    /// A definition, or a list of one.
+    One(Expr),
+    List(Box<[Expr]>),
+}
+
+impl Inside {
+    fn into_list(self) -> Box<[Expr]> {
+        match self {
+            Self::One(expr) => Box::new([expr]),
+            Self::List(list) => list,
+        }
+    }
+}
+
 /// `(...)` with what follows it directly.
 fn bracketed<'t, E: Fault<'t>>(
-    mut list: Vec<Expr>,
+    inside: Inside,
     words: Vec<Expr>,
     file: FileId,
     simple: SimpleSpan<u32>,
 ) -> Result<Expr, E> {
     let span = at(file, simple);
-    if list.is_empty() {
-        return Err(LabelError::expected_found(["a value in the brackets"], None, simple));
-    }
-    if list.len() == 1 {
-        let inner = list.remove(0);
-        return match inner.kind {
-            ExprKind::Define(mut definition) => {
-                definition.juxtaposed = words;
-                Ok(Expr { kind: ExprKind::Define(definition), span })
+    let inner = match inside {
+        Inside::One(inner) => inner,
+        Inside::List(list) if list.is_empty() => {
+            return Err(LabelError::expected_found(["a value in the brackets"], None, simple));
+        }
+        Inside::List(list) => match <Box<[Expr; 1]>>::try_from(list) {
+            Ok(one) => {
+                let [inner] = *one;
+                inner
             }
-            kind => only_definitions(words).map(|()| Expr { kind, span }),
-        };
+            Err(list) => {
+                return only_definitions(words)
+                    .map(|()| Expr { kind: ExprKind::Tuple(list), span });
+            }
+        },
+    };
+    match inner.kind {
+        ExprKind::Define(mut definition) => {
+            definition.juxtaposed = words.into();
+            Ok(Expr { kind: ExprKind::Define(definition), span })
+        }
+        kind => only_definitions(words).map(|()| Expr { kind, span }),
     }
-    only_definitions(words).map(|()| Expr { kind: ExprKind::Tuple(list), span })
 }
 
 /// Words directly behind a bracket are right behind a definition only.
@@ -363,7 +404,9 @@ fn only_definitions<'t, E: Fault<'t>>(words: Vec<Expr>) -> Result<(), E> {
 /// operator instead of one for each class of operators.
 fn expression<'t, E: Fault<'t>>(
     atom: impl Parser<'t, Tokens<'t>, Expr, extra::Err<E>> + Clone,
+    beside: Beside<'t>,
 ) -> impl Parser<'t, Tokens<'t>, Expr, extra::Err<E>> + Clone {
+    let row = &beside.shelves.operands;
     let sign = select! {
         Token::Operator(BinaryOp::Add) = e => (UnaryOp::Pos, e.span()),
         Token::Operator(BinaryOp::Sub) = e => (UnaryOp::Neg, e.span()),
@@ -376,14 +419,18 @@ fn expression<'t, E: Fault<'t>>(
     }
     .labelled("an operator");
     let operand = sign.repeated().collect::<Vec<_>>().then(atom);
-    operand.clone().then(operator.then(operand).repeated().collect::<Vec<_>>()).map(
-        |((signs, first), rest)| {
-            if signs.is_empty() && rest.is_empty() {
+    operand
+        .clone()
+        .map(|first| (first, row.pile()))
+        .foldl(operator.then(operand).repeated(), |(first, pile), next| {
+            (first, row.put(pile, next))
+        })
+        .map(|((signs, first), pile)| {
+            if signs.is_empty() && pile.is_empty() {
                 return first;
             }
-            climb::tree((signs, first), rest)
-        },
-    )
+            row.with(pile, |rest| climb::tree((signs, first), rest))
+        })
 }
 
 /// `A=3*B`, `P(2)=POINT/1,2`.
@@ -409,9 +456,9 @@ fn assign<'t, E: Fault<'t>>(
 fn params<'t, E: Fault<'t>>(
     item: impl Parser<'t, Tokens<'t>, Expr, extra::Err<E>> + Clone,
     beside: Beside<'t>,
-) -> impl Parser<'t, Tokens<'t>, Vec<Param>, extra::Err<E>> + Clone {
+) -> impl Parser<'t, Tokens<'t>, Box<[Param]>, extra::Err<E>> + Clone {
     let nameless = beside.nameless;
-    item.map(move |expr| match expr.kind {
+    let param = item.map(move |expr| match expr.kind {
         ExprKind::Name(name) => Param { name, value: None },
         ExprKind::Assign(target, value) if target.subscript.is_none() => {
             Param { name: target.name, value: Some(*value) }
@@ -420,9 +467,8 @@ fn params<'t, E: Fault<'t>>(
             let name = Name { symbol: nameless, word: None, span: expr.span };
             Param { name, value: Some(Expr { kind, span: expr.span }) }
         }
-    })
-    .separated_by(just(Token::Comma))
-    .collect::<Vec<_>>()
+    });
+    separated(param, &beside.shelves.params).or_not().map(Option::unwrap_or_default)
 }
 
 /// `M=MACRO/A,B=2`.
@@ -482,11 +528,8 @@ fn clauses<'t, E: Fault<'t>>(
     beside: Beside<'t>,
 ) -> impl Parser<'t, Tokens<'t>, Body, extra::Err<E>> + Clone {
     let file = beside.file;
-    name(file)
-        .map(|head| Clause { head, args: None, span: head.span })
-        .separated_by(just(Token::Comma))
-        .at_least(1)
-        .collect::<Vec<_>>()
+    let head = name(file).map(|head| Clause { head, args: None, span: head.span });
+    separated(head, &beside.shelves.clauses)
         .then(just(Token::Slash).ignore_then(list(item, beside)).or_not())
         .map_with(move |(mut clauses, args), e| {
             let end = at(file, e.span());

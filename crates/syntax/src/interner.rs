@@ -15,25 +15,39 @@ pub struct Symbol(pub u32);
 pub struct Interner {
     names: Vec<Box<str>>,
     words: Vec<Option<Word>>,
-    places: HashMap<Box<str>, u32, BuildHasherDefault<NameHasher>>,
+    /// Names of up to eight letters, as most are, by [`packed`].
+    short: HashMap<u64, u32, BuildHasherDefault<NameHasher>>,
+    long: HashMap<Box<str>, u32, BuildHasherDefault<NameHasher>>,
 }
 
 impl Interner {
     /// The symbol of `name`, which must be upper case already.
     pub fn intern(&mut self, name: &str) -> Symbol {
-        if let Some(&i) = self.places.get(name) {
+        let short = packed(name);
+        let known = match short {
+            Some(key) => self.short.get(&key),
+            None => self.long.get(name),
+        };
+        if let Some(&i) = known {
             return Symbol(i);
         }
         let i = u32::try_from(self.names.len()).expect("fewer names than bytes of source");
         self.names.push(name.into());
         self.words.push(find(name));
-        self.places.insert(name.into(), i);
+        match short {
+            Some(key) => self.short.insert(key, i),
+            None => self.long.insert(name.into(), i),
+        };
         Symbol(i)
     }
 
     /// The symbol of `name` if it was met.
     pub fn find(&self, name: &str) -> Option<Symbol> {
-        self.places.get(name).map(|&i| Symbol(i))
+        let place = match packed(name) {
+            Some(key) => self.short.get(&key),
+            None => self.long.get(name),
+        };
+        place.map(|&i| Symbol(i))
     }
 
     /// The spelling.
@@ -55,6 +69,13 @@ impl Interner {
     pub fn is_empty(&self) -> bool {
         self.names.is_empty()
     }
+}
+
+/// The letters of a short name as one number; without zero bytes no two have the same.
+fn packed(name: &str) -> Option<u64> {
+    let bytes = name.as_bytes();
+    let fits = bytes.len() <= 8 && !bytes.contains(&0);
+    fits.then(|| bytes.iter().fold(0, |key, b| key << 8 | u64::from(*b)))
 }
 
 /// A hash for short names, several times quicker than the standard one, which resists chosen
@@ -82,6 +103,10 @@ impl Hasher for NameHasher {
 
     fn write_u8(&mut self, byte: u8) {
         self.mix(u64::from(byte));
+    }
+
+    fn write_u64(&mut self, word: u64) {
+        self.mix(word);
     }
 
     fn finish(&self) -> u64 {

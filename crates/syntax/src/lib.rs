@@ -31,6 +31,7 @@ mod parse;
 mod scan;
 mod separator;
 mod shape;
+mod shelf;
 mod token;
 pub mod tree;
 

@@ -17,13 +17,14 @@ use crate::lex::{Lexed, Lexer};
 use crate::message::Failed;
 use crate::scan::{Flat, Scanned, Scanner, place};
 use crate::shape::{self, Heads, Level};
+use crate::shelf::Shelves;
 use crate::token::{Spanned, Token};
 use crate::tree::{Body, Name, Statement};
 use crate::{Interner, Options, Parsed, Symbol, identification, separator};
 
 /// Tokens that are kept at a time. The rules are built anew for each batch, which takes microseconds,
-/// and memory stays small beside the tree.
-const BATCH: usize = 1 << 16;
+/// and the tokens stay in the cache.
+const BATCH: usize = 1 << 13;
 
 /// A statement between lexer and grammar.
 struct Pending {
@@ -66,9 +67,10 @@ pub fn parse(file: FileId, text: &str, interner: &mut Interner, options: &Option
     };
     let mut scanner = Scanner::new(text, options.free_form, options.first_isn);
     let mut flat = Flat::default();
+    let (mut lists, mut pending) = (Lists::default(), Vec::new());
     let mut open = true;
     while open {
-        open = run.batch(&mut scanner, &mut flat);
+        open = run.batch(&mut scanner, &mut flat, &mut lists, &mut pending);
     }
     let mut parsed = run.parsed;
     parsed.program.n_cards = scanner.n_numbered;
@@ -84,6 +86,15 @@ struct Lists {
     tokens: Vec<Spanned>,
     texts: Vec<Box<str>>,
     fixed: Vec<Body>,
+    shelves: Shelves,
+}
+
+impl Lists {
+    fn clear(&mut self) {
+        self.tokens.clear();
+        self.texts.clear();
+        self.fixed.clear();
+    }
 }
 
 /// The grammar that knows what it expected.
@@ -104,30 +115,36 @@ struct Run<'r> {
 
 impl Run<'_> {
     /// Reads the next statements; `false` at the end of the file.
-    fn batch(&mut self, scanner: &mut Scanner<'_>, flat: &mut Flat) -> bool {
-        let mut lists = Lists::default();
-        lists.tokens.reserve(BATCH.min(self.source.len()));
-        let mut pending: Vec<Pending> = Vec::new();
+    fn batch(
+        &mut self,
+        scanner: &mut Scanner<'_>,
+        flat: &mut Flat,
+        lists: &mut Lists,
+        pending: &mut Vec<Pending>,
+    ) -> bool {
+        lists.clear();
         let mut open = true;
         while lists.tokens.len() < BATCH {
             let Some(scanned) = scanner.next(flat) else {
                 open = false;
                 break;
             };
-            pending.push(self.prepare(scanned, flat, &mut lists));
+            pending.push(self.prepare(scanned, flat, lists));
         }
-        let Lists { tokens, texts, fixed } = &lists;
-        let beside = Beside { file: self.file, texts, fixed, nameless: self.nameless, quick: true };
+        let Lists { tokens, texts, fixed, shelves } = &*lists;
+        let nameless = self.nameless;
+        let beside = Beside { file: self.file, texts, fixed, nameless, shelves, quick: true };
         let quick: Grammar<'_, EmptyErr> = Grammar::new(beside);
         let mut thorough: Option<Thorough<'_>> = None;
         self.parsed.program.statements.reserve(pending.len());
-        for Pending { isn, line, span, label, content, warning } in pending {
+        for Pending { isn, line, span, label, content, warning } in pending.drain(..) {
             let read = match content {
                 Content::Ready(body) => Ok(*body),
                 Content::Fault(fault, defines) => Err((*fault, defines)),
                 Content::Tokens(range, form) => {
                     let tokens = &tokens[range];
                     let end = SimpleSpan::from(span.end..span.end);
+                    shelves.clear();
                     let result = quick.rule(form).parse(tokens.split_token_span(end));
                     let fault = match result.output() {
                         Some(body) => separator::in_heads(body, self.source),

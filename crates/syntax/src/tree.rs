@@ -58,13 +58,13 @@ pub enum Body {
     /// Words joined by commas, the last perhaps with arguments: `RAPID,GOTO/P`, `TLLFT,GOLFT/L1,TO,L2`,
     /// `OBTAIN,LINE/L,A,B`, `FINI`. Never empty. A label of digits among the arguments, `JUMPTO/12`, is a
     /// number.
-    Clauses(Vec<Clause>),
+    Clauses(Box<[Clause]>),
     /// `M=MACRO/A,B=2`.
     Macro {
         /// Its name.
         name: Name,
         /// Its parameters.
-        params: Vec<Param>,
+        params: Box<[Param]>,
     },
     /// `CALL/M,A=1,B=TLLFT` also with further positional words; an argument without a name that is not a
     /// word alone (`CALL/PROG,SEC1,3`) has the name of no letters, `""`.
@@ -72,14 +72,14 @@ pub enum Body {
         /// What is called.
         name: Name,
         /// `name=value`; a word alone has no value.
-        args: Vec<Param>,
+        args: Box<[Param]>,
     },
     /// `IF(expr)l1,l2,l3`.
     If {
         /// The number judged.
         value: Expr,
         /// Where to go for negative, zero, positive.
-        targets: [Name; 3],
+        targets: Box<[Name; 3]>,
     },
     /// `IF(expr)statement` of APT4.
     IfThen {
@@ -147,7 +147,7 @@ pub struct Clause {
     /// The head; one that is no word is an error of Section 1 (misspelt word).
     pub head: Name,
     /// What follows the slash; `None` without a slash.
-    pub args: Option<Vec<Expr>>,
+    pub args: Option<Box<[Expr]>>,
     /// Where all of it stands.
     pub span: Span,
 }
@@ -176,7 +176,7 @@ pub enum ExprKind {
     Name(Name),
     /// `P(3)`, `P(1,THRU,5)`, `P(ALL)`, and a function call `SINF(A)`, `DOTF(V1,V2)`: both are a name with a
     /// list in brackets; Section 1 knows which.
-    Indexed(Name, Vec<Expr>),
+    Indexed(Box<Indexed>),
     /// `-a`, `+a`, `.NOT. a`.
     Unary(UnaryOp, Box<Expr>),
     /// `a op b`.
@@ -186,9 +186,18 @@ pub enum ExprKind {
     /// the statement's own list (then they are ordinary arguments and this is empty).
     Define(Box<Definition>),
     /// `(x,y)` or `(x,y,z)`: an unnamed point of APT4.
-    Tuple(Vec<Expr>),
+    Tuple(Box<[Expr]>),
     /// `(A=3)`: assignment inside an expression; its value is the value assigned.
     Assign(Box<Target>, Box<Expr>),
+}
+
+/// A name with a list in brackets.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Indexed {
+    /// The name.
+    pub name: Name,
+    /// What stands in the brackets.
+    pub list: Box<[Expr]>,
 }
 
 /// A geometric definition.
@@ -199,9 +208,9 @@ pub struct Definition {
     /// The major word: POINT, LINE, ... or any other name that stands before a slash in an expression.
     pub head: Name,
     /// The arguments.
-    pub args: Vec<Expr>,
+    pub args: Box<[Expr]>,
     /// Words after the closing bracket, `(PLANE/..)CANON`.
-    pub juxtaposed: Vec<Expr>,
+    pub juxtaposed: Box<[Expr]>,
 }
 
 /// Operators with one side.

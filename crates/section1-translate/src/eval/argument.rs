@@ -6,7 +6,7 @@ use aptc_diagnostics::{Diagnostic, Span, codes};
 use aptc_geometry::Form;
 use aptc_protap::NameRef;
 use aptc_syntax::Symbol;
-use aptc_syntax::tree::{Expr, ExprKind, Name};
+use aptc_syntax::tree::{Expr, ExprKind, Indexed, Name};
 use aptc_vocabulary::Word;
 
 use super::{Known, Poisoned};
@@ -101,7 +101,8 @@ impl Interpreter<'_> {
             ExprKind::Number(n) => ArgKind::Digits(*n),
             ExprKind::Text(text) => ArgKind::Text(text.clone()),
             ExprKind::Name(name) => self.name_argument(name, names)?,
-            ExprKind::Indexed(name, subscripts) => {
+            ExprKind::Indexed(indexed) => {
+                let Indexed { name, list: subscripts } = &**indexed;
                 let place = self.memory.place(name.symbol);
                 let Value::Array(array) = self.memory.slot(place).value else {
                     let value = self.indexed(name, subscripts, span)?;
@@ -198,7 +199,9 @@ impl Interpreter<'_> {
                         _ => Ok(Some((place, expr.span))),
                     }
                 }
-                ExprKind::Indexed(name, subscripts) => self.indexed_target(name, subscripts, expr),
+                ExprKind::Indexed(indexed) => {
+                    self.indexed_target(&indexed.name, &indexed.list, expr)
+                }
                 _ => {
                     self.error(
                         Diagnostic::error(

@@ -81,7 +81,7 @@ impl Interpreter<'_> {
         Ok(if angle < 0.0 { angle + 2.0 * std::f64::consts::PI } else { angle })
     }
 
-    /// Distance of two parallel lines or planes, or of two points.
+    /// Distance of two parallel lines or planes, of a point from one, or of two points.
     fn distance(&mut self, args: &[Expr], span: Span) -> Known<f64> {
         let wanted = "a line, a plane or a point";
         let (a, b) = (self.form(&args[0], wanted), self.form(&args[1], wanted));
@@ -93,6 +93,12 @@ impl Interpreter<'_> {
         };
         if let (Form::Point(p), Form::Point(q)) = (a.shape(), b.shape()) {
             return Ok((p - q).norm());
+        }
+        if let (Form::Point(p), Some(q)) = (a.shape(), plane(&b)) {
+            return Ok((q.n.dot(p) - q.d).abs());
+        }
+        if let (Some(p), Form::Point(q)) = (plane(&a), b.shape()) {
+            return Ok((p.n.dot(q) - p.d).abs());
         }
         let Some(p) = plane(&a) else {
             return Err(self.wrong_kind(args[0].span, wanted, &Value::Form(a)));

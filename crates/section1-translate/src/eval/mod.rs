@@ -74,7 +74,7 @@ impl Interpreter<'_> {
             ExprKind::Number(n) => Ok(Value::Number(*n)),
             ExprKind::Truth(b) => Ok(Value::Logical(*b)),
             ExprKind::Name(name) => self.named(name),
-            ExprKind::Indexed(name, args) => self.indexed(name, args, expr.span),
+            ExprKind::Indexed(indexed) => self.indexed(&indexed.name, &indexed.list, expr.span),
             ExprKind::Unary(UnaryOp::Not, a) => Ok(Value::Logical(!self.logical(a)?)),
             ExprKind::Unary(..) => self.number(expr).map(Value::Number),
             ExprKind::Binary(op, a, b) => self.binary(*op, a, b, expr),

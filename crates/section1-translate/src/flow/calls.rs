@@ -182,10 +182,10 @@ impl Interpreter<'_> {
                     _ => Ok(Binding::Alias(place)),
                 }
             }
-            ExprKind::Indexed(name, subscripts) => {
-                let place = self.memory.place(name.symbol);
+            ExprKind::Indexed(indexed) => {
+                let place = self.memory.place(indexed.name.symbol);
                 if let (Value::Array(array), [subscript]) =
-                    (&self.memory.slot(place).value, subscripts.as_slice())
+                    (&self.memory.slot(place).value, &indexed.list[..])
                 {
                     let array = *array;
                     let n = self.number(subscript)?;

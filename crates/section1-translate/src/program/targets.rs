@@ -15,10 +15,10 @@ pub(super) fn targets(body: &Body, take: &mut impl FnMut(Symbol)) {
             let head = clauses.first().and_then(|c| c.head.word);
             let names = matches!(head, Some(word::OBTAIN | word::RESERV | word::READ));
             for expr in clauses.iter().filter_map(|c| c.args.as_deref()).flatten() {
-                if let ExprKind::Name(name) | ExprKind::Indexed(name, _) = &expr.kind
-                    && names
-                {
-                    take(name.symbol);
+                match &expr.kind {
+                    ExprKind::Name(name) if names => take(name.symbol),
+                    ExprKind::Indexed(indexed) if names => take(indexed.name.symbol),
+                    _ => {}
                 }
                 in_expr(expr, take);
             }
@@ -56,9 +56,8 @@ fn in_expr(expr: &Expr, take: &mut impl FnMut(Symbol)) {
             take(target.name.symbol);
             in_expr(value, take);
         }
-        ExprKind::Indexed(_, args) | ExprKind::Tuple(args) => {
-            args.iter().for_each(|a| in_expr(a, take));
-        }
+        ExprKind::Indexed(indexed) => indexed.list.iter().for_each(|a| in_expr(a, take)),
+        ExprKind::Tuple(args) => args.iter().for_each(|a| in_expr(a, take)),
         ExprKind::Unary(_, a) => in_expr(a, take),
         ExprKind::Binary(_, a, b) => {
             in_expr(a, take);

@@ -190,12 +190,12 @@ impl Interpreter<'_> {
                 return;
             }
         }
-        if let ExprKind::Indexed(name, subscripts) = &expr.kind
-            && let Some(places) = self.printed_elements(name, subscripts, expr.span)
+        if let ExprKind::Indexed(indexed) = &expr.kind
+            && let Some(places) = self.printed_elements(&indexed.name, &indexed.list, expr.span)
         {
             for place in places {
                 if matches!(self.memory.slot(place).value, Value::Unset) {
-                    self.print_undefined(name, place);
+                    self.print_undefined(&indexed.name, place);
                 } else {
                     self.memory.slot_mut(place).read = true;
                     self.print_place(style, place);

@@ -95,7 +95,7 @@ impl Interpreter<'_> {
             let [a, b] = pair else {
                 // `RESERV/A(10)` as other languages write it.
                 let name = match &pair[0].kind {
-                    ExprKind::Indexed(name, _) => Some(*name),
+                    ExprKind::Indexed(indexed) => Some(indexed.name),
                     kind => Self::as_name(kind),
                 };
                 if let Some(name) = name {

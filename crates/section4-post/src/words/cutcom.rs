@@ -52,7 +52,9 @@ fn on(post: &mut Post, s: &Statement<'_>, left: bool, d: Option<u32>) {
         }
     }
     let Some(d) = d.or(post.st.offset).or(post.st.tool) else {
-        bad_arguments(post, s, "CUTCOM/LEFT,d with the number of the offset");
+        let message = format!("{} names no offset, and no tool is loaded to take its", s.written());
+        let help = "write CUTCOM/LEFT,d or CUTCOM/RIGHT,d, or LOADTL before it";
+        post.error(codes::POST_ARGUMENTS, s.origin, message, help);
         return;
     };
     if !post.along_z(post.st.ta) {

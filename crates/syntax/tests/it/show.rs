@@ -93,7 +93,7 @@ pub(crate) fn expr(e: &Expr, i: &Interner) -> String {
         ExprKind::Text(t) => format!("'{t}'"),
         ExprKind::Truth(t) => t.to_string(),
         ExprKind::Name(n) => name(*n, i),
-        ExprKind::Indexed(n, args) => format!("{}({})", name(*n, i), list(args, i)),
+        ExprKind::Indexed(x) => format!("{}({})", name(x.name, i), list(&x.list, i)),
         ExprKind::Unary(op, a) => format!("({op:?} {})", expr(a, i)),
         ExprKind::Binary(op, a, b) => format!("({op:?} {} {})", expr(a, i), expr(b, i)),
         ExprKind::Define(d) => {
