@@ -259,6 +259,7 @@ impl Post {
             ("dwell", crate::post::trimmed(dwell.unwrap_or(0.0), 3)),
             ("feed", written(&self.blocks, b'F', native.feed.value)),
             ("pitch", crate::post::trimmed(pitch, 4)),
+            ("speed", crate::post::trimmed(speed, 1)),
         ];
         let vars: Vec<(&str, &str)> = values.iter().map(|(n, v)| (*n, v.as_str())).collect();
         native.lines = native.lines.iter().filter_map(|l| crate::emit::render(l, &vars)).collect();

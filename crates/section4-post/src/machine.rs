@@ -341,7 +341,7 @@ pub struct Cycle {
     pub code: String,
     /// Or lines that define it, where a position calls it: `{surface}` `{bottom}` `{clearance}` `{retract}`
     /// as coordinates, `{depth}` `{clear}` `{back}` as distances from the surface, `{step}` `{first}`
-    /// `{dwell}` `{feed}` `{pitch}`.
+    /// `{dwell}` `{feed}` `{pitch}` `{speed}`.
     #[serde(default)]
     pub lines: Vec<String>,
     /// The words that it needs besides depth, retract plane and feed: `Q` step, `P` dwell.

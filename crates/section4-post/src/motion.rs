@@ -166,7 +166,9 @@ impl Post {
             let feed = FeedWord { mode: FeedMode::PerMinute, value };
             self.blocks.straight(MotionCode::Line, joints, ALL, Some(feed))
         } else if split {
-            let up = way.is_some_and(|d| d[2] > 0.0);
+            // On a lathe the tool leaves the part across and comes to it along the spindle, outside and in a bore.
+            let lathe = self.machine.kind == MachineKind::Lathe;
+            let up = way.is_some_and(|d| d[2] > 0.0) != lathe;
             let (first, then) =
                 if up { (TOOL_AXIS, BUT_TOOL_AXIS) } else { (BUT_TOOL_AXIS, TOOL_AXIS) };
             let one = self.blocks.straight(MotionCode::Rapid, joints, first, None);

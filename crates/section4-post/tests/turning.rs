@@ -129,3 +129,16 @@ fn stock_on_a_lathe_is_told_to_be_unchecked() {
     let told: Vec<_> = posted.diagnostics.iter().map(|d| d.code.to_string()).collect();
     assert!(told.iter().any(|c| c == "APT4025") && posted.summary.stock.is_none(), "{told:?}");
 }
+
+#[test]
+fn a_dog_leg_leaves_the_part_across_and_comes_to_it_along() {
+    // From the shoulder out, and from outside to a groove: never along the spindle at the radius of the part.
+    let text = format!(
+        "{HEAD}FROM/50,0,100\nRAPID\nGOTO/17,0,5\nRAPID\nGOTO/16,0,-10\nGOTO/12,0,-10\nRAPID\nGOTO/17,0,5\nFINI"
+    );
+    let nc = good("fanuc-0i-lathe", &text);
+    let tail: Vec<&str> =
+        nc.lines().skip_while(|l| !l.starts_with("Z5.")).skip(1).take(5).collect();
+    assert_eq!(tail[0..2], ["Z-10.", "X32."], "{nc}");
+    assert_eq!(tail[3..5], ["G0 X34.", "Z5."], "{nc}");
+}

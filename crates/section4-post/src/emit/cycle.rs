@@ -1,7 +1,7 @@
 //! Drilling cycles of the control.
 
 use super::{Blocks, FeedMode, FeedWord, MotionCode, TooGreat, idx};
-use crate::machine::Dialect;
+use crate::machine::{ArcPlane, Dialect};
 
 /// A cycle as the control does it, lengths in output units.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,6 +35,11 @@ impl Blocks {
         let same = self.cycle.as_ref() == Some(cycle);
         if !same {
             self.end_cycle();
+        }
+        // A cycle goes along the normal of the plane that the last arc may have left behind.
+        let plane = self.plane.is_some_and(|p| p != ArcPlane::Xy);
+        if plane && self.machine.dialect != Dialect::Heidenhain {
+            self.select_plane(ArcPlane::Xy);
         }
         if !cycle.lines.is_empty() {
             return self.called_hole(cycle, same, [x, y]);

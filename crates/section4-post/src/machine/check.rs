@@ -7,6 +7,23 @@ use super::{Dialect, Machine, MachineKind};
 /// Letters that every machine's `format` table must have; mills have Y too.
 const NEEDED: &[char] = &['X', 'Z', 'F', 'S'];
 
+/// Values that lines of a cycle may name.
+const CYCLE_NAMES: &[&str] = &[
+    "surface",
+    "bottom",
+    "clearance",
+    "retract",
+    "depth",
+    "clear",
+    "back",
+    "step",
+    "first",
+    "dwell",
+    "feed",
+    "pitch",
+    "speed",
+];
+
 impl Machine {
     /// The machine of a TOML text, or all that is wrong with it.
     pub fn parse(text: &str) -> Result<Self, Vec<Diagnostic>> {
@@ -98,6 +115,13 @@ impl Machine {
             "`multiaxis.plane_on` needs `tool_center`: without it the axes are written anyway"
                 .into(),
         );
+        for (kind, cycle) in &self.cycles {
+            for name in cycle.lines.iter().flat_map(|l| l.split('{').skip(1)) {
+                let name = name.split('}').next().unwrap_or("");
+                let known = CYCLE_NAMES.contains(&name);
+                say(!known, format!("`cycles.{kind}`: {{{name}}} is no value of a cycle"));
+            }
+        }
         let lathe = self.kind == MachineKind::Lathe;
         say(lathe && !self.rotary.is_empty(), "a lathe with `rotary` axes is not known".into());
         if let Some(arcs) = &self.arcs {

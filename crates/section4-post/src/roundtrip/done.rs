@@ -128,11 +128,12 @@ impl Checker {
         };
         let off = self.bend(from, to);
         let band = self.band();
-        // Positions on an arc that became lines: passed within the band.
-        while let Some(Expect::Point { te, ta, via: true, .. }) = self.queue.front() {
+        // Positions on an arc that became lines: passed within the band, and those of its own chords where it is so
+        // flat that one line is the arc.
+        while let Some(Expect::Point { te, ta, via, round: true, .. }) = self.queue.front() {
             let here = self.at.map_or(start, |a| a.0);
-            let (te, ta) = (*te, *ta);
-            if segment(te, here, end).0 > band || (te - end).norm() < self.linear {
+            let (te, ta, off) = (*te, *ta, if *via { band } else { self.linear });
+            if segment(te, here, end).0 > off || (te - end).norm() < self.linear {
                 break;
             }
             self.queue.pop_front();
