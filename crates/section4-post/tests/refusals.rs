@@ -53,6 +53,9 @@ fn each_refusal_has_its_code() {
         ("END\nGOTO/1,1,1", "APT4010"),
         ("GOTO/1,1,1,1,0,0", "APT4004"),
         ("CUTCOM/LEFT,1\nGOTO/1,1,1\nLOADTL/2", "APT4015"),
+        ("CUTCOM/LEFT,1,PERPTO", "APT4006"),
+        ("LINTOL/LINEAR,1", "APT4006"),
+        ("LINTOL/-1", "APT4007"),
     ] {
         let text = format!("LOADTL/1\nSPINDL/100\nCOOLNT/ON\nFEDRAT/10\nGOTO/0,0,1\n{statement}");
         assert_eq!(

@@ -65,6 +65,8 @@ impl Checker {
             "LINTOL" => {
                 if let Some(Arg::Number(t)) = s.args.first() {
                     self.lintol = t * self.units.mm();
+                } else if s.word(0) == Some("ON") {
+                    self.lintol = self.machine.multiaxis.lintol;
                 }
             }
             "TRANS" | "ORIGIN" => {

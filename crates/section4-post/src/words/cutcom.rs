@@ -40,7 +40,17 @@ fn on(post: &mut Post, s: &Statement<'_>, left: bool, d: Option<u32>) {
         refuse(post, s, "the control has no radius compensation");
         return;
     }
-    let named = ["XYPLAN", "ZXPLAN", "YZPLAN"].iter().any(|w| s.has(w));
+    let planes = ["XYPLAN", "ZXPLAN", "YZPLAN"];
+    let other = (1..s.args.len()).filter_map(|i| s.word(i)).find(|w| !planes.contains(w));
+    if let Some(other) = other {
+        refuse(
+            post,
+            s,
+            &format!("{other} is not known here; only the plane and the number of the offset"),
+        );
+        return;
+    }
+    let named = planes.iter().any(|w| s.has(w));
     if !named && post.machine.arcs.is_some() {
         post.blocks.select_plane(ArcPlane::Xy);
     }

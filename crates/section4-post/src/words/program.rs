@@ -295,12 +295,25 @@ fn shift(post: &mut Post, s: &Statement<'_>, sign: f64) {
     post.st.rescale();
 }
 
-/// `LINTOL/t`, `ON`, `OFF`.
+/// `LINTOL/t`; `ON` brings back the tolerance of the machine.
 pub(super) fn lintol(post: &mut Post, s: &Statement<'_>) {
-    if let Some(t) = s.number(0).filter(|t| *t > 0.0) {
-        post.st.lintol_mm = Some(t * post.st.units.mm());
-    } else if s.word(0).is_none() {
-        bad_arguments(post, s, "LINTOL/t with a positive tolerance, ON or OFF");
+    match (s.args.len(), s.number(0), s.word(0)) {
+        (1, Some(t), _) if t > 0.0 && t.is_finite() => {
+            post.st.lintol_mm = Some(t * post.st.units.mm());
+        }
+        (1, _, Some("ON")) => post.st.lintol_mm = None,
+        (1, _, Some("OFF")) if post.machine.rotary.is_empty() => {
+            let message = format!("{} is left out: no axis turns", s.written());
+            post.note(codes::WORD_IGNORED, s.origin, message, "");
+        }
+        (_, _, Some("OFF" | "LINEAR" | "AXIS" | "RAPID" | "ADJUST")) => {
+            refuse(
+                post,
+                s,
+                "the tool end is always kept on its line to a tolerance; give it with LINTOL/t",
+            );
+        }
+        _ => bad_arguments(post, s, "LINTOL/t with a positive tolerance, or ON"),
     }
 }
 
