@@ -1,10 +1,11 @@
-//! The pages of the geometry formats: each format of the tables stands on one, and each picture is what its
-//! program gives now.
+//! The pages of the geometry formats and of motion: each format of the tables stands on one, and each picture
+//! is what its program gives now.
 //!
 //! `APTC_BLESS=formats` writes the pictures anew; `cargo xtask bless` does it with the goldens.
 
 mod contour;
 mod label;
+mod motion;
 mod picture;
 mod scene;
 mod shape;
@@ -20,14 +21,14 @@ use aptc_vocabulary::all;
 
 use scene::Scene;
 
-fn folder() -> PathBuf {
-    repository().join("docs/formats")
+fn folder(chapter: &str) -> PathBuf {
+    repository().join("docs").join(chapter)
 }
 
-/// Stem and text of each page.
-fn pages() -> Vec<(String, String)> {
+/// Stem and text of each page of a chapter.
+fn pages(chapter: &str) -> Vec<(String, String)> {
     let mut pages = Vec::new();
-    for entry in fs::read_dir(folder()).expect("the folder is there").flatten() {
+    for entry in fs::read_dir(folder(chapter)).expect("the folder is there").flatten() {
         let path = entry.path();
         if path.extension().is_some_and(|e| e == "md") {
             let stem = path.file_stem().expect("a name").to_string_lossy().into_owned();
@@ -64,7 +65,7 @@ fn pictures(page: &str) -> Vec<(String, String)> {
 #[test]
 fn each_format_stands_on_a_page_once() {
     let mut told = BTreeMap::new();
-    for (page, text) in pages() {
+    for (page, text) in pages("formats") {
         for format in explained(&text) {
             let before = told.insert(format.clone(), page.clone());
             assert_eq!(before, None, "{format} is explained twice");
@@ -80,21 +81,30 @@ fn each_format_stands_on_a_page_once() {
 
 #[test]
 fn each_picture_is_what_its_program_gives() {
+    let formats = drawn("formats", Scene::of);
+    assert!(formats >= 100, "only {formats} pictures of formats");
+    let motions = drawn("motion", Scene::of_motion);
+    assert!(motions >= 8, "only {motions} pictures of motions");
+}
+
+/// Draws the pictures of a chapter, or holds them against its programs; how many there are.
+fn drawn(chapter: &str, scene: impl Fn(&str) -> Result<Scene, String>) -> usize {
     let bless = std::env::var("APTC_BLESS").is_ok_and(|what| what == "formats");
+    let folder = folder(chapter).join("pictures");
     let (mut drawn, mut faults) = (BTreeSet::new(), Vec::new());
-    for (page, text) in pages() {
+    for (page, text) in pages(chapter) {
         for (name, program) in pictures(&text) {
             assert!(drawn.insert(name.clone()), "{page}: {name} is shown twice");
-            let svg = match Scene::of(&program) {
+            let svg = match scene(&program) {
                 Ok(scene) => picture::svg(&scene),
                 Err(why) => {
                     faults.push(format!("{page}: {name}: {why}\n{program}"));
                     continue;
                 }
             };
-            let path = folder().join("pictures").join(&name);
+            let path = folder.join(&name);
             if bless {
-                fs::create_dir_all(folder().join("pictures")).expect("a folder");
+                fs::create_dir_all(&folder).expect("a folder");
                 fs::write(&path, svg).expect("it is written");
             } else if fs::read_to_string(&path).ok() != Some(svg) {
                 faults.push(format!("{page}: {name} is not what its program gives"));
@@ -102,8 +112,7 @@ fn each_picture_is_what_its_program_gives() {
         }
     }
     assert!(faults.is_empty(), "{}\nAPTC_BLESS=formats draws them anew", faults.join("\n"));
-    let there = fs::read_dir(folder().join("pictures")).expect("the folder is there").flatten();
-    for entry in there {
+    for entry in fs::read_dir(folder).expect("the folder is there").flatten() {
         let name = entry.file_name().to_string_lossy().into_owned();
         let known = drawn.contains(&name);
         if bless && !known {
@@ -112,5 +121,5 @@ fn each_picture_is_what_its_program_gives() {
             assert!(known, "no page shows {name}");
         }
     }
-    assert!(drawn.len() >= 100, "only {} pictures", drawn.len());
+    drawn.len()
 }

@@ -25,7 +25,8 @@ pub(crate) fn svg(scene: &Scene) -> String {
         shapes
     };
     let others = scene.others.iter().map(|form| {
-        let item = Item { name: String::new(), form: form.clone(), foot: scene.result.foot };
+        let item =
+            Item { name: String::new(), form: form.clone(), foot: scene.result.foot, path: None };
         shape::shape(&item, Some(&room), flat)
     });
     let others: Vec<Shape> = others.collect();
@@ -105,6 +106,13 @@ fn has_matrix(scene: &Scene) -> bool {
 
 /// The box of space that the picture is about.
 fn room(scene: &Scene, flat: bool) -> Bounds {
+    if let Some(path) = &scene.result.path {
+        let rings = path.stops.iter().map(|(p, r)| (p, Vec3::new(*r, *r, 0.0)));
+        let rings = rings.flat_map(|(p, r)| [p - r, p + r]);
+        let seen = shape::core(&scene.result).into_iter().chain(rings);
+        let bounds = Bounds::of(seen).expect("a path has points");
+        return bounds.grown(Vec3::new(1.0, 1.0, 0.0) * (bounds.size().amax() * 0.06));
+    }
     let letter = shape::letter().into_iter().filter(|_| has_matrix(scene));
     let own = scene.items().flat_map(shape::core).chain([Vec3::zeros()]).chain(crossings(scene));
     let own = own.chain(letter).chain(sheet(scene, flat));
@@ -116,7 +124,12 @@ fn room(scene: &Scene, flat: bool) -> Bounds {
         out.amax() < 0.45 * lean
     };
     let others = scene.others.iter().map(|form| {
-        shape::core(&Item { name: String::new(), form: form.clone(), foot: scene.result.foot })
+        shape::core(&Item {
+            name: String::new(),
+            form: form.clone(),
+            foot: scene.result.foot,
+            path: None,
+        })
     });
     let bounds = others.filter(|p| p.iter().all(near)).fold(bounds, Bounds::with);
     if flat {
@@ -291,7 +304,8 @@ fn arrow(out: &mut String, foot: Vec2, head: Vec2, kind: &str) {
     }
     let u = way / length;
     let (long, wide): (f64, f64) = if kind == "r" { (12.0, 4.5) } else { (9.0, 3.2) };
-    let neck = head - u * long.min(length);
+    let neck = head - u * long;
+    let foot = if length > long { foot } else { neck };
     let side = Vec2::new(-u.y, u.x) * wide;
     let at = |p: Vec2| format!("{} {}", number(p.x), number(p.y));
     writeln!(
@@ -334,7 +348,9 @@ fn names(view: &View, flat: bool, shapes: &[(Shape, &Item)]) -> Vec<Wanted> {
                 wanted.push(Wanted { text, anchors: vec![view.at(*p)], class: "gl", gap: 4.0 });
             }
         }
-        wanted.push(Wanted { text: item.name.clone(), anchors, class, gap });
+        if !item.name.is_empty() {
+            wanted.push(Wanted { text: item.name.clone(), anchors, class, gap });
+        }
     }
     wanted
 }

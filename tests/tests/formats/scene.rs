@@ -6,6 +6,8 @@ use std::sync::Arc;
 use aptc_control::{Memory, Named, Options, Source, Verify};
 use aptc_geometry::{Form, Vec3};
 
+use super::motion::Path;
+
 /// A named form and where it is drawn when it has no place of its own.
 pub(crate) struct Item {
     /// Its name.
@@ -14,6 +16,8 @@ pub(crate) struct Item {
     pub(crate) form: Arc<Form>,
     /// Foot of a vector.
     pub(crate) foot: Vec3,
+    /// The way of a tool, in place of the form.
+    pub(crate) path: Option<Path>,
 }
 
 /// What a picture shows.
@@ -48,8 +52,12 @@ impl Scene {
         let last = last_name(program).ok_or("the program defines nothing")?;
         let (mut given, mut result) = (Vec::new(), None);
         for (name, form) in &forms {
-            let item =
-                Item { name: name.clone(), form: form.clone(), foot: foot(program, name, &forms) };
+            let item = Item {
+                name: name.clone(),
+                form: form.clone(),
+                foot: foot(program, name, &forms),
+                path: None,
+            };
             if *name == last { result = Some(item) } else { given.push(item) }
         }
         let result = result.ok_or(format!("{last} is not geometry"))?;

@@ -7,6 +7,7 @@ use aptc_geometry::{
 };
 
 use super::contour;
+use super::motion::Path;
 use super::scene::Item;
 use super::view::Bounds;
 
@@ -43,6 +44,7 @@ impl Shape {
 /// The points that an item certainly wants in its picture: all of what ends, little of what does not.
 pub(crate) fn core(item: &Item) -> Vec<Vec3> {
     match item.form.shape() {
+        _ if item.path.is_some() => shape(item, None, true).points().collect(),
         Form::Line(_) | Form::Plane(_) => Vec::new(),
         Form::Cylinder(c) => {
             let ends = [-1.0, 1.0].map(|s| c.point + c.axis * (s * 1.4 * c.radius));
@@ -60,6 +62,10 @@ const CONE_HEIGHT: f64 = 30.0;
 /// What is drawn of the item. What has no end goes to the box `room`; `flat` when seen from the top.
 pub(crate) fn shape(item: &Item, room: Option<&Bounds>, flat: bool) -> Shape {
     let mut s = Shape::default();
+    if let Some(path) = &item.path {
+        way(&mut s, path);
+        return s;
+    }
     match item.form.shape() {
         Form::Point(p) => s.dots.push(*p),
         Form::Vector(v) => s.arrows.push((item.foot, item.foot + v, "")),
@@ -102,7 +108,12 @@ pub(crate) fn shape(item: &Item, room: Option<&Bounds>, flat: bool) -> Shape {
         }
         Form::Solid(solid) => {
             for (form, _) in &solid.parts {
-                let part = Item { name: String::new(), form: form.clone().into(), foot: item.foot };
+                let part = Item {
+                    name: String::new(),
+                    form: form.clone().into(),
+                    foot: item.foot,
+                    path: None,
+                };
                 let part = shape(&part, room, flat);
                 s.curves.extend(part.curves);
                 s.relief.extend(part.relief);
@@ -116,6 +127,22 @@ pub(crate) fn shape(item: &Item, room: Option<&Bounds>, flat: bool) -> Shape {
 
 /// How far a surface along an axis goes without an end of its own.
 const SWEPT: f64 = 30.0;
+
+/// The path with an arrow on each way, the cutter where a motion ends, and where it begins.
+fn way(s: &mut Shape, path: &Path) {
+    s.curves.clone_from(&path.feed);
+    s.relief.clone_from(&path.rapid);
+    s.relief.extend(path.stops.iter().map(|(p, radius)| ring(*p, Vec3::z(), *radius)));
+    for points in &path.feed {
+        let longest =
+            points.windows(2).max_by(|a, b| (a[1] - a[0]).norm().total_cmp(&(b[1] - b[0]).norm()));
+        let whole: f64 = points.windows(2).map(|p| (p[1] - p[0]).norm()).sum();
+        if let Some([p, q]) = longest.filter(|_| whole > 4.0) {
+            s.arrows.push((*p, p.lerp(q, 0.5), ""));
+        }
+    }
+    s.dots.extend(path.start);
+}
 
 fn share(i: u32, n: u32) -> f64 {
     f64::from(i) / f64::from(n)

@@ -67,7 +67,8 @@ pub(crate) fn is_flat(scene: &Scene) -> bool {
     forms.into_iter().all(|form| plane_form(form))
 }
 
-fn plane_form(form: &Form) -> bool {
+/// Does the form lie in the xy plane, or stand upright on it?
+pub(crate) fn plane_form(form: &Form) -> bool {
     let upright = |v: Vec3| v.xy().norm() < 1e-9;
     let level = |p: &Vec3| p.z.abs() < 1e-9;
     match form.shape() {
