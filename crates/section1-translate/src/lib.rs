@@ -33,6 +33,7 @@ mod options;
 mod program;
 mod report;
 mod statement;
+mod usage;
 mod words;
 
 pub use files::{Asker, FileError, FileRequest, Files, LoadedFile, NoFiles};

@@ -6,6 +6,7 @@ use aptc_vocabulary::{Class, Dialect, Word, closest, find};
 
 use crate::define;
 use crate::statement::{fate, statement_shapes};
+use crate::usage::usage;
 
 /// A page about a word in Markdown; `None` for what is no word.
 ///
@@ -22,6 +23,7 @@ pub fn about(text: &str) -> Option<String> {
     }
     let mut formats = define::formats(word);
     formats.extend(statement_shapes(word));
+    formats.extend(usage(word).iter().map(|form| (*form).to_owned()));
     if !formats.is_empty() {
         page += "\n```\n";
         for format in formats {

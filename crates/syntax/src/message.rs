@@ -180,6 +180,9 @@ impl Failed<'_> {
             Form::Macro => return Some("a macro begins name=MACRO/parameter,parameter".to_owned()),
             _ => {}
         }
+        if i.checked_sub(1).is_some_and(|n| self.is_slash(n) && self.is_slash(i)) {
+            return Some("a comment begins with `$$`".to_owned());
+        }
         let goes_on =
             matches!(at, Some(Token::Comma | Token::Slash | Token::Close | Token::Operator(_)));
         if i == 0 && goes_on {
@@ -232,6 +235,13 @@ impl Failed<'_> {
         self.tokens.iter().position(|t| t.0 == Token::Equal)
     }
 
+    /// Is token `i` written `/`?
+    fn is_slash(&self, i: usize) -> bool {
+        self.tokens.get(i).is_some_and(|(_, span)| {
+            self.source.get(span.start as usize..span.end as usize) == Some("/")
+        })
+    }
+
     /// Help for a mistake at or right behind the word at the head.
     fn help_with_head(&self, i: usize) -> Option<String> {
         if self.form != Form::Clauses {
@@ -240,6 +250,12 @@ impl Failed<'_> {
         let heads_only = !self.tokens[..i].iter().any(|t| t.0 == Token::Slash);
         let head = self.name(0)?;
         let Some(word) = head.word else {
+            let mut letters = self.spelling(0).chars();
+            if matches!(letters.next(), Some('G' | 'M'))
+                && letters.next().is_some_and(|c| c.is_ascii_digit())
+            {
+                return Some("this is machine code; APT moves the tool by GOTO/x,y,z".to_owned());
+            }
             let meant = closest(self.spelling(0), is_head)?;
             return Some(format!("did you mean {meant}?"));
         };

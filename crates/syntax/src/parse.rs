@@ -39,7 +39,7 @@ struct Pending {
 enum Content {
     Ready(Box<Body>),
     Tokens(Range<usize>, Form),
-    Fault(Box<Diagnostic>, Option<Name>),
+    Fault(Box<Diagnostic>, Names),
 }
 
 /// A statement that ended before it was complete, most likely for want of a `$`.
@@ -140,7 +140,7 @@ impl Run<'_> {
         for Pending { isn, line, span, label, content, warning } in pending.drain(..) {
             let read = match content {
                 Content::Ready(body) => Ok(*body),
-                Content::Fault(fault, defines) => Err((*fault, defines)),
+                Content::Fault(fault, names) => Err((*fault, names)),
                 Content::Tokens(range, form) => {
                     let tokens = &tokens[range];
                     let end = SimpleSpan::from(span.end..span.end);
@@ -156,7 +156,7 @@ impl Run<'_> {
                         }
                     };
                     match (fault, result.into_output()) {
-                        (Some(fault), _) => Err((fault, defines(self.file, tokens))),
+                        (Some(fault), _) => Err((fault, names(self.file, tokens))),
                         (None, body) => Ok(body.unwrap_or(Body::Empty)),
                     }
                 }
@@ -166,9 +166,9 @@ impl Run<'_> {
                     self.parsed.diagnostics.extend(warning);
                     body
                 }
-                Err((fault, defines)) => {
+                Err((fault, (defines, within))) => {
                     self.tell(fault, isn, span);
-                    Body::Error { defines }
+                    Body::Error { defines, within }
                 }
             };
             self.parsed.program.statements.push(Statement { span, line, isn, label, body });
@@ -284,9 +284,9 @@ impl Run<'_> {
             fault = shape::check(self.file, statement, &heads, depth, &mut self.levels);
         }
         let content = if let Some(fault) = fault {
-            let defines = defines(self.file, statement);
+            let names = names(self.file, statement);
             lists.tokens.truncate(from);
-            Content::Fault(Box::new(fault), defines)
+            Content::Fault(Box::new(fault), names)
         } else if statement.is_empty() {
             Content::Ready(Box::new(Body::Empty))
         } else {
@@ -361,6 +361,31 @@ fn other_dialect(file: FileId, percents: &[Range<u32>]) -> Option<Diagnostic> {
         Diagnostic::error(codes::NCL_COMMENT, span, message)
             .help("begin comments with `$$`; this file may have been written for NCL"),
     )
+}
+
+/// The names that a statement in error would have defined: the one left of its `=`, and those within.
+type Names = (Option<Name>, Box<[Name]>);
+
+fn names(file: FileId, tokens: &[Spanned]) -> Names {
+    (defines(file, tokens), within(file, tokens))
+}
+
+/// Names of definitions in brackets, `(P1=POINT/..`, and of the variable of a DO whose slash is missing.
+fn within(file: FileId, tokens: &[Spanned]) -> Box<[Name]> {
+    let name = |i: usize| match *tokens.get(i)? {
+        (Token::Name(symbol, word), span) => {
+            Some(Name { symbol, word, span: Span::new(file, span.start, span.end) })
+        }
+        _ => None,
+    };
+    let is = |i: usize, token: Token| tokens.get(i).is_some_and(|t| t.0 == token);
+    let bracketed = (1..tokens.len())
+        .filter(|i| is(i - 1, Token::Open) && is(i + 1, Token::Equal))
+        .filter_map(name);
+    // `DO 20, I=1,6`: blanks mean nothing, so it begins with the name DO20.
+    let counted =
+        (name(0).is_some() && is(1, Token::Comma) && is(3, Token::Equal)).then(|| name(2));
+    bracketed.chain(counted.flatten()).collect()
 }
 
 /// The symbol that a statement in error would have defined.

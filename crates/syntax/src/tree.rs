@@ -102,11 +102,13 @@ pub enum Body {
         step: Option<Box<Expr>>,
     },
     /// `SYN/new,old,...`, `JUMPTO/label`, `TRANTO/label` and so on are clauses. This one could not be
-    /// read; a diagnostic was given, or that of the statement before stands for both. `defines` is the symbol that it would have defined, so that its users
-    /// stay silent.
+    /// read; a diagnostic was given, or that of the statement before stands for both. The names are those that it would have defined, so that their
+    /// users stay silent.
     Error {
         /// Name left of `=`.
         defines: Option<Name>,
+        /// Names of definitions in brackets, and of the variable of a DO.
+        within: Box<[Name]>,
     },
 }
 

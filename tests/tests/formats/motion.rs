@@ -67,9 +67,9 @@ fn path(compiled: &Compiled) -> Path {
                 } else {
                     let way: Vec<Vec3> = here.into_iter().chain(points).collect();
                     if rapid {
-                        path.rapid.push(way)
+                        path.rapid.push(way);
                     } else {
-                        path.feed.push(way)
+                        path.feed.push(way);
                     }
                     rapid = false;
                 }

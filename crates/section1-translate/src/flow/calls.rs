@@ -131,9 +131,13 @@ impl Interpreter<'_> {
         let mut known = Ok(());
         for arg in args {
             let twice = args.iter().take_while(|a| a.name.span != arg.name.span);
+            let again = twice.into_iter().any(|a| a.name.symbol == arg.name.symbol);
             if !params.iter().any(|p| p.name.symbol == arg.name.symbol) {
-                known = Err(self.no_parameter(macro_name, params, arg));
-            } else if twice.into_iter().any(|a| a.name.symbol == arg.name.symbol) {
+                // Arguments without a name are one mistake, however many there are.
+                let told = again && self.interner.text(arg.name.symbol).is_empty();
+                known =
+                    Err(if told { Poisoned } else { self.no_parameter(macro_name, params, arg) });
+            } else if again {
                 let text = self.interner.text(arg.name.symbol).to_owned();
                 self.error(
                     Diagnostic::error(
@@ -230,6 +234,12 @@ impl Interpreter<'_> {
         let help = match (arg.value.is_none(), names.is_empty()) {
             (_, true) => format!("{name} has no parameters"),
             (true, _) => format!("write parameter=value; the parameters are {names}"),
+            (false, _) if text.is_empty() => {
+                format!(
+                    "write CALL/{name},{}=..; the parameters are {names}",
+                    names.split(',').next().unwrap_or_default()
+                )
+            }
             (false, _) => format!("the parameters are {names}"),
         };
         self.error(

@@ -38,9 +38,11 @@ pub(super) fn targets(body: &Body, take: &mut impl FnMut(Symbol)) {
             targets(then, take);
         }
         Body::Do { variable, .. } => take(variable.symbol),
-        Body::Error { defines: Some(name) } => take(name.symbol),
+        Body::Error { defines, within } => {
+            defines.iter().chain(within).for_each(|name| take(name.symbol));
+        }
         Body::If { value, .. } => in_expr(value, take),
-        Body::Empty | Body::Text { .. } | Body::Macro { .. } | Body::Error { defines: None } => {}
+        Body::Empty | Body::Text { .. } | Body::Macro { .. } => {}
     }
 }
 

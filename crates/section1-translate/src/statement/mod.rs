@@ -50,11 +50,15 @@ impl Interpreter<'_> {
                 Ok(false) => {}
                 Err(Poisoned) => self.state.doubt.paths = true,
             },
-            Body::Error { defines: Some(name) } => {
-                let place = self.memory.place(name.symbol);
-                self.memory.set(place, Value::Poison, name.span);
+            Body::Error { defines, within } => {
+                for name in defines.iter().chain(within) {
+                    let place = self.memory.place(name.symbol);
+                    self.memory.set(place, Value::Poison, name.span);
+                }
+                if defines.is_none() {
+                    self.fail();
+                }
             }
-            Body::Error { defines: None } => self.fail(),
             // These have roles of their own in the plan.
             Body::Macro { .. } | Body::If { .. } | Body::Do { .. } => {}
         }

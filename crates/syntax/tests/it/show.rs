@@ -61,7 +61,7 @@ fn body(body: &Body, i: &Interner) -> String {
             let (label, variable) = (name(*label, i), name(*variable, i));
             format!("do {label} {variable}={}..{}{step}", expr(first, i), expr(last, i))
         }
-        Body::Error { defines } => {
+        Body::Error { defines, .. } => {
             format!("error {}", defines.map(|n| name(n, i)).unwrap_or_default())
         }
     }
