@@ -406,6 +406,9 @@ fn parameters_of_the_place_found_last() {
 fn what_needs_other_files_is_refused_by_name() {
     assert_eq!(mistake("P=POINT/CLDATA,1,TP,3"), (1303, 7));
     assert_eq!(mistake("V=VECTOR/CLDATA,1"), (1303, 7));
+    assert_eq!(mistake("P=POINT/CLDATF,3"), (1303, 7));
+    assert_eq!(mistake("N=NUMF(CLDATA)"), (1303, 7));
+    assert_eq!(mistake("N=NUMF(CLDATF)"), (1303, 7));
     assert_eq!(mistake("S=SSURF/FETCH,5"), (1303, 7));
     assert_eq!(mistake("X=CLDATF(1)"), (1056, 7));
 }

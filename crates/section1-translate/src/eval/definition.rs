@@ -87,7 +87,7 @@ impl Interpreter<'_> {
         };
         let args: Vec<define::Arg> = args?.into_iter().map(define::Arg::from).collect();
         let refused = args.first().and_then(|a| match a.value {
-            define::Value::Word(word::CLDATA) => Some("translation does not have cut vectors"),
+            define::Value::Word(word::CLDATA | word::CLDATF) => Some(super::NO_CUT_VECTORS),
             define::Value::Word(word::FETCH) => Some("saved surfaces are read by READ/1,name"),
             _ => None,
         });

@@ -4,10 +4,10 @@ use std::sync::Arc;
 
 use aptc_diagnostics::{Diagnostic, Span, codes};
 use aptc_geometry::{Form, Vec3, trig};
-use aptc_syntax::tree::Expr;
+use aptc_syntax::tree::{Expr, ExprKind, Name};
 use aptc_vocabulary::{Word, word};
 
-use super::{Known, Poisoned};
+use super::{Known, NO_CUT_VECTORS, Poisoned};
 use crate::Interpreter;
 use crate::memory::Value;
 
@@ -123,6 +123,12 @@ impl Interpreter<'_> {
     /// Number of points of a pattern.
     fn points_of(&mut self, args: &[Expr]) -> Known<f64> {
         let expr = &args[0];
+        if let ExprKind::Name(Name { word: Some(word::CLDATA | word::CLDATF), .. }) = expr.kind {
+            let message = "this form of NUMF is not carried out";
+            let refused = Diagnostic::error(codes::REFUSED_WORD, expr.span, message);
+            self.error(refused.note(NO_CUT_VECTORS));
+            return Err(Poisoned);
+        }
         let form = self.form(expr, "a pattern")?;
         if let Some(parts) = self.parts_of(&form, args) {
             return parts;
