@@ -60,6 +60,10 @@ impl Post {
     /// One position of a cycle.
     pub(crate) fn hole(&mut self, p: &Position, origin: &Origin) {
         let Some(cycle) = self.st.cycle.clone() else { return };
+        if self.threads(&cycle) {
+            self.thread_cycle(&cycle, p, origin);
+            return;
+        }
         let at = self.st.point(p.te);
         if self.joints(at, p.ta, origin).is_none() {
             return;
@@ -104,6 +108,11 @@ impl Post {
         self.count_hole(&hole, feed, origin);
         self.st.pos = Some(hole.point(hole.retract));
         self.st.ta = p.ta;
+    }
+
+    /// Is it a thread that a lathe cuts with a single point?
+    fn threads(&self, cycle: &DrillCycle) -> bool {
+        cycle.kind == "THREAD" && !self.machine.turning.thread.is_empty()
     }
 
     fn heights(&mut self, cycle: &DrillCycle, at: Vec3, ta: Vec3, origin: &Origin) -> Option<Hole> {

@@ -47,6 +47,7 @@ mod roundtrip;
 mod setup;
 mod state;
 mod stock;
+mod threading;
 mod turning;
 mod words;
 

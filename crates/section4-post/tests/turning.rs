@@ -142,3 +142,34 @@ fn a_dog_leg_leaves_the_part_across_and_comes_to_it_along() {
     assert_eq!(tail[0..2], ["Z-10.", "X32."], "{nc}");
     assert_eq!(tail[3..5], ["G0 X34.", "Z5."], "{nc}");
 }
+
+#[test]
+fn a_thread_by_its_cycle_is_cut_in_passes_outside_and_in_a_nut() {
+    let ready = "UNITS/MM\nTURRET/5\nSPINDL/500,RPM,CLW\nCOOLNT/ON\nFEDRAT/.2,MMPR\nFROM/30,0,50\n";
+    let cycle = "CYCLE/THREAD,DEPTH,.9,STEP,.3,MMPR,1.5,CLEAR,1\n";
+    for (start, end, first, last, clear) in [
+        ("14,0,4", "12,0,-20", "X23.4", "X22.2", "X26"),
+        ("9,0,4", "10,0,-20", "X20.6", "X21.8", "X18"),
+    ] {
+        let text = format!(
+            "{ready}RAPID\nGOTO/{start}\n{cycle}GOTO/{end}\nCYCLE/OFF\nRAPID\nGOTO/30,0,50\nFINI"
+        );
+        let nc = good("linuxcnc-lathe", &text);
+        assert_eq!(nc.matches("G33 Z-20 K1.5").count(), 9, "{nc}");
+        for word in [first, last, clear] {
+            assert!(nc.lines().any(|l| l.ends_with(word)), "{word}\n{nc}");
+        }
+        assert!(rs274(&nc).is_none_or(|r| r.is_ok()), "{nc}");
+        let fanuc = good("fanuc-0i-lathe", &text);
+        assert_eq!(fanuc.matches("G32 Z-20. F1.5").count(), 9, "{fanuc}");
+    }
+    let bad = |cycle: &str, end: &str| {
+        errors("linuxcnc-lathe", &format!("{ready}RAPID\nGOTO/12,0,4\n{cycle}\nGOTO/{end}\nFINI"))
+    };
+    assert_eq!(bad("CYCLE/THREAD,DEPTH,.9,MMPR,1.5,CLEAR,1", "10,0,-9"), ["APT4005"]);
+    assert_eq!(bad(cycle.trim(), "12,0,-9"), ["APT4027"]);
+    // A mill has no such cycle.
+    let mill =
+        format!("UNITS/MM\nLOADTL/1\nSPINDL/500\nFEDRAT/9\nGOTO/0,0,9\n{cycle}GOTO/0,0,0\nFINI");
+    assert_eq!(errors("linuxcnc-mill", &mill), ["APT4006"]);
+}

@@ -1,12 +1,13 @@
 //! What the CL data asks for, put in the queue record by record.
 
-use aptc_cldata::{Arg, Course, Kind, Motion, MotionKind, Record};
+use aptc_cldata::{Arg, Course, Kind, Motion, MotionKind, Position, Record};
 use aptc_geometry::{Circle, Plane, Vec3, trig};
 
 use super::{Checker, Expect, Hole};
 use crate::args::Statement;
 use crate::drill::DrillCycle;
 use crate::index::{Index, wanted};
+use crate::threading::{passes, stops};
 use crate::words::arcslp;
 
 impl Checker {
@@ -103,6 +104,21 @@ impl Checker {
         self.queue.push_back(Expect::Home);
     }
 
+    /// The passes of a thread.
+    fn thread(&mut self, cycle: &DrillCycle, p: &Position) {
+        let mm = self.units.mm();
+        let (end, ta) = self.seen(p.te, p.ta);
+        let depths = passes(cycle.depth * mm, cycle.step.unwrap_or(0.0) * mm);
+        let clear = cycle.clear.unwrap_or(0.0) * mm;
+        let Some((depths, (from, _))) = depths.zip(self.planned) else { return };
+        for (te, i) in stops(from, end, clear, &depths).unwrap_or_default().into_iter().zip(0_u32..)
+        {
+            let rapid = i % 4 != 1;
+            self.queue.push_back(Expect::Point { te, ta, rapid, via: false, round: false });
+            self.planned = Some((te, ta));
+        }
+    }
+
     fn seen_circle(&self, circle: &Circle, ta: Vec3) -> (Vec3, Vec3) {
         let (center, _) = self.seen(circle.center, ta);
         let (tip, _) = self.seen(circle.center + circle.axis, ta);
@@ -146,6 +162,10 @@ impl Checker {
             && m.arc.is_none()
         {
             let cycle = cycle.clone();
+            if cycle.kind == "THREAD" && !self.machine.turning.thread.is_empty() {
+                m.points.iter().for_each(|p| self.thread(&cycle, p));
+                return;
+            }
             for p in &m.points {
                 let (te, ta) = self.seen(p.te, p.ta);
                 if let Some(hole) = self.hole(&cycle, te, ta) {
