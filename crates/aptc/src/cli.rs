@@ -349,6 +349,8 @@ pub(crate) enum Emit {
     Svg,
     /// Picture of the first motion that failed, X.diagram.svg
     Diagram,
+    /// What regional milling leaves on its part surfaces or cuts into them, X.deviation.svg
+    Deviation,
     /// Canonical forms of all named geometry, X.geometry.json
     Geometry,
 }

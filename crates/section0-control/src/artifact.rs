@@ -31,6 +31,8 @@ pub enum Artifact {
     Svg,
     /// Canonical forms, `geometry.json`.
     Geometry,
+    /// What regional milling leaves on its part surfaces or cuts into them, `deviation.svg`.
+    Deviation,
     /// A picture of the situation in which the first motion failed, `diagram.svg`.
     Diagram,
 }
@@ -68,6 +70,11 @@ impl Compiled {
             Artifact::Geometry => {
                 let items = self.geometry.iter().map(|(n, v)| (n.as_str(), v));
                 one("geometry.json", geometry_json(items).into_bytes())
+            }
+            Artifact::Deviation if whole => {
+                let records = self.parts.iter().flat_map(|p| &p.computed);
+                let svg = aptc_verify::deviation_svg(records);
+                svg.map_or_else(Vec::new, |s| one("deviation.svg", s.into_bytes()))
             }
             Artifact::Diagram => {
                 let situation = self.situation.iter();

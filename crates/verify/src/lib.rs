@@ -8,6 +8,7 @@ mod bound;
 mod certificate;
 mod curved;
 mod demand;
+mod deviation;
 mod foreign;
 mod free;
 mod inside;
@@ -26,5 +27,6 @@ mod verifier;
 mod witness;
 
 pub use certificate::{Certificate, Fault, StatementProof, SurfaceBound};
+pub use deviation::deviation_svg;
 pub use foreign::{Marks, Matched, matched};
 pub use verifier::{Effort, Verifier};

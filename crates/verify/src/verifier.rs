@@ -13,6 +13,8 @@ use crate::free::{Free, Rapid};
 use crate::judged::Judged;
 use crate::sheet::Sheet;
 
+pub(crate) use milling::ways;
+
 /// Allowance for rounding as a share of the size of the scene: what is proved is proved of a band wider by
 /// this. Positions are solved to 1e-12 of the scene.
 const ROUNDING: f64 = 1e-11;

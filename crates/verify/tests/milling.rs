@@ -7,7 +7,7 @@ use aptc_cldata::{Control, Kind, Motion, MotionKind, NameRef, Position, Record};
 use aptc_diagnostics::{Diagnostic, Origin, codes};
 use aptc_geometry::sculpt::{SplinePoint, mesh};
 use aptc_geometry::{Cutter, Sculptured, Vec3, trig};
-use aptc_verify::{Certificate, Effort, Verifier};
+use aptc_verify::{Certificate, Effort, Verifier, deviation_svg};
 
 const BAND: f64 = 0.01;
 
@@ -39,7 +39,7 @@ fn milling(surface: &Arc<Sculptured>, scallop: Option<f64>) -> Milling {
     }
 }
 
-fn judge(milling: Milling, points: Vec<Position>) -> (Certificate, Vec<Diagnostic>) {
+fn records(milling: Milling, points: Vec<Position>) -> [Record; 2] {
     let record = |kind| Record { origin: Origin::default(), kind };
     let control = Control { milling: Some(milling), ..Control::default() };
     let motion = Motion {
@@ -48,9 +48,12 @@ fn judge(milling: Milling, points: Vec<Position>) -> (Certificate, Vec<Diagnosti
         control: Some(Arc::new(control)),
         ..Motion::default()
     };
+    [record(Kind::Cutter(Cutter::mill(10.0, 5.0, 40.0))), record(Kind::Motion(motion))]
+}
+
+fn judge(milling: Milling, points: Vec<Position>) -> (Certificate, Vec<Diagnostic>) {
     let mut verifier = Verifier::new(Effort::Full);
-    verifier.push(&record(Kind::Cutter(Cutter::mill(10.0, 5.0, 40.0))));
-    verifier.push(&record(Kind::Motion(motion)));
+    records(milling, points).iter().for_each(|r| verifier.push(r));
     verifier.finish()
 }
 
@@ -150,4 +153,21 @@ fn a_ball_that_stands_on_a_wave_with_turning_axis_is_proved() {
     assert!(c.is_proved(), "{said:?}");
     let path: Vec<Position> = (1..60).map(|i| place(f64::from(i) / 3.0, 2.0 * BAND)).collect();
     assert_eq!(judge(milling(&wave, None), path).0.refuted, 59);
+}
+
+#[test]
+fn the_map_shows_what_is_cut_and_what_is_left() {
+    let flat = square(|_, _| 0.0);
+    let path = |low: f64| {
+        let mut points = passes(1.0, 0.0);
+        (points[20][2], points[21][2]) = (low, low);
+        deviation_svg(&records(milling(&flat, Some(0.05)), upright(&points))).expect("a map")
+    };
+    let (green, pale, red) = ("#66bd63", "#c7e9b4", "#a50026");
+    let good = path(0.0);
+    assert!(good.contains(green) && good.contains(pale) && !good.contains(red));
+    assert!(good.contains("FLOOR over u and v: deviation 0.0"), "{}", &good[..400]);
+    let deep = path(-0.1);
+    assert!(deep.contains(red) && deep.contains("deviation -0.1"), "{}", &deep[..400]);
+    assert!(deviation_svg(&[]).is_none());
 }

@@ -176,6 +176,7 @@ fn write_artifacts(
             Emit::Lst => Artifact::Listing,
             Emit::Svg => Artifact::Svg,
             Emit::Geometry => Artifact::Geometry,
+            Emit::Deviation => Artifact::Deviation,
             Emit::Diagram => Artifact::Diagram,
         };
         for (ending, bytes) in compiled.artifact(artifact, args.keep_going) {
