@@ -147,6 +147,11 @@ pub fn distance(
     start: Option<Vec3>,
 ) -> Result<Gap, Reason> {
     match condition {
+        // A tool without size touches where its end is.
+        Condition::Touch if tool.profile.reach() == 0.0 => {
+            let at = on(tool.te, surface, side);
+            Ok(Gap { g: at.raw - thick, ..at })
+        }
         Condition::Touch => gap_near(tool, surface, side, thick, start),
         Condition::On => Ok(on(tool.te, surface, side)),
     }

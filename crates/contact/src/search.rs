@@ -57,7 +57,13 @@ pub(crate) fn general(
     if hollow {
         return rings::within(tool, |p| turned(surface.foot(p), side));
     }
-    let seeds = seeds(tool, surface, side);
+    if let Some(gap) = round
+        && !has_side(tool)
+    {
+        // Nothing but the arc can touch.
+        return Ok(gap);
+    }
+    let seeds = seeds(tool, surface, side, round.is_some());
     let mut best: Option<Gap> = round;
     let mut failure = Reason::NoHit;
     for q in seeds.into_iter().flatten() {
@@ -125,18 +131,26 @@ fn round(tool: &Tool<'_>, surface: &Surface, side: Side) -> Option<Gap> {
     })
 }
 
+/// Has the cutter an upper line of any length?
+fn has_side(tool: &Tool<'_>) -> bool {
+    let [_, [ru, zu]] = tool.profile.joints();
+    let rim = [tool.profile.top_radius() - ru, tool.profile.height() - zu];
+    rim[0].abs() + rim[1].abs() > 1e-12 * tool.profile.reach()
+}
+
 /// Greatest number of seeds that are searched from.
 const SEEDS: usize = 4;
 
 /// Surface points below the lowest stations around the tool: the local minima over the stations, the lowest
-/// of them.
-fn seeds(tool: &Tool<'_>, surface: &Surface, side: Side) -> [Option<Vec3>; SEEDS] {
+/// of them. Where the place of the arc is known, only stations on the cutter's side.
+fn seeds(tool: &Tool<'_>, surface: &Surface, side: Side, arc: bool) -> [Option<Vec3>; SEEDS] {
     let profile = tool.profile;
     let [[rl, zl], [ru, zu]] = profile.joints();
     let mid = |a: [f64; 2], b: [f64; 2]| [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])];
     let (lower, upper) = ([rl, zl], [ru, zu]);
     let rim = [profile.top_radius(), profile.height()];
-    let stations = [lower, upper, rim, mid(upper, rim), mid(lower, [0.0, profile.bottom()])];
+    let stations = [rim, mid(upper, rim), upper, lower, mid(lower, [0.0, profile.bottom()])];
+    let stations = &stations[..if arc { 2 } else { stations.len() }];
     let [a, b] = aptc_geometry::surface::frame_about(tool.ta);
     let at = |rho: f64, z: f64, turn: usize| {
         let out = a * COS12[turn] + b * COS12[(turn + 9) % AROUND];
@@ -152,9 +166,11 @@ fn seeds(tool: &Tool<'_>, surface: &Surface, side: Side) -> [Option<Vec3>; SEEDS
             }
         }
     };
-    let (value, q) = at(0.0, profile.bottom(), 0);
-    offer(value, q);
-    for (i, [rho, z]) in stations.into_iter().enumerate() {
+    if !arc {
+        let (value, q) = at(0.0, profile.bottom(), 0);
+        offer(value, q);
+    }
+    for (i, [rho, z]) in stations.iter().copied().enumerate() {
         if i > 0 && stations[..i].contains(&[rho, z]) {
             continue;
         }

@@ -4,8 +4,9 @@ use std::sync::Arc;
 
 use aptc_cldata as cl;
 use aptc_diagnostics::Origin;
+use aptc_geometry::{Cutter, FormKind};
 use aptc_protap as protap;
-use aptc_protap::{Direction, Outcome, SurfaceRef};
+use aptc_protap::{Direction, Outcome, Relation, SurfaceRef};
 
 use crate::arelem::Arelem;
 use crate::diagram::Situation;
@@ -28,6 +29,7 @@ impl Arelem {
             return Outcome::Failed;
         }
         let Some(tool) = self.tool else { return self.fail(origin, &Failure::NoPosition) };
+        self.need_cutter(origin, go.surfaces.iter().map(|s| &s.1));
         let start = match self.start_scene(go, tool) {
             Ok(start) => start,
             Err(f) => return self.fail(origin, &f),
@@ -36,6 +38,13 @@ impl Arelem {
             Some(result) => result,
             None => space::start(&start),
         };
+        for (i, (relation, surface)) in go.surfaces.iter().enumerate() {
+            let sided = start.normals.get(i).copied().flatten().is_some();
+            let asks = matches!(relation, Relation::To | Relation::Past) && !sided;
+            if asks && self.between_sides(surface, start.surfaces.get(i), &tool) {
+                self.diagnostics.push(failure::no_side(origin, surface));
+            }
+        }
         let path = match result {
             Ok(path) => path,
             Err(f) => {
@@ -47,6 +56,9 @@ impl Arelem {
         if let Some((_, surface)) = go.surfaces.get(1) {
             self.settings.part = Part::Surface(surface.clone());
             self.settings.nops = false;
+        }
+        if let Some((relation, _)) = go.surfaces.first() {
+            self.settings.start_side(*relation == Relation::On);
         }
         let name = go.surfaces.first().map(|(_, s)| forward::name(&s.name)).unwrap_or_default();
         self.arrive(origin, cl::MotionKind::Startup, name, path, out)
@@ -64,6 +76,9 @@ impl Arelem {
         }
         let Some(tool) = self.tool else { return self.fail(origin, &Failure::NoPosition) };
         self.settings.given = None;
+        let part = self.part(&tool);
+        let checks = d.checks.iter().map(|c| &c.surface);
+        self.need_cutter(origin, [&d.drive, &part].into_iter().chain(checks));
         let result = self.scene(d, tool).and_then(|scene| {
             match self.plane_allowed(&scene.axis).then(|| plane::run(&scene)).flatten() {
                 Some(result) => result,
@@ -91,6 +106,22 @@ impl Arelem {
                 self.picture(&f, &tool, all);
                 self.fail(origin, &f)
             }
+        }
+    }
+
+    /// Along sculptured surfaces a missing CUTTER stands for a point, as in APT4; the message says so once.
+    fn need_cutter<'a>(
+        &mut self,
+        origin: &Origin,
+        surfaces: impl IntoIterator<Item = &'a SurfaceRef>,
+    ) {
+        if self.settings.cutter.is_some() || self.failed_before {
+            return;
+        }
+        let sculptured = |s: &&SurfaceRef| s.form.kind() == FormKind::Ssurf;
+        if let Some(surface) = surfaces.into_iter().find(sculptured) {
+            self.settings.set_cutter(Cutter::mill(0.0, 0.0, 0.0));
+            self.diagnostics.push(failure::point_taken(origin, surface));
         }
     }
 

@@ -35,7 +35,7 @@ pub struct Arelem {
     /// The last motion failed: the position is unknown until FROM or GOTO.
     pub(crate) poisoned: bool,
     /// Was there a statement that could not be translated?
-    failed_before: bool,
+    pub(crate) failed_before: bool,
     /// A motion that waits for its check surface, and the records since.
     pending: Option<Box<(Origin, protap::Drive)>>,
     deferred: Vec<protap::Record>,

@@ -84,7 +84,24 @@ impl Arelem {
             .is_some_and(|s| s.distance(tool.te).abs() <= band.intol + band.outtol)
     }
 
-    /// Does the cutter touch the part surface?
+    /// Does the tool cut into the surface as deep from either side, so that it has none?
+    pub(crate) fn between_sides(
+        &self,
+        surface: &SurfaceRef,
+        wall: Option<&(Relation, Wall)>,
+        tool: &Tool,
+    ) -> bool {
+        let (Some((_, wall)), Some(form)) = (wall, Surface::from_form(&surface.form)) else {
+            return false;
+        };
+        let at = aptc_contact::Tool { profile: &wall.profile, te: tool.te, ta: tool.ta };
+        let gaps = [Side::Positive, Side::Negative].map(|side| gap(&at, &form, side, 0.0));
+        let [Ok(a), Ok(b)] = gaps else { return false };
+        let near = 1e-3 * (wall.band.intol + wall.band.outtol);
+        wall.profile.widest() > 0.0 && a.g < 0.0 && (a.g - b.g).abs() <= near
+    }
+
+    /// Does the cutter touch the part surface, to within the width of its band?
     pub(crate) fn touches(&self, part: &SurfaceRef, tool: &Tool) -> bool {
         let (Ok(wall), Some(surface)) =
             (self.wall(part, Role::Part, false), Surface::from_form(&part.form))
@@ -94,7 +111,7 @@ impl Arelem {
         let at = aptc_contact::Tool { profile: &wall.profile, te: tool.te, ta: tool.ta };
         [Side::Positive, Side::Negative, Side::Open].into_iter().any(|side| {
             gap(&at, &surface, side, wall.thick)
-                .is_ok_and(|g| g.g.abs() <= 2.0 * (wall.band.intol + wall.band.outtol))
+                .is_ok_and(|g| g.g.abs() <= wall.band.intol + wall.band.outtol)
         })
     }
 

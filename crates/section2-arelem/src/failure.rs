@@ -36,8 +36,6 @@ pub(crate) enum Failure {
     },
     /// INDIRV or INDIRP leads away from the surface or along it.
     Misses { surface: SurfaceRef, closest: f64 },
-    /// TO and PAST mean nothing while the tool stands on the surface.
-    NoSide { surface: SurfaceRef },
     /// The next motion is needed to know where this one ends.
     NoCheck { word: Direction },
     /// A form that is no surface.
@@ -171,11 +169,6 @@ impl Failure {
                 ),
                 "give another INDIRV or INDIRP, or leave it out for the shortest way".into(),
             ),
-            Self::NoSide { surface } => (
-                codes::NO_SIDE,
-                format!("the tool stands on {}, so TO and PAST have no meaning", called(surface)),
-                "give SRFVCT with the vector from the TO side to the PAST side".into(),
-            ),
             Self::NoCheck { word } => (
                 codes::NO_CHECK_SURFACE,
                 format!(
@@ -286,6 +279,25 @@ pub(crate) fn astray(origin: &Origin, surface: &SurfaceRef, is: Astray) -> Diagn
     Diagnostic::warning(codes::WRONG_SIDE, origin.span, text)
         .within(origin.trace.clone())
         .help(format!("write {}, or turn the other way", is.holds))
+}
+
+/// TO and PAST while the tool stands on the surface: it is taken to be on the negative side.
+pub(crate) fn no_side(origin: &Origin, surface: &SurfaceRef) -> Diagnostic {
+    let text = format!(
+        "the tool stands on {}; TO is taken as the side from which its normal points away",
+        called(surface)
+    );
+    Diagnostic::warning(codes::NO_SIDE, origin.span, text)
+        .within(origin.trace.clone())
+        .help("come from the side that is meant, or give SRFVCT with the vector from the TO side to the PAST side")
+}
+
+/// A CUTTER is missing and a sculptured surface guides the tool.
+pub(crate) fn point_taken(origin: &Origin, surface: &SurfaceRef) -> Diagnostic {
+    let text = format!("no cutter is given; a point is taken along {}", called(surface));
+    Diagnostic::warning(codes::NO_CUTTER, origin.span, text)
+        .within(origin.trace.clone())
+        .help("give CUTTER/diameter,corner radius first, CUTTER/0 for a point")
 }
 
 /// The cutter's side cuts into the drive surface that its lower edge follows.

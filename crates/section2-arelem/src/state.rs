@@ -10,6 +10,8 @@ use aptc_protap::{
 /// Historic defaults, in millimetres: they were inches and are converted to the unit of the program.
 const OUTTOL_MM: f64 = 0.0005 * 25.4;
 const MAXDP_MM: f64 = 10.0 * 25.4;
+/// Height of a cutter when CUTTER gives none.
+const HEIGHT_MM: f64 = 5.0 * 25.4;
 
 /// Surfaces with a tolerance and a thickness of their own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -127,7 +129,13 @@ impl Settings {
 
     pub(crate) fn set_cutter(&mut self, cutter: Cutter) {
         self.cutter = Some(cutter);
-        self.profile = Some(Profile::new(&cutter).map_err(why));
+        // CUTTER/0 is a point: without width and without a height of its own nothing but its end can touch.
+        let [diameter, corner, e, _, alpha, beta, height] = cutter.values();
+        let none = [diameter, corner, e, alpha, beta].iter().all(|x| *x == 0.0);
+        let usual = HEIGHT_MM / self.units.mm();
+        let point = none && (height == 0.0 || (height - usual).abs() <= 1e-9 * usual);
+        let profile = if point { Profile::disk(0.0, 0.0) } else { Profile::new(&cutter) };
+        self.profile = Some(profile.map_err(why));
     }
 
     /// The disk that stands for the cutter against the surface of that role.
@@ -169,6 +177,15 @@ impl Settings {
             axis => axis,
         };
         self.axis_before = std::mem::replace(&mut self.axis, next);
+    }
+
+    /// A start-up says anew whether the tool end is on the drive surface: a word for its side that says
+    /// otherwise holds no longer, as in APT4.
+    pub(crate) fn start_side(&mut self, on: bool) {
+        let said = matches!(self.drive_side, Some(DriveSide::Tlon | DriveSide::Tlndon));
+        if said != on {
+            self.drive_side = None;
+        }
     }
 
     /// Tolerance band on the surface of that role; never of no width.

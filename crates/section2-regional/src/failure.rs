@@ -30,6 +30,8 @@ pub(crate) enum Failure {
     TooLong { limit: f64, uv: [f64; 2] },
     /// A checked surface is gouged.
     Gouge(Box<Deep>),
+    /// The plane of START, THRU or AT is not met along the line.
+    PlaneMissed { word: &'static str },
     /// A statement that is not done here.
     Undone { what: &'static str },
 }
@@ -153,6 +155,11 @@ impl Failure {
                     "switch AVCTRL on, or use a smaller cutter".into()
                 },
             ),
+            Self::PlaneMissed { word } => (
+                codes::PART_NOT_MET,
+                format!("along the line the tool nowhere meets the plane of {word}"),
+                "give a plane that crosses the line, or a parameter".into(),
+            ),
             Self::Undone { what } => (
                 codes::UNSUPPORTED_MOTION,
                 format!("{what} cannot be computed yet"),
@@ -160,6 +167,16 @@ impl Failure {
             ),
         }
     }
+}
+
+/// A line is milled from the side from which the tool's shank passes through the surface.
+pub(crate) fn through(origin: &Origin, surface: &str) -> Diagnostic {
+    let text = format!(
+        "the tool stands on the side of {surface}'s normal, u across v, and its shank passes through {surface}"
+    );
+    Diagnostic::warning(codes::SIDE_FOULS, origin.span, text)
+        .within(origin.trace.clone())
+        .help("write MIRROR to mill the other side")
 }
 
 fn join(words: &[&str]) -> String {

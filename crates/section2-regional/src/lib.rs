@@ -5,6 +5,8 @@
 //! (POSN), a line (PATH) or the region (ZIGZAG, PICKFD): points of the drive are projected on the part
 //! surface, the cutter is put against it there, and chords are as long as the tolerances let them be.
 //!
+//! GOLOFT mills a line of constant parameter or a curve, within outlines that CLDAT recorded and REGION named.
+//!
 //! Source: PS-90-SS-01 vol. II, sections 5.2 and 6, with the corrections that its routines need.
 
 mod area;
@@ -13,7 +15,9 @@ mod axis;
 mod checks;
 mod drive;
 mod failure;
+mod goloft;
 mod guard;
+mod outline;
 mod path;
 mod position;
 mod project;

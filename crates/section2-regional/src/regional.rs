@@ -11,6 +11,7 @@ use crate::area::Areas;
 use crate::avoid::Avoid;
 use crate::failure::Failure;
 use crate::guard::Checked;
+use crate::outline::Outlines;
 use crate::settings::Settings;
 
 /// Where the tool stands after a statement of regional milling.
@@ -46,7 +47,9 @@ pub struct Regional {
     pub(crate) checked: Vec<Checked>,
     /// AVCTRL.
     pub(crate) avoid: Avoid,
-    diagnostics: Vec<Diagnostic>,
+    /// CLDAT and REGION.
+    pub(crate) outlines: Outlines,
+    pub(crate) diagnostics: Vec<Diagnostic>,
 }
 
 /// A statement failed, and a diagnostic says why; where the tool stands is unknown.
@@ -73,7 +76,12 @@ impl Regional {
             "SMIL" => self.smil(&record.origin, args, out),
             "CHKSRF" => self.chksrf(args).map(|()| None),
             "AVCTRL" => self.avctrl(args).map(|()| None),
-            "GOLOFT" => Err(Failure::Undone { what: "GOLOFT" }),
+            "GOLOFT" => self.goloft(&record.origin, args, out),
+            "CLDAT" => self.cldat(args, out).map(|()| None),
+            "REGION" => self.region(args).map(|()| None),
+            "GCLEAR" if !matches!(args.last(), Some(aptc_protap::Arg::Word(w)) if w == "OFF") => {
+                Err(Failure::Undone { what: "GCLEAR" })
+            }
             "GOMILL" => Err(Failure::Undone { what: "GOMILL" }),
             _ => Ok(None),
         };

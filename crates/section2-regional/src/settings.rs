@@ -1,7 +1,7 @@
 //! The modal words that regional milling obeys.
 
 use aptc_geometry::{Cutter, Profile};
-use aptc_protap::{Kind, Units};
+use aptc_protap::{Kind, ToolAxis, Units};
 
 /// Historic defaults, in millimetres: they were inches and are converted to the unit of the program.
 const OUTTOL_MM: f64 = 0.0005 * 25.4;
@@ -22,6 +22,10 @@ pub(crate) struct Settings {
     numpts: Option<u32>,
     pub(crate) multax: bool,
     pub(crate) cut: Option<bool>,
+    /// Left on the part surface by THICK.
+    pub(crate) thick: f64,
+    /// TLAXIS; `None` before any.
+    pub(crate) axis: Option<ToolAxis>,
 }
 
 /// Allowed violation and excess.
@@ -51,6 +55,13 @@ impl Settings {
             Kind::Numpts(n) => self.numpts = Some(*n),
             Kind::Multax(on) => self.multax = *on,
             Kind::Cut(on) => self.cut = Some(*on),
+            Kind::Thick(t) => self.thick = t[0],
+            Kind::ToolAxis(axis) => self.axis = Some(axis.clone()),
+            Kind::From(p) | Kind::Goto(p) => {
+                if let Some(ta) = p.axis {
+                    self.axis = Some(ToolAxis::Fixed(ta));
+                }
+            }
             _ => {}
         }
     }

@@ -111,9 +111,8 @@ fn signed_reach(
     let given = from_to_to_past.and_then(|v| trace.normal(te).map(|n| -v.dot(&n)));
     let near = match given {
         Some(side) if side.abs() > 0.0 => side.signum(),
-        _ if at.abs() <= standing(wall) => {
-            return Err(Failure::NoSide { surface: wall.surface.clone() });
-        }
+        // A tool that stands on the surface counts as being on its negative side, and is told so.
+        _ if at.abs() <= standing(wall) => -1.0,
         _ => at.signum(),
     };
     let side = if relation == Relation::Past { -near } else { near };

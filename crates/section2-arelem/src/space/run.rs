@@ -3,12 +3,13 @@
 use aptc_cldata::{Control, Controlled, Position};
 use aptc_contact::{Condition, Gap, Side};
 use aptc_geometry::{Profile, Surface, Vec3};
-use aptc_protap::Relation;
+use aptc_protap::{OptionSurface, Relation};
 
 use super::keep::{Keep, Pose};
 use super::nearest::approach;
 use super::track::{Node, Track, Trouble};
 use super::watch::{Halt, Watch, clearance};
+use crate::axis::AxisRule;
 use crate::failure::Failure;
 use crate::prepare::way;
 use crate::scene::{Astray, Path, Scene, Stance, Wall, to_or_on};
@@ -173,8 +174,8 @@ fn keep(wall: &Wall, side: Side) -> Result<Keep, Failure> {
 
 fn begin(scene: &Scene) -> Result<Begin, Failure> {
     let tool = &scene.tool;
-    let pose = Pose { te: tool.te, ta: tool.ta };
     let mut part = keep(&scene.part, Side::Positive)?;
+    let pose = upright(scene, &part);
     let mut drive = keep(&scene.drive, Side::Positive)?;
     let apart = |w: &Wall| Failure::NoContact { surface: w.surface.clone() };
     if !scene.part.on {
@@ -233,6 +234,30 @@ fn begin(scene: &Scene) -> Result<Begin, Failure> {
         track.settle(pose, node.along, targets, &node).map_err(|t| trouble_at(scene, &pose, t))?;
     let first = Some(position(&node.pose));
     Ok(Begin { track, node, first, astray })
+}
+
+/// How the tool stands when a motion begins. With TLAXIS/NORMPS an axis from elsewhere, with which the tool is
+/// off the part surface, gives way to the normal below the tool end.
+fn upright(scene: &Scene, part: &Keep) -> Pose {
+    let tool = &scene.tool;
+    let pose = Pose { te: tool.te, ta: tool.ta };
+    let sides = if part.condition == Condition::On {
+        &[Side::Positive][..]
+    } else {
+        &[Side::Positive, Side::Negative][..]
+    };
+    let stands = |s: &Side| {
+        let keep = part.on_side(*s);
+        keep.gap(&pose, None).is_ok_and(|g| placed(&keep, &g) <= 2.0)
+    };
+    let normal = part.surface.foot(tool.te).normal;
+    let lean = normal.dot(&tool.ta);
+    // Where the old axis lies in the surface it does not say which side is meant.
+    let rule = matches!(scene.axis, AxisRule::Normal(OptionSurface::Part)) && lean.abs() >= 1e-3;
+    if !rule || sides.iter().any(stands) {
+        return pose;
+    }
+    Pose { ta: normal * lean.signum(), ..pose }
 }
 
 /// The side on which the tool is nearer to touching.

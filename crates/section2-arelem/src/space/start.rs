@@ -2,7 +2,7 @@
 
 use aptc_cldata::{Control, Position};
 use aptc_contact::{Condition, Gap, Side, opens};
-use aptc_geometry::{Fiop, Surface, Vec3};
+use aptc_geometry::{Fiop, Plane, Surface, Vec3};
 use aptc_protap::Relation;
 
 use super::keep::{Keep, Pose};
@@ -34,6 +34,10 @@ pub(crate) fn start(go: &Start) -> Result<Path, Failure> {
         aims.push(Aim { wall, relation: *relation, keep, along });
     }
     let end = arrive(go, &mut aims, pose)?;
+    for aim in &aims {
+        let apart = |_| Failure::NoContact { surface: aim.wall.surface.clone() };
+        aim.keep.gap(&end, None).map_err(apart)?;
+    }
     let mut sides = aims.iter().map(|a| a.wall.beside(a.relation, a.keep.side));
     let (drive, part) = (sides.next(), sides.next());
     let control = Control { drive, part, checks: sides.collect(), milling: None };
@@ -133,7 +137,9 @@ fn aim(
         }
         None => {
             let apart = || Failure::NoContact { surface: wall.surface.clone() };
-            let (gap, side) = clearance(&keep, pose).map_err(|_| apart())?;
+            let (gap, side) = clearance(&keep, pose)
+                .or_else(|_| clearance(&flattened(&keep, pose), pose))
+                .map_err(|_| apart())?;
             let other = keep.on_side(match side {
                 Side::Positive => Side::Negative,
                 Side::Negative | Side::Open => Side::Positive,
@@ -141,10 +147,7 @@ fn aim(
             let tie = other.gap(pose, None).is_ok_and(|g| {
                 (g.g - gap).abs() <= 1e-3 * keep.width() && keep.profile.widest() > 0.0
             });
-            if tie {
-                return Err(Failure::NoSide { surface: wall.surface.clone() });
-            }
-            side
+            if tie { Side::Negative } else { side }
         }
     };
     keep.side = match (relation, near) {
@@ -153,6 +156,14 @@ fn aim(
         _ => near,
     };
     Ok(keep)
+}
+
+/// The surface's tangent plane nearest to the tool end in its place: far from a bounded surface the cutter has
+/// no place that faces it, and the plane tells the way there.
+fn flattened(keep: &Keep, pose: &Pose) -> Keep {
+    let foot = keep.surface.foot(pose.te);
+    let plane = Plane { n: foot.normal, d: foot.normal.dot(&foot.point) };
+    Keep { surface: Surface::Plane(plane), ..keep.clone() }
 }
 
 struct Solver<'a> {
@@ -235,6 +246,7 @@ impl Solver<'_> {
                 let start = last.and_then(|l| l.get(i)).map(|g| g.surface_point);
                 a.keep
                     .gap(pose, start)
+                    .or_else(|_| flattened(&a.keep, pose).gap(pose, None))
                     .map_err(|_| Failure::NoContact { surface: a.wall.surface.clone() })
             })
             .collect()

@@ -19,6 +19,8 @@ pub use sculptured::{Continued, continued};
 
 /// Bound of one search; Newton's method takes some six steps.
 const MAX_STEPS: usize = 60;
+/// Samples on a side of a block, from which a search of its own sets out.
+const BLOCK: usize = 3;
 /// Places from which the nearest point is looked for.
 const SEEDS: usize = 4;
 
@@ -33,8 +35,8 @@ pub struct ParametricSurface {
     vs: Vec<f64>,
     /// The samples, all `v` of the first `u` first.
     grid: Vec<Vec3>,
-    /// Greatest distance of a place from the nearest sample, between the ends.
-    spacing: f64,
+    /// Greatest distance of each sample from those beside it: no place that belongs to it is farther off.
+    apart: Vec<f64>,
     extent: f64,
 }
 
@@ -43,6 +45,17 @@ enum Patch {
     Ruled(Rulings),
     Polyconic(Sections),
     Sculptured(Box<Spans>),
+}
+
+/// Where a search for the nearest point begins.
+#[derive(Clone, Copy, Debug)]
+struct Seed {
+    /// Square of its distance from the point.
+    square: f64,
+    u: f64,
+    v: f64,
+    /// Its sample.
+    at: usize,
 }
 
 /// Value and derivatives at a place.
@@ -67,18 +80,15 @@ impl ParametricSurface {
     /// A ruled surface; `None` when one of its curves is not found over the whole base line.
     pub fn ruled(form: &RuledSurface) -> Option<Self> {
         let rulings = Rulings::new(form)?;
-        let pieces = rulings.pieces();
-        Self::prepared(
-            Patch::Ruled(rulings),
-            pieces,
-            &[-10.0, -3.0, -1.0, 0.0, 1.0, 2.0, 4.0, 11.0],
-        )
+        let us = halfway(rulings.domain().u, rulings.pieces());
+        Self::prepared(Patch::Ruled(rulings), us, vec![-10.0, -3.0, -1.0, 0.0, 1.0, 2.0, 4.0, 11.0])
     }
 
     /// A polyconic; `None` when its sections are no conics somewhere, or when it has a thickness.
     pub fn polyconic(form: &Arc<Polyconic>) -> Option<Self> {
-        let vs = steps(12);
-        Self::prepared(Patch::Polyconic(Sections::new(form)?), 24, &vs)
+        let sections = Sections::new(form)?;
+        let us = halfway(sections.domain().u, 24);
+        Self::prepared(Patch::Polyconic(sections), us, steps(12))
     }
 
     /// A sculptured surface with its straight continuation; `None` when it cannot be fitted.
@@ -86,25 +96,15 @@ impl ParametricSurface {
         let spans = Spans::new(form)?;
         let [pieces, across] = spans.pieces();
         let domain = spans.domain();
-        let mut vs = steps(across);
-        // The ends of the domain are put in where it is prepared.
-        vs.retain(|v| *v > domain.v[0] && *v < domain.v[1]);
-        if domain.v[0] < 0.0 {
-            vs.insert(0, 0.5 * domain.v[0]);
-        }
-        if domain.v[1] > 1.0 {
-            vs.push(0.5 * (1.0 + domain.v[1]));
-        }
-        Self::prepared(Patch::Sculptured(Box::new(spans)), pieces, &vs)
+        let us = spread(domain.u, pieces);
+        let vs = spread(domain.v, across);
+        Self::prepared(Patch::Sculptured(Box::new(spans)), us, vs)
     }
 
-    fn prepared(patch: Patch, pieces: u32, vs: &[f64]) -> Option<Self> {
+    /// Samples at the parameters `us` and `vs`; the ends of the domain across are put in.
+    fn prepared(patch: Patch, us: Vec<f64>, mut vs: Vec<f64>) -> Option<Self> {
         let domain = patch.domain();
-        let mut us = vec![domain.u[0], 0.5 * domain.u[0]];
-        us.extend(steps(pieces));
-        us.extend([0.5 * (1.0 + domain.u[1]), domain.u[1]]);
-        let mut vs: Vec<f64> =
-            vs.iter().copied().filter(|v| *v > domain.v[0] && *v < domain.v[1]).collect();
+        vs.retain(|v| *v > domain.v[0] && *v < domain.v[1]);
         vs.insert(0, domain.v[0]);
         vs.push(domain.v[1]);
         let mut grid = Vec::with_capacity(us.len() * vs.len());
@@ -121,20 +121,8 @@ impl ParametricSurface {
                 grid.push(s);
             }
         }
-        let n = vs.len();
-        // Between the ends; samples of rulings are exact along them.
-        let between = |i: &usize| vs[i % n] >= -1.0 && vs[i % n] <= 2.0 && i % n + 1 < n;
-        let apart = |i: usize| {
-            let along = (grid[i + n] - grid[i]).norm();
-            match &patch {
-                Patch::Ruled(_) => along,
-                Patch::Polyconic(_) | Patch::Sculptured(_) => {
-                    along + (grid[i + 1] - grid[i]).norm()
-                }
-            }
-        };
-        let spacing = (0..grid.len() - n).filter(between).map(apart).fold(0.0, f64::max);
-        Some(Self { patch, us, vs, grid, spacing, extent })
+        let apart = (0..grid.len()).map(|k| apart(&patch, &grid, vs.len(), k)).collect();
+        Some(Self { patch, us, vs, grid, apart, extent })
     }
 
     /// Greatest distance of its points from the origin, between its ends.
@@ -263,16 +251,20 @@ impl ParametricSurface {
     /// Parameters of the nearest point: Newton's method from the lowest samples.
     fn nearest(&self, p: Vec3) -> Option<(f64, f64)> {
         let seeds = match &self.patch {
-            Patch::Ruled(r) => self.columns(r, p),
+            Patch::Ruled(r) => {
+                let mut seeds = [None; 2 * SEEDS];
+                seeds[..SEEDS].copy_from_slice(&self.columns(r, p));
+                seeds
+            }
             Patch::Polyconic(_) | Patch::Sculptured(_) => self.lowest(p),
         };
         let mut best: Option<(f64, (f64, f64))> = None;
-        for (sample, u, v) in seeds.into_iter().flatten() {
+        for seed in seeds.into_iter().flatten() {
             // No place is nearer than its sample by more than the samples are apart.
-            if best.is_some_and(|b| sample.sqrt() - self.spacing > b.0.sqrt()) {
+            if best.is_some_and(|b| seed.square.sqrt() - self.apart[seed.at] > b.0.sqrt()) {
                 continue;
             }
-            let (square, place) = self.descend(p, u, v);
+            let (square, place) = self.descend(p, seed.u, seed.v);
             if best.is_none_or(|b| square < b.0) {
                 best = Some((square, place));
             }
@@ -281,7 +273,7 @@ impl ParametricSurface {
     }
 
     /// On a ruling the nearest point is known: the lowest of the sampled rulings.
-    fn columns(&self, rulings: &Rulings, p: Vec3) -> [Option<(f64, f64, f64)>; SEEDS] {
+    fn columns(&self, rulings: &Rulings, p: Vec3) -> [Option<Seed>; SEEDS] {
         let n = self.vs.len();
         let domain = rulings.domain();
         let column = |i: usize| {
@@ -296,14 +288,14 @@ impl ParametricSurface {
         for (i, (square, v)) in all.iter().enumerate() {
             let lower = |j: usize| all.get(j).is_some_and(|o| o.0 < *square);
             if !(lower(i + 1) || i > 0 && lower(i - 1)) {
-                offer(&mut found, (*square, self.us[i], *v));
+                offer(&mut found, Seed { square: *square, u: self.us[i], v: *v, at: i * n });
             }
         }
         found
     }
 
     /// The lowest samples of the grid that are lower than their neighbours.
-    fn lowest(&self, p: Vec3) -> [Option<(f64, f64, f64)>; SEEDS] {
+    fn lowest(&self, p: Vec3) -> [Option<Seed>; 2 * SEEDS] {
         let n = self.vs.len();
         let squares: Vec<f64> = self.grid.iter().map(|s| (s - p).norm_squared()).collect();
         let mut found = [None; SEEDS];
@@ -314,11 +306,51 @@ impl ParametricSurface {
                     |i: usize, j: usize| i < self.us.len() && j < n && squares[i * n + j] < here;
                 let (up, left) = (i.wrapping_sub(1), j.wrapping_sub(1));
                 if !(lower(up, j) || lower(i + 1, j) || lower(i, left) || lower(i, j + 1)) {
-                    offer(&mut found, (here, self.us[i], self.vs[j]));
+                    offer(&mut found, self.seed(here, i * n + j));
                 }
             }
         }
-        found
+        let mut seeds = [None; 2 * SEEDS];
+        seeds[..SEEDS].copy_from_slice(&found);
+        if matches!(self.patch, Patch::Sculptured(_)) {
+            seeds[SEEDS..].copy_from_slice(&self.by_block(&squares));
+        }
+        seeds
+    }
+
+    fn seed(&self, square: f64, at: usize) -> Seed {
+        let n = self.vs.len();
+        Seed { square, u: self.us[at / n], v: self.vs[at % n], at }
+    }
+
+    /// The lowest samples of blocks of them: where the surface changes its bend, two places near each other
+    /// may be nearest, and only one of them shows as a dip of the samples.
+    fn by_block(&self, squares: &[f64]) -> [Option<Seed>; SEEDS] {
+        let n = self.vs.len();
+        let mut best: [Option<Seed>; SEEDS] = [None; SEEDS];
+        let mut cells = [[usize::MAX; 2]; SEEDS];
+        for (k, square) in squares.iter().enumerate() {
+            if best[SEEDS - 1].is_some_and(|b| *square >= b.square) {
+                continue;
+            }
+            let cell = [(k / n) / BLOCK, (k % n) / BLOCK];
+            if let Some(i) = (0..SEEDS).find(|i| best[*i].is_some() && cells[*i] == cell) {
+                if best[i].is_some_and(|b| b.square <= *square) {
+                    continue;
+                }
+                // The one that stood for this block goes to the end, where it is overwritten.
+                best[i..].rotate_left(1);
+                cells[i..].rotate_left(1);
+                best[SEEDS - 1] = None;
+            }
+            let after = |b: &Option<Seed>| b.is_none_or(|b| *square < b.square);
+            let place = best.iter().position(after).unwrap_or(SEEDS - 1);
+            best[place..].rotate_right(1);
+            cells[place..].rotate_right(1);
+            best[place] = Some(self.seed(*square, k));
+            cells[place] = cell;
+        }
+        best
     }
 
     /// Newton's method for the nearest point, kept in the domain; steps that do not lower the distance are
@@ -360,14 +392,51 @@ impl ParametricSurface {
     }
 }
 
+/// Greatest distance of a sample from those beside it; on rulings, which are straight, from the next rulings.
+fn apart(patch: &Patch, grid: &[Vec3], n: usize, k: usize) -> f64 {
+    let to = |other: Option<usize>| {
+        other.and_then(|o| grid.get(o)).map_or(0.0, |s: &Vec3| (s - grid[k]).norm())
+    };
+    let along = to(k.checked_sub(n)).max(to(Some(k + n)));
+    if matches!(patch, Patch::Ruled(_)) {
+        return along;
+    }
+    let left = (!k.is_multiple_of(n)).then(|| k - 1);
+    let right = (k % n + 1 < n).then(|| k + 1);
+    along + to(left).max(to(right))
+}
+
 /// Keeps the lowest few.
-fn offer(found: &mut [Option<(f64, f64, f64)>; SEEDS], new: (f64, f64, f64)) {
+fn offer(found: &mut [Option<Seed>; SEEDS], new: Seed) {
     let mut new = Some(new);
     for slot in found {
-        if new.is_some_and(|n| slot.is_none_or(|s| n.0 < s.0)) {
+        if new.is_some_and(|n| slot.is_none_or(|s| n.square < s.square)) {
             std::mem::swap(slot, &mut new);
         }
     }
+}
+
+/// 0 to 1 in `n` equal steps, the ends of the domain and a sample halfway to each.
+fn halfway(ends: [f64; 2], n: u32) -> Vec<f64> {
+    let mut all = vec![ends[0], 0.5 * ends[0]];
+    all.extend(steps(n));
+    all.extend([0.5 * (1.0 + ends[1]), ends[1]]);
+    all
+}
+
+/// 0 to 1 in `n` equal steps; beyond, where the domain goes on, samples that lie the closer together the
+/// nearer they are to the border, so that no fold of the surface hides what goes on straight.
+fn spread(ends: [f64; 2], n: u32) -> Vec<f64> {
+    const SHARES: [f64; 7] = [1.0, 0.5, 0.25, 0.125, 0.0625, 0.03125, 0.015625];
+    let mut all = Vec::new();
+    if ends[0] < 0.0 {
+        all.extend(SHARES.map(|s| ends[0] * s));
+    }
+    all.extend(steps(n));
+    if ends[1] > 1.0 {
+        all.extend(SHARES.iter().rev().map(|s| 1.0 + (ends[1] - 1.0) * s));
+    }
+    all
 }
 
 /// 0 to 1 in `n` equal steps.

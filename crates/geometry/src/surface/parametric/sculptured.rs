@@ -70,11 +70,11 @@ impl Spans {
         self.domain
     }
 
-    /// Samples along each parameter that do not miss a span.
+    /// Samples along each parameter: some to each span, and enough for a span with many bends.
     pub(super) fn pieces(&self) -> [u32; 2] {
         self.spans.map(|n| {
-            let n = n.clamp(1.0, 64.0);
-            4 * (1..=64_u32).find(|k| f64::from(*k) >= n).unwrap_or(64)
+            let n = (1..=64_u32).find(|k| f64::from(*k) >= n).unwrap_or(64);
+            (4 * n).max(24)
         })
     }
 
