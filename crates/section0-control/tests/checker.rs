@@ -342,7 +342,7 @@ fn what_was_spoiled_is_refuted_in_the_right_place() {
                     cutter.height,
                 );
             }
-            3 if case.control.checks.first().is_some() => {
+            3 if !case.control.checks.is_empty() => {
                 let from = if n > 1 { points[n - 2].te } else { case.start.te };
                 let Some(way) = (points[n - 1].te - from).try_normalize(0.0) else { continue };
                 let check = &case.control.checks[0];
