@@ -92,6 +92,8 @@ pub(crate) struct Path {
     pub(crate) points: Vec<cl::Position>,
     /// The circle of the tool end.
     pub(crate) arc: Option<cl::Arc>,
+    /// Where the tool turns first into the axis that TLAXIS asks for with this direction of motion.
+    pub(crate) turned: Option<cl::Position>,
     /// Which check surface stopped it.
     pub(crate) check: usize,
     /// Direction at the end.
@@ -103,6 +105,14 @@ pub(crate) struct Path {
     pub(crate) fouls: Option<f64>,
     /// TLLFT or TLRGT was said, and the tool is on the other side.
     pub(crate) astray: Option<Astray>,
+}
+
+impl Path {
+    /// That of a start-up.
+    pub(crate) fn started(points: Vec<cl::Position>, forward: Vec3, control: cl::Control) -> Self {
+        let (arc, turned, fouls, astray) = (None, None, None, None);
+        Self { points, arc, turned, check: 0, forward, control, fouls, astray }
+    }
 }
 
 /// The word that was given for the side of the drive surface, and the one that holds.

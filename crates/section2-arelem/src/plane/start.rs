@@ -91,7 +91,7 @@ pub(crate) fn start(go: &Start) -> Option<Result<Path, Failure>> {
     let control = Control { drive, part, checks: controlled.collect(), milling: None };
     let points = vec![Position { te: end, ta: go.tool.ta }];
     let forward = end - go.tool.te;
-    Some(Ok(Path { points, arc: None, check: 0, forward, control, fouls: None, astray: None }))
+    Some(Ok(Path::started(points, forward, control)))
 }
 
 /// Signed distance from the curve at which the tool end is to be: TO keeps the tool on its side, PAST

@@ -9,7 +9,7 @@ use super::keep::{Keep, Pose};
 use super::nearest::approach;
 use super::track::{Node, Track, Trouble};
 use super::watch::{Halt, Watch, clearance};
-use crate::axis::AxisRule;
+use crate::axis::{Around, AxisRule};
 use crate::failure::Failure;
 use crate::prepare::way;
 use crate::scene::{Astray, Path, Scene, Stance, Wall, to_or_on};
@@ -80,6 +80,7 @@ fn follow(scene: &Scene, begin: &Begin) -> Result<Path, Failure> {
             return Ok(Path {
                 points,
                 arc: None,
+                turned: begin.turned,
                 check: i,
                 forward: halt.node.along,
                 control: control(scene, track, &watches, i, &halt),
@@ -156,6 +157,8 @@ struct Begin {
     node: Node,
     /// The first position when the tool must first be put in place.
     first: Option<Position>,
+    /// The first position when the tool must first turn there.
+    turned: Option<Position>,
     astray: Option<Astray>,
 }
 
@@ -227,13 +230,33 @@ fn begin(scene: &Scene) -> Result<Begin, Failure> {
         Track { keeps: [drive, part], axis: scene.axis.clone(), exact, rounding: 1e-14 * size };
     let node = track.node(pose, heading).map_err(|t| trouble_at(scene, &pose, t))?;
     if off_drive <= 1.0 && off_part <= 1.0 {
-        return Ok(Begin { track, node, first: None, astray });
+        let turned = turn(&track, &node);
+        let node = turned.unwrap_or(node);
+        let turned = turned.map(|n| position(&n.pose));
+        return Ok(Begin { track, node, first: None, turned, astray });
     }
     let targets = [0.0, 0.0];
     let node =
         track.settle(pose, node.along, targets, &node).map_err(|t| trouble_at(scene, &pose, t))?;
     let first = Some(position(&node.pose));
-    Ok(Begin { track, node, first, astray })
+    Ok(Begin { track, node, first, turned: None, astray })
+}
+
+/// The place at the start with the axis that the rule asks for there, when the tool stands with another one:
+/// GO does not know the direction of the motion that follows, on which CUTANG depends.
+fn turn(track: &Track, node: &Node) -> Option<Node> {
+    /// What APT-360 allows an axis to be off, radians; so much the first cut vector takes up.
+    const LEAST: f64 = 0.01;
+    if !track.axis.turns() {
+        return None;
+    }
+    let [drive, part] = &node.gaps;
+    let around = Around { ta: node.pose.ta, part, drive, along: node.along };
+    let ta = track.axis.at(&around, [&track.keeps[0], &track.keeps[1]])?;
+    if (ta - node.pose.ta).norm() <= LEAST {
+        return None;
+    }
+    track.settle(Pose { ta, ..node.pose }, node.along, [0.0; 2], node).ok()
 }
 
 /// How the tool stands when a motion begins. With TLAXIS/NORMPS an axis from elsewhere, with which the tool is

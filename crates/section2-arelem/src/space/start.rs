@@ -13,6 +13,8 @@ use crate::scene::{Path, Start, Wall};
 
 /// Rounds of the iteration.
 const ROUNDS: usize = 200;
+/// The same for an axis that turns with the place.
+const TURNS: usize = 30;
 
 /// A surface with the gap that the tool is to have.
 struct Aim<'a> {
@@ -43,7 +45,7 @@ pub(crate) fn start(go: &Start) -> Result<Path, Failure> {
     let control = Control { drive, part, checks: sides.collect(), milling: None };
     let points = vec![Position { te: end.te, ta: end.ta }];
     let forward = end.te - go.tool.te;
-    Ok(Path { points, arc: None, check: 0, forward, control, fouls: None, astray: None })
+    Ok(Path::started(points, forward, control))
 }
 
 /// The position; where a hollow may count as open, its side is decided.
@@ -323,7 +325,18 @@ impl Solver<'_> {
             }
         }
         // The least way is not known to the last digit; the place on the surfaces shall be.
-        self.settle(pose, gaps).ok_or_else(|| self.impossible(home, &closest))
+        self.settle(pose, gaps)
+            .or_else(|| self.axis.turns().then(|| self.settle_turning(pose)).flatten())
+            .or_else(|| self.near_enough(&closest))
+            .ok_or_else(|| self.impossible(home, &closest))
+    }
+
+    /// A side that lies along a ruling touches at all of it: with an axis that turns the place of contact, and
+    /// the axis with it, then jumps within the band for ever. A tenth of the band is near enough there.
+    fn near_enough(&self, (off, pose, gaps): &(f64, Pose, Vec<Gap>)) -> Option<Pose> {
+        let least = self.aims.iter().map(|a| a.keep.width()).fold(f64::INFINITY, f64::min);
+        let there = self.axis.turns() && *off <= 0.1 * least;
+        (there && !self.deeper(pose, &mut gaps.clone())).then_some(*pose)
     }
 
     /// The nearest place on all surfaces, by Newton's method with steps of least length.
@@ -344,6 +357,65 @@ impl Solver<'_> {
             gaps = self.gaps(&pose, Some(&gaps)).ok()?;
         }
         None
+    }
+
+    /// The same where the axis turns with the place: how the gaps change with it is then found by differences.
+    fn settle_turning(&self, from: Pose) -> Option<Pose> {
+        let step = 1e-6 * self.size(&from);
+        let (mut pose, mut gaps) = self.with_axis(from)?;
+        let targets = self.targets(&pose, &gaps);
+        let off = |gaps: &[Gap]| {
+            gaps.iter().zip(&targets).map(|(g, t)| (g.g - t).abs()).fold(0.0, f64::max)
+        };
+        let enough = 1e-13 * self.size(&from) + 1e-9 * self.aims[0].keep.width();
+        for _ in 0..TURNS {
+            let worst = off(&gaps);
+            if worst <= enough && !self.deeper(&pose, &mut gaps) {
+                return Some(pose);
+            }
+            let mut slopes = vec![Vec3::zeros(); gaps.len()];
+            for i in 0..3 {
+                let mut beside = pose;
+                beside.te[i] += step;
+                let (_, other) = self.with_axis(beside)?;
+                for (slope, (a, b)) in slopes.iter_mut().zip(gaps.iter().zip(&other)) {
+                    slope[i] = (b.g - a.g) / step;
+                }
+            }
+            let rows: Option<Vec<(Vec3, f64)>> = slopes
+                .iter()
+                .zip(gaps.iter().zip(&targets))
+                .map(|(n, (g, t))| {
+                    let size = n.norm();
+                    (size > 1e-6).then(|| (n / size, (t - g.g) / size))
+                })
+                .collect();
+            let by = least(pose.te, pose.te, &rows?)? - pose.te;
+            let mut share = 1.0;
+            (pose, gaps) = loop {
+                let next = self.with_axis(Pose { te: pose.te + by * share, ..pose })?;
+                if off(&next.1) < worst || share < 1e-3 {
+                    break next;
+                }
+                share *= 0.5;
+            };
+        }
+        None
+    }
+
+    /// The tool at its place with the axis that belongs there.
+    fn with_axis(&self, mut pose: Pose) -> Option<(Pose, Vec<Gap>)> {
+        let mut gaps = self.gaps(&pose, None).ok()?;
+        for _ in 0..TURNS {
+            let ta = self.turned(&pose, &gaps);
+            let turn = (ta - pose.ta).norm();
+            pose.ta = ta;
+            gaps = self.gaps(&pose, Some(&gaps)).ok()?;
+            if turn <= 1e-12 {
+                break;
+            }
+        }
+        Some((pose, gaps))
     }
 
     /// A length of the size of the scene.

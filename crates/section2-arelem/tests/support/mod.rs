@@ -330,6 +330,7 @@ fn axis(forms: &Forms, args: &[String]) -> ToolAxis {
             radius: None,
             height: None,
         }),
+        "PERPTO" => ToolAxis::PerpTo(vectors(forms, &args[1..])[0]),
         "1" if args.len() == 1 => ToolAxis::Fixed(Vec3::z()),
         _ => ToolAxis::Fixed(vectors(forms, args)[0]),
     }

@@ -237,6 +237,10 @@ pub(crate) struct Scene {
     pub(crate) forms: Forms,
     pub(crate) setup: String,
     pub(crate) what: String,
+    /// The kinds of part and drive surface.
+    pub(crate) kinds: (u32, u32),
+    /// Of the cutter, before scaling.
+    pub(crate) radius: f64,
 }
 
 fn scene(d: &mut Dice, s: f64) -> Scene {
@@ -266,14 +270,88 @@ fn scene(d: &mut Dice, s: f64) -> Scene {
         "{} and {} radius {radius:.2} corner {corner:.2} band {band:.1e} {relation} {calc}",
         PARTS[p as usize], DRIVES[q as usize]
     );
-    Scene { forms, setup, what }
+    Scene { forms, setup, what, kinds: (p, q), radius }
 }
 
 /// A scene with a motion from its start-up on; `None` where drive and part run too much alike for one. The
 /// check surface stands across the way. The text of the refused start-up is an error.
 pub(crate) fn motion(seed: u64, scale: f64) -> Option<Scene> {
     let mut d = Dice::new(seed);
+    let s = scene(&mut d, scale);
+    onward(&mut d, s, scale, false)
+}
+
+/// As [`motion`], with every kind of cutter, disks, THICK, leaning and turning axes, and every kind of check
+/// surface.
+pub(crate) fn wide(seed: u64, scale: f64) -> Option<Scene> {
+    let mut d = Dice::new(seed ^ 0x5EED);
     let mut s = scene(&mut d, scale);
+    let (p, q) = s.kinds;
+    let radius = s.radius;
+    let mut lines: Vec<String> = s.setup.lines().map(str::to_owned).collect();
+    let at = |lines: &[String], word: &str| lines.iter().position(|l| l.starts_with(word)).unwrap();
+    // The cutter.
+    let [a, r] = [2.0 * radius * scale, d.between(0.1, 0.4) * radius * scale];
+    let cutter = match d.pick(6) {
+        0 => format!("CUTTER/{a},{r}"),
+        1 => format!("CUTTER/{a},{}", 0.5 * a),
+        // A cone with a sharp corner: its side leans by 10 degrees.
+        2 => format!("CUTTER/{a},0,{},0,0,10,{}", 0.5 * a, 20.0 * scale),
+        _ => lines[at(&lines, "CUTTER")].clone(),
+    };
+    let round = cutter.ends_with(&format!(",{}", 0.5 * a));
+    let i = at(&lines, "CUTTER");
+    lines[i] = if cutter.matches(',').count() == 1 {
+        // The height that CUTTER has when none is given.
+        let (d0, r0) = cutter["CUTTER/".len()..].split_once(',').unwrap();
+        let (d0, r0): (f64, f64) = (d0.parse().unwrap(), r0.parse().unwrap());
+        format!("CUTTER/{d0},{r0},{},{r0},0,0,{}", 0.5 * d0 - r0, 127.0 * scale)
+    } else {
+        cutter
+    };
+    let disk = d.pick(8);
+    if disk < 2 {
+        let (r, h) = (radius * scale * d.between(0.4, 1.0), d.between(0.0, 0.5) * scale);
+        lines.insert(i + 1, format!("CUTTER/OPTION,{},{r},{h}", disk + 1));
+    }
+    let i = at(&lines, "INTOL");
+    if d.unit() < 0.3 {
+        let mut t = || d.between(-0.1, 0.5) * scale;
+        lines.insert(i, format!("THICK/{},{},{}", t(), t(), t()));
+    }
+    // The axis. An end that is flat cannot lie in a hollow with its middle.
+    let fits = round || !matches!(p, 2 | 4 | 8..);
+    let i = at(&lines, "GO/");
+    let lean = |d: &mut Dice| direction(d.between(0.0, 360.0)) * d.between(0.05, 0.3) + Vec3::z();
+    let axis = match d.pick(10) {
+        0 => {
+            let v = lean(&mut d);
+            Some(format!("{},{},{}", v.x, v.y, v.z))
+        }
+        1 if fits => Some("NORMPS".to_owned()),
+        2 if fits => Some(format!("ATANGL,1,{}", d.between(2.0, 15.0))),
+        3 if fits => {
+            Some(format!("ATANGL,1,{},CUTANG,{}", d.between(6.0, 12.0), d.between(1.0, 5.0)))
+        }
+        // Along the rulings of a cone the cutter's side would lie over the vertex.
+        4 if matches!(q, 1 | 5 | 6 | 8 | 9) => Some("PARLEL,2".to_owned()),
+        5 => {
+            let v = direction(d.between(0.0, 360.0)) + Vec3::z() * d.between(-0.2, 0.2);
+            Some(format!("PERPTO,{},{},{}", v.x, v.y, v.z))
+        }
+        _ => None,
+    };
+    if let Some(axis) = axis {
+        s.what += &format!(" axis {axis}");
+        lines.insert(i, format!("TLAXIS/{axis}"));
+        lines.insert(i, "MULTAX".to_owned());
+    }
+    s.setup = lines.join("\n");
+    onward(&mut d, s, scale, true)
+}
+
+/// The motion from the start-up on.
+fn onward(d: &mut Dice, mut s: Scene, scale: f64, all: bool) -> Option<Scene> {
     let start = run(&s.forms, &s.setup);
     if !start.diagnostics.is_empty() {
         return Some(s);
@@ -294,7 +372,28 @@ pub(crate) fn motion(seed: u64, scale: f64) -> Option<Scene> {
     let at = te + t * far;
     let how = ["TO", "ON", "PAST"][d.pick(3) as usize];
     let how = if far > 6.0 * scale || how != "TO" { how } else { "ON" };
-    let check = match d.pick(3) {
+    let level = n.dot(&at) / scale;
+    let across = n.cross(&Vec3::z()).normalize();
+    let check = match d.pick(if all { 8 } else { 3 }) {
+        3 => {
+            let c = at + n * (25.0 * scale);
+            form("CYLNDR", &[c.x, c.y, c.z, across.x, across.y, 0.6, 25.0 * scale])
+        }
+        4 => {
+            let cos = 0.75_f64.sqrt();
+            let c = at + n * (25.0 * scale) + Vec3::z() * (25.0 * 3.0_f64.sqrt() * scale);
+            form("CONE", &[c.x, c.y, c.z, 0.0, 0.0, -1.0, cos])
+        }
+        5 => {
+            let k = [20.0, 30.0, 25.0].map(|a: f64| 1.0 / (a * scale * a * scale));
+            let reach = 1.0 / (k[0] * n.x * n.x + k[1] * n.y * n.y + k[2] * n.z * n.z).sqrt();
+            let m = at + n * reach;
+            let l = [0, 1, 2].map(|i| -2.0 * k[i] * m[i]);
+            let last = k[0] * m.x * m.x + k[1] * m.y * m.y + k[2] * m.z * m.z - 1.0;
+            Some(quadric([k[0], k[1], k[2], 0.0, 0.0, 0.0, l[0], l[1], l[2], last]))
+        }
+        6 => Some(waves(d, across, n, level, scale)),
+        7 => Some(ruled(d, across, n, level, scale)),
         0 => {
             let c = at + n * (30.0 * scale);
             form("SPHERE", &[c.x, c.y, c.z, 30.0 * scale])
