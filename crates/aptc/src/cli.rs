@@ -236,7 +236,8 @@ pub(crate) struct PostArgs {
     /// Write from which statement each block comes, OUT.nc.map.json
     #[arg(long)]
     pub(crate) map: bool,
-    /// Where to write; the CL file's name with .nc in the current folder if not given, - for standard output
+    /// File or folder to write to, the current folder if not given, - for standard output; in a folder the file
+    /// has the CL file's name with .nc
     #[arg(short, long, value_name = "OUT")]
     pub(crate) output: Option<PathBuf>,
 }

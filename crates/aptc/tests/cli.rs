@@ -101,10 +101,14 @@ fn no_colour_into_a_pipe() {
 fn the_same_program_from_cl_gives_the_same_code() {
     let dir = folder_with(&[("slot.apt", GOOD)]);
     aptc(dir.path(), &["slot.apt"]);
-    let run = aptc(dir.path(), &["post", "slot.cl", "-o", "again.nc"]);
-    assert_eq!(run.status.code(), Some(0), "{}", text(&run.stderr));
-    let read = |name| fs::read_to_string(dir.path().join(name)).unwrap();
-    assert_eq!(read("again.nc"), read("slot.nc"));
+    fs::create_dir(dir.path().join("out")).unwrap();
+    // A file, or a folder for a file of the CL file's name.
+    for (output, written) in [("again.nc", "again.nc"), ("out", "out/slot.nc")] {
+        let run = aptc(dir.path(), &["post", "slot.cl", "-o", output]);
+        assert_eq!(run.status.code(), Some(0), "{}", text(&run.stderr));
+        let read = |name| fs::read_to_string(dir.path().join(name)).unwrap();
+        assert_eq!(read(written), read("slot.nc"));
+    }
 }
 
 #[test]

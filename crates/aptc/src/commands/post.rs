@@ -2,7 +2,7 @@
 
 use std::fs::File;
 use std::io::{self, Read, Write as _};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::ExitCode;
 
 use aptc_control::{Artifact, ClOptions, PostedCl, post_cl};
@@ -29,9 +29,12 @@ pub(crate) fn post(args: &PostArgs, common: &Common) -> io::Result<ExitCode> {
         Err(e) => return report::complain(&e),
     };
     let show = args.output.as_deref() == Some(Path::new("-"));
-    let path = args.output.clone().filter(|_| !show).unwrap_or_else(|| {
-        PathBuf::from(args.file.file_name().unwrap_or_default()).with_extension("nc")
-    });
+    let own_name = Path::new(args.file.file_name().unwrap_or_default()).with_extension("nc");
+    let path = match &args.output {
+        Some(folder) if folder.is_dir() => folder.join(own_name),
+        Some(file) if !show => file.clone(),
+        _ => own_name,
+    };
     let beside = if show { std::env::temp_dir().join("nc") } else { path.clone() };
     if !args.file.is_file() {
         let why = if args.file.exists() { "it is no file" } else { "there is no such file" };
