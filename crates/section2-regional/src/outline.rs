@@ -77,7 +77,7 @@ impl Regional {
                 form: Arc::clone(&c.form),
                 corners: Vec::new(),
             });
-            if !Arc::ptr_eq(&outline.form, &c.form) {
+            if !same_form(&outline.form, &c.form) {
                 return Err(Failure::Undone { what: "CLDAT over more than one surface" });
             }
             if fitted.is_none() {
@@ -141,6 +141,11 @@ fn contact(
     Some(nearest_on(sculptured, place.surface_point).uv)
 }
 
+/// Whether two places name one surface: from a numeric part program each statement has a copy of its own.
+pub(crate) fn same_form(a: &Arc<Form>, b: &Arc<Form>) -> bool {
+    Arc::ptr_eq(a, b) || a == b
+}
+
 impl Outlines {
     /// What the outlines leave of the line on which parameter `running` runs from one end to the other and
     /// the other parameter is `fixed`: stretches, rising.
@@ -153,7 +158,7 @@ impl Outlines {
     ) -> Vec<[f64; 2]> {
         let mut left = vec![ends];
         for (number, inside) in &self.active {
-            let of = |o: &&Outline| same(o.number, *number) && Arc::ptr_eq(&o.form, form);
+            let of = |o: &&Outline| same(o.number, *number) && same_form(&o.form, form);
             let Some(outline) = self.recorded.iter().find(of) else { continue };
             let cuts = outline.crossings(running, fixed);
             let within: Vec<[f64; 2]> = cuts.chunks_exact(2).map(|c| [c[0], c[1]]).collect();

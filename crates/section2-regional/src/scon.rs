@@ -8,6 +8,7 @@ use aptc_protap::{Arg, NameRef};
 
 use crate::area::{AxisArea, DriveArea, Guide, Hold, PartArea, Projection, StepoverArea};
 use crate::failure::Failure;
+use crate::outline::same_form;
 use crate::regional::Regional;
 
 /// A ruled cylinder over a curve reaches so many inches to both sides (APT4).
@@ -225,7 +226,7 @@ impl Regional {
         name: &NameRef,
         form: &Arc<Form>,
     ) -> Result<Arc<Sculptured>, Failure> {
-        if let Some((_, s)) = self.fitted.iter().find(|(f, _)| Arc::ptr_eq(f, form) || f == form) {
+        if let Some((_, s)) = self.fitted.iter().find(|(f, _)| same_form(f, form)) {
             return Ok(Arc::clone(s));
         }
         let Form::Ssurf(d) = form.shape() else {
