@@ -5,11 +5,11 @@ use aptc_geometry::Vec3;
 
 use crate::demand::{Verdict, angle, between_poses};
 use crate::pile::Pile;
-use crate::search::{Moved, clearance};
+use crate::search::{Moved, clearance, stays_clear};
 use crate::sheet::{Sheet, Spot};
 use crate::sweep::Sweep;
 use crate::tool::{Pose, Tool};
-use crate::witness::{Excess, excess};
+use crate::witness::{Excess, descend, excess};
 
 /// Halvings of a vector whose axis turns.
 const DEPTH: u32 = 22;
@@ -17,6 +17,8 @@ const DEPTH: u32 = 22;
 const TURNED: f64 = 20.0;
 /// Halvings of a vector along which the surface was not searched to the end.
 const LONG: u32 = 5;
+/// Times that a search for the nearest place is made eight times as wide.
+const WIDER: u32 = 24;
 /// Stretches of one vector that are looked at.
 const MOST: u32 = 2000;
 
@@ -119,9 +121,9 @@ impl Curved<'_> {
             let bend = turn * (t1 - t0);
             let sweep = Sweep::new(tool, pose(t0), pose(t1), bend);
             let turned = sweep.pad + 0.25 * sweep.turn * (sweep.b.te - sweep.a.te).norm();
-            let found = clearance(&sweep, &moved, thin - pad);
+            let found = stays_clear(&sweep, &moved, thin - pad);
             let shown = found.least - thin;
-            if shown >= -pad {
+            if found.least >= thin - pad {
                 low = low.min(least + shown);
                 continue;
             }
@@ -161,10 +163,22 @@ impl Curved<'_> {
         if sign > 0.0 || self.nearest(inner, 2.0 * near).0 <= near {
             Half::Holds(low)
         } else if sign < 0.0 {
-            Half::Broken(0.0, -self.nearest(inner, tool.reach()).0)
+            Half::Broken(0.0, -self.beyond(inner, near.max(tool.reach())))
         } else {
             Half::Open(0.0, f64::INFINITY)
         }
+    }
+
+    /// Distance of a point from the surface, which is farther than `near`.
+    fn beyond(&self, p: Vec3, near: f64) -> f64 {
+        let mut enough = 4.0 * near;
+        for _ in 0..WIDER {
+            if let (far, Some(_)) = self.nearest(p, enough) {
+                return far;
+            }
+            enough *= 8.0;
+        }
+        enough
     }
 
     /// On which side of the surface the tool stands that does not pass through it: that of its point nearest
@@ -174,12 +188,14 @@ impl Curved<'_> {
         let moved = Moved { sheet: self.sheet, side: 1.0, shift: 0.0 };
         let band = [self.least, self.most].into_iter().filter(|x| x.is_finite());
         let near = 4.0 * band.fold(1e-6 * tool.reach(), |m, x| m.max(x.abs()));
-        for enough in [near, 4.0 * tool.reach().max(near)] {
+        let mut enough = near.max(f64::MIN_POSITIVE);
+        for _ in 0..WIDER {
             if let Some((distance, _, spot)) = clearance(&sweep, &moved, enough).nearest
                 && distance < enough
             {
                 return self.facing(tool, pose, &spot);
             }
+            enough = (8.0 * enough).max(tool.reach());
         }
         0.0
     }
@@ -188,7 +204,8 @@ impl Curved<'_> {
     fn facing(&self, tool: &Tool<'_>, pose: &Pose, spot: &Spot) -> f64 {
         /// Cosine below which the tool lies beside the place.
         const BESIDE: f64 = 0.05;
-        let jet = self.sheet.jet(spot);
+        let (_, spot, _) = descend(tool, pose, self.sheet, *spot);
+        let jet = self.sheet.jet(&spot);
         let cos = -tool.near(pose, jet.p).1.dot(&jet.n);
         if cos.abs() > BESIDE { cos.signum() } else { 0.0 }
     }

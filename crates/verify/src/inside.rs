@@ -31,8 +31,8 @@ fn nearest(tool: &Tool<'_>, pose: &Pose, solid: &Solid, up: Option<f64>) -> (f64
             (g, g, plane.n)
         }
         (Solid::Ball(c, r), None) => {
-            let g = r - tool.farthest_from(pose, *c);
-            (g, g, ball_direction(tool, pose, *c))
+            let (far, m) = tool.farthest_from(pose, *c);
+            (r - far, r - far, m)
         }
         (Solid::Ball(c, r), Some(up)) => {
             let (far, m) = tool.farthest_below(pose, *c);
@@ -42,19 +42,6 @@ fn nearest(tool: &Tool<'_>, pose: &Pose, solid: &Solid, up: Option<f64>) -> (f64
         }
         (Solid::Rod(_, t, _) | Solid::Nappe(_, t, ..), _) => around(tool, pose, solid, *t, up),
     }
-}
-
-/// Unit direction from the centre to the tool point farthest from it, by climbing the support function.
-fn ball_direction(tool: &Tool<'_>, pose: &Pose, c: Vec3) -> Vec3 {
-    let mut m = crate::solid::unit_or(pose.te - c, -pose.ta);
-    for _ in 0..50 {
-        let next = crate::solid::unit_or(tool.farthest(pose, m) - c, m);
-        if (next - m).norm() < 1e-15 {
-            break;
-        }
-        m = next;
-    }
-    m
 }
 
 /// The least of `h(C, m) - h(T, m)` over the normals m of a surface of revolution, which form a circle. On a

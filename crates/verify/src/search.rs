@@ -8,7 +8,7 @@
 use aptc_geometry::Vec3;
 
 use crate::sheet::{Patches, Sheet, Spot, Tile};
-use crate::sweep::Sweep;
+use crate::sweep::{Meeting, Sweep};
 
 /// Pieces that one search looks at; beyond it the answer is open.
 const MOST: u32 = 20_000;
@@ -38,6 +38,15 @@ pub(crate) struct Moved<'a> {
 /// Bounds the distance between the moved surface and the tool on its way. The search ends where `enough` is
 /// shown; below that it goes on to a tenth of what it falls short.
 pub(crate) fn clearance(sweep: &Sweep<'_>, moved: &Moved<'_>, enough: f64) -> Clearance {
+    search(sweep, moved, enough, true)
+}
+
+/// The same where the nearest place does not matter as long as it is far enough.
+pub(crate) fn stays_clear(sweep: &Sweep<'_>, moved: &Moved<'_>, enough: f64) -> Clearance {
+    search(sweep, moved, enough, false)
+}
+
+fn search(sweep: &Sweep<'_>, moved: &Moved<'_>, enough: f64, nearest: bool) -> Clearance {
     let (center, radius) = sweep.sphere();
     let mut pile = Patches::new();
     let mut out = Clearance { least: f64::INFINITY, nearest: None };
@@ -81,13 +90,23 @@ pub(crate) fn clearance(sweep: &Sweep<'_>, moved: &Moved<'_>, enough: f64) -> Cl
             continue;
         }
         let x = tile.c + tile.n * (moved.side * moved.shift);
+        let within_tile = tile.radius() + 2.0 * moved.shift.abs();
+        let bound = |meeting: &Meeting| {
+            sweep.proved(meeting, x, within_tile, |m| slack(&tile, m, moved.shift.abs()))
+        };
+        // Along the normal the piece has no extent: next to a place that is touched that direction shows most.
+        let level = sweep.level(tile.n * -moved.side).map(|m| bound(&m).0);
+        let level = level[0].max(level[1]);
+        if !nearest && level >= known(&out, enough) {
+            out.least = out.least.min(level);
+            continue;
+        }
         let meeting = sweep.meet(x);
         if out.nearest.is_none_or(|n| meeting.distance < n.0) {
             out.nearest = Some((meeting.distance, meeting.t, patch.spot()));
         }
-        let within_tile = tile.radius() + 2.0 * moved.shift.abs();
-        let (low, slack, rise) =
-            sweep.proved(&meeting, x, within_tile, |m| slack(&tile, m, moved.shift.abs()));
+        let (low, slack, rise) = bound(&meeting);
+        let low = low.max(level);
         if low >= known(&out, enough) {
             out.least = out.least.min(low);
             continue;

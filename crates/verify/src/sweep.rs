@@ -5,6 +5,10 @@ use aptc_geometry::Vec3;
 use crate::demand::{bulge, parabola};
 use crate::tool::{Pose, Tool, turned};
 
+/// Looks for the nearest meeting, and the sine at which it is square to the way.
+const LOOKS: u32 = 12;
+const SQUARE: f64 = 1e-6;
+
 /// A tool and its way. Every tool on the way lies in the hull of those at the ends, enlarged by `pad`. Seen
 /// from the tool a point of space goes along its chord but for a bulge, second order in the turn.
 #[derive(Clone, Copy, Debug)]
@@ -72,10 +76,11 @@ impl Sweep<'_> {
         }
         let (mut t0, mut t1) = (0.0, 1.0);
         let mut best = if last.distance < first.distance { last } else { first };
-        let small = 1e-6 * v.norm();
-        for round in 0..8 {
-            let secant = t0 - f0 * (t1 - t0) / (f1 - f0);
-            let t = if round == 3 { 0.5 * (t0 + t1) } else { secant };
+        let small = SQUARE * v.norm();
+        // Regula falsi; the end that stays twice counts half, so that it comes nearer from both sides.
+        let mut stayed = 0;
+        for _ in 0..LOOKS {
+            let t = t0 - f0 * (t1 - t0) / (f1 - f0);
             let (now, slope) = at(t);
             if now.distance <= best.distance {
                 best = now;
@@ -85,16 +90,29 @@ impl Sweep<'_> {
             }
             if slope < 0.0 {
                 (t0, f0) = (t, slope);
+                f1 *= if stayed < 0 { 0.5 } else { 1.0 };
+                stayed = -1;
             } else {
                 (t1, f1) = (t, slope);
+                f0 *= if stayed > 0 { 0.5 } else { 1.0 };
+                stayed = 1;
             }
         }
-        // Square to the way the direction bounds all of it alike.
-        let square = best.m - v * (best.m.dot(&v) / v.norm_squared());
-        if self.pad == 0.0 && square.norm() > 0.5 {
-            best.m = square.normalize();
-        }
+        best.m = self.square(best.m).unwrap_or(best.m);
         best
+    }
+
+    /// Meetings in the middle of the way with a given direction and with that square to the way.
+    pub(crate) fn level(&self, m: Vec3) -> [Meeting; 2] {
+        let of = |m: Vec3| Meeting { t: 0.5, distance: f64::INFINITY, m };
+        [of(m), of(self.square(m).unwrap_or(m))]
+    }
+
+    /// The direction made square to the way, which bounds all of it alike; `None` where it runs along it.
+    fn square(&self, m: Vec3) -> Option<Vec3> {
+        let v = self.b.te - self.a.te;
+        let square = m - v * (m.dot(&v) / v.norm_squared());
+        (self.pad == 0.0 && square.norm() > 0.5).then(|| square.normalize())
     }
 
     /// What a meeting proves of the distance of a piece about `x` that lies within `radius` of it: not less than

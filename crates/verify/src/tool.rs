@@ -52,12 +52,15 @@ impl Tool<'_> {
         (near.distance, out * radial(across, far, pose.ta) + up * pose.ta)
     }
 
-    /// Greatest distance of a point of the tool from `c`.
-    pub(crate) fn farthest_from(&self, pose: &Pose, c: Vec3) -> f64 {
+    /// Greatest distance of a point of the tool from `c`, and the unit direction to it.
+    pub(crate) fn farthest_from(&self, pose: &Pose, c: Vec3) -> (f64, Vec3) {
         let w = c - pose.te;
-        let Self::Solid(profile) = self else { return w.norm() };
+        let Self::Solid(profile) = self else { return (w.norm(), unit_or(-w, -pose.ta)) };
         let z = w.dot(&pose.ta);
-        profile.farthest((w - z * pose.ta).norm(), z).distance
+        let across = w - z * pose.ta;
+        let f = profile.farthest(across.norm(), z);
+        let [out, up] = f.direction;
+        (f.distance, up * pose.ta - out * unit_or(across, any_across(pose.ta)))
     }
 
     /// Greatest distance of a point of the tool from the ray that runs from `c` along the tool axis, and the

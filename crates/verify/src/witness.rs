@@ -80,13 +80,24 @@ pub(crate) fn excess(
         if asked.get() > SEARCHES {
             return Err(Excess::Open(now.t, now.gap));
         }
-        let Clearance { least, nearest } = globally(now.t, most + 0.95 * (now.gap - most));
-        if least > most {
-            return Err(Excess::Beyond(now.t, least));
+        // Most of what it seems too far is asked for first, which is soon shown where it is so; then all.
+        let mut now = now;
+        for share in [0.95, 0.5, 0.0] {
+            let enough = most + share * (now.gap - most);
+            let Clearance { least, nearest } = globally(now.t, enough);
+            if least > most {
+                return Err(Excess::Beyond(now.t, least));
+            }
+            let Some((.., spot)) = nearest else { break };
+            let again = touch(now.t, spot);
+            if again.gap <= most {
+                return Ok(again);
+            }
+            if again.gap < now.gap {
+                now = again;
+            }
         }
-        let Some((.., spot)) = nearest else { return Err(Excess::Open(now.t, now.gap)) };
-        let again = touch(now.t, spot);
-        if again.gap <= most { Ok(again) } else { Err(Excess::Open(now.t, again.gap)) }
+        Err(Excess::Open(now.t, now.gap))
     };
     let first = match somewhere(0.0) {
         Ok(touch) => touch,
@@ -145,7 +156,12 @@ fn between(tool: &Tool<'_>, sheet: &Sheet, a: &Touch, b: &Touch, turn: f64) -> f
 
 /// The place of the surface nearest to the tool, going down from `spot`: distance, place, point. Newton's
 /// method with differences of the gradient; any result is true, the lowest is the sharpest.
-fn descend(tool: &Tool<'_>, pose: &Pose, sheet: &Sheet, spot: Spot) -> (f64, Spot, Vec3) {
+pub(crate) fn descend(
+    tool: &Tool<'_>,
+    pose: &Pose,
+    sheet: &Sheet,
+    spot: Spot,
+) -> (f64, Spot, Vec3) {
     let look = |spot: &Spot| {
         let jet = sheet.jet(spot);
         let (f, m) = tool.near(pose, jet.p);
@@ -153,13 +169,18 @@ fn descend(tool: &Tool<'_>, pose: &Pose, sheet: &Sheet, spot: Spot) -> (f64, Spo
     };
     let mut spot = sheet.settle(spot);
     let (mut f, mut g, mut jet) = look(&spot);
-    for _ in 0..ROUNDS {
+    // Coarse first, which is soon near; then fine, for the sharp bend about an edge.
+    let mut fine = false;
+    for round in 0..2 * ROUNDS {
+        fine |= round == ROUNDS;
         let size = [jet.d[0].norm().max(1e-300), jet.d[1].norm().max(1e-300)];
         if g[0].abs() <= 1e-15 * size[0] && g[1].abs() <= 1e-15 * size[1] {
             break;
         }
-        // Differences over a small share of the tool.
-        let h = 1e-5 * (tool.reach() + (jet.p - pose.te).norm()).max(1e-300);
+        // Differences over a small share of the tool, or of the distance.
+        let scene = (tool.reach() + (jet.p - pose.te).norm()).max(1e-300);
+        let coarse = 1e-5 * scene;
+        let h = if fine { (0.1 * f.abs()).clamp(1e-8 * scene, coarse) } else { coarse };
         let shifted = |i: usize| {
             let mut s = spot;
             s.at[i] += h / size[i];
@@ -171,7 +192,7 @@ fn descend(tool: &Tool<'_>, pose: &Pose, sheet: &Sheet, spot: Spot) -> (f64, Spo
         let b = 0.5 * ((gu[1] - g[1]) * per[0] + (gv[0] - g[0]) * per[1]);
         // Enough is added to the Hessian that it goes down.
         let mut d = c;
-        let scale = (size[0] * size[0] + size[1] * size[1]) / (h * 1e5);
+        let scale = (size[0] * size[0] + size[1] * size[1]) / scene;
         let floor = 1e-9 * scale;
         let det = a * d - b * b;
         if !(a > floor * 1e-3 || d > floor * 1e-3) || det <= 0.0 {
@@ -182,7 +203,10 @@ fn descend(tool: &Tool<'_>, pose: &Pose, sheet: &Sheet, spot: Spot) -> (f64, Spo
         let det = a * d - b * b;
         let mut step = [-(d * g[0] - b * g[1]) / det, -(a * g[1] - b * g[0]) / det];
         if !(step[0].is_finite() && step[1].is_finite()) {
-            step = [-g[0] / (size[0] * size[0]) * h * 1e4, -g[1] / (size[1] * size[1]) * h * 1e4];
+            step = [
+                -g[0] / (size[0] * size[0]) * 0.1 * scene,
+                -g[1] / (size[1] * size[1]) * 0.1 * scene,
+            ];
         }
         let mut moved = false;
         for _ in 0..12 {
@@ -196,7 +220,10 @@ fn descend(tool: &Tool<'_>, pose: &Pose, sheet: &Sheet, spot: Spot) -> (f64, Spo
             step = step.map(|s| 0.25 * s);
         }
         if !moved {
-            break;
+            if fine {
+                break;
+            }
+            fine = true;
         }
     }
     (f, spot, jet.p)

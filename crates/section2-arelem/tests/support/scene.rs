@@ -81,6 +81,10 @@ pub(crate) const DRIVES: [&str; 11] = [
     "quadric",
 ];
 
+/// Names of the check surfaces.
+const CHECKS: [&str; 8] =
+    ["sphere", "plane", "plane", "cylinder", "cone", "ellipsoid", "waves", "ruled"];
+
 /// A quadric by its general coefficients Ax2+By2+Cz2+Fyz+Gxz+Hxy+Px+Qy+Rz+D.
 fn quadric(k: [f64; 10]) -> Form {
     let [a, b, c, f, g, h, p, q, r, d] = k;
@@ -374,7 +378,9 @@ fn onward(d: &mut Dice, mut s: Scene, scale: f64, all: bool) -> Option<Scene> {
     let how = if far > 6.0 * scale || how != "TO" { how } else { "ON" };
     let level = n.dot(&at) / scale;
     let across = n.cross(&Vec3::z()).normalize();
-    let check = match d.pick(if all { 8 } else { 3 }) {
+    let kind = d.pick(if all { 8 } else { 3 });
+    s.what += &format!(" until {how} {}", CHECKS[kind as usize]);
+    let check = match kind {
         3 => {
             let c = at + n * (25.0 * scale);
             form("CYLNDR", &[c.x, c.y, c.z, across.x, across.y, 0.6, 25.0 * scale])

@@ -98,6 +98,14 @@ impl Quadric {
     /// Bounds of the change of the unit normal over distances from `y`, split between two parameters.
     pub(crate) fn turn(&self, y: Vec3, reach: [f64; 2]) -> [f64; 2] {
         let g = self.half_gradient(y).norm();
+        // Along a ruling of a cone or cylinder the normal stays.
+        let reach = match self.shape {
+            Shape::Cone(_) => [0.0, reach[1]],
+            Shape::EllipticRod(..) | Shape::HyperbolicRod(..) | Shape::ParabolicRod(_) => {
+                [reach[0], 0.0]
+            }
+            _ => reach,
+        };
         let change = reach.map(|r| self.lambda.amax() * r);
         let rest = g - change[0] - change[1];
         if rest > 0.5 * g {

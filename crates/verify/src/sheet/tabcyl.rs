@@ -120,24 +120,54 @@ impl Tabcyl {
 
     /// The side of the nearest place.
     pub(crate) fn sign(&self, p: Vec3) -> f64 {
-        /// Places looked at in each span.
-        const PLACES: u32 = 16;
         let flat = p.xy();
         let mut best = (f64::INFINITY, 1.0);
         for (chart, s) in self.spans.iter().enumerate() {
             if (s.disk.center - flat).norm() - s.disk.radius > best.0 {
                 continue;
             }
-            for i in 0..=PLACES {
-                let x = s.length * f64::from(i) / f64::from(PLACES);
-                let jet = self.jet(&Spot { chart, at: [x, 0.0] });
-                let away = flat - jet.p.xy();
-                let side = away.dot(&jet.n.xy());
-                if away.norm() < best.0 {
-                    best = (away.norm(), side);
-                }
+            let (distance, side) = self.nearest(chart, flat);
+            if distance < best.0 {
+                best = (distance, side);
             }
         }
         1.0_f64.copysign(best.1)
+    }
+
+    /// Distance of a point from a span and how far it is to the left of the nearest place there. The span is cut
+    /// into pieces; in each the place is narrowed down where the distance stops falling.
+    fn nearest(&self, chart: usize, flat: Vec2) -> (f64, f64) {
+        /// Pieces of a span.
+        const PIECES: u32 = 16;
+        /// Halvings of a piece: to the last digit of its length.
+        const HALVINGS: u32 = 52;
+        let length = self.spans[chart].length;
+        let look = |x: f64| {
+            let jet = self.jet(&Spot { chart, at: [x, 0.0] });
+            let away = flat - jet.p.xy();
+            (away.norm(), away.dot(&jet.n.xy()), -away.dot(&jet.d[0].xy()))
+        };
+        let at = |i: u32| length * f64::from(i) / f64::from(PIECES);
+        let mut before = look(0.0);
+        let mut best = (before.0, before.1);
+        let mut offer = |found: (f64, f64, f64)| {
+            if found.0 < best.0 {
+                best = (found.0, found.1);
+            }
+        };
+        for i in 1..=PIECES {
+            let behind = look(at(i));
+            offer(behind);
+            if before.2 < 0.0 && behind.2 > 0.0 {
+                let (mut a, mut b) = (at(i - 1), at(i));
+                for _ in 0..HALVINGS {
+                    let middle = 0.5 * (a + b);
+                    if look(middle).2 < 0.0 { a = middle } else { b = middle }
+                }
+                offer(look(0.5 * (a + b)));
+            }
+            before = behind;
+        }
+        best
     }
 }
