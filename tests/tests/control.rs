@@ -88,11 +88,13 @@ fn hold(rs274: &Path, case: &Case, folder: &Path) -> Result<usize, String> {
     for (part, number) in compiled.parts.iter().zip(1..) {
         for nc in part.nc.iter().filter(|nc| nc.machine.name.starts_with("linuxcnc")) {
             let file = folder.join(format!("part{number}.ngc"));
-            fs::write(&file, &nc.text).map_err(|error| error.to_string())?;
+            let text = nc.text.to_vec().map_err(|error| error.to_string())?;
+            fs::write(&file, text).map_err(|error| error.to_string())?;
             let calls = interpret(rs274, &file)?;
             // A lathe's axes are others: there only that the control accepts it.
             if !nc.machine.name.contains("lathe") {
-                n += same_ends(&calls, &part.edited)?;
+                let records = part.edited.to_vec().map_err(|error| error.to_string())?;
+                n += same_ends(&calls, &records)?;
             }
         }
     }
@@ -169,8 +171,10 @@ fn a_wrong_position_is_seen_and_a_broken_file_is_refused() {
     let Some(rs274) = aptc_testkit::client(test, "rs274") else { return };
     let cases = discover(&repository().join("corpus"), "mill/wedge").expect("the corpus");
     let compiled = compile(&cases[0]);
-    let (records, nc) = (&compiled.parts[0].edited, &compiled.parts[0].nc[0]);
-    let text = String::from_utf8(nc.text.clone()).expect("machine code is text");
+    let part = &compiled.parts[0];
+    let records = &part.edited.to_vec().expect("they can be read");
+    let text = part.nc[0].text.to_vec().expect("it can be read");
+    let text = String::from_utf8(text).expect("machine code is text");
     let folder = tempfile::tempdir().expect("a folder");
     let run = |text: &str| -> Result<Vec<Call>, String> {
         let file: PathBuf = folder.path().join("a.ngc");

@@ -116,7 +116,7 @@ fn a_numeric_part_program_gives_the_same_cl_data_and_code() {
         for (artifact, stages) in
             [(Artifact::Cl, [Stage::EditedCl, Stage::Cl]), (Artifact::Nc, [Stage::Nc, Stage::Nc])]
         {
-            let files = resumed.artifact(artifact, false);
+            let files = resumed.artifact(artifact, false).expect("they can be read");
             let made: String =
                 files.iter().map(|(_, bytes)| String::from_utf8_lossy(bytes)).collect();
             let expected = stages.into_iter().find_map(|stage| golden(&case, stage));

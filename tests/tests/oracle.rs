@@ -77,7 +77,8 @@ fn python(arguments: &[&std::ffi::OsStr]) -> Result<(), String> {
 }
 
 fn one_artifact(compiled: &Compiled, kind: Artifact, folder: &Path) -> Result<PathBuf, String> {
-    let (ending, bytes) = compiled.artifact(kind, true).into_iter().next().ok_or("nothing made")?;
+    let made = compiled.artifact(kind, true).map_err(|error| error.to_string())?;
+    let (ending, bytes) = made.into_iter().next().ok_or("nothing made")?;
     let path = folder.join(format!("x.{ending}"));
     fs::write(&path, bytes).map_err(|e| e.to_string())?;
     Ok(path)

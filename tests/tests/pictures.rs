@@ -36,7 +36,7 @@ fn view(topic: &str, name: &str, view: &str) -> String {
     let source = Source { name: "program.apt".into(), text: text.into() };
     let options = Options { post: false, verify: Verify::Off, ..Options::default() };
     let compiled = aptc_control::compile(source, &mut Memory::default(), &options);
-    let (_, bytes) = compiled.artifact(Artifact::Svg, false).remove(0);
+    let (_, bytes) = compiled.artifact(Artifact::Svg, false).expect("it is made").remove(0);
     let plot = String::from_utf8(bytes).expect("SVG is text");
     let (_, nth, frame) = VIEWS.into_iter().find(|v| v.0 == view).expect("a view of a plot");
     let mut pieces = plot.split("<g>");

@@ -38,7 +38,7 @@ fn paths() -> Vec<Vec<Record>> {
         let options = Options { post: false, plot: false, ..Options::default() };
         for part in compile(source, &mut world, &options).parts {
             if part.certificate.is_some_and(|c| c.is_proved() && c.proved > 0) {
-                out.push(part.computed);
+                out.push(part.computed.to_vec().expect("they can be read"));
             }
         }
     }

@@ -4,6 +4,7 @@ use std::fs;
 use std::io::{self, Seek as _, Write};
 use std::path::Path;
 
+use aptc_control::ArtifactFile;
 use tempfile::NamedTempFile;
 
 /// A result that is being written aside, in the folder where it is to go.
@@ -47,11 +48,19 @@ impl Write for Aside {
     }
 }
 
-/// Writes `bytes` aside in the folder of `path`, then renames: what was there stays until all is written.
-pub(crate) fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    let mut aside = Aside::begin(path)?;
-    aside.write_all(bytes)?;
-    aside.keep(path)
+/// Writes a result aside in the folder of `path`, then renames: what was there stays until all is written.
+pub(crate) fn write_whole(path: &Path, file: &ArtifactFile<'_>) -> io::Result<()> {
+    write_aside(path, |out| file.write_to(out))
+}
+
+/// The same of what `write` writes.
+pub(crate) fn write_aside(
+    path: &Path,
+    write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+) -> io::Result<()> {
+    let mut aside = io::BufWriter::new(Aside::begin(path)?);
+    write(&mut aside)?;
+    aside.into_inner().map_err(io::IntoInnerError::into_error)?.keep(path)
 }
 
 #[cfg(test)]
@@ -62,10 +71,10 @@ mod tests {
     fn a_file_is_replaced_whole_and_nothing_is_left_aside() {
         let dir = tempfile::tempdir().unwrap();
         let path = dir.path().join("x.cl");
-        write_whole(&path, b"one").unwrap();
-        write_whole(&path, b"two").unwrap();
+        write_aside(&path, |out| out.write_all(b"one")).unwrap();
+        write_aside(&path, |out| out.write_all(b"two")).unwrap();
         assert_eq!(fs::read(&path).unwrap(), b"two");
         assert_eq!(fs::read_dir(dir.path()).unwrap().count(), 1);
-        assert!(write_whole(&dir.path().join("no/such/folder"), b"x").is_err());
+        assert!(write_aside(&dir.path().join("no/such/folder"), |_| Ok(())).is_err());
     }
 }

@@ -14,6 +14,7 @@ pub mod number;
 mod read;
 mod record;
 mod restore;
+mod spool;
 pub mod stats;
 mod stream;
 pub mod tape;
@@ -29,6 +30,7 @@ pub use record::{
     Arc, Arg, Clprnt, Control, Controlled, Course, Edit, Kind, Motion, MotionKind, NameRef, Output,
     Position, Record, Relation, Units,
 };
+pub use spool::{Block, Spill, Spool};
 pub use stream::{RecordReader, RecordWriter, copy};
 pub use tape::{TapeReader, TapeWriter};
 pub use text::{TextOptions, TextWriter};

@@ -25,26 +25,32 @@ const PAIRS: &[u8; 200] = b"0001020304050607080910111213141516171819\
 /// Appends `x`; zero has no sign. A number that is not finite is written as the largest there is, so that
 /// no reader meets a word (the records are kept finite at their source).
 pub fn put(out: &mut Vec<u8>, x: f64, decimals: Decimals) {
-    let x = if x.is_finite() { x } else { f64::MAX.copysign(x) };
     let fitted = match decimals {
-        Decimals::Shortest => put_exact::<1>(out, x) || put_exact::<2>(out, x),
+        Decimals::Shortest => put_exact::<8>(out, x) || put_exact::<12>(out, x),
         Decimals::Fixed(n) => put_scaled(out, x, usize::from(n.min(15))),
     };
     if !fitted {
+        let x = if x.is_finite() { x } else { f64::MAX.copysign(x) };
         put_any(out, x, decimals);
     }
 }
 
-/// Longest number that [`put_exact`] makes: sign, 9 or 15 digits with a point between, and room beside.
+/// Longest number that [`put_exact`] makes: sign, 8 digits, point and 16 decimals, each copied as eight.
 const LONGEST: usize = 32;
+/// Eight decimals.
+const EIGHT: u64 = 100_000_000;
 
-/// Writes `x` with at most `6 * SIXES` decimals when these read back the same number, which no shorter ones
-/// do then; else writes nothing and gives false.
+/// Writes `x` with at most `PLACES` decimals, 8 or 12, when these read back the same number, which no shorter
+/// ones do then; else writes nothing and gives false.
+///
+/// Up to 15 digits stand for one number only: the first of them that reads back is the shortest.
 #[inline]
-fn put_exact<const SIXES: usize>(out: &mut Vec<u8>, x: f64) -> bool {
-    let unit = POW10[6 * SIXES];
-    let scaled = x.abs() * unit;
-    if scaled >= 999_999_999_999_999.0 {
+fn put_exact<const PLACES: usize>(out: &mut Vec<u8>, x: f64) -> bool {
+    let unit = POW10[PLACES];
+    let size = x.abs();
+    let scaled = size * unit;
+    // So that nothing which is not finite gets further.
+    if !(scaled < 999_999_999_999_999.0) {
         return false;
     }
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 <= it < 1e15")]
@@ -53,40 +59,34 @@ fn put_exact<const SIXES: usize>(out: &mut Vec<u8>, x: f64) -> bool {
         clippy::float_cmp,
         reason = "the test is whether the digits read back the same number"
     )]
-    if q as f64 / unit != x.abs() {
+    if q as f64 / unit != size {
         return false;
     }
-    if q == 0 {
-        out.push(b'0');
-        return true;
-    }
-    let mut line = [b'0'; LONGEST];
-    let mut at = 0;
-    if x < 0.0 {
-        line[0] = b'-';
-        at = 1;
-    }
-    let (mut whole, mut sixes) = (q, [0; SIXES]);
-    for six in sixes.iter_mut().rev() {
-        *six = whole % 1_000_000;
-        whole /= 1_000_000;
-    }
-    let point = put_whole(&mut line, at, whole);
-    line[point] = b'.';
-    at = point + 1;
-    let mut end = point;
-    for six in sixes {
-        for pair in [six / 10_000, six / 100 % 100, six % 100] {
-            let pair = usize::try_from(pair).unwrap_or(0) * 2;
-            line[at..at + 2].copy_from_slice(&PAIRS[pair..pair + 2]);
-            at += 2;
+    // Of 12 decimals 16 are made, so that there are eights only; that stays below 2^64.
+    let (whole, eights) = match PLACES {
+        8 => (q / EIGHT, [q % EIGHT, 0]),
+        _ => {
+            let sixteen = q * 10_000;
+            (sixteen / EIGHT / EIGHT, [sixteen / EIGHT % EIGHT, sixteen % EIGHT])
         }
-        if six != 0 {
-            end = at;
+    };
+    let mut line = [b'-'; LONGEST];
+    let mut at = usize::from(x < 0.0 && q > 0);
+    // Below 1e7, for all of it has 15 digits; the lowest byte is the first digit, and one is always written.
+    let digits = digit_values(whole);
+    let zeros = (digits.trailing_zeros() / 8).min(7);
+    line[at..at + 8].copy_from_slice(&((digits | ASCII_ZEROS) >> (8 * zeros)).to_le_bytes());
+    at += 8 - zeros as usize;
+    let mut end = at;
+    line[at] = b'.';
+    at += 1;
+    for eight in eights.into_iter().take(PLACES.div_ceil(8)) {
+        let digits = digit_values(eight);
+        line[at..at + 8].copy_from_slice(&(digits | ASCII_ZEROS).to_le_bytes());
+        at += 8;
+        if eight != 0 {
+            end = at - digits.leading_zeros() as usize / 8;
         }
-    }
-    while end > point && line[end - 1] == b'0' {
-        end -= 1;
     }
     // All of the line, for a copy of fixed size is much quicker, and then back to what counts.
     let start = out.len();
@@ -95,13 +95,20 @@ fn put_exact<const SIXES: usize>(out: &mut Vec<u8>, x: f64) -> bool {
     true
 }
 
-/// Digits of `whole` from `at` on; the place behind them.
-fn put_whole(line: &mut [u8; LONGEST], at: usize, whole: u64) -> usize {
-    let mut digits = [b'0'; 24];
-    let start = put_digits(&mut digits, whole);
-    let n = digits.len() - start;
-    line[at..at + n].copy_from_slice(&digits[start..]);
-    at + n
+/// Eight characters `0`.
+const ASCII_ZEROS: u64 = 0x3030_3030_3030_3030;
+
+/// The eight digits of `n` below 10^8, one a byte, the first in the lowest.
+///
+/// All of them at once: the fours from the eight, the pairs from the fours and the ones from the pairs; the
+/// divisions by 100 and 10 are multiplications that are exact in their range.
+#[inline]
+fn digit_values(n: u64) -> u64 {
+    let fours = n / 10_000 | (n % 10_000) << 32;
+    let hundreds = (fours * 10_486 >> 20) & 0x0000_007f_0000_007f;
+    let pairs = hundreds | (fours - 100 * hundreds) << 16;
+    let tens = (pairs * 103 >> 10) & 0x000f_000f_000f_000f;
+    tens | (pairs - 10 * tens) << 8
 }
 
 /// Writes `x` as an integer of 10^-`places`; false when it does not fit.
@@ -173,20 +180,36 @@ fn put_any(out: &mut Vec<u8>, x: f64, decimals: Decimals) {
 /// Reads the number at the head of `text`: its value and length. Signs, `5.`, `.5`, exponents with E or
 /// FORTRAN's D; no leading blanks. `None` when no number stands there or when it is not finite.
 pub fn parse_head(text: &[u8]) -> Option<(f64, usize)> {
-    let mut at = 0;
-    let negative = match text.first() {
-        Some(b'-') => {
-            at = 1;
-            true
+    parse_at(text, 0)
+}
+
+/// As [`parse_head`], of the number that begins at `start`: its value and the place behind it.
+#[inline]
+pub fn parse_at(text: &[u8], start: usize) -> Option<(f64, usize)> {
+    let first = text.get(start).copied().unwrap_or(0);
+    let negative = first == b'-';
+    let begin = start + usize::from(negative | (first == b'+'));
+    let signed = |x: f64| if negative { -x } else { x };
+    // Up to eight digits before the point and behind it, as nearly all numbers are.
+    if let Some((whole, n)) = eight_digits(text, begin)
+        && text.get(begin + n) == Some(&b'.')
+        && let Some((fraction, n_decimals)) = eight_digits(text, begin + n + 1)
+    {
+        let end = begin + n + 1 + n_decimals;
+        let mantissa = whole * UP_TO_EIGHT[n_decimals] + fraction;
+        let ends = !matches!(text.get(end), Some(b'0'..=b'9' | b'E' | b'e' | b'D' | b'd'));
+        if ends && n + n_decimals > 0 && mantissa < 1 << 53 {
+            return Some((signed(mantissa as f64 / POW10[n_decimals]), end));
         }
-        Some(b'+') => {
-            at = 1;
-            false
-        }
-        _ => false,
-    };
-    let (mut mantissa, mut n_digits) = take_digits(text, at, 0);
-    at += n_digits;
+    }
+    parse_long(text, start, begin, negative)
+}
+
+/// As [`parse_at`], of any number; its digits begin at `begin`.
+#[inline(never)]
+fn parse_long(text: &[u8], start: usize, begin: usize, negative: bool) -> Option<(f64, usize)> {
+    let (mut mantissa, mut n_digits) = take_digits(text, begin, 0);
+    let mut at = begin + n_digits;
     let mut n_decimals = 0;
     if text.get(at) == Some(&b'.') {
         (mantissa, n_decimals) = take_digits(text, at + 1, mantissa);
@@ -204,7 +227,7 @@ pub fn parse_head(text: &[u8]) -> Option<(f64, usize)> {
         return Some((if negative { -value } else { value }, at));
     }
     let end = exponent.unwrap_or(at);
-    let value = parse_slowly(text.get(..end)?)?;
+    let value = parse_slowly(text.get(start..end)?)?;
     Some((value, end))
 }
 
@@ -230,15 +253,28 @@ fn take_digits(text: &[u8], at: usize, mut mantissa: u64) -> (u64, usize) {
 const UP_TO_EIGHT: [u64; 9] =
     [1, 10, 100, 1_000, 10_000, 100_000, 1_000_000, 10_000_000, 100_000_000];
 
-/// Value and count of the digits at the head of the eight bytes from `at` on; `None` when there are no eight.
+/// The eight bytes from `at` on, the first the lowest, with zeros behind the end of the text; `None` when the
+/// whole text is shorter.
+#[inline]
+fn eight_bytes(text: &[u8], at: usize) -> Option<u64> {
+    if let Some(bytes) = text.get(at..at + 8) {
+        return Some(u64::from_le_bytes(bytes.try_into().ok()?));
+    }
+    // The last number of a line: what was before it is shifted out.
+    let last = u64::from_le_bytes(*text.last_chunk()?);
+    let missing = at + 8 - text.len();
+    Some(if missing < 8 { last >> (8 * missing) } else { 0 })
+}
+
+/// Value and count of the digits at the head of the eight bytes from `at` on; `None` when the text is shorter
+/// than eight.
 ///
 /// All eight are looked at together: how many digits a number has cannot be foretold, so that a branch for
 /// each would often go the wrong way. After D. Lemire, "Number parsing at a gigabyte per second" (2021).
 #[inline]
 fn eight_digits(text: &[u8], at: usize) -> Option<(u64, usize)> {
-    let bytes = text.get(at..at + 8)?;
-    // The first character is the lowest byte; a digit becomes its value, 10 and more is none.
-    let values = u64::from_le_bytes(bytes.try_into().ok()?) ^ 0x3030_3030_3030_3030;
+    // A digit becomes its value, 10 and more is none.
+    let values = eight_bytes(text, at)? ^ ASCII_ZEROS;
     let others = (values.wrapping_add(0x7676_7676_7676_7676) | values) & 0x8080_8080_8080_8080;
     let n = others.trailing_zeros() / 8;
     if n == 0 {
@@ -344,6 +380,25 @@ mod tests {
         ] {
             assert_eq!(text(x, Decimals::Fixed(n)), fixed);
         }
+    }
+
+    #[test]
+    fn all_groups_of_digits() {
+        for n in (0..100_000_000_u64).step_by(9_973).chain(0..10_000).chain(99_990_000..EIGHT) {
+            let digits = (digit_values(n) | ASCII_ZEROS).to_le_bytes();
+            assert_eq!(std::str::from_utf8(&digits).unwrap(), format!("{n:08}"));
+        }
+    }
+
+    /// A number that is the last of its line is read eight digits at a time too.
+    #[test]
+    fn numbers_within_a_line() {
+        let line = b"GOTO/-12.345678,+0.5,1234567890.125";
+        assert_eq!(parse_at(line, 5), Some((-12.345_678, 15)));
+        assert_eq!(parse_at(line, 16), Some((0.5, 20)));
+        assert_eq!(parse_at(line, 21), Some((1_234_567_890.125, line.len())));
+        assert_eq!(parse_at(line, line.len() - 3), Some((125.0, line.len())));
+        assert_eq!((parse_at(line, 4), parse_at(line, 99)), (None, None));
     }
 
     #[test]

@@ -225,7 +225,7 @@ pub struct Control {
 }
 
 /// A surface with what was asked of the cutter against it.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Controlled {
     /// Its name.
     pub name: NameRef,

@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use aptc_control::{
-    Artifact, Compiled, Disk, MachineChoice, Options, Record, RecordWriter as _, TextOptions,
-    TextWriter, UnknownWords,
+    Artifact, Compiled, Disk, MachineChoice, Options, RecordWriter as _, TextOptions, TextWriter,
+    UnknownWords,
 };
 use aptc_diagnostics::{Diagnostic, FileId, Severity, SourceMap};
 
@@ -57,27 +57,27 @@ pub fn compile(case: &Case) -> Result<Outputs, String> {
 fn outputs(compiled: &Compiled) -> Outputs {
     let whole = compiled.is_cl_whole();
     let first = |kind| {
-        let files = compiled.artifact(kind, false).into_iter();
+        let files = compiled.artifact(kind, false).expect("memory is read").into_iter();
         let texts = files.map(|(_, bytes)| String::from_utf8_lossy(&bytes).into_owned());
         // Several part programs or machines in one file: one golden, one after the other.
         let all: Vec<String> = texts.collect();
         (!all.is_empty()).then(|| all.concat())
     };
-    let computed = compiled.parts.iter().flat_map(|part| &part.computed);
     Outputs {
         protap: first(Artifact::Protap),
-        cl: whole.then(|| cl_text(computed)),
+        cl: whole.then(|| cl_text(compiled)),
         edited_cl: first(Artifact::Cl),
         nc: first(Artifact::Nc),
         messages: messages(&compiled.diagnostics, &compiled.sources),
     }
 }
 
-fn cl_text<'r>(records: impl Iterator<Item = &'r Record>) -> String {
+/// CL data of Section 2.
+fn cl_text(compiled: &Compiled) -> String {
     let mut bytes = Vec::new();
     let mut writer = TextWriter::new(&mut bytes, TextOptions::default());
-    for record in records {
-        writer.write(record).expect("memory takes all");
+    for part in &compiled.parts {
+        part.computed.try_for_each(|record| writer.write(record)).expect("memory takes all");
     }
     writer.finish().expect("memory takes all");
     drop(writer);

@@ -1,12 +1,14 @@
 //! What a compilation can be written as.
 
-use aptc_cldata::{JsonWriter, Record, RecordWriter, TapeWriter, TextOptions, TextWriter};
+use std::io::{self, Write};
+
+use aptc_cldata::{JsonWriter, RecordWriter, TapeWriter, TextOptions, TextWriter};
+use aptc_edit::Plot;
 use aptc_post::{setup_html, setup_text};
 use aptc_vocabulary::Dialect;
 
-use crate::Compiled;
-use crate::Nc;
 use crate::geometry_json::geometry_json;
+use crate::{Compiled, Nc, Text, listing};
 
 /// A kind of result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -37,68 +39,123 @@ pub enum Artifact {
     Diagram,
 }
 
+/// A file that can be written.
+pub struct ArtifactFile<'c> {
+    /// Its ending, without the first dot.
+    pub ending: String,
+    content: Content<'c>,
+}
+
+enum Content<'c> {
+    Made(Vec<u8>),
+    Text(&'c Text),
+    Cl(&'c Compiled, Form),
+    Listing(&'c Compiled),
+}
+
+/// A form of CL data.
+#[derive(Clone, Copy)]
+enum Form {
+    Text,
+    Json,
+    Tape,
+}
+
+impl ArtifactFile<'_> {
+    /// Writes it, in memory that does not grow with CL data and machine code.
+    ///
+    /// # Errors
+    /// What `out` and the temporary files give.
+    pub fn write_to(&self, out: &mut dyn Write) -> io::Result<()> {
+        match &self.content {
+            Content::Made(bytes) => out.write_all(bytes),
+            Content::Text(text) => text.copy_to(out),
+            Content::Cl(compiled, Form::Text) => {
+                compiled.write(&mut TextWriter::new(out, TextOptions::default()))
+            }
+            Content::Cl(compiled, Form::Json) => compiled.write(&mut JsonWriter::new(out)),
+            Content::Cl(compiled, Form::Tape) => {
+                compiled.write(&mut TapeWriter::new(out, Dialect::Apt360))
+            }
+            Content::Listing(compiled) => listing::write(out, compiled),
+        }
+    }
+}
+
 impl Compiled {
-    /// The files of a kind: ending without the first dot, and content. Nothing where the run had errors
-    /// that this kind does not survive; with `keep_going` CL data then comes as `partial.cl`.
-    pub fn artifact(&self, kind: Artifact, keep_going: bool) -> Vec<(String, Vec<u8>)> {
+    /// The files of a kind with their content.
+    ///
+    /// # Errors
+    /// What the temporary files give.
+    pub fn artifact(&self, kind: Artifact, keep_going: bool) -> io::Result<Vec<(String, Vec<u8>)>> {
+        let mut all = Vec::new();
+        for file in self.files(kind, keep_going)? {
+            let mut bytes = Vec::new();
+            file.write_to(&mut bytes)?;
+            all.push((file.ending, bytes));
+        }
+        Ok(all)
+    }
+
+    /// The files of a kind. Nothing where the run had errors that this kind does not survive; with
+    /// `keep_going` CL data then comes as `partial.cl`.
+    ///
+    /// # Errors
+    /// What the temporary files give.
+    pub fn files(&self, kind: Artifact, keep_going: bool) -> io::Result<Vec<ArtifactFile<'_>>> {
         let whole = self.is_cl_whole();
-        let one = |ending: &str, bytes: Vec<u8>| vec![(ending.to_owned(), bytes)];
-        match kind {
+        let one = |ending: &str, content| vec![ArtifactFile { ending: ending.to_owned(), content }];
+        let made = |ending: &str, bytes| one(ending, Content::Made(bytes));
+        let all = |files: Vec<(String, Vec<u8>)>| {
+            let file = |(ending, bytes)| ArtifactFile { ending, content: Content::Made(bytes) };
+            files.into_iter().map(file).collect()
+        };
+        Ok(match kind {
             Artifact::Protap if whole => {
                 let records = self.parts.iter().flat_map(|p| &p.protap);
-                one("protap", aptc_protap::write(records).into_bytes())
+                made("protap", aptc_protap::write(records).into_bytes())
             }
-            Artifact::Cl if whole => one("cl", self.cl_text()),
-            Artifact::Cl if keep_going => one("partial.cl", self.cl_text()),
-            Artifact::ClJson if whole => {
-                let mut bytes = Vec::new();
-                self.write(&mut JsonWriter::new(&mut bytes));
-                one("cl.json", bytes)
-            }
-            Artifact::Cltape if whole => {
-                let mut bytes = Vec::new();
-                self.write(&mut TapeWriter::new(&mut bytes, Dialect::Apt360));
-                one("cltape", bytes)
-            }
+            Artifact::Cl if whole => one("cl", Content::Cl(self, Form::Text)),
+            Artifact::Cl if keep_going => one("partial.cl", Content::Cl(self, Form::Text)),
+            Artifact::ClJson if whole => one("cl.json", Content::Cl(self, Form::Json)),
+            Artifact::Cltape if whole => one("cltape", Content::Cl(self, Form::Tape)),
             Artifact::Nc if whole && !self.is_refuted() => {
-                self.nc().map(|(stem, nc)| (format!("{stem}nc"), nc.text.clone())).collect()
+                let mut files = Vec::new();
+                for (stem, nc) in self.nc() {
+                    let ending = format!("{stem}nc");
+                    files.push(ArtifactFile { ending, content: Content::Text(&nc.text) });
+                }
+                files
             }
-            Artifact::Setup if whole && !self.is_refuted() => self.setup(),
-            Artifact::Map if whole && !self.is_refuted() => self.map(),
-            Artifact::Listing => one("lst", self.listing.clone().into_bytes()),
-            Artifact::Svg if whole => self.plot(),
+            Artifact::Setup if whole && !self.is_refuted() => all(self.setup()),
+            Artifact::Map if whole && !self.is_refuted() => all(self.map()),
+            Artifact::Listing => one("lst", Content::Listing(self)),
+            Artifact::Svg if whole => all(self.plot()?),
             Artifact::Geometry => {
                 let items = self.geometry.iter().map(|(n, v)| (n.as_str(), v));
-                one("geometry.json", geometry_json(items).into_bytes())
+                made("geometry.json", geometry_json(items).into_bytes())
             }
             Artifact::Deviation if whole => {
-                let records = self.parts.iter().flat_map(|p| &p.computed);
-                let svg = aptc_verify::deviation_svg(records);
-                svg.map_or_else(Vec::new, |s| one("deviation.svg", s.into_bytes()))
+                let mut records = Vec::new();
+                for part in &self.parts {
+                    records.extend(part.computed.to_vec()?);
+                }
+                let svg = aptc_verify::deviation_svg(&records);
+                svg.map_or_else(Vec::new, |s| made("deviation.svg", s.into_bytes()))
             }
             Artifact::Diagram => {
                 let situation = self.situation.iter();
-                situation.map(|s| ("diagram.svg".to_owned(), s.svg().into_bytes())).collect()
+                situation.flat_map(|s| made("diagram.svg", s.svg().into_bytes())).collect()
             }
             _ => Vec::new(),
+        })
+    }
+
+    fn write(&self, writer: &mut dyn RecordWriter) -> io::Result<()> {
+        for part in &self.parts {
+            part.edited.try_for_each(|record| writer.write(record))?;
         }
-    }
-
-    fn edited(&self) -> impl Iterator<Item = &Record> {
-        self.parts.iter().flat_map(|p| &p.edited)
-    }
-
-    fn cl_text(&self) -> Vec<u8> {
-        let mut bytes = Vec::new();
-        self.write(&mut TextWriter::new(&mut bytes, TextOptions::default()));
-        bytes
-    }
-
-    fn write(&self, writer: &mut dyn RecordWriter) {
-        for record in self.edited() {
-            writer.write(record).expect("memory takes all");
-        }
-        writer.finish().expect("memory takes all");
+        writer.finish()
     }
 
     /// Each machine code with what stands before the ending: nothing for the first part program, `2.` for
@@ -140,11 +197,14 @@ impl Compiled {
         maps.collect()
     }
 
-    fn plot(&self) -> Vec<(String, Vec<u8>)> {
+    fn plot(&self) -> io::Result<Vec<(String, Vec<u8>)>> {
         if self.parts.iter().all(|p| p.noplot) {
-            return Vec::new();
+            return Ok(Vec::new());
         }
-        let records = self.parts.iter().filter(|p| !p.noplot).flat_map(|p| &p.edited);
-        vec![("svg".to_owned(), aptc_edit::plot_svg(records).into_bytes())]
+        let mut plot = Plot::new();
+        for part in self.parts.iter().filter(|p| !p.noplot) {
+            part.edited.for_each(|record| plot.push(record))?;
+        }
+        Ok(vec![("svg".to_owned(), plot.finish().into_bytes())])
     }
 }

@@ -2,9 +2,9 @@
 
 use std::io;
 
-use aptc_cldata::{Record, RecordReader, RecordWriter};
+use aptc_cldata::{Record, RecordReader, RecordWriter, Spill, Spool};
 use aptc_diagnostics::Diagnostic;
-use aptc_edit::{Editor, Spill, Spool, Subprograms};
+use aptc_edit::{Editor, Subprograms};
 
 /// A spool that goes to a temporary file when it grows.
 pub(crate) fn spool() -> Spool {

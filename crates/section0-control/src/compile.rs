@@ -1,12 +1,13 @@
 //! The road: from source text to machine code.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::io;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use aptc_arelem::{Arelem, Situation};
 use aptc_cldata as cl;
-use aptc_diagnostics::{Diagnostic, FrameKind, SourceMap, codes};
+use aptc_diagnostics::{Diagnostic, FrameKind, SourceMap, Span, codes};
 use aptc_protap as protap;
 use aptc_regional::Regional;
 use aptc_translate::{
@@ -16,7 +17,7 @@ use aptc_verify::Certificate;
 
 use crate::geometry_json::Named;
 use crate::post::{Nc, post_part};
-use crate::{Options, Source, Summary, Verify, World, WorldError, listing};
+use crate::{Options, Records, Source, Summary, Verify, World, WorldError};
 
 /// What came of a part program.
 #[derive(Debug, Default)]
@@ -27,8 +28,8 @@ pub struct Compiled {
     pub diagnostics: Vec<Diagnostic>,
     /// The part programs of the file, PARTNO to FINI, in order.
     pub parts: Vec<Part>,
-    /// The listing.
-    pub listing: String,
+    /// What the program printed.
+    pub(crate) printed: Vec<Entry>,
     /// Final values of all names.
     pub geometry: Vec<(String, Named)>,
     /// The situation in which the first motion failed, of which a picture can be made.
@@ -41,9 +42,9 @@ pub struct Part {
     /// The numeric part program, if it was to be kept.
     pub protap: Vec<protap::Record>,
     /// CL data of Section 2.
-    pub computed: Vec<cl::Record>,
+    pub computed: Records,
     /// CL data after Section 3.
-    pub edited: Vec<cl::Record>,
+    pub edited: Records,
     /// Machine code, one text a machine.
     pub nc: Vec<Nc>,
     /// Figures.
@@ -71,6 +72,13 @@ impl Compiled {
     }
 }
 
+/// The records did not go to their temporary file, or did not come back.
+pub(crate) fn no_room(e: &io::Error) -> Diagnostic {
+    let what = format!("the temporary file for CL data cannot be used: {e}");
+    Diagnostic::error(codes::UNREADABLE_FILE, Span::default(), what)
+        .help("make room where temporary files go, or set TMPDIR to a folder that has it")
+}
+
 fn is_refutation(d: &Diagnostic) -> bool {
     d.is_error() && d.code.number() >= 5000
 }
@@ -81,7 +89,6 @@ pub fn compile(source: Source, world: &mut dyn World, options: &Options) -> Comp
     let mut section1 =
         Interpreter::new(&source.name, &source.text, &mut files, options.translate.clone());
     let mut run = Run::new(options);
-    let mut entries = Vec::new();
     let clock = Clock::start(options.time);
     loop {
         if clock.is_over() {
@@ -91,7 +98,7 @@ pub fn compile(source: Source, world: &mut dyn World, options: &Options) -> Comp
         }
         let Some(step) = section1.step_within(BETWEEN_LOOKS) else { continue };
         run.compiled.diagnostics.extend(section1.take_diagnostics());
-        entries.extend(section1.take_listing());
+        run.compiled.printed.extend(section1.take_listing());
         match step {
             Step::Record(record) => {
                 let outcome = run.take(record);
@@ -108,7 +115,7 @@ pub fn compile(source: Source, world: &mut dyn World, options: &Options) -> Comp
     };
     run.compiled.geometry =
         section1.geometry().into_iter().map(|(n, q)| (name_of(&n), named(q))).collect();
-    run.finish(&entries)
+    run.finish()
 }
 
 /// Statements between two looks at the clock; fewer cost more than they are worth, more let a program run
@@ -149,7 +156,7 @@ pub fn resume(source: Source, options: &Options) -> Compiled {
         }
     }
     run.end_part();
-    run.finish(&[])
+    run.finish()
 }
 
 fn name_of(n: &protap::NameRef) -> String {
@@ -163,6 +170,8 @@ struct Run<'o> {
     section2: Arelem,
     regional: Regional,
     part: Part,
+    /// What Section 2 has put out last.
+    fresh: Vec<cl::Record>,
     /// Has the present part program any record?
     begun: bool,
     nopost: bool,
@@ -178,6 +187,7 @@ impl<'o> Run<'o> {
             section2: Arelem::new(aptc_arelem::Options::default()),
             regional: Regional::default(),
             part: Part::default(),
+            fresh: Vec::new(),
             begun: false,
             nopost: false,
             last_section: 4,
@@ -207,9 +217,14 @@ impl<'o> Run<'o> {
 
     /// Section 2: the arithmetic element, and regional milling, which hand the tool to each other.
     fn mill(&mut self, record: &protap::Record) -> protap::Outcome {
-        let outcome = self.section2.execute(record, &mut self.part.computed);
-        let milled = self.regional.execute(record, &mut self.part.computed);
+        let outcome = self.section2.execute(record, &mut self.fresh);
+        let milled = self.regional.execute(record, &mut self.fresh);
         self.compiled.diagnostics.extend(self.regional.take_diagnostics());
+        // Regional milling takes back what CLDAT only records.
+        if !self.regional.is_recording() {
+            let kept = self.keep();
+            self.tell(kept);
+        }
         match milled {
             Ok(None) => outcome,
             Ok(Some(s)) => {
@@ -228,53 +243,58 @@ impl<'o> Run<'o> {
         if !self.begun {
             return;
         }
-        self.section2.finish(&mut self.part.computed);
+        self.section2.finish(&mut self.fresh);
+        let kept = self.keep();
+        self.tell(kept);
         self.compiled.diagnostics.extend(self.section2.take_diagnostics());
         let situation = self.section2.take_situation();
         self.compiled.situation = self.compiled.situation.take().or(situation);
         let mut part = std::mem::take(&mut self.part);
-        let whole = self.compiled.is_cl_whole();
-        if self.options.verify != Verify::Off {
-            self.prove(&mut part);
-        }
-        if self.last_section >= 3 {
-            let (edited, diagnostics) = crate::edit::edit(&part.computed, whole);
-            part.edited = edited;
-            self.compiled.diagnostics.extend(diagnostics);
-        }
-        part.summary = Summary::of(&part.edited);
-        if self.options.post
-            && !self.nopost
-            && self.last_section >= 4
-            && self.compiled.is_cl_whole()
-        {
-            let (nc, diagnostics) = post_part(&part.edited, &self.options.code);
-            part.nc = nc;
-            self.compiled.diagnostics.extend(diagnostics);
-        }
+        let done = self.later_sections(&mut part);
+        self.tell(done);
         self.compiled.parts.push(part);
         self.section2 = Arelem::new(aptc_arelem::Options::default());
         self.regional = Regional::default();
         (self.begun, self.nopost, self.last_section) = (false, false, 4);
     }
 
-    /// Proves the path of Section 2 against its surfaces.
-    fn prove(&mut self, part: &mut Part) {
-        let (certificate, diagnostics) = crate::verify::prove(&part.computed, self.options.verify);
-        part.certificate = Some(certificate);
+    /// The proof of the path of Section 2 against its surfaces, and Sections 3 and 4.
+    fn later_sections(&mut self, part: &mut Part) -> io::Result<()> {
+        let whole = self.compiled.is_cl_whole();
+        if self.options.verify != Verify::Off {
+            let (certificate, diagnostics) =
+                crate::verify::prove(&part.computed, self.options.verify)?;
+            part.certificate = Some(certificate);
+            self.compiled.diagnostics.extend(diagnostics);
+        }
+        if self.last_section < 3 {
+            return Ok(());
+        }
+        let (edited, diagnostics) = crate::edit::edit(&part.computed, whole)?;
+        (part.edited, part.summary) = (edited.records, edited.summary);
         self.compiled.diagnostics.extend(diagnostics);
+        let posts = self.options.post && !self.nopost && self.last_section >= 4;
+        if posts && self.compiled.is_cl_whole() {
+            let (nc, diagnostics) = post_part(&part.edited, &edited.head, &self.options.code)?;
+            part.nc = nc;
+            self.compiled.diagnostics.extend(diagnostics);
+        }
+        Ok(())
     }
 
-    fn finish(mut self, entries: &[Entry]) -> Compiled {
+    /// Puts what Section 2 made to the records of the part.
+    fn keep(&mut self) -> io::Result<()> {
+        self.fresh.drain(..).try_for_each(|record| self.part.computed.push(record))
+    }
+
+    /// Without its temporary file the part is not whole.
+    fn tell(&mut self, done: io::Result<()>) {
+        let Err(e) = done else { return };
+        self.compiled.diagnostics.push(no_room(&e));
+    }
+
+    fn finish(mut self) -> Compiled {
         once_each(&mut self.compiled.diagnostics);
-        let mut text = String::new();
-        for (_, file) in self.compiled.sources.iter().take(1) {
-            listing::source(&mut text, file);
-        }
-        listing::printed(&mut text, entries);
-        listing::clprnt(&mut text, &self.compiled.parts);
-        listing::messages(&mut text, &self.compiled.diagnostics, &self.compiled.sources);
-        self.compiled.listing = text;
         self.compiled
     }
 }

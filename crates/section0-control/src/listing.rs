@@ -2,17 +2,32 @@
 //! it, and what was found.
 
 use std::fmt::Write as _;
+use std::io;
 
-use aptc_cldata::{Clprnt, Kind, Record};
+use aptc_cldata::{Clprnt, Kind};
 use aptc_diagnostics::{Diagnostic, Severity, SourceFile, SourceMap};
 use aptc_edit::Listing as Table;
 use aptc_protap::NameRef;
 use aptc_translate::{Entry, EntryKind};
 
-use crate::Part;
+use crate::{Compiled, Records};
+
+/// Writes the listing of all parts.
+pub(crate) fn write(out: &mut dyn io::Write, compiled: &Compiled) -> io::Result<()> {
+    let mut text = String::new();
+    for (_, file) in compiled.sources.iter().take(1) {
+        source(&mut text, file);
+    }
+    printed(&mut text, &compiled.printed);
+    out.write_all(text.as_bytes())?;
+    clprnt(out, compiled)?;
+    text.clear();
+    messages(&mut text, &compiled.diagnostics, &compiled.sources);
+    out.write_all(text.as_bytes())
+}
 
 /// Writes the source of a part program with its line numbers.
-pub(crate) fn source(out: &mut String, file: &SourceFile) {
+fn source(out: &mut String, file: &SourceFile) {
     writeln!(out, "SOURCE  {}\n", file.name).expect("strings take all");
     for (line, text) in (1..).zip(file.text.lines()) {
         writeln!(out, "{line:>6}  {}", text.trim_end()).expect("strings take all");
@@ -20,33 +35,50 @@ pub(crate) fn source(out: &mut String, file: &SourceFile) {
 }
 
 /// Writes the CL data that CLPRNT asks for: before and after the editor.
-pub(crate) fn clprnt(out: &mut String, parts: &[Part]) {
-    for part in parts {
-        let asks =
-            |what| part.computed.iter().any(|r| matches!(&r.kind, Kind::Clprnt(w) if *w == what));
-        if asks(Clprnt::Whole) {
-            table(out, "CL DATA", Table::whole(), &part.edited);
+fn clprnt(out: &mut dyn io::Write, compiled: &Compiled) -> io::Result<()> {
+    for part in &compiled.parts {
+        let (mut whole, mut option) = (false, false);
+        part.computed.for_each(|r| {
+            whole |= matches!(r.kind, Kind::Clprnt(Clprnt::Whole));
+            option |= matches!(r.kind, Kind::Clprnt(Clprnt::Option));
+        })?;
+        if whole {
+            table(out, "CL DATA", Table::whole(), &part.edited)?;
             continue;
         }
-        table(out, "CL DATA", Table::parts(), &part.edited);
-        if asks(Clprnt::Option) {
-            table(out, "CL DATA BEFORE TRANSFORMATION", Table::before_editing(), &part.computed);
+        table(out, "CL DATA", Table::parts(), &part.edited)?;
+        if option {
+            table(out, "CL DATA BEFORE TRANSFORMATION", Table::before_editing(), &part.computed)?;
         }
     }
+    Ok(())
 }
 
-fn table(out: &mut String, title: &str, mut listing: Table, records: &[Record]) {
-    let mut text = String::new();
-    for record in records {
+fn table(
+    out: &mut dyn io::Write,
+    title: &str,
+    mut listing: Table,
+    records: &Records,
+) -> io::Result<()> {
+    let (mut text, mut begun) = (String::new(), false);
+    records.try_for_each(|record| {
         listing.push(record, &mut text);
-    }
-    if !text.is_empty() {
-        writeln!(out, "\n{title}\n\n{text}").expect("strings take all");
-    }
+        if text.is_empty() {
+            return Ok(());
+        }
+        if !begun {
+            write!(out, "\n{title}\n\n")?;
+            begun = true;
+        }
+        out.write_all(text.as_bytes())?;
+        text.clear();
+        Ok(())
+    })?;
+    if begun { writeln!(out) } else { Ok(()) }
 }
 
 /// Writes what the program printed.
-pub(crate) fn printed(out: &mut String, entries: &[Entry]) {
+fn printed(out: &mut String, entries: &[Entry]) {
     if entries.is_empty() {
         return;
     }
@@ -80,7 +112,7 @@ pub(crate) fn printed(out: &mut String, entries: &[Entry]) {
 }
 
 /// Writes the messages, one line each.
-pub(crate) fn messages(out: &mut String, diagnostics: &[Diagnostic], sources: &SourceMap) {
+fn messages(out: &mut String, diagnostics: &[Diagnostic], sources: &SourceMap) {
     if diagnostics.is_empty() {
         return;
     }

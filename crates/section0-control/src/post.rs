@@ -7,7 +7,7 @@ use aptc_diagnostics::{Diagnostic, Span, codes};
 use aptc_post::{BlockOrigin, Machine, Post, PostOptions, SetupSheet, ToolScan};
 use smol_str::SmolStr;
 
-use crate::{CodeOptions, MachineChoice};
+use crate::{CodeOptions, MachineChoice, Records, Text};
 
 /// Machine code for one machine.
 #[derive(Debug)]
@@ -15,7 +15,7 @@ pub struct Nc {
     /// The machine.
     pub machine: Machine,
     /// The text.
-    pub text: Vec<u8>,
+    pub text: Text,
     /// Tools, times, travel and notes.
     pub summary: aptc_post::Summary,
     /// From which statement each run of lines comes, if it was asked for.
@@ -38,18 +38,15 @@ impl Nc {
 
 /// Posts an edited CL stream for the machine that was chosen, else for those that MACHIN names, else for the
 /// default machine. A text that the post refused is left out.
-pub fn post_part(records: &[Record], code: &CodeOptions) -> (Vec<Nc>, Vec<Diagnostic>) {
-    let mut head = PartHead::default();
-    for record in records {
-        head.push(record);
-    }
-    let mut create = || Ok(Vec::new());
-    let mut poster = Poster::new(&head, code, &mut create).expect("memory takes all");
-    for record in records {
-        poster.push(record).expect("memory takes all");
-    }
-    let (texts, diagnostics) = poster.finish().expect("memory takes all");
-    (texts.into_iter().map(|(nc, text)| Nc { text, ..nc }).collect(), diagnostics)
+pub(crate) fn post_part(
+    records: &Records,
+    head: &PartHead,
+    code: &CodeOptions,
+) -> io::Result<(Vec<Nc>, Vec<Diagnostic>)> {
+    let mut poster = Poster::new(head, code, &mut || Ok(Text::default()))?;
+    records.try_for_each(|record| poster.push(record))?;
+    let (texts, diagnostics) = poster.finish()?;
+    Ok((texts.into_iter().map(|(nc, text)| Nc { text, ..nc }).collect(), diagnostics))
 }
 
 /// Bytes of machine code that come together before they are handed on.
@@ -193,7 +190,7 @@ impl<W: Write> Poster<W> {
                 }
             }
             if !refused && run.begun {
-                let (machine, further, text) = (run.machine, i > 0, Vec::new());
+                let (machine, further, text) = (run.machine, i > 0, Text::default());
                 let (summary, map) = (posted.summary, posted.map);
                 texts.push((Nc { machine, text, summary, map, further }, run.out));
             }

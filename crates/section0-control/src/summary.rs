@@ -35,16 +35,7 @@ struct State {
 }
 
 impl Summary {
-    /// Counts an edited CL stream of one part program.
-    pub(crate) fn of(records: &[Record]) -> Self {
-        let mut s = Self::default();
-        for record in records {
-            s.push(record);
-        }
-        s
-    }
-
-    /// Counts one record more.
+    /// Counts one record more of an edited CL stream of one part program.
     pub(crate) fn push(&mut self, record: &Record) {
         match &record.kind {
             Kind::Text { word, text } if word == "PARTNO" => {

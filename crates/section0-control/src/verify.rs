@@ -1,12 +1,13 @@
 //! The proof of a program's path, or of a CL file against the surfaces of the program.
 
-use std::io::Cursor;
+use std::io::{self, Cursor};
 
 use aptc_cldata::{Dialect, Kind, Reader, Record, RecordReader as _, detect};
 use aptc_diagnostics::{Diagnostic, SourceMap, Span, codes};
 use aptc_verify::{Certificate, Effort, Marks, Verifier, matched};
 
-use crate::{Compiled, FULL_PROOF, Options, Source, Verify, World, compile};
+use crate::compile::no_room;
+use crate::{Compiled, FULL_PROOF, Options, Records, Source, Verify, World, compile};
 
 /// A CL file to be held against a program.
 #[derive(Clone, Debug)]
@@ -40,10 +41,21 @@ pub fn verify(
         said.push(Diagnostic::error(codes::UNMATCHED, Span::default(), message));
     }
     for (part, records) in compiled.parts.iter_mut().zip(&programs) {
-        match matched(&part.computed, records, marks) {
+        let computed = match part.computed.to_vec() {
+            Ok(records) => records,
+            Err(e) => {
+                said.push(no_room(&e));
+                continue;
+            }
+        };
+        match matched(&computed, records, marks) {
             Ok(found) => {
-                let judge = Verifier::foreign(effort(&found.records, options.verify));
-                let (mut certificate, diagnostics) = run(judge, &found.records);
+                let n = found.records.iter().map(positions).sum();
+                let mut judge = Verifier::foreign(effort(n, options.verify));
+                for record in &found.records {
+                    judge.push(record);
+                }
+                let (mut certificate, diagnostics) = judge.finish();
                 certificate.unmatched = found.missing.len() as u64;
                 certificate.extra = found.extra;
                 part.certificate = Some(certificate);
@@ -71,23 +83,20 @@ pub fn verify(
 }
 
 /// Judges records as much as was asked for.
-pub(crate) fn prove(records: &[Record], verify: Verify) -> (Certificate, Vec<Diagnostic>) {
-    run(Verifier::new(effort(records, verify)), records)
+pub(crate) fn prove(
+    records: &Records,
+    verify: Verify,
+) -> io::Result<(Certificate, Vec<Diagnostic>)> {
+    let mut verifier = Verifier::new(effort(records.positions(), verify));
+    records.for_each(|record| verifier.push(record))?;
+    Ok(verifier.finish())
 }
 
-fn run(mut verifier: Verifier, records: &[Record]) -> (Certificate, Vec<Diagnostic>) {
-    for record in records {
-        verifier.push(record);
-    }
-    verifier.finish()
+fn positions(record: &Record) -> u64 {
+    if let Kind::Motion(m) = &record.kind { m.points.len() as u64 } else { 0 }
 }
 
-fn effort(records: &[Record], verify: Verify) -> Effort {
-    let points = |r: &Record| match &r.kind {
-        Kind::Motion(m) => m.points.len() as u64,
-        _ => 0,
-    };
-    let n: u64 = records.iter().map(points).sum();
+fn effort(n: u64, verify: Verify) -> Effort {
     let every = n.div_ceil(FULL_PROOF).max(2);
     match verify {
         Verify::UpTo(most) if n > most => Effort::Every(every),

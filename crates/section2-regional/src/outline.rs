@@ -98,6 +98,11 @@ impl Regional {
         Ok(())
     }
 
+    /// Are motions being recorded (CLDAT/START), which may be taken out of the output again?
+    pub fn is_recording(&self) -> bool {
+        self.outlines.open.is_some()
+    }
+
     /// REGION/n,IN|OUT|OFF and REGION/OFF.
     ///
     /// APT: `REGION`.

@@ -4,8 +4,10 @@
 
 use std::io::{self, Read};
 
-use aptc_cldata::{Dialect, Reader, Record, RecordReader, RecordWriter, TextOptions, TextWriter};
-use aptc_edit::{Editor, Spill, Spool};
+use aptc_cldata::{
+    Dialect, Reader, Record, RecordReader, RecordWriter, Spill, Spool, TextOptions, TextWriter,
+};
+use aptc_edit::Editor;
 use aptc_testkit::bench;
 
 /// A head, a text again and again, a tail.

@@ -2,12 +2,11 @@
 
 use std::io;
 
-use aptc_cldata::{Edit, Kind, Position, Record, RecordWriter, Units};
+use aptc_cldata::{Block, Edit, Kind, Position, Record, RecordWriter, Spool, Units};
 use aptc_diagnostics::{Code, Diagnostic, Origin, Severity, codes};
 use aptc_geometry::Transform;
 
 use crate::carry::{Carrier, Trouble};
-use crate::spool::{Block, Spool};
 use crate::vtlaxs::Vtlaxs;
 
 /// Levels of COPY within COPY. APT has three; more do no harm.

@@ -2,8 +2,8 @@
 //!
 //! The [`Editor`] takes the records of Section 2 one by one and puts out the edited ones: INDEX, COPY and
 //! TRACUT carried out (their records stay in the stream, where the post-processor passes over them),
-//! VTLAXS and WCORN made into tilted positions. What a COPY may want again is kept in a [`Spool`], which
-//! a file of Section 0 can take over when it grows.
+//! VTLAXS and WCORN made into tilted positions. What a COPY may want again is kept in a
+//! [`Spool`](aptc_cldata::Spool), which a file of Section 0 can take over when it grows.
 //!
 //! ```
 //! use aptc_cldata::{Edit, Kind, Motion, Position, Record};
@@ -28,16 +28,13 @@
 //! ```
 
 mod carry;
-mod codec;
 mod editor;
 mod listing;
 mod plot;
-mod spool;
 mod subprogram;
 mod vtlaxs;
 
 pub use editor::Editor;
 pub use listing::Listing;
 pub use plot::{Plot, plot_svg};
-pub use spool::{Spill, Spool};
 pub use subprogram::Subprograms;

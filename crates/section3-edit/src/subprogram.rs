@@ -3,11 +3,9 @@
 
 use std::io;
 
-use aptc_cldata::{Arg, Kind, Motion, Position, Record, RecordWriter};
+use aptc_cldata::{Arg, Block, Kind, Motion, Position, Record, RecordWriter, Spool};
 use aptc_diagnostics::{Diagnostic, Origin, codes};
 use aptc_geometry::Vec3;
-
-use crate::spool::{Block, Spool};
 
 /// Calls within calls.
 const DEEPEST: usize = 16;

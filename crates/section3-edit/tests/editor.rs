@@ -4,9 +4,9 @@
 
 use std::io::Cursor;
 
-use aptc_cldata::{Arg, Edit, Kind, Motion, NameRef, Position, Record};
+use aptc_cldata::{Arg, Edit, Kind, Motion, NameRef, Position, Record, Spill, Spool};
 use aptc_diagnostics::{Diagnostic, Origin};
-use aptc_edit::{Editor, Spool};
+use aptc_edit::Editor;
 use aptc_geometry::{Form, Plane, Transform, Vec3};
 use proptest::prelude::*;
 
@@ -240,7 +240,7 @@ proptest! {
     /// What waits in a file comes back as what waits in memory.
     #[test]
     fn a_spool_in_a_file_gives_the_same(program in program()) {
-        let opener = || Ok(Box::new(Cursor::new(Vec::new())) as Box<dyn aptc_edit::Spill>);
+        let opener = || Ok(Box::new(Cursor::new(Vec::new())) as Box<dyn Spill>);
         let mut spilling = Editor::with_spool(Spool::spilling_after(100, opener));
         let (a, _) = edit(program.clone());
         let (b, _) = edit_with(&mut spilling, program);

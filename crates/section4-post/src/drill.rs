@@ -93,14 +93,14 @@ impl Post {
         });
         if !self.machine.rotary.is_empty() && (self.st.ta - hole.ta).norm() > 1e-9 {
             self.leave_cycle();
-            self.go_to(hole.point(hole.retract), hole.ta, true, origin);
+            self.turn_to_hole(&hole, origin);
         }
         for height in [hole.bottom, hole.retract] {
             if self.joints(hole.point(height), hole.ta, origin).is_none() {
                 return;
             }
         }
-        let along_z = self.along_z(hole.ta);
+        let along_z = self.tool_along() == 2 && self.along_tool(hole.ta);
         match self.native(&cycle, dwell, feed).filter(|_| along_z) {
             Some(native) => self.drill_native(native, &cycle, dwell, &hole, origin),
             None => self.drill_expanded(&cycle, &hole, dwell, feed, origin),
@@ -108,6 +108,28 @@ impl Post {
         self.count_hole(&hole, feed, origin);
         self.st.pos = Some(hole.point(hole.retract));
         self.st.ta = p.ta;
+    }
+
+    /// To the retract height over a hole with another tool axis. What lies between is not known: the axes turn at
+    /// the clearance plane, where both ways to it lead up, else with the tool retracted by the machine.
+    fn turn_to_hole(&mut self, hole: &Hole, origin: &Origin) {
+        let over = hole.point(hole.retract);
+        if let (Some(pos), false) = (self.st.pos, self.st.away) {
+            // The plane must not be so steep to the tool axis that the way to it goes far aside.
+            let way_up = |p: Vec3, ta: Vec3| {
+                let steep = self.st.clearance()?.n.dot(&ta) < 0.1;
+                self.clearance_above(p, ta).filter(|h| *h >= 0.0 && !steep)
+            };
+            let here = self.st.ta;
+            match (way_up(pos, here), way_up(over, hole.ta)) {
+                (Some(up), Some(down)) => {
+                    self.go_to(pos + here * up, here, true, origin);
+                    self.go_to(over + hole.ta * down, hole.ta, true, origin);
+                }
+                _ => self.retract_to_home(origin),
+            }
+        }
+        self.go_to(over, hole.ta, true, origin);
     }
 
     /// Is it a thread that a lathe cuts with a single point?
@@ -159,6 +181,9 @@ impl Post {
         if kind == "DRILL" && dwell.is_some_and(|t| t > 0.0) {
             kind = "FACE";
         }
+        if kind == "TAP" && self.st.spindle.ccw {
+            kind = "TAPLEFT";
+        }
         let entry = m.cycles.get(kind)?;
         let even = match (cycle.first_step, cycle.step) {
             (Some(a), Some(b)) => (a - b).abs() < 1e-9,
@@ -199,7 +224,8 @@ impl Post {
             return None;
         }
         let (code, retract, lines) = (entry.code.clone(), String::new(), entry.lines.clone());
-        Some(NativeCycle { code, retract, words, feed, lines })
+        let before = self.lines_before(&entry.before, feed);
+        Some(NativeCycle { code, retract, words, feed, lines, before })
     }
 
     fn drill_native(
@@ -214,6 +240,10 @@ impl Post {
             self.drill_called(native, cycle, dwell, hole, origin);
             return;
         }
+        if let Some(letter) = self.lead_of(&native.code) {
+            self.tap_once(&native, letter, hole, origin);
+            return;
+        }
         let high = hole.retract > hole.clearance + self.blocks.number(b'Z').resolution() / 2.0;
         let words = &self.machine.cycle;
         native.retract = if high { words.to_initial.clone() } else { words.to_clearance.clone() };
@@ -223,6 +253,52 @@ impl Post {
         let (bottom, clearance) = (at.z + hole.bottom, at.z + hole.clearance);
         let done = self.blocks.hole(&native, [at.x, at.y], bottom, clearance);
         self.check(done, origin);
+        // The lines before it have stopped the spindle, whatever comes after the last hole.
+        self.st.spindle_again |= !native.before.is_empty();
+    }
+
+    /// The address of the pitch when the code taps a hole in one block.
+    fn lead_of(&self, code: &str) -> Option<u8> {
+        self.machine.cycles.values().find(|c| c.code == code)?.lead.map(|l| l as u8)
+    }
+
+    fn lines_before(&self, lines: &[String], feed: FeedWord) -> Vec<String> {
+        if lines.is_empty() {
+            return Vec::new();
+        }
+        let text = |letter: u8, value: f64| {
+            let mut out = Vec::new();
+            let n = self.blocks.number(letter);
+            n.write(n.round(value).unwrap_or(0), &mut out);
+            String::from_utf8(out).unwrap_or_default()
+        };
+        let (speed, feed_text) = (text(b'S', self.st.spindle.speed), text(b'F', feed.value));
+        let pitch = crate::post::trimmed(self.pitch(feed), 4);
+        let vars = [("speed", speed.as_str()), ("pitch", &pitch), ("feed", &feed_text)];
+        lines.iter().filter_map(|l| crate::emit::render(l, &vars)).collect()
+    }
+
+    /// The way of the tool in one turn of the spindle, output units.
+    fn pitch(&self, feed: FeedWord) -> f64 {
+        let speed = self.st.spindle.speed;
+        match feed.mode {
+            FeedMode::PerRevolution => feed.value,
+            _ if speed > 0.0 => feed.value / speed,
+            _ => 0.0,
+        }
+    }
+
+    /// A hole that one block of the control taps.
+    fn tap_once(&mut self, native: &NativeCycle, letter: u8, hole: &Hole, origin: &Origin) {
+        self.reach_level(hole, hole.clearance.max(hole.retract), false, origin);
+        let here = self.st.pos.map_or(hole.retract, |p| hole.height(p));
+        self.go_to(hole.point(here), hole.ta, true, origin);
+        self.go_to(hole.point(hole.clearance), hole.ta, true, origin);
+        let at = self.at_rest(hole.at);
+        let pitch = (letter, self.pitch(native.feed));
+        let done = self.blocks.tap(&native.code, at.z + hole.bottom, pitch);
+        self.check(done, origin);
+        self.go_to(hole.point(hole.retract), hole.ta, true, origin);
     }
 
     /// A hole of a cycle that lines define and a position calls.
@@ -249,12 +325,7 @@ impl Post {
         let scale = self.st.scale;
         let step = cycle.step.or(cycle.first_step).map_or(-hole.bottom, |s| s * scale);
         let first = cycle.first_step.or(cycle.step).map_or(-hole.bottom, |s| s * scale);
-        let speed = self.st.spindle.speed;
-        let pitch = match native.feed.mode {
-            FeedMode::PerRevolution => native.feed.value,
-            _ if speed > 0.0 => native.feed.value / speed,
-            _ => 0.0,
-        };
+        let (speed, pitch) = (self.st.spindle.speed, self.pitch(native.feed));
         let values = [
             ("surface", z(at.z)),
             ("bottom", z(at.z + hole.bottom)),
@@ -299,7 +370,9 @@ impl Post {
             }
             return;
         }
-        self.run_again();
+        if !self.blocks.in_cycle() {
+            self.run_again();
+        }
         let Some(pos) = self.st.pos else { return };
         let half = self.blocks.number(b'Z').resolution() / 2.0;
         let height = hole.height(pos);

@@ -119,22 +119,7 @@ impl Blocks {
         for (letter, format) in &machine.format {
             numbers[idx(*letter as u8)] = Some(Number::new(format, inch));
         }
-        let mut axes = [b' '; 5];
-        let mut factor = [1.0; 5];
-        let mut modulo = [false; 2];
-        for (i, letter) in [b'X', b'Y', b'Z'].into_iter().enumerate() {
-            axes[i] = letter;
-            if machine.axes.get(&char::from(letter)).is_some_and(|a| a.diameter) {
-                factor[i] = 2.0;
-            }
-        }
-        if machine.kind == MachineKind::Lathe {
-            axes[1] = b' ';
-        }
-        for (i, r) in machine.rotary.iter().take(2).enumerate() {
-            axes[3 + i] = r.letter as u8;
-            modulo[i] = r.wrap == Wrap::Modulo && r.min.is_none() && r.max.is_none();
-        }
+        let (axes, factor, modulo) = axes_of(&machine);
         let n = &machine.program.block_numbers;
         let (numbered, next_number, number_step) = (n.on, n.start, n.step);
         Self {
@@ -160,6 +145,12 @@ impl Blocks {
             start: 0,
             bare: 0,
         }
+    }
+
+    /// A lathe begins or ends to mill.
+    pub(crate) fn change_machine(&mut self, machine: Arc<Machine>) {
+        (self.axes, self.factor, self.modulo) = axes_of(&machine);
+        self.machine = machine;
     }
 
     /// The control may be in any state: every word is written again.
@@ -488,6 +479,27 @@ impl Blocks {
         self.coordinate(b'F', q);
         Ok(())
     }
+}
+
+/// Letters of the five axes, the factor of each, and which rotary axes are written within one turn.
+fn axes_of(machine: &Machine) -> ([u8; 5], [f64; 5], [bool; 2]) {
+    let mut axes = [b' '; 5];
+    let mut factor = [1.0; 5];
+    let mut modulo = [false; 2];
+    for (i, letter) in [b'X', b'Y', b'Z'].into_iter().enumerate() {
+        axes[i] = letter;
+        if machine.axes.get(&char::from(letter)).is_some_and(|a| a.diameter) {
+            factor[i] = 2.0;
+        }
+    }
+    if machine.kind == MachineKind::Lathe {
+        axes[1] = b' ';
+    }
+    for (i, r) in machine.rotary.iter().take(2).enumerate() {
+        axes[3 + i] = r.letter as u8;
+        modulo[i] = r.wrap == Wrap::Modulo && r.min.is_none() && r.max.is_none();
+    }
+    (axes, factor, modulo)
 }
 
 const WHOLE: crate::machine::Format =

@@ -1,4 +1,4 @@
-//! Arcs in place of runs of short lines: what waits, and what becomes of it.
+//! Arcs and helices in place of runs of short lines: what waits, and what becomes of it.
 
 use std::collections::VecDeque;
 
@@ -7,6 +7,7 @@ use aptc_diagnostics::{Origin, codes};
 use aptc_geometry::{Circle, Vec3};
 
 use crate::fit::{Found, Limits, longest};
+use crate::machine::Dialect;
 use crate::post::{Post, trimmed};
 
 /// Cut vectors that wait at most: so long can an arc become.
@@ -136,6 +137,8 @@ impl Post {
             flat: 0.01 * resolution_mm / mm,
             radius: [arcs.min_radius / mm, arcs.max_radius / mm],
             planes: arcs.planes.clone(),
+            // Heidenhain's helix has an angle and no end: from one to the next rounding would add up.
+            helix: arcs.helix && self.machine.dialect != Dialect::Heidenhain,
         };
         Some((limits, tolerance > 0.0))
     }

@@ -35,6 +35,10 @@ pub(crate) struct Chain {
     tool_center: bool,
     /// Angles of the singular direction within which an axis may keep its angle, radians.
     singular: f64,
+    /// A lathe without Y that mills: the one axis brings the place of the tool into its plane Y = 0.
+    lathe: bool,
+    /// The tool at zero of all axes, from its end to the spindle.
+    tool: Vec3,
     /// Positions are written in a tilted plane: the rotation from the frame of the part to it.
     pub(crate) plane: Option<Matrix3<f64>>,
 }
@@ -74,8 +78,15 @@ impl Chain {
             turns: machine.rotary.iter().take(2).map(turn).collect(),
             tool_center: machine.multiaxis.tool_center,
             singular: machine.multiaxis.singular.to_radians(),
+            lathe: machine.is_milling(),
+            tool: Vec3::z(),
             plane: None,
         }
+    }
+
+    /// The tool of a lathe stands across the spindle, along X.
+    pub(crate) fn stand_across(&mut self) {
+        self.tool = Vec3::x();
     }
 
     /// Tool end and tool axis in the frame of the part for a tool end that is given beside a table turned to
@@ -117,7 +128,7 @@ impl Chain {
         if let Some(plane) = &self.plane {
             return (plane.tr_mul(&xyz), plane.tr_mul(&Vec3::z()));
         }
-        let mut axis = Vec3::z();
+        let mut axis = self.tool;
         let mut end = Vec3::zeros();
         let spins = self.spins([joints[3], joints[4]]);
         // The tool end moves with the head; the axis nearest to the tool turns it first.
@@ -183,13 +194,21 @@ impl Chain {
 
     /// Angles in degrees for a tool axis, the ones nearest to `from` (degrees). Among solutions within the
     /// limits the one with the least sum of motion is taken; equal ones go to the first axis at rest.
-    pub(crate) fn angles(&self, axis: Vec3, from: [f64; 2]) -> Result<[f64; 2], NoSolution> {
+    pub(crate) fn angles(
+        &self,
+        te: Vec3,
+        axis: Vec3,
+        from: [f64; 2],
+    ) -> Result<[f64; 2], NoSolution> {
         if let Some(plane) = &self.plane {
             // The plane is there for this tool axis alone; the angles stay.
             let along = (plane * axis - Vec3::z()).norm() < UPRIGHT;
             return if along { Ok(from) } else { Err(NoSolution::Direction) };
         }
         let from = from.map(f64::to_radians);
+        if self.lathe {
+            return self.spindle_angle(te, axis, from);
+        }
         let solutions = self.solutions(axis, from)?;
         let mut best: Option<([f64; 2], f64)> = None;
         for pair in solutions.into_iter().flatten() {
@@ -204,9 +223,39 @@ impl Chain {
         best.map(|(a, _)| a.map(clean_degrees)).ok_or(NoSolution::Limits)
     }
 
+    /// The angle of a lathe's spindle for a tool end: where the tool stands along the spindle, the one that brings
+    /// the tool end to Y = 0 and X above 0; where it stands across, the one that brings its axis along X.
+    fn spindle_angle(&self, te: Vec3, axis: Vec3, from: [f64; 2]) -> Result<[f64; 2], NoSolution> {
+        let [turn] = self.turns.as_slice() else { return Err(NoSolution::Direction) };
+        let stands = |v: f64| (v - self.tool.dot(&turn.d)).abs() < UPRIGHT;
+        if !stands(axis.dot(&turn.d)) {
+            return Err(NoSolution::Direction);
+        }
+        let u = if self.tool.x > 0.0 { axis } else { self.spoke(te) };
+        let angle = if u.norm() < CENTER {
+            from[0]
+        } else {
+            one_turn(turn.d, u.normalize(), Vec3::x(), from[0], 0.0)?
+        };
+        let near = turn.nearest(angle, from[0]).ok_or(NoSolution::Limits)?;
+        Ok([clean_degrees(near), 0.0])
+    }
+
+    /// From the axis of a lathe's spindle to the tool end.
+    fn spoke(&self, te: Vec3) -> Vec3 {
+        let Some(turn) = self.turns.first() else { return te };
+        let d = te - turn.c;
+        d - turn.d * d.dot(&turn.d)
+    }
+
     /// The rotary axis that may turn without turning the tool by more than `factor` singular angles when its
     /// axis is `axis`.
-    pub(crate) fn free(&self, axis: Vec3, factor: f64) -> Option<usize> {
+    pub(crate) fn free(&self, te: Vec3, axis: Vec3, factor: f64) -> Option<usize> {
+        if self.lathe {
+            // A tool along the spindle, on its axis.
+            let center = self.tool.z > 0.0 && self.spoke(te).norm() < CENTER;
+            return center.then_some(0);
+        }
         let [one, two] = self.turns.as_slice() else { return None };
         let z = Vec3::z();
         let along = |d: Vec3, v: Vec3| d.cross(&v).norm() < UPRIGHT.max(factor * self.singular);
@@ -255,6 +304,9 @@ impl Chain {
         }
     }
 }
+
+/// Nearer to the axis of a lathe's spindle than this any angle will do, output units.
+const CENTER: f64 = 1e-7;
 
 /// A tool axis counts as reached when it leans by less than this, radians: some 0.2 seconds of arc, below the
 /// last digit of any CL text.
@@ -382,7 +434,7 @@ mod tests {
     use proptest::prelude::*;
 
     fn chain(turns: Vec<Turn>, tool_center: bool) -> Chain {
-        Chain { turns, tool_center, singular: 1e-9, plane: None }
+        Chain { turns, tool_center, singular: 1e-9, lathe: false, tool: Vec3::z(), plane: None }
     }
 
     fn turn(carries: Carries, d: Vec3, c: Vec3) -> Turn {
@@ -404,12 +456,13 @@ mod tests {
             vec![turn(Carries::Part, Vec3::x(), origin), turn(Carries::Part, Vec3::z(), origin)],
             false,
         );
-        let [a, c] = m.angles(Vec3::new(0.0, -1.0, 1.0).normalize(), [0.0; 2]).unwrap();
+        let [a, c] =
+            m.angles(Vec3::zeros(), Vec3::new(0.0, -1.0, 1.0).normalize(), [0.0; 2]).unwrap();
         let (te, ta) = m.forward(&[0.0, 0.0, 0.0, a, c]);
         assert!((ta - Vec3::new(0.0, -1.0, 1.0).normalize()).norm() < 1e-12 && te.norm() < 1e-12);
         assert!((a.abs() - 45.0).abs() < 1e-9, "{a} {c}");
         // Upright, C is free and stays.
-        assert!((m.angles(Vec3::z(), [10.0, 77.0]).unwrap()[1] - 77.0).abs() < 1e-9);
+        assert!((m.angles(Vec3::zeros(), Vec3::z(), [10.0, 77.0]).unwrap()[1] - 77.0).abs() < 1e-9);
     }
 
     #[test]
@@ -419,12 +472,13 @@ mod tests {
         (tilt.min, tilt.max) = (0.0, 2.0);
         let m = chain(vec![tilt.clone(), turn(Carries::Part, Vec3::z(), origin)], false);
         for y in [-1.0, 1.0] {
-            let [a, _] = m.angles(Vec3::new(0.0, y, 1.0).normalize(), [0.0; 2]).unwrap();
+            let [a, _] =
+                m.angles(Vec3::zeros(), Vec3::new(0.0, y, 1.0).normalize(), [0.0; 2]).unwrap();
             assert!((a - 45.0).abs() < 1e-9);
         }
-        assert_eq!(m.angles(-Vec3::z(), [0.0; 2]), Err(NoSolution::Limits));
+        assert_eq!(m.angles(Vec3::zeros(), -Vec3::z(), [0.0; 2]), Err(NoSolution::Limits));
         let one = chain(vec![tilt], false);
-        assert_eq!(one.angles(Vec3::x(), [0.0; 2]), Err(NoSolution::Direction));
+        assert_eq!(one.angles(Vec3::zeros(), Vec3::x(), [0.0; 2]), Err(NoSolution::Direction));
     }
 
     #[test]
@@ -432,8 +486,8 @@ mod tests {
         let origin = Vec3::zeros();
         let m = chain(vec![turn(Carries::Part, Vec3::x(), origin)], false);
         let axis = Vec3::new(0.0, trig::sin_deg(-10.0), trig::cos_deg(-10.0));
-        let [a, _] = m.angles(axis, [355.0, 0.0]).unwrap();
-        let [b, _] = m.angles(axis, [-5.0, 0.0]).unwrap();
+        let [a, _] = m.angles(Vec3::zeros(), axis, [355.0, 0.0]).unwrap();
+        let [b, _] = m.angles(Vec3::zeros(), axis, [-5.0, 0.0]).unwrap();
         assert!((a - b - 360.0).abs() < 1e-9, "{a} {b}");
     }
 
@@ -458,7 +512,7 @@ mod tests {
             // An axis that the machine can take.
             let second = if kind == 3 { 0.0 } else { y.to_degrees() };
             let (_, axis) = m.forward(&[0.0, 0.0, 0.0, x.to_degrees(), second]);
-            let angles = m.angles(axis, [from.0, from.1]).unwrap();
+            let angles = m.angles(Vec3::zeros(), axis, [from.0, from.1]).unwrap();
             let te = te * 300.0;
             let p = m.linear(te, angles);
             let (back, ta) = m.forward(&[p.x, p.y, p.z, angles[0], angles[1]]);

@@ -49,12 +49,13 @@ mod state;
 mod stock;
 mod threading;
 mod turning;
+mod turnmill;
 mod words;
 
 pub use machine::{
     ArcCenter, ArcPlane, Arcs, Axis, BlockNumbers, Carries, Compensation, Cycle, CycleWord,
-    CycleWords, Dialect, Feed, Format, Machine, MachineKind, Multiaxis, OutputUnits, Program,
-    Rapid, RapidPath, Rotary, RotaryFeed, Spindle, Turning, TurningPlane, Wrap, machine,
+    CycleWords, Dialect, Feed, Format, Machine, MachineKind, Milling, Multiaxis, OutputUnits,
+    Program, Rapid, RapidPath, Rotary, RotaryFeed, Spindle, Turning, TurningPlane, Wrap, machine,
     machine_for, machines,
 };
 pub use nc_reader::NcReader;

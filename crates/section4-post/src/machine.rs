@@ -13,8 +13,10 @@ use serde::{Deserialize, Serialize};
 mod builtin;
 mod check;
 mod defaults;
+mod milling;
 
 pub use builtin::{machine, machine_for, machines};
+pub use milling::Milling;
 
 /// A machine with its control.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -74,6 +76,9 @@ pub struct Machine {
     /// Turning; for lathes.
     #[serde(default)]
     pub turning: Turning,
+    /// Milling with the spindle as an axis; for lathes.
+    #[serde(default)]
+    pub milling: Option<Box<Milling>>,
     /// The linear axes by letter.
     #[serde(default)]
     pub axes: BTreeMap<char, Axis>,
@@ -344,6 +349,14 @@ pub struct Cycle {
     /// `{dwell}` `{feed}` `{pitch}` `{speed}`.
     #[serde(default)]
     pub lines: Vec<String>,
+    /// Lines before the block that begins it, with `{speed}` `{pitch}` `{feed}`: `M29 S{speed}` of rigid tapping.
+    /// The control stops the spindle for them; it is started again after the cycle.
+    #[serde(default)]
+    pub before: Vec<String>,
+    /// Address of the pitch, for a code that taps one hole from the clearance down and up again with the spindle
+    /// and stays for no other: `K` of G33.1.
+    #[serde(default)]
+    pub lead: Option<char>,
     /// The words that it needs besides depth, retract plane and feed: `Q` step, `P` dwell.
     #[serde(default)]
     pub words: Vec<CycleWord>,
@@ -552,4 +565,6 @@ pub enum RotaryFeed {
     Tip,
     /// Inverse time.
     Inverse,
+    /// The control takes degrees as if they were units of length, and the feed along the way of all axes.
+    Degrees,
 }

@@ -9,13 +9,11 @@ use crate::machine::{MachineKind, RapidPath};
 use crate::post::Post;
 
 pub(crate) const ALL: [bool; 5] = [true; 5];
-const TOOL_AXIS: [bool; 5] = [false, false, true, false, false];
-const BUT_TOOL_AXIS: [bool; 5] = [true, true, false, true, true];
 
 impl Post {
     pub(crate) fn motion(&mut self, m: &Motion, origin: &Origin) {
         let Some(last) = m.points.last() else { return };
-        if self.machine.kind == MachineKind::Lathe && !self.stays_in_plane(m, origin) {
+        if self.machine.kind == MachineKind::Lathe && !self.lathe_takes(m, origin) {
             return;
         }
         if m.kind == MotionKind::From {
@@ -56,6 +54,22 @@ impl Post {
         for p in &m.points {
             self.go(p, rapid, origin);
         }
+    }
+
+    /// Can the lathe do it, turning or milling?
+    fn lathe_takes(&mut self, m: &Motion, origin: &Origin) -> bool {
+        if self.machine.is_milling() {
+            self.tool_stands(m, origin)
+        } else {
+            self.stays_in_plane(m, origin)
+        }
+    }
+
+    /// The axis along which the tool stands, and the others.
+    fn tool_axis_and_others(&self) -> ([bool; 5], [bool; 5]) {
+        let mut tool = [false; 5];
+        tool[self.tool_along()] = true;
+        (tool, tool.map(|t| !t))
     }
 
     /// FROM: the tool is there, or has to be brought there.
@@ -139,9 +153,11 @@ impl Post {
     /// A rapid motion of all axes, in the way of the machine.
     pub(crate) fn rapid_to(&mut self, te: Vec3, joints: &Joints, origin: &Origin) {
         let path = self.machine.rapid.path;
-        // Only a tool that stands along Z while the rotary axes rest is moved apart from the other axes.
+        // Only a tool that stands along its axis while the rotary axes rest is moved apart from the others.
+        let t = self.tool_along();
+        let (tool_axis, but_tool_axis) = self.tool_axis_and_others();
         #[expect(clippy::float_cmp, reason = "rounded angles: the same text")]
-        let still = self.st.angles == [joints[3], joints[4]] && self.along_z(self.st.ta);
+        let still = self.st.angles == [joints[3], joints[4]] && self.along_tool(self.st.ta);
         let way = self.st.pos.map(|p| {
             let p = self.at_rest(p);
             [joints[0] - p.x, joints[1] - p.y, joints[2] - p.z]
@@ -150,14 +166,14 @@ impl Post {
             && still
             && way.is_none_or(|d| {
                 let r = self.blocks.number(b'Z').resolution();
-                d[2].abs() >= r && d[0].abs().max(d[1].abs()) >= r
+                d[t].abs() >= r && (0..3).any(|i| i != t && d[i].abs() >= r)
             });
         if self.stock.is_some()
             && let Some(from) = self.st.pos
         {
-            let up = te.z > from.z;
-            let corner =
-                if up { Vec3::new(from.x, from.y, te.z) } else { Vec3::new(te.x, te.y, from.z) };
+            let rise = self.st.ta * (te - from).dot(&self.st.ta);
+            let up = rise.dot(&self.st.ta) > 0.0;
+            let corner = if up { from + rise } else { te - rise };
             let way = [from, if split { corner } else { from }, te];
             self.must_be_free(&way, self.st.ta, origin);
         }
@@ -167,10 +183,10 @@ impl Post {
             self.blocks.straight(MotionCode::Line, joints, ALL, Some(feed))
         } else if split {
             // On a lathe the tool leaves the part across and comes to it along the spindle, outside and in a bore.
-            let lathe = self.machine.kind == MachineKind::Lathe;
-            let up = way.is_some_and(|d| d[2] > 0.0) != lathe;
+            let turns = self.machine.kind == MachineKind::Lathe && !self.machine.is_milling();
+            let up = way.is_some_and(|d| d[t] > 0.0) != turns;
             let (first, then) =
-                if up { (TOOL_AXIS, BUT_TOOL_AXIS) } else { (BUT_TOOL_AXIS, TOOL_AXIS) };
+                if up { (tool_axis, but_tool_axis) } else { (but_tool_axis, tool_axis) };
             let one = self.blocks.straight(MotionCode::Rapid, joints, first, None);
             one.and_then(|()| self.blocks.straight(MotionCode::Rapid, joints, then, None))
         } else {
@@ -195,12 +211,13 @@ impl Post {
         let Some(joints) = self.joints(over, axis, origin) else { return };
         self.enter_plane();
         self.tool_center_on();
-        let done = self.blocks.straight(MotionCode::Rapid, &joints, BUT_TOOL_AXIS, None);
+        let (tool_axis, but_tool_axis) = self.tool_axis_and_others();
+        let done = self.blocks.straight(MotionCode::Rapid, &joints, but_tool_axis, None);
         self.check(done, origin);
         if down {
             let way = self.down_to(over);
             self.must_be_free(&way, axis, origin);
-            let done = self.blocks.straight(MotionCode::Rapid, &joints, TOOL_AXIS, None);
+            let done = self.blocks.straight(MotionCode::Rapid, &joints, tool_axis, None);
             self.check(done, origin);
             self.st.pos = Some(over);
             self.st.ta = axis;

@@ -96,6 +96,9 @@ impl Post {
             }
             let mut chain = Chain::new(&self.machine, unit, length.unwrap_or(0.0));
             chain.plane = self.st.plane;
+            if self.st.across == Some(true) {
+                chain.stand_across();
+            }
             self.st.chain = Some(chain);
         }
         self.st.chain.as_ref()
@@ -108,10 +111,17 @@ impl Post {
             return None;
         }
         let ta = ta / norm;
-        match self.chain(origin)?.angles(ta, from) {
+        match self.chain(origin)?.angles(te, ta, from) {
             Ok(angles) => {
                 let angles = self.blocks.round_angles(angles);
-                Some(self.placed(te, ta, angles))
+                let mut pose = self.placed(te, ta, angles);
+                if self.machine.is_milling() {
+                    if !self.reaches_side(te, pose.xyz.y, origin) {
+                        return None;
+                    }
+                    pose.xyz.y = 0.0;
+                }
+                Some(pose)
             }
             Err(why) => {
                 self.out_of_reach(ta, why, origin);
@@ -130,10 +140,12 @@ impl Post {
         self.st.chain.as_ref().map_or(te, |c| c.linear(te, self.st.angles))
     }
 
-    /// Does the tool stand along Z in the frame of the axes, as the rotary axes are now?
-    pub(crate) fn along_z(&self, ta: Vec3) -> bool {
+    /// Does the tool stand along its axis of the machine, as the rotary axes are now?
+    pub(crate) fn along_tool(&self, ta: Vec3) -> bool {
         let seen = self.st.chain.as_ref().map_or(ta, |c| c.turned(self.st.angles) * ta);
-        (seen - Vec3::z()).norm() < 1e-6
+        let mut axis = Vec3::zeros();
+        axis[self.tool_along()] = 1.0;
+        (seen - axis).norm() < 1e-6
     }
 
     /// Switches tool-centre control on where it has a line of its own.
@@ -235,7 +247,7 @@ impl Post {
         rapid: bool,
         origin: &Origin,
     ) -> Option<bool> {
-        let free = self.st.chain.as_ref().and_then(|c| c.free(from.ta, cone));
+        let free = self.st.chain.as_ref().and_then(|c| c.free(from.te, from.ta, cone));
         let Some(i) = free.filter(|&i| (to.angles[i] - from.angles[i]).abs() > 1e-9) else {
             return Some(false);
         };
@@ -323,6 +335,9 @@ impl Post {
         let m = &self.machine;
         let by_time = self.st.inverse
             || (turn > 0.0 && !m.multiaxis.tool_center && m.multiaxis.feed == RotaryFeed::Inverse);
+        if !by_time && turn > 0.0 && m.multiaxis.feed == RotaryFeed::Degrees {
+            return self.feed_with_degrees(to, length, turn, origin);
+        }
         if !by_time || m.feed.inverse_time.is_empty() {
             let inverse = std::mem::replace(&mut self.st.inverse, false);
             let feed = self.feed_for(to.te, origin);
@@ -345,6 +360,28 @@ impl Post {
         let still = if length <= 0.0 && slowest <= 0.0 { turn / 3600.0 } else { slowest };
         let value = if still > 0.0 { feed.value.min(1.0 / still) } else { feed.value };
         Some(FeedWord { value, ..feed })
+    }
+
+    /// The feed that a control needs which measures the way of all axes, a degree as a unit of length: the tool end
+    /// then goes at the feed that was asked for, and no axis faster than it can.
+    fn feed_with_degrees(
+        &mut self,
+        to: &Pose,
+        length: f64,
+        turn: f64,
+        origin: &Origin,
+    ) -> Option<FeedWord> {
+        let feed = self.feed_for(to.te, origin)?;
+        if feed.mode != FeedMode::PerMinute {
+            return Some(feed);
+        }
+        let from = self.st.placed.map_or(to.xyz, |p| p.1);
+        let way = aptc_geometry::trig::hypot((to.xyz - from).norm(), turn);
+        let fastest = self.machine.rotary.first().map_or(0.0, |r| r.max_feed);
+        let slowest = if fastest > 0.0 { turn / fastest } else { 0.0 };
+        // A pure turn has no length to take its time from: a full turn in a tenth of a minute.
+        let minutes = if length > 0.0 { length / feed.value } else { turn / 3600.0 };
+        Some(FeedWord { value: way / minutes.max(slowest), ..feed })
     }
 
     /// The rotary axes go over to another pair of angles while the tool is away from the part.

@@ -69,6 +69,8 @@ pub struct Posted {
 /// Section 4 for one part program and one machine.
 pub struct Post {
     pub(crate) machine: Arc<Machine>,
+    /// The machine as its file has it: a lathe is another while it mills.
+    pub(crate) lathe: Arc<Machine>,
     pub(crate) options: PostOptions,
     pub(crate) st: State,
     pub(crate) blocks: Blocks,
@@ -107,6 +109,7 @@ impl Post {
         let (diagnostics, map) = (Vec::new(), Vec::new());
         let apt = (machine.dialect == Dialect::Apt).then(AptText::new);
         Self {
+            lathe: Arc::clone(&machine),
             machine,
             options,
             st,
@@ -132,9 +135,7 @@ impl Post {
             return;
         }
         let seen = match self.machine.kind {
-            MachineKind::Lathe => {
-                seen_by_lathe(self.machine.turning.plane, record, self.st.cycle.is_some())
-            }
+            MachineKind::Lathe => seen_by_lathe(&self.machine, record, self.st.cycle.is_some()),
             MachineKind::Mill => None,
         };
         let record = seen.as_ref().unwrap_or(record);

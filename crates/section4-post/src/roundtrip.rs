@@ -42,6 +42,8 @@ enum Expect {
     Tool { length: Option<f64> },
     /// The machine goes home.
     Home,
+    /// A lathe begins or ends to mill.
+    Mill(bool),
     /// Text of the user's own: any motion may come.
     Free,
 }
@@ -86,6 +88,10 @@ pub(crate) struct Checker {
     /// The tilted plane in which the text is written.
     frame: Option<Frame>,
     machine: std::sync::Arc<Machine>,
+    /// The machine as its file has it: a lathe is another while it mills.
+    lathe: std::sync::Arc<Machine>,
+    /// Milling on a lathe: the tool stands across the spindle.
+    across: bool,
     units: Units,
     shift: Vec3,
     /// ROTABL and ROTHED: the angles, and from there to the frame of the part.
@@ -130,6 +136,8 @@ impl Checker {
             chain: None,
             frame: None,
             machine: std::sync::Arc::clone(machine),
+            lathe: std::sync::Arc::clone(machine),
+            across: false,
             units: Units::default(),
             shift: Vec3::zeros(),
             index: None,
@@ -233,6 +241,14 @@ impl Checker {
                 Some(Expect::Home) => {
                     self.at = None;
                     self.away = true;
+                }
+                Some(Expect::Mill(on)) => {
+                    let milling = on.then(|| self.lathe.while_milling()).flatten();
+                    let lathe = || std::sync::Arc::clone(&self.lathe);
+                    self.machine = milling.map_or_else(lathe, std::sync::Arc::new);
+                    self.chain = None;
+                    self.lintol = self.machine.multiaxis.lintol;
+                    (self.at, self.away) = (None, true);
                 }
                 Some(Expect::Free) => self.free = true,
                 _ => return,

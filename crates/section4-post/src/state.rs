@@ -119,6 +119,8 @@ pub(crate) struct State {
     pub(crate) last_fit_mm: Option<f64>,
     /// The arc that is written replaces lines: rounding may not move it by more than a few steps.
     pub(crate) fitted: bool,
+    /// Milling on a lathe: does the tool stand across the spindle? Not known before its first motion.
+    pub(crate) across: Option<bool>,
     /// THREAD is on: the lead, output units.
     pub(crate) thread: Option<f64>,
     pub(crate) intol: f64,
@@ -185,6 +187,7 @@ impl State {
             fit_mm: None,
             last_fit_mm: None,
             fitted: false,
+            across: None,
             thread: None,
             intol: 0.0,
             outtol: 0.0005,

@@ -7,18 +7,19 @@ use aptc_cldata::{Arc, Arg, Kind, Motion, Position, Record};
 use aptc_diagnostics::{Origin, codes};
 use aptc_geometry::{Form, Plane, Vec3};
 
-use crate::machine::TurningPlane;
+use crate::machine::{Machine, TurningPlane};
 use crate::post::{Post, trimmed};
 
 /// How far from the plane of turning a position may be, millimetres: more than an output rounds away would
 /// be a different diameter.
-const OFF_PLANE_MM: f64 = 0.01;
+pub(crate) const OFF_PLANE_MM: f64 = 0.01;
 
 /// The record as the lathe sees it, when it says anything of places or directions. A tool axis that a lathe
 /// cannot have is left as it is, and refused by [`Post::stays_in_plane`].
-pub(crate) fn seen_by_lathe(plane: TurningPlane, record: &Record, drills: bool) -> Option<Record> {
+pub(crate) fn seen_by_lathe(machine: &Machine, record: &Record, drills: bool) -> Option<Record> {
+    let plane = machine.turning.plane;
     let kind = match &record.kind {
-        Kind::Motion(m) => Kind::Motion(motion(plane, m, drills)),
+        Kind::Motion(m) => Kind::Motion(motion(plane, m, drills, machine.is_milling())),
         Kind::Post { word, args } => {
             Kind::Post { word: word.clone(), args: turned(plane, word, args)? }
         }
@@ -27,10 +28,10 @@ pub(crate) fn seen_by_lathe(plane: TurningPlane, record: &Record, drills: bool) 
     Some(Record { origin: record.origin.clone(), kind })
 }
 
-fn motion(plane: TurningPlane, m: &Motion, drills: bool) -> Motion {
+fn motion(plane: TurningPlane, m: &Motion, drills: bool, mills: bool) -> Motion {
     let seen = |p: &Position| {
         let ta = frame(plane, p.ta);
-        let ta = if possible(plane, ta, drills) { Vec3::z() } else { ta };
+        let ta = if !mills && possible(plane, ta, drills) { Vec3::z() } else { ta };
         Position { te: frame(plane, p.te), ta }
     };
     let arc = m.arc.as_ref().map(|a| {
@@ -180,7 +181,8 @@ mod tests {
         let points = vec![Position { te: Vec3::new(12.0, 5.0, 0.0), ta: Vec3::z() }];
         let motion = Motion { kind: MotionKind::Goto, points, arc, ..Motion::default() };
         let record = Record { origin: Origin::default(), kind: Kind::Motion(motion) };
-        let seen = seen_by_lathe(TurningPlane::Xy, &record, false).unwrap();
+        let lathe = crate::machine("linuxcnc-lathe-xy").unwrap();
+        let seen = seen_by_lathe(lathe, &record, false).unwrap();
         let Kind::Motion(m) = seen.kind else { panic!("a motion") };
         assert_eq!(m.points[0].te, Vec3::new(5.0, 0.0, 12.0));
         assert_eq!(m.points[0].ta, Vec3::z());

@@ -129,3 +129,36 @@ fn what_has_no_arcs_refuses() {
         assert_eq!(errors(machine, &format!("{HEAD}{word}\nGOTO/0,0,1\nFINI")), [code], "{word}");
     }
 }
+
+/// A ramp of two and a half turns down into a round pocket, in lines: a helix a half turn.
+#[test]
+fn ramps_in_lines_become_helices() {
+    let mut text = format!("{HEAD}ARCSLP/LINCIR,ON,.01\nRAPID\nGOTO/10,0,1\nGOTO/10,0,0\n");
+    for i in 1..=300 {
+        let (s, c) = trig::sin_cos((f64::from(i) * 3.0).to_radians());
+        text.push_str(&format!(
+            "GOTO/{:.4},{:.4},{:.4}\n",
+            10.0 * c,
+            10.0 * s,
+            -f64::from(i) * 0.02
+        ));
+    }
+    text.push_str("RAPID\nGOTO/0,0,50\nFINI");
+    for machine in ["linuxcnc-mill", "fanuc-0i-mill", "haas-vf", "siemens-840d-mill"] {
+        let (nc, posted) = post(machine, &text);
+        let bad: Vec<_> = posted.diagnostics.iter().filter(|d| d.is_error()).collect();
+        assert!(bad.is_empty(), "{machine} {bad:#?}\n{nc}");
+        let arcs = posted.summary.arcs;
+        assert!((5..=8).contains(&arcs) && posted.summary.blocks < 60, "{machine} {arcs}\n{nc}");
+        let proof = posted.proof.unwrap();
+        assert!(proof.points >= 302 && proof.path_mm <= 0.0105, "{machine} {proof:?}");
+    }
+    let nc = good("linuxcnc-mill", &text);
+    let Some(ran) = rs274(&nc) else { return };
+    let canon = ran.unwrap_or_else(|e| panic!("{e}\n{nc}"));
+    let last = canon.iter().rfind(|c| c.name == "ARC_FEED").expect("an arc");
+    assert!((last.numbers[5] + 6.0).abs() < 1e-3, "{nc}");
+    // Where a helix has no end of its own that the control is told, lines stay lines.
+    let nc = good("heidenhain-tnc", &text);
+    assert!(!nc.contains("CP ") && nc.matches("\nL ").count() == 0 && nc.contains(" L X"), "{nc}");
+}

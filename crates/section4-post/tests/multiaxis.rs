@@ -44,3 +44,18 @@ fn four_axes_take_the_axes_that_they_can() {
     assert!(nc.contains("A45") && nc.contains("A90"), "{nc}");
     assert_eq!(errors("linuxcnc-4axis", &format!("{text}GOTO/0,0,0,1,0,1\nFINI")), ["APT4004"]);
 }
+
+/// From hole to hole with other tool axes the way between is not known: by way of the clearance plane, or with the
+/// tool retracted by the machine.
+#[test]
+fn holes_with_other_axes_are_reached_from_clear_of_the_part() {
+    // A dome of radius 30 about the zero: the straight way between the two retract heights cuts through it.
+    let holes = "CYCLE/DRILL,DEPTH,5,MMPM,100,CLEAR,1\nGOTO/-18,0,24,-.6,0,.8\nGOTO/18,0,24,.6,0,.8\nCYCLE/OFF\nFINI";
+    for machine in FIVE {
+        let nc = good(machine, &format!("{HEAD}CLRSRF/40\n{holes}"));
+        // Without a clearance plane the machine retracts once more.
+        let home = good(machine, &format!("{HEAD}{holes}"));
+        assert!(home.matches("G53").count() > nc.matches("G53").count(), "{machine}\n{home}");
+        assert!(rs274(&nc).is_none_or(|r| r.is_ok()), "{machine}\n{nc}");
+    }
+}

@@ -55,7 +55,8 @@ fn path(compiled: &Compiled) -> Path {
     let flat = |p: Vec3| Vec3::new(p.x, p.y, 0.0);
     let mut path = Path::default();
     let (mut here, mut radius, mut rapid) = (None, 0.0, false);
-    for record in compiled.parts.iter().flat_map(|part| &part.edited) {
+    let records = compiled.parts.iter().map(|part| part.edited.to_vec().expect("it can be read"));
+    for record in records.flatten() {
         match &record.kind {
             Kind::Cutter(c) => radius = c.diameter / 2.0,
             Kind::Post { word, .. } if word == "RAPID" => rapid = true,

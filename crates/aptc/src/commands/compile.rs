@@ -179,9 +179,10 @@ fn write_artifacts(
             Emit::Deviation => Artifact::Deviation,
             Emit::Diagram => Artifact::Diagram,
         };
-        for (ending, bytes) in compiled.artifact(artifact, args.keep_going) {
-            let path = folder.join(with_ending(stem.to_owned(), &ending));
-            write_whole(&path, &bytes).map_err(|e| (path.clone(), e))?;
+        let files = compiled.files(artifact, args.keep_going).map_err(|e| (part.into(), e))?;
+        for file in files {
+            let path = folder.join(with_ending(stem.to_owned(), &file.ending));
+            write_whole(&path, &file).map_err(|e| (path.clone(), e))?;
             written.push(path);
         }
     }

@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use aptc_control::{Disk, FormatOptions, format};
 
 use crate::cli::FmtArgs;
-use crate::output::write_whole;
+use crate::output::write_aside;
 use crate::{exit, report};
 
 /// Puts part programs into one style. With `--check` and `--diff` nothing is written, and the exit code is 1
@@ -32,7 +32,7 @@ pub(crate) fn fmt(args: &FmtArgs) -> io::Result<ExitCode> {
             } else {
                 writeln!(out, "would change {}", source.name)?;
             }
-        } else if let Err(e) = write_whole(part, formatted.as_bytes()) {
+        } else if let Err(e) = write_aside(part, |out| out.write_all(formatted.as_bytes())) {
             return report::complain(&format!("cannot write {}: {e}", part.display()));
         }
     }

@@ -68,10 +68,12 @@ pub(crate) fn post(args: &PostArgs, common: &Common) -> io::Result<ExitCode> {
     }
     let kinds =
         [(args.setup, Artifact::Setup), (args.map, Artifact::Map)].into_iter().filter(|k| k.0);
-    for (ending, text) in kinds.flat_map(|(_, kind)| compiled.artifact(kind, false)) {
-        let path = path.with_extension(ending);
-        if let Some(done) = wrote(&path, write_whole(&path, &text), common)? {
-            return Ok(done);
+    for (_, kind) in kinds {
+        for file in compiled.files(kind, false)? {
+            let path = path.with_extension(&file.ending);
+            if let Some(done) = wrote(&path, write_whole(&path, &file), common)? {
+                return Ok(done);
+            }
         }
     }
     Ok(exit)

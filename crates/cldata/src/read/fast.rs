@@ -14,9 +14,9 @@ pub(super) fn goto(line: &[u8], values: &mut [f64; 6]) -> Option<usize> {
     at += 1;
     for (i, value) in values.iter_mut().enumerate() {
         at = blanks(rest, at);
-        let (x, len) = number::parse_head(&rest[at..]).filter(|n| is_coordinate(n.0))?;
+        let (x, end) = number::parse_at(rest, at).filter(|n| is_coordinate(n.0))?;
         *value = x;
-        at = blanks(rest, at + len);
+        at = blanks(rest, end);
         match rest.get(at) {
             Some(b',') => at += 1,
             None => return matches!(i + 1, 3 | 6).then_some(i + 1),

@@ -16,6 +16,8 @@ pub(crate) struct NativeCycle {
     pub(crate) feed: FeedWord,
     /// Lines that define it, with the numbers of the hole; then code and words do not count.
     pub(crate) lines: Vec<String>,
+    /// Lines before the block that begins it.
+    pub(crate) before: Vec<String>,
 }
 
 impl Blocks {
@@ -44,6 +46,13 @@ impl Blocks {
         if !cycle.lines.is_empty() {
             return self.called_hole(cycle, same, [x, y]);
         }
+        if !same {
+            for line in &cycle.before {
+                self.begin();
+                self.push(line);
+                self.end();
+            }
+        }
         self.begin();
         self.feed_mode_word(Some(cycle.feed));
         if same {
@@ -70,6 +79,31 @@ impl Blocks {
             self.feed_word(Some(cycle.feed))?;
             self.cycle = Some(cycle.clone());
         }
+        self.end();
+        Ok(())
+    }
+
+    /// A hole that one block taps, down to `bottom` and up again with the spindle; the tool stands at the
+    /// clearance over it.
+    pub(crate) fn tap(
+        &mut self,
+        code: &str,
+        bottom: f64,
+        (letter, pitch): (u8, f64),
+    ) -> Result<(), TooGreat> {
+        let z = self.number(b'Z').round(bottom);
+        let z = z.ok_or(TooGreat { letter: 'Z', value: bottom })?;
+        self.end_cycle();
+        if self.plane.is_some_and(|p| p != ArcPlane::Xy) {
+            self.select_plane(ArcPlane::Xy);
+        }
+        self.begin();
+        self.push(code);
+        self.motion = None;
+        let back = self.known[idx(b'Z')].take();
+        self.coordinate(b'Z', z);
+        self.value(letter, pitch)?;
+        self.known[idx(b'Z')] = back;
         self.end();
         Ok(())
     }

@@ -2,7 +2,7 @@
 
 use aptc_diagnostics::{Diagnostic, FileId, Span, codes};
 
-use super::{Dialect, Machine, MachineKind};
+use super::{Carries, Dialect, Machine, MachineKind, RotaryFeed};
 
 /// Letters that every machine's `format` table must have; mills have Y too.
 const NEEDED: &[char] = &['X', 'Z', 'F', 'S'];
@@ -23,6 +23,9 @@ const CYCLE_NAMES: &[&str] = &[
     "pitch",
     "speed",
 ];
+
+/// Values that lines before a cycle may name.
+const BEFORE_NAMES: &[&str] = &["speed", "pitch", "feed"];
 
 impl Machine {
     /// The machine of a TOML text, or all that is wrong with it.
@@ -81,7 +84,8 @@ impl Machine {
             "`default_feed` is not positive".into(),
         );
         say(self.rotary.len() > 2, "`rotary` has more than two axes".into());
-        for r in &self.rotary {
+        let spindle = self.milling.iter().map(|m| &m.rotary);
+        for r in self.rotary.iter().chain(spindle) {
             let [x, y, z] = r.axis;
             let none = !positive(x * x + y * y + z * z);
             say(none, format!("`axis` of rotary {} has no direction", r.letter));
@@ -97,10 +101,10 @@ impl Machine {
                 );
             }
         }
-        let order = self.rotary.windows(2).any(|w| {
-            use super::Carries::{Part, Tool};
-            w[0].carries == Tool && w[1].carries == Part
-        });
+        let order = self
+            .rotary
+            .windows(2)
+            .any(|w| w[0].carries == Carries::Tool && w[1].carries == Carries::Part);
         say(order, "`rotary`: the axes that carry the part come before those of the tool".into());
         for (letter, a) in &self.axes {
             if let (Some(low), Some(high)) = (a.min, a.max) {
@@ -121,8 +125,29 @@ impl Machine {
                 let known = CYCLE_NAMES.contains(&name);
                 say(!known, format!("`cycles.{kind}`: {{{name}}} is no value of a cycle"));
             }
+            for name in cycle.before.iter().flat_map(|l| l.split('{').skip(1)) {
+                let name = name.split('}').next().unwrap_or("");
+                let known = BEFORE_NAMES.contains(&name);
+                say(!known, format!("`cycles.{kind}.before`: {{{name}}} is not known there"));
+            }
+            let two = cycle.lead.is_some() && !(cycle.lines.is_empty() && cycle.before.is_empty());
+            say(two, format!("`cycles.{kind}`: `lead` goes with `code` alone"));
         }
         let lathe = self.kind == MachineKind::Lathe;
+        if let Some(m) = &self.milling {
+            say(!lathe, "`milling` is for lathes: a mill has it anyway".into());
+            let [x, y, z] = m.rotary.axis;
+            let along = x.abs() + y.abs() < 1e-9 * z.abs() && m.rotary.carries == Carries::Part;
+            say(!along, "`milling.rotary` is not the spindle along Z that carries the part".into());
+            say(m.multiaxis.tool_center, "`milling.multiaxis.tool_center` is not known".into());
+            say(!positive(m.multiaxis.lintol), "`milling.multiaxis.lintol` is not positive".into());
+            let by_time = m.multiaxis.feed == RotaryFeed::Inverse;
+            let none = by_time && self.feed.inverse_time.is_empty();
+            say(
+                none,
+                "`milling.multiaxis.feed` is inverse, and `feed.inverse_time` is empty".into(),
+            );
+        }
         say(lathe && !self.rotary.is_empty(), "a lathe with `rotary` axes is not known".into());
         if let Some(arcs) = &self.arcs {
             let sweep = arcs.max_sweep;

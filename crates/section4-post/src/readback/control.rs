@@ -54,6 +54,8 @@ enum Mode {
     Rapid,
     Line,
     Thread,
+    /// Tapping with the spindle: down, and up again.
+    Tap,
     Clockwise,
     Anticlockwise,
     /// A cycle by its number.
@@ -94,7 +96,8 @@ impl Control {
         if lathe {
             letters[1] = 0;
         }
-        for (i, r) in machine.rotary.iter().take(2).enumerate() {
+        let spindle = machine.milling.iter().map(|m| &m.rotary);
+        for (i, r) in machine.rotary.iter().chain(spindle).take(2).enumerate() {
             letters[3 + i] = r.letter as u8;
             modulo[3 + i] = r.wrap == Wrap::Modulo && r.min.is_none() && r.max.is_none();
         }
@@ -164,7 +167,9 @@ impl Control {
                     match code {
                         70 if self.lathe => self.divide[0] = 2.0,
                         80 if self.lathe => self.divide[0] = 1.0,
-                        0 | 10 | 20 | 30 | 320 | 330 | 730 | 740 | 800..=890 if code % 10 == 0 => {
+                        0 | 10 | 20 | 30 | 320 | 330 | 331 | 730 | 740 | 800..=890
+                            if code % 10 == 0 || code == 331 =>
+                        {
                             // G80 may stand with another motion code; it ends cycles first.
                             if motion_said && code != 800 && self.mode != Mode::None {
                                 return Err("two motion codes in one block".into());
@@ -366,6 +371,19 @@ impl Control {
             Mode::Rapid => Step::Line { from, to, rapid: true, feed: None },
             Mode::Line => Step::Line { from, to, rapid: false, feed: Some(self.needed_feed()?) },
             Mode::Thread => Step::Line { from, to, rapid: false, feed: None },
+            Mode::Tap => {
+                if !line.value(b'K').is_some_and(|k| k > 0.0) {
+                    return Err("tapping without its lead K".into());
+                }
+                if from[..2] != to[..2] || from[3..] != to[3..] {
+                    return Err("tapping that does not go along Z alone".into());
+                }
+                steps.push(Step::Line { from, to, rapid: false, feed: None });
+                // The control stands where it began, and the code holds for this block only.
+                steps.push(Step::Line { from: to, to: from, rapid: false, feed: None });
+                self.mode = Mode::None;
+                return Ok(());
+            }
             Mode::Clockwise | Mode::Anticlockwise => {
                 self.needed_feed()?;
                 Step::Arc(self.arc(line, from, to)?)
@@ -449,6 +467,7 @@ fn motion(code: i64) -> Mode {
         0 => Mode::Rapid,
         10 => Mode::Line,
         320 | 330 => Mode::Thread,
+        331 => Mode::Tap,
         20 => Mode::Clockwise,
         30 => Mode::Anticlockwise,
         800 => Mode::None,

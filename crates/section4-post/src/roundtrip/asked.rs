@@ -63,6 +63,10 @@ impl Checker {
                 }
             }
             "ROTABL" | "ROTHED" => self.turn(s),
+            "MODE" if self.lathe.milling.is_some() => {
+                self.planned = None;
+                self.queue.push_back(Expect::Mill(s.word(0) == Some("MILL")));
+            }
             "LINTOL" => {
                 if let Some(Arg::Number(t)) = s.args.first() {
                     self.lintol = t * self.units.mm();

@@ -18,10 +18,24 @@ impl Checker {
     }
 
     fn chain(&mut self) -> &Chain {
+        if self.machine.is_milling()
+            && let Some(
+                Expect::Point { ta, .. } | Expect::Hole(Hole { ta, .. }) | Expect::From { ta, .. },
+            ) = self.queue.front()
+        {
+            let across = ta.z.abs() < 0.5;
+            if across != self.across {
+                (self.across, self.chain) = (across, None);
+            }
+        }
+        let across = self.across;
         let length = self.read_length.or(self.machine.multiaxis.tool_length).unwrap_or(0.0);
         let (machine, frame) = (&self.machine, self.frame.as_ref());
         self.chain.get_or_insert_with(|| {
             let mut chain = Chain::new(machine, 1.0, length);
+            if across && machine.is_milling() {
+                chain.stand_across();
+            }
             chain.plane = frame.map(|f| match f {
                 Frame::Plane(q) => q.transpose(),
                 Frame::Table(angles) => chain.table(*angles),

@@ -67,7 +67,7 @@ fn on(post: &mut Post, s: &Statement<'_>, left: bool, d: Option<u32>) {
         post.error(codes::POST_ARGUMENTS, s.origin, message, help);
         return;
     };
-    if !post.along_z(post.st.ta) {
+    if post.machine.is_milling() || !post.along_tool(post.st.ta) {
         let message = format!("{} while the tool leans in the frame of the axes", s.written());
         let help = "compensate in Section 2 with THICK, or choose a machine that turns the part";
         post.error(codes::COMPENSATION, s.origin, message, help);

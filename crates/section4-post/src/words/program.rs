@@ -79,7 +79,7 @@ impl Post {
     }
 }
 
-/// `MODE/MILL|TURN|LATHE`: must be what the machine is.
+/// `MODE/MILL|TURN|LATHE`: must be what the machine is, or what a lathe with tools that turn can be.
 pub(super) fn mode(post: &mut Post, s: &Statement<'_>) {
     let wanted = match s.word(0) {
         Some("MILL") if s.args.len() == 1 => MachineKind::Mill,
@@ -89,6 +89,10 @@ pub(super) fn mode(post: &mut Post, s: &Statement<'_>) {
             return;
         }
     };
+    if post.lathe.milling.is_some() {
+        post.set_milling(wanted == MachineKind::Mill, s.origin);
+        return;
+    }
     if wanted != post.machine.kind {
         let is = if wanted == MachineKind::Mill { "a lathe" } else { "a mill" };
         let reason = format!("{} is {is}", post.machine.name);

@@ -77,6 +77,7 @@ fn change(post: &mut Post, s: &Statement<'_>, at: usize) {
     post.st.offset = Some(offset);
     post.length_words();
     post.st.chain = None;
+    post.st.across = None;
     post.st.placed = None;
     post.st.centered = false;
     post.st.away = machine.program.start_retracts;
