@@ -49,8 +49,8 @@ fn put_exact<const PLACES: usize>(out: &mut Vec<u8>, x: f64) -> bool {
     let unit = POW10[PLACES];
     let size = x.abs();
     let scaled = size * unit;
-    // So that nothing which is not finite gets further.
-    if !(scaled < 999_999_999_999_999.0) {
+    // Nothing that is not finite gets further.
+    if !(0.0..999_999_999_999_999.0).contains(&scaled) {
         return false;
     }
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 <= it < 1e15")]
@@ -104,11 +104,11 @@ const ASCII_ZEROS: u64 = 0x3030_3030_3030_3030;
 /// divisions by 100 and 10 are multiplications that are exact in their range.
 #[inline]
 fn digit_values(n: u64) -> u64 {
-    let fours = n / 10_000 | (n % 10_000) << 32;
-    let hundreds = (fours * 10_486 >> 20) & 0x0000_007f_0000_007f;
-    let pairs = hundreds | (fours - 100 * hundreds) << 16;
-    let tens = (pairs * 103 >> 10) & 0x000f_000f_000f_000f;
-    tens | (pairs - 10 * tens) << 8
+    let fours = (n / 10_000) | ((n % 10_000) << 32);
+    let hundreds = ((fours * 10_486) >> 20) & 0x0000_007f_0000_007f;
+    let pairs = hundreds | ((fours - 100 * hundreds) << 16);
+    let tens = ((pairs * 103) >> 10) & 0x000f_000f_000f_000f;
+    tens | ((pairs - 10 * tens) << 8)
 }
 
 /// Writes `x` as an integer of 10^-`places`; false when it does not fit.

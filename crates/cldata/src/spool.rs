@@ -192,11 +192,11 @@ mod tests {
         let large = Control { checks: vec![controlled(large)], ..Control::default() };
         let mut out = vec![Record { kind: Kind::Units(Units::Mm), ..Record::default() }];
         let call = frame(FrameKind::Macro, "HOLES", 0, None);
-        for (i, control) in [None, Some(small), Some(large)].into_iter().enumerate() {
-            let trace = frame(FrameKind::Loop, "L1", i as u32, call.clone());
+        for (i, control) in (0_u32..).zip([None, Some(small), Some(large)]) {
+            let trace = frame(FrameKind::Loop, "L1", i, call.clone());
             let file = (i == 1).then(|| Arc::from("tools.mac"));
-            let origin = Origin { isn: 9, line: i as u32, file, trace, ..Origin::default() };
-            let points = (0..=i).map(|k| Position::upright(Vec3::new(0.1, k as f64, -0.0)));
+            let origin = Origin { isn: 9, line: i, file, trace, ..Origin::default() };
+            let points = (0..=i).map(|k| Position::upright(Vec3::new(0.1, f64::from(k), -0.0)));
             let points = points.collect();
             let control = control.map(Arc::new);
             let motion = Motion { control, points, ..Motion::default() };

@@ -121,7 +121,7 @@ mod tests {
     #[test]
     fn what_does_not_fit_into_memory_comes_back_in_order() {
         let mut records = Records::default();
-        let n = IN_MEMORY as u32;
+        let n = u32::try_from(IN_MEMORY).unwrap();
         for i in 0..n {
             let points = vec![Position::upright(Vec3::new(f64::from(i), 0.1, -2.0))];
             let kind = Kind::Motion(Motion { points, ..Motion::default() });
@@ -135,7 +135,9 @@ mod tests {
             let mut next = 0;
             let done = records.for_each(|r| {
                 match &r.kind {
-                    Kind::Motion(m) => assert_eq!(m.points[0].te.x, f64::from(next)),
+                    Kind::Motion(m) => {
+                        assert_eq!(m.points[0].te.x.to_bits(), f64::from(next).to_bits())
+                    }
                     other => assert_eq!((other, next), (&Kind::Fini, n)),
                 }
                 assert!(next == n || r.origin.line == next);

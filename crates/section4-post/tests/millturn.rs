@@ -108,7 +108,8 @@ fn feeds_are_those_of_the_tool_in_the_part() {
     assert!((minutes / wanted - 1.0).abs() < 0.01, "{minutes} {wanted}");
     // Degrees as millimetres: 160 mm a minute at radius 20 are 458.4 degrees a minute.
     let nc = good("fanuc-0i-lathe-c", &text);
-    let feed = nc.lines().filter(|l| l.contains('C')).filter_map(|l| words(l, 'F')).last().unwrap();
+    let last = nc.lines().rfind(|l| l.contains('C') && words(l, 'F').is_some());
+    let feed = last.and_then(|l| words(l, 'F')).unwrap();
     assert!((feed / 458.37 - 1.0).abs() < 0.01, "{feed}");
 }
 

@@ -94,6 +94,37 @@ fn r_arcs_stay_away_from_half_a_turn() {
     }
 }
 
+/// No control here has arcs in such planes: lines within the tolerance, held against the arc itself.
+#[test]
+fn arcs_in_leaning_planes_become_lines_that_keep_to_them() {
+    let head = "UNITS/MM\nLOADTL/1\nSPINDL/3000,CLW\nCOOLNT/ON\nFEDRAT/500\nFROM/0,0,50\n";
+    for (radius, tolerance) in [(3.25, 0.0005), (10.0, 0.01), (250.0, 0.02), (2.0, 0.05)] {
+        let text = format!(
+            "{head}OUTTOL/{tolerance}\nGOTO/{radius},0,0\nARC/0,0,0,0,.6,.8,{radius},130\nGOTO/{:.9},{:.9},{:.9}\n\
+             RAPID\nGOTO/0,0,90\nFINI",
+            radius * -0.642_787_610,
+            radius * 0.766_044_443 * 0.8,
+            radius * 0.766_044_443 * -0.6
+        );
+        for machine in ["linuxcnc-mill", "grbl", "heidenhain-tnc-5axis"] {
+            let (nc, posted) = common::post(machine, &text);
+            let bad: Vec<_> = posted.diagnostics.iter().filter(|d| d.is_error()).collect();
+            assert!(bad.is_empty(), "{machine} {radius} {bad:#?}\n{nc}");
+            assert!(posted.proof.unwrap().points > 2, "{machine}");
+        }
+        // A chord that leaves the arc is found.
+        let nc = common::good("linuxcnc-mill", &text);
+        let lines: Vec<&str> = nc.lines().filter(|l| l.starts_with('X')).collect();
+        let Some(middle) = lines.get(lines.len() / 2).filter(|_| lines.len() > 4) else { continue };
+        let wrong = nc.replace(&format!("{middle}\n"), "");
+        let wrong = wrong.replace(&format!("{}\n", lines[lines.len() / 2 - 1]), "");
+        let machine = aptc_post::machine("linuxcnc-mill").unwrap();
+        let mut records = common::records(&text).into_iter();
+        let (_, said) = aptc_post::prove(machine, &mut records, &mut wrong.as_bytes()).unwrap();
+        assert!(!said.is_empty(), "{radius}\n{wrong}");
+    }
+}
+
 #[test]
 fn almost_straight_arcs_are_lines() {
     // A circle of 30 metres, and one of 9 metres along a millimetre: no centre that a control could hold to.

@@ -183,15 +183,18 @@ impl Checker {
             && let Course::Sweep(degrees) = arc.course
             && let Some((start, _)) = self.planned
         {
-            // Points of the arc, none farther than 15 degrees from the next.
+            // Points of the arc, none farther than 15 degrees from the next, and the lines between them within half
+            // the band of it: so that lines in its place are held against it too.
             let (c, axis) = self.seen_circle(&arc.circle, last.ta);
             let spoke = start - c;
             let (along, radial) = (spoke.dot(&axis), spoke - axis * spoke.dot(&axis));
             let side = axis.cross(&radial);
             let (end, ta) = self.seen(last.te, last.ta);
             let rise = (end - start).dot(&axis);
+            let part = (1.0 - 0.5 * self.band() / radial.norm()).max(-1.0);
+            let apart = (2.0 * trig::acos_clamped(part)).to_degrees().clamp(1e-3, 15.0);
             #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "bounded")]
-            let n = (degrees.abs() / 15.0).ceil().clamp(1.0, 100_000.0) as u32;
+            let n = (degrees.abs() / apart).ceil().clamp(1.0, 100_000.0) as u32;
             for i in 1..n {
                 let part = f64::from(i) / f64::from(n);
                 let (s, co) = trig::sin_cos(degrees.to_radians() * part);

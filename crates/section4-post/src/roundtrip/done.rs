@@ -154,10 +154,12 @@ impl Checker {
             self.proof.points += 1;
             self.at = Some((te, ta));
         }
-        let Some(Expect::Point { te, ta, rapid: want, .. }) = self.queue.front().cloned() else {
+        let Some(Expect::Point { te, ta, rapid: want, round, .. }) = self.queue.front().cloned()
+        else {
             self.say(format!("a motion to {} that the CL data does not have", shown(end)));
             return;
         };
+        let start = self.at.map_or(start, |a| a.0);
         let turning = !self.machine.rotary.is_empty();
         let retract = self.machine.multiaxis.rewind_retract;
         if turning && retract > 0.0 && !self.detour {
@@ -180,7 +182,8 @@ impl Checker {
             self.detour = false;
             return;
         }
-        if place <= self.linear + if turning { self.lintol } else { 0.0 } {
+        let near = self.linear + if turning { self.lintol } else { 0.0 };
+        if place <= if round { band.max(near) } else { near } {
             return;
         }
         let d = te - start;
@@ -288,7 +291,7 @@ impl Checker {
         most
     }
 
-    fn band(&self) -> f64 {
+    pub(super) fn band(&self) -> f64 {
         let said = self.band.unwrap_or(if self.intol > 0.0 { 0.0 } else { 0.0127 });
         said.max(self.intol) + 4.0 * self.linear
     }
