@@ -343,9 +343,18 @@ impl Blocks {
         }
         self.end_cycle();
         for line in text.split('\n') {
+            // The ends of a tape and the number of a program stand alone, where numbers of blocks have a letter.
+            let alone = line.starts_with('%')
+                || line
+                    .strip_prefix('O')
+                    .is_some_and(|n| n.starts_with(|c: char| c.is_ascii_digit()));
+            let alone = alone && !self.machine.program.block_numbers.letter.is_empty();
+            let (numbered, skip) = (self.numbered, self.skip);
+            (self.numbered, self.skip) = (numbered && !alone, skip && !alone);
             self.begin();
             self.push(line);
             self.end();
+            (self.numbered, self.skip) = (numbered, skip);
         }
     }
 

@@ -97,8 +97,9 @@ impl Post {
             }
             return false;
         }
-        let mm = self.st.units.mm();
-        let Some(p) = m.points.iter().find(|p| (p.te.y * mm).abs() > OFF_PLANE_MM) else {
+        let aside = |p: &Position| self.st.point(p.te).y;
+        let mm = self.st.out_mm();
+        let Some(y) = m.points.iter().map(aside).find(|y| (y * mm).abs() > OFF_PLANE_MM) else {
             return true;
         };
         if std::mem::replace(&mut self.off_plane_told, true) {
@@ -111,7 +112,7 @@ impl Post {
         };
         let message = format!(
             "{across} {} lies off the plane {drawn} in which {} turns",
-            trimmed(p.te.y, 4),
+            trimmed(y, 4),
             self.machine.name
         );
         let help = "draw the turned part in that plane, or choose another machine: `aptc machines`";

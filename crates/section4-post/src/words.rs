@@ -20,6 +20,7 @@ mod thread;
 mod tool;
 
 pub use table::{Treatment, treatment};
+pub(crate) use tool::loaded;
 
 /// What is done for a word.
 type Action = fn(&mut Post, &Statement<'_>);

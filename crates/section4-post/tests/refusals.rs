@@ -211,3 +211,66 @@ fn the_machine_file_of_the_book_is_whole() {
     let machine = aptc_post::Machine::parse(text).unwrap();
     assert_eq!(machine.name, "our-mill");
 }
+
+/// Words with modifiers that a machine does not have: each is refused or told of by name, never a block that the
+/// control would not take.
+#[test]
+fn every_modifier_is_done_refused_or_told_of() {
+    let lathe = |m: &str| m.contains("lathe");
+    for (machine, word, code, text) in [
+        ("heidenhain-tnc", "PREFUN/64", "APT4006", "no G words"),
+        ("heidenhain-tnc", "OPSKIP/ON", "APT4006", "skips no blocks"),
+        ("heidenhain-tnc", "CUTCOM/LEFT,ZXPLAN,3", "APT4006", "across the tool axis"),
+        ("linuxcnc-mill", "OPSKIP/ON,2", "APT4006", "one switch"),
+        ("linuxcnc-mill", "RETRCT/PAST,ZAXIS,80", "APT4006", "RETRCT"),
+        ("linuxcnc-mill", "TOOLNO/ADJUST,7", "APT4006", "LOADTL/n,ADJUST,h"),
+        ("linuxcnc-mill", "FEDRAT/IPR,.01,SCALE,2", "APT4007", "FEDRAT"),
+        ("linuxcnc-mill", "LOADTL/7,MANUAL", "APT4013", "MANUAL has no effect"),
+        ("linuxcnc-mill", "LOADTL/7,80", "APT4013", "80 has no effect"),
+        ("linuxcnc-mill", "LOADTL/7,OFFSET,17,18", "APT4013", "18 has no effect"),
+        ("linuxcnc-mill", "SEQNO/100,INCR,5,3", "APT4013", "every block"),
+        ("haas-vf", "COOLNT/THRU,HIGH", "APT4013", "pressures"),
+        ("linuxcnc-mill", "FEDRAT/IPR,.01,MAXIPM,20", "APT4013", "MAXIPM"),
+        ("linuxcnc-lathe", "TURRET/3,10,20", "APT4013", "10,20 has no effect"),
+        ("linuxcnc-lathe", "TRANS/1,2,3", "APT4026", "Y 2"),
+        ("fanuc-0i-lathe", "ORIGIN/1,2,3", "APT4026", "Y -2"),
+    ] {
+        let y = if lathe(machine) { 0 } else { 5 };
+        let program = format!(
+            "UNITS/MM\nLOADTL/1\nCUTTER/10\nSPINDL/1000,CLW\nCOOLNT/ON\nFEDRAT/500,MMPM\nFROM/0,0,100\n{word}\n\
+             SPINDL/1000,CLW\nGOTO/10,{y},5\nGOTO/20,{y},4\nFINI"
+        );
+        let (nc, posted) = common::post(machine, &program);
+        let said: Vec<_> =
+            posted.diagnostics.iter().filter(|d| d.code.to_string() == code).collect();
+        let named = said
+            .iter()
+            .any(|d| d.message.contains(text) || d.help.iter().any(|h| h.contains(text)));
+        assert!(named, "{machine} {word}: {:#?}\n{nc}", posted.diagnostics);
+        let ours = posted.diagnostics.iter().any(|d| d.code.to_string() == "APT5401");
+        assert!(!ours, "{machine} {word}: {:#?}\n{nc}", posted.diagnostics);
+    }
+}
+
+#[test]
+fn words_that_were_misread_are_done() {
+    let part = |word: &str| {
+        format!(
+            "UNITS/MM\nLOADTL/1\nCUTTER/10\nSPINDL/1000,CLW\nCOOLNT/ON\nFEDRAT/500,MMPM\nFROM/0,0,100\n{word}\n\
+             SPINDL/1000,CLW\nGOTO/10,5,5\nGOTO/20,5,4\nFINI"
+        )
+    };
+    // By places: number, magazine, length, offset.
+    assert!(common::good("linuxcnc-mill", &part("LOADTL/7,1,80,17")).contains("G43 H17"));
+    assert!(common::good("siemens-840d-mill", &part("SPINDL/ORIENT,45")).contains("SPOS=45"));
+    // What comes of a surface speed is bounded: 300 feet a minute at 10 mm would be 2911.
+    assert!(
+        common::good("linuxcnc-mill", &part("SPINDL/SFM,300,CLW,MAXRPM,2000")).contains("S2000")
+    );
+    assert!(common::good("fanuc-0i-mill", &part("COOLNT/FLOOD\nCOOLNT/OFF")).contains("M9"));
+    // Numbers of blocks leave the ends of the tape and the number of the program alone.
+    for machine in ["fanuc-0i-mill", "haas-vf"] {
+        let nc = common::good(machine, &part("SEQNO/100,INCR,5"));
+        assert!(nc.trim_end().ends_with("\n%") && nc.contains("\nN100 "), "{machine}\n{nc}");
+    }
+}

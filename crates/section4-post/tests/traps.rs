@@ -113,13 +113,13 @@ fn arcs_in_leaning_planes_become_lines_that_keep_to_them() {
             assert!(posted.proof.unwrap().points > 2, "{machine}");
         }
         // A chord that leaves the arc is found.
-        let nc = common::good("linuxcnc-mill", &text);
+        let nc = good("linuxcnc-mill", &text);
         let lines: Vec<&str> = nc.lines().filter(|l| l.starts_with('X')).collect();
         let Some(middle) = lines.get(lines.len() / 2).filter(|_| lines.len() > 4) else { continue };
         let wrong = nc.replace(&format!("{middle}\n"), "");
         let wrong = wrong.replace(&format!("{}\n", lines[lines.len() / 2 - 1]), "");
-        let machine = aptc_post::machine("linuxcnc-mill").unwrap();
-        let mut records = common::records(&text).into_iter();
+        let machine = machine("linuxcnc-mill").unwrap();
+        let mut records = records(&text).into_iter();
         let (_, said) = aptc_post::prove(machine, &mut records, &mut wrong.as_bytes()).unwrap();
         assert!(!said.is_empty(), "{radius}\n{wrong}");
     }

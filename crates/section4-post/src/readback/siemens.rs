@@ -28,7 +28,7 @@ impl Control {
         match k.name.as_str() {
             "SUPA" => return Ok(true),
             "CYCLE800" | "TRAORI" | "TRAFOOF" | "CYCLE832" | "MSG" | "STOPRE" | "FFWON"
-            | "SOFT" | "WORKPIECE" => {}
+            | "SOFT" | "WORKPIECE" | "SPOS" => {}
             "MCALL" => self.called = None,
             name if name.starts_with("CYCLE") => self.called = Some(self.cycle_of(k)?),
             name => return Err(format!("the word {name} is not known")),

@@ -106,6 +106,12 @@ impl Line {
                 });
             }
         }
+        // A value of its own: `SPOS=45`.
+        if text.get(end) == Some(&b'=') {
+            let (value, used) = number(&text[end + 1..])?;
+            args.push(Some(value));
+            next = end + 1 + used;
+        }
         self.keywords.push(Keyword { name, args });
         Ok(next)
     }

@@ -83,7 +83,11 @@ impl Checker {
                 self.shift = Vec3::from(v) * (sign * self.units.mm());
             }
             "LOADTL" | "LOAD" | "TOOLNO" => {
-                if let Some(l) = s.after(&["LENGTH"]) {
+                let said = match s.word {
+                    "TOOLNO" => s.after(&["LENGTH"]),
+                    word => crate::words::loaded(s, usize::from(word == "LOAD")).length,
+                };
+                if let Some(l) = said {
                     self.tool_length = Some(l * self.units.mm());
                 }
                 if s.word != "TOOLNO" {

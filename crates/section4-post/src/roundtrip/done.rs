@@ -144,8 +144,8 @@ impl Checker {
         let band = self.band();
         // Positions on an arc that became lines: passed within the band, and those of its own chords where it is so
         // flat that one line is the arc.
+        let here = self.pose(from).map_or(start, |p| p.0);
         while let Some(Expect::Point { te, ta, via, round: true, .. }) = self.queue.front() {
-            let here = self.at.map_or(start, |a| a.0);
             let (te, ta, off) = (*te, *ta, if *via { band } else { self.linear });
             if segment(te, here, end).0 > off || (te - end).norm() < self.linear {
                 break;

@@ -1,5 +1,7 @@
 //! COOLNT.
 
+use aptc_diagnostics::codes;
+
 use crate::args::Statement;
 use crate::post::Post;
 use crate::words::{bad_arguments, refuse};
@@ -14,7 +16,11 @@ pub(super) fn coolnt(post: &mut Post, s: &Statement<'_>) {
         }
         return;
     };
-    switch(post, s, kind);
+    if s.args.len() > 1 {
+        let message = format!("{}: the machine has no choice of pressures", s.written());
+        post.note(codes::WORD_IGNORED, s.origin, message, "");
+    }
+    switch(post, s, if kind == "TAP" { "TAPKUL" } else { kind });
 }
 
 /// `AIR/ON|OFF`.

@@ -4,7 +4,7 @@ use aptc_diagnostics::codes;
 
 use crate::args::{Statement, whole};
 use crate::emit::render;
-use crate::machine::ArcPlane;
+use crate::machine::{ArcPlane, Dialect};
 use crate::post::Post;
 use crate::words::{bad_arguments, refuse};
 
@@ -48,6 +48,10 @@ fn on(post: &mut Post, s: &Statement<'_>, left: bool, d: Option<u32>) {
             s,
             &format!("{other} is not known here; only the plane and the number of the offset"),
         );
+        return;
+    }
+    if post.machine.dialect == Dialect::Heidenhain && (s.has("ZXPLAN") || s.has("YZPLAN")) {
+        refuse(post, s, "the control compensates across the tool axis only");
         return;
     }
     let named = planes.iter().any(|w| s.has(w));

@@ -21,8 +21,8 @@ pub(super) fn unit(word: &str) -> Option<FeedUnit> {
     })
 }
 
-/// `FEDRAT/f`, with a unit before or after the value; `FEDRAT/INVERS,AUTO|ON|OFF`; `MAXIPM,m` and the
-/// slow-down options of the arithmetic element are taken as given.
+/// `FEDRAT/f`, with a unit before or after the value; `FEDRAT/INVERS,AUTO|ON|OFF`; the slow-down
+/// options of the arithmetic element are taken as given.
 pub(super) fn fedrat(post: &mut Post, s: &Statement<'_>) {
     if s.word(0) == Some("INVERS") {
         inverse(post, s);
@@ -36,8 +36,10 @@ pub(super) fn fedrat(post: &mut Post, s: &Statement<'_>) {
             Arg::Number(n) => value = value.or(Some(*n)),
             Arg::Word(w) => match w.as_str() {
                 "AUTO" | "STEP" | "NOW" | "NEXT" => {}
-                "MAXIPM" | "SCALE" | "LENGTH" => {
+                "MAXIPM" => {
                     let _taken = args.next();
+                    let message = format!("{}: the feed is not bounded by MAXIPM", s.written());
+                    post.note(codes::WORD_IGNORED, s.origin, message, "");
                 }
                 "LOCK" => {
                     let message =

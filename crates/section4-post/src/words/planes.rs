@@ -105,7 +105,7 @@ fn retract(post: &mut Post, s: &Statement<'_>) {
 
 /// `RETRCT`: as far as the machine goes.
 pub(super) fn retrct(post: &mut Post, s: &Statement<'_>) {
-    if matches!(s.word(0), Some("ON" | "OFF")) || s.has("TOOL") {
+    if !s.args.is_empty() {
         refuse(post, s, "only RETRCT without arguments retracts here");
         return;
     }

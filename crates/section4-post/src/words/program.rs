@@ -6,7 +6,7 @@ use aptc_geometry::Vec3;
 
 use crate::args::{Statement, whole};
 use crate::emit::render;
-use crate::machine::MachineKind;
+use crate::machine::{Dialect, MachineKind};
 use crate::post::{Post, trimmed};
 use crate::words::{bad_arguments, refuse};
 
@@ -107,6 +107,9 @@ pub(super) fn opskip(post: &mut Post, s: &Statement<'_>) {
         return;
     }
     match s.word(0) {
+        Some("ON" | "OFF") if s.args.len() > 1 => {
+            refuse(post, s, "there is one switch for blocks that are skipped");
+        }
         Some("ON") => {
             post.start(s.origin);
             post.leave_cycle();
@@ -133,6 +136,10 @@ pub(super) fn seqno(post: &mut Post, s: &Statement<'_>) {
                 bad_arguments(post, s, "SEQNO/n, SEQNO/n,INCR,i, SEQNO/ON or SEQNO/OFF");
                 return;
             };
+            if s.args.len() > 3 {
+                let message = format!("{}: every block is numbered", s.written());
+                post.note(codes::WORD_IGNORED, s.origin, message, "");
+            }
             post.blocks.next_number = n;
             if let Some(step) = s.after(&["INCR"]).and_then(whole).filter(|i| *i > 0) {
                 post.blocks.number_step = step;
@@ -144,6 +151,10 @@ pub(super) fn seqno(post: &mut Post, s: &Statement<'_>) {
 
 /// `PREFUN/n`: a G word of its own.
 pub(super) fn prefun(post: &mut Post, s: &Statement<'_>) {
+    if post.machine.dialect == Dialect::Heidenhain {
+        refuse(post, s, "the control has no G words");
+        return;
+    }
     function(post, s, 'G');
 }
 

@@ -136,7 +136,9 @@ fn by_surface_speed(
         return None;
     };
     next.surface = false;
-    next.speed = (value * mm / (PI * diameter * post.st.units.mm())).round();
+    let speed = (value * mm / (PI * diameter * post.st.units.mm())).round();
+    // MAXRPM bounds what comes of a surface speed.
+    next.speed = post.st.max_rpm.map_or(speed, |most| speed.min(most));
     within(post, s, next.speed).then_some(next)
 }
 

@@ -11,7 +11,7 @@ use crate::post::Post;
 use crate::report::ToolUse;
 use crate::words::{bad_arguments, refuse};
 
-/// `LOADTL/n[,[LENGTH,]l][,ADJUST|OFFSET|OSETNO,h]`.
+/// `LOADTL/n[,LENGTH,l][,ADJUST|OFFSET|OSETNO,h]`, and by places `LOADTL/n,p,l[,h]`.
 pub(super) fn loadtl(post: &mut Post, s: &Statement<'_>) {
     change(post, s, 0);
 }
@@ -47,8 +47,15 @@ fn change(post: &mut Post, s: &Statement<'_>, at: usize) {
         return;
     }
     post.leave_cycle();
-    let offset = s.after(&["ADJUST", "OFFSET", "OSETNO"]).and_then(whole).unwrap_or(tool);
-    post.st.tool_length = s.after(&["LENGTH"]).or(post.st.tool_length);
+    let said = loaded(s, at);
+    let offset = said.offset.unwrap_or(tool);
+    post.st.tool_length = said.length.or(post.st.tool_length);
+    if !said.left_out.is_empty() {
+        let left = said.left_out.join(",");
+        let message = format!("{}: {left} has no effect", s.written());
+        let help = "write LENGTH,l for the length of the tool, ADJUST,h for its offset";
+        post.note(codes::WORD_IGNORED, s.origin, message, help);
+    }
     let next = post.options.tools.get(post.st.n_loads + 1).copied();
     post.st.n_loads += 1;
     let next = next.filter(|n| *n != tool).map_or(String::new(), |n| n.to_string());
@@ -96,6 +103,57 @@ fn change(post: &mut Post, s: &Statement<'_>, at: usize) {
         line,
         ..ToolUse::default()
     });
+}
+
+/// What LOADTL and its kin say of a tool besides its number.
+#[derive(Debug, Default)]
+pub(crate) struct Loaded {
+    /// Length, in units of the CL data.
+    pub(crate) length: Option<f64>,
+    offset: Option<u32>,
+    /// Arguments without effect, as they were written.
+    left_out: Vec<String>,
+}
+
+/// The arguments behind the number of the tool, which stands at `at`.
+///
+/// One number alone may be a length or a place of the magazine: it is neither here.
+pub(crate) fn loaded(s: &Statement<'_>, at: usize) -> Loaded {
+    let mut said = Loaded::default();
+    let mut args = s.args.get(at + 1..).unwrap_or_default();
+    if s.word == "LOADTL" {
+        match args {
+            [Arg::Number(_), Arg::Number(length), Arg::Number(offset)] => {
+                (said.length, said.offset, args) = (Some(*length), whole(*offset), &[]);
+            }
+            [Arg::Number(_), Arg::Number(length)] => (said.length, args) = (Some(*length), &[]),
+            _ => {}
+        }
+    }
+    while let Some((first, rest)) = args.split_first() {
+        args = rest;
+        let value = match rest.first() {
+            Some(Arg::Number(n)) => Some(*n),
+            _ => None,
+        };
+        match (first, value) {
+            (Arg::Word(w), Some(n)) if w == "LENGTH" => said.length = Some(n),
+            (Arg::Word(w), Some(n)) if matches!(w.as_str(), "ADJUST" | "OFFSET" | "OSETNO") => {
+                said.offset = whole(n);
+            }
+            (Arg::Number(n), _) => {
+                said.left_out.push(crate::post::trimmed(*n, 6));
+                continue;
+            }
+            (Arg::Word(w), _) => {
+                said.left_out.push(w.to_string());
+                continue;
+            }
+            _ => continue,
+        }
+        args = args.get(1..).unwrap_or_default();
+    }
+    said
 }
 
 impl Post {
@@ -159,6 +217,10 @@ pub(super) fn tprint(post: &mut Post, s: &Statement<'_>) {
 
 /// `TOOLNO/n[,l]`: data of a tool; LOADTL brings it in.
 pub(super) fn toolno(post: &mut Post, s: &Statement<'_>) {
+    if s.has("ADJUST") {
+        refuse(post, s, "the number of a length offset comes with LOADTL/n,ADJUST,h");
+        return;
+    }
     let length = s.after(&["LENGTH"]).or(match s.args {
         [Arg::Number(_), Arg::Number(l)] => Some(*l),
         _ => None,
