@@ -185,6 +185,11 @@ impl Post {
             kind = "TAPLEFT";
         }
         let entry = m.cycles.get(kind)?;
+        // Cycles that lines define do nothing at depth 0.
+        let shallow = cycle.depth * self.st.scale < self.blocks.number(b'Z').resolution();
+        if shallow && !entry.lines.is_empty() {
+            return None;
+        }
         let even = match (cycle.first_step, cycle.step) {
             (Some(a), Some(b)) => (a - b).abs() < 1e-9,
             _ => true,

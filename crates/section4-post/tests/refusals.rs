@@ -263,6 +263,11 @@ fn words_that_were_misread_are_done() {
     // By places: number, magazine, length, offset.
     assert!(common::good("linuxcnc-mill", &part("LOADTL/7,1,80,17")).contains("G43 H17"));
     assert!(common::good("siemens-840d-mill", &part("SPINDL/ORIENT,45")).contains("SPOS=45"));
+    // A hole of no depth: the cycles of these controls would do nothing.
+    for machine in ["heidenhain-tnc", "siemens-840d-mill"] {
+        let nc = common::good(machine, &part("CYCLE/DRILL,FEDTO,0,MMPM,250,RAPTO,3\nGOTO/7,7,1\nCYCLE/OFF"));
+        assert!(nc.contains("Z1") || nc.contains("Z+1"), "{machine}\n{nc}");
+    }
     // What comes of a surface speed is bounded: 300 feet a minute at 10 mm would be 2911.
     assert!(
         common::good("linuxcnc-mill", &part("SPINDL/SFM,300,CLW,MAXRPM,2000")).contains("S2000")

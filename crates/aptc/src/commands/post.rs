@@ -8,10 +8,10 @@ use std::process::ExitCode;
 use aptc_control::{Artifact, ClOptions, PostedCl, post_cl};
 
 use super::cl::dialect;
-use super::compile::code_options;
+use super::compile::{code_options, exit_code};
 use crate::cli::{Common, PostArgs};
 use crate::output::{Aside, write_whole};
-use crate::{exit, report};
+use crate::report;
 
 /// Largest machine file that is read.
 const MOST_BYTES: u64 = 64 << 20;
@@ -49,7 +49,7 @@ pub(crate) fn post(args: &PostArgs, common: &Common) -> io::Result<ExitCode> {
     };
     let PostedCl { compiled, texts } = posted;
     report::messages(&mut io::stderr().lock(), &compiled, common)?;
-    let exit = if compiled.has_errors() { ExitCode::from(exit::ERRORS) } else { exit::GOOD };
+    let exit = ExitCode::from(exit_code(&compiled));
     let whole = compiled.is_cl_whole();
     let texts = compiled.nc().map(|(stem, _)| format!("{stem}nc")).zip(texts);
     for (ending, text) in texts.filter(|_| whole) {
