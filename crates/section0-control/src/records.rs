@@ -136,7 +136,7 @@ mod tests {
             let done = records.for_each(|r| {
                 match &r.kind {
                     Kind::Motion(m) => {
-                        assert_eq!(m.points[0].te.x.to_bits(), f64::from(next).to_bits())
+                        assert_eq!(m.points[0].te.x.to_bits(), f64::from(next).to_bits());
                     }
                     other => assert_eq!((other, next), (&Kind::Fini, n)),
                 }

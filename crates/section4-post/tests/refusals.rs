@@ -240,7 +240,7 @@ fn every_modifier_is_done_refused_or_told_of() {
             "UNITS/MM\nLOADTL/1\nCUTTER/10\nSPINDL/1000,CLW\nCOOLNT/ON\nFEDRAT/500,MMPM\nFROM/0,0,100\n{word}\n\
              SPINDL/1000,CLW\nGOTO/10,{y},5\nGOTO/20,{y},4\nFINI"
         );
-        let (nc, posted) = common::post(machine, &program);
+        let (nc, posted) = post(machine, &program);
         let said: Vec<_> =
             posted.diagnostics.iter().filter(|d| d.code.to_string() == code).collect();
         let named = said
@@ -261,21 +261,20 @@ fn words_that_were_misread_are_done() {
         )
     };
     // By places: number, magazine, length, offset.
-    assert!(common::good("linuxcnc-mill", &part("LOADTL/7,1,80,17")).contains("G43 H17"));
-    assert!(common::good("siemens-840d-mill", &part("SPINDL/ORIENT,45")).contains("SPOS=45"));
+    assert!(good("linuxcnc-mill", &part("LOADTL/7,1,80,17")).contains("G43 H17"));
+    assert!(good("siemens-840d-mill", &part("SPINDL/ORIENT,45")).contains("SPOS=45"));
     // A hole of no depth: the cycles of these controls would do nothing.
     for machine in ["heidenhain-tnc", "siemens-840d-mill"] {
-        let nc = common::good(machine, &part("CYCLE/DRILL,FEDTO,0,MMPM,250,RAPTO,3\nGOTO/7,7,1\nCYCLE/OFF"));
+        let nc =
+            good(machine, &part("CYCLE/DRILL,FEDTO,0,MMPM,250,RAPTO,3\nGOTO/7,7,1\nCYCLE/OFF"));
         assert!(nc.contains("Z1") || nc.contains("Z+1"), "{machine}\n{nc}");
     }
     // What comes of a surface speed is bounded: 300 feet a minute at 10 mm would be 2911.
-    assert!(
-        common::good("linuxcnc-mill", &part("SPINDL/SFM,300,CLW,MAXRPM,2000")).contains("S2000")
-    );
-    assert!(common::good("fanuc-0i-mill", &part("COOLNT/FLOOD\nCOOLNT/OFF")).contains("M9"));
+    assert!(good("linuxcnc-mill", &part("SPINDL/SFM,300,CLW,MAXRPM,2000")).contains("S2000"));
+    assert!(good("fanuc-0i-mill", &part("COOLNT/FLOOD\nCOOLNT/OFF")).contains("M9"));
     // Numbers of blocks leave the ends of the tape and the number of the program alone.
     for machine in ["fanuc-0i-mill", "haas-vf"] {
-        let nc = common::good(machine, &part("SEQNO/100,INCR,5"));
+        let nc = good(machine, &part("SEQNO/100,INCR,5"));
         assert!(nc.trim_end().ends_with("\n%") && nc.contains("\nN100 "), "{machine}\n{nc}");
     }
 }
