@@ -5,7 +5,7 @@ use aptc_geometry::Vec3;
 
 use crate::demand::{Verdict, angle, between_poses};
 use crate::pile::Pile;
-use crate::search::{Moved, clearance, stays_clear};
+use crate::search::{Aim, Moved, clearance};
 use crate::sheet::{Sheet, Spot};
 use crate::sweep::Sweep;
 use crate::tool::{Pose, Tool};
@@ -84,8 +84,12 @@ impl Curved<'_> {
         let sweep = Sweep::still(tool, pose);
         // Nothing is near enough to end the search before the nearest is found.
         let enough = 4.0 * tool.reach().max(self.most.abs().min(1.0));
-        let found =
-            clearance(&sweep, &Moved { sheet: self.sheet, side: self.side, shift: 0.0 }, enough);
+        let found = clearance(
+            &sweep,
+            &Moved { sheet: self.sheet, side: self.side, shift: 0.0 },
+            enough,
+            Aim::Nearest,
+        );
         let (distance, _, spot) = found.nearest?;
         let inner = pose.te + pose.ta * (0.5 * tool.reach());
         let right = if self.on { pose.te } else { inner };
@@ -121,7 +125,7 @@ impl Curved<'_> {
             let bend = turn * (t1 - t0);
             let sweep = Sweep::new(tool, pose(t0), pose(t1), bend);
             let turned = sweep.pad + 0.25 * sweep.turn * (sweep.b.te - sweep.a.te).norm();
-            let found = stays_clear(&sweep, &moved, thin - pad);
+            let found = clearance(&sweep, &moved, thin - pad, Aim::Clear);
             let shown = found.least - thin;
             if found.least >= thin - pad {
                 low = low.min(least + shown);
@@ -131,11 +135,22 @@ impl Curved<'_> {
                 && distance < thin - pad
             {
                 let t = t0 + t * (t1 - t0);
-                match self.confirm(tool, side, least, &pose(t), &spot, distance - thin, pad) {
+                let pose = pose(t);
+                let distance = tool.near(&pose, moved.place(&spot)).0;
+                let gap = if distance < thin - pad {
+                    self.confirm(tool, side, least, &pose, &spot, distance - thin, pad)
+                } else {
+                    None
+                };
+                match gap {
                     Some(gap) => return Half::Broken(t, gap),
-                    None => open = widest(open, (t, thin - distance)),
+                    // On its chord it is too near, on its way it is not.
+                    None if distance >= thin - pad && sweep.turn > 0.0 && depth < DEPTH => {}
+                    None => {
+                        open = widest(open, (t, thin - distance));
+                        continue;
+                    }
                 }
-                continue;
             }
             // Where much more is missing than what the turn takes, shorter stretches do not help; they do where
             // the search came to no end.
@@ -159,26 +174,38 @@ impl Curved<'_> {
         let start = pose(0.0);
         let inner = tool.inner(&start);
         let near = least.abs() + pad;
-        let sign = self.sheet.sign(inner).unwrap_or_else(|| self.stands(tool, &start)) * side;
+        let sign = self.sheet.sign(inner).unwrap_or_else(|| match self.stands(tool, &start) {
+            0.0 => self.lies(inner, near),
+            sign => sign,
+        });
+        let sign = sign * side;
         if sign > 0.0 || self.nearest(inner, 2.0 * near).0 <= near {
             Half::Holds(low)
         } else if sign < 0.0 {
-            Half::Broken(0.0, -self.beyond(inner, near.max(tool.reach())))
+            Half::Broken(0.0, -self.beyond(inner, near.max(tool.reach())).0)
         } else {
             Half::Open(0.0, f64::INFINITY)
         }
     }
 
-    /// Distance of a point from the surface, which is farther than `near`.
-    fn beyond(&self, p: Vec3, near: f64) -> f64 {
+    /// Distance of a point from the surface, which is farther than `near`, and the place.
+    fn beyond(&self, p: Vec3, near: f64) -> (f64, Option<Spot>) {
         let mut enough = 4.0 * near;
         for _ in 0..WIDER {
-            if let (far, Some(_)) = self.nearest(p, enough) {
-                return far;
+            if let found @ (_, Some(_)) = self.nearest(p, enough) {
+                return found;
             }
             enough *= 8.0;
         }
-        enough
+        (enough, None)
+    }
+
+    /// On which side of the surface a point lies that is farther than `near`; 0 beside a border.
+    fn lies(&self, p: Vec3, near: f64) -> f64 {
+        let (far, Some(spot)) = self.beyond(p, near) else { return 0.0 };
+        let jet = self.sheet.jet(&spot);
+        let off = (p - jet.p).dot(&jet.n);
+        if off.abs() > 0.5 * far { off.signum() } else { 0.0 }
     }
 
     /// On which side of the surface the tool stands that does not pass through it: that of its point nearest
@@ -190,7 +217,8 @@ impl Curved<'_> {
         let near = 4.0 * band.fold(1e-6 * tool.reach(), |m, x| m.max(x.abs()));
         let mut enough = near.max(f64::MIN_POSITIVE);
         for _ in 0..WIDER {
-            if let Some((distance, _, spot)) = clearance(&sweep, &moved, enough).nearest
+            if let Some((distance, _, spot)) =
+                clearance(&sweep, &moved, enough, Aim::Nearest).nearest
                 && distance < enough
             {
                 return self.facing(tool, pose, &spot);
@@ -254,7 +282,7 @@ impl Curved<'_> {
         let (mut far, mut place) = (enough, None);
         let mut within = enough;
         for _ in 0..5 {
-            match clearance(&sweep, &moved, within).nearest {
+            match clearance(&sweep, &moved, within, Aim::Nearest).nearest {
                 Some((d, _, spot)) if d < within => (far, place) = (d, Some(spot)),
                 _ => break,
             }

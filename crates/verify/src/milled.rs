@@ -10,7 +10,7 @@ use crate::certificate::{Fault, SurfaceBound};
 use crate::curved::{Curved, Half};
 use crate::demand::{Verdict, angle, between_poses};
 use crate::pile::Pile;
-use crate::search::{Moved, stays_clear};
+use crate::search::{Aim, Moved, clearance};
 use crate::sheet::Sheet;
 use crate::sweep::Sweep;
 use crate::tool::{Pose, Tool};
@@ -154,7 +154,7 @@ fn keeps_off(
     while let Some((t0, t1, depth)) = stack.pop() {
         seen += 1;
         let sweep = Sweep::new(tool, pose(t0), pose(t1), turn * (t1 - t0));
-        let found = stays_clear(&sweep, &moved, least);
+        let found = clearance(&sweep, &moved, least, Aim::Clear);
         if found.least >= least {
             low = low.min(found.least);
             continue;

@@ -8,7 +8,7 @@
 use aptc_geometry::Vec3;
 
 use crate::sheet::{Patches, Sheet, Spot, Tile};
-use crate::sweep::{Meeting, Sweep};
+use crate::sweep::{Meeting, Slack, Sweep};
 
 /// Pieces that one search looks at; beyond it the answer is open.
 const MOST: u32 = 20_000;
@@ -35,18 +35,28 @@ pub(crate) struct Moved<'a> {
     pub(crate) shift: f64,
 }
 
+impl Moved<'_> {
+    /// Where a place of the surface is moved to.
+    pub(crate) fn place(&self, spot: &Spot) -> Vec3 {
+        let jet = self.sheet.jet(spot);
+        jet.p + jet.n * (self.side * self.shift)
+    }
+}
+
+/// What a search is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Aim {
+    /// The nearest place, to a tenth of what it falls short of `enough`.
+    Nearest,
+    /// That all is far enough, else the same; what is far enough is not looked at closely.
+    Clear,
+    /// Any place that is too near, else that all is far enough; what is far enough is not looked at closely.
+    Any,
+}
+
 /// Bounds the distance between the moved surface and the tool on its way. The search ends where `enough` is
-/// shown; below that it goes on to a tenth of what it falls short.
-pub(crate) fn clearance(sweep: &Sweep<'_>, moved: &Moved<'_>, enough: f64) -> Clearance {
-    search(sweep, moved, enough, true)
-}
-
-/// The same where the nearest place does not matter as long as it is far enough.
-pub(crate) fn stays_clear(sweep: &Sweep<'_>, moved: &Moved<'_>, enough: f64) -> Clearance {
-    search(sweep, moved, enough, false)
-}
-
-fn search(sweep: &Sweep<'_>, moved: &Moved<'_>, enough: f64, nearest: bool) -> Clearance {
+/// shown.
+pub(crate) fn clearance(sweep: &Sweep<'_>, moved: &Moved<'_>, enough: f64, aim: Aim) -> Clearance {
     let (center, radius) = sweep.sphere();
     let mut pile = Patches::new();
     let mut out = Clearance { least: f64::INFINITY, nearest: None };
@@ -73,7 +83,12 @@ fn search(sweep: &Sweep<'_>, moved: &Moved<'_>, enough: f64, nearest: bool) -> C
             } else {
                 let radius = node.radius + moved.shift.abs();
                 let meeting = sweep.meet(node.center);
-                sweep.proved(&meeting, node.center, radius, |_| [radius, 0.0]).0
+                sweep
+                    .proved(&meeting, node.center, radius, |_| Slack {
+                        by: [radius, 0.0],
+                        all: radius,
+                    })
+                    .0
             };
             if far >= 0.0 || low >= known(&out, enough) {
                 out.least = out.least.min(low);
@@ -95,17 +110,21 @@ fn search(sweep: &Sweep<'_>, moved: &Moved<'_>, enough: f64, nearest: bool) -> C
             sweep.proved(meeting, x, within_tile, |m| slack(&tile, m, moved.shift.abs()))
         };
         // Along the normal the piece has no extent: next to a place that is touched that direction shows most.
-        let level = sweep.level(tile.n * -moved.side).map(|m| bound(&m).0);
+        let level = sweep.level(tile.n * -moved.side, x).map(|m| bound(&m).0);
         let level = level[0].max(level[1]);
-        if !nearest && level >= known(&out, enough) {
+        if aim != Aim::Nearest && level >= known(&out, enough) {
             out.least = out.least.min(level);
             continue;
         }
         let meeting = sweep.meet(x);
         if out.nearest.is_none_or(|n| meeting.distance < n.0) {
             out.nearest = Some((meeting.distance, meeting.t, patch.spot()));
+            if aim == Aim::Any && meeting.distance < enough {
+                out.least = f64::NEG_INFINITY;
+                break;
+            }
         }
-        let (low, slack, rise) = bound(&meeting);
+        let (low, Slack { by: slack, .. }, rise) = bound(&meeting);
         let low = low.max(level);
         if low >= known(&out, enough) {
             out.least = out.least.min(low);
@@ -143,15 +162,12 @@ fn known(out: &Clearance, enough: f64) -> f64 {
     if nearest < enough { nearest - 0.1 * (enough - nearest) } else { enough }
 }
 
-/// By how much the distance may be less on the piece than in its middle, by parameter.
-fn slack(tile: &Tile, m: Vec3, shift: f64) -> [f64; 2] {
+/// By how much the distance may be less on the piece than in its middle.
+fn slack(tile: &Tile, m: Vec3, shift: f64) -> Slack {
     let along = m.dot(&tile.n);
     let across = (m - tile.n * along).norm();
     let whole = tile.turn[0] + tile.turn[1];
-    [0, 1].map(|i| {
-        let turn = tile.turn[i];
-        m.dot(&tile.side[i]).abs()
-            + tile.stray[i]
-            + shift * turn * (across + 0.5 * whole * along.abs())
-    })
+    let turned = tile.turn.map(|t| shift * t * (across + 0.5 * whole * along.abs()));
+    let by = [0, 1].map(|i| m.dot(&tile.side[i]).abs() + tile.stray[i] + turned[i]);
+    Slack { by, all: tile.dip(m) + turned[0] + turned[1] }
 }

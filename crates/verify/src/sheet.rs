@@ -66,6 +66,10 @@ pub(crate) struct Tile {
     pub(crate) side: [Vec3; 2],
     /// Greatest distance from the parallelogram, by parameter.
     pub(crate) stray: [f64; 2],
+    /// Second derivatives in the middle times the half lengths: uu, uv, vv.
+    pub(crate) bend: [Vec3; 3],
+    /// How much they differ from those on the piece at most.
+    pub(crate) vary: [f64; 3],
     /// Unit normal in the middle, to the positive side.
     pub(crate) n: Vec3,
     /// Greatest change of the unit normal, by parameter.
@@ -197,7 +201,15 @@ impl Sheet {
             Kind::Tabcyl(_) => [uu * hu, 0.0],
             Kind::Patched(p) => p.turn(patch, &jet),
         };
-        Tile { c: jet.p, side, stray, n: jet.n, turn }
+        let (bend, vary) = match &self.kind {
+            Kind::Quadric(q) => q.bend(patch),
+            Kind::Tabcyl(t) => t.bend(patch),
+            Kind::Patched(_) => ([Vec3::zeros(); 3], [uu, uv, vv]),
+        };
+        let area = [hu * hu, hu * hv, hv * hv];
+        let bend = [0, 1, 2].map(|i| bend[i] * area[i]);
+        let vary = [0, 1, 2].map(|i| vary[i] * area[i]);
+        Tile { c: jet.p, side, stray, bend, vary, n: jet.n, turn }
     }
 
     /// Bounds of the second derivatives over a piece: uu, uv, vv.
@@ -224,6 +236,19 @@ impl Sheet {
 }
 
 impl Tile {
+    /// By how much a linear function with the gradient `m` may be less on the piece than in its middle: by its
+    /// slope, and by its bend where that goes down; where it goes up it makes good for the slope.
+    pub(crate) fn dip(&self, m: Vec3) -> f64 {
+        let cross = m.dot(&self.bend[1]).abs() + self.vary[1];
+        let along = |i: usize| {
+            let slope = m.dot(&self.side[i]).abs();
+            let bend = m.dot(&self.bend[2 * i]) - self.vary[2 * i] - cross;
+            // Least of -slope x + bend x^2 / 2 over 0 to 1.
+            if bend > slope { 0.5 * slope * slope / bend } else { slope - 0.5 * bend }
+        };
+        along(0) + along(1)
+    }
+
     /// Radius of the sphere about the middle that holds the piece.
     pub(crate) fn radius(&self) -> f64 {
         self.side[0].norm() + self.side[1].norm() + self.stray[0] + self.stray[1]

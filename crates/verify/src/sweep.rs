@@ -6,8 +6,8 @@ use crate::demand::{bulge, parabola};
 use crate::tool::{Pose, Tool, turned};
 
 /// Looks for the nearest meeting, and the sine at which it is square to the way.
-const LOOKS: u32 = 12;
-const SQUARE: f64 = 1e-6;
+const LOOKS: u32 = 18;
+const SQUARE: f64 = 1e-9;
 
 /// A tool and its way. Every tool on the way lies in the hull of those at the ends, enlarged by `pad`. Seen
 /// from the tool a point of space goes along its chord but for a bulge, second order in the turn.
@@ -42,108 +42,134 @@ pub(crate) struct Meeting {
     pub(crate) t: f64,
     /// Signed distance there, negative in the tool.
     pub(crate) distance: f64,
-    /// Unit direction from the tool to the point.
+    /// Unit direction from the tool to the point, as the axis stands at the first position.
     pub(crate) m: Vec3,
 }
 
-impl Sweep<'_> {
-    fn pose(&self, t: f64) -> Pose {
-        let mix = |p: Vec3, q: Vec3| p + (q - p) * t;
-        let ta = if self.pad == 0.0 { self.a.ta } else { mix(self.a.ta, self.b.ta).normalize() };
-        Pose { te: mix(self.a.te, self.b.te), ta }
-    }
+/// By how much a piece may be nearer in a direction than its middle.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Slack {
+    /// By parameter, to first order and by the bend of the piece.
+    pub(crate) by: [f64; 2],
+    /// In all, when its bend is on the right side.
+    pub(crate) all: f64,
+}
 
+impl Sweep<'_> {
     /// The middle of a sphere that holds all of the way, and its radius.
     pub(crate) fn sphere(&self) -> (Vec3, f64) {
         let half = 0.5 * (self.b.te - self.a.te);
         (self.a.te + half, half.norm() + self.tool.reach() + self.pad)
     }
 
-    /// The nearest meeting, found by few looks: an inexact one makes a bound weaker and not wrong.
+    /// The point seen from the tool at both ends, as the axis stands at the first.
+    fn seen(&self, x: Vec3) -> [Vec3; 2] {
+        let last = x - self.b.te;
+        [x - self.a.te, if self.turns() { turned(self.b.ta, self.a.ta, last) } else { last }]
+    }
+
+    fn turns(&self) -> bool {
+        self.pad != 0.0
+    }
+
+    /// The nearest meeting, found by few looks: an inexact one makes a bound weaker and not wrong. Where the axis
+    /// turns the way of the point counts as its chord.
     pub(crate) fn meet(&self, x: Vec3) -> Meeting {
-        let v = self.b.te - self.a.te;
+        let [from, to] = self.seen(x);
+        let v = to - from;
+        let still = Pose { te: Vec3::zeros(), ta: self.a.ta };
         let at = |t: f64| {
-            let (distance, m) = self.tool.near(&self.pose(t), x);
-            (Meeting { t, distance, m }, -m.dot(&v))
+            let (distance, m) = self.tool.near(&still, from + v * t);
+            (Meeting { t, distance, m }, m.dot(&v))
         };
         let (first, mut f0) = at(0.0);
-        if f0 >= 0.0 && self.pad == 0.0 {
+        if f0 >= 0.0 {
             return first;
         }
         let (last, mut f1) = at(1.0);
-        if f1 <= 0.0 || f0 >= 0.0 {
-            return if last.distance < first.distance { last } else { first };
+        if f1 <= 0.0 {
+            return last;
         }
-        let (mut t0, mut t1) = (0.0, 1.0);
         let mut best = if last.distance < first.distance { last } else { first };
         let small = SQUARE * v.norm();
-        // Regula falsi; the end that stays twice counts half, so that it comes nearer from both sides.
+        let (mut near, mut far) = ((first, f0), (last, f1));
+        // Regula falsi; the end that stays twice counts half, so that it comes nearer from both sides, and every
+        // third look is half way: about an edge of the tool the slope jumps.
         let mut stayed = 0;
-        for _ in 0..LOOKS {
-            let t = t0 - f0 * (t1 - t0) / (f1 - f0);
+        for look in 0..LOOKS {
+            let (t0, t1) = (near.0.t, far.0.t);
+            let t = if look % 3 == 2 { 0.5 * (t0 + t1) } else { t0 - f0 * (t1 - t0) / (f1 - f0) };
             let (now, slope) = at(t);
             if now.distance <= best.distance {
                 best = now;
             }
-            if slope.abs() <= small {
-                break;
-            }
             if slope < 0.0 {
-                (t0, f0) = (t, slope);
+                (near, f0) = ((now, slope), slope);
                 f1 *= if stayed < 0 { 0.5 } else { 1.0 };
                 stayed = -1;
             } else {
-                (t1, f1) = (t, slope);
+                (far, f1) = ((now, slope), slope);
                 f0 *= if stayed > 0 { 0.5 } else { 1.0 };
                 stayed = 1;
             }
+            if slope.abs() <= small {
+                break;
+            }
         }
-        best.m = self.square(best.m).unwrap_or(best.m);
+        // Between both directions there is the one that is square to the way, and bounds all of it alike; on a face
+        // and about an edge of the tool it is none the worse.
+        best.m = (near.0.m * far.1 - far.0.m * near.1).try_normalize(0.0).unwrap_or(best.m);
         best
     }
 
-    /// Meetings in the middle of the way with a given direction and with that square to the way.
-    pub(crate) fn level(&self, m: Vec3) -> [Meeting; 2] {
+    /// Meetings with a given direction in the middle of the way and with that square to the way of `x`.
+    pub(crate) fn level(&self, m: Vec3, x: Vec3) -> [Meeting; 2] {
+        let [from, to] = self.seen(x);
+        let own = if self.turns() {
+            let middle = (self.a.ta + self.b.ta).normalize();
+            turned(middle, self.a.ta, m)
+        } else {
+            m
+        };
         let of = |m: Vec3| Meeting { t: 0.5, distance: f64::INFINITY, m };
-        [of(m), of(self.square(m).unwrap_or(m))]
-    }
-
-    /// The direction made square to the way, which bounds all of it alike; `None` where it runs along it.
-    fn square(&self, m: Vec3) -> Option<Vec3> {
-        let v = self.b.te - self.a.te;
-        let square = m - v * (m.dot(&v) / v.norm_squared());
-        (self.pad == 0.0 && square.norm() > 0.5).then(|| square.normalize())
+        [of(own), of(square(own, to - from).unwrap_or(own))]
     }
 
     /// What a meeting proves of the distance of a piece about `x` that lies within `radius` of it: not less than
     /// the first number with the greater slack of both ends taken off; the last one is the part of it that
-    /// is due to the turn. `slack` tells by parameter how much the piece may be nearer in a direction.
+    /// is due to the turn. `slack` tells how much the piece may be nearer in a direction.
     pub(crate) fn proved(
         &self,
         meeting: &Meeting,
         x: Vec3,
         radius: f64,
-        slack: impl Fn(Vec3) -> [f64; 2],
-    ) -> (f64, [f64; 2], f64) {
+        slack: impl Fn(Vec3) -> Slack,
+    ) -> (f64, Slack, f64) {
         let m = meeting.m;
-        if self.pad == 0.0 {
+        if !self.turns() {
             let first = self.tool.height(&self.a, m);
             let height = first.max(first + m.dot(&(self.b.te - self.a.te)));
             let slack = slack(m);
-            return (m.dot(&x) - height - slack[0] - slack[1], slack, 0.0);
+            return (m.dot(&x) - height - slack.all, slack, 0.0);
         }
         // The direction turns with the tool, whose support in it stays the same.
-        let pose = self.pose(meeting.t);
-        let own = self.tool.height(&Pose { te: Vec3::zeros(), ta: pose.ta }, m);
-        let end = |at: &Pose| {
-            let m = turned(pose.ta, at.ta, m);
+        let own = self.tool.height(&Pose { te: Vec3::zeros(), ta: self.a.ta }, m);
+        let end = |at: &Pose, m: Vec3| {
             let slack = slack(m);
-            (m.dot(&(x - at.te)) - own - slack[0] - slack[1], slack)
+            (m.dot(&(x - at.te)) - own - slack.all, slack)
         };
-        let ((a, slack_a), (b, slack_b)) = (end(&self.a), end(&self.b));
+        let (a, slack_a) = end(&self.a, m);
+        let (b, slack_b) = end(&self.b, turned(self.a.ta, self.b.ta, m));
         let lever = (x - self.a.te).norm().max((x - self.b.te).norm()) + radius;
         let drift = (self.b.te - self.a.te).norm();
         let rise = bulge(lever, self.turn) + 0.25 * self.turn * drift;
-        (-parabola(-a, -b, rise), [0, 1].map(|i| slack_a[i].max(slack_b[i])), rise)
+        let by = [0, 1].map(|i| slack_a.by[i].max(slack_b.by[i]));
+        (-parabola(-a, -b, rise), Slack { by, all: slack_a.all.max(slack_b.all) }, rise)
     }
+}
+
+/// The direction made square to the way, which bounds all of it alike; `None` where it runs along it.
+fn square(m: Vec3, v: Vec3) -> Option<Vec3> {
+    let square = m - v * (m.dot(&v) / v.norm_squared());
+    (square.norm() > 0.5).then(|| square.normalize())
 }

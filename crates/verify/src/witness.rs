@@ -10,7 +10,7 @@ use aptc_geometry::Vec3;
 
 use crate::demand::parabola;
 use crate::pile::Pile;
-use crate::search::{Clearance, Moved, clearance};
+use crate::search::{Aim, Clearance, Moved, clearance};
 use crate::sheet::{Sheet, Spot};
 use crate::sweep::Sweep;
 use crate::tool::{Pose, Tool};
@@ -20,7 +20,7 @@ const ROUNDS: usize = 40;
 /// Halvings of a vector.
 const DEPTH: u32 = 24;
 /// Searches of the whole surface for one vector, each where a descent ended in a place that is too far.
-const SEARCHES: u32 = 12;
+const SEARCHES: u32 = 48;
 /// Positions at which one vector is looked at.
 const MOST: u32 = 2000;
 
@@ -62,42 +62,39 @@ pub(crate) fn excess(
         Touch { t, pose, gap, spot, p }
     };
     let globally = |t: f64, enough: f64| {
-        let pose = pose(t);
-        let sweep = Sweep::still(tool, pose);
-        clearance(&sweep, &Moved { sheet, side, shift: 0.0 }, enough)
+        let sweep = Sweep::still(tool, pose(t));
+        clearance(&sweep, &Moved { sheet, side, shift: 0.0 }, enough, Aim::Any)
     };
     let asked = Cell::new(0_u32);
-    let somewhere = |t: f64| match globally(t, most).nearest {
-        Some((_, _, spot)) => Ok(touch(t, spot)),
-        None => Err(Excess::Open(t, f64::INFINITY)),
+    let somewhere = |t: f64| match globally(t, most) {
+        Clearance { nearest: Some((_, _, spot)), .. } => Ok(touch(t, spot)),
+        Clearance { least, .. } if least > most => Err(Excess::Beyond(t, least)),
+        _ => Err(Excess::Open(t, f64::INFINITY)),
     };
-    // Where even the nearest point is too far, that is shown; else its place is where to go on.
-    let settle = |now: Touch| -> Result<Touch, Excess> {
-        if now.gap <= most {
-            return Ok(now);
-        }
-        asked.set(asked.get() + 1);
-        if asked.get() > SEARCHES {
-            return Err(Excess::Open(now.t, now.gap));
-        }
-        // Most of what it seems too far is asked for first, which is soon shown where it is so; then all.
-        let mut now = now;
-        for share in [0.95, 0.5, 0.0] {
+    // Where even the nearest point is too far, that is shown; else its place is where to go on. Most of what it
+    // seems too far is asked for first, which is soon shown or found, then less and less.
+    let settle = |mut now: Touch| -> Result<Touch, Excess> {
+        for share in [0.95, 0.7, 0.4, 0.2, 0.1, 0.03, 0.01, 0.0] {
+            if now.gap <= most {
+                return Ok(now);
+            }
+            asked.set(asked.get() + 1);
+            if asked.get() > SEARCHES {
+                break;
+            }
             let enough = most + share * (now.gap - most);
             let Clearance { least, nearest } = globally(now.t, enough);
             if least > most {
                 return Err(Excess::Beyond(now.t, least));
             }
-            let Some((.., spot)) = nearest else { break };
-            let again = touch(now.t, spot);
-            if again.gap <= most {
-                return Ok(again);
-            }
-            if again.gap < now.gap {
-                now = again;
+            if let Some((.., spot)) = nearest {
+                let again = touch(now.t, spot);
+                if again.gap < now.gap {
+                    now = again;
+                }
             }
         }
-        Err(Excess::Open(now.t, now.gap))
+        if now.gap <= most { Ok(now) } else { Err(Excess::Open(now.t, now.gap)) }
     };
     let first = match somewhere(0.0) {
         Ok(touch) => touch,

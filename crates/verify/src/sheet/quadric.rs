@@ -98,9 +98,9 @@ impl Quadric {
     /// Bounds of the change of the unit normal over distances from `y`, split between two parameters.
     pub(crate) fn turn(&self, y: Vec3, reach: [f64; 2]) -> [f64; 2] {
         let g = self.half_gradient(y).norm();
-        // Along a ruling of a cone or cylinder the normal stays.
+        // Along a ruling of a cylinder the normal stays, and of a cone as far as its vertex.
         let reach = match self.shape {
-            Shape::Cone(_) => [0.0, reach[1]],
+            Shape::Cone(_) if y.z.abs() > reach[0] => [0.0, reach[1]],
             Shape::EllipticRod(..) | Shape::HyperbolicRod(..) | Shape::ParabolicRod(_) => {
                 [reach[0], 0.0]
             }
@@ -220,7 +220,52 @@ impl Quadric {
             Shape::HyperbolicRod(a, _) => [a, 0.0, 0.0],
         }
     }
+
+    /// Second derivatives in the middle of a piece, and how much they differ on it: uu, uv, vv.
+    pub(crate) fn bend(&self, patch: &Patch) -> ([Vec3; 3], [f64; 3]) {
+        let [u, v] = patch.at;
+        let [hu, hv] = patch.half;
+        let none = Vec3::zeros();
+        let up = |x: f64| Vec3::new(0.0, 0.0, x);
+        match self.shape {
+            Shape::Paraboloid(p, q) => ([up(2.0 * p), none, up(2.0 * q)], [0.0; 3]),
+            Shape::ParabolicRod(p) => ([up(2.0 * p), none, none], [0.0; 3]),
+            Shape::EllipticRod(a, b) => {
+                let (sin, cos) = trig::sin_cos(u);
+                ([-Vec3::new(a * cos, b * sin, 0.0), none, none], [a.max(b) * hu, 0.0, 0.0])
+            }
+            Shape::HyperbolicRod(a, _) => {
+                let a = if patch.chart == 0 { a } else { -a };
+                let w = 1.0 + u * u;
+                let bend = Vec3::new(a / (w * w.sqrt()), 0.0, 0.0);
+                ([bend, none, none], [ROOT_UUU * a.abs() * hu, 0.0, 0.0])
+            }
+            Shape::Ellipsoid(s) => {
+                let [same, mixed] = SPHERE_UUU.map(|x| x * s.max());
+                let vary = [same * hu + mixed * hv, mixed * (hu + hv), mixed * hu + same * hv];
+                (blown_up_bend(s, patch.chart, u, v), vary)
+            }
+            Shape::OneSheet(s) => {
+                let (wide, far) = (s.x.max(s.y), u.abs() + hu);
+                let w = (1.0 + u * u).sqrt();
+                let bend = around_bend(s, v, [w, u / w, 1.0 / (w * w * w)]);
+                let top = (1.0 + far * far).sqrt();
+                let vary = [ROOT_UUU * hu + hv, hu + hv, hu + top * hv];
+                (bend, vary.map(|x| wide * x))
+            }
+            Shape::Cone(s) => {
+                let (wide, far) = (s.x.max(s.y), u.abs() + hu);
+                (around_bend(s, v, [u, 1.0, 0.0]), [0.0, wide * hv, wide * (hu + far * hv)])
+            }
+            Shape::TwoSheets(_) => ([none; 3], self.second(patch)),
+        }
+    }
 }
+
+/// Bound of the third derivative of `sqrt(1 + u^2)`.
+const ROOT_UUU: f64 = 0.86;
+/// Bounds of the third derivatives of `(1, u, v) / |(1, u, v)|`: uuu and vvv, uuv and uvv.
+const SPHERE_UUU: [f64; 2] = [3.0 + 1e-9, 1.0 + 1e-9];
 
 /// Bounds of the second derivatives of `(1, u, v) / |(1, u, v)|`: uu and vv, uv.
 const SPHERE_UU: f64 = 1.2;
@@ -240,6 +285,33 @@ fn blown_up(s: Vec3, chart: usize, u: f64, v: f64) -> (Vec3, Vec3, Vec3) {
     };
     let (du, dv) = (along(j, u), along(k, v));
     (p.component_mul(&s), du.component_mul(&s), dv.component_mul(&s))
+}
+
+/// Second derivatives of the face of a cube blown up to the ellipsoid.
+fn blown_up_bend(s: Vec3, chart: usize, u: f64, v: f64) -> [Vec3; 3] {
+    let (i, sign) = if chart < 3 { (chart, 1.0) } else { (chart - 3, -1.0) };
+    let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+    let (mut r, mut along_u, mut along_v) = (Vec3::zeros(), Vec3::zeros(), Vec3::zeros());
+    (r[i], r[j], r[k]) = (sign, u, v);
+    (along_u[j], along_v[k]) = (1.0, 1.0);
+    // Of 1 / n with n^2 = 1 + u^2 + v^2.
+    let n = (1.0 + u * u + v * v).sqrt();
+    let (cube, fifth) = (1.0 / (n * n * n), 3.0 / (n * n * n * n * n));
+    let [du, dv] = [-u * cube, -v * cube];
+    let [uu, uv, vv] = [u * u * fifth - cube, u * v * fifth, v * v * fifth - cube];
+    [
+        along_u * (2.0 * du) + r * uu,
+        along_u * dv + along_v * du + r * uv,
+        along_v * (2.0 * dv) + r * vv,
+    ]
+    .map(|p| p.component_mul(&s))
+}
+
+/// Second derivatives of `(a w cos v, b w sin v, c u)`, from w and its derivatives by u.
+fn around_bend(s: Vec3, v: f64, [w, dw, ddw]: [f64; 3]) -> [Vec3; 3] {
+    let (sin, cos) = trig::sin_cos(v);
+    let out = Vec3::new(s.x * cos, s.y * sin, 0.0);
+    [out * ddw, Vec3::new(-s.x * sin, s.y * cos, 0.0) * dw, out * -w]
 }
 
 /// `(a w cos v, b w sin v, c u)` with the derivative of w by u.

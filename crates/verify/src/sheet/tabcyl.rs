@@ -102,6 +102,14 @@ impl Tabcyl {
         [at(x - h).max(at(x + h)), 0.0, 0.0]
     }
 
+    /// Second derivatives in the middle of a piece, and how much they differ on it.
+    pub(crate) fn bend(&self, patch: &Patch) -> ([Vec3; 3], [f64; 3]) {
+        let s = &self.spans[patch.chart];
+        let left = Vec3::new(-s.chord.y, s.chord.x, 0.0);
+        let bend = left * (6.0 * s.a * patch.at[0] + 2.0 * s.b);
+        ([bend, Vec3::zeros(), Vec3::zeros()], [6.0 * s.a.abs() * patch.half[0], 0.0, 0.0])
+    }
+
     pub(crate) fn settle(&self, spot: Spot) -> Spot {
         let [x, w] = spot.at;
         let length = self.spans[spot.chart].length;

@@ -34,7 +34,7 @@ proptest! {
     fn a_piece_by_two_parameters_is_held(
         which in 0_usize..9, walk in prop::collection::vec(any::<bool>(), 12),
         at in prop::array::uniform2(-1.0..1.0_f64), half in prop::array::uniform2(0.001..1.0_f64),
-        in_piece in prop::array::uniform2(-1.0..1.0_f64),
+        in_piece in prop::array::uniform2(-1.0..1.0_f64), lean in prop::array::uniform3(-1.0..1.0_f64),
     ) {
         let form = &forms::parametric()[which];
         let sheet = Sheet::new(form).expect("it has charts");
@@ -63,6 +63,10 @@ proptest! {
         let flat = tile.c + tile.side[0] * in_piece[0] + tile.side[1] * in_piece[1];
         let stray = (jet.p - flat).norm();
         prop_assert!(stray <= (tile.stray[0] + tile.stray[1]) * (1.0 + 1e-6) + 1e-9, "{stray} {tile:?}");
+        for m in [tile.n, -tile.n, Vec3::from(lean), tile.n + Vec3::from(lean) * 0.1] {
+            let dip = m.dot(&(tile.c - jet.p));
+            prop_assert!(dip <= tile.dip(m) * (1.0 + 1e-9) + 1e-9 * m.norm(), "{dip} {m:?} {tile:?}");
+        }
         let turn = (jet.n - tile.n).norm();
         prop_assert!(turn <= (tile.turn[0] + tile.turn[1]) * (1.0 + 1e-6) + 1e-8, "{turn} {tile:?}");
         if jet.p.norm() > if which == 8 { 3.0 } else { 8.0 } {
@@ -87,6 +91,7 @@ proptest! {
     fn a_tile_holds_its_piece(
         which in 0_usize..9, root in 0_usize..6, at in prop::array::uniform2(-1.0..1.0_f64),
         half in prop::array::uniform2(0.001..0.5_f64), in_piece in prop::array::uniform2(-1.0..1.0_f64),
+        lean in prop::array::uniform3(-1.0..1.0_f64),
     ) {
         let form = &quadrics()[which];
         let Form::Quadric(ten) = form else { unreachable!() };
@@ -110,6 +115,10 @@ proptest! {
         let flat = tile.c + tile.side[0] * in_piece[0] + tile.side[1] * in_piece[1];
         let stray = (jet.p - flat).norm();
         prop_assert!(stray <= (tile.stray[0] + tile.stray[1]) * (1.0 + 1e-9) + 1e-12, "{} {:?}", stray, tile);
+        for m in [tile.n, -tile.n, Vec3::from(lean), tile.n + Vec3::from(lean) * 0.1] {
+            let dip = m.dot(&(tile.c - jet.p));
+            prop_assert!(dip <= tile.dip(m) * (1.0 + 1e-9) + 1e-9 * m.norm(), "{dip} {m:?} {tile:?}");
+        }
         let turn = (jet.n - tile.n).norm();
         prop_assert!(turn <= (tile.turn[0] + tile.turn[1]) * (1.0 + 1e-9) + 1e-12, "{} {:?}", turn, tile);
         let g = ten.gradient(p);
