@@ -48,10 +48,10 @@ fn word() -> impl Strategy<Value = smol_str::SmolStr> {
 fn own_word(w: &str) -> bool {
     let own = [
         "GOTO", "FROM", "GODLTA", "UNITS", "UNIT", "MULTAX", "CUTTER", "INTOL", "OUTTOL", "TOLER",
-        "CUT", "DNTCUT", "INDEX", "COPY", "TRACUT", "CLPRNT", "CSYS", "CIRCLE", "MOVARC", "ARCDAT",
-        "ARCMOV", "CCW", "GOCLW", "INDIRV", "INDIRP", "PSIS", "AUTOPS", "FINI", "PARTNO", "PPRINT",
-        "INSERT", "REMARK", "TITLES", "TLON", "CONT", "GOHOME", "LOAD", "SELECT", "GOFWD",
-        "LETTER",
+        "CUT", "DNTCUT", "INDEX", "COPY", "TRACUT", "CLPRNT", "CSYS", "CIRCLE", "MOVARC", "ARC",
+        "ARCDAT", "ARCMOV", "CCW", "GOCLW", "INDIRV", "INDIRP", "PSIS", "AUTOPS", "FINI", "PARTNO",
+        "PPRINT", "INSERT", "REMARK", "TITLES", "TLON", "CONT", "GOHOME", "LOAD", "SELECT",
+        "GOFWD", "LETTER",
     ];
     own.contains(&w)
         || ["PARTNO", "PPRINT", "INSERT", "REMARK", "TITLES"].iter().any(|t| w.starts_with(t))

@@ -75,6 +75,22 @@ fn nx_splines_end_at_their_last_control_point() {
     assert!(near.fold(f64::INFINITY, f64::min) < 0.1 && m[1].points.len() > 20);
 }
 
+/// A point without its word is a point, whatever stands between it and the last one.
+#[test]
+fn nx_points_without_goto_behind_other_words() {
+    let text = "TOOL PATH/A,TOOL,B\nTLDATA/MILL,10.0,0.0,75.0,0.0,0.0\nRAPID\nGOTO/0.0,0.0,50.0,0.0,0.0,1.0\n\
+                RAPID\n0.0,0.0,3.0\nFEDRAT/MMPM,250.0\n0.0,0.0,-1.0\n-5.0,0.0,-1.0\nEND-OF-PATH\n";
+    let mut reader = Reader::open(text.as_bytes(), Some(Dialect::Nx)).unwrap();
+    let (mut record, mut points) = (Record::default(), Vec::new());
+    while reader.read(&mut record).unwrap() {
+        if let Kind::Motion(m) = &record.kind {
+            points.extend(m.points.iter().map(|p| (p.te.x, p.te.z)));
+        }
+    }
+    assert_eq!(points, [(0.0, 50.0), (0.0, 3.0), (0.0, -1.0), (-5.0, -1.0)]);
+    assert!(reader.into_diagnostics().iter().all(|d| !d.message.contains("not known")));
+}
+
 #[test]
 fn catia_matrix_and_tool_axis() {
     let kinds = read(

@@ -269,6 +269,28 @@ fn words_that_were_misread_are_done() {
             good(machine, &part("CYCLE/DRILL,FEDTO,0,MMPM,250,RAPTO,3\nGOTO/7,7,1\nCYCLE/OFF"));
         assert!(nc.contains("Z1") || nc.contains("Z+1"), "{machine}\n{nc}");
     }
+    // How NX and ISO 4343 say what kind of drilling it is, and lists of pecks.
+    for (cycle, native) in [
+        (
+            "CYCLE/DRILL,DEEP,STEP,2,2,2,RAPTO,3,FEDTO,-12,RTRCTO,AUTO,MMPM,100",
+            "G83 X7 Y7 Z-11 R4 Q2",
+        ),
+        (
+            "CYCLE/DRILL,DEEP,STEP,20,CLEAR,3,FEDTO,-72,RTRCTO,AUTO,MMPM,250",
+            "G83 X7 Y7 Z-71 R4 Q20",
+        ),
+        ("CYCLE/DRILL,BRKCHP,STEP,2,0,0,RAPTO,3,FEDTO,-12,MMPM,100", "G73 X7 Y7 Z-11 R4 Q2"),
+        ("CYCLE/DRILL,CSINK,30,RAPTO,3,FEDTO,-3,MMPM,50", "G82 X7 Y7 Z-2 R4"),
+        ("CYCLE/DEEP,DEPTH,12,STEP,2,MMPM,100,CLEAR,3", "G83 X7 Y7 Z-11 R4 Q2"),
+    ] {
+        let nc = good("linuxcnc-mill", &part(&format!("{cycle}\nGOTO/7,7,1\nCYCLE/OFF")));
+        assert!(nc.contains(native), "{cycle}: {native}\n{nc}");
+    }
+    let (_, posted) = post(
+        "linuxcnc-mill",
+        &part("CYCLE/DRILL,DEEP,STEP,5,3,2,RAPTO,3,FEDTO,-12,MMPM,100\nGOTO/7,7,1\nCYCLE/OFF"),
+    );
+    assert!(posted.diagnostics.iter().any(|d| d.message.contains("more than two lengths")));
     // What comes of a surface speed is bounded: 300 feet a minute at 10 mm would be 2911.
     assert!(good("linuxcnc-mill", &part("SPINDL/SFM,300,CLW,MAXRPM,2000")).contains("S2000"));
     assert!(good("fanuc-0i-mill", &part("COOLNT/FLOOD\nCOOLNT/OFF")).contains("M9"));

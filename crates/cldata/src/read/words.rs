@@ -47,7 +47,8 @@ pub(super) fn statement(state: &mut State, text: &[u8]) {
     if let Some((word, rest)) = text_word(text) {
         return fixed_field(state, word, rest);
     }
-    if state.in_goto
+    // In NX a point without its word may also stand behind RAPID or FEDRAT.
+    if (state.in_goto || (state.dialect == Dialect::Nx && state.te.is_some()))
         && matches!(text[0], b'0'..=b'9' | b'-' | b'+' | b'.')
         && let Some(numbers) = args::all_numbers(text)
     {

@@ -98,7 +98,15 @@ pub(crate) fn parse(s: &Statement<'_>) -> Result<DrillCycle, Refusal> {
         let forms = "CYCLE/DRILL,DEPTH,d,CLEAR,c or another kind, or CYCLE/OFF";
         return Err(Refusal::arguments(s, forms));
     };
-    values(s, kind)
+    match (kind, s.word(1)) {
+        // NX and ISO 4343 say how a hole is drilled behind DRILL.
+        ("DRILL", Some(sub @ ("DEEP" | "BRKCHP" | "FACE"))) => values(s, sub, 2),
+        ("DRILL", Some("CSINK")) => {
+            // The diameter of the sink: its depth is said as well.
+            values(s, "CSINK", if s.number(2).is_some() { 3 } else { 2 })
+        }
+        _ => values(s, kind, 1),
+    }
 }
 
 #[derive(Default)]
@@ -116,8 +124,9 @@ struct Values {
     plain: Vec<f64>,
 }
 
-fn values(s: &Statement<'_>, kind: &str) -> Result<DrillCycle, Refusal> {
-    let v = gather(s, kind)?;
+/// The values from the argument `from` on.
+fn values(s: &Statement<'_>, kind: &str, from: usize) -> Result<DrillCycle, Refusal> {
+    let v = gather(s, kind, from)?;
     let mut plain = v.plain.iter().copied();
     let depth = v.depth.or_else(|| plain.next());
     let mut step = v.step;
@@ -173,9 +182,9 @@ fn values(s: &Statement<'_>, kind: &str) -> Result<DrillCycle, Refusal> {
     })
 }
 
-fn gather(s: &Statement<'_>, kind: &str) -> Result<Values, Refusal> {
+fn gather(s: &Statement<'_>, kind: &str, from: usize) -> Result<Values, Refusal> {
     let mut v = Values::default();
-    let args = &s.args[1..];
+    let args = s.args.get(from..).unwrap_or_default();
     let mut i = 0;
     while i < args.len() {
         let number = match args.get(i + 1) {
@@ -259,6 +268,9 @@ fn gather(s: &Statement<'_>, kind: &str) -> Result<Values, Refusal> {
                 };
                 *slot = Some(n);
                 i += 2;
+                if w == "STEP" {
+                    i += further_steps(s, &mut v, &args[i..])?;
+                }
             }
             _ => {
                 return Err(Refusal::arguments(s, "CYCLE with numbers and words"));
@@ -266,6 +278,35 @@ fn gather(s: &Statement<'_>, kind: &str) -> Result<Values, Refusal> {
         }
     }
     Ok(v)
+}
+
+/// Further numbers behind STEP, a list of steps as NX gives it: the first peck, and the one of all others; zeros
+/// fill the list up. How many arguments they take.
+fn further_steps(s: &Statement<'_>, v: &mut Values, rest: &[Arg]) -> Result<usize, Refusal> {
+    let number = |a: &Arg| if let Arg::Number(n) = a { Some(*n) } else { None };
+    let list: Vec<f64> = rest.iter().map_while(number).collect();
+    let after = rest.get(list.len()..).unwrap_or_default();
+    // A list ends with a word of its own; else the numbers are those of other places, with or without a unit.
+    let ends = match after {
+        [Arg::Word(w), Arg::Number(_), ..] => unit(w).is_none() || v.feed.is_none(),
+        [Arg::Word(w), ..] => unit(w).is_none(),
+        _ => false,
+    };
+    if !ends || list.is_empty() {
+        return Ok(0);
+    }
+    let first = v.step;
+    let others: Vec<f64> = list.iter().copied().filter(|n| *n > 0.0).collect();
+    if let Some(other) = others.first() {
+        if others.iter().any(|n| (n - other).abs() > 1e-9) {
+            let message = format!("{}: more than two lengths of pecks", s.written());
+            let help =
+                "give the first peck and that of all others, or write the motions of the hole";
+            return Err(Refusal::new(codes::WORD_LACKING, message, help));
+        }
+        (v.first_step, v.step) = (v.first_step.or(first), Some(*other));
+    }
+    Ok(list.len())
 }
 
 /// Is the unit after this number its own? It is when it ends the list or another number with a place of its
