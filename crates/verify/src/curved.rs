@@ -174,9 +174,11 @@ impl Curved<'_> {
         let start = pose(0.0);
         let inner = tool.inner(&start);
         let near = least.abs() + pad;
-        let sign = self.sheet.sign(inner).unwrap_or_else(|| match self.stands(tool, &start) {
-            0.0 => self.lies(inner, near),
-            sign => sign,
+        // The edge of a disk may be in the surface by the tolerance; its middle is on the side that counts.
+        let sign = self.sheet.sign(inner).unwrap_or_else(|| {
+            let first = if tool.is_thin() { self.lies(inner, near) } else { 0.0 };
+            let then = if first == 0.0 { self.stands(tool, &start) } else { first };
+            if then == 0.0 { self.lies(inner, near) } else { then }
         });
         let sign = sign * side;
         if sign > 0.0 || self.nearest(inner, 2.0 * near).0 <= near {
