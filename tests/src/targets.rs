@@ -5,12 +5,16 @@
 //! notice, such as a message that points outside its file.
 
 use std::fmt::Debug;
+use std::time::Duration;
 
 use aptc_cldata::{
     Dialect, JsonReader, JsonWriter, Kind, Reader, Record, RecordReader as _, RecordWriter as _,
     TextOptions, TextWriter,
 };
-use aptc_diagnostics::{Diagnostic, FileId};
+use aptc_control::{
+    ClOptions, CodeOptions, Compiled, MachineChoice, Memory, Source, compile, machines, post_cl,
+};
+use aptc_diagnostics::{Diagnostic, FileId, codes};
 use aptc_protap::Outcome;
 use aptc_syntax::{FormatOptions, Interner, Options, parse};
 use aptc_translate::{Interpreter, NoFiles, Step};
@@ -124,6 +128,51 @@ pub fn cldata(data: &[u8]) {
         }
         assert_eq!(again, records, "as JSON lines the records are others");
     }
+}
+
+/// All Sections over a part program: it ends within its limits, what leaves it are numbers, and nothing is machine
+/// code that disagrees with its CL data.
+pub fn road(data: &[u8]) {
+    let text = String::from_utf8_lossy(data);
+    let mut options =
+        aptc_control::Options { time: Some(Duration::from_secs(4)), ..Default::default() };
+    let limits = &mut options.translate.limits;
+    (limits.statements, limits.array_elements, limits.points) = (2_000, 10_000, 1_000);
+    let source = Source { name: "fuzz.apt".into(), text: text.as_ref().into() };
+    let compiled = compile(source, &mut Memory::default(), &options);
+    places_are_right(&text, &compiled.diagnostics);
+    for record in compiled.parts.iter().flat_map(|part| part.computed.iter().chain(&part.edited)) {
+        if let Kind::Motion(motion) = &record.kind {
+            holds_numbers(motion);
+        }
+    }
+    code_agrees(&compiled);
+}
+
+/// Section 4: any CL data for the machine that the first byte chooses.
+pub fn post(data: &[u8]) {
+    let n = usize::from(data.first().copied().unwrap_or_default());
+    let machine = machines().nth(n % machines().count()).expect("the rest is less");
+    let named = Some(MachineChoice::Named(machine.name.to_string()));
+    let code = CodeOptions { machine: named, map: true, ..CodeOptions::default() };
+    let mut open = || Ok(Box::new(std::io::Cursor::new(data.to_vec())) as Box<dyn std::io::Read>);
+    let posted =
+        post_cl("fuzz.cl", &mut open, ClOptions::default(), &code, &mut || Ok(Vec::<u8>::new()));
+    let posted = posted.expect("memory gives and takes all");
+    for text in &posted.texts {
+        let text = String::from_utf8_lossy(text);
+        assert!(!text.contains("NaN") && !text.contains("inf"), "{text}");
+    }
+    for diagnostic in &posted.compiled.diagnostics {
+        assert!(!diagnostic.message.is_empty(), "{} says nothing", diagnostic.code);
+    }
+    code_agrees(&posted.compiled);
+}
+
+/// Reading machine code back never finds another motion than that of the CL data.
+fn code_agrees(compiled: &Compiled) {
+    let read_back = compiled.diagnostics.iter().find(|d| d.code == codes::NOT_THE_CL);
+    assert!(read_back.is_none(), "{read_back:?}");
 }
 
 /// All records and no complaint about places; an error of the stream itself ends the reading.

@@ -2,6 +2,9 @@
 
 use std::fs;
 
+use aptc_control::{
+    Memory, Options, RecordWriter as _, Source, TextOptions, TextWriter, Verify, compile,
+};
 use aptc_golden::{Case, discover};
 use aptc_testkit::repository;
 use aptc_tests::targets;
@@ -68,4 +71,42 @@ fn programs_with_a_changed_byte_translate() {
 fn damaged_programs_are_read_as_cl_data() {
     truncated(targets::cldata, 17);
     changed(targets::cldata, 17);
+}
+
+#[test]
+fn damaged_programs_take_the_whole_road() {
+    truncated(targets::road, 499);
+    changed(targets::road, 499);
+}
+
+#[test]
+fn damaged_cl_data_are_posted() {
+    changed(targets::post, 499);
+    for (program, _) in programs() {
+        let cl = cl_data(&program);
+        for (at, machine) in (0..cl.len()).step_by(997).zip(0..) {
+            let mut damaged = cl.clone();
+            damaged[at] = b"$(),/=*+-.'0A \n"[at % 15];
+            // The first byte chooses the machine; a blank line more harms nothing.
+            damaged.insert(0, machine);
+            damaged.insert(1, b'\n');
+            targets::post(&damaged);
+        }
+    }
+}
+
+/// What a program has in the way of CL data.
+fn cl_data(program: &[u8]) -> Vec<u8> {
+    let text = String::from_utf8_lossy(program);
+    let source = Source { name: "part.apt".into(), text: text.as_ref().into() };
+    let options = Options { verify: Verify::Off, post: false, plot: false, ..Options::default() };
+    let compiled = compile(source, &mut Memory::default(), &options);
+    let mut bytes = Vec::new();
+    let mut writer = TextWriter::new(&mut bytes, TextOptions::default());
+    for record in compiled.parts.iter().flat_map(|part| &part.edited) {
+        writer.write(record).expect("memory takes all");
+    }
+    writer.finish().expect("memory takes all");
+    drop(writer);
+    bytes
 }

@@ -35,6 +35,23 @@ fn every_machine_posts_a_plate() {
 }
 
 #[test]
+fn numbers_and_signs_of_optional_blocks_stand_on_blocks_alone() {
+    let text = "PARTNO A\nSEQNO/10,INCR,10\nUNITS/MM\nLOADTL/1\nSPINDL/900,CLW\nCOOLNT/ON\nFEDRAT/500\nFROM/0,0,100\n\
+                GOTO/0,0,5\nOPSKIP/ON\nDELAY/2\nOPSKIP/OFF\nGOTO/9,0,5\nFINI";
+    let with_skip = |m: &&aptc_post::Machine| {
+        m.kind == MachineKind::Mill && m.dialect != Dialect::Apt && !m.program.skip.is_empty()
+    };
+    for m in machines().filter(with_skip) {
+        let (nc, posted) = post_all(m, PostOptions::default(), &records(text));
+        let errors: Vec<_> = posted.diagnostics.iter().filter(|d| d.is_error()).collect();
+        assert!(errors.is_empty(), "{}: {errors:#?}\n{nc}", m.name);
+        assert!(nc.contains('/'), "{}: nothing is optional\n{nc}", m.name);
+        let marks = nc.lines().filter(|l| l.contains('%') || l.contains("O0"));
+        assert!(marks.clone().all(|l| l.starts_with(['%', 'O'])), "{}: {nc}", m.name);
+    }
+}
+
+#[test]
 fn every_cycle_of_every_machine_is_written_and_proved() {
     for m in machines().filter(|m| m.kind == MachineKind::Mill && m.dialect != Dialect::Apt) {
         for kind in m.cycles.keys() {

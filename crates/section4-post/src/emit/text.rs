@@ -33,21 +33,25 @@ impl Blocks {
         // All characters are ASCII now, so bytes are characters.
         for piece in clean.as_bytes().chunks(room) {
             let piece = std::str::from_utf8(piece).unwrap_or("");
-            let line = format!("{open}{piece}{close}");
-            // Where block numbers have no letter, every line has one.
-            let all = self.machine.program.block_numbers.letter.is_empty();
-            let numbered = self.numbered;
-            self.numbered &= all;
-            let skip = std::mem::replace(&mut self.skip, false);
-            self.begin();
-            if self.numbered {
-                self.separate();
-            }
-            self.out.extend_from_slice(line.as_bytes());
-            self.end();
-            self.numbered = numbered;
-            self.skip = skip;
+            self.unnumbered(&format!("{open}{piece}{close}"));
         }
+    }
+
+    /// A line that is no block: never skipped, and without a number, but where block numbers have no letter every line
+    /// has one.
+    fn unnumbered(&mut self, line: &str) {
+        let all = self.machine.program.block_numbers.letter.is_empty();
+        let numbered = self.numbered;
+        self.numbered &= all;
+        let skip = std::mem::replace(&mut self.skip, false);
+        self.begin();
+        if self.numbered {
+            self.separate();
+        }
+        self.out.extend_from_slice(line.as_bytes());
+        self.end();
+        self.numbered = numbered;
+        self.skip = skip;
     }
 
     /// Lines of the machine file.
@@ -56,10 +60,16 @@ impl Blocks {
             let Some(text) = render(line, vars) else { continue };
             match text.strip_prefix(';') {
                 Some(comment) => self.comment(comment),
+                None if is_mark(&text) => self.unnumbered(&text),
                 None => self.line(&text),
             }
         }
     }
+}
+
+/// Is it the mark of a tape's begin and end, or a program's number: `%`, `O0001`?
+fn is_mark(line: &str) -> bool {
+    line.strip_prefix(['%', 'O']).is_some_and(|rest| rest.bytes().all(|b| b.is_ascii_digit()))
 }
 
 /// The template with its `{names}` replaced; `None` when one of them is empty or unknown.

@@ -115,6 +115,8 @@ impl Tnc {
 
     fn obey(&mut self, text: &str, steps: &mut Vec<Step>) -> Result<(), String> {
         let text = text.split(';').next().unwrap_or("").trim();
+        // The sign of optional blocks stands before the number of the block or behind it.
+        let text = text.trim_start_matches('/');
         let mut words = text.split_ascii_whitespace().peekable();
         if words.peek().is_some_and(|w| w.bytes().all(|b| b.is_ascii_digit())) {
             words.next();
