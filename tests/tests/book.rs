@@ -1,10 +1,11 @@
 //! The book: each program in it compiles without an error, each link leads somewhere, no page is forgotten.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use aptc_control::{Memory, Options, Source};
+use mdbook_driver::MDBook;
 
 fn docs() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs")
@@ -75,13 +76,70 @@ fn each_link_leads_to_a_file() {
     assert!(dead.is_empty(), "dead links: {dead:?}");
 }
 
+/// The whole book as its readers get it: every link and picture of every page is there.
+#[test]
+fn the_book_builds_and_nothing_in_it_leads_nowhere() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut book = MDBook::load(docs()).expect("the book can be read");
+    book.config.build.build_dir = folder.path().to_path_buf();
+    book.build().expect("the book can be built");
+    let mut pages = BTreeMap::new();
+    html_below(folder.path(), &mut pages);
+    assert!(pages.len() > 200, "only {} pages", pages.len());
+    let mut dead = BTreeSet::new();
+    for (path, page) in &pages {
+        for link in quoted(page, &[" href=\"", " src=\""]) {
+            let (file, place) = link.split_once('#').unwrap_or((link, ""));
+            if link.contains("://") || file.starts_with("mailto:") {
+                continue;
+            }
+            let target = match file {
+                "" => path.clone(),
+                file => path.parent().expect("a page lies in a folder").join(file),
+            };
+            let there = target.canonicalize().is_ok_and(|target| {
+                place.is_empty()
+                    || pages
+                        .get(&target)
+                        .is_none_or(|page| quoted(page, &[" id=\""]).any(|id| id == place))
+            });
+            if !there {
+                dead.insert(format!("{}: {link}", path.display()));
+            }
+        }
+    }
+    assert!(dead.is_empty(), "{dead:#?}");
+}
+
+/// All pages of a built book, by their whole paths.
+fn html_below(folder: &Path, pages: &mut BTreeMap<PathBuf, String>) {
+    for entry in fs::read_dir(folder).expect("the folder is there") {
+        let path = entry.expect("an entry").path().canonicalize().expect("it is there");
+        if path.is_dir() {
+            html_below(&path, pages);
+        } else if path.extension().is_some_and(|e| e == "html") {
+            let text = fs::read_to_string(&path).expect("a page is text");
+            pages.insert(path, text);
+        }
+    }
+}
+
+/// What stands between quotes behind any of the beginnings.
+fn quoted<'a>(page: &'a str, beginnings: &'a [&str]) -> impl Iterator<Item = &'a str> {
+    let behind = |beginning: &'a &str| page.split(*beginning).skip(1);
+    beginnings.iter().flat_map(behind).filter_map(|rest| Some(rest.split_once('"')?.0))
+}
+
 #[test]
 fn the_summary_names_each_page_once() {
     let summary = fs::read_to_string(docs().join("SUMMARY.md")).expect("there is a summary");
     let named = links(&summary);
     let once: BTreeSet<_> = named.iter().cloned().collect();
     assert_eq!(once.len(), named.len(), "a page is named twice");
-    let all: BTreeSet<_> = pages().into_iter().map(|p| p.0).filter(|p| p != "SUMMARY.md").collect();
+    let errors = fs::read_dir(docs().join("errors")).expect("the folder is there").flatten();
+    let errors = errors.map(|entry| format!("errors/{}", entry.file_name().to_string_lossy()));
+    let all: BTreeSet<_> =
+        pages().into_iter().map(|p| p.0).chain(errors).filter(|p| p != "SUMMARY.md").collect();
     let forgotten: Vec<_> = all.difference(&once).collect();
     assert!(forgotten.is_empty(), "pages that the summary forgets: {forgotten:?}");
 }

@@ -111,10 +111,13 @@ impl PartHead {
                 format!("no MACHIN statement; posted for {}", default.title),
             ),
         };
-        diagnostics.push(
-            Diagnostic::note_at(codes::MACHINE_ASSUMED, span, message)
-                .help("choose a machine with --machine; `aptc machines` lists them"),
-        );
+        let alike = |name: &&String| {
+            self.unknown.as_ref().is_some_and(|(u, _)| u.get(..3) == name.get(..3))
+        };
+        let near = aptc_post::machines().flat_map(|m| &m.machin).find(alike);
+        let near = near.map_or(String::new(), |name| format!("did you mean MACHIN/{name}? "));
+        let help = format!("{near}choose a machine with --machine; `aptc machines` lists them");
+        diagnostics.push(Diagnostic::note_at(codes::MACHINE_ASSUMED, span, message).help(help));
         vec![default.clone()]
     }
 }

@@ -14,8 +14,9 @@ pub(crate) fn machines(name: Option<&str>, common: &Common) -> io::Result<ExitCo
     let mut out = io::stdout().lock();
     let Some(name) = name else {
         for m in all() {
-            writeln!(out, "{:<28}{}", m.name, m.title)?;
+            writeln!(out, "{:<28}{:<26}{}", m.name, m.machin.join(" "), m.title)?;
         }
+        writeln!(out, "The second column is what MACHIN/ may name; --machine takes the first.")?;
         return Ok(exit::GOOD);
     };
     if !Path::new(name).extension().is_some_and(|e| e.eq_ignore_ascii_case("toml")) {

@@ -154,7 +154,11 @@ impl Track {
             (from.along * s, from.along)
         };
         let start = Pose { te: from.pose.te + step, ta: from.pose.ta };
-        self.settle(start, across, targets, from)
+        let to = self.settle(start, across, targets, from)?;
+        // Where the curvature ends on the way, the plane across may meet the track far away.
+        let most = 2.0 * (s + self.keeps[0].width() + self.keeps[1].width());
+        let gone = (to.pose.te - from.pose.te).norm();
+        if gone <= most || self.axis.turns() { Ok(to) } else { Err(Trouble::Stuck) }
     }
 }
 
