@@ -121,7 +121,8 @@ impl Post {
         self.take_extent(te);
     }
 
-    /// A Sweep arc that the control cannot do, as chords within the path tolerance.
+    /// A Sweep arc that the control cannot do, as chords within the path tolerance. What its end lies off its circle is
+    /// spread along it.
     pub(crate) fn sweep_as_lines(&mut self, arc: &Arc, last: &Position, origin: &Origin) {
         let Some(start) = self.st.pos else {
             let message = "an arc whose start is not known".to_string();
@@ -143,11 +144,21 @@ impl Post {
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "bounded")]
         let n = (sweep.abs() / most).ceil().clamp(1.0, 1e6) as u32;
         let side = axis.cross(&radial);
+        let round = |part: f64| {
+            let (s, c) = trig::sin_cos(sweep * part);
+            center + axis * (from.dot(&axis) + rise * part) + radial * c + side * s
+        };
+        let off = end - round(1.0);
+        if off.norm() > band {
+            let message = format!(
+                "the arc ends {:.4} off its circle, and is bent to its end along the way",
+                off.norm() / self.st.scale
+            );
+            self.warn(codes::ARC_OFF_CIRCLE, origin, message, "check the centre and the end");
+        }
         for i in 1..n {
             let part = f64::from(i) / f64::from(n);
-            let (s, c) = trig::sin_cos(sweep * part);
-            let te = center + axis * (from.dot(&axis) + rise * part) + radial * c + side * s;
-            self.go_to(te, last.ta, false, origin);
+            self.go_to(round(part) + off * part, last.ta, false, origin);
         }
         self.go_to(end, last.ta, false, origin);
     }

@@ -199,10 +199,15 @@ impl Checker {
             let apart = (2.0 * trig::acos_clamped(part)).to_degrees().clamp(1e-3, 15.0);
             #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "bounded")]
             let n = (degrees.abs() / apart).ceil().clamp(1.0, 100_000.0) as u32;
+            let round = |part: f64| {
+                let (s, co) = trig::sin_cos(degrees.to_radians() * part);
+                c + axis * (along + rise * part) + radial * co + side * s
+            };
+            // An end beside the circle is come to gradually.
+            let off = end - round(1.0);
             for i in 1..n {
                 let part = f64::from(i) / f64::from(n);
-                let (s, co) = trig::sin_cos(degrees.to_radians() * part);
-                let te = c + axis * (along + rise * part) + radial * co + side * s;
+                let te = round(part) + off * part;
                 self.queue.push_back(Expect::Point { te, ta, rapid, via: true, round: true });
             }
         }
