@@ -103,8 +103,9 @@ fn cl_data(program: &[u8]) -> Vec<u8> {
     let compiled = compile(source, &mut Memory::default(), &options);
     let mut bytes = Vec::new();
     let mut writer = TextWriter::new(&mut bytes, TextOptions::default());
-    for record in compiled.parts.iter().flat_map(|part| &part.edited) {
-        writer.write(record).expect("memory takes all");
+    for part in &compiled.parts {
+        let read = part.edited.for_each(|record| writer.write(record).expect("memory takes all"));
+        read.expect("so few stand in memory");
     }
     writer.finish().expect("memory takes all");
     drop(writer);
