@@ -16,6 +16,8 @@
 //! assert_eq!(gap.normal, Vec3::z());
 //! ```
 
+mod bends;
+mod bodies;
 mod chord;
 mod closed;
 mod curvature;
@@ -27,7 +29,8 @@ mod search;
 mod tangents;
 
 pub use aptc_geometry::{Place, Reason, Tool};
+pub use bodies::{Convex, Swept, Turned};
 pub use chord::{Chord, Extreme, chord};
 pub use curvature::second;
 pub use gap::{Condition, Gap, Side, distance, gap, gap_near, on, opens, several};
-pub use patches::{Clear, Convex, PatchPlace, PatchTree, Swept};
+pub use patches::{Clear, PatchPlace, PatchTree};

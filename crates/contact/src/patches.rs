@@ -8,56 +8,10 @@
 use std::collections::BinaryHeap;
 
 use aptc_geometry::sculpt::Patch;
-use aptc_geometry::{Sculptured, Tool, Vec3};
+use aptc_geometry::{Profile, Sculptured, Vec3, trig};
 
-/// A convex body with its signed distance, negative inside, and the unit gradient of it.
-pub trait Convex {
-    /// Distance of `q` and its gradient.
-    fn near(&self, q: Vec3) -> (f64, Vec3);
-}
-
-impl Convex for Tool<'_> {
-    #[inline]
-    fn near(&self, q: Vec3) -> (f64, Vec3) {
-        let n = Tool::near(self, q);
-        (n.distance, n.normal)
-    }
-}
-
-/// A tool with everything that it passes on the way by `by`, its axis unchanged.
-#[derive(Clone, Copy, Debug)]
-pub struct Swept<'a> {
-    /// Where it starts.
-    pub tool: Tool<'a>,
-    /// The cut vector.
-    pub by: Vec3,
-}
-
-impl Convex for Swept<'_> {
-    /// The distance is convex along the way: its slope is halved down.
-    fn near(&self, q: Vec3) -> (f64, Vec3) {
-        let at = |t: f64| Convex::near(&self.tool, q - self.by * t);
-        let rises = |n: Vec3| -n.dot(&self.by) > 0.0;
-        let (first, last) = (at(0.0), at(1.0));
-        if rises(first.1) || self.by == Vec3::zeros() {
-            return first;
-        }
-        if !rises(last.1) {
-            return last;
-        }
-        let (mut lo, mut hi) = (0.0, 1.0);
-        let mut best = if last.0 < first.0 { last } else { first };
-        for _ in 0..48 {
-            let t = 0.5 * (lo + hi);
-            let here = at(t);
-            if here.0 < best.0 {
-                best = here;
-            }
-            if rises(here.1) { hi = t } else { lo = t }
-        }
-        best
-    }
-}
+use crate::bends::Bends;
+use crate::bodies::{Convex, Turned};
 
 /// A place of a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -85,6 +39,9 @@ pub enum Clear {
 
 /// Pieces that one question looks at, at most.
 const PIECES: usize = 400_000;
+/// Halvings of a way with a turning axis, and stretches of it, at most.
+const HALVINGS: u32 = 14;
+const STRETCHES: u32 = 4000;
 /// Patches in a leaf.
 const LEAF: usize = 4;
 
@@ -101,10 +58,19 @@ struct Leaf {
     /// Its number in the surface.
     number: usize,
     patch: Patch,
-    /// Bounds of |Suu|, |Suv|, |Svv|.
-    bend: [f64; 3],
+    bends: Bends,
     center: Vec3,
     radius: f64,
+    /// Its middle and those of its quarters, so that most pieces need no evaluation.
+    kept: [Spot; 5],
+}
+
+/// A point of a patch with the first derivatives there.
+#[derive(Clone, Copy, Debug)]
+struct Spot {
+    point: Vec3,
+    u: Vec3,
+    v: Vec3,
 }
 
 /// Patches within a ball: two nodes, or leaves `from..to`.
@@ -121,10 +87,24 @@ enum Below {
     Leaves(usize, usize),
 }
 
+/// What a look at a piece tells.
+struct Look {
+    /// Its middle.
+    place: PatchPlace,
+    /// No point of it is nearer to the body.
+    bound: f64,
+    /// The parameter to halve.
+    split: usize,
+    /// No point of it is farther from the middle.
+    reach: f64,
+}
+
 /// A piece of a patch: middle and half widths of its parameters.
 #[derive(Clone, Copy, Debug)]
 struct Piece {
     leaf: usize,
+    /// Which of the spots that the leaf keeps is its middle, if one is.
+    kept: Option<u8>,
     mid: [f64; 2],
     half: [f64; 2],
     /// No point of it is nearer to the body.
@@ -155,7 +135,7 @@ impl Ord for Piece {
 }
 
 impl PatchTree {
-    /// Prepares the patches of a surface. Memory: about 0.7 kB a patch.
+    /// Prepares the patches of a surface. Memory: about 1.3 kB a patch.
     pub fn new(surface: &Sculptured) -> Self {
         let leaves = surface.patches.iter().enumerate().map(|(i, p)| Leaf::new(i, p)).collect();
         let mut tree = Self { leaves, nodes: Vec::new() };
@@ -205,17 +185,20 @@ impl PatchTree {
         let mut stack: Vec<usize> = if self.nodes.is_empty() { Vec::new() } else { vec![0] };
         while let Some(i) = stack.pop() {
             let node = &self.nodes[i];
-            if body.near(node.center).0 - node.radius > limit {
+            let slack = body.slack(node.center, node.radius);
+            if body.near(node.center).0 - node.radius - slack > limit {
                 continue;
             }
             match node.below {
                 Below::Nodes(pair) => stack.extend(pair),
                 Below::Leaves(from, to) => {
                     for (k, leaf) in self.leaves[from..to].iter().enumerate() {
-                        let bound = body.near(leaf.center).0 - leaf.radius;
+                        let slack = body.slack(leaf.center, leaf.radius);
+                        let bound = body.near(leaf.center).0 - leaf.radius - slack;
                         if bound <= limit {
                             let (mid, half) = ([0.5; 2], [0.5; 2]);
-                            found.push(Piece { leaf: from + k, mid, half, bound });
+                            let kept = Some(0);
+                            found.push(Piece { leaf: from + k, kept, mid, half, bound });
                         }
                     }
                 }
@@ -238,9 +221,13 @@ impl PatchTree {
         let mut looked = 0;
         while let Some(piece) = stack.pop() {
             looked += 1;
-            let (place, bound, split) = self.look(body, &piece, limit);
-            if place.distance < limit {
+            let Look { place, bound, split, reach } = self.look(body, &piece, limit);
+            let slack = body.slack(place.point, 0.0);
+            if place.distance + slack < limit {
                 return Clear::No(place);
+            }
+            if place.distance - slack < limit && reach < slack {
+                return Clear::Unknown(place);
             }
             if deepest.is_none_or(|d| place.distance < d.distance) {
                 deepest = Some(place);
@@ -251,7 +238,37 @@ impl PatchTree {
             if looked > PIECES {
                 return Clear::Unknown(deepest.unwrap_or(place));
             }
-            stack.extend(piece.halves(split));
+            piece.parts(split, &mut |p| stack.push(p));
+        }
+        Clear::Yes
+    }
+
+    /// Is no point of the surfaces deeper than `allowed` in a tool that moves straight from one place and axis
+    /// to the other, while its axis turns evenly in the plane of both? The way is halved until every stretch
+    /// is proved with the axis of its middle. The lower end of the profile is `up` above the tool end.
+    pub fn clear_turning(
+        &self,
+        (profile, up): (&Profile, f64),
+        [a, b]: [(Vec3, Vec3); 2],
+        allowed: f64,
+    ) -> Clear {
+        let mut stack = vec![(0.0, 1.0, 0_u32)];
+        let mut stretches = 0;
+        while let Some((from, to, halvings)) = stack.pop() {
+            stretches += 1;
+            let ends = [from, to].map(|t| (a.0 + (b.0 - a.0) * t, between(a.1, b.1, t)));
+            match self.clear(&Turned::new(profile, up, ends), allowed) {
+                Clear::Yes => {}
+                Clear::No(place) => return Clear::No(place),
+                Clear::Unknown(place) => {
+                    if halvings >= HALVINGS || stretches > STRETCHES {
+                        return Clear::Unknown(place);
+                    }
+                    let mid = 0.5 * (from + to);
+                    stack.push((mid, to, halvings + 1));
+                    stack.push((from, mid, halvings + 1));
+                }
+            }
         }
         Clear::Yes
     }
@@ -271,7 +288,7 @@ impl PatchTree {
             }
             looked += 1;
             let aim = best.map_or(f64::INFINITY, |b| b.distance - eps);
-            let (place, bound, split) = self.look(body, &piece, aim);
+            let Look { place, bound, split, .. } = self.look(body, &piece, aim);
             if best.is_none_or(|b| place.distance < b.distance) {
                 let polished = self.polish(body, &piece, place);
                 best = Some(polished);
@@ -281,7 +298,7 @@ impl PatchTree {
             }
             if best.is_none_or(|b| bound < b.distance - eps) {
                 let bound = bound.max(piece.bound);
-                heap.extend(piece.halves(split).map(|h| Piece { bound, ..h }));
+                piece.parts(split, &mut |p| heap.push(Piece { bound, ..p }));
             }
         }
         best.map(|b| (b, true))
@@ -289,28 +306,37 @@ impl PatchTree {
 
     /// The middle of a piece, a bound below all its distances, and the parameter to halve. Below `aim` the
     /// bound is tried for twice.
-    fn look(&self, body: &impl Convex, piece: &Piece, aim: f64) -> (PatchPlace, f64, usize) {
+    fn look(&self, body: &impl Convex, piece: &Piece, aim: f64) -> Look {
         let leaf = &self.leaves[piece.leaf];
         let [u, v] = piece.mid;
-        let d = leaf.patch.at(u, v);
+        let Spot { point, u: su, v: sv } = match piece.kept {
+            Some(k) => leaf.kept[usize::from(k)],
+            None => Spot::of(&leaf.patch, u, v),
+        };
         let [hu, hv] = piece.half;
-        let (a, b) = (d.u * hu, d.v * hv);
-        let [muu, muv, mvv] = leaf.bend;
-        let thick = 0.5 * hu * hu * muu + hu * hv * muv + 0.5 * hv * hv * mvv;
-        let (distance, n) = body.near(d.point);
+        let (a, b) = (su * hu, sv * hv);
+        let (distance, n) = body.near(point);
         let (x, y) = (n.dot(&a), n.dot(&b));
-        let mut bound = distance - x.abs() - y.abs() - thick;
-        if bound < aim {
+        let dip = leaf.bends.dip(n, [hu, hv]);
+        let mut bound = distance - x.abs() - y.abs() - dip;
+        // A second bound lies below the distance of the middle less what bends: worth it only above the aim.
+        if bound < aim && distance - dip >= aim {
             // Once more from the parallelogram's point that lies lowest along the gradient.
-            let q = d.point - a * x.signum() - b * y.signum();
+            let q = point - a * x.signum() - b * y.signum();
             let (e, m) = body.near(q);
-            let w = d.point - q;
-            let second = e + m.dot(&w) - m.dot(&a).abs() - m.dot(&b).abs() - thick;
+            let w = point - q;
+            let dip = leaf.bends.dip(m, [hu, hv]);
+            let second = e + m.dot(&w) - m.dot(&a).abs() - m.dot(&b).abs() - dip;
             bound = bound.max(second);
         }
-        let split = usize::from(b.norm() + 0.5 * hv * hv * mvv > a.norm() + 0.5 * hu * hu * muu);
-        let place = PatchPlace { patch: leaf.number, uv: [u, v], point: d.point, distance };
-        (place, bound, split)
+        let [muu, muv, mvv] = leaf.bends.most;
+        let thick = 0.5 * hu * hu * muu + hu * hv * muv + 0.5 * hv * hv * mvv;
+        let (along, across) = (a.norm(), b.norm());
+        let reach = along + across + thick;
+        bound -= body.slack(point, reach);
+        let split = usize::from(across + 0.5 * hv * hv * mvv > along + 0.5 * hu * hu * muu);
+        let place = PatchPlace { patch: leaf.number, uv: [u, v], point, distance };
+        Look { place, bound, split, reach }
     }
 
     /// Downhill from a place within its patch: steepest descent in lengths, halved until it descends.
@@ -347,15 +373,43 @@ impl PatchTree {
     }
 }
 
+/// The axis at the share `t` of the turn from `a` to `b`.
+fn between(a: Vec3, b: Vec3, t: f64) -> Vec3 {
+    let angle = trig::acos_clamped(a.dot(&b));
+    let s = trig::sin(angle);
+    if s < 1e-9 {
+        return (a * (1.0 - t) + b * t).try_normalize(1e-9).unwrap_or(a);
+    }
+    (a * trig::sin(angle * (1.0 - t)) + b * trig::sin(angle * t)) / s
+}
+
 impl Piece {
-    fn halves(self, k: usize) -> [Self; 2] {
-        let mut pair = [self; 2];
-        let half = 0.5 * self.half[k];
-        for (p, sign) in pair.iter_mut().zip([-1.0, 1.0]) {
-            p.half[k] = half;
-            p.mid[k] += sign * half;
+    /// The quarters of a whole patch, whose middles are kept; else the halves across the parameter `k`.
+    fn parts(self, k: usize, put: &mut impl FnMut(Self)) {
+        if self.kept == Some(0) {
+            for (i, [su, sv]) in (1..).zip(QUARTERS) {
+                let mid = [0.5 + 0.25 * su, 0.5 + 0.25 * sv];
+                put(Self { kept: Some(i), mid, half: [0.25; 2], ..self });
+            }
+            return;
         }
-        pair
+        let half = 0.5 * self.half[k];
+        for sign in [-1.0, 1.0] {
+            let mut part = Self { kept: None, ..self };
+            part.half[k] = half;
+            part.mid[k] += sign * half;
+            put(part);
+        }
+    }
+}
+
+/// The directions of the quarters of a patch from its middle.
+const QUARTERS: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [-1.0, 1.0], [1.0, 1.0]];
+
+impl Spot {
+    fn of(patch: &Patch, u: f64, v: f64) -> Self {
+        let (point, u, v) = patch.tangents(u, v);
+        Self { point, u, v }
     }
 }
 
@@ -365,63 +419,21 @@ impl Leaf {
         let center = (lo + hi) * 0.5;
         let radius =
             patch.net.iter().flatten().map(|h| (h.xyz() / h.w - center).norm()).fold(0.0, f64::max);
-        Self { number, patch: patch.clone(), bend: bends(patch, center, radius), center, radius }
-    }
-}
-
-/// Bounds of |Suu|, |Suv|, |Svv| from the differences of the control net.
-///
-/// With weights, S'' = (H'' - 2 w' S' - w'' S) / w for the homogeneous H about the middle of the patch,
-/// where |S| is at most its radius.
-fn bends(patch: &Patch, center: Vec3, radius: f64) -> [f64; 3] {
-    let h = |j: usize, i: usize| {
-        let p = patch.net[j][i];
-        (p.xyz() - center * p.w, p.w)
-    };
-    let mut top = [[0.0_f64; 2]; 5];
-    let mut least = f64::INFINITY;
-    let mut raise = |k: usize, v: Vec3, w: f64| {
-        top[k][0] = top[k][0].max(v.norm());
-        top[k][1] = top[k][1].max(w.abs());
-    };
-    for a in 0..4 {
-        for b in 0..4 {
-            least = least.min(h(a, b).1);
-            if b < 3 {
-                let (p, q) = (h(a, b), h(a, b + 1));
-                raise(0, (q.0 - p.0) * 3.0, 3.0 * (q.1 - p.1));
-                let (p, q) = (h(b, a), h(b + 1, a));
-                raise(1, (q.0 - p.0) * 3.0, 3.0 * (q.1 - p.1));
-            }
-            if b < 2 {
-                let (p, q, r) = (h(a, b), h(a, b + 1), h(a, b + 2));
-                raise(2, (p.0 - q.0 * 2.0 + r.0) * 6.0, 6.0 * (p.1 - 2.0 * q.1 + r.1));
-                let (p, q, r) = (h(b, a), h(b + 1, a), h(b + 2, a));
-                raise(4, (p.0 - q.0 * 2.0 + r.0) * 6.0, 6.0 * (p.1 - 2.0 * q.1 + r.1));
-            }
-            if a < 3 && b < 3 {
-                let (p, q, r, s) = (h(a, b), h(a, b + 1), h(a + 1, b), h(a + 1, b + 1));
-                raise(3, (p.0 - q.0 - r.0 + s.0) * 9.0, 9.0 * (p.1 - q.1 - r.1 + s.1));
-            }
+        let whole = Spot::of(patch, 0.5, 0.5);
+        let mut kept = [whole; 5];
+        for (spot, [su, sv]) in kept.iter_mut().skip(1).zip(QUARTERS) {
+            *spot = Spot::of(patch, 0.5 + 0.25 * su, 0.5 + 0.25 * sv);
         }
+        let bends = Bends::of(patch, center, radius);
+        Self { number, patch: patch.clone(), bends, center, radius, kept }
     }
-    let [[hu, wu], [hv, wv], [huu, wuu], [huv, wuv], [hvv, wvv]] = top;
-    if !patch.rational {
-        return [huu / least, huv / least, hvv / least];
-    }
-    let (su, sv) = ((hu + wu * radius) / least, (hv + wv * radius) / least);
-    [
-        (huu + 2.0 * wu * su + wuu * radius) / least,
-        (huv + wu * sv + wv * su + wuv * radius) / least,
-        (hvv + 2.0 * wv * sv + wvv * radius) / least,
-    ]
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use aptc_geometry::sculpt::Vec4;
-    use aptc_geometry::{Cutter, Profile};
+    use aptc_geometry::{Cutter, Tool};
     use proptest::prelude::*;
 
     fn patch(z: [f64; 16], w: f64) -> Sculptured {
@@ -452,8 +464,7 @@ mod tests {
             while h > 1e-11 {
                 let mut moved = false;
                 for k in 0..8 {
-                    let (s8, c8) =
-                        aptc_geometry::trig::sin_cos(core::f64::consts::FRAC_PI_4 * f64::from(k));
+                    let (s8, c8) = trig::sin_cos(core::f64::consts::FRAC_PI_4 * f64::from(k));
                     let (a, b) = ((u + h * c8).clamp(0.0, 1.0), (v + h * s8).clamp(0.0, 1.0));
                     let e = tool.distance(s.at(a, b).point);
                     if e < d {
@@ -511,31 +522,8 @@ mod tests {
     }
 
     #[test]
-    fn a_way_is_the_union_of_its_places() {
-        let profile = Profile::new(&Cutter::mill(12.0, 2.0, 40.0)).unwrap();
-        let tool = Tool { profile: &profile, te: Vec3::new(1.0, 2.0, 3.0), ta: Vec3::z() };
-        let by = Vec3::new(7.0, -3.0, 1.5);
-        let swept = Swept { tool, by };
-        for k in 0..60 {
-            let f = f64::from(k);
-            let q = Vec3::new(
-                15.0 * aptc_geometry::trig::sin(f),
-                12.0 * aptc_geometry::trig::cos(1.3 * f),
-                10.0 * aptc_geometry::trig::sin(0.7 * f),
-            );
-            let least = (0..=4000)
-                .map(|i| tool.at(tool.te + by * (f64::from(i) / 4000.0)).distance(q))
-                .fold(f64::INFINITY, f64::min);
-            let (d, n) = swept.near(q);
-            assert!(d <= least + 1e-12 && d > least - 1e-3, "{k} {d} {least}");
-            assert!((n.norm() - 1.0).abs() < 1e-12);
-        }
-    }
-
-    #[test]
     fn many_patches_stand_in_a_tree() {
-        let z =
-            |x: f64, y: f64| aptc_geometry::trig::sin(0.3 * x) * aptc_geometry::trig::cos(0.2 * y);
+        let z = |x: f64, y: f64| trig::sin(0.3 * x) * trig::cos(0.2 * y);
         let rows: Vec<Vec<_>> = (0..31)
             .map(|j| {
                 (0..31)

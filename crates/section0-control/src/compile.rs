@@ -8,8 +8,9 @@ use std::time::{Duration, Instant};
 use aptc_arelem::{Arelem, Situation};
 use aptc_cldata as cl;
 use aptc_diagnostics::{Diagnostic, FrameKind, SourceMap, Span, codes};
+use aptc_geometry::Vec3;
 use aptc_protap as protap;
-use aptc_regional::Regional;
+use aptc_regional::{Regional, Stand};
 use aptc_translate::{
     Entry, FileError, FileRequest, Files, Interpreter, LoadedFile, Quantity, Step,
 };
@@ -17,6 +18,7 @@ use aptc_verify::Certificate;
 
 use crate::geometry_json::Named;
 use crate::post::{Nc, post_part};
+use crate::threads::Threads;
 use crate::{Options, Records, Source, Summary, Verify, World, WorldError};
 
 /// What came of a part program.
@@ -88,8 +90,9 @@ pub fn compile(source: Source, world: &mut dyn World, options: &Options) -> Comp
     let mut files = Includes(world);
     let mut section1 =
         Interpreter::new(&source.name, &source.text, &mut files, options.translate.clone());
-    let mut run = Run::new(options);
     let clock = Clock::start(options.time);
+    let mut run = Run::new(options, clock);
+    let mut entries = Vec::new();
     loop {
         if clock.is_over() {
             let why = format!("the program was stopped after {} seconds", clock.seconds());
@@ -123,7 +126,8 @@ pub fn compile(source: Source, world: &mut dyn World, options: &Options) -> Comp
 const BETWEEN_LOOKS: u64 = 10_000;
 
 /// The time that a part program may take.
-struct Clock {
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Clock {
     start: Instant,
     limit: Option<Duration>,
 }
@@ -133,7 +137,7 @@ impl Clock {
         Self { start: Instant::now(), limit }
     }
 
-    fn is_over(&self) -> bool {
+    pub(crate) fn is_over(&self) -> bool {
         self.limit.is_some_and(|limit| self.start.elapsed() >= limit)
     }
 
@@ -144,7 +148,7 @@ impl Clock {
 
 /// Goes on from a numeric part program, at Section 2.
 pub fn resume(source: Source, options: &Options) -> Compiled {
-    let mut run = Run::new(options);
+    let mut run = Run::new(options, Clock::start(options.time));
     let file = run.compiled.sources.add(source.name, Arc::clone(&source.text));
     let (records, diagnostics) = protap::read_in_place(file, &source.text);
     run.compiled.diagnostics.extend(diagnostics);
@@ -166,6 +170,7 @@ fn name_of(n: &protap::NameRef) -> String {
 /// A run through Sections 2 to 4.
 struct Run<'o> {
     options: &'o Options,
+    clock: Clock,
     compiled: Compiled,
     section2: Arelem,
     regional: Regional,
@@ -180,9 +185,10 @@ struct Run<'o> {
 }
 
 impl<'o> Run<'o> {
-    fn new(options: &'o Options) -> Self {
+    fn new(options: &'o Options, clock: Clock) -> Self {
         Self {
             options,
+            clock,
             compiled: Compiled::default(),
             section2: Arelem::new(aptc_arelem::Options::default()),
             regional: Regional::default(),
@@ -217,8 +223,21 @@ impl<'o> Run<'o> {
 
     /// Section 2: the arithmetic element, and regional milling, which hand the tool to each other.
     fn mill(&mut self, record: &protap::Record) -> protap::Outcome {
-        let outcome = self.section2.execute(record, &mut self.fresh);
-        let milled = self.regional.execute(record, &mut self.fresh);
+        let known = self.fresh.len();
+        let mut outcome = self.section2.execute(record, &mut self.fresh);
+        if self.regional.watch(&mut self.fresh, known).is_err() {
+            self.section2.stand(None);
+            outcome = protap::Outcome::Failed;
+        }
+        match outcome {
+            protap::Outcome::Moved { te, ta, .. } => {
+                self.regional.stood(Some(Stand { te, ta, along: Vec3::zeros() }));
+            }
+            protap::Outcome::Failed => self.regional.stood(None),
+            _ => {}
+        }
+        let crew = Threads::new(self.options, self.clock);
+        let milled = self.regional.execute_by(record, &crew, &mut self.fresh);
         self.compiled.diagnostics.extend(self.regional.take_diagnostics());
         // Regional milling takes back what CLDAT only records.
         if !self.regional.is_recording() {
@@ -243,7 +262,11 @@ impl<'o> Run<'o> {
         if !self.begun {
             return;
         }
+        let known = self.fresh.len();
         self.section2.finish(&mut self.fresh);
+        // Its messages are those of the program; nothing follows that would need the place of the tool.
+        let _ = self.regional.watch(&mut self.fresh, known);
+        self.compiled.diagnostics.extend(self.regional.take_diagnostics());
         let kept = self.keep();
         self.tell(kept);
         self.compiled.diagnostics.extend(self.section2.take_diagnostics());

@@ -1,9 +1,12 @@
 //! What the user may choose.
 
+use std::sync::Arc;
 use std::time::Duration;
 
 use aptc_diagnostics::{Diagnostic, Span, codes};
 use aptc_post::Machine;
+
+use crate::Passes;
 
 /// Choices of a run.
 #[derive(Clone, Debug)]
@@ -24,6 +27,10 @@ pub struct Options {
     pub plot: bool,
     /// Stop a part program that has not ended after so long.
     pub time: Option<Duration>,
+    /// Threads for regional milling; 0: as many as the machine has. The results are the same, bit by bit.
+    pub threads: usize,
+    /// Where it is told how far a region is.
+    pub passes: Option<Arc<Passes>>,
 }
 
 /// How machine code is written.
@@ -95,6 +102,8 @@ impl Default for Options {
             post: true,
             plot: true,
             time: None,
+            threads: 0,
+            passes: None,
         }
     }
 }

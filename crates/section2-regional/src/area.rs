@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use aptc_contact::PatchTree;
 use aptc_geometry::{Plane, Sculptured, SpaceCurve, Vec3};
 use aptc_protap::NameRef;
 
@@ -53,6 +54,10 @@ pub(crate) struct DriveArea {
 pub(crate) struct PartArea {
     pub(crate) name: NameRef,
     pub(crate) surface: Arc<Sculptured>,
+    /// It, prepared for questions.
+    pub(crate) tree: Arc<PatchTree>,
+    /// A length that says how large its numbers are.
+    pub(crate) extent: f64,
     /// TO: the cutter touches; ON when false: the tool end lies on it.
     pub(crate) touches: bool,
     /// +1 on the side of dU x dV.
@@ -77,6 +82,19 @@ pub(crate) enum AxisArea {
         /// Tilt along the path, radians, positive leading.
         beta: f64,
     },
+    /// Along the rulings across the path, nearest to this axis.
+    Ruling(Vec3),
+    /// At an angle to the drive normal of this sign, square to a unit vector, and of the two nearest to an axis.
+    Square {
+        /// The unit vector.
+        to: Vec3,
+        /// +1 or -1.
+        side: f64,
+        /// The angle, radians; none: as near to the normal as can be.
+        alpha: Option<f64>,
+        /// The axis before.
+        last: Vec3,
+    },
 }
 
 /// SCON/STEPOV.
@@ -86,6 +104,8 @@ pub(crate) struct StepoverArea {
     pub(crate) most: f64,
     pub(crate) lift: f64,
     pub(crate) paths: Option<usize>,
+    /// Greatest step of the parameter, besides.
+    pub(crate) parameter: Option<f64>,
 }
 
 /// All areas.

@@ -17,6 +17,17 @@ pub(crate) struct Avoid {
     pub(crate) limit: Option<f64>,
 }
 
+/// A tool that is clear, and what was done for it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Avoided {
+    pub(crate) te: Vec3,
+    pub(crate) ta: Vec3,
+    /// Degrees, positive towards forward (pitch) or the step-over (roll), and whether it is a roll.
+    pub(crate) tilt: Option<(f64, bool)>,
+    /// How far, and whether along the part normal; along the tool axis when false.
+    pub(crate) lift: Option<(f64, bool)>,
+}
+
 /// Tilts that are tried on each side.
 const TILTS: u32 = 90;
 /// Halvings towards the least tilt and the least lift that clear.
@@ -40,7 +51,7 @@ impl Avoid {
     /// give none. The lift starts from the tool as it was.
     ///
     /// APT: `AVOID`, with the tilt and the lift searched for, and each answer checked again.
-    pub(crate) fn around(&self, p: &Position, case: &Case<'_>) -> Option<(Vec3, Vec3)> {
+    pub(crate) fn around(&self, p: &Position, case: &Case<'_>) -> Option<Avoided> {
         if !self.on {
             return None;
         }
@@ -49,22 +60,27 @@ impl Avoid {
 
     /// The least tilt that clears, by pitch or roll, with the technological angle added in its direction
     /// and held within the range.
-    fn tilted(&self, p: &Position, case: &Case<'_>) -> Option<(Vec3, Vec3)> {
+    fn tilted(&self, p: &Position, case: &Case<'_>) -> Option<Avoided> {
         let [constant, low, high] = self.tilt?;
         let place = |axis: Vec3, deg: f64| {
             let ta = Transform::rotation(axis, deg).vector(p.ta).normalize();
-            let te = tool_end(case.profile, ta, p.contact, p.normal, case.clearance, case.forward);
-            case.guard.position(case.profile, te, ta).is_ok().then_some((te, ta))
+            let te = tool_end(case.profile, ta, p.contact, p.normal, case.clearance, -case.forward);
+            // About the contact, not over to the other side of a flat bottom.
+            let turn = deg.to_radians().abs();
+            let reach = (p.te - p.contact).norm() + case.profile.widest();
+            let turns = (te - p.te).norm() <= 2.0 * reach * turn + 1e-9 * reach;
+            (turns && case.guard.position(case.profile, te, ta).is_ok()).then_some((te, ta))
         };
         // Turning about these moves the axis towards forward and towards the step-over.
         let axes = [p.ta.cross(&case.forward), p.ta.cross(&case.over)];
-        let mut best: Option<(f64, Vec3)> = None;
-        for axis in axes.into_iter().filter_map(|a| a.try_normalize(1e-9)) {
+        let mut best: Option<(f64, Vec3, bool)> = None;
+        for (rolls, axis) in [false, true].into_iter().zip(axes) {
+            let Some(axis) = axis.try_normalize(1e-9) else { continue };
             for end in [low, high] {
                 let (mut clear, mut failed) = (None, 0.0);
                 for k in 1..=TILTS {
                     let deg = end * f64::from(k) / f64::from(TILTS);
-                    if best.is_some_and(|(b, _)| deg.abs() >= b.abs()) {
+                    if best.is_some_and(|(b, ..)| deg.abs() >= b.abs()) {
                         break;
                     }
                     if place(axis, deg).is_some() {
@@ -78,16 +94,20 @@ impl Avoid {
                     let mid = 0.5 * (found + failed);
                     if place(axis, mid).is_some() { found = mid } else { failed = mid }
                 }
-                best = Some((found, axis));
+                best = Some((found, axis, rolls));
             }
         }
-        let (deg, axis) = best?;
+        let (deg, axis, rolls) = best?;
         let more = (deg + constant.abs().copysign(deg)).clamp(low.min(high), low.max(high));
-        place(axis, more).or_else(|| place(axis, deg))
+        let tilted = |deg: f64| {
+            let (te, ta) = place(axis, deg)?;
+            Some(Avoided { te, ta, tilt: Some((deg, rolls)), lift: None })
+        };
+        tilted(more).or_else(|| tilted(deg))
     }
 
     /// The least lift that clears.
-    fn lifted(&self, p: &Position, case: &Case<'_>) -> Option<(Vec3, Vec3)> {
+    fn lifted(&self, p: &Position, case: &Case<'_>) -> Option<Avoided> {
         let along = if self.along_normal { p.normal } else { p.ta };
         let reach = case.profile.reach();
         let most = self.limit.unwrap_or(f64::INFINITY).min(1e3 * reach);
@@ -105,7 +125,9 @@ impl Avoid {
             if clear(mid) { high = mid } else { low = mid }
         }
         let lift = (high + case.outtol).min(most);
-        clear(lift).then(|| (p.te + along * lift, p.ta))
+        let te = p.te + along * lift;
+        let done = Some((lift, self.along_normal));
+        clear(lift).then_some(Avoided { te, ta: p.ta, tilt: None, lift: done })
     }
 }
 
@@ -127,7 +149,7 @@ mod tests {
         let s = Arc::new(mesh(&[row(2.0), row(12.0)], true).unwrap());
         let tree = Arc::new(PatchTree::new(&s));
         let checked = Checked { name: "WALL".into(), surface: s, tree, part: false };
-        Guard { surfaces: vec![checked], intol: 1e-3, thick: 0.0 }
+        Guard { surfaces: vec![checked], intol: 1e-3, thick: 0.0, ..Guard::default() }
     }
 
     /// A ball on the plane z = 0 at the origin, leaning to the wall.
@@ -142,6 +164,8 @@ mod tests {
             normal: Vec3::z(),
             shift: 0.0,
             drive_uv: [0.0; 2],
+            segment: aptc_geometry::Segment::Arc,
+            lift: Vec3::zeros(),
         }
     }
 
@@ -166,16 +190,19 @@ mod tests {
             limit,
         };
         // Away from the wall, which stands ahead: a negative pitch.
-        let (te, ta) = tilt([1.5, -60.0, 60.0], None).around(&p, &case).unwrap();
+        let Avoided { te, ta, tilt: by, lift } =
+            tilt([1.5, -60.0, 60.0], None).around(&p, &case).unwrap();
+        assert!(by.is_some_and(|(deg, rolls)| deg < 0.0 && !rolls) && lift.is_none());
         assert!(ta.x < p.ta.x && ta.y.abs() < 1e-12);
         assert!(guard.position(&profile, te, ta).is_ok());
         // The ball still touches the same contact.
         assert!((te + ta * 2.0 - Vec3::z() * 2.0).norm() < 1e-12);
-        let least = tilt([0.0, -60.0, 60.0], None).around(&p, &case).unwrap().1;
+        let least = tilt([0.0, -60.0, 60.0], None).around(&p, &case).unwrap().ta;
         let between = aptc_geometry::trig::acos_clamped(least.dot(&ta)).to_degrees();
         assert!((between - 1.5).abs() < 1e-6, "{between}");
         // A range that does not suffice, then a lift along the normal, or none within its limit.
-        let (te, ta) = tilt([0.0, -2.0, 2.0], None).around(&p, &case).unwrap();
+        let Avoided { te, ta, lift, .. } = tilt([0.0, -2.0, 2.0], None).around(&p, &case).unwrap();
+        assert!(lift.is_some_and(|(_, normal)| normal));
         assert!(ta == p.ta && te.z > 5.0, "{te}");
         assert!(guard.position(&profile, te, ta).is_ok());
         assert!(tilt([0.0, -2.0, 2.0], Some(1.0)).around(&p, &case).is_none());

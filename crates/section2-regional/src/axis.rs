@@ -1,9 +1,11 @@
 //! The tool axis at a place.
 
 use aptc_geometry::{Vec3, trig};
+use aptc_protap::ToolAxis;
 
 use crate::area::AxisArea;
 use crate::drive::DrivePoint;
+use crate::failure::Failure;
 
 /// The axis before the part surface is met; for an axis tilted against the part surface this is where the
 /// search for it starts.
@@ -25,7 +27,62 @@ pub(crate) fn at_drive(area: &AxisArea, p: &DrivePoint, forward: Vec3) -> Option
             }
             Some(slewed * cb + square(forward, slewed)? * sb)
         }
+        AxisArea::Ruling(last) => {
+            let along = p.across.try_normalize(0.0)?;
+            Some(if along.dot(&last) < 0.0 { -along } else { along })
+        }
+        AxisArea::Square { to, side, alpha, last } => {
+            // In the plane square to `to` the normal's part of length c: cos alpha = c cos of the turn from it.
+            let n = p.normal? * side;
+            let part = n - to * to.dot(&n);
+            let c = part.norm();
+            // As near to the normal as it can be, for no angle.
+            let cos = alpha.map_or(c, trig::cos);
+            if c < 1e-9 || cos.abs() > c {
+                return None;
+            }
+            let (e, f) = (part / c, to.cross(&part) / c);
+            let turn = trig::acos_clamped(cos / c);
+            let at = |turn: f64| e * trig::cos(turn) + f * trig::sin(turn);
+            let [a, b] = [at(turn), at(-turn)];
+            Some(if b.dot(&last) > a.dot(&last) { b } else { a })
+        }
     }
+}
+
+/// The rule of TLAXIS for lines of a surface whose tool stands on `side` of dU x dV; `last` is the axis before.
+pub(crate) fn of_line(axis: Option<&ToolAxis>, side: f64, last: Vec3) -> Result<AxisArea, Failure> {
+    Ok(match axis {
+        None => AxisArea::Fixed(Vec3::z()),
+        Some(ToolAxis::Fixed(v)) => AxisArea::Fixed(v.try_normalize(0.0).unwrap_or_else(Vec3::z)),
+        Some(ToolAxis::Keep) => AxisArea::Fixed(last),
+        Some(ToolAxis::NormPs | ToolAxis::NormDs) => AxisArea::NormDs(side),
+        Some(ToolAxis::Parallel { radius: None, height: None, .. }) => AxisArea::Ruling(last),
+        Some(ToolAxis::PerpTo(v)) => {
+            let to = v.try_normalize(0.0);
+            let to = to.ok_or(Failure::NoDirection { what: "the vector of PERPTO" })?;
+            // Square to the vector and as near to the normal as that lets it be.
+            AxisArea::Square { to, side, alpha: None, last }
+        }
+        Some(ToolAxis::Angle(a)) if a.radius.is_none() && a.height.is_none() => {
+            let alpha = a.angle_deg.to_radians();
+            let beta = a.cutting_deg.unwrap_or(0.0).to_radians();
+            match a.reference.and_then(|v| v.try_normalize(0.0)) {
+                None => AxisArea::Angle { part: true, alpha, beta },
+                Some(_) if beta != 0.0 => {
+                    let what = "GOLOFT with ATANGL square to a vector and CUTANG";
+                    return Err(Failure::Undone { what });
+                }
+                Some(to) => AxisArea::Square { to, side, alpha: Some(alpha), last },
+            }
+        }
+        Some(ToolAxis::Parallel { .. } | ToolAxis::Angle(_)) => {
+            return Err(Failure::Undone { what: "GOLOFT with RADIUS or HIGHT of TLAXIS" });
+        }
+        Some(ToolAxis::Last) => {
+            return Err(Failure::Undone { what: "GOLOFT behind TLAXIS/LAST with no axis before" });
+        }
+    })
 }
 
 /// The axis at a contact with the part surface whose unit normal `n` points to the tool.

@@ -2,36 +2,70 @@
 
 use std::sync::Arc;
 
-use aptc_contact::PatchTree;
+use aptc_geometry::{Form, Surface};
 use aptc_protap::Arg;
 
+use crate::area::PartArea;
 use crate::avoid::Avoid;
 use crate::failure::Failure;
 use crate::guard::{Checked, Guard};
+use crate::outline::same_form;
+use crate::plain::Plain;
 use crate::regional::Regional;
 use crate::scon::Words;
 
 impl Regional {
-    /// CHKSRF/PS,ON|OFF and CHKSRF/name,ON|OFF.
+    /// CHKSRF/PS,ON|OFF, CHKSRF/names,ON|OFF, and CHKSRF/OFF for all of them.
     ///
     /// APT: `CHKSRF`, which took any name for PS.
     pub(crate) fn chksrf(&mut self, args: &[Arg]) -> Result<(), Failure> {
         let mut w = Words(args);
+        if w.take("OFF") {
+            self.check_part = false;
+            self.checked.clear();
+            self.plain.clear();
+            return Ok(());
+        }
         if w.take("PS") {
             self.check_part = w.take("ON");
             return Ok(());
         }
-        let Some((name, form)) = w.form() else {
-            return Err(Failure::Undone { what: "CHKSRF without PS or a sculptured surface" });
-        };
-        let surface = self.surface(name, form)?;
-        let label = name.name.to_string();
-        self.checked.retain(|c| !Arc::ptr_eq(&c.surface, &surface));
-        if w.take("ON") {
-            let tree = Arc::new(PatchTree::new(&surface));
-            self.checked.push(Checked { name: label, surface, tree, part: false });
+        let mut named = Vec::new();
+        while let Some(one) = w.form() {
+            named.push(one);
+        }
+        if named.is_empty() {
+            return Err(Failure::Undone { what: "CHKSRF without PS or a surface" });
+        }
+        let on = w.take("ON");
+        for (name, form) in named {
+            let label = name.name.to_string();
+            if matches!(form.shape(), Form::Ssurf(_)) {
+                let surface = self.surface(name, form)?;
+                self.checked.retain(|c| !Arc::ptr_eq(&c.surface, &surface));
+                if on {
+                    let tree = self.tree(&surface);
+                    self.checked.push(Checked { name: label, surface, tree, part: false });
+                }
+                continue;
+            }
+            self.plain.retain(|p| !same_form(&p.form, form));
+            if on {
+                let surface = Surface::from_form(form)
+                    .ok_or(Failure::Undone { what: "CHKSRF of a surface of this kind" })?;
+                let (form, surface) = (Arc::clone(form), Arc::new(surface));
+                self.plain.push(Plain { name: label, form, surface });
+            }
         }
         Ok(())
+    }
+
+    /// PRINT/AVPRT,ON|OFF, also written AVMSG.
+    pub(crate) fn print(&mut self, args: &[Arg]) {
+        let mut w = Words(args);
+        if w.take("AVPRT") || w.take("AVMSG") {
+            self.report = w.take("ON");
+        }
     }
 
     /// AVCTRL/ON|OFF leaves the parameters alone; the other forms set them and switch it on. LIMIT
@@ -89,16 +123,22 @@ impl Regional {
 
     /// What is checked along the next path; none without CHKSRF.
     pub(crate) fn guard(&self) -> Option<Guard> {
+        self.guarded(self.areas.part.as_ref())
+    }
+
+    /// The same with the part surface given.
+    pub(crate) fn guarded(&self, part: Option<&PartArea>) -> Option<Guard> {
         let mut surfaces = self.checked.clone();
-        let part = self.areas.part.as_ref();
         if let Some(p) = part.filter(|p| self.check_part && p.touches) {
             surfaces.retain(|c| !Arc::ptr_eq(&c.surface, &p.surface));
-            let tree = Arc::new(PatchTree::new(&p.surface));
+            let tree = Arc::clone(&p.tree);
             let surface = Arc::clone(&p.surface);
             surfaces.push(Checked { name: p.name.name.to_string(), surface, tree, part: true });
         }
         let thick = part.map_or(0.0, |p| p.thick);
         let intol = self.settings.band().intol;
-        (!surfaces.is_empty()).then_some(Guard { surfaces, intol, thick })
+        let (holder, report, plain) = (self.holder.clone(), self.report, self.plain.clone());
+        let guard = Guard { surfaces, plain, intol, thick, holder, report };
+        (!guard.is_empty()).then_some(guard)
     }
 }

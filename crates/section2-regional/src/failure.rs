@@ -30,10 +30,39 @@ pub(crate) enum Failure {
     TooLong { limit: f64, uv: [f64; 2] },
     /// A checked surface is gouged.
     Gouge(Box<Deep>),
+    /// The way from one pass to the next goes through a surface.
+    PickFeed(Box<Deep>),
+    /// The first point is left out, and the way to the second goes through a surface.
+    Skipped(Box<Deep>),
+    /// The work was called off.
+    Stopped { done: usize, all: usize },
+    /// A cutter that touches with no cutting place.
+    Sphere { part: Box<str>, part_uv: [f64; 2], te: Vec3 },
     /// The plane of START, THRU or AT is not met along the line.
     PlaneMissed { word: &'static str },
+    /// The surface of CLEARS is not met along the tool axis.
+    NoClearance { te: Vec3 },
     /// A statement that is not done here.
     Undone { what: &'static str },
+}
+
+/// The cutter touches with a place that does not cut well: its tip or the rim of its top.
+pub(crate) fn touches_with(origin: &Origin, place: &str, at: Vec3) -> Diagnostic {
+    let text = format!("at the tool end {} the cutter touches with {place}", point(at));
+    Diagnostic::warning(codes::ODD_CONTACT, origin.span, text)
+        .within(origin.trace.clone())
+        .help("lean the tool axis, so that the corner or the side cuts")
+}
+
+/// The first point of a path, which was to be left out, is put out.
+pub(crate) fn put_out(origin: &Origin, at: Vec3) -> Diagnostic {
+    let text = format!(
+        "the first point {} is put out: the tool stands elsewhere, and the way to the second goes through the surface",
+        point(at)
+    );
+    Diagnostic::warning(codes::FIRST_POINT, origin.span, text)
+        .within(origin.trace.clone())
+        .help("bring the tool to the first point before, or leave the last number away")
 }
 
 /// A gouge with the tool that makes it.
@@ -139,26 +168,50 @@ impl Failure {
             ),
             Self::Gouge(deep) => (
                 codes::INTERFERENCE,
-                format!(
-                    "at the tool end {} with axis {} the cutter is {} deep in {}, patch {}, u {}, v {}",
-                    point(deep.te),
-                    point(deep.ta),
-                    short(deep.gouge.depth),
-                    deep.gouge.surface,
-                    deep.gouge.span.0,
-                    short(deep.gouge.span.1[0]),
-                    short(deep.gouge.span.1[1])
-                ),
+                deep.said("the cutter is", "the holder is"),
                 if deep.avoids {
                     "widen RANGE or LIMIT of AVCTRL, or use a smaller cutter".into()
                 } else {
                     "switch AVCTRL on, or use a smaller cutter".into()
                 },
             ),
+            Self::PickFeed(deep) => (
+                codes::BETWEEN_PASSES,
+                deep.said("on the way to the next pass the cutter is", "the holder is"),
+                "give SCON/FEED a plane that the tool clears from one pass to the next".into(),
+            ),
+            Self::Skipped(deep) => (
+                codes::BETWEEN_PASSES,
+                deep.said(
+                    "the first point is left out, and on the way to the second the cutter is",
+                    "the first point is left out, and on the way to the second the holder is",
+                ),
+                "bring the tool to the first point before, or leave the last number away".into(),
+            ),
+            Self::Stopped { done, all } => (
+                codes::TOO_MUCH_TIME,
+                format!("the region was stopped after {done} of {all} passes"),
+                "allow more time by --max-seconds, or mill with fewer passes".into(),
+            ),
+            Self::Sphere { part, part_uv, te } => (
+                codes::NO_CONTACT,
+                format!(
+                    "at the tool end {} the cutter could touch {part} at u {}, v {} only with its top",
+                    point(*te),
+                    short(part_uv[0]),
+                    short(part_uv[1])
+                ),
+                "turn the tool axis towards the side of PLUS or MINUS that SCON/PS names".into(),
+            ),
             Self::PlaneMissed { word } => (
                 codes::PART_NOT_MET,
                 format!("along the line the tool nowhere meets the plane of {word}"),
                 "give a plane that crosses the line, or a parameter".into(),
+            ),
+            Self::NoClearance { te } => (
+                codes::PART_NOT_MET,
+                format!("from the tool end {} along the tool axis CLEARS is not met", point(*te)),
+                "give a surface of CLEARS that lies above the line".into(),
             ),
             Self::Undone { what } => (
                 codes::UNSUPPORTED_MOTION,
@@ -167,6 +220,23 @@ impl Failure {
             ),
         }
     }
+}
+
+impl Deep {
+    fn said(&self, cutter: &str, holder: &str) -> String {
+        let Gouge { surface, span, depth, holder: by_holder } = &self.gouge;
+        let who = if *by_holder { holder } else { cutter };
+        let depth = if depth.is_finite() { format!("{} deep", short(*depth)) } else { "perhaps".into() };
+        let (te, ta) = (point(self.te), point(self.ta));
+        let place = placed(*span);
+        format!("at the tool end {te} with axis {ta} {who} {depth} in {surface}{place}")
+    }
+}
+
+/// ", patch 3, u 0.5, v 0.2" of a sculptured surface.
+pub(crate) fn placed(span: Option<(usize, [f64; 2])>) -> String {
+    let of = |(n, [u, v]): (usize, [f64; 2])| format!(", patch {n}, u {}, v {}", short(u), short(v));
+    span.map_or_else(String::new, of)
 }
 
 /// A line is milled from the side from which the tool's shank passes through the surface.

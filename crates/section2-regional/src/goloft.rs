@@ -5,20 +5,25 @@ use std::sync::Arc;
 use aptc_cldata as cl;
 use aptc_contact::Tool;
 use aptc_diagnostics::Origin;
-use aptc_geometry::sculpt::Derivatives;
-use aptc_geometry::{Form, Plane, Profile, Sculptured, SpaceCurve, Vec3};
-use aptc_protap::{Arg, NameRef, ToolAxis};
+use aptc_geometry::{Form, Plane, Profile, SpaceCurve, Vec3};
+use aptc_protap::{Arg, NameRef};
 
+use crate::area::{DriveArea, Guide, Hold, PartArea, Projection};
+use crate::drive::Course;
 use crate::failure::{self, Failure};
-use crate::position::{tool_end, toward_axis};
+use crate::gclear::Spot;
+use crate::path::{Broken, Path};
+use crate::position::Position;
 use crate::regional::{Regional, Stand};
+use crate::report::{Note, reports};
 use crate::scon::Words;
+use crate::solve::Setup;
 
 /// Step of the parameter when neither INCR nor CHORD is given (APT4).
 const STEP: f64 = 0.05;
 /// Most positions of a line.
 const POSITIONS: usize = 100_000;
-/// How often a chord is halved.
+/// How often a chord of a curve is halved.
 const HALVINGS: u32 = 20;
 
 /// Where a line begins or ends.
@@ -46,27 +51,11 @@ struct Wish {
 }
 
 /// A line with the tool along it.
-struct Line<'a> {
-    guide: Guide,
-    profile: &'a Profile,
-    axis: Axis,
-    /// MIRROR: -1.
-    side: f64,
-    thick: f64,
-}
-
-enum Guide {
-    /// The surface, the index of the parameter that runs, and the value of the other.
-    Surface(Arc<Sculptured>, usize, f64),
-    /// The curve, and whether it runs by FLOW.
-    Curve(Arc<SpaceCurve>, bool),
-}
-
-/// The rule for the tool axis.
-#[derive(Clone, Copy, Debug)]
-enum Axis {
-    Fixed(Vec3),
-    Normal,
+enum Line<'a> {
+    /// On a surface: what holds there, the parameter that runs, the value of the other, and the sense.
+    Surface(Box<Setup<'a>>, Course, f64, f64),
+    /// The tool end on a curve, whether it runs by FLOW, and the fixed axis.
+    Curve(Arc<SpaceCurve>, bool, Vec3, &'a Profile),
 }
 
 /// What is milled of a line.
@@ -82,13 +71,33 @@ struct Stop {
     t: f64,
     te: Vec3,
     ta: Vec3,
+    normal: Vec3,
+}
+
+impl Stop {
+    fn spot(&self) -> Spot {
+        Spot { te: self.te, ta: self.ta, normal: self.normal }
+    }
+}
+
+/// What was milled of a line.
+#[derive(Default)]
+struct Milled {
+    /// Places of the tool, stretch by stretch.
+    stretches: Vec<Vec<Spot>>,
+    /// Does the tool stand on the side to which its axis does not point, so that its shank passes through?
+    through: bool,
+    notes: Vec<Note>,
+    why: Option<Failure>,
 }
 
 impl Regional {
     /// Mills the line; the positions go to `out`, one motion for each stretch that REGION leaves of it.
     ///
-    /// APT: `GOLOFT`. Without tolerance compensation, as it was; START and THRU by a plane end where the
-    /// tool meets it, not at the surface's own intersection.
+    /// APT: `GOLOFT`. A line of a surface is milled as SMIL mills one whose drive is the part surface: chords
+    /// are held to INTOL and OUTTOL (CHORD stands for both) and to CHKSRF; INCR names positions that are put
+    /// out in any case, and further ones are inserted where the tolerance asks for them. START and THRU by a
+    /// plane end where the tool meets it, not at the surface's own intersection.
     pub(crate) fn goloft(
         &mut self,
         origin: &Origin,
@@ -99,62 +108,156 @@ impl Regional {
         let Some((name, form)) = w.form() else {
             return Err(Failure::Undone { what: "this form of GOLOFT" });
         };
-        let running = if w.take("UCONST") {
-            Some(1)
+        let course = if w.take("UCONST") {
+            Some(Course::V)
         } else if w.take("VCONST") {
-            Some(0)
+            Some(Course::U)
         } else {
             None
         };
-        let fixed = w.number();
+        let fixed = if course.is_some() { w.number() } else { None };
         let wish = self.wish(&mut w)?;
-        let guide = match (form.shape(), running, fixed) {
-            (Form::Scurv(_), ..) => Guide::Curve(self.curve(name, form)?, wish.flow),
-            (_, Some(k), Some(c)) => {
-                let surface = self.surface(name, form)?;
-                let most = surface.spans()[1 - k];
-                if !(-1e-9..=most + 1e-9).contains(&c) {
-                    let need = format!("between 0 and {most}").into();
-                    let what = if k == 1 { "UCONST" } else { "VCONST" };
-                    return Err(Failure::Value { what, value: c, need });
-                }
-                Guide::Surface(surface, k, c)
-            }
-            _ => return Err(Failure::Undone { what: "GOLOFT without UCONST or VCONST" }),
+        if matches!(form.shape(), Form::Scurv(_)) {
+            return self.along_curve(origin, (name, form), &wish, out);
+        }
+        let (course, fixed) = match (course, fixed) {
+            (Some(course), Some(fixed)) => (course, fixed),
+            // The line of the statement before, on the same surface.
+            _ => self
+                .line
+                .as_ref()
+                .filter(|(f, ..)| crate::outline::same_form(f, form))
+                .map(|(_, course, fixed)| (*course, *fixed))
+                .ok_or(Failure::Undone { what: "GOLOFT before UCONST or VCONST named a line" })?,
         };
-        let axis = match &self.settings.axis {
-            None => Axis::Fixed(Vec3::z()),
-            Some(ToolAxis::NormPs) if matches!(guide, Guide::Surface(..)) => Axis::Normal,
-            Some(ToolAxis::Fixed(v)) => Axis::Fixed(v.try_normalize(0.0).unwrap_or_else(Vec3::z)),
-            Some(_) => return Err(Failure::Undone { what: "GOLOFT with this form of TLAXIS" }),
-        };
-        let profile = self.settings.profile.as_ref().ok_or(Failure::NoCutter)?;
         let side = if wish.mirror { -1.0 } else { 1.0 };
-        let line = Line { guide, profile, axis, side, thick: self.settings.thick };
-        let stretches = match line.stretch(&wish)? {
-            Stretch::At(t) => vec![vec![line.stop(t)?]],
-            Stretch::From(ends) => self
-                .left_of(&line, form, ends)
-                .into_iter()
-                .map(|ends| line.run(&wish, ends))
-                .collect::<Result<Vec<_>, _>>()?,
+        let thick = self.settings.thick;
+        let part = self.own_part(name, form, (side, thick))?;
+        let spans = part.surface.spans();
+        let most = spans[course.across().index()];
+        if !(-1e-9..=most + 1e-9).contains(&fixed) {
+            let need = format!("between 0 and {most}").into();
+            let what = if course == Course::V { "UCONST" } else { "VCONST" };
+            return Err(Failure::Value { what, value: fixed, need });
+        }
+        self.line = Some((Arc::clone(form), course, fixed));
+        let drive = own_drive(&part);
+        let guard = self.guarded(Some(&part));
+        let mut setup = self.line_setup(&drive, &part, side)?;
+        setup.guard = guard.as_ref().map(|g| (g, self.avoid));
+        setup.maxdp = wish.longest;
+        if let Some(c) = wish.chord {
+            setup.band = crate::settings::Band { intol: setup.band.intol.min(c), outtol: c };
+            setup.lateral = c;
+        } else {
+            setup.every = Some(wish.incr);
+        }
+        let sense = if wish.inverse { -1.0 } else { 1.0 };
+        // Of the two axes at an angle the one nearer to that of before.
+        let last = self.stand.map_or_else(Vec3::z, |s| s.ta);
+        let near = |over: f64| {
+            let line = Line::Surface(Box::new(Setup { over, ..setup }), course, fixed, sense);
+            line.stop(0.0).map_or(-1.0, |s| s.ta.dot(&last))
         };
-        let through = line.through(&stretches);
-        if through {
+        setup.over = if near(-1.0) > near(1.0) + 1e-9 { -1.0 } else { 1.0 };
+        let line = Line::Surface(Box::new(setup), course, fixed, sense);
+        let mut milled = Milled::default();
+        match line.stretch(&wish)? {
+            Stretch::At(t) => {
+                let s = line.stop(t)?;
+                milled.through = s.normal.dot(&s.ta) < -1e-6;
+                milled.stretches.push(vec![s.spot()]);
+            }
+            Stretch::From(ends) => {
+                let mut all = self.outlines.clip(form, course.index(), fixed, ends);
+                if wish.inverse {
+                    all.reverse();
+                }
+                for ends in all {
+                    line.mill(ends, &mut milled);
+                    if milled.why.is_some() {
+                        break;
+                    }
+                }
+            }
+        }
+        let control = self.milling_control(&part, None, false);
+        if milled.through {
             self.diagnostics.push(failure::through(origin, &name.name));
         }
-        let mut stand = None;
-        for mut stops in stretches {
-            if wish.inverse {
-                stops.reverse();
+        self.diagnostics.extend(reports(origin, &milled.notes));
+        let stand = self.put_line(origin, name, &milled.stretches, Some(control), out)?;
+        milled.why.map_or(Ok(stand), Err)
+    }
+
+    fn along_curve(
+        &mut self,
+        origin: &Origin,
+        (name, form): (&NameRef, &Arc<Form>),
+        wish: &Wish,
+        out: &mut Vec<cl::Record>,
+    ) -> Result<Option<Stand>, Failure> {
+        let curve = self.curve(name, form)?;
+        let ta = match &self.settings.axis {
+            None => Vec3::z(),
+            Some(aptc_protap::ToolAxis::Fixed(v)) => v.try_normalize(0.0).unwrap_or_else(Vec3::z),
+            Some(_) => {
+                let what = "GOLOFT along a curve with a tool axis that follows a surface";
+                return Err(Failure::Undone { what });
             }
-            let [.., last] = stops.as_slice() else { continue };
-            let along =
-                if stops.len() > 1 { last.te - stops[stops.len() - 2].te } else { Vec3::zeros() };
-            stand = Some(Stand { te: last.te, ta: last.ta, along });
-            self.line_motion(origin, name, &stops, out);
+        };
+        let profile = self.settings.profile.as_ref().ok_or(Failure::NoCutter)?;
+        let line = Line::Curve(curve, wish.flow, ta, profile);
+        let mut stops = match line.stretch(wish)? {
+            Stretch::At(t) => vec![line.stop(t)?],
+            Stretch::From(ends) => line.run(wish, ends)?,
+        };
+        if wish.inverse {
+            stops.reverse();
         }
-        Ok(stand)
+        let points = stops.iter().map(Stop::spot).collect();
+        self.put_line(origin, name, &[points], None, out)
+    }
+
+    /// The surface of the statement as part surface.
+    pub(crate) fn own_part(
+        &mut self,
+        name: &NameRef,
+        form: &Arc<Form>,
+        (side, thick): (f64, f64),
+    ) -> Result<PartArea, Failure> {
+        let surface = self.surface(name, form)?;
+        let (tree, extent) = (self.tree(&surface), surface.extent());
+        let (name, touches) = (name.clone(), true);
+        Ok(PartArea { name, surface, tree, extent, touches, side, thick })
+    }
+
+    /// What holds along lines of a surface that is its own drive.
+    pub(crate) fn line_setup<'a>(
+        &'a self,
+        drive: &'a DriveArea,
+        part: &'a PartArea,
+        side: f64,
+    ) -> Result<Setup<'a>, Failure> {
+        let last = self.stand.map_or_else(Vec3::z, |s| s.ta);
+        let axis = crate::axis::of_line(self.settings.axis.as_ref(), side, last)?;
+        let profile = self.settings.profile.as_ref().ok_or(Failure::NoCutter)?;
+        Ok(Setup {
+            drive,
+            part,
+            axis,
+            profile,
+            band: self.settings.band(),
+            lateral: self.settings.lateral(),
+            maxdp: self.settings.maxdp(),
+            numpts: POSITIONS,
+            length: None,
+            lift: 0.0,
+            guard: None,
+            over: 1.0,
+            every: None,
+            centred: true,
+        })
     }
 
     fn wish(&self, w: &mut Words<'_>) -> Result<Wish, Failure> {
@@ -186,33 +289,64 @@ impl Regional {
         Ok(wish)
     }
 
-    /// What REGION leaves of a line between two parameters.
-    fn left_of(&self, line: &Line<'_>, form: &Arc<Form>, ends: [f64; 2]) -> Vec<[f64; 2]> {
-        match line.guide {
-            Guide::Surface(_, running, fixed) => self.outlines.clip(form, running, fixed, ends),
-            Guide::Curve(..) => vec![ends],
-        }
-    }
-
-    fn line_motion(
+    /// The stretches with what GCLEAR adds to them, as motions.
+    pub(crate) fn put_line(
         &self,
         origin: &Origin,
         name: &NameRef,
-        stops: &[Stop],
+        stretches: &[Vec<Spot>],
+        control: Option<Arc<cl::Control>>,
         out: &mut Vec<cl::Record>,
-    ) {
-        if self.settings.cut == Some(false) {
-            return;
+    ) -> Result<Option<Stand>, Failure> {
+        let all = self.clears.around(stretches)?;
+        let mut stand = None;
+        for leg in all {
+            if self.settings.cut != Some(false)
+                && let Some(args) = leg.feed.args(&self.feed)
+            {
+                let kind = cl::Kind::Post { word: "FEDRAT".into(), args };
+                out.push(cl::Record { origin: origin.clone(), kind });
+            }
+            let along = match leg.points.as_slice() {
+                [] => continue,
+                [_] => Vec3::zeros(),
+                [.., before, last] => last.0 - before.0,
+            };
+            stand = leg.points.last().map(|&(te, ta)| Stand { te, ta, along });
+            if self.settings.cut == Some(false) {
+                continue;
+            }
+            let on_line = if leg.extra { None } else { control.as_ref() };
+            let kind = if leg.extra && control.is_some() {
+                cl::MotionKind::Goto
+            } else {
+                cl::MotionKind::Continuous
+            };
+            let motion = cl::Motion {
+                kind,
+                name: cl::NameRef { name: name.name.clone(), subscript: name.subscript },
+                arc: None,
+                points: leg.points.into_iter().map(|(te, ta)| cl::Position { te, ta }).collect(),
+                with_axis: self.settings.multax,
+                control: on_line.map(Arc::clone),
+            };
+            out.push(cl::Record { origin: origin.clone(), kind: cl::Kind::Motion(motion) });
         }
-        let motion = cl::Motion {
-            kind: cl::MotionKind::Continuous,
-            name: cl::NameRef { name: name.name.clone(), subscript: name.subscript },
-            arc: None,
-            points: stops.iter().map(|s| cl::Position { te: s.te, ta: s.ta }).collect(),
-            with_axis: self.settings.multax,
-            control: None,
-        };
-        out.push(cl::Record { origin: origin.clone(), kind: cl::Kind::Motion(motion) });
+        Ok(stand)
+    }
+}
+
+/// A surface as its own drive.
+pub(crate) fn own_drive(part: &PartArea) -> DriveArea {
+    let [u, v] = part.surface.spans();
+    DriveArea {
+        name: part.name.clone(),
+        guide: Guide::Surface(Arc::clone(&part.surface)),
+        u: [0.0, u],
+        v: [0.0, v],
+        hold: Hold::At,
+        projection: Projection::Normal,
+        offset: 0.0,
     }
 }
 
@@ -245,53 +379,57 @@ fn positive(w: &mut Words<'_>, what: &'static str) -> Result<f64, Failure> {
 impl Line<'_> {
     /// The last parameter.
     fn most(&self) -> f64 {
-        match &self.guide {
-            Guide::Surface(s, running, _) => s.spans()[*running],
-            Guide::Curve(c, false) => c.span(),
-            Guide::Curve(c, true) => c.flow_span(),
+        match self {
+            Self::Surface(setup, course, ..) => setup.part.surface.spans()[course.index()],
+            Self::Curve(c, false, ..) => c.span(),
+            Self::Curve(c, true, ..) => c.flow_span(),
         }
     }
 
     /// The tool at a parameter; beyond the ends straight on.
     fn stop(&self, t: f64) -> Result<Stop, Failure> {
-        let inside = t.clamp(0.0, self.most());
-        let over = t - inside;
-        match &self.guide {
-            Guide::Curve(c, flow) => {
+        match self {
+            Self::Curve(c, flow, ta, _) => {
+                let inside = t.clamp(0.0, self.most());
                 let p = if *flow { c.at_flow(inside) } else { c.at(inside) };
-                let ta = match self.axis {
-                    Axis::Fixed(v) => v,
-                    Axis::Normal => Vec3::z(),
-                };
-                Ok(Stop { t, te: p.point + p.first * over, ta })
+                Ok(Stop { t, te: p.point + p.first * (t - inside), ta: *ta, normal: *ta })
             }
-            Guide::Surface(s, running, fixed) => {
-                let uv = if *running == 0 { [inside, *fixed] } else { [*fixed, inside] };
-                let d: Derivatives = s.at(uv[0], uv[1]);
-                let along = if *running == 0 { d.u } else { d.v };
-                let n = d.normal().ok_or(Failure::NoAxis { uv })? * self.side;
-                let ta = match self.axis {
-                    Axis::Fixed(v) => v,
-                    Axis::Normal => n,
-                };
-                let last = toward_axis(n, ta).unwrap_or(along);
-                let contact = d.point + along * over;
-                let te = tool_end(self.profile, ta, contact, n, self.thick, last);
-                Ok(Stop { t, te, ta })
+            Self::Surface(setup, course, fixed, sense) => {
+                let uv = at_line(*course, *fixed, t);
+                let (p, _) = setup.position(uv, *course, *sense, None, true)?;
+                Ok(Stop { t, te: p.te, ta: p.ta, normal: p.normal })
             }
         }
     }
 
-    /// Does the cutter stand on the side of the surface to which its axis does not point, so that its shank
-    /// passes through it?
-    fn through(&self, stretches: &[Vec<Stop>]) -> bool {
-        let Guide::Surface(s, running, fixed) = &self.guide else { return false };
-        stretches.iter().flatten().any(|stop| {
-            let t = stop.t.clamp(0.0, self.most());
-            let uv = if *running == 0 { [t, *fixed] } else { [*fixed, t] };
-            let normal = s.at(uv[0], uv[1]).normal();
-            normal.is_some_and(|n| n.dot(&stop.ta) * self.side < -1e-6)
-        })
+    /// Mills a stretch, in the sense of the line.
+    fn mill(&self, [a, b]: [f64; 2], out: &mut Milled) {
+        let Self::Surface(setup, course, fixed, sense) = self else { return };
+        let (from, to) = if *sense > 0.0 { (a, b) } else { (b, a) };
+        let mut setup = **setup;
+        if let Some(incr) = setup.every {
+            // As many equal steps as fit.
+            let n = ((b - a) / incr + 1e-9).floor().max(1.0);
+            if n > POSITIONS as f64 {
+                let need = format!("so great that at most {POSITIONS} positions follow").into();
+                out.why = Some(Failure::Value { what: "INCR", value: incr, need });
+                return;
+            }
+            setup.every = Some((b - a) / n);
+        }
+        let (Path { points, notes }, why) =
+            match setup.run(at_line(*course, *fixed, from), to, *course, *sense) {
+                Ok(path) => (path, None),
+                Err(broken) => {
+                    let Broken { done, why } = *broken;
+                    (done, Some(why))
+                }
+            };
+        let spot = |p: &Position| Spot { te: p.te, ta: p.ta, normal: p.normal };
+        out.through |= points.iter().any(|p| p.normal.dot(&p.ta) < -1e-6);
+        out.stretches.push(points.iter().map(spot).collect());
+        out.notes.extend(notes);
+        out.why = why;
     }
 
     /// First and last parameter, rising, or the one of AT.
@@ -316,6 +454,10 @@ impl Line<'_> {
             End::Number(t) => return Ok(t),
             End::Plane(relation, plane) => (relation, plane),
         };
+        let profile = match self {
+            Self::Surface(setup, ..) => setup.profile,
+            Self::Curve(.., profile) => profile,
+        };
         let pieces = 200;
         let most = self.most();
         let at = |i: usize| {
@@ -333,7 +475,7 @@ impl Line<'_> {
             if relation == 0.0 {
                 return Ok(over);
             }
-            let tool = Tool { profile: self.profile, te: s.te, ta: s.ta };
+            let tool = Tool { profile, te: s.te, ta: s.ta };
             let n = plane.n * side;
             Ok(if relation < 0.0 {
                 plane.distance(tool.support(-n).point) * side
@@ -357,7 +499,7 @@ impl Line<'_> {
         Err(Failure::PlaneMissed { word: if sense > 0.0 { "START" } else { "THRU" } })
     }
 
-    /// The positions from one parameter to the other.
+    /// The positions of a curve from one parameter to the other.
     fn run(&self, wish: &Wish, [a, b]: [f64; 2]) -> Result<Vec<Stop>, Failure> {
         let Some(chord) = wish.chord else {
             let n = ((b - a) / wish.incr + 1e-9).floor().max(1.0);
@@ -390,7 +532,6 @@ impl Line<'_> {
         }
         Ok(stops)
     }
-
     /// Positions after `a` up to `b`, such that no chord leaves the line by more than `chord` or is longer than
     /// `longest`.
     fn halve(
@@ -418,5 +559,13 @@ impl Line<'_> {
         let mid = self.stop(0.5 * (a.t + b.t))?;
         self.halve(a, mid, (chord, longest), left - 1, stops)?;
         self.halve(mid, b, (chord, longest), left - 1, stops)
+    }
+}
+
+/// Parameters of a line at a place of it.
+pub(crate) fn at_line(course: Course, fixed: f64, t: f64) -> [f64; 2] {
+    match course {
+        Course::U => [t, fixed],
+        Course::V => [fixed, t],
     }
 }

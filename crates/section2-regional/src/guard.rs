@@ -5,6 +5,8 @@ use std::sync::Arc;
 use aptc_contact::{Clear, PatchPlace, PatchTree, Swept, Tool};
 use aptc_geometry::{Profile, Sculptured, Vec3};
 
+use crate::plain::Plain;
+
 /// A surface that is checked.
 #[derive(Clone, Debug)]
 pub(crate) struct Checked {
@@ -16,48 +18,98 @@ pub(crate) struct Checked {
 }
 
 /// The checks of a path.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Guard {
     pub(crate) surfaces: Vec<Checked>,
+    /// Those that are not sculptured.
+    pub(crate) plain: Vec<Plain>,
     pub(crate) intol: f64,
     /// Left on the part surface.
     pub(crate) thick: f64,
+    /// Shank and holder: solids with the height of their lower end above the tool end.
+    pub(crate) holder: Vec<(Profile, f64)>,
+    /// Is what is avoided told of (PRINT/AVPRT)?
+    pub(crate) report: bool,
 }
 
 /// Where a check fails.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Gouge {
     pub(crate) surface: String,
-    pub(crate) place: PatchPlace,
-    /// Parameters of the whole surface.
-    pub(crate) span: (usize, [f64; 2]),
+    /// Patch and its parameters, of a sculptured surface.
+    pub(crate) span: Option<(usize, [f64; 2])>,
     /// How deep, the thickness counted.
     pub(crate) depth: f64,
+    /// Is it the shank or the holder that is in the surface?
+    pub(crate) holder: bool,
 }
 
 impl Guard {
-    /// Is the tool clear at `te`?
-    pub(crate) fn position(&self, profile: &Profile, te: Vec3, ta: Vec3) -> Result<(), Gouge> {
-        self.way(profile, te, ta, Vec3::zeros())
+    /// Is there nothing to keep clear of?
+    pub(crate) fn is_empty(&self) -> bool {
+        self.surfaces.is_empty() && self.plain.is_empty()
     }
 
-    /// Is the tool clear all the way from `te` by `by`?
-    pub(crate) fn way(&self, profile: &Profile, te: Vec3, ta: Vec3, by: Vec3) -> Result<(), Gouge> {
-        let tool = Tool { profile, te, ta };
-        for s in &self.surfaces {
-            let thick = if s.part { self.thick } else { 0.0 };
-            let allowed = self.intol - thick;
-            let found = if by == Vec3::zeros() {
-                s.tree.clear(&tool, allowed)
-            } else {
-                s.tree.clear(&Swept { tool, by }, allowed)
-            };
-            // What cannot be proved clear is not taken for clear.
-            if let Clear::No(place) | Clear::Unknown(place) = found {
-                let [u, v] = s.surface.global(place.patch, place.uv[0], place.uv[1]);
-                let span = s.surface.span_of(u, v);
-                let depth = thick - place.distance;
-                return Err(Gouge { surface: s.name.clone(), place, span, depth });
+    /// Is the tool clear at `te`?
+    pub(crate) fn position(&self, profile: &Profile, te: Vec3, ta: Vec3) -> Result<(), Gouge> {
+        self.way(profile, [(te, ta), (te, ta)])
+    }
+
+    /// The same gouge with the deepest place of its surface in a tool that stands still, to tell of it.
+    pub(crate) fn deepest(&self, profile: &Profile, te: Vec3, ta: Vec3, gouge: Gouge) -> Gouge {
+        let Some(s) = self.surfaces.iter().find(|s| s.name == gouge.surface) else { return gouge };
+        let solids =
+            std::iter::once(&(*profile, 0.0)).chain(&self.holder).copied().collect::<Vec<_>>();
+        let found = solids.iter().zip(0..).filter(|(_, k)| (*k > 0) == gouge.holder).filter_map(
+            |((profile, up), _)| {
+                let tool = Tool { profile, te: te + ta * *up, ta };
+                s.tree.deepest(&tool, 1e-3 * self.intol.max(1e-6 * profile.reach()))
+            },
+        );
+        let least = found.map(|(p, _)| p).min_by(|a, b| a.distance.total_cmp(&b.distance));
+        match least {
+            Some(place) => {
+                let told = self.told(s, place, gouge.holder);
+                if told.depth > gouge.depth { told } else { gouge }
+            }
+            None => gouge,
+        }
+    }
+
+    fn told(&self, s: &Checked, place: PatchPlace, holder: bool) -> Gouge {
+        let [u, v] = s.surface.global(place.patch, place.uv[0], place.uv[1]);
+        let thick = if s.part { self.thick } else { 0.0 };
+        let (span, depth) = (Some(s.surface.span_of(u, v)), thick - place.distance);
+        Gouge { surface: s.name.clone(), span, depth, holder }
+    }
+
+    /// Is the tool with its holder clear all the way from one tool end and axis to the other? An axis that
+    /// turns is proved stretch by stretch.
+    pub(crate) fn way(&self, profile: &Profile, ends: [(Vec3, Vec3); 2]) -> Result<(), Gouge> {
+        let cutter = (*profile, 0.0);
+        for (k, (profile, up)) in std::iter::once(&cutter).chain(&self.holder).enumerate() {
+            let [a, b] = ends;
+            for s in &self.surfaces {
+                let thick = if s.part { self.thick } else { 0.0 };
+                let allowed = self.intol - thick;
+                let tool = Tool { profile, te: a.0 + a.1 * *up, ta: a.1 };
+                let found = if a == b {
+                    s.tree.clear(&tool, allowed)
+                } else if (a.1 - b.1).norm() <= 1e-12 {
+                    s.tree.clear(&Swept { tool, by: b.0 - a.0 }, allowed)
+                } else {
+                    s.tree.clear_turning((profile, *up), ends, allowed)
+                };
+                // What cannot be proved clear is not taken for clear.
+                if let Clear::No(place) | Clear::Unknown(place) = found {
+                    return Err(self.told(s, place, k > 0));
+                }
+            }
+            for p in &self.plain {
+                if let Some((depth, _)) = p.deep((profile, *up), ends, self.intol) {
+                    let surface = p.name.clone();
+                    return Err(Gouge { surface, span: None, depth, holder: k > 0 });
+                }
             }
         }
         Ok(())

@@ -152,6 +152,16 @@ pub(crate) fn same_form(a: &Arc<Form>, b: &Arc<Form>) -> bool {
 }
 
 impl Outlines {
+    /// Are motions recorded only?
+    pub(crate) fn is_recording(&self) -> bool {
+        self.open.is_some()
+    }
+
+    /// Does REGION limit lines now?
+    pub(crate) fn is_active(&self) -> bool {
+        !self.active.is_empty()
+    }
+
     /// What the outlines leave of the line on which parameter `running` runs from one end to the other and
     /// the other parameter is `fixed`: stretches, rising.
     pub(crate) fn clip(

@@ -1,7 +1,7 @@
 //! The cutter put against a contact.
 
 use aptc_contact::Tool;
-use aptc_geometry::{Profile, Vec3};
+use aptc_geometry::{Profile, Segment, Vec3};
 
 /// A position of the tool with its contact.
 #[derive(Clone, Copy, Debug)]
@@ -20,6 +20,31 @@ pub(crate) struct Position {
     pub(crate) shift: f64,
     /// Parameters of the drive.
     pub(crate) drive_uv: [f64; 2],
+    /// What of the cutter touches; the arc where the tool end lies on the surface.
+    pub(crate) segment: Segment,
+    /// What avoidance has moved the tool end by.
+    pub(crate) lift: Vec3,
+}
+
+/// The first tool ends at which the cutter touches with a place that does not cut well.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Odd {
+    /// With its tip.
+    pub(crate) tip: Option<Vec3>,
+    /// With the edge of its top.
+    pub(crate) rim: Option<Vec3>,
+}
+
+impl Odd {
+    pub(crate) fn of(points: &[Position]) -> Self {
+        let first = |s: Segment| points.iter().find(|p| p.segment == s).map(|p| p.te);
+        Self { tip: first(Segment::Tip), rim: first(Segment::Rim) }
+    }
+
+    /// What stands here, else what stands there.
+    pub(crate) fn or(self, other: Self) -> Self {
+        Self { tip: self.tip.or(other.tip), rim: self.rim.or(other.rim) }
+    }
 }
 
 /// The tool end for a contact at `contact` whose unit normal `n` points to the tool, with `thick` between

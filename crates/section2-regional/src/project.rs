@@ -13,41 +13,55 @@ const STARTS: usize = 4;
 
 /// What is moved along the line of projection until the part surface is met.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Probe<'a> {
+pub enum Probe<'a> {
     /// A ball of this radius about the moving point; of radius 0 the point itself.
     Ball(f64),
     /// The cutter with its tool end at the moving point, `thick` off the surface.
-    Cutter { profile: &'a Profile, ta: Vec3, thick: f64 },
+    Cutter {
+        /// Its profile.
+        profile: &'a Profile,
+        /// Unit tool axis.
+        ta: Vec3,
+        /// Between cutter and surface.
+        thick: f64,
+    },
 }
 
 /// Where it meets.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Met {
+pub struct Met {
     /// Parameters of the part surface.
-    pub(crate) uv: [f64; 2],
+    pub uv: [f64; 2],
     /// Point and derivatives there.
-    pub(crate) at: Derivatives,
+    pub at: Derivatives,
     /// Unit normal there, towards the tool.
-    pub(crate) normal: Vec3,
+    pub normal: Vec3,
     /// How far along the direction.
-    pub(crate) way: f64,
+    pub way: f64,
 }
 
 /// The line of projection and the surface with the side of the tool.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Shot<'a> {
-    pub(crate) surface: &'a Sculptured,
-    pub(crate) side: f64,
-    pub(crate) from: Vec3,
-    pub(crate) along: Vec3,
-    pub(crate) probe: Probe<'a>,
+pub struct Shot<'a> {
+    /// The surface.
+    pub surface: &'a Sculptured,
+    /// A length that says how large its numbers are.
+    pub extent: f64,
+    /// +1 when the tool is on the side of dU x dV.
+    pub side: f64,
+    /// A point of the line.
+    pub from: Vec3,
+    /// Its unit direction.
+    pub along: Vec3,
+    /// What is moved.
+    pub probe: Probe<'a>,
 }
 
 impl Shot<'_> {
     /// The meeting that Newton's method reaches from `start`.
-    pub(crate) fn near(&self, start: [f64; 2]) -> Option<Met> {
+    pub fn near(&self, start: [f64; 2]) -> Option<Met> {
         let [a, b] = aptc_geometry::surface::frame_about(self.along);
-        let size = self.surface.extent() + self.from.norm();
+        let size = self.extent + self.from.norm();
         let [nu, nv] = self.surface.spans();
         let [mut u, mut v] = start;
         for _ in 0..STEPS {
@@ -79,7 +93,7 @@ impl Shot<'_> {
 
     /// The first meeting along the direction, by searches from all over the surface; a meeting on the
     /// surface comes before one on its continuation.
-    pub(crate) fn first(&self) -> Option<Met> {
+    pub fn first(&self) -> Option<Met> {
         let [nu, nv] = self.surface.spans();
         let steps = |n: f64| n * STARTS as f64;
         let inside = |m: &Met| {
@@ -171,6 +185,7 @@ mod tests {
         let s = waves();
         let shot = |probe| Shot {
             surface: &s,
+            extent: s.extent(),
             side: 1.0,
             from: Vec3::new(3.3, 4.1, 20.0),
             along: -Vec3::z(),
@@ -192,7 +207,8 @@ mod tests {
         let profile = Profile::new(&Cutter::mill(2.0, 0.3, 10.0)).unwrap();
         let from = Vec3::new(5.2, 3.7, 20.0);
         let probe = Probe::Cutter { profile: &profile, ta: Vec3::z(), thick: 0.0 };
-        let shot = Shot { surface: &s, side: 1.0, from, along: -Vec3::z(), probe };
+        let shot =
+            Shot { surface: &s, extent: s.extent(), side: 1.0, from, along: -Vec3::z(), probe };
         let m = shot.first().unwrap();
         let te = from - Vec3::z() * m.way;
         let tool = Tool { profile: &profile, te, ta: Vec3::z() };

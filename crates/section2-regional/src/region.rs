@@ -1,12 +1,22 @@
 //! ZIGZAG and PICKFD: a region path by path.
+//!
+//! First the lines of all passes are laid, from places along each; then the passes are milled, each for
+//! itself and on as many threads as there are; at last they are put out in their order.
+
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use aptc_geometry::{Plane, Vec3};
 
 use crate::area::StepoverArea;
+use crate::crew::Crew;
 use crate::drive::Course;
-use crate::failure::Failure;
-use crate::path::{Broken, Setup};
-use crate::position::Position;
+use crate::failure::{Deep, Failure};
+use crate::guard::Guard;
+use crate::path::{Broken, Path};
+use crate::position::{Odd, Position};
+use crate::report::Note;
+use crate::solve::Setup;
 use crate::stepover::parameter_step;
 
 /// What is put out.
@@ -18,6 +28,34 @@ pub(crate) enum Put {
     Move(Vec<(Vec3, Vec3)>),
 }
 
+/// How the tool is led away from the surface between passes.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Retract {
+    /// To a plane, along its normal.
+    Plane(Plane),
+    /// So far along the tool axis.
+    Along(f64),
+    /// By a vector.
+    By(Vec3),
+}
+
+impl Retract {
+    /// The tool led away.
+    pub(crate) fn above(&self, (te, ta): (Vec3, Vec3)) -> (Vec3, Vec3) {
+        let te = match self {
+            Self::Plane(plane) => te - plane.n * plane.distance(te),
+            Self::Along(d) => te + ta * *d,
+            Self::By(v) => te + v,
+        };
+        (te, ta)
+    }
+
+    /// From one place of the tool to another by way of those above them.
+    pub(crate) fn over(&self, from: (Vec3, Vec3), to: (Vec3, Vec3)) -> [(Vec3, Vec3); 3] {
+        [self.above(from), self.above(to), to]
+    }
+}
+
 /// What a region is milled by.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Region<'a> {
@@ -25,8 +63,10 @@ pub(crate) struct Region<'a> {
     pub(crate) stepover: StepoverArea,
     /// Feeds of path, side step, plunge, retract.
     pub(crate) feeds: [f64; 4],
-    /// The clearance plane of PICKFD; ZIGZAG has none.
-    pub(crate) clearance: Option<Plane>,
+    /// How PICKFD comes back; ZIGZAG does not.
+    pub(crate) clearance: Option<Retract>,
+    /// What the ways over the clearance plane are held against.
+    pub(crate) ways: &'a Guard,
     pub(crate) course: Course,
     /// PLUS or MINUS along the path and across.
     pub(crate) senses: [f64; 2],
@@ -35,34 +75,116 @@ pub(crate) struct Region<'a> {
 }
 
 /// What came of a region.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(crate) struct Done {
     pub(crate) puts: Vec<Put>,
-    /// Least and greatest u and v of the drive between the first path and the last.
+    pub(crate) notes: Vec<Note>,
+    pub(crate) odd: Odd,
+    /// The first position, put out or not.
+    pub(crate) first: Option<(Vec3, Vec3)>,
+    /// Least and greatest u and v of the part surface between the contacts of all paths; meaningful where the
+    /// drive is the part surface.
     pub(crate) range: [[f64; 2]; 2],
     pub(crate) why: Option<Failure>,
 }
 
+/// A pass before it is milled.
+#[derive(Clone, Copy, Debug)]
+struct Lane {
+    from: [f64; 2],
+    to: f64,
+    sense: f64,
+    /// Its first point is not put out.
+    skip: bool,
+    /// The other parameter of the next pass; none behind the last.
+    next: Option<f64>,
+}
+
+/// A pass that is milled.
+#[derive(Debug, Default)]
+struct Pass {
+    puts: Vec<Put>,
+    notes: Vec<Note>,
+    odd: Odd,
+    first: Option<(Vec3, Vec3)>,
+    /// Least and greatest u and v of the part surface that its path touches.
+    touched: [[f64; 2]; 2],
+    why: Option<Failure>,
+}
+
 /// A region has at most so many paths.
 const PATHS: usize = 1_000_000;
+/// Places in a span of the drive at which the width of a step is judged.
+const PLACES: f64 = 5.0;
+/// Rounds that narrow a step.
+const ROUNDS: usize = 8;
+/// And along a whole path at most.
+const MOST: usize = 20_000;
 
 impl Region<'_> {
     /// Mills the region from `from` on.
     ///
     /// APT: `CUTREG`. The number of paths counts the side steps too, as it did.
-    pub(crate) fn mill(&self, from: [f64; 2]) -> Done {
-        let mut puts = Vec::new();
-        let mut range = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
-        let why = self.paths(from, &mut puts, &mut range).err();
-        Done { puts, range, why }
+    pub(crate) fn mill(&self, from: [f64; 2], crew: &dyn Crew) -> Done {
+        let lanes = self.lanes(from);
+        let n = lanes.len();
+        let slots: Vec<OnceLock<Pass>> = (0..n).map(|_| OnceLock::new()).collect();
+        // Nothing behind a pass that fails is put out, so it need not be milled.
+        let first_failed = AtomicUsize::new(n);
+        crew.run(n, &|i| {
+            let (Some(slot), Some(lane)) = (slots.get(i), lanes.get(i)) else { return };
+            if crew.is_stopped() || i > first_failed.load(Ordering::Relaxed) {
+                return;
+            }
+            let mut pass = Pass::default();
+            pass.why = self.pass(lane, &mut pass).err();
+            if pass.why.is_some() {
+                first_failed.fetch_min(i, Ordering::Relaxed);
+            }
+            // Each job fills its own slot, once.
+            let _ = slot.set(pass);
+        });
+        let mut done = Done { range: [[f64::NEG_INFINITY, f64::INFINITY]; 2], ..Done::default() };
+        for (i, slot) in slots.into_iter().enumerate() {
+            let Some(pass) = slot.into_inner() else {
+                done.why = Some(Failure::Stopped { done: i, all: n });
+                break;
+            };
+            self.narrow(&mut done.range, &pass.touched, [i == 0, i + 1 == n]);
+            done.puts.extend(pass.puts);
+            done.notes.extend(pass.notes);
+            done.odd = done.odd.or(pass.odd);
+            done.first = done.first.or(pass.first);
+            if pass.why.is_some() {
+                done.why = pass.why;
+                break;
+            }
+        }
+        done
     }
 
-    fn paths(
-        &self,
-        from: [f64; 2],
-        out: &mut Vec<Put>,
-        range: &mut [[f64; 2]; 2],
-    ) -> Result<(), Failure> {
+    /// Keeps of a range what lies between the passes: along them what all of them touch, across them what lies
+    /// between the first and the last.
+    fn narrow(&self, range: &mut [[f64; 2]; 2], touched: &[[f64; 2]; 2], [first, last]: [bool; 2]) {
+        let (k, c) = (self.course.index(), self.course.across().index());
+        range[k] = [range[k][0].max(touched[k][0]), range[k][1].min(touched[k][1])];
+        let rises = self.senses[1] > 0.0;
+        let [low, high] = touched[c];
+        if first {
+            range[c][usize::from(!rises)] = if rises { high } else { low };
+        }
+        if last {
+            range[c][usize::from(rises)] = if rises { low } else { high };
+        }
+    }
+
+    /// Where the passes begin.
+    pub(crate) fn lines(&self, from: [f64; 2]) -> Vec<[f64; 2]> {
+        self.lanes(from).into_iter().map(|l| l.from).collect()
+    }
+
+    /// The passes, from the width that the scallop allows along each.
+    fn lanes(&self, from: [f64; 2]) -> Vec<Lane> {
         let k = self.course.index();
         let across = self.course.across();
         let [along, over] = self.senses;
@@ -77,41 +199,112 @@ impl Region<'_> {
         };
         let border = self.setup.drive.limits(across)[usize::from(over > 0.0)];
         let most = self.stepover.paths.unwrap_or(PATHS);
-        let mut calls = 0;
-        let mut here = from;
-        let mut sense = along;
-        let mut skip = self.skip;
+        let mut lanes: Vec<Lane> = Vec::new();
+        let (mut here, mut sense, mut skip) = (from, along, self.skip);
+        let mut calls = 1;
+        let mut known = None;
         loop {
             let to = if sense * along > 0.0 { ends[1] } else { ends[0] };
-            let points = self.run(&self.setup, here, (to, self.course, sense), skip, out)?;
-            calls += 1;
-            for p in points.first().into_iter().chain(points.last()) {
-                for (r, x) in range.iter_mut().zip(p.drive_uv) {
-                    *r = [r[0].min(x), r[1].max(x)];
-                }
-            }
-            let Some(last) = points.last() else { break };
-            let at = last.drive_uv[across.index()];
+            let at = here[across.index()];
             let rest = (border - at) * over;
+            let mut lane = Lane { from: here, to, sense, skip, next: None };
             if rest <= 1e-9 || calls >= most {
-                break;
+                lanes.push(lane);
+                return lanes;
             }
-            let step = self.next(&points);
+            let step = self.step(&lane, &mut known);
             let target = if step >= rest * (1.0 - 1e-9) { border } else { at + over * step };
-            skip = if self.clearance.is_some() {
-                here = self.return_and_step(&points, here, target, out)?;
-                false
-            } else {
-                here = self.side_step(last.drive_uv, target, out)?;
-                sense = -sense;
-                true
-            };
+            lane.next = Some(target);
+            lanes.push(lane);
             calls += 1;
-            out.push(Put::Feed(self.feeds[0]));
             if calls >= most {
-                break;
+                return lanes;
+            }
+            calls += 1;
+            here[across.index()] = target;
+            if self.clearance.is_some() {
+                skip = false;
+            } else {
+                here[k] = to;
+                sense = -sense;
+                skip = true;
             }
         }
+    }
+
+    /// The step across from a pass: as wide as it may be there, half way and at the next, so that neither a
+    /// joint of the parameter nor a change of curvature between leaves more than what is asked for.
+    fn step(&self, lane: &Lane, known: &mut Option<(f64, f64)>) -> f64 {
+        let across = self.course.across().index();
+        let over = self.senses[1];
+        let limits = self.setup.drive.limits(self.course.across());
+        let at = lane.from[across];
+        let mut width = |away: f64| {
+            let mut line = *lane;
+            line.from[across] = (at + over * away).clamp(limits[0], limits[1]);
+            match *known {
+                Some((v, width)) if (v - line.from[across]).abs() <= 1e-15 => width,
+                _ => {
+                    let width = self.width(&line);
+                    *known = Some((line.from[across], width));
+                    width
+                }
+            }
+        };
+        let mut step = width(0.0);
+        for _ in 0..ROUNDS {
+            let narrow = width(0.5 * step).min(width(step));
+            if narrow >= step * (1.0 - 1e-3) {
+                break;
+            }
+            // Not below what a change of speed at a joint asks for, in few rounds.
+            step = narrow.max(0.25 * step);
+        }
+        step
+    }
+
+    /// The step of the parameter that the places along a line allow.
+    fn width(&self, lane: &Lane) -> f64 {
+        let k = self.course.index();
+        let length = lane.to - lane.from[k];
+        let mut n = (length.abs() * PLACES).ceil().clamp(PLACES, MOST as f64);
+        if self.stepover.scallop <= 0.0 && self.stepover.most <= 0.0 {
+            // The step is one of the parameter.
+            n = 1.0;
+        }
+        let mut points = Vec::new();
+        let mut memory = None;
+        let mut i = 0.0;
+        while i <= n {
+            let mut uv = lane.from;
+            uv[k] += length * (i / n);
+            // What cannot be reached the pass will tell.
+            if let Ok((p, m)) = self.setup.position(uv, self.course, lane.sense, memory, true) {
+                points.push(p);
+                memory = Some(m);
+            }
+            i += 1.0;
+        }
+        parameter_step(&self.stepover, &self.setup, &points, self.course).max(1e-6)
+    }
+
+    /// A pass with the way to the next.
+    fn pass(&self, lane: &Lane, out: &mut Pass) -> Result<(), Failure> {
+        let points =
+            self.run(&self.setup, lane.from, (lane.to, self.course, lane.sense), lane.skip, out)?;
+        out.touched = [0, 1].map(|k| {
+            let all = points.iter().map(|p| p.part_uv[k]);
+            all.fold([f64::INFINITY, f64::NEG_INFINITY], |r, x| [r[0].min(x), r[1].max(x)])
+        });
+        let Some(target) = lane.next else { return Ok(()) };
+        let mut from = lane.from;
+        if self.clearance.is_some() {
+            self.over(&points, out)?;
+        } else {
+            from[self.course.index()] = lane.to;
+        }
+        self.side_step(from, target, out)?;
+        out.puts.push(Put::Feed(self.feeds[0]));
         Ok(())
     }
 
@@ -122,74 +315,69 @@ impl Region<'_> {
         from: [f64; 2],
         (to, course, sense): (f64, Course, f64),
         skip: bool,
-        out: &mut Vec<Put>,
+        out: &mut Pass,
     ) -> Result<Vec<Position>, Failure> {
-        match setup.run(from, to, course, sense, None) {
-            Ok(points) => {
-                out.push(moves(&points, usize::from(skip)));
-                Ok(points)
-            }
+        let (Path { points, notes }, why) = match setup.run(from, to, course, sense) {
+            Ok(path) => (path, None),
             Err(broken) => {
                 let Broken { done, why } = *broken;
-                out.push(moves(&done, usize::from(skip)));
-                Err(why)
+                (done, Some(why))
             }
-        }
-    }
-
-    /// The step across behind a path, to the next joint at most.
-    fn next(&self, points: &[Position]) -> f64 {
-        let Setup { drive, profile, .. } = self.setup;
-        let step = parameter_step(&self.stepover, drive, profile, points, self.course);
-        step.max(1e-6)
+        };
+        let moves = points.iter().skip(usize::from(skip)).map(|p| (p.te, p.ta)).collect();
+        out.puts.push(Put::Move(moves));
+        out.notes.extend(notes);
+        out.odd = out.odd.or(Odd::of(&points));
+        out.first = out.first.or(points.first().map(|p| (p.te, p.ta)));
+        why.map_or(Ok(points), Err)
     }
 
     /// To the neighbouring path along the surface, lifted where a lift is asked for.
-    fn side_step(
-        &self,
-        from: [f64; 2],
-        target: f64,
-        out: &mut Vec<Put>,
-    ) -> Result<[f64; 2], Failure> {
+    fn side_step(&self, from: [f64; 2], target: f64, out: &mut Pass) -> Result<(), Failure> {
         let across = self.course.across();
         let lift = self.stepover.lift;
         let mut setup = self.setup;
         setup.lift = lift;
-        setup.fixed = None;
-        out.push(Put::Feed(self.feeds[1]));
+        out.puts.push(Put::Feed(self.feeds[1]));
         self.run(&setup, from, (target, across, self.senses[1]), lift <= 0.0, out)?;
         let mut uv = from;
         uv[across.index()] = target;
         if lift > 0.0 {
-            out.push(Put::Feed(self.feeds[2]));
-            let (p, _) = self.setup.position(uv, across, self.senses[1], None, false)?;
-            out.push(Put::Move(vec![(p.te, p.ta)]));
+            out.puts.push(Put::Feed(self.feeds[2]));
+            let (p, _) = self.setup.settled(uv, across, self.senses[1], None)?;
+            out.puts.push(Put::Move(vec![(p.te, p.ta)]));
         }
-        Ok(uv)
+        Ok(())
     }
 
-    /// Up to the clearance plane, back over the first point of the path, down, and to the next one.
-    fn return_and_step(
-        &self,
-        points: &[Position],
-        start: [f64; 2],
-        target: f64,
-        out: &mut Vec<Put>,
-    ) -> Result<[f64; 2], Failure> {
-        let (Some(first), Some(last), Some(plane)) =
+    /// Up to the clearance plane, back over the first point of the path, and down.
+    fn over(&self, points: &[Position], out: &mut Pass) -> Result<(), Failure> {
+        let (Some(first), Some(last), Some(retract)) =
             (points.first(), points.last(), self.clearance)
         else {
-            return Ok(start);
+            return Ok(());
         };
-        let above = |p: &Position| p.te - plane.n * plane.distance(p.te);
-        out.push(Put::Feed(self.feeds[3]));
-        out.push(Put::Move(vec![(above(last), last.ta), (above(first), first.ta)]));
-        out.push(Put::Feed(self.feeds[2]));
-        out.push(Put::Move(vec![(first.te, first.ta)]));
-        self.side_step(start, target, out)
+        let way = retract.over((last.te, last.ta), (first.te, first.ta));
+        self.clear((last.te, last.ta), &way)?;
+        let [up, back, down] = way;
+        out.puts.push(Put::Feed(self.feeds[3]));
+        out.puts.push(Put::Move(vec![up, back]));
+        out.puts.push(Put::Feed(self.feeds[2]));
+        out.puts.push(Put::Move(vec![down]));
+        Ok(())
     }
-}
 
-fn moves(points: &[Position], skip: usize) -> Put {
-    Put::Move(points.iter().skip(skip).map(|p| (p.te, p.ta)).collect())
+    /// A way between passes goes through no surface.
+    fn clear(&self, from: (Vec3, Vec3), way: &[(Vec3, Vec3)]) -> Result<(), Failure> {
+        let mut here = from;
+        for &to in way {
+            let found = self.ways.way(self.setup.profile, [here, to]);
+            found.map_err(|gouge| {
+                let (te, ta) = to;
+                Failure::PickFeed(Box::new(Deep { gouge, te, ta, avoids: false }))
+            })?;
+            here = to;
+        }
+        Ok(())
+    }
 }

@@ -3,16 +3,21 @@
 use std::sync::Arc;
 
 use aptc_cldata as cl;
+use aptc_contact::PatchTree;
 use aptc_diagnostics::Diagnostic;
-use aptc_geometry::{Form, Sculptured, Vec3};
+use aptc_geometry::{Form, Profile, Sculptured, Vec3};
 use aptc_protap::{Kind, Record};
 
 use crate::area::Areas;
 use crate::avoid::Avoid;
-use crate::failure::Failure;
+use crate::crew::{Alone, Crew};
+use crate::drive::Course;
+use crate::gclear::{Clears, post_arg};
 use crate::guard::Checked;
 use crate::outline::Outlines;
+use crate::plain::Plain;
 use crate::settings::Settings;
+use crate::watch::Watch;
 
 /// Where the tool stands after a statement of regional milling.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,10 +46,28 @@ pub struct Regional {
     pub(crate) settings: Settings,
     pub(crate) areas: Areas,
     pub(crate) fitted: Vec<(Arc<Form>, Arc<Sculptured>)>,
+    /// Surfaces prepared for questions.
+    pub(crate) trees: Vec<(Arc<Sculptured>, Arc<PatchTree>)>,
+    /// Where the tool stands, if that is known.
+    pub(crate) stand: Option<Stand>,
+    /// HOLDER: solids with their height above the tool end.
+    pub(crate) holder: Vec<(Profile, f64)>,
+    /// PRINT/AVPRT.
+    pub(crate) report: bool,
+    /// CHKSRF in ordinary motion.
+    pub(crate) watch: Watch,
+    /// The line of the last GOLOFT: surface, running parameter, value of the other.
+    pub(crate) line: Option<(Arc<Form>, Course, f64)>,
+    /// GCLEAR.
+    pub(crate) clears: Clears,
+    /// The last FEDRAT before the statement.
+    pub(crate) feed: Vec<cl::Arg>,
     /// CHKSRF/PS.
     pub(crate) check_part: bool,
     /// CHKSRF/name.
     pub(crate) checked: Vec<Checked>,
+    /// Those of them that are not sculptured.
+    pub(crate) plain: Vec<Plain>,
     /// AVCTRL.
     pub(crate) avoid: Avoid,
     /// CLDAT and REGION.
@@ -67,28 +90,72 @@ impl Regional {
         record: &Record,
         out: &mut Vec<cl::Record>,
     ) -> Result<Option<Stand>, Failed> {
+        self.execute_by(record, &Alone, out)
+    }
+
+    /// Where the tool stands after a motion of the arithmetic element; `None` when that is unknown.
+    pub fn stood(&mut self, stand: Option<Stand>) {
+        self.stand = stand;
+    }
+
+    /// As [`Regional::execute`], the passes of a region milled by a crew. The result is the same, bit by bit.
+    ///
+    /// # Errors
+    /// The statement failed; see [`Regional::take_diagnostics`].
+    pub fn execute_by(
+        &mut self,
+        record: &Record,
+        crew: &dyn Crew,
+        out: &mut Vec<cl::Record>,
+    ) -> Result<Option<Stand>, Failed> {
         let Kind::Regional { word, args } = &record.kind else {
             self.settings.observe(&record.kind);
+            self.follow(&record.kind);
             return Ok(None);
         };
         let done = match word.as_str() {
             "SCON" => self.scon(args).map(|()| None),
-            "SMIL" => self.smil(&record.origin, args, out),
+            "SMIL" => self.smil(&record.origin, args, crew, out),
             "CHKSRF" => self.chksrf(args).map(|()| None),
             "AVCTRL" => self.avctrl(args).map(|()| None),
             "GOLOFT" => self.goloft(&record.origin, args, out),
             "CLDAT" => self.cldat(args, out).map(|()| None),
             "REGION" => self.region(args).map(|()| None),
-            "GCLEAR" if !matches!(args.last(), Some(aptc_protap::Arg::Word(w)) if w == "OFF") => {
-                Err(Failure::Undone { what: "GCLEAR" })
+            "GOMILL" => self.gomill(&record.origin, args, crew, out),
+            "GCLEAR" => self.gclear(args).map(|()| None),
+            "HOLDER" => self.holder(args).map(|()| None),
+            "PRINT" => {
+                self.print(args);
+                Ok(None)
             }
-            "GOMILL" => Err(Failure::Undone { what: "GOMILL" }),
             _ => Ok(None),
         };
+        match &done {
+            Ok(Some(stand)) => {
+                self.stand = Some(*stand);
+                self.watch_from(stand.te, stand.ta);
+            }
+            Ok(None) => {}
+            Err(_) => self.stand = None,
+        }
         done.map_err(|failure| {
             self.diagnostics.push(failure.explain(&record.origin));
             Failed
         })
+    }
+
+    /// Keeps where the tool stands, as far as a record says it, and the feed.
+    fn follow(&mut self, kind: &Kind) {
+        match kind {
+            Kind::From(p) | Kind::Goto(p) => {
+                let ta = p.axis.or(self.stand.map(|s| s.ta)).unwrap_or_else(Vec3::z);
+                self.stand = Some(Stand { te: p.point, ta, along: Vec3::zeros() });
+            }
+            Kind::Post { word, args } if word == "FEDRAT" => {
+                self.feed = args.iter().filter_map(post_arg).collect();
+            }
+            _ => {}
+        }
     }
 
     /// The diagnostics since the last call.

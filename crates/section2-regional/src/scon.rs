@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use aptc_contact::PatchTree;
 use aptc_geometry::sculpt::{fit_curve, fit_surface};
 use aptc_geometry::{Form, Sculptured, SpaceCurve, Vec3};
 use aptc_protap::{Arg, NameRef};
@@ -186,7 +187,8 @@ impl Regional {
         let surface = self.surface(name, form)?;
         let side = w.sign();
         let thick = need(w.number(), "the thickness")?;
-        Ok(PartArea { name: name.clone(), surface, touches, side, thick })
+        let (tree, extent) = (self.tree(&surface), surface.extent());
+        Ok(PartArea { name: name.clone(), surface, tree, extent, touches, side, thick })
     }
 
     fn feed_area(&mut self, w: &mut Words<'_>) -> Result<(), Failure> {
@@ -217,6 +219,16 @@ impl Regional {
         };
         let fitted = fit_curve(d).map_err(|why| unfit(name, &why))?;
         Ok(Arc::new(fitted))
+    }
+
+    /// The surface prepared for questions; each is prepared once.
+    pub(crate) fn tree(&mut self, surface: &Arc<Sculptured>) -> Arc<PatchTree> {
+        if let Some((_, tree)) = self.trees.iter().find(|(s, _)| Arc::ptr_eq(s, surface)) {
+            return Arc::clone(tree);
+        }
+        let tree = Arc::new(PatchTree::new(surface));
+        self.trees.push((Arc::clone(surface), Arc::clone(&tree)));
+        tree
     }
 
     /// The fitted surface; each definition is fitted once. Equal ones are one: records that were read from
@@ -281,7 +293,7 @@ fn stepover_area(w: &mut Words<'_>) -> Result<StepoverArea, Failure> {
         }
     }
     let paths = (paths >= 1.0).then(|| paths.min(1e9)).map(whole);
-    Ok(StepoverArea { scallop, most, lift, paths })
+    Ok(StepoverArea { scallop, most, lift, paths, parameter: None })
 }
 
 #[expect(clippy::cast_possible_truncation, reason = "bounded by the caller")]

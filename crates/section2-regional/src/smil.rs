@@ -8,18 +8,31 @@ use aptc_diagnostics::Origin;
 use aptc_geometry::{Form, Vec3};
 use aptc_protap::{Arg, NameRef};
 
-use crate::area::{AxisArea, DriveArea, Guide, Hold, PartArea};
+use crate::area::{AxisArea, DriveArea, Guide, PartArea};
+use crate::crew::Crew;
 use crate::drive::Course;
-use crate::failure::Failure;
-use crate::guard::Guard;
-use crate::path::{Broken, Setup};
-use crate::region::{Put, Region};
+use crate::failure::{Deep, Failure, put_out, touches_with};
+use crate::guard::{Checked, Guard};
+use crate::path::{Broken, Path};
+use crate::position::Odd;
+use crate::region::{Put, Region, Retract};
 use crate::regional::{Regional, Stand};
+use crate::report::{Note, reports};
 use crate::scon::Words;
+use crate::settings::Band;
+use crate::solve::Setup;
 
 /// What a statement gives.
+#[derive(Default)]
 struct Done {
     puts: Vec<Put>,
+    /// Gouges that were avoided.
+    notes: Vec<Note>,
+    odd: Odd,
+    /// The first position, put out or not.
+    first: Option<(Vec3, Vec3)>,
+    /// Do passes return over the clearance plane?
+    picks: bool,
     /// Why it ended early.
     why: Option<Failure>,
     /// What is left between its passes.
@@ -38,6 +51,7 @@ impl Regional {
         &mut self,
         origin: &Origin,
         args: &[Arg],
+        crew: &dyn Crew,
         out: &mut Vec<cl::Record>,
     ) -> Result<Option<Stand>, Failure> {
         let mut w = Words(args);
@@ -46,17 +60,25 @@ impl Regional {
         w.take("PARAM");
         let from = [w.number().unwrap_or(0.0), w.number().unwrap_or(0.0)];
         let guard = self.guard();
-        let done = match word {
+        let mut done = match word {
             "POSN" => {
-                let (puts, away) = self.point(from, &mut w)?;
-                Done { puts, why: None, scallop: None, joined: false, away }
+                let (puts, odd, away) = self.point(from, &mut w)?;
+                Done { puts, odd, away, ..Done::default() }
             }
             "PATH" => self.line(from, &mut w, guard.as_ref())?,
-            "ZIGZAG" | "PICKFD" => self.area(word == "PICKFD", from, &mut w, guard.as_ref())?,
+            "ZIGZAG" | "PICKFD" => {
+                self.area(word == "PICKFD", from, &mut w, guard.as_ref(), crew)?
+            }
             _ => return Err(Failure::Undone { what: "this form of SMIL" }),
         };
+        if done.joined {
+            self.join(origin, &mut done)?;
+        }
+        self.diagnostics.extend(reports(origin, &done.notes));
+        self.odd(origin, done.odd);
         let control = self.control(&done);
-        let stand = self.put(origin, done.puts, control.as_ref(), out);
+        let name = self.areas.drive.as_ref().map(|d| d.name.clone()).unwrap_or_default();
+        let stand = self.put(origin, &name, done.puts, control.as_ref(), out);
         done.why.map_or(Ok(stand), Err)
     }
 
@@ -85,9 +107,10 @@ impl Regional {
             numpts: self.settings.numpts(),
             length: self.settings.length(),
             lift: 0.0,
-            fixed: None,
             guard: None,
             over: 1.0,
+            every: None,
+            centred: false,
         })
     }
 
@@ -106,10 +129,10 @@ impl Regional {
     }
 
     /// The position, and whether it is led away from the surface.
-    fn point(&self, from: [f64; 2], w: &mut Words<'_>) -> Result<(Vec<Put>, bool), Failure> {
+    fn point(&self, from: [f64; 2], w: &mut Words<'_>) -> Result<(Vec<Put>, Odd, bool), Failure> {
         let setup = self.setup()?;
         let from = self.checked(from)?;
-        let (p, _) = setup.position(from, Course::U, 1.0, None, false)?;
+        let (p, _) = setup.settled(from, Course::U, 1.0, None)?;
         w.take("INCR");
         let te = if let Some(back) = w.number() {
             let d = setup.drive.place(from, Course::U).direction.unwrap_or_else(Vec3::zeros);
@@ -122,7 +145,7 @@ impl Regional {
                 _ => p.te,
             }
         };
-        Ok((vec![Put::Move(vec![(te, p.ta)])], te != p.te))
+        Ok((vec![Put::Move(vec![(te, p.ta)])], Odd::of(&[p]), te != p.te))
     }
 
     fn course(&self, w: &mut Words<'_>) -> Result<(Course, f64), Failure> {
@@ -145,16 +168,17 @@ impl Regional {
         let (course, sense) = self.course(w)?;
         let skip = w.number().is_some_and(|s| s > 0.0);
         let to = setup.drive.limits(course)[usize::from(sense > 0.0)];
-        let (points, broken) = match setup.run(from, to, course, sense, None) {
-            Ok(points) => (points, None),
+        let (Path { points, notes }, broken) = match setup.run(from, to, course, sense) {
+            Ok(path) => (path, None),
             Err(broken) => {
                 let Broken { done, why } = *broken;
                 (done, Some(why))
             }
         };
         let moves = points.iter().skip(usize::from(skip)).map(|p| (p.te, p.ta)).collect();
-        let puts = vec![Put::Move(moves)];
-        Ok(Done { puts, why: broken, scallop: None, joined: skip, away: false })
+        let first = points.first().map(|p| (p.te, p.ta));
+        let (puts, odd) = (vec![Put::Move(moves)], Odd::of(&points));
+        Ok(Done { puts, notes, odd, first, why: broken, joined: skip, ..Done::default() })
     }
 
     fn area(
@@ -163,6 +187,7 @@ impl Regional {
         from: [f64; 2],
         w: &mut Words<'_>,
         guard: Option<&Guard>,
+        crew: &dyn Crew,
     ) -> Result<Done, Failure> {
         let mut setup = self.setup()?;
         setup.guard = guard.map(|g| (g, self.avoid));
@@ -178,7 +203,8 @@ impl Regional {
             return Err(Failure::NotSet { areas: missing(&areas) });
         };
         let clearance = if pick {
-            Some(a.clearance.ok_or(Failure::NotSet { areas: vec!["FEED,plane"] })?)
+            let plane = a.clearance.ok_or(Failure::NotSet { areas: vec!["FEED,plane"] })?;
+            Some(Retract::Plane(plane))
         } else {
             None
         };
@@ -188,18 +214,108 @@ impl Regional {
         let senses = [along, over];
         let same =
             matches!(&setup.drive.guide, Guide::Surface(s) if Arc::ptr_eq(s, &setup.part.surface));
-        let along = same && setup.drive.hold == Hold::At && setup.drive.offset == 0.0;
-        let known = along && setup.part.touches && (guard.is_none() || !self.avoid.on);
-        let done = Region { setup, stepover, feeds, clearance, course, senses, skip }.mill(from);
-        let range = known.then_some(done.range);
+        let known = same && setup.part.touches && (guard.is_none() || !self.avoid.on);
+        let ways = &self.ways();
+        let region = Region { setup, stepover, feeds, clearance, ways, course, senses, skip };
+        let done = region.mill(from, crew);
+        let range = known.then_some(done.range).filter(|r| r.iter().all(|[a, b]| a < b));
         let height = stepover.scallop;
         let scallop = (height > 0.0 && done.why.is_none()).then_some(Scallop { height, range });
-        Ok(Done { puts: done.puts, why: done.why, scallop, joined: skip, away: false })
+        let crate::region::Done { puts, notes, odd, first, why, .. } = done;
+        let (joined, picks) = (skip, pick);
+        Ok(Done { puts, notes, odd, first, picks, why, scallop, joined, away: false })
+    }
+
+    /// The first point of the statement is left out, as the tool is to stand there. Where it does not, and the
+    /// straight way to the second goes through a surface, it is put out: over the clearance plane, if
+    /// there is one for these passes.
+    fn join(&mut self, origin: &Origin, done: &mut Done) -> Result<(), Failure> {
+        let second = done.puts.iter().find_map(|p| match p {
+            Put::Move(points) => points.first().copied(),
+            Put::Feed(_) => None,
+        });
+        let (Some(stand), Some(first), Some(second)) = (self.stand, done.first, second) else {
+            return Ok(());
+        };
+        let Some(profile) = self.settings.profile.as_ref() else { return Ok(()) };
+        let Band { intol, outtol } = self.settings.band();
+        if (stand.te - first.0).norm() <= 2.0 * (intol + outtol) {
+            return Ok(());
+        }
+        let ways = self.ways();
+        let here = (stand.te, stand.ta);
+        let Err(gouge) = ways.way(profile, [here, second]) else { return Ok(()) };
+        let plane = self.areas.clearance.filter(|_| done.picks);
+        let way = match &plane {
+            Some(plane) => Retract::Plane(*plane).over(here, first).to_vec(),
+            None => vec![first],
+        };
+        let mut steps = std::iter::once(here).chain(way.iter().copied()).zip(&way);
+        let blocked = steps.any(|(a, b)| ways.way(profile, [a, *b]).is_err());
+        if blocked {
+            let (te, ta) = second;
+            return Err(Failure::Skipped(Box::new(Deep { gouge, te, ta, avoids: false })));
+        }
+        self.diagnostics.push(put_out(origin, first.0));
+        done.puts.insert(0, Put::Move(way));
+        done.joined = false;
+        Ok(())
+    }
+
+    /// What ways beside the passes are held against: the part surface, and what CHKSRF names.
+    fn ways(&self) -> Guard {
+        self.ways_of(self.areas.part.as_ref())
+    }
+
+    /// The same beside passes on another part surface.
+    pub(crate) fn ways_of(&self, part: Option<&PartArea>) -> Guard {
+        let mut guard = self.guarded(part).unwrap_or_default();
+        guard.intol = self.settings.band().intol;
+        let Some(part) = part.filter(|p| p.touches) else { return guard };
+        guard.thick = part.thick;
+        if !guard.surfaces.iter().any(|c| Arc::ptr_eq(&c.surface, &part.surface)) {
+            guard.surfaces.push(Checked {
+                name: part.name.name.to_string(),
+                surface: Arc::clone(&part.surface),
+                tree: Arc::clone(&part.tree),
+                part: true,
+            });
+        }
+        guard
+    }
+
+    /// Places of the cutter that touch and do not cut well are told once a statement.
+    ///
+    /// APT: the warnings of `TULPOS`, whose last took a ball for the cutter: [`Failure::Sphere`].
+    fn odd(&mut self, origin: &Origin, odd: Odd) {
+        let said = [(odd.tip, "its tip"), (odd.rim, "the rim of its top")];
+        for (at, place) in said {
+            if let Some(at) = at {
+                self.diagnostics.push(touches_with(origin, place, at));
+            }
+        }
     }
 
     /// What the statement keeps to.
     fn control(&self, done: &Done) -> Option<Arc<cl::Control>> {
         let part = self.areas.part.as_ref()?;
+        let mut control = self.milling_control(part, done.scallop, done.joined);
+        if let Some(c) = Arc::get_mut(&mut control).and_then(|c| c.milling.as_mut())
+            && !part.touches
+            && done.away
+        {
+            c.part = None;
+        }
+        Some(control)
+    }
+
+    /// What motions along a part surface keep to.
+    pub(crate) fn milling_control(
+        &self,
+        part: &PartArea,
+        scallop: Option<Scallop>,
+        joined: bool,
+    ) -> Arc<cl::Control> {
         let name = |n: &NameRef| cl::NameRef { name: n.name.clone(), subscript: n.subscript };
         let own = Milled {
             name: name(&part.name),
@@ -216,21 +332,22 @@ impl Regional {
         });
         let band = self.settings.band();
         let milling = Milling {
-            part: (part.touches || !done.away).then_some(own),
+            part: Some(own),
             on: !part.touches,
             checked: checked.collect(),
             intol: band.intol,
             outtol: band.outtol,
-            scallop: done.scallop,
-            joined: done.joined,
+            scallop,
+            joined,
         };
-        Some(Arc::new(cl::Control { milling: Some(milling), ..cl::Control::default() }))
+        Arc::new(cl::Control { milling: Some(milling), ..cl::Control::default() })
     }
 
     /// Positions as CL records; where the tool stands then.
-    fn put(
+    pub(crate) fn put(
         &self,
         origin: &Origin,
+        name: &NameRef,
         puts: Vec<Put>,
         control: Option<&Arc<cl::Control>>,
         out: &mut Vec<cl::Record>,
@@ -251,7 +368,7 @@ impl Regional {
                         stand = Some(Stand { te: *te, ta: *ta, along });
                         before = Some(*te);
                     }
-                    self.motion(origin, points, control, out);
+                    self.motion(origin, name, points, control, out);
                 }
             }
         }
@@ -261,6 +378,7 @@ impl Regional {
     fn motion(
         &self,
         origin: &Origin,
+        name: &NameRef,
         points: Vec<(Vec3, Vec3)>,
         control: Option<&Arc<cl::Control>>,
         out: &mut Vec<cl::Record>,
@@ -268,12 +386,9 @@ impl Regional {
         if points.is_empty() || self.settings.cut == Some(false) {
             return;
         }
-        let drive = self.areas.drive.as_ref();
-        let name =
-            drive.map(|d| cl::NameRef { name: d.name.name.clone(), subscript: d.name.subscript });
         let motion = cl::Motion {
             kind: cl::MotionKind::Continuous,
-            name: name.unwrap_or_default(),
+            name: cl::NameRef { name: name.name.clone(), subscript: name.subscript },
             arc: None,
             points: points.into_iter().map(|(te, ta)| cl::Position { te, ta }).collect(),
             with_axis: self.settings.multax,

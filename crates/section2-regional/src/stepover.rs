@@ -2,9 +2,13 @@
 
 use aptc_geometry::{Profile, Vec3};
 
-use crate::area::{DriveArea, Guide, StepoverArea};
+use crate::area::{Hold, StepoverArea};
 use crate::drive::Course;
 use crate::position::Position;
+use crate::solve::Setup;
+
+/// A cutter that nearly fills a hollow moves its contact so many times as fast as itself, at most the inverse.
+const LEAST: f64 = 0.05;
 
 /// Distance between two paths on a surface of curvature `k` across them (positive hollow) that leaves a
 /// scallop of height `h`, for a cutter whose profile across the path is a circle of radius `r` there;
@@ -35,11 +39,11 @@ pub(crate) fn scallop_width(r: f64, h: f64, k: f64) -> f64 {
 /// curvature of the part surface there. A negative greatest step is one of the parameter.
 pub(crate) fn parameter_step(
     area: &StepoverArea,
-    drive: &DriveArea,
-    profile: &Profile,
+    setup: &Setup<'_>,
     points: &[Position],
     course: Course,
 ) -> f64 {
+    let Setup { drive, profile, .. } = *setup;
     let by_parameter = area.most < 0.0;
     if area.scallop <= 0.0 && area.most == 0.0 {
         return 1.0;
@@ -51,32 +55,42 @@ pub(crate) fn parameter_step(
     for (i, p) in points.iter().enumerate() {
         let ahead = path_direction(points, i);
         let place = drive.place(p.drive_uv, course);
-        let across = place.across;
         // The part of the step that leads away from the path, as seen on the part surface.
         let side = p.normal.cross(&ahead).try_normalize(0.0).unwrap_or_else(Vec3::zeros);
-        let speed = across.dot(&side).abs();
+        let k = across_curvature(setup, p, side);
+        let radius = radius_across(profile, p, side);
+        let across = laid(place.across, place.direction, p.normal);
+        let mut speed = across.dot(&side).abs();
+        if setup.part.touches && drive.hold == Hold::On {
+            // It is the tool that is led: in a hollow its contact moves faster, on a hump more slowly.
+            speed /= (1.0 - k * radius).max(LEAST);
+        }
         if speed <= 1e-12 * across.norm() || speed == 0.0 {
             continue;
         }
         let mut width = if by_parameter || area.most == 0.0 { f64::INFINITY } else { area.most };
         if area.scallop > 0.0 {
-            let k = across_curvature(drive, p, side);
-            width = width.min(scallop_width(radius_across(profile, p, side), area.scallop, k));
+            width = width.min(scallop_width(radius, area.scallop, k));
         }
         if width.is_finite() && width > 0.0 {
             step = step.min(width / speed);
         }
     }
-    if step.is_finite() { step } else { 1.0 }
+    if step.is_finite() { step } else { 1.0 }.min(area.parameter.unwrap_or(f64::INFINITY))
 }
 
-/// Curvature of the surface across the path: that of the drive where it is a surface.
-fn across_curvature(drive: &DriveArea, p: &Position, side: Vec3) -> f64 {
-    let Guide::Surface(s) = &drive.guide else { return 0.0 };
-    let d = s.at(p.drive_uv[0], p.drive_uv[1]);
-    d.normal()
-        .and_then(|n| d.curvature_along(if n.dot(&p.normal) < 0.0 { -n } else { n }, side))
-        .unwrap_or(0.0)
+/// A step of the drive as the tool takes it: projected along the line of projection on the plane that touches
+/// the part surface.
+fn laid(across: Vec3, direction: Option<Vec3>, n: Vec3) -> Vec3 {
+    let Some(along) = direction else { return across };
+    let down = n.dot(&along);
+    if down.abs() < 1e-6 { across } else { across - along * (n.dot(&across) / down) }
+}
+
+/// Curvature of the part surface across the path.
+fn across_curvature(setup: &Setup<'_>, p: &Position, side: Vec3) -> f64 {
+    let d = setup.part.surface.at(p.part_uv[0], p.part_uv[1]);
+    d.curvature_along(p.normal, side).unwrap_or(0.0)
 }
 
 /// Radius of the cutter at its contact in the plane of the normal and `side`.

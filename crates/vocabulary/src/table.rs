@@ -367,7 +367,7 @@ pub(crate) static ENTRIES: [Entry; COUNT as usize] = [
     w("HIDDEN", Modifier, NONE, [[O, O], [O, O], [O, O], [O, 579], [O, O], [O, O]]),
     w("HIGH", Modifier, NONE, [[O, 62], [O, 62], [O, 62], [O, 62], [O, O], [O, O]]),
     w("HIGHT", Modifier, NONE, [[O, O], [O, K], [O, O], [O, O], [O, O], [O, O]]),
-    w("HOLDER", Modifier, NONE, [[O, 157], [O, 157], [O, 157], [O, 157], [O, O], [O, O]]),
+    w("HOLDER", Regional, Some(Modifier), [[O, 157], [157, O], [O, 157], [O, 157], [O, O], [O, O]]),
     w("HOME", Modifier, NONE, [[O, O], [O, O], [O, 790], [O, 790], [O, O], [O, O]]),
     w("HYPERB", Geometry, NONE, [[s(7), O], [s(7), O], [O, O], [O, O], [O, O], [O, O]]),
     w("IF", Control, NONE, [[K, O], [K, O], [O, O], [825, O], [O, O], [O, O]]),
@@ -1759,6 +1759,7 @@ pub(crate) static BY_CODE: [(u8, bool, u32, u16); 1685] = [
     (1, false, 0x15, 438),
     (1, false, 0x16, 270),
     (1, false, 0x80, 600),
+    (1, false, 0x9d, 354),
     (1, false, 0x3e9, 623),
     (1, false, 0x3ea, 345),
     (1, false, 0x3eb, 502),
@@ -2045,7 +2046,6 @@ pub(crate) static BY_CODE: [(u8, bool, u32, u16); 1685] = [
     (1, true, 0x9a, 898),
     (1, true, 0x9b, 762),
     (1, true, 0x9c, 761),
-    (1, true, 0x9d, 354),
     (1, true, 0x9e, 459),
     (1, true, 0x9f, 26),
     (1, true, 0xa0, 189),
@@ -3799,7 +3799,7 @@ pub mod word {
     pub const HIGH: Word = Word(352);
     /// `HIGHT`: Modifier; APT4 minor.
     pub const HIGHT: Word = Word(353);
-    /// `HOLDER`: Modifier; APT-360 minor 157, APT4 minor 157, PostWorks minor 157, NCL minor 157.
+    /// `HOLDER`: Regional and Modifier; APT-360 minor 157, APT4 157, PostWorks minor 157, NCL minor 157.
     pub const HOLDER: Word = Word(354);
     /// `HOME`: Modifier; PostWorks minor 790, NCL minor 790.
     pub const HOME: Word = Word(355);

@@ -26,7 +26,7 @@ pub(crate) fn check(args: &CheckArgs, common: &Common) -> io::Result<ExitCode> {
         let mut world = Disk::new(folders(part, &args.source), args.source.max_file_size);
         let mut options = options(&args.source);
         options.plot = false;
-        let progress = Progress::of(part, common);
+        let progress = Progress::of(part, common, None);
         let compiled = aptc_control::compile(source, &mut world, &options);
         drop(progress);
         if matches!(common.message_format, MessageFormat::Json | MessageFormat::Sarif) {

@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::sync::Arc;
 
 use aptc_control::{Artifact, CodeOptions, Compiled, Disk, MachineChoice, Options, Verify};
 
@@ -59,7 +60,7 @@ fn compile_one(
     };
     let mut world = Disk::new(folders(part, &args.source), args.source.max_file_size);
     let numeric = part.extension().is_some_and(|e| e.eq_ignore_ascii_case("protap"));
-    let progress = Progress::of(part, common);
+    let progress = Progress::of(part, common, options.passes.clone());
     let compiled = if numeric {
         aptc_control::resume(source, &options)
     } else {
@@ -103,6 +104,8 @@ pub(crate) fn options(source: &SourceArgs) -> Options {
     }
     options.translate.unused = source.warn_unused;
     options.time = source.max_seconds;
+    options.threads = source.threads.map_or(0, usize::from);
+    options.passes = Some(Arc::default());
     if let Some(n) = source.max_include_depth {
         options.translate.limits.include_depth = n as usize;
     }

@@ -34,4 +34,8 @@ codes! {
     PATH_TOO_LONG = 2044, "a path with more points or more length than allowed";
     UNFIT_SURFACE = 2045, "a sculptured curve or surface that cannot be fitted";
     INTERFERENCE = 2046, "the cutter gouges a checked surface and cannot avoid it";
+    AVOIDED = 2047, "a gouge that was avoided, told at PRINT/AVPRT,ON";
+    FIRST_POINT = 2048, "a first point that was to be left out, and the tool stands elsewhere";
+    BETWEEN_PASSES = 2049, "a way between passes that goes through a surface";
+    ODD_CONTACT = 2050, "a cutter that touches with its tip or the rim of its top";
 }

@@ -163,8 +163,8 @@ impl Patch {
         let (h, hu, hv) = (of(0, 0), of(1, 0), of(0, 1));
         let (huu, huv, hvv) = (of(2, 0), of(1, 1), of(0, 2));
         if !self.rational {
-            let w = h.w;
-            let d = |h: Vec4| h.xyz() / w;
+            let w = 1.0 / h.w;
+            let d = |h: Vec4| h.xyz() * w;
             return Derivatives {
                 point: d(h),
                 u: d(hu),
@@ -186,6 +186,25 @@ impl Patch {
             uv: (huv.xyz() - u * hv.w - v * hu.w - point * huv.w) / w,
             vv: (hvv.xyz() - v * (2.0 * hv.w) - point * hvv.w) / w,
         }
+    }
+
+    /// Point and first derivatives at (u, v), for half the cost of all.
+    pub fn tangents(&self, u: f64, v: f64) -> (Vec3, Vec3, Vec3) {
+        let (bu, bv) = (bernstein(u), bernstein(v));
+        let (mut h, mut hu, mut hv) = (Vec4::zeros(), Vec4::zeros(), Vec4::zeros());
+        for (net, (b, d)) in self.net.iter().zip(bv[0].into_iter().zip(bv[1])) {
+            let of = |b: &[f64; 4]| net[0] * b[0] + net[1] * b[1] + net[2] * b[2] + net[3] * b[3];
+            let row = of(&bu[0]);
+            h += row * b;
+            hu += of(&bu[1]) * b;
+            hv += row * d;
+        }
+        let w = 1.0 / h.w;
+        let point = h.xyz() * w;
+        if !self.rational {
+            return (point, hu.xyz() * w, hv.xyz() * w);
+        }
+        (point, (hu.xyz() - point * hu.w) * w, (hv.xyz() - point * hv.w) * w)
     }
 
     /// The point at (u, v).
@@ -252,6 +271,9 @@ mod tests {
             let (d, h) = (p.at(u, v), 1e-5);
             let (f, b) = (p.at(u + h, v), p.at(u - h, v));
             prop_assert!(((f.point - b.point) / (2.0 * h) - d.u).norm() < 1e-5);
+            let (point, along, across) = p.tangents(u, v);
+            prop_assert!((point - d.point).norm() < 1e-12);
+            prop_assert!((along - d.u).norm() < 1e-10 && (across - d.v).norm() < 1e-10);
             prop_assert!(((f.u - b.u) / (2.0 * h) - d.uu).norm() < 1e-4);
             prop_assert!(((f.v - b.v) / (2.0 * h) - d.uv).norm() < 1e-4);
             let (f, b) = (p.at(u, v + h), p.at(u, v - h));

@@ -47,6 +47,8 @@ pub(crate) enum Item {
     SS,
     /// A surface that RLDSRF may cut.
     S,
+    /// Any surface, sculptured or not.
+    AS,
     /// Whatever follows; the solver reads it. The text tells what is expected.
     Rest(&'static str),
     /// The same, or the end.
@@ -189,6 +191,7 @@ impl Item {
                     | Form::Ssurf(_)
                     | Form::Solid(_)
             ),
+            Self::AS => Self::S.takes_form(form) || Self::SS.takes_form(form),
             Self::N | Self::W(_) | Self::Of(_) | Self::Rest(_) | Self::Tail(_) => false,
         }
     }
@@ -215,7 +218,7 @@ impl Item {
             Self::LC => "line|circle",
             Self::SC => "SCURV",
             Self::SS => "SSURF",
-            Self::S => "surface",
+            Self::S | Self::AS => "surface",
             Self::Rest(text) | Self::Tail(text) => text,
         }
         .to_owned()

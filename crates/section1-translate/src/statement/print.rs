@@ -9,10 +9,11 @@
 //! | PRINT/3,names or ALL | values with names |
 //! | PRINT/4,names or ALL | as 3, and punches them |
 //! | PUNCH/1 2 3,names or ALL | punches all, numbers, forms |
+//! | PRINT/AVPRT,ON or AVMSG,ON | each gouge that is avoided, until OFF |
 //! | PRINT/SSPRT,ON and its kin | tables of APT4 that nobody needs: without effect |
 
 use aptc_diagnostics::{Diagnostic, Span, codes};
-use aptc_protap::NameRef;
+use aptc_protap::{self as protap, Kind, NameRef};
 use aptc_syntax::tree::{Clause, Expr, ExprKind, Name};
 use aptc_vocabulary::{Word, word};
 
@@ -58,7 +59,22 @@ impl Interpreter<'_> {
                     self.state.print = false;
                     Ok(())
                 }
-                Some(word::SSPRT | word::SSTEST | word::TABPRT | word::AVPRT | word::LIBPRT) => {
+                Some(what @ (word::AVPRT | word::AVMSG)) => {
+                    let switch = match rest {
+                        [one] => match &one.kind {
+                            ExprKind::Name(n) => self.head_word(n),
+                            _ => None,
+                        },
+                        _ => None,
+                    };
+                    let Some(switch @ (word::ON | word::OFF)) = switch else {
+                        return Err(self.bad_print(clause));
+                    };
+                    let args = [what, switch].map(|w| protap::Arg::Word(w.text().into()));
+                    self.emit(Kind::Regional { word: word.text().into(), args: args.into() });
+                    Ok(())
+                }
+                Some(word::SSPRT | word::SSTEST | word::TABPRT | word::LIBPRT) => {
                     let text = self.interner.text(name.symbol).to_owned();
                     self.list(EntryKind::Remark(format!("PRINT/{text} has no effect here")));
                     Ok(())
@@ -100,7 +116,7 @@ impl Interpreter<'_> {
     fn bad_print(&mut self, clause: &Clause) -> Poisoned {
         let args: &[Arg] = &[];
         let reader = Reader::new(word::PRINT, clause, args);
-        let mut message = reader.expected("ON, OFF, 0, or 1 to 4 and names");
+        let mut message = reader.expected("ON, OFF, AVPRT, 0, or 1 to 4 and names");
         message.span = clause.span;
         message.message = "this form of PRINT or PUNCH is not known".to_owned();
         message.help = Some("write PRINT/ON, PRINT/OFF, PRINT/0 or PRINT/3,names".to_owned());

@@ -10,7 +10,7 @@ use aptc_vocabulary::{Word, word};
 
 use super::shape::{Shape, fixed, open};
 use crate::Interpreter;
-use crate::define::Item::{self, N, Of, PL, S, SC, SS, V, W};
+use crate::define::Item::{self, AS, N, Of, PL, S, SC, SS, V, W};
 use crate::eval::{Arg, Known, Names, Poisoned};
 use crate::listing::EntryKind;
 
@@ -76,7 +76,23 @@ const SMIL: &[Shape] = &[
     ),
 ];
 
-const CHKSRF: &[Shape] = &[fixed(&[W(word::PS), SWITCH]), fixed(&[SS, SWITCH])];
+const CHKSRF: &[Shape] = &[
+    fixed(&[W(word::OFF)]),
+    fixed(&[W(word::PS), SWITCH]),
+    fixed(&[AS, SWITCH]),
+    fixed(&[AS, AS, SWITCH]),
+    fixed(&[AS, AS, AS, SWITCH]),
+    fixed(&[AS, AS, AS, AS, SWITCH]),
+    fixed(&[AS, AS, AS, AS, AS, SWITCH]),
+    fixed(&[AS, AS, AS, AS, AS, AS, SWITCH]),
+];
+
+/// Diameter and height of a corner of shank and holder.
+const CORNER: &[Item] = &[N, N];
+const HOLDER: &[Shape] = &[
+    fixed(&[W(word::OFF)]),
+    open(&[N, N, N, N], &[CORNER, CORNER, CORNER, CORNER, CORNER, CORNER, CORNER, CORNER]),
+];
 
 const AVCTRL: &[Shape] = &[
     fixed(&[SWITCH]),
@@ -187,6 +203,7 @@ pub(super) fn shapes(word: Word) -> &'static [Shape] {
         word::SMIL => SMIL,
         word::CHKSRF => CHKSRF,
         word::AVCTRL => AVCTRL,
+        word::HOLDER => HOLDER,
         word::GOLOFT => GOLOFT,
         word::PLOTFT => PLOTFT,
         word::GOMILL => GOMILL,

@@ -1,0 +1,190 @@
+//! Convex bodies that patches are held against: a tool, a tool on its way, and one whose axis turns.
+
+use aptc_geometry::{Profile, Tool, Vec3, trig};
+
+/// A convex body with its signed distance, negative inside, and a gradient of it.
+pub trait Convex {
+    /// A value `d` at `q` and a slope `n`, `|n| <= 1`, such that no point `p` is nearer to the body than
+    /// `d + n . (p - q)`, but for [`Convex::slack`].
+    fn near(&self, q: Vec3) -> (f64, Vec3);
+
+    /// By how much distances of points within `radius` of `q` may differ from what `near` says.
+    fn slack(&self, _q: Vec3, _radius: f64) -> f64 {
+        0.0
+    }
+}
+
+impl Convex for Tool<'_> {
+    #[inline]
+    fn near(&self, q: Vec3) -> (f64, Vec3) {
+        let n = Tool::near(self, q);
+        (n.distance, n.normal)
+    }
+}
+
+/// A tool with everything that it passes on the way by `by`, its axis unchanged.
+#[derive(Clone, Copy, Debug)]
+pub struct Swept<'a> {
+    /// Where it starts.
+    pub tool: Tool<'a>,
+    /// The cut vector.
+    pub by: Vec3,
+}
+
+/// Rounds that bring the tangents at both sides of the nearest place together.
+const ROUNDS: usize = 40;
+/// Part of the tool's reach to which the least distance along a way is found; the answer is below it.
+const CLOSE: f64 = 1e-12;
+
+impl Convex for Swept<'_> {
+    /// The distance is convex along the way: tangents at two places with slopes of both signs meet below its
+    /// least value, and so do the planes through them, mixed until they do not rise along the way.
+    fn near(&self, q: Vec3) -> (f64, Vec3) {
+        let at = |t: f64| {
+            let (d, n) = Convex::near(&self.tool, q - self.by * t);
+            (t, d, n, -n.dot(&self.by))
+        };
+        let mut low = at(0.0);
+        if low.3 >= 0.0 || self.by == Vec3::zeros() {
+            return (low.1, low.2);
+        }
+        let mut high = at(1.0);
+        if high.3 <= 0.0 {
+            return (high.1, high.2);
+        }
+        let close = CLOSE * (self.tool.profile.reach() + self.by.norm());
+        // Where the tool end, or the middle of a ball, passes is a good first guess.
+        let bend = high.3 - low.3;
+        let mut t = -low.3 / bend;
+        let mut kept = 0_i32;
+        for _ in 0..ROUNDS {
+            let here = at(t);
+            let cut = meet(&low, &high);
+            if here.1 - cut <= close || high.0 - low.0 <= 1e-14 {
+                break;
+            }
+            // Illinois: an end that stays twice counts half, so that both close in.
+            let (mut a, mut b) = (low.3, high.3);
+            if here.3 < 0.0 {
+                low = here;
+                kept = if kept > 0 { kept + 1 } else { 1 };
+                a = low.3;
+            } else {
+                high = here;
+                kept = if kept < 0 { kept - 1 } else { -1 };
+                b = high.3;
+            }
+            if here.3 == 0.0 {
+                return (here.1, here.2);
+            }
+            if kept > 1 {
+                b *= 0.5;
+            } else if kept < -1 {
+                a *= 0.5;
+            }
+            let next = low.0 + (high.0 - low.0) * (-a / (b - a));
+            let margin = 1e-3 * (high.0 - low.0);
+            t = next.clamp(low.0 + margin, high.0 - margin);
+        }
+        let share = -low.3 / (high.3 - low.3);
+        (meet(&low, &high), low.2 * (1.0 - share) + high.2 * share)
+    }
+}
+
+/// Value at which two tangents meet: place, value, gradient and slope of each.
+fn meet(a: &(f64, f64, Vec3, f64), b: &(f64, f64, Vec3, f64)) -> f64 {
+    let share = -a.3 / (b.3 - a.3);
+    (1.0 - share) * (a.1 - a.3 * a.0) + share * (b.1 - b.3 * b.0)
+}
+
+/// A tool that moves straight while its axis turns evenly: the way with the axis of its middle, and how far
+/// the tool may stand off that.
+#[derive(Clone, Copy, Debug)]
+pub struct Turned<'a> {
+    swept: Swept<'a>,
+    /// Where the tool end starts, about which the axis turns.
+    pivot: Vec3,
+    /// Chord of half the angle, for the length 1.
+    turn: f64,
+}
+
+impl<'a> Turned<'a> {
+    /// From tool end and axis to tool end and axis, of a solid whose lower end is `up` above the tool end;
+    /// angles up to half a turn.
+    pub fn new(profile: &'a Profile, up: f64, [a, b]: [(Vec3, Vec3); 2]) -> Self {
+        let middle = (a.1 + b.1).try_normalize(1e-9).unwrap_or(a.1);
+        let half = 0.5 * trig::acos_clamped(a.1.dot(&b.1));
+        let tool = Tool { profile, te: a.0 + middle * up, ta: middle };
+        let swept = Swept { tool, by: b.0 - a.0 };
+        Self { swept, pivot: a.0, turn: 2.0 * trig::sin(0.5 * half) }
+    }
+}
+
+impl Convex for Turned<'_> {
+    fn near(&self, q: Vec3) -> (f64, Vec3) {
+        self.swept.near(q)
+    }
+
+    fn slack(&self, q: Vec3, radius: f64) -> f64 {
+        let from = q - self.pivot;
+        let far = from.norm().max((from - self.swept.by).norm());
+        self.turn * (far + radius)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use aptc_geometry::Cutter;
+
+    fn places() -> impl Iterator<Item = Vec3> {
+        (0..60).map(|k| {
+            let f = f64::from(k);
+            Vec3::new(15.0 * trig::sin(f), 12.0 * trig::cos(1.3 * f), 10.0 * trig::sin(0.7 * f))
+        })
+    }
+
+    #[test]
+    fn a_way_is_the_union_of_its_places() {
+        for cutter in [Cutter::mill(12.0, 2.0, 40.0), Cutter::mill(9.0, 0.0, 6.0)] {
+            let profile = Profile::new(&cutter).unwrap();
+            let tool = Tool { profile: &profile, te: Vec3::new(1.0, 2.0, 3.0), ta: Vec3::z() };
+            let by = Vec3::new(7.0, -3.0, 1.5);
+            let swept = Swept { tool, by };
+            let exact = |q: Vec3| {
+                (0..=4000)
+                    .map(|i| tool.at(tool.te + by * (f64::from(i) / 4000.0)).distance(q))
+                    .fold(f64::INFINITY, f64::min)
+            };
+            let least: Vec<f64> = places().map(exact).collect();
+            for (k, q) in places().enumerate() {
+                let (d, n) = swept.near(q);
+                assert!(d <= least[k] + 1e-12 && d > least[k] - 2e-3, "{k} {d} {}", least[k]);
+                assert!(n.norm() < 1.0 + 1e-12);
+                // The plane lies below the distance everywhere, also where the tool has edges.
+                for (j, p) in places().enumerate() {
+                    assert!(d + n.dot(&(p - q)) <= least[j] + 1e-9, "{k} {j}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_turning_tool_stays_within_its_slack() {
+        let profile = Profile::new(&Cutter::mill(12.0, 2.0, 40.0)).unwrap();
+        let (from, to) = (Vec3::new(1.0, 2.0, 3.0), Vec3::new(4.0, 1.0, 2.0));
+        let axis = |deg: f64| Vec3::new(trig::sin_deg(deg), 0.0, trig::cos_deg(deg));
+        let body = Turned::new(&profile, 0.0, [(from, axis(3.0)), (to, axis(9.0))]);
+        for q in places() {
+            let least = (0..=2000)
+                .map(|i| {
+                    let t = f64::from(i) / 2000.0;
+                    let ta = axis(3.0 + 6.0 * t);
+                    Tool { profile: &profile, te: from + (to - from) * t, ta }.distance(q)
+                })
+                .fold(f64::INFINITY, f64::min);
+            let (d, _) = body.near(q);
+            assert!((d - least).abs() <= body.slack(q, 0.0) + 2e-3, "{d} {least}");
+        }
+    }
+}

@@ -1,0 +1,75 @@
+//! Threads for work that can be shared out, with what is told of it.
+
+use std::num::NonZero;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use aptc_regional::Crew;
+
+use crate::Options;
+use crate::compile::Clock;
+
+/// How far the passes of the region that is being milled are; whoever shows progress reads it.
+#[derive(Debug, Default)]
+pub struct Passes {
+    done: AtomicUsize,
+    all: AtomicUsize,
+}
+
+impl Passes {
+    /// Passes that are milled, and all of the region; 0 of 0 when none is being milled.
+    pub fn state(&self) -> (usize, usize) {
+        (self.done.load(Ordering::Relaxed), self.all.load(Ordering::Relaxed))
+    }
+}
+
+/// The threads of a run.
+#[derive(Debug)]
+pub(crate) struct Threads<'o> {
+    n: usize,
+    clock: Clock,
+    passes: Option<&'o Passes>,
+}
+
+impl<'o> Threads<'o> {
+    pub(crate) fn new(options: &'o Options, clock: Clock) -> Self {
+        let own = || std::thread::available_parallelism().map_or(1, NonZero::get);
+        let n = if options.threads > 0 { options.threads } else { own() };
+        Self { n, clock, passes: options.passes.as_deref() }
+    }
+
+    fn told(&self, done: usize, all: usize) {
+        if let Some(p) = self.passes {
+            p.all.store(all, Ordering::Relaxed);
+            p.done.store(done, Ordering::Relaxed);
+        }
+    }
+}
+
+impl Crew for Threads<'_> {
+    fn run(&self, n: usize, work: &(dyn Fn(usize) + Sync)) {
+        let (next, done) = (AtomicUsize::new(0), AtomicUsize::new(0));
+        self.told(0, n);
+        let one = || {
+            loop {
+                let i = next.fetch_add(1, Ordering::Relaxed);
+                if i >= n {
+                    break;
+                }
+                work(i);
+                self.told(done.fetch_add(1, Ordering::Relaxed) + 1, n);
+            }
+        };
+        let others = self.n.min(n).saturating_sub(1);
+        std::thread::scope(|s| {
+            for _ in 0..others {
+                s.spawn(one);
+            }
+            one();
+        });
+        self.told(0, 0);
+    }
+
+    fn is_stopped(&self) -> bool {
+        self.clock.is_over()
+    }
+}

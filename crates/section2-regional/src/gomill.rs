@@ -1,0 +1,197 @@
+//! GOMILL: the lines of constant parameter of a surface, one beside the other.
+
+use aptc_cldata as cl;
+use aptc_cldata::milling::Scallop;
+use aptc_diagnostics::Origin;
+use aptc_geometry::{Form, Vec3};
+use aptc_protap::Arg;
+
+use crate::area::StepoverArea;
+use crate::crew::Crew;
+use crate::drive::Course;
+use crate::failure::Failure;
+use crate::goloft::{at_line, own_drive};
+use crate::region::{Put, Region, Retract};
+use crate::regional::{Regional, Stand};
+use crate::report::reports;
+use crate::scon::Words;
+
+/// What the statement says besides surface and first line.
+#[derive(Default)]
+struct Wish {
+    step: Option<f64>,
+    pick: bool,
+    scallop: f64,
+    most: f64,
+    retract: Option<Retract>,
+    start: Option<f64>,
+    thru: Option<f64>,
+    inverse: bool,
+    at: Option<f64>,
+}
+
+impl Regional {
+    /// GOMILL/surface,UCONST|VCONST,c,STEPOV,s[,PICKFD|ZIGZAG][,SCALOP,h][,MAXSTP,m][,RETR,d|vector|plane]
+    /// [,START,a][,THRU,b][,INVERS][,AT,x]: lines from the one named on, by steps of the parameter of at most
+    /// |s| towards its sign, narrower where SCALOP or MAXSTP ask for it, up to the border; back and forth, or
+    /// with PICKFD in one direction, led back by RETR. AT touches each line at one place and leaves it by RETR.
+    ///
+    /// APT: `GOMILL`, whose routine was empty. Its lines are those of GOLOFT.
+    pub(crate) fn gomill(
+        &mut self,
+        origin: &Origin,
+        args: &[Arg],
+        crew: &dyn Crew,
+        out: &mut Vec<cl::Record>,
+    ) -> Result<Option<Stand>, Failure> {
+        let mut w = Words(args);
+        let Some((name, form)) = w.form() else {
+            return Err(Failure::Undone { what: "this form of GOMILL" });
+        };
+        if matches!(form.shape(), Form::Scurv(_)) {
+            return Err(Failure::Undone { what: "GOMILL along a curve, which has only one line" });
+        }
+        let course = if w.take("UCONST") { Course::V } else { Course::U };
+        w.take("VCONST");
+        let first = w.number().unwrap_or(0.0);
+        let wish = wish(&mut w)?;
+        if self.outlines.is_active() {
+            return Err(Failure::Undone { what: "GOMILL while REGION limits the lines" });
+        }
+        let part = self.own_part(name, form, (1.0, self.settings.thick))?;
+        let mut drive = own_drive(&part);
+        let spans = part.surface.spans();
+        let most = spans[course.across().index()];
+        if !(-1e-9..=most + 1e-9).contains(&first) {
+            let need = format!("between 0 and {most}").into();
+            let what = if course == Course::V { "UCONST" } else { "VCONST" };
+            return Err(Failure::Value { what, value: first, need });
+        }
+        let long = spans[course.index()];
+        let (start, thru) = (wish.start.unwrap_or(0.0), wish.thru.unwrap_or(long));
+        for (what, value) in [("START", start), ("THRU", thru)] {
+            if !(-1e-9..=long + 1e-9).contains(&value) {
+                let need = format!("between 0 and {long}").into();
+                return Err(Failure::Value { what, value, need });
+            }
+        }
+        if start >= thru {
+            let need = format!("less than the {thru} of THRU").into();
+            return Err(Failure::Value { what: "START", value: start, need });
+        }
+        match course {
+            Course::U => drive.u = [start, thru],
+            Course::V => drive.v = [start, thru],
+        }
+        let guard = self.guarded(Some(&part));
+        let mut setup = self.line_setup(&drive, &part, 1.0)?;
+        setup.guard = guard.as_ref().map(|g| (g, self.avoid));
+        let over = if wish.step.is_some_and(|s| s < 0.0) { -1.0 } else { 1.0 };
+        setup.over = over;
+        let parameter = wish.step.map(f64::abs);
+        let plain = wish.scallop <= 0.0 && wish.most <= 0.0;
+        let stepover = StepoverArea {
+            scallop: wish.scallop,
+            most: if plain { -parameter.unwrap_or(1.0) } else { wish.most },
+            lift: 0.0,
+            paths: None,
+            parameter,
+        };
+        let retract = wish.retract.or(self.areas.clearance.map(Retract::Plane));
+        let clearance = if wish.pick {
+            Some(retract.ok_or(Failure::NotSet { areas: vec!["FEED,plane"] })?)
+        } else {
+            None
+        };
+        let senses = [if wish.inverse { -1.0 } else { 1.0 }, over];
+        let ways = &self.ways_of(Some(&part));
+        let feeds = [0.0; 4];
+        let region =
+            Region { setup, stepover, feeds, clearance, ways, course, senses, skip: false };
+        if let Some(at) = wish.at {
+            let puts = touched(&region, (course, first, at), wish.retract)?;
+            let control = self.milling_control(&part, None, false);
+            return Ok(self.put(origin, name, puts, Some(&control), out));
+        }
+        let from = at_line(course, first, if wish.inverse { thru } else { start });
+        let done = region.mill(from, crew);
+        let known = guard.is_none() || !self.avoid.on;
+        let height = wish.scallop;
+        let range = known.then_some(done.range).filter(|r| r.iter().all(|[a, b]| a < b));
+        let scallop = (height > 0.0 && done.why.is_none()).then_some(Scallop { height, range });
+        let control = self.milling_control(&part, scallop, false);
+        self.diagnostics.extend(reports(origin, &done.notes));
+        let stand = self.put(origin, name, done.puts, Some(&control), out);
+        done.why.map_or(Ok(stand), Err)
+    }
+}
+
+/// One place on each line, and back from it.
+fn touched(
+    region: &Region<'_>,
+    (course, first, at): (Course, f64, f64),
+    retract: Option<Retract>,
+) -> Result<Vec<Put>, Failure> {
+    let lines = region.lines(at_line(course, first, at));
+    let mut points: Vec<(Vec3, Vec3)> = Vec::new();
+    for uv in lines {
+        let mut uv = uv;
+        uv[course.index()] = at;
+        let (p, _) = region.setup.settled(uv, course, 1.0, None)?;
+        let here = (p.te, p.ta);
+        if let Some(r) = &retract {
+            points.push(r.above(here));
+            points.push(here);
+            points.push(r.above(here));
+        } else {
+            points.push(here);
+        }
+    }
+    Ok(vec![Put::Move(points)])
+}
+
+fn wish(w: &mut Words<'_>) -> Result<Wish, Failure> {
+    let mut wish = Wish::default();
+    while let Some(word) = w.word() {
+        match word {
+            "STEPOV" => wish.step = w.number(),
+            "PICKFD" => wish.pick = true,
+            "SCALOP" => wish.scallop = positive(w, "SCALOP")?,
+            "MAXSTP" => wish.most = positive(w, "MAXSTP")?,
+            "RETR" => wish.retract = retract(w)?,
+            "START" => wish.start = w.number(),
+            "THRU" => wish.thru = w.number(),
+            "INVERS" => wish.inverse = true,
+            "AT" => wish.at = w.number(),
+            _ => {}
+        }
+    }
+    if wish.step == Some(0.0) {
+        let need = "other than 0".into();
+        return Err(Failure::Value { what: "STEPOV", value: 0.0, need });
+    }
+    Ok(wish)
+}
+
+fn retract(w: &mut Words<'_>) -> Result<Option<Retract>, Failure> {
+    if w.0.first().is_some_and(|a| matches!(a, Arg::Number(_))) {
+        return Ok(Some(Retract::Along(positive(w, "RETR")?)));
+    }
+    if let Some(v) = w.vector() {
+        return Ok(Some(Retract::By(v)));
+    }
+    Ok(match w.form().map(|(_, f)| f.shape().clone()) {
+        Some(Form::Plane(p)) => Some(Retract::Plane(p)),
+        Some(Form::Line(l)) => Some(Retract::Plane(l.plane())),
+        _ => None,
+    })
+}
+
+fn positive(w: &mut Words<'_>, what: &'static str) -> Result<f64, Failure> {
+    let value = w.number().unwrap_or(0.0);
+    if value > 0.0 {
+        Ok(value)
+    } else {
+        Err(Failure::Value { what, value, need: "greater than 0".into() })
+    }
+}

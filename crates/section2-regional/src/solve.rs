@@ -1,0 +1,230 @@
+//! The position for a place of the drive.
+
+use std::sync::Arc;
+
+use aptc_contact::{Clear, Tool};
+use aptc_geometry::{Profile, Segment, Vec3};
+
+use crate::area::{AxisArea, DriveArea, Guide, Hold, PartArea};
+use crate::avoid::Avoid;
+use crate::axis;
+use crate::drive::{Course, DrivePoint};
+use crate::failure::Failure;
+use crate::guard::Guard;
+use crate::position::{Position, tool_end, toward_axis};
+use crate::project::{Met, Probe, Shot};
+use crate::settings::Band;
+
+/// Rounds that settle an axis that depends on the contact.
+const ROUNDS: usize = 50;
+/// How often a position is moved to the contact that comes before.
+const REPAIRS: usize = 6;
+
+/// What holds along a path.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Setup<'a> {
+    pub(crate) drive: &'a DriveArea,
+    pub(crate) part: &'a PartArea,
+    pub(crate) axis: AxisArea,
+    pub(crate) profile: &'a Profile,
+    pub(crate) band: Band,
+    /// How far a chord may leave the drive sideways.
+    pub(crate) lateral: f64,
+    pub(crate) maxdp: f64,
+    pub(crate) numpts: usize,
+    pub(crate) length: Option<f64>,
+    /// Added to the thickness: the lift of a side step.
+    pub(crate) lift: f64,
+    /// What is checked, with the way to avoid it; none without CHKSRF.
+    pub(crate) guard: Option<(&'a Guard, Avoid)>,
+    /// Direction across the path in which the region goes on.
+    pub(crate) over: f64,
+    /// Step of the parameter at which positions are put out in any case, counted from the start.
+    pub(crate) every: Option<f64>,
+    /// Is the tool end over the contact where axis and normal are parallel, as GOLOFT has it? Else the contact
+    /// is behind.
+    pub(crate) centred: bool,
+}
+
+/// What one position passes on to the next.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Memory {
+    /// Where the search on the part surface starts.
+    pub(crate) part_uv: [f64; 2],
+    /// From the contact to the axis.
+    toward: Vec3,
+}
+
+impl Setup<'_> {
+    /// Between cutter and part surface: thickness and lift.
+    pub(crate) fn thick(&self) -> f64 {
+        self.part.thick + self.lift
+    }
+
+    /// Is the drive the part surface itself?
+    fn same_surface(&self) -> bool {
+        matches!(&self.drive.guide, Guide::Surface(s) if Arc::ptr_eq(s, &self.part.surface))
+    }
+
+    /// Middle and half width of what the positions may use of the band.
+    fn compensation(&self, curvature: f64) -> f64 {
+        let Band { intol, outtol } = self.band;
+        let (mid, half) = (0.5 * (outtol - intol), 0.45 * (intol + outtol));
+        // Rounding must not decide on a plane.
+        let flat = 1e-9 / self.part.extent.max(1e-300);
+        if curvature < -flat {
+            mid + half
+        } else if curvature > flat {
+            mid - half
+        } else {
+            mid
+        }
+    }
+
+    /// The position for a place of the drive; `exact` without compensation of the tolerance.
+    pub(crate) fn position(
+        &self,
+        uv: [f64; 2],
+        course: Course,
+        sense: f64,
+        memory: Option<Memory>,
+        exact: bool,
+    ) -> Result<(Position, Memory), Failure> {
+        let p = self.drive.place(uv, course);
+        let direction =
+            p.direction.ok_or(Failure::NoDirection { what: "the direction of projection" })?;
+        let forward = (p.along * sense).try_normalize(0.0).ok_or(Failure::NoAxis { uv })?;
+        let mut ta = axis::at_drive(&self.axis, &p, forward).ok_or(Failure::NoAxis { uv })?;
+        let behind = if self.centred { Vec3::zeros() } else { -forward };
+        let toward = memory.map_or(behind, |m| m.toward);
+        let mut start = memory.map(|m| m.part_uv);
+        let mut settled = false;
+        for _ in 0..ROUNDS {
+            let met = self.meet(&p, direction, ta, start)?;
+            start = Some(met.uv);
+            if let AxisArea::Angle { part: true, alpha, beta } = self.axis {
+                let over = p.across * self.over;
+                let next = axis::at_part(alpha, beta, met.normal, forward, over)
+                    .ok_or(Failure::NoAxis { uv })?;
+                settled = (next - ta).norm() < 1e-13;
+                ta = next;
+                if !settled {
+                    continue;
+                }
+            } else {
+                settled = true;
+            }
+            if settled {
+                return self.finish(&p, &met, ta, toward, forward, exact);
+            }
+        }
+        debug_assert!(!settled, "a settled axis has returned");
+        Err(Failure::NoAxis { uv })
+    }
+
+    fn meet(
+        &self,
+        p: &DrivePoint,
+        direction: Vec3,
+        ta: Vec3,
+        start: Option<[f64; 2]>,
+    ) -> Result<Met, Failure> {
+        let at = self.drive.hold == Hold::At;
+        let probe = if !self.part.touches || at {
+            Probe::Ball(self.thick())
+        } else {
+            Probe::Cutter { profile: self.profile, ta, thick: self.thick() }
+        };
+        // The tip moves up by the thickness and down by the offset before the projection.
+        let from = p.point + ta * (self.thick() - self.drive.offset);
+        let surface = &self.part.surface;
+        if at && self.drive.offset == 0.0 && self.same_surface() {
+            // The drive point is the contact; nothing is projected.
+            let d = surface.at(p.uv[0], p.uv[1]);
+            let normal = d.normal().ok_or(Failure::NoAxis { uv: p.uv })? * self.part.side;
+            return Ok(Met { uv: p.uv, at: d, normal, way: 0.0 });
+        }
+        let extent = self.part.extent;
+        let shot = Shot { surface, extent, side: self.part.side, from, along: direction, probe };
+        let near = start.and_then(|s| shot.near(s));
+        near.or_else(|| shot.first()).ok_or_else(|| Failure::NotMet {
+            part: self.part.name.name.as_str().into(),
+            uv: p.uv,
+            place: p.point,
+        })
+    }
+
+    fn finish(
+        &self,
+        p: &DrivePoint,
+        met: &Met,
+        ta: Vec3,
+        toward: Vec3,
+        forward: Vec3,
+        exact: bool,
+    ) -> Result<(Position, Memory), Failure> {
+        let n = met.normal;
+        let curvature = met.at.curvature_along(n, forward).unwrap_or(0.0);
+        let shift = if exact { 0.0 } else { self.compensation(curvature) };
+        let te = if self.part.touches {
+            tool_end(self.profile, ta, met.at.point, n, self.thick() + shift, toward)
+        } else {
+            met.at.point + n * shift
+        };
+        let segment = if self.part.touches && self.profile.widest() > 0.0 {
+            Tool { profile: self.profile, te, ta }.support(-n).segment
+        } else {
+            Segment::Arc
+        };
+        if segment == Segment::Top && !self.centred {
+            let part = self.part.name.name.as_str().into();
+            return Err(Failure::Sphere { part, part_uv: met.uv, te });
+        }
+        let toward = toward_axis(n, ta).unwrap_or(toward);
+        let position = Position {
+            te,
+            ta,
+            part_uv: met.uv,
+            contact: met.at.point,
+            normal: n,
+            shift,
+            drive_uv: p.uv,
+            segment,
+            lift: Vec3::zeros(),
+        };
+        Ok((position, Memory { part_uv: met.uv, toward }))
+    }
+
+    /// As [`Setup::position`], and where the tool end stays on the line of projection the first contact on it:
+    /// where the search from the last contact has led into another place of the surface, it begins again at
+    /// that place.
+    pub(crate) fn settled(
+        &self,
+        uv: [f64; 2],
+        course: Course,
+        sense: f64,
+        memory: Option<Memory>,
+    ) -> Result<(Position, Memory), Failure> {
+        let (mut p, mut kept) = self.position(uv, course, sense, memory, false)?;
+        if self.drive.hold != Hold::On || !self.part.touches {
+            return Ok((p, kept));
+        }
+        let along = self.drive.place(uv, course).direction.unwrap_or_else(Vec3::zeros);
+        let Band { intol, outtol } = self.band;
+        let room = 0.1 * (intol + outtol);
+        for _ in 0..REPAIRS {
+            // A tenth of the band is left to the chords that end here.
+            let least = (room - intol).min(p.shift - 0.05 * (intol + outtol)) + self.thick();
+            let tool = Tool { profile: self.profile, te: p.te, ta: p.ta };
+            let Clear::No(place) = self.part.tree.clear(&tool, -least) else { break };
+            let [u, v] = place.uv;
+            let part_uv = self.part.surface.global(place.patch, u, v);
+            let other = self.position(uv, course, sense, Some(Memory { part_uv, ..kept }), false);
+            match other {
+                Ok((q, m)) if (q.te - p.te).dot(&along) < 0.0 => (p, kept) = (q, m),
+                _ => break,
+            }
+        }
+        Ok((p, kept))
+    }
+}
