@@ -5,8 +5,8 @@ use aptc_geometry::{Profile, Tool, Vec3, trig};
 /// A convex body with its signed distance, negative inside, and a gradient of it.
 pub trait Convex {
     /// A value `d` at `q` and a slope `n`, `|n| <= 1`, such that no point `p` is nearer to the body than
-    /// `d + n . (p - q)`, but for [`Convex::slack`].
-    fn near(&self, q: Vec3) -> (f64, Vec3);
+    /// `d + n . (p - q)`, but for [`Convex::slack`]; and how fast the slope turns across itself, as a guess.
+    fn near(&self, q: Vec3) -> (f64, Vec3, f64);
 
     /// By how much distances of points within `radius` of `q` may differ from what `near` says.
     fn slack(&self, _q: Vec3, _radius: f64) -> f64 {
@@ -16,9 +16,9 @@ pub trait Convex {
 
 impl Convex for Tool<'_> {
     #[inline]
-    fn near(&self, q: Vec3) -> (f64, Vec3) {
+    fn near(&self, q: Vec3) -> (f64, Vec3, f64) {
         let n = Tool::near(self, q);
-        (n.distance, n.normal)
+        (n.distance, n.normal, n.shape.k[0].max(n.shape.k[2]))
     }
 }
 
@@ -34,23 +34,23 @@ pub struct Swept<'a> {
 /// Rounds that bring the tangents at both sides of the nearest place together.
 const ROUNDS: usize = 40;
 /// Part of the tool's reach to which the least distance along a way is found; the answer is below it.
-const CLOSE: f64 = 1e-12;
+const CLOSE: f64 = 1e-7;
 
 impl Convex for Swept<'_> {
     /// The distance is convex along the way: tangents at two places with slopes of both signs meet below its
     /// least value, and so do the planes through them, mixed until they do not rise along the way.
-    fn near(&self, q: Vec3) -> (f64, Vec3) {
+    fn near(&self, q: Vec3) -> (f64, Vec3, f64) {
         let at = |t: f64| {
-            let (d, n) = Convex::near(&self.tool, q - self.by * t);
-            (t, d, n, -n.dot(&self.by))
+            let (d, n, bend) = Convex::near(&self.tool, q - self.by * t);
+            (t, d, n, -n.dot(&self.by), bend)
         };
         let mut low = at(0.0);
         if low.3 >= 0.0 || self.by == Vec3::zeros() {
-            return (low.1, low.2);
+            return (low.1, low.2, low.4);
         }
         let mut high = at(1.0);
         if high.3 <= 0.0 {
-            return (high.1, high.2);
+            return (high.1, high.2, high.4);
         }
         let close = CLOSE * (self.tool.profile.reach() + self.by.norm());
         // Where the tool end, or the middle of a ball, passes is a good first guess.
@@ -75,7 +75,7 @@ impl Convex for Swept<'_> {
                 b = high.3;
             }
             if here.3 == 0.0 {
-                return (here.1, here.2);
+                return (here.1, here.2, here.4);
             }
             if kept > 1 {
                 b *= 0.5;
@@ -87,12 +87,15 @@ impl Convex for Swept<'_> {
             t = next.clamp(low.0 + margin, high.0 - margin);
         }
         let share = -low.3 / (high.3 - low.3);
-        (meet(&low, &high), low.2 * (1.0 - share) + high.2 * share)
+        (meet(&low, &high), low.2 * (1.0 - share) + high.2 * share, low.4)
     }
 }
 
-/// Value at which two tangents meet: place, value, gradient and slope of each.
-fn meet(a: &(f64, f64, Vec3, f64), b: &(f64, f64, Vec3, f64)) -> f64 {
+/// A place of the way with value, gradient, slope along the way and bend.
+type Place = (f64, f64, Vec3, f64, f64);
+
+/// Value at which the tangents at two places meet.
+fn meet(a: &Place, b: &Place) -> f64 {
     let share = -a.3 / (b.3 - a.3);
     (1.0 - share) * (a.1 - a.3 * a.0) + share * (b.1 - b.3 * b.0)
 }
@@ -121,7 +124,7 @@ impl<'a> Turned<'a> {
 }
 
 impl Convex for Turned<'_> {
-    fn near(&self, q: Vec3) -> (f64, Vec3) {
+    fn near(&self, q: Vec3) -> (f64, Vec3, f64) {
         self.swept.near(q)
     }
 
@@ -158,7 +161,7 @@ mod tests {
             };
             let least: Vec<f64> = places().map(exact).collect();
             for (k, q) in places().enumerate() {
-                let (d, n) = swept.near(q);
+                let (d, n, _) = swept.near(q);
                 assert!(d <= least[k] + 1e-12 && d > least[k] - 2e-3, "{k} {d} {}", least[k]);
                 assert!(n.norm() < 1.0 + 1e-12);
                 // The plane lies below the distance everywhere, also where the tool has edges.
@@ -183,7 +186,7 @@ mod tests {
                     Tool { profile: &profile, te: from + (to - from) * t, ta }.distance(q)
                 })
                 .fold(f64::INFINITY, f64::min);
-            let (d, _) = body.near(q);
+            let (d, ..) = body.near(q);
             assert!((d - least).abs() <= body.slack(q, 0.0) + 2e-3, "{d} {least}");
         }
     }

@@ -95,7 +95,7 @@ struct Look {
     bound: f64,
     /// The parameter to halve.
     split: usize,
-    /// No point of it is farther from the middle.
+    /// No point of it is farther from the middle; of a body without slack 0.
     reach: f64,
 }
 
@@ -181,7 +181,7 @@ impl PatchTree {
 
     /// Leaves that may come nearer to the body than `limit`, with a bound each.
     fn suspects(&self, body: &impl Convex, limit: f64) -> Vec<Piece> {
-        let mut found = Vec::new();
+        let mut found = Vec::with_capacity(96);
         let mut stack: Vec<usize> = if self.nodes.is_empty() { Vec::new() } else { vec![0] };
         while let Some(i) = stack.pop() {
             let node = &self.nodes[i];
@@ -315,26 +315,33 @@ impl PatchTree {
         };
         let [hu, hv] = piece.half;
         let (a, b) = (su * hu, sv * hv);
-        let (distance, n) = body.near(point);
+        let (distance, n, turn) = body.near(point);
         let (x, y) = (n.dot(&a), n.dot(&b));
         let dip = leaf.bends.dip(n, [hu, hv]);
         let mut bound = distance - x.abs() - y.abs() - dip;
         // A second bound lies below the distance of the middle less what bends: worth it only above the aim.
         if bound < aim && distance - dip >= aim {
-            // Once more from the parallelogram's point that lies lowest along the gradient.
-            let q = point - a * x.signum() - b * y.signum();
-            let (e, m) = body.near(q);
-            let w = point - q;
+            // Once more from where the parallelogram comes nearest, by how fast the slope turns: a tangent there
+            // hardly rises or falls over the piece.
+            let to = |x: f64, a: &Vec3| (-x / (turn * a.norm_squared())).clamp(-1.0, 1.0);
+            let (s, t) = (to(x, &a), to(y, &b));
+            let (s, t) = (if s.is_nan() { 0.0 } else { s }, if t.is_nan() { 0.0 } else { t });
+            let w = -(a * s + b * t);
+            let (e, m, _) = body.near(point - w);
             let dip = leaf.bends.dip(m, [hu, hv]);
             let second = e + m.dot(&w) - m.dot(&a).abs() - m.dot(&b).abs() - dip;
             bound = bound.max(second);
         }
         let [muu, muv, mvv] = leaf.bends.most;
-        let thick = 0.5 * hu * hu * muu + hu * hv * muv + 0.5 * hv * hv * mvv;
-        let (along, across) = (a.norm(), b.norm());
-        let reach = along + across + thick;
-        bound -= body.slack(point, reach);
-        let split = usize::from(across + 0.5 * hv * hv * mvv > along + 0.5 * hu * hu * muu);
+        let (along, across) = (a.norm_squared(), b.norm_squared());
+        let (bu, bv) = (0.5 * hu * hu * muu, 0.5 * hv * hv * mvv);
+        // Only a body that is not sure of its distances needs to know how large the piece is.
+        let mut reach = 0.0;
+        if body.slack(point, 0.0) > 0.0 {
+            reach = along.sqrt() + across.sqrt() + bu + hu * hv * muv + bv;
+            bound -= body.slack(point, reach);
+        }
+        let split = usize::from(across + bv * bv > along + bu * bu);
         let place = PatchPlace { patch: leaf.number, uv: [u, v], point, distance };
         Look { place, bound, split, reach }
     }
@@ -347,7 +354,7 @@ impl PatchTree {
         for _ in 0..200 {
             let [u, v] = best.uv;
             let d = patch.at(u, v);
-            let (_, n) = body.near(d.point);
+            let (_, n, _) = body.near(d.point);
             let (gu, gv) = (n.dot(&d.u), n.dot(&d.v));
             let (su, sv) = (d.u.norm_squared().max(1e-300), d.v.norm_squared().max(1e-300));
             let size = ((gu * gu) / su + (gv * gv) / sv).sqrt();

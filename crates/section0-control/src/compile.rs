@@ -92,7 +92,6 @@ pub fn compile(source: Source, world: &mut dyn World, options: &Options) -> Comp
         Interpreter::new(&source.name, &source.text, &mut files, options.translate.clone());
     let clock = Clock::start(options.time);
     let mut run = Run::new(options, clock);
-    let mut entries = Vec::new();
     loop {
         if clock.is_over() {
             let why = format!("the program was stopped after {} seconds", clock.seconds());

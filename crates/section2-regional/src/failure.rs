@@ -226,7 +226,8 @@ impl Deep {
     fn said(&self, cutter: &str, holder: &str) -> String {
         let Gouge { surface, span, depth, holder: by_holder } = &self.gouge;
         let who = if *by_holder { holder } else { cutter };
-        let depth = if depth.is_finite() { format!("{} deep", short(*depth)) } else { "perhaps".into() };
+        let depth =
+            if depth.is_finite() { format!("{} deep", short(*depth)) } else { "perhaps".into() };
         let (te, ta) = (point(self.te), point(self.ta));
         let place = placed(*span);
         format!("at the tool end {te} with axis {ta} {who} {depth} in {surface}{place}")
@@ -235,7 +236,8 @@ impl Deep {
 
 /// ", patch 3, u 0.5, v 0.2" of a sculptured surface.
 pub(crate) fn placed(span: Option<(usize, [f64; 2])>) -> String {
-    let of = |(n, [u, v]): (usize, [f64; 2])| format!(", patch {n}, u {}, v {}", short(u), short(v));
+    let of =
+        |(n, [u, v]): (usize, [f64; 2])| format!(", patch {n}, u {}, v {}", short(u), short(v));
     span.map_or_else(String::new, of)
 }
 

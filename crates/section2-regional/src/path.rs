@@ -125,7 +125,8 @@ impl Setup<'_> {
                 path.points.push(p);
                 continue;
             }
-            let stands_off = !close && left > 0 && self.stands_off(last, &p, (course, sense), memory);
+            let stands_off =
+                !close && left > 0 && self.stands_off(last, &p, (course, sense), memory);
             match way {
                 Ok(()) if !stands_off => path.points.push(p),
                 blocked => {
@@ -220,7 +221,7 @@ impl Setup<'_> {
             let used = judged.map_or(f64::INFINITY, |j| j.used);
             if used <= 1.0 {
                 // Grow towards what the band would bear.
-                *guess = length * (AIM / used.max(1e-4)).sqrt().clamp(1.0, 5.0);
+                *guess = length * (AIM / used.max(1e-4)).sqrt().clamp(1.02, 5.0);
                 return Ok((next, kept));
             }
             worst = judged.unwrap_or(worst);

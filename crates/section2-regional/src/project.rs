@@ -1,6 +1,6 @@
 //! A drive point projected on the part surface.
 
-use aptc_contact::Tool;
+use aptc_contact::{PatchTree, Tool};
 use aptc_geometry::sculpt::Derivatives;
 use aptc_geometry::{Profile, Sculptured, Vec3};
 
@@ -8,6 +8,10 @@ use aptc_geometry::{Profile, Sculptured, Vec3};
 const BEYOND: f64 = 10.0;
 /// Newton's steps of a search.
 const STEPS: usize = 40;
+/// A summit is looked for where the normal is about so near to the tool axis: its cosine.
+const FACING: f64 = 0.95;
+/// Steps of a fall.
+const FALLS: usize = 400;
 /// Starts along each side of a patch for a search without a place to begin at.
 const STARTS: usize = 4;
 
@@ -58,8 +62,61 @@ pub struct Shot<'a> {
 }
 
 impl Shot<'_> {
-    /// The meeting that Newton's method reaches from `start`.
+    /// The first of the meetings that searches from `start` reach: of cutter and slope, and of a flat bottom and
+    /// a summit below it.
     pub fn near(&self, start: [f64; 2]) -> Option<Met> {
+        let slope = self.slope(start);
+        match (slope, self.summit(start)) {
+            (Some(a), Some(b)) => Some(if b.way < a.way { b } else { a }),
+            (a, b) => a.or(b),
+        }
+    }
+
+    /// A place below a flat bottom whose normal is the tool axis, nearest to `start` by Newton's method: there any
+    /// place of the bottom may touch.
+    fn summit(&self, start: [f64; 2]) -> Option<Met> {
+        let Probe::Cutter { profile, ta, thick } = self.probe else { return None };
+        let [wide, height] = profile.joints()[0];
+        let lean = self.along.dot(&ta);
+        if wide <= 0.0 || height.abs() > 1e-12 * profile.reach() || lean >= 0.0 {
+            return None;
+        }
+        let [nu, nv] = self.surface.spans();
+        let [mut u, mut v] = start;
+        for k in 0..STEPS {
+            let d = self.surface.at(u, v);
+            let n = d.normal()? * self.side;
+            if k == 0 && n.dot(&ta) < FACING {
+                return None;
+            }
+            let (g, h) = (d.u.dot(&ta), d.v.dot(&ta));
+            if g.abs().max(h.abs()) <= 1e-13 * (d.u.norm() + d.v.norm()) {
+                let way = (d.point + ta * thick - self.from).dot(&ta) / lean;
+                let te = self.from + self.along * way;
+                let off = d.point - te;
+                let beside = (off - ta * off.dot(&ta)).norm();
+                return (n.dot(&ta) > 0.0 && beside <= wide).then_some(Met {
+                    uv: [u, v],
+                    at: d,
+                    normal: n,
+                    way,
+                });
+            }
+            let (a, b, c) = (d.uu.dot(&ta), d.uv.dot(&ta), d.vv.dot(&ta));
+            let det = a * c - b * b;
+            if det == 0.0 || !det.is_finite() {
+                return None;
+            }
+            let (du, dv) = ((b * h - c * g) / det, (b * g - a * h) / det);
+            let cap = (0.5 / du.abs().max(dv.abs())).min(1.0);
+            u = (u + du * cap).clamp(-BEYOND, nu + BEYOND);
+            v = (v + dv * cap).clamp(-BEYOND, nv + BEYOND);
+        }
+        None
+    }
+
+    /// The meeting that Newton's method reaches from `start`.
+    fn slope(&self, start: [f64; 2]) -> Option<Met> {
         let [a, b] = aptc_geometry::surface::frame_about(self.along);
         let size = self.extent + self.from.norm();
         let [nu, nv] = self.surface.spans();
@@ -122,6 +179,29 @@ impl Shot<'_> {
         best
     }
 
+    /// The first place that the probe touches when it comes from afar, by a search that cannot miss one: the
+    /// probe goes on by its distance from the whole surface until that is nothing. Slower than the others, for where
+    /// they find none.
+    pub fn fall(&self, tree: &PatchTree) -> Option<Met> {
+        let Probe::Cutter { profile, ta, thick } = self.probe else { return None };
+        let size = self.extent + self.from.norm() + profile.reach();
+        let mut way = -4.0 * size;
+        for _ in 0..FALLS {
+            let tool = Tool { profile, te: self.from + self.along * way, ta };
+            let (place, _) = tree.deepest(&tool, 1e-11 * size)?;
+            let gap = place.distance - thick;
+            if gap <= 1e-10 * size {
+                let [u, v] = place.uv;
+                let uv = self.surface.global(place.patch, u, v);
+                let at = self.surface.at(uv[0], uv[1]);
+                let normal = at.normal()? * self.side;
+                return (normal.dot(&self.along) < 0.0).then_some(Met { uv, at, normal, way });
+            }
+            way += gap;
+        }
+        None
+    }
+
     /// From the contact to the moving point.
     fn reach(&self, n: Vec3) -> Vec3 {
         match self.probe {
@@ -166,13 +246,16 @@ mod tests {
     use aptc_geometry::sculpt::{SplinePoint, mesh};
 
     fn waves() -> Sculptured {
-        let z = |x: f64, y: f64| aptc_geometry::trig::sin(x) + 0.5 * aptc_geometry::trig::cos(y);
+        over(|x, y| aptc_geometry::trig::sin(0.4 * x) + 0.5 * aptc_geometry::trig::cos(0.3 * y))
+    }
+
+    fn over(z: impl Fn(f64, f64) -> f64) -> Sculptured {
         let rows: Vec<Vec<_>> = (0..5)
             .map(|j| {
                 (0..6)
                     .map(|i| {
                         let (x, y) = (f64::from(i) * 2.0, f64::from(j) * 2.0);
-                        SplinePoint::plain(Vec3::new(x, y, z(0.4 * x, 0.3 * y)))
+                        SplinePoint::plain(Vec3::new(x, y, z(x, y)))
                     })
                     .collect()
             })
@@ -199,6 +282,30 @@ mod tests {
         // Nothing of the surface is nearer to the centre.
         let near = aptc_geometry::sculpt::nearest_on(&s, centre);
         assert!((near.distance - 1.5).abs() < 1e-9, "{}", near.distance);
+    }
+
+    /// Over the top of a hill the flat of a cutter rests on the summit, wherever that is below it.
+    #[test]
+    fn a_flat_rests_on_a_summit() {
+        let cos = aptc_geometry::trig::cos;
+        let s = over(|x, y| cos(0.4 * (x - 5.0)) + 0.5 * cos(0.3 * (y - 4.0)));
+        let summit = aptc_geometry::sculpt::nearest_on(&s, Vec3::new(5.0, 4.0, 40.0)).at.point;
+        for r in [0.0, 0.4] {
+            let profile = Profile::new(&Cutter::mill(4.0, r, 10.0)).unwrap();
+            for off in [0.0, 0.3, -0.7] {
+                let from = Vec3::new(summit.x + off, summit.y - 0.4, 20.0);
+                let probe = Probe::Cutter { profile: &profile, ta: Vec3::z(), thick: 0.0 };
+                let extent = s.extent();
+                let shot = Shot { surface: &s, extent, side: 1.0, from, along: -Vec3::z(), probe };
+                let tree = PatchTree::new(&s);
+                let met = shot.first().unwrap();
+                assert!((shot.fall(&tree).unwrap().way - met.way).abs() < 1e-7);
+                let te = from - Vec3::z() * met.way;
+                let tool = Tool { profile: &profile, te, ta: Vec3::z() };
+                let (deepest, _) = tree.deepest(&tool, 1e-9).unwrap();
+                assert!(deepest.distance.abs() < 1e-7, "{r} {off}: {deepest:?}");
+            }
+        }
     }
 
     #[test]

@@ -147,10 +147,8 @@ impl Setup<'_> {
         let extent = self.part.extent;
         let shot = Shot { surface, extent, side: self.part.side, from, along: direction, probe };
         let near = start.and_then(|s| shot.near(s));
-        near.or_else(|| shot.first()).ok_or_else(|| Failure::NotMet {
-            part: self.part.name.name.as_str().into(),
-            uv: p.uv,
-            place: p.point,
+        near.or_else(|| shot.first()).or_else(|| shot.fall(&self.part.tree)).ok_or_else(|| {
+            Failure::NotMet { part: self.part.name.name.as_str().into(), uv: p.uv, place: p.point }
         })
     }
 
@@ -166,7 +164,12 @@ impl Setup<'_> {
         let n = met.normal;
         let curvature = met.at.curvature_along(n, forward).unwrap_or(0.0);
         let shift = if exact { 0.0 } else { self.compensation(curvature) };
-        let te = if self.part.touches {
+        let led = self.part.touches && self.drive.hold == Hold::On;
+        let te = if led {
+            // The tool end stays on the line of projection, whatever of a flat bottom touches.
+            let along = p.direction.unwrap_or_else(Vec3::zeros);
+            p.point + ta * (self.thick() - self.drive.offset) + along * met.way + n * shift
+        } else if self.part.touches {
             tool_end(self.profile, ta, met.at.point, n, self.thick() + shift, toward)
         } else {
             met.at.point + n * shift
@@ -211,11 +214,11 @@ impl Setup<'_> {
         }
         let along = self.drive.place(uv, course).direction.unwrap_or_else(Vec3::zeros);
         let Band { intol, outtol } = self.band;
-        let room = 0.1 * (intol + outtol);
+        // What another place may be nearer; with what the position takes of the band it stays within INTOL.
+        let least = self.thick() - 0.04 * (intol + outtol);
         for _ in 0..REPAIRS {
-            // A tenth of the band is left to the chords that end here.
-            let least = (room - intol).min(p.shift - 0.05 * (intol + outtol)) + self.thick();
-            let tool = Tool { profile: self.profile, te: p.te, ta: p.ta };
+            let te = p.te - p.normal * p.shift;
+            let tool = Tool { profile: self.profile, te, ta: p.ta };
             let Clear::No(place) = self.part.tree.clear(&tool, -least) else { break };
             let [u, v] = place.uv;
             let part_uv = self.part.surface.global(place.patch, u, v);

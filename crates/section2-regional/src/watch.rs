@@ -69,8 +69,10 @@ impl Regional {
     fn motion_guard(&mut self, motion: &cl::Motion) -> Result<Option<Guard>, Failure> {
         let mut surfaces = self.checked.clone();
         let mut thick = 0.0;
-        let part = motion.control.as_ref().and_then(|c| c.part.as_ref()).filter(|_| self.check_part);
-        if let Some(part) = part.filter(|p| p.side != 0 && matches!(p.form.shape(), Form::Ssurf(_))) {
+        let part =
+            motion.control.as_ref().and_then(|c| c.part.as_ref()).filter(|_| self.check_part);
+        if let Some(part) = part.filter(|p| p.side != 0 && matches!(p.form.shape(), Form::Ssurf(_)))
+        {
             let name = aptc_protap::NameRef {
                 name: part.name.name.clone(),
                 subscript: part.name.subscript,

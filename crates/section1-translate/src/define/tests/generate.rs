@@ -287,7 +287,7 @@ impl Gen {
                 0 => Form::Circle(self.circle()).into(),
                 _ => Form::Plane(self.plane()).into(),
             },
-            Item::LC | Item::SC | Item::SS | Item::Rest(_) | Item::Tail(_) => return,
+            Item::LC | Item::SC | Item::SS | Item::AS | Item::Rest(_) | Item::Tail(_) => return,
         };
         out.push(value);
     }
