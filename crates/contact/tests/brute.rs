@@ -167,9 +167,14 @@ fn polished(net: &Net, mill: &Mill, start: [f64; 2], cell: f64) -> f64 {
     here
 }
 
+/// One of the first `n` whole numbers.
+fn below(dice: &mut Dice, n: u64) -> usize {
+    usize::try_from(dice.next() % n).expect("less than n")
+}
+
 /// A random patch with a random mill pushed into it.
 fn case(dice: &mut Dice) -> (Net, Mill) {
-    let rough = [3.0, 12.0, 30.0][dice.below(3)];
+    let rough = [3.0, 12.0, 30.0][below(dice, 3)];
     let mut net = Net([[[0.0; 3]; 4]; 4]);
     for (j, row) in net.0.iter_mut().enumerate() {
         for (i, p) in row.iter_mut().enumerate() {
@@ -179,7 +184,7 @@ fn case(dice: &mut Dice) -> (Net, Mill) {
         }
     }
     let wide = dice.within(2.0, 20.0);
-    let r = match dice.below(3) {
+    let r = match below(dice, 3) {
         0 => wide,
         1 => 0.0,
         _ => wide * dice.within(0.05, 0.7),

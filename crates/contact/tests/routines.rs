@@ -74,7 +74,6 @@ fn algo1() {
 
 /// `CURCAL`: principal curvatures.
 #[test]
-#[expect(clippy::float_cmp, reason = "an exact 0 is what SSV3 writes")]
 fn curcal() {
     for c in calls("curcal", "CURCAL") {
         let d = derivatives(&c);

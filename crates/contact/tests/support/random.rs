@@ -8,7 +8,8 @@ impl Dice {
         Self(seed)
     }
 
-    fn next(&mut self) -> u64 {
+    /// Any 64 bits.
+    pub(crate) fn next(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;
         z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -21,10 +22,5 @@ impl Dice {
         #[expect(clippy::cast_precision_loss, reason = "53 bits fit")]
         let share = (self.next() >> 11) as f64 / (1_u64 << 53) as f64;
         low + (high - low) * share
-    }
-
-    /// One of the first `n` whole numbers.
-    pub(crate) fn below(&mut self, n: usize) -> usize {
-        usize::try_from(self.next() % n as u64).expect("less than n")
     }
 }
