@@ -2,11 +2,12 @@
 
 use aptc_geometry::{Reason, Surface, Tool, Vec3};
 
-use crate::curvature::second;
 use crate::gap::{Condition, Gap, Side, distance};
 
 /// Bound of the search for one extreme value.
 const MAX_STEPS: usize = 60;
+/// Places at which a single extreme is looked for before the chord is cut into pieces.
+const SINGLE: usize = 5;
 /// Greatest number of pieces into which a chord over a surface of mixed curvature is cut.
 const MAX_PIECES: usize = 256;
 
@@ -80,7 +81,10 @@ pub fn chord(
         let high = run.dip(a, b, -1.0, resolution)?;
         Ok(Chord { low: extreme(&ends[0]), high, proved: true })
     } else {
-        run.mixed(a, b, resolution)
+        match run.single(a, b, resolution)? {
+            Some(chord) => Ok(chord),
+            None => run.mixed(a, b, resolution),
+        }
     }
 }
 
@@ -135,6 +139,9 @@ impl Run<'_, '_> {
             let near = if t - a.t < b.t - t { a } else { b };
             let start = (sign > 0.0).then_some(near.gap.surface_point);
             let at = self.place(t, start)?;
+            // The slope's own slope, from the parabola through three places.
+            let by = |p: &Place| (slope(p) - slope(&at)) / (p.t - at.t);
+            let bend = by(&a) + by(&b) - (slope(&b) - slope(&a)) / (b.t - a.t);
             if slope(&at) < 0.0 {
                 a = at;
             } else {
@@ -145,9 +152,6 @@ impl Run<'_, '_> {
             if value(best) - cut.1 <= resolution || b.t - a.t <= 1e-15 {
                 return Ok(Extreme { t: best.t, g: sign * cut.1.min(value(best)) });
             }
-            let tool = self.tool.at(self.tool.te + self.v * at.t);
-            let bend = second(&tool, self.surface, self.side, &at.gap)
-                .map_or(0.0, |s| sign * s.second(self.v));
             let step = -slope(&at) / bend;
             let newton = at.t + step;
             t = if bend > 0.0 && newton > a.t && newton < b.t && step.abs() < 0.5 * last {
@@ -169,6 +173,58 @@ impl Run<'_, '_> {
         }
         let cut = tangents_meet(&a, &b, slope(&a), slope(&b), value(&a), value(&b));
         Ok(Extreme { t: cut.0, g: sign * cut.1 })
+    }
+
+    /// One dip or one bump, as on most chords: the slope, met at a few places, falls or rises all along, and
+    /// the cubic through the ends foretells what is met. `None` when it is not so.
+    fn single(&self, a: Place, b: Place, resolution: f64) -> Result<Option<Chord>, Reason> {
+        let rises = b.slope > a.slope;
+        let sign = if rises { 1.0 } else { -1.0 };
+        let [sa, sb] = [sign * a.slope, sign * b.slope];
+        let apart = (a.gap.tool_point - b.gap.tool_point - self.v * (a.t - b.t)).norm();
+        if sa >= 0.0 || sb <= 0.0 || apart > 0.1 * self.tool.profile.widest() {
+            return Ok(None);
+        }
+        let (value, slope) = (|p: &Place| sign * p.gap.g, |p: &Place| sign * p.slope);
+        let depth = 0.125 * (b.t - a.t) * (sb - sa);
+        let (mut low, mut high) = (a, b);
+        let mut t = cubic_minimum(&a, &b, sa, sb, value(&a), value(&b));
+        let foretold = cubic_at(&a, &b, t);
+        for round in 0..SINGLE {
+            let near = if t - low.t < high.t - t { &low } else { &high };
+            let at = self.place(t, Some(near.gap.surface_point))?;
+            let s = slope(&at);
+            let strange = round == 0 && (at.gap.g - foretold).abs() > 0.05 * depth;
+            if strange || s <= slope(&low) || s >= slope(&high) {
+                return Ok(None);
+            }
+            // The slope's own slope there, from the parabola through three places.
+            let by = |p: &Place| (slope(p) - s) / (p.t - at.t);
+            let whole = (slope(&high) - slope(&low)) / (high.t - low.t);
+            let bend = by(&low) + by(&high) - whole;
+            if bend <= 0.0 {
+                return Ok(None);
+            }
+            // Twice what is left to the extreme of a parabola.
+            let left = s * s / bend;
+            if left <= resolution {
+                let inner = Extreme { t: at.t, g: sign * (value(&at) - left) };
+                let ends = if (a.gap.g <= b.gap.g) == rises { &b } else { &a };
+                let outer = Extreme { t: ends.t, g: ends.gap.g };
+                let (low, high) = if rises { (inner, outer) } else { (outer, inner) };
+                return Ok(Some(Chord { low, high, proved: false }));
+            }
+            t = at.t - s / bend;
+            if s < 0.0 {
+                low = at;
+            } else {
+                high = at;
+            }
+            if t <= low.t || t >= high.t {
+                return Ok(None);
+            }
+        }
+        Ok(None)
     }
 
     /// Any curvature: halves of a piece are bounded by the cubics through their ends and slopes and by how far
@@ -218,6 +274,17 @@ impl Run<'_, '_> {
         }
         Ok(Chord { low: floor, high: roof, proved: false })
     }
+}
+
+/// The cubic through values and slopes of two places.
+fn cubic_at(a: &Place, b: &Place, t: f64) -> f64 {
+    let h = b.t - a.t;
+    let x = (t - a.t) / h;
+    let (ga, gb) = (a.gap.g, b.gap.g);
+    let (c1, rise) = (a.slope * h, gb - ga);
+    let c2 = 3.0 * rise - 2.0 * c1 - b.slope * h;
+    let c3 = c1 + b.slope * h - 2.0 * rise;
+    ga + x * (c1 + x * (c2 + x * c3))
 }
 
 /// Where the tangents at the ends of a bracket meet.

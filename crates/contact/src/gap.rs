@@ -84,7 +84,8 @@ pub fn gap(tool: &Tool<'_>, surface: &Surface, side: Side, thick: f64) -> Result
 }
 
 /// As [`gap`]; where a search is needed it starts at the surface point `start` of the last position and
-/// stays on its branch. That is several times faster, and local.
+/// stays on its branch. That is several times faster, and local: where the surface is of mixed curvature seen
+/// from that side several places of the cutter may touch at once, and [`elsewhere`] finds the others.
 #[inline]
 pub fn gap_near(
     tool: &Tool<'_>,
@@ -112,10 +113,17 @@ pub fn opens(surface: &Surface, ta: Vec3) -> bool {
     open::opens(surface, ta)
 }
 
-/// May [`gap_near`] with a start miss a deeper place of contact? So it is where the surface is of mixed
-/// curvature seen from that side: then several places of the cutter may touch at once.
-pub fn several(tool: &Tool<'_>, surface: &Surface, side: Side) -> bool {
-    search::several(tool, surface, side)
+/// Of a tool with the `known` gap a deeper one, if there is one, and the way that the tool can go (the way of
+/// its top when it turns) until a place of contact far from the known one may be the deepest.
+pub fn elsewhere(
+    tool: &Tool<'_>,
+    surface: &Surface,
+    side: Side,
+    known: &Gap,
+) -> (Option<Gap>, f64) {
+    let (deeper, room) = search::elsewhere(tool, surface, side, known);
+    let thick = known.raw - known.g;
+    (deeper.map(|gap| Gap { g: gap.raw - thick, ..gap }), room)
 }
 
 /// Signed distance of the tool end from the surface, positive on `side`. THICK does not count for ON.

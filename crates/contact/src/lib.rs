@@ -32,5 +32,5 @@ pub use aptc_geometry::{Place, Reason, Tool};
 pub use bodies::{Convex, Swept, Turned};
 pub use chord::{Chord, Extreme, chord};
 pub use curvature::second;
-pub use gap::{Condition, Gap, Side, distance, gap, gap_near, on, opens, several};
+pub use gap::{Condition, Gap, Side, distance, elsewhere, gap, gap_near, on, opens};
 pub use patches::{Clear, PatchPlace, PatchTree};

@@ -50,11 +50,7 @@ pub(crate) fn general(
     {
         return Ok(gap);
     }
-    let hollow = match side {
-        Side::Positive => surface.concave(),
-        Side::Negative | Side::Open => surface.convex(),
-    };
-    if hollow {
+    if hollow(surface, side) {
         return rings::within(tool, |p| turned(surface.foot(p), side));
     }
     if let Some(gap) = round
@@ -76,6 +72,14 @@ pub(crate) fn general(
     best.ok_or(failure)
 }
 
+/// Is the tool within a convex hollow?
+fn hollow(surface: &Surface, side: Side) -> bool {
+    match side {
+        Side::Positive => surface.concave(),
+        Side::Negative | Side::Open => surface.convex(),
+    }
+}
+
 /// May a search with a start miss a deeper place?
 pub(crate) fn several(tool: &Tool<'_>, surface: &Surface, side: Side) -> bool {
     let closed = matches!(
@@ -86,6 +90,40 @@ pub(crate) fn several(tool: &Tool<'_>, surface: &Surface, side: Side) -> bool {
     let convex = if side == Side::Positive { far } else { near };
     !(closed || convex || surface.generator().is_some_and(|d| is_axis(tool, d)))
 }
+
+/// A deeper place of contact than the `known` one, and how far the tool can move before another place of
+/// contact can become the deepest: two gaps change against each other by twice the way at most.
+pub(crate) fn elsewhere(
+    tool: &Tool<'_>,
+    surface: &Surface,
+    side: Side,
+    known: &Gap,
+) -> (Option<Gap>, f64) {
+    let arc = round(tool, surface, side);
+    if !several(tool, surface, side) || arc.is_some() && !has_side(tool) {
+        return (None, f64::INFINITY);
+    }
+    let size = tool.profile.widest().max(0.1 * tool.profile.reach());
+    if hollow(surface, side) {
+        let found = rings::within(tool, |p| turned(surface.foot(p), side)).ok();
+        return (found.filter(|g| g.raw < known.raw), LOOK * size);
+    }
+    let (mut deepest, mut room) = (*known, LOOK * size);
+    let found = seeds(tool, surface, side, arc.is_some()).into_iter().flatten();
+    let found = found.filter_map(|q| local(tool, surface, side, q).ok());
+    for gap in found.chain(arc) {
+        if (gap.tool_point - known.tool_point).norm() > 1e-6 * size {
+            room = room.min(0.5 * (gap.raw - known.raw).max(0.0));
+        }
+        if gap.raw < deepest.raw {
+            deepest = gap;
+        }
+    }
+    ((deepest.raw < known.raw).then_some(deepest), room)
+}
+
+/// Share of the cutter's size after which its contact is looked for anew in any case.
+const LOOK: f64 = 0.25;
 
 /// A point of the tool's axis, near the corner.
 fn middle(tool: &Tool<'_>) -> Vec3 {

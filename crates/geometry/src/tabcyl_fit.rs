@@ -44,9 +44,11 @@ pub enum FitError {
     Level(usize),
     /// The curvatures did not become continuous.
     NotConverged {
-        /// Steps done.
-        iterations: u32,
-        /// Largest difference of curvature, times the length of the chord.
+        /// The inner point where they differ most.
+        at: usize,
+        /// Angle in degrees by which the chords turn there.
+        turn_deg: f64,
+        /// The difference of curvature, times the mean length of the chords.
         residual: f64,
     },
 }
@@ -237,7 +239,12 @@ fn spline(knots: &[Knot], chords: &[Chord]) -> Result<Vec<f64>, FitError> {
     if system.residual <= 1e-10 {
         return Ok(angles);
     }
-    Err(FitError::NotConverged { iterations: MAX_STEPS, residual: system.residual })
+    let inner = 1..knots.len() - 1;
+    let off = |i: &usize| system.rows[*i][3].abs();
+    let at = inner.max_by(|a, b| off(a).total_cmp(&off(b))).unwrap_or(0);
+    let turn = if at > 0 { chords[at].angle - chords[at - 1].angle } else { 0.0 };
+    let (turn_deg, residual) = (turn.to_degrees().abs(), system.residual);
+    Err(FitError::NotConverged { at, turn_deg, residual })
 }
 
 /// The conditions at all points, linearised: three diagonals and a right side.

@@ -10,7 +10,7 @@ use aptc_protap::{Direction, Outcome, Relation, SurfaceRef};
 
 use crate::arelem::Arelem;
 use crate::diagram::Situation;
-use crate::failure::{self, Failure};
+use crate::failure::{self, Candidate, Failure};
 use crate::feed::divide;
 use crate::points::put_feed;
 use crate::scene::Path;
@@ -53,6 +53,10 @@ impl Arelem {
                 return self.fail(origin, &f);
             }
         };
+        if let (false, Some(end)) = (path.rivals.is_empty(), path.points.last()) {
+            let taken = Candidate::of(tool.te, end.te);
+            self.diagnostics.push(failure::ambiguous(origin, &taken, &path.rivals));
+        }
         if let Some((_, surface)) = go.surfaces.get(1) {
             self.settings.part = Part::Surface(surface.clone());
             self.settings.nops = false;

@@ -20,7 +20,18 @@ pub(crate) enum Failure {
     /// Neither way is more left, right, forward or back than the other.
     Direction { word: Direction, angle_deg: f64 },
     /// The check surface is never met.
-    NotReached { surface: SurfaceRef, nth: u32, met: u32, closest: f64, place: Vec3, gone: f64 },
+    NotReached {
+        surface: SurfaceRef,
+        nth: u32,
+        met: u32,
+        closest: f64,
+        place: Vec3,
+        gone: f64,
+        /// The cut vectors after which it was given up, if that is why.
+        spent: Option<u32>,
+    },
+    /// The track ends before its check surface is met.
+    Blocked(Box<Blocked>),
     /// Nowhere tangent.
     NoTangency { surface: SurfaceRef, other: SurfaceRef, closest: f64, allowed: f64 },
     /// The cutter does not fit into a round surface.
@@ -33,6 +44,8 @@ pub(crate) enum Failure {
         place: Option<Vec3>,
         /// How far it is from each surface, negative when it cuts in.
         left: Vec<(SurfaceRef, f64)>,
+        /// Positions that are found from elsewhere.
+        others: Vec<Candidate>,
     },
     /// INDIRV or INDIRP leads away from the surface or along it.
     Misses { surface: SurfaceRef, closest: f64 },
@@ -56,12 +69,46 @@ pub(crate) enum Failure {
     Unsupported { surface: SurfaceRef },
 }
 
+/// The end of a track before its check surface.
+#[derive(Clone, Debug)]
+pub(crate) struct Blocked {
+    /// Drive and part surface.
+    pub(crate) surfaces: [SurfaceRef; 2],
+    /// The check surface that was to be met.
+    pub(crate) check: SurfaceRef,
+    pub(crate) why: Hindrance,
+    pub(crate) place: Vec3,
+    /// Way done until then.
+    pub(crate) gone: f64,
+    /// How far the check surface is at the nearest.
+    pub(crate) closest: f64,
+}
+
+/// What keeps the cutter from going on.
+#[derive(Clone, Debug)]
+pub(crate) enum Hindrance {
+    /// No place of the surface faces the cutter any more.
+    Ends(SurfaceRef),
+    /// The cutter comes to touch the surface here as well, on its other hand.
+    Again { surface: SurfaceRef, at: Vec3 },
+    /// Neither: no cut vector of any length stays in the bands.
+    Tight,
+}
+
+/// A position that would do for a start-up.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Candidate {
+    pub(crate) te: Vec3,
+    /// Direction to it from where the tool stands.
+    pub(crate) along: Vec3,
+}
+
 impl Failure {
     /// The words, at the statement.
     pub(crate) fn explain(&self, origin: &Origin) -> Diagnostic {
         let (code, text, help) = self.words();
         let mut d = Diagnostic::error(code, origin.span, text).within(origin.trace.clone());
-        if let Some(note) = self.note() {
+        for note in self.notes() {
             d = d.note(note);
         }
         d.help(help)
@@ -129,6 +176,23 @@ impl Failure {
                     )
                 },
                 "check the direction, the relation (TO, ON, PAST, TANTO) and the surface".into(),
+            ),
+            Self::Blocked(b) => (
+                codes::NO_PLACE,
+                format!(
+                    "the motion to {} ends at {}: {}",
+                    called(&b.check),
+                    coordinates(b.place),
+                    b.why.words(&b.surfaces)
+                ),
+                match b.why {
+                    Hindrance::Ends(_) => "end the motion before, or use a surface that goes on",
+                    Hindrance::Again { .. } => {
+                        "use a smaller cutter or a ball end, or another tool axis"
+                    }
+                    Hindrance::Tight => "use a smaller cutter, or wider tolerances",
+                }
+                .into(),
             ),
             Self::NoTangency { surface, other, closest, allowed } => (
                 codes::NO_TANGENCY,
@@ -240,23 +304,67 @@ impl Failure {
             Self::NotReached { place, .. }
             | Self::NoAxis { place }
             | Self::NoPlace { place, .. } => Some(*place),
+            Self::Blocked(b) => Some(b.place),
             Self::NoStart { place, .. } => *place,
             _ => None,
         }
     }
 
-    fn note(&self) -> Option<String> {
-        if let Self::NoStart { place: Some(place), left, .. } = self {
-            let each = left.iter().map(|(s, g)| {
-                let side = if *g < 0.0 { "in" } else { "off" };
-                format!("{} {side} {}", number(g.abs()), called(s))
-            });
-            let each = each.collect::<Vec<_>>().join(", ");
-            return Some(format!("nearest at {}: {each}", coordinates(*place)));
+    /// What else there is to say, a line each.
+    fn notes(&self) -> Vec<String> {
+        match self {
+            Self::NoStart { place, left, others, .. } => {
+                let each = left.iter().map(|(s, g)| {
+                    let side = if *g < 0.0 { "in" } else { "off" };
+                    format!("{} {side} {}", number(g.abs()), called(s))
+                });
+                let each = each.collect::<Vec<_>>().join(", ");
+                let nearest = place.map(|p| format!("nearest at {}: {each}", coordinates(p)));
+                nearest.into_iter().chain(others.iter().map(Candidate::words)).collect()
+            }
+            Self::Blocked(b) => {
+                let (check, closest, gone) = (called(&b.check), number(b.closest), number(b.gone));
+                vec![format!("{closest} from {check} at the nearest, after {gone} of travel")]
+            }
+            Self::NotReached { closest, place, gone, spent, .. } => {
+                let (place, closest, gone) = (coordinates(*place), number(*closest), number(*gone));
+                let near = format!("closest at {place}, {closest} from it, after {gone} of travel");
+                let limit = spent.map(|n| {
+                    format!("given up after {n} cut vectors; NUMPTS with a number allows more")
+                });
+                std::iter::once(near).chain(limit).collect()
+            }
+            _ => Vec::new(),
         }
-        let Self::NotReached { closest, place, gone, .. } = self else { return None };
-        let (place, closest, gone) = (coordinates(*place), number(*closest), number(*gone));
-        Some(format!("closest at {place}, {closest} from it, after {gone} of travel"))
+    }
+}
+
+impl Hindrance {
+    fn words(&self, surfaces: &[SurfaceRef]) -> String {
+        match self {
+            Self::Ends(surface) => {
+                format!("farther on no place of {} faces the cutter", called(surface))
+            }
+            Self::Again { surface, at } => format!(
+                "farther on the cutter touches {} at {} as well",
+                called(surface),
+                coordinates(*at)
+            ),
+            Self::Tight => {
+                format!("no cut vector from there stays within tolerance of {}", list(surfaces))
+            }
+        }
+    }
+}
+
+impl Candidate {
+    /// The position `te` seen from `from`.
+    pub(crate) fn of(from: Vec3, te: Vec3) -> Self {
+        Self { te, along: (te - from).normalize() }
+    }
+
+    fn words(&self) -> String {
+        format!("INDIRV/{} leads to {}", coordinates(self.along), coordinates(self.te))
     }
 }
 
@@ -290,6 +398,21 @@ pub(crate) fn no_side(origin: &Origin, surface: &SurfaceRef) -> Diagnostic {
     Diagnostic::warning(codes::NO_SIDE, origin.span, text)
         .within(origin.trace.clone())
         .help("come from the side that is meant, or give SRFVCT with the vector from the TO side to the PAST side")
+}
+
+/// Other positions of a start-up are just as near as the one that was taken.
+pub(crate) fn ambiguous(origin: &Origin, taken: &Candidate, rivals: &[Candidate]) -> Diagnostic {
+    let text = format!(
+        "the tool goes to {}; another position is as near, and nothing says which is meant",
+        coordinates(taken.te)
+    );
+    let mut d = Diagnostic::warning(codes::AMBIGUOUS_START, origin.span, text)
+        .within(origin.trace.clone())
+        .help("give INDIRV with the direction to the one that is meant, or INDIRP");
+    for candidate in std::iter::once(taken).chain(rivals) {
+        d = d.note(candidate.words());
+    }
+    d
 }
 
 /// A CUTTER is missing and a sculptured surface guides the tool.

@@ -8,6 +8,7 @@ use aptc_geometry::{Profile, Vec3};
 use aptc_protap::{Direction, Relation, SurfaceRef};
 
 use crate::axis::AxisRule;
+use crate::failure::Candidate;
 use crate::forward;
 use crate::state::{Band, Tool};
 
@@ -105,13 +106,16 @@ pub(crate) struct Path {
     pub(crate) fouls: Option<f64>,
     /// TLLFT or TLRGT was said, and the tool is on the other side.
     pub(crate) astray: Option<Astray>,
+    /// Other positions that are just as near, of a start-up.
+    pub(crate) rivals: Vec<Candidate>,
 }
 
 impl Path {
     /// That of a start-up.
     pub(crate) fn started(points: Vec<cl::Position>, forward: Vec3, control: cl::Control) -> Self {
         let (arc, turned, fouls, astray) = (None, None, None, None);
-        Self { points, arc, turned, check: 0, forward, control, fouls, astray }
+        let rivals = Vec::new();
+        Self { points, arc, turned, check: 0, forward, control, fouls, astray, rivals }
     }
 }
 

@@ -122,6 +122,67 @@ fn a_failure_has_a_picture_of_its_surfaces() {
 }
 
 #[test]
+fn a_start_that_nothing_decides_lists_its_positions_with_their_directions() {
+    let mut f = forms();
+    f.insert("DOME".into(), form("SPHERE", &[0.0, 0.0, 0.0, 5.0]).expect("a sphere"));
+    f.insert("WALL".into(), form("PLANE", &[1.0, 0.0, 0.0, 0.0]).expect("a plane"));
+    for (go, height) in [("GO/TO,C2,ON,LX", 0.0), ("3DCALC\nGO/ON,WALL,TO,DOME,TO,PL1", 2.0)] {
+        let ran = |way: &str| {
+            let from = if go.contains("DOME") { "9,0" } else { "0,9" };
+            run(&f, &format!("CUTTER/1\nFROM/{from},{height}\n{way}\n{go}"))
+        };
+        // In the plane one of them is taken; in space the tie itself has no least way.
+        let tie = ran("");
+        let d = &tie.diagnostics[0];
+        assert_eq!(tie.code(), if d.is_error() { 2011 } else { 2024 }, "{go} {d:?}");
+        assert_eq!(d.is_error(), go.contains("DOME"));
+        let notes: Vec<_> = d.notes.iter().filter(|n| n.contains(" leads to ")).collect();
+        assert_eq!(notes.len(), 2, "{d:?}");
+        for note in notes {
+            // Each direction leads to the position that stands beside it.
+            let (way, to) = note.split_once(" leads to ").expect("a direction and a position");
+            let end = ran(way).clean().end();
+            let at: Vec<f64> = to.split(',').map(|x| x.parse().expect("a number")).collect();
+            for i in 0..3 {
+                assert!((end[i] - at[i]).abs() < 1e-3, "{go}: {note} {end}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_motion_that_cannot_go_on_says_what_is_in_the_way() {
+    let mut f = forms();
+    let mut add = |name: &str, kind: &str, w: &[f64]| {
+        f.insert(name.into(), form(kind, w).expect("a legal form"));
+    };
+    add("BOWL", "SPHERE", &[0.0, 0.0, 9.0, 9.0]);
+    add("TUBE", "CYLNDR", &[0.0, 0.0, 6.0, 1.0, 0.0, 0.0, 6.0]);
+    add("END", "PLANE", &[1.0, 0.0, 0.0, 7.0]);
+    add("FAR", "PLANE", &[0.0, 1.0, 0.0, 3.0]);
+    add("WALL", "PLANE", &[0.0, 1.0, 0.0, 0.0]);
+    add("ACROSS", "PLANE", &[1.0, 0.0, 0.0, 0.0]);
+    let told = |text: &str| {
+        let ran = run(&f, &format!("3DCALC\nINTOL/0\nOUTTOL/.001\n{text}"));
+        let d = &ran.diagnostics[0];
+        (ran.code(), format!("{} {:?}", d.message, d.notes))
+    };
+    // A flat end that stands on the normals inside of a tube touches with both edges.
+    let (code, text) = told(
+        "MULTAX\nCUTTER/4\nTLAXIS/NORMPS\nFROM/0,0,3\nGO/ON,ACROSS,TO,TUBE
+INDIRV/0,1,0\nTLON,GOFWD/ACROSS,ON,FAR",
+    );
+    let parts = ["the motion to FAR ends at 0,", "TUBE", "from FAR at the nearest, after"];
+    assert!(code == 2021 && parts.iter().all(|p| text.contains(p)), "{code} {text}");
+    // A cutter with a wide top goes all round inside of a bowl, and is not sent round again.
+    let (code, text) = told(
+        "CUTTER/2,0,0,0,0,30,6\nFROM/0,0,5\nGO/ON,WALL,TO,BOWL\nINDIRV/1,0,0
+TLON,GOFWD/WALL,ON,END",
+    );
+    assert!(code == 2008 && !text.contains("given up"), "{code} {text}");
+}
+
+#[test]
 fn failures_in_space_have_their_reasons_and_numbers() {
     let mut f = forms();
     f.insert("BOWL".into(), form("SPHERE", &[0.0, 0.0, 0.0, 3.0]).expect("a sphere"));

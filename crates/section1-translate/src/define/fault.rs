@@ -114,7 +114,7 @@ pub enum Fault {
     /// A quadric without a curve or surface.
     NoCurve { what: &'static str },
     /// An iteration that did not come to its end.
-    NotConverged { at: usize, iterations: u32, residual: f64 },
+    NotConverged { at: usize, turn_deg: f64, residual: f64 },
     /// A TABCYL whose points ask for a curve that is no function of its chord.
     Overhang { at: usize, degrees: f64 },
     /// Elements of CANON.

@@ -410,14 +410,23 @@ impl Words<'_> {
             Fault::NoCurve { what } => {
                 Diagnostic::error(codes::NO_CURVE, self.statement, format!("this {head} {what}"))
             }
-            Fault::NotConverged { at, iterations, residual } => self.error(
-                codes::NO_FIT,
-                *at,
-                format!(
-                    "no {head} found in {iterations} steps; the best is off by {}",
-                    short(*residual)
-                ),
-            ),
+            Fault::NotConverged { at, turn_deg, residual } => self
+                .error(
+                    codes::NO_FIT,
+                    *at,
+                    format!(
+                        "SPLINE has no curve of one curvature through this point, where the chords turn \
+                         by {} degrees",
+                        short(*turn_deg)
+                    ),
+                )
+                .note(if residual.is_finite() {
+                    let off = short(*residual);
+                    format!("the nearest curve bends by {off} more on one side, over the length of a chord")
+                } else {
+                    "the curve would have to turn back over its chords".into()
+                })
+                .help("give more points where the curve turns sharply, or TWOPT in place of SPLINE"),
             Fault::Overhang { at, degrees } => self
                 .error(
                     codes::NO_FIT,

@@ -106,8 +106,8 @@ fn refusal(error: FitError, places: &[usize], end: usize) -> Fault {
         FitError::Coincide(i) => Fault::Coincide { a: at(i - 1), b: at(i) },
         FitError::Overhang(i, degrees) => Fault::Overhang { at: at(i), degrees },
         FitError::Level(i) => Fault::Overhang { at: at(i), degrees: 90.0 },
-        FitError::NotConverged { iterations, residual } => {
-            Fault::NotConverged { at: at(0), iterations, residual }
+        FitError::NotConverged { at: i, turn_deg, residual } => {
+            Fault::NotConverged { at: at(i), turn_deg, residual }
         }
     }
 }

@@ -85,6 +85,7 @@ fn follow(scene: &Scene, plan: &Plan) -> Result<Path, Failure> {
         control: control(scene, plan, &begin, end, check),
         fouls: None,
         astray: begin.astray,
+        rivals: Vec::new(),
     })
 }
 
@@ -215,6 +216,7 @@ fn first_stop(scene: &Scene, plan: &Plan, course: &Course) -> Result<(f64, usize
                 closest: *closest,
                 place: place(course.at(*at)),
                 gone: course.length(*at),
+                spent: None,
             },
             (Some(Stop::NotTangent { closest }), Some(check)) => Failure::NoTangency {
                 surface: scene.drive.surface.clone(),

@@ -7,7 +7,7 @@ use aptc_protap::Relation;
 use super::curve::Curve;
 use super::floor::{Floor, Height};
 use super::frame::{Frame, Vec2};
-use crate::failure::Failure;
+use crate::failure::{Candidate, Failure};
 use crate::scene::{Path, Start, Wall};
 
 /// A surface along the axis with the curve on which the tool end is to be.
@@ -68,15 +68,19 @@ pub(crate) fn start(go: &Start) -> Option<Result<Path, Failure>> {
         return None;
     }
     // Without a floor the direction may climb; that is exact only for one surface.
-    let place = match locate(go, &frame, te, &sides) {
-        Ok(p) => p,
+    let lift = |place: Vec2| {
+        let height = match &floor {
+            Some((f, ..)) => f.height(&frame, place),
+            None => free_height(go, &frame, te, place, &sides),
+        };
+        frame.space(place, height)
+    };
+    let (place, rival) = match locate(go, &frame, te, &sides) {
+        Ok(found) => found,
         Err(f) => return Some(Err(f)),
     };
-    let height = match &floor {
-        Some((f, ..)) => f.height(&frame, place),
-        None => free_height(go, &frame, te, place, &sides),
-    };
-    let end = frame.space(place, height);
+    let end = lift(place);
+    let rivals = rival.map(|q| Candidate::of(go.tool.te, lift(q))).into_iter().collect();
     let mut controlled = Vec::new();
     for (relation, wall) in go.surfaces.iter().chain(&go.part) {
         let side = sides
@@ -91,7 +95,7 @@ pub(crate) fn start(go: &Start) -> Option<Result<Path, Failure>> {
     let control = Control { drive, part, checks: controlled.collect(), milling: None };
     let points = vec![Position { te: end, ta: go.tool.ta }];
     let forward = end - go.tool.te;
-    Some(Ok(Path::started(points, forward, control)))
+    Some(Ok(Path { rivals, ..Path::started(points, forward, control) }))
 }
 
 /// Signed distance from the curve at which the tool end is to be: TO keeps the tool on its side, PAST
@@ -129,7 +133,13 @@ fn signed_reach(
     }
 }
 
-fn locate(go: &Start, frame: &Frame, te: Vec2, sides: &[Side<'_>]) -> Result<Vec2, Failure> {
+/// The place of the tool end, and another one that is just as near, when nothing says which is meant.
+fn locate(
+    go: &Start,
+    frame: &Frame,
+    te: Vec2,
+    sides: &[Side<'_>],
+) -> Result<(Vec2, Option<Vec2>), Failure> {
     let curve = |s: &Side<'_>| {
         s.trace.offset(s.by).ok_or_else(|| Failure::TooLarge {
             surface: s.wall.surface.clone(),
@@ -140,7 +150,7 @@ fn locate(go: &Start, frame: &Frame, te: Vec2, sides: &[Side<'_>]) -> Result<Vec
     if let [side] = sides {
         let target = curve(side)?;
         let Some(v) = side.along.or_else(|| go.along.iter().copied().flatten().next()) else {
-            return Ok(target.nearest(te, frame.plan(go.tool.forward)));
+            return Ok((target.nearest(te, frame.plan(go.tool.forward)), None));
         };
         let misses = || Failure::Misses {
             surface: side.wall.surface.clone(),
@@ -151,9 +161,9 @@ fn locate(go: &Start, frame: &Frame, te: Vec2, sides: &[Side<'_>]) -> Result<Vec
             let s = ahead(&side.trace, te, t, side.wall).ok_or_else(misses)?;
             let q = te + t * s;
             let n = side.trace.normal(q).ok_or_else(misses)?;
-            return Ok(q + n * side.by);
+            return Ok((q + n * side.by, None));
         }
-        return directed(side, &target, te, t).map(|s| te + t * s).ok_or_else(misses);
+        return directed(side, &target, te, t).map(|s| (te + t * s, None)).ok_or_else(misses);
     }
     // Two surfaces: each direction given brings the tool nearer, then the nearest position counts.
     let mut from = te;
@@ -174,14 +184,21 @@ fn locate(go: &Start, frame: &Frame, te: Vec2, sides: &[Side<'_>]) -> Result<Vec
             meets = forward;
         }
     }
-    meets.into_iter().min_by(|a, b| (a - from).norm().total_cmp(&(b - from).norm())).ok_or_else(
-        || Failure::NoStart {
-            place: None,
-            left: Vec::new(),
-            surfaces: sides.iter().map(|s| s.wall.surface.clone()).collect(),
-            why: "the two do not meet where the cutter would have to be",
-        },
-    )
+    meets.sort_by(|a, b| (a - from).norm().total_cmp(&(b - from).norm()));
+    let place = meets.first().copied().ok_or_else(|| Failure::NoStart {
+        place: None,
+        left: Vec::new(),
+        others: Vec::new(),
+        surfaces: sides.iter().map(|s| s.wall.surface.clone()).collect(),
+        why: "the two do not meet where the cutter would have to be",
+    })?;
+    // What rounding alone decides is told.
+    let near = standing(sides[0].wall) + 1e-9 * te.norm();
+    let rival = meets.get(1).copied().filter(|q| {
+        let tie = (q - from).norm() - (place - from).norm() <= near;
+        first.is_none() && tie && (q - place).norm() > 1e3 * near
+    });
+    Ok((place, rival))
 }
 
 /// So near to a surface the tool stands on it.

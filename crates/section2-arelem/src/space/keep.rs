@@ -1,6 +1,6 @@
 //! One surface that the tool keeps to, and how near it has to stay.
 
-use aptc_contact::{Condition, Gap, Reason, Side, Tool, distance, opens, second, several};
+use aptc_contact::{Condition, Gap, Reason, Side, Tool, distance, elsewhere, opens, second};
 use aptc_geometry::{Profile, Surface, Vec3};
 
 /// A tool position: tool end and unit tool axis.
@@ -84,13 +84,14 @@ impl Keep {
         self.gap(pose, None).is_ok_and(|g| g.g >= -2.0 * self.width())
     }
 
-    /// The gap, when a place of contact deeper than `known` by more than `exact` was missed.
-    pub(crate) fn deeper(&self, pose: &Pose, known: &Gap, exact: f64) -> Option<Gap> {
-        let tool = self.tool(pose);
-        if self.condition == Condition::On || !several(&tool, &self.surface, self.side) {
-            return None;
+    /// The gap, when a place of contact deeper than `known` by more than `exact` was missed, and the way for
+    /// which there is none.
+    pub(crate) fn deeper(&self, pose: &Pose, known: &Gap, exact: f64) -> (Option<Gap>, f64) {
+        if self.condition == Condition::On || self.profile.reach() == 0.0 {
+            return (None, f64::INFINITY);
         }
-        self.gap(pose, None).ok().filter(|g| g.g < known.g - exact)
+        let (deeper, room) = elsewhere(&self.tool(pose), &self.surface, self.side, known);
+        (deeper.filter(|g| g.g < known.g - exact), room)
     }
 
     /// Second derivative of the gap when the tool end moves along the unit vector `v`.

@@ -5,15 +5,22 @@ use aptc_contact::{Condition, Gap, Side};
 use aptc_geometry::{Profile, Surface, Vec3};
 use aptc_protap::{OptionSurface, Relation};
 
+use super::blocked::{Cause, cause};
 use super::keep::{Keep, Pose};
 use super::nearest::approach;
+use super::stride::Pace;
 use super::track::{Node, Track, Trouble};
 use super::watch::{Halt, Watch, clearance};
 use crate::axis::{Around, AxisRule};
-use crate::failure::Failure;
+use crate::failure::{Blocked, Failure, Hindrance};
 use crate::prepare::way;
 use crate::scene::{Astray, Path, Scene, Stance, Wall, to_or_on};
 
+/// Cut vectors that turn back before a motion counts as caught between two places of contact: a path may have
+/// a cusp, but a tool that is caught goes to and fro.
+const MOST_BACK: u32 = 3;
+/// Share of a cut vector by which a track that has come back may pass beside its start, where it may have an edge.
+const BESIDE: f64 = 0.1;
 /// Cut vectors of one motion when NUMPTS does not say.
 const MOST_VECTORS: u32 = 20_000;
 
@@ -53,15 +60,28 @@ fn follow(scene: &Scene, begin: &Begin) -> Result<Path, Failure> {
     let mut node = begin.node;
     let mut points: Vec<Position> = begin.first.iter().copied().collect();
     let mut loops = Loops::new(&node);
-    let (mut ratio, mut gone) = (1.0, 0.0);
+    let (mut pace, mut gone) = (Pace::new(), 0.0);
+    let mut spent = Some(most);
+    let (mut last, mut back) = (Vec3::zeros(), 0);
     for _ in 0..most {
-        let stride = match track.stride(&node, cap, &mut ratio) {
+        let stride = match track.stride(&node, cap, &mut pace) {
             Ok(s) => s,
-            Err(t) => return Err(blocked(scene, begin, &watches, &node, &points, gone, t)),
+            Err(t) => return Err(blocked(scene, begin, &watches, &node, gone, t)),
         };
+        let way = stride.to.pose.te - node.pose.te;
+        back += u32::from(way.dot(&last) < 0.0);
+        last = way;
+        if back >= MOST_BACK {
+            return Err(blocked(scene, begin, &watches, &node, gone, Trouble::Stuck));
+        }
         let mut stop: Option<(usize, Halt)> = None;
         for (i, w) in watches.iter_mut().enumerate() {
-            let halt = w.scan(track, &node, &stride).map_err(|t| trouble(scene, &node, t))?;
+            let check = &scene.checks[i].wall;
+            let unmet = |t| match t {
+                Trouble::Check => Failure::NoContact { surface: check.surface.clone() },
+                t => trouble_at(scene, &node.pose, t),
+            };
+            let halt = w.scan(track, &node, &stride).map_err(unmet)?;
             if let Some(h) = halt
                 && stop.as_ref().is_none_or(|(_, s)| h.s < s.s)
             {
@@ -72,7 +92,7 @@ fn follow(scene: &Scene, begin: &Begin) -> Result<Path, Failure> {
             // The last cut vector ends where the gaps were to be farther on; where the surface changes its
             // bend on the way that does not fit, and a cut vector made for that length does.
             if !track.fits(&node, &halt.node) {
-                let shorter = track.stride(&node, halt.s, &mut ratio);
+                let shorter = track.stride(&node, halt.s, &mut pace);
                 let again = shorter.and_then(|s| watches[i].again(track, &node, &s, &halt));
                 halt = again.ok().filter(|h| track.fits(&node, &h.node)).unwrap_or(halt);
             }
@@ -86,17 +106,19 @@ fn follow(scene: &Scene, begin: &Begin) -> Result<Path, Failure> {
                 control: control(scene, track, &watches, i, &halt),
                 fouls: None,
                 astray: begin.astray,
+                rivals: Vec::new(),
             });
         }
-        gone += (stride.to.pose.te - node.pose.te).norm();
+        gone += way.norm();
         points.push(position(&stride.to.pose));
         let met: u32 = watches.iter().map(|w| w.account().0).sum();
         if straight || loops.closed(&node, &stride.to, met) {
+            spent = None;
             break;
         }
         node = stride.to;
     }
-    Err(not_reached(scene, &watches, begin.node.pose, &points, gone))
+    Err(not_reached(scene, &watches, begin.node.pose, &points, gone, spent))
 }
 
 fn position(p: &Pose) -> Position {
@@ -139,7 +161,7 @@ impl Loops {
         let beside = (w - v * t).norm();
         let again = self.vectors > 3
             && (0.0..=1.0).contains(&t)
-            && beside <= 1e-2 * length
+            && beside <= BESIDE * length
             && self.along.dot(&to.along) > 0.5;
         if !again {
             return false;
@@ -236,8 +258,9 @@ fn begin(scene: &Scene) -> Result<Begin, Failure> {
         return Ok(Begin { track, node, first: None, turned, astray });
     }
     let targets = [0.0, 0.0];
-    let node =
-        track.settle(pose, node.along, targets, &node).map_err(|t| trouble_at(scene, &pose, t))?;
+    let node = track
+        .settle(pose, node.along, targets, &node, true)
+        .map_err(|t| trouble_at(scene, &pose, t))?;
     let first = Some(position(&node.pose));
     Ok(Begin { track, node, first, turned: None, astray })
 }
@@ -256,7 +279,7 @@ fn turn(track: &Track, node: &Node) -> Option<Node> {
     if (ta - node.pose.ta).norm() <= LEAST {
         return None;
     }
-    track.settle(Pose { ta, ..node.pose }, node.along, [0.0; 2], node).ok()
+    track.settle(Pose { ta, ..node.pose }, node.along, [0.0; 2], node, true).ok()
 }
 
 /// How the tool stands when a motion begins. With TLAXIS/NORMPS an axis from elsewhere, with which the tool is
@@ -264,20 +287,16 @@ fn turn(track: &Track, node: &Node) -> Option<Node> {
 fn upright(scene: &Scene, part: &Keep) -> Pose {
     let tool = &scene.tool;
     let pose = Pose { te: tool.te, ta: tool.ta };
-    let sides = if part.condition == Condition::On {
-        &[Side::Positive][..]
-    } else {
-        &[Side::Positive, Side::Negative][..]
-    };
-    let stands = |s: &Side| {
-        let keep = part.on_side(*s);
+    let sides = if part.condition == Condition::On { 1 } else { usize::MAX };
+    let stands = |s: Side| {
+        let keep = part.on_side(s);
         keep.gap(&pose, None).is_ok_and(|g| placed(&keep, &g) <= 2.0)
     };
     let normal = part.surface.foot(tool.te).normal;
     let lean = normal.dot(&tool.ta);
     // Where the old axis lies in the surface it does not say which side is meant.
     let rule = matches!(scene.axis, AxisRule::Normal(OptionSurface::Part)) && lean.abs() >= 1e-3;
-    if !rule || sides.iter().any(stands) {
+    if !rule || part.sides(&pose).take(sides).any(stands) {
         return pose;
     }
     Pose { ta: normal * lean.signum(), ..pose }
@@ -329,16 +348,12 @@ fn misplaced(scene: &Scene, keep: &Keep, gap: &Gap) -> Failure {
     Failure::OffDrive { surface, off, allowed, outside: off > 0.0 }
 }
 
-fn trouble(scene: &Scene, node: &Node, t: Trouble) -> Failure {
-    trouble_at(scene, &node.pose, t)
-}
-
 fn trouble_at(scene: &Scene, pose: &Pose, t: Trouble) -> Failure {
     let (drive, part) = (scene.drive.surface.clone(), scene.part.surface.clone());
     match t {
         Trouble::SideBySide => Failure::SideBySide { drive, part },
         Trouble::Axis => Failure::NoAxis { place: pose.te },
-        Trouble::Contact | Trouble::Stuck => {
+        Trouble::Contact | Trouble::Check | Trouble::Stuck => {
             Failure::NoPlace { surfaces: vec![drive, part], place: pose.te }
         }
     }
@@ -350,21 +365,39 @@ fn blocked(
     begin: &Begin,
     watches: &[Watch],
     node: &Node,
-    points: &[Position],
     gone: f64,
     t: Trouble,
 ) -> Failure {
-    for (keep, wall) in begin.track.keeps.iter().zip([&scene.drive, &scene.part]) {
+    let walls = [&scene.drive, &scene.part];
+    for (keep, wall) in begin.track.keeps.iter().zip(walls) {
         let contact = keep.gap(&node.pose, None).ok().map(|gap| gap.surface_point);
         if let Some(radius) = contact.and_then(|q| keep.too_tight(q)) {
             let (surface, cutter) = (wall.surface.clone(), keep.profile.widest());
             return Failure::TooLarge { surface, radius, cutter };
         }
     }
-    match t {
-        Trouble::Axis | Trouble::SideBySide => trouble(scene, node, t),
-        _ => not_reached(scene, watches, begin.node.pose, points, gone),
+    let (Some(check), Some(watch)) = (scene.checks.first(), watches.first()) else {
+        return Failure::NoCheck { word: scene.direction };
+    };
+    if matches!(t, Trouble::Axis | Trouble::SideBySide) {
+        return trouble_at(scene, &node.pose, t);
     }
+    let now = keep(&check.wall, Side::Positive).ok().and_then(|k| clearance(&k, &node.pose).ok());
+    let closest = now.map_or(f64::INFINITY, |g| g.0.abs()).min(watch.account().1.abs());
+    let named = |i: usize| walls[i].surface.clone();
+    let why = match cause(&begin.track, node) {
+        Cause::Ends(i) => Hindrance::Ends(named(i)),
+        Cause::Again(i, at) => Hindrance::Again { surface: named(i), at },
+        Cause::Tight => Hindrance::Tight,
+    };
+    Failure::Blocked(Box::new(Blocked {
+        surfaces: [named(0), named(1)],
+        check: check.wall.surface.clone(),
+        why,
+        place: node.pose.te,
+        gone,
+        closest,
+    }))
 }
 
 fn not_reached(
@@ -373,6 +406,7 @@ fn not_reached(
     start: Pose,
     points: &[Position],
     gone: f64,
+    spent: Option<u32>,
 ) -> Failure {
     let (Some(check), Some(watch)) = (scene.checks.first(), watches.first()) else {
         return Failure::NoCheck { word: scene.direction };
@@ -400,6 +434,7 @@ fn not_reached(
         closest,
         place: pose.te,
         gone,
+        spent,
     }
 }
 

@@ -2,13 +2,14 @@
 
 use aptc_cldata::{Control, Position};
 use aptc_contact::{Condition, Gap, Side, opens};
+use aptc_geometry::surface::frame_about;
 use aptc_geometry::{Fiop, Plane, Surface, Vec3};
 use aptc_protap::Relation;
 
 use super::keep::{Keep, Pose};
 use super::watch::clearance;
 use crate::axis::{Around, AxisRule};
-use crate::failure::Failure;
+use crate::failure::{Candidate, Failure};
 use crate::scene::{Path, Start, Wall};
 
 /// Rounds of the iteration.
@@ -35,7 +36,15 @@ pub(crate) fn start(go: &Start) -> Result<Path, Failure> {
         let keep = aim(*relation, wall, &pose, normal)?;
         aims.push(Aim { wall, relation: *relation, keep, along });
     }
-    let end = arrive(go, &mut aims, pose)?;
+    let end = match arrive(go, &mut aims, pose) {
+        Ok(end) => end,
+        Err(Failure::NoStart { surfaces, why, place, left, .. }) => {
+            let others = reachable(go, &mut aims, pose);
+            return Err(Failure::NoStart { surfaces, why, place, left, others });
+        }
+        Err(failure) => return Err(failure),
+    };
+    let rivals = rivals(go, &aims, pose, end);
     for aim in &aims {
         let apart = |_| Failure::NoContact { surface: aim.wall.surface.clone() };
         aim.keep.gap(&end, None).map_err(apart)?;
@@ -45,7 +54,7 @@ pub(crate) fn start(go: &Start) -> Result<Path, Failure> {
     let control = Control { drive, part, checks: sides.collect(), milling: None };
     let points = vec![Position { te: end.te, ta: end.ta }];
     let forward = end.te - go.tool.te;
-    Ok(Path::started(points, forward, control))
+    Ok(Path { rivals, ..Path::started(points, forward, control) })
 }
 
 /// The position; where a hollow may count as open, its side is decided.
@@ -88,6 +97,58 @@ fn arrive(go: &Start, aims: &mut [Aim<'_>], pose: Pose) -> Result<Pose, Failure>
         aim.keep.side = side;
     }
     open
+}
+
+/// Positions that directions about the tool lead to, when the nearest one is not found.
+fn reachable(go: &Start, aims: &mut [Aim<'_>], pose: Pose) -> Vec<Candidate> {
+    let mut found: Vec<Candidate> = Vec::new();
+    if go.offset || go.along.iter().any(Option::is_some) {
+        return found;
+    }
+    let [a, b] = frame_about(pose.ta);
+    for v in [a, b, -a, -b, a + b, b - a, -a - b, a - b].map(|v| v.normalize()) {
+        for aim in aims.iter_mut().take(1) {
+            aim.along = Some(v);
+        }
+        let directed = Start { along: vec![Some(v)], ..go.clone() };
+        let Ok(end) = arrive(&directed, aims, pose) else { continue };
+        let near = |c: &Candidate| (c.te - end.te).norm() <= 1e-6 * (end.te - pose.te).norm();
+        if !found.iter().any(near) {
+            found.push(Candidate { te: end.te, along: v });
+        }
+    }
+    found
+}
+
+/// The mirror images of the position that are just as near, when nothing says which is meant.
+///
+/// Where two positions are equally near there is a plane through the tool axis in which the scene mirrors; it
+/// holds the normals of the surfaces at the start.
+fn rivals(go: &Start, aims: &[Aim<'_>], pose: Pose, end: Pose) -> Vec<Candidate> {
+    let mut all: Vec<Candidate> = Vec::new();
+    if aims.len() < 2 || go.along.iter().any(Option::is_some) {
+        return all;
+    }
+    let solver = Solver { aims, axis: &go.axis, guide: None };
+    let band = aims.iter().map(|a| a.keep.width()).fold(f64::INFINITY, f64::min);
+    let by = end.te - pose.te;
+    let near = 1e-3 * band + 1e-9 * solver.size(&pose);
+    for aim in aims.iter().filter(|a| !a.keep.is_plane()) {
+        let normal = aim.keep.surface.foot(pose.te).normal;
+        let Some(m) = pose.ta.cross(&normal).try_normalize(1e-6) else { continue };
+        let across = m.dot(&by);
+        if across.abs() <= 10.0 * (band + near) {
+            continue;
+        }
+        let from = Pose { te: end.te - m * (2.0 * across), ..pose };
+        let Ok(other) = solver.nearest(from, pose) else { continue };
+        let tie = ((other.te - pose.te).norm() - by.norm()).abs() <= near;
+        let apart = |te: Vec3| (te - other.te).norm() > 10.0 * (band + near);
+        if tie && apart(end.te) && all.iter().all(|c| apart(c.te)) {
+            all.push(Candidate::of(pose.te, other.te));
+        }
+    }
+    all
 }
 
 fn solve(go: &Start, aims: &[Aim<'_>], pose: Pose) -> Result<Pose, Failure> {
@@ -429,7 +490,7 @@ impl Solver<'_> {
         let mut any = false;
         for (aim, gap) in self.aims.iter().zip(gaps) {
             let exact = 1e-10 * self.size(pose) + 1e-8 * aim.keep.width();
-            if let Some(deeper) = aim.keep.deeper(pose, gap, exact) {
+            if let Some(deeper) = aim.keep.deeper(pose, gap, exact).0 {
                 *gap = deeper;
                 any = true;
             }
@@ -451,6 +512,7 @@ impl Solver<'_> {
         Failure::NoStart {
             left,
             place: Some(pose.te),
+            others: Vec::new(),
             surfaces: self.aims.iter().map(|a| a.wall.surface.clone()).collect(),
             why: "no common position was found",
         }

@@ -15,8 +15,10 @@ use super::track::{Node, Track, Trouble};
 /// Trials of one cut vector; two or three are usual.
 const TRIALS: usize = 40;
 /// A chord that could be longer by less than this ratio is taken: a longer one would save no cut vector in
-/// half a million.
-const LONG_ENOUGH: f64 = 2e-6;
+/// a hundred thousand.
+const LONG_ENOUGH: f64 = 1e-5;
+/// Share of the band by which a vertex may lie off its target: half of it is the share of a length that it costs.
+const OFF_TARGET: f64 = 1e-2;
 /// Greatest turn of the track in one cut vector, radians.
 const MOST_TURN: f64 = 2.0;
 /// Share of the band by which a chord aims inside of it.
@@ -41,10 +43,50 @@ struct Fit {
     ratio: f64,
 }
 
+/// What one cut vector tells the next.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Pace {
+    /// The accepted length over the foretold one.
+    ratio: f64,
+    /// Way for which no other place of contact can become the deepest.
+    room: f64,
+    /// Every trial looks for other places of contact.
+    careful: bool,
+}
+
+impl Pace {
+    pub(crate) fn new() -> Self {
+        Self { ratio: 1.0, room: 0.0, careful: false }
+    }
+}
+
 impl Track {
-    /// The longest cut vector from a node, no longer than `cap`; `ratio` is the accepted length over the
-    /// foretold one of the last cut vector, and is kept up to date.
-    pub(crate) fn stride(&self, from: &Node, cap: f64, ratio: &mut f64) -> Result<Stride, Trouble> {
+    /// The longest cut vector from a node, no longer than `cap`.
+    ///
+    /// The contacts are followed from vector to vector. Whether the cutter touches deeper elsewhere is asked
+    /// when it may be so; once it is, and where nothing is found, every trial asks.
+    pub(crate) fn stride(&self, from: &Node, cap: f64, pace: &mut Pace) -> Result<Stride, Trouble> {
+        if !pace.careful {
+            if let Ok(stride) = self.longest(from, cap, pace) {
+                let turn = (stride.to.pose.ta - from.pose.ta).norm();
+                let reach = self.keeps[0].profile.reach().max(self.keeps[1].profile.reach());
+                pace.room -= stride.length + turn * reach;
+                if pace.room > 0.0 {
+                    return Ok(stride);
+                }
+                let (deeper, room) = self.deeper(&stride.to.pose, &stride.to.gaps);
+                if deeper.iter().all(Option::is_none) {
+                    pace.room = room;
+                    return Ok(stride);
+                }
+            }
+            pace.careful = true;
+        }
+        self.longest(from, cap, pace)
+    }
+
+    fn longest(&self, from: &Node, cap: f64, pace: &mut Pace) -> Result<Stride, Trouble> {
+        let (ratio, look) = (&mut pace.ratio, pace.careful);
         let plan = self.plan(from, cap);
         let mut s = (plan.length * *ratio).min(plan.most);
         let (mut good, mut bad): (Option<Stride>, f64) = (None, f64::INFINITY);
@@ -53,7 +95,7 @@ impl Track {
         // A chord that does not fit though its ratio says so is shortened more each time.
         let mut back = LONG_ENOUGH;
         for _ in 0..TRIALS {
-            let tried = self.reach(from, s, plan.length);
+            let tried = self.reach(from, s, plan.length, look);
             let next = match tried.and_then(|t| self.fit(from, &t.to).map(|fit| (t, fit))) {
                 Ok((tried, fit)) => {
                     if fit.fits {
@@ -98,13 +140,13 @@ impl Track {
     }
 
     /// The place at distance `s`, its gaps at the targets that belong to its own curvature.
-    fn reach(&self, from: &Node, s: f64, usual: f64) -> Result<Stride, Trouble> {
+    fn reach(&self, from: &Node, s: f64, usual: f64, look: bool) -> Result<Stride, Trouble> {
         let targets = self.targets(from, usual);
-        let to = self.walk(from, s, targets)?;
+        let to = self.walk(from, s, targets, look)?;
         let again = self.targets(&to, usual);
-        let differ = |i: usize| (again[i] - targets[i]).abs() > 1e-3 * self.keeps[i].width();
+        let differ = |i: usize| (again[i] - targets[i]).abs() > OFF_TARGET * self.keeps[i].width();
         let (to, targets) = if differ(0) || differ(1) {
-            (self.walk(from, s, again)?, again)
+            (self.walk(from, s, again, look)?, again)
         } else {
             (to, targets)
         };
@@ -113,11 +155,12 @@ impl Track {
 
     /// Gaps of a vertex when cut vectors are about `usual` long.
     pub(crate) fn targets(&self, at: &Node, usual: f64) -> [f64; 2] {
-        [0, 1].map(|i| {
+        let target = |i: usize| {
             let keep = &self.keeps[i];
             let share = (at.bends[i].abs() * usual * usual / (8.0 * keep.width())).min(1.0);
             keep.target(at.bends[i], if share < 1e-6 { 0.0 } else { share })
-        })
+        };
+        [target(0), target(1)]
     }
 
     /// The length foretold from the curvature, and the greatest allowed.
@@ -231,16 +274,16 @@ fn turning_extremes(
     to: &Node,
     ends: [&Gap; 2],
 ) -> Result<(f64, f64), Trouble> {
-    const PIECES: u32 = 8;
-    let mut values = vec![ends[0].g];
+    const PIECES: u8 = 8;
+    let mut values = [ends[0].g; PIECES as usize + 1];
     let mut start = ends[0].surface_point;
     for i in 1..PIECES {
         let pose = between(&from.pose, &to.pose, f64::from(i) / f64::from(PIECES));
         let gap = keep.gap(&pose, Some(start))?;
         start = gap.surface_point;
-        values.push(gap.g);
+        values[usize::from(i)] = gap.g;
     }
-    values.push(ends[1].g);
+    values[usize::from(PIECES)] = ends[1].g;
     let (mut low, mut high) = (ends[0].g.min(ends[1].g), ends[0].g.max(ends[1].g));
     for w in values.windows(3) {
         let (a, b, c) = (w[0], w[1], w[2]);

@@ -42,6 +42,8 @@ pub(crate) struct Node {
 pub(crate) enum Trouble {
     /// No normal pair, or the end of a surface.
     Contact,
+    /// The same of a check surface.
+    Check,
     /// Drive and part surface run side by side.
     SideBySide,
     /// The iteration ended at its bound.
@@ -58,9 +60,18 @@ impl From<Reason> for Trouble {
 
 impl Track {
     /// Gaps at a pose.
+    #[inline]
     fn gaps(&self, pose: &Pose, hint: Option<&[Gap; 2]>) -> Result<[Gap; 2], Trouble> {
         let start = |i: usize| hint.map(|h| h[i].surface_point);
         Ok([self.keeps[0].gap(pose, start(0))?, self.keeps[1].gap(pose, start(1))?])
+    }
+
+    /// Gaps at places of contact that are deeper than those of a node, if there are any, and the way for which
+    /// there are none.
+    pub(crate) fn deeper(&self, pose: &Pose, gaps: &[Gap; 2]) -> ([Option<Gap>; 2], f64) {
+        let look = |i: usize| self.keeps[i].deeper(pose, &gaps[i], 4.0 * self.exact);
+        let ((a, to_a), (b, to_b)) = (look(0), look(1));
+        ([a, b], to_a.min(to_b))
     }
 
     /// The node at a pose as it stands, going with `heading`.
@@ -71,7 +82,8 @@ impl Track {
 
     fn finish(&self, pose: Pose, gaps: [Gap; 2], heading: Vec3) -> Result<Node, Trouble> {
         let along = direction(&gaps, heading)?;
-        let bends = [0, 1].map(|i| self.keeps[i].bend(&pose, &gaps[i], along));
+        let bend = |i: usize| self.keeps[i].bend(&pose, &gaps[i], along);
+        let bends = [bend(0), bend(1)];
         let curl = solve(&gaps, along, [-bends[0], -bends[1], 0.0]).ok_or(Trouble::SideBySide)?;
         Ok(Node { pose, gaps, along, bends, curl })
     }
@@ -79,13 +91,15 @@ impl Track {
     /// The place in the plane across `across` through the start, with the gaps at their targets.
     ///
     /// The gradients of the gaps are the surface normals, so Newton's method converges quadratically; the
-    /// 3x3 system is solved by vector products. A step that does not bring the gaps nearer is halved.
+    /// 3x3 system is solved by vector products. A step that does not bring the gaps nearer is halved. With
+    /// `look` the cutter is not to touch deeper elsewhere.
     pub(crate) fn settle(
         &self,
         start: Pose,
         across: Vec3,
         targets: [f64; 2],
         hint: &Node,
+        look: bool,
     ) -> Result<Node, Trouble> {
         let level = across.dot(&start.te);
         let turning = self.axis.turns();
@@ -115,8 +129,7 @@ impl Track {
                 turned = (ta - pose.ta).norm();
             }
             if worst <= self.exact && turned <= 1e-11 {
-                let deeper =
-                    [0, 1].map(|i| self.keeps[i].deeper(&pose, &gaps[i], 4.0 * self.exact));
+                let deeper = if look { self.deeper(&pose, &gaps).0 } else { [None, None] };
                 if deeper.iter().all(Option::is_none) {
                     return self.finish(pose, gaps, hint.along);
                 }
@@ -143,7 +156,13 @@ impl Track {
     }
 
     /// The place at the distance `s` along the track from a node, to second order, then settled.
-    pub(crate) fn walk(&self, from: &Node, s: f64, targets: [f64; 2]) -> Result<Node, Trouble> {
+    pub(crate) fn walk(
+        &self,
+        from: &Node,
+        s: f64,
+        targets: [f64; 2],
+        look: bool,
+    ) -> Result<Node, Trouble> {
         let k = from.curl.norm();
         let turn = k * s;
         let (step, across) = if turn > 1e-9 {
@@ -154,7 +173,7 @@ impl Track {
             (from.along * s, from.along)
         };
         let start = Pose { te: from.pose.te + step, ta: from.pose.ta };
-        let to = self.settle(start, across, targets, from)?;
+        let to = self.settle(start, across, targets, from, look)?;
         // Where the curvature ends on the way, the plane across may meet the track far away.
         let most = 2.0 * (s + self.keeps[0].width() + self.keeps[1].width());
         let gone = (to.pose.te - from.pose.te).norm();

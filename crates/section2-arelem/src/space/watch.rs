@@ -194,8 +194,8 @@ impl Watch {
     /// The node at a crossing.
     fn halt(&self, way: &Way<'_>, crossing: Crossing, i: usize) -> Result<Halt, Trouble> {
         let keep = &self.gauges[i].keep;
-        let node = way.node(crossing.s)?;
-        let gap = keep.gap(&node.pose, None)?;
+        let node = way.settled(crossing.s)?;
+        let gap = read(keep, &node, None)?;
         let at = Sample { s: crossing.s, gap, slope: way.slope(&node, &gap) };
         let s = if matches!(self.relation, Relation::Tanto | Relation::Pstan) {
             None
@@ -205,12 +205,12 @@ impl Watch {
             in_band(way, keep, &node, at)
         };
         let (s, node) = match s {
-            Some(s) => (s, way.node(s)?),
+            Some(s) => (s, way.settled(s)?),
             None => (crossing.s, node),
         };
         let crosses =
             !matches!(self.relation, Relation::Tanto | Relation::Pstan) && !crossing.touch;
-        let reading = keep.gap(&node.pose, Some(gap.surface_point))?.g;
+        let reading = read(keep, &node, Some(&gap))?.g;
         Ok(Halt { s, node, side: keep.side, gauge: i, reading, crosses })
     }
 
@@ -225,20 +225,25 @@ impl Watch {
         let turn = from.pose.ta.cross(&stride.to.pose.ta) / stride.length;
         let way = Way { track, from, stride, turn };
         let keep = &self.gauges[halt.gauge].keep;
-        let mut node = way.node(halt.s)?;
+        let mut node = way.settled(halt.s)?;
         let mut s = halt.s;
         for _ in 0..8 {
-            let gap = keep.gap(&node.pose, None)?;
+            let gap = read(keep, &node, None)?;
             let off = gap.g - halt.reading;
             let slope = way.slope(&node, &gap);
             if !halt.crosses || off.abs() <= track.exact || slope.abs() < GRAZING {
                 break;
             }
             s -= off / slope;
-            node = way.node(s)?;
+            node = way.settled(s)?;
         }
         Ok(Halt { s, node, ..*halt })
     }
+}
+
+/// Gap to the check surface, near a gap that is known.
+fn read(keep: &Keep, node: &Node, near: Option<&Gap>) -> Result<Gap, Trouble> {
+    keep.gap(&node.pose, near.map(|g| g.surface_point)).map_err(|_| Trouble::Check)
 }
 
 /// Sine of the angle below which a check surface is met at a graze.
@@ -327,7 +332,12 @@ impl Gauge {
 
 impl Way<'_> {
     fn node(&self, s: f64) -> Result<Node, Trouble> {
-        self.track.walk(self.from, s, self.stride.targets)
+        self.track.walk(self.from, s, self.stride.targets, false)
+    }
+
+    /// The same where the motion may end: no other place of contact is deeper.
+    fn settled(&self, s: f64) -> Result<Node, Trouble> {
+        self.track.walk(self.from, s, self.stride.targets, true)
     }
 
     /// Change of a gap with the way.
@@ -337,7 +347,7 @@ impl Way<'_> {
 
     fn sample(&self, keep: &Keep, s: f64, near: &Sample) -> Result<Sample, Trouble> {
         let node = self.node(s)?;
-        let gap = keep.gap(&node.pose, Some(near.gap.surface_point))?;
+        let gap = read(keep, &node, Some(&near.gap))?;
         Ok(Sample { s, gap, slope: self.slope(&node, &gap) })
     }
 

@@ -3,6 +3,7 @@
 //! Beyond their ends they go on straight, as a TABCYL does, so that a cutter can come to an end.
 
 mod polyconic;
+mod rail;
 mod ruled;
 mod sculptured;
 #[cfg(test)]
@@ -19,6 +20,8 @@ pub use sculptured::{Continued, continued};
 
 /// Bound of one search; Newton's method takes some six steps.
 const MAX_STEPS: usize = 60;
+/// Share of the surface's size below which the square of a step of Newton's method is rounding.
+const NEAR: f64 = 1e-9;
 /// Samples on a side of a block, from which a search of its own sets out.
 const BLOCK: usize = 3;
 /// Places from which the nearest point is looked for.
@@ -37,12 +40,14 @@ pub struct ParametricSurface {
     grid: Vec<Vec3>,
     /// Greatest distance of each sample from those beside it: no place that belongs to it is farther off.
     apart: Vec<f64>,
+    /// Of a ruled surface the sampled rulings: start, whole way and one over its square.
+    columns: Vec<(Vec3, Vec3, f64)>,
     extent: f64,
 }
 
 #[derive(Clone, Debug)]
 enum Patch {
-    Ruled(Rulings),
+    Ruled(Box<Rulings>),
     Polyconic(Sections),
     Sculptured(Box<Spans>),
 }
@@ -81,7 +86,11 @@ impl ParametricSurface {
     pub fn ruled(form: &RuledSurface) -> Option<Self> {
         let rulings = Rulings::new(form)?;
         let us = halfway(rulings.domain().u, rulings.pieces());
-        Self::prepared(Patch::Ruled(rulings), us, vec![-10.0, -3.0, -1.0, 0.0, 1.0, 2.0, 4.0, 11.0])
+        Self::prepared(
+            Patch::Ruled(Box::new(rulings)),
+            us,
+            vec![-10.0, -3.0, -1.0, 0.0, 1.0, 2.0, 4.0, 11.0],
+        )
     }
 
     /// A polyconic; `None` when its sections are no conics somewhere, or when it has a thickness.
@@ -122,7 +131,14 @@ impl ParametricSurface {
             }
         }
         let apart = (0..grid.len()).map(|k| apart(&patch, &grid, vs.len(), k)).collect();
-        Some(Self { patch, us, vs, grid, apart, extent })
+        let n = vs.len();
+        let column = |row: &[Vec3]| {
+            let way = row[n - 1] - row[0];
+            (row[0], way, 1.0 / way.norm_squared())
+        };
+        let ruled = matches!(patch, Patch::Ruled(_));
+        let columns = grid.chunks_exact(n).filter(|_| ruled).map(column).collect();
+        Some(Self { patch, us, vs, grid, apart, columns, extent })
     }
 
     /// Greatest distance of its points from the origin, between its ends.
@@ -253,7 +269,7 @@ impl ParametricSurface {
         let seeds = match &self.patch {
             Patch::Ruled(r) => {
                 let mut seeds = [None; 2 * SEEDS];
-                seeds[..SEEDS].copy_from_slice(&self.columns(r, p));
+                seeds[..SEEDS].copy_from_slice(&self.lowest_rulings(r, p));
                 seeds
             }
             Patch::Polyconic(_) | Patch::Sculptured(_) => self.lowest(p),
@@ -273,23 +289,26 @@ impl ParametricSurface {
     }
 
     /// On a ruling the nearest point is known: the lowest of the sampled rulings.
-    fn columns(&self, rulings: &Rulings, p: Vec3) -> [Option<Seed>; SEEDS] {
-        let n = self.vs.len();
+    fn lowest_rulings(&self, rulings: &Rulings, p: Vec3) -> [Option<Seed>; SEEDS] {
         let domain = rulings.domain();
-        let column = |i: usize| {
-            let (a, b) = (self.grid[i * n], self.grid[i * n + n - 1]);
-            let w = b - a;
-            let along = ((p - a).dot(&w) / w.norm_squared()).clamp(0.0, 1.0);
-            let v = domain.v[0] + (domain.v[1] - domain.v[0]) * along;
-            ((p - a - w * along).norm_squared(), v)
-        };
-        let all: Vec<(f64, f64)> = (0..self.us.len()).map(column).collect();
         let mut found = [None; SEEDS];
-        for (i, (square, v)) in all.iter().enumerate() {
-            let lower = |j: usize| all.get(j).is_some_and(|o| o.0 < *square);
-            if !(lower(i + 1) || i > 0 && lower(i - 1)) {
-                offer(&mut found, Seed { square: *square, u: self.us[i], v: *v, at: i * n });
+        // The one before with what came before it, until it is known whether the next is lower.
+        let (mut before, mut last) = (f64::INFINITY, None::<Seed>);
+        for (i, (start, way, inverse)) in self.columns.iter().enumerate() {
+            let w = p - start;
+            let along = (w.dot(way) * inverse).clamp(0.0, 1.0);
+            let square = (w - way * along).norm_squared();
+            if let Some(seed) = last {
+                if seed.square <= before && seed.square <= square {
+                    offer(&mut found, seed);
+                }
+                before = seed.square;
             }
+            let v = domain.v[0] + (domain.v[1] - domain.v[0]) * along;
+            last = Some(Seed { square, u: self.us[i], v, at: i * self.vs.len() });
+        }
+        if let Some(seed) = last.filter(|s| s.square <= before) {
+            offer(&mut found, seed);
         }
         found
     }
@@ -384,7 +403,8 @@ impl ParametricSurface {
             let Some((nu, nv, next, value)) = better else { break };
             let stays = (nu - u).abs() <= 1e-16 && (nv - v).abs() <= 1e-16;
             (u, v, jet, square) = (nu, nv, next, value);
-            if stays {
+            // The method converges quadratically: after a step this small rounding alone is left.
+            if stays || factor >= 1.0 && moved <= NEAR * self.extent {
                 break;
             }
         }

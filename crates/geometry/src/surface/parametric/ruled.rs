@@ -3,6 +3,7 @@
 use crate::surface::Surface;
 use crate::{Fiop, Form, Rail, Reason, RuledSurface, Second, Vec3};
 
+use super::rail::Pieces;
 use super::{Domain, Jet};
 
 /// Pieces of a curve that is no TABCYL.
@@ -35,6 +36,8 @@ struct Curve {
     base: Vec3,
     toward: Vec3,
     spans: u32,
+    /// Its height along `toward` over the base line, by `u`, once it is known.
+    heights: Option<Pieces>,
 }
 
 /// Value and derivatives of a curve.
@@ -58,7 +61,19 @@ impl Rulings {
         let found =
             |c: &Curve| (0..=PIECES).all(|i| c.point(f64::from(i) / f64::from(PIECES)).is_ok());
         let complete = new.curves().all(found);
-        complete.then_some(new)
+        if !complete {
+            return None;
+        }
+        let first = new.heights(&new.first);
+        new.first.heights = Some(first);
+        let second = match &new.second {
+            Far::Curve(c) => Some(new.heights(c)),
+            Far::Apex(_) => None,
+        };
+        if let Far::Curve(c) = &mut new.second {
+            c.heights = second;
+        }
+        Some(new)
     }
 
     fn curves(&self) -> impl Iterator<Item = &Curve> {
@@ -93,7 +108,35 @@ impl Rulings {
         }
     }
 
+    /// The height of a curve over its base line as polynomials.
+    fn heights(&self, curve: &Curve) -> Pieces {
+        let size = curve.start.norm() + curve.base.norm();
+        Pieces::new(curve.spans, size, |u| {
+            let [t, dt, ddt] = self.fraction(u);
+            let line = self.exact(curve, u);
+            let [d, dd] = [line.d - curve.base * dt, line.dd - curve.base * ddt];
+            let up = line.p - curve.start - curve.base * t;
+            [up, d, dd].map(|v| v.dot(&curve.toward))
+        })
+    }
+
+    #[inline]
     fn line(&self, curve: &Curve, u: f64) -> Line {
+        let at = u.clamp(0.0, 1.0);
+        let Some([h, dh, ddh]) = curve.heights.as_ref().and_then(|p| p.at(at)) else {
+            return self.exact(curve, u);
+        };
+        let [t, dt, ddt] = self.fraction(at);
+        let p = curve.start + curve.base * t + curve.toward * h;
+        let d = curve.base * dt + curve.toward * dh;
+        let beyond = u - at;
+        let straight = beyond != 0.0;
+        let dd = if straight { Vec3::zeros() } else { curve.base * ddt + curve.toward * ddh };
+        Line { p: p + d * beyond, d, dd }
+    }
+
+    /// From the curve itself.
+    fn exact(&self, curve: &Curve, u: f64) -> Line {
         let at = u.clamp(0.0, 1.0);
         let [t, ..] = self.fraction(at);
         // At a steep end the derivatives are those of a place beside it.
@@ -145,6 +188,7 @@ impl Curve {
             base: rail.end - rail.start,
             toward: rail.toward.try_normalize(0.0)?,
             spans,
+            heights: None,
         })
     }
 

@@ -1,0 +1,139 @@
+//! A rail of a ruled surface as polynomials: each evaluation of the curve itself meets a surface with a line.
+//!
+//! Over every piece the height above the base line is the polynomial of the fifth degree that has its value
+//! and both derivatives at the ends. A piece is halved until its middle is met to rounding; where that takes
+//! too many halvings (at a joint of a TABCYL) the curve itself is asked.
+
+/// How often a piece is halved.
+const HALVINGS: u32 = 6;
+/// Share of the curve's size that counts as rounding, of the height and of its first two derivatives.
+const EXACT: [f64; 3] = [2e-15, 1e-11, 1e-8];
+
+/// A function over 0 to 1 in pieces.
+#[derive(Clone, Debug)]
+pub(super) struct Pieces {
+    /// For each of the equal cells the first of its pieces and how many it has.
+    cells: Vec<(usize, usize)>,
+    /// Coefficients over 0 to 1 within the piece; `None` where the function itself is to be asked.
+    pieces: Vec<Option<[f64; 6]>>,
+}
+
+/// Value and first two derivatives.
+pub(super) type Jet3 = [f64; 3];
+
+impl Pieces {
+    /// The pieces of `f` in `n` equal cells; `size` is a length of the size of the curve.
+    pub(super) fn new(n: u32, size: f64, f: impl Fn(f64) -> Jet3) -> Self {
+        let mut new = Self { cells: Vec::new(), pieces: Vec::new() };
+        for i in 0..n {
+            let [a, b] = [i, i + 1].map(|i| f64::from(i) / f64::from(n));
+            new.cell(a, b, size, &f);
+        }
+        new
+    }
+
+    fn cell(&mut self, a: f64, b: f64, size: f64, f: &impl Fn(f64) -> Jet3) {
+        let first = self.pieces.len();
+        for halvings in 0..=HALVINGS {
+            let n = 1_u32 << halvings;
+            let last = halvings == HALVINGS;
+            self.pieces.truncate(first);
+            let h = (b - a) / f64::from(n);
+            let mut from = f(a);
+            for i in 0..n {
+                let at = a + h * f64::from(i);
+                let to = f(if i + 1 == n { b } else { at + h });
+                let c = quintic(from, to, h);
+                let (mid, is) = (evaluate(&c, 0.5, h), f(at + 0.5 * h));
+                let off = |k: usize| (mid[k] - is[k]).abs() <= EXACT[k] * size;
+                let exact = (0..3).all(off);
+                if !(exact || last) {
+                    break;
+                }
+                self.pieces.push(exact.then_some(c));
+                from = to;
+            }
+            if self.pieces.len() - first == n as usize {
+                self.cells.push((first, n as usize));
+                return;
+            }
+        }
+    }
+
+    /// Value and derivatives at `u` in [0, 1]; `None` where the function itself is to be asked.
+    #[inline]
+    pub(super) fn at(&self, u: f64) -> Option<Jet3> {
+        let cells = self.cells.len();
+        let (i, s) = place(u, cells);
+        let (first, n) = self.cells[i];
+        let (j, t) = place(s, n);
+        let c = self.pieces[first + j].as_ref()?;
+        #[expect(clippy::cast_precision_loss, reason = "thousands at most")]
+        let h = 1.0 / (cells * n) as f64;
+        Some(evaluate(c, t, h))
+    }
+}
+
+/// Which of `n` equal parts of [0, 1] holds `u`, and where in it.
+#[inline]
+fn place(u: f64, n: usize) -> (usize, f64) {
+    #[expect(clippy::cast_precision_loss, reason = "thousands at most")]
+    let x = u * n as f64;
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to n")]
+    let i = (x as usize).min(n - 1);
+    #[expect(clippy::cast_precision_loss, reason = "thousands at most")]
+    let t = x - i as f64;
+    (i, t)
+}
+
+/// The polynomial over 0 to 1 with these values and derivatives (by the length `h`) at its ends.
+fn quintic(a: Jet3, b: Jet3, h: f64) -> [f64; 6] {
+    let [f, d, e] = [a[0], a[1] * h, 0.5 * a[2] * h * h];
+    let rise = b[0] - f - d - e;
+    let slope = b[1] * h - d - 2.0 * e;
+    let bend = 0.5 * b[2] * h * h - e;
+    [
+        f,
+        d,
+        e,
+        10.0 * rise - 4.0 * slope + bend,
+        -15.0 * rise + 7.0 * slope - 2.0 * bend,
+        6.0 * rise - 3.0 * slope + bend,
+    ]
+}
+
+#[inline]
+fn evaluate(c: &[f64; 6], t: f64, h: f64) -> Jet3 {
+    let [f, d, e, p, q, r] = *c;
+    let value = f + t * (d + t * (e + t * (p + t * (q + t * r))));
+    let first = d + t * (2.0 * e + t * (3.0 * p + t * (4.0 * q + t * 5.0 * r)));
+    let second = 2.0 * e + t * (6.0 * p + t * (12.0 * q + t * 20.0 * r));
+    [value, first / h, second / (h * h)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::trig;
+
+    #[test]
+    fn a_smooth_function_is_met_and_a_kink_is_left_to_itself() {
+        let smooth = |u: f64| {
+            let (s, c) = trig::sin_cos(5.0 * u);
+            [s, 5.0 * c, -25.0 * s]
+        };
+        let pieces = Pieces::new(8, 1.0, smooth);
+        assert!(pieces.pieces.iter().all(Option::is_some));
+        for i in 0..=1000 {
+            let u = f64::from(i) / 1000.0;
+            let (is, wanted) = (pieces.at(u).unwrap(), smooth(u));
+            for k in 0..3 {
+                assert!((is[k] - wanted[k]).abs() <= 20.0 * EXACT[k], "{u} {k}");
+            }
+        }
+        let kink = |u: f64| if u < 0.3 { [0.3 - u, -1.0, 0.0] } else { [u - 0.3, 1.0, 0.0] };
+        let pieces = Pieces::new(4, 1.0, kink);
+        assert!(pieces.at(0.3).is_none());
+        assert!((pieces.at(0.9).unwrap()[0] - 0.6).abs() < 1e-15);
+    }
+}
