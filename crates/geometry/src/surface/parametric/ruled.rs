@@ -10,6 +10,8 @@ use super::{Domain, Jet};
 const PIECES: u32 = 32;
 /// Share of the base line by which derivatives keep away from its ends.
 const INSET: f64 = 1e-6;
+/// Share of the curve at a steep end that is not laid down as polynomials.
+const STEEP: f64 = 0.1;
 /// How far rulings go beyond the curves, in lengths of a ruling; the manual advises against more than two.
 const REACH: f64 = 10.0;
 
@@ -123,7 +125,10 @@ impl Rulings {
     #[inline]
     fn line(&self, curve: &Curve, u: f64) -> Line {
         let at = u.clamp(0.0, 1.0);
-        let Some([h, dh, ddh]) = curve.heights.as_ref().and_then(|p| p.at(at)) else {
+        // At a steep end the curve itself is asked: its derivatives there are those of a place beside it.
+        let end = self.steep[0] && at < STEEP || self.steep[1] && at > 1.0 - STEEP;
+        let heights = curve.heights.as_ref().filter(|_| !end);
+        let Some([h, dh, ddh]) = heights.and_then(|p| p.at(at)) else {
             return self.exact(curve, u);
         };
         let [t, dt, ddt] = self.fraction(at);
