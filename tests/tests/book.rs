@@ -42,6 +42,18 @@ fn programs(page: &str) -> Vec<(usize, String)> {
     found
 }
 
+/// The blocks between "```json NAME.json" and "```": files beside the programs of the page, each with the name
+/// by which a program asks for it.
+fn files(page: &str) -> Vec<(String, String)> {
+    let blocks = page.split("\n```json ").skip(1);
+    let file = |block: &str| {
+        let (name, rest) = block.split_once('\n')?;
+        let (text, _) = rest.split_once("```")?;
+        Some((name.trim().trim_end_matches(".json").to_owned(), text.to_owned()))
+    };
+    blocks.filter_map(file).collect()
+}
+
 #[test]
 fn each_program_of_the_book_compiles_and_is_proved() {
     let (mut n, mut faults) = (0, Vec::new());
@@ -49,8 +61,8 @@ fn each_program_of_the_book_compiles_and_is_proved() {
         for (line, text) in programs(&page) {
             n += 1;
             let source = Source { name: name.as_str().into(), text: text.into() };
-            let compiled =
-                aptc_control::compile(source, &mut Memory::default(), &Options::default());
+            let mut beside = Memory { files: files(&page) };
+            let compiled = aptc_control::compile(source, &mut beside, &Options::default());
             if compiled.has_errors() || compiled.is_refuted() {
                 let told: Vec<_> = compiled.diagnostics.iter().filter(|d| d.is_error()).collect();
                 faults.push(format!("{name}, program in line {line}: {told:#?}"));

@@ -6,7 +6,7 @@
 use std::collections::BTreeSet;
 use std::fs;
 
-use aptc_control::{Artifact, Memory, Options, Source, Verify};
+use aptc_control::{Artifact, Disk, Options, Source, Verify};
 use aptc_testkit::repository;
 
 /// Where the views of a plot stand in it: the name of the view, its place among the views, its frame.
@@ -32,10 +32,11 @@ fn programs() -> BTreeSet<(String, String)> {
 /// One view of the plot of a program.
 fn view(topic: &str, name: &str, view: &str) -> String {
     let path = repository().join("corpus").join(topic).join(name).join("program.apt");
+    let folder = path.parent().map(std::path::Path::to_owned).into_iter().collect();
     let text = fs::read_to_string(&path).expect("a program of the corpus");
     let source = Source { name: "program.apt".into(), text: text.into() };
     let options = Options { post: false, verify: Verify::Off, ..Options::default() };
-    let compiled = aptc_control::compile(source, &mut Memory::default(), &options);
+    let compiled = aptc_control::compile(source, &mut Disk::new(folder, 1 << 24), &options);
     let (_, bytes) = compiled.artifact(Artifact::Svg, false).expect("it is made").remove(0);
     let plot = String::from_utf8(bytes).expect("SVG is text");
     let (_, nth, frame) = VIEWS.into_iter().find(|v| v.0 == view).expect("a view of a plot");

@@ -205,6 +205,26 @@ pub enum SurfaceShape {
     Combined(Vec<Arc<SurfaceDefinition>>),
     /// CANON: the array of numbers by which APT4 kept a surface.
     Canonical(Vec<f64>),
+    /// A B-spline surface from outside.
+    Bspline(Box<BsplineSurface>),
+    /// Triangles from outside, for checking.
+    Facets(Vec<[Vec3; 3]>),
+}
+
+/// A B-spline surface, rational where its weights differ.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct BsplineSurface {
+    /// Along u and across.
+    pub degree: [usize; 2],
+    /// Never falling, for each direction as many as control points plus degree plus one.
+    pub knots: [Vec<f64>; 2],
+    /// Control points along u and across.
+    pub counts: [usize; 2],
+    /// x, y, z and weight of each, along u first; the coordinates are not multiplied by the weight.
+    pub points: Vec<[f64; 4]>,
+    /// The part of each parameter's range that belongs to the surface; all of it where none is given.
+    #[serde(default)]
+    pub range: [Option<[f64; 2]>; 2],
 }
 
 /// SMESH or GMESH.
@@ -398,6 +418,15 @@ impl CurveDefinition {
 }
 
 impl SurfaceDefinition {
+    /// Does it hold triangles, so that a cutter is checked against it and cannot be guided by it?
+    pub fn only_checks(&self) -> bool {
+        match &self.shape {
+            SurfaceShape::Facets(_) => true,
+            SurfaceShape::Combined(parts) => parts.iter().any(|p| p.only_checks()),
+            _ => false,
+        }
+    }
+
     /// A surface without TRFORM.
     pub fn plain(shape: SurfaceShape) -> Self {
         Self { shape, map: None }
@@ -422,6 +451,8 @@ impl SurfaceDefinition {
             }
             SurfaceShape::Combined(surfaces) => Extent::of(0, surfaces.iter().map(|s| s.extent())),
             SurfaceShape::Canonical(numbers) => Extent::of(numbers.len() / 3, []),
+            SurfaceShape::Bspline(b) => Extent::of(b.points.len(), []),
+            SurfaceShape::Facets(all) => Extent::of(all.len(), []),
         }
     }
 
@@ -467,6 +498,12 @@ impl SurfaceDefinition {
                 surfaces.iter().for_each(|s| out.extend(s.numbers()));
             }
             SurfaceShape::Canonical(numbers) => out.extend(numbers),
+            SurfaceShape::Bspline(b) => {
+                b.knots.iter().for_each(|k| out.extend(k));
+                b.points.iter().for_each(|p| out.extend(p));
+                b.range.iter().flatten().for_each(|r| out.extend(r));
+            }
+            SurfaceShape::Facets(all) => all.iter().for_each(|t| push(&mut out, t)),
         }
         push_map(&mut out, self.map.as_ref());
         out

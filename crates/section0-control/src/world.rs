@@ -9,7 +9,8 @@ use std::sync::Arc;
 /// Where files come from. Everything below Section 0 reads through it or not at all.
 pub trait World {
     /// The text of the file that a program names (READ, INCLUD, LIBRY), looked for in the allowed folders.
-    /// A name without an ending is also tried with `.apt` and `.mac`, in any case.
+    /// A name without an ending is also tried with `.apt` and `.mac`, and with those of surfaces from outside
+    /// (`.json`, `.igs`, `.iges`, `.stp`, `.step`, `.stl`), in any case.
     ///
     /// # Errors
     /// When there is none, when it lies outside the folders, is too long or cannot be read.
@@ -125,7 +126,9 @@ impl World for Disk {
 /// with the usual endings.
 fn candidates(folder: &Path, name: &str) -> Vec<PathBuf> {
     let mut paths = vec![folder.join(name)];
-    let wanted = [name.to_owned(), format!("{name}.apt"), format!("{name}.mac")];
+    const ENDINGS: [&str; 9] =
+        ["", ".apt", ".mac", ".json", ".igs", ".iges", ".stp", ".step", ".stl"];
+    let wanted = ENDINGS.map(|ending| format!("{name}{ending}"));
     if let Ok(entries) = fs::read_dir(folder) {
         let mut names: Vec<_> =
             entries.flatten().filter_map(|e| e.file_name().into_string().ok()).collect();

@@ -69,6 +69,9 @@ pub fn define(head: Word, args: &[Arg], context: &Context) -> Result<Form, Defin
     let Some(system) = &context.refsys else {
         return format::solve(head, formats, args, context);
     };
+    if head == word::MATRIX && context.matrix_to_base {
+        return format::solve(head, formats, args, context);
+    }
     let Some(inverse) = system.inverse() else { return Err(DefineError::flat_system()) };
     let local = context.inside(&inverse)?;
     let mut moved = args.to_vec();

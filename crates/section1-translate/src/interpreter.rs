@@ -16,7 +16,7 @@ use crate::define::Found;
 use crate::level::{Level, LevelKind};
 use crate::listing::{Entry, EntryKind};
 use crate::memory::{Memory, Place, Value};
-use crate::program::{Plan, Role, Surroundings, Synonyms, Unit, foreign, plan};
+use crate::program::{Plan, Role, Surroundings, Synonyms, Unit, foreign, plan, sculptured};
 use crate::report::Reports;
 use crate::{Files, Language, Options};
 
@@ -127,6 +127,10 @@ pub(crate) struct State {
     pub(crate) doubt: Doubt,
     /// The place found last on a sculptured form, for PARMF.
     pub(crate) found: Option<Found>,
+    /// Is this a program of APT4?
+    pub(crate) sculptured: bool,
+    /// Was said how a MATRIX in a reference system is taken?
+    pub(crate) matrix_said: bool,
     /// Was a statement of this program executed?
     pub(crate) begun: bool,
 }
@@ -179,6 +183,7 @@ impl<'w> Interpreter<'w> {
             run.push(message);
             return run;
         }
+        run.state.sculptured = sculptured(&unit.program);
         messages.into_iter().for_each(|m| run.push(m));
         run.begin(unit, 0);
         run

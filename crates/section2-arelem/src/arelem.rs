@@ -9,6 +9,7 @@ use aptc_protap::{Direction, DriveSide, Kind, Outcome, Relation, Sense, ToolAxis
 use crate::diagram::Situation;
 use crate::failure::Failure;
 use crate::feed::Feed;
+use crate::fitted::Fitted;
 use crate::forward::forward;
 use crate::state::{Given, Part, Settings, Tool, plane_ref, unit};
 
@@ -40,6 +41,7 @@ pub struct Arelem {
     pending: Option<Box<(Origin, protap::Drive)>>,
     deferred: Vec<protap::Record>,
     pub(crate) feed: Feed,
+    pub(crate) fitted: Fitted,
     pub(crate) diagnostics: Vec<Diagnostic>,
     /// The first motion that failed.
     pub(crate) situation: Option<Situation>,

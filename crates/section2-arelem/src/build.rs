@@ -1,7 +1,7 @@
 //! From a record and the modal words to what a motion is asked to do.
 
 use aptc_contact::{Side, gap};
-use aptc_geometry::{Form, Profile, Surface, Vec3};
+use aptc_geometry::{Form, Profile, Vec3};
 use aptc_protap as protap;
 use aptc_protap::{Dimension, DriveSide, PartSide, Relation, SurfaceRef};
 
@@ -80,7 +80,8 @@ impl Arelem {
     /// Is the tool end on the surface, as GO/ON leaves it?
     pub(crate) fn stands_on(&self, surface: &SurfaceRef, role: Role, tool: &Tool) -> bool {
         let band = self.settings.band(role);
-        Surface::from_form(&surface.form)
+        self.fitted
+            .of(&surface.form)
             .is_some_and(|s| s.distance(tool.te).abs() <= band.intol + band.outtol)
     }
 
@@ -91,7 +92,7 @@ impl Arelem {
         wall: Option<&(Relation, Wall)>,
         tool: &Tool,
     ) -> bool {
-        let (Some((_, wall)), Some(form)) = (wall, Surface::from_form(&surface.form)) else {
+        let (Some((_, wall)), Some(form)) = (wall, self.fitted.of(&surface.form)) else {
             return false;
         };
         let at = aptc_contact::Tool { profile: &wall.profile, te: tool.te, ta: tool.ta };
@@ -104,7 +105,7 @@ impl Arelem {
     /// Does the cutter touch the part surface, to within the width of its band?
     pub(crate) fn touches(&self, part: &SurfaceRef, tool: &Tool) -> bool {
         let (Ok(wall), Some(surface)) =
-            (self.wall(part, Role::Part, false), Surface::from_form(&part.form))
+            (self.wall(part, Role::Part, false), self.fitted.of(&part.form))
         else {
             return false;
         };
@@ -143,7 +144,8 @@ impl Arelem {
         };
         let thick = if on { 0.0 } else { s.thick(role) };
         let disk = s.disk(role).map(|(r, h)| [r, h]);
-        Ok(Wall { surface: surface.clone(), profile, disk, on, thick, band: s.band(role) })
+        let fitted = self.fitted.of(&surface.form);
+        Ok(Wall { surface: surface.clone(), fitted, profile, disk, on, thick, band: s.band(role) })
     }
 
     /// A part plane square to the axis is touched by the tool end of any cutter.

@@ -287,7 +287,7 @@ impl Failure {
             ),
             Self::Unsupported { surface } => (
                 codes::UNSUPPORTED_MOTION,
-                format!("motion with {} cannot be computed yet", called(surface)),
+                format!("motion with {} cannot be computed{}", called(surface), unfit(surface)),
                 "use another surface, or give the positions with GOTO".into(),
             ),
         }
@@ -484,4 +484,17 @@ pub(crate) fn number(x: f64) -> String {
     };
     let trimmed = text.trim_end_matches('0').trim_end_matches('.');
     if trimmed == "-0" { "0".into() } else { trimmed.into() }
+}
+
+/// Why a sculptured surface is none.
+fn unfit(surface: &SurfaceRef) -> String {
+    match surface.form.shape() {
+        aptc_geometry::Form::Ssurf(d) if d.only_checks() => {
+            ": its triangles serve CHKSRF only".into()
+        }
+        aptc_geometry::Form::Ssurf(d) => aptc_geometry::sculpt::fit_surface(d, 1.0)
+            .err()
+            .map_or_else(String::new, |why| format!(": {why}")),
+        _ => " yet".into(),
+    }
 }

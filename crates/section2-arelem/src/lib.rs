@@ -11,6 +11,7 @@ mod build;
 mod diagram;
 mod failure;
 mod feed;
+mod fitted;
 mod forward;
 mod plane;
 mod pocket;

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use aptc_cldata as cl;
 use aptc_contact::Side;
-use aptc_geometry::{Profile, Vec3};
+use aptc_geometry::{Profile, Surface, Vec3};
 use aptc_protap::{Direction, Relation, SurfaceRef};
 
 use crate::axis::AxisRule;
@@ -16,6 +16,8 @@ use crate::state::{Band, Tool};
 #[derive(Clone, Debug)]
 pub(crate) struct Wall {
     pub(crate) surface: SurfaceRef,
+    /// The same prepared for evaluation; `None` when it cannot be.
+    pub(crate) fitted: Option<Surface>,
     /// What touches it.
     pub(crate) profile: Profile,
     /// Radius and height of the disk that the profile is, CUTTER/OPTION.

@@ -8,15 +8,16 @@ use super::Finding;
 use crate::repository::cargo;
 
 /// The edges of ARCHITECTURE.md. A crate may also use whatever those it names may use.
-const EDGES: [(&str, &[&str]); 18] = [
+const EDGES: [(&str, &[&str]); 19] = [
     ("aptc-vocabulary", &[]),
     ("aptc-diagnostics", &[]),
     ("aptc-geometry", &[]),
     ("aptc-contact", &["aptc-geometry"]),
+    ("aptc-exchange", &["aptc-geometry"]),
     ("aptc-protap", &["aptc-geometry", "aptc-vocabulary", "aptc-diagnostics"]),
     ("aptc-cldata", &["aptc-geometry", "aptc-vocabulary", "aptc-diagnostics"]),
     ("aptc-syntax", &["aptc-vocabulary", "aptc-diagnostics"]),
-    ("aptc-translate", &["aptc-syntax", "aptc-protap"]),
+    ("aptc-translate", &["aptc-syntax", "aptc-protap", "aptc-exchange"]),
     ("aptc-arelem", &["aptc-protap", "aptc-cldata", "aptc-contact"]),
     ("aptc-regional", &["aptc-protap", "aptc-cldata", "aptc-contact"]),
     ("aptc-edit", &["aptc-cldata"]),

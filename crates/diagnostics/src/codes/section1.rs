@@ -63,6 +63,8 @@ codes! {
     NO_PROTAP = 1110, "a file that is no PROTAP file";
     BAD_PROTAP_LINE = 1111, "a line that is no PROTAP record";
     BAD_PROTAP_RECORD = 1112, "a PROTAP record that breaks a rule";
+    BAD_SURFACE_FILE = 1113, "a file of surfaces that cannot be used";
+    PART_OF_FILE = 1114, "what a file of surfaces holds besides";
     NO_SUCH_FORMAT = 1200, "arguments that no format of a definition reads";
     WRONG_ARGUMENT = 1201, "an argument of another kind than the format wants";
     PARALLEL = 1202, "lines or planes that do not meet";
@@ -85,6 +87,7 @@ codes! {
     CANON_ELEMENTS = 1219, "canonical elements that do not fit";
     NOT_CARRIED = 1220, "a form that REFSYS cannot carry";
     STEEP_ZSURF = 1221, "a ZSURF plane that gives no z";
+    MATRIX_IN_SYSTEM = 1222, "a MATRIX by places within REFSYS";
     NO_STATEMENT = 1300, "a word that begins no statement";
     UNKNOWN_POST_WORD = 1301, "a word that is in no table";
     OTHER_DIALECT = 1302, "a word of another dialect";

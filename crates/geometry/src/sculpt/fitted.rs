@@ -3,6 +3,8 @@
 use std::sync::Arc;
 
 use super::arc::CubicArc;
+use super::bspline::{BsplineFault, bspline};
+use super::canon;
 use super::conic::{ConicCondition, ConicFault, conic_arc};
 use super::cross::{Product, cross_product, revolve, ruled, swept};
 use super::curve::SpaceCurve;
@@ -36,6 +38,8 @@ pub enum FitFault {
     NoJoint,
     /// CHORD without a direction or two points, or ANGLE without a point.
     NoPivot,
+    /// A B-spline surface is none.
+    Bspline(BsplineFault),
     /// The array of CANON is not understood.
     Canonical,
     /// Definitions within each other deeper than a bound.
@@ -95,6 +99,7 @@ impl core::fmt::Display for FitFault {
             Self::NoLength => "the ends coincide",
             Self::NoJoint => "FLOW or SEG names a span that the curve has not",
             Self::NoPivot => "ANGLE needs a point, CHORD a vector or two points",
+            Self::Bspline(b) => return b.fmt(f),
             Self::Canonical => "the array of CANON is not understood",
             Self::TooDeep => "definitions are nested too deep",
         };
@@ -156,7 +161,7 @@ fn curve(d: &CurveDefinition, depth: usize) -> Result<SpaceCurve, FitFault> {
             let parts = curves.iter().map(|c| curve(c, depth)).collect::<Result<Vec<_>, _>>()?;
             SpaceCurve::chained(&parts).ok_or(FitFault::NoLength)?
         }
-        CurveShape::Canonical(_) => return Err(FitFault::Canonical),
+        CurveShape::Canonical(e) => canon::curve(e).ok_or(FitFault::Canonical)?,
     };
     c.flow = flow_of(d, c.arcs.len())?;
     Ok(match &d.map {
@@ -285,7 +290,9 @@ fn surface(d: &SurfaceDefinition, reach: f64, depth: usize) -> Result<Sculptured
                 parts.iter().map(|p| surface(p, reach, depth)).collect::<Result<Vec<_>, _>>()?;
             Sculptured::combined(&parts)?
         }
-        SurfaceShape::Canonical(_) => return Err(FitFault::Canonical),
+        SurfaceShape::Canonical(e) => canon::surface(e).ok_or(FitFault::Canonical)??,
+        SurfaceShape::Bspline(b) => bspline(b).map_err(FitFault::Bspline)?.0,
+        SurfaceShape::Facets(all) => Sculptured::loose(all.iter().map(facet).collect())?,
     };
     Ok(match &d.map {
         Some(m) => s.transformed(m),
@@ -316,6 +323,18 @@ fn patch_list(
         if p.minus { turned(&patch) } else { patch }
     });
     Ok(Sculptured::loose(made.collect())?)
+}
+
+/// A triangle as a flat patch with one border of no length.
+fn facet(t: &[Vec3; 3]) -> Patch {
+    let [a, b, c] = *t;
+    let zero = Vec3::zeros();
+    Patch::hermite([
+        [a, b, b - a, b - a],
+        [c, c, zero, zero],
+        [c - a, c - b, a - b, a - b],
+        [c - a, c - b, a - b, a - b],
+    ])
 }
 
 /// The patch with u and v exchanged, so that its normal points to the other side.

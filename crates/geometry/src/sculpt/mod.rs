@@ -10,6 +10,8 @@
 //! span over all splines. Found from its printed results.
 
 mod arc;
+mod bspline;
+mod canon;
 mod conic;
 mod cross;
 mod curve;
@@ -26,6 +28,7 @@ mod surface;
 mod trimmed;
 
 pub use arc::{ArcPoint, CubicArc, Vec4};
+pub use bspline::{BsplineFault, bspline};
 pub use conic::{ConicCondition, ConicFault, conic_arc, line_arc};
 pub use cross::{Product, cross_product, revolve, ruled, swept};
 pub use curve::{CurveAt, SpaceCurve};

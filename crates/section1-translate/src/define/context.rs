@@ -15,6 +15,9 @@ pub struct Context {
     pub zsurf: Option<Plane>,
     /// REFSYS: the map from the reference system into the base system.
     pub refsys: Option<Transform>,
+    /// A MATRIX given by places (points, vectors, planes) within REFSYS leads into the base system, as APT4
+    /// has it; else into the reference system, as the manual of APT-360 has it.
+    pub matrix_to_base: bool,
     /// Most points in a PATERN and most points of a TABCYL; historic 330 and 139.
     pub max_points: usize,
     /// How far a TABCYL goes straight on at both ends; historic 10 inches, in program units.
@@ -49,6 +52,7 @@ impl Default for Context {
         Self {
             zsurf: None,
             refsys: None,
+            matrix_to_base: false,
             max_points: 100_000,
             tabcyl_end: 10.0,
             found: RefCell::default(),

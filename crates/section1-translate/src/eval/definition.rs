@@ -4,10 +4,10 @@ use std::cell::RefCell;
 use std::sync::Arc;
 
 use aptc_diagnostics::{Diagnostic, Span, codes};
-use aptc_geometry::{Form, Vec3};
+use aptc_geometry::{Form, FormKind, Vec3};
 use aptc_protap::{Kind, NameRef, Units, fault_of_form};
 use aptc_syntax::tree::{Definition, ExprKind, Target};
-use aptc_vocabulary::{Class, closest, word};
+use aptc_vocabulary::{Class, Word, closest, word};
 
 use super::{Arg, ArgKind, Known, Names, Poisoned};
 use crate::Interpreter;
@@ -88,7 +88,9 @@ impl Interpreter<'_> {
         let args: Vec<define::Arg> = args?.into_iter().map(define::Arg::from).collect();
         let refused = args.first().and_then(|a| match a.value {
             define::Value::Word(word::CLDATA | word::CLDATF) => Some(super::NO_CUT_VECTORS),
-            define::Value::Word(word::FETCH) => Some("saved surfaces are read by READ/1,name"),
+            define::Value::Word(word::FETCH) => Some(
+                "saved surfaces, and those of JSON, IGES, STEP and STL, are read by READ/1,name",
+            ),
             _ => None,
         });
         if let (Some(reason), Some(first)) = (refused, args.first()) {
@@ -99,10 +101,12 @@ impl Interpreter<'_> {
         let context = Context {
             zsurf: self.state.zsurf,
             refsys: self.state.refsys,
+            matrix_to_base: self.state.sculptured,
             max_points: self.options.limits.points,
             tabcyl_end: self.prolongation(),
             found: RefCell::default(),
         };
+        self.matrix_within(head, span, &args);
         let canon = define::Value::Word(word::CANON);
         // Those whose places a message names.
         let (form, args) = match args.as_slice() {
@@ -138,6 +142,34 @@ impl Interpreter<'_> {
                 Err(Poisoned)
             }
         }
+    }
+
+    /// Says once how a MATRIX given by places is taken within REFSYS, where the dialects differ.
+    fn matrix_within(&mut self, head: Word, span: Span, args: &[define::Arg]) {
+        let by_places = args.iter().any(|a| match &a.value {
+            define::Value::Form { form, .. } => form.kind() != FormKind::Matrix,
+            _ => false,
+        });
+        if head != word::MATRIX || self.state.refsys.is_none() || !by_places {
+            return;
+        }
+        if std::mem::replace(&mut self.state.matrix_said, true) {
+            return;
+        }
+        let (to, why) = if self.state.sculptured {
+            ("the base system", "the program has sculptured forms: so APT4 takes it")
+        } else {
+            ("the reference system", "so the manual of APT-360 has it; APT4 takes the base system")
+        };
+        self.error(
+            Diagnostic::warning(
+                codes::MATRIX_IN_SYSTEM,
+                span,
+                format!("this MATRIX within REFSYS leads into {to}"),
+            )
+            .note(why)
+            .help("define it before REFSYS, or after REFSYS/NOMORE, where no system is in doubt"),
+        );
     }
 
     /// How far a TABCYL goes straight on at its ends, and a RULED cylinder to both sides.

@@ -1,5 +1,5 @@
 //! Files that a program reads: READ/2, INCLUD, LIBRY; and READ/1, whose saved definitions are statements
-//! in a file of their name, by CANON or otherwise.
+//! in a file of their name, by CANON or otherwise, or as surfaces of another program.
 
 use std::sync::Arc;
 
@@ -11,7 +11,7 @@ use crate::eval::{Known, Poisoned};
 use crate::interpreter::MacroDef;
 use crate::level::{Level, LevelKind};
 use crate::program::{Plan, Role, Unit};
-use crate::{Asker, FileRequest, Interpreter};
+use crate::{Asker, FileRequest, Interpreter, LoadedFile};
 
 impl Interpreter<'_> {
     /// READ/1,names, READ/2,name.
@@ -65,11 +65,15 @@ impl Interpreter<'_> {
             (self.state.doubt.names, self.state.doubt.macros) = (true, true);
             return;
         }
-        let Ok((unit, plan)) = self.open(asker, &file, name.span) else {
+        let Ok(text) = self.fetch(asker, &file, name.span) else {
             (self.state.doubt.names, self.state.doubt.macros) = (true, true);
             self.fail();
             return;
         };
+        if asker == Asker::Geometry && self.outside(name, &text) {
+            return;
+        }
+        let (unit, plan) = self.open(&text);
         let frame = Frame {
             kind: FrameKind::Include,
             name: unit.name.as_deref().unwrap_or_default().into(),
@@ -102,7 +106,8 @@ impl Interpreter<'_> {
     pub(super) fn fetch_library(&mut self, symbol: Symbol) -> Known<()> {
         let Some(span) = self.libraries.remove(&symbol) else { return Ok(()) };
         let file: Arc<str> = self.interner.text(symbol).into();
-        let (unit, plan) = self.open(Asker::Library, &file, span)?;
+        let text = self.fetch(Asker::Library, &file, span)?;
+        let (unit, plan) = self.open(&text);
         let mut found = false;
         for (place, statement) in (0u32..).zip(&unit.program.statements) {
             if let (Body::Macro { name, .. }, Role::Macro(end)) =
@@ -128,14 +133,16 @@ impl Interpreter<'_> {
         Err(Poisoned)
     }
 
-    fn open(&mut self, asker: Asker, name: &str, span: Span) -> Known<(Arc<Unit>, Arc<Plan>)> {
+    fn open(&mut self, file: &LoadedFile) -> (Arc<Unit>, Arc<Plan>) {
+        let unit = self.load(&file.name, &file.text, Some(Arc::clone(&file.name)));
+        let plan = self.plan(&unit, 0);
+        (unit, plan)
+    }
+
+    fn fetch(&mut self, asker: Asker, name: &str, span: Span) -> Known<LoadedFile> {
         let request = FileRequest { asker, name: name.into() };
         match self.files.read(&request) {
-            Ok(file) => {
-                let unit = self.load(&file.name, &file.text, Some(Arc::clone(&file.name)));
-                let plan = self.plan(&unit, 0);
-                Ok((unit, plan))
-            }
+            Ok(file) => Ok(file),
             Err(why) => {
                 let mut message = Diagnostic::error(why.code, span, why.message);
                 message.help = why.help;

@@ -2,6 +2,7 @@
 
 mod calls;
 mod include;
+mod outside;
 
 use aptc_diagnostics::{Diagnostic, Span, codes};
 use aptc_syntax::tree::{Body, Expr, ExprKind, Name};

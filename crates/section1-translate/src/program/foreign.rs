@@ -63,6 +63,16 @@ pub(crate) fn foreign(program: &Program) -> Option<Diagnostic> {
     )
 }
 
+/// Does the program define or mill sculptured forms? Then it is one of APT4.
+pub(crate) fn sculptured(program: &Program) -> bool {
+    const OWN: [Word; 5] = [word::SSURF, word::SCURV, word::SCON, word::SMIL, word::GOLOFT];
+    let mut found = false;
+    for statement in &program.statements {
+        heads(&statement.body, &mut |name| found |= name.word.is_some_and(|w| OWN.contains(&w)));
+    }
+    found
+}
+
 /// Names that SYN gives a meaning.
 fn synonyms(body: &Body, own: &mut HashSet<Symbol>) {
     let Body::Clauses(clauses) = body else { return };

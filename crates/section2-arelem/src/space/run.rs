@@ -132,7 +132,7 @@ fn longest(scene: &Scene, begin: &Begin, watches: &[Watch]) -> (f64, bool) {
         return (scene.limits.step, false);
     }
     // Far enough to pass whatever the check surfaces have on the line.
-    let extent = |w: &Wall| Surface::from_form(&w.surface.form).map_or(0.0, |s| s.extent());
+    let extent = |w: &Wall| w.fitted.as_ref().map_or(0.0, Surface::extent);
     let size = scene.checks.iter().map(|c| extent(&c.wall)).fold(scene.tool.te.norm(), f64::max);
     let planes = watches.iter().map(|w| w.ahead(&begin.node)).fold(0.0, f64::max);
     (8.0 * (size + track.keeps[0].profile.reach()) + 2.0 * planes, true)
@@ -188,7 +188,7 @@ fn keep(wall: &Wall, side: Side) -> Result<Keep, Failure> {
     let unusable = || Failure::Unsupported { surface: wall.surface.clone() };
     Ok(Keep {
         profile: wall.profile,
-        surface: Surface::from_form(&wall.surface.form).ok_or_else(unusable)?,
+        surface: wall.fitted.clone().ok_or_else(unusable)?,
         condition: if wall.on { Condition::On } else { Condition::Touch },
         side,
         thick: wall.thick,

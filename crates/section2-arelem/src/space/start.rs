@@ -178,7 +178,9 @@ fn aim(
     pose: &Pose,
     to_past: Option<Vec3>,
 ) -> Result<Keep, Failure> {
-    let surface = Surface::from_form(&wall.surface.form)
+    let surface = wall
+        .fitted
+        .clone()
         .ok_or_else(|| Failure::Unsupported { surface: wall.surface.clone() })?;
     let condition = if wall.on { Condition::On } else { Condition::Touch };
     let mut keep = Keep {

@@ -146,11 +146,17 @@ impl ParametricSurface {
         self.extent
     }
 
-    /// The direction of the ruling through the point nearest to `p`, away from the first curve.
+    /// The direction of the ruling through the point nearest to `p`, away from the first curve. A sculptured
+    /// surface that is straight in neither direction is followed across its splines, as APT4 does.
     pub fn ruling(&self, p: Vec3) -> Option<Vec3> {
-        let Patch::Ruled(_) = &self.patch else { return None };
+        let along = match &self.patch {
+            Patch::Ruled(_) => false,
+            Patch::Sculptured(s) => s.ruled_along(),
+            Patch::Polyconic(_) => return None,
+        };
         let (u, v) = self.nearest(p)?;
-        self.patch.jet(u, v).sv.try_normalize(0.0)
+        let jet = self.patch.jet(u, v);
+        (if along { jet.su } else { jet.sv }).try_normalize(0.0)
     }
 
     /// Directed distances along the unit direction `d`, rising.

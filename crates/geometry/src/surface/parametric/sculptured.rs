@@ -21,6 +21,8 @@ pub(super) struct Spans {
     surface: Sculptured,
     spans: [f64; 2],
     domain: Domain,
+    /// Is it straight along u, and bent along v?
+    ruled_along: bool,
 }
 
 /// A sculptured surface with how far it goes straight on, in shares of itself: 0 to 1 is the surface.
@@ -43,6 +45,10 @@ pub fn continued(definition: &SurfaceDefinition) -> Option<Continued> {
 impl Spans {
     /// `None` when the definition cannot be fitted.
     pub(super) fn new(definition: &SurfaceDefinition) -> Option<Self> {
+        // Triangles are for checking: they have no common parameters and no smooth normals.
+        if definition.only_checks() {
+            return None;
+        }
         let surface = crate::sculpt::fit_surface(definition, REACH).ok()?;
         let surface = as_grid(&surface).unwrap_or(surface);
         let spans = surface.spans();
@@ -63,7 +69,13 @@ impl Spans {
         };
         let u = range(open(&|v| at(0.0, v), &|v| at(1.0, v)));
         let v = range(open(&|u| at(u, 0.0), &|u| at(u, 1.0)));
-        Some(Self { spans, domain: Domain { u, v }, surface })
+        let ruled_along = straight(&surface, size, true) && !straight(&surface, size, false);
+        Some(Self { spans, domain: Domain { u, v }, ruled_along, surface })
+    }
+
+    /// Do its rulings run along u? Else along v.
+    pub(super) fn ruled_along(&self) -> bool {
+        self.ruled_along
     }
 
     pub(super) fn domain(&self) -> Domain {
@@ -87,6 +99,21 @@ impl Spans {
         let (over_u, over_v) = (u - a, v - b);
         if over_u == 0.0 && over_v == 0.0 { jet } else { jet.beyond(over_u, over_v) }
     }
+}
+
+/// Do the control points of each row along u (or across, along v) lie on a straight line?
+fn straight(surface: &Sculptured, size: f64, along: bool) -> bool {
+    let row = |p: &Patch, k: usize| {
+        [0, 1, 2, 3].map(|i| {
+            let h = if along { p.net[k][i] } else { p.net[i][k] };
+            h.xyz() / h.w
+        })
+    };
+    let line = |q: [Vec3; 4]| {
+        let w = q[3] - q[0];
+        [q[1], q[2]].iter().all(|r| (r - q[0]).cross(&w).norm() <= 1e-9 * size * w.norm())
+    };
+    surface.patches.iter().all(|p| (0..4).all(|k| line(row(p, k))))
 }
 
 /// Loose patches that fit together into a rectangle, as one grid; `None` when they do not.

@@ -1,0 +1,392 @@
+//! IGES 5.3: B-spline surfaces (128) and parametric spline surfaces (114), with their matrices (124).
+//!
+//! No library of the registry reads IGES. Source of the layout: IGES 5.3 (US PRO, 1996), chapters 2 and 4.
+
+use std::collections::BTreeMap;
+
+use aptc_geometry::Transform;
+use aptc_geometry::sculptured::{BsplineSurface, SurfaceShape};
+
+use crate::{Collected, Fault, Limits, Outside, broken};
+
+/// Matrices that refer to each other.
+const MATRICES: usize = 8;
+
+/// A surface of these types is known and not read.
+const OTHER: [(u32, &str); 9] = [
+    (108, "bounded plane"),
+    (118, "ruled surface"),
+    (120, "surface of revolution"),
+    (122, "tabulated cylinder"),
+    (140, "offset surface"),
+    (186, "solid"),
+    (190, "plane surface"),
+    (192, "cylindrical surface"),
+    (196, "spherical surface"),
+];
+
+/// A pair of lines of the directory.
+struct Entry {
+    kind: u32,
+    /// First line of its parameters, and their number.
+    from: usize,
+    lines: usize,
+    /// Directory line of its matrix; 0 for none.
+    matrix: usize,
+    /// Line of the file.
+    line: usize,
+}
+
+/// The file by its sections.
+struct File<'t> {
+    entries: BTreeMap<usize, Entry>,
+    /// Columns 1 to 64 of the parameter section, with the line of the file.
+    parameters: Vec<(&'t str, usize)>,
+    /// Between parameters, and behind the last.
+    marks: [char; 2],
+    unit_mm: Option<f64>,
+}
+
+/// Is the letter of the start section in column 73 of the first line?
+pub(crate) fn is(text: &str) -> bool {
+    text.lines().next().is_some_and(|l| {
+        section(l) == Some('S') && l.get(73..).is_some_and(|n| n.trim().parse::<u32>().is_ok())
+    })
+}
+
+fn section(line: &str) -> Option<char> {
+    line.get(72..73)?.chars().next()
+}
+
+pub(crate) fn read(text: &str, limits: &Limits) -> Result<Outside, Fault> {
+    let file = sections(text)?;
+    let held = |kinds: &[u32]| file.entries.values().find(|e| kinds.contains(&e.kind));
+    if let Some(e) = held(&[143, 144]) {
+        let name =
+            if e.kind == 143 { "a bounded surface (143)" } else { "a trimmed surface (144)" };
+        return Err(Fault::Unsupported(format!(
+            "it holds {name}, and trims are not read; write the surfaces without them"
+        )));
+    }
+    let mut out = Collected::new(limits);
+    out.file.unit_mm = file.unit_mm;
+    for e in file.entries.values() {
+        let name = format!("entity {} of line {}", e.kind, e.line);
+        match e.kind {
+            128 => {
+                let p = Numbers::of(&file, e)?;
+                let (surface, map) = (bspline(p, limits)?, file.map(e.matrix)?);
+                out.bspline(&name, surface, map)?;
+            }
+            114 => {
+                let p = Numbers::of(&file, e)?;
+                let (shape, n) = spline(p, limits)?;
+                out.push(shape, n, file.map(e.matrix)?)?;
+            }
+            _ => {}
+        }
+    }
+    let left: Vec<String> = OTHER
+        .iter()
+        .filter_map(|(kind, name)| {
+            let n = file.entries.values().filter(|e| e.kind == *kind).count();
+            (n > 0).then(|| format!("{n} of type {kind} ({name})"))
+        })
+        .collect();
+    match (out.file.surfaces.is_empty(), left.is_empty()) {
+        (true, false) => return Err(Fault::NoSurface(left.join(", "))),
+        (false, false) => out.file.notes.push(format!("not read: {}", left.join(", "))),
+        _ => {}
+    }
+    Ok(out.file)
+}
+
+fn sections(text: &str) -> Result<File<'_>, Fault> {
+    let (mut global, mut directory, mut parameters) = (String::new(), Vec::new(), Vec::new());
+    for (k, line) in text.lines().enumerate() {
+        let at = k + 1;
+        match section(line) {
+            Some('G') => global.push_str(line.get(..72).unwrap_or_default()),
+            Some('D') => directory.push((line, at)),
+            Some('P') => parameters.push((line.get(..64).unwrap_or_default(), at)),
+            Some('S' | 'T') => {}
+            _ if line.trim().is_empty() => {}
+            _ => {
+                let what = "neither S, G, D, P nor T stands in column 73".to_owned();
+                return Err(Fault::Broken { what, line: Some(at) });
+            }
+        }
+    }
+    let (fields, marks) = globals(&global)?;
+    let number = |i: usize| fields.get(i).and_then(|f| f.trim().parse::<f64>().ok());
+    let unit_mm = unit(number(13), fields.get(14).map(String::as_str));
+    let mut entries = BTreeMap::new();
+    for (k, pair) in directory.chunks(2).enumerate() {
+        let [(first, line), (second, _)] = pair else {
+            return Err(broken("the directory has an odd number of lines"));
+        };
+        let field = |text: &str, i: usize| {
+            let digits = text.get(8 * i..8 * i + 8).unwrap_or_default().trim();
+            if digits.is_empty() { Some(0) } else { digits.parse::<i64>().ok() }
+        };
+        let get = |text: &str, i: usize| {
+            field(text, i).and_then(|n| usize::try_from(n.max(0)).ok()).ok_or_else(|| {
+                Fault::Broken {
+                    what: format!("field {} of the directory is no number", i + 1),
+                    line: Some(*line),
+                }
+            })
+        };
+        let kind = u32::try_from(get(first, 0)?).unwrap_or(0);
+        let (from, matrix, lines) = (get(first, 1)?, get(first, 6)?, get(second, 3)?);
+        entries.insert(2 * k + 1, Entry { kind, from, lines, matrix, line: *line });
+    }
+    Ok(File { entries, parameters, marks, unit_mm })
+}
+
+/// The fields of the global section and the two marks that it sets.
+fn globals(text: &str) -> Result<(Vec<String>, [char; 2]), Fault> {
+    // `1H,` sets a mark; an empty field leaves the usual one.
+    let mark = |text: &'_ str, usual: char| {
+        let own = text.strip_prefix("1H").and_then(|t| t.chars().next());
+        own.map_or((usual, 0), |c| (c, 2 + c.len_utf8()))
+    };
+    let mut rest = text.trim_start();
+    let (between, used) = mark(rest, ',');
+    rest = &rest[used..];
+    rest = rest.strip_prefix(between).unwrap_or(rest);
+    let (end, used) = mark(rest, ';');
+    rest = &rest[used..];
+    rest = rest.strip_prefix(between).unwrap_or(rest);
+    let mut fields = vec![String::new(), String::new()];
+    let mut last = false;
+    while !last && !rest.is_empty() {
+        let (field, after, over) = field(rest, [between, end])?;
+        fields.push(field);
+        rest = after;
+        last = over;
+    }
+    Ok((fields, [between, end]))
+}
+
+/// The field before the next mark, what stands behind the mark, and whether the record ends there. Texts are
+/// counted (`5Habcde`), so that marks may stand in them.
+fn field(text: &str, [between, end]: [char; 2]) -> Result<(String, &str, bool), Fault> {
+    let start = text.trim_start();
+    let digits = start.len() - start.trim_start_matches(|c: char| c.is_ascii_digit()).len();
+    if digits > 0 && start[digits..].starts_with('H') {
+        let n: usize = start[..digits].parse().unwrap_or(usize::MAX);
+        let body = &start[digits + 1..];
+        let bytes = body.char_indices().nth(n).map_or(body.len(), |(at, _)| at);
+        if n > body.len() {
+            return Err(broken("a text is longer than its record"));
+        }
+        let (held, after) = body.split_at(bytes);
+        let mut chars = after.trim_start().chars();
+        let over = chars.next().is_none_or(|c| c == end);
+        return Ok((held.to_owned(), chars.as_str(), over));
+    }
+    match start.find([between, end]) {
+        Some(at) => {
+            let c = start[at..].chars().next().unwrap_or(end);
+            Ok((start[..at].to_owned(), &start[at + c.len_utf8()..], c == end))
+        }
+        None => Ok((start.to_owned(), "", true)),
+    }
+}
+
+/// Millimetres of the unit: its number, or its name where the number is 3.
+fn unit(flag: Option<f64>, name: Option<&str>) -> Option<f64> {
+    let by_name = || {
+        Some(match name?.trim().to_ascii_uppercase().as_str() {
+            "IN" | "INCH" => 25.4,
+            "MM" => 1.0,
+            "FT" => 304.8,
+            "M" => 1000.0,
+            "CM" => 10.0,
+            "KM" => 1e6,
+            "MI" => 1_609_344.0,
+            "UM" => 1e-3,
+            "MIL" => 0.0254,
+            "UIN" => 25.4e-6,
+            _ => return None,
+        })
+    };
+    match flag {
+        Some(1.0) => Some(25.4),
+        Some(2.0) => Some(1.0),
+        Some(4.0) => Some(304.8),
+        Some(5.0) => Some(1_609_344.0),
+        Some(6.0) => Some(1000.0),
+        Some(7.0) => Some(1e6),
+        Some(8.0) => Some(0.0254),
+        Some(9.0) => Some(1e-3),
+        Some(10.0) => Some(10.0),
+        Some(11.0) => Some(25.4e-6),
+        _ => by_name(),
+    }
+}
+
+/// The numbers of an entity, behind its type.
+struct Numbers {
+    all: Vec<f64>,
+    at: usize,
+    line: usize,
+}
+
+impl Numbers {
+    fn of(file: &File<'_>, e: &Entry) -> Result<Self, Fault> {
+        let wrong = |what: &str| Fault::Broken { what: what.to_owned(), line: Some(e.line) };
+        let lines = e
+            .from
+            .checked_sub(1)
+            .and_then(|from| file.parameters.get(from..from.checked_add(e.lines.max(1))?))
+            .ok_or_else(|| wrong("its parameters are not in the file"))?;
+        let text: String = lines.iter().map(|(l, _)| *l).collect();
+        let (mut rest, mut all, mut over) = (text.as_str(), Vec::new(), false);
+        while !over && !rest.trim().is_empty() {
+            let (held, after, last) = field(rest, file.marks)?;
+            let digits = held.trim().replace(['D', 'd'], "E");
+            let x = if digits.is_empty() { Ok(0.0) } else { digits.parse::<f64>() };
+            let first = lines.first().map_or(e.line, |l| l.1);
+            all.push(x.map_err(|_| Fault::Broken {
+                what: format!("{} is no number, among the parameters", held.trim()),
+                line: Some(first),
+            })?);
+            (rest, over) = (after, last);
+        }
+        if all.first().is_none_or(|k| (*k - f64::from(e.kind)).abs() > 0.0) {
+            return Err(wrong("its parameters are those of another type"));
+        }
+        Ok(Self { all, at: 1, line: e.line })
+    }
+
+    fn take(&mut self, n: usize) -> Result<&[f64], Fault> {
+        let end = self.at.checked_add(n).filter(|end| *end <= self.all.len());
+        let Some(end) = end else {
+            let what = format!("it has {} parameters and needs more", self.all.len());
+            return Err(Fault::Broken { what, line: Some(self.line) });
+        };
+        let from = std::mem::replace(&mut self.at, end);
+        Ok(&self.all[from..end])
+    }
+
+    /// A count that the limits allow.
+    fn count(&mut self, limits: &Limits) -> Result<usize, Fault> {
+        let x = self.take(1)?[0];
+        let whole = (x >= 0.0 && x.fract() == 0.0 && x < 1e9)
+            .then(|| format!("{x}").parse().ok())
+            .flatten();
+        whole.filter(|n: &usize| *n <= limits.points).ok_or_else(|| Fault::Broken {
+            what: format!("{x} is no count"),
+            line: Some(self.line),
+        })
+    }
+}
+
+impl File<'_> {
+    /// The map of the matrix at a directory line, those that it refers to after it.
+    fn map(&self, matrix: usize) -> Result<Option<Transform>, Fault> {
+        let (mut at, mut map) = (matrix, None);
+        for _ in 0..MATRICES {
+            if at == 0 {
+                return Ok(map);
+            }
+            let Some(e) = self.entries.get(&at).filter(|e| e.kind == 124) else {
+                return Err(broken(format!("directory line {at} is no matrix (124)")));
+            };
+            let rows: [f64; 12] = Numbers::of(self, e)?
+                .take(12)?
+                .try_into()
+                .map_err(|_| broken("a matrix has twelve numbers"))?;
+            let own = Transform::from_rows(&rows);
+            map = Some(map.map_or(own, |m: Transform| m.then(&own)));
+            at = e.matrix;
+        }
+        Err(Fault::TooLarge(format!("more than {MATRICES} matrices refer to each other")))
+    }
+}
+
+/// Type 128.
+fn bspline(mut p: Numbers, limits: &Limits) -> Result<BsplineSurface, Fault> {
+    let mut upper = [0; 4];
+    for u in &mut upper {
+        *u = p.count(limits)?;
+    }
+    let [k1, k2, m1, m2] = upper;
+    let _flags = p.take(5)?;
+    let counts = [k1 + 1, k2 + 1];
+    let degree = [m1, m2];
+    let mut knots = [Vec::new(), Vec::new()];
+    for k in 0..2 {
+        knots[k] = p.take(counts[k] + degree[k] + 1)?.to_vec();
+    }
+    let n = counts[0].checked_mul(counts[1]).filter(|n| *n <= limits.points);
+    let n = n.ok_or_else(|| Fault::TooLarge(format!("more than {} points", limits.points)))?;
+    let weights = p.take(n)?.to_vec();
+    let points = p.take(3 * n)?.chunks_exact(3).zip(weights).map(|(q, w)| [q[0], q[1], q[2], w]);
+    let points = points.collect();
+    let r = p.take(4)?;
+    let range = [Some([r[0], r[1]]), Some([r[2], r[3]])];
+    Ok(BsplineSurface { degree, knots, counts, points, range })
+}
+
+/// Type 114: powers of the distance from each patch's corner, up to the third.
+fn spline(mut p: Numbers, limits: &Limits) -> Result<(SurfaceShape, usize), Fault> {
+    let _kind = p.take(2)?;
+    let (m, n) = (p.count(limits)?, p.count(limits)?);
+    let line = p.line;
+    let rising = |b: &[f64]| {
+        let up = b.windows(2).all(|w| w[1] > w[0]);
+        let what = "the breakpoints of a spline surface do not rise".to_owned();
+        if up { Ok(b.to_vec()) } else { Err(Fault::Broken { what, line: Some(line) }) }
+    };
+    let (tu, tv) = (rising(p.take(m + 1)?)?, rising(p.take(n + 1)?)?);
+    let cells = m.checked_mul(n).filter(|c| *c > 0 && 16 * c <= limits.points);
+    let cells = cells.ok_or_else(|| Fault::TooLarge("no patches, or too many".into()))?;
+    // Row after row along v for each place along u, behind each row one that means nothing.
+    let mut net = vec![0.0; 64 * cells];
+    for i in 0..m {
+        for j in 0..n {
+            let c = p.take(48)?;
+            let (du, dv) = (tu[i + 1] - tu[i], tv[j + 1] - tv[j]);
+            let cell = &mut net[64 * (j * m + i)..][..64];
+            for axis in 0..3 {
+                let power = |a: usize, b: usize| {
+                    let scale =
+                        [1.0, du, du * du, du * du * du][a] * [1.0, dv, dv * dv, dv * dv * dv][b];
+                    c[16 * axis + 4 * b + a] * scale
+                };
+                for row in 0..4 {
+                    for column in 0..4 {
+                        cell[4 * (4 * row + column) + axis] = bezier(column, row, power);
+                    }
+                }
+            }
+            (0..16).for_each(|k| cell[4 * k + 3] = 1.0);
+        }
+        p.take(48)?;
+    }
+    #[expect(clippy::cast_precision_loss, reason = "counts within the limits")]
+    let mut words = vec![m as f64, n as f64, cells as f64];
+    words.append(&mut net);
+    Ok((SurfaceShape::Canonical(words), 16 * cells))
+}
+
+/// The control point (i, j) of a bicubic whose coefficients of u^a v^b are given.
+fn bezier(i: usize, j: usize, power: impl Fn(usize, usize) -> f64) -> f64 {
+    // Shares of the powers in the control points: C(i, a) / C(3, a).
+    const SHARE: [[f64; 4]; 4] = [
+        [1.0, 0.0, 0.0, 0.0],
+        [1.0, 1.0 / 3.0, 0.0, 0.0],
+        [1.0, 2.0 / 3.0, 1.0 / 3.0, 0.0],
+        [1.0, 1.0, 1.0, 1.0],
+    ];
+    let mut sum = 0.0;
+    for (a, along) in SHARE[i].iter().enumerate() {
+        for (b, across) in SHARE[j].iter().enumerate() {
+            sum += along * across * power(a, b);
+        }
+    }
+    sum
+}

@@ -1,0 +1,324 @@
+//! STEP (ISO 10303-21): B-spline surfaces, also rational ones as complex instances, and those with implied
+//! knots. The text is read by `ruststep`.
+
+use std::collections::BTreeMap;
+
+use aptc_geometry::sculptured::BsplineSurface;
+use ruststep::ast::{EntityInstance, Name, Parameter, Record};
+
+use crate::{Collected, Fault, Limits, Outside, broken};
+
+/// Brackets within each other: the reader of the text calls itself for each.
+const DEPTH: usize = 64;
+
+/// Other surfaces, which are not read.
+const OTHER: [&str; 8] = [
+    "PLANE",
+    "CYLINDRICAL_SURFACE",
+    "CONICAL_SURFACE",
+    "SPHERICAL_SURFACE",
+    "TOROIDAL_SURFACE",
+    "SURFACE_OF_REVOLUTION",
+    "SURFACE_OF_LINEAR_EXTRUSION",
+    "OFFSET_SURFACE",
+];
+
+/// Faces, whose borders would cut the surfaces.
+const FACES: [&str; 3] = ["ADVANCED_FACE", "FACE_SURFACE", "CURVE_BOUNDED_SURFACE"];
+
+/// Records of an entity by its number.
+type Entities<'x> = BTreeMap<u64, &'x [Record]>;
+
+pub(crate) fn read(text: &str, limits: &Limits) -> Result<Outside, Fault> {
+    let text = prepared(text)?;
+    let file = ruststep::parser::parse(&text).map_err(|e| {
+        let first = e.to_string();
+        broken(format!("this is no STEP file: {}", first.lines().next().unwrap_or_default()))
+    })?;
+    let entities: Entities<'_> = file
+        .data
+        .iter()
+        .flat_map(|d| &d.entities)
+        .map(|e| match e {
+            EntityInstance::Simple { id, record } => (*id, std::slice::from_ref(record)),
+            EntityInstance::Complex { id, subsuper } => (*id, subsuper.0.as_slice()),
+        })
+        .collect();
+    let mut out = Collected::new(limits);
+    out.file.unit_mm = unit(&entities)?;
+    let (mut other, mut faces) = (BTreeMap::<&str, usize>::new(), 0);
+    for (id, records) in &entities {
+        if let Some(surface) = surface(&entities, *id, records, limits)? {
+            out.bspline(&format!("#{id}"), surface, None)?;
+        }
+        for r in *records {
+            if let Some(name) = OTHER.iter().find(|n| r.name == **n) {
+                *other.entry(name).or_default() += 1;
+            }
+            faces += usize::from(FACES.contains(&r.name.as_str()));
+        }
+    }
+    let left: Vec<String> = other.iter().map(|(name, n)| format!("{n} {name}")).collect();
+    if out.file.surfaces.is_empty() {
+        return Err(Fault::NoSurface(left.join(", ")));
+    }
+    if !left.is_empty() {
+        out.file.notes.push(format!("not read: {}", left.join(", ")));
+    }
+    if faces > 0 {
+        out.file.notes.push(
+            "borders of faces are not regarded: each B-spline surface is taken as a whole".into(),
+        );
+    }
+    Ok(out.file)
+}
+
+/// The text with `$` for empty lists, which the reader does not know. Brackets deeper than its stack should bear
+/// are refused.
+fn prepared(text: &str) -> Result<String, Fault> {
+    let (mut depth, mut quoted, mut last) = (0_usize, false, ' ');
+    let mut out = String::with_capacity(text.len());
+    let mut skip_to = 0;
+    for (at, c) in text.char_indices() {
+        if at < skip_to {
+            continue;
+        }
+        match c {
+            '\'' => quoted = !quoted,
+            '(' if !quoted && matches!(last, ',' | '(') => {
+                let inner = &text[at + 1..];
+                let blank = inner.len() - inner.trim_start().len();
+                if inner[blank..].starts_with(')') {
+                    out.push('$');
+                    last = '$';
+                    skip_to = at + 1 + blank + 1;
+                    continue;
+                }
+                depth += 1;
+            }
+            '(' if !quoted => depth += 1,
+            ')' if !quoted => depth = depth.saturating_sub(1),
+            _ => {}
+        }
+        if depth > DEPTH {
+            return Err(Fault::TooLarge(format!("more than {DEPTH} brackets within each other")));
+        }
+        if !c.is_whitespace() {
+            last = c;
+        }
+        out.push(c);
+    }
+    Ok(out)
+}
+
+fn list(p: &Parameter) -> Option<&[Parameter]> {
+    match p {
+        Parameter::List(all) => Some(all),
+        _ => None,
+    }
+}
+
+fn real(p: &Parameter) -> Option<f64> {
+    match p {
+        Parameter::Real(x) => Some(*x),
+        #[expect(clippy::cast_precision_loss, reason = "coordinates are of no such size")]
+        Parameter::Integer(n) => Some(*n as f64),
+        Parameter::Typed { parameter, .. } => match &**parameter {
+            Parameter::List(all) if all.len() == 1 => real_of_single(&all[0]),
+            one => real_of_single(one),
+        },
+        _ => None,
+    }
+}
+
+/// A measure such as `LENGTH_MEASURE(25.4)` holds a number and no further measure.
+fn real_of_single(p: &Parameter) -> Option<f64> {
+    if matches!(p, Parameter::Typed { .. }) { None } else { real(p) }
+}
+
+fn count(p: &Parameter) -> Option<usize> {
+    match p {
+        Parameter::Integer(n) => usize::try_from(*n).ok(),
+        _ => None,
+    }
+}
+
+fn reference(p: &Parameter) -> Option<u64> {
+    match p {
+        Parameter::Ref(Name::Entity(id)) => Some(*id),
+        _ => None,
+    }
+}
+
+/// The parameters of a record of the given name.
+fn of<'x>(records: &'x [Record], name: &str) -> Option<&'x [Parameter]> {
+    records.iter().find(|r| r.name == name).and_then(|r| list(&r.parameter))
+}
+
+/// The surface of an entity; `None` when it is no B-spline surface.
+fn surface(
+    entities: &Entities<'_>,
+    id: u64,
+    records: &[Record],
+    limits: &Limits,
+) -> Result<Option<BsplineSurface>, Fault> {
+    const IMPLIED: [&str; 3] = ["BEZIER_SURFACE", "UNIFORM_SURFACE", "QUASI_UNIFORM_SURFACE"];
+    let wrong = |what: &str| broken(format!("#{id}: {what}"));
+    // A simple instance holds all; in a complex one each of its types holds its own.
+    let [base, own, implied] = match records {
+        [one] => {
+            let Some(all) = list(&one.parameter) else { return Ok(None) };
+            let rest = all.get(1..).unwrap_or_default();
+            match one.name.as_str() {
+                "B_SPLINE_SURFACE_WITH_KNOTS" => [Some(rest), rest.get(7..), None],
+                name if IMPLIED.contains(&name) => [Some(rest), None, Some(rest)],
+                _ => return Ok(None),
+            }
+        }
+        many => {
+            let implied = IMPLIED.iter().find_map(|n| of(many, n));
+            [of(many, "B_SPLINE_SURFACE"), of(many, "B_SPLINE_SURFACE_WITH_KNOTS"), implied]
+        }
+    };
+    let Some([p, q, net, ..]) = base else { return Ok(None) };
+    let (Some(p), Some(q), Some(rows)) = (count(p), count(q), list(net)) else {
+        return Err(wrong("degrees or control points are missing"));
+    };
+    let weights = of(records, "RATIONAL_B_SPLINE_SURFACE").and_then(|w| w.first()).and_then(list);
+    let nu = rows.len();
+    let nv = rows.first().and_then(list).map_or(0, <[_]>::len);
+    let n = nu.saturating_mul(nv);
+    if n == 0 || n > limits.points {
+        return Err(wrong("it has no control points, or too many"));
+    }
+    // There a row runs along v.
+    let mut points = vec![[0.0; 4]; n];
+    for (i, row) in rows.iter().enumerate() {
+        let row = list(row).filter(|r| r.len() == nv);
+        let row = row.ok_or_else(|| wrong("the rows of control points differ in length"))?;
+        let own = weights.map(|w| w.get(i).and_then(list).filter(|w| w.len() == nv));
+        for (j, q) in row.iter().enumerate() {
+            let w = match &own {
+                None => Some(1.0),
+                Some(w) => w.and_then(|w| real(&w[j])),
+            };
+            let point = reference(q).and_then(|q| place(entities, q));
+            let (Some([x, y, z]), Some(w)) = (point, w) else {
+                return Err(wrong("a control point or weight is missing"));
+            };
+            points[j * nu + i] = [x, y, z, w];
+        }
+    }
+    let (degree, counts) = ([p, q], [nu, nv]);
+    let knots = match (own, implied) {
+        (Some([mu, mv, tu, tv, ..]), _) => [repeated(mu, tu, n), repeated(mv, tv, n)]
+            .map(|k| k.ok_or_else(|| wrong("its knots and their multiplicities do not agree"))),
+        (_, Some(_)) => {
+            let even = records.iter().any(|r| r.name == "UNIFORM_SURFACE");
+            let bezier = records.iter().any(|r| r.name == "BEZIER_SURFACE");
+            [0, 1].map(|k| {
+                steps(degree[k], counts[k], even, bezier)
+                    .ok_or_else(|| wrong("its control points do not fit its degree"))
+            })
+        }
+        _ => return Err(wrong("its knots are missing")),
+    };
+    let [u, v] = knots;
+    Ok(Some(BsplineSurface { degree, knots: [u?, v?], counts, points, range: [None; 2] }))
+}
+
+fn place(entities: &Entities<'_>, id: u64) -> Option<[f64; 3]> {
+    let all = of(entities.get(&id)?, "CARTESIAN_POINT")?;
+    let [x, y, z] = list(all.get(1)?)? else { return None };
+    Some([real(x)?, real(y)?, real(z)?])
+}
+
+/// Knots, each as often as its multiplicity says.
+fn repeated(times: &Parameter, knots: &Parameter, most: usize) -> Option<Vec<f64>> {
+    let (times, knots) = (list(times)?, list(knots)?);
+    if times.len() != knots.len() {
+        return None;
+    }
+    let mut all = Vec::new();
+    for (m, t) in times.iter().zip(knots) {
+        let (m, t) = (count(m)?, real(t)?);
+        if m > 2 * most + 64 {
+            return None;
+        }
+        all.extend(std::iter::repeat_n(t, m));
+    }
+    Some(all)
+}
+
+/// Knots that the type of the surface implies.
+#[expect(clippy::cast_precision_loss, reason = "counts within the limits")]
+fn steps(degree: usize, n: usize, even: bool, bezier: bool) -> Option<Vec<f64>> {
+    if degree == 0 || n <= degree {
+        return None;
+    }
+    let all = n + degree + 1;
+    if even {
+        return Some((0..all).map(|k| k as f64 - degree as f64).collect());
+    }
+    if bezier && !(n - 1).is_multiple_of(degree) {
+        return None;
+    }
+    let each = if bezier { degree } else { 1 };
+    let spans = (n - degree).div_ceil(each).max(1);
+    Some(
+        (0..all)
+            .map(|k| {
+                let inner = k.saturating_sub(degree + 1) / each + 1;
+                if k <= degree {
+                    0.0
+                } else if k >= n {
+                    spans as f64
+                } else {
+                    inner as f64
+                }
+            })
+            .collect(),
+    )
+}
+
+/// Millimetres of the unit of length; several that differ are refused.
+fn unit(entities: &Entities<'_>) -> Result<Option<f64>, Fault> {
+    let mut named: Vec<u64> = Vec::new();
+    for records in entities.values() {
+        if let Some(all) = of(records, "GLOBAL_UNIT_ASSIGNED_CONTEXT").and_then(|p| p.first()) {
+            named.extend(list(all).unwrap_or_default().iter().filter_map(reference));
+        }
+    }
+    let mut found: Option<f64> = None;
+    for id in named {
+        let Some(mm) = length(entities, id, 0) else { continue };
+        if found.is_some_and(|f| (f - mm).abs() > 1e-9 * mm) {
+            return Err(Fault::Unsupported("it has several units of length".into()));
+        }
+        found = Some(mm);
+    }
+    Ok(found)
+}
+
+fn length(entities: &Entities<'_>, id: u64, depth: usize) -> Option<f64> {
+    let records = entities.get(&id)?;
+    records.iter().find(|r| r.name == "LENGTH_UNIT")?;
+    if let Some([prefix, ..]) = of(records, "SI_UNIT") {
+        let metre = 1000.0;
+        return Some(match prefix {
+            Parameter::Enumeration(e) => match e.as_str() {
+                "MILLI" => 1.0,
+                "CENTI" => 10.0,
+                "DECI" => 100.0,
+                "MICRO" => 1e-3,
+                "KILO" => 1e6,
+                _ => return None,
+            },
+            _ => metre,
+        });
+    }
+    let measure = reference(of(records, "CONVERSION_BASED_UNIT")?.get(1)?)?;
+    let measure = entities.get(&measure)?.first().and_then(|r| list(&r.parameter))?;
+    let [value, base] = measure else { return None };
+    (depth < 4).then(|| Some(real(value)? * length(entities, reference(base)?, depth + 1)?))?
+}

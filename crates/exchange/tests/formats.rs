@@ -1,0 +1,222 @@
+//! Each format against shapes that are known, and against files that are broken.
+
+use aptc_exchange::{Fault, Limits, Outside, read};
+use aptc_geometry::Vec3;
+use aptc_geometry::sculpt::{Sculptured, fit_surface};
+
+fn all(text: &str) -> Result<Outside, Fault> {
+    read(text, &Limits::default()).expect("the format is seen")
+}
+
+fn fitted(file: &Outside) -> Sculptured {
+    fit_surface(&file.surfaces[0], 1.0).expect("a surface")
+}
+
+/// A quarter of a cylinder of radius 5 about z, 8 long, as `u` along the arc and `v` along z.
+fn is_quarter(s: &Sculptured, radius: f64, length: f64) {
+    for k in 0..=8 {
+        let (u, v) = (f64::from(k) / 8.0, f64::from(8 - k) / 8.0);
+        let p = s.at(u, v).point;
+        assert!((p.xy().norm() - radius).abs() < 1e-12, "{p}");
+        assert!((p.z - v * length).abs() < 1e-12, "{p}");
+    }
+}
+
+const W: &str = "0.70710678118654752440";
+
+#[test]
+fn json_is_read_or_refused() {
+    let text = |weights: &str| {
+        format!(
+            r#"{{"unit": "inch", "surfaces": [{{"degree": [2, 1],
+            "knots": [[0, 0, 0, 1, 1, 1], [0, 0, 1, 1]],
+            "points": [[[5, 0, 0], [5, 5, 0], [0, 5, 0]], [[5, 0, 8], [5, 5, 8], [0, 5, 8]]],
+            "weights": {weights}}}]}}"#
+        )
+    };
+    let file = all(&text(&format!("[[1, {W}, 1], [1, {W}, 1]]"))).unwrap();
+    assert_eq!(file.unit_mm, Some(25.4));
+    is_quarter(&fitted(&file), 5.0, 8.0);
+    for (weights, says) in [
+        ("[[1, 1], [1, 1]]", "differ in length"),
+        ("[[1, 0, 1], [1, 1, 1]]", "not above zero"),
+        ("[[1, 1, 1], [1, 1, 1]], \"weight\": 1", "unknown field"),
+        ("[[1, 1, 1], [1, 1, ", "expected value"),
+    ] {
+        let why = all(&text(weights)).unwrap_err().to_string();
+        assert!(why.contains(says), "{why}");
+    }
+    let trimmed = r#"{"shape": {"type": "surface", "data": [{"degree_u": 1, "degree_v": 1,
+        "knotvector_u": [0, 0, 1, 1], "knotvector_v": [0, 0, 1, 1], "size_u": 2, "size_v": 2,
+        "control_points": {"points": [[0, 0, 0], [0, 3, 0], [4, 0, 0], [4, 3, 1]]}, "trims": {"count": N}}]}}"#;
+    let made = fitted(&all(&trimmed.replace('N', "0")).unwrap());
+    assert!((made.at(1.0, 0.0).point - Vec3::new(4.0, 0.0, 0.0)).norm() < 1e-15);
+    assert!(matches!(all(&trimmed.replace('N', "1")), Err(Fault::Unsupported(_))));
+}
+
+/// A file of IGES of entities: type, directory line of the matrix, parameters.
+fn iges(unit: u32, entities: &[(u32, usize, String)]) -> String {
+    let line = |body: &str, section: char, n: usize| format!("{body:<72}{section}{n:>7}\n");
+    let mut out = line("made by a test", 'S', 1);
+    let global =
+        format!("1H,,1H;,4Htest,8Ha;b,c.ig,4Htest,1H1,32,38,6,308,15,4Htest,1.,{unit},2HMM,1,0.1;");
+    for (k, part) in global.as_bytes().chunks(72).enumerate() {
+        out += &line(std::str::from_utf8(part).expect("ASCII"), 'G', k + 1);
+    }
+    let (mut directory, mut parameters) = (String::new(), String::new());
+    let mut n = 0;
+    for (k, (kind, matrix, text)) in entities.iter().enumerate() {
+        let (first, body) = (n + 1, format!("{kind},{text};"));
+        for part in body.as_bytes().chunks(64) {
+            n += 1;
+            let held = format!("{:<64}{:>8}", std::str::from_utf8(part).expect("ASCII"), 2 * k + 1);
+            parameters += &line(&held, 'P', n);
+        }
+        let head = format!(
+            "{kind:>8}{first:>8}{:>8}{:>8}{:>8}{:>8}{matrix:>8}{:>8}{:>8}",
+            0, 0, 0, 0, 0, 0
+        );
+        directory += &line(&head, 'D', 2 * k + 1);
+        let tail = format!("{kind:>8}{:>8}{:>8}{:>8}{:>8}", 0, 0, n + 1 - first, 0);
+        directory += &line(&tail, 'D', 2 * k + 2);
+    }
+    out + &directory + &parameters + &line("", 'T', 1)
+}
+
+fn quarter(range: &str) -> String {
+    let points = "5.,0.,0.,5.,5.,0.,0.,5.,0.,5.,0.,8.,5.,5.,8.,0.,5.,8.";
+    format!(
+        "2,1,2,1,0,0,0,0,0,0.,0.,0.,1.,1.,1.,0.,0.,1.,1.,1.,{W},1.,1.D0,{W},1.,{points},{range},0.,1."
+    )
+}
+
+#[test]
+fn iges_of_type_128() {
+    let file = all(&iges(2, &[(128, 0, quarter("0.,1."))])).unwrap();
+    assert_eq!(file.unit_mm, Some(1.0));
+    is_quarter(&fitted(&file), 5.0, 8.0);
+    // Its matrix moves it; a part of its range is a part of it.
+    let matrix = "1.,0.,0.,100.,0.,1.,0.,0.,0.,0.,1.,7.";
+    let moved = [(124, 0, matrix.to_owned()), (128, 1, quarter("0.,.5"))];
+    let p = fitted(&all(&iges(1, &moved)).unwrap()).at(1.0, 0.0).point;
+    let w = 0.5_f64.sqrt() * 5.0;
+    assert!((p - Vec3::new(100.0 + w, w, 7.0)).norm() < 1e-12, "{p}");
+}
+
+#[test]
+fn iges_of_type_114() {
+    // z = 1 + 2 s + s t^3 over 0..2 by 1..2, s and t from the corner; x and y are s and 10 + t.
+    let mut c = [[0.0; 16]; 3];
+    (c[0][1], c[1][0], c[1][4]) = (1.0, 10.0, 1.0);
+    (c[2][0], c[2][1], c[2][13]) = (1.0, 2.0, 1.0);
+    let list = |c: &[f64]| c.iter().map(|x| format!("{x:?},")).collect::<String>();
+    let nothing = list(&[0.0; 48]);
+    let text = format!("3,1,1,1,0.,2.,1.,2.,{}{nothing}{nothing}0.", list(&c.concat()));
+    let s = fitted(&all(&iges(2, &[(114, 0, text)])).unwrap());
+    for (u, v) in [(0.0, 0.0), (1.0, 1.0), (0.3, 0.6)] {
+        let (x, t) = (2.0 * u, v);
+        let q = Vec3::new(x, 10.0 + t, 1.0 + 2.0 * x + x * t * t * t);
+        assert!((s.at(u, v).point - q).norm() < 1e-13);
+    }
+}
+
+#[test]
+fn iges_that_is_trimmed_or_broken_is_refused() {
+    let refused = |entities: &[(u32, usize, String)]| all(&iges(2, entities)).unwrap_err();
+    let good = (128, 0, quarter("0.,1."));
+    let why = refused(&[good.clone(), (144, 0, "1,0,0,0".into())]);
+    assert!(matches!(&why, Fault::Unsupported(w) if w.contains("144")), "{why}");
+    let why = refused(&[(120, 0, "1,3,0.,1.".into())]).to_string();
+    assert!(why.contains("1 of type 120 (surface of revolution)"), "{why}");
+    let note = all(&iges(2, &[good.clone(), (120, 0, "1,3,0.,1.".into())])).unwrap().notes;
+    assert_eq!(note, ["not read: 1 of type 120 (surface of revolution)"]);
+    for text in ["2,1,2", "2,1,2,x", "999999999,9,3,3,0,0,0,0,0", "-1,1,2,1,0,0,0,0,0"] {
+        assert!(matches!(
+            refused(&[(128, 0, text.into())]),
+            Fault::Broken { .. } | Fault::TooLarge(_)
+        ));
+    }
+    // A matrix that refers to itself ends.
+    let around = (124, 1, "1.,0.,0.,0.,0.,1.,0.,0.,0.,0.,1.,0.".to_owned());
+    assert!(matches!(refused(&[around, (128, 1, quarter("0.,1."))]), Fault::TooLarge(_)));
+}
+
+fn step(data: &str) -> String {
+    format!(
+        "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_NAME('a','b',(''),(''),'c','d','');\n\
+         FILE_SCHEMA(('CONFIG_CONTROL_DESIGN'));\nENDSEC;\nDATA;\n{data}ENDSEC;\nEND-ISO-10303-21;\n"
+    )
+}
+
+const POINTS: &str = "#1=CARTESIAN_POINT('',(5.,0.,0.));\n#2=CARTESIAN_POINT('',(5.,0.,8.));\n\
+    #3=CARTESIAN_POINT('',(5.,5.,0.));\n#4=CARTESIAN_POINT('',(5.,5.,8.));\n\
+    #5=CARTESIAN_POINT('',(0.,5.,0.));\n#6=CARTESIAN_POINT('',(0.,5.,8.));\n";
+
+#[test]
+fn step_with_complex_instances() {
+    let rational = format!(
+        "{POINTS}#10=(BOUNDED_SURFACE()B_SPLINE_SURFACE(2,1,((#1,#2),(#3,#4),(#5,#6)),\
+         .UNSPECIFIED.,.F.,.F.,.U.)B_SPLINE_SURFACE_WITH_KNOTS((3,3),(2,2),(0.,1.),(0.,1.),.UNSPECIFIED.)\
+         GEOMETRIC_REPRESENTATION_ITEM()RATIONAL_B_SPLINE_SURFACE(((1.,1.),({W},{W}),(1.,1.)))\
+         REPRESENTATION_ITEM('')SURFACE());\n\
+         #20=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.));\n\
+         #21=LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(25.4),#20);\n\
+         #22=(CONVERSION_BASED_UNIT('INCH',#21)LENGTH_UNIT()NAMED_UNIT(#23));\n\
+         #24=(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNIT_ASSIGNED_CONTEXT((#22))\
+         REPRESENTATION_CONTEXT('',''));\n"
+    );
+    let file = all(&step(&rational)).unwrap();
+    assert!((file.unit_mm.unwrap() - 25.4).abs() < 1e-12);
+    is_quarter(&fitted(&file), 5.0, 8.0);
+    let plain = format!(
+        "{POINTS}#10=B_SPLINE_SURFACE_WITH_KNOTS('',2,1,((#1,#2),(#3,#4),(#5,#6)),.UNSPECIFIED.,.F.,.F.,.F.,\
+         (3,3),(2,2),(0.,1.),(0.,1.),.UNSPECIFIED.);\n#11=PLANE('',#1);\n#12=ADVANCED_FACE('',(),#10,.T.);\n"
+    );
+    let file = all(&step(&plain)).unwrap();
+    let p = fitted(&file).at(0.5, 0.5).point;
+    assert!((p - Vec3::new(3.75, 3.75, 4.0)).norm() < 1e-14, "{p}");
+    assert_eq!(file.notes.len(), 2, "{:?}", file.notes);
+    let implied = format!(
+        "{POINTS}#10=QUASI_UNIFORM_SURFACE('',2,1,((#1,#2),(#3,#4),(#5,#6)),.UNSPECIFIED.,.F.,.F.,.F.);\n"
+    );
+    let q = fitted(&all(&step(&implied)).unwrap()).at(0.5, 0.5).point;
+    assert!((q - p).norm() < 1e-14);
+}
+
+#[test]
+fn step_that_is_broken_is_refused() {
+    let why = |data: &str| all(&step(data)).unwrap_err().to_string();
+    assert!(why("#11=PLANE('',#1);\n").contains("1 PLANE"));
+    assert!(why("#11=PLANE(''").contains("no STEP file"));
+    let deep = format!("#1=A({}{});\n", "(".repeat(5000), ")".repeat(5000));
+    assert!(why(&deep).contains("brackets"));
+    let lost = "#10=B_SPLINE_SURFACE_WITH_KNOTS('',1,1,((#1,#2),(#3,#4)),.U.,.F.,.F.,.F.,(2,2),(2,2),(0.,1.),(0.,1.),.U.);\n";
+    assert!(why(lost).contains("control point"));
+}
+
+#[test]
+fn stl_of_both_kinds() {
+    let text = "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 4 0 0\nvertex 0 3 1\nendloop\n\
+        endfacet\nendsolid a\n";
+    let corners = [[0.0_f32, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 3.0, 1.0]];
+    let mut bytes = b"solid but binary".to_vec();
+    bytes.resize(80, b' ');
+    bytes.extend(1_u32.to_le_bytes());
+    bytes.extend([0.0_f32; 3].iter().chain(corners.as_flattened()).flat_map(|x| x.to_le_bytes()));
+    bytes.extend([0, 0]);
+    // As the file comes: its bytes as Latin-1 where they are no UTF-8.
+    let binary: String = bytes.iter().map(|b| char::from(*b)).collect();
+    for text in [text, &binary] {
+        let file = all(text).unwrap();
+        assert!(file.surfaces[0].only_checks());
+        let s = fitted(&file);
+        assert!((s.at(1.0, 0.0).point - Vec3::new(4.0, 0.0, 0.0)).norm() < 1e-15);
+        assert!((s.at(0.5, 1.0).point - Vec3::new(0.0, 3.0, 1.0)).norm() < 1e-15);
+        assert!((s.at(0.5, 0.5).point - Vec3::new(1.0, 1.5, 0.5)).norm() < 1e-15);
+    }
+    assert!(matches!(
+        all("solid a\nfacet normal 0 0 1\nendsolid a\n"),
+        Err(Fault::Broken { .. } | Fault::NoSurface(_))
+    ));
+    assert!(read("GOTO/1,2,3\n", &Limits::default()).is_none());
+}
