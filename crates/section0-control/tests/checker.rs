@@ -160,7 +160,7 @@ impl Asked {
         let [x, y] = aptc_geometry::surface::frame_about(at.ta);
         // The skin from the tip to the rim by a number 0 to 2: below 1 the bottom's inside, above it the profile.
         let skin = |p: f64, angle: f64| {
-            let [rho, z] = if p < 1.0 {
+            let [rho, z] = if p <= 1.0 {
                 let [rho, z] = profile.support(0.0, -1.0).point;
                 let flat = profile.joints()[0];
                 if flat[0] > 0.0 {
