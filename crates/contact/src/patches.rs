@@ -179,22 +179,49 @@ impl PatchTree {
         here
     }
 
+    /// Indices of the patches of which some point may be within `away` of the line through `from` along the unit
+    /// vector `along`, rising.
+    pub fn beside(&self, from: Vec3, along: Vec3, away: f64) -> Vec<usize> {
+        let near = |center: Vec3, radius: f64| {
+            let w = center - from;
+            let reach = away + radius;
+            (w - along * w.dot(&along)).norm_squared() <= reach * reach
+        };
+        let mut found = Vec::new();
+        let mut stack: Vec<usize> = if self.nodes.is_empty() { Vec::new() } else { vec![0] };
+        while let Some(node) = stack.pop().map(|i| &self.nodes[i]) {
+            if !near(node.center, node.radius) {
+                continue;
+            }
+            match node.below {
+                Below::Nodes(pair) => stack.extend(pair),
+                Below::Leaves(from, to) => {
+                    let leaves = self.leaves[from..to].iter();
+                    found.extend(leaves.filter(|l| near(l.center, l.radius)).map(|l| l.number));
+                }
+            }
+        }
+        found.sort_unstable();
+        found
+    }
+
     /// Leaves that may come nearer to the body than `limit`, with a bound each.
     fn suspects(&self, body: &impl Convex, limit: f64) -> Vec<Piece> {
         let mut found = Vec::with_capacity(96);
         let mut stack: Vec<usize> = if self.nodes.is_empty() { Vec::new() } else { vec![0] };
         while let Some(i) = stack.pop() {
             let node = &self.nodes[i];
-            let slack = body.slack(node.center, node.radius);
-            if body.near(node.center).0 - node.radius - slack > limit {
+            let room = node.radius + body.slack(node.center, node.radius);
+            if body.near_enough(node.center, limit + room).0 - room > limit {
                 continue;
             }
             match node.below {
                 Below::Nodes(pair) => stack.extend(pair),
                 Below::Leaves(from, to) => {
                     for (k, leaf) in self.leaves[from..to].iter().enumerate() {
-                        let slack = body.slack(leaf.center, leaf.radius);
-                        let bound = body.near(leaf.center).0 - leaf.radius - slack;
+                        let room = leaf.radius + body.slack(leaf.center, leaf.radius);
+                        let near = body.near_enough(leaf.center, limit + room).0;
+                        let bound = near - room;
                         if bound <= limit {
                             let (mid, half) = ([0.5; 2], [0.5; 2]);
                             let kept = Some(0);
@@ -279,7 +306,7 @@ impl PatchTree {
     /// Replaces `MIXAL`: pieces with the least bound are halved first, and the best place seen is taken
     /// downhill by Newton's method, until no bound is below it by more than `eps`.
     pub fn deepest(&self, body: &impl Convex, eps: f64) -> Option<(PatchPlace, bool)> {
-        let mut heap: BinaryHeap<Piece> = self.suspects(body, f64::INFINITY).into();
+        let mut heap: BinaryHeap<Piece> = self.suspects(body, self.reached(body)?).into();
         let mut best: Option<PatchPlace> = None;
         let mut looked = 0;
         while let Some(piece) = heap.pop() {
@@ -290,8 +317,9 @@ impl PatchTree {
             let aim = best.map_or(f64::INFINITY, |b| b.distance - eps);
             let Look { place, bound, split, .. } = self.look(body, &piece, aim);
             if best.is_none_or(|b| place.distance < b.distance) {
-                let polished = self.polish(body, &piece, place);
-                best = Some(polished);
+                // The look may have stopped where the distance was certain to be great enough.
+                let place = PatchPlace { distance: body.near(place.point).0, ..place };
+                best = Some(self.polish(body, &piece, place));
             }
             if looked > PIECES {
                 return best.map(|b| (b, false));
@@ -302,6 +330,27 @@ impl PatchTree {
             }
         }
         best.map(|b| (b, true))
+    }
+
+    /// A distance that some point of the surfaces does not exceed, from the middles of patches that look near.
+    fn reached(&self, body: &impl Convex) -> Option<f64> {
+        let mut node = self.nodes.first()?;
+        loop {
+            match node.below {
+                Below::Nodes(pair) => {
+                    let [a, b] = pair.map(|i| &self.nodes[i]);
+                    let far = |n: &Node| body.near(n.center).0;
+                    node = if far(b) < far(a) { b } else { a };
+                }
+                Below::Leaves(from, to) => {
+                    let of = |leaf: &Leaf| {
+                        let [whole, ..] = leaf.kept;
+                        body.near(whole.point).0 + body.slack(whole.point, 0.0)
+                    };
+                    return self.leaves[from..to].iter().map(of).min_by(f64::total_cmp);
+                }
+            }
+        }
     }
 
     /// The middle of a piece, a bound below all its distances, and the parameter to halve. Below `aim` the
@@ -315,7 +364,13 @@ impl PatchTree {
         };
         let [hu, hv] = piece.half;
         let (a, b) = (su * hu, sv * hv);
-        let (distance, n, turn) = body.near(point);
+        let [muu, muv, mvv] = leaf.bends.most;
+        let (along, across) = (a.norm_squared(), b.norm_squared());
+        let (bu, bv) = (0.5 * hu * hu * muu, 0.5 * hv * hv * mvv);
+        // No point of the piece is farther from its middle.
+        let far = along.sqrt() + across.sqrt() + bu + hu * hv * muv + bv;
+        let unsure = body.slack(point, far);
+        let (distance, n, turn) = body.near_enough(point, aim + far + unsure);
         let (x, y) = (n.dot(&a), n.dot(&b));
         let dip = leaf.bends.dip(n, [hu, hv]);
         let mut bound = distance - x.abs() - y.abs() - dip;
@@ -332,15 +387,9 @@ impl PatchTree {
             let second = e + m.dot(&w) - m.dot(&a).abs() - m.dot(&b).abs() - dip;
             bound = bound.max(second);
         }
-        let [muu, muv, mvv] = leaf.bends.most;
-        let (along, across) = (a.norm_squared(), b.norm_squared());
-        let (bu, bv) = (0.5 * hu * hu * muu, 0.5 * hv * hv * mvv);
+        bound -= unsure;
         // Only a body that is not sure of its distances needs to know how large the piece is.
-        let mut reach = 0.0;
-        if body.slack(point, 0.0) > 0.0 {
-            reach = along.sqrt() + across.sqrt() + bu + hu * hv * muv + bv;
-            bound -= body.slack(point, reach);
-        }
+        let reach = if unsure > 0.0 { far } else { 0.0 };
         let split = usize::from(across + bv * bv > along + bu * bu);
         let place = PatchPlace { patch: leaf.number, uv: [u, v], point, distance };
         Look { place, bound, split, reach }
@@ -544,6 +593,9 @@ mod tests {
         let s = aptc_geometry::sculpt::mesh(&rows, false).unwrap();
         let tree = PatchTree::new(&s);
         assert_eq!(tree.len(), 900);
+        // Along a line through it only the patches beside it.
+        let beside = tree.beside(Vec3::new(12.3, 17.7, 9.0), Vec3::z(), 0.1);
+        assert!(beside.contains(&(17 * 30 + 12)) && beside.len() < 10, "{beside:?}");
         let profile = Profile::new(&Cutter::mill(4.0, 2.0, 30.0)).unwrap();
         let tool = Tool { profile: &profile, te: Vec3::new(12.3, 17.7, -0.5), ta: Vec3::z() };
         let (found, certain) = tree.deepest(&tool, 1e-8).unwrap();

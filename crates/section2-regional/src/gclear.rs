@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use aptc_cldata as cl;
+use aptc_contact::PatchTree;
 use aptc_geometry::{Form, Sculptured, Surface, Vec3};
 use aptc_protap::Arg;
 
@@ -42,7 +43,7 @@ struct Clear {
 #[derive(Clone, Debug)]
 enum Target {
     Plain(Box<Surface>),
-    Sculptured(Arc<Sculptured>),
+    Sculptured(Arc<Sculptured>, Arc<PatchTree>),
 }
 
 /// Tool ends and axes that are put out as one motion.
@@ -115,7 +116,11 @@ impl Regional {
                 "CLEARS" => {
                     let Some((name, form)) = w.form() else { continue };
                     wanted.to = Some(match form.shape() {
-                        Form::Ssurf(_) => Target::Sculptured(self.surface(name, form)?),
+                        Form::Ssurf(_) => {
+                            let s = self.surface(name, form)?;
+                            let tree = self.tree(&s);
+                            Target::Sculptured(s, tree)
+                        }
                         _ => Target::Plain(Box::new(Surface::from_form(form).ok_or(
                             Failure::Undone { what: "a surface of CLEARS of this kind" },
                         )?)),
@@ -206,12 +211,12 @@ impl Target {
             Self::Plain(s) => {
                 s.ray(from, ta).ok()?.into_iter().filter(ahead).min_by(f64::total_cmp)
             }
-            Self::Sculptured(s) => [1.0, -1.0]
+            Self::Sculptured(s, tree) => [1.0, -1.0]
                 .into_iter()
                 .filter_map(|side| {
                     let (surface, extent) = (&**s, s.extent());
                     let probe = Probe::Ball(0.0);
-                    Shot { surface, extent, side, from, along: ta, probe }.first()
+                    Shot { surface, extent, side, from, along: ta, probe }.first(tree)
                 })
                 .map(|m| m.way)
                 .filter(ahead)

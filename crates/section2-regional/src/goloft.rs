@@ -17,7 +17,7 @@ use crate::position::Position;
 use crate::regional::{Regional, Stand};
 use crate::report::{Note, reports};
 use crate::scon::Words;
-use crate::solve::Setup;
+use crate::solve::{Setup, Take};
 
 /// Step of the parameter when neither INCR nor CHORD is given (APT4).
 const STEP: f64 = 0.05;
@@ -241,23 +241,8 @@ impl Regional {
     ) -> Result<Setup<'a>, Failure> {
         let last = self.stand.map_or_else(Vec3::z, |s| s.ta);
         let axis = crate::axis::of_line(self.settings.axis.as_ref(), side, last)?;
-        let profile = self.settings.profile.as_ref().ok_or(Failure::NoCutter)?;
-        Ok(Setup {
-            drive,
-            part,
-            axis,
-            profile,
-            band: self.settings.band(),
-            lateral: self.settings.lateral(),
-            maxdp: self.settings.maxdp(),
-            numpts: POSITIONS,
-            length: None,
-            lift: 0.0,
-            guard: None,
-            over: 1.0,
-            every: None,
-            centred: true,
-        })
+        let setup = Setup::new(&self.settings, drive, part, axis)?;
+        Ok(Setup { numpts: POSITIONS, length: None, centred: true, ..setup })
     }
 
     fn wish(&self, w: &mut Words<'_>) -> Result<Wish, Failure> {
@@ -280,9 +265,9 @@ impl Regional {
                 "INVERS" => wish.inverse = true,
                 "MIRROR" => wish.mirror = true,
                 "FLOW" => wish.flow = true,
-                "INCR" => wish.incr = positive(w, "INCR")?,
-                "CHORD" => wish.chord = Some(positive(w, "CHORD")?),
-                "LENGTH" => wish.longest = positive(w, "LENGTH")?,
+                "INCR" => wish.incr = w.positive("INCR")?,
+                "CHORD" => wish.chord = Some(w.positive("CHORD")?),
+                "LENGTH" => wish.longest = w.positive("LENGTH")?,
                 _ => {}
             }
         }
@@ -367,15 +352,6 @@ fn end(w: &mut Words<'_>) -> Option<End> {
     }
 }
 
-fn positive(w: &mut Words<'_>, what: &'static str) -> Result<f64, Failure> {
-    let value = w.number().unwrap_or(0.0);
-    if value > 0.0 {
-        Ok(value)
-    } else {
-        Err(Failure::Value { what, value, need: "greater than 0".into() })
-    }
-}
-
 impl Line<'_> {
     /// The last parameter.
     fn most(&self) -> f64 {
@@ -396,7 +372,7 @@ impl Line<'_> {
             }
             Self::Surface(setup, course, fixed, sense) => {
                 let uv = at_line(*course, *fixed, t);
-                let (p, _) = setup.position(uv, *course, *sense, None, true)?;
+                let (p, _) = setup.position(uv, *course, *sense, None, Take::Nothing)?;
                 Ok(Stop { t, te: p.te, ta: p.ta, normal: p.normal })
             }
         }

@@ -15,6 +15,7 @@ use crate::region::{Put, Region, Retract};
 use crate::regional::{Regional, Stand};
 use crate::report::reports;
 use crate::scon::Words;
+use crate::solve::Take;
 
 /// What the statement says besides surface and first line.
 #[derive(Default)]
@@ -137,7 +138,7 @@ fn touched(
     for uv in lines {
         let mut uv = uv;
         uv[course.index()] = at;
-        let (p, _) = region.setup.settled(uv, course, 1.0, None)?;
+        let (p, _) = region.setup.settled(uv, course, 1.0, None, Take::Band)?;
         let here = (p.te, p.ta);
         if let Some(r) = &retract {
             points.push(r.above(here));
@@ -156,8 +157,8 @@ fn wish(w: &mut Words<'_>) -> Result<Wish, Failure> {
         match word {
             "STEPOV" => wish.step = w.number(),
             "PICKFD" => wish.pick = true,
-            "SCALOP" => wish.scallop = positive(w, "SCALOP")?,
-            "MAXSTP" => wish.most = positive(w, "MAXSTP")?,
+            "SCALOP" => wish.scallop = w.positive("SCALOP")?,
+            "MAXSTP" => wish.most = w.positive("MAXSTP")?,
             "RETR" => wish.retract = retract(w)?,
             "START" => wish.start = w.number(),
             "THRU" => wish.thru = w.number(),
@@ -175,7 +176,7 @@ fn wish(w: &mut Words<'_>) -> Result<Wish, Failure> {
 
 fn retract(w: &mut Words<'_>) -> Result<Option<Retract>, Failure> {
     if w.0.first().is_some_and(|a| matches!(a, Arg::Number(_))) {
-        return Ok(Some(Retract::Along(positive(w, "RETR")?)));
+        return Ok(Some(Retract::Along(w.positive("RETR")?)));
     }
     if let Some(v) = w.vector() {
         return Ok(Some(Retract::By(v)));
@@ -185,13 +186,4 @@ fn retract(w: &mut Words<'_>) -> Result<Option<Retract>, Failure> {
         Some(Form::Line(l)) => Some(Retract::Plane(l.plane())),
         _ => None,
     })
-}
-
-fn positive(w: &mut Words<'_>, what: &'static str) -> Result<f64, Failure> {
-    let value = w.number().unwrap_or(0.0);
-    if value > 0.0 {
-        Ok(value)
-    } else {
-        Err(Failure::Value { what, value, need: "greater than 0".into() })
-    }
 }

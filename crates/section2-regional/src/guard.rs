@@ -50,6 +50,13 @@ impl Guard {
         self.surfaces.is_empty() && self.plain.is_empty()
     }
 
+    /// Is nothing checked but the part surface of this tree with this thickness, and that not closer than `intol`?
+    pub(crate) fn is_part_alone(&self, tree: &Arc<PatchTree>, thick: f64, intol: f64) -> bool {
+        let part = |s: &Checked| s.part && Arc::ptr_eq(&s.tree, tree);
+        let alone = self.surfaces.len() == 1 && self.plain.is_empty() && self.holder.is_empty();
+        alone && self.surfaces.iter().all(part) && thick >= self.thick && intol <= self.intol
+    }
+
     /// Is the tool clear at `te`?
     pub(crate) fn position(&self, profile: &Profile, te: Vec3, ta: Vec3) -> Result<(), Gouge> {
         self.way(profile, [(te, ta), (te, ta)])

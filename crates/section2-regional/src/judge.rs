@@ -6,12 +6,12 @@ use aptc_geometry::{Vec3, trig};
 use crate::drive::Course;
 use crate::position::Position;
 use crate::settings::Band;
-use crate::solve::{Memory, Setup};
+use crate::solve::{Memory, Setup, Take};
 
-/// Places between the ends at which a chord is judged first.
-const JUDGED: usize = 5;
+/// Places between the ends at which a chord is judged first, the most telling before the others.
+const JUDGED: [usize; 3] = [2, 1, 3];
 /// Halvings of the stretch that one contact answers for.
-const HALVINGS: u32 = 6;
+const HALVINGS: u32 = 7;
 
 /// What a chord does to the tolerance.
 #[derive(Clone, Copy, Debug)]
@@ -22,6 +22,19 @@ pub(crate) struct Judged {
     pub(crate) deviation: f64,
     /// The place on the part surface.
     pub(crate) part_uv: [f64; 2],
+    /// Does the tool keep out of the part surface on the way?
+    pub(crate) way: Way,
+}
+
+/// What is known of a tool that goes along a chord.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Way {
+    /// Not looked for.
+    Unknown,
+    /// Proved to be nowhere deeper in the part surface than INTOL.
+    Clear,
+    /// One of the ends is deeper.
+    End,
 }
 
 /// A contact with the share of the chord beside it.
@@ -32,11 +45,13 @@ struct Beside {
     /// Share of the chord.
     s: f64,
     contact: Vec3,
+    part_uv: [f64; 2],
 }
 
 /// The chord that is judged.
 struct Chord<'a> {
     ends: [&'a Position; 2],
+    memories: [Memory; 2],
     course: Course,
     sense: f64,
 }
@@ -65,29 +80,30 @@ impl Setup<'_> {
     /// How much of the tolerance the chord between two positions uses.
     ///
     /// At places between its ends it is compared with the exact positions there, sideways also. Then bounds
-    /// for the whole of it: how far the cutter stands off the places that it touches between, and how deep
-    /// it is in the part surface, which is proved.
+    /// for the whole of it: how far the cutter stands off places of the surface, and how deep it is in the
+    /// part surface, which is proved.
     ///
     /// APT: `GCHK` with `MIDPNT`, `MIDKUR`, `DEVCAL` and `XTPCAL`, which judged the middle of the parameter.
     pub(crate) fn judge(
         &self,
         ends: [&Position; 2],
         (course, sense): (Course, f64),
-        [first, last]: [Memory; 2],
+        memories: [Memory; 2],
     ) -> Option<Judged> {
-        let chord = Chord { ends, course, sense };
+        let chord = Chord { ends, memories, course, sense };
         let [a, b] = ends;
         let Band { intol, outtol } = self.band;
-        let mut memory = first;
-        let mut worst = Judged { used: 0.0, deviation: 0.0, part_uv: a.part_uv };
-        let mut touched = [Beside { f: 0.0, s: 0.0, contact: a.contact }; JUDGED + 2];
+        let mut worst = Judged { used: 0.0, deviation: 0.0, part_uv: a.part_uv, way: Way::Unknown };
+        let start = Beside { f: 0.0, s: 0.0, contact: a.contact, part_uv: a.part_uv };
+        let end = Beside { f: 1.0, s: 1.0, contact: b.contact, part_uv: b.part_uv };
+        let mut touched = [start; JUDGED.len() + 2];
+        touched[JUDGED.len() + 1] = end;
         let v = chord.by();
-        for (i, touch) in (1..=JUDGED).zip(touched.iter_mut().skip(1)) {
-            let f = i as f64 / (JUDGED + 1) as f64;
-            let (p, kept) = self.between(&chord, f, [memory, last])?;
-            memory = kept;
+        for i in JUDGED {
+            let f = i as f64 / (JUDGED.len() + 1) as f64;
+            let p = self.between(&chord, f)?;
             let s = chord.beside(p.te);
-            *touch = Beside { f, s, contact: p.contact };
+            touched[i] = Beside { f, s, contact: p.contact, part_uv: p.part_uv };
             let apart = a.te + v * s - p.te;
             let off = apart.dot(&p.normal);
             let shift = a.shift * (1.0 - s) + b.shift * s;
@@ -96,49 +112,53 @@ impl Setup<'_> {
             let lateral = (apart - p.normal * off).norm() / self.lateral;
             let used = (sag.abs() / room).max(lateral);
             if used > worst.used {
-                worst = Judged { used, deviation: off.abs(), part_uv: p.part_uv };
+                worst = Judged { used, deviation: off.abs(), part_uv: p.part_uv, ..worst };
+            }
+            if used > 1.0 {
+                return Some(worst);
             }
         }
-        touched[JUDGED + 1] = Beside { f: 1.0, s: 1.0, contact: b.contact };
-        if worst.used > 1.0 || !self.part.touches {
+        if !self.part.touches {
             return Some(worst);
         }
-        if let Some(over) = self.off(&chord, &touched, [first, last]) {
+        if let Some(over) = self.off(&chord, &touched) {
             return Some(Judged { used: 1.0 + over / (intol + outtol), ..worst });
         }
-        Some(self.deep(a, b).unwrap_or(worst))
+        Some(self.deep(a, b, worst))
     }
 
-    /// The exact position at a share of the parameter: of the two that are found from the contacts of both
-    /// sides the one that the tool meets first.
-    fn between(
-        &self,
-        chord: &Chord<'_>,
-        f: f64,
-        [near, far]: [Memory; 2],
-    ) -> Option<(Position, Memory)> {
+    /// The exact position at a share of the parameter. Where the contact jumps from one end to the other, it is
+    /// the one that the tool meets first of those that are found from the contacts of both.
+    fn between(&self, chord: &Chord<'_>, f: f64) -> Option<Position> {
         let uv = chord.uv(f);
-        let at = |m| self.position(uv, chord.course, chord.sense, Some(m), true).ok();
-        let here = at(near);
-        let jumps =
-            (near.part_uv[0] - far.part_uv[0]).abs().max((near.part_uv[1] - far.part_uv[1]).abs());
-        if jumps <= 0.05 && here.is_some() {
-            return here;
-        }
-        let (Some((p, _)), Some((q, m))) = (&here, at(far)) else {
-            return here.or_else(|| at(far));
+        let at = |m| {
+            let found = self.position(uv, chord.course, chord.sense, Some(m), Take::Nothing);
+            found.ok().map(|(p, _)| p)
         };
+        let [a, b] = chord.ends;
+        let [near, far] = chord.memories;
+        let part_uv = mixed(near.part_uv, far.part_uv, f);
+        // A contact beside a tool that goes on steadily goes on with it.
+        let most = 2.0 * chord.by().norm();
+        if (b.contact - a.contact).norm() <= most
+            && let Some(p) = at(near.at(part_uv))
+            && (p.contact - a.contact).norm() <= most
+        {
+            return Some(p);
+        }
+        let (Some(p), Some(q)) = (at(near), at(far)) else { return at(near).or_else(|| at(far)) };
         let along = self.drive.place(uv, chord.course).direction?;
-        if (q.te - p.te).dot(&along) < 0.0 { Some((q, m)) } else { here }
+        Some(if (q.te - p.te).dot(&along) < 0.0 { q } else { p })
     }
 
     /// How much farther than allowed the tool may stand off the surface somewhere on the chord; `None` where
     /// it is proved not to.
     ///
     /// The distance of a tool that moves straight from a point is convex: over a stretch of the chord it is
-    /// greatest at an end. So one contact answers for the stretch around it, and where it does not suffice a
-    /// further one between is looked for.
-    fn off(&self, chord: &Chord<'_>, touched: &[Beside], memories: [Memory; 2]) -> Option<f64> {
+    /// greatest at an end. So one place of the surface answers for the stretch around it, and where it does not
+    /// suffice a further one is taken between: the place between two contacts, which is as good as a contact
+    /// unless the contact jumps there.
+    fn off(&self, chord: &Chord<'_>, touched: &[Beside]) -> Option<f64> {
         let [a, b] = chord.ends;
         let most = self.thick() + self.band.outtol;
         let turn = trig::acos_clamped(a.ta.dot(&b.ta));
@@ -165,17 +185,24 @@ impl Setup<'_> {
                 return Some(over);
             }
             let f = 0.5 * (p.f + q.f);
-            let Some((m, _)) = self.between(chord, f, memories) else { return Some(over) };
-            let m = Beside { f, s: chord.beside(m.te), contact: m.contact };
+            let m = if (q.contact - p.contact).norm() <= 4.0 * share * v.norm() {
+                let part_uv = mixed(p.part_uv, q.part_uv, 0.5);
+                let contact = self.part.surface.at(part_uv[0], part_uv[1]).point;
+                Beside { f, s: mid, contact, part_uv }
+            } else {
+                let Some(m) = self.between(chord, f) else { return Some(over) };
+                let s = chord.beside(m.te).clamp(p.s.min(q.s), p.s.max(q.s));
+                Beside { f, s, contact: m.contact, part_uv: m.part_uv }
+            };
             stack.push((p, m, halvings + 1));
             stack.push((m, q, halvings + 1));
         }
         None
     }
 
-    /// The place of the part surface that is deeper in the tool on the chord than allowed, while both ends
-    /// are clear: a shorter chord mends it. What gouges already at an end is not the chord's.
-    fn deep(&self, a: &Position, b: &Position) -> Option<Judged> {
+    /// What is judged, with what is known of the way: deeper in the part surface than allowed it is too long, unless
+    /// the tool is so at one of its ends already.
+    fn deep(&self, a: &Position, b: &Position, judged: Judged) -> Judged {
         let allowed = self.band.intol - self.part.thick;
         let tree = &self.part.tree;
         let tool = |p: &Position| Tool { profile: self.profile, te: p.te, ta: p.ta };
@@ -184,11 +211,21 @@ impl Setup<'_> {
         } else {
             tree.clear_turning((self.profile, 0.0), [(a.te, a.ta), (b.te, b.ta)], allowed)
         };
-        let (Clear::No(place) | Clear::Unknown(place)) = found else { return None };
+        let (Clear::No(place) | Clear::Unknown(place)) = found else {
+            return Judged { way: Way::Clear, ..judged };
+        };
         let clear = |p: &Position| tree.clear(&tool(p), allowed) == Clear::Yes;
+        if !clear(b) || !clear(a) {
+            return Judged { way: Way::End, ..judged };
+        }
         let deep = -place.distance + self.part.thick;
         let part_uv = self.part.surface.global(place.patch, place.uv[0], place.uv[1]);
         let used = 1.0 + (deep / self.band.intol.max(1e-9) - 1.0).clamp(0.05, 1.0);
-        (clear(a) && clear(b)).then_some(Judged { used, deviation: deep, part_uv })
+        Judged { used, deviation: deep, part_uv, way: Way::Unknown }
     }
+}
+
+/// Parameters at a share of the way from one place to another.
+fn mixed(a: [f64; 2], b: [f64; 2], f: f64) -> [f64; 2] {
+    [0, 1].map(|k| a[k] + (b[k] - a[k]) * f)
 }

@@ -7,10 +7,10 @@ use crate::avoid::Case;
 use crate::drive::Course;
 use crate::failure::Failure;
 use crate::guard::Guard;
-use crate::judge::Judged;
+use crate::judge::{Judged, Way};
 use crate::position::Position;
 use crate::report::Note;
-use crate::solve::{Memory, Setup};
+use crate::solve::{Memory, Setup, Take};
 
 /// Halvings of a step before the path gives up.
 const RETRIES: usize = 60;
@@ -43,9 +43,9 @@ impl Setup<'_> {
         let mut points = Path::default();
         let broken =
             |points: &mut Path, why| Box::new(Broken { done: std::mem::take(points), why });
-        let first = self.settled(from, course, sense, None);
+        let first = self.settled(from, course, sense, None, self.at_end());
         let (mut here, mut memory) = first.map_err(|why| broken(&mut points, why))?;
-        self.guarded(&mut points, here, course, sense, memory)
+        self.guarded(&mut points, here, (course, sense), memory, false)
             .map_err(|why| broken(&mut points, why))?;
         let mut gone = 0.0;
         let span = (to - from[k]).abs();
@@ -53,8 +53,8 @@ impl Setup<'_> {
         let mut guess = span;
         while (to - here.drive_uv[k]) * sense > room {
             let stop = self.stop(from[k], here.drive_uv[k], to, sense);
-            let step = self.step(&here, stop, course, sense, memory, &mut guess);
-            let (next, kept) = step.map_err(|why| broken(&mut points, why))?;
+            let step = self.step(&here, [stop, to], course, sense, memory, &mut guess);
+            let Step { next, kept, proved } = step.map_err(|why| broken(&mut points, why))?;
             gone += (next.te - here.te).norm();
             let uv = here.drive_uv;
             if points.points.len() >= self.numpts {
@@ -63,7 +63,10 @@ impl Setup<'_> {
             if let Some(limit) = self.length.filter(|l| gone > *l) {
                 return Err(broken(&mut points, Failure::TooLong { limit, uv }));
             }
-            self.guarded(&mut points, next, course, sense, memory)
+            // What avoidance has moved goes another way than the one that is proved.
+            let as_proved =
+                proved && points.points.last().is_some_and(|p| p.te == here.te && p.ta == here.ta);
+            self.guarded(&mut points, next, (course, sense), memory, as_proved)
                 .map_err(|why| broken(&mut points, why))?;
             (here, memory) = (next, kept);
         }
@@ -71,16 +74,19 @@ impl Setup<'_> {
     }
 
     /// Appends a position after CHKSRF: one that gouges is avoided or fails; a cut vector between two clear
-    /// ones that gouges is divided.
+    /// ones that gouges is divided. Is the way to it `proved` to keep out of the part surface, only what else is
+    /// checked counts.
     fn guarded(
         &self,
         path: &mut Path,
         next: Position,
-        course: Course,
-        sense: f64,
+        (course, sense): (Course, f64),
         memory: Memory,
+        proved: bool,
     ) -> Result<(), Failure> {
-        let Some((guard, avoid)) = self.guard else {
+        let (part, intol) = (self.part, self.band.intol);
+        let done = |guard: &Guard| proved && guard.is_part_alone(&part.tree, part.thick, intol);
+        let Some((guard, avoid)) = self.guard.filter(|(guard, _)| !done(guard)) else {
             path.points.push(next);
             return Ok(());
         };
@@ -137,7 +143,7 @@ impl Setup<'_> {
                         blocked.map_err(|gouge| Failure::gouge(gouge, p.te, p.ta, avoid.on))?;
                     }
                     left -= 1;
-                    let (mid, _) = self.settled(uv, course, sense, Some(memory))?;
+                    let (mid, _) = self.settled(uv, course, sense, Some(memory), Take::Band)?;
                     stack.push(p);
                     stack.push(mid);
                 }
@@ -164,7 +170,7 @@ impl Setup<'_> {
         [0.25, 0.5, 0.75].into_iter().any(|f| {
             let mut uv = a.drive_uv;
             uv[k] += (b.drive_uv[k] - a.drive_uv[k]) * f;
-            let Ok((p, _)) = self.position(uv, course, sense, Some(memory), true) else {
+            let Ok((p, _)) = self.position(uv, course, sense, Some(memory), Take::Nothing) else {
                 return false;
             };
             let te = a.te + (b.te - a.te) * f;
@@ -192,37 +198,57 @@ impl Setup<'_> {
         if (to - next) * sense < 1e-6 * every { to } else { next }
     }
 
-    /// The next position: as far on as MAXDP, the next joint of the drive and the tolerance let it.
+    /// The next position: as far on as MAXDP, the next joint of the drive and the tolerance let it, at most to
+    /// the first of two parameters; the other is where the path ends.
     fn step(
         &self,
         here: &Position,
-        to: f64,
+        [to, limit]: [f64; 2],
         course: Course,
         sense: f64,
         memory: Memory,
         guess: &mut f64,
-    ) -> Result<(Position, Memory), Failure> {
+    ) -> Result<Step, Failure> {
         let k = course.index();
         let t = here.drive_uv[k];
         let joint = next_joint(t, sense);
         let most = ((to - t) * sense).min((joint - t) * sense);
         let last = if (to - joint) * sense < 0.0 { to } else { joint };
         let mut length = guess.min(most);
-        let mut worst = Judged { used: f64::INFINITY, deviation: 0.0, part_uv: here.part_uv };
+        let mut worst = Judged {
+            used: f64::INFINITY,
+            deviation: 0.0,
+            part_uv: here.part_uv,
+            way: Way::Unknown,
+        };
         for _ in 0..RETRIES {
             let end = if length >= most { last } else { t + sense * length };
-            let (next, kept) = self.at(here, end, course, sense, memory)?;
+            let take = if (limit - end) * sense <= 0.0 { self.at_end() } else { Take::Band };
+            let mut uv = here.drive_uv;
+            uv[k] = end;
+            let (mut next, mut kept) = self.position(uv, course, sense, Some(memory), take)?;
             let moved = (next.te - here.te).norm();
             if moved > self.maxdp {
                 length *= (self.maxdp / moved * 0.999).clamp(0.1, 0.95);
                 continue;
             }
-            let judged = self.judge([here, &next], (course, sense), [memory, kept]);
+            let judge =
+                |next: &Position, kept| self.judge([here, next], (course, sense), [memory, kept]);
+            let mut judged = judge(&next, kept);
+            // The search from the last contact may have missed one that comes before.
+            if judged.is_some_and(|j| j.used <= 1.0) {
+                let (first, found) = self.earliest((next, kept), course, sense, take);
+                if first.te != next.te {
+                    (next, kept) = (first, found);
+                    judged = judge(&next, kept);
+                }
+            }
             let used = judged.map_or(f64::INFINITY, |j| j.used);
             if used <= 1.0 {
                 // Grow towards what the band would bear.
                 *guess = length * (AIM / used.max(1e-4)).sqrt().clamp(1.02, 5.0);
-                return Ok((next, kept));
+                let proved = judged.is_some_and(|j| j.way == Way::Clear);
+                return Ok(Step { next, kept, proved });
             }
             worst = judged.unwrap_or(worst);
             length *= (AIM / used.sqrt()).clamp(0.1, 0.95);
@@ -234,19 +260,14 @@ impl Setup<'_> {
             allowed: self.band.intol.max(self.band.outtol),
         })
     }
+}
 
-    fn at(
-        &self,
-        here: &Position,
-        t: f64,
-        course: Course,
-        sense: f64,
-        memory: Memory,
-    ) -> Result<(Position, Memory), Failure> {
-        let mut uv = here.drive_uv;
-        uv[course.index()] = t;
-        self.settled(uv, course, sense, Some(memory))
-    }
+/// A position that the tolerance lets the tool go to.
+struct Step {
+    next: Position,
+    kept: Memory,
+    /// Is the way proved to keep out of the part surface?
+    proved: bool,
 }
 
 /// A path that ended early, with what was done of it.

@@ -1,6 +1,6 @@
 //! A drive point projected on the part surface.
 
-use aptc_contact::{PatchTree, Tool};
+use aptc_contact::{Clear, PatchTree, Tool};
 use aptc_geometry::sculpt::Derivatives;
 use aptc_geometry::{Profile, Sculptured, Vec3};
 
@@ -12,6 +12,8 @@ const STEPS: usize = 40;
 const FACING: f64 = 0.95;
 /// Steps of a fall.
 const FALLS: usize = 400;
+/// Meetings so near to each other, for the size of the numbers, are one.
+const SAME: f64 = 1e-8;
 /// Starts along each side of a patch for a search without a place to begin at.
 const STARTS: usize = 4;
 
@@ -124,7 +126,8 @@ impl Shot<'_> {
         for _ in 0..STEPS {
             let d = self.surface.at(u, v);
             let n = d.normal()? * self.side;
-            let w = d.point + self.reach(n) - self.from;
+            let reach = self.reach(n);
+            let w = d.point + reach.to - self.from;
             let (e, g) = (w.dot(&a), w.dot(&b));
             if e.abs().max(g.abs()) <= 1e-13 * size {
                 // A surface seen from behind is no contact.
@@ -133,7 +136,7 @@ impl Shot<'_> {
                 return faces.then_some(Met { uv: [u, v], at: d, normal: n, way });
             }
             let [nu1, nv1] = self.turn(&d)?;
-            let (wu, wv) = (d.u + self.reach_rate(n, nu1), d.v + self.reach_rate(n, nv1));
+            let (wu, wv) = (d.u + reach.rate(nu1), d.v + reach.rate(nv1));
             let (eu, ev, gu, gv) = (wu.dot(&a), wv.dot(&a), wu.dot(&b), wv.dot(&b));
             let det = eu * gv - ev * gu;
             if det == 0.0 || !det.is_finite() {
@@ -148,35 +151,71 @@ impl Shot<'_> {
         None
     }
 
-    /// The first meeting along the direction, by searches from all over the surface; a meeting on the
-    /// surface comes before one on its continuation.
-    pub fn first(&self) -> Option<Met> {
+    /// The first meeting along the direction, by searches from all over the patches near its line, and where
+    /// they find none from all over the surface: a meeting on the surface comes before one on its continuation.
+    pub fn first(&self, tree: &PatchTree) -> Option<Met> {
+        let inside = self.among(tree.beside(self.from, self.along, self.width()).into_iter());
+        if inside.as_ref().is_some_and(|m| self.inside(m)) {
+            return inside;
+        }
+        self.among(0..self.surface.patches.len())
+    }
+
+    /// Is it on the surface, not on its continuation?
+    fn inside(&self, m: &Met) -> bool {
         let [nu, nv] = self.surface.spans();
-        let steps = |n: f64| n * STARTS as f64;
-        let inside = |m: &Met| {
-            (-1e-9..=nu + 1e-9).contains(&m.uv[0]) && (-1e-9..=nv + 1e-9).contains(&m.uv[1])
-        };
+        (-1e-9..=nu + 1e-9).contains(&m.uv[0]) && (-1e-9..=nv + 1e-9).contains(&m.uv[1])
+    }
+
+    /// The first of the meetings that searches from all over some patches reach.
+    fn among(&self, patches: impl Iterator<Item = usize>) -> Option<Met> {
         let mut best: Option<Met> = None;
-        let (mut j, rows, columns) = (0.0, steps(nv), steps(nu));
-        while j < rows {
-            let mut i = 0.0;
-            while i < columns {
-                let start = [(i + 0.5) / STARTS as f64, (j + 0.5) / STARTS as f64];
-                if let Some(m) = self.near(start) {
-                    let better = best.as_ref().is_none_or(|b| match (inside(&m), inside(b)) {
+        let place = |k: usize| (k as f64 + 0.5) / STARTS as f64;
+        for patch in patches {
+            for k in 0..STARTS * STARTS {
+                let start = self.surface.global(patch, place(k % STARTS), place(k / STARTS));
+                let Some(m) = self.near(start) else { continue };
+                let better =
+                    best.as_ref().is_none_or(|b| match (self.inside(&m), self.inside(b)) {
                         (true, false) => true,
                         (false, true) => false,
                         _ => m.way < b.way,
                     });
-                    if better {
-                        best = Some(m);
-                    }
+                if better {
+                    best = Some(m);
                 }
-                i += 1.0;
             }
-            j += 1.0;
         }
         best
+    }
+
+    /// The first meeting of a cutter that comes from afar: it goes on by its distance from the whole surface, until
+    /// a search from the place that it comes near to ends at a meeting with nothing in front of it. `None` where it
+    /// first touches a border, and for a ball.
+    pub fn touch(&self, tree: &PatchTree) -> Option<Met> {
+        let Probe::Cutter { profile, ta, thick } = self.probe else { return None };
+        let size = self.extent + self.from.norm() + profile.reach();
+        let mut way = -4.0 * size;
+        let mut gap = size;
+        for _ in 0..FALLS {
+            let at = |way: f64| Tool { profile, te: self.from + self.along * way, ta };
+            let (place, _) = tree.deepest(&at(way), (0.02 * gap).max(1e-11 * size))?;
+            gap = place.distance - thick;
+            if gap < 0.1 * profile.reach() {
+                let [u, v] = place.uv;
+                let met = self.near(self.surface.global(place.patch, u, v));
+                let allowed = SAME * size - thick;
+                let found = met.filter(|m| tree.clear(&at(m.way), allowed) == Clear::Yes);
+                if found.is_some() {
+                    return found;
+                }
+            }
+            if gap <= 1e-9 * size {
+                return None;
+            }
+            way += 0.98 * gap;
+        }
+        None
     }
 
     /// The first place that the probe touches when it comes from afar, by a search that cannot miss one: the
@@ -202,26 +241,29 @@ impl Shot<'_> {
         None
     }
 
-    /// From the contact to the moving point.
-    fn reach(&self, n: Vec3) -> Vec3 {
+    /// From a contact of the unit normal `n` to the moving point.
+    fn reach(&self, n: Vec3) -> Reach {
         match self.probe {
-            Probe::Ball(r) => n * r,
-            Probe::Cutter { profile, ta, thick } => {
-                n * thick - Tool { profile, te: Vec3::zeros(), ta }.support(-n).point
+            Probe::Ball(r) => {
+                Reach { to: n * r, frame: [Vec3::zeros(); 2], radii: [0.0; 2], even: r }
             }
-        }
-    }
-
-    /// Its derivative when the normal changes by `dn`.
-    fn reach_rate(&self, n: Vec3, dn: Vec3) -> Vec3 {
-        match self.probe {
-            Probe::Ball(r) => dn * r,
             Probe::Cutter { profile, ta, thick } => {
                 let s = Tool { profile, te: Vec3::zeros(), ta }.support(-n);
                 // On a face the contact would jump: a large radius keeps Newton's method moving.
                 let most = 1e3 * profile.reach();
-                let k = |i: usize| s.radii[i].min(most) * s.frame[i].dot(&dn);
-                dn * thick + s.frame[0] * k(0) + s.frame[1] * k(1)
+                let radii = s.radii.map(|r| r.min(most));
+                Reach { to: n * thick - s.point, frame: s.frame, radii, even: thick }
+            }
+        }
+    }
+
+    /// How far from the line of projection a place that the probe touches can be.
+    fn width(&self) -> f64 {
+        match self.probe {
+            Probe::Ball(r) => r.abs(),
+            Probe::Cutter { profile, ta, thick } => {
+                let lean = (ta - self.along * ta.dot(&self.along)).norm();
+                thick.abs() + profile.widest() + profile.reach() * lean
             }
         }
     }
@@ -236,6 +278,23 @@ impl Shot<'_> {
         let unit = n / size;
         let of = |m: Vec3| (m - unit * unit.dot(&m)) * (self.side / size);
         Some([of(d.uu.cross(&d.v) + d.u.cross(&d.uv)), of(d.uv.cross(&d.v) + d.u.cross(&d.vv))])
+    }
+}
+
+/// The way from a contact to the moving point, and how it changes with the normal.
+struct Reach {
+    to: Vec3,
+    frame: [Vec3; 2],
+    radii: [f64; 2],
+    /// By this all round, besides.
+    even: f64,
+}
+
+impl Reach {
+    /// Its derivative when the normal changes by `dn`.
+    fn rate(&self, dn: Vec3) -> Vec3 {
+        let along = |i: usize| self.frame[i] * (self.radii[i] * self.frame[i].dot(&dn));
+        dn * self.even + along(0) + along(1)
     }
 }
 
@@ -274,9 +333,10 @@ mod tests {
             along: -Vec3::z(),
             probe,
         };
-        let m = shot(Probe::Ball(0.0)).first().unwrap();
+        let tree = PatchTree::new(&s);
+        let m = shot(Probe::Ball(0.0)).first(&tree).unwrap();
         assert!((m.at.point.xy() - Vec3::new(3.3, 4.1, 0.0).xy()).norm() < 1e-11);
-        let m = shot(Probe::Ball(1.5)).first().unwrap();
+        let m = shot(Probe::Ball(1.5)).first(&tree).unwrap();
         let centre = m.at.point + m.normal * 1.5;
         assert!((centre.xy() - Vec3::new(3.3, 4.1, 0.0).xy()).norm() < 1e-11);
         // Nothing of the surface is nearer to the centre.
@@ -298,7 +358,7 @@ mod tests {
                 let extent = s.extent();
                 let shot = Shot { surface: &s, extent, side: 1.0, from, along: -Vec3::z(), probe };
                 let tree = PatchTree::new(&s);
-                let met = shot.first().unwrap();
+                let met = shot.first(&tree).unwrap();
                 assert!((shot.fall(&tree).unwrap().way - met.way).abs() < 1e-7);
                 let te = from - Vec3::z() * met.way;
                 let tool = Tool { profile: &profile, te, ta: Vec3::z() };
@@ -316,7 +376,7 @@ mod tests {
         let probe = Probe::Cutter { profile: &profile, ta: Vec3::z(), thick: 0.0 };
         let shot =
             Shot { surface: &s, extent: s.extent(), side: 1.0, from, along: -Vec3::z(), probe };
-        let m = shot.first().unwrap();
+        let m = shot.first(&PatchTree::new(&s)).unwrap();
         let te = from - Vec3::z() * m.way;
         let tool = Tool { profile: &profile, te, ta: Vec3::z() };
         assert!(tool.distance(m.at.point).abs() < 1e-9);

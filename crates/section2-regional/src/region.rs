@@ -16,7 +16,7 @@ use crate::guard::Guard;
 use crate::path::{Broken, Path};
 use crate::position::{Odd, Position};
 use crate::report::Note;
-use crate::solve::Setup;
+use crate::solve::{Setup, Take};
 use crate::stepover::parameter_step;
 
 /// What is put out.
@@ -94,8 +94,8 @@ struct Lane {
     from: [f64; 2],
     to: f64,
     sense: f64,
-    /// Its first point is not put out.
-    skip: bool,
+    /// Is it the first of all?
+    leads: bool,
     /// The other parameter of the next pass; none behind the last.
     next: Option<f64>,
 }
@@ -112,6 +112,19 @@ struct Pass {
     why: Option<Failure>,
 }
 
+/// What becomes of the first point of a path.
+#[derive(Clone, Copy, Debug)]
+enum First {
+    /// It is put out.
+    Out,
+    /// It is left out.
+    Left,
+    /// It is put out unless the tool, which stands here, is there already.
+    After((Vec3, Vec3)),
+}
+
+/// Places of the tool, and axes, so near to each other for the size of the numbers are the same.
+const SAME: f64 = 1e-9;
 /// A region has at most so many paths.
 const PATHS: usize = 1_000_000;
 /// Places in a span of the drive at which the width of a step is judged.
@@ -200,14 +213,15 @@ impl Region<'_> {
         let border = self.setup.drive.limits(across)[usize::from(over > 0.0)];
         let most = self.stepover.paths.unwrap_or(PATHS);
         let mut lanes: Vec<Lane> = Vec::new();
-        let (mut here, mut sense, mut skip) = (from, along, self.skip);
+        let (mut here, mut sense) = (from, along);
         let mut calls = 1;
         let mut known = None;
         loop {
             let to = if sense * along > 0.0 { ends[1] } else { ends[0] };
             let at = here[across.index()];
             let rest = (border - at) * over;
-            let mut lane = Lane { from: here, to, sense, skip, next: None };
+            let leads = lanes.is_empty();
+            let mut lane = Lane { from: here, to, sense, leads, next: None };
             if rest <= 1e-9 || calls >= most {
                 lanes.push(lane);
                 return lanes;
@@ -222,12 +236,9 @@ impl Region<'_> {
             }
             calls += 1;
             here[across.index()] = target;
-            if self.clearance.is_some() {
-                skip = false;
-            } else {
+            if self.clearance.is_none() {
                 here[k] = to;
                 sense = -sense;
-                skip = true;
             }
         }
     }
@@ -279,7 +290,9 @@ impl Region<'_> {
             let mut uv = lane.from;
             uv[k] += length * (i / n);
             // What cannot be reached the pass will tell.
-            if let Ok((p, m)) = self.setup.position(uv, self.course, lane.sense, memory, true) {
+            if let Ok((p, m)) =
+                self.setup.position(uv, self.course, lane.sense, memory, Take::Nothing)
+            {
                 points.push(p);
                 memory = Some(m);
             }
@@ -290,20 +303,28 @@ impl Region<'_> {
 
     /// A pass with the way to the next.
     fn pass(&self, lane: &Lane, out: &mut Pass) -> Result<(), Failure> {
-        let points =
-            self.run(&self.setup, lane.from, (lane.to, self.course, lane.sense), lane.skip, out)?;
+        let first = match (lane.leads, self.skip) {
+            (true, true) => First::Left,
+            (true, false) => First::Out,
+            (false, _) => First::After(self.corner(lane.from)?),
+        };
+        let setup = Setup { joins: true, ..self.setup };
+        let course = (lane.to, self.course, lane.sense);
+        let points = self.run(&setup, lane.from, course, first, out)?;
         out.touched = [0, 1].map(|k| {
             let all = points.iter().map(|p| p.part_uv[k]);
             all.fold([f64::INFINITY, f64::NEG_INFINITY], |r, x| [r[0].min(x), r[1].max(x)])
         });
         let Some(target) = lane.next else { return Ok(()) };
         let mut from = lane.from;
-        if self.clearance.is_some() {
+        let stand = if self.clearance.is_some() {
             self.over(&points, out)?;
+            points.first()
         } else {
             from[self.course.index()] = lane.to;
-        }
-        self.side_step(from, target, out)?;
+            points.last()
+        };
+        self.side_step(from, target, stand.map(|p| (p.te, p.ta)), out)?;
         out.puts.push(Put::Feed(self.feeds[0]));
         Ok(())
     }
@@ -314,7 +335,7 @@ impl Region<'_> {
         setup: &Setup<'_>,
         from: [f64; 2],
         (to, course, sense): (f64, Course, f64),
-        skip: bool,
+        first: First,
         out: &mut Pass,
     ) -> Result<Vec<Position>, Failure> {
         let (Path { points, notes }, why) = match setup.run(from, to, course, sense) {
@@ -324,30 +345,69 @@ impl Region<'_> {
                 (done, Some(why))
             }
         };
+        let start = points.first().map(|p| (p.te, p.ta));
+        let skip = match (first, start) {
+            (First::Out, _) | (First::After(_), None) => false,
+            (First::Left, _) => true,
+            (First::After(stand), Some(start)) => self.joined(setup, stand, start)?,
+        };
         let moves = points.iter().skip(usize::from(skip)).map(|p| (p.te, p.ta)).collect();
         out.puts.push(Put::Move(moves));
         out.notes.extend(notes);
         out.odd = out.odd.or(Odd::of(&points));
-        out.first = out.first.or(points.first().map(|p| (p.te, p.ta)));
+        out.first = out.first.or(start);
         why.map_or(Ok(points), Err)
     }
 
     /// To the neighbouring path along the surface, lifted where a lift is asked for.
-    fn side_step(&self, from: [f64; 2], target: f64, out: &mut Pass) -> Result<(), Failure> {
+    fn side_step(
+        &self,
+        from: [f64; 2],
+        target: f64,
+        stand: Option<(Vec3, Vec3)>,
+        out: &mut Pass,
+    ) -> Result<(), Failure> {
         let across = self.course.across();
         let lift = self.stepover.lift;
-        let mut setup = self.setup;
-        setup.lift = lift;
+        let setup = Setup { lift, joins: true, ..self.setup };
         out.puts.push(Put::Feed(self.feeds[1]));
-        self.run(&setup, from, (target, across, self.senses[1]), lift <= 0.0, out)?;
+        let first = stand.filter(|_| lift <= 0.0).map_or(First::Out, First::After);
+        self.run(&setup, from, (target, across, self.senses[1]), first, out)?;
         let mut uv = from;
         uv[across.index()] = target;
         if lift > 0.0 {
             out.puts.push(Put::Feed(self.feeds[2]));
-            let (p, _) = self.setup.settled(uv, across, self.senses[1], None)?;
-            out.puts.push(Put::Move(vec![(p.te, p.ta)]));
+            out.puts.push(Put::Move(vec![self.corner(uv)?]));
         }
         Ok(())
+    }
+
+    /// Where a side step ends.
+    fn corner(&self, uv: [f64; 2]) -> Result<(Vec3, Vec3), Failure> {
+        let across = self.course.across();
+        let setup = Setup { joins: true, ..self.setup };
+        let path = setup.run(uv, uv[across.index()], across, self.senses[1]);
+        let points = path.map_err(|broken| broken.why)?.points;
+        let last = points.last().ok_or(Failure::NoAxis { uv })?;
+        Ok((last.te, last.ta))
+    }
+
+    /// Does the tool stand already where a path begins? If not, as the axis turns with the direction of the
+    /// path, the way there keeps out of what is checked.
+    fn joined(
+        &self,
+        setup: &Setup<'_>,
+        stand: (Vec3, Vec3),
+        start: (Vec3, Vec3),
+    ) -> Result<bool, Failure> {
+        let near = SAME * (setup.part.extent + setup.profile.reach());
+        if (stand.0 - start.0).norm() <= near && (stand.1 - start.1).norm() <= SAME {
+            return Ok(true);
+        }
+        let Some((guard, avoid)) = setup.guard else { return Ok(false) };
+        let way = guard.way(setup.profile, [stand, start]);
+        way.map_err(|gouge| Failure::gouge(gouge, start.0, start.1, avoid.on))?;
+        Ok(false)
     }
 
     /// Up to the clearance plane, back over the first point of the path, and down.

@@ -50,6 +50,16 @@ impl<'a> Words<'a> {
         }
     }
 
+    /// The next number, which must be greater than 0.
+    pub(crate) fn positive(&mut self, what: &'static str) -> Result<f64, Failure> {
+        let value = self.number().unwrap_or(0.0);
+        if value > 0.0 {
+            Ok(value)
+        } else {
+            Err(Failure::Value { what, value, need: "greater than 0".into() })
+        }
+    }
+
     /// The next form.
     pub(crate) fn form(&mut self) -> Option<(&'a NameRef, &'a Arc<Form>)> {
         match self.0 {

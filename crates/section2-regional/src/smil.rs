@@ -20,7 +20,7 @@ use crate::regional::{Regional, Stand};
 use crate::report::{Note, reports};
 use crate::scon::Words;
 use crate::settings::Band;
-use crate::solve::Setup;
+use crate::solve::{Setup, Take};
 
 /// What a statement gives.
 #[derive(Default)]
@@ -95,23 +95,7 @@ impl Regional {
 
     fn setup(&self) -> Result<Setup<'_>, Failure> {
         let (drive, part, axis) = self.set()?;
-        let profile = self.settings.profile.as_ref().ok_or(Failure::NoCutter)?;
-        Ok(Setup {
-            drive,
-            part,
-            axis,
-            profile,
-            band: self.settings.band(),
-            lateral: self.settings.lateral(),
-            maxdp: self.settings.maxdp(),
-            numpts: self.settings.numpts(),
-            length: self.settings.length(),
-            lift: 0.0,
-            guard: None,
-            over: 1.0,
-            every: None,
-            centred: false,
-        })
+        Setup::new(&self.settings, drive, part, axis)
     }
 
     /// A start must lie within the limits of the drive.
@@ -132,7 +116,7 @@ impl Regional {
     fn point(&self, from: [f64; 2], w: &mut Words<'_>) -> Result<(Vec<Put>, Odd, bool), Failure> {
         let setup = self.setup()?;
         let from = self.checked(from)?;
-        let (p, _) = setup.settled(from, Course::U, 1.0, None)?;
+        let (p, _) = setup.settled(from, Course::U, 1.0, None, Take::Band)?;
         w.take("INCR");
         let te = if let Some(back) = w.number() {
             let d = setup.drive.place(from, Course::U).direction.unwrap_or_else(Vec3::zeros);

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use aptc_contact::{Clear, Tool};
+use aptc_contact::{Clear, PatchPlace, Tool};
 use aptc_geometry::{Profile, Segment, Vec3};
 
 use crate::area::{AxisArea, DriveArea, Guide, Hold, PartArea};
@@ -13,7 +13,7 @@ use crate::failure::Failure;
 use crate::guard::Guard;
 use crate::position::{Position, tool_end, toward_axis};
 use crate::project::{Met, Probe, Shot};
-use crate::settings::Band;
+use crate::settings::{Band, Settings};
 
 /// Rounds that settle an axis that depends on the contact.
 const ROUNDS: usize = 50;
@@ -41,9 +41,22 @@ pub(crate) struct Setup<'a> {
     pub(crate) over: f64,
     /// Step of the parameter at which positions are put out in any case, counted from the start.
     pub(crate) every: Option<f64>,
+    /// Do other paths join this one at its ends? There it stands in the middle of the band.
+    pub(crate) joins: bool,
     /// Is the tool end over the contact where axis and normal are parallel, as GOLOFT has it? Else the contact
     /// is behind.
     pub(crate) centred: bool,
+}
+
+/// Which part of the tolerance a position may take.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Take {
+    /// None: the cutter touches.
+    Nothing,
+    /// None but what it takes to stand in the middle of the band: where paths of several directions join.
+    Middle,
+    /// What lets the chords beside it be long.
+    Band,
 }
 
 /// What one position passes on to the next.
@@ -55,6 +68,45 @@ pub(crate) struct Memory {
     toward: Vec3,
 }
 
+impl Memory {
+    /// The same with the search starting elsewhere.
+    pub(crate) fn at(self, part_uv: [f64; 2]) -> Self {
+        Self { part_uv, ..self }
+    }
+}
+
+impl<'a> Setup<'a> {
+    /// What the modal words say, for this drive, part surface and axis.
+    ///
+    /// # Errors
+    /// No cutter is given that is a solid.
+    pub(crate) fn new(
+        settings: &'a Settings,
+        drive: &'a DriveArea,
+        part: &'a PartArea,
+        axis: AxisArea,
+    ) -> Result<Self, Failure> {
+        let profile = settings.profile.as_ref().ok_or(Failure::NoCutter)?;
+        Ok(Self {
+            drive,
+            part,
+            axis,
+            profile,
+            band: settings.band(),
+            lateral: settings.lateral(),
+            maxdp: settings.maxdp(),
+            numpts: settings.numpts(),
+            length: settings.length(),
+            lift: 0.0,
+            guard: None,
+            over: 1.0,
+            every: None,
+            joins: false,
+            centred: false,
+        })
+    }
+}
+
 impl Setup<'_> {
     /// Between cutter and part surface: thickness and lift.
     pub(crate) fn thick(&self) -> f64 {
@@ -64,6 +116,11 @@ impl Setup<'_> {
     /// Is the drive the part surface itself?
     fn same_surface(&self) -> bool {
         matches!(&self.drive.guide, Guide::Surface(s) if Arc::ptr_eq(s, &self.part.surface))
+    }
+
+    /// What a position at the end of a path takes of the tolerance.
+    pub(crate) fn at_end(&self) -> Take {
+        if self.joins { Take::Middle } else { Take::Band }
     }
 
     /// Middle and half width of what the positions may use of the band.
@@ -81,14 +138,14 @@ impl Setup<'_> {
         }
     }
 
-    /// The position for a place of the drive; `exact` without compensation of the tolerance.
+    /// The position for a place of the drive.
     pub(crate) fn position(
         &self,
         uv: [f64; 2],
         course: Course,
         sense: f64,
         memory: Option<Memory>,
-        exact: bool,
+        take: Take,
     ) -> Result<(Position, Memory), Failure> {
         let p = self.drive.place(uv, course);
         let direction =
@@ -115,7 +172,7 @@ impl Setup<'_> {
                 settled = true;
             }
             if settled {
-                return self.finish(&p, &met, ta, toward, forward, exact);
+                return self.finish(&p, &met, ta, toward, forward, take);
             }
         }
         debug_assert!(!settled, "a settled axis has returned");
@@ -130,13 +187,6 @@ impl Setup<'_> {
         start: Option<[f64; 2]>,
     ) -> Result<Met, Failure> {
         let at = self.drive.hold == Hold::At;
-        let probe = if !self.part.touches || at {
-            Probe::Ball(self.thick())
-        } else {
-            Probe::Cutter { profile: self.profile, ta, thick: self.thick() }
-        };
-        // The tip moves up by the thickness and down by the offset before the projection.
-        let from = p.point + ta * (self.thick() - self.drive.offset);
         let surface = &self.part.surface;
         if at && self.drive.offset == 0.0 && self.same_surface() {
             // The drive point is the contact; nothing is projected.
@@ -144,12 +194,30 @@ impl Setup<'_> {
             let normal = d.normal().ok_or(Failure::NoAxis { uv: p.uv })? * self.part.side;
             return Ok(Met { uv: p.uv, at: d, normal, way: 0.0 });
         }
-        let extent = self.part.extent;
-        let shot = Shot { surface, extent, side: self.part.side, from, along: direction, probe };
-        let near = start.and_then(|s| shot.near(s));
-        near.or_else(|| shot.first()).or_else(|| shot.fall(&self.part.tree)).ok_or_else(|| {
+        let shot = self.shot(p, direction, ta);
+        let tree = &self.part.tree;
+        let near = start.and_then(|s| shot.near(s)).or_else(|| shot.touch(tree));
+        near.or_else(|| shot.first(tree)).or_else(|| shot.fall(tree)).ok_or_else(|| {
             Failure::NotMet { part: self.part.name.name.as_str().into(), uv: p.uv, place: p.point }
         })
+    }
+
+    /// The line of projection, and what is moved along it.
+    fn shot(&self, p: &DrivePoint, direction: Vec3, ta: Vec3) -> Shot<'_> {
+        let probe = if !self.part.touches || self.drive.hold == Hold::At {
+            Probe::Ball(self.thick())
+        } else {
+            Probe::Cutter { profile: self.profile, ta, thick: self.thick() }
+        };
+        Shot {
+            surface: &self.part.surface,
+            extent: self.part.extent,
+            side: self.part.side,
+            // The tip moves up by the thickness and down by the offset before the projection.
+            from: p.point + ta * (self.thick() - self.drive.offset),
+            along: direction,
+            probe,
+        }
     }
 
     fn finish(
@@ -159,11 +227,15 @@ impl Setup<'_> {
         ta: Vec3,
         toward: Vec3,
         forward: Vec3,
-        exact: bool,
+        take: Take,
     ) -> Result<(Position, Memory), Failure> {
         let n = met.normal;
-        let curvature = met.at.curvature_along(n, forward).unwrap_or(0.0);
-        let shift = if exact { 0.0 } else { self.compensation(curvature) };
+        let bend = || met.at.curvature_along(n, forward).unwrap_or(0.0);
+        let shift = match take {
+            Take::Nothing => 0.0,
+            Take::Middle => self.compensation(0.0),
+            Take::Band => self.compensation(bend()),
+        };
         let led = self.part.touches && self.drive.hold == Hold::On;
         let te = if led {
             // The tool end stays on the line of projection, whatever of a flat bottom touches.
@@ -198,36 +270,66 @@ impl Setup<'_> {
         Ok((position, Memory { part_uv: met.uv, toward }))
     }
 
-    /// As [`Setup::position`], and where the tool end stays on the line of projection the first contact on it:
-    /// where the search from the last contact has led into another place of the surface, it begins again at
-    /// that place.
+    /// As [`Setup::position`], and where the tool end stays on the line of projection the first contact on it.
     pub(crate) fn settled(
         &self,
         uv: [f64; 2],
         course: Course,
         sense: f64,
         memory: Option<Memory>,
+        take: Take,
     ) -> Result<(Position, Memory), Failure> {
-        let (mut p, mut kept) = self.position(uv, course, sense, memory, false)?;
-        if self.drive.hold != Hold::On || !self.part.touches {
-            return Ok((p, kept));
+        let found = self.position(uv, course, sense, memory, take)?;
+        Ok(self.earliest(found, course, sense, take))
+    }
+
+    /// Is the tool end led along the line of projection, to the first contact on it?
+    pub(crate) fn leads(&self) -> bool {
+        self.drive.hold == Hold::On && self.part.touches
+    }
+
+    /// The position moved to the first contact on its line of projection, if it is led there. Where the search
+    /// from the last contact has led into another place of the surface, it begins again at the place that is
+    /// in the tool, then at the deepest one, and at last where the tool touches when it comes from afar.
+    pub(crate) fn earliest(
+        &self,
+        (mut p, mut kept): (Position, Memory),
+        course: Course,
+        sense: f64,
+        take: Take,
+    ) -> (Position, Memory) {
+        if !self.leads() {
+            return (p, kept);
         }
-        let along = self.drive.place(uv, course).direction.unwrap_or_else(Vec3::zeros);
+        let place = self.drive.place(p.drive_uv, course);
+        let Some(along) = place.direction else { return (p, kept) };
         let Band { intol, outtol } = self.band;
         // What another place may be nearer; with what the position takes of the band it stays within INTOL.
         let least = self.thick() - 0.04 * (intol + outtol);
+        let tree = &self.part.tree;
         for _ in 0..REPAIRS {
             let te = p.te - p.normal * p.shift;
             let tool = Tool { profile: self.profile, te, ta: p.ta };
-            let Clear::No(place) = self.part.tree.clear(&tool, -least) else { break };
-            let [u, v] = place.uv;
-            let part_uv = self.part.surface.global(place.patch, u, v);
-            let other = self.position(uv, course, sense, Some(Memory { part_uv, ..kept }), false);
-            match other {
-                Ok((q, m)) if (q.te - p.te).dot(&along) < 0.0 => (p, kept) = (q, m),
-                _ => break,
+            let Clear::No(seen) = tree.clear(&tool, -least) else { break };
+            let from = |part_uv: [f64; 2]| {
+                let memory = Some(kept.at(part_uv));
+                let other = self.position(p.drive_uv, course, sense, memory, take).ok()?;
+                ((other.0.te - p.te).dot(&along) < 0.0).then_some(other)
+            };
+            let at = |place: &PatchPlace| {
+                let [u, v] = place.uv;
+                from(self.part.surface.global(place.patch, u, v))
+            };
+            let deepest = || tree.deepest(&tool, 1e-3 * (intol + outtol)).map(|(place, _)| place);
+            let afar = || self.shot(&place, along, p.ta).fall(tree).map(|met| met.uv);
+            let found = at(&seen)
+                .or_else(|| deepest().and_then(|place| at(&place)))
+                .or_else(|| afar().and_then(from));
+            match found {
+                Some(other) => (p, kept) = other,
+                None => break,
             }
         }
-        Ok((p, kept))
+        (p, kept)
     }
 }

@@ -20,17 +20,17 @@ const SHORTEST: f64 = 0.1;
 
 /// Measures `work`, which does `amount` of something, and prints amount a second of processor time; `target` is the rate that is wanted.
 ///
-/// A first argument of the program that is no part of `name` leaves it out.
+/// A first argument of the program that is no part of `name` leaves it out: false.
 pub fn rate<T>(
     name: &str,
     amount: f64,
     unit: &str,
     target: Option<f64>,
     mut work: impl FnMut() -> T,
-) {
+) -> bool {
     let filter = std::env::args().skip(1).find(|argument| !argument.starts_with('-'));
     if filter.is_some_and(|filter| !name.contains(&filter)) {
-        return;
+        return false;
     }
     let mut inner = 1;
     let mut times = Vec::with_capacity(REPETITIONS);
@@ -48,6 +48,7 @@ pub fn rate<T>(
     }
     times.sort_by(f64::total_cmp);
     figure(name, amount / times[REPETITIONS / 2], unit, target);
+    true
 }
 
 /// Prints a figure that was had in another way, such as peak memory.

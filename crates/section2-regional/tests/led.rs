@@ -1,0 +1,107 @@
+//! Paths of a led tool end (ON) whose contact jumps from one slope to another.
+
+use std::sync::Arc;
+
+use aptc_cldata as cl;
+use aptc_contact::{PatchTree, Swept, Tool};
+use aptc_geometry::sculpt::fit_surface;
+use aptc_geometry::sculptured::{
+    Knot, MeshKind, MeshSpacing, MeshSpline, Smoothing, SurfaceDefinition, SurfaceShape,
+};
+use aptc_geometry::{Cutter, Form, Profile, Vec3, trig};
+use aptc_protap::{Arg, Kind, NameRef, Record, Units};
+use aptc_regional::Regional;
+
+const TOL: f64 = 0.01;
+/// Spans of 10 mm each way.
+const SPANS: u32 = 6;
+
+/// Hills with hollows between that are narrower than the cutters are wide.
+fn hills(x: f64, y: f64) -> f64 {
+    8.0 + 5.0 * trig::sin(0.21 * x) * trig::cos(0.17 * y) + 2.0 * trig::cos(0.33 * (x + y))
+}
+
+fn mesh(z: impl Fn(f64, f64) -> f64) -> SurfaceDefinition {
+    let knot = |i: u32, j: u32| {
+        let (x, y) = (10.0 * f64::from(i), 10.0 * f64::from(j));
+        Knot { point: Vec3::new(x, y, z(x, y)), ..Knot::default() }
+    };
+    let spline = |j: u32| MeshSpline {
+        smoothing: Smoothing::default(),
+        knots: (0..=SPANS).map(|i| knot(i, j)).collect(),
+    };
+    SurfaceDefinition::plain(SurfaceShape::Mesh {
+        kind: MeshKind::Smesh,
+        spacing: MeshSpacing::Xyz,
+        splines: (0..=SPANS).map(spline).collect(),
+    })
+}
+
+/// Tool ends of the line at `v` over the middle of the surface, the tool led over it along z.
+fn line(part: &SurfaceDefinition, cutter: Cutter, v: f64) -> Vec<Vec3> {
+    let of = |form: Form| Arg::Form { name: NameRef::default(), form: Arc::new(form) };
+    let surface = |d: &SurfaceDefinition| of(Form::Ssurf(Arc::new(d.clone())));
+    let word = |w: &str| Arg::Word(w.into());
+    let numbers = |all: &[f64]| all.iter().map(|x| Arg::Number(*x)).collect::<Vec<_>>();
+    let regional = |word: &str, args: Vec<Arg>| Kind::Regional { word: word.into(), args };
+    let down = || of(Form::Vector(-Vec3::z()));
+    let last = f64::from(SPANS) - 1.0;
+    let limits = numbers(&[1.0, last, 1.0, last]);
+    let ds = [vec![word("DS"), surface(&mesh(|_, _| 60.0)), word("PARAM")], limits];
+    let ps = vec![word("PS"), word("TO"), surface(part), word("PLUS"), Arg::Number(0.0)];
+    let from = [vec![word("PATH"), word("DS"), word("PARAM")], numbers(&[1.0, v])];
+    let kinds = [
+        Kind::Units(Units::Mm),
+        Kind::Cutter(cutter),
+        Kind::Intol([TOL; 4]),
+        Kind::Outtol([TOL; 4]),
+        regional("SCON", [ds.concat(), vec![word("ON"), down()]].concat()),
+        regional("SCON", ps),
+        regional("SCON", vec![word("AXIS"), of(Form::Vector(Vec3::z()))]),
+        regional("SMIL", [from.concat(), vec![word("TANSPL"), word("PLUS")]].concat()),
+    ];
+    let mut regional = Regional::default();
+    let mut out = Vec::new();
+    for kind in kinds {
+        out.clear();
+        let record = Record { origin: aptc_diagnostics::Origin::default(), kind };
+        let done = regional.execute(&record, &mut out);
+        assert!(done.is_ok(), "{:?}", regional.take_diagnostics());
+    }
+    let points = |r: &cl::Record| match &r.kind {
+        cl::Kind::Motion(m) => m.points.iter().map(|p| p.te).collect(),
+        _ => Vec::new(),
+    };
+    out.iter().flat_map(points).collect()
+}
+
+/// Each cut vector is nowhere deeper than INTOL and nowhere farther off than OUTTOL, and few suffice: where the
+/// contact jumps the path has a corner, not a crowd of points.
+#[test]
+fn the_contact_may_jump() {
+    let part = mesh(hills);
+    let tree = PatchTree::new(&fit_surface(&part, 10.0).expect("an even mesh"));
+    for cutter in [
+        Cutter::mill(12.0, 2.0, 60.0),
+        Cutter::mill(10.0, 0.5, 60.0),
+        Cutter::mill(14.0, 7.0, 60.0),
+        Cutter::mill(8.0, 0.0, 60.0),
+    ] {
+        let profile = Profile::new(&cutter).expect("a mill");
+        for v in [1.3, 2.9, 4.4] {
+            let points = line(&part, cutter, v);
+            assert!((10..200).contains(&points.len()), "{cutter:?} {v} {}", points.len());
+            for pair in points.windows(2) {
+                let by = pair[1] - pair[0];
+                let tool = Tool { profile: &profile, te: pair[0], ta: Vec3::z() };
+                let least = tree.deepest(&Swept { tool, by }, 1e-6).expect("patches").0.distance;
+                assert!(least > -TOL - 1e-5, "{cutter:?} {v} at {} {least}", pair[0]);
+                for k in 0..=8 {
+                    let at = tool.at(pair[0] + by * (f64::from(k) / 8.0));
+                    let off = tree.deepest(&at, 1e-6).expect("patches").0.distance;
+                    assert!(off < TOL + 1e-5, "{cutter:?} {v} at {} {off}", at.te);
+                }
+            }
+        }
+    }
+}
