@@ -9,6 +9,7 @@ mod codegen;
 mod fuzz;
 mod mutate;
 mod package;
+mod peers;
 mod random;
 mod repository;
 mod test;
@@ -30,6 +31,7 @@ cargo xtask <chore>
                       each fuzz target for a time (60 s); needs cargo-fuzz
   bench [FILTER] [--runs N]
                       benchmarks; medians into docs/performance.md when all are run
+  peers               regional milling on the surface of ../shared/peers, judged by its exact heights
   package             static tarball and .deb with manual pages and completions, in target/package
   codegen [--check]   write the word tables and the editors' grammars from words.tsv, or fail when stale
 ";
@@ -45,6 +47,7 @@ fn main() -> ExitCode {
         ["bench", options @ ..] => bench::run(options),
         ["fuzz", options @ ..] => fuzz::run(options),
         ["mutate", options @ ..] => mutate::run(options),
+        ["peers"] => peers::run(),
         ["package"] => package::run(),
         ["codegen"] => codegen::run(codegen::Mode::Write),
         ["codegen", "--check"] => codegen::run(codegen::Mode::Check),
