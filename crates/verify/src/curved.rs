@@ -3,13 +3,13 @@
 use aptc_cldata::Position;
 use aptc_geometry::Vec3;
 
-use crate::demand::{Verdict, angle, between_poses};
+use crate::demand::{Verdict, angle, between_poses, bulge};
 use crate::pile::Pile;
 use crate::search::{Aim, Moved, clearance};
 use crate::sheet::{Sheet, Spot};
 use crate::sweep::Sweep;
-use crate::tool::{Pose, Tool};
-use crate::witness::{Excess, descend, excess};
+use crate::tool::{Pose, Tool, carry};
+use crate::witness::{Excess, deepest, descend, excess};
 
 /// Halvings of a vector whose axis turns.
 const DEPTH: u32 = 22;
@@ -53,6 +53,7 @@ impl Curved<'_> {
         let turn = angle(a.ta, b.ta);
         let low = self.not_below(tool, self.side, self.least, &pose, turn, pad);
         // A point has the same distance from both sides.
+        let cut = matches!(low, Half::Broken(..));
         let high = if self.on {
             match self.not_below(tool, -self.side, -self.most, &pose, turn, pad) {
                 Half::Holds(g) => Half::Holds(-g),
@@ -60,7 +61,7 @@ impl Curved<'_> {
                 open @ Half::Open(..) => open,
             }
         } else {
-            self.not_above(tool, &pose, turn, pad)
+            self.not_above(tool, &pose, turn, pad, cut)
         };
         match (low, high) {
             (Half::Broken(t, g), Half::Broken(s, h)) => {
@@ -230,14 +231,21 @@ impl Curved<'_> {
         0.0
     }
 
-    /// The side of the surface at a place on which the tool's point next to it lies.
+    /// The side of the surface at the place next to `spot` on which the tool stands: that to which it reaches farther
+    /// along the normal. An edge of the tool that is in the surface by its tolerance does not tell: what is next to a
+    /// place inside of it may be its other face. 0 where the tool lies beside the place.
     fn facing(&self, tool: &Tool<'_>, pose: &Pose, spot: &Spot) -> f64 {
-        /// Cosine below which the tool lies beside the place.
-        const BESIDE: f64 = 0.05;
         let (_, spot, _) = descend(tool, pose, self.sheet, *spot);
         let jet = self.sheet.jet(&spot);
-        let cos = -tool.near(pose, jet.p).1.dot(&jet.n);
-        if cos.abs() > BESIDE { cos.signum() } else { 0.0 }
+        let reach = |n: Vec3| tool.height(pose, n) - n.dot(&jet.p);
+        let (right, left) = (reach(jet.n), reach(-jet.n));
+        if right > 2.0 * left {
+            1.0
+        } else if left > 2.0 * right {
+            -1.0
+        } else {
+            0.0
+        }
     }
 
     /// How much farther back the surface is moved for a tool without thickness.
@@ -260,23 +268,24 @@ impl Curved<'_> {
         inside: f64,
         pad: f64,
     ) -> Option<f64> {
-        let jet = self.sheet.jet(spot);
-        if least >= 0.0 && !tool.is_thin() {
-            return Some(least + inside);
+        let seen = least + inside;
+        let deep = deepest(tool, pose, self.sheet, side, *spot, least - pad);
+        if least >= 0.0 && deep.gap >= 0.0 && !tool.is_thin() {
+            return Some(seen.min(deep.gap));
         }
-        // The deepest point of the tool below the place, and how far it is from the whole surface.
-        let p = tool.farthest(pose, jet.n * -side);
-        let (far, place) = self.nearest(p, 2.0 * (inside.abs() + least.abs()));
-        let sign = self.sheet.sign(p).or_else(|| {
+        // How far the deepest point of the tool is from the whole surface.
+        let near = inside.abs().max(deep.gap.abs()) + least.abs();
+        let (far, place) = self.nearest(deep.p, 2.0 * near);
+        let sign = self.sheet.sign(deep.p).or_else(|| {
             let jet = self.sheet.jet(&place?);
-            Some((p - jet.p).dot(&jet.n).signum())
+            Some((deep.p - jet.p).dot(&jet.n).signum())
         })?;
         let gap = if sign * side > 0.0 { far } else { -far };
+        let gap = if least >= 0.0 && !tool.is_thin() { gap.min(seen) } else { gap };
         (gap < least - pad).then_some(gap)
     }
 
-    /// Distance of a point from the surface, to a millionth, and the place; not more than somewhat above
-    /// `enough`.
+    /// Distance of a point from the surface and the place; not more than somewhat above `enough`.
     fn nearest(&self, p: Vec3, enough: f64) -> (f64, Option<Spot>) {
         let pose = Pose { te: p, ta: Vec3::z() };
         let sweep = Sweep::still(&Tool::End, pose);
@@ -290,21 +299,132 @@ impl Curved<'_> {
             }
             within = far * (1.0 - 1e-6);
         }
-        (far, place)
+        let Some(spot) = place else { return (far, None) };
+        // The last digits, which a search would come to slowly.
+        let (d, spot, _) = descend(&Tool::End, &pose, self.sheet, spot);
+        (far.min(d), Some(spot))
     }
 
-    /// That the gap is nowhere above the greatest allowed.
-    fn not_above(&self, tool: &Tool<'_>, pose: &dyn Fn(f64) -> Pose, turn: f64, pad: f64) -> Half {
+    /// That the gap is nowhere above the greatest allowed; looked at less closely where the tool cuts in anyway.
+    fn not_above(
+        &self,
+        tool: &Tool<'_>,
+        pose: &dyn Fn(f64) -> Pose,
+        turn: f64,
+        pad: f64,
+        cut: bool,
+    ) -> Half {
         if self.most == f64::INFINITY {
             return Half::Holds(f64::INFINITY);
         }
-        match excess(tool, self.sheet, self.side, pose, turn, self.most + pad) {
+        let found = excess(tool, self.sheet, self.side, pose, turn, self.most + pad);
+        if let Excess::Beyond(t, gap) = found
+            && self.most >= 0.0
+        {
+            return Half::Broken(t, gap);
+        }
+        match found {
             Excess::Within(high) => Half::Holds(high),
             // How deep the tool is in the surface is not how deep the surface is in the tool.
-            Excess::Beyond(t, gap) if self.most < 0.0 => Half::Open(t, gap - self.most),
-            Excess::Beyond(t, gap) => Half::Broken(t, gap),
-            Excess::Open(t, gap) => Half::Open(t, gap - self.most),
+            Excess::Beyond(t, gap) | Excess::Open(t, gap) => {
+                let sunk = if cut { None } else { self.sunk(tool, pose, turn, pad) };
+                sunk.unwrap_or(Half::Open(t, gap - self.most))
+            }
         }
+    }
+
+    /// That some point of the tool is nowhere less deep than the greatest gap allows: one for each stretch.
+    fn sunk(
+        &self,
+        tool: &Tool<'_>,
+        pose: &dyn Fn(f64) -> Pose,
+        turn: f64,
+        pad: f64,
+    ) -> Option<Half> {
+        /// Stretches that are looked at at most.
+        const STRETCHES: u32 = 40;
+        let Tool::Solid(_) = tool else { return None };
+        let sweep = Sweep::still(tool, pose(0.0));
+        let moved = Moved { sheet: self.sheet, side: self.side, shift: 0.0 };
+        let mut spot = clearance(&sweep, &moved, self.most + tool.reach(), Aim::Any).nearest?.2;
+        let mut stack = Pile::<(f64, f64, u32), 32>::new();
+        stack.push((0.0, 1.0, 0));
+        let (mut seen, mut high) = (0, f64::NEG_INFINITY);
+        while let Some((t0, t1, depth)) = stack.pop() {
+            seen += 1;
+            if seen > STRETCHES || depth > DEPTH {
+                return None;
+            }
+            let (a, b) = (pose(t0), pose(t1));
+            let middle = 0.5 * (t0 + t1);
+            let mut held = None;
+            for t in [middle, t0, t1] {
+                let at = pose(t);
+                let most = self.most + pad;
+                let mut deep = deepest(tool, &at, self.sheet, self.side, spot, most);
+                if deep.gap > most
+                    && let Some(spot) = self.within(tool, &at)
+                {
+                    deep = deepest(tool, &at, self.sheet, self.side, spot, most);
+                }
+                spot = deep.spot;
+                let above = deep.gap - self.most;
+                if above > pad {
+                    return self.afloat(tool, &at, above, pad).map(|gap| Half::Broken(t, gap));
+                }
+                // The point goes along a chord but for its bulge.
+                let off = bulge((deep.p - at.te).norm(), turn * (t1 - t0));
+                let [p, q] = [a, b].map(|to| carry(&at, &to, deep.p));
+                let way = |s: f64| Pose { te: p + (q - p) * s, ta: Vec3::z() };
+                let least = -self.most + off;
+                match self.not_below(&Tool::End, -self.side, least, &way, 0.0, pad) {
+                    Half::Holds(g) => {
+                        held = Some(off - g);
+                        break;
+                    }
+                    // A search that comes to no end does so again.
+                    Half::Open(_, f64::INFINITY) => return None,
+                    Half::Open(..) | Half::Broken(..) => {}
+                }
+            }
+            match held {
+                Some(g) => high = high.max(g),
+                None => {
+                    stack.push((middle, t1, depth + 1));
+                    stack.push((t0, middle, depth + 1));
+                }
+            }
+        }
+        Some(Half::Holds(high))
+    }
+
+    /// A place of the surface that lies in the tool when it is moved by the greatest gap: as deep the tool is there.
+    fn within(&self, tool: &Tool<'_>, at: &Pose) -> Option<Spot> {
+        let moved = Moved { sheet: self.sheet, side: self.side, shift: self.most };
+        let found = clearance(&Sweep::still(tool, *at), &moved, 0.0, Aim::Nearest).nearest?;
+        (found.0 < 0.0).then_some(found.2)
+    }
+
+    /// A gap beyond the greatest that no point of the tool is deeper than, at most `above` beyond it.
+    fn afloat(&self, tool: &Tool<'_>, at: &Pose, above: f64, pad: f64) -> Option<f64> {
+        /// Times that a share of it is tried, and the share.
+        const TRIES: u32 = 6;
+        const SHARE: f64 = 0.25;
+        let pose = |_: f64| *at;
+        let mut beyond = 0.9 * above;
+        for _ in 0..TRIES {
+            if beyond <= pad {
+                break;
+            }
+            let least = self.most + beyond;
+            match self.not_below(tool, self.side, least, &pose, 0.0, pad) {
+                Half::Holds(_) => return Some(least),
+                // A search that comes to no end does so again.
+                Half::Open(_, f64::INFINITY) => break,
+                Half::Open(..) | Half::Broken(..) => beyond *= SHARE,
+            }
+        }
+        None
     }
 }
 

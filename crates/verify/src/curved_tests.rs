@@ -142,6 +142,70 @@ proptest! {
     }
 }
 
+/// A flat end in `z = p x^2 + q y^2` touches with its sharp rim at both sides, at any depth that THICK asks for.
+#[test]
+fn a_sharp_rim_in_a_hollow_is_decided_at_any_depth() {
+    let cutter = Cutter::mill(4.0, 0.0, 9.0);
+    let profile = Profile::new(&cutter).unwrap();
+    let p = 0.05;
+    for q in [0.04, 0.03, 0.0, -0.05] {
+        let mut ten = [0.0; 10];
+        (ten[0], ten[1], ten[9]) = (p, q, -0.5);
+        let form = Form::Quadric(aptc_geometry::Quadric {
+            kind: aptc_geometry::QuadricKind::Qadric,
+            c: ten,
+        });
+        for depth in [0.0, 0.01, 0.2, -0.05] {
+            // The foot of the rim's point at x = 2, its height by the normal there.
+            let mut x = 2.0_f64;
+            for _ in 0..50 {
+                let w = (1.0 + 4.0 * p * p * x * x).sqrt();
+                x = 2.0 - depth * 2.0 * p * x / w;
+            }
+            let z = p * x * x - depth / (1.0 + 4.0 * p * p * x * x).sqrt();
+            let at = Position::upright(Vec3::new(0.0, 0.0, z));
+            let asked =
+                |thick| Controlled { thick, intol: 1e-6, outtol: 1e-6, ..controlled(&form, -1) };
+            let judge = |c: Controlled| Demand::new(&c).judge(&profile, &at, &at, 1e-11);
+            let verdict = judge(asked(-depth));
+            assert!(matches!(verdict, Verdict::Proved { .. }), "{q} {depth} {verdict:?}");
+            // What is told lies between the band and the truth.
+            for off in [3e-6, -3e-6] {
+                match judge(asked(-depth + off)) {
+                    Verdict::Refuted { gap, .. } => assert!((gap + depth).abs() < 2e-6, "{gap}"),
+                    // How far a tool is above its depth is not always decided.
+                    Verdict::Undecided { .. } if off < 0.0 => {}
+                    verdict => panic!("{q} {depth} {off} {verdict:?}"),
+                }
+            }
+        }
+    }
+}
+
+/// A leaning flat end whose rim is in an upright wall by its tolerance stands on the side where it is.
+#[test]
+fn the_rim_of_a_leaning_tool_in_its_tolerance_is_on_its_side() {
+    let form = &crate::sheet::forms::parametric()[3];
+    // The wall is the plane y = 1.
+    let spot = Spot { chart: 20, at: [0.5, 0.5] };
+    let positive = Sheet::new(form).unwrap().jet(&spot).n.y;
+    let profile = Profile::new(&Cutter::mill(2.0, 0.0, 5.0)).unwrap();
+    for away in [1.0, -1.0] {
+        for lean in [0.05, 0.2] {
+            let ta = Vec3::new(0.0, away * lean, 1.0).normalize();
+            let te = Vec3::new(0.0, 1.0 + away * (ta.z - 1e-4), 0.3);
+            let at = Position { te, ta };
+            let side = if away * positive > 0.0 { 1 } else { -1 };
+            let c = Controlled { intol: 2e-4, outtol: 1e-4, ..controlled(form, side) };
+            let verdict = Demand::new(&c).judge(&profile, &at, &at, 1e-11);
+            assert!(matches!(verdict, Verdict::Proved { .. }), "{away} {lean} {verdict:?}");
+            let c = Controlled { side: -side, ..c };
+            let verdict = Demand::new(&c).judge(&profile, &at, &at, 1e-11);
+            assert!(matches!(verdict, Verdict::Refuted { .. }), "{away} {lean} {verdict:?}");
+        }
+    }
+}
+
 /// A ball beside a quarter of a cone: in the band where it should be, by closed form.
 #[test]
 fn the_thickness_of_a_polyconic_moves_its_surface() {

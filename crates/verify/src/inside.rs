@@ -36,9 +36,11 @@ fn nearest(tool: &Tool<'_>, pose: &Pose, solid: &Solid, up: Option<f64>) -> (f64
         }
         (Solid::Ball(c, r), Some(up)) => {
             let (far, m) = tool.farthest_below(pose, *c);
-            // Turning m by an angle changes m . (p - c) by no more than this much.
-            let more = up * ((pose.te - c).norm() + tool.reach());
-            (r - far - more, r - far, m)
+            // Directions that look up the axis a little are nearly level: they reach little farther than level ones.
+            let off = pose.te - c;
+            let level = (off - pose.ta * off.dot(&pose.ta)).norm() + tool.widest();
+            let more = up * (off.norm() + tool.reach());
+            (r - far.max(level + more), r - far, m)
         }
         (Solid::Rod(_, t, _) | Solid::Nappe(_, t, ..), _) => around(tool, pose, solid, *t, up),
     }
@@ -203,7 +205,12 @@ pub(crate) fn bound_turning(
         solid.support(m) + parabola(ends[0], ends[1], bulge((p - from.te).norm(), turn))
     };
     let mut high = f64::INFINITY;
-    for m in [first.2, last.2, solid.bounded_direction(first.2 + last.2)] {
+    // A direction level with the tool at one end looks up its axis at the other: it is laid down.
+    let level = |m: Vec3| {
+        let laid = [a.ta, b.ta].iter().fold(m, |m, ta| m - ta * m.dot(ta).max(0.0));
+        if open { solid.bounded_direction(laid) } else { m }
+    };
+    for m in [first.2, last.2, solid.bounded_direction(first.2 + last.2)].map(level) {
         if !open || m.dot(&a.ta).max(m.dot(&b.ta)) <= LEVEL {
             high = high.min(carried(a, b, m)).min(carried(b, a, m));
         }

@@ -125,7 +125,12 @@ pub(crate) fn clearance(sweep: &Sweep<'_>, moved: &Moved<'_>, enough: f64, aim: 
             }
         }
         let (low, Slack { by: slack, .. }, rise) = bound(&meeting);
-        let low = low.max(level);
+        let mut low = low.max(level);
+        if low < known(&out, enough)
+            && let Some(edge) = sweep.edge(tile.n * -moved.side, x, meeting.t)
+        {
+            low = low.max(bound(&edge[0]).0).max(bound(&edge[1]).0);
+        }
         if low >= known(&out, enough) {
             out.least = out.least.min(low);
             continue;

@@ -187,7 +187,12 @@ impl Sheet {
     }
 
     pub(crate) fn tile(&self, patch: &Patch) -> Tile {
-        let jet = self.jet(&Spot { chart: patch.chart, at: patch.at });
+        let with = |jet: Jet, (bend, vary)| (jet, bend, vary);
+        let (jet, bend, vary) = match &self.kind {
+            Kind::Quadric(q) => with(q.jet(&patch.spot()), q.bend(patch)),
+            Kind::Tabcyl(t) => with(t.jet(&patch.spot()), t.bend(patch)),
+            Kind::Patched(p) => p.bent(patch),
+        };
         let [uu, uv, vv] = self.second(patch);
         let [hu, hv] = patch.half;
         let cross = 0.5 * uv * hu * hv;
@@ -200,11 +205,6 @@ impl Sheet {
             }
             Kind::Tabcyl(_) => [uu * hu, 0.0],
             Kind::Patched(p) => p.turn(patch, &jet),
-        };
-        let (bend, vary) = match &self.kind {
-            Kind::Quadric(q) => q.bend(patch),
-            Kind::Tabcyl(t) => t.bend(patch),
-            Kind::Patched(_) => ([Vec3::zeros(); 3], [uu, uv, vv]),
         };
         let area = [hu * hu, hu * hv, hv * hv];
         let bend = [0, 1, 2].map(|i| bend[i] * area[i]);
@@ -236,7 +236,7 @@ impl Sheet {
 }
 
 impl Tile {
-    /// By how much a linear function with the gradient `m` may be less on the piece than in its middle: by its
+    /// By how much a linear function with the unit gradient `m` may be less on the piece than in its middle: by its
     /// slope, and by its bend where that goes down; where it goes up it makes good for the slope.
     pub(crate) fn dip(&self, m: Vec3) -> f64 {
         let cross = m.dot(&self.bend[1]).abs() + self.vary[1];

@@ -125,19 +125,31 @@ impl Sweep<'_> {
     /// Meetings with a given direction in the middle of the way and with that square to the way of `x`.
     pub(crate) fn level(&self, m: Vec3, x: Vec3) -> [Meeting; 2] {
         let [from, to] = self.seen(x);
-        let own = if self.turns() {
-            let middle = (self.a.ta + self.b.ta).normalize();
-            turned(middle, self.a.ta, m)
-        } else {
-            m
-        };
+        let own = self.own(m);
         let of = |m: Vec3| Meeting { t: 0.5, distance: f64::INFINITY, m };
         [of(own), of(square(own, to - from).unwrap_or(own))]
     }
 
+    /// Meetings with a given direction made square to the ring of the tool at the share `t` of the way of `x`, and to
+    /// that way too: about an edge of the tool none shows more of a piece with that normal. `None` on the axis.
+    pub(crate) fn edge(&self, m: Vec3, x: Vec3, t: f64) -> Option<[Meeting; 2]> {
+        let [from, to] = self.seen(x);
+        let way = to - from;
+        let ring = self.a.ta.cross(&(from + way * t)).try_normalize(0.0)?;
+        let off = |w: Vec3| w - ring * w.dot(&ring);
+        let m = off(self.own(m)).try_normalize(0.0)?;
+        let of = |m: Vec3| Meeting { t, distance: f64::INFINITY, m };
+        Some([of(m), of(square(m, off(way)).unwrap_or(m))])
+    }
+
+    /// A direction at the middle of the way, as the axis stands at the first position.
+    fn own(&self, m: Vec3) -> Vec3 {
+        if self.turns() { turned((self.a.ta + self.b.ta).normalize(), self.a.ta, m) } else { m }
+    }
+
     /// What a meeting proves of the distance of a piece about `x` that lies within `radius` of it: not less than
-    /// the first number with the greater slack of both ends taken off; the last one is the part of it that
-    /// is due to the turn. `slack` tells how much the piece may be nearer in a direction.
+    /// the first number, with the slack of both ends taken off; that of the nearer end is told. The last one is the part
+    /// of it that is due to the turn. `slack` tells how much the piece may be nearer in a direction.
     pub(crate) fn proved(
         &self,
         meeting: &Meeting,
@@ -163,8 +175,8 @@ impl Sweep<'_> {
         let lever = (x - self.a.te).norm().max((x - self.b.te).norm()) + radius;
         let drift = (self.b.te - self.a.te).norm();
         let rise = bulge(lever, self.turn) + 0.25 * self.turn * drift;
-        let by = [0, 1].map(|i| slack_a.by[i].max(slack_b.by[i]));
-        (-parabola(-a, -b, rise), Slack { by, all: slack_a.all.max(slack_b.all) }, rise)
+        // What is lost at the end that is nearer counts: at the other there is room for it.
+        (-parabola(-a, -b, rise), if a <= b { slack_a } else { slack_b }, rise)
     }
 }
 

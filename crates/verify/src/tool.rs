@@ -94,6 +94,14 @@ impl Tool<'_> {
         }
     }
 
+    /// Greatest distance of a point of the tool from its axis.
+    pub(crate) fn widest(&self) -> f64 {
+        match self {
+            Self::Solid(profile) => profile.widest(),
+            Self::End => 0.0,
+        }
+    }
+
     /// Radius of the sphere about the tool end that holds the tool.
     pub(crate) fn reach(&self) -> f64 {
         match self {

@@ -3,7 +3,7 @@
 use aptc_geometry::Vec3;
 use aptc_geometry::sculpt::Patch;
 
-/// Greatest norms over a cell: value, u, v, uu, uv, vv, uuv, uvv.
+/// Greatest norms over a cell: value, u, v, uu, uv, vv, uuu, uuv, uvv, vvv.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Bend {
     pub(crate) value: f64,
@@ -12,8 +12,10 @@ pub(crate) struct Bend {
     pub(crate) uu: f64,
     pub(crate) uv: f64,
     pub(crate) vv: f64,
+    pub(crate) uuu: f64,
     pub(crate) uuv: f64,
     pub(crate) uvv: f64,
+    pub(crate) vvv: f64,
 }
 
 impl Bend {
@@ -27,7 +29,10 @@ impl Bend {
         let uv = (self.uv + u * d.v + v * d.u + value * d.uv) / least;
         let uuv = self.uuv + 2.0 * (uv * d.u + u * d.uv) + v * d.uu + uu * d.v + value * d.uuv;
         let uvv = self.uvv + 2.0 * (uv * d.v + v * d.uv) + u * d.vv + vv * d.u + value * d.uvv;
-        Self { value, u, v, uu, uv, vv, uuv: uuv / least, uvv: uvv / least }
+        let uuu = self.uuu + 3.0 * (uu * d.u + u * d.uu) + value * d.uuu;
+        let vvv = self.vvv + 3.0 * (vv * d.v + v * d.vv) + value * d.vvv;
+        let [uuu, uuv, uvv, vvv] = [uuu, uuv, uvv, vvv].map(|x| x / least);
+        Self { value, u, v, uu, uv, vv, uuu, uuv, uvv, vvv }
     }
 
     /// The same when u and v run `a` and `b` times as fast.
@@ -39,8 +44,10 @@ impl Bend {
             uu: self.uu * a * a,
             uv: self.uv * a * b,
             vv: self.vv * b * b,
+            uuu: self.uuu * a * a * a,
             uuv: self.uuv * a * a * b,
             uvv: self.uvv * a * b * b,
+            vvv: self.vvv * b * b * b,
         }
     }
 
@@ -51,8 +58,10 @@ impl Bend {
         self.uu = self.uu.max(other.uu);
         self.uv = self.uv.max(other.uv);
         self.vv = self.vv.max(other.vv);
+        self.uuu = self.uuu.max(other.uuu);
         self.uuv = self.uuv.max(other.uuv);
         self.uvv = self.uvv.max(other.uvv);
+        self.vvv = self.vvv.max(other.vvv);
     }
 }
 
@@ -64,7 +73,12 @@ pub(crate) fn of_patch(patch: &Patch) -> Bend {
     let mut least = f64::INFINITY;
     // Differences of order (k, l) along u and v.
     let difference = |i: usize, j: usize, k: usize, l: usize| {
-        const ROWS: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [-1.0, 1.0, 0.0], [1.0, -2.0, 1.0]];
+        const ROWS: [[f64; 4]; 4] = [
+            [1.0, 0.0, 0.0, 0.0],
+            [-1.0, 1.0, 0.0, 0.0],
+            [1.0, -2.0, 1.0, 0.0],
+            [-1.0, 3.0, -3.0, 1.0],
+        ];
         let (mut p, mut w) = (Vec3::zeros(), 0.0);
         for (b, cb) in ROWS[l].iter().enumerate().take(l + 1) {
             for (a, ca) in ROWS[k].iter().enumerate().take(k + 1) {
@@ -92,13 +106,15 @@ pub(crate) fn of_patch(patch: &Patch) -> Bend {
                 of(2, 0, 6.0),
                 of(1, 1, 9.0),
                 of(0, 2, 6.0),
+                of(3, 0, 6.0),
                 of(2, 1, 18.0),
                 of(1, 2, 18.0),
+                of(0, 3, 6.0),
             ];
             let bend = |pick: &dyn Fn(&(f64, f64)) -> f64| {
-                let [value, u, v, uu, uv, vv, uuv, uvv] =
-                    [0, 1, 2, 3, 4, 5, 6, 7].map(|k| pick(&all[k]));
-                Bend { value, u, v, uu, uv, vv, uuv, uvv }
+                let [value, u, v, uu, uv, vv, uuu, uuv, uvv, vvv] =
+                    [0, 1, 2, 3, 4, 5, 6, 7, 8, 9].map(|k| pick(&all[k]));
+                Bend { value, u, v, uu, uv, vv, uuu, uuv, uvv, vvv }
             };
             top.raise(&bend(&|x| x.0));
             weight.raise(&bend(&|x| x.1));
@@ -132,9 +148,11 @@ mod tests {
             let h = 1e-5;
             let uuv = (patch.at(u, v + h).uu - patch.at(u, v - h).uu) / (2.0 * h);
             let uvv = (patch.at(u + h, v).vv - patch.at(u - h, v).vv) / (2.0 * h);
+            let uuu = (patch.at(u + h, v).uu - patch.at(u - h, v).uu) / (2.0 * h);
+            let vvv = (patch.at(u, v + h).vv - patch.at(u, v - h).vv) / (2.0 * h);
             for (x, top) in [
                 (d.u, bend.u), (d.v, bend.v), (d.uu, bend.uu), (d.uv, bend.uv), (d.vv, bend.vv),
-                (uuv, bend.uuv), (uvv, bend.uvv),
+                (uuv, bend.uuv), (uvv, bend.uvv), (uuu, bend.uuu), (vvv, bend.vvv),
             ] {
                 prop_assert!(x.norm() <= top * (1.0 + 1e-9) + 1e-5, "{} {top}", x.norm());
             }

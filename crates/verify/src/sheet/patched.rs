@@ -63,6 +63,8 @@ struct Chart {
     within: [[f64; 2]; 2],
     /// Bounds of the second derivatives.
     second: [f64; 3],
+    /// Bounds of the third: of uu by u and v, of uv, of vv. Infinite where they are not known.
+    third: [[f64; 2]; 3],
 }
 
 /// Charts within a sphere.
@@ -130,7 +132,14 @@ impl Patched {
             [false, true] => [b.uu + over[1] * b.uuv, b.uv, 0.0],
             [true, true] => [0.0, b.uv, 0.0],
         };
-        Chart { range, cell, within, second }
+        let far = f64::INFINITY;
+        let third = match over.map(|o| o > 0.0) {
+            [false, false] => [[b.uuu, b.uuv], [b.uuv, b.uvv], [b.uvv, b.vvv]],
+            [true, false] => [[0.0; 2], [0.0, b.uvv], [b.uvv, far]],
+            [false, true] => [[far, b.uuv], [b.uuv, 0.0], [0.0; 2]],
+            [true, true] => [[0.0; 2]; 3],
+        };
+        Chart { range, cell, within, second, third }
     }
 
     /// Middle and radius of a sphere that holds a chart.
@@ -215,8 +224,32 @@ impl Patched {
     }
 
     pub(crate) fn jet(&self, spot: &Spot) -> Jet {
+        self.look(spot).0
+    }
+
+    /// The middle of a piece, the second derivatives there, and how much they differ on it at most: uu, uv, vv.
+    pub(crate) fn bent(&self, patch: &Patch) -> (Jet, [Vec3; 3], [f64; 3]) {
+        let (jet, mut bend) = self.look(&patch.spot());
+        let chart = &self.charts[patch.chart];
+        let [hu, hv] = patch.half;
+        let mut vary = chart.second;
+        for i in 0..3 {
+            let [by_u, by_v] = chart.third[i];
+            let off = by_u * hu + by_v * hv;
+            if off < vary[i] {
+                vary[i] = off;
+            } else {
+                bend[i] = Vec3::zeros();
+            }
+        }
+        (jet, bend, vary)
+    }
+
+    /// A place with its second derivatives.
+    fn look(&self, spot: &Spot) -> (Jet, [Vec3; 3]) {
         let chart = &self.charts[spot.chart];
         let d = self.at(chart, spot.at);
+        let bend = [d.uu, d.uv, d.vv];
         let n = d.u.cross(&d.v);
         let flat = n.norm() <= 1e-9 * d.u.norm() * d.v.norm();
         let n = if flat || n.norm() == 0.0 {
@@ -230,7 +263,8 @@ impl Patched {
         } else {
             n
         };
-        Jet { p: d.point, d: [d.u, d.v], n: crate::solid::unit_or(n, Vec3::z()) }
+        let n = crate::solid::unit_or(n, Vec3::z());
+        (Jet { p: d.point, d: [d.u, d.v], n }, bend)
     }
 
     /// Point and derivatives, straight on beyond the cell.
@@ -246,6 +280,9 @@ impl Patched {
         if a != 0.0 || b != 0.0 {
             d.point += d.u * a + d.v * b + d.uv * (a * b);
             (d.u, d.v) = (d.u + d.uv * b, d.v + d.uv * a);
+            // Straight there; along the border it bends as the border does, which is not told.
+            let none = Vec3::zeros();
+            (d.uu, d.vv) = (if a != 0.0 { none } else { d.uu }, if b != 0.0 { none } else { d.vv });
         }
         d
     }

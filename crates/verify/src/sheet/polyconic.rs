@@ -71,15 +71,16 @@ impl Sections {
                 c[i] += mid * c[i + 1];
             }
         }
-        let (mut value, mut first, mut second) = (0.0, 0.0, 0.0);
+        let (mut value, mut first, mut second, mut third) = (0.0, 0.0, 0.0, 0.0);
         for (k, c) in c.iter().enumerate().skip(1).rev() {
             let (k, c) = (k as f64, c.abs());
             // Sums of k c h^(k-1) and so on, by Horner's rule over the powers that are left.
             value = (value + c) * h;
             first = first * h + k * c;
             second = if k >= 2.0 { second * h + k * (k - 1.0) * c } else { second };
+            third = if k >= 3.0 { third * h + k * (k - 1.0) * (k - 2.0) * c } else { third };
         }
-        Bend { value, u: first, uu: second, ..Bend::default() }
+        Bend { value, u: first, uu: second, uuu: third, ..Bend::default() }
     }
 
     fn pair(&self, x: usize, y: usize, u: f64) -> [Vec2; 3] {
@@ -88,8 +89,7 @@ impl Sections {
     }
 
     fn pair_bend(&self, x: usize, y: usize, i: usize) -> Bend {
-        let (x, y) = (self.control(x, i), self.control(y, i));
-        Bend { value: x.value + y.value, u: x.u + y.u, uu: x.uu + y.uu, ..Bend::default() }
+        sum(self.control(x, i), self.control(y, i))
     }
 
     /// Start, apex, end and weight of a section with their derivatives.
@@ -107,6 +107,17 @@ impl Sections {
     fn lift(&self, along: f64, x: Vec2) -> Vec3 {
         let v = Vec3::new(along, x.x, x.y);
         self.transform.as_ref().map_or(v, |m| m.vector(v))
+    }
+}
+
+/// Bounds of a sum of functions of u.
+fn sum(a: Bend, b: Bend) -> Bend {
+    Bend {
+        value: a.value + b.value,
+        u: a.u + b.u,
+        uu: a.uu + b.uu,
+        uuu: a.uuu + b.uuu,
+        ..Bend::default()
     }
 }
 
@@ -169,15 +180,9 @@ impl Cells for Sections {
             let d = b[0] + weights[0] * b[1] + b[2];
             (corners[0][0] * b[0] + corners[1][0] * (weights[0] * b[1]) + corners[2][0] * b[2]) / d
         };
-        let plus = |a: Bend, b: Bend| Bend {
-            value: a.value + b.value,
-            u: a.u + b.u,
-            uu: a.uu + b.uu,
-            ..Bend::default()
-        };
         let start = self.pair_bend(4, 5, i);
-        let apex = plus(start, self.pair_bend(2, 1, i));
-        let end = plus(apex, self.pair_bend(0, 3, i));
+        let apex = sum(start, self.pair_bend(2, 1, i));
+        let end = sum(apex, self.pair_bend(0, 3, i));
         let about =
             |k: usize, b: Bend| Bend { value: b.value + (corners[k][0] - middle).norm(), ..b };
         let (start, apex, end) = (about(0, start), about(1, apex), about(2, end));
@@ -188,6 +193,7 @@ impl Cells for Sections {
             value: (at + p.value - 0.5) / q,
             u: 0.5 * p.u / (q * q),
             uu: p.u * p.u / (q * q * q) + 0.5 * p.uu / (q * q),
+            uuu: 3.0 * p.u * (p.u * p.u / q + p.uu) / (q * q * q) + 0.5 * p.uuu / (q * q),
             ..Bend::default()
         };
         let least_weight = (at - p.value - 0.5) / (1.0 - at + p.value);
@@ -195,6 +201,7 @@ impl Cells for Sections {
             value: apex.value * w.value,
             u: apex.u * w.value + apex.value * w.u,
             uu: apex.uu * w.value + 2.0 * apex.u * w.u + apex.value * w.uu,
+            uuu: apex.uuu * w.value + 3.0 * (apex.uu * w.u + apex.u * w.uu) + apex.value * w.uuu,
             ..Bend::default()
         };
         // Bounds of the basis over the cell: it bends no more than that.
@@ -203,16 +210,18 @@ impl Cells for Sections {
             let inner = if k == 0 && m == 1 && t0 < 0.5 && t1 > 0.5 { mid[0][1] } else { 0.0 };
             ends[0][k][m].abs().max(ends[1][k][m].abs()).max(inner)
         };
-        let sum = |k: usize, a: f64, b: f64, c: f64| a * top(k, 0) + b * top(k, 1) + c * top(k, 2);
+        let over = |k: usize, a: f64, b: f64, c: f64| a * top(k, 0) + b * top(k, 1) + c * top(k, 2);
         let num = Bend {
-            value: sum(0, start.value, product.value, end.value),
-            u: sum(0, start.u, product.u, end.u),
-            v: sum(1, start.value, product.value, end.value),
-            uu: sum(0, start.uu, product.uu, end.uu),
-            uv: sum(1, start.u, product.u, end.u),
-            vv: sum(2, start.value, product.value, end.value),
-            uuv: sum(1, start.uu, product.uu, end.uu),
-            uvv: sum(2, start.u, product.u, end.u),
+            value: over(0, start.value, product.value, end.value),
+            u: over(0, start.u, product.u, end.u),
+            v: over(1, start.value, product.value, end.value),
+            uu: over(0, start.uu, product.uu, end.uu),
+            uv: over(1, start.u, product.u, end.u),
+            vv: over(2, start.value, product.value, end.value),
+            uuu: over(0, start.uuu, product.uuu, end.uuu),
+            uuv: over(1, start.uu, product.uu, end.uu),
+            uvv: over(2, start.u, product.u, end.u),
+            vvv: 0.0,
         };
         let off = (w.value - 1.0).abs().max((least_weight - 1.0).abs());
         let den = Bend {
@@ -222,8 +231,10 @@ impl Cells for Sections {
             uu: w.uu * top(0, 1),
             uv: w.u * top(1, 1),
             vv: 4.0 * off,
+            uuu: w.uuu * top(0, 1),
             uuv: w.uu * top(1, 1),
             uvv: 4.0 * w.u,
+            vvv: 0.0,
         };
         let mut bend = num.over(&den, least_weight.min(1.0));
         if self.rooted {
@@ -244,8 +255,10 @@ impl Cells for Sections {
             uu: bend.uu * scale,
             uv: bend.uv * scale,
             vv: bend.vv * scale,
+            uuu: bend.uuu * scale,
             uuv: bend.uuv * scale,
             uvv: bend.uvv * scale,
+            vvv: bend.vvv * scale,
         }
     }
 }

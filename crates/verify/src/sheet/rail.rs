@@ -113,7 +113,18 @@ impl Rail {
             Height::Conic(c) => c.bend(t0, t1),
             Height::Spans(spans) => {
                 let over = spans.iter().filter(|s| s.t[0] < t1 && s.t[1] > t0);
-                over.map(|s| s.bend(t0.max(s.t[0]), t1.min(s.t[1]))).fold(0.0, f64::max)
+                over.map(|s| s.bends(t0.max(s.t[0]), t1.min(s.t[1]))[0]).fold(0.0, f64::max)
+            }
+        }
+    }
+
+    /// Bound of the third derivative over `t0..t1`; infinite where it is steep.
+    pub(super) fn twist(&self, t0: f64, t1: f64) -> f64 {
+        match &self.height {
+            Height::Conic(c) => c.twist(t0, t1),
+            Height::Spans(spans) => {
+                let over = spans.iter().filter(|s| s.t[0] < t1 && s.t[1] > t0);
+                over.map(|s| s.bends(t0.max(s.t[0]), t1.min(s.t[1]))[1]).fold(0.0, f64::max)
             }
         }
     }
@@ -216,9 +227,28 @@ impl Conic {
 
     /// `|y''| = |M| / q^1.5` with the determinant M of the conic.
     fn bend(&self, t0: f64, t1: f64) -> f64 {
+        let (m, least) = (self.determinant(), self.least(t0, t1));
+        if m == 0.0 { 0.0 } else { m / (least * least.sqrt()) }
+    }
+
+    /// `|y'''| = 3/2 |M q'| / q^2.5`.
+    fn twist(&self, t0: f64, t1: f64) -> f64 {
+        let (m, least, q) = (self.determinant(), self.least(t0, t1), self.discriminant());
+        let slope = [t0, t1].map(|t| (q[1] + 2.0 * q[2] * t).abs());
+        let slope = slope[0].max(slope[1]);
+        if m * slope == 0.0 { 0.0 } else { 1.5 * m * slope / (least * least * least.sqrt()) }
+    }
+
+    /// The determinant without its sign.
+    fn determinant(&self) -> f64 {
         let ([b0, b1], c, a) = (self.b, self.c, self.a);
         let m = -c[0] * b1 * b1 - c[2] * b0 * b0 + a * c[0] * c[2] + b0 * b1 * c[1]
             - 0.25 * a * c[1] * c[1];
+        m.abs()
+    }
+
+    /// Least value of the discriminant over `t0..t1`.
+    fn least(&self, t0: f64, t1: f64) -> f64 {
         let q = self.discriminant();
         let at = |t: f64| q[0] + t * (q[1] + t * q[2]);
         let mut least = at(t0).min(at(t1));
@@ -226,10 +256,7 @@ impl Conic {
         if turn > t0 && turn < t1 {
             least = least.min(at(turn));
         }
-        if m == 0.0 {
-            return 0.0;
-        }
-        m.abs() / (least.max(0.0) * least.max(0.0).sqrt())
+        least.max(0.0)
     }
 }
 
@@ -265,7 +292,7 @@ fn spans(form: &Tabcyl, rail: &Definition, toward: Vec3) -> Option<Vec<Span>> {
     let last = out.iter().rposition(|s| s.t[0] < 1.0 - 1e-7)?;
     let out = out.get(first..=last)?.to_vec();
     // One after the other, without a steep place.
-    let rising = out.iter().all(|s| s.t[0] < s.t[1] && s.bend(s.t[0], s.t[1]).is_finite());
+    let rising = out.iter().all(|s| s.t[0] < s.t[1] && s.bends(s.t[0], s.t[1])[0].is_finite());
     let adjoin = out.windows(2).all(|w| (w[0].t[1] - w[1].t[0]).abs() < 1e-9);
     let whole = out.first()?.t[0] < 1e-7 && out.last()?.t[1] > 1.0 - 1e-7;
     (rising && adjoin && whole).then_some(out)
@@ -323,8 +350,9 @@ impl Span {
         bend.is_finite().then_some([y, slope, bend])
     }
 
-    /// With `t' = m1 + m2 f'` the second derivative is `f'' det / t'^3`.
-    fn bend(&self, t0: f64, t1: f64) -> f64 {
+    /// Bounds of the second and third derivatives. With `r = t' = m1 + m2 f'` they are `f'' det / r^3` and
+    /// `(f''' / r^4 - 3 m2 f''^2 / r^5) det`.
+    fn bends(&self, t0: f64, t1: f64) -> [f64; 2] {
         let (x0, x1) = (self.place(t0), self.place(t1));
         let (x0, x1) = (x0.min(x1) - 1e-9 * self.length, x0.max(x1) + 1e-9 * self.length);
         let rate = |x: f64| self.m[1][0] + self.m[2][0] * self.offset(x)[1];
@@ -335,11 +363,13 @@ impl Span {
                 [range[0].min(rate(turn)).min(range[1]), range[1].max(rate(turn)).max(range[0])];
         }
         if range[0] * range[1] <= 0.0 {
-            return f64::INFINITY;
+            return [f64::INFINITY; 2];
         }
         let least = range[0].abs().min(range[1].abs());
         let second = self.offset(x0)[2].abs().max(self.offset(x1)[2].abs());
         let det = (self.m[1][0] * self.m[2][1] - self.m[1][1] * self.m[2][0]).abs();
-        second * det / (least * least * least)
+        let cube = least * least * least;
+        let third = 6.0 * self.a.abs() + 3.0 * self.m[2][0].abs() * second * second / least;
+        [second * det / cube, third * det / (cube * least)]
     }
 }

@@ -22,8 +22,8 @@ pub(crate) struct Rulings {
     steep: [bool; 2],
     us: Vec<f64>,
     vs: Vec<f64>,
-    /// Bounds of the second derivatives of both rails, by cell along u.
-    bends: Vec<[f64; 2]>,
+    /// Bounds of the second derivatives of both rails and of the third ones, by cell along u.
+    bends: Vec<[[f64; 2]; 2]>,
 }
 
 #[derive(Clone, Debug)]
@@ -94,12 +94,23 @@ impl Rulings {
         0.5 * (lo + hi)
     }
 
-    fn cell_bends(&self, u0: f64, u1: f64) -> [f64; 2] {
+    fn cell_bends(&self, u0: f64, u1: f64) -> [[f64; 2]; 2] {
+        let of = |rail: &Rail| [self.bend_of(rail, u0, u1), self.twist_of(rail, u0, u1)];
         let second = match &self.second {
-            Far::Rail(rail) => self.bend_of(rail, u0, u1),
-            Far::Apex(_) => 0.0,
+            Far::Rail(rail) => of(rail),
+            Far::Apex(_) => [0.0; 2],
         };
-        [self.bend_of(&self.first, u0, u1), second]
+        let [[a, aa], [b, bb]] = [of(&self.first), second];
+        [[a, b], [aa, bb]]
+    }
+
+    /// Bound of a rail's third derivative by u; infinite where one is steep.
+    fn twist_of(&self, rail: &Rail, u0: f64, u1: f64) -> f64 {
+        if self.steep == [false; 2] {
+            rail.toward.norm() * rail.twist(u0, u1)
+        } else {
+            f64::INFINITY
+        }
     }
 
     /// Bound of a rail's second derivative by u.
@@ -250,11 +261,11 @@ impl Cells for Rulings {
     }
 
     fn bend(&self, i: usize, j: usize) -> Bend {
-        let [a, b] = self.bends[i];
+        let [[a, b], [aa, bb]] = self.bends[i];
         let (u0, u1) = (self.us[i], self.us[i + 1]);
         let far = |share: f64| (share - self.vs[j]).abs().max((share - self.vs[j + 1]).abs());
         let uv = self.at(i, j, 0.5 * (u0 + u1), 0.0).uv.norm() + 0.5 * (u1 - u0) * (a + b);
-        // The third derivatives are asked for by what goes straight on beyond v, which nothing does.
-        Bend { uu: a * far(1.0) + b * far(0.0), uv, ..Bend::default() }
+        let along = |a: f64, b: f64| a * far(1.0) + b * far(0.0);
+        Bend { uu: along(a, b), uv, uuu: along(aa, bb), uuv: a + b, ..Bend::default() }
     }
 }
