@@ -1,5 +1,7 @@
 //! Benchmarks: runs them, prints medians, writes `docs/performance.md`.
 //!
+//! A name `GROUP: WHAT` stands in the table of its group; what is wanted beside a peer is the peer's rate.
+//!
 //! A benchmark is a `[[bench]]` target without the harness whose program measures through
 //! `aptc_testkit::bench` and so prints lines `BENCH <tab> name <tab> rate <tab> unit <tab> target`. It is
 //! started several times: the spread between starts is larger than within one.
@@ -17,10 +19,13 @@ struct Series {
     target: Option<f64>,
 }
 
+/// The figures by group and name.
+type AllSeries = BTreeMap<(String, String), Series>;
+
 /// Runs the chore with its options `[FILTER] [--runs N]`.
 pub(crate) fn run(options: &[&str]) -> Result<(), String> {
     let (filter, runs) = parse(options)?;
-    let mut series: BTreeMap<String, Series> = BTreeMap::new();
+    let mut series = AllSeries::new();
     for run in 1..=runs {
         println!("xtask: benchmarks, run {run} of {runs}");
         let mut command = cargo();
@@ -59,11 +64,12 @@ fn parse<'a>(options: &[&'a str]) -> Result<(Option<&'a str>, usize), String> {
     Ok((filter, runs))
 }
 
-fn take(line: &str, series: &mut BTreeMap<String, Series>) {
+fn take(line: &str, series: &mut AllSeries) {
     let fields: Vec<&str> = line.split('\t').collect();
     let ["BENCH", name, rate, unit, target] = fields.as_slice() else { return };
     let Ok(rate) = rate.parse() else { return };
-    let entry = series.entry((*name).to_owned()).or_default();
+    let (group, name) = name.split_once(": ").unwrap_or(("rates", name));
+    let entry = series.entry((group.to_owned(), name.to_owned())).or_default();
     entry.rates.push(rate);
     (*unit).clone_into(&mut entry.unit);
     entry.target = target.parse().ok();
@@ -79,11 +85,21 @@ fn preface(runs: usize) -> String {
     )
 }
 
-fn table(series: &mut BTreeMap<String, Series>) -> String {
-    let mut out = String::from(
-        "| what | median | least | greatest | unit | wanted | ratio |\n|---|--:|--:|--:|---|--:|--:|\n",
-    );
-    for (name, Series { rates, unit, target }) in series {
+fn table(series: &mut AllSeries) -> String {
+    let mut out = String::new();
+    let mut before = None;
+    for ((group, name), Series { rates, unit, target }) in series {
+        if before != Some(group) {
+            let wanted = if group.starts_with("beside") { "theirs" } else { "wanted" };
+            write!(
+                out,
+                "\n## {}\n\n| what | median | least | greatest | unit | {wanted} | ratio |\n\
+                 |---|--:|--:|--:|---|--:|--:|\n",
+                capital(group)
+            )
+            .expect("a string takes all");
+            before = Some(group);
+        }
         rates.sort_by(f64::total_cmp);
         let median = rates[rates.len() / 2];
         let (least, most) = (rates[0], rates[rates.len() - 1]);
@@ -95,6 +111,11 @@ fn table(series: &mut BTreeMap<String, Series>) -> String {
             .expect("a string takes all");
     }
     out
+}
+
+fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
 }
 
 /// Three significant figures, thousands apart.
@@ -141,12 +162,13 @@ mod tests {
 
     #[test]
     fn medians_stand_between_their_runs() {
-        let mut series = BTreeMap::new();
+        let mut series = AllSeries::new();
         for rate in ["3.0", "9.0", "4.0"] {
             take(&format!("BENCH\tparse\t{rate}\tMB/s\t2"), &mut series);
         }
         take("running 0 tests", &mut series);
         let table = table(&mut series);
+        assert!(table.contains("\n## Rates\n"), "{table}");
         assert!(table.contains("| parse | 4.00 | 3.00 | 9.00 | MB/s | 2.00 | 2.00 |"), "{table}");
     }
 }

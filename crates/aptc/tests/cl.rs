@@ -164,3 +164,24 @@ fn machine_code_is_compared_as_what_the_axes_do() {
     let found: serde_json::Value = serde_json::from_slice(&run.stdout).unwrap();
     assert_eq!(found["first"]["line"], 4);
 }
+
+#[test]
+fn only_cl_data_needs_no_machine() {
+    let dir = tempfile::tempdir().unwrap();
+    let part = |machin: &str| {
+        format!("PARTNO BARE\n{machin}UNITS/MM\nCUTTER/10\nFROM/0,0,0\nGOTO/1,2,3\nFINI\n")
+    };
+    let run = |name: &str, machin: &str, emit: &str| {
+        fs::write(dir.path().join(name), part(machin)).unwrap();
+        let run = aptc(dir.path(), &["compile", name, "--emit", emit]);
+        (run.status.code(), text(&run.stderr))
+    };
+    let (code, messages) = run("bare.apt", "", "cl");
+    assert_eq!(code, Some(0), "{messages}");
+    assert!(dir.path().join("bare.cl").exists());
+    for (name, machin, emit) in [("mill.apt", "MACHIN/LINUXCNC\n", "cl"), ("bare.apt", "", "nc")] {
+        let (code, messages) = run(name, machin, emit);
+        assert_eq!(code, Some(1), "{messages}");
+        assert!(messages.contains("APT4001"), "{messages}");
+    }
+}

@@ -295,9 +295,11 @@ impl<'o> Run<'o> {
         let (edited, diagnostics) = crate::edit::edit(&part.computed, whole)?;
         (part.edited, part.summary) = (edited.records, edited.summary);
         self.compiled.diagnostics.extend(diagnostics);
-        let posts = self.options.post && !self.nopost && self.last_section >= 4;
+        let (code, head) = (&self.options.code, &edited.head);
+        let wanted = !code.unasked || code.machine.is_some() || head.names_machine();
+        let posts = self.options.post && wanted && !self.nopost && self.last_section >= 4;
         if posts && self.compiled.is_cl_whole() {
-            let (nc, diagnostics) = post_part(&part.edited, &edited.head, &self.options.code)?;
+            let (nc, diagnostics) = post_part(&part.edited, head, code)?;
             part.nc = nc;
             self.compiled.diagnostics.extend(diagnostics);
         }

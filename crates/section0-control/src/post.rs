@@ -83,6 +83,11 @@ impl PartHead {
         }
     }
 
+    /// Whether a MACHIN statement names a machine, known or not.
+    pub(crate) fn names_machine(&self) -> bool {
+        !self.machines.is_empty() || self.unknown.is_some()
+    }
+
     fn machines(
         &self,
         choice: Option<&MachineChoice>,

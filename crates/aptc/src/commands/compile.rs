@@ -26,6 +26,7 @@ pub(crate) fn compile(args: &CompileArgs, common: &Common) -> io::Result<ExitCod
         Err(e) => return report::complain(&e),
     };
     code.map = args.emit.contains(&Emit::Map);
+    code.unasked = ![Emit::Nc, Emit::Setup, Emit::Map].iter().any(|kind| args.emit.contains(kind));
     let mut worst = 0;
     for part in &args.parts {
         let code = compile_one(part, &folder, args, common, code.clone())?;
@@ -138,6 +139,7 @@ pub(crate) fn code_options(args: &CodeArgs, limit: u64) -> Result<CodeOptions, S
         stock: args.stock,
         annotate: args.annotate,
         map: false,
+        unasked: false,
     })
 }
 
