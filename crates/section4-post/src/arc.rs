@@ -123,7 +123,13 @@ impl Post {
 
     /// A Sweep arc that the control cannot do, as chords within the path tolerance. What its end lies off its circle is
     /// spread along it.
-    pub(crate) fn sweep_as_lines(&mut self, arc: &Arc, last: &Position, origin: &Origin) {
+    pub(crate) fn sweep_as_lines(
+        &mut self,
+        arc: &Arc,
+        last: &Position,
+        rapid: bool,
+        origin: &Origin,
+    ) {
         let Some(start) = self.st.pos else {
             let message = "an arc whose start is not known".to_string();
             let help = "write FROM or GOTO before it";
@@ -158,9 +164,9 @@ impl Post {
         }
         for i in 1..n {
             let part = f64::from(i) / f64::from(n);
-            self.go_to(round(part) + off * part, last.ta, false, origin);
+            self.go_to(round(part) + off * part, last.ta, rapid, origin);
         }
-        self.go_to(end, last.ta, false, origin);
+        self.go_to(end, last.ta, rapid, origin);
     }
 
     /// The motion as a turn in a plane of the control, and the index of a point to which a line leads first.

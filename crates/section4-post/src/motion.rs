@@ -40,14 +40,13 @@ impl Post {
             }
             self.leave_cycle();
         }
-        if let Some(arc) = &m.arc
-            && !rapid
-        {
-            if self.arc(arc, &m.points, origin) {
+        if let Some(arc) = &m.arc {
+            if !rapid && self.arc(arc, &m.points, origin) {
                 return;
             }
+            // No control goes along an arc at rapid; straight to its end the tool would cross what it goes around.
             if let Course::Sweep(_) = arc.course {
-                self.sweep_as_lines(arc, last, origin);
+                self.sweep_as_lines(arc, last, rapid, origin);
                 return;
             }
         }

@@ -11,6 +11,7 @@
 //! | block of the unit | `the_unit_stands_alone_before_any_length` |
 //! | a cycle and the modal Z after it | `z_is_said_again_after_a_cycle` |
 //! | a rotary axis at 360 degrees | `rotary_axes_go_on_over_a_turn` |
+//! | RAPID before an arc | `at_rapid_an_arc_is_gone_around` |
 //! | arcs in another plane | `arcs_name_their_plane_and_leave_it` |
 
 mod common;
@@ -91,6 +92,20 @@ fn r_arcs_stay_away_from_half_a_turn() {
             arcs.iter().all(|l| value(l, 'R').is_some_and(|r| (r - 20.0).abs() < 0.01)),
             "{nc}"
         );
+    }
+}
+
+/// Reading back refuses the straight way to the end, which crosses what the arc goes around.
+#[test]
+fn at_rapid_an_arc_is_gone_around() {
+    let text = format!("{HEAD}GOTO/20,0,0\nRAPID\nARC/0,0,0,0,0,1,20,180\nGOTO/-20,0,0\nFINI");
+    for machine in machines().filter(|m| m.kind == MachineKind::Mill && m.dialect != Dialect::Apt) {
+        let (nc, posted) = post_all(machine, PostOptions::default(), &records(&text));
+        let wrong = posted.diagnostics.iter().find(|d| d.is_error());
+        assert!(wrong.is_none(), "{}: {wrong:?}\n{nc}", machine.name);
+        let top =
+            nc.replace('+', "").lines().filter_map(|line| value(line, 'Y')).fold(0.0, f64::max);
+        assert!((top - 20.0).abs() < 0.1, "{}: {nc}", machine.name);
     }
 }
 

@@ -109,7 +109,9 @@ fn room(scene: &Scene, flat: bool) -> Bounds {
     if let Some(path) = &scene.result.path {
         let rings = path.stops.iter().map(|(p, r)| (p, Vec3::new(*r, *r, 0.0)));
         let rings = rings.flat_map(|(p, r)| [p - r, p + r]);
-        let seen = shape::core(&scene.result).into_iter().chain(rings);
+        let tools = path.tools.iter().flat_map(|(end, top, _)| [*end, *top]);
+        let solids = scene.given.iter().filter(|_| !flat).flat_map(shape::core);
+        let seen = shape::core(&scene.result).into_iter().chain(rings).chain(tools).chain(solids);
         let bounds = Bounds::of(seen).expect("a path has points");
         return bounds.grown(Vec3::new(1.0, 1.0, 0.0) * (bounds.size().amax() * 0.06));
     }

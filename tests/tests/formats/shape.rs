@@ -133,6 +133,10 @@ fn way(s: &mut Shape, path: &Path) {
     s.curves.clone_from(&path.feed);
     s.relief.clone_from(&path.rapid);
     s.relief.extend(path.stops.iter().map(|(p, radius)| ring(*p, Vec3::z(), *radius)));
+    for (end, top, radius) in &path.tools {
+        let axis = (top - end).normalize();
+        s.relief.extend([vec![*end, *top], ring(*end, axis, *radius), ring(*top, axis, *radius)]);
+    }
     for points in &path.feed {
         let longest =
             points.windows(2).max_by(|a, b| (a[1] - a[0]).norm().total_cmp(&(b[1] - b[0]).norm()));

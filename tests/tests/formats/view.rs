@@ -64,7 +64,8 @@ impl Bounds {
 /// Does the scene lie in the xy plane, all that leaves it standing upright?
 pub(crate) fn is_flat(scene: &Scene) -> bool {
     let forms = scene.items().map(|item| &item.form).chain(&scene.others);
-    forms.into_iter().all(|form| plane_form(form))
+    let upright = scene.result.path.as_ref().is_none_or(|path| path.tools.is_empty());
+    upright && forms.into_iter().all(|form| plane_form(form))
 }
 
 /// Does the form lie in the xy plane, or stand upright on it?

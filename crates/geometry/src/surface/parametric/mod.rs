@@ -398,9 +398,10 @@ impl ParametricSurface {
                 let (nu, nv) = (domain.clamp_u(u + factor * du), domain.clamp_v(v + factor * dv));
                 let next = self.patch.jet(nu, nv);
                 let value = (next.s - p).norm_squared();
-                // Near the end the distances agree to rounding, and the step tells.
-                let close = moved <= 1e-6 * (self.extent + p.norm());
-                if value < square || close && value <= square * (1.0 + 1e-14) {
+                // Near the end the distances agree to rounding, that of the coordinates, and the step tells.
+                let size = self.extent + p.norm();
+                let noise = 16.0 * f64::EPSILON * size * square.sqrt();
+                if value < square || moved <= 1e-6 * size && value <= square + noise {
                     better = Some((nu, nv, next, value));
                     break;
                 }

@@ -71,6 +71,14 @@ proptest! {
     }
 
     #[test]
+    fn close_to_the_surface_the_foot_is_as_exact(
+        a in 20.0_f64..70.0, z in 0.5_f64..4.5, off in -0.05_f64..0.05,
+    ) {
+        let ruled = surface(arc(2.0, 0.0, 0.0, 90.0), Second::Rail(arc(4.0, 5.0, 0.0, 90.0)));
+        alike(&ruled, &cone(), polar(2.0 + 0.4 * z + off, a, z));
+    }
+
+    #[test]
     fn half_a_cylinder_is_smooth_up_to_its_ends(
         r in 0.5_f64..6.0, a in 0.5_f64..179.5, z in 0.0_f64..5.0,
     ) {
