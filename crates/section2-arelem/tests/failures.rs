@@ -210,3 +210,24 @@ fn failures_in_space_have_their_reasons_and_numbers() {
         told("CUTTER/1\nFROM/-5,0,0\nINDIRV/1,0,0\nTLON,GOFWD/LX,TO,(SPHERE/0,9,0,3)");
     assert!(code == 2008 && text.contains("5.5 from it"), "{code} {text}");
 }
+
+#[test]
+fn a_start_between_surfaces_that_nearly_touch_holds_both_bands() {
+    let mut f = forms();
+    f.insert(
+        "CN".into(),
+        form("CIRCLE", &[5.0, 3.0, 0.0, 0.0, 0.0, 1.0, 2.9998]).expect("a circle"),
+    );
+    let start = |outtol: &str, go: &str| {
+        run(&f, &format!("CUTTER/1\nINTOL/0\nOUTTOL/{outtol}\nFROM/4,-2,0\nGO/{go}"))
+    };
+    // They miss each other by .0002: halfway each is .0001 off, on one of them the other is .0002 off.
+    for (outtol, y) in [(".001", 0.0001), (".00015", 0.0001)] {
+        let end = start(outtol, "ON,CN,ON,LX").clean().end();
+        assert!((end.x - 5.0).abs() < 1e-12 && (end.y - y).abs() < 1e-12, "{end:?}");
+    }
+    assert_eq!(start(".00005", "ON,CN,ON,LX").code(), 2011);
+    // Below both, where halfway would be in the line, the place that touches the line is taken.
+    let end = start(".001", "TO,CN,TO,LX").clean().end();
+    assert!((end.x - 5.0).abs() < 1e-12 && (end.y + 0.5).abs() < 1e-12, "{end:?}");
+}

@@ -1,4 +1,5 @@
-//! CIRCLE: its axis is along z, its centre on ZSURF unless z is given.
+//! CIRCLE: its axis is along z. A height given with the centre is read and not kept: as in APT-360 the centre of
+//! the form is in the xy plane of its system, and POINT/CENTER takes its height from ZSURF.
 
 use aptc_geometry::{Circle, Form, Line, Vec2, Vec3};
 use aptc_vocabulary::{Word, word};
@@ -32,27 +33,31 @@ pub(super) const FORMATS: &[Format] = &[
 ];
 
 /// The circle about `c`, or the cylinder over it for CYLNDR.
-pub(super) fn about(a: &Args<'_>, center: Vec3, radius: f64) -> Form {
+pub(super) fn about(a: &Args<'_>, center: Vec2, radius: f64) -> Form {
+    over(a, Vec3::new(center.x, center.y, 0.0), radius)
+}
+
+fn over(a: &Args<'_>, center: Vec3, radius: f64) -> Form {
     super::cylndr::circular(a, Circle { center, axis: Vec3::z(), radius })
 }
 
 fn center_radius(a: &Args<'_>) -> Result<Form, Fault> {
     let [x, y, _] = a.numbers(0)?;
-    Ok(about(a, a.context.on_zsurf(x, y), a.positive(2)?))
+    Ok(about(a, Vec2::new(x, y), a.positive(2)?))
 }
 
 fn center_radius_z(a: &Args<'_>) -> Result<Form, Fault> {
-    let [x, y, z] = a.numbers(0)?;
-    Ok(about(a, Vec3::new(x, y, z), a.positive(3)?))
+    let [x, y, _] = a.numbers(0)?;
+    Ok(about(a, Vec2::new(x, y), a.positive(3)?))
 }
 
 fn about_point(a: &Args<'_>) -> Result<Form, Fault> {
-    Ok(about(a, a.context.lift(a.point2(1)?), a.positive(3)?))
+    Ok(about(a, a.point2(1)?, a.positive(3)?))
 }
 
 fn about_numbers(a: &Args<'_>) -> Result<Form, Fault> {
-    let [x, y, z] = a.numbers(1)?;
-    Ok(about(a, Vec3::new(x, y, z), a.positive(5)?))
+    let [x, y, _] = a.numbers(1)?;
+    Ok(about(a, Vec2::new(x, y), a.positive(5)?))
 }
 
 /// A radius that comes out of two arguments must not be lost in their rounding.
@@ -63,13 +68,13 @@ fn radius_of(a: usize, b: usize, radius: f64, size: f64) -> Result<f64, Fault> {
 fn about_touching_line(a: &Args<'_>) -> Result<Form, Fault> {
     let (p, l) = (a.point2(1)?, a.line(3)?);
     let radius = (meet::normal(&l).dot(&p) - l.d).abs();
-    Ok(about(a, a.context.lift(p), radius_of(1, 3, radius, p.amax())?))
+    Ok(about(a, p, radius_of(1, 3, radius, p.amax())?))
 }
 
 fn about_through(a: &Args<'_>) -> Result<Form, Fault> {
     let (p, q) = (a.point2(1)?, a.point2(2)?);
     let radius = radius_of(1, 2, (q - p).norm(), p.amax().max(q.amax()))?;
-    Ok(about(a, a.context.lift(p), radius))
+    Ok(about(a, p, radius))
 }
 
 fn three_points(a: &Args<'_>) -> Result<Form, Fault> {
@@ -93,7 +98,7 @@ fn three_points(a: &Args<'_>) -> Result<Form, Fault> {
         return Err(Fault::Dependent { places: vec![0, 1, 2], what: "they lie on one line" });
     }
     let to_center = meet::left(u * v.norm_squared() - v * u.norm_squared()) / (2.0 * area);
-    Ok(about(a, a.context.lift(p[i] + to_center), to_center.norm()))
+    Ok(about(a, p[i] + to_center, to_center.norm()))
 }
 
 /// LARGE takes the given circle in, SMALL leaves it out, or lies within.
@@ -106,7 +111,7 @@ fn about_touching_circle(a: &Args<'_>) -> Result<Form, Fault> {
     if radius <= 1e-12 * size {
         return Err(Fault::Misplaced { at: 1, by: 4, what: "lies on", amount: 0.0 });
     }
-    Ok(about(a, a.context.lift(p), radius))
+    Ok(about(a, p, radius))
 }
 
 /// A circle through a point of the line itself may lie on either side of it.
@@ -127,7 +132,7 @@ fn line_and_point(a: &Args<'_>) -> Result<Form, Fault> {
             }
         }
     };
-    Ok(about(a, a.pick2(2, one, other)?, r))
+    Ok(about(a, a.pick2(2, one, other)?.xy(), r))
 }
 
 /// The line moved by `r` to the side that the modifier at `at` names, and its normal to that side.
@@ -146,7 +151,7 @@ fn two_lines(a: &Args<'_>) -> Result<Form, Fault> {
             _ => Fault::Kind { at: 1 },
         }
     })?;
-    Ok(about(a, a.context.lift(p), r))
+    Ok(about(a, p, r))
 }
 
 /// Distance of the centre from that of the circle at `at + 1`, touched from IN or OUT as `at` says.
@@ -160,7 +165,7 @@ fn line_and_circle(a: &Args<'_>) -> Result<Form, Fault> {
     let r = a.positive(6)?;
     let (c, distance) = reach(a, 3, r)?;
     match meet::line_circle(&moved(a, 0, r)?, c, distance) {
-        Meet::At(one, other) => Ok(about(a, a.pick2(2, one, other)?, r)),
+        Meet::At(one, other) => Ok(about(a, a.pick2(2, one, other)?.xy(), r)),
         Meet::Apart(gap) => Err(Fault::OutOfReach { a: 1, b: 4, gap }),
         Meet::Same => Err(Fault::Coincide { a: 1, b: 4 }),
     }
@@ -170,7 +175,8 @@ fn two_circles(a: &Args<'_>) -> Result<Form, Fault> {
     let r = a.positive(6)?;
     let ((c1, d1), (c2, d2)) = (reach(a, 1, r)?, reach(a, 3, r)?);
     match meet::circles(c1, d1, c2, d2) {
-        Meet::At(one, other) => Ok(about(a, a.pick2(0, one, other)?, r)),
+        // The one format whose form APT-360 gives the height of ZSURF.
+        Meet::At(one, other) => Ok(over(a, a.pick2(0, one, other)?, r)),
         Meet::Apart(gap) => Err(Fault::OutOfReach { a: 2, b: 4, gap }),
         Meet::Same => Err(Fault::Coincide { a: 2, b: 4 }),
     }
@@ -180,7 +186,7 @@ fn two_circles(a: &Args<'_>) -> Result<Form, Fault> {
 fn line_and_tabcyl(a: &Args<'_>) -> Result<Form, Fault> {
     let r = a.positive(7)?;
     let center = super::tabcyl::circle_center(a, r)?;
-    Ok(about(a, a.context.lift(center), r))
+    Ok(about(a, center, r))
 }
 
 /// On the named side of each line: `n . c - r = d` three times, linear in the centre and the radius.
@@ -216,7 +222,7 @@ fn three_lines(a: &Args<'_>) -> Result<Form, Fault> {
         let what = "the sides named by the modifiers have no circle in common".to_owned();
         return Err(Fault::NothingThere { at: 4, what });
     }
-    Ok(about(a, a.context.lift(center), radius))
+    Ok(about(a, center, radius))
 }
 
 fn same(a: &Args<'_>) -> Result<Form, Fault> {

@@ -56,6 +56,14 @@ impl Linear {
         Self { a: -slope, b: 1.0, c: slope * p.x - p.y }
     }
 
+    /// The scale that APT-360 gives a line: y with the factor 1 up to 45 degrees, steeper a unit normal, which
+    /// points up.
+    fn scaled(self) -> Self {
+        let Self { a, b, c } = self;
+        let size = if a.abs() <= b.abs() { b } else { Vec2::new(a, b).norm().copysign(b) };
+        Self { a: a / size, b: b / size, c: c / size }
+    }
+
     fn at(&self, p: Vec2) -> f64 {
         self.a * p.x + self.b * p.y + self.c
     }
@@ -74,15 +82,15 @@ impl Linear {
 }
 
 impl Conic {
-    /// `self * s + other * t`.
-    fn mix(&self, s: f64, other: &Self, t: f64) -> Self {
+    /// `self + other * t`.
+    fn plus(&self, other: &Self, t: f64) -> Self {
         Self {
-            a: self.a * s + other.a * t,
-            b: self.b * s + other.b * t,
-            d: self.d * s + other.d * t,
-            h: self.h * s + other.h * t,
-            p: self.p * s + other.p * t,
-            q: self.q * s + other.q * t,
+            a: self.a + other.a * t,
+            b: self.b + other.b * t,
+            d: self.d + other.d * t,
+            h: self.h + other.h * t,
+            p: self.p + other.p * t,
+            q: self.q + other.q * t,
         }
     }
 
@@ -105,23 +113,24 @@ impl Conic {
     }
 
     fn form(&self, kind: QuadricKind) -> Form {
-        let Self { a, b, d, h, p, q } = self.mix(1.0, self, 0.0);
+        let Self { a, b, d, h, p, q } = *self;
         // No negative zeros: they would show in print-outs.
         let c = [a, b, 0.0, d, 0.0, 0.0, h, p, q, 0.0].map(|x| x + 0.0);
         Form::Quadric(Quadric { kind, c })
     }
 }
 
-/// Centre, half axes, angle of the first axis: the form is that whose constant at the centre is -1.
+/// Centre, half axes, angle of the first axis. The form is that whose constant at the centre is the square of
+/// the product of the half axes, less than zero, as APT-360 has it.
 fn central(a: &Args<'_>) -> Result<Form, Fault> {
     let (center, u) = (a.point2(1)?, at_degrees(a.number(4)?));
     let (m, n) = (a.positive(2)?, a.positive(3)?);
     let ellipse = a.head == word::ELLIPS;
-    let (i, j) = (1.0 / (m * m), if ellipse { 1.0 } else { -1.0 } / (n * n));
+    let (i, j) = (n * n, if ellipse { m * m } else { -m * m });
     let conic = Conic {
         a: i * u.x * u.x + j * u.y * u.y,
         b: i * u.y * u.y + j * u.x * u.x,
-        d: -1.0,
+        d: -m * m * n * n,
         h: (i - j) * u.x * u.y,
         p: 0.0,
         q: 0.0,
@@ -193,9 +202,9 @@ fn points(a: &Args<'_>, slopes: &[usize]) -> Result<(Points, Vec<f64>), Fault> {
     Ok((Points { at: place, local, first, size }, values))
 }
 
-/// The conic `one s + other t` where it stands, unless it is a pair of lines.
-fn proper(p: &Points, one: Conic, s: f64, other: Conic, t: f64) -> Result<Form, Fault> {
-    let conic = one.mix(s, &other, t);
+/// The conic `one + other t` where it stands, unless it is a pair of lines.
+fn proper(p: &Points, one: Conic, other: Conic, t: f64) -> Result<Form, Fault> {
+    let conic = one.plus(&other, t);
     let l = p.size;
     let scaled = Conic {
         a: conic.a * l * l,
@@ -209,49 +218,47 @@ fn proper(p: &Points, one: Conic, s: f64, other: Conic, t: f64) -> Result<Form, 
     // What is left of the determinant of a unit conic when it is two lines but for rounding.
     let determinant = scaled.determinant().abs();
     if determinant.is_nan() || determinant <= 1e-12 * largest * largest * largest {
-        let what = "three of the points, or a point and a slope, lie on one line";
-        return Err(Fault::Dependent { places: p.at.clone(), what });
+        return Err(on_one_line(p));
     }
     Ok(conic.moved(p.first).form(QuadricKind::Lconic))
 }
 
-/// In the pencil of the line pairs (12)(34) and (13)(24) the conic through the fifth point.
+/// In the pencil of the line pairs (12)(45) and (14)(25) the conic through the third point; the first pair enters
+/// once, which is the scale that APT-360 gives.
 fn five_points(a: &Args<'_>) -> Result<Form, Fault> {
     let (p, _) = points(a, &[0; 5])?;
-    let line = |i: usize, j: usize| Linear::through(p.local[i], p.local[j]);
-    let (l12, l34, l13, l24) = (line(0, 1), line(2, 3), line(0, 2), line(1, 3));
-    let fifth = p.local[4];
-    let s = l13.at(fifth) * l24.at(fifth);
-    let t = -l12.at(fifth) * l34.at(fifth);
-    let scale = s.abs().max(t.abs());
-    proper(&p, l12.times(&l34), s / scale, l13.times(&l24), t / scale)
+    let line = |i: usize, j: usize| Linear::through(p.local[i], p.local[j]).scaled();
+    once(&p, [line(0, 1), line(3, 4)], [line(0, 3), line(1, 4)], p.local[2])
 }
 
-/// In the pencil of (tangent)(23) and (12)(13) the conic through the fourth point.
+/// In the pencil of (tangent)(34) and (13)(14) the conic through the second point, in the scale of APT-360.
 fn four_points(a: &Args<'_>) -> Result<Form, Fault> {
     let (p, slopes) = points(a, &[1, 0, 0, 0])?;
-    let line = |i: usize, j: usize| Linear::through(p.local[i], p.local[j]);
-    let (tangent, l23) = (Linear::with_slope(p.local[0], slopes[0]), line(1, 2));
-    let (l12, l13) = (line(0, 1), line(0, 2));
-    let fourth = p.local[3];
-    let s = l12.at(fourth) * l13.at(fourth);
-    let t = -tangent.at(fourth) * l23.at(fourth);
-    let scale = s.abs().max(t.abs());
-    proper(&p, tangent.times(&l23), s / scale, l12.times(&l13), t / scale)
+    let line = |i: usize, j: usize| Linear::through(p.local[i], p.local[j]).scaled();
+    let tangent = Linear::with_slope(p.local[0], slopes[0]).scaled();
+    once(&p, [tangent, line(2, 3)], [line(0, 2), line(0, 3)], p.local[1])
 }
 
-/// The product of the tangents less so much of the squared chord that the third point lies on it, which
-/// is also the scale that APT-360 gives its coefficients.
+/// The product of the tangents less so much of the squared chord that the third point lies on it, in the scale
+/// of APT-360.
 fn three_points(a: &Args<'_>) -> Result<Form, Fault> {
     let (p, slopes) = points(a, &[1, 1, 0])?;
-    let tangent = |i: usize| Linear::with_slope(p.local[i], slopes[i]);
-    let (t1, t2, chord) = (tangent(0), tangent(1), Linear::through(p.local[0], p.local[1]));
-    let third = p.local[2];
-    let height = chord.at(third);
+    let tangent = |i: usize| Linear::with_slope(p.local[i], slopes[i]).scaled();
+    let chord = Linear::through(p.local[0], p.local[1]).scaled();
+    once(&p, [tangent(0), tangent(1)], [chord, chord], p.local[2])
+}
+
+/// The first pair of lines less so much of the second that it passes through `q`.
+fn once(p: &Points, one: [Linear; 2], other: [Linear; 2], q: Vec2) -> Result<Form, Fault> {
+    let height = other[0].at(q) * other[1].at(q);
     if height.abs() <= meet::PARALLEL * p.size * p.size {
-        let what = "the three points lie on one line";
-        return Err(Fault::Dependent { places: p.at.clone(), what });
+        return Err(on_one_line(p));
     }
-    let k = t1.at(third) * t2.at(third) / (height * height);
-    proper(&p, t1.times(&t2), 1.0, chord.times(&chord), -k)
+    let k = one[0].at(q) * one[1].at(q) / height;
+    proper(p, one[0].times(&one[1]), other[0].times(&other[1]), -k)
+}
+
+fn on_one_line(p: &Points) -> Fault {
+    let what = "three of the points, or a point and a slope, lie on one line";
+    Fault::Dependent { places: p.at.clone(), what }
 }

@@ -379,6 +379,11 @@ impl Args<'_> {
         Ok(Circle { center, axis, radius })
     }
 
+    /// Is there a CIRCLE at `at`, not a CYLNDR?
+    pub(super) fn is_circle(&self, at: usize) -> bool {
+        matches!(self.form(at), Ok(Form::Circle(_)))
+    }
+
     /// The circle or cylinder at `at` with any axis.
     pub(super) fn circle_in_space(&self, at: usize) -> Result<Circle, Fault> {
         match self.form(at)? {

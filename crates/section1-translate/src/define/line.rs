@@ -1,9 +1,10 @@
 //! LINE: a vertical plane.
 //!
 //! Signs of the normal as APT-360 has them: through two points it lies to the right of the way from the
-//! first to the second; at an angle or slope from the x axis to the left of the direction; a tangent's
-//! points to the (last) circle; a parallel's to the side that the modifier names; a perpendicular's is that of
-//! the given line turned left.
+//! first to the second; at an angle or slope from the x axis to the left of the direction, from the y axis to the
+//! right; in the cut of two planes to the left of the product of their normals; a tangent's points to the (last)
+//! circle; a parallel's to the side that the modifier names; a perpendicular's is that of the given line turned
+//! left.
 
 use aptc_geometry::{Form, Line, Vec2, trig};
 use aptc_vocabulary::{Word, word};
@@ -134,7 +135,7 @@ fn tangent_line(a: &Args<'_>) -> Result<Form, Fault> {
     tangent(a).map(Form::Line)
 }
 
-/// The direction that ATANGL or SLOPE at `at` gives, counted from x, or from y with YAXIS at `axis`.
+/// The direction that ATANGL or SLOPE at `at` gives, counted from x, or against that from y with YAXIS at `axis`.
 fn inclined(a: &Args<'_>, at: usize, axis: usize) -> Result<Vec2, Fault> {
     let value = a.number(at + 1)?;
     let from_x = if a.is(at, word::SLOPE) {
@@ -143,7 +144,7 @@ fn inclined(a: &Args<'_>, at: usize, axis: usize) -> Result<Vec2, Fault> {
     } else {
         at_degrees(value)
     };
-    Ok(if a.is(axis, word::YAXIS) { meet::left(from_x) } else { from_x })
+    Ok(if a.is(axis, word::YAXIS) { -meet::left(from_x) } else { from_x })
 }
 
 fn at_angle(a: &Args<'_>) -> Result<Form, Fault> {
@@ -186,7 +187,7 @@ fn two_planes(a: &Args<'_>) -> Result<Form, Fault> {
     if length <= meet::PARALLEL {
         return Err(Fault::Aligned { a: 1, b: 2, what: "cut in a vertical line, seen as a point" });
     }
-    Ok(Form::Line(meet::line_at(foot.xy(), -meet::left(flat) / length)))
+    Ok(Form::Line(meet::line_at(foot.xy(), meet::left(flat) / length)))
 }
 
 /// The intercept is measured on the y axis, on the x axis with XAXIS; the angle always from x.

@@ -109,18 +109,23 @@ fn on_circle(a: &Args<'_>) -> Result<Form, Fault> {
     Ok(Form::Point(a.context.on_zsurf(c.center.x + x, c.center.y + y)))
 }
 
+/// An upright circle has no height of its own, as in APT-360; a cylinder's point stays where it was given.
 fn center(a: &Args<'_>) -> Result<Form, Fault> {
-    Ok(Form::Point(a.circle_in_space(1)?.center))
+    let center = a.circle_in_space(1)?.center;
+    Ok(Form::Point(match a.circle(1) {
+        Ok(c) if a.is_circle(1) => a.context.lift(c.center.xy()),
+        _ => center,
+    }))
 }
 
 /// RTHETA gives the radius first, THETAR the angle. In a plane the angle counts from its first axis to
-/// its second: x to y, y to z, z to x.
+/// its second: x to y, y to z, z to x. The point lies in the plane named, whatever ZSURF is, as in APT-360.
 fn polar(a: &Args<'_>) -> Result<Form, Fault> {
     let [one, other] = a.numbers(2)?;
     let (r, angle) = if a.is(0, word::RTHETA) { (one, other) } else { (other, one) };
     let (u, v) = (r * trig::cos_deg(angle), r * trig::sin_deg(angle));
     Ok(Form::Point(match a.word(1)? {
-        word::XYPLAN => a.context.on_zsurf(u, v),
+        word::XYPLAN => Vec3::new(u, v, 0.0),
         word::YZPLAN => Vec3::new(0.0, u, v),
         _ => Vec3::new(v, 0.0, u),
     }))

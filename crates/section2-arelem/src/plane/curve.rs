@@ -97,6 +97,31 @@ impl Curve {
         }
     }
 
+    /// The nearest places of two curves that do not meet, on this one and on the other; `None` for lines.
+    pub(crate) fn nearest_of(&self, other: &Self) -> Option<(Vec2, Vec2)> {
+        match (*self, *other) {
+            (Self::Line { .. }, Self::Line { .. }) => None,
+            (Self::Line { n, d }, Self::Circle { c, r }) => {
+                let h = d - n.dot(&c);
+                Some((c + n * h, c + n * r * h.signum()))
+            }
+            (Self::Circle { .. }, Self::Line { .. }) => {
+                other.nearest_of(self).map(|(on_line, on_circle)| (on_circle, on_line))
+            }
+            (Self::Circle { c, r }, Self::Circle { c: b, r: q }) => {
+                let (axis, dist) = (b - c, (b - c).norm());
+                let n = (dist > PARALLEL * (r + q)).then(|| axis / dist)?;
+                // Beside each other the near sides face each other; within each other the same sides do.
+                let (one, two) = match (dist >= r.max(q), r >= q) {
+                    (true, _) => (1.0, -1.0),
+                    (false, true) => (1.0, 1.0),
+                    (false, false) => (-1.0, -1.0),
+                };
+                Some((c + n * r * one, b + n * q * two))
+            }
+        }
+    }
+
     /// First point of the curve along the ray, strictly ahead, with its distance.
     pub(crate) fn hit(&self, from: Vec2, along: Vec2) -> Option<f64> {
         self.hits(from, along).into_iter().find(|s| *s >= 0.0)
@@ -156,6 +181,18 @@ mod tests {
         for p in m {
             assert!((p.x - 4.45).abs() < 1e-12 && (p.y.abs() - 2.279_802_622_159).abs() < 1e-9);
         }
+    }
+
+    #[test]
+    fn curves_that_miss_each_other_have_nearest_places() {
+        let circle = |x: f64, r: f64| Curve::Circle { c: Vec2::new(x, 0.0), r };
+        let line = Curve::Line { n: Vec2::new(0.0, 1.0), d: -3.5 };
+        let at = |a: &Curve, b: &Curve| a.nearest_of(b).map(|(p, q)| (p.x, p.y, q.x, q.y));
+        assert_eq!(at(&circle(2.0, 3.0), &line), Some((2.0, -3.0, 2.0, -3.5)));
+        assert_eq!(at(&circle(0.0, 3.0), &circle(8.0, 4.0)), Some((3.0, 0.0, 4.0, 0.0)));
+        assert_eq!(at(&circle(0.0, 6.0), &circle(1.0, 4.0)), Some((6.0, 0.0, 5.0, 0.0)));
+        assert_eq!(at(&circle(1.0, 4.0), &circle(0.0, 6.0)), Some((5.0, 0.0, 6.0, 0.0)));
+        assert_eq!(at(&line, &line), None);
     }
 
     #[test]

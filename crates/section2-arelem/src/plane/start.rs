@@ -177,7 +177,11 @@ fn locate(
             from += t * s;
         }
     }
-    let mut meets = curve(&sides[0])?.meet(&curve(&sides[1])?);
+    let (one, other) = (curve(&sides[0])?, curve(&sides[1])?);
+    let mut meets = one.meet(&other);
+    if meets.is_empty() {
+        meets.extend(touching(sides, &one, &other));
+    }
     if let Some(t) = first {
         let forward: Vec<Vec2> = meets.iter().copied().filter(|q| (q - te).dot(&t) > 0.0).collect();
         if !forward.is_empty() {
@@ -199,6 +203,22 @@ fn locate(
         first.is_none() && tie && (q - place).norm() > 1e3 * near
     });
     Ok((place, rival))
+}
+
+/// Where two surfaces that are tangent but for the digits they were written with nearly meet: halfway, or on the
+/// one or the other, as their bands allow.
+fn touching(sides: &[Side<'_>], one: &Curve, other: &Curve) -> Option<Vec2> {
+    let (p, q) = one.nearest_of(other)?;
+    let holds = |at: &Vec2| {
+        sides.iter().all(|s| {
+            let band = &s.wall.band;
+            let off = s.trace.distance(*at) - s.by;
+            // The tool is on the side that `by` names; ON has the band on both.
+            let clear = if s.by < 0.0 { -off } else { off };
+            -band.intol <= clear && clear <= band.outtol
+        })
+    };
+    [(p + q) / 2.0, p, q].into_iter().find(holds)
 }
 
 /// So near to a surface the tool stands on it.

@@ -232,7 +232,7 @@ fn zsurf_gives_the_height_of_flat_points() {
     for values in [
         vec![n(2.0), n(5.0)],
         vec![w("INTOF"), line(lines[0]), line(lines[1])],
-        vec![w("RTHETA"), w("XYPLAN"), n(2.0), n(30.0)],
+        vec![w("CENTER"), define(word::CIRCLE, &[4.0, 5.0, 6.0, 2.0].map(n)).unwrap().into()],
         vec![Value::Tuple { x: 1.0, y: 1.0, z: None }],
     ] {
         let form = crate::define::define(word::POINT, &args(&values), &context).unwrap();

@@ -71,7 +71,7 @@ pub(super) fn residuals(head: &str, key: &str, c: &Case<'_>, size: f64) -> Optio
                 not_below(at(c.n(2)).dot(&away), 0.0),
             ]
         }
-        ("POINT", "CENTER,circle") => vec![vec(c.point(), c.c(1).center)],
+        ("POINT", "CENTER,circle") => vec![vec(c.point(), lift(c.c(1).center.xy()))],
         ("POINT", "RTHETA,XYPLAN|YZPLAN|ZXPLAN,number,number") => polar(c, c.n(2), c.n(3), 1),
         ("POINT", "THETAR,XYPLAN|YZPLAN|ZXPLAN,number,number") => polar(c, c.n(3), c.n(2), 1),
         ("POINT", "pattern,number") => {
@@ -208,14 +208,14 @@ pub(super) fn residuals(head: &str, key: &str, c: &Case<'_>, size: f64) -> Optio
             vec![vec(c.circle().center, Vec3::new(c.n(0), c.n(1), 0.0)), c.circle().radius - c.n(2)]
         }
         ("CIRCLE", "number,number,number,number") => {
-            let at = Vec3::new(c.n(0), c.n(1), c.n(2));
+            let at = Vec3::new(c.n(0), c.n(1), 0.0);
             vec![vec(c.circle().center, at), c.circle().radius - c.n(3)]
         }
         ("CIRCLE", "CENTER,point,RADIUS,number") => {
             vec![(c.circle().center - c.p(1)).xy().norm(), c.circle().radius - c.n(3)]
         }
         ("CIRCLE", "CENTER,number,number,number,RADIUS,number") => {
-            let at = Vec3::new(c.n(1), c.n(2), c.n(3));
+            let at = Vec3::new(c.n(1), c.n(2), 0.0);
             vec![vec(c.circle().center, at), c.circle().radius - c.n(5)]
         }
         ("CIRCLE", "CENTER,point,TANTO,line") => {
@@ -309,14 +309,14 @@ pub(super) fn residuals(head: &str, key: &str, c: &Case<'_>, size: f64) -> Optio
         }
 
         ("SPHERE", "number,number,number,number") => {
-            let at = Vec3::new(c.n(0), c.n(1), c.n(2));
+            let at = Vec3::new(c.n(0), c.n(1), 0.0);
             vec![vec(c.circle().center, at), c.circle().radius - c.n(3)]
         }
         ("SPHERE", "CENTER,point,RADIUS,number") => {
             vec![vec(c.circle().center, c.p(1)), c.circle().radius - c.n(3)]
         }
         ("SPHERE", "CENTER,number,number,number,RADIUS,number") => {
-            let at = Vec3::new(c.n(1), c.n(2), c.n(3));
+            let at = Vec3::new(c.n(1), c.n(2), 0.0);
             vec![vec(c.circle().center, at), c.circle().radius - c.n(5)]
         }
         ("SPHERE", "point,number") => {
