@@ -122,9 +122,9 @@ fn main() {
         let bend = time(|_| {
             second(black_box(&tool), surface, *side, &g).map_or(0.0, |s| s.second(Vec3::x()))
         });
-        let to = te + g.normal.cross(&Vec3::new(0.3, 0.2, 0.9)).normalize() * 2.0;
+        let to = tool.at(te + g.normal.cross(&Vec3::new(0.3, 0.2, 0.9)).normalize() * 2.0);
         let run = time(|_| {
-            let c = chord(black_box(&tool), to, surface, Condition::Touch, *side, 0.0, None, 1e-9);
+            let c = chord(black_box(&tool), &to, surface, Condition::Touch, *side, 0.0, None, 1e-9);
             c.map_or(0.0, |c| c.low.g)
         });
         println!("{name:34} {bend:9.1} {run:9.1}");

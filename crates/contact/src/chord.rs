@@ -1,7 +1,9 @@
-//! The gap along a cut vector: where it is least and greatest while the tool moves straight.
+//! The gap along a cut vector: where it is least and greatest while the tool end moves straight, its axis fixed
+//! or turning evenly.
 
-use aptc_geometry::{Reason, Surface, Tool, Vec3};
+use aptc_geometry::{Reason, Surface, Tool, Vec3, trig};
 
+use crate::centred;
 use crate::gap::{Condition, Gap, Side, distance};
 
 /// Bound of the search for one extreme value.
@@ -27,6 +29,9 @@ pub struct Chord {
     pub low: Extreme,
     /// No gap on the chord is greater.
     pub high: Extreme,
+    /// How much the rate of change of the gap grows from the first tool end to the second, the whole chord
+    /// being 1: positive where the gap bends up.
+    pub bow: f64,
     /// Are the bounds proved? They are where the gap is convex or concave along every chord (plane, sphere,
     /// cylinder, cone, convex quadrics); elsewhere they rest on the curvatures met on the way.
     pub proved: bool,
@@ -40,16 +45,17 @@ struct Place {
     slope: f64,
 }
 
-/// Least and greatest gap while the tool moves straight from `tool` to the tool end `to`, its axis fixed.
-/// `ends` are the gaps at both ends when they are known. Extreme values are found to `resolution`.
+/// Least and greatest gap while the tool end moves straight from `tool` to `to`, the axis turning evenly in the
+/// plane of both axes. `ends` are the gaps at both ends when they are known. Extreme values are found to
+/// `resolution`.
 ///
-/// A plane's gap is linear. Outside a convex solid the gap is a convex function of the tool's place and
-/// inside one a concave function, so tangents bound it: the greatest (least) value is at an end, the other
-/// between the tangents of a bracket that Newton's method closes.
+/// Without turning a plane's gap is linear; outside a convex solid the gap is a convex function of the tool's place
+/// and inside one a concave function, so tangents bound it: the greatest (least) value is at an end, the other
+/// between the tangents of a bracket that Newton's method closes. All else goes by cubics through values and slopes.
 #[expect(clippy::too_many_arguments, reason = "the two ends, the surface and its condition")]
 pub fn chord(
     tool: &Tool<'_>,
-    to: Vec3,
+    to: &Tool<'_>,
     surface: &Surface,
     condition: Condition,
     side: Side,
@@ -57,18 +63,33 @@ pub fn chord(
     ends: Option<[Gap; 2]>,
     resolution: f64,
 ) -> Result<Chord, Reason> {
-    let v = to - tool.te;
-    let run = Run { tool, v, surface, condition, side, thick };
+    // Where the tool end lies on a surface it does not matter how the axis stands.
+    let turn = if condition == Condition::On { None } else { Turn::between(tool.ta, to.ta) };
+    let run = Run { tool, v: to.te - tool.te, turn, surface, condition, side, thick };
     let (a, b) = match ends {
         Some([a, b]) => (a, b),
         None => (run.gap(0.0, None)?, run.gap(1.0, None)?),
     };
-    let place = |t: f64, gap: Gap| Place { t, gap, slope: gap.normal.dot(&v) };
-    let (a, b) = (place(0.0, a), place(1.0, b));
+    let (a, b) = (run.at(0.0, a), run.at(1.0, b));
+    let bow = b.slope - a.slope;
     let ends = if a.gap.g <= b.gap.g { [a, b] } else { [b, a] };
     let extreme = |p: &Place| Extreme { t: p.t, g: p.gap.g };
+    if turn.is_some() {
+        return match run.single(a, b, resolution)? {
+            Some(chord) => Ok(chord),
+            None => run.mixed(a, b, resolution),
+        };
+    }
     if let Surface::Plane(_) = surface {
-        return Ok(Chord { low: extreme(&ends[0]), high: extreme(&ends[1]), proved: true });
+        return Ok(Chord { low: extreme(&ends[0]), high: extreme(&ends[1]), bow, proved: true });
+    }
+    let known = [&a.gap, &b.gap];
+    if let Some(inner) = centred::extreme(tool, run.v, surface, condition, side, known) {
+        let (low, high) = match side {
+            Side::Positive => (inner, extreme(&ends[1])),
+            Side::Negative | Side::Open => (extreme(&ends[0]), inner),
+        };
+        return Ok(Chord { low, high, bow, proved: true });
     }
     let (far, near) = match side {
         Side::Positive => (surface.convex(), surface.concave()),
@@ -76,10 +97,10 @@ pub fn chord(
     };
     if far {
         let low = run.dip(a, b, 1.0, resolution)?;
-        Ok(Chord { low, high: extreme(&ends[1]), proved: true })
+        Ok(Chord { low, high: extreme(&ends[1]), bow, proved: true })
     } else if near {
         let high = run.dip(a, b, -1.0, resolution)?;
-        Ok(Chord { low: extreme(&ends[0]), high, proved: true })
+        Ok(Chord { low: extreme(&ends[0]), high, bow, proved: true })
     } else {
         match run.single(a, b, resolution)? {
             Some(chord) => Ok(chord),
@@ -88,9 +109,40 @@ pub fn chord(
     }
 }
 
+/// The even turning of an axis.
+#[derive(Clone, Copy)]
+struct Turn {
+    /// The axis at the start, and the unit vector square to it towards which it turns.
+    from: Vec3,
+    across: Vec3,
+    /// Radians in all.
+    angle: f64,
+}
+
+impl Turn {
+    /// `None` when both are the same.
+    fn between(from: Vec3, to: Vec3) -> Option<Self> {
+        let cos = from.dot(&to);
+        let across = to - from * cos;
+        let sin = across.norm();
+        (sin > 1e-12).then(|| Self { from, across: across / sin, angle: trig::atan2(sin, cos) })
+    }
+
+    fn axis(&self, t: f64) -> Vec3 {
+        let (sin, cos) = trig::sin_cos(self.angle * t);
+        (self.from * cos + self.across * sin).normalize()
+    }
+
+    /// Radians for the whole chord, as a vector.
+    fn rate(&self) -> Vec3 {
+        self.from.cross(&self.across) * self.angle
+    }
+}
+
 struct Run<'a, 'b> {
     tool: &'a Tool<'b>,
     v: Vec3,
+    turn: Option<Turn>,
     surface: &'a Surface,
     condition: Condition,
     side: Side,
@@ -99,13 +151,21 @@ struct Run<'a, 'b> {
 
 impl Run<'_, '_> {
     fn gap(&self, t: f64, start: Option<Vec3>) -> Result<Gap, Reason> {
-        let tool = self.tool.at(self.tool.te + self.v * t);
+        let mut tool = self.tool.at(self.tool.te + self.v * t);
+        if let Some(turn) = &self.turn {
+            tool.ta = turn.axis(t);
+        }
         distance(&tool, self.surface, self.condition, self.side, self.thick, start)
     }
 
     fn place(&self, t: f64, start: Option<Vec3>) -> Result<Place, Reason> {
-        let gap = self.gap(t, start)?;
-        Ok(Place { t, gap, slope: gap.normal.dot(&self.v) })
+        Ok(self.at(t, self.gap(t, start)?))
+    }
+
+    fn at(&self, t: f64, gap: Gap) -> Place {
+        let te = self.tool.te + self.v * t;
+        let turning = self.turn.map_or(0.0, |turn| gap.turn_rate(te, turn.rate()));
+        Place { t, gap, slope: gap.normal.dot(&self.v) + turning }
     }
 
     /// The middle of a piece; where its ends touch at different places, the deeper of both.
@@ -212,7 +272,8 @@ impl Run<'_, '_> {
                 let ends = if (a.gap.g <= b.gap.g) == rises { &b } else { &a };
                 let outer = Extreme { t: ends.t, g: ends.gap.g };
                 let (low, high) = if rises { (inner, outer) } else { (outer, inner) };
-                return Ok(Some(Chord { low, high, proved: false }));
+                let bow = b.slope - a.slope;
+                return Ok(Some(Chord { low, high, bow, proved: false }));
             }
             t = at.t - s / bend;
             if s < 0.0 {
@@ -235,6 +296,7 @@ impl Run<'_, '_> {
         let (mut low, mut high) =
             if a.gap.g < b.gap.g { (at(&a), at(&b)) } else { (at(&b), at(&a)) };
         let (mut floor, mut roof) = (low, high);
+        let bow = b.slope - a.slope;
         let mut todo: Vec<(Place, Place)> = vec![(a, b)];
         let mut pieces = 0;
         while let Some((a, b)) = todo.pop() {
@@ -272,7 +334,7 @@ impl Run<'_, '_> {
                 (floor, roof) = (under, over);
             }
         }
-        Ok(Chord { low: floor, high: roof, proved: false })
+        Ok(Chord { low: floor, high: roof, bow, proved: false })
     }
 }
 

@@ -113,6 +113,12 @@ pub fn opens(surface: &Surface, ta: Vec3) -> bool {
     open::opens(surface, ta)
 }
 
+/// Does the surface go all round a tool on that side, as the inside of an ellipsoid? A search that starts at the
+/// last place of contact then finds the wall there, whatever the rest of the tool does.
+pub fn surrounds(surface: &Surface, side: Side) -> bool {
+    search::hollow(surface, side)
+}
+
 /// Of a tool with the `known` gap a deeper one, if there is one, and the way that the tool can go (the way of
 /// its top when it turns) until a place of contact far from the known one may be the deepest.
 pub fn elsewhere(

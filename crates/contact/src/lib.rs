@@ -18,6 +18,7 @@
 
 mod bends;
 mod bodies;
+mod centred;
 mod chord;
 mod closed;
 mod curvature;
@@ -32,5 +33,5 @@ pub use aptc_geometry::{Place, Reason, Tool};
 pub use bodies::{Convex, Swept, Turned};
 pub use chord::{Chord, Extreme, chord};
 pub use curvature::second;
-pub use gap::{Condition, Gap, Side, distance, elsewhere, gap, gap_near, on, opens};
+pub use gap::{Condition, Gap, Side, distance, elsewhere, gap, gap_near, on, opens, surrounds};
 pub use patches::{Clear, PatchPlace, PatchTree};

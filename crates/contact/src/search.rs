@@ -73,7 +73,7 @@ pub(crate) fn general(
 }
 
 /// Is the tool within a convex hollow?
-fn hollow(surface: &Surface, side: Side) -> bool {
+pub(crate) fn hollow(surface: &Surface, side: Side) -> bool {
     match side {
         Side::Positive => surface.concave(),
         Side::Negative | Side::Open => surface.convex(),

@@ -20,7 +20,7 @@ fn published_sagitta() {
     for (radius, side) in [(4.0, Side::Positive), (6.0, Side::Negative)] {
         let s = Surface::Cylinder(Cylinder { point: Vec3::zeros(), axis: Vec3::z(), radius });
         let tool = Tool { profile: &ball, te: end(0.0), ta: Vec3::z() };
-        let c = chord(&tool, end(0.2), &s, Condition::Touch, side, 0.0, None, 1e-12)
+        let c = chord(&tool, &tool.at(end(0.2)), &s, Condition::Touch, side, 0.0, None, 1e-12)
             .expect("a closed form");
         assert!(c.proved);
         let (extreme, other, sign) = match side {
@@ -62,7 +62,7 @@ proptest! {
         let v = v - first.normal * v.dot(&first.normal);
         let tool = Tool { profile: &profile, te, ta };
         let resolution = 1e-6;
-        let Ok(c) = chord(&tool, te + v, &surface, condition, side, 0.0, None, resolution) else {
+        let Ok(c) = chord(&tool, &tool.at(te + v), &surface, condition, side, 0.0, None, resolution) else {
             return Ok(());
         };
         let mut sampled = (f64::INFINITY, f64::NEG_INFINITY);
@@ -79,6 +79,35 @@ proptest! {
             // Sampling misses an extreme value by at most a step.
             let miss = v.norm() / 200.0 + resolution;
             prop_assert!(c.low.g >= sampled.0 - miss && c.high.g <= sampled.1 + miss);
+        }
+    }
+
+    #[test]
+    fn bounds_hold_while_the_axis_turns(
+        cutter in cutter(), surface in simple(), ta in axis(), lean in axis(), turn in 0.0_f64..0.3,
+        te in prop::array::uniform3(-30.0_f64..30.0), v in prop::array::uniform3(-4.0_f64..4.0),
+    ) {
+        let profile = Profile::new(&cutter).unwrap();
+        let (te, v) = (Vec3::from(te), Vec3::from(v));
+        let side = Side::of(te, &surface);
+        let tool = Tool { profile: &profile, te, ta };
+        let square = lean - ta * lean.dot(&ta);
+        prop_assume!(square.norm() > 0.1);
+        let square = square.normalize();
+        let axis = |t: f64| {
+            let (s, c) = aptc_geometry::trig::sin_cos(turn * t);
+            ta * c + square * s
+        };
+        let at = |t: f64| Tool { profile: &profile, te: te + v * t, ta: axis(t) };
+        let Ok(c) = chord(&tool, &at(1.0), &surface, Condition::Touch, side, 0.0, None, 1e-6) else {
+            return Ok(());
+        };
+        for i in 0..=200 {
+            let t = f64::from(i) / 200.0;
+            if let Ok(g) = gap(&at(t), &surface, side, 0.0) {
+                prop_assume!(g.g > -0.5);
+                prop_assert!(c.low.g <= g.g + 1e-4 && c.high.g >= g.g - 1e-4, "{t} {g:?} {c:?}");
+            }
         }
     }
 }

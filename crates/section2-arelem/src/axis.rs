@@ -17,13 +17,50 @@ pub(crate) enum AxisRule {
     /// Along the rulings.
     Rulings(OptionSurface),
     /// At an angle to the normal.
-    Angle(AxisAngle),
+    Angle(AxisAngle, Came),
     /// Square to a direction.
     Square(Vec3),
 }
 
+/// On which side of the surface that does not control the axis the tool was before its end came to lie on it.
+/// An angle leans the axis away from such a surface when the cutter is at it, and onwards when the tool end is
+/// on it. Source: what APT-360 does, by trial.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Came {
+    /// Where the surface's normals point.
+    Front,
+    Back,
+    /// It was there already.
+    There,
+}
+
+impl Came {
+    /// From the distance before, or less the way there.
+    pub(crate) fn from(distance: f64, near: f64) -> Self {
+        if distance > near {
+            Self::Front
+        } else if distance < -near {
+            Self::Back
+        } else {
+            Self::There
+        }
+    }
+
+    /// The sign of the normal that points onwards.
+    fn onwards(self) -> f64 {
+        if self == Self::Front { -1.0 } else { 1.0 }
+    }
+
+    /// The sign of the normal that points to where the tool came from.
+    pub(crate) fn home(self) -> f64 {
+        if self == Self::Back { -1.0 } else { 1.0 }
+    }
+}
+
 /// The contacts at a place.
 pub(crate) struct Around<'a> {
+    /// The tool end.
+    pub(crate) te: Vec3,
     /// The axis as it is.
     pub(crate) ta: Vec3,
     pub(crate) part: &'a Gap,
@@ -38,7 +75,7 @@ impl AxisRule {
             ToolAxis::NormPs => Self::Normal(OptionSurface::Part),
             ToolAxis::NormDs => Self::Normal(OptionSurface::Drive),
             ToolAxis::Parallel { surface, .. } => Self::Rulings(*surface),
-            ToolAxis::Angle(a) => Self::Angle(a.clone()),
+            ToolAxis::Angle(a) => Self::Angle(a.clone(), Came::There),
             ToolAxis::PerpTo(v) => Self::Square(*v),
             _ => Self::Fixed,
         }
@@ -47,6 +84,30 @@ impl AxisRule {
     /// Does it change along a path?
     pub(crate) fn turns(&self) -> bool {
         !matches!(self, Self::Fixed)
+    }
+
+    /// The surface that controls an angle, when there is one.
+    pub(crate) fn angle_to(&self) -> Option<OptionSurface> {
+        match self {
+            Self::Angle(a, _) => Some(a.surface),
+            _ => None,
+        }
+    }
+
+    /// The same rule for a tool whose end came to the other surface from there.
+    pub(crate) fn coming(&self, from: Came) -> Self {
+        match self {
+            Self::Angle(a, _) => Self::Angle(a.clone(), from),
+            rule => rule.clone(),
+        }
+    }
+
+    /// From where the tool end must have come to the other surface if the axis leans as it does; `on` is the
+    /// normal of that surface.
+    pub(crate) fn leaning(&self, ta: Vec3, n: Vec3, along: Vec3, on: Vec3) -> Came {
+        let Self::Angle(a, _) = self else { return Came::There };
+        let across = ta - n * ta.dot(&n) - along * ta.dot(&along);
+        Came::from(-across.dot(&on) * a.angle_deg.signum(), 1e-3)
     }
 
     /// The axis at a place; `None` when the conditions contradict each other. `keeps` are drive and part.
@@ -59,17 +120,18 @@ impl AxisRule {
             Self::Fixed => Some(around.ta),
             Self::Normal(s) => {
                 let (gap, _, keep) = pick(*s);
-                Some(outward(gap, keep, around.ta))
+                Some(below(gap, keep, around))
             }
             Self::Rulings(s) => {
                 let (gap, _, keep) = pick(*s);
                 let r = ruling(gap, keep)?;
                 Some(if r.dot(&around.ta) < 0.0 { -r } else { r })
             }
-            Self::Angle(a) => {
+            Self::Angle(a, came) => {
                 let (gap, other, keep) = pick(a.surface);
                 let n = outward(gap, keep, around.ta);
-                lean(a, n, other.normal, around.along)
+                let sign = if other.segment.is_none() { came.onwards() } else { 1.0 };
+                lean(a, n, other.normal * sign, around.along)
             }
             Self::Square(v) => {
                 let v = unit(*v)?;
@@ -86,6 +148,15 @@ fn outward(gap: &Gap, keep: &Keep, ta: Vec3) -> Vec3 {
         -gap.normal
     } else {
         gap.normal
+    }
+}
+
+/// The normal through the tool end. A cutter upright on a surface touches there; its flat end touches a dome
+/// there and anywhere else on the end, and a hollow all round with its edge, where no normal is the axis.
+fn below(gap: &Gap, keep: &Keep, around: &Around<'_>) -> Vec3 {
+    match keep.condition {
+        Condition::On => outward(gap, keep, around.ta),
+        Condition::Touch => keep.surface.foot(around.te).normal * keep.side.sign(),
     }
 }
 

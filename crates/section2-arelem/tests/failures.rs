@@ -167,9 +167,9 @@ fn a_motion_that_cannot_go_on_says_what_is_in_the_way() {
         let d = &ran.diagnostics[0];
         (ran.code(), format!("{} {:?}", d.message, d.notes))
     };
-    // A flat end that stands on the normals inside of a tube touches with both edges.
+    // A flat end that leans from the normal where it touches inside of a tube has two such places.
     let (code, text) = told(
-        "MULTAX\nCUTTER/4\nTLAXIS/NORMPS\nFROM/0,0,3\nGO/ON,ACROSS,TO,TUBE
+        "MULTAX\nCUTTER/4,.2\nTLAXIS/ATANGL,1,5\nFROM/0,0,3\nGO/ON,ACROSS,TO,TUBE
 INDIRV/0,1,0\nTLON,GOFWD/ACROSS,ON,FAR",
     );
     let parts = ["the motion to FAR ends at 0,", "TUBE", "from FAR at the nearest, after"];

@@ -4,7 +4,7 @@
 mod support;
 
 use aptc_geometry::Vec3;
-use support::{Run, assert_in_bands, expected, forms_of, run};
+use support::{Run, assert_in_bands, expected, form, forms_of, run};
 
 /// Each statement ends where the oracle's does, with at most as many points; the oracle's own places lie
 /// up to a tenth of the band beside ours.
@@ -274,7 +274,7 @@ fn a_tool_off_the_drive_surface_is_refused_with_the_amount() {
 fn one_direction_for_two_surfaces_is_kept() {
     let mut f = support::Forms::new();
     let mut add = |name: &str, kind: &str, w: &[f64]| {
-        f.insert(name.into(), support::form(kind, w).expect("a legal form"));
+        f.insert(name.into(), form(kind, w).expect("a legal form"));
     };
     add("PL", "PLANE", &[0.0, 0.0, 1.0, 0.0]);
     add("SP", "SPHERE", &[20.0, 0.0, 0.0, 6.0]);
@@ -291,4 +291,39 @@ fn one_direction_for_two_surfaces_is_kept() {
         assert!(off.abs() < 1e-9, "{end}");
         assert!(end.x < 20.0);
     }
+}
+
+/// A flat end upright on a dome and in a bore: the axis is the normal through the tool end, which is on the dome
+/// within the band, and in the bore as far from the wall as the edge keeps it.
+#[test]
+fn flat_end_upright_on_a_dome_and_in_a_bore() {
+    let forms = ["DOME", "BORE", "ACROSS", "NEAR", "FAR"];
+    let words: [(&str, &[f64]); 5] = [
+        ("SPHERE", &[0.0, 0.0, 0.0, 5.0]),
+        ("CYLNDR", &[0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 5.0]),
+        ("PLANE", &[1.0, 0.0, 0.0, 0.0]),
+        ("PLANE", &[0.0, 1.0, 0.0, -2.0]),
+        ("PLANE", &[0.0, 1.0, 0.0, 2.0]),
+    ];
+    let forms = forms.iter().zip(words);
+    let forms = forms.map(|(n, (k, w))| ((*n).into(), form(k, w).expect("a legal form"))).collect();
+    let upright = |surface: &str, from: &str| {
+        let text = format!(
+            "MULTAX\nINTOL/0\nOUTTOL/.001\nCUTTER/1,0,0,0,0,0,1\nFROM/{from},0,0,1\nTLAXIS/NORMPS
+GO/ON,ACROSS,TO,{surface},ON,NEAR\nINDIRV/0,1,0\nTLON,GOFWD/ACROSS,ON,FAR"
+        );
+        let ran = run(&forms, &text);
+        assert!(ran.diagnostics.is_empty(), "{:?}", ran.diagnostics);
+        assert_in_bands(&ran, 16);
+        let points: Vec<_> = ran.motions().skip(1).flat_map(|(_, m)| m.points.clone()).collect();
+        for p in &points {
+            assert!((p.ta.cross(&p.te)).norm() < 1e-9 * p.te.norm(), "{p:?}");
+        }
+        points.iter().map(|p| p.te.norm()).collect::<Vec<_>>()
+    };
+    let dome = upright("DOME", "0,-2,8");
+    assert!(dome.iter().all(|r| (5.0 - 1e-9..=5.001 + 1e-9).contains(r)), "{dome:?}");
+    let bore = upright("BORE", "0,-2,-1");
+    let kept = (25.0_f64 - 0.25).sqrt();
+    assert!(bore.iter().all(|r| (kept - 0.0012..=kept + 1e-9).contains(r)), "{bore:?}");
 }

@@ -48,9 +48,9 @@ impl Plain {
             let low = if ends[0].0 == ends[1].0 {
                 gap(&tool, &self.surface, side, 0.0).map(|g| g.g)
             } else {
-                let end = at(ends[1].0).te;
+                let end = at(ends[1].0);
                 let touch = Condition::Touch;
-                chord(&tool, end, &self.surface, touch, side, 0.0, None, fine).map(|c| c.low.g)
+                chord(&tool, &end, &self.surface, touch, side, 0.0, None, fine).map(|c| c.low.g)
             };
             let Ok(low) = low else { return Some((f64::INFINITY, ends[0].0)) };
             if low - slack >= -allowed {

@@ -34,16 +34,17 @@ pub(crate) enum Stop {
 /// The place where `target` stops `course`.
 ///
 /// TO and PAST by the manual: the places where the cutter touches the surface alternate, TO first when
-/// the cutter starts clear of it, PAST first when it starts in it or at it. The start itself does not
-/// count.
+/// the cutter starts clear of it, PAST first when it starts in it. The start itself does not count; a cutter that
+/// starts at the surface is where it goes first, clear of it or in it.
 pub(crate) fn stop(course: &Course, target: &Target) -> Stop {
     match target.relation {
         Relation::Tanto | Relation::Pstan => tangent(course, target),
         Relation::On => nth(course, target, &[0.0], |_| true),
         Relation::To | Relation::Past => {
-            let first_is_to = gap(course, target, 0.0) > target.near;
+            let levels = [target.reach, -target.reach];
+            let first_is_to = leaves(course, target, &levels) > target.near;
             let wanted = usize::from((target.relation == Relation::To) != first_is_to);
-            nth(course, target, &[target.reach, -target.reach], |i| i % 2 == wanted)
+            nth(course, target, &levels, |i| i % 2 == wanted)
         }
     }
 }
@@ -54,14 +55,31 @@ fn gap(course: &Course, target: &Target, s: f64) -> f64 {
     if target.relation == Relation::On { d } else { d - target.reach }
 }
 
-fn nth(course: &Course, target: &Target, levels: &[f64], wanted: impl Fn(usize) -> bool) -> Stop {
-    let mut turn: Vec<Meeting> = levels
+/// The gap at the start, or where the cutter is clear of what it touches there.
+fn leaves(course: &Course, target: &Target, levels: &[f64]) -> f64 {
+    let here = gap(course, target, 0.0);
+    if here.abs() > target.near {
+        return here;
+    }
+    let next =
+        meetings(course, target, levels).into_iter().find(|m| !is_start(course, target, m.at));
+    next.map_or(here, |m| gap(course, target, 0.5 * m.at))
+}
+
+/// The places where the course meets the surface at these distances, in their order.
+fn meetings(course: &Course, target: &Target, levels: &[f64]) -> Vec<Meeting> {
+    let mut all: Vec<Meeting> = levels
         .iter()
         .filter_map(|by| target.curve.offset(*by))
         .flat_map(|c| course.meetings(&c, target.near))
         .filter(|m| m.at >= 0.0)
         .collect();
-    turn.sort_by(|a, b| a.at.total_cmp(&b.at));
+    all.sort_by(|a, b| a.at.total_cmp(&b.at));
+    all
+}
+
+fn nth(course: &Course, target: &Target, levels: &[f64], wanted: impl Fn(usize) -> bool) -> Stop {
+    let turn = meetings(course, target, levels);
     let turns = if course.period().is_some() { target.nth.saturating_add(2) } else { 1 };
     let (mut index, mut met) = (0, 0);
     for k in 0..turns {
@@ -159,6 +177,14 @@ mod tests {
         let l = Curve::Line { n: Vec2::new(1.0, 0.0), d: 0.5 };
         assert_eq!(stop(&x_axis(), &target(l, Relation::Past, 1.0, 1)), Stop::At(1.5));
         assert!(matches!(stop(&x_axis(), &target(l, Relation::To, 1.0, 1)), Stop::Never { .. }));
+        // Round a circle and back to the line that was touched at the start.
+        let round = Course::Round { c: Vec2::zeros(), r: 2.0, start: 0.0, sense: -1.0 };
+        let l = Curve::Line { n: Vec2::new(0.0, 1.0), d: 0.5 };
+        for (relation, at) in [(Relation::To, 1.0), (Relation::Past, 7.0 / 6.0)] {
+            let stop = stop(&round, &target(l, relation, 0.5, 1));
+            let there = |s: f64| (s - at * std::f64::consts::PI).abs() < 1e-9;
+            assert!(matches!(stop, Stop::At(s) if there(s)), "{relation:?} {stop:?}");
+        }
     }
 
     #[test]

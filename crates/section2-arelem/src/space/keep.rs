@@ -1,6 +1,8 @@
 //! One surface that the tool keeps to, and how near it has to stay.
 
-use aptc_contact::{Condition, Gap, Reason, Side, Tool, distance, elsewhere, opens, second};
+use aptc_contact::{
+    Condition, Gap, Reason, Side, Tool, distance, elsewhere, opens, second, surrounds,
+};
 use aptc_geometry::{Profile, Surface, Vec3};
 
 /// A tool position: tool end and unit tool axis.
@@ -45,6 +47,13 @@ impl Keep {
     pub(crate) fn gap(&self, pose: &Pose, start: Option<Vec3>) -> Result<Gap, Reason> {
         let tool = self.tool(pose);
         distance(&tool, &self.surface, self.condition, self.side, self.thick, start)
+    }
+
+    /// The gap near a known one. Nothing says that a check surface's deepest place stays where it was, so inside
+    /// of a hollow all of the tool is looked at.
+    pub(crate) fn gap_from(&self, pose: &Pose, known: Option<&Gap>) -> Result<Gap, Reason> {
+        let known = known.filter(|_| !surrounds(&self.surface, self.side));
+        self.gap(pose, known.map(|g| g.surface_point))
     }
 
     /// The same surface with the tool on another side.

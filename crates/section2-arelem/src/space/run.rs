@@ -10,8 +10,8 @@ use super::keep::{Keep, Pose};
 use super::nearest::approach;
 use super::stride::Pace;
 use super::track::{Node, Track, Trouble};
-use super::watch::{Halt, Watch, clearance};
-use crate::axis::{Around, AxisRule};
+use super::watch::{Halt, Mark, Watch, clearance};
+use crate::axis::{Around, AxisRule, Came};
 use crate::failure::{Blocked, Failure, Hindrance};
 use crate::prepare::way;
 use crate::scene::{Astray, Path, Scene, Stance, Wall, to_or_on};
@@ -19,6 +19,8 @@ use crate::scene::{Astray, Path, Scene, Stance, Wall, to_or_on};
 /// Cut vectors that turn back before a motion counts as caught between two places of contact: a path may have
 /// a cusp, but a tool that is caught goes to and fro.
 const MOST_BACK: u32 = 3;
+/// How often the way to the check surface may be cut shorter, because its last cut vector leaves the bands.
+const MOST_SHORTENED: u32 = 20;
 /// Share of a cut vector by which a track that has come back may pass beside its start, where it may have an edge.
 const BESIDE: f64 = 0.1;
 /// Cut vectors of one motion when NUMPTS does not say.
@@ -63,17 +65,17 @@ fn follow(scene: &Scene, begin: &Begin) -> Result<Path, Failure> {
     let (mut pace, mut gone) = (Pace::new(), 0.0);
     let mut spent = Some(most);
     let (mut last, mut back) = (Vec3::zeros(), 0);
-    for _ in 0..most {
-        let stride = match track.stride(&node, cap, &mut pace) {
+    let mut marks: Vec<Mark> = Vec::with_capacity(watches.len());
+    let (mut reach, mut shortened) = (cap, 0);
+    let mut vectors = 0;
+    while vectors < most {
+        let stride = match track.stride(&node, reach, &mut pace) {
             Ok(s) => s,
             Err(t) => return Err(blocked(scene, begin, &watches, &node, gone, t)),
         };
-        let way = stride.to.pose.te - node.pose.te;
-        back += u32::from(way.dot(&last) < 0.0);
-        last = way;
-        if back >= MOST_BACK {
-            return Err(blocked(scene, begin, &watches, &node, gone, Trouble::Stuck));
-        }
+        reach = cap;
+        marks.clear();
+        marks.extend(watches.iter().map(Watch::mark));
         let mut stop: Option<(usize, Halt)> = None;
         for (i, w) in watches.iter_mut().enumerate() {
             let check = &scene.checks[i].wall;
@@ -94,7 +96,18 @@ fn follow(scene: &Scene, begin: &Begin) -> Result<Path, Failure> {
             if !track.fits(&node, &halt.node) {
                 let shorter = track.stride(&node, halt.s, &mut pace);
                 let again = shorter.and_then(|s| watches[i].again(track, &node, &s, &halt));
-                halt = again.ok().filter(|h| track.fits(&node, &h.node)).unwrap_or(halt);
+                match again.ok().filter(|h| track.fits(&node, &h.node)) {
+                    Some(made) => halt = made,
+                    None if shortened < MOST_SHORTENED => {
+                        // One cut vector more on the way there.
+                        watches.iter_mut().zip(&marks).for_each(|(w, m)| w.back_to(m));
+                        reach = 0.5 * halt.s;
+                        shortened += 1;
+                        continue;
+                    }
+                    // The proof of the path says by how much it is off.
+                    None => {}
+                }
             }
             points.push(position(&halt.node.pose));
             return Ok(Path {
@@ -109,7 +122,14 @@ fn follow(scene: &Scene, begin: &Begin) -> Result<Path, Failure> {
                 rivals: Vec::new(),
             });
         }
+        let way = stride.to.pose.te - node.pose.te;
+        back += u32::from(way.dot(&last) < 0.0);
+        last = way;
+        if back >= MOST_BACK {
+            return Err(blocked(scene, begin, &watches, &node, gone, Trouble::Stuck));
+        }
         gone += way.norm();
+        vectors += 1;
         points.push(position(&stride.to.pose));
         let met: u32 = watches.iter().map(|w| w.account().0).sum();
         if straight || loops.closed(&node, &stride.to, met) {
@@ -248,11 +268,11 @@ fn begin(scene: &Scene) -> Result<Begin, Failure> {
     let size =
         pose.te.norm() + drive.profile.reach() + drive.surface.extent() + part.surface.extent();
     let exact = 1e-13 * size + 2e-9 * drive.width().min(part.width());
-    let track =
-        Track { keeps: [drive, part], axis: scene.axis.clone(), exact, rounding: 1e-14 * size };
+    let axis = coming(scene, &pose, heading, [&drive_gap, &part_gap]);
+    let track = Track { keeps: [drive, part], axis, exact, rounding: 1e-14 * size };
     let node = track.node(pose, heading).map_err(|t| trouble_at(scene, &pose, t))?;
     if off_drive <= 1.0 && off_part <= 1.0 {
-        let turned = turn(&track, &node);
+        let turned = turn(&track, &node, scene.limits.step);
         let node = turned.unwrap_or(node);
         let turned = turned.map(|n| position(&n.pose));
         return Ok(Begin { track, node, first: None, turned, astray });
@@ -265,21 +285,43 @@ fn begin(scene: &Scene) -> Result<Begin, Failure> {
     Ok(Begin { track, node, first, turned: None, astray })
 }
 
+/// The rule of the axis with the side from which the tool end came to a surface that it lies on: by the motion
+/// before, or by how the axis leans when that ran along the surface.
+fn coming(scene: &Scene, pose: &Pose, heading: Vec3, [drive, part]: [&Gap; 2]) -> AxisRule {
+    /// Sine above which a motion counts as coming to a surface.
+    const COMES: f64 = 1e-3;
+    let (own, other) = match scene.axis.angle_to() {
+        Some(OptionSurface::Part) => (part, drive),
+        Some(OptionSurface::Drive) => (drive, part),
+        None => return scene.axis.clone(),
+    };
+    let came = match Came::from(-scene.tool.forward.dot(&other.normal), COMES) {
+        Came::There => scene.axis.leaning(pose.ta, own.normal, heading, other.normal),
+        came => came,
+    };
+    scene.axis.coming(came)
+}
+
 /// The place at the start with the axis that the rule asks for there, when the tool stands with another one:
-/// GO does not know the direction of the motion that follows, on which CUTANG depends.
-fn turn(track: &Track, node: &Node) -> Option<Node> {
+/// GO does not know the direction of the motion that follows, on which CUTANG depends. `None` when the axis can
+/// turn with the first cut vector.
+fn turn(track: &Track, node: &Node, cap: f64) -> Option<Node> {
     /// What APT-360 allows an axis to be off, radians; so much the first cut vector takes up.
     const LEAST: f64 = 0.01;
+    /// Share of the usual length that the first cut vector must have if the axis is to turn with it.
+    const WORTH: f64 = 0.1;
     if !track.axis.turns() {
         return None;
     }
     let [drive, part] = &node.gaps;
-    let around = Around { ta: node.pose.ta, part, drive, along: node.along };
+    let around = Around { te: node.pose.te, ta: node.pose.ta, part, drive, along: node.along };
     let ta = track.axis.at(&around, [&track.keeps[0], &track.keeps[1]])?;
     if (ta - node.pose.ta).norm() <= LEAST {
         return None;
     }
-    track.settle(Pose { ta, ..node.pose }, node.along, [0.0; 2], node, true).ok()
+    let turned = track.settle(Pose { ta, ..node.pose }, node.along, [0.0; 2], node, true).ok()?;
+    let length = |node: &Node| track.stride(node, cap, &mut Pace::new()).map_or(0.0, |s| s.length);
+    (length(node) < WORTH * length(&turned)).then_some(turned)
 }
 
 /// How the tool stands when a motion begins. With TLAXIS/NORMPS an axis from elsewhere, with which the tool is

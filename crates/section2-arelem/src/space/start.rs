@@ -4,11 +4,11 @@ use aptc_cldata::{Control, Position};
 use aptc_contact::{Condition, Gap, Side, opens};
 use aptc_geometry::surface::frame_about;
 use aptc_geometry::{Fiop, Plane, Surface, Vec3};
-use aptc_protap::Relation;
+use aptc_protap::{OptionSurface, Relation};
 
 use super::keep::{Keep, Pose};
 use super::watch::clearance;
-use crate::axis::{Around, AxisRule};
+use crate::axis::{Around, AxisRule, Came};
 use crate::failure::{Candidate, Failure};
 use crate::scene::{Path, Start, Wall};
 
@@ -129,7 +129,8 @@ fn rivals(go: &Start, aims: &[Aim<'_>], pose: Pose, end: Pose) -> Vec<Candidate>
     if aims.len() < 2 || go.along.iter().any(Option::is_some) {
         return all;
     }
-    let solver = Solver { aims, axis: &go.axis, guide: None };
+    let axis = coming(&go.axis, aims, &pose);
+    let solver = Solver { aims, axis: &axis, guide: None };
     let band = aims.iter().map(|a| a.keep.width()).fold(f64::INFINITY, f64::min);
     let by = end.te - pose.te;
     let near = 1e-3 * band + 1e-9 * solver.size(&pose);
@@ -151,8 +152,25 @@ fn rivals(go: &Start, aims: &[Aim<'_>], pose: Pose, end: Pose) -> Vec<Candidate>
     all
 }
 
+/// The rule of the axis for a tool that comes from `pose`.
+fn coming(axis: &AxisRule, aims: &[Aim<'_>], pose: &Pose) -> AxisRule {
+    let other = match axis.angle_to() {
+        Some(OptionSurface::Part) => aims.first(),
+        Some(OptionSurface::Drive) => aims.get(1),
+        None => None,
+    };
+    other.map_or_else(
+        || axis.clone(),
+        |o| {
+            let distance = o.keep.surface.distance(pose.te);
+            axis.coming(Came::from(distance, o.keep.width()))
+        },
+    )
+}
+
 fn solve(go: &Start, aims: &[Aim<'_>], pose: Pose) -> Result<Pose, Failure> {
-    let mut solver = Solver { aims, axis: &go.axis, guide: None };
+    let axis = coming(&go.axis, aims, &pose);
+    let mut solver = Solver { aims, axis: &axis, guide: None };
     let free = go.surfaces.len() == 1 && go.part.is_none();
     match go.along.first().copied().flatten() {
         Some(v) if go.offset => solver.offset(pose, v),
@@ -330,7 +348,14 @@ impl Solver<'_> {
                 let other = gaps.get(if i == 0 { 1 } else { 0 }).map(|g| g.normal);
                 let along = other.map(|n| gaps[i].normal.cross(&n)).filter(|t| t.norm() > 1e-6);
                 let Some(t) = along else { return 0.0 };
-                a.keep.target(a.keep.bend(pose, &gaps[i], t.normalize()), 1.0)
+                // A tool whose axis turns with the surface bends as the surface does, whatever touches it.
+                let bend = if self.axis.turns() {
+                    let shape = a.keep.surface.foot(gaps[i].surface_point).shape;
+                    a.keep.side.sign() * shape.second(t.normalize())
+                } else {
+                    a.keep.bend(pose, &gaps[i], t.normalize())
+                };
+                a.keep.target(bend, 1.0)
             })
             .collect()
     }
@@ -342,9 +367,15 @@ impl Solver<'_> {
         let drive = &gaps[0];
         let part = gaps.get(1).unwrap_or(drive);
         let keeps = [&self.aims[0].keep, self.aims.get(1).map_or(&self.aims[0].keep, |a| &a.keep)];
-        let along = drive.normal.cross(&part.normal);
+        let [on_drive, on_part] = [drive, part].map(|g| g.segment.is_none());
+        let came = match self.axis {
+            AxisRule::Angle(_, came) if on_drive || on_part => came.home(),
+            _ => 1.0,
+        };
+        // The direction of the motion that follows is not known; this one is APT-360's guess.
+        let along = part.normal.cross(&drive.normal) * came;
         let along = if along.norm() > 1e-9 { along.normalize() } else { Vec3::x() };
-        let around = Around { ta: pose.ta, part, drive, along };
+        let around = Around { te: pose.te, ta: pose.ta, part, drive, along };
         self.axis.at(&around, keeps).unwrap_or(pose.ta)
     }
 

@@ -9,7 +9,7 @@
 use aptc_contact::{Gap, chord};
 use aptc_geometry::Vec3;
 
-use super::keep::{Keep, Pose};
+use super::keep::{Limits, Pose};
 use super::track::{Node, Track, Trouble};
 
 /// Trials of one cut vector; two or three are usual.
@@ -19,10 +19,22 @@ const TRIALS: usize = 40;
 const LONG_ENOUGH: f64 = 1e-5;
 /// Share of the band by which a vertex may lie off its target: half of it is the share of a length that it costs.
 const OFF_TARGET: f64 = 1e-2;
+/// How often one cut vector may learn from its chord how its gaps bend.
+const LESSONS: u32 = 3;
+/// A chord to be shortened to less than this has its vertex in the wrong place.
+const LOST: f64 = 0.5;
+/// Share of the band by which such a vertex is moved at least.
+const EDGES_APART: f64 = 1e-9;
+/// By how much more than it needs a chord is given, for a bend that changes along it.
+const SPARE: f64 = 1.1;
 /// Greatest turn of the track in one cut vector, radians.
 const MOST_TURN: f64 = 2.0;
 /// Share of the band by which a chord aims inside of it.
 const AIM: f64 = 1e-6;
+/// Places of contact that are farther apart than this share of the cutter's radius are two.
+const ANOTHER: f64 = 0.1;
+/// Share of the band by which two places that touch at once may differ.
+const BOTH: f64 = 1e-2;
 /// Extreme gaps on a chord are found to this share of the band.
 const RESOLUTION: f64 = 2e-7;
 
@@ -36,11 +48,13 @@ pub(crate) struct Stride {
     pub(crate) targets: [f64; 2],
 }
 
-/// How a chord lies in the bands: it fits, and the ratio by which it could be longer.
+/// How a chord lies in the bands: it fits, the ratio by which it could be longer, and second derivatives of the
+/// gaps along it, from the slopes at its ends.
 #[derive(Clone, Copy, Debug)]
 struct Fit {
     fits: bool,
     ratio: f64,
+    bends: [f64; 2],
 }
 
 /// What one cut vector tells the next.
@@ -52,11 +66,13 @@ pub(crate) struct Pace {
     room: f64,
     /// Every trial looks for other places of contact.
     careful: bool,
+    /// How the gaps bend along the last cut vector when the axis turns, which the curvatures do not tell.
+    bends: Option<[f64; 2]>,
 }
 
 impl Pace {
     pub(crate) fn new() -> Self {
-        Self { ratio: 1.0, room: 0.0, careful: false }
+        Self { ratio: 1.0, room: 0.0, careful: false, bends: None }
     }
 }
 
@@ -86,18 +102,39 @@ impl Track {
     }
 
     fn longest(&self, from: &Node, cap: f64, pace: &mut Pace) -> Result<Stride, Trouble> {
-        let (ratio, look) = (&mut pace.ratio, pace.careful);
-        let plan = self.plan(from, cap);
-        let mut s = (plan.length * *ratio).min(plan.most);
+        let look = pace.careful;
+        let mut bends = pace.bends;
+        let mut plan = self.plan(from, bends, cap);
+        let mut s = (plan.length * pace.ratio).min(plan.most);
         let (mut good, mut bad): (Option<Stride>, f64) = (None, f64::INFINITY);
         let mut trouble = Trouble::Stuck;
         let mut before: Option<(f64, f64)> = None;
+        let mut learnt = 0;
         // A chord that does not fit though its ratio says so is shortened more each time.
         let mut back = LONG_ENOUGH;
         for _ in 0..TRIALS {
-            let tried = self.reach(from, s, plan.length, look);
+            let tried = self.reach(from, s, plan.length, bends, look);
             let next = match tried.and_then(|t| self.fit(from, &t.to).map(|fit| (t, fit))) {
                 Ok((tried, fit)) => {
+                    // With a turning axis only the chord tells how the gaps bend along it; and where the bend
+                    // grows from nothing on the way, a vertex may lie where no chord of any length fits.
+                    let lost = !fit.fits && fit.ratio < LOST;
+                    if learnt < LESSONS && (lost || self.axis.turns()) {
+                        learnt += 1;
+                        let better = self.plan(from, Some(fit.bends), cap);
+                        let aim = self.aims(from, fit.bends, better.length);
+                        if self.axis.turns() {
+                            pace.bends = Some(fit.bends);
+                        }
+                        let least = if lost { EDGES_APART } else { OFF_TARGET };
+                        if self.differ(aim, tried.targets, least) {
+                            // The same once more with the vertex where it ought to be.
+                            (bends, plan) = (Some(fit.bends), better);
+                            s = s.min(plan.most);
+                            (good, bad, before) = (None, f64::INFINITY, None);
+                            continue;
+                        }
+                    }
                     if fit.fits {
                         good = Some(tried);
                         if fit.ratio <= 1.0 + LONG_ENOUGH || s >= plan.most {
@@ -130,7 +167,7 @@ impl Track {
             }
         }
         let stride = good.ok_or(trouble)?;
-        *ratio = (stride.length / plan.length).clamp(0.2, 2.0);
+        pace.ratio = (stride.length / plan.length).clamp(0.2, 2.0);
         Ok(stride)
     }
 
@@ -139,13 +176,20 @@ impl Track {
         self.fit(from, to).is_ok_and(|f| f.fits)
     }
 
-    /// The place at distance `s`, its gaps at the targets that belong to its own curvature.
-    fn reach(&self, from: &Node, s: f64, usual: f64, look: bool) -> Result<Stride, Trouble> {
-        let targets = self.targets(from, usual);
+    /// The place at distance `s`, its gaps at the targets that belong to the `bends`; without them to its own
+    /// curvature.
+    fn reach(
+        &self,
+        from: &Node,
+        s: f64,
+        usual: f64,
+        bends: Option<[f64; 2]>,
+        look: bool,
+    ) -> Result<Stride, Trouble> {
+        let targets = self.aims(from, bends.unwrap_or(from.bends), usual);
         let to = self.walk(from, s, targets, look)?;
-        let again = self.targets(&to, usual);
-        let differ = |i: usize| (again[i] - targets[i]).abs() > OFF_TARGET * self.keeps[i].width();
-        let (to, targets) = if differ(0) || differ(1) {
+        let again = self.aims(from, bends.unwrap_or(to.bends), usual);
+        let (to, targets) = if self.differ(again, targets, OFF_TARGET) {
             (self.walk(from, s, again, look)?, again)
         } else {
             (to, targets)
@@ -153,22 +197,42 @@ impl Track {
         Ok(Stride { length: s, to, targets })
     }
 
-    /// Gaps of a vertex when cut vectors are about `usual` long.
-    pub(crate) fn targets(&self, at: &Node, usual: f64) -> [f64; 2] {
+    /// Are the aims off these targets by more than a share of the band?
+    fn differ(&self, aims: [f64; 2], targets: [f64; 2], share: f64) -> bool {
+        (0..2).any(|i| (aims[i] - targets[i]).abs() > share * self.keeps[i].width())
+    }
+
+    /// Gaps of the next vertex when cut vectors are about `usual` long and the gaps bend so along them: in the
+    /// share of the band that the chords use, and farther out where the vertex before left less room for the
+    /// chord between both.
+    fn aims(&self, from: &Node, bends: [f64; 2], usual: f64) -> [f64; 2] {
         let target = |i: usize| {
-            let keep = &self.keeps[i];
-            let share = (at.bends[i].abs() * usual * usual / (8.0 * keep.width())).min(1.0);
-            keep.target(at.bends[i], if share < 1e-6 { 0.0 } else { share })
+            let (keep, bend) = (&self.keeps[i], bends[i]);
+            let share = (bend.abs() * usual * usual / (8.0 * keep.width())).min(1.0);
+            if share < 1e-9 {
+                return 0.0;
+            }
+            let (even, edge) = (keep.target(bend, share), keep.target(bend, 1.0));
+            let Limits { low, high } = keep.limits();
+            let before = from.gaps[i].g;
+            let room = if bend > 0.0 { before - low } else { high - before };
+            let depth = 0.5 * bend.abs() * usual * usual;
+            let rest = SPARE * (depth.sqrt() - room.max(0.0).sqrt()).max(0.0).powi(2);
+            if bend > 0.0 {
+                even.max(low + rest).min(edge)
+            } else {
+                even.min(high - rest).max(edge)
+            }
         };
         [target(0), target(1)]
     }
 
-    /// The length foretold from the curvature, and the greatest allowed.
-    fn plan(&self, from: &Node, cap: f64) -> Plan {
+    /// The length foretold from how the gaps bend, and the greatest allowed.
+    fn plan(&self, from: &Node, bends: Option<[f64; 2]>, cap: f64) -> Plan {
         let turn = from.curl.norm();
         let most = if turn * cap > MOST_TURN { MOST_TURN / turn } else { cap };
         let mut length = most;
-        for (keep, bend) in self.keeps.iter().zip(from.bends) {
+        for (keep, bend) in self.keeps.iter().zip(bends.unwrap_or(from.bends)) {
             if bend.abs() * length * length > 8.0 * keep.width() {
                 length = (8.0 * keep.width() / bend.abs()).sqrt();
             }
@@ -178,50 +242,49 @@ impl Track {
 
     /// Does the chord stay in both bands, and how much longer could it be?
     fn fit(&self, from: &Node, to: &Node) -> Result<Fit, Trouble> {
-        let mut all = Fit { fits: true, ratio: f64::INFINITY };
+        let mut all = Fit { fits: true, ratio: f64::INFINITY, bends: [0.0; 2] };
         // The end must be ahead: a track that closes on itself is not cut short.
         if (to.pose.te - from.pose.te).dot(&from.along) <= 0.0 && from.curl.norm() <= 0.0 {
-            return Ok(Fit { fits: false, ratio: 0.5 });
+            return Ok(Fit { fits: false, ratio: 0.5, ..all });
         }
         for i in 0..2 {
-            let one = self.fit_one(i, from, to)?;
-            all.fits &= one.fits;
-            all.ratio = all.ratio.min(one.ratio);
+            let (fits, ratio, bend) = self.fit_one(i, from, to)?;
+            all.fits &= fits;
+            all.ratio = all.ratio.min(ratio);
+            all.bends[i] = bend;
         }
         Ok(all)
     }
 
-    fn fit_one(&self, i: usize, from: &Node, to: &Node) -> Result<Fit, Trouble> {
+    /// The same of one surface.
+    fn fit_one(&self, i: usize, from: &Node, to: &Node) -> Result<(bool, f64, f64), Trouble> {
         let keep = &self.keeps[i];
         let turning = (from.pose.ta - to.pose.ta).norm_squared() > 1e-24;
         if keep.is_plane() && !turning {
-            return Ok(Fit { fits: true, ratio: f64::INFINITY });
+            return Ok((true, f64::INFINITY, 0.0));
         }
         let limits = keep.limits();
         let v = to.pose.te - from.pose.te;
-        let ends = [&from.gaps[i], &to.gaps[i]];
-        let (low, high) = if turning {
-            turning_extremes(keep, from, to, ends)?
-        } else {
-            let c = chord(
-                &keep.tool(&from.pose),
-                to.pose.te,
-                &keep.surface,
-                keep.condition,
-                keep.side,
-                keep.thick,
-                Some([*ends[0], *ends[1]]),
-                RESOLUTION * keep.width(),
-            )?;
-            (c.low.g, c.high.g)
-        };
+        let other = self.governs(i, from, to);
+        let ends = [other.as_ref().unwrap_or(&from.gaps[i]), &to.gaps[i]];
+        let c = chord(
+            &keep.tool(&from.pose),
+            &keep.tool(&to.pose),
+            &keep.surface,
+            keep.condition,
+            keep.side,
+            keep.thick,
+            Some([*ends[0], *ends[1]]),
+            RESOLUTION * keep.width(),
+        )?;
+        let (low, high) = (c.low.g, c.high.g);
         // The chord aims a little inside the band, so that it fits when it comes out a little longer.
         let aim = AIM * keep.width();
         let e = ends.map(|g| (g.g - limits.low - aim).max(0.0));
         let f = ends.map(|g| (limits.high - aim - g.g).max(0.0));
         let dips = [ends[0].g - low, ends[1].g - low].map(|d| d.max(0.0));
         let rises = [high - ends[0].g, high - ends[1].g].map(|d| d.max(0.0));
-        let depth = 0.5 * (ends[1].normal.dot(&v) - ends[0].normal.dot(&v));
+        let depth = 0.5 * c.bow;
         // Vertices of the motion before may lie at the very edge; they are no fault of this chord.
         let slack = self.rounding + RESOLUTION * keep.width();
         let least = (ends[0].g.min(ends[1].g) - slack).min(limits.low + slack);
@@ -234,7 +297,21 @@ impl Track {
         if depth < 0.0 || rises[0].min(rises[1]) > aim {
             ratio = ratio.min(grow(f, rises, -depth));
         }
-        Ok(Fit { fits, ratio })
+        Ok((fits, ratio, c.bow / v.norm_squared()))
+    }
+}
+
+impl Track {
+    /// The gap at the start of a cut vector at the place of contact of its end, where both touch at once: at the
+    /// bottom of a hollow the cutter goes over from one to the other.
+    fn governs(&self, i: usize, from: &Node, to: &Node) -> Option<Gap> {
+        let (keep, here, there) = (&self.keeps[i], &from.gaps[i], &to.gaps[i]);
+        let apart = (here.tool_point - from.pose.te) - (there.tool_point - to.pose.te);
+        if apart.norm() <= ANOTHER * keep.profile.widest() {
+            return None;
+        }
+        let other = keep.gap(&from.pose, Some(there.surface_point)).ok()?;
+        ((other.g - here.g).abs() <= BOTH * keep.width()).then_some(other)
     }
 }
 
@@ -264,36 +341,6 @@ fn grow(room: [f64; 2], dips: [f64; 2], depth: f64) -> f64 {
         depth.max(0.0).sqrt()
     };
     if used > 0.0 { allowed / used } else { f64::INFINITY }
-}
-
-/// Least and greatest gap while the tool end moves straight and the axis turns evenly, from samples and a
-/// parabola through the extreme ones.
-fn turning_extremes(
-    keep: &Keep,
-    from: &Node,
-    to: &Node,
-    ends: [&Gap; 2],
-) -> Result<(f64, f64), Trouble> {
-    const PIECES: u8 = 8;
-    let mut values = [ends[0].g; PIECES as usize + 1];
-    let mut start = ends[0].surface_point;
-    for i in 1..PIECES {
-        let pose = between(&from.pose, &to.pose, f64::from(i) / f64::from(PIECES));
-        let gap = keep.gap(&pose, Some(start))?;
-        start = gap.surface_point;
-        values[usize::from(i)] = gap.g;
-    }
-    values[usize::from(PIECES)] = ends[1].g;
-    let (mut low, mut high) = (ends[0].g.min(ends[1].g), ends[0].g.max(ends[1].g));
-    for w in values.windows(3) {
-        let (a, b, c) = (w[0], w[1], w[2]);
-        let (slope, bend) = (0.5 * (c - a), a - 2.0 * b + c);
-        let inner = bend != 0.0 && (slope / bend).abs() <= 1.0;
-        let peak = if inner { b - slope * slope / (2.0 * bend) } else { b };
-        low = low.min(peak).min(b);
-        high = high.max(peak).max(b);
-    }
-    Ok((low, high))
 }
 
 /// The pose at `t` in [0, 1] of a cut vector: the tool end moves straight, the axis turns evenly.

@@ -123,7 +123,7 @@ impl Track {
             let mut ta = pose.ta;
             if turning {
                 let along = direction(&gaps, hint.along)?;
-                let around = Around { ta, part: &gaps[1], drive: &gaps[0], along };
+                let around = Around { te: pose.te, ta, part: &gaps[1], drive: &gaps[0], along };
                 ta =
                     self.axis.at(&around, [&self.keeps[0], &self.keeps[1]]).ok_or(Trouble::Axis)?;
                 turned = (ta - pose.ta).norm();

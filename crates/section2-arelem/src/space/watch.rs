@@ -85,7 +85,33 @@ pub(crate) struct Halt {
     crosses: bool,
 }
 
+/// What a watch has seen until now.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Mark {
+    to_first: bool,
+    passed: u32,
+    met: u32,
+    closest: (f64, Pose),
+    alike: f64,
+    gauges: [(bool, Option<Gap>); 2],
+}
+
 impl Watch {
+    pub(crate) fn mark(&self) -> Mark {
+        let gauge = |i: usize| self.gauges.get(i).map_or((false, None), |g| (g.armed, g.last));
+        let Self { to_first, passed, met, closest, alike, .. } = *self;
+        Mark { to_first, passed, met, closest, alike, gauges: [gauge(0), gauge(1)] }
+    }
+
+    /// Forgets what it has seen since.
+    pub(crate) fn back_to(&mut self, mark: &Mark) {
+        (self.to_first, self.passed, self.met) = (mark.to_first, mark.passed, mark.met);
+        (self.closest, self.alike) = (mark.closest, mark.alike);
+        for (gauge, (armed, last)) in self.gauges.iter_mut().zip(mark.gauges) {
+            (gauge.armed, gauge.last) = (armed, last);
+        }
+    }
+
     /// The gauges of a check surface for a motion that starts at `pose`.
     pub(crate) fn new(keep: &Keep, relation: Relation, nth: u32, pose: &Pose) -> Self {
         let inner = match keep.condition {
@@ -153,7 +179,10 @@ impl Watch {
         for i in 0..self.gauges.len() {
             let (near, loose) = (self.near, self.loose);
             let gauge = &mut self.gauges[i];
+            let touched = !gauge.armed;
             let Some((a, b)) = gauge.ends(&way, near) else { continue };
+            // A cutter that leaves what it touched comes back to it as one that was never there.
+            self.to_first |= touched && gauge.armed && a.gap.g.max(b.gap.g) > near;
             for p in [a, b] {
                 if p.gap.g.abs() < self.closest.0.abs() {
                     let pose = if p.s > 0.0 { stride.to.pose } else { from.pose };
@@ -243,7 +272,7 @@ impl Watch {
 
 /// Gap to the check surface, near a gap that is known.
 fn read(keep: &Keep, node: &Node, near: Option<&Gap>) -> Result<Gap, Trouble> {
-    keep.gap(&node.pose, near.map(|g| g.surface_point)).map_err(|_| Trouble::Check)
+    keep.gap_from(&node.pose, near).map_err(|_| Trouble::Check)
 }
 
 /// Sine of the angle below which a check surface is met at a graze.
@@ -253,7 +282,7 @@ const GRAZING: f64 = 0.1;
 /// as APT-360 does, not at the very place of contact.
 fn grazing(way: &Way<'_>, keep: &Keep, at: &Sample) -> Option<f64> {
     let left = 0.1 * keep.width();
-    let gap = keep.gap(&way.from.pose, Some(at.gap.surface_point)).ok()?;
+    let gap = keep.gap_from(&way.from.pose, Some(&at.gap)).ok()?;
     let start = Sample { s: 0.0, gap, slope: way.slope(way.from, &gap) };
     let over = |p: &Sample| p.gap.g - left;
     if over(&start) <= 0.0 || over(at) >= 0.0 {
@@ -287,8 +316,7 @@ impl Gauge {
     /// Readings at both ends of a cut vector; `None` when this side of the surface cannot be touched.
     fn ends(&mut self, way: &Way<'_>, near: f64) -> Option<(Sample, Sample)> {
         let at = |keep: &Keep, node: &Node, s: f64, last: Option<Gap>| {
-            let start = last.map(|g| g.surface_point);
-            let gap = keep.gap(&node.pose, start).ok()?;
+            let gap = keep.gap_from(&node.pose, last.as_ref()).ok()?;
             Some(Sample { s, gap, slope: way.slope(node, &gap) })
         };
         let to = &way.stride.to;
