@@ -327,3 +327,29 @@ GO/ON,ACROSS,TO,{surface},ON,NEAR\nINDIRV/0,1,0\nTLON,GOFWD/ACROSS,ON,FAR"
     let kept = (25.0_f64 - 0.25).sqrt();
     assert!(bore.iter().all(|r| (kept - 0.0012..=kept + 1e-9).contains(r)), "{bore:?}");
 }
+
+/// From above the apex of a cone the way to its side is found on the floor.
+#[test]
+fn a_start_beside_a_cone_from_above() {
+    let mut f = support::Forms::new();
+    let mut add = |name: &str, kind: &str, w: &[f64]| {
+        f.insert(name.into(), form(kind, w).expect("a legal form"));
+    };
+    let cos = aptc_geometry::trig::cos_deg(35.0);
+    add("SIDE", "CONE", &[0.0, 0.0, 40.0, 0.0, 0.0, -1.0, cos]);
+    add("BED", "PLANE", &[0.0, 0.0, 1.0, 0.0]);
+    let start = |axis: &str, from: &str| {
+        let ran = run(
+            &f,
+            &format!(
+                "INTOL/.01\nOUTTOL/.01\nMULTAX\nCUTTER/10\nFROM/{from}\n{axis}\nINDIRV/0,1,0\nGO/TO,SIDE,TO,BED"
+            ),
+        );
+        assert!(ran.diagnostics.is_empty(), "{:?}", ran.diagnostics);
+        ran.end()
+    };
+    for axis in ["TLAXIS/0,0,1", "TLAXIS/PARLEL,2"] {
+        let (above, beside) = (start(axis, "0,-90,60"), start(axis, "0,-90,20"));
+        assert!((above - beside).norm() < 0.02, "{axis} {above} {beside}");
+    }
+}

@@ -179,12 +179,13 @@ fn solve(go: &Start, aims: &[Aim<'_>], pose: Pose) -> Result<Pose, Failure> {
             let from = solver.let_down(solver.approach(pose));
             solver.guide = solver.guided(pose, from);
             let guided = solver.nearest(from, pose);
-            if solver.guide.is_some() && guided.is_err() {
+            let found = if solver.guide.is_some() && guided.is_err() {
                 solver.guide = None;
                 solver.nearest(from, pose)
             } else {
                 guided
-            }
+            };
+            found.or_else(|failure| solver.from_a_plane(pose).ok_or(failure))
         }
     }
 }
@@ -306,6 +307,16 @@ impl Solver<'_> {
             }
         }
         Pose { te, ..pose }
+    }
+
+    /// The position from a start on one of the planes: from above a wall that leans or ends the way there is not
+    /// seen, from its foot it is.
+    fn from_a_plane(&self, home: Pose) -> Option<Pose> {
+        let planes = self.aims.iter().filter(|a| a.keep.is_plane());
+        planes.filter(|_| self.aims.len() > 1).find_map(|plane| {
+            let level = Pose { te: plane.keep.surface.foot(home.te).point, ..home };
+            self.nearest(self.approach(level), home).ok()
+        })
     }
 
     /// Above an open hollow, where only the walls that run on straight up face the tool, it is let down into
