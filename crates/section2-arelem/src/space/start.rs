@@ -185,7 +185,7 @@ fn solve(go: &Start, aims: &[Aim<'_>], pose: Pose) -> Result<Pose, Failure> {
             } else {
                 guided
             };
-            found.or_else(|failure| solver.from_a_plane(pose).ok_or(failure))
+            found.or_else(|failure| solver.by_a_plane(pose).ok_or(failure))
         }
     }
 }
@@ -311,7 +311,7 @@ impl Solver<'_> {
 
     /// The position from a start on one of the planes: from above a wall that leans or ends the way there is not
     /// seen, from its foot it is.
-    fn from_a_plane(&self, home: Pose) -> Option<Pose> {
+    fn by_a_plane(&self, home: Pose) -> Option<Pose> {
         let planes = self.aims.iter().filter(|a| a.keep.is_plane());
         planes.filter(|_| self.aims.len() > 1).find_map(|plane| {
             let level = Pose { te: plane.keep.surface.foot(home.te).point, ..home };
