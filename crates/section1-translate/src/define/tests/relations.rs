@@ -71,7 +71,7 @@ pub(super) fn residuals(head: &str, key: &str, c: &Case<'_>, size: f64) -> Optio
                 not_below(at(c.n(2)).dot(&away), 0.0),
             ]
         }
-        ("POINT", "CENTER,circle") => vec![vec(c.point(), lift(c.c(1).center.xy()))],
+        ("POINT", "CENTER,circle") => vec![(c.point() - c.c(1).center).xy().norm()],
         ("POINT", "RTHETA,XYPLAN|YZPLAN|ZXPLAN,number,number") => polar(c, c.n(2), c.n(3), 1),
         ("POINT", "THETAR,XYPLAN|YZPLAN|ZXPLAN,number,number") => polar(c, c.n(3), c.n(2), 1),
         ("POINT", "pattern,number") => {
@@ -309,14 +309,14 @@ pub(super) fn residuals(head: &str, key: &str, c: &Case<'_>, size: f64) -> Optio
         }
 
         ("SPHERE", "number,number,number,number") => {
-            let at = Vec3::new(c.n(0), c.n(1), 0.0);
+            let at = Vec3::new(c.n(0), c.n(1), c.n(2));
             vec![vec(c.circle().center, at), c.circle().radius - c.n(3)]
         }
         ("SPHERE", "CENTER,point,RADIUS,number") => {
             vec![vec(c.circle().center, c.p(1)), c.circle().radius - c.n(3)]
         }
         ("SPHERE", "CENTER,number,number,number,RADIUS,number") => {
-            let at = Vec3::new(c.n(1), c.n(2), 0.0);
+            let at = Vec3::new(c.n(1), c.n(2), c.n(3));
             vec![vec(c.circle().center, at), c.circle().radius - c.n(5)]
         }
         ("SPHERE", "point,number") => {
