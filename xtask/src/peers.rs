@@ -144,7 +144,7 @@ fn surface(net: &Net) -> String {
 fn program(diameter: f64, corner: f64, band: f64, lines: u32) -> String {
     let mut text = format!(
         "PARTNO PEERS\nUNITS/MM\nREAD/1,BUMPS\nUP=VECTOR/0,0,1\nDOWN=VECTOR/0,0,-1\n\
-         OVER=SSURF/SMESH,XYZ,SPLINE,(0,0,60),(100,0,60),SPLINE,(0,100,60),(100,100,60)\n\
+         OVER=SSURF/SMESH,XYZ,SPLINE,(0,0,60),(100,0,60),$\nSPLINE,(0,100,60),(100,100,60)\n\
          CUTTER/{diameter},{corner}\nINTOL/{band}\nOUTTOL/{band}\nFROM/0,0,80\nFEDRAT/900\n\
          SCON/DS,OVER,PARAM,0,1,0,1,ON,DOWN\nSCON/PS,TO,BUMPS,PLUS,0\nSCON/AXIS,UP\nCHKSRF/PS,ON\n"
     );

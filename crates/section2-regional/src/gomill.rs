@@ -1,5 +1,7 @@
 //! GOMILL: the lines of constant parameter of a surface, one beside the other.
 
+use std::sync::Arc;
+
 use aptc_cldata as cl;
 use aptc_cldata::milling::Scallop;
 use aptc_diagnostics::Origin;
@@ -16,6 +18,7 @@ use crate::regional::{Regional, Stand};
 use crate::report::reports;
 use crate::scon::Words;
 use crate::solve::Take;
+use crate::within::{self, Stretch};
 
 /// What the statement says besides surface and first line.
 #[derive(Default)]
@@ -35,7 +38,8 @@ impl Regional {
     /// GOMILL/surface,UCONST|VCONST,c,STEPOV,s[,PICKFD|ZIGZAG][,SCALOP,h][,MAXSTP,m][,RETR,d|vector|plane]
     /// [,START,a][,THRU,b][,INVERS][,AT,x]: lines from the one named on, by steps of the parameter of at most
     /// |s| towards its sign, narrower where SCALOP or MAXSTP ask for it, up to the border; back and forth, or
-    /// with PICKFD in one direction, led back by RETR. AT touches each line at one place and leaves it by RETR.
+    /// with PICKFD in one direction, led back by RETR. Of the lines only what REGION leaves is milled, with RETR
+    /// between. AT touches each line at one place and leaves it by RETR.
     ///
     /// APT: `GOMILL`, whose routine was empty. Its lines are those of GOLOFT.
     pub(crate) fn gomill(
@@ -56,9 +60,6 @@ impl Regional {
         w.take("VCONST");
         let first = w.number().unwrap_or(0.0);
         let wish = wish(&mut w)?;
-        if self.outlines.is_active() {
-            return Err(Failure::Undone { what: "GOMILL while REGION limits the lines" });
-        }
         let part = self.own_part(name, form, (1.0, self.settings.thick))?;
         let mut drive = own_drive(&part);
         let spans = part.surface.spans();
@@ -110,11 +111,24 @@ impl Regional {
         let region =
             Region { setup, stepover, feeds, clearance, ways, course, senses, skip: false };
         if let Some(at) = wish.at {
+            if self.outlines.is_active() {
+                return Err(Failure::Undone {
+                    what: "GOMILL with AT while REGION limits the lines",
+                });
+            }
             let puts = touched(&region, (course, first, at), wish.retract)?;
             let control = self.milling_control(&part, None, false);
             return Ok(self.put(origin, name, puts, Some(&control), out));
         }
         let from = at_line(course, first, if wish.inverse { thru } else { start });
+        if self.outlines.is_active() {
+            let stretches = self.left(&region, form, from, ([start, thru], wish.pick));
+            let done = within::mill(&region, &stretches, retract, crew)?;
+            let control = self.milling_control(&part, None, false);
+            self.diagnostics.extend(reports(origin, &done.notes));
+            let stand = self.put(origin, name, done.puts, Some(&control), out);
+            return done.why.map_or(Ok(stand), Err);
+        }
         let done = region.mill(from, crew);
         let known = guard.is_none() || !self.avoid.on;
         let height = wish.scallop;
@@ -124,6 +138,35 @@ impl Regional {
         self.diagnostics.extend(reports(origin, &done.notes));
         let stand = self.put(origin, name, done.puts, Some(&control), out);
         done.why.map_or(Ok(stand), Err)
+    }
+
+    /// What REGION leaves of the lines, in the order and the sense in which they are milled.
+    fn left(
+        &self,
+        region: &Region<'_>,
+        form: &Arc<Form>,
+        from: [f64; 2],
+        (ends, pick): ([f64; 2], bool),
+    ) -> Vec<Stretch> {
+        let course = region.course;
+        let mut rises = region.senses[0] > 0.0;
+        let mut all = Vec::new();
+        for line in region.lines(from) {
+            let fixed = line[course.across().index()];
+            let stretch = |[a, b]: [f64; 2]| {
+                let (from, to) = if rises { (a, b) } else { (b, a) };
+                Stretch { fixed, from, to }
+            };
+            let left = self.outlines.clip(form, course.index(), fixed, ends);
+            let before = all.len();
+            all.extend(left.into_iter().map(stretch));
+            if !rises {
+                all[before..].reverse();
+            }
+            // Back and forth, but for PICKFD.
+            rises = if pick || all.len() == before { rises } else { !rises };
+        }
+        all
     }
 }
 

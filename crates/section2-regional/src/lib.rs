@@ -36,6 +36,7 @@ mod smil;
 mod solve;
 mod stepover;
 mod watch;
+mod within;
 
 pub use crew::{Alone, Crew};
 pub use project::{Met, Probe, Shot};

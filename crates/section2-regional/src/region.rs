@@ -428,7 +428,7 @@ impl Region<'_> {
     }
 
     /// A way between passes goes through no surface.
-    fn clear(&self, from: (Vec3, Vec3), way: &[(Vec3, Vec3)]) -> Result<(), Failure> {
+    pub(crate) fn clear(&self, from: (Vec3, Vec3), way: &[(Vec3, Vec3)]) -> Result<(), Failure> {
         let mut here = from;
         for &to in way {
             let found = self.ways.way(self.setup.profile, [here, to]);
