@@ -10,7 +10,7 @@ use crate::guard::Guard;
 use crate::judge::{Judged, Way};
 use crate::position::Position;
 use crate::report::Note;
-use crate::solve::{Memory, Setup, Take};
+use crate::solve::{CLOSE, LOOSE, Memory, Setup, Take};
 
 /// Halvings of a step before the path gives up.
 const RETRIES: usize = 60;
@@ -235,9 +235,13 @@ impl Setup<'_> {
             let judge =
                 |next: &Position, kept| self.judge([here, next], (course, sense), [memory, kept]);
             let mut judged = judge(&next, kept);
-            // The search from the last contact may have missed one that comes before.
-            if judged.is_some_and(|j| j.used <= 1.0) {
-                let (first, found) = self.earliest((next, kept), course, sense, take);
+            // The search from the last contact may have missed one that comes before. Where the way is proved and
+            // the position lies low in the band, that would be in the tool.
+            let known = judged.filter(|j| j.used <= 1.0).map(|j| j.way);
+            let low = next.shift < 0.0;
+            if known.is_some_and(|way| way != Way::Clear || !low) {
+                let within = if known == Some(Way::Clear) { LOOSE } else { CLOSE };
+                let (first, found) = self.earliest((next, kept), course, sense, (take, within));
                 if first.te != next.te {
                     (next, kept) = (first, found);
                     judged = judge(&next, kept);

@@ -17,6 +17,10 @@ use crate::settings::{Band, Settings};
 
 /// Rounds that settle an axis that depends on the contact.
 const ROUNDS: usize = 50;
+/// Another place may be nearer by this part of the band: with what a position takes it stays within INTOL.
+pub(crate) const CLOSE: f64 = 0.04;
+/// And by this part where the way is proved anyway: the proof of a narrow part takes much longer.
+pub(crate) const LOOSE: f64 = 0.25;
 /// How often a position is moved to the contact that comes before.
 const REPAIRS: usize = 6;
 
@@ -280,7 +284,7 @@ impl Setup<'_> {
         take: Take,
     ) -> Result<(Position, Memory), Failure> {
         let found = self.position(uv, course, sense, memory, take)?;
-        Ok(self.earliest(found, course, sense, take))
+        Ok(self.earliest(found, course, sense, (take, CLOSE)))
     }
 
     /// Is the tool end led along the line of projection, to the first contact on it?
@@ -289,14 +293,15 @@ impl Setup<'_> {
     }
 
     /// The position moved to the first contact on its line of projection, if it is led there. Where the search
-    /// from the last contact has led into another place of the surface, it begins again at the place that is
-    /// in the tool, then at the deepest one, and at last where the tool touches when it comes from afar.
+    /// from the last contact has led into another place of the surface, which counts where it is nearer by more
+    /// than the part `within` of the band, it begins again at the place that is in the tool, then at the deepest
+    /// one, and at last where the tool touches when it comes from afar.
     pub(crate) fn earliest(
         &self,
         (mut p, mut kept): (Position, Memory),
         course: Course,
         sense: f64,
-        take: Take,
+        (take, within): (Take, f64),
     ) -> (Position, Memory) {
         if !self.leads() {
             return (p, kept);
@@ -304,8 +309,7 @@ impl Setup<'_> {
         let place = self.drive.place(p.drive_uv, course);
         let Some(along) = place.direction else { return (p, kept) };
         let Band { intol, outtol } = self.band;
-        // What another place may be nearer; with what the position takes of the band it stays within INTOL.
-        let least = self.thick() - 0.04 * (intol + outtol);
+        let least = self.thick() - within * (intol + outtol);
         let tree = &self.part.tree;
         for _ in 0..REPAIRS {
             let te = p.te - p.normal * p.shift;
