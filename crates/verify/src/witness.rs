@@ -74,12 +74,14 @@ pub(crate) fn excess(
         _ => Err(Excess::Open(t, f64::INFINITY)),
     };
     // Where even the nearest point is too far, that is shown; else its place is where to go on. Most of what it
-    // seems too far is asked for first, which is soon shown or found, then less and less.
+    // seems too far is asked for first, which is soon shown or found, then less and less; from a nearer place
+    // all of it again.
     let settle = |mut now: Touch| -> Result<Touch, Excess> {
-        for share in [0.95, 0.7, 0.4, 0.2, 0.1, 0.03, 0.01, 0.0] {
-            if now.gap <= most {
-                return Ok(now);
-            }
+        const SHARES: [f64; 8] = [0.95, 0.7, 0.4, 0.2, 0.1, 0.03, 0.01, 0.0];
+        let mut shares = SHARES.iter();
+        while now.gap > most
+            && let Some(share) = shares.next()
+        {
             asked.set(asked.get() + 1);
             if asked.get() > SEARCHES {
                 break;
@@ -91,6 +93,9 @@ pub(crate) fn excess(
             }
             if let Some((.., spot)) = nearest {
                 let again = touch(now.t, spot);
+                if now.gap - again.gap > 0.02 * (now.gap - most) {
+                    shares = SHARES.iter();
+                }
                 if again.gap < now.gap {
                     now = again;
                 }
