@@ -77,10 +77,12 @@ fn take(line: &str, series: &mut AllSeries) {
 
 fn preface(runs: usize) -> String {
     let cpu = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let link = std::env::var("CARGO_PROFILE_BENCH_LTO");
+    let link = link.map_or(String::new(), |how| format!(" Link-time optimisation: {how}."));
     let model = cpu.lines().find_map(|line| line.strip_prefix("model name")?.split(": ").nth(1));
     format!(
         "# Performance\n\nMade by `cargo xtask bench`: medians of {runs} starts, least and greatest beside \
-         them, per second of processor time on one core of {}.\n",
+         them, per second of processor time on one core of {}.{link}\n",
         model.unwrap_or("a machine that does not tell its name")
     )
 }
