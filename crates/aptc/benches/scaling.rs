@@ -69,7 +69,7 @@ fn source(text: &str) -> Source {
 }
 
 fn run(text: &str, threads: usize) {
-    let options = Options { threads, ..Options::default() };
+    let options = Options { threads, post: false, ..Options::default() };
     let compiled = compile(source(text), &mut Memory::default(), &options);
     assert!(!compiled.has_errors(), "{:?}", compiled.diagnostics.first());
     black_box(compiled);
