@@ -1,10 +1,10 @@
 //! The package: a program without dependencies on shared libraries, as a tarball and as a `.deb`.
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::Command;
 
-use crate::repository::{cargo, read, root};
+use crate::repository::{cargo, read, root, target_folder};
 
 const SHELLS: [(&str, &str); 3] = [
     ("bash", "share/bash-completion/completions/aptc"),
@@ -123,15 +123,6 @@ fn version() -> Result<String, String> {
     let line = manifest.lines().find_map(|l| l.strip_prefix("version = "));
     line.map(|v| v.trim_matches('"').to_owned())
         .ok_or_else(|| "Cargo.toml has no version".to_owned())
-}
-
-fn target_folder() -> Result<PathBuf, String> {
-    let output = cargo().args(["metadata", "--no-deps", "--format-version", "1"]).output();
-    let output = output.map_err(|e| format!("cargo: {e}"))?;
-    let metadata: serde_json::Value =
-        serde_json::from_slice(&output.stdout).map_err(|e| format!("cargo metadata: {e}"))?;
-    let folder = metadata["target_directory"].as_str().ok_or("cargo metadata: no target folder")?;
-    Ok(PathBuf::from(folder))
 }
 
 /// The triple of this machine.

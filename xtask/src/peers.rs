@@ -9,7 +9,9 @@ use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-use crate::repository::{cargo, read, root};
+use aptc_testkit::bench::children_seconds;
+
+use crate::repository::{cargo, read, root, target_folder};
 
 /// Diameter and corner radius, with a name.
 const CUTTERS: [(&str, f64, f64); 2] = [("ball D10", 10.0, 5.0), ("bull D12 r2", 12.0, 2.0)];
@@ -18,8 +20,6 @@ const BANDS: [f64; 2] = [0.005, 0.01];
 /// Lines of 100 mm, 10 mm and 1 mm apart: those that are judged and those that are timed.
 const JUDGED: u32 = 11;
 const TIMED: u32 = 101;
-/// Ticks of a second in which Linux tells processor time.
-const TICKS: f64 = 100.0;
 
 /// Reads cutter, control net and tool ends from its input; prints the greatest gouge and what is left at most,
 /// in the direction of the normal, from places .05 along each cut vector.
@@ -70,7 +70,8 @@ pub(crate) fn run() -> Result<(), String> {
     if !peers.is_dir() {
         return Err(format!("{} is not there", peers.display()));
     }
-    let folder = root().join("target/peers");
+    let target = target_folder()?;
+    let (folder, aptc) = (target.join("peers"), target.join("release/aptc"));
     std::fs::create_dir_all(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
     let net = net(&peers)?;
     let judge = build_judge(&peers, &folder)?;
@@ -85,10 +86,10 @@ pub(crate) fn run() -> Result<(), String> {
     println!("|---|--:|--:|--:|--:|--:|");
     for (name, diameter, corner) in CUTTERS {
         for band in BANDS {
-            let points = compile(&folder, &program(diameter, corner, band, JUDGED))?.0;
+            let points = compile(&aptc, &folder, &program(diameter, corner, band, JUDGED))?.0;
             let [gouge, left] = judged(&judge, &net, diameter, corner, &points)?;
-            let one = compile(&folder, &program(diameter, corner, band, 1))?.1;
-            let all = compile(&folder, &program(diameter, corner, band, TIMED))?.1;
+            let one = compile(&aptc, &folder, &program(diameter, corner, band, 1))?.1;
+            let all = compile(&aptc, &folder, &program(diameter, corner, band, TIMED))?.1;
             let ms = 1e3 * (all - one) / f64::from(TIMED - 1);
             #[expect(clippy::cast_precision_loss, reason = "thousands")]
             let each = points.len() as f64 / f64::from(JUDGED);
@@ -157,15 +158,15 @@ fn program(diameter: f64, corner: f64, band: f64, lines: u32) -> String {
 }
 
 /// Tool ends on the surface, and the seconds of processor time that it took.
-fn compile(folder: &Path, text: &str) -> Result<(Vec<[f64; 3]>, f64), String> {
+fn compile(aptc: &Path, folder: &Path, text: &str) -> Result<(Vec<[f64; 3]>, f64), String> {
     write(&folder.join("lines.apt"), text)?;
-    let before = children();
-    let output = Command::new(root().join("target/release/aptc"))
+    let before = children_seconds();
+    let output = Command::new(aptc)
         .args(["compile", "lines.apt", "--emit", "cl", "--verify", "off", "--threads", "1"])
         .current_dir(folder)
         .output()
         .map_err(|error| format!("aptc does not start: {error}"))?;
-    let seconds = children() - before;
+    let seconds = children_seconds() - before;
     if !output.status.success() {
         return Err(String::from_utf8_lossy(&output.stderr).into_owned());
     }
@@ -180,14 +181,6 @@ fn compile(folder: &Path, text: &str) -> Result<(Vec<[f64; 3]>, f64), String> {
         }
     }
     Ok((points, seconds))
-}
-
-/// Processor time of the programs started so far.
-fn children() -> f64 {
-    let text = std::fs::read_to_string("/proc/self/stat").unwrap_or_default();
-    let fields = text.rsplit(") ").next().unwrap_or_default();
-    let ticks = fields.split(' ').skip(13).take(2).filter_map(|n| n.parse::<f64>().ok());
-    ticks.sum::<f64>() / TICKS
 }
 
 fn judged(

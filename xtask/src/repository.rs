@@ -20,6 +20,15 @@ pub(crate) fn cargo() -> Command {
     command
 }
 
+pub(crate) fn target_folder() -> Result<PathBuf, String> {
+    let output = cargo().args(["metadata", "--no-deps", "--format-version", "1"]).output();
+    let output = output.map_err(|e| format!("cargo: {e}"))?;
+    let metadata: serde_json::Value =
+        serde_json::from_slice(&output.stdout).map_err(|e| format!("cargo metadata: {e}"))?;
+    let folder = metadata["target_directory"].as_str().ok_or("cargo metadata: no target folder")?;
+    Ok(PathBuf::from(folder))
+}
+
 /// The files under version control or about to be, relative to the root, sorted. In a tree without git,
 /// all files but those of `target`.
 pub(crate) fn files() -> Result<Vec<PathBuf>, String> {

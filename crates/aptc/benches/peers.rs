@@ -13,6 +13,8 @@ use aptc_testkit::{bench, client};
 
 /// Least processor time that is measured: the system counts it in hundredths of a second.
 const LEAST_SECONDS: f64 = 1.0;
+/// Runs after which that must have come together.
+const MOST_RUNS: f64 = 1e4;
 /// Cut vectors of the CL file that is posted.
 const MOVES: u32 = 200_000;
 
@@ -133,23 +135,16 @@ fn with(mut command: Command, arguments: &[&str], folder: &Path) -> Command {
 
 /// Processor seconds of one run, over as many as the clock needs.
 fn seconds(command: impl Fn() -> Command) -> f64 {
-    let (start, mut runs) = (children(), 0.0);
+    let (start, mut runs) = (bench::children_seconds(), 0.0);
     loop {
         let mut command = command();
         let status = command.stdout(Stdio::null()).stderr(Stdio::null()).status();
         assert!(status.is_ok_and(|status| status.success()), "{command:?} failed");
         runs += 1.0;
-        let spent = children() - start;
+        assert!(runs < MOST_RUNS, "the system tells no processor time");
+        let spent = bench::children_seconds() - start;
         if spent >= LEAST_SECONDS {
             return spent / runs;
         }
     }
-}
-
-/// Processor seconds of all processes that this one has waited for.
-fn children() -> f64 {
-    let status = fs::read_to_string("/proc/self/stat").expect("a system that tells");
-    let (_, fields) = status.rsplit_once(')').expect("the name stands in brackets");
-    let ticks = fields.split_ascii_whitespace().skip(13).take(2);
-    ticks.filter_map(|ticks| ticks.parse::<f64>().ok()).sum::<f64>() / 100.0
 }
