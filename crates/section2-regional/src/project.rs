@@ -83,7 +83,6 @@ impl Shot<'_> {
         if wide <= 0.0 || height.abs() > 1e-12 * profile.reach() || lean >= 0.0 {
             return None;
         }
-        let [nu, nv] = self.surface.spans();
         let [mut u, mut v] = start;
         for k in 0..STEPS {
             let d = self.surface.at(u, v);
@@ -110,18 +109,22 @@ impl Shot<'_> {
                 return None;
             }
             let (du, dv) = ((b * h - c * g) / det, (b * g - a * h) / det);
-            let cap = (0.5 / du.abs().max(dv.abs())).min(1.0);
-            u = (u + du * cap).clamp(-BEYOND, nu + BEYOND);
-            v = (v + dv * cap).clamp(-BEYOND, nv + BEYOND);
+            [u, v] = self.stepped([u, v], [du, dv]);
         }
         None
+    }
+
+    /// A step of Newton's method: half a span at most, so that the patch between is seen, and not far off the surface.
+    fn stepped(&self, from: [f64; 2], by: [f64; 2]) -> [f64; 2] {
+        let spans = self.surface.spans();
+        let cap = (0.5 / by[0].abs().max(by[1].abs())).min(1.0);
+        [0, 1].map(|k| (from[k] + by[k] * cap).clamp(-BEYOND, spans[k] + BEYOND))
     }
 
     /// The meeting that Newton's method reaches from `start`.
     fn slope(&self, start: [f64; 2]) -> Option<Met> {
         let [a, b] = aptc_geometry::surface::frame_about(self.along);
         let size = self.extent + self.from.norm();
-        let [nu, nv] = self.surface.spans();
         let [mut u, mut v] = start;
         for _ in 0..STEPS {
             let d = self.surface.at(u, v);
@@ -143,10 +146,7 @@ impl Shot<'_> {
                 return None;
             }
             let (du, dv) = ((ev * g - gv * e) / det, (gu * e - eu * g) / det);
-            // Half a span at most, so that the patch between is seen.
-            let cap = (0.5 / du.abs().max(dv.abs())).min(1.0);
-            u = (u + du * cap).clamp(-BEYOND, nu + BEYOND);
-            v = (v + dv * cap).clamp(-BEYOND, nv + BEYOND);
+            [u, v] = self.stepped([u, v], [du, dv]);
         }
         None
     }
