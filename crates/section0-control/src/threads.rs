@@ -1,6 +1,7 @@
 //! Threads for work that can be shared out, with what is told of it.
 
 use std::num::NonZero;
+use std::sync::LazyLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use aptc_regional::Crew;
@@ -22,9 +23,14 @@ impl Passes {
     }
 }
 
+/// The threads of this machine: asking the system for them reads a dozen files, which a short run would notice.
+static OWN: LazyLock<usize> =
+    LazyLock::new(|| std::thread::available_parallelism().map_or(1, NonZero::get));
+
 /// The threads of a run.
 #[derive(Debug)]
 pub(crate) struct Threads<'o> {
+    /// As asked for; 0 is as many as the machine has.
     n: usize,
     clock: Clock,
     passes: Option<&'o Passes>,
@@ -32,9 +38,16 @@ pub(crate) struct Threads<'o> {
 
 impl<'o> Threads<'o> {
     pub(crate) fn new(options: &'o Options, clock: Clock) -> Self {
-        let own = || std::thread::available_parallelism().map_or(1, NonZero::get);
-        let n = if options.threads > 0 { options.threads } else { own() };
-        Self { n, clock, passes: options.passes.as_deref() }
+        Self { n: options.threads, clock, passes: options.passes.as_deref() }
+    }
+
+    /// Threads beside the running one that `n` pieces of work can use.
+    fn others(&self, n: usize) -> usize {
+        if n < 2 {
+            return 0;
+        }
+        let all = if self.n > 0 { self.n } else { *OWN };
+        all.min(n) - 1
     }
 
     fn told(&self, done: usize, all: usize) {
@@ -59,7 +72,7 @@ impl Crew for Threads<'_> {
                 self.told(done.fetch_add(1, Ordering::Relaxed) + 1, n);
             }
         };
-        let others = self.n.min(n).saturating_sub(1);
+        let others = self.others(n);
         std::thread::scope(|s| {
             for _ in 0..others {
                 s.spawn(one);
