@@ -176,7 +176,7 @@ fn stream() -> impl Strategy<Value = Vec<Record>> {
     let file = prop::option::of(Just(Shared::<str>::from("side.apt")));
     prop::collection::vec((kind(), 1_u32..9, file), 0..30).prop_map(|list| {
         let mut out = vec![Record { origin: Origin::default(), kind: Kind::Units(Units::Mm) }];
-        let (mut multax, mut ended) = (false, false);
+        let (mut multax, mut ended, mut at) = (false, false, None);
         for (mut kind, line, file) in list {
             // A new program states its unit again.
             if std::mem::take(&mut ended) {
@@ -191,8 +191,10 @@ fn stream() -> impl Strategy<Value = Vec<Record>> {
                     for p in &mut m.points {
                         p.ta = if multax { p.ta } else { Vec3::z() };
                     }
+                    through(m, at);
+                    at = m.points.last().map(|p| p.te);
                 }
-                Kind::Fini => ended = true,
+                Kind::Fini => (ended, at) = (true, None),
                 _ => {}
             }
             out.push(Record {
@@ -202,6 +204,22 @@ fn stream() -> impl Strategy<Value = Vec<Record>> {
         }
         out
     })
+}
+
+/// Puts the circle of an arc where start and end lie on it; where more points follow, the first of them.
+fn through(motion: &mut Motion, start: Option<Vec3>) {
+    let Some(arc) = &mut motion.arc else { return };
+    let first = motion.points[0].te;
+    let (from, to) = match start {
+        Some(start) if motion.points.len() == 1 => (start, first),
+        _ => (first + arc.circle.axis.cross(&Vec3::new(0.6, 0.0, 0.8)) * 20.0, first),
+    };
+    let chord = to - from;
+    let Some(axis) = arc.circle.axis.cross(&chord).try_normalize(1e-6) else {
+        motion.arc = None;
+        return;
+    };
+    arc.circle = Circle { center: (from + to) / 2.0, axis, radius: chord.norm() / 2.0 };
 }
 
 fn read_back(bytes: &[u8], dialect: Dialect) -> (Vec<Record>, usize) {

@@ -49,6 +49,27 @@ fn statements_that_cannot_be_read_are_kept_and_told_with_their_line() {
 }
 
 #[test]
+fn an_arc_nowhere_near_its_circle_is_a_line() {
+    for (arc, code) in [
+        ("CIRCLE/0,0,0,10\nGOTO/0,10,0\n", None),
+        ("CIRCLE/0,0,0,10\nGOTO/0,10.5,0\n", Some("APT3004")),
+        ("CIRCLE/0,0,0,10\nGOTO/0,20,0\n", Some("APT3001")),
+        ("CIRCLE/0,0,0,0\nGOTO/0,10,0\n", Some("APT3001")),
+        ("CIRCLE/0,-20,0,30\nGOTO/0,10,0\n", Some("APT3004")),
+        ("CIRCLE/0,-20,0,10\nGOTO/0,-10,0\n", Some("APT3001")),
+        ("CIRCLE/0,0,0,0,0,1\nGOTO/0,30,0\n", Some("APT3001")),
+    ] {
+        let (records, said) = read(format!("UNITS/MM\nGOTO/10,0,0\n{arc}").as_bytes(), None);
+        let Some(Kind::Motion(Motion { arc: found, .. })) = records.last().map(|r| &r.kind) else {
+            panic!("{arc}: no motion");
+        };
+        assert_eq!(found.is_some(), code != Some("APT3001"), "{arc}: {found:?}");
+        assert_eq!(said.first().map(|s| &s[..7]), code, "{arc}: {said:?}");
+        assert!(said.len() < 2, "{arc}: {said:?}");
+    }
+}
+
+#[test]
 fn a_line_of_ten_megabytes_is_left_out() {
     let mut text = b"UNITS/MM\nGOTO/1,2,3\n".to_vec();
     text.extend(std::iter::repeat_n(b'7', 10 << 20));

@@ -297,13 +297,11 @@ impl State {
         let mut on = None;
         match self.pending.take() {
             Some(Pending::Points { circle, to_mark }) => {
-                motion.arc = Some(Arc { circle, course: Course::Chords });
                 let free = to_mark && self.mark.is_some();
-                on = (!free).then_some(circle);
-                if let Some(c) = on
-                    && arcs::off_circle(&c, p.te).abs() > 10.0 * self.slack() * c.radius
-                {
-                    self.off_circle();
+                let off = arcs::off_circle(&circle, p.te).abs();
+                if free || self.lies_on(&circle, off) {
+                    motion.arc = Some(Arc { circle, course: Course::Chords });
+                    on = (!free).then_some(circle);
                 }
             }
             Some(Pending::End { center, axis, radius, turns, sweep }) => {
@@ -354,10 +352,10 @@ impl State {
             return None;
         }
         let off = arcs::off_circle(&circle, start).abs().max(arcs::off_circle(&circle, end).abs());
-        let fits = off <= 10.0 * self.slack() * circle.radius;
-        if !fits {
-            self.off_circle();
+        if !self.lies_on(&circle, off) {
+            return None;
         }
+        let fits = off <= self.loose(&circle);
         let shortest = arcs::sweep(center, axis, start, end);
         let sweep = sweep.unwrap_or(shortest + 360.0 * f64::from(turns));
         // Some posts state the plane's axis for both senses; then only the angle tells them apart.
@@ -370,9 +368,23 @@ impl State {
         Some(Arc { circle, course: Course::Sweep(sweep) })
     }
 
-    fn off_circle(&mut self) {
-        let what = "the start or end of an arc does not lie on its circle";
-        self.report.note(self.at, codes::ARC_OFF_CIRCLE, Severity::Warning, what);
+    /// Beyond this a start or end is said to lie off its circle.
+    fn loose(&self, circle: &Circle) -> f64 {
+        10.0 * self.slack() * circle.radius
+    }
+
+    /// Can an arc begin or end `off` this circle? What lies off by half the radius belongs to another circle.
+    fn lies_on(&mut self, circle: &Circle, off: f64) -> bool {
+        let possible = off < 0.5 * circle.radius;
+        if !possible {
+            let what =
+                "an arc whose start or end is nowhere near its circle; the tool goes straight";
+            self.report.error(self.at, what, "check centre, radius and both ends");
+        } else if off > self.loose(circle) {
+            let what = "the start or end of an arc does not lie on its circle";
+            self.report.note(self.at, codes::ARC_OFF_CIRCLE, Severity::Warning, what);
+        }
+        possible
     }
 
     /// Ends the open motion.
@@ -381,7 +393,9 @@ impl State {
         // A circle and one point: the arc goes there right-handed about the circle's axis.
         if let (Some(circle), [end], Some(start)) = (open.on, &*open.motion.points, open.start) {
             let angle = arcs::sweep(circle.center, circle.axis, start, end.te);
-            open.motion.arc = Some(Arc { circle, course: Course::Sweep(angle) });
+            let off = arcs::off_circle(&circle, start).abs();
+            open.motion.arc =
+                self.lies_on(&circle, off).then_some(Arc { circle, course: Course::Sweep(angle) });
         }
         if let (Some(circle), Some(start), [_, _, ..]) = (open.on, open.start, &*open.motion.points)
             && let Some(parts) = self.parts(circle, start, &open.motion)
