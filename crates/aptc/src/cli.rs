@@ -122,7 +122,7 @@ pub(crate) struct SourceArgs {
     /// Most seconds that a part program may take
     #[arg(long, value_name = "SECONDS", value_parser = seconds)]
     pub(crate) max_seconds: Option<std::time::Duration>,
-    /// Threads for regional milling; as many as the machine has if not given
+    /// Threads for regional milling and the proof; as many as the machine has if not given
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=256))]
     pub(crate) threads: Option<u16>,
     /// Largest file that is read, in bytes

@@ -18,8 +18,9 @@ use aptc_verify::Certificate;
 
 use crate::geometry_json::Named;
 use crate::post::{Nc, post_part};
+use crate::proof::Ahead;
 use crate::threads::Threads;
-use crate::{Options, Records, Source, Summary, Verify, World, WorldError};
+use crate::{Options, Records, Source, Summary, World, WorldError};
 
 /// What came of a part program.
 #[derive(Debug, Default)]
@@ -174,6 +175,8 @@ struct Run<'o> {
     section2: Arelem,
     regional: Regional,
     part: Part,
+    /// The proof of the present part program.
+    proof: Ahead,
     /// What Section 2 has put out last.
     fresh: Vec<cl::Record>,
     /// Has the present part program any record?
@@ -188,6 +191,7 @@ impl<'o> Run<'o> {
         Self {
             options,
             clock,
+            proof: Ahead::new(options),
             compiled: Compiled::default(),
             section2: Arelem::new(aptc_arelem::Options::default()),
             regional: Regional::default(),
@@ -283,9 +287,9 @@ impl<'o> Run<'o> {
     /// The proof of the path of Section 2 against its surfaces, and Sections 3 and 4.
     fn later_sections(&mut self, part: &mut Part) -> io::Result<()> {
         let whole = self.compiled.is_cl_whole();
-        if self.options.verify != Verify::Off {
-            let (certificate, diagnostics) =
-                crate::verify::prove(&part.computed, self.options.verify)?;
+        let new = Ahead::new(self.options);
+        let proof = std::mem::replace(&mut self.proof, new);
+        if let Some((certificate, diagnostics)) = proof.finish(&part.computed)? {
             part.certificate = Some(certificate);
             self.compiled.diagnostics.extend(diagnostics);
         }
@@ -308,7 +312,10 @@ impl<'o> Run<'o> {
 
     /// Puts what Section 2 made to the records of the part.
     fn keep(&mut self) -> io::Result<()> {
-        self.fresh.drain(..).try_for_each(|record| self.part.computed.push(record))
+        self.fresh.drain(..).try_for_each(|record| {
+            self.proof.push(&record);
+            self.part.computed.push(record)
+        })
     }
 
     /// Without its temporary file the part is not whole.

@@ -27,7 +27,7 @@ pub struct Options {
     pub plot: bool,
     /// Stop a part program that has not ended after so long.
     pub time: Option<Duration>,
-    /// Threads for regional milling; 0: as many as the machine has. The results are the same, bit by bit.
+    /// Threads for regional milling and for the proof; 0: as many as the machine has. The results are the same, bit by bit.
     pub threads: usize,
     /// Where it is told how far a region is.
     pub passes: Option<Arc<Passes>>,

@@ -27,7 +27,12 @@ impl Passes {
 static OWN: LazyLock<usize> =
     LazyLock::new(|| std::thread::available_parallelism().map_or(1, NonZero::get));
 
-/// The threads of a run.
+/// The threads that `asked` stands for: 0 is as many as the machine has.
+pub(crate) fn count(asked: usize) -> usize {
+    if asked > 0 { asked } else { *OWN }
+}
+
+/// The threads of a run for the passes of a region.
 #[derive(Debug)]
 pub(crate) struct Threads<'o> {
     /// As asked for; 0 is as many as the machine has.
@@ -46,8 +51,7 @@ impl<'o> Threads<'o> {
         if n < 2 {
             return 0;
         }
-        let all = if self.n > 0 { self.n } else { *OWN };
-        all.min(n) - 1
+        count(self.n).min(n) - 1
     }
 
     fn told(&self, done: usize, all: usize) {

@@ -1,13 +1,14 @@
 //! The proof of a program's path, or of a CL file against the surfaces of the program.
 
-use std::io::{self, Cursor};
+use std::io::Cursor;
 
 use aptc_cldata::{Dialect, Kind, Reader, Record, RecordReader as _, detect};
 use aptc_diagnostics::{Diagnostic, SourceMap, Span, codes};
-use aptc_verify::{Certificate, Effort, Marks, Verifier, matched};
+use aptc_verify::{Marks, Verifier, matched};
 
 use crate::compile::no_room;
-use crate::{Compiled, FULL_PROOF, Options, Records, Source, Verify, World, compile};
+use crate::proof::{PathProof, effort, positions};
+use crate::{Compiled, Options, Source, Verify, World, compile};
 
 /// A CL file to be held against a program.
 #[derive(Clone, Debug)]
@@ -51,7 +52,8 @@ pub fn verify(
         match matched(&computed, records, marks) {
             Ok(found) => {
                 let n = found.records.iter().map(positions).sum();
-                let mut judge = Verifier::foreign(effort(n, options.verify));
+                let verifier = Verifier::foreign(effort(n, options.verify));
+                let mut judge = PathProof::new(verifier, options.threads);
                 for record in &found.records {
                     judge.push(record);
                 }
@@ -80,29 +82,6 @@ pub fn verify(
     }
     compiled.diagnostics.extend(said);
     compiled
-}
-
-/// Judges records as much as was asked for.
-pub(crate) fn prove(
-    records: &Records,
-    verify: Verify,
-) -> io::Result<(Certificate, Vec<Diagnostic>)> {
-    let mut verifier = Verifier::new(effort(records.positions(), verify));
-    records.for_each(|record| verifier.push(record))?;
-    Ok(verifier.finish())
-}
-
-fn positions(record: &Record) -> u64 {
-    if let Kind::Motion(m) = &record.kind { m.points.len() as u64 } else { 0 }
-}
-
-fn effort(n: u64, verify: Verify) -> Effort {
-    let every = n.div_ceil(FULL_PROOF).max(2);
-    match verify {
-        Verify::UpTo(most) if n > most => Effort::Every(every),
-        Verify::Sample => Effort::Every(every),
-        _ => Effort::Full,
-    }
 }
 
 /// The part programs of the file, and how its records say where they come from.

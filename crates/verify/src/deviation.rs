@@ -7,10 +7,9 @@ use aptc_cldata::milling::Milling;
 use aptc_cldata::{Kind, Position, Record};
 use aptc_geometry::{Profile, Sculptured, Vec3};
 
-use crate::milled::name_of;
+use crate::milled::{name_of, ways};
 use crate::swath::Swath;
-use crate::tool::{Pose, Tool};
-use crate::verifier::ways;
+use crate::tool::Pose;
 
 /// Cells along u and v, and the width of a panel in pixels.
 const CELLS: [usize; 2] = [96, 64];
@@ -83,8 +82,7 @@ impl Cut {
     fn draw(&self, svg: &mut String, top: f64) {
         let Some(part) = &self.milling.part else { return };
         let surface: &Sculptured = &part.surface;
-        let tool = if self.milling.on { Tool::End } else { Tool::Solid(&self.profile) };
-        let swath = Swath::new(&tool, &self.profile, self.ways.clone());
+        let swath = Swath::new(&self.profile, self.milling.on, self.ways.clone());
         let [nu, nv] = surface.spans();
         let at = |i: usize, j: usize| {
             let share = [i as f64 / CELLS[0] as f64, j as f64 / CELLS[1] as f64];
@@ -144,7 +142,7 @@ impl Cut {
 
     /// How far the surface is from what the cutter swept there, negative cut into; `None` where the cutter did
     /// not come near.
-    fn deviation(&self, swath: &Swath<'_>, p: Vec3) -> Option<f64> {
+    fn deviation(&self, swath: &Swath, p: Vec3) -> Option<f64> {
         let scallop = self.milling.scallop.map_or(0.0, |s| s.height);
         let near = 10.0 * (self.milling.intol + self.milling.outtol + scallop);
         swath.least(p, near).map(|b| b.0).filter(|d| *d <= near)

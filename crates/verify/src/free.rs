@@ -6,6 +6,7 @@ use aptc_geometry::{Form, Plane, Profile, Vec3};
 
 use crate::certificate::{Fault, length};
 use crate::judged::Judged;
+use crate::statement::Seen;
 
 /// A motion after RAPID, with the place where it begins.
 #[derive(Clone, Debug)]
@@ -14,49 +15,37 @@ pub(crate) struct Rapid {
     pub(crate) points: Vec<Position>,
     pub(crate) profile: Profile,
     pub(crate) pad: f64,
+    /// The clearance plane that holds.
+    pub(crate) clearance: Option<Plane>,
 }
 
 /// A sideways share of a motion below this is rounding.
 const SIDEWAYS: f64 = 1e-9;
 
-/// Holds rapid motions against the part surfaces of the motions before and after them, and against the
+/// Holds rapid motions against the part surfaces of the motions before and after them, and against their
 /// clearance plane.
 #[derive(Debug, Default)]
 pub(crate) struct Free {
     before: Option<(Controlled, Position, Profile)>,
     /// Those since the last motion along surfaces; with them where they end below its part surface.
     waiting: Vec<(Rapid, Option<Fault>)>,
-    clearance: Option<Plane>,
 }
 
 impl Free {
-    /// CLRSRF/plane; a CLRSRF without one leaves the plane as it was.
-    pub(crate) fn set_clearance(&mut self, plane: Option<Plane>) {
-        self.clearance = plane.or(self.clearance);
-    }
-
-    /// Where CLRSRF/NOW leaves a tool that stands at `at`: on the clearance plane, when it is below it.
-    pub(crate) fn cleared(&self, at: &Position) -> Position {
-        let Some(plane) = &self.clearance else { return *at };
-        let slope = plane.n.dot(&at.ta);
-        let way = if slope.abs() > 1e-6 { -plane.distance(at.te) / slope } else { 0.0 };
-        Position { te: at.te + way.max(0.0) * at.ta, ta: at.ta }
-    }
-
     /// A rapid motion.
-    pub(crate) fn rapid(&mut self, rapid: Rapid, out: &mut Vec<Diagnostic>) {
+    pub(crate) fn rapid(&mut self, rapid: &Rapid, out: &mut Vec<Diagnostic>) {
         let judge = |end: End| {
-            self.before.as_ref().and_then(|(part, at, profile)| cut(&rapid, part, at, profile, end))
+            self.before.as_ref().and_then(|(part, at, profile)| cut(rapid, part, at, profile, end))
         };
         let fault = judge(End::Excused);
-        match (fault, &self.clearance) {
+        match (fault, &rapid.clearance) {
             // One mistake, one message.
-            (Some(fault), _) => return out.push(told(&rapid, &fault)),
-            (None, Some(plane)) => out.extend(low(&rapid, plane)),
+            (Some(fault), _) => return out.push(told(rapid, &fault)),
+            (None, Some(plane)) => out.extend(low(rapid, plane)),
             (None, None) => {}
         }
         let plunge = judge(End::Judged);
-        self.waiting.push((rapid, plunge));
+        self.waiting.push((rapid.clone(), plunge));
     }
 
     /// A motion along surfaces, with its part surface and where it ended.
@@ -102,17 +91,20 @@ fn cut(
     if part.side < 0 && !matches!(part.form.shape(), Form::Plane(_) | Form::Line(_)) {
         return None;
     }
-    let mut judged = Judged::clear(part, at, profile)?;
+    let judged = Judged::clear(part, at, profile)?;
+    let judge = |a: &Position, b: &Position, i: u64| {
+        judged.vector(&rapid.profile, a, b, rapid.pad, i, &mut Seen::default())
+    };
     let last = rapid.points.last().filter(|_| end == End::Excused);
     let ends = rapid.points.first().into_iter().chain(last);
     let mut depth = 0.0_f64;
     for p in ends {
-        let fault = judged.vector(&rapid.profile, p, p, rapid.pad, 0);
+        let fault = judge(p, p, 0);
         depth = fault.filter(|f| f.refuted).map_or(depth, |f| depth.max(f.depth));
     }
     let mut worst: Option<Fault> = None;
     for (i, pair) in (1..).zip(rapid.points.windows(2)).filter(|(_, w)| !goes_up(w)) {
-        let fault = judged.vector(&rapid.profile, &pair[0], &pair[1], rapid.pad, i);
+        let fault = judge(&pair[0], &pair[1], i);
         if let Some(f) = fault.filter(|f| f.refuted && f.depth > depth + rapid.pad)
             && worst.as_ref().is_none_or(|w| f.depth > w.depth)
         {

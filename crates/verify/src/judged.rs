@@ -5,6 +5,7 @@ use aptc_geometry::Profile;
 
 use crate::certificate::{Fault, SurfaceBound};
 use crate::demand::{Demand, Verdict};
+use crate::statement::Seen;
 
 #[derive(Debug)]
 pub(crate) struct Judged {
@@ -13,8 +14,6 @@ pub(crate) struct Judged {
     disk: Option<Profile>,
     name: String,
     role: &'static str,
-    low: f64,
-    high: f64,
 }
 
 impl Judged {
@@ -83,21 +82,22 @@ impl Judged {
             (n, i) => format!("{n}({i})"),
         };
         let disk = c.disk.and_then(|[radius, height]| Profile::disk(radius, height).ok());
-        Self { demand, disk, name, role, low: f64::INFINITY, high: f64::NEG_INFINITY }
+        Self { demand, disk, name, role }
     }
 
-    /// Judges a cut vector; the fault, if there is one.
+    /// Judges a cut vector; the fault, if there is one, else `seen` takes its bounds.
     pub(crate) fn vector(
-        &mut self,
+        &self,
         profile: &Profile,
         from: &Position,
         to: &Position,
         pad: f64,
         vector: u64,
+        seen: &mut Seen,
     ) -> Option<Fault> {
         let verdict = self.demand.judge(self.disk.as_ref().unwrap_or(profile), from, to, pad);
         if let Verdict::Proved { low, high } = verdict {
-            (self.low, self.high) = (self.low.min(low), self.high.max(high));
+            seen.take(&Seen { low, high, at: None });
         }
         self.fault(verdict, vector)
     }
@@ -150,12 +150,12 @@ impl Judged {
     }
 
     /// What is known of the gap; nothing before a vector was proved.
-    pub(crate) fn bound(&self) -> Option<SurfaceBound> {
-        (self.low <= self.high).then(|| SurfaceBound {
+    pub(crate) fn bound(&self, seen: &Seen) -> Option<SurfaceBound> {
+        (seen.low <= seen.high).then(|| SurfaceBound {
             name: self.name.clone(),
             role: self.role,
-            least: self.low,
-            most: self.high,
+            least: seen.low,
+            most: seen.high,
             band: [self.demand.least, self.demand.most],
             at: None,
         })

@@ -4,6 +4,7 @@
 //! functions, so that a direction that was found badly makes a proof weaker and never wrong. The answer for
 //! each cut vector is *proved*, *refuted* with place and depth, or *not decided*.
 
+mod batch;
 mod bound;
 mod certificate;
 mod curved;
@@ -19,13 +20,16 @@ mod pile;
 mod scallop;
 mod search;
 mod sheet;
+mod sheets;
 mod solid;
+mod statement;
 mod swath;
 mod sweep;
 mod tool;
 mod verifier;
 mod witness;
 
+pub use batch::Batch;
 pub use certificate::{Certificate, Fault, StatementProof, SurfaceBound};
 pub use deviation::deviation_svg;
 pub use foreign::{Marks, Matched, matched};

@@ -1,17 +1,21 @@
 //! Regional milling: no point of a surface deeper in the cutter than allowed, along each cut vector.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use aptc_cldata::milling::{Milled, Milling};
 use aptc_cldata::{NameRef, Position};
-use aptc_geometry::{Profile, Sculptured, Vec3};
+use aptc_geometry::Profile;
 
 use crate::certificate::{Fault, SurfaceBound};
 use crate::curved::{Curved, Half};
 use crate::demand::{Verdict, angle, between_poses};
 use crate::pile::Pile;
+use crate::scallop::{Cusps, Left};
 use crate::search::{Aim, Moved, clearance};
 use crate::sheet::Sheet;
+use crate::sheets::Sheets;
+use crate::statement::{PLACES, Seen, Statement};
+use crate::swath::Swath;
 use crate::sweep::Sweep;
 use crate::tool::{Pose, Tool};
 
@@ -22,10 +26,19 @@ const MOST: u32 = 2000;
 const TURNED: f64 = 20.0;
 const LONG: u32 = 5;
 
-/// A surface of a statement of regional milling with what is known of it.
+/// The surfaces of a statement of regional milling.
+#[derive(Debug)]
+pub(crate) struct Region {
+    /// The part surface first, if there is one, then those that are checked.
+    surfaces: Vec<MilledSurface>,
+    cusps: Option<Cusps>,
+    swath: OnceLock<Swath>,
+}
+
+/// One of them.
 #[derive(Debug)]
 pub(crate) struct MilledSurface {
-    pub(crate) sheet: Arc<Sheet>,
+    sheet: Arc<Sheet>,
     name: String,
     role: &'static str,
     /// Is the tool end held to it? Else the cutter stays away from it.
@@ -33,23 +46,51 @@ pub(crate) struct MilledSurface {
     side: f64,
     /// Least and greatest distance asked for.
     band: [f64; 2],
-    low: f64,
-    high: f64,
-    /// The tool end where the least was met.
-    at: Option<Vec3>,
+}
+
+impl Region {
+    /// `None` when a surface has no charts.
+    pub(crate) fn new(milling: &Milling, sheets: &Sheets) -> Option<Self> {
+        let part = milling.part.iter().map(|p| (p, "part"));
+        let all = part.chain(milling.checked.iter().map(|c| (c, "checked")));
+        let new = |(of, role): (&Milled, _)| {
+            Some(MilledSurface::new(of, role, milling, sheets.of(&of.surface)?))
+        };
+        let surfaces = all.map(new).collect::<Option<Vec<_>>>()?;
+        let cusps = milling.scallop.zip(milling.part.as_ref()).map(|(scallop, part)| {
+            let height = part.thick + scallop.height + milling.outtol;
+            Cusps::new(&surfaces[0].sheet, part.side, height, scallop.range)
+        });
+        Some(Self { surfaces, cusps, swath: OnceLock::new() })
+    }
+
+    pub(crate) fn surfaces(&self) -> &[MilledSurface] {
+        &self.surfaces
+    }
+
+    /// The part surface by its name, and how much may stand on it between the passes.
+    pub(crate) fn allowed(&self) -> (String, f64) {
+        let name = self.surfaces.first().map_or_else(String::new, |s| s.name.clone());
+        (name, self.cusps.as_ref().map_or(0.0, |c| c.height))
+    }
+
+    /// What is left at one of [`PLACES`] parts of the region; `None` where nothing is asked.
+    pub(crate) fn between(&self, s: &Statement, part: usize) -> Option<Left> {
+        let cusps = self.cusps.as_ref()?;
+        let swath =
+            self.swath.get_or_init(|| Swath::new(&s.profile, false, ways(&s.start, &s.points)));
+        Some(cusps.judge(swath, s.pad, part, PLACES))
+    }
+}
+
+/// The vectors to the points.
+pub(crate) fn ways(start: &Option<Position>, points: &[Position]) -> Vec<[Pose; 2]> {
+    let pose = |p: &Position| Pose { te: p.te, ta: p.ta };
+    let first = start.as_ref().or(points.first());
+    first.into_iter().chain(points).zip(points).map(|(a, b)| [pose(a), pose(b)]).collect()
 }
 
 impl MilledSurface {
-    /// The part surface first, then those that are checked; `None` when one has no charts.
-    pub(crate) fn all(
-        milling: &Milling,
-        mut sheet: impl FnMut(&Arc<Sculptured>) -> Option<Arc<Sheet>>,
-    ) -> Option<Vec<Self>> {
-        let part = milling.part.iter().map(|p| (p, "part"));
-        let all = part.chain(milling.checked.iter().map(|c| (c, "checked")));
-        all.map(|(of, role)| Some(Self::new(of, role, milling, sheet(&of.surface)?))).collect()
-    }
-
     fn new(of: &Milled, role: &'static str, milling: &Milling, sheet: Arc<Sheet>) -> Self {
         let on = role == "part" && milling.on;
         // A thickness is left by a cutter that touches, not where the tool end is led.
@@ -62,20 +103,18 @@ impl MilledSurface {
             on,
             side: of.side,
             band: [least, if on { most } else { f64::INFINITY }],
-            low: f64::INFINITY,
-            high: f64::NEG_INFINITY,
-            at: None,
         }
     }
 
-    /// Judges a cut vector; the fault, if there is one.
+    /// Judges a cut vector; the fault, if there is one, else `seen` takes its bounds.
     pub(crate) fn vector(
-        &mut self,
+        &self,
         profile: &Profile,
         a: &Position,
         b: &Position,
         pad: f64,
         vector: u64,
+        seen: &mut Seen,
     ) -> Option<Fault> {
         let (verdict, from) = if self.on {
             let [least, most] = self.band;
@@ -87,10 +126,7 @@ impl MilledSurface {
         let surface = || format!("{} surface {}", self.role, self.name);
         match verdict {
             Verdict::Proved { low, high } => {
-                if low < self.low {
-                    (self.low, self.at) = (low, Some(b.te));
-                }
-                self.high = self.high.max(high);
+                seen.take(&Seen { low, high, at: Some(b.te) });
                 None
             }
             Verdict::Refuted { gap, te } => {
@@ -121,14 +157,15 @@ impl MilledSurface {
         }
     }
 
-    pub(crate) fn bound(&self) -> Option<SurfaceBound> {
-        (self.low < f64::INFINITY).then(|| SurfaceBound {
+    /// What is known of the gap; nothing before a vector was proved.
+    pub(crate) fn bound(&self, seen: &Seen) -> Option<SurfaceBound> {
+        (seen.low < f64::INFINITY).then(|| SurfaceBound {
             name: self.name.clone(),
             role: self.role,
-            least: self.low,
-            most: self.high,
+            least: seen.low,
+            most: seen.high,
             band: self.band,
-            at: self.at.map(Into::into),
+            at: seen.at.map(Into::into),
         })
     }
 }

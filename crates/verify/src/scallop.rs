@@ -5,25 +5,32 @@
 //! parallelogram made thicker by how its normal turns; what a tool sweeps without turning is convex, so that
 //! it holds the piece when it holds the corners by that thickness.
 
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
 use aptc_geometry::Vec3;
 
 use crate::sheet::{Patch, Sheet};
 use crate::swath::Swath;
 
-/// Pieces that are looked at.
-const MOST: u32 = 4_000_000;
+/// Pieces that are looked at in one part of a region.
+const MOST: u32 = 500_000;
+/// Pieces that a region is cut into at least, so that its parts have equal work.
+const PIECES: usize = 256;
 /// Halvings of what is left at a place.
 const HALVINGS: u32 = 50;
 
 /// What is asked of a region.
 #[derive(Debug)]
-pub(crate) struct Cusps<'a> {
-    pub(crate) sheet: &'a Sheet,
-    pub(crate) side: f64,
+pub(crate) struct Cusps {
+    sheet: Arc<Sheet>,
+    side: f64,
     /// Allowed height over the surface, thickness and tolerance included.
     pub(crate) height: f64,
     /// None where the region is not known.
-    pub(crate) range: Option<[[f64; 2]; 2]>,
+    pieces: Option<Vec<Patch>>,
+    /// The first part in which something is left; those behind it do not count.
+    first: AtomicUsize,
 }
 
 /// The answer.
@@ -37,11 +44,43 @@ pub(crate) enum Left {
     Open(usize),
 }
 
-impl Cusps<'_> {
-    /// Judges what the ways leave; `pad` covers rounding.
-    pub(crate) fn judge(&self, swath: &Swath<'_>, pad: f64) -> Left {
-        let Some(range) = &self.range else { return Left::Open(0) };
-        let mut stack: Vec<Patch> = self.sheet.pieces(range);
+impl Cusps {
+    pub(crate) fn new(
+        sheet: &Arc<Sheet>,
+        side: f64,
+        height: f64,
+        range: Option<[[f64; 2]; 2]>,
+    ) -> Self {
+        let pieces = range.map(|range| {
+            let mut pieces = sheet.pieces(&range);
+            let mut across = 0;
+            while (1..PIECES).contains(&pieces.len()) {
+                pieces = pieces.iter().flat_map(|p| p.halves(across)).collect();
+                across = 1 - across;
+            }
+            pieces.reverse();
+            pieces
+        });
+        Self { sheet: Arc::clone(sheet), side, height, pieces, first: AtomicUsize::new(usize::MAX) }
+    }
+
+    /// Judges what the ways leave in part `part` of `n`; `pad` covers rounding. Behind a part where something is left
+    /// any answer is given.
+    pub(crate) fn judge(&self, swath: &Swath, pad: f64, part: usize, n: usize) -> Left {
+        let Some(pieces) = &self.pieces else { return Left::Open(0) };
+        if part > self.first.load(Ordering::Relaxed) {
+            return Left::Proved;
+        }
+        let border = |i: usize| pieces.len() * i / n;
+        let left = self.part(swath, pad, &pieces[border(part)..border(part + 1)]);
+        if left != Left::Proved {
+            self.first.fetch_min(part, Ordering::Relaxed);
+        }
+        left
+    }
+
+    fn part(&self, swath: &Swath, pad: f64, pieces: &[Patch]) -> Left {
+        let mut stack: Vec<Patch> = pieces.iter().rev().copied().collect();
         let mut hint = 0;
         let mut seen = 0;
         while let Some(patch) = stack.pop() {
@@ -82,7 +121,7 @@ impl Cusps<'_> {
     }
 
     /// How high the material stands over a place where it is higher than allowed.
-    fn height_at(&self, swath: &Swath<'_>, c: Vec3, n: Vec3, near: usize) -> (f64, usize) {
+    fn height_at(&self, swath: &Swath, c: Vec3, n: Vec3, near: usize) -> (f64, usize) {
         let free = |h: f64| {
             let x = c + n * (self.side * h);
             swath.least(x, 0.0).filter(|b| b.0 <= 0.0).map(|b| b.1)

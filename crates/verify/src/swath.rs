@@ -11,8 +11,10 @@ const LEAF: usize = 4;
 
 /// The ways of a tool.
 #[derive(Debug)]
-pub(crate) struct Swath<'a> {
-    tool: &'a Tool<'a>,
+pub(crate) struct Swath {
+    profile: Profile,
+    /// Does the tool end alone count?
+    on: bool,
     ways: Vec<[Pose; 2]>,
     /// Numbers of the ways, those of a leaf beside each other.
     order: Vec<usize>,
@@ -32,15 +34,20 @@ enum Below {
     Ways(usize, usize),
 }
 
-impl<'a> Swath<'a> {
-    pub(crate) fn new(tool: &'a Tool<'a>, profile: &Profile, ways: Vec<[Pose; 2]>) -> Self {
+impl Swath {
+    pub(crate) fn new(profile: &Profile, on: bool, ways: Vec<[Pose; 2]>) -> Self {
         let n = ways.len();
         let boxes: Vec<[Vec3; 2]> = ways.iter().map(|w| hull(profile, w)).collect();
-        let mut new = Self { tool, ways, order: (0..n).collect(), nodes: Vec::new() };
+        let order = (0..n).collect();
+        let mut new = Self { profile: *profile, on, ways, order, nodes: Vec::new() };
         if n > 0 {
             new.grow(&boxes, 0, n);
         }
         new
+    }
+
+    fn tool(&self) -> Tool<'_> {
+        if self.on { Tool::End } else { Tool::Solid(&self.profile) }
     }
 
     fn grow(&mut self, boxes: &[[Vec3; 2]], from: usize, to: usize) -> usize {
@@ -90,11 +97,11 @@ impl<'a> Swath<'a> {
     pub(crate) fn distance(&self, i: usize, x: Vec3) -> (f64, f64) {
         let [a, b] = self.ways[i];
         let turn = angle(a.ta, b.ta);
-        let meeting = Sweep::new(self.tool, a, b, turn).meet(x);
+        let meeting = Sweep::new(&self.tool(), a, b, turn).meet(x);
         if turn <= 1e-15 {
             return (meeting.distance, meeting.t);
         }
-        (self.tool.near(&between_poses(&a, &b, meeting.t), x).0, meeting.t)
+        (self.tool().near(&between_poses(&a, &b, meeting.t), x).0, meeting.t)
     }
 
     /// The same for a parallelogram `x +- a +- b`: no point of it is farther.
@@ -106,7 +113,7 @@ impl<'a> Swath<'a> {
         let corners = signs.map(|(s, t)| x + sides[0] * s + sides[1] * t);
         // What a tool sweeps is convex where it does not turn; else it is held still.
         let of = |p: Vec3| {
-            if turns { self.tool.near(&still, p).0 } else { self.distance(i, p).0 }
+            if turns { self.tool().near(&still, p).0 } else { self.distance(i, p).0 }
         };
         corners.into_iter().map(of).fold(f64::NEG_INFINITY, f64::max)
     }

@@ -1,19 +1,16 @@
 //! Judges a stream of CL records.
 
-mod milling;
-
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use aptc_cldata::{Arg, Control, Kind, Motion, MotionKind, Position, Record};
 use aptc_diagnostics::{Diagnostic, Origin, codes};
-use aptc_geometry::{Cutter, Form, Plane, Profile, Sculptured};
+use aptc_geometry::{Cutter, Form, Plane, Profile};
 
+use crate::batch::{Batch, Event};
 use crate::certificate::{Certificate, Fault, StatementProof, length};
 use crate::free::{Free, Rapid};
-use crate::judged::Judged;
-use crate::sheet::Sheet;
-
-pub(crate) use milling::ways;
+use crate::sheets::Sheets;
+use crate::statement::{Outcome, Statement};
 
 /// Allowance for rounding as a share of the size of the scene: what is proved is proved of a band wider by
 /// this. Positions are solved to 1e-12 of the scene.
@@ -30,7 +27,24 @@ pub enum Effort {
     Every(u64),
 }
 
+impl Effort {
+    /// Is vector `i` of `n` judged, counted from 0?
+    pub(crate) fn takes(self, i: usize, n: usize) -> bool {
+        match self {
+            Self::Full => true,
+            Self::Every(k) => i == 0 || i + 1 == n || (i as u64 + 1).is_multiple_of(k.max(1)),
+        }
+    }
+}
+
+/// Vectors that wait at most before they are judged.
+const WAITING: usize = 8192;
+
 /// Judges CL records one after the other.
+///
+/// What they ask waits until it is much, or until [`finish`](Self::finish), and is then judged on the caller's thread.
+/// Who has more threads takes it before as a [`Batch`] after each record, lets any of them work at it, and brings
+/// it back: `batch`, [`Batch::work`], [`Batch::wait`], `settle`, batches in their order. The certificate is the same.
 #[derive(Debug)]
 pub struct Verifier {
     effort: Effort,
@@ -40,9 +54,12 @@ pub struct Verifier {
     open: Option<Open>,
     /// RAPID was said for the next motion.
     rapid: bool,
+    clearance: Option<Plane>,
+    sheets: Sheets,
+    /// What is not judged yet, and its vectors.
+    waiting: Vec<Event>,
+    n_waiting: usize,
     free: Free,
-    /// Sculptured surfaces that are prepared.
-    sheets: Vec<(Arc<Sculptured>, Arc<Sheet>)>,
     certificate: Certificate,
     diagnostics: Vec<Diagnostic>,
 }
@@ -77,8 +94,11 @@ impl Verifier {
             last: None,
             open: None,
             rapid: false,
+            clearance: None,
+            sheets: Sheets::default(),
+            waiting: Vec::new(),
+            n_waiting: 0,
             free: Free::default(),
-            sheets: Vec::new(),
             certificate,
             diagnostics: Vec::new(),
         }
@@ -86,6 +106,9 @@ impl Verifier {
 
     /// Takes the next record of Section 2, before editing: TRACUT and COPY move the path off the surfaces.
     pub fn push(&mut self, record: &Record) {
+        if self.n_waiting >= WAITING {
+            self.judge();
+        }
         match &record.kind {
             Kind::Cutter(cutter) => {
                 self.close();
@@ -93,8 +116,9 @@ impl Verifier {
             }
             Kind::Post { word, args } => match word.as_str() {
                 "RAPID" => self.rapid = true,
-                "CLRSRF" if now(args) => self.last = self.last.map(|p| self.free.cleared(&p)),
-                "CLRSRF" => self.free.set_clearance(clearance(args)),
+                "CLRSRF" if now(args) => self.last = self.last.map(|p| self.cleared(&p)),
+                // Without a plane it leaves the plane as it was.
+                "CLRSRF" => self.clearance = clearance(args).or(self.clearance),
                 // The machine takes the tool away, or a cycle leaves it above the hole.
                 "RETRCT" | "GOHOME" | "LOADTL" | "LOAD" | "TURRET" | "CYCLE" => self.last = None,
                 _ => {}
@@ -110,7 +134,68 @@ impl Verifier {
     /// The certificate, and a message for each statement that is not proved.
     pub fn finish(mut self) -> (Certificate, Vec<Diagnostic>) {
         self.close();
+        self.judge();
         (self.certificate, self.diagnostics)
+    }
+
+    /// What waits to be judged, when it has so many cut vectors.
+    pub fn batch(&mut self, least: usize) -> Option<Batch> {
+        (self.n_waiting >= least.max(1)).then(|| self.taken())
+    }
+
+    /// The last batch: no record follows.
+    pub fn last_batch(&mut self) -> Batch {
+        self.close();
+        self.taken()
+    }
+
+    /// Takes the answers of a batch of which all is done, the batches in their order.
+    ///
+    /// # Panics
+    /// When a part of it was not done.
+    pub fn settle(&mut self, batch: &Batch) {
+        for (i, event) in batch.events.iter().enumerate() {
+            match event {
+                Event::Along(statement) => {
+                    let judgement = statement.judgement(batch.answers(i));
+                    for outcome in &judgement.vectors {
+                        *match outcome {
+                            Outcome::Proved => &mut self.certificate.proved,
+                            Outcome::Refuted => &mut self.certificate.refuted,
+                            Outcome::Undecided => &mut self.certificate.undecided,
+                            Outcome::LeftOut => &mut self.certificate.left_out,
+                        } += 1;
+                    }
+                    self.report(&judgement.proof, judgement.real);
+                    self.certificate.statements.push(judgement.proof);
+                    let at = statement.points.last();
+                    if let (Some(part), Some(at)) = (&statement.control.part, at) {
+                        self.free.along(part, at, &statement.profile, &mut self.diagnostics);
+                    }
+                }
+                Event::Unknown(motion, origin) => self.without_proof(motion, origin),
+                Event::Rapid(rapid) => self.free.rapid(rapid, &mut self.diagnostics),
+            }
+        }
+    }
+
+    fn taken(&mut self) -> Batch {
+        self.n_waiting = 0;
+        Batch::new(std::mem::take(&mut self.waiting))
+    }
+
+    fn judge(&mut self) {
+        let batch = self.taken();
+        batch.work();
+        self.settle(&batch);
+    }
+
+    /// Where CLRSRF/NOW leaves a tool that stands at `at`: on the clearance plane, when it is below it.
+    fn cleared(&self, at: &Position) -> Position {
+        let Some(plane) = &self.clearance else { return *at };
+        let slope = plane.n.dot(&at.ta);
+        let way = if slope.abs() > 1e-6 { -plane.distance(at.te) / slope } else { 0.0 };
+        Position { te: at.te + way.max(0.0) * at.ta, ta: at.ta }
     }
 
     fn motion(&mut self, motion: &Motion, origin: &Origin) {
@@ -131,15 +216,18 @@ impl Verifier {
         };
         self.close_unless(control);
         if control.is_none() && motion.kind == MotionKind::Continuous {
-            self.without_proof(motion, origin);
+            self.waiting.push(Event::Unknown(motion.clone(), origin.clone()));
+            self.n_waiting += motion.points.len();
         } else if control.is_none() {
             self.certificate.free += motion.points.len() as u64;
         }
         if rapid && (control.is_none() || startup) {
             let points = self.last.iter().chain(&motion.points).copied().collect();
             let pad = self.pad(&motion.points, &profile);
-            let rapid = Rapid { origin: origin.clone(), points, profile, pad };
-            self.free.rapid(rapid, &mut self.diagnostics);
+            let (origin, clearance) = (origin.clone(), self.clearance);
+            let rapid = Rapid { origin, points, profile, pad, clearance };
+            self.waiting.push(Event::Rapid(Box::new(rapid)));
+            self.n_waiting += 1;
         }
         let Some(control) = control else { return };
         match &mut self.open {
@@ -198,80 +286,21 @@ impl Verifier {
 
     fn close(&mut self) {
         let Some(open) = self.open.take() else { return };
-        self.statement(&open);
-        if let (Some(part), Some(at)) = (&open.control.part, open.points.last()) {
-            self.free.along(part, at, &open.profile, &mut self.diagnostics);
-        }
-    }
-
-    fn statement(&mut self, open: &Open) {
-        if let Some(milling) = &open.control.milling {
-            return self.milled(open, milling);
-        }
-        let Open { control, startup, start, points, profile, .. } = open;
-        let pad = self.pad(points, profile);
-        let n = points.len() as u64;
-        let mut along: Vec<Judged> = [("drive", &control.drive), ("part", &control.part)]
-            .into_iter()
-            .filter_map(|(role, c)| c.as_ref().map(|c| Judged::new(c, role)))
-            .collect();
-        let mut check = control.checks.first().map(|c| Judged::new(c, "check"));
-        let mut never = match (&control.checks.first(), start) {
-            (Some(c), Some(start)) if !startup => Judged::never_past(c, profile, start, pad),
-            _ => None,
-        };
-        let mut proof = StatementProof {
-            origin: open.origin.clone(),
-            vectors: 0,
-            proved: 0,
-            method: along.iter().chain(&check).map(Judged::method).min().unwrap_or("none"),
-            surfaces: Vec::new(),
-            fault: None,
-        };
-        let mut real: Option<Fault> = None;
-        let mut from = *start;
-        for (i, to) in (1..).zip(points) {
-            let start = from.unwrap_or(*to);
-            from = Some(*to);
-            let wanted = match self.effort {
-                Effort::Full => true,
-                Effort::Every(k) => i == 1 || i == n || i % k.max(1) == 0,
-            };
-            if !wanted {
-                self.certificate.left_out += 1;
-                continue;
-            }
-            proof.vectors += 1;
-            // A start-up comes through the air: what it promises is where it ends.
-            let start = if *startup { *to } else { start };
-            let mut fault: Option<Fault> = None;
-            for judged in &mut along {
-                keep(&mut fault, judged.vector(profile, &start, to, pad, i));
-                if let Some(f) = judged.real_cutter(profile, &start, to, pad, i) {
-                    keep(&mut real, Some(f));
-                }
-            }
-            if let Some(judged) = &mut never {
-                keep(&mut fault, judged.vector(profile, &start, to, pad, i));
-            }
-            if i == n
-                && let Some(judged) = &mut check
-            {
-                keep(&mut fault, judged.vector(profile, to, to, pad, i));
-            }
-            match &fault {
-                None => {
-                    proof.proved += 1;
-                    self.certificate.proved += 1;
-                }
-                Some(f) if f.refuted => self.certificate.refuted += 1,
-                Some(_) => self.certificate.undecided += 1,
-            }
-            keep(&mut proof.fault, fault);
-        }
-        proof.surfaces = along.iter().chain(&check).filter_map(Judged::bound).collect();
-        self.report(&proof, real);
-        self.certificate.statements.push(proof);
+        let Open { control, startup, origin, start, points, profile } = open;
+        let pad = self.pad(&points, &profile);
+        self.n_waiting += points.len();
+        self.waiting.push(Event::Along(Box::new(Statement {
+            control,
+            startup,
+            origin,
+            start,
+            points,
+            profile,
+            pad,
+            effort: self.effort,
+            sheets: self.sheets.clone(),
+            ready: OnceLock::new(),
+        })));
     }
 
     fn pad(&self, points: &[Position], profile: &Profile) -> f64 {
@@ -318,15 +347,6 @@ impl Verifier {
 
 /// How a motion is proved of which the surfaces are not known.
 const NO_METHOD: &str = "none";
-
-/// Keeps the worse of two faults: a refuted one before one not decided, the deeper before the other.
-fn keep(worst: &mut Option<Fault>, new: Option<Fault>) {
-    let Some(new) = new else { return };
-    let rank = |f: &Fault| (f.refuted, f.depth);
-    if worst.as_ref().is_none_or(|old| rank(&new) > rank(old)) {
-        *worst = Some(new);
-    }
-}
 
 /// Is it CLRSRF/NOW?
 fn now(args: &[Arg]) -> bool {

@@ -1,0 +1,353 @@
+//! A statement that moved the tool along surfaces, judged in parts.
+
+use std::sync::{Arc, OnceLock};
+
+use aptc_cldata::{Control, Position};
+use aptc_diagnostics::Origin;
+use aptc_geometry::{Profile, Vec3};
+
+use crate::certificate::{Fault, StatementProof, SurfaceBound};
+use crate::judged::Judged;
+use crate::milled::Region;
+use crate::scallop::Left;
+use crate::sheets::Sheets;
+use crate::verifier::Effort;
+
+/// Vectors of a part: few enough that several threads have work in a short statement of slow ones.
+const VECTORS: usize = 32;
+/// Parts in which it is looked what is left between the passes of a region.
+pub(crate) const PLACES: usize = 32;
+
+/// A motion along surfaces with all that its judgement hangs on.
+#[derive(Debug)]
+pub(crate) struct Statement {
+    pub(crate) control: Arc<Control>,
+    pub(crate) startup: bool,
+    pub(crate) origin: Origin,
+    /// Where the tool was before; `None` where how it came is not judged.
+    pub(crate) start: Option<Position>,
+    pub(crate) points: Vec<Position>,
+    pub(crate) profile: Profile,
+    /// Allowance for rounding.
+    pub(crate) pad: f64,
+    pub(crate) effort: Effort,
+    pub(crate) sheets: Sheets,
+    pub(crate) ready: OnceLock<Ready>,
+}
+
+/// A part of the judgement.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Share {
+    /// Vectors from this one on, counted from 0.
+    Vectors(usize),
+    /// What is left between the passes, at the places with this number.
+    Between(usize),
+}
+
+/// What came of a part.
+#[derive(Debug, Default)]
+pub(crate) struct Answer {
+    /// One a vector of the part.
+    vectors: Vec<Outcome>,
+    /// The worst fault, and that of the cutter behind its disk.
+    fault: Option<Fault>,
+    real: Option<Fault>,
+    /// What was seen of each surface.
+    seen: Vec<Seen>,
+    left: Option<Left>,
+}
+
+/// What came of a vector.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Outcome {
+    Proved,
+    Refuted,
+    Undecided,
+    LeftOut,
+}
+
+/// Bounds of the gap to a surface along several vectors.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Seen {
+    pub(crate) low: f64,
+    pub(crate) high: f64,
+    /// The tool end where the least was met.
+    pub(crate) at: Option<Vec3>,
+}
+
+/// What was proved of a statement.
+#[derive(Debug)]
+pub(crate) struct Judgement {
+    pub(crate) proof: StatementProof,
+    /// What came of each vector.
+    pub(crate) vectors: Vec<Outcome>,
+    pub(crate) real: Option<Fault>,
+}
+
+/// The surfaces of a statement, prepared.
+#[derive(Debug)]
+pub(crate) enum Ready {
+    Guided(Box<Guided>),
+    /// `None` when one of them has no charts.
+    Milled(Option<Box<Region>>),
+}
+
+/// Drive, part and check surface.
+#[derive(Debug)]
+pub(crate) struct Guided {
+    along: Vec<Judged>,
+    check: Option<Judged>,
+    never: Option<Judged>,
+}
+
+impl Statement {
+    /// The parts, in the order in which they are best begun.
+    pub(crate) fn shares(&self) -> Vec<Share> {
+        let vectors = (0..self.points.len()).step_by(VECTORS).map(Share::Vectors);
+        let asked = self.control.milling.as_ref().is_some_and(|m| m.scallop.is_some());
+        let n = if asked && self.effort == Effort::Full { PLACES } else { 0 };
+        // The first of them prepares what all need; the vectors can be judged meanwhile.
+        let first = (n > 0).then_some(Share::Between(0));
+        first.into_iter().chain(vectors).chain((1..n).map(Share::Between)).collect()
+    }
+
+    pub(crate) fn judge(&self, share: &Share) -> Answer {
+        match (self.ready(), share) {
+            (Ready::Milled(Some(region)), Share::Between(i)) => {
+                Answer { left: region.between(self, *i), ..Answer::default() }
+            }
+            (_, Share::Between(_)) => Answer::default(),
+            (Ready::Guided(guided), Share::Vectors(from)) => {
+                let judge = |i, a: &_, b: &_, answer: &mut _| guided.vector(self, i, a, b, answer);
+                self.vectors(*from, guided.surfaces().count(), judge)
+            }
+            (Ready::Milled(region), Share::Vectors(from)) => {
+                let surfaces = region.as_ref().map_or(&[][..], |r| r.surfaces());
+                let judge = |i: usize, a: &_, b: &_, answer: &mut Answer| {
+                    if surfaces.is_empty() {
+                        return Some(self.unknown());
+                    }
+                    let mut fault = None;
+                    for (s, seen) in surfaces.iter().zip(&mut answer.seen) {
+                        keep(
+                            &mut fault,
+                            s.vector(&self.profile, a, b, self.pad, i as u64 + 1, seen),
+                        );
+                    }
+                    fault
+                };
+                self.vectors(*from, surfaces.len(), judge)
+            }
+        }
+    }
+
+    /// Judges the vectors of a part, each from its start to its end.
+    fn vectors(
+        &self,
+        from: usize,
+        n_surfaces: usize,
+        judge: impl Fn(usize, &Position, &Position, &mut Answer) -> Option<Fault>,
+    ) -> Answer {
+        let n = self.points.len();
+        let to = (from + VECTORS).min(n);
+        let mut answer = Answer {
+            vectors: Vec::with_capacity(to - from),
+            seen: vec![Seen::default(); n_surfaces],
+            ..Answer::default()
+        };
+        for i in from..to {
+            if !self.effort.takes(i, n) {
+                answer.vectors.push(Outcome::LeftOut);
+                continue;
+            }
+            let end = &self.points[i];
+            let start = match i.checked_sub(1) {
+                Some(before) => &self.points[before],
+                None => self.start.as_ref().unwrap_or(end),
+            };
+            let fault = judge(i, start, end, &mut answer);
+            answer.vectors.push(match &fault {
+                None => Outcome::Proved,
+                Some(f) if f.refuted => Outcome::Refuted,
+                Some(_) => Outcome::Undecided,
+            });
+            keep(&mut answer.fault, fault);
+        }
+        answer
+    }
+
+    /// Puts the answers of all parts together, in their order.
+    pub(crate) fn judgement<'a>(
+        &self,
+        answers: impl Iterator<Item = (&'a Share, &'a Answer)>,
+    ) -> Judgement {
+        let mut vectors = Vec::with_capacity(self.points.len());
+        let (mut fault, mut real) = (None, None);
+        let mut seen: Vec<Seen> = Vec::new();
+        let mut left = None;
+        for (share, answer) in answers {
+            vectors.extend_from_slice(&answer.vectors);
+            keep(&mut fault, answer.fault.clone());
+            keep(&mut real, answer.real.clone());
+            seen.resize(seen.len().max(answer.seen.len()), Seen::default());
+            seen.iter_mut().zip(&answer.seen).for_each(|(s, a)| s.take(a));
+            // What the first place shows counts.
+            if let (Share::Between(_), None | Some(Left::Proved)) = (share, left) {
+                left = answer.left.or(left);
+            }
+        }
+        let mut proof = StatementProof {
+            origin: self.origin.clone(),
+            vectors: 0,
+            proved: 0,
+            method: "none",
+            surfaces: Vec::new(),
+            fault,
+        };
+        match self.ready() {
+            Ready::Guided(guided) => {
+                proof.method = guided.surfaces().map(Judged::method).min().unwrap_or("none");
+                let bounds = guided.surfaces().zip(&seen).filter_map(|(s, seen)| s.bound(seen));
+                proof.surfaces = bounds.collect();
+            }
+            Ready::Milled(None) => {}
+            Ready::Milled(Some(region)) => {
+                proof.method = "branch and bound";
+                let bounds = region.surfaces().iter().zip(&seen);
+                proof.surfaces = bounds.filter_map(|(s, seen)| s.bound(seen)).collect();
+                if let Some(left) = left {
+                    self.between(region, left, &mut proof, &mut vectors);
+                }
+            }
+        }
+        let count =
+            |wanted: &dyn Fn(&Outcome) -> bool| vectors.iter().filter(|o| wanted(o)).count();
+        proof.vectors = count(&|o| *o != Outcome::LeftOut) as u64;
+        proof.proved = count(&|o| *o == Outcome::Proved) as u64;
+        Judgement { proof, vectors, real }
+    }
+
+    /// What is left between the passes; the nearest vector answers for it.
+    fn between(
+        &self,
+        region: &Region,
+        left: Left,
+        proof: &mut StatementProof,
+        vectors: &mut [Outcome],
+    ) {
+        let (name, height) = region.allowed();
+        let (way, depth, refuted) = match left {
+            Left::Proved => {
+                let (least, band) = (0.0, [0.0, height]);
+                let (role, most) = ("scallop", height);
+                proof.surfaces.push(SurfaceBound { name, role, least, most, band, at: None });
+                return;
+            }
+            Left::Higher(stands, way) => (way, stands - height, true),
+            Left::Open(way) => (way, f64::INFINITY, false),
+        };
+        let Some(at) = self.points.get(way) else { return };
+        if let Some(outcome @ Outcome::Proved) = vectors.get_mut(way) {
+            *outcome = if refuted { Outcome::Refuted } else { Outcome::Undecided };
+        }
+        let vector = way as u64 + 1;
+        let surface = format!("between the passes the part surface {name}");
+        let te = at.te.into();
+        keep(&mut proof.fault, Some(Fault { refuted, surface, vector, te, depth, gouge: false }));
+    }
+
+    /// A vector along surfaces without charts.
+    fn unknown(&self) -> Fault {
+        Fault {
+            refuted: false,
+            surface: "the surfaces of regional milling".to_owned(),
+            vector: 1,
+            te: self.points.first().map_or(Vec3::zeros(), |p| p.te).into(),
+            depth: f64::INFINITY,
+            gouge: false,
+        }
+    }
+
+    fn ready(&self) -> &Ready {
+        self.ready.get_or_init(|| match &self.control.milling {
+            Some(milling) => Ready::Milled(Region::new(milling, &self.sheets).map(Box::new)),
+            None => Ready::Guided(Box::new(Guided::new(self))),
+        })
+    }
+}
+
+impl Guided {
+    fn new(s: &Statement) -> Self {
+        let control = &s.control;
+        let along = [("drive", &control.drive), ("part", &control.part)]
+            .into_iter()
+            .filter_map(|(role, c)| c.as_ref().map(|c| Judged::new(c, role)))
+            .collect();
+        let check = control.checks.first();
+        let never = match (check, &s.start) {
+            (Some(c), Some(start)) if !s.startup => Judged::never_past(c, &s.profile, start, s.pad),
+            _ => None,
+        };
+        Self { along, check: check.map(|c| Judged::new(c, "check")), never }
+    }
+
+    /// Those of which bounds are told, drive first.
+    fn surfaces(&self) -> impl Iterator<Item = &Judged> {
+        self.along.iter().chain(&self.check)
+    }
+
+    fn vector(
+        &self,
+        s: &Statement,
+        i: usize,
+        start: &Position,
+        to: &Position,
+        answer: &mut Answer,
+    ) -> Option<Fault> {
+        let Statement { profile, pad, .. } = s;
+        let number = i as u64 + 1;
+        // A start-up comes through the air: what it promises is where it ends.
+        let start = if s.startup { to } else { start };
+        let mut fault: Option<Fault> = None;
+        for (judged, seen) in self.along.iter().zip(&mut answer.seen) {
+            keep(&mut fault, judged.vector(profile, start, to, *pad, number, seen));
+            keep(&mut answer.real, judged.real_cutter(profile, start, to, *pad, number));
+        }
+        if let Some(judged) = &self.never {
+            let seen = &mut Seen::default();
+            keep(&mut fault, judged.vector(profile, start, to, *pad, number, seen));
+        }
+        if i + 1 == s.points.len()
+            && let (Some(judged), Some(seen)) = (&self.check, answer.seen.last_mut())
+        {
+            keep(&mut fault, judged.vector(profile, to, to, *pad, number, seen));
+        }
+        fault
+    }
+}
+
+impl Default for Seen {
+    fn default() -> Self {
+        Self { low: f64::INFINITY, high: f64::NEG_INFINITY, at: None }
+    }
+}
+
+impl Seen {
+    /// Takes further bounds to these.
+    pub(crate) fn take(&mut self, other: &Self) {
+        if other.low < self.low {
+            (self.low, self.at) = (other.low, other.at);
+        }
+        self.high = self.high.max(other.high);
+    }
+}
+
+/// Keeps the worse of two faults: a refuted one before one not decided, the deeper before the other, the first of
+/// equal ones.
+fn keep(worst: &mut Option<Fault>, new: Option<Fault>) {
+    let Some(new) = new else { return };
+    let rank = |f: &Fault| (f.refuted, f.depth);
+    if worst.as_ref().is_none_or(|old| rank(&new) > rank(old)) {
+        *worst = Some(new);
+    }
+}
