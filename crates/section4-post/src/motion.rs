@@ -21,9 +21,7 @@ impl Post {
             return;
         }
         if self.st.ended {
-            let message = "a motion after END".to_string();
-            let help = "END ends the machine's program; put it after the last motion, or use STOP";
-            self.error(codes::AFTER_END, origin, message, help);
+            self.after_end("a motion", true, origin);
             return;
         }
         let rapid = std::mem::take(&mut self.st.rapid);

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use aptc_cldata::{Arg, Kind, MotionKind, Record, Units};
-use aptc_diagnostics::{Code, Diagnostic, Origin, codes};
+use aptc_diagnostics::{Code, Diagnostic, Origin, Severity, codes};
 use smol_str::SmolStr;
 
 use crate::args::{Statement, whole};
@@ -149,13 +149,52 @@ impl Post {
             let before = self.blocks.lines;
             let begin = self.blocks.out.len();
             let from_part = self.seen_from_part(record);
+            let ended = self.st.ended;
             self.record(from_part.as_ref().unwrap_or(record));
-            self.read_back(Some(record), begin, &record.origin);
+            if ended {
+                self.leave_out(record, begin, before);
+            } else {
+                self.read_back(Some(record), begin, &record.origin);
+            }
             if self.options.map && self.blocks.lines > before {
                 self.note_origin(before, record);
             }
         }
         std::mem::swap(&mut self.blocks.out, out);
+    }
+
+    /// Takes back what a record wrote behind the end of the program, where no control reads it.
+    fn leave_out(&mut self, record: &Record, begin: usize, before: u64) {
+        if self.blocks.lines == before {
+            return;
+        }
+        self.blocks.out.truncate(begin);
+        self.blocks.lines = before;
+        let (written, moves) = match &record.kind {
+            Kind::Post { word, args } => {
+                let s = Statement { word, args, origin: &record.origin };
+                (s.written(), words::moves(word))
+            }
+            Kind::Text { word, .. } => (word.to_string(), false),
+            _ => return,
+        };
+        self.after_end(&written, moves, &record.origin);
+    }
+
+    /// Work that no control would do, since END stands before it; where the machine moves it is an error.
+    pub(crate) fn after_end(&mut self, what: &str, moves: bool, origin: &Origin) {
+        let severity = if moves { Severity::Error } else { Severity::Warning };
+        if self.st.late.is_some_and(|said| said >= severity) {
+            return;
+        }
+        self.st.late = Some(severity);
+        let message = format!("{what} after END, which ends the machine's program");
+        let help = "put END after the last motion, or use STOP; what follows it is left out";
+        if moves {
+            self.error(codes::AFTER_END, origin, message, help);
+        } else {
+            self.warn(codes::AFTER_END, origin, message, help);
+        }
     }
 
     /// Writes the cuts that waited for the end of their run.

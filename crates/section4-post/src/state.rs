@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use aptc_cldata::Units;
+use aptc_diagnostics::Severity;
 use aptc_geometry::{Cutter, Plane, Vec3};
 use smol_str::SmolStr;
 
@@ -62,6 +63,8 @@ pub(crate) struct State {
     pub(crate) early: Vec<String>,
     pub(crate) started: bool,
     pub(crate) ended: bool,
+    /// What was said of work after the end: it is said once, and once more when it is worse.
+    pub(crate) late: Option<Severity>,
     /// Tool end, in output units.
     pub(crate) pos: Option<Vec3>,
     /// Tool axis.
@@ -150,6 +153,7 @@ impl State {
             early: Vec::new(),
             started: false,
             ended: false,
+            late: None,
             pos: None,
             ta: Vec3::z(),
             angles: [0.0; 2],

@@ -52,6 +52,11 @@ pub(crate) fn post_word(post: &mut Post, s: &Statement<'_>) {
     }
 }
 
+/// Does the machine move by this word?
+pub(crate) fn moves(word: &str) -> bool {
+    matches!(word, "CLRSRF" | "RETRCT" | "GOHOME" | "ROTABL" | "ROTHED" | "LOAD" | "LOADTL")
+}
+
 /// The machine lacks what the statement asks for.
 pub(crate) fn refuse(post: &mut Post, s: &Statement<'_>, reason: &str) {
     let message = format!("{}: {reason}", s.written());

@@ -67,6 +67,24 @@ fn each_refusal_has_its_code() {
 }
 
 #[test]
+fn what_follows_end_is_left_out_and_told_once() {
+    let ready = "LOADTL/1\nSPINDL/100\nCOOLNT/ON\nFEDRAT/10\nCLRSRF/5\nGOTO/0,0,1\n";
+    let late = "SPINDL/OFF\nSTOP\nDELAY/2\nINSERT M99\nPPRINT LATE";
+    for machine in ["linuxcnc-mill", "haas-vf", "heidenhain-tnc"] {
+        let (early, posted) = post(machine, &format!("{ready}END\nFINI"));
+        assert!(posted.diagnostics.is_empty());
+        let (code, posted) = post(machine, &format!("{ready}END\n{late}\nFINI"));
+        assert_eq!(code, early, "{machine}");
+        let said: Vec<_> = posted.diagnostics.iter().map(|d| &*d.message).collect();
+        assert_eq!(said, ["SPINDL/OFF after END, which ends the machine's program"]);
+        for motion in ["CLRSRF/NOW", "GOHOME", "LOADTL/2", "GOTO/1,1,1\nGOTO/2,1,1"] {
+            let text = format!("{ready}END\n{motion}\nFINI");
+            assert_eq!(errors(machine, &text), ["APT4010"], "{machine}: {motion}");
+        }
+    }
+}
+
+#[test]
 fn a_tool_axis_that_a_mill_cannot_take_is_told_once() {
     let text = "LOADTL/1\nSPINDL/100\nCOOLNT/ON\nFEDRAT/10\nGOTO/0,0,1\nGOTO/1,1,1,1,0,0\nGOTO/1,1,2,0,1,0\nFINI";
     assert_eq!(errors("linuxcnc-mill", text), ["APT4004"]);

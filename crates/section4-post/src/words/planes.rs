@@ -78,9 +78,6 @@ fn retract(post: &mut Post, s: &Statement<'_>) {
     post.st.rapid = false;
     // Without a position there is nothing to retract from: the machine stands retracted.
     let Some(pos) = post.st.pos else { return };
-    if post.st.ended {
-        return;
-    }
     post.start(s.origin);
     post.annotate(s.origin);
     post.leave_cycle();

@@ -31,8 +31,7 @@ fn change(post: &mut Post, s: &Statement<'_>, at: usize) {
         return;
     };
     if post.st.ended {
-        let message = format!("{} after END", s.written());
-        post.error(codes::AFTER_END, s.origin, message, "put END after the last motion");
+        post.after_end(&s.written(), true, s.origin);
         return;
     }
     post.start(s.origin);
