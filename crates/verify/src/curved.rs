@@ -5,7 +5,7 @@ use aptc_geometry::Vec3;
 
 use crate::demand::{Verdict, angle, between_poses, bulge};
 use crate::pile::Pile;
-use crate::search::{Aim, Moved, clearance};
+use crate::search::{Aim, Moved, clearance, clearance_from};
 use crate::sheet::{Sheet, Spot};
 use crate::sweep::Sweep;
 use crate::tool::{Pose, Tool, carry};
@@ -34,6 +34,15 @@ pub(crate) struct Curved<'s> {
     pub(crate) most: f64,
 }
 
+/// What a vector found, where the next along the same surface is best begun. A bad beginning costs time.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Warm {
+    /// The direction that separated the tool from the piece next to it.
+    pub(crate) direction: Option<Vec3>,
+    /// The places of the surface next to the tool where it began and where it ended.
+    near: Option<[Spot; 2]>,
+}
+
 /// What came of one bound.
 pub(crate) enum Half {
     /// It holds; the gap is nowhere beyond this.
@@ -46,22 +55,32 @@ pub(crate) enum Half {
 
 impl Curved<'_> {
     /// Judges the vector; `pad` covers rounding.
-    pub(crate) fn judge(&self, tool: &Tool<'_>, a: &Position, b: &Position, pad: f64) -> Verdict {
+    pub(crate) fn judge(
+        &self,
+        tool: &Tool<'_>,
+        a: &Position,
+        b: &Position,
+        pad: f64,
+        warm: &mut Warm,
+    ) -> Verdict {
         let world =
             |t: f64| between_poses(&Pose { te: a.te, ta: a.ta }, &Pose { te: b.te, ta: b.ta }, t);
         let pose = |t: f64| self.sheet.local(&world(t));
         let turn = angle(a.ta, b.ta);
-        let low = self.not_below(tool, self.side, self.least, &pose, turn, pad);
+        let above = (!self.on).then(|| self.excess(tool, &pose, turn, pad, warm));
+        let low = self.not_below(tool, self.side, self.least, &pose, turn, pad, warm);
         // A point has the same distance from both sides.
         let cut = matches!(low, Half::Broken(..));
-        let high = if self.on {
-            match self.not_below(tool, -self.side, -self.most, &pose, turn, pad) {
-                Half::Holds(g) => Half::Holds(-g),
-                Half::Broken(t, g) => Half::Broken(t, -g),
-                open @ Half::Open(..) => open,
+        let high = match above {
+            None => {
+                let warm = &mut Warm::default();
+                match self.not_below(tool, -self.side, -self.most, &pose, turn, pad, warm) {
+                    Half::Holds(g) => Half::Holds(-g),
+                    Half::Broken(t, g) => Half::Broken(t, -g),
+                    open @ Half::Open(..) => open,
+                }
             }
-        } else {
-            self.not_above(tool, &pose, turn, pad, cut)
+            Some(found) => self.not_above(tool, &pose, turn, pad, cut, found),
         };
         match (low, high) {
             (Half::Broken(t, g), Half::Broken(s, h)) => {
@@ -100,6 +119,7 @@ impl Curved<'_> {
     }
 
     /// That the gap is nowhere below `least`, the tool on the side `side`.
+    #[expect(clippy::too_many_arguments, reason = "one bound and all that it hangs on")]
     fn not_below(
         &self,
         tool: &Tool<'_>,
@@ -108,6 +128,7 @@ impl Curved<'_> {
         pose: &dyn Fn(f64) -> Pose,
         turn: f64,
         pad: f64,
+        warm: &mut Warm,
     ) -> Half {
         if least == f64::NEG_INFINITY {
             return Half::Holds(f64::NEG_INFINITY);
@@ -126,7 +147,7 @@ impl Curved<'_> {
             let bend = turn * (t1 - t0);
             let sweep = Sweep::new(tool, pose(t0), pose(t1), bend);
             let turned = sweep.pad + 0.25 * sweep.turn * (sweep.b.te - sweep.a.te).norm();
-            let found = clearance(&sweep, &moved, thin - pad, Aim::Clear);
+            let found = clearance_from(&sweep, &moved, thin - pad, Aim::Clear, &mut warm.direction);
             let shown = found.least - thin;
             if found.least >= thin - pad {
                 low = low.min(least + shown);
@@ -177,7 +198,11 @@ impl Curved<'_> {
         let near = least.abs() + pad;
         // The edge of a disk may be in the surface by the tolerance; its middle is on the side that counts.
         let sign = self.sheet.sign(inner).unwrap_or_else(|| {
-            let first = if tool.is_thin() { self.lies(inner, near) } else { 0.0 };
+            let first = if tool.is_thin() {
+                self.lies(inner, near)
+            } else {
+                warm.near.map_or(0.0, |near| self.faces(tool, &start, &near[0]))
+            };
             let then = if first == 0.0 { self.stands(tool, &start) } else { first };
             if then == 0.0 { self.lies(inner, near) } else { then }
         });
@@ -236,7 +261,12 @@ impl Curved<'_> {
     /// place inside of it may be its other face. 0 where the tool lies beside the place.
     fn facing(&self, tool: &Tool<'_>, pose: &Pose, spot: &Spot) -> f64 {
         let (_, spot, _) = descend(tool, pose, self.sheet, *spot);
-        let jet = self.sheet.jet(&spot);
+        self.faces(tool, pose, &spot)
+    }
+
+    /// The same at a place itself.
+    fn faces(&self, tool: &Tool<'_>, pose: &Pose, spot: &Spot) -> f64 {
+        let jet = self.sheet.jet(spot);
         let reach = |n: Vec3| tool.height(pose, n) - n.dot(&jet.p);
         let (right, left) = (reach(jet.n), reach(-jet.n));
         if right > 2.0 * left {
@@ -305,6 +335,31 @@ impl Curved<'_> {
         (far.min(d), Some(spot))
     }
 
+    /// The greatest gap along the vector. Where that is in the band, the places that are met show the direction
+    /// that parts tool and surface.
+    fn excess(
+        &self,
+        tool: &Tool<'_>,
+        pose: &dyn Fn(f64) -> Pose,
+        turn: f64,
+        pad: f64,
+        warm: &mut Warm,
+    ) -> Excess {
+        if self.most == f64::INFINITY {
+            return Excess::Within(f64::INFINITY);
+        }
+        let most = self.most + pad;
+        let found = excess(tool, self.sheet, self.side, pose, turn, most, &mut warm.near);
+        if let Some(near) = &warm.near {
+            let [a, b] = [0, 1].map(|i| self.sheet.jet(&near[i]));
+            if let Some(m) = (a.n + b.n).try_normalize(1e-3) {
+                let sweep = Sweep::new(tool, pose(0.0), pose(1.0), turn);
+                warm.direction = Some(sweep.level(m * -self.side, a.p)[1].m);
+            }
+        }
+        found
+    }
+
     /// That the gap is nowhere above the greatest allowed; looked at less closely where the tool cuts in anyway.
     fn not_above(
         &self,
@@ -313,11 +368,8 @@ impl Curved<'_> {
         turn: f64,
         pad: f64,
         cut: bool,
+        found: Excess,
     ) -> Half {
-        if self.most == f64::INFINITY {
-            return Half::Holds(f64::INFINITY);
-        }
-        let found = excess(tool, self.sheet, self.side, pose, turn, self.most + pad);
         if let Excess::Beyond(t, gap) = found
             && self.most >= 0.0
         {
@@ -377,7 +429,8 @@ impl Curved<'_> {
                 let [p, q] = [a, b].map(|to| carry(&at, &to, deep.p));
                 let way = |s: f64| Pose { te: p + (q - p) * s, ta: Vec3::z() };
                 let least = -self.most + off;
-                match self.not_below(&Tool::End, -self.side, least, &way, 0.0, pad) {
+                let warm = &mut Warm::default();
+                match self.not_below(&Tool::End, -self.side, least, &way, 0.0, pad, warm) {
                     Half::Holds(g) => {
                         held = Some(off - g);
                         break;
@@ -417,7 +470,7 @@ impl Curved<'_> {
                 break;
             }
             let least = self.most + beyond;
-            match self.not_below(tool, self.side, least, &pose, 0.0, pad) {
+            match self.not_below(tool, self.side, least, &pose, 0.0, pad, &mut Warm::default()) {
                 Half::Holds(_) => return Some(least),
                 // A search that comes to no end does so again.
                 Half::Open(_, f64::INFINITY) => break,

@@ -6,7 +6,7 @@ use aptc_cldata::{Controlled, Position, Relation};
 use aptc_geometry::{Form, Plane, Profile, Vec3, trig};
 
 use crate::bound::Bound;
-use crate::curved::Curved;
+use crate::curved::{Curved, Warm};
 use crate::pile::Pile;
 use crate::sheet::Sheet;
 use crate::solid::Solid;
@@ -95,6 +95,18 @@ impl Demand {
     /// Judges the cut vector from `a` to `b`; `pad` covers rounding. Of what is refuted the deepest place is
     /// given, to a tenth of its depth.
     pub(crate) fn judge(&self, profile: &Profile, a: &Position, b: &Position, pad: f64) -> Verdict {
+        self.judge_next(profile, a, b, pad, &mut Warm::default())
+    }
+
+    /// The same behind a vector along the same surface.
+    pub(crate) fn judge_next(
+        &self,
+        profile: &Profile,
+        a: &Position,
+        b: &Position,
+        pad: f64,
+        warm: &mut Warm,
+    ) -> Verdict {
         /// Halvings of a vector at most, and stretches that are looked at. Where the path of a turning tool
         /// just meets the border of its band the bounds are short of it by the square of the stretch.
         const DEPTH: u32 = 24;
@@ -102,7 +114,7 @@ impl Demand {
         let tool = if self.on { Tool::End } else { Tool::Solid(profile) };
         let solid = match &self.body {
             Body::Solid(solid) => solid,
-            Body::Sheet(sheet) => return self.curved(sheet).judge(&tool, a, b, pad),
+            Body::Sheet(sheet) => return self.curved(sheet).judge(&tool, a, b, pad, warm),
             Body::Unknown => return Verdict::Undecided { at_most: f64::INFINITY, te: a.te },
         };
         let (least, most) = (self.least - pad, self.most + pad);

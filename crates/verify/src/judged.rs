@@ -95,9 +95,10 @@ impl Judged {
         vector: u64,
         seen: &mut Seen,
     ) -> Option<Fault> {
-        let verdict = self.demand.judge(self.disk.as_ref().unwrap_or(profile), from, to, pad);
+        let profile = self.disk.as_ref().unwrap_or(profile);
+        let verdict = self.demand.judge_next(profile, from, to, pad, &mut seen.warm);
         if let Verdict::Proved { low, high } = verdict {
-            seen.take(&Seen { low, high, at: None });
+            seen.take(low, high, None);
         }
         self.fault(verdict, vector)
     }

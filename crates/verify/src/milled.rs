@@ -7,11 +7,11 @@ use aptc_cldata::{NameRef, Position};
 use aptc_geometry::Profile;
 
 use crate::certificate::{Fault, SurfaceBound};
-use crate::curved::{Curved, Half};
+use crate::curved::{Curved, Half, Warm};
 use crate::demand::{Verdict, angle, between_poses};
 use crate::pile::Pile;
 use crate::scallop::{Cusps, Left};
-use crate::search::{Aim, Moved, clearance};
+use crate::search::{Aim, Moved, clearance_from};
 use crate::sheet::Sheet;
 use crate::sheets::Sheets;
 use crate::statement::{PLACES, Seen, Statement};
@@ -119,14 +119,14 @@ impl MilledSurface {
         let (verdict, from) = if self.on {
             let [least, most] = self.band;
             let curved = Curved { sheet: &self.sheet, side: self.side, on: true, least, most };
-            (curved.judge(&Tool::End, a, b, pad), least)
+            (curved.judge(&Tool::End, a, b, pad, &mut seen.warm), least)
         } else {
-            (self.clear(&Tool::Solid(profile), a, b, pad), self.band[0])
+            (self.clear(&Tool::Solid(profile), a, b, pad, &mut seen.warm), self.band[0])
         };
         let surface = || format!("{} surface {}", self.role, self.name);
         match verdict {
             Verdict::Proved { low, high } => {
-                seen.take(&Seen { low, high, at: Some(b.te) });
+                seen.take(low, high, Some(b.te));
                 None
             }
             Verdict::Refuted { gap, te } => {
@@ -147,10 +147,18 @@ impl MilledSurface {
     }
 
     /// That no point of the surface is nearer to the cutter than the least.
-    fn clear(&self, tool: &Tool<'_>, a: &Position, b: &Position, pad: f64) -> Verdict {
+    fn clear(
+        &self,
+        tool: &Tool<'_>,
+        a: &Position,
+        b: &Position,
+        pad: f64,
+        warm: &mut Warm,
+    ) -> Verdict {
         let ends = [Pose { te: a.te, ta: a.ta }, Pose { te: b.te, ta: b.ta }];
         let pose = |t: f64| between_poses(&ends[0], &ends[1], t);
-        match keeps_off(tool, &self.sheet, &pose, angle(a.ta, b.ta), self.band[0] - pad) {
+        let turn = angle(a.ta, b.ta);
+        match keeps_off(tool, &self.sheet, &pose, turn, self.band[0] - pad, warm) {
             Half::Holds(low) => Verdict::Proved { low, high: f64::INFINITY },
             Half::Broken(t, gap) => Verdict::Refuted { gap, te: pose(t).te },
             Half::Open(t, at_most) => Verdict::Undecided { at_most, te: pose(t).te },
@@ -181,6 +189,7 @@ fn keeps_off(
     pose: &dyn Fn(f64) -> Pose,
     turn: f64,
     least: f64,
+    warm: &mut Warm,
 ) -> Half {
     let moved = Moved { sheet, side: 1.0, shift: 0.0 };
     let mut low = f64::INFINITY;
@@ -191,7 +200,7 @@ fn keeps_off(
     while let Some((t0, t1, depth)) = stack.pop() {
         seen += 1;
         let sweep = Sweep::new(tool, pose(t0), pose(t1), turn * (t1 - t0));
-        let found = clearance(&sweep, &moved, least, Aim::Clear);
+        let found = clearance_from(&sweep, &moved, least, Aim::Clear, &mut warm.direction);
         if found.least >= least {
             low = low.min(found.least);
             continue;

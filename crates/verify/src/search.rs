@@ -57,6 +57,18 @@ pub(crate) enum Aim {
 /// Bounds the distance between the moved surface and the tool on its way. The search ends where `enough` is
 /// shown.
 pub(crate) fn clearance(sweep: &Sweep<'_>, moved: &Moved<'_>, enough: f64, aim: Aim) -> Clearance {
+    clearance_from(sweep, moved, enough, aim, &mut None)
+}
+
+/// The same with a direction that may separate the surface from the tool, as that of the vector before; it becomes
+/// the one that separated the nearest piece. About a tool that stands against a crest it is the only one.
+pub(crate) fn clearance_from(
+    sweep: &Sweep<'_>,
+    moved: &Moved<'_>,
+    enough: f64,
+    aim: Aim,
+    hint: &mut Option<Vec3>,
+) -> Clearance {
     let (center, radius) = sweep.sphere();
     let mut pile = Patches::new();
     let mut out = Clearance { least: f64::INFINITY, nearest: None };
@@ -67,6 +79,8 @@ pub(crate) fn clearance(sweep: &Sweep<'_>, moved: &Moved<'_>, enough: f64, aim: 
     }
     let found = |out: &Clearance| out.nearest.is_some_and(|n| n.0 < enough);
     let mut seen = 0;
+    // How far the piece was of which the hint is.
+    let mut closest = f64::INFINITY;
     while let Some(patch) = pile.pop() {
         seen += 1;
         if found(&out) {
@@ -81,14 +95,18 @@ pub(crate) fn clearance(sweep: &Sweep<'_>, moved: &Moved<'_>, enough: f64, aim: 
             let low = if far >= 0.0 {
                 enough.max(far)
             } else {
-                let radius = node.radius + moved.shift.abs();
-                let meeting = sweep.meet(node.center);
-                sweep
-                    .proved(&meeting, node.center, radius, |_| Slack {
-                        by: [radius, 0.0],
-                        all: radius,
-                    })
-                    .0
+                let shift = moved.shift.abs();
+                let radius = node.radius + shift;
+                let held = |meeting: &Meeting| {
+                    let slack = |m| Slack { by: [radius, 0.0], all: node.extent(m) + shift };
+                    sweep.proved(meeting, node.center, radius, slack).0
+                };
+                let low = hint.map_or(f64::NEG_INFINITY, |m| held(&Meeting::along(m)));
+                if low >= known(&out, enough) {
+                    low
+                } else {
+                    low.max(held(&sweep.meet(node.center)))
+                }
             };
             if far >= 0.0 || low >= known(&out, enough) {
                 out.least = out.least.min(low);
@@ -109,11 +127,27 @@ pub(crate) fn clearance(sweep: &Sweep<'_>, moved: &Moved<'_>, enough: f64, aim: 
         let bound = |meeting: &Meeting| {
             sweep.proved(meeting, x, within_tile, |m| slack(&tile, m, moved.shift.abs()))
         };
+        let mut most = (f64::NEG_INFINITY, Vec3::zeros());
+        let mut offer = |meeting: &Meeting| {
+            let (low, slack, rise) = bound(meeting);
+            if low > most.0 {
+                most = (low, meeting.m);
+            }
+            (most, slack, rise)
+        };
+        if let Some(m) = hint.filter(|_| aim != Aim::Nearest) {
+            let hinted = offer(&Meeting::along(m)).0;
+            if hinted.0 >= known(&out, enough) {
+                out.least = out.least.min(keep(hinted, &mut closest, hint));
+                continue;
+            }
+        }
         // Along the normal the piece has no extent: next to a place that is touched that direction shows most.
-        let level = sweep.level(tile.n * -moved.side, x).map(|m| bound(&m).0);
-        let level = level[0].max(level[1]);
-        if aim != Aim::Nearest && level >= known(&out, enough) {
-            out.least = out.least.min(level);
+        let [first, square] = sweep.level(tile.n * -moved.side, x);
+        offer(&first);
+        let level = offer(&square).0;
+        if aim != Aim::Nearest && level.0 >= known(&out, enough) {
+            out.least = out.least.min(keep(level, &mut closest, hint));
             continue;
         }
         let meeting = sweep.meet(x);
@@ -124,15 +158,17 @@ pub(crate) fn clearance(sweep: &Sweep<'_>, moved: &Moved<'_>, enough: f64, aim: 
                 break;
             }
         }
-        let (low, Slack { by: slack, .. }, rise) = bound(&meeting);
-        let mut low = low.max(level);
-        if low < known(&out, enough)
+        let (mut best, Slack { by: slack, .. }, rise) = offer(&meeting);
+        if best.0 < known(&out, enough)
             && let Some(edge) = sweep.edge(tile.n * -moved.side, x, meeting.t)
         {
-            low = low.max(bound(&edge[0]).0).max(bound(&edge[1]).0);
+            for meeting in edge {
+                best = offer(&meeting).0;
+            }
         }
+        let low = best.0;
         if low >= known(&out, enough) {
-            out.least = out.least.min(low);
+            out.least = out.least.min(keep(best, &mut closest, hint));
             continue;
         }
         if slack[0] + slack[1] <= rise {
@@ -159,6 +195,14 @@ pub(crate) fn clearance(sweep: &Sweep<'_>, moved: &Moved<'_>, enough: f64, aim: 
     }
     out.least = out.least.min(enough.max(out.nearest.map_or(enough, |n| n.0)));
     out
+}
+
+/// Makes the direction that showed a piece to be far enough the hint when that is nearer than all before; how far it is.
+fn keep((low, m): (f64, Vec3), closest: &mut f64, hint: &mut Option<Vec3>) -> f64 {
+    if low < *closest {
+        (*closest, *hint) = (low, Some(m));
+    }
+    low
 }
 
 /// What a piece must stay away from the tool to be of no more interest.

@@ -7,6 +7,7 @@ use aptc_diagnostics::Origin;
 use aptc_geometry::{Profile, Vec3};
 
 use crate::certificate::{Fault, StatementProof, SurfaceBound};
+use crate::curved::Warm;
 use crate::judged::Judged;
 use crate::milled::Region;
 use crate::scallop::Left;
@@ -54,6 +55,8 @@ pub(crate) struct Answer {
     real: Option<Fault>,
     /// What was seen of each surface.
     seen: Vec<Seen>,
+    /// The same of the check surface before the end.
+    never: Seen,
     left: Option<Left>,
 }
 
@@ -73,6 +76,8 @@ pub(crate) struct Seen {
     pub(crate) high: f64,
     /// The tool end where the least was met.
     pub(crate) at: Option<Vec3>,
+    /// Where the next vector is best begun.
+    pub(crate) warm: Warm,
 }
 
 /// What was proved of a statement.
@@ -190,7 +195,7 @@ impl Statement {
             keep(&mut fault, answer.fault.clone());
             keep(&mut real, answer.real.clone());
             seen.resize(seen.len().max(answer.seen.len()), Seen::default());
-            seen.iter_mut().zip(&answer.seen).for_each(|(s, a)| s.take(a));
+            seen.iter_mut().zip(&answer.seen).for_each(|(s, a)| s.take(a.low, a.high, a.at));
             // What the first place shows counts.
             if let (Share::Between(_), None | Some(Left::Proved)) = (share, left) {
                 left = answer.left.or(left);
@@ -314,7 +319,7 @@ impl Guided {
             keep(&mut answer.real, judged.real_cutter(profile, start, to, *pad, number));
         }
         if let Some(judged) = &self.never {
-            let seen = &mut Seen::default();
+            let seen = &mut answer.never;
             keep(&mut fault, judged.vector(profile, start, to, *pad, number, seen));
         }
         if i + 1 == s.points.len()
@@ -328,17 +333,17 @@ impl Guided {
 
 impl Default for Seen {
     fn default() -> Self {
-        Self { low: f64::INFINITY, high: f64::NEG_INFINITY, at: None }
+        Self { low: f64::INFINITY, high: f64::NEG_INFINITY, at: None, warm: Warm::default() }
     }
 }
 
 impl Seen {
     /// Takes further bounds to these.
-    pub(crate) fn take(&mut self, other: &Self) {
-        if other.low < self.low {
-            (self.low, self.at) = (other.low, other.at);
+    pub(crate) fn take(&mut self, low: f64, high: f64, at: Option<Vec3>) {
+        if low < self.low {
+            (self.low, self.at) = (low, at);
         }
-        self.high = self.high.max(other.high);
+        self.high = self.high.max(high);
     }
 }
 

@@ -46,6 +46,13 @@ pub(crate) struct Meeting {
     pub(crate) m: Vec3,
 }
 
+impl Meeting {
+    /// Any unit direction, wherever on the way.
+    pub(crate) fn along(m: Vec3) -> Self {
+        Self { t: 0.5, distance: f64::INFINITY, m }
+    }
+}
+
 /// By how much a piece may be nearer in a direction than its middle.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Slack {
@@ -58,8 +65,10 @@ pub(crate) struct Slack {
 impl Sweep<'_> {
     /// The middle of a sphere that holds all of the way, and its radius.
     pub(crate) fn sphere(&self) -> (Vec3, f64) {
-        let half = 0.5 * (self.b.te - self.a.te);
-        (self.a.te + half, half.norm() + self.tool.reach() + self.pad)
+        let (up, radius) = self.tool.middle();
+        let [a, b] = [self.a, self.b].map(|at| at.te + at.ta * up);
+        let half = 0.5 * (b - a);
+        (a + half, half.norm() + radius + self.pad)
     }
 
     /// The point seen from the tool at both ends, as the axis stands at the first.
@@ -126,8 +135,7 @@ impl Sweep<'_> {
     pub(crate) fn level(&self, m: Vec3, x: Vec3) -> [Meeting; 2] {
         let [from, to] = self.seen(x);
         let own = self.own(m);
-        let of = |m: Vec3| Meeting { t: 0.5, distance: f64::INFINITY, m };
-        [of(own), of(square(own, to - from).unwrap_or(own))]
+        [own, square(own, to - from).unwrap_or(own)].map(Meeting::along)
     }
 
     /// Meetings with a given direction made square to the ring of the tool at the share `t` of the way of `x`, and to

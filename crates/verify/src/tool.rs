@@ -1,6 +1,6 @@
 //! The cutter in space.
 
-use aptc_geometry::{Profile, Vec3};
+use aptc_geometry::{Profile, Vec3, trig};
 
 use crate::solid::{any_across, unit_or};
 
@@ -91,6 +91,17 @@ impl Tool<'_> {
         match self {
             Self::Solid(p) => pose.te + pose.ta * (0.5 * (p.bottom() + p.height())),
             Self::End => pose.te,
+        }
+    }
+
+    /// How far up its axis the middle of the tool is, and the radius of the sphere about it that holds the tool.
+    pub(crate) fn middle(&self) -> (f64, f64) {
+        match self {
+            Self::Solid(p) => {
+                let half = 0.5 * (p.height() - p.bottom());
+                (0.5 * (p.bottom() + p.height()), trig::hypot(p.widest(), half))
+            }
+            Self::End => (0.0, 0.0),
         }
     }
 

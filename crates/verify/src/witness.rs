@@ -47,7 +47,8 @@ struct Touch {
 
 /// Judges that the gap is at most `most`; `pose` gives positions in the surface's own system, `bend` bounds
 /// how far the way of a point of the surface, seen from the tool, may leave its chord, for a stretch of the
-/// vector and the longest lever.
+/// vector and the longest lever. `near` has a place to begin with, the last,
+/// and becomes those next to the tool at both ends; none unless the gap is allowed there.
 pub(crate) fn excess(
     tool: &Tool<'_>,
     sheet: &Sheet,
@@ -55,6 +56,7 @@ pub(crate) fn excess(
     pose: &dyn Fn(f64) -> Pose,
     turn: f64,
     most: f64,
+    near: &mut Option<[Spot; 2]>,
 ) -> Excess {
     let touch = |t: f64, from: Spot| {
         let pose = pose(t);
@@ -103,7 +105,8 @@ pub(crate) fn excess(
         }
         if now.gap <= most { Ok(now) } else { Err(Excess::Open(now.t, now.gap)) }
     };
-    let first = match somewhere(0.0) {
+    let known = near.take().map(|n| touch(0.0, n[1])).filter(|t| t.gap <= most);
+    let first = match known.map_or_else(|| somewhere(0.0), Ok) {
         Ok(touch) => touch,
         Err(open) => return open,
     };
@@ -116,6 +119,7 @@ pub(crate) fn excess(
         (Err(e @ Excess::Beyond(..)), _) | (_, Err(e @ Excess::Beyond(..))) => return e,
         (Err(e), _) | (_, Err(e)) => return e,
     };
+    *near = Some([first.spot, last.spot]);
     let mut worst = f64::NEG_INFINITY;
     let mut stack = Pile::<Option<(Touch, Touch, u32)>, 64>::new();
     stack.push(Some((first, last, 0)));
@@ -349,6 +353,10 @@ pub(crate) fn descend(
                 -g[0] / (size[0] * size[0]) * 0.1 * scene,
                 -g[1] / (size[1] * size[1]) * 0.1 * scene,
             ];
+        }
+        // A step that gains less than the distance is rounded by leads nowhere.
+        if (g[0] * step[0] + g[1] * step[1]).abs() <= 1e-16 * scene {
+            break;
         }
         let mut moved = false;
         for _ in 0..12 {

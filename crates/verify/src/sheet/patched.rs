@@ -67,12 +67,25 @@ struct Chart {
     third: [[f64; 2]; 3],
 }
 
-/// Charts within a sphere.
+/// Charts within a sphere, and within a box about its middle.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Node {
     pub(crate) center: Vec3,
     pub(crate) radius: f64,
+    /// Half sides of the box, and by how much it is made thicker all around.
+    half: [Vec3; 3],
+    thick: f64,
+    /// About square to the charts.
+    normal: Vec3,
     below: Below,
+}
+
+impl Node {
+    /// No point of the charts is farther from the middle along the unit vector.
+    pub(crate) fn extent(&self, m: Vec3) -> f64 {
+        let boxed = self.half.iter().map(|h| m.dot(h).abs()).sum::<f64>() + self.thick;
+        boxed.min(self.radius)
+    }
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -103,15 +116,14 @@ impl Patched {
         }
         let mut leaves = Vec::with_capacity(new.charts.len());
         for (i, c) in new.charts.iter().enumerate() {
-            let tile = new.whole(i);
-            let radius = tile.1;
-            if !(radius.is_finite()
-                && tile.0.iter().all(|x| x.is_finite())
+            let leaf = new.leaf(i);
+            if !(leaf.radius.is_finite()
+                && leaf.center.iter().all(|x| x.is_finite())
                 && c.second.iter().all(|x| x.is_finite()))
             {
                 return None;
             }
-            leaves.push(Node { center: tile.0, radius, below: Below::Chart(i) });
+            leaves.push(leaf);
         }
         new.grow(&mut leaves);
         Some(new)
@@ -142,14 +154,17 @@ impl Patched {
         Chart { range, cell, within, second, third }
     }
 
-    /// Middle and radius of a sphere that holds a chart.
-    fn whole(&self, chart: usize) -> (Vec3, f64) {
+    /// What holds a chart.
+    fn leaf(&self, chart: usize) -> Node {
         let patch = self.patch(chart);
         let jet = self.jet(&patch.spot());
         let [uu, uv, vv] = self.charts[chart].second;
         let [hu, hv] = patch.half;
-        let stray = 0.5 * uu * hu * hu + uv * hu * hv + 0.5 * vv * hv * hv;
-        (jet.p, jet.d[0].norm() * hu + jet.d[1].norm() * hv + stray)
+        let thick = 0.5 * uu * hu * hu + uv * hu * hv + 0.5 * vv * hv * hv;
+        let side = [jet.d[0] * hu, jet.d[1] * hv];
+        let radius = side[0].norm() + side[1].norm() + thick;
+        let half = [side[0], side[1], Vec3::zeros()];
+        Node { center: jet.p, radius, half, thick, normal: jet.n, below: Below::Chart(chart) }
     }
 
     /// The whole of a chart.
@@ -176,11 +191,30 @@ impl Patched {
         let reach = |c: Vec3, n: &[Node]| {
             n.iter().map(|n| (n.center - c).norm() + n.radius).fold(0.0, f64::max)
         };
-        let center = 0.5 * (lo + hi);
+        let mean = leaves.iter().map(|n| n.normal).sum::<Vec3>();
+        let across = (leaves[leaves.len() - 1].center - leaves[0].center).cross(&mean);
+        let e = [mean, across].map(|x| crate::solid::unit_or(x, Vec3::z()));
+        let e = if e[0].dot(&e[1]).abs() > 1e-13 {
+            let [x, y] = aptc_geometry::surface::frame_about(e[0]);
+            [x, y, e[0]]
+        } else {
+            [e[0].cross(&e[1]), e[1], e[0]]
+        };
+        let sides = e.map(|e| {
+            leaves.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |b, n| {
+                let (at, by) = (n.center.dot(&e), n.extent(e));
+                (b.0.min(at - by), b.1.max(at + by))
+            })
+        });
+        let center = (0..3).map(|i| e[i] * (0.5 * (sides[i].0 + sides[i].1))).sum::<Vec3>();
+        let half = [0, 1, 2].map(|i| e[i] * (0.5 * (sides[i].1 - sides[i].0)));
         let radius = reach(center, leaves);
+        // Directions of unit length and square to each other but for rounding.
+        let thick = 1e-12 * (radius + center.norm());
         let (a, b) = leaves.split_at_mut(middle);
         let pair = [self.grow(a), self.grow(b)];
-        self.nodes.push(Node { center, radius, below: Below::Nodes(pair) });
+        let below = Below::Nodes(pair);
+        self.nodes.push(Node { center, radius, half, thick, normal: e[2], below });
         self.nodes.len() - 1
     }
 

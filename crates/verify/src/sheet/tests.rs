@@ -59,6 +59,10 @@ proptest! {
         let jet = sheet.jet(&spot);
         for s in spheres {
             prop_assert!((jet.p - s.center).norm() <= s.radius * (1.0 + 1e-9), "outside of its group");
+            for m in directions(jet.n, Vec3::from(lean)) {
+                let off = m.dot(&(jet.p - s.center));
+                prop_assert!(off <= s.extent(m) * (1.0 + 1e-9) + 1e-12, "outside of its box");
+            }
         }
         let flat = tile.c + tile.side[0] * in_piece[0] + tile.side[1] * in_piece[1];
         let stray = (jet.p - flat).norm();
