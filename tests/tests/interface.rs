@@ -53,6 +53,47 @@ fn positions(cl: &str) -> Vec<(String, String)> {
     found
 }
 
+/// The program asks for the points of INTSEC, for cut vectors that CLDAT recorded, and for the last motion.
+#[test]
+fn cut_vectors_come_back_to_the_program() {
+    let flat = "PARTNO BACK\nNOPOST\nUNITS/MM\nS=SSURF/SMESH,XYZ,SPLINE,(0,0,0),(10,0,0),SPLINE,(0,10,0),(10,10,0)\n\
+                L=LINE/4,0,4,10\nCUTTER/6,3\nFROM/20,5,9\n";
+    let cut = "CLDAT/START,1,PDS,NPS,UVPPS\nINTSEC/L,WITH,S\nCLDAT/NOMORE,1\n\
+               GOTO/(NUMF(CLDATA,1)),(CLDATF(1,UPS,2)),(CLDATF(1,PPS,2))\n\
+               GOTO/(POINT/CLDATA,1,TP,1)\nGOTO/(POINT/CLDATA,1,PDS,2)\n\
+               GODLTA/(VECTOR/CLDATA,1,NPS,1)\nGODLTA/(VECTOR/CLDATA,1,TV,1)\n";
+    let along = "GOTO/20,5,9\nCLDAT/START,2,PPS,PDS\nGO/TO,L,TO,S\nGORGT/L,TO,(LINE/0,20,1,20)\nCLDAT/NOMORE,2\n\
+                 GOTO/(POINT/CLDATA,2,PPS,1)\nGOTO/(POINT/CLDATA,2,PDS,2)\n\
+                 GOTO/(NUMF(CLDATA)),0,0\nGODLTA/(VECTOR/CLDATA,1)\nFINI\n";
+    let dir = folder(&[("x.apt", &format!("{flat}{cut}{along}"))]);
+    let run = aptc(dir.path(), &["compile", "x.apt", "--emit", "cl"]);
+    assert_eq!(run.status.code(), Some(0), "{}", said(&run));
+    let text = read(dir.path(), "x.cl");
+    let found: Vec<String> = positions(&text).into_iter().map(|p| p.1).collect();
+    let numbers: Vec<Vec<f64>> = found
+        .iter()
+        .map(|p| p.split(',').map(|x| x.parse().expect("a number")).collect())
+        .collect();
+    let wanted = [
+        [20.0, 5.0, 9.0],
+        [2.0, 0.4, 1.0],
+        [4.0, 0.0, 0.0],
+        [4.0, 10.0, 0.0],
+        [4.0, 10.0, 1.0],
+        [4.0, 11.0, 1.0],
+        [20.0, 5.0, 9.0],
+        [7.0, 5.0, 0.0],
+        [4.0, 17.0, 3.0],
+        [1.0, 0.0, 0.0],
+        [1.0, 0.0, 1.0],
+    ];
+    assert_eq!(numbers.len(), wanted.len(), "{text}");
+    for (got, want) in numbers.iter().zip(wanted) {
+        assert!(got.iter().zip(want).all(|(a, b)| (a - b).abs() < 1e-6), "{got:?} {want:?}");
+    }
+    assert!(said(&run).contains("APT2052"));
+}
+
 #[test]
 fn each_motion_knows_its_line_also_in_macros_files_and_copies() {
     let main = "PARTNO LINES\nNOPOST\nUNITS/MM\nM=MACRO/X\nGOTO/X,0,0\nTERMAC\nFROM/0,0,9\nINDEX/1\n\

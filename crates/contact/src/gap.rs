@@ -107,6 +107,19 @@ pub fn gap_near(
     Ok(gap)
 }
 
+/// The gap at the place of contact into which the surface point `q` runs downhill, also where another one is
+/// deeper. For surfaces without a closed form.
+pub fn gap_at(
+    tool: &Tool<'_>,
+    surface: &Surface,
+    side: Side,
+    thick: f64,
+    q: Vec3,
+) -> Result<Gap, Reason> {
+    let gap = search::local(tool, surface, side, q)?;
+    Ok(Gap { g: gap.raw - thick, ..gap })
+}
+
 /// May the hollow of the surface count as open along the axis `ta`? That of a sphere may, and that of a
 /// cylinder or cone that lies: one that stands is a bore.
 pub fn opens(surface: &Surface, ta: Vec3) -> bool {

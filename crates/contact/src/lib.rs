@@ -33,5 +33,7 @@ pub use aptc_geometry::{Place, Reason, Tool};
 pub use bodies::{Convex, Swept, Turned};
 pub use chord::{Chord, Extreme, chord};
 pub use curvature::second;
-pub use gap::{Condition, Gap, Side, distance, elsewhere, gap, gap_near, on, opens, surrounds};
+pub use gap::{
+    Condition, Gap, Side, distance, elsewhere, gap, gap_at, gap_near, on, opens, surrounds,
+};
 pub use patches::{Clear, PatchPlace, PatchTree};

@@ -270,7 +270,12 @@ fn at(tool: &Tool<'_>, foot: &Foot, side: Side, back: f64) -> At {
 }
 
 /// The normal pair into which the surface point `q` runs downhill.
-fn local(tool: &Tool<'_>, surface: &Surface, side: Side, q: Vec3) -> Result<Gap, Reason> {
+pub(crate) fn local(
+    tool: &Tool<'_>,
+    surface: &Surface,
+    side: Side,
+    q: Vec3,
+) -> Result<Gap, Reason> {
     let size = tool.profile.widest().max(0.1 * tool.profile.reach());
     let mut foot = surface.foot(q);
     let mut back = 0.25 * size + 2.0 * (-tool.distance(foot.point)).max(0.0);

@@ -16,6 +16,7 @@
 
 mod motion;
 mod record;
+mod saved;
 mod text;
 mod verify;
 
@@ -24,5 +25,6 @@ pub use motion::{
     Pocket, Relation, Sense, SurfaceRef, ToolAxis,
 };
 pub use record::{Arg, Clprnt, Dimension, Edit, Kind, NameRef, Record, Units};
+pub use saved::{CutContact, CutPoint, CutVectors};
 pub use text::{Writer, read, read_in_place, write};
 pub use verify::{Verifier, fault_of_form, verify};

@@ -104,8 +104,10 @@ pub fn compile(source: Source, world: &mut dyn World, options: &Options) -> Comp
         run.compiled.printed.extend(section1.take_listing());
         match step {
             Step::Record(record) => {
+                run.keeps_path = section1.asks_for_paths();
                 let outcome = run.take(record);
                 section1.outcome(outcome);
+                run.take_saved().into_iter().for_each(|saved| section1.saved(saved));
             }
             Step::End => break,
         }
@@ -167,6 +169,20 @@ fn name_of(n: &protap::NameRef) -> String {
     if n.subscript > 0 { format!("{}({})", n.name, n.subscript) } else { n.name.to_string() }
 }
 
+/// The positions of motions, when there are any.
+fn path_of(records: &[cl::Record]) -> Option<protap::CutVectors> {
+    let mut points: Vec<protap::CutPoint> = Vec::new();
+    for record in records {
+        let cl::Kind::Motion(m) = &record.kind else { continue };
+        points.extend(m.points.iter().map(|p| protap::CutPoint {
+            te: p.te,
+            ta: p.ta,
+            ..protap::CutPoint::default()
+        }));
+    }
+    (!points.is_empty()).then(|| protap::CutVectors { points, ..protap::CutVectors::default() })
+}
+
 /// A run through Sections 2 to 4.
 struct Run<'o> {
     options: &'o Options,
@@ -184,6 +200,10 @@ struct Run<'o> {
     nopost: bool,
     /// PTONLY/n: Sections after the n-th do not run.
     last_section: u32,
+    /// Does Section 1 ask for the path of the last motion?
+    keeps_path: bool,
+    /// That path.
+    path: Option<protap::CutVectors>,
 }
 
 impl<'o> Run<'o> {
@@ -200,6 +220,8 @@ impl<'o> Run<'o> {
             begun: false,
             nopost: false,
             last_section: 4,
+            keeps_path: false,
+            path: None,
         }
     }
 
@@ -242,6 +264,9 @@ impl<'o> Run<'o> {
         let crew = Threads::new(self.options, self.clock);
         let milled = self.regional.execute_by(record, &crew, &mut self.fresh);
         self.compiled.diagnostics.extend(self.regional.take_diagnostics());
+        if self.keeps_path {
+            self.path = path_of(self.fresh.get(known..).unwrap_or_default()).or(self.path.take());
+        }
         // Regional milling takes back what CLDAT only records.
         if !self.regional.is_recording() {
             let kept = self.keep();
@@ -258,6 +283,13 @@ impl<'o> Run<'o> {
                 protap::Outcome::Failed
             }
         }
+    }
+
+    /// Cut vectors for Section 1: sections of CLDAT, curves of INTSEC, the path of the last motion.
+    fn take_saved(&mut self) -> Vec<protap::CutVectors> {
+        let mut saved: Vec<_> = self.path.take().into_iter().collect();
+        saved.extend(self.regional.take_saved());
+        saved
     }
 
     /// Sections 3 and 4 of a part program.

@@ -7,9 +7,10 @@ use std::sync::Arc;
 
 use aptc_diagnostics::{Code, Diagnostic, Origin, SourceMap, Span, Trace, codes};
 use aptc_geometry::{Form, Plane, Transform};
-use aptc_protap::{Kind, NameRef, Outcome, Record, Units};
+use aptc_protap::{CutVectors, Kind, NameRef, Outcome, Record, Units};
 use aptc_syntax::tree::{Body, Statement};
 use aptc_syntax::{Interner, Symbol};
+use aptc_vocabulary::word;
 use smol_str::SmolStr;
 
 use crate::define::Found;
@@ -84,6 +85,8 @@ pub struct Interpreter<'w> {
     /// have got one.
     pub(crate) blamed: Option<(Place, Span)>,
     finished: Vec<(NameRef, Quantity)>,
+    /// Does the program ask for the path of its last motion (CLDATA)?
+    pub(crate) asks_for_paths: bool,
 }
 
 /// A macro of the program.
@@ -127,6 +130,8 @@ pub(crate) struct State {
     pub(crate) doubt: Doubt,
     /// The place found last on a sculptured form, for PARMF.
     pub(crate) found: Option<Found>,
+    /// The sections of CLDAT, and the path of the last motion.
+    pub(crate) cut_vectors: Vec<CutVectors>,
     /// Is this a program of APT4?
     pub(crate) sculptured: bool,
     /// Was said how a MATRIX in a reference system is taken?
@@ -172,6 +177,7 @@ impl<'w> Interpreter<'w> {
             failed_at: None,
             blamed: None,
             finished: Vec::new(),
+            asks_for_paths: false,
         };
         let (unit, messages) = run.parse(name, text, None);
         let other = match run.options.language {
@@ -314,6 +320,9 @@ impl<'w> Interpreter<'w> {
         };
         let parsed = aptc_syntax::parse(file, &text, &mut self.interner, &options);
         self.memory.grow(self.interner.len());
+        let asked = word::CLDATA.text().as_bytes();
+        self.asks_for_paths |=
+            text.as_bytes().windows(asked.len()).any(|w| w.eq_ignore_ascii_case(asked));
         (Arc::new(Unit { text, name: shown, program: parsed.program }), parsed.diagnostics)
     }
 

@@ -58,6 +58,10 @@ fn every_format_passes_as_it_is_written() {
         "CLDAT/NOMORE,1",
         "REGION/1,IN",
         "REGION/OFF",
+        "INTSEC/PL,S",
+        "INTSEC/PL,WITH,S,CANON",
+        "INTSEC/(LINE/P1,Q2),S,S,CANON",
+        "INTSEC/S,WITH,(SSURF/SMESH,XYZ,SPLINE,P1,Q1,SPLINE,P2,Q2)",
     ] {
         let ran = run(&format!("{SCENE}{statement}\nFINI\n"));
         assert!(ran.diagnostics.is_empty(), "{}", ran.messages());
@@ -97,6 +101,13 @@ fn what_leaves_the_tables_is_told_there() {
         ("AVCTRL/CUTANG,CONST,1", 22),
         ("REGION/1,ON", 10),
         ("CLDAT/START,1,XY", 15),
+        ("INTSEC/P1,S", 8),
+        ("INTSEC/PL", 10),
+        ("INTSEC/PL,S,WITH,S", 13),
+        ("INTSEC/S", 9),
+        ("INTSEC/S,WITH,CANON", 15),
+        ("INTSEC/S,WITH,S", 15),
+        ("INTSEC/PL,S,CANON,S", 19),
     ] {
         let ran = run(&format!("{SCENE}{statement}\nFINI\n"));
         assert_eq!(ran.diagnostics.len(), 1, "{statement}\n{}", ran.messages());

@@ -404,11 +404,15 @@ fn parameters_of_the_place_found_last() {
 
 #[test]
 fn what_needs_other_files_is_refused_by_name() {
-    assert_eq!(mistake("P=POINT/CLDATA,1,TP,3"), (1303, 7));
-    assert_eq!(mistake("V=VECTOR/CLDATA,1"), (1303, 7));
-    assert_eq!(mistake("P=POINT/CLDATF,3"), (1303, 7));
-    assert_eq!(mistake("N=NUMF(CLDATA)"), (1303, 7));
-    assert_eq!(mistake("N=NUMF(CLDATF)"), (1303, 7));
     assert_eq!(mistake("S=SSURF/FETCH,5"), (1303, 7));
-    assert_eq!(mistake("X=CLDATF(1)"), (1056, 7));
+}
+
+#[test]
+fn cut_vectors_that_are_not_there_are_told() {
+    assert_eq!(mistake("P=POINT/CLDATA,1,TP,3"), (1053, 7));
+    assert_eq!(mistake("V=VECTOR/CLDATA,1"), (1053, 7));
+    assert_eq!(mistake("P=POINT/CLDATA,1,TA,3"), (1304, 7));
+    assert_eq!(mistake("N=NUMF(CLDATA)"), (1053, 7));
+    assert_eq!(mistake("X=CLDATF(1,UPS,1)"), (1053, 7));
+    assert_eq!(mistake("X=CLDATF(1,UVPPS,1)"), (1053, 7));
 }

@@ -42,6 +42,8 @@ pub(crate) enum Failure {
     PlaneMissed { word: &'static str },
     /// The surface of CLEARS is not met along the tool axis.
     NoClearance { te: Vec3 },
+    /// Surfaces of INTSEC whose curves are not found.
+    NotCut { why: Box<str> },
     /// A statement that is not done here.
     Undone { what: &'static str },
 }
@@ -212,6 +214,11 @@ impl Failure {
                 codes::PART_NOT_MET,
                 format!("from the tool end {} along the tool axis CLEARS is not met", point(*te)),
                 "give a surface of CLEARS that lies above the line".into(),
+            ),
+            Self::NotCut { why } => (
+                codes::NO_MEETING,
+                format!("the curves of INTSEC are not found: {why}"),
+                "raise the tolerances, or move one of the two by THICK".into(),
             ),
             Self::Undone { what } => (
                 codes::UNSUPPORTED_MOTION,

@@ -6,11 +6,12 @@ use aptc_cldata as cl;
 use aptc_contact::PatchTree;
 use aptc_diagnostics::Diagnostic;
 use aptc_geometry::{Form, Profile, Sculptured, Vec3};
-use aptc_protap::{Kind, Record};
+use aptc_protap::{CutVectors, Kind, Record};
 
 use crate::area::Areas;
 use crate::avoid::Avoid;
 use crate::crew::{Alone, Crew};
+use crate::cut_vectors::Recording;
 use crate::drive::Course;
 use crate::gclear::{Clears, post_arg};
 use crate::guard::Checked;
@@ -70,8 +71,12 @@ pub struct Regional {
     pub(crate) plain: Vec<Plain>,
     /// AVCTRL.
     pub(crate) avoid: Avoid,
-    /// CLDAT and REGION.
+    /// REGION.
     pub(crate) outlines: Outlines,
+    /// The open section of CLDAT.
+    pub(crate) recording: Option<Recording>,
+    /// Cut vectors that the program may ask for.
+    pub(crate) saved: Vec<CutVectors>,
     pub(crate) diagnostics: Vec<Diagnostic>,
 }
 
@@ -121,6 +126,7 @@ impl Regional {
             "GOLOFT" => self.goloft(&record.origin, args, out),
             "CLDAT" => self.cldat(args, out).map(|()| None),
             "REGION" => self.region(args).map(|()| None),
+            "INTSEC" => self.intsec(&record.origin, args, out).map(|()| None),
             "GOMILL" => self.gomill(&record.origin, args, crew, out),
             "GCLEAR" => self.gclear(args).map(|()| None),
             "HOLDER" => self.holder(args).map(|()| None),

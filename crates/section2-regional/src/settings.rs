@@ -24,6 +24,8 @@ pub(crate) struct Settings {
     pub(crate) cut: Option<bool>,
     /// Left on the part surface by THICK.
     pub(crate) thick: f64,
+    /// Left on the drive surface.
+    pub(crate) thick_drive: f64,
     /// TLAXIS; `None` before any.
     pub(crate) axis: Option<ToolAxis>,
 }
@@ -55,7 +57,7 @@ impl Settings {
             Kind::Numpts(n) => self.numpts = Some(*n),
             Kind::Multax(on) => self.multax = *on,
             Kind::Cut(on) => self.cut = Some(*on),
-            Kind::Thick(t) => self.thick = t[0],
+            Kind::Thick(t) => [self.thick, self.thick_drive] = [t[0], t[1]],
             Kind::ToolAxis(axis) => self.axis = Some(axis.clone()),
             Kind::From(p) | Kind::Goto(p) => {
                 if let Some(ta) = p.axis {
@@ -85,6 +87,16 @@ impl Settings {
         let default = OUTTOL_MM / self.units.mm();
         let given = |t: Option<[f64; 4]>| t.map(|t| t[1]).filter(|t| *t > 0.0);
         given(self.outtol).or_else(|| given(self.intol)).unwrap_or(default)
+    }
+
+    /// How far the chords of INTSEC may leave their curve: half of the narrower band of part and drive surface.
+    pub(crate) fn chord(&self) -> f64 {
+        let default = OUTTOL_MM / self.units.mm();
+        let width = |i: usize| {
+            let of = |t: Option<[f64; 4]>, without: f64| t.map_or(without, |t| t[i]).max(0.0);
+            of(self.intol, 0.0) + of(self.outtol, default)
+        };
+        0.5 * width(0).min(width(1)).max(default * 1e-4)
     }
 
     /// Greatest length of a cut vector.

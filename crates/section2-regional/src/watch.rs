@@ -52,7 +52,7 @@ impl Regional {
 
     /// The first point whose way gouges.
     fn watched(&mut self, motion: &cl::Motion) -> Result<(), (usize, Failure)> {
-        let moves = motion.kind != cl::MotionKind::From && !self.outlines.is_recording();
+        let moves = motion.kind != cl::MotionKind::From && !self.is_recording();
         let (Some(profile), true) = (self.watch.profile, moves) else { return Ok(()) };
         let Some(guard) = self.motion_guard(motion).map_err(|f| (0, f))? else { return Ok(()) };
         let mut here = self.watch.last;

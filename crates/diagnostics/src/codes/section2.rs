@@ -39,4 +39,6 @@ codes! {
     FIRST_POINT = 2048, "a first point that was to be left out, and the tool stands elsewhere";
     BETWEEN_PASSES = 2049, "a way between passes that goes through a surface";
     ODD_CONTACT = 2050, "a cutter that touches with its tip or the rim of its top";
+    NO_MEETING = 2051, "surfaces of INTSEC whose curves are not found";
+    MEETING = 2052, "the curves that INTSEC found";
 }

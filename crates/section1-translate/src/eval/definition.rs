@@ -86,8 +86,12 @@ impl Interpreter<'_> {
             return Err(self.no_definition(definition));
         };
         let args: Vec<define::Arg> = args?.into_iter().map(define::Arg::from).collect();
+        let saved = args.first().is_some_and(|a| a.value == define::Value::Word(word::CLDATA));
+        if saved && matches!(head, word::POINT | word::VECTOR) {
+            // They are told in the base system, as forms are kept.
+            return self.saved_form(head, &args, span).map(Arc::new);
+        }
         let refused = args.first().and_then(|a| match a.value {
-            define::Value::Word(word::CLDATA | word::CLDATF) => Some(super::NO_CUT_VECTORS),
             define::Value::Word(word::FETCH) => Some(
                 "saved surfaces, and those of JSON, IGES, STEP and STL, are read by READ/1,name",
             ),

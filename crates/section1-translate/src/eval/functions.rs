@@ -142,10 +142,7 @@ impl Interpreter<'_> {
                 span,
                 format!("the function {word} is not available here"),
             )
-            .note(match word {
-                word::CLDATF => "it needs cut vectors, which translation does not have",
-                _ => "it belongs to another dialect",
-            })
+            .note("it belongs to another dialect")
         } else {
             Diagnostic::error(
                 codes::FUNCTION_NOT_KNOWN,

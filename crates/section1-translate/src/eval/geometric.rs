@@ -4,10 +4,10 @@ use std::sync::Arc;
 
 use aptc_diagnostics::{Diagnostic, Span, codes};
 use aptc_geometry::{Form, Vec3, trig};
-use aptc_syntax::tree::{Expr, ExprKind, Name};
+use aptc_syntax::tree::Expr;
 use aptc_vocabulary::{Word, word};
 
-use super::{Known, NO_CUT_VECTORS, Poisoned};
+use super::{Known, Poisoned};
 use crate::Interpreter;
 use crate::memory::Value;
 
@@ -25,7 +25,7 @@ impl Interpreter<'_> {
         let n = match word {
             word::DOTF | word::ANGLF | word::ANGLB | word::DISTF | word::CANF => 2,
             word::LNTHF | word::NUMF | word::PARMF => 1,
-            word::SPATF => 3,
+            word::SPATF | word::CLDATF => 3,
             _ => return None,
         };
         let most = if matches!(word, word::NUMF | word::PARMF) { 2 } else { n };
@@ -38,6 +38,7 @@ impl Interpreter<'_> {
             word::DISTF => self.distance(args, span),
             word::NUMF => self.points_of(args),
             word::PARMF => self.parameter(args, span),
+            word::CLDATF => self.saved_parameter(args),
             _ => self.canonical_element(args, span),
         });
         Some(number.map(Value::Number))
@@ -123,11 +124,8 @@ impl Interpreter<'_> {
     /// Number of points of a pattern.
     fn points_of(&mut self, args: &[Expr]) -> Known<f64> {
         let expr = &args[0];
-        if let ExprKind::Name(Name { word: Some(word::CLDATA | word::CLDATF), .. }) = expr.kind {
-            let message = "this form of NUMF is not carried out";
-            let refused = Diagnostic::error(codes::REFUSED_WORD, expr.span, message);
-            self.error(refused.note(NO_CUT_VECTORS));
-            return Err(Poisoned);
+        if let Some(count) = self.count_of_saved(args) {
+            return count;
         }
         let form = self.form(expr, "a pattern")?;
         if let Some(parts) = self.parts_of(&form, args) {

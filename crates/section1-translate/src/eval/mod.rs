@@ -5,6 +5,7 @@
 
 mod argument;
 mod arithmetic;
+mod cut_vectors;
 mod definition;
 mod functions;
 mod geometric;
@@ -31,10 +32,6 @@ pub(crate) struct Poisoned;
 
 /// A value, unless a mistake spoilt it.
 pub(crate) type Known<T> = Result<T, Poisoned>;
-
-/// Why the words of saved cut vectors are refused.
-const NO_CUT_VECTORS: &str =
-    "cut vectors are made after translation and are not kept for it: write their numbers out";
 
 impl Interpreter<'_> {
     /// The number that `expr` gives.

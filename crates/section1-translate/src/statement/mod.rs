@@ -5,6 +5,7 @@ mod cutter;
 mod drive;
 mod edit;
 mod goto;
+mod intsec;
 mod obtain;
 mod pattern;
 mod pocket;
@@ -212,6 +213,9 @@ impl Interpreter<'_> {
         if let Some(known) = self.refused(word, clause) {
             return known;
         }
+        if word == word::INTSEC {
+            return self.intsec(clause);
+        }
         if word.is(Class::Regional) {
             return self.regional(word, clause);
         }
@@ -320,6 +324,9 @@ impl Interpreter<'_> {
 
 /// How a statement with a table of arguments is written: `SCON/AXIS,vector[,PLUS|MINUS]`.
 pub(crate) fn statement_shapes(word: Word) -> Vec<String> {
+    if word == word::INTSEC {
+        return intsec::FORMATS.map(str::to_owned).to_vec();
+    }
     let shapes = match word {
         word::VTLAXS | word::WCORN => tilt::shapes(word),
         _ => regional::shapes(word),

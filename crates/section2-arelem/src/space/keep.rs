@@ -1,7 +1,7 @@
 //! One surface that the tool keeps to, and how near it has to stay.
 
 use aptc_contact::{
-    Condition, Gap, Reason, Side, Tool, distance, elsewhere, opens, second, surrounds,
+    Condition, Gap, Reason, Side, Tool, distance, elsewhere, gap_at, opens, second, surrounds,
 };
 use aptc_geometry::{Profile, Surface, Vec3};
 
@@ -54,6 +54,11 @@ impl Keep {
     pub(crate) fn gap_from(&self, pose: &Pose, known: Option<&Gap>) -> Result<Gap, Reason> {
         let known = known.filter(|_| !surrounds(&self.surface, self.side));
         self.gap(pose, known.map(|g| g.surface_point))
+    }
+
+    /// The gap at the place of contact near the surface point `q`, also where another one is deeper.
+    pub(crate) fn gap_at(&self, pose: &Pose, q: Vec3) -> Result<Gap, Reason> {
+        gap_at(&self.tool(pose), &self.surface, self.side, self.thick, q)
     }
 
     /// The same surface with the tool on another side.

@@ -1,6 +1,7 @@
 //! Motion in space (APT: `ARLM3`): any drive, part and check surfaces, any cutter, fixed or turning axis.
 
 mod blocked;
+mod corner;
 mod keep;
 mod nearest;
 mod run;

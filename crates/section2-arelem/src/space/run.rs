@@ -23,6 +23,8 @@ const MOST_BACK: u32 = 3;
 const MOST_SHORTENED: u32 = 20;
 /// Share of a cut vector by which a track that has come back may pass beside its start, where it may have an edge.
 const BESIDE: f64 = 0.1;
+/// Cut vectors before a corner that one may stand for.
+const MERGED: usize = 8;
 /// Cut vectors of one motion when NUMPTS does not say.
 const MOST_VECTORS: u32 = 20_000;
 
@@ -68,10 +70,18 @@ fn follow(scene: &Scene, begin: &Begin) -> Result<Path, Failure> {
     let mut marks: Vec<Mark> = Vec::with_capacity(watches.len());
     let (mut reach, mut shortened) = (cap, 0);
     let mut vectors = 0;
+    // The last nodes since the start or a corner.
+    let mut trail: Vec<Node> = Vec::new();
     while vectors < most {
-        let stride = match track.stride(&node, reach, &mut pace) {
-            Ok(s) => s,
-            Err(t) => return Err(blocked(scene, begin, &watches, &node, gone, t)),
+        let (stride, leave) = match track.stride(&node, reach, &mut pace) {
+            Ok(s) => (s, None),
+            Err(t) => match track.corner(&node) {
+                // A place with a corner after a corner at it leads nowhere.
+                Some(c) if c.arrive.length > track.exact || !trail.is_empty() => {
+                    (c.arrive, Some(c.leave))
+                }
+                _ => return Err(blocked(scene, begin, &watches, &node, gone, t)),
+            },
         };
         reach = cap;
         marks.clear();
@@ -123,13 +133,28 @@ fn follow(scene: &Scene, begin: &Begin) -> Result<Path, Failure> {
             });
         }
         let way = stride.to.pose.te - node.pose.te;
-        back += u32::from(way.dot(&last) < 0.0);
-        last = way;
+        back += u32::from(way.dot(&last) < 0.0 && leave.is_none());
+        last = if leave.is_none() { way } else { Vec3::zeros() };
         if back >= MOST_BACK {
             return Err(blocked(scene, begin, &watches, &node, gone, Trouble::Stuck));
         }
         gone += way.norm();
         vectors += 1;
+        if trail.len() >= MERGED {
+            trail.remove(0);
+        }
+        trail.push(node);
+        if let Some(leave) = leave {
+            // The cut vectors before a corner come ever shorter: one that ends at it stands for them.
+            let short = |t: &Node| (stride.to.pose.te - t.pose.te).norm() <= cap;
+            let fits = |t: &Node| short(t) && track.fits(t, &stride.to);
+            let kept = trail.iter().position(fits).unwrap_or(trail.len() - 1);
+            points.truncate(points.len().saturating_sub(trail.len() - 1 - kept));
+            points.push(position(&stride.to.pose));
+            trail.clear();
+            node = leave;
+            continue;
+        }
         points.push(position(&stride.to.pose));
         let met: u32 = watches.iter().map(|w| w.account().0).sum();
         if straight || loops.closed(&node, &stride.to, met) {

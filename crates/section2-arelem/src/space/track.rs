@@ -1,6 +1,6 @@
 //! The curve on which the tool moves: in place at drive and part surface (APT: `CENTR`, `CENTR2`).
 
-use aptc_contact::{Gap, Reason};
+use aptc_contact::{Condition, Gap, Reason};
 use aptc_geometry::{Vec3, trig};
 
 use super::keep::{Keep, Pose};
@@ -80,7 +80,13 @@ impl Track {
         self.finish(pose, gaps, heading)
     }
 
-    fn finish(&self, pose: Pose, gaps: [Gap; 2], heading: Vec3) -> Result<Node, Trouble> {
+    /// The node at a pose with known gaps, going with `heading`.
+    pub(crate) fn finish(
+        &self,
+        pose: Pose,
+        gaps: [Gap; 2],
+        heading: Vec3,
+    ) -> Result<Node, Trouble> {
         let along = direction(&gaps, heading)?;
         let bend = |i: usize| self.keeps[i].bend(&pose, &gaps[i], along);
         let bends = [bend(0), bend(1)];
@@ -131,7 +137,7 @@ impl Track {
             if worst <= self.exact && turned <= 1e-11 {
                 let deeper = if look { self.deeper(&pose, &gaps).0 } else { [None, None] };
                 if deeper.iter().all(Option::is_none) {
-                    return self.finish(pose, gaps, hint.along);
+                    return self.finish(pose, gaps, self.onward(&pose, &gaps, hint));
                 }
                 // The cutter touches elsewhere first: on from there.
                 near = [0, 1].map(|i| deeper[i].unwrap_or(gaps[i]));
@@ -153,6 +159,25 @@ impl Track {
             pose = Pose { te: pose.te + step, ta };
         }
         Err(Trouble::Stuck)
+    }
+
+    /// The direction in which the track goes on from a node at a place near it: as there, but where it turns
+    /// sharply. Round an edge no track turns more than its way over the radius of what touches; what turns more
+    /// has a corner in a hollow on the way, and leads away from the place of contact before it.
+    fn onward(&self, pose: &Pose, gaps: &[Gap; 2], hint: &Node) -> Vec3 {
+        let way = (pose.te - hint.pose.te).norm();
+        let Ok(t) = direction(gaps, hint.along) else { return hint.along };
+        let changed = |i: usize| (gaps[i].normal - hint.gaps[i].normal).norm();
+        let i = usize::from(changed(1) > changed(0));
+        let keep = &self.keeps[i];
+        let level = [gaps[i].normal, hint.gaps[i].normal].map(|n| n.dot(&pose.ta).abs() < 0.3);
+        // What touches a floor is rounded by the corner radius alone.
+        let beside = level[0] && level[1];
+        let radius = if beside { keep.profile.widest() } else { keep.profile.corner_radius() };
+        let touches = keep.condition == Condition::Touch && !keep.is_plane();
+        let sharp = touches && t.dot(&hint.along) < 0.5 && way < 0.1 * radius;
+        let rise = t.dot(&hint.gaps[i].normal);
+        if sharp && rise < -0.1 { -t } else { t }
     }
 
     /// The place at the distance `s` along the track from a node, to second order, then settled.
@@ -194,9 +219,13 @@ fn direction(gaps: &[Gap; 2], heading: Vec3) -> Result<Vec3, Trouble> {
 
 /// The vector with given products with both normals and with `across`.
 fn solve(gaps: &[Gap; 2], across: Vec3, rhs: [f64; 3]) -> Option<Vec3> {
-    let (a, b) = (gaps[0].normal, gaps[1].normal);
+    solve_normals([gaps[0].normal, gaps[1].normal, across], rhs)
+}
+
+/// The vector with given products with three unit vectors.
+pub(crate) fn solve_normals([a, b, c]: [Vec3; 3], rhs: [f64; 3]) -> Option<Vec3> {
     let ab = a.cross(&b);
-    let det = ab.dot(&across);
+    let det = ab.dot(&c);
     (det.abs() > SIDE_BY_SIDE * 0.1)
-        .then(|| (b.cross(&across) * rhs[0] + across.cross(&a) * rhs[1] + ab * rhs[2]) / det)
+        .then(|| (b.cross(&c) * rhs[0] + c.cross(&a) * rhs[1] + ab * rhs[2]) / det)
 }

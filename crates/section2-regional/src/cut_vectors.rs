@@ -1,0 +1,223 @@
+//! CLDAT: cut vectors recorded for the program and for REGION.
+
+use std::sync::Arc;
+
+use aptc_cldata as cl;
+use aptc_contact::{Side, Tool, gap, on};
+use aptc_geometry::sculpt::nearest_on;
+use aptc_geometry::{Form, Profile, Sculptured, Surface, Vec3};
+use aptc_protap::{Arg, CutContact, CutPoint, CutVectors, NameRef};
+
+use crate::failure::Failure;
+use crate::outline::{Outline, same, same_form};
+use crate::regional::Regional;
+use crate::scon::Words;
+
+/// A section of CLDAT that is open.
+#[derive(Clone, Debug)]
+pub(crate) struct Recording {
+    number: f64,
+    /// The first record that belongs to it.
+    from: usize,
+    /// What CLDAT/START names.
+    kept: Vec<Box<str>>,
+    points: Vec<CutPoint>,
+    outline: Outline,
+}
+
+/// A surface prepared for contacts.
+struct Prepared {
+    form: Arc<Form>,
+    surface: Surface,
+    sculptured: Option<Arc<Sculptured>>,
+}
+
+impl Recording {
+    fn keeps(&self, word: &str) -> bool {
+        self.kept.iter().any(|k| **k == *word)
+    }
+
+    /// Does it need places of drive surface (else part surface)?
+    fn needs(&self, drive: bool) -> bool {
+        let words = if drive { ["PDS", "NDS", "UVPDS"] } else { ["PPS", "NPS", "UVPPS"] };
+        words.iter().any(|w| self.keeps(w))
+    }
+}
+
+impl Regional {
+    /// CLDAT/START,n,.. and CLDAT/NOMORE,n: the cut vectors of the motions between them, with their contacts as
+    /// asked for. These motions are recorded only: they are taken out of `out`, as SSV3 puts none of them out.
+    ///
+    /// APT: `CLDAT`.
+    pub(crate) fn cldat(&mut self, args: &[Arg], out: &mut Vec<cl::Record>) -> Result<(), Failure> {
+        let mut w = Words(args);
+        if w.take("START") {
+            let number = w.number().unwrap_or(0.0);
+            if let Some(open) = &self.recording {
+                let need = format!("given after CLDAT/NOMORE,{}", open.number).into();
+                return Err(Failure::Value {
+                    what: "the number of CLDAT/START",
+                    value: number,
+                    need,
+                });
+            }
+            let mut kept = Vec::new();
+            while let Some(word) = w.word() {
+                kept.push(word.into());
+            }
+            let (points, outline) = (Vec::new(), Outline::new(number));
+            self.recording = Some(Recording { number, from: out.len(), kept, points, outline });
+            return Ok(());
+        }
+        w.take("NOMORE");
+        let number = w.number().unwrap_or(0.0);
+        let Some(mut open) = self.recording.take().filter(|o| same(o.number, number)) else {
+            return Err(Failure::Value {
+                what: "the number of CLDAT/NOMORE",
+                value: number,
+                need: "that of the CLDAT/START before it".into(),
+            });
+        };
+        self.gather(&mut open, out)?;
+        let Recording { kept, points, outline, .. } = open;
+        if kept.iter().any(|k| matches!(&**k, "UVPPS" | "UVPDS")) {
+            self.outlines.keep(outline);
+        }
+        self.saved.push(CutVectors { section: Some(number), kept, points, canon: false });
+        Ok(())
+    }
+
+    /// Are motions being recorded (CLDAT/START), which may be taken out of the output again?
+    pub fn is_recording(&self) -> bool {
+        self.recording.is_some()
+    }
+
+    /// The sections that were closed, and the curves of INTSEC, since the last call.
+    pub fn take_saved(&mut self) -> Vec<CutVectors> {
+        std::mem::take(&mut self.saved)
+    }
+
+    /// Points of INTSEC, one curve after the other and whether it is closed: into the open section, and as the
+    /// last path.
+    pub(crate) fn record_curves(
+        &mut self,
+        curves: Vec<(Vec<CutPoint>, bool)>,
+        [drive, part]: [Option<&Arc<Form>>; 2],
+        uvs: &[Vec<[[f64; 2]; 2]>],
+        canon: bool,
+        out: &mut Vec<cl::Record>,
+    ) -> Result<(), Failure> {
+        if let Some(mut open) = self.recording.take() {
+            self.gather(&mut open, out)?;
+            open.from = out.len();
+            let of_drive = open.keeps("UVPDS");
+            let form = if of_drive { drive } else { part };
+            for ((points, closed), uvs) in curves.iter().zip(uvs) {
+                open.points.extend(points);
+                let corners = uvs.iter().map(|uv| uv[usize::from(!of_drive)]);
+                open.outline.add(form, corners, *closed);
+            }
+            self.recording = Some(open);
+        }
+        let points = curves.into_iter().flat_map(|c| c.0).collect();
+        self.saved.push(CutVectors { section: None, kept: Vec::new(), points, canon });
+        Ok(())
+    }
+
+    /// Takes the motions of the section out of `out`.
+    fn gather(&mut self, open: &mut Recording, out: &mut Vec<cl::Record>) -> Result<(), Failure> {
+        let mut prepared: Vec<Prepared> = Vec::new();
+        let mut last: Option<Vec3> = None;
+        for record in out.split_off(open.from.min(out.len())) {
+            let cl::Kind::Motion(m) = &record.kind else {
+                out.push(record);
+                continue;
+            };
+            let control = m.control.as_deref();
+            let drive = control.and_then(|c| c.drive.as_ref()).filter(|_| open.needs(true));
+            let part = control.and_then(|c| c.part.as_ref()).filter(|_| open.needs(false));
+            let of_drive = open.keeps("UVPDS");
+            let outlined = if of_drive { drive } else { part };
+            let outlined = outlined.filter(|c| matches!(c.form.shape(), Form::Ssurf(_)));
+            let mut corners = Vec::new();
+            for p in &m.points {
+                let drive = self.contact(&mut prepared, drive, p)?;
+                let part = self.contact(&mut prepared, part, p)?;
+                let along = last.and_then(|q| (p.te - q).try_normalize(0.0));
+                last = Some(p.te);
+                corners.extend(if of_drive { drive } else { part }.and_then(|c| c.1));
+                let place = |c: Option<(CutContact, Option<[f64; 2]>)>| c.map(|c| c.0);
+                open.points.push(CutPoint {
+                    te: p.te,
+                    ta: p.ta,
+                    along,
+                    drive: place(drive),
+                    part: place(part),
+                });
+            }
+            if let Some(c) = outlined {
+                open.outline.add(Some(&c.form), corners.into_iter(), false);
+            }
+        }
+        Ok(())
+    }
+
+    /// The place that the cutter touches, and its parameters on the whole surface.
+    fn contact(
+        &mut self,
+        prepared: &mut Vec<Prepared>,
+        controlled: Option<&cl::Controlled>,
+        p: &cl::Position,
+    ) -> Result<Option<(CutContact, Option<[f64; 2]>)>, Failure> {
+        let Some(c) = controlled else { return Ok(None) };
+        let at = prepared.iter().position(|k| same_form(&k.form, &c.form));
+        let at = match at {
+            Some(at) => at,
+            None => {
+                let Some(surface) = Surface::from_form(&c.form) else { return Ok(None) };
+                let named = NameRef { name: c.name.name.clone(), subscript: c.name.subscript };
+                let sculptured = match c.form.shape() {
+                    Form::Ssurf(_) => Some(self.surface(&named, &c.form)?),
+                    _ => None,
+                };
+                prepared.push(Prepared { form: Arc::clone(&c.form), surface, sculptured });
+                prepared.len() - 1
+            }
+        };
+        let known = &prepared[at];
+        let profile = self.settings.profile;
+        let Some(place) = touched(profile.as_ref(), &known.surface, c, p) else { return Ok(None) };
+        let hit = known.sculptured.as_ref().map(|s| {
+            let uv = nearest_on(s, place.point).uv;
+            (uv, patch_of(s, uv))
+        });
+        let place = CutContact { patch: hit.map(|h| h.1), ..place };
+        Ok(Some((place, hit.map(|h| h.0))))
+    }
+}
+
+/// The patch of a place, counted from 1, and its parameters there.
+pub(crate) fn patch_of(s: &Sculptured, [u, v]: [f64; 2]) -> (u32, [f64; 2]) {
+    let (n, local) = s.span_of(u, v);
+    (u32::try_from(n).unwrap_or(u32::MAX), local)
+}
+
+/// The place that the cutter touches; without a cutter, and where the tool end lies on the surface, the foot of
+/// the tool end.
+fn touched(
+    profile: Option<&Profile>,
+    surface: &Surface,
+    c: &cl::Controlled,
+    p: &cl::Position,
+) -> Option<CutContact> {
+    let side = match (c.side, c.open) {
+        (_, true) => Side::Open,
+        (..0, _) => Side::Negative,
+        _ => Side::Positive,
+    };
+    let place = match profile.filter(|_| c.side != 0) {
+        Some(profile) => gap(&Tool { profile, te: p.te, ta: p.ta }, surface, side, 0.0).ok()?,
+        None => on(p.te, surface, side),
+    };
+    Some(CutContact { point: place.surface_point, normal: place.normal, patch: None })
+}
