@@ -250,7 +250,9 @@ impl<'o> Run<'o> {
     fn mill(&mut self, record: &protap::Record) -> protap::Outcome {
         let known = self.fresh.len();
         let mut outcome = self.section2.execute(record, &mut self.fresh);
-        if self.regional.watch(&mut self.fresh, known).is_err() {
+        // The arithmetic element goes on as programmed; what is put out is projected by TLPROJ.
+        let projected = self.regional.project(&mut self.fresh, known);
+        if projected.is_err() || self.regional.watch(&mut self.fresh, known).is_err() {
             self.section2.stand(None);
             outcome = protap::Outcome::Failed;
         }
@@ -260,6 +262,9 @@ impl<'o> Run<'o> {
             }
             protap::Outcome::Failed => self.regional.stood(None),
             _ => {}
+        }
+        if let Ok(Some(stand)) = projected {
+            self.regional.stood(Some(stand));
         }
         let crew = Threads::new(self.options, self.clock);
         let milled = self.regional.execute_by(record, &crew, &mut self.fresh);
@@ -299,7 +304,8 @@ impl<'o> Run<'o> {
         }
         let known = self.fresh.len();
         self.section2.finish(&mut self.fresh);
-        // Its messages are those of the program; nothing follows that would need the place of the tool.
+        // Their messages are those of the program; nothing follows that would need the place of the tool.
+        let _ = self.regional.project(&mut self.fresh, known);
         let _ = self.regional.watch(&mut self.fresh, known);
         self.compiled.diagnostics.extend(self.regional.take_diagnostics());
         let kept = self.keep();

@@ -42,6 +42,8 @@ pub(crate) enum Failure {
     PlaneMissed { word: &'static str },
     /// The surface of CLEARS is not met along the tool axis.
     NoClearance { te: Vec3 },
+    /// The way to the first projected position goes through a surface.
+    Approach(Box<Deep>),
     /// Surfaces of INTSEC whose curves are not found.
     NotCut { why: Box<str> },
     /// A statement that is not done here.
@@ -214,6 +216,14 @@ impl Failure {
                 codes::PART_NOT_MET,
                 format!("from the tool end {} along the tool axis CLEARS is not met", point(*te)),
                 "give a surface of CLEARS that lies above the line".into(),
+            ),
+            Self::Approach(deep) => (
+                codes::BETWEEN_PASSES,
+                deep.said(
+                    "on the way to the first projected position the cutter is",
+                    "on the way to the first projected position the holder is",
+                ),
+                "bring the tool over that position before TLPROJ".into(),
             ),
             Self::NotCut { why } => (
                 codes::NO_MEETING,

@@ -37,6 +37,7 @@ mod settings;
 mod smil;
 mod solve;
 mod stepover;
+mod tlproj;
 mod watch;
 mod within;
 

@@ -18,6 +18,7 @@ use crate::guard::Checked;
 use crate::outline::Outlines;
 use crate::plain::Plain;
 use crate::settings::Settings;
+use crate::tlproj::Projecting;
 use crate::watch::Watch;
 
 /// Where the tool stands after a statement of regional milling.
@@ -73,6 +74,8 @@ pub struct Regional {
     pub(crate) avoid: Avoid,
     /// REGION.
     pub(crate) outlines: Outlines,
+    /// TLPROJ.
+    pub(crate) projecting: Option<Projecting>,
     /// The open section of CLDAT.
     pub(crate) recording: Option<Recording>,
     /// Cut vectors that the program may ask for.
@@ -126,6 +129,7 @@ impl Regional {
             "GOLOFT" => self.goloft(&record.origin, args, out),
             "CLDAT" => self.cldat(args, out).map(|()| None),
             "REGION" => self.region(args).map(|()| None),
+            "TLPROJ" => self.tlproj(args),
             "INTSEC" => self.intsec(&record.origin, args, out).map(|()| None),
             "GOMILL" => self.gomill(&record.origin, args, crew, out),
             "GCLEAR" => self.gclear(args).map(|()| None),
@@ -153,6 +157,8 @@ impl Regional {
     /// Keeps where the tool stands, as far as a record says it, and the feed.
     fn follow(&mut self, kind: &Kind) {
         match kind {
+            // A projected position was followed already.
+            Kind::Goto(_) if self.projecting.is_some() => {}
             Kind::From(p) | Kind::Goto(p) => {
                 let ta = p.axis.or(self.stand.map(|s| s.ta)).unwrap_or_else(Vec3::z);
                 self.stand = Some(Stand { te: p.point, ta, along: Vec3::zeros() });

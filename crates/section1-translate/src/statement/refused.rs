@@ -42,7 +42,6 @@ const TABLE: &[(Word, Fate, &str)] = &[
     (word::TANCRV, Refused, "its processor was never published"),
     (word::BEVELS, Refused, "its processor was never published"),
     (word::DMILL, Refused, "its processor was never published"),
-    (word::TLPROJ, Refused, "paths are not projected"),
     (word::PARSRF, Refused, "its data were written by programs, in a form never published"),
     (word::HEX, Refused, "saved forms are read as statements by READ/1, not in hexadecimal"),
     (word::LOFT, Refused, "its processor was never published"),

@@ -193,6 +193,12 @@ const KEPT: &[&[Item]] = &[
 ];
 const CLDAT: &[Shape] = &[open(&[W(word::START), N], KEPT), fixed(&[W(word::NOMORE), N])];
 
+const TLPROJ: &[Shape] = &[
+    open(&[V], &[&[Of(&[word::ON, word::AT])]]),
+    open(&[W(word::NORMAL)], &[&[Of(&[word::ON, word::AT])]]),
+    fixed(&[W(word::OFF)]),
+];
+
 const REGION: &[Shape] =
     &[fixed(&[N, Of(&[word::IN, word::OUT, word::OFF])]), fixed(&[W(word::OFF)])];
 
@@ -210,6 +216,7 @@ pub(super) fn shapes(word: Word) -> &'static [Shape] {
         word::GCLEAR => GCLEAR,
         word::CLDAT => CLDAT,
         word::REGION => REGION,
+        word::TLPROJ => TLPROJ,
         _ => &[],
     }
 }
