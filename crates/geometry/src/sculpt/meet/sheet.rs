@@ -1,6 +1,6 @@
 //! One patch or plane, moved by its thickness.
 
-use crate::sculpt::Patch;
+use crate::sculpt::{Derivatives, Patch};
 use crate::surface::frame_about;
 use crate::{Plane, Vec3};
 
@@ -99,12 +99,6 @@ impl<'a> Sheet<'a> {
 impl Spot {
     /// Components of `w`, laid into the tangent plane, along the derivatives.
     pub(super) fn components(&self, w: Vec3) -> Option<[f64; 2]> {
-        let (a, b, c) = (self.u.dot(&self.u), self.u.dot(&self.v), self.v.dot(&self.v));
-        let det = a * c - b * b;
-        if det <= 1e-24 * a * c || det <= 0.0 {
-            return None;
-        }
-        let (p, q) = (w.dot(&self.u), w.dot(&self.v));
-        Some([(p * c - q * b) / det, (q * a - p * b) / det])
+        Derivatives { u: self.u, v: self.v, ..Derivatives::default() }.components(w)
     }
 }

@@ -1,3 +1,5 @@
+//! Level lines, sections and curves of two surfaces against what is known of them.
+
 use super::*;
 use crate::sculpt::{CubicArc, SpaceCurve, SplinePoint, mesh, revolve};
 use crate::trig;

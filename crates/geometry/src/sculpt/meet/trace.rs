@@ -206,13 +206,9 @@ impl<'a> Tracer<'a> {
     /// The border that is crossed by most: sheet, parameter, value there.
     fn crossed(&self, uvs: &Uvs) -> Option<(usize, usize, f64)> {
         let mut worst: Option<(f64, (usize, usize, f64))> = None;
-        for i in 0..2 {
-            if !self.sheets[i].ends() {
-                continue;
-            }
-            for k in 0..2 {
-                let x = uvs[i][k];
-                let (over, value) = if x < 0.0 { (-x, 0.0) } else { (x - 1.0, 1.0) };
+        for (i, uv) in uvs.iter().enumerate().filter(|(i, _)| self.sheets[*i].ends()) {
+            for (k, x) in uv.iter().enumerate() {
+                let (over, value) = if *x < 0.0 { (-x, 0.0) } else { (x - 1.0, 1.0) };
                 if over > OVER && worst.is_none_or(|w| over > w.0) {
                     worst = Some((over, (i, k, value)));
                 }
