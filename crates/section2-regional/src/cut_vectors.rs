@@ -32,6 +32,13 @@ struct Prepared {
     sculptured: Option<Arc<Sculptured>>,
 }
 
+/// Where the cutter touches, and the parameters of the whole surface there.
+#[derive(Clone, Copy)]
+struct Contact {
+    place: CutContact,
+    uv: Option<[f64; 2]>,
+}
+
 impl Recording {
     fn keeps(&self, word: &str) -> bool {
         self.kept.iter().any(|k| **k == *word)
@@ -145,14 +152,13 @@ impl Regional {
                 let part = self.contact(&mut prepared, part, p)?;
                 let along = last.and_then(|q| (p.te - q).try_normalize(0.0));
                 last = Some(p.te);
-                corners.extend(if of_drive { drive } else { part }.and_then(|c| c.1));
-                let place = |c: Option<(CutContact, Option<[f64; 2]>)>| c.map(|c| c.0);
+                corners.extend(if of_drive { drive } else { part }.and_then(|c| c.uv));
                 open.points.push(CutPoint {
                     te: p.te,
                     ta: p.ta,
                     along,
-                    drive: place(drive),
-                    part: place(part),
+                    drive: drive.map(|c| c.place),
+                    part: part.map(|c| c.place),
                 });
             }
             if let Some(c) = outlined {
@@ -168,7 +174,7 @@ impl Regional {
         prepared: &mut Vec<Prepared>,
         controlled: Option<&cl::Controlled>,
         p: &cl::Position,
-    ) -> Result<Option<(CutContact, Option<[f64; 2]>)>, Failure> {
+    ) -> Result<Option<Contact>, Failure> {
         let Some(c) = controlled else { return Ok(None) };
         let at = prepared.iter().position(|k| same_form(&k.form, &c.form));
         let at = match at {
@@ -192,7 +198,7 @@ impl Regional {
             (uv, patch_of(s, uv))
         });
         let place = CutContact { patch: hit.map(|h| h.1), ..place };
-        Ok(Some((place, hit.map(|h| h.0))))
+        Ok(Some(Contact { place, uv: hit.map(|h| h.0) }))
     }
 }
 
