@@ -3,7 +3,7 @@
 use aptc_geometry::profile::Segment;
 use aptc_geometry::{Reason, Surface, Tool, Vec3};
 
-use crate::{closed, open, search, tangents};
+use crate::{closed, open, rings, search, tangents};
 
 /// The side of a surface on which the tool is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -14,7 +14,7 @@ pub enum Side {
     Negative,
     /// The other side of a hollow that counts as open along the tool axis: whatever lies above the hollow,
     /// seen along the axis, is no material. So a cutter works inside of a sphere or a lying cylinder that it
-    /// is taller than. For sphere, cylinder and cone; see [`opens`].
+    /// is taller than. For sphere, cylinder, cone and convex quadrics; see [`opens`].
     Open,
 }
 
@@ -100,6 +100,10 @@ pub fn gap_near(
         Surface::Sphere(s) => closed::sphere(tool, s, side),
         Surface::Cylinder(s) => tangents::cylinder(tool, s, side)?,
         Surface::Cone(s) => tangents::cone(tool, s, side)?,
+        Surface::Quadric(s) if side == Side::Open => {
+            let open = s.opened(tool.ta).ok_or(Reason::NoHit)?;
+            rings::within(tool, |p| open.foot(p))?
+        }
         _ if side == Side::Open => return Err(Reason::NoHit),
         _ => search::general(tool, surface, side, start)?,
     };
@@ -120,8 +124,8 @@ pub fn gap_at(
     Ok(Gap { g: gap.raw - thick, ..gap })
 }
 
-/// May the hollow of the surface count as open along the axis `ta`? That of a sphere may, and that of a
-/// cylinder or cone that lies: one that stands is a bore.
+/// May the hollow of the surface count as open along the axis `ta`? That of a sphere or ellipsoid may, and that of a
+/// cylinder or cone that lies: one that stands is a bore; a paraboloid about the axis is open as it is.
 pub fn opens(surface: &Surface, ta: Vec3) -> bool {
     open::opens(surface, ta)
 }

@@ -17,6 +17,7 @@ pub(crate) fn opens(surface: &Surface, ta: Vec3) -> bool {
         Surface::Sphere(_) => true,
         Surface::Cylinder(s) => lies(s.axis),
         Surface::Cone(s) => lies(s.axis) && outline(s, ta).is_some(),
+        Surface::Quadric(s) => s.generator().is_none_or(lies) && s.opened(ta).is_some(),
         _ => false,
     }
 }
@@ -52,6 +53,7 @@ pub(crate) fn shape(surface: &Surface, ta: Vec3, q: Vec3, n: Vec3) -> Shape {
         return surface.shape_at(q, n);
     }
     match surface {
+        Surface::Quadric(s) => s.opened(ta).map_or(Shape::flat(n), |open| open.shape_at(q, n)),
         Surface::Sphere(s) => Shape { frame: [ta, ta.cross(&n)], k: [0.0, 0.0, 1.0 / s.radius] },
         _ => Shape::flat(n),
     }

@@ -11,6 +11,14 @@ fn mill(d: f64, r: f64) -> Profile {
     Profile::new(&Cutter::mill(d, r, 50.0)).expect("a mill")
 }
 
+/// Half axes of an ellipsoid about the origin.
+const HALVES: [f64; 3] = [50.0, 30.0, 25.0];
+
+fn ellipsoid(halves: [f64; 3]) -> Surface {
+    let [a, b, c] = halves.map(|h| 1.0 / (h * h));
+    quadric_of([a, b, c, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0])
+}
+
 #[test]
 fn published_gaps() {
     let ball = mill(10.0, 5.0);
@@ -172,7 +180,7 @@ proptest! {
 
     #[test]
     fn an_open_hollow_has_the_walls_that_do_not_lean_over_the_tool(
-        cutter in cutter(), kind in 0_usize..3, te in prop::array::uniform3(-9.0_f64..9.0),
+        cutter in cutter(), kind in 0_usize..4, te in prop::array::uniform3(-9.0_f64..9.0),
         lean in prop::array::uniform2(-0.4_f64..0.4), axis in prop::array::uniform2(-0.5_f64..0.5),
     ) {
         let profile = Profile::new(&cutter).unwrap();
@@ -183,6 +191,7 @@ proptest! {
         let (surface, tilt, flat) = match kind {
             0 => (Surface::Sphere(Sphere { center: o, radius: 40.0 }), None, 1.0),
             1 => (Surface::Cylinder(Cylinder { point: o, axis: t, radius: 40.0 }), Some(0.0), 1.0),
+            2 => (ellipsoid(HALVES), None, 1.0),
             _ => (Surface::Cone(Cone { vertex: t * -90.0, axis: t, cos_half: 0.9 }), Some(0.19_f64.sqrt()), 0.9),
         };
         prop_assert!(opens(&surface, ta));
@@ -190,6 +199,7 @@ proptest! {
         // The least clearance of all tangent planes allowed.
         let reach = |m: Vec3| match &surface {
             Surface::Cone(s) => m.dot(&s.vertex),
+            Surface::Quadric(_) => (0..3).map(|i| (m[i] * HALVES[i]).powi(2)).sum::<f64>().sqrt(),
             _ => 40.0,
         };
         let [u, v] = aptc_geometry::surface::frame_about(if tilt.is_some() { t } else { ta });

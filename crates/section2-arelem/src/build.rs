@@ -1,7 +1,9 @@
 //! From a record and the modal words to what a motion is asked to do.
 
+use std::sync::Arc;
+
 use aptc_contact::{Side, gap};
-use aptc_geometry::{Form, Profile, Vec3};
+use aptc_geometry::{Form, Profile, Surface, Vec3};
 use aptc_protap as protap;
 use aptc_protap::{Dimension, DriveSide, PartSide, Relation, SurfaceRef};
 
@@ -104,14 +106,11 @@ impl Arelem {
 
     /// Does the cutter touch the part surface, to within the width of its band?
     pub(crate) fn touches(&self, part: &SurfaceRef, tool: &Tool) -> bool {
-        let (Ok(wall), Some(surface)) =
-            (self.wall(part, Role::Part, false), self.fitted.of(&part.form))
-        else {
-            return false;
-        };
+        let Ok(wall) = self.wall(part, Role::Part, false) else { return false };
+        let Some(surface) = &wall.fitted else { return false };
         let at = aptc_contact::Tool { profile: &wall.profile, te: tool.te, ta: tool.ta };
         [Side::Positive, Side::Negative, Side::Open].into_iter().any(|side| {
-            gap(&at, &surface, side, wall.thick)
+            gap(&at, surface, side, wall.thick)
                 .is_ok_and(|g| g.g.abs() <= wall.band.intol + wall.band.outtol)
         })
     }
@@ -144,8 +143,16 @@ impl Arelem {
         };
         let thick = if on { 0.0 } else { s.thick(role) };
         let disk = s.disk(role).map(|(r, h)| [r, h]);
-        let fitted = self.fitted.of(&surface.form);
-        Ok(Wall { surface: surface.clone(), fitted, profile, disk, on, thick, band: s.band(role) })
+        let mut fitted = self.fitted.of(&surface.form);
+        let mut reversed = false;
+        if let (Some(Surface::Quadric(q)), false) = (&mut fitted, on)
+            && q.convexity() == -1
+            && let Some(other) = q.reversed()
+        {
+            (*q, reversed) = (Arc::new(other), true);
+        }
+        let (surface, band) = (surface.clone(), s.band(role));
+        Ok(Wall { surface, fitted, reversed, profile, disk, on, thick, band })
     }
 
     /// A part plane square to the axis is touched by the tool end of any cutter.

@@ -18,6 +18,8 @@ pub(crate) struct Wall {
     pub(crate) surface: SurfaceRef,
     /// The same prepared for evaluation; `None` when it cannot be.
     pub(crate) fitted: Option<Surface>,
+    /// Do its normals point to the other side than those of the form? A hollow is always on the negative side.
+    pub(crate) reversed: bool,
     /// What touches it.
     pub(crate) profile: Profile,
     /// Radius and height of the disk that the profile is, CUTTER/OPTION.
@@ -159,7 +161,8 @@ impl Wall {
     /// The same of a surface in space, whose hollow may count as open.
     pub(crate) fn beside(&self, relation: Relation, side: Side) -> cl::Controlled {
         let open = side == Side::Open && !self.on;
-        cl::Controlled { open, ..self.controlled(relation, side.sign()) }
+        let sign = if self.reversed { -side.sign() } else { side.sign() };
+        cl::Controlled { open, ..self.controlled(relation, sign) }
     }
 }
 

@@ -3,15 +3,18 @@
 use std::sync::Arc;
 
 use aptc_cldata::{Controlled, Position, Relation};
-use aptc_geometry::{Form, Plane, Profile, Vec3, trig};
+use aptc_geometry::surface::QuadricSurface;
+use aptc_geometry::{Form, Plane, Profile, Quadric, Vec3, trig};
 
 use crate::bound::Bound;
 use crate::curved::{Curved, Warm};
+use crate::hollow::Hollow;
+use crate::inside::{self, Walls};
+use crate::outside;
 use crate::pile::Pile;
 use crate::sheet::Sheet;
 use crate::solid::Solid;
 use crate::tool::{Pose, Tool};
-use crate::{inside, outside};
 
 /// Stretches of a vector that wait, from, to and how often halved: never more than one a halving.
 type Stack = Pile<(f64, f64, u32), 32>;
@@ -39,10 +42,19 @@ pub(crate) struct Demand {
 enum Body {
     /// It bounds a convex solid with a support function.
     Solid(Solid),
+    /// Inside of a convex quadric that is open along the tool axis.
+    Hollow(Hollow),
     /// It has charts.
     Sheet(Arc<Sheet>),
     /// Nothing that could be proved against.
     Unknown,
+}
+
+/// What has a support function.
+#[derive(Clone, Copy, Debug)]
+enum Convex<'a> {
+    Solid(&'a Solid),
+    Hollow(&'a Hollow),
 }
 
 /// The answer for one cut vector and one surface.
@@ -68,10 +80,11 @@ impl Demand {
         };
         let body = match flipped {
             Some(p) => Body::Solid(Solid::Half(Plane { n: -p.n, d: -p.d })),
-            None => match (Solid::new(&c.form), Sheet::new(&c.form)) {
-                (Some(solid), _) => Body::Solid(solid),
-                (None, Some(sheet)) => Body::Sheet(Arc::new(sheet)),
-                (None, None) => Body::Unknown,
+            None => match (Solid::new(&c.form), opened(c), Sheet::new(&c.form)) {
+                (Some(solid), ..) => Body::Solid(solid),
+                (None, Some(hollow), _) => Body::Hollow(hollow),
+                (None, None, Some(sheet)) => Body::Sheet(Arc::new(sheet)),
+                (None, None, None) => Body::Unknown,
             },
         };
         let flat = matches!(body, Body::Solid(Solid::Half(_)));
@@ -112,8 +125,9 @@ impl Demand {
         const DEPTH: u32 = 24;
         const MOST: u32 = 4000;
         let tool = if self.on { Tool::End } else { Tool::Solid(profile) };
-        let solid = match &self.body {
-            Body::Solid(solid) => solid,
+        let convex = match &self.body {
+            Body::Solid(solid) => Convex::Solid(solid),
+            Body::Hollow(hollow) => Convex::Hollow(hollow),
             Body::Sheet(sheet) => return self.curved(sheet).judge(&tool, a, b, pad, warm),
             Body::Unknown => return Verdict::Undecided { at_most: f64::INFINITY, te: a.te },
         };
@@ -128,7 +142,7 @@ impl Demand {
         while let Some((t0, t1, depth)) = stack.pop() {
             seen += 1;
             let (p, q) = (pose(t0), pose(t1));
-            let bound = self.bound(&tool, &p, &q, solid);
+            let bound = self.bound(&tool, &p, &q, convex);
             let excess = (least - bound.low).max(bound.high - most);
             if excess <= 0.0 {
                 (low, high) = (low.min(bound.low), high.max(bound.high));
@@ -136,7 +150,7 @@ impl Demand {
             }
             for t in [bound.low_at, bound.high_at] {
                 let place = between_poses(&p, &q, t);
-                let gap = self.gap(&tool, &place, solid);
+                let gap = self.gap(&tool, &place, convex);
                 let depth = (least - gap).max(gap - most);
                 if depth > worst.map_or(0.0, |w| w.0) {
                     worst = Some((depth, gap, place.te));
@@ -167,7 +181,8 @@ impl Demand {
         let tool = if self.on { Tool::End } else { Tool::Solid(profile) };
         let pose = Pose { te: at.te, ta: at.ta };
         match &self.body {
-            Body::Solid(solid) => Some(self.gap(&tool, &pose, solid)),
+            Body::Solid(solid) => Some(self.gap(&tool, &pose, Convex::Solid(solid))),
+            Body::Hollow(hollow) => Some(self.gap(&tool, &pose, Convex::Hollow(hollow))),
             Body::Sheet(sheet) => self.curved(sheet).gap(&tool, &pose),
             Body::Unknown => None,
         }
@@ -180,35 +195,47 @@ impl Demand {
     /// How it is proved.
     pub(crate) fn method(&self) -> &'static str {
         match self.body {
-            Body::Solid(_) => "support functions",
+            Body::Solid(_) | Body::Hollow(_) => "support functions",
             Body::Sheet(_) => "branch and bound",
             Body::Unknown => "none",
         }
     }
 
-    fn gap(&self, tool: &Tool<'_>, pose: &Pose, solid: &Solid) -> f64 {
-        if self.within {
-            inside::gap(tool, pose, solid, self.open).1
-        } else {
-            outside::gap(tool, pose, solid).0
+    fn gap(&self, tool: &Tool<'_>, pose: &Pose, convex: Convex<'_>) -> f64 {
+        match convex {
+            Convex::Solid(solid) if self.within => inside::gap(tool, pose, solid, self.open).1,
+            Convex::Solid(solid) => outside::gap(tool, pose, solid).0,
+            Convex::Hollow(hollow) => inside::gap(tool, pose, hollow, true).1,
         }
     }
 
-    fn bound(&self, tool: &Tool<'_>, p: &Pose, q: &Pose, solid: &Solid) -> Bound {
+    fn bound(&self, tool: &Tool<'_>, p: &Pose, q: &Pose, convex: Convex<'_>) -> Bound {
         let turn = angle(p.ta, q.ta);
-        if turn <= 1e-15 {
-            return if self.within {
-                inside::bound(tool, p, q, solid, self.open)
-            } else {
-                outside::bound(tool, p, q, solid)
-            };
-        }
-        if self.within {
-            inside::bound_turning(tool, p, q, solid, self.open, turn)
-        } else {
-            outside::bound_turning(tool, p, q, solid, turn)
+        match convex {
+            Convex::Solid(solid) if self.within => within(tool, [p, q], solid, self.open, turn),
+            Convex::Solid(solid) if turn <= 1e-15 => outside::bound(tool, p, q, solid),
+            Convex::Solid(solid) => outside::bound_turning(tool, p, q, solid, turn),
+            Convex::Hollow(hollow) => within(tool, [p, q], hollow, true, turn),
         }
     }
+}
+
+fn within(tool: &Tool<'_>, [p, q]: [&Pose; 2], walls: &impl Walls, open: bool, turn: f64) -> Bound {
+    if turn <= 1e-15 {
+        inside::bound(tool, p, q, walls, open)
+    } else {
+        inside::bound_turning(tool, p, q, walls, open, turn)
+    }
+}
+
+/// The hollow of a quadric that counts as open.
+fn opened(c: &Controlled) -> Option<Hollow> {
+    let Form::Quadric(q) = c.form.shape() else { return None };
+    let touches = c.open && c.side != 0 && c.relation != Relation::On;
+    // Seen from the positive side the form with the other sign.
+    let c = if c.side < 0 { q.c } else { q.c.map(|x| -x) };
+    let surface = QuadricSurface::new(&Quadric { kind: q.kind, c }).filter(|_| touches)?;
+    Hollow::new(&surface)
 }
 
 /// How far a point of the tool at distance `lever` from the tool end leaves the chord of its way at most, when
@@ -362,7 +389,7 @@ mod tests {
             };
             seen = (seen.0.min(g), seen.1.max(g));
             deep_seen = (deep_seen.0.min(deep(g - COARSE)), deep_seen.1.max(deep(g - COARSE)));
-            let exact = demand.gap(&Tool::Solid(&profile), &pose, &solid);
+            let exact = demand.gap(&Tool::Solid(&profile), &pose, Convex::Solid(&solid));
             prop_assert!(exact <= g + 1e-9, "gap {exact} sampled {g} {solid:?}");
             prop_assert!(exact >= deep(g - COARSE), "gap {exact} sampled {g} {solid:?} {cutter:?}");
         }

@@ -18,9 +18,40 @@ use crate::tool::{Pose, Tool, carry};
 /// A direction may look up the axis by so much and still count as square to it.
 const LEVEL: f64 = 1e-12;
 
+/// A convex solid as it is seen from within.
+pub(crate) trait Walls {
+    /// Greatest `m . p` over the solid; infinite where it has no end.
+    fn support(&self, m: Vec3) -> f64;
+
+    /// The direction near `m` in which the solid is bounded, unit.
+    fn bounded_direction(&self, m: Vec3) -> Vec3;
+
+    /// Gap from below and from above over the directions m with `m . ta <= up`, and where it is least.
+    fn nearest(&self, tool: &Tool<'_>, pose: &Pose, up: Option<f64>) -> (f64, f64, Vec3);
+}
+
+impl Walls for Solid {
+    fn support(&self, m: Vec3) -> f64 {
+        Solid::support(self, m)
+    }
+
+    fn bounded_direction(&self, m: Vec3) -> Vec3 {
+        Solid::bounded_direction(self, m)
+    }
+
+    fn nearest(&self, tool: &Tool<'_>, pose: &Pose, up: Option<f64>) -> (f64, f64, Vec3) {
+        nearest(tool, pose, self, up)
+    }
+}
+
 /// Gap at a position, from below and from above, and the direction in which it is least.
-pub(crate) fn gap(tool: &Tool<'_>, pose: &Pose, solid: &Solid, open: bool) -> (f64, f64, Vec3) {
-    nearest(tool, pose, solid, open.then_some(0.0))
+pub(crate) fn gap(
+    tool: &Tool<'_>,
+    pose: &Pose,
+    solid: &impl Walls,
+    open: bool,
+) -> (f64, f64, Vec3) {
+    solid.nearest(tool, pose, open.then_some(0.0))
 }
 
 /// The same over the directions m with `m . ta <= up`.
@@ -121,7 +152,13 @@ fn around(
 
 /// The angles at which `c e1 + s e2 + tilt` does not look up the axis by more than `up`: the first and how
 /// far they go on; `None` when there are none.
-fn allowed(e1: Vec3, e2: Vec3, tilt: Vec3, ta: Vec3, up: Option<f64>) -> Option<(f64, f64)> {
+pub(crate) fn allowed(
+    e1: Vec3,
+    e2: Vec3,
+    tilt: Vec3,
+    ta: Vec3,
+    up: Option<f64>,
+) -> Option<(f64, f64)> {
     const TURN: f64 = std::f64::consts::TAU;
     let Some(up) = up else { return Some((0.0, TURN)) };
     let (x, y) = (e1.dot(&ta), e2.dot(&ta));
@@ -138,7 +175,7 @@ fn allowed(e1: Vec3, e2: Vec3, tilt: Vec3, ta: Vec3, up: Option<f64>) -> Option<
 }
 
 /// Bounds along the vector from `a` to `b`, axis fixed.
-pub(crate) fn bound(tool: &Tool<'_>, a: &Pose, b: &Pose, solid: &Solid, open: bool) -> Bound {
+pub(crate) fn bound(tool: &Tool<'_>, a: &Pose, b: &Pose, solid: &impl Walls, open: bool) -> Bound {
     let v = b.te - a.te;
     let at = |t: f64| gap(tool, &Pose { te: a.te + t * v, ta: a.ta }, solid, open);
     let (first, last) = (at(0.0), at(1.0));
@@ -190,13 +227,13 @@ pub(crate) fn bound_turning(
     tool: &Tool<'_>,
     a: &Pose,
     b: &Pose,
-    solid: &Solid,
+    solid: &impl Walls,
     open: bool,
     turn: f64,
 ) -> Bound {
     // What does not look up the axis on the way looks up it at either end by no more than its turn.
     let up = open.then(|| (a.ta - b.ta).norm());
-    let (first, last) = (nearest(tool, a, solid, up), nearest(tool, b, solid, up));
+    let (first, last) = (solid.nearest(tool, a, up), solid.nearest(tool, b, up));
     let low = -parabola(-first.0, -last.0, bulge(tool.reach(), turn));
     let low_at = if first.0 <= last.0 { 0.0 } else { 1.0 };
     let carried = |from: &Pose, to: &Pose, m: Vec3| {

@@ -12,6 +12,7 @@ mod demand;
 mod deviation;
 mod foreign;
 mod free;
+mod hollow;
 mod inside;
 mod judged;
 mod milled;

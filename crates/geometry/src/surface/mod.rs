@@ -5,6 +5,7 @@
 
 mod cone;
 mod cylinder;
+mod opened;
 mod parametric;
 mod plane;
 mod probe;
@@ -16,6 +17,7 @@ mod tabcyl;
 use std::sync::Arc;
 
 pub use cone::vertex_side;
+pub use opened::OpenedQuadric;
 pub use parametric::{Continued, ParametricSurface, continued};
 pub use probe::{Aimed, ajundo, ccurv, control, radar};
 pub use quadric::QuadricSurface;

@@ -89,6 +89,18 @@ impl QuadricSurface {
         })
     }
 
+    /// The principal directions with the coefficients of the squares and the halved linear coefficients along them, and
+    /// the constant: the form is the sum of `l x^2 + 2 b x` and that, scaled as [`Self::form`].
+    pub fn principal(&self) -> ([Vec3; 3], Vec3, Vec3, f64) {
+        let axes = [0, 1, 2].map(|i| self.axes.column(i).into_owned());
+        (axes, self.lambda, self.beta, self.constant)
+    }
+
+    /// The same surface with its normals to the other side.
+    pub fn reversed(&self) -> Option<Self> {
+        Self::new(&Quadric { kind: self.form.kind, c: self.form.c.map(|c| -c) })
+    }
+
     /// The form, scaled to greatest coefficient 1.
     pub fn form(&self) -> &Quadric {
         &self.form
@@ -179,6 +191,78 @@ impl QuadricSurface {
         let distance = if pole.is_some() { (p - point).norm().copysign(mu) } else { mu * s };
         let normal = self.axes * (half_gradient / s);
         Foot { point, normal, distance, shape: self.shape(normal, s) }
+    }
+
+    /// The other place of a convex hollow (the negative side) from which the distance of `p` grows all round, beside
+    /// the nearest one: `None` where there is none, and for other surfaces.
+    ///
+    /// Places without a fall lie between the first two poles of the multiplier at most: beyond, the Lagrangian falls in
+    /// two directions, of which one lies in the surface. There the form is a convex function of the multiplier, and the
+    /// place is its root next to the first pole.
+    pub fn second_foot(&self, p: Vec3) -> Option<Foot> {
+        let first = (0..3).max_by(|&i, &j| self.lambda[i].total_cmp(&self.lambda[j]))?;
+        let steep = self.lambda[first];
+        if self.convexity != 1 || steep <= 0.0 {
+            return None;
+        }
+        let y = self.axes.tr_mul(&p);
+        let pole = -1.0 / steep;
+        let rest = (0..3).filter(|&i| i != first).map(|i| self.lambda[i]).fold(0.0, f64::max);
+        let end = if rest > 0.0 { -1.0 / rest } else { f64::NEG_INFINITY };
+        // Without the term of the pole the form only grows from there on.
+        let mut beside = self.at(y, pole);
+        beside[first] = -self.beta[first] / steep;
+        let depth = -self.eval(beside);
+        if !depth.is_finite() || depth <= 0.0 {
+            return None;
+        }
+        let off = (y[first] + self.beta[first] / steep).abs();
+        let mut mu = pole * (1.0 + off * (steep / depth).sqrt());
+        let mut close = (mu - pole).abs() <= f64::EPSILON * pole.abs();
+        for _ in 0..MAX_STEPS {
+            if close || mu <= end {
+                break;
+            }
+            let (value, slope, _) = self.form_at(y, mu);
+            // The form falls away from the pole until its root.
+            if slope <= 0.0 {
+                return None;
+            }
+            let next = mu - value / slope;
+            close = (next - mu).abs() <= 1e-15 * mu.abs();
+            mu = next;
+        }
+        if mu <= end {
+            return None;
+        }
+        let mut q = self.at(y, mu);
+        if off <= 1e-9 * (depth / steep).sqrt() {
+            // Next to the medial surface the free coordinate solves the form: the root on the other side.
+            q[first] = 0.0;
+            let (b, rest) = (self.beta[first], self.eval(q));
+            let root = (b * b - steep * rest).max(0.0).sqrt();
+            let below = (-b - root) / steep;
+            let above = (-b + root) / steep;
+            q[first] = if y[first] >= -b / steep { below } else { above };
+        }
+        let half_gradient = self.lambda.component_mul(&q) + self.beta;
+        let s = half_gradient.norm();
+        let (point, normal) = (self.axes * q, self.axes * (half_gradient / s));
+        let distance = (p - point).dot(&normal);
+        Some(Foot { point, normal, distance, shape: self.shape(normal, s) })
+    }
+
+    /// By how much the form falls below zero in the hollow on its negative side; `None` where it falls without end.
+    pub(crate) fn depth(&self) -> Option<f64> {
+        let mut depth = -self.constant;
+        for i in 0..3 {
+            if self.lambda[i] > 0.0 {
+                depth += self.beta[i] * self.beta[i] / self.lambda[i];
+            } else if self.beta[i] != 0.0 {
+                return None;
+            }
+        }
+        Some(depth)
     }
 
     /// Curvature at the point `q` of the surface with unit normal `n` there.

@@ -74,14 +74,18 @@ impl Keep {
 
     /// Is the surface a bowl or a trough that the cutter cannot stand in as a whole?
     pub(crate) fn taller(&self, pose: &Pose) -> bool {
+        let height = self.profile.height() - self.profile.bottom();
         let radius = match &self.surface {
+            Surface::Quadric(s) => {
+                let low = s.too_low(pose.ta, pose.te, height, self.profile.widest());
+                return self.condition == Condition::Touch && low && opens(&self.surface, pose.ta);
+            }
             Surface::Sphere(s) => s.radius,
             Surface::Cylinder(s) => s.radius,
             Surface::Cone(s) => (pose.te - s.vertex).dot(&s.axis) * s.sin_half() / s.cos_half,
             _ => return false,
         };
-        let half = 0.5 * (self.profile.height() - self.profile.bottom());
-        let around = aptc_geometry::trig::hypot(half, self.profile.widest());
+        let around = aptc_geometry::trig::hypot(0.5 * height, self.profile.widest());
         self.condition == Condition::Touch && opens(&self.surface, pose.ta) && around > radius
     }
 

@@ -1,0 +1,280 @@
+//! The inside of a convex quadric that counts as open along the tool axis: what its tangent planes show.
+//!
+//! The gap is the least of `h(C, m) - h(T, m)` over the unit directions m that do not look up the axis, h being support
+//! functions. On the cone over a few such directions m_i it is at least the least of `x . m_i - h(T, m_i)` for any point
+//! x of the hollow, for h(T) is convex; with the point that touches in the middle of the cone that misses the truth by
+//! the square of the cone's width. Cones are halved until nothing is missed.
+
+use aptc_geometry::surface::QuadricSurface;
+use aptc_geometry::{Vec3, trig};
+
+use crate::inside::{Walls, allowed};
+use crate::pile::Pile;
+use crate::solid::{any_across, unit_or};
+use crate::tool::{Pose, Tool};
+
+/// Halvings of a cone at most.
+const DEPTH: u32 = 120;
+/// Cones that are looked at for one gap.
+const MOST: u32 = 20_000;
+/// Largest sine by which a direction may miss the bounded ones and still count as rounding.
+const ROUNDING: f64 = 1e-12;
+
+/// The convex side of an ellipsoid, elliptic cylinder, paraboloid or parabolic cylinder.
+#[derive(Clone, Debug)]
+pub(crate) struct Hollow {
+    /// Directions in which the form bends, how much, and where its middle is along them.
+    round: [Option<(Vec3, f64, f64)>; 3],
+    /// The unit direction in which it is linear and half its slope there; towards its opposite the hollow has no end.
+    linear: Option<(Vec3, f64)>,
+    /// By how much the form falls below zero in the middle; with a linear part, where that vanishes.
+    depth: f64,
+}
+
+/// Up to three directions whose cone is looked at, and how often it was halved.
+type Cone = ([Vec3; 3], u32);
+
+impl Hollow {
+    /// Of the negative side of a quadric; `None` when that is not convex.
+    pub(crate) fn new(quadric: &QuadricSurface) -> Option<Self> {
+        if quadric.convexity() != 1 {
+            return None;
+        }
+        let (axes, lambda, beta, constant) = quadric.principal();
+        let mut round = [None; 3];
+        let (mut slope, mut depth) = (Vec3::zeros(), -constant);
+        for (i, (slot, axis)) in round.iter_mut().zip(axes).enumerate() {
+            if lambda[i] > 0.0 {
+                *slot = Some((axis, lambda[i], -beta[i] / lambda[i]));
+                depth += beta[i] * beta[i] / lambda[i];
+            } else {
+                slope += axis * beta[i];
+            }
+        }
+        let size = slope.norm();
+        let linear = (size > 0.0).then(|| (slope / size, size));
+        Some(Self { round, linear, depth })
+    }
+
+    /// Twice the part of `m` along which the hollow is linear, over its slope; and the squares of the others over their
+    /// bends.
+    fn parts(&self, m: Vec3) -> Option<(f64, f64)> {
+        let squares = self.round.iter().flatten();
+        let squares: f64 = squares.map(|(e, l, _)| m.dot(e).powi(2) / l).sum();
+        let used: Vec3 = self.round.iter().flatten().map(|(e, ..)| e * e.dot(&m)).sum();
+        let rest = m - used;
+        let Some((t, slope)) = self.linear else {
+            return (rest.norm() <= ROUNDING * m.norm()).then_some((0.0, squares));
+        };
+        let up = rest.dot(&t);
+        let bounded = up > 0.0 && (rest - t * up).norm() <= ROUNDING * m.norm();
+        bounded.then_some((up / slope, squares))
+    }
+
+    /// The point of the hollow that is farthest along `m`; `None` where it has no end that way.
+    fn touching(&self, m: Vec3) -> Option<Vec3> {
+        let (up, squares) = self.parts(m)?;
+        let scale = if self.linear.is_some() { 1.0 / up } else { (self.depth / squares).sqrt() };
+        let at = |&(e, l, c): &(Vec3, f64, f64)| e * (c + scale * m.dot(&e) / l);
+        let mut point: Vec3 = self.round.iter().flatten().map(at).sum();
+        if let Some((t, slope)) = self.linear {
+            // The form without its linear part, which that makes up for.
+            let value = scale * scale * squares - self.depth;
+            point -= t * (0.5 * value / slope);
+        }
+        point.iter().all(|x| x.is_finite()).then_some(point)
+    }
+
+    /// Directions whose cones hold all that do not look up `ta` by more than `up`.
+    fn cones(&self, ta: Vec3, up: f64) -> Pile<Cone, 192> {
+        let mut pile = Pile::new();
+        let [r0, r1, r2] = self.round.map(|r| r.map(|r| r.0));
+        let mut frame = [r0, r1, r2, self.linear.map(|l| l.0)].into_iter().flatten();
+        match [frame.next(), frame.next(), frame.next()] {
+            [Some(_), Some(_), Some(_)] => {
+                let a = any_across(ta);
+                let b = ta.cross(&a);
+                let low = (1.0 - up * up).max(0.0).sqrt();
+                let rim = |k: u32| {
+                    let (s, c) = trig::sin_cos(f64::from(k) * std::f64::consts::FRAC_PI_4);
+                    (a * c + b * s) * low + ta * up
+                };
+                for k in 0..8 {
+                    pile.push(([-ta, rim(k), rim(k + 1)], 0));
+                }
+            }
+            [Some(e1), Some(e2), None] => {
+                if let Some((from, turn)) = allowed(e1, e2, Vec3::zeros(), ta, Some(up)) {
+                    let at = |k: u32| {
+                        let (s, c) = trig::sin_cos(from + f64::from(k) * turn / 8.0);
+                        e1 * c + e2 * s
+                    };
+                    for k in 0..8 {
+                        pile.push(([at(k), at(k), at(k + 1)], 0));
+                    }
+                }
+            }
+            [Some(e), ..] => {
+                for m in [e, -e].into_iter().filter(|m| m.dot(&ta) <= up + ROUNDING) {
+                    pile.push(([m; 3], DEPTH));
+                }
+            }
+            [None, ..] => {}
+        }
+        pile
+    }
+}
+
+impl Walls for Hollow {
+    fn support(&self, m: Vec3) -> f64 {
+        self.touching(m).map_or(f64::INFINITY, |x| x.dot(&m))
+    }
+
+    fn bounded_direction(&self, m: Vec3) -> Vec3 {
+        let mut laid: Vec3 = self.round.iter().flatten().map(|(e, ..)| e * e.dot(&m)).sum();
+        if let Some((t, _)) = self.linear {
+            laid += t * t.dot(&m).max(1e-9 * m.norm());
+        }
+        let first = self.round.iter().flatten().next().map_or(Vec3::z(), |r| r.0);
+        unit_or(laid, first)
+    }
+
+    fn nearest(&self, tool: &Tool<'_>, pose: &Pose, up: Option<f64>) -> (f64, f64, Vec3) {
+        let up = up.unwrap_or(0.0);
+        let clear = |x: Vec3, m: Vec3| x.dot(&m) - tool.height(pose, m);
+        let mut pile = self.cones(pose.ta, up);
+        let (mut low, mut best) = (f64::INFINITY, (f64::INFINITY, -pose.ta));
+        let mut seen = 0;
+        while let Some((corners, halvings)) = pile.pop() {
+            seen += 1;
+            let middle = unit_or(corners.iter().sum(), corners[0]);
+            // Of a cone in whose middle the hollow has no end a corner may do.
+            let Some((m, x)) = std::iter::once(middle)
+                .chain(corners)
+                .find_map(|m| self.touching(m).map(|x| (m, x)))
+            else {
+                if halvings < DEPTH && !self.endless(&corners) {
+                    halve(&mut pile, &corners, halvings);
+                }
+                continue;
+            };
+            for m in std::iter::once(m).chain(corners) {
+                let level = m.dot(&pose.ta) <= up + ROUNDING;
+                if let Some(g) = self.touching(m).filter(|_| level).map(|x| clear(x, m))
+                    && g < best.0
+                {
+                    best = (g, m);
+                }
+            }
+            let least = corners.iter().map(|m| clear(x, *m)).fold(f64::INFINITY, f64::min);
+            // Directions between the corners are shorter than 1 by so much.
+            let short = corners.iter().map(|c| c.dot(&middle)).fold(1.0, f64::min).max(0.1);
+            let bound = if least < 0.0 { least / short } else { least };
+            let size = x.norm() + pose.te.norm() + tool.reach();
+            if bound >= best.0 - 1e-13 * size || halvings >= DEPTH || seen > MOST {
+                low = low.min(bound);
+                continue;
+            }
+            halve(&mut pile, &corners, halvings);
+        }
+        (low.min(best.0), best.0, best.1)
+    }
+}
+
+impl Hollow {
+    /// Does no direction of the cone bound the hollow?
+    fn endless(&self, corners: &[Vec3; 3]) -> bool {
+        self.linear.is_some_and(|(t, _)| corners.iter().all(|m| m.dot(&t) <= 0.0))
+    }
+}
+
+/// Both halves of a cone, across its longest side.
+fn halve(pile: &mut Pile<Cone, 192>, corners: &[Vec3; 3], halvings: u32) {
+    let side = |i: usize, j: usize| (corners[i] - corners[j]).norm_squared();
+    let sides = [(0, 1), (1, 2), (2, 0)];
+    let longest = sides.into_iter().max_by(|a, b| side(a.0, a.1).total_cmp(&side(b.0, b.1)));
+    let (i, j) = longest.unwrap_or((0, 1));
+    let middle = unit_or(corners[i] + corners[j], corners[i]);
+    for k in [i, j] {
+        // An arc is a cone of which two directions are the same.
+        let half = corners.map(|c| if c == corners[k] { middle } else { c });
+        pile.push((half, halvings + 1));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::inside::{bound, gap};
+    use aptc_geometry::{Cutter, Profile, Quadric, QuadricKind};
+    use proptest::prelude::*;
+
+    fn quadric(c: [f64; 10]) -> Hollow {
+        let form = Quadric { kind: QuadricKind::Qadric, c };
+        Hollow::new(&QuadricSurface::new(&form).unwrap()).unwrap()
+    }
+
+    #[test]
+    fn support_functions_of_known_hollows() {
+        let h = |s: &Hollow, x: f64, y: f64, z: f64| s.support(Vec3::new(x, y, z));
+        // Half axes 2, 3, 5 about (1, 0, 0).
+        let e = quadric([0.25, 1.0 / 9.0, 0.04, -0.75, 0.0, 0.0, 0.0, -0.25, 0.0, 0.0]);
+        assert!((h(&e, 1.0, 0.0, 0.0) - 3.0).abs() < 1e-12);
+        assert!((h(&e, 0.0, 0.6, -0.8) - (3.24_f64 + 16.0).sqrt()).abs() < 1e-12);
+        // An elliptic cylinder along y, and z = x^2 + 2 y^2, whose tangent plane at (1, 1) is 2x + 4y - z = 3.
+        let c = quadric([0.25, 0.0, 1.0, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
+        assert!((h(&c, 0.0, 0.0, 1.0) - 1.0).abs() < 1e-12 && h(&c, 0.0, 0.6, 0.8).is_infinite());
+        let p = quadric([1.0, 2.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.5]);
+        let n = Vec3::new(2.0, 4.0, -1.0) / 21.0_f64.sqrt();
+        assert!((p.support(n) - 3.0 / 21.0_f64.sqrt()).abs() < 1e-12);
+        assert!(h(&p, 0.0, 0.0, 1.0).is_infinite());
+    }
+
+    #[test]
+    fn a_tall_cutter_at_the_bottom_of_a_bowl() {
+        let profile = Profile::new(&Cutter::mill(10.0, 5.0, 127.0)).unwrap();
+        let tool = Tool::Solid(&profile);
+        // Half axes 30, 20, 12: radii 75 and 33 at the bottom.
+        let axes = [1.0 / 900.0, 1.0 / 400.0, 1.0 / 144.0];
+        let bowl = quadric([axes[0], axes[1], axes[2], -1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
+        let pose = |x: f64, z: f64| Pose { te: Vec3::new(x, 0.0, z), ta: Vec3::z() };
+        let g = gap(&tool, &pose(0.0, -11.5), &bowl, true);
+        assert!((g.0 - 0.5).abs() < 1e-9 && (g.1 - 0.5).abs() < 1e-9, "{} {}", g.0, g.1);
+        // High up the wall that runs on straight.
+        let g = gap(&tool, &pose(24.5, 3.0), &bowl, true);
+        assert!((g.0 - 0.5).abs() < 1e-9 && (g.1 - 0.5).abs() < 1e-9, "{} {}", g.0, g.1);
+        let b = bound(&tool, &pose(-1.0, -11.5), &pose(1.0, -11.5), &bowl, true);
+        let end = gap(&tool, &pose(1.0, -11.5), &bowl, true).1;
+        assert!((b.low - end).abs() < 1e-8 && (b.high - 0.5).abs() < 1e-8, "{b:?}");
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(24))]
+        #[test]
+        fn no_direction_shows_less_than_the_gap(
+            axes in prop::array::uniform3(8.0_f64..40.0), te in prop::array::uniform3(-5.0_f64..5.0),
+            lean in prop::array::uniform2(-0.4_f64..0.4), r in 0.0_f64..3.0,
+        ) {
+            let k = axes.map(|a| 1.0 / (a * a));
+            let bowl = quadric([k[0], k[1], k[2], -1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
+            let profile = Profile::new(&Cutter::mill(6.0, r, 60.0)).unwrap();
+            let tool = Tool::Solid(&profile);
+            let ta = Vec3::new(lean[0], lean[1], 1.0).normalize();
+            let pose = Pose { te: Vec3::from(te), ta };
+            let (low, high, _) = gap(&tool, &pose, &bowl, true);
+            prop_assert!(high - low <= 1e-9, "{low} {high}");
+            let a = any_across(ta);
+            let b = ta.cross(&a);
+            let mut least = f64::INFINITY;
+            for i in 0..=90 {
+                let (s, c) = trig::sin_cos(f64::from(i) * std::f64::consts::FRAC_PI_2 / 90.0);
+                for j in 0..180 {
+                    let (t, d) = trig::sin_cos(f64::from(j) * std::f64::consts::TAU / 180.0);
+                    let m = (a * d + b * t) * c - ta * s;
+                    least = least.min(bowl.support(m) - tool.height(&pose, m));
+                }
+            }
+            prop_assert!(low <= least + 1e-9 && low >= least - 0.1, "{low} {least}");
+        }
+    }
+}
