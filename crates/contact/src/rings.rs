@@ -59,8 +59,32 @@ struct At {
 /// On each circle the distance from the wall is smooth and has at most two dips, on opposite sides, which
 /// sixteen samples tell apart.
 pub(crate) fn within(tool: &Tool<'_>, foot: impl Fn(Vec3) -> Foot) -> Result<Gap, Reason> {
+    nearest(tool, foot).map(|(gap, _)| gap)
+}
+
+/// As [`within`], and a gap (before THICK) below which no other place of the tool is: one that is `apart` from the
+/// nearest.
+pub(crate) fn with_rival(
+    tool: &Tool<'_>,
+    foot: impl Fn(Vec3) -> Foot,
+    apart: f64,
+) -> Result<(Gap, f64), Reason> {
+    let (gap, dips) = nearest(tool, foot)?;
+    let others = dips.iter().flatten().filter(|d| (d.0 - gap.tool_point).norm() > apart);
+    Ok((gap, others.map(|d| d.1).fold(f64::INFINITY, f64::min)))
+}
+
+/// The dips of the distance on the circles: a point of the tool and a gap that is not greater than the one there.
+type Dips = [Option<(Vec3, f64)>; DIPS];
+
+/// Two dips on each circle; more are samples of a circle about the wall's own axis, all alike.
+const DIPS: usize = 16;
+
+fn nearest(tool: &Tool<'_>, foot: impl Fn(Vec3) -> Foot) -> Result<(Gap, Dips), Reason> {
     let [a, b] = frame_about(tool.ta);
     let mut best: Option<Gap> = None;
+    let mut dips: Dips = [None; DIPS];
+    let mut seen = 0;
     for ring in rings(tool.profile).iter().flatten() {
         let center = tool.te + tool.ta * ring.z;
         let at = |out: Vec3| {
@@ -99,12 +123,20 @@ pub(crate) fn within(tool: &Tool<'_>, foot: impl Fn(Vec3) -> Foot) -> Result<Gap
             }
             // No dip is deeper below its sample than this.
             let depth = (before.value - here.value).max(after.value - here.value);
-            if here.value - depth - ring.r <= least {
-                least = least.min(offer(&descend(tool, ring, &at, *here)));
+            let bound = here.value - depth - ring.r;
+            let mut dip = (center + here.out * ring.rho + here.foot.normal * ring.r, bound);
+            if bound <= least {
+                let lowest = descend(tool, ring, &at, *here);
+                least = least.min(offer(&lowest));
+                let point = center + lowest.out * ring.rho + lowest.foot.normal * ring.r;
+                dip = (point, lowest.value - ring.r);
+            }
+            if let Some(slot) = dips.get_mut(seen) {
+                (*slot, seen) = (Some(dip), seen + 1);
             }
         }
     }
-    best.ok_or(Reason::NoHit)
+    best.map(|gap| (gap, dips)).ok_or(Reason::NoHit)
 }
 
 /// Newton's method downhill on a circle, with steps no longer than the sampling.

@@ -100,13 +100,16 @@ pub(crate) fn elsewhere(
     known: &Gap,
 ) -> (Option<Gap>, f64) {
     let arc = round(tool, surface, side);
-    if !several(tool, surface, side) || arc.is_some() && !has_side(tool) {
+    // An opened hollow is looked at as a whole each time.
+    if side == Side::Open || !several(tool, surface, side) || arc.is_some() && !has_side(tool) {
         return (None, f64::INFINITY);
     }
     let size = tool.profile.widest().max(0.1 * tool.profile.reach());
     if hollow(surface, side) {
-        let found = rings::within(tool, |p| turned(surface.foot(p), side)).ok();
-        return (found.filter(|g| g.raw < known.raw), LOOK * size);
+        let found = rings::with_rival(tool, |p| turned(surface.foot(p), side), 0.1 * size);
+        let Ok((gap, rival)) = found else { return (None, LOOK * size) };
+        let room = (LOOK * size).min(0.5 * (rival - gap.raw).max(0.0));
+        return ((gap.raw < known.raw).then_some(gap), room);
     }
     let (mut deepest, mut room) = (*known, LOOK * size);
     let found = seeds(tool, surface, side, arc.is_some()).into_iter().flatten();

@@ -8,6 +8,7 @@ mod run;
 mod start;
 mod stride;
 mod track;
+mod turning;
 mod watch;
 
 pub(crate) use keep::Keep;

@@ -19,6 +19,9 @@ use crate::scene::{Astray, Path, Scene, Stance, Wall, to_or_on};
 /// Cut vectors that turn back before a motion counts as caught between two places of contact: a path may have
 /// a cusp, but a tool that is caught goes to and fro.
 const MOST_BACK: u32 = 3;
+/// Cut vectors one after another that are shorter than the band is wide before a motion counts as caught: an edge or a
+/// corner that the band rounds is passed in a few.
+const MOST_CREEPS: u32 = 60;
 /// How often the way to the check surface may be cut shorter, because its last cut vector leaves the bands.
 const MOST_SHORTENED: u32 = 20;
 /// Share of a cut vector by which a track that has come back may pass beside its start, where it may have an edge.
@@ -68,6 +71,8 @@ fn follow(scene: &Scene, begin: &Begin) -> Result<Path, Failure> {
     let mut spent = Some(most);
     let (mut last, mut back) = (Vec3::zeros(), 0);
     let mut marks: Vec<Mark> = Vec::with_capacity(watches.len());
+    let least = track.keeps.iter().map(Keep::width).fold(f64::INFINITY, f64::min);
+    let mut creeps = 0;
     let (mut reach, mut shortened) = (cap, 0);
     let mut vectors = 0;
     // The last nodes since the start or a corner.
@@ -139,6 +144,10 @@ fn follow(scene: &Scene, begin: &Begin) -> Result<Path, Failure> {
             return Err(blocked(scene, begin, &watches, &node, gone, Trouble::Stuck));
         }
         gone += way.norm();
+        creeps = if way.norm() < least { creeps + 1 } else { 0 };
+        if creeps >= MOST_CREEPS {
+            return Err(blocked(scene, begin, &watches, &node, gone, Trouble::Stuck));
+        }
         vectors += 1;
         if trail.len() >= MERGED {
             trail.remove(0);
@@ -294,7 +303,7 @@ fn begin(scene: &Scene) -> Result<Begin, Failure> {
         pose.te.norm() + drive.profile.reach() + drive.surface.extent() + part.surface.extent();
     let exact = 1e-13 * size + 2e-9 * drive.width().min(part.width());
     let axis = coming(scene, &pose, heading, [&drive_gap, &part_gap]);
-    let track = Track { keeps: [drive, part], axis, exact, rounding: 1e-14 * size };
+    let track = Track { keeps: [drive, part], axis, exact, size };
     let node = track.node(pose, heading).map_err(|t| trouble_at(scene, &pose, t))?;
     if off_drive <= 1.0 && off_part <= 1.0 {
         let turned = turn(&track, &node, scene.limits.step);
@@ -369,11 +378,20 @@ fn upright(scene: &Scene, part: &Keep) -> Pose {
     Pose { ta: normal * lean.signum(), ..pose }
 }
 
-/// The side on which the tool is nearer to touching.
+/// The side on which the tool is nearer to touching. A disk touches from below as well as from above within the band:
+/// it is that side towards which the rest of the cutter stands on it.
 fn nearer(keep: &Keep, pose: &Pose) -> Option<Side> {
-    let gap = |side: Side| keep.on_side(side).gap(pose, None).ok().map(|g| (g.g.abs(), side));
+    let gap = |side: Side| keep.on_side(side).gap(pose, None).ok().map(|g| (g, side));
+    let at = |(g, _): &(Gap, Side)| g.g.abs() <= 2.0 * keep.width();
+    let better = |a: &(Gap, Side), b: &(Gap, Side)| {
+        if at(a) && at(b) {
+            b.0.normal.dot(&pose.ta) > a.0.normal.dot(&pose.ta) + 1e-3
+        } else {
+            b.0.g.abs() < a.0.g.abs()
+        }
+    };
     let sides = keep.sides(pose).filter_map(gap);
-    sides.reduce(|best, next| if next.0 < best.0 { next } else { best }).map(|(_, side)| side)
+    sides.reduce(|best, next| if better(&best, &next) { next } else { best }).map(|(_, side)| side)
 }
 
 /// How many bands the tool is from its place: up to one it is in the band.

@@ -286,7 +286,7 @@ impl Track {
         let rises = [high - ends[0].g, high - ends[1].g].map(|d| d.max(0.0));
         let depth = 0.5 * c.bow;
         // Vertices of the motion before may lie at the very edge; they are no fault of this chord.
-        let slack = self.rounding + RESOLUTION * keep.width();
+        let slack = 1e-14 * self.size + RESOLUTION * keep.width();
         let least = (ends[0].g.min(ends[1].g) - slack).min(limits.low + slack);
         let most = (ends[0].g.max(ends[1].g) + slack).max(limits.high - slack);
         let fits = low >= least && high <= most;

@@ -20,8 +20,8 @@ pub(crate) struct Track {
     pub(crate) axis: AxisRule,
     /// Residual of the gaps that counts as zero.
     pub(crate) exact: f64,
-    /// Error of a gap from rounding alone.
-    pub(crate) rounding: f64,
+    /// A length of the size of the scene.
+    pub(crate) size: f64,
 }
 
 /// A place on the track.
@@ -61,7 +61,7 @@ impl From<Reason> for Trouble {
 impl Track {
     /// Gaps at a pose.
     #[inline]
-    fn gaps(&self, pose: &Pose, hint: Option<&[Gap; 2]>) -> Result<[Gap; 2], Trouble> {
+    pub(super) fn gaps(&self, pose: &Pose, hint: Option<&[Gap; 2]>) -> Result<[Gap; 2], Trouble> {
         let start = |i: usize| hint.map(|h| h[i].surface_point);
         Ok([self.keeps[0].gap(pose, start(0))?, self.keeps[1].gap(pose, start(1))?])
     }
@@ -100,6 +100,20 @@ impl Track {
     /// 3x3 system is solved by vector products. A step that does not bring the gaps nearer is halved. With
     /// `look` the cutter is not to touch deeper elsewhere.
     pub(crate) fn settle(
+        &self,
+        start: Pose,
+        across: Vec3,
+        targets: [f64; 2],
+        hint: &Node,
+        look: bool,
+    ) -> Result<Node, Trouble> {
+        match self.settle_by_normals(start, across, targets, hint, look) {
+            Err(_) if self.axis.turns() => self.settle_turning(start, across, targets, hint, look),
+            found => found,
+        }
+    }
+
+    fn settle_by_normals(
         &self,
         start: Pose,
         across: Vec3,
@@ -207,7 +221,7 @@ impl Track {
 }
 
 /// The direction common to both surfaces, on the side of `heading`.
-fn direction(gaps: &[Gap; 2], heading: Vec3) -> Result<Vec3, Trouble> {
+pub(super) fn direction(gaps: &[Gap; 2], heading: Vec3) -> Result<Vec3, Trouble> {
     let cross = gaps[0].normal.cross(&gaps[1].normal);
     let l = cross.norm();
     if l <= SIDE_BY_SIDE {

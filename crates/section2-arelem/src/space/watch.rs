@@ -15,6 +15,8 @@ use super::track::{Node, Track, Trouble};
 
 /// Bound of each search along one cut vector.
 const ROUNDS: usize = 80;
+/// Halvings in the search for the last place that faces a surface with ends.
+const FACING: u32 = 14;
 /// How often a piece of a cut vector over a surface of mixed curvature is halved.
 const HALVINGS: u32 = 6;
 /// Rate of change of a gap along the track that is never exceeded, the turning of the axis apart.
@@ -326,7 +328,9 @@ impl Gauge {
             None => at(&self.keep, way.from, 0.0, None),
         };
         self.last = b.map(|b| b.gap);
-        let (mut a, b) = (a?, b?);
+        let mut a = a?;
+        // A surface with ends faces nothing at the far end of a long cut vector, and was passed on the way.
+        let b = b.or_else(|| way.last_facing(&self.keep, &a))?;
         if !self.armed {
             // The contact at the start does not count: from where it has ended.
             let mut s = (2.0 * near).max(1e-6 * b.s);
@@ -377,6 +381,19 @@ impl Way<'_> {
         let node = self.node(s)?;
         let gap = read(keep, &node, Some(&near.gap))?;
         Ok(Sample { s, gap, slope: self.slope(&node, &gap) })
+    }
+
+    /// The last place after `a`, about, where something of the surface faces the cutter.
+    fn last_facing(&self, keep: &Keep, a: &Sample) -> Option<Sample> {
+        let (mut low, mut high) = (None, self.stride.length);
+        for _ in 0..FACING {
+            let s = 0.5 * (low.map_or(0.0, |l: Sample| l.s) + high);
+            match self.sample(keep, s, low.as_ref().unwrap_or(a)) {
+                Ok(sample) => low = Some(sample),
+                Err(_) => high = s,
+            }
+        }
+        low
     }
 
     /// The zero of `f` between two samples of opposite sign, by Newton's method kept in the bracket.
