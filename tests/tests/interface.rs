@@ -64,7 +64,10 @@ fn cut_vectors_come_back_to_the_program() {
                GODLTA/(VECTOR/CLDATA,1,NPS,1)\nGODLTA/(VECTOR/CLDATA,1,TV,1)\n";
     let along = "GOTO/20,5,9\nCLDAT/START,2,PPS,PDS\nGO/TO,L,TO,S\nGORGT/L,TO,(LINE/0,20,1,20)\nCLDAT/NOMORE,2\n\
                  GOTO/(POINT/CLDATA,2,PPS,1)\nGOTO/(POINT/CLDATA,2,PDS,2)\n\
-                 GOTO/(NUMF(CLDATA)),0,0\nGODLTA/(VECTOR/CLDATA,1)\nFINI\n";
+                 GOTO/(NUMF(CLDATA)),0,0\nGODLTA/(VECTOR/CLDATA,1)\n\
+                 CLDAT/START,3,UVPPS,PPS,NPS\nGOLOFT/S,UCONST,.25,START,.5,INCR,.5\nCLDAT/NOMORE,3\n\
+                 GOTO/(POINT/CLDATA,3,PPS,1)\nGOTO/(CLDATF(3,UPS,2)),(CLDATF(3,VPS,2)),(NUMF(CLDATA,3))\n\
+                 GODLTA/(VECTOR/CLDATA,3,NPS,2)\nFINI\n";
     let dir = folder(&[("x.apt", &format!("{flat}{cut}{along}"))]);
     let run = aptc(dir.path(), &["compile", "x.apt", "--emit", "cl"]);
     assert_eq!(run.status.code(), Some(0), "{}", said(&run));
@@ -86,6 +89,9 @@ fn cut_vectors_come_back_to_the_program() {
         [4.0, 17.0, 3.0],
         [1.0, 0.0, 0.0],
         [1.0, 0.0, 1.0],
+        [2.5, 5.0, 0.0],
+        [0.25, 1.0, 2.0],
+        [0.25, 1.0, 3.0],
     ];
     assert_eq!(numbers.len(), wanted.len(), "{text}");
     for (got, want) in numbers.iter().zip(wanted) {

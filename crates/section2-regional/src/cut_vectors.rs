@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use aptc_cldata as cl;
+use aptc_cldata::milling::Milling;
 use aptc_contact::{Side, Tool, gap, on};
 use aptc_geometry::sculpt::nearest_on;
 use aptc_geometry::{Form, Profile, Sculptured, Surface, Vec3};
@@ -143,13 +144,15 @@ impl Regional {
             let control = m.control.as_deref();
             let drive = control.and_then(|c| c.drive.as_ref()).filter(|_| open.needs(true));
             let part = control.and_then(|c| c.part.as_ref()).filter(|_| open.needs(false));
+            let milling = control.and_then(|c| c.milling.as_ref()).filter(|_| open.needs(false));
             let of_drive = open.keeps("UVPDS");
-            let outlined = if of_drive { drive } else { part };
-            let outlined = outlined.filter(|c| matches!(c.form.shape(), Form::Ssurf(_)));
             let mut corners = Vec::new();
             for p in &m.points {
                 let drive = self.contact(&mut prepared, drive, p)?;
-                let part = self.contact(&mut prepared, part, p)?;
+                let part = match milling {
+                    Some(milling) => self.milled(milling, p),
+                    None => self.contact(&mut prepared, part, p)?,
+                };
                 let along = last.and_then(|q| (p.te - q).try_normalize(0.0));
                 last = Some(p.te);
                 corners.extend(if of_drive { drive } else { part }.and_then(|c| c.uv));
@@ -161,8 +164,12 @@ impl Regional {
                     part: part.map(|c| c.place),
                 });
             }
-            if let Some(c) = outlined {
-                open.outline.add(Some(&c.form), corners.into_iter(), false);
+            let form = match (milling.filter(|_| !of_drive), if of_drive { drive } else { part }) {
+                (Some(milling), _) => self.form_of(milling),
+                (None, c) => c.map(|c| Arc::clone(&c.form)),
+            };
+            if let Some(form) = form.filter(|f| matches!(f.shape(), Form::Ssurf(_))) {
+                open.outline.add(Some(&form), corners.into_iter(), false);
             }
         }
         Ok(())
@@ -199,6 +206,35 @@ impl Regional {
         });
         let place = CutContact { patch: hit.map(|h| h.1), ..place };
         Ok(Some(Contact { place, uv: hit.map(|h| h.0) }))
+    }
+}
+
+impl Regional {
+    /// The place that the cutter touches on the part surface of regional milling.
+    fn milled(&mut self, milling: &Milling, p: &cl::Position) -> Option<Contact> {
+        let milled = milling.part.as_ref()?;
+        let surface = &milled.surface;
+        let uv = match self.settings.profile.as_ref().filter(|_| !milling.on) {
+            Some(_) => {
+                let tree = self.tree(surface);
+                let profile = self.settings.profile.as_ref()?;
+                let eps = 1e-12 * (surface.extent() + p.te.norm());
+                let (place, _) = tree.deepest(&Tool { profile, te: p.te, ta: p.ta }, eps)?;
+                surface.global(place.patch, place.uv[0], place.uv[1])
+            }
+            None => nearest_on(surface, p.te).uv,
+        };
+        let at = surface.at(uv[0], uv[1]);
+        let normal = at.normal()? * milled.side;
+        let patch = Some(patch_of(surface, uv));
+        Some(Contact { place: CutContact { point: at.point, normal, patch }, uv: Some(uv) })
+    }
+
+    /// The definition of the part surface.
+    fn form_of(&self, milling: &Milling) -> Option<Arc<Form>> {
+        let milled = milling.part.as_ref()?;
+        let same = self.fitted.iter().find(|(_, s)| Arc::ptr_eq(s, &milled.surface));
+        same.map(|(form, _)| Arc::clone(form))
     }
 }
 
