@@ -214,12 +214,12 @@ impl Regional {
     fn milled(&mut self, milling: &Milling, p: &cl::Position) -> Option<Contact> {
         let milled = milling.part.as_ref()?;
         let surface = &milled.surface;
-        let uv = match self.settings.profile.as_ref().filter(|_| !milling.on) {
-            Some(_) => {
+        let uv = match self.settings.profile.filter(|_| !milling.on) {
+            Some(profile) => {
                 let tree = self.tree(surface);
-                let profile = self.settings.profile.as_ref()?;
+                let tool = Tool { profile: &profile, te: p.te, ta: p.ta };
                 let eps = 1e-12 * (surface.extent() + p.te.norm());
-                let (place, _) = tree.deepest(&Tool { profile, te: p.te, ta: p.ta }, eps)?;
+                let (place, _) = tree.deepest(&tool, eps)?;
                 surface.global(place.patch, place.uv[0], place.uv[1])
             }
             None => nearest_on(surface, p.te).uv,
