@@ -9,7 +9,7 @@
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
-use crate::repository::{cargo, root};
+use crate::repository::{cargo, linked_statically, root, triple};
 
 /// The figures of one benchmark, one a start.
 #[derive(Default)]
@@ -26,10 +26,12 @@ type AllSeries = BTreeMap<(String, String), Series>;
 pub(crate) fn run(options: &[&str]) -> Result<(), String> {
     let (filter, runs) = parse(options)?;
     let mut series = AllSeries::new();
+    let triple = triple()?;
     for run in 1..=runs {
         println!("xtask: benchmarks, run {run} of {runs}");
         let mut command = cargo();
-        command.args(["bench", "--quiet", "--workspace", "--benches", "--"]).args(filter);
+        linked_statically(command.args(["bench", "--quiet", "--workspace", "--benches"]), &triple);
+        command.arg("--").args(filter);
         let output = command.output().map_err(|error| format!("cargo does not start: {error}"))?;
         if !output.status.success() {
             return Err(String::from_utf8_lossy(&output.stderr).into_owned());
@@ -82,7 +84,8 @@ fn preface(runs: usize) -> String {
     let model = cpu.lines().find_map(|line| line.strip_prefix("model name")?.split(": ").nth(1));
     format!(
         "# Performance\n\nMade by `cargo xtask bench`: medians of {runs} starts, least and greatest beside \
-         them, per second of processor time on one core of {}.{link}\n",
+         them, per second of processor time on one core of {}.{link}\n\
+         Linked without shared libraries, as the package is.\n",
         model.unwrap_or("a machine that does not tell its name")
     )
 }

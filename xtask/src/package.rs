@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-use crate::repository::{cargo, read, root, target_folder};
+use crate::repository::{cargo, linked_statically, read, root, target_folder, triple};
 
 const SHELLS: [(&str, &str); 3] = [
     ("bash", "share/bash-completion/completions/aptc"),
@@ -26,12 +26,10 @@ const PAPERS: [(&str, &str); 6] = [
 pub(crate) fn run() -> Result<(), String> {
     let target = target_folder()?;
     let triple = triple()?;
-    // With a target named, the flag is for the program alone and not for build scripts.
-    done(
-        cargo()
-            .args(["build", "--release", "--locked", "--package", "aptc", "--target", &triple])
-            .env("RUSTFLAGS", "-C target-feature=+crt-static"),
-    )?;
+    done(linked_statically(
+        cargo().args(["build", "--release", "--locked", "--package", "aptc"]),
+        &triple,
+    ))?;
     let program = target.join(&triple).join("release/aptc");
     let version = version()?;
     let packages = target.join("package");
@@ -123,12 +121,4 @@ fn version() -> Result<String, String> {
     let line = manifest.lines().find_map(|l| l.strip_prefix("version = "));
     line.map(|v| v.trim_matches('"').to_owned())
         .ok_or_else(|| "Cargo.toml has no version".to_owned())
-}
-
-/// The triple of this machine.
-fn triple() -> Result<String, String> {
-    let output = Command::new("rustc").arg("-vV").output().map_err(|e| format!("rustc: {e}"))?;
-    let text = String::from_utf8_lossy(&output.stdout).into_owned();
-    let host = text.lines().find_map(|l| l.strip_prefix("host: "));
-    host.map(str::to_owned).ok_or_else(|| "rustc does not name its host".to_owned())
 }
