@@ -2,21 +2,38 @@
 //! as they are, and brute force never contradicts a proof.
 //!
 //! The judge is a search over the skin of the tool with the distances of `geometry`; it shares no bound with the proof.
-//! `APTC_CHECKER=n` sets the number of cut vectors that are held against it, and of spoiled places to a fiftieth.
+//! `APTC_CHECKER=n` sets the number of cut vectors that are held against it, and of spoiled places to a fiftieth. Each
+//! kind of surface comes as often as the others, and so does each way to spoil a path.
 
+#[path = "../../section2-arelem/tests/support/mod.rs"]
+mod support;
+
+use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
 
+use aptc_cldata::milling::{Milled, Milling};
 use aptc_cldata::{Control, Controlled, Kind, Motion, MotionKind, Position, Record, Relation};
 use aptc_control::{Disk, Options, Verify, compile};
 use aptc_diagnostics::Origin;
-use aptc_geometry::{Cutter, Profile, Surface, Vec3, trig};
+use aptc_geometry::surface::continued;
+use aptc_geometry::{Cutter, Form, Profile, Sculptured, Surface, Vec3, trig};
 use aptc_verify::{Certificate, Effort, Verifier};
+use support::{brute, scene};
 
 /// Cut vectors held against brute force in the normal tests.
 const VECTORS: usize = 400;
+/// The first random scene that is looked through for surfaces that are rare in the corpus; so many are, more where more
+/// is asked for.
+const SCENE: u64 = 50_000;
+const SCENES: usize = 150;
+/// Vectors of a motion of which one place is spoiled.
+const WINDOW: usize = 8;
+/// Places of a vector of a spoiled motion at which the judge looks.
+const PLACES: u32 = 8;
 
 /// A motion along surfaces that is proved.
+#[derive(Clone)]
 struct Case {
     program: String,
     cutter: Cutter,
@@ -40,7 +57,7 @@ fn asked() -> usize {
     std::env::var("APTC_CHECKER").ok().and_then(|n| n.parse().ok()).unwrap_or(VECTORS)
 }
 
-fn cases() -> Vec<Case> {
+fn cases() -> Cases {
     let corpus = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../corpus");
     let mut out = Vec::new();
     for topic in ["mill", "motion", "multiaxis"] {
@@ -61,7 +78,37 @@ fn cases() -> Vec<Case> {
             }
         }
     }
-    out
+    // The corpus has few paths along RLDSRF, cones and quadrics, and none along POLCON.
+    for seed in SCENE..SCENE + SCENES.max(asked() / 20) as u64 {
+        let Some(scene) = scene::wide(seed, 1.0) else { continue };
+        let rare = |f: &Form| {
+            matches!(f, Form::Ruled(_) | Form::Polyconic(_) | Form::Quadric(_) | Form::Cone(_))
+        };
+        if scene.forms.values().any(rare) {
+            let ran = support::run(&scene.forms, &scene.setup);
+            collect(&format!("scene {seed}"), &ran.cl, &mut out);
+        }
+    }
+    let mut kinds: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
+    for (i, case) in out.iter().enumerate() {
+        case.kinds().into_iter().for_each(|kind| kinds.entry(kind).or_default().push(i));
+    }
+    Cases { all: out, kinds: kinds.into_iter().collect() }
+}
+
+/// Proved motions.
+struct Cases {
+    all: Vec<Case>,
+    /// Those with a surface of a kind.
+    kinds: Vec<(&'static str, Vec<usize>)>,
+}
+
+impl Cases {
+    /// A motion with a surface of a kind at random, and that kind.
+    fn draw(&self, random: &mut Random) -> (&Case, &'static str) {
+        let (kind, of) = &self.kinds[random.below(self.kinds.len())];
+        (&self.all[of[random.below(of.len())]], kind)
+    }
 }
 
 fn collect(program: &str, records: &[Record], out: &mut Vec<Case>) {
@@ -72,17 +119,27 @@ fn collect(program: &str, records: &[Record], out: &mut Vec<Case>) {
             Kind::Motion(m) => {
                 if let (MotionKind::Continuous, Some(control), Some(cutter), Some(start)) =
                     (m.kind, &m.control, cutter, last)
-                    && control.drive.is_some()
+                    && (control.drive.is_some() || control.milling.is_some())
                     && controlled(control).all(|c| c.disk.is_none() && !c.open)
                 {
+                    // How the tool comes to a region is not its promise.
+                    let free = control.milling.as_ref().is_some_and(|m| !m.joined);
+                    let (start, points) = match m.points.split_first() {
+                        Some((first, rest)) if free => (*first, rest),
+                        _ => (start, &m.points[..]),
+                    };
+                    if points.is_empty() {
+                        last = m.points.last().copied().or(last);
+                        continue;
+                    }
                     let case = Case {
                         program: program.to_owned(),
                         cutter,
                         start,
-                        points: m.points.clone(),
-                        control: Arc::clone(control),
+                        points: points.to_vec(),
+                        control: alone(control),
                     };
-                    if judge(&case.cutter, &case.start, &case.points, control).is_proved() {
+                    if judge(&case.cutter, &case.start, &case.points, &case.control).is_proved() {
                         out.push(case);
                     }
                 }
@@ -90,6 +147,45 @@ fn collect(program: &str, records: &[Record], out: &mut Vec<Case>) {
             }
             _ => {}
         }
+    }
+}
+
+/// Without what is asked of a whole region: the judge looks at single vectors, the first one too.
+fn alone(control: &Arc<Control>) -> Arc<Control> {
+    let Some(milling) = &control.milling else { return Arc::clone(control) };
+    let milling = Milling { scallop: None, joined: true, ..milling.clone() };
+    Arc::new(Control { milling: Some(milling), ..Control::clone(control) })
+}
+
+impl Case {
+    /// Some vectors of it with the i-th among them.
+    fn around(&self, i: usize) -> Self {
+        let n = self.points.len();
+        let from = i.saturating_sub(WINDOW / 2).min(n.saturating_sub(WINDOW));
+        let to = (from + WINDOW).min(n);
+        let mut control = Control::clone(&self.control);
+        if to < n {
+            control.checks.clear();
+        }
+        let start = if from == 0 { self.start } else { self.points[from - 1] };
+        let points = self.points[from..to].to_vec();
+        Self { start, points, control: Arc::new(control), ..self.clone() }
+    }
+
+    /// The kinds of its surfaces.
+    fn kinds(&self) -> Vec<&'static str> {
+        let milled = self.control.milling.iter().map(|_| "regional milling");
+        controlled(&self.control).map(|c| c.form.kind().word()).chain(milled).collect()
+    }
+
+    /// The band of its surface of a kind, and the direction away from it at a place of the tool end.
+    fn leaving(&self, kind: &str, at: &Position) -> Option<(f64, Vec3)> {
+        if let Some(milling) = &self.control.milling {
+            return Some((milling.intol + milling.outtol, at.ta));
+        }
+        let c = controlled(&self.control).find(|c| c.form.kind().word() == kind)?;
+        let normal = Surface::from_form(&c.form)?.normal(at.te).ok()?;
+        Some((c.intol + c.outtol, normal))
     }
 }
 
@@ -125,16 +221,14 @@ struct Asked {
     sign: f64,
     on: bool,
     band: [f64; 2],
+    /// Its points, where the distance from it is not to be had far away.
+    net: Option<Net>,
 }
 
 impl Asked {
     fn new(c: &Controlled, check: bool) -> Option<Self> {
         let on = c.side == 0 || c.relation == Relation::On;
         let surface = Surface::from_form(&c.form)?;
-        // Those by two parameters are held against samples where their bounds are made, in the room of the proof.
-        if matches!(surface, Surface::Parametric(_)) {
-            return None;
-        }
         let flat = matches!(surface, Surface::Plane(_));
         let widest = c.intol.max(c.outtol);
         let mut band = match (on, flat) {
@@ -146,99 +240,129 @@ impl Asked {
             band[1] = f64::INFINITY;
         }
         let sign = if c.side < 0 && !on { -1.0 } else { 1.0 };
-        Some(Self { surface, sign, on, band })
+        let net = Net::guiding(c, band, on);
+        Some(Self { surface, sign, on, band, net })
     }
 
     /// By how much the band is left, negative within it.
     fn excess(&self, profile: &Profile, at: &Position) -> f64 {
-        let gap = if self.on { self.surface.distance(at.te) } else { self.least(profile, at) };
+        if let Some(net) = &self.net {
+            return net.excess(profile, at);
+        }
+        let gap = if self.on {
+            self.surface.distance(at.te)
+        } else {
+            brute::least(profile, at.te, at.ta, &self.surface, self.sign)
+        };
         (self.band[0] - gap).max(gap - self.band[1])
-    }
-
-    /// The least distance of a point of the tool's skin: a grid, its best places searched on.
-    fn least(&self, profile: &Profile, at: &Position) -> f64 {
-        let [x, y] = aptc_geometry::surface::frame_about(at.ta);
-        // The skin from the tip to the rim by a number 0 to 2: below 1 the bottom's inside, above it the profile.
-        let skin = |p: f64, angle: f64| {
-            let [rho, z] = if p <= 1.0 {
-                let [rho, z] = profile.support(0.0, -1.0).point;
-                let flat = profile.joints()[0];
-                if flat[0] > 0.0 {
-                    [flat[0] * p, flat[1] * p + z * (1.0 - p)]
-                } else {
-                    [rho * p, z]
-                }
-            } else {
-                let (s, c) = trig::sin_cos((p - 1.0) * 0.999 * std::f64::consts::PI);
-                profile.support(s, -c).point
-            };
-            let (s, c) = trig::sin_cos(angle);
-            self.sign * self.surface.distance(at.te + at.ta * z + (x * c + y * s) * rho)
-        };
-        let tall = profile.height();
-        let wall = |h: f64, angle: f64| {
-            let (s, c) = trig::sin_cos(angle);
-            let rim = profile.support(1.0, 0.0).point;
-            let z = rim[1] + (tall - rim[1]).max(0.0) * h;
-            self.sign * self.surface.distance(at.te + at.ta * z + (x * c + y * s) * rim[0])
-        };
-        // Around the axis the least over the profile, each by samples and the best of them searched on.
-        let search = |f: &dyn Fn(f64, f64) -> f64, range: [f64; 2]| {
-            let over = |angle: f64| lowest(&|p| f(p, angle), range, 16, 2);
-            lowest(&over, [0.0, std::f64::consts::TAU], 36, 3)
-        };
-        // A ball's bottom is its tip alone.
-        let bottom = if profile.joints()[0][0] > 0.0 { 0.0 } else { 1.0 };
-        search(&skin, [bottom, 2.0]).min(search(&wall, [0.0, 1.0]))
     }
 }
 
-/// The least of a function: the lowest of `n` samples, `best` of them narrowed down.
-fn lowest(f: &dyn Fn(f64) -> f64, [from, to]: [f64; 2], n: u32, best: usize) -> f64 {
-    let step = (to - from) / f64::from(n);
-    let mut all: Vec<(f64, f64)> = (0..=n)
-        .map(|i| {
-            let x = from + step * f64::from(i);
-            (f(x), x)
-        })
-        .collect();
-    all.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let mut least = all[0].0;
-    for &(_, x) in all.iter().take(best) {
-        // Golden section over both neighbours.
-        const SHARE: f64 = 0.618_033_988_749_894_9;
-        let (mut a, mut b) = ((x - step).max(from), (x + step).min(to));
-        let (mut c, mut d) = (b - SHARE * (b - a), a + SHARE * (b - a));
-        let (mut fc, mut fd) = (f(c), f(d));
-        for _ in 0..34 {
-            if fc < fd {
-                (b, d, fd) = (d, c, fc);
-                c = b - SHARE * (b - a);
-                fc = f(c);
-            } else {
-                (a, c, fc) = (c, d, fd);
-                d = a + SHARE * (b - a);
-                fd = f(d);
-            }
-        }
-        least = least.min(fc).min(fd);
+/// A sculptured surface by its points.
+struct Net {
+    surface: Arc<Sculptured>,
+    /// Least u and v, steps along them, and the points, those of the first v first.
+    from: [f64; 2],
+    step: [f64; 2],
+    points: Vec<Vec3>,
+    on: bool,
+    band: [f64; 2],
+}
+
+/// Points of a net on a side.
+const SIDE: usize = 120;
+
+impl Net {
+    fn milled(of: &Milled, on: bool, milling: &Milling) -> Self {
+        let widest = milling.intol.max(milling.outtol);
+        let band = if on { [-widest, widest] } else { [of.thick - milling.intol, f64::INFINITY] };
+        let range = of.surface.spans().map(|n| [0.0, n]);
+        Self::new(Arc::new(Sculptured::clone(&of.surface)), range, on, band)
     }
-    least
+
+    /// A surface that guides the tool, with its continuation; on which side the tool is it does not tell.
+    fn guiding(c: &Controlled, band: [f64; 2], on: bool) -> Option<Self> {
+        let Form::Ssurf(definition) = c.form.shape() else { return None };
+        let whole = continued(definition)?;
+        let spans = whole.surface.spans();
+        let range = [(whole.u, spans[0]), (whole.v, spans[1])].map(|(r, n)| r.map(|x| x * n));
+        Some(Self::new(Arc::new(whole.surface), range, on, band))
+    }
+
+    fn new(surface: Arc<Sculptured>, range: [[f64; 2]; 2], on: bool, band: [f64; 2]) -> Self {
+        let from = range.map(|r| r[0]);
+        let step = range.map(|r| (r[1] - r[0]) / (SIDE - 1) as f64);
+        let at = |k: usize| {
+            let (i, j) = (k % SIDE, k / SIDE);
+            surface.at(from[0] + i as f64 * step[0], from[1] + j as f64 * step[1]).point
+        };
+        let points = (0..SIDE * SIDE).map(at).collect();
+        Self { surface, from, step, points, on, band }
+    }
+
+    /// The least distance of the surface from the tool, or from its end: the best points, searched on.
+    fn excess(&self, profile: &Profile, at: &Position) -> f64 {
+        let far = |p: Vec3| {
+            let w = p - at.te;
+            let z = w.dot(&at.ta);
+            if self.on { w.norm() } else { profile.near((w - at.ta * z).norm(), z).distance }
+        };
+        let all: Vec<f64> = self.points.iter().map(|p| far(*p)).collect();
+        let lowest = |k: &usize| {
+            let (i, j) = (k % SIDE, k / SIDE);
+            let beside = [(i > 0, k.wrapping_sub(1)), (i + 1 < SIDE, k + 1)];
+            let across = [(j > 0, k.wrapping_sub(SIDE)), (j + 1 < SIDE, k + SIDE)];
+            beside.into_iter().chain(across).all(|(is, n)| !is || all[n] >= all[*k])
+        };
+        let mut places: Vec<usize> = (0..all.len()).filter(lowest).collect();
+        places.sort_by(|a, b| all[*a].total_cmp(&all[*b]));
+        let top = [0, 1].map(|i| self.from[i] + self.step[i] * (SIDE - 1) as f64);
+        let down = |k: usize| {
+            let steps = [k % SIDE, k / SIDE];
+            let mut place = [0, 1].map(|i| self.from[i] + steps[i] as f64 * self.step[i]);
+            let (mut least, mut share) = (all[k], 1.0);
+            while share > 1e-7 {
+                let mut moved = false;
+                for way in
+                    [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0], [1.0, 1.0], [-1.0, -1.0]]
+                {
+                    let next = [0, 1].map(|i| {
+                        (place[i] + way[i] * share * self.step[i]).clamp(self.from[i], top[i])
+                    });
+                    let d = far(self.surface.at(next[0], next[1]).point);
+                    if d < least {
+                        (least, place, moved) = (d, next, true);
+                    }
+                }
+                share *= if moved { 1.0 } else { 0.5 };
+            }
+            least
+        };
+        let gap = places.into_iter().take(6).map(down).fold(f64::INFINITY, f64::min);
+        (self.band[0] - gap).max(gap - self.band[1])
+    }
 }
 
 /// Everything that a motion is asked for.
 struct Brute {
     profile: Profile,
     along: Vec<Asked>,
+    nets: Vec<Net>,
     check: Option<Asked>,
 }
 
 impl Brute {
     fn new(cutter: &Cutter, control: &Control) -> Option<Self> {
         let along = control.drive.iter().chain(&control.part);
+        let milling = control.milling.iter();
+        let nets = milling.flat_map(|m| {
+            let part = m.part.iter().map(|p| Net::milled(p, m.on, m));
+            part.chain(m.checked.iter().map(|c| Net::milled(c, false, m)))
+        });
         Some(Self {
             profile: Profile::new(cutter).ok()?,
             along: along.map(|c| Asked::new(c, false)).collect::<Option<_>>()?,
+            nets: nets.collect(),
             check: match control.checks.first() {
                 Some(c) => Some(Asked::new(c, true)?),
                 None => None,
@@ -249,7 +373,8 @@ impl Brute {
     fn at(&self, pose: &Position, last: bool) -> f64 {
         let along = self.along.iter().map(|a| a.excess(&self.profile, pose));
         let check = self.check.iter().filter(|_| last).map(|a| a.excess(&self.profile, pose));
-        along.chain(check).fold(f64::NEG_INFINITY, f64::max)
+        let nets = self.nets.iter().map(|n| n.excess(&self.profile, pose));
+        along.chain(check).chain(nets).fold(f64::NEG_INFINITY, f64::max)
     }
 
     /// The greatest excess along a motion at `n` places of each vector.
@@ -284,9 +409,10 @@ fn between(a: &Position, b: &Position, t: f64) -> Position {
 fn brute_force_never_contradicts_a_proof() {
     let cases = cases();
     let mut random = Random(1990);
+    let mut kinds: BTreeMap<&str, u32> = BTreeMap::new();
     let (mut looked, mut nearest) = (0, f64::INFINITY);
     while looked < asked() {
-        let case = &cases[random.below(cases.len())];
+        let (case, _) = cases.draw(&mut random);
         let Some(brute) = Brute::new(&case.cutter, &case.control) else { continue };
         let i = random.below(case.points.len());
         let from = if i == 0 { &case.start } else { &case.points[i - 1] };
@@ -303,10 +429,11 @@ fn brute_force_never_contradicts_a_proof() {
             nearest = nearest.min(-excess);
         }
         looked += 1;
+        case.kinds().into_iter().for_each(|k| *kinds.entry(k).or_default() += 1);
     }
     println!(
-        "{looked} cut vectors of {} motions at 5 places each, none beyond its band",
-        cases.len()
+        "{looked} cut vectors of {} motions at 5 places each, none beyond its band: {kinds:?}",
+        cases.all.len()
     );
 }
 
@@ -314,20 +441,20 @@ fn brute_force_never_contradicts_a_proof() {
 fn what_was_spoiled_is_refuted_in_the_right_place() {
     let cases = cases();
     let mut random = Random(360);
+    let mut kinds: BTreeMap<&str, u32> = BTreeMap::new();
     let (mut spoiled, mut harmless) = ([0_u32; 4], 0_u32);
     let wanted = u32::try_from(asked() / 50).expect("few");
     while spoiled.iter().sum::<u32>() < wanted {
-        let case = &cases[random.below(cases.len())];
+        let (whole, surface) = cases.draw(&mut random);
+        let kind = spoiled.iter().sum::<u32>() % 4;
+        let last = whole.points.len() - 1;
+        let case = whole.around(if kind == 3 { last } else { random.below(last + 1) });
         let (mut points, mut cutter) = (case.points.clone(), case.cutter);
         let n = points.len();
-        let kind = random.below(4);
-        let Some(c) = controlled(&case.control).nth(random.below(2)) else { continue };
-        let band = c.intol + c.outtol;
+        let i = random.below(n);
+        let Some((band, normal)) = case.leaving(surface, &points[i]) else { continue };
         match kind {
             0 => {
-                let i = random.below(n);
-                let Some(surface) = Surface::from_form(&c.form) else { continue };
-                let Ok(normal) = surface.normal(points[i].te) else { continue };
                 let sign = if random.below(2) == 0 { 1.5 } else { -1.5 };
                 points[i].te += normal * (sign * band);
             }
@@ -352,14 +479,14 @@ fn what_was_spoiled_is_refuted_in_the_right_place() {
             _ => continue,
         }
         let Some(brute) = Brute::new(&cutter, &case.control) else { continue };
-        let worst = brute.worst(&case.start, &points, 16);
+        let worst = brute.worst(&case.start, &points, PLACES);
         let found = judge(&cutter, &case.start, &points, &case.control);
         let fault = found.statements[0].fault.clone();
-        let what = format!("{} kind {kind} of {n}: {worst} {fault:?}", case.program);
+        let what = format!("{} {surface} kind {kind} of {n}: {worst} {fault:?}", case.program);
         if worst < 0.02 * band {
             // A vertex on a straight line, a wider tool that is ON: nothing was spoiled.
             let wrong = fault.is_some_and(|f| {
-                f.refuted && f.depth > 0.05 * band && !f.surface.starts_with("check")
+                f.refuted && f.depth > 0.05 * band && !f.surface.starts_with("check surface")
             });
             assert!(!wrong, "{what}");
             harmless += 1;
@@ -367,9 +494,10 @@ fn what_was_spoiled_is_refuted_in_the_right_place() {
         }
         let fault = fault.unwrap_or_else(|| panic!("not found: {what}"));
         assert!(fault.refuted, "{what}");
-        spoiled[kind] += 1;
+        spoiled[kind as usize] += 1;
+        case.kinds().into_iter().for_each(|k| *kinds.entry(k).or_default() += 1);
         let vector = usize::try_from(fault.vector).expect("a number") - 1;
-        if fault.surface.starts_with("check") && vector + 1 < points.len() {
+        if fault.surface.starts_with("check surface") && vector + 1 < points.len() {
             // It passes its check surface on the way, which the judge does not ask.
             continue;
         }
@@ -389,6 +517,6 @@ fn what_was_spoiled_is_refuted_in_the_right_place() {
         assert!((there - fault.depth).abs() <= 0.02 * band + 0.05 * worst, "{there} there: {what}");
     }
     println!(
-        "moved, removed, larger tool, overrun: {spoiled:?} refuted; {harmless} changes left the path right"
+        "moved, removed, larger tool, overrun: {spoiled:?} refuted: {kinds:?}; {harmless} changes left the path right"
     );
 }

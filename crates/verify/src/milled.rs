@@ -18,6 +18,7 @@ use crate::statement::{PLACES, Seen, Statement};
 use crate::swath::Swath;
 use crate::sweep::Sweep;
 use crate::tool::{Pose, Tool};
+use crate::witness::descend;
 
 /// Halvings of a vector, and stretches of it that are looked at.
 const DEPTH: u32 = 22;
@@ -207,7 +208,7 @@ fn keeps_off(
         }
         if let Some((_, t, spot)) = found.nearest {
             let t = t0 + t * (t1 - t0);
-            let distance = tool.near(&pose(t), sheet.jet(&spot).p).0;
+            let (distance, ..) = descend(tool, &pose(t), sheet, spot);
             if distance < least {
                 return Half::Broken(t, distance);
             }

@@ -23,13 +23,19 @@ const DEPTH: u32 = 24;
 const SEARCHES: u32 = 48;
 /// Positions at which one vector is looked at.
 const MOST: u32 = 2000;
+/// Positions at which a vector is looked at once it is known to be too far somewhere: how far it is at most is asked
+/// to this share.
+const FEW: u32 = 64;
+const CLOSE: f64 = 0.05;
+/// Times that a search for any place is made eight times as wide.
+const WIDER: u32 = 24;
 
 /// The greatest gap along the vector.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Excess {
     /// It is nowhere more.
     Within(f64),
-    /// Here it is at least this much: share of the way, gap.
+    /// Here it is at least this much, and nowhere much more: share of the way, gap.
     Beyond(f64, f64),
     /// It may be this much here.
     Open(f64, f64),
@@ -45,10 +51,10 @@ struct Touch {
     p: Vec3,
 }
 
-/// Judges that the gap is at most `most`; `pose` gives positions in the surface's own system, `bend` bounds
-/// how far the way of a point of the surface, seen from the tool, may leave its chord, for a stretch of the
-/// vector and the longest lever. `near` has a place to begin with, the last,
-/// and becomes those next to the tool at both ends; none unless the gap is allowed there.
+/// Judges that the gap is at most `most`; `pose` gives positions in the surface's own system, `turn` is the angle by
+/// which the axis turns. `near` has a place to begin with, the last,
+/// and becomes those next to the tool at both ends; none unless the gap is allowed there. Where the gap is more the
+/// place is told where it is greatest, to a twentieth of what is too much, as far as [`FEW`] looks show it.
 pub(crate) fn excess(
     tool: &Tool<'_>,
     sheet: &Sheet,
@@ -68,17 +74,22 @@ pub(crate) fn excess(
         clearance(&sweep, &Moved { sheet, side, shift: 0.0 }, enough, Aim::Any)
     };
     let asked = Cell::new(0_u32);
-    // Any place in the reach of the tool is good to begin with.
-    let wide = most + tool.reach();
-    let somewhere = |t: f64| match globally(t, wide) {
-        Clearance { nearest: Some((_, _, spot)), .. } => Ok(touch(t, spot)),
-        Clearance { least, .. } if least > most => Err(Excess::Beyond(t, least)),
-        _ => Err(Excess::Open(t, f64::INFINITY)),
+    // Any place in the reach of the tool is good to begin with, or any at all.
+    let somewhere = |t: f64| {
+        let mut wide = most + tool.reach();
+        for _ in 0..WIDER {
+            match globally(t, wide) {
+                Clearance { nearest: Some((_, _, spot)), .. } => return Ok(touch(t, spot)),
+                Clearance { least, .. } if least > most => wide *= 8.0,
+                _ => break,
+            }
+        }
+        Err(Excess::Open(t, f64::INFINITY))
     };
-    // Where even the nearest point is too far, that is shown; else its place is where to go on. Most of what it
-    // seems too far is asked for first, which is soon shown or found, then less and less; from a nearer place
-    // all of it again.
-    let settle = |mut now: Touch| -> Result<Touch, Excess> {
+    // Where even the nearest point is too far, that is shown: the gap is at least the second answer; else its place is
+    // where to go on. Most of what it seems too far is asked for first, which is soon shown or found, then less and
+    // less; from a nearer place all of it again.
+    let settle = |mut now: Touch| -> (Touch, Option<f64>) {
         const SHARES: [f64; 8] = [0.95, 0.7, 0.4, 0.2, 0.1, 0.03, 0.01, 0.0];
         let mut shares = SHARES.iter();
         while now.gap > most
@@ -91,7 +102,7 @@ pub(crate) fn excess(
             let enough = most + share * (now.gap - most);
             let Clearance { least, nearest } = globally(now.t, enough);
             if least > most {
-                return Err(Excess::Beyond(now.t, least));
+                return (now, Some(least));
             }
             if let Some((.., spot)) = nearest {
                 let again = touch(now.t, spot);
@@ -103,7 +114,7 @@ pub(crate) fn excess(
                 }
             }
         }
-        if now.gap <= most { Ok(now) } else { Err(Excess::Open(now.t, now.gap)) }
+        (now, None)
     };
     let known = near.take().map(|n| touch(0.0, n[1])).filter(|t| t.gap <= most);
     let first = match known.map_or_else(|| somewhere(0.0), Ok) {
@@ -111,39 +122,57 @@ pub(crate) fn excess(
         Err(open) => return open,
     };
     let last = touch(1.0, first.spot);
-    let (first, last) = match (settle(first), settle(last)) {
-        (Ok(first), Ok(last)) => (first, last),
-        (Err(Excess::Beyond(_, g)), Err(Excess::Beyond(t, h))) if h > g => {
-            return Excess::Beyond(t, h);
+    let ends = [settle(first), settle(last)];
+    let [first, last] = ends.map(|(touch, _)| touch);
+    // Where the most was shown that is too much: share of the way, gap.
+    let mut top: Option<(f64, f64)> = None;
+    let raise = |top: &mut Option<(f64, f64)>, (touch, shown): &(Touch, Option<f64>)| {
+        if let Some(gap) = *shown
+            && top.is_none_or(|(_, g)| gap > g)
+        {
+            *top = Some((touch.t, gap));
         }
-        (Err(e @ Excess::Beyond(..)), _) | (_, Err(e @ Excess::Beyond(..))) => return e,
-        (Err(e), _) | (_, Err(e)) => return e,
     };
-    *near = Some([first.spot, last.spot]);
+    ends.iter().for_each(|end| raise(&mut top, end));
+    match [first, last].into_iter().find(|end| end.gap > most) {
+        Some(end) if top.is_none() => return Excess::Open(end.t, end.gap),
+        Some(_) => {}
+        None => *near = Some([first.spot, last.spot]),
+    }
     let mut worst = f64::NEG_INFINITY;
     let mut stack = Pile::<Option<(Touch, Touch, u32)>, 64>::new();
     stack.push(Some((first, last, 0)));
-    let mut seen = 0;
+    let (mut seen, mut beyond) = (0, 0);
     while let Some(Some((a, b, depth))) = stack.pop() {
         let bound = between(tool, sheet, &a, &b, turn);
-        if bound <= most {
+        if bound <= top.map_or(most, |(_, gap)| gap + CLOSE * (gap - most)) {
             worst = worst.max(bound);
             continue;
         }
         seen += 1;
         let t = 0.5 * (a.t + b.t);
-        if depth >= DEPTH || seen > MOST {
+        if top.is_some() {
+            beyond += 1;
+            // Each look has its own searches.
+            asked.set(0);
+            if beyond > FEW || depth >= DEPTH {
+                continue;
+            }
+        } else if depth >= DEPTH || seen > MOST {
             return Excess::Open(t, bound);
         }
-        let middle = match settle(touch(t, a.spot)) {
-            Ok(m) => m,
-            Err(e) => return e,
-        };
-        if !(stack.push(Some((middle, b, depth + 1))) && stack.push(Some((a, middle, depth + 1)))) {
+        let middle = settle(touch(t, a.spot));
+        raise(&mut top, &middle);
+        let middle = middle.0;
+        if middle.gap > most && top.is_none() {
+            return Excess::Open(t, middle.gap);
+        }
+        let room = stack.push(Some((middle, b, depth + 1)));
+        if !(room && stack.push(Some((a, middle, depth + 1)))) && top.is_none() {
             return Excess::Open(t, bound);
         }
     }
-    Excess::Within(worst)
+    top.map_or(Excess::Within(worst), |(t, gap)| Excess::Beyond(t, gap))
 }
 
 /// Greatest gap between two positions.
