@@ -69,12 +69,19 @@ impl Curved<'_> {
         let turn = angle(a.ta, b.ta);
         let above = (!self.on).then(|| self.excess(tool, &pose, turn, pad, warm));
         let low = self.not_below(tool, self.side, self.least, &pose, turn, pad, warm);
+        let low = worst(low, self.least, |least| {
+            let warm = &mut Warm::default();
+            self.not_below(tool, self.side, least, &pose, turn, pad, warm)
+        });
         // A point has the same distance from both sides.
         let cut = matches!(low, Half::Broken(..));
         let high = match above {
             None => {
-                let warm = &mut Warm::default();
-                match self.not_below(tool, -self.side, -self.most, &pose, turn, pad, warm) {
+                let above = |most: f64| {
+                    let warm = &mut Warm::default();
+                    self.not_below(tool, -self.side, most, &pose, turn, pad, warm)
+                };
+                match worst(above(-self.most), -self.most, above) {
                     Half::Holds(g) => Half::Holds(-g),
                     Half::Broken(t, g) => Half::Broken(t, -g),
                     open @ Half::Open(..) => open,
@@ -479,6 +486,20 @@ impl Curved<'_> {
         }
         None
     }
+}
+
+/// The deepest place to a tenth, of what one was found that is too deep: more is asked for until no place is as deep.
+pub(crate) fn worst(first: Half, least: f64, judge: impl Fn(f64) -> Half) -> Half {
+    /// Times that it is asked.
+    const TIMES: u32 = 8;
+    let Half::Broken(mut t, mut gap) = first else { return first };
+    for _ in 0..TIMES {
+        match judge(gap - 0.1 * (least - gap)) {
+            Half::Broken(s, deeper) if deeper < gap => (t, gap) = (s, deeper),
+            _ => break,
+        }
+    }
+    Half::Broken(t, gap)
 }
 
 fn widest(a: (f64, f64), b: (f64, f64)) -> (f64, f64) {

@@ -5,6 +5,7 @@ use std::sync::atomic::{AtomicU32, Ordering};
 use super::*;
 use crate::demand::Demand;
 use crate::sheet::tests::quadrics;
+use crate::sheets::Sheets;
 use aptc_cldata::{Controlled, Position, Relation};
 use aptc_geometry::{Cutter, Form, Profile, trig};
 use proptest::prelude::*;
@@ -107,7 +108,7 @@ proptest! {
         if !(seen.0.is_finite() && seen.1.is_finite()) {
             return Ok(());
         }
-        let mut demand = Demand::new(&controlled(form, if right { 1 } else { -1 }));
+        let mut demand = Demand::new(&controlled(form, if right { 1 } else { -1 }), &Sheets::default());
         // A band that is open above: proved only if no sample lies below.
         demand.least = seen.0 - band[0] * 0.2 + 0.05;
         demand.most = f64::INFINITY;
@@ -166,7 +167,9 @@ fn a_sharp_rim_in_a_hollow_is_decided_at_any_depth() {
             let at = Position::upright(Vec3::new(0.0, 0.0, z));
             let asked =
                 |thick| Controlled { thick, intol: 1e-6, outtol: 1e-6, ..controlled(&form, -1) };
-            let judge = |c: Controlled| Demand::new(&c).judge(&profile, &at, &at, 1e-11);
+            let judge = |c: Controlled| {
+                Demand::new(&c, &Sheets::default()).judge(&profile, &at, &at, 1e-11)
+            };
             let verdict = judge(asked(-depth));
             assert!(matches!(verdict, Verdict::Proved { .. }), "{q} {depth} {verdict:?}");
             // What is told lies between the band and the truth.
@@ -197,10 +200,10 @@ fn the_rim_of_a_leaning_tool_in_its_tolerance_is_on_its_side() {
             let at = Position { te, ta };
             let side = if away * positive > 0.0 { 1 } else { -1 };
             let c = Controlled { intol: 2e-4, outtol: 1e-4, ..controlled(form, side) };
-            let verdict = Demand::new(&c).judge(&profile, &at, &at, 1e-11);
+            let verdict = Demand::new(&c, &Sheets::default()).judge(&profile, &at, &at, 1e-11);
             assert!(matches!(verdict, Verdict::Proved { .. }), "{away} {lean} {verdict:?}");
             let c = Controlled { side: -side, ..c };
-            let verdict = Demand::new(&c).judge(&profile, &at, &at, 1e-11);
+            let verdict = Demand::new(&c, &Sheets::default()).judge(&profile, &at, &at, 1e-11);
             assert!(matches!(verdict, Verdict::Refuted { .. }), "{away} {lean} {verdict:?}");
         }
     }
@@ -223,10 +226,10 @@ fn the_thickness_of_a_polyconic_moves_its_surface() {
         let half = radius * std::f64::consts::FRAC_1_SQRT_2;
         let at = Position::upright(Vec3::new(0.0, half, half - 1.0));
         let c = Controlled { intol: 1e-6, outtol: 1e-6, ..controlled(&form, side) };
-        let verdict = Demand::new(&c).judge(&profile, &at, &at, 1e-9);
+        let verdict = Demand::new(&c, &Sheets::default()).judge(&profile, &at, &at, 1e-9);
         assert!(matches!(verdict, Verdict::Proved { .. }), "{thickness} {verdict:?}");
         let off = Controlled { thick: 1e-5, ..c };
-        let verdict = Demand::new(&off).judge(&profile, &at, &at, 1e-9);
+        let verdict = Demand::new(&off, &Sheets::default()).judge(&profile, &at, &at, 1e-9);
         assert!(matches!(verdict, Verdict::Refuted { .. }), "{thickness} {verdict:?}");
     }
 }

@@ -13,6 +13,7 @@ use crate::inside::{self, Walls};
 use crate::outside;
 use crate::pile::Pile;
 use crate::sheet::Sheet;
+use crate::sheets::Sheets;
 use crate::solid::Solid;
 use crate::tool::{Pose, Tool};
 
@@ -71,7 +72,7 @@ pub(crate) enum Verdict {
 
 impl Demand {
     /// What a controlled surface asks.
-    pub(crate) fn new(c: &Controlled) -> Self {
+    pub(crate) fn new(c: &Controlled, sheets: &Sheets) -> Self {
         let on = c.side == 0 || c.relation == Relation::On;
         let flipped = match c.form.shape() {
             Form::Plane(p) if c.side < 0 => Some(*p),
@@ -80,12 +81,11 @@ impl Demand {
         };
         let body = match flipped {
             Some(p) => Body::Solid(Solid::Half(Plane { n: -p.n, d: -p.d })),
-            None => match (Solid::new(&c.form), opened(c), Sheet::new(&c.form)) {
-                (Some(solid), ..) => Body::Solid(solid),
-                (None, Some(hollow), _) => Body::Hollow(hollow),
-                (None, None, Some(sheet)) => Body::Sheet(Arc::new(sheet)),
-                (None, None, None) => Body::Unknown,
-            },
+            None => Solid::new(&c.form)
+                .map(Body::Solid)
+                .or_else(|| opened(c).map(Body::Hollow))
+                .or_else(|| sheets.of_form(&c.form).map(Body::Sheet))
+                .unwrap_or(Body::Unknown),
         };
         let flat = matches!(body, Body::Solid(Solid::Half(_)));
         let side = if c.side < 0 { -1.0 } else { 1.0 };
@@ -256,6 +256,9 @@ pub(crate) fn parabola(f0: f64, f1: f64, rise: f64) -> f64 {
 }
 
 pub(crate) fn angle(a: Vec3, b: Vec3) -> f64 {
+    if a == b {
+        return 0.0;
+    }
     trig::atan2(a.cross(&b).norm(), a.dot(&b))
 }
 

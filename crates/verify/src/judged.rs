@@ -5,6 +5,7 @@ use aptc_geometry::Profile;
 
 use crate::certificate::{Fault, SurfaceBound};
 use crate::demand::{Demand, Verdict};
+use crate::sheets::Sheets;
 use crate::statement::Seen;
 
 #[derive(Debug)]
@@ -18,8 +19,8 @@ pub(crate) struct Judged {
 
 impl Judged {
     /// Drive, part or check surface as it was asked for.
-    pub(crate) fn new(c: &Controlled, role: &'static str) -> Self {
-        let mut demand = Demand::new(c);
+    pub(crate) fn new(c: &Controlled, role: &'static str, sheets: &Sheets) -> Self {
+        let mut demand = Demand::new(c, sheets);
         // A tangent check is met where the drive surface leaves it, not at a distance.
         if matches!(c.relation, Relation::Tanto | Relation::Pstan) {
             demand.most = f64::INFINITY;
@@ -34,11 +35,12 @@ impl Judged {
         profile: &Profile,
         start: &Position,
         pad: f64,
+        sheets: &Sheets,
     ) -> Option<Self> {
         if c.nth > 1 {
             return None;
         }
-        let mut demand = Demand::new(c);
+        let mut demand = Demand::new(c, sheets);
         let band = c.intol.max(c.outtol);
         match c.relation {
             Relation::To => demand.most = f64::INFINITY,
@@ -62,17 +64,18 @@ impl Judged {
     /// That the tool does not cut into a surface along which it moved before or will move: the cutter is on
     /// the side of it where it was at `at`.
     pub(crate) fn clear(c: &Controlled, at: &Position, profile: &Profile) -> Option<Self> {
+        let sheets = &Sheets::default();
         let mut c = c.clone();
         c.disk = None;
         c.outtol = f64::INFINITY;
         if c.side == 0 {
             // The tool end is on it, the cutter above.
             let above = Position { te: at.te + 1e-3 * profile.reach() * at.ta, ta: at.ta };
-            let gap = Demand::new(&c).gap_at(profile, &above)?;
+            let gap = Demand::new(&c, sheets).gap_at(profile, &above)?;
             c.side = if gap < 0.0 { -1 } else { 1 };
         }
         c.relation = Relation::To;
-        Some(Self::with(Demand::new(&c), &c, "part"))
+        Some(Self::with(Demand::new(&c, sheets), &c, "part"))
     }
 
     fn with(demand: Demand, c: &Controlled, role: &'static str) -> Self {

@@ -7,7 +7,7 @@ use aptc_cldata::{NameRef, Position};
 use aptc_geometry::Profile;
 
 use crate::certificate::{Fault, SurfaceBound};
-use crate::curved::{Curved, Half, Warm};
+use crate::curved::{Curved, Half, Warm, worst};
 use crate::demand::{Verdict, angle, between_poses};
 use crate::pile::Pile;
 use crate::scallop::{Cusps, Left};
@@ -159,7 +159,11 @@ impl MilledSurface {
         let ends = [Pose { te: a.te, ta: a.ta }, Pose { te: b.te, ta: b.ta }];
         let pose = |t: f64| between_poses(&ends[0], &ends[1], t);
         let turn = angle(a.ta, b.ta);
-        match keeps_off(tool, &self.sheet, &pose, turn, self.band[0] - pad, warm) {
+        let least = self.band[0] - pad;
+        let first = keeps_off(tool, &self.sheet, &pose, turn, least, warm);
+        let deeper =
+            |least: f64| keeps_off(tool, &self.sheet, &pose, turn, least, &mut Warm::default());
+        match worst(first, least, deeper) {
             Half::Holds(low) => Verdict::Proved { low, high: f64::INFINITY },
             Half::Broken(t, gap) => Verdict::Refuted { gap, te: pose(t).te },
             Half::Open(t, at_most) => Verdict::Undecided { at_most, te: pose(t).te },

@@ -16,6 +16,8 @@ use crate::tool::{Pose, Tool, carry, turned};
 
 /// Rounds of the searches for the best direction; reaching them costs tightness, not truth.
 const ROUNDS: usize = 60;
+/// Sine at which a direction counts as square to the way.
+const SQUARE: f64 = 1e-8;
 
 /// Gap at a position: its value up to rounding, from above, and the direction that proves it.
 pub(crate) fn gap(tool: &Tool<'_>, pose: &Pose, solid: &Solid) -> (f64, Vec3) {
@@ -47,8 +49,8 @@ fn touch(tool: &Tool<'_>, pose: &Pose, solid: &Solid) -> (f64, Vec3, Vec3) {
     }
 }
 
-/// Least `near(q + s t) - s slope` over s >= least, its direction and s: the solid as the union of balls along its axis. The
-/// function is convex in s, so the sign of its slope brackets the least value.
+/// Least `near(q + s t) - s slope` over s >= least, its direction and s: the solid as the union of balls along its
+/// axis. The function is convex in s: Newton's method, held in the bracket that the sign of its slope leaves.
 fn along_axis(
     tool: &Tool<'_>,
     pose: &Pose,
@@ -57,40 +59,41 @@ fn along_axis(
     slope: f64,
     least: f64,
 ) -> (f64, Vec3, f64) {
-    let value = |s: f64| {
-        let (d, n) = tool.near(pose, q + s * t);
-        (d - s * slope, n, n.dot(&t) - slope, s)
-    };
+    /// Slope at which the value is right to the last digit.
+    const LEVEL: f64 = 1e-11;
+    let middle = (pose.te + pose.ta * tool.shoulder() - q).dot(&t);
+    let mut s = middle.max(least);
+    let (d, n) = tool.near(pose, q + s * t);
+    if (n.dot(&t) - slope).abs() <= LEVEL {
+        return (d - s * slope, n, s);
+    }
     // Beyond twice the distance to the farthest place of interest the function only grows.
-    let middle = (pose.te - q).dot(&t);
     let far = 2.0 * ((pose.te - q).norm() + tool.reach()) / (1.0 - slope).max(0.05);
     let (mut a, mut b) = ((middle - far).max(least), (middle + far).max(least));
-    let (mut fa, mut fb) = (value(a), value(b));
-    if fa.2 >= 0.0 {
-        return (fa.0, fa.1, fa.3);
-    }
-    if fb.2 <= 0.0 {
-        return (fb.0, fb.1, fb.3);
-    }
-    let mut best = if fa.0 < fb.0 { fa } else { fb };
-    for round in 0..ROUNDS {
-        let secant = a - fa.2 * (b - a) / (fb.2 - fa.2);
-        // Every third round halves, so that the bracket shrinks whatever the shape.
-        let s = if round % 3 == 2 || !(a..=b).contains(&secant) { 0.5 * (a + b) } else { secant };
-        let f = value(s);
-        if f.0 < best.0 || (f.0 <= best.0 && f.2.abs() < best.2.abs()) {
-            best = f;
+    let mut best = (f64::INFINITY, -pose.ta, s, f64::INFINITY);
+    let (mut steep, mut slow) = (f64::INFINITY, 0);
+    for _ in 0..ROUNDS {
+        let (d, n, change) = tool.bent(pose, q + s * t);
+        let (value, rise) = (d - s * slope, n.dot(&t) - slope);
+        if value < best.0 || (value <= best.0 && rise.abs() < best.3) {
+            best = (value, n, s, rise.abs());
         }
-        if f.2.abs() <= 1e-15 || b - a <= 1e-16 * (a.abs() + b.abs()) {
+        if rise.abs() <= LEVEL || b - a <= 1e-16 * (a.abs() + b.abs()) {
             break;
         }
-        if f.2 < 0.0 {
-            (a, fa) = (s, f);
+        *(if rise < 0.0 { &mut a } else { &mut b }) = s;
+        let newton = s - rise / change.along(t, t);
+        // About an edge of the tool the slope jumps.
+        slow = if rise.abs() > 0.5 * steep { slow + 1 } else { 0 };
+        steep = rise.abs();
+        s = if slow > 1 || !(a..=b).contains(&newton) {
+            slow = 0;
+            0.5 * (a + b)
         } else {
-            (b, fb) = (s, f);
-        }
+            newton
+        };
     }
-    (best.0, best.1, best.3)
+    (best.0, best.1, best.2)
 }
 
 /// What the direction `d` proves of the gap along the motion from `pose` by `v`.
@@ -101,54 +104,75 @@ pub(crate) fn proved(tool: &Tool<'_>, pose: &Pose, v: Vec3, solid: &Solid, d: Ve
 /// Bounds along the vector from `a` to `b`, axis fixed.
 pub(crate) fn bound(tool: &Tool<'_>, a: &Pose, b: &Pose, solid: &Solid) -> Bound {
     let v = b.te - a.te;
+    if let Solid::Half(plane) = solid {
+        // The gap runs evenly from end to end.
+        let first = gap(tool, a, solid).0;
+        let ends = [first, first + plane.n.dot(&v)];
+        let (least, most) = if ends[0] <= ends[1] { (0, 1) } else { (1, 0) };
+        let [low_at, high_at] = [least, most].map(|i| if i == 0 { 0.0 } else { 1.0 });
+        let low = ends[least];
+        return Bound { low, high: ends[most], least: low, low_at, high_at };
+    }
     let at = |t: f64| {
         let pose = Pose { te: a.te + t * v, ta: a.ta };
         let (g, d) = gap(tool, &pose, solid);
-        (g, d, d.dot(&v))
+        Place { t, gap: g, d, slope: d.dot(&v) }
     };
     let (first, last) = (at(0.0), at(1.0));
-    let (high, high_at) = if first.0 >= last.0 { (first.0, 0.0) } else { (last.0, 1.0) };
-    let mut best = (f64::NEG_INFINITY, 0.0);
-    let mut least = if first.0 <= last.0 { (first.0, 0.0) } else { (last.0, 1.0) };
-    let mut offer = |d: Vec3, g: f64, t: f64| {
-        let mut low = proved(tool, a, v, solid, d);
-        // A direction square to the motion proves the same for the whole of it.
-        let square = d - v * (d.dot(&v) / v.norm_squared().max(f64::MIN_POSITIVE));
+    let high = if first.gap >= last.gap { first } else { last };
+    let mut least = if first.gap <= last.gap { first } else { last };
+    let shown = |d: Vec3| proved(tool, a, v, solid, d);
+    let length = v.norm();
+    // A direction square to the motion proves the same for the whole of it.
+    let level = |d: Vec3| {
+        let square = d - v * (d.dot(&v) / (length * length).max(f64::MIN_POSITIVE));
         let square = solid.bounded_direction(square);
-        if square.dot(&v).abs() <= 1e-12 * v.norm() {
-            low = low.max(proved(tool, a, v, solid, square));
-        }
-        if low > best.0 {
-            best = (low, t);
-        }
-        if g < least.0 {
-            least = (g, t);
-        }
+        let is_square = square.dot(&v).abs() <= 1e-12 * length;
+        shown(if is_square { square } else { d })
     };
-    offer(first.1, first.0, 0.0);
-    offer(last.1, last.0, 1.0);
-    if first.2 < 0.0 && last.2 > 0.0 {
-        let (mut t0, mut t1, mut f0, mut f1) = (0.0, 1.0, first.2, last.2);
+    // The gap is least at an end, or where its slope changes sign.
+    let mut low = if first.slope >= 0.0 {
+        shown(first.d)
+    } else if last.slope <= 0.0 {
+        shown(last.d)
+    } else {
+        f64::NEG_INFINITY
+    };
+    if first.slope < 0.0 && last.slope > 0.0 {
+        let (mut p, mut q) = (first, last);
         for round in 0..ROUNDS {
-            let secant = t0 - f0 * (t1 - t0) / (f1 - f0);
-            let t = if round % 3 == 2 || !(t0..=t1).contains(&secant) {
-                0.5 * (t0 + t1)
-            } else {
-                secant
-            };
-            let m = at(t);
-            offer(m.1, m.0, t);
-            if m.2.abs() <= 1e-14 * v.norm() || t1 - t0 <= 1e-15 {
+            let secant = p.t - p.slope * (q.t - p.t) / (q.slope - p.slope);
+            let halves = round % 3 == 2 || !(p.t..=q.t).contains(&secant);
+            let m = at(if halves { 0.5 * (p.t + q.t) } else { secant });
+            if m.gap < least.gap {
+                least = m;
+            }
+            // A direction that is not quite square to the way is made so, and loses the square of what it missed.
+            if m.slope.abs() <= SQUARE * length {
+                low = level(m.d);
                 break;
             }
-            if m.2 < 0.0 {
-                (t0, f0) = (t, m.2);
-            } else {
-                (t1, f1) = (t, m.2);
+            *(if m.slope < 0.0 { &mut p } else { &mut q }) = m;
+            if q.t - p.t <= 1e-15 {
+                break;
             }
         }
+        if low == f64::NEG_INFINITY {
+            // Where the tool changes from one place to another, a direction between theirs is square to the way.
+            let between = solid.bounded_direction(p.d * q.slope - q.d * p.slope);
+            low = [p.d, q.d, between].into_iter().map(level).fold(low, f64::max);
+        }
     }
-    Bound { low: best.0, high, low_at: least.1, high_at, least: least.0 }
+    Bound { low, high: high.gap, low_at: least.t, high_at: high.t, least: least.gap }
+}
+
+/// The tool at a share of the way: the gap, the direction that proves it and how that rises along the way.
+#[derive(Clone, Copy, Debug)]
+struct Place {
+    t: f64,
+    gap: f64,
+    d: Vec3,
+    slope: f64,
 }
 
 /// The gap from below when the direction that proves it turns from one end to the other: second order in the

@@ -1,30 +1,26 @@
 //! A stack of fixed size, so that a proof allocates nothing.
 
+use arrayvec::ArrayVec;
+
 /// At most `N` entries.
 #[derive(Debug)]
-pub(crate) struct Pile<T: Copy + Default, const N: usize> {
-    entries: [T; N],
-    n: usize,
-}
+pub(crate) struct Pile<T, const N: usize>(ArrayVec<T, N>);
 
-impl<T: Copy + Default, const N: usize> Pile<T, N> {
+impl<T, const N: usize> Pile<T, N> {
+    #[inline]
     pub(crate) fn new() -> Self {
-        Self { entries: [T::default(); N], n: 0 }
+        Self(ArrayVec::new())
     }
 
     /// Puts an entry on top; false when there is no room for it.
+    #[inline]
     pub(crate) fn push(&mut self, entry: T) -> bool {
-        let room = self.n < N;
-        if room {
-            self.entries[self.n] = entry;
-            self.n += 1;
-        }
-        room
+        self.0.try_push(entry).is_ok()
     }
 
     /// Takes the top entry.
+    #[inline]
     pub(crate) fn pop(&mut self) -> Option<T> {
-        self.n = self.n.checked_sub(1)?;
-        Some(self.entries[self.n])
+        self.0.pop()
     }
 }

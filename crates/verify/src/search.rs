@@ -81,6 +81,7 @@ pub(crate) fn clearance_from(
     let mut seen = 0;
     // How far the piece was of which the hint is.
     let mut closest = f64::INFINITY;
+    let mut hinted = hint.map(|m| sweep.along(m));
     while let Some(patch) = pile.pop() {
         seen += 1;
         if found(&out) {
@@ -90,29 +91,34 @@ pub(crate) fn clearance_from(
             out.least = f64::NEG_INFINITY;
             break;
         }
-        if let Some((node, below)) = moved.sheet.group(&patch, center) {
+        let known = known(&out, enough);
+        if let Some(node) = moved.sheet.group(&patch) {
             let far = (node.center - center).norm() - node.radius - within;
-            let low = if far >= 0.0 {
-                enough.max(far)
-            } else {
-                let shift = moved.shift.abs();
-                let radius = node.radius + shift;
-                let held = |meeting: &Meeting| {
-                    let slack = |m| Slack { by: [radius, 0.0], all: node.extent(m) + shift };
-                    sweep.proved(meeting, node.center, radius, slack).0
-                };
-                let low = hint.map_or(f64::NEG_INFINITY, |m| held(&Meeting::along(m)));
-                if low >= known(&out, enough) {
-                    low
-                } else {
-                    low.max(held(&sweep.meet(node.center)))
-                }
+            if far >= 0.0 {
+                out.least = out.least.min(enough.max(far));
+                continue;
+            }
+            let shift = moved.shift.abs();
+            let radius = node.radius + shift;
+            let held = |meeting: &Meeting| {
+                let slack = |m| Slack { by: [radius, 0.0], all: node.extent(m) + shift };
+                let (low, slack, _) = sweep.proved(meeting, node.center, radius, slack);
+                (low, low + slack.all)
             };
-            if far >= 0.0 || low >= known(&out, enough) {
+            let (mut low, middle) =
+                hinted.as_ref().map_or((f64::NEG_INFINITY, f64::NEG_INFINITY), held);
+            // What is far enough in its middle by the hint is far enough in parts by it, most likely.
+            if low < known && middle < known {
+                low = low.max(held(&sweep.meet(node.center)).0);
+            }
+            if low >= known {
                 out.least = out.least.min(low);
-            } else if !below.into_iter().flatten().all(|p| pile.push(p)) {
-                out.least = f64::NEG_INFINITY;
-                break;
+            } else {
+                let below = moved.sheet.below(&patch, center);
+                if !below.into_iter().flatten().all(|p| pile.push(p)) {
+                    out.least = f64::NEG_INFINITY;
+                    break;
+                }
             }
             continue;
         }
@@ -124,51 +130,54 @@ pub(crate) fn clearance_from(
         }
         let x = tile.c + tile.n * (moved.side * moved.shift);
         let within_tile = tile.radius() + 2.0 * moved.shift.abs();
-        let bound = |meeting: &Meeting| {
-            sweep.proved(meeting, x, within_tile, |m| slack(&tile, m, moved.shift.abs()))
+        let bound = |meeting: Meeting| {
+            let slack = |m| slack(&tile, m, moved.shift.abs());
+            let (low, slack, rise) = sweep.proved(&meeting, x, within_tile, slack);
+            Shown { low, meeting, slack, rise }
         };
-        let mut most = (f64::NEG_INFINITY, Vec3::zeros());
-        let mut offer = |meeting: &Meeting| {
-            let (low, slack, rise) = bound(meeting);
-            if low > most.0 {
-                most = (low, meeting.m);
+        let by_hint = hinted.filter(|_| aim != Aim::Nearest).map(bound);
+        let shown = match by_hint {
+            Some(shown) if shown.low >= known => shown,
+            Some(shown) if shown.halves_show(known, &tile, moved.shift) => shown,
+            _ => {
+                // Along the normal the piece has no extent: next to a place that is touched that direction shows
+                // most.
+                let [first, square] = sweep.level(tile.n * -moved.side, x).map(bound);
+                let level = Shown::better(first, square);
+                let level = by_hint.map_or(level, |shown| Shown::better(shown, level));
+                if aim != Aim::Nearest
+                    && (level.low >= known || level.halves_show(known, &tile, moved.shift))
+                {
+                    level
+                } else {
+                    let meeting = sweep.meet(x);
+                    if out.nearest.is_none_or(|n| meeting.distance < n.0) {
+                        out.nearest = Some((meeting.distance, meeting.t, patch.spot()));
+                        if aim == Aim::Any && meeting.distance < enough {
+                            out.least = f64::NEG_INFINITY;
+                            break;
+                        }
+                    }
+                    // The meeting tells where the piece is best cut.
+                    let met = bound(meeting);
+                    let mut best = Shown::better(level, met);
+                    if best.low < known
+                        && let Some(edge) = sweep.edge(tile.n * -moved.side, x, met.meeting.t)
+                    {
+                        best = edge.map(bound).into_iter().fold(best, Shown::better);
+                    }
+                    Shown { low: best.low, meeting: best.meeting, ..met }
+                }
             }
-            (most, slack, rise)
         };
-        if let Some(m) = hint.filter(|_| aim != Aim::Nearest) {
-            let hinted = offer(&Meeting::along(m)).0;
-            if hinted.0 >= known(&out, enough) {
-                out.least = out.least.min(keep(hinted, &mut closest, hint));
-                continue;
+        let Shown { low, meeting, slack: Slack { by: slack, .. }, rise } = shown;
+        // The way may be known to be longer by now.
+        let known = self::known(&out, enough);
+        if low >= known {
+            if low < closest {
+                (closest, hinted) = (low, Some(meeting));
             }
-        }
-        // Along the normal the piece has no extent: next to a place that is touched that direction shows most.
-        let [first, square] = sweep.level(tile.n * -moved.side, x);
-        offer(&first);
-        let level = offer(&square).0;
-        if aim != Aim::Nearest && level.0 >= known(&out, enough) {
-            out.least = out.least.min(keep(level, &mut closest, hint));
-            continue;
-        }
-        let meeting = sweep.meet(x);
-        if out.nearest.is_none_or(|n| meeting.distance < n.0) {
-            out.nearest = Some((meeting.distance, meeting.t, patch.spot()));
-            if aim == Aim::Any && meeting.distance < enough {
-                out.least = f64::NEG_INFINITY;
-                break;
-            }
-        }
-        let (mut best, Slack { by: slack, .. }, rise) = offer(&meeting);
-        if best.0 < known(&out, enough)
-            && let Some(edge) = sweep.edge(tile.n * -moved.side, x, meeting.t)
-        {
-            for meeting in edge {
-                best = offer(&meeting).0;
-            }
-        }
-        let low = best.0;
-        if low >= known(&out, enough) {
-            out.least = out.least.min(keep(best, &mut closest, hint));
+            out.least = out.least.min(low);
             continue;
         }
         if slack[0] + slack[1] <= rise {
@@ -193,16 +202,34 @@ pub(crate) fn clearance_from(
             out.least = out.least.min(low);
         }
     }
+    *hint = hinted.map(|h| h.m);
     out.least = out.least.min(enough.max(out.nearest.map_or(enough, |n| n.0)));
     out
 }
 
-/// Makes the direction that showed a piece to be far enough the hint when that is nearer than all before; how far it is.
-fn keep((low, m): (f64, Vec3), closest: &mut f64, hint: &mut Option<Vec3>) -> f64 {
-    if low < *closest {
-        (*closest, *hint) = (low, Some(m));
+/// What a direction shows of a piece.
+#[derive(Clone, Copy, Debug)]
+struct Shown {
+    /// It is nowhere nearer than this.
+    low: f64,
+    meeting: Meeting,
+    slack: Slack,
+    /// The part that is due to the turn.
+    rise: f64,
+}
+
+impl Shown {
+    /// Is the direction likely to show of both halves what it does not of the whole?
+    fn halves_show(&self, known: f64, tile: &Tile, shift: f64) -> bool {
+        let [u, v] = self.slack.by;
+        self.low + 0.5 * self.slack.all >= known
+            && u + v > 2.0 * self.rise
+            && tile.radius() > 2.0 * FOLD * shift.abs()
     }
-    low
+
+    fn better(a: Self, b: Self) -> Self {
+        if b.low > a.low { b } else { a }
+    }
 }
 
 /// What a piece must stay away from the tool to be of no more interest.

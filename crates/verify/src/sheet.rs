@@ -161,11 +161,19 @@ impl Sheet {
         }
     }
 
-    /// The sphere that holds a group of charts, and what is in it, nearer to `x` last.
-    pub(crate) fn group(&self, patch: &Patch, x: Vec3) -> Option<(&Node, [Option<Patch>; 2])> {
+    /// What holds a group of charts.
+    pub(crate) fn group(&self, patch: &Patch) -> Option<&Node> {
         match &self.kind {
-            Kind::Patched(p) if patch.group => Some((p.node(patch.chart), p.below(patch.chart, x))),
+            Kind::Patched(p) if patch.group => Some(p.node(patch.chart)),
             _ => None,
+        }
+    }
+
+    /// What is in a group of charts, nearer to `x` last.
+    pub(crate) fn below(&self, patch: &Patch, x: Vec3) -> [Option<Patch>; 2] {
+        match &self.kind {
+            Kind::Patched(p) if patch.group => p.below(patch.chart, x),
+            _ => [None; 2],
         }
     }
 
@@ -174,6 +182,17 @@ impl Sheet {
             Kind::Quadric(q) => q.jet(spot),
             Kind::Tabcyl(t) => t.jet(spot),
             Kind::Patched(p) => p.jet(spot),
+        }
+    }
+
+    /// The same with the second derivatives: uu, uv, vv. What goes on straight along a bent border counts as bent
+    /// as the border.
+    pub(crate) fn bent(&self, spot: &Spot) -> (Jet, [Vec3; 3]) {
+        let place = Patch { chart: spot.chart, at: spot.at, half: [0.0; 2], group: false };
+        match &self.kind {
+            Kind::Quadric(q) => (q.jet(spot), q.bend(&place).0),
+            Kind::Tabcyl(t) => (t.jet(spot), t.bend(&place).0),
+            Kind::Patched(p) => p.look(spot),
         }
     }
 

@@ -2,26 +2,47 @@
 
 use std::sync::{Arc, Mutex, PoisonError};
 
-use aptc_geometry::Sculptured;
+use aptc_geometry::{Form, Sculptured};
 
 use crate::sheet::Sheet;
 
-/// Sculptured surfaces that are prepared; all clones share them.
+/// Surfaces that are prepared; all clones share them.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Sheets(Arc<Mutex<Vec<Known>>>);
+pub(crate) struct Sheets {
+    milled: Arc<Mutex<Vec<Known<Sculptured>>>>,
+    /// Those that guide the tool, the last [`FORMS`].
+    forms: Arc<Mutex<Vec<Known<Form>>>>,
+}
 
 /// A surface with its charts.
-type Known = (Arc<Sculptured>, Arc<Sheet>);
+type Known<T> = (Arc<T>, Arc<Sheet>);
+
+/// Forms whose charts are kept: a program may define any number of them.
+const FORMS: usize = 64;
 
 impl Sheets {
     /// The surface with charts; `None` where it has none.
     pub(crate) fn of(&self, surface: &Arc<Sculptured>) -> Option<Arc<Sheet>> {
-        let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut known = self.milled.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some((_, sheet)) = known.iter().find(|(s, _)| Arc::ptr_eq(s, surface)) {
             return Some(Arc::clone(sheet));
         }
         let sheet = Arc::new(Sheet::bare(surface)?);
         known.push((Arc::clone(surface), Arc::clone(&sheet)));
+        Some(sheet)
+    }
+
+    /// The charts of a form; `None` for those without.
+    pub(crate) fn of_form(&self, form: &Arc<Form>) -> Option<Arc<Sheet>> {
+        let mut known = self.forms.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some((_, sheet)) = known.iter().find(|(f, _)| Arc::ptr_eq(f, form)) {
+            return Some(Arc::clone(sheet));
+        }
+        let sheet = Arc::new(Sheet::new(form)?);
+        if known.len() >= FORMS {
+            known.remove(0);
+        }
+        known.push((Arc::clone(form), Arc::clone(&sheet)));
         Some(sheet)
     }
 }

@@ -286,14 +286,16 @@ impl Guided {
         let control = &s.control;
         let along = [("drive", &control.drive), ("part", &control.part)]
             .into_iter()
-            .filter_map(|(role, c)| c.as_ref().map(|c| Judged::new(c, role)))
+            .filter_map(|(role, c)| c.as_ref().map(|c| Judged::new(c, role, &s.sheets)))
             .collect();
         let check = control.checks.first();
         let never = match (check, &s.start) {
-            (Some(c), Some(start)) if !s.startup => Judged::never_past(c, &s.profile, start, s.pad),
+            (Some(c), Some(start)) if !s.startup => {
+                Judged::never_past(c, &s.profile, start, s.pad, &s.sheets)
+            }
             _ => None,
         };
-        Self { along, check: check.map(|c| Judged::new(c, "check")), never }
+        Self { along, check: check.map(|c| Judged::new(c, "check", &s.sheets)), never }
     }
 
     /// Those of which bounds are told, drive first.

@@ -44,13 +44,8 @@ pub(crate) struct Meeting {
     pub(crate) distance: f64,
     /// Unit direction from the tool to the point, as the axis stands at the first position.
     pub(crate) m: Vec3,
-}
-
-impl Meeting {
-    /// Any unit direction, wherever on the way.
-    pub(crate) fn along(m: Vec3) -> Self {
-        Self { t: 0.5, distance: f64::INFINITY, m }
-    }
+    /// How far the tool reaches in that direction from its end.
+    reach: f64,
 }
 
 /// By how much a piece may be nearer in a direction than its middle.
@@ -71,6 +66,16 @@ impl Sweep<'_> {
         (a + half, half.norm() + radius + self.pad)
     }
 
+    /// Any unit direction, wherever on the way.
+    pub(crate) fn along(&self, m: Vec3) -> Meeting {
+        Meeting { t: 0.5, distance: f64::INFINITY, m, reach: self.reach(m) }
+    }
+
+    /// How far the tool reaches in a direction from its end, as the axis stands at the first position.
+    fn reach(&self, m: Vec3) -> f64 {
+        self.tool.height(&Pose { te: Vec3::zeros(), ta: self.a.ta }, m)
+    }
+
     /// The point seen from the tool at both ends, as the axis stands at the first.
     fn seen(&self, x: Vec3) -> [Vec3; 2] {
         let last = x - self.b.te;
@@ -89,15 +94,16 @@ impl Sweep<'_> {
         let still = Pose { te: Vec3::zeros(), ta: self.a.ta };
         let at = |t: f64| {
             let (distance, m) = self.tool.near(&still, from + v * t);
-            (Meeting { t, distance, m }, m.dot(&v))
+            (Meeting { t, distance, m, reach: 0.0 }, m.dot(&v))
         };
+        let reaching = |best: Meeting| Meeting { reach: self.reach(best.m), ..best };
         let (first, mut f0) = at(0.0);
         if f0 >= 0.0 {
-            return first;
+            return reaching(first);
         }
         let (last, mut f1) = at(1.0);
         if f1 <= 0.0 {
-            return last;
+            return reaching(last);
         }
         let mut best = if last.distance < first.distance { last } else { first };
         let small = SQUARE * v.norm();
@@ -128,14 +134,14 @@ impl Sweep<'_> {
         // Between both directions there is the one that is square to the way, and bounds all of it alike; on a face
         // and about an edge of the tool it is none the worse.
         best.m = (near.0.m * far.1 - far.0.m * near.1).try_normalize(0.0).unwrap_or(best.m);
-        best
+        reaching(best)
     }
 
     /// Meetings with a given direction in the middle of the way and with that square to the way of `x`.
     pub(crate) fn level(&self, m: Vec3, x: Vec3) -> [Meeting; 2] {
         let [from, to] = self.seen(x);
         let own = self.own(m);
-        [own, square(own, to - from).unwrap_or(own)].map(Meeting::along)
+        [own, square(own, to - from).unwrap_or(own)].map(|m| self.along(m))
     }
 
     /// Meetings with a given direction made square to the ring of the tool at the share `t` of the way of `x`, and to
@@ -146,7 +152,7 @@ impl Sweep<'_> {
         let ring = self.a.ta.cross(&(from + way * t)).try_normalize(0.0)?;
         let off = |w: Vec3| w - ring * w.dot(&ring);
         let m = off(self.own(m)).try_normalize(0.0)?;
-        let of = |m: Vec3| Meeting { t, distance: f64::INFINITY, m };
+        let of = |m: Vec3| Meeting { t, ..self.along(m) };
         Some([of(m), of(square(m, off(way)).unwrap_or(m))])
     }
 
@@ -167,13 +173,13 @@ impl Sweep<'_> {
     ) -> (f64, Slack, f64) {
         let m = meeting.m;
         if !self.turns() {
-            let first = self.tool.height(&self.a, m);
+            let first = meeting.reach + m.dot(&self.a.te);
             let height = first.max(first + m.dot(&(self.b.te - self.a.te)));
             let slack = slack(m);
             return (m.dot(&x) - height - slack.all, slack, 0.0);
         }
         // The direction turns with the tool, whose support in it stays the same.
-        let own = self.tool.height(&Pose { te: Vec3::zeros(), ta: self.a.ta }, m);
+        let own = meeting.reach;
         let end = |at: &Pose, m: Vec3| {
             let slack = slack(m);
             (m.dot(&(x - at.te)) - own - slack.all, slack)

@@ -18,6 +18,31 @@ pub(crate) enum Tool<'a> {
     End,
 }
 
+/// The second derivatives of the distance from the tool at a point.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Change {
+    /// The gradient, in which it is straight.
+    m: Vec3,
+    /// Unit direction around the axis.
+    ring: Vec3,
+    /// Along the outline of the tool and around its axis.
+    across: f64,
+    around: f64,
+}
+
+impl Change {
+    /// The second derivative by two directions.
+    pub(crate) fn along(&self, x: Vec3, y: Vec3) -> f64 {
+        let all = x.dot(&y) - self.m.dot(&x) * self.m.dot(&y);
+        self.across * all + (self.around - self.across) * self.ring.dot(&x) * self.ring.dot(&y)
+    }
+
+    /// The greater of both.
+    pub(crate) fn sharpness(&self) -> f64 {
+        self.across.abs().max(self.around.abs())
+    }
+}
+
 impl Tool<'_> {
     /// The point of the tool farthest along `n`.
     pub(crate) fn farthest(&self, pose: &Pose, n: Vec3) -> Vec3 {
@@ -35,7 +60,15 @@ impl Tool<'_> {
 
     /// Support function: greatest `n . p` over the tool.
     pub(crate) fn height(&self, pose: &Pose, n: Vec3) -> f64 {
-        self.farthest(pose, n).dot(&n)
+        let base = n.dot(&pose.te);
+        let Self::Solid(profile) = self else { return base };
+        let up = n.dot(&pose.ta);
+        let out = (n - up * pose.ta).norm();
+        let length = n.norm();
+        if length == 0.0 {
+            return base;
+        }
+        base + length * profile.support(out / length, up / length).reach
     }
 
     /// Signed distance of `q` from the tool and its unit gradient.
@@ -50,6 +83,26 @@ impl Tool<'_> {
         let near = profile.near(far, z);
         let [out, up] = near.normal;
         (near.distance, out * radial(across, far, pose.ta) + up * pose.ta)
+    }
+
+    /// The same with how the gradient changes.
+    pub(crate) fn bent(&self, pose: &Pose, q: Vec3) -> (f64, Vec3, Change) {
+        let w = q - pose.te;
+        let Self::Solid(profile) = self else {
+            let (far, m) = (w.norm(), unit_or(w, -pose.ta));
+            let round = 1.0 / far;
+            return (far, m, Change { m, ring: Vec3::zeros(), across: round, around: round });
+        };
+        let z = w.dot(&pose.ta);
+        let across = w - z * pose.ta;
+        let far = across.norm();
+        let near = profile.near(far, z);
+        let [out, up] = near.normal;
+        let radial = radial(across, far, pose.ta);
+        let m = out * radial + up * pose.ta;
+        let around = if far > 0.0 { out / far } else { near.bend };
+        let ring = pose.ta.cross(&radial);
+        (near.distance, m, Change { m, ring, across: near.bend, around })
     }
 
     /// Greatest distance of a point of the tool from `c`, and the unit direction to it.
@@ -102,6 +155,14 @@ impl Tool<'_> {
                 (0.5 * (p.bottom() + p.height()), trig::hypot(p.widest(), half))
             }
             Self::End => (0.0, 0.0),
+        }
+    }
+
+    /// How far up its axis the middle of its corner is.
+    pub(crate) fn shoulder(&self) -> f64 {
+        match self {
+            Self::Solid(profile) => profile.corner()[1],
+            Self::End => 0.0,
         }
     }
 

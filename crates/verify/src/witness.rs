@@ -11,7 +11,7 @@ use aptc_geometry::{Vec3, trig};
 use crate::demand::parabola;
 use crate::pile::Pile;
 use crate::search::{Aim, Clearance, Moved, clearance};
-use crate::sheet::{Sheet, Spot};
+use crate::sheet::{Jet, Sheet, Spot};
 use crate::sweep::Sweep;
 use crate::tool::{Pose, Tool};
 
@@ -140,10 +140,10 @@ pub(crate) fn excess(
         None => *near = Some([first.spot, last.spot]),
     }
     let mut worst = f64::NEG_INFINITY;
-    let mut stack = Pile::<Option<(Touch, Touch, u32)>, 64>::new();
-    stack.push(Some((first, last, 0)));
+    let mut stack = Pile::<(Touch, Touch, u32), 64>::new();
+    stack.push((first, last, 0));
     let (mut seen, mut beyond) = (0, 0);
-    while let Some(Some((a, b, depth))) = stack.pop() {
+    while let Some((a, b, depth)) = stack.pop() {
         let bound = between(tool, sheet, &a, &b, turn);
         if bound <= top.map_or(most, |(_, gap)| gap + CLOSE * (gap - most)) {
             worst = worst.max(bound);
@@ -167,8 +167,8 @@ pub(crate) fn excess(
         if middle.gap > most && top.is_none() {
             return Excess::Open(t, middle.gap);
         }
-        let room = stack.push(Some((middle, b, depth + 1)));
-        if !(room && stack.push(Some((a, middle, depth + 1)))) && top.is_none() {
+        let room = stack.push((middle, b, depth + 1));
+        if !(room && stack.push((a, middle, depth + 1))) && top.is_none() {
             return Excess::Open(t, bound);
         }
     }
@@ -330,41 +330,56 @@ fn slide(pose: &Pose, sheet: &Sheet, side: f64, p: Vec3, spot: Spot) -> Option<D
 }
 
 /// The place of the surface nearest to the tool, going down from `spot`: distance, place, point. Newton's
-/// method with differences of the gradient; any result is true, the lowest is the sharpest.
+/// method; any result is true, the lowest is the sharpest.
 pub(crate) fn descend(
     tool: &Tool<'_>,
     pose: &Pose,
     sheet: &Sheet,
     spot: Spot,
 ) -> (f64, Spot, Vec3) {
+    let slopes = |m: Vec3, jet: &Jet| [m.dot(&jet.d[0]), m.dot(&jet.d[1])];
     let look = |spot: &Spot| {
+        let (jet, second) = sheet.bent(spot);
+        let (f, m, change) = tool.bent(pose, jet.p);
+        let bend = |i: usize, x: Vec3, y: Vec3| m.dot(&second[i]) + change.along(x, y);
+        let [u, v] = jet.d;
+        let hessian = [bend(0, u, u), bend(1, u, v), bend(2, v, v)];
+        Look { f, g: slopes(m, &jet), hessian, sharp: change.sharpness(), d: jet.d, p: jet.p }
+    };
+    let slope = |spot: &Spot| {
         let jet = sheet.jet(spot);
-        let (f, m) = tool.near(pose, jet.p);
-        (f, [m.dot(&jet.d[0]), m.dot(&jet.d[1])], jet)
+        slopes(tool.near(pose, jet.p).1, &jet)
     };
     let mut spot = sheet.settle(spot);
-    let (mut f, mut g, mut jet) = look(&spot);
-    // Coarse first, which is soon near; then fine, for the sharp bend about an edge.
-    let mut fine = false;
+    let mut now = look(&spot);
+    let mut way = Way::Exact;
     for round in 0..2 * ROUNDS {
-        fine |= round == ROUNDS;
-        let size = [jet.d[0].norm().max(1e-300), jet.d[1].norm().max(1e-300)];
+        if round == ROUNDS {
+            way = Way::Fine;
+        }
+        let Look { f, g, d, p, .. } = now;
+        let size = [d[0].norm().max(1e-300), d[1].norm().max(1e-300)];
         if g[0].abs() <= 1e-15 * size[0] && g[1].abs() <= 1e-15 * size[1] {
             break;
         }
         // Differences over a small share of the tool, or of the distance.
-        let scene = (tool.reach() + (jet.p - pose.te).norm()).max(1e-300);
+        let scene = (tool.reach() + (p - pose.te).norm()).max(1e-300);
         let coarse = 1e-5 * scene;
-        let h = if fine { (0.1 * f.abs()).clamp(1e-8 * scene, coarse) } else { coarse };
-        let shifted = |i: usize| {
-            let mut s = spot;
-            s.at[i] += h / size[i];
-            look(&s).1
+        let [mut a, b, c] = if way == Way::Exact && now.sharp * coarse < 1.0 {
+            now.hessian
+        } else {
+            let fine = (0.1 * f.abs()).clamp(1e-8 * scene, coarse);
+            let h = if way == Way::Fine { fine } else { coarse };
+            let shifted = |i: usize| {
+                let mut s = spot;
+                s.at[i] += h / size[i];
+                slope(&s)
+            };
+            let (gu, gv) = (shifted(0), shifted(1));
+            let per = [size[0] / h, size[1] / h];
+            let cross = 0.5 * ((gu[1] - g[1]) * per[0] + (gv[0] - g[0]) * per[1]);
+            [(gu[0] - g[0]) * per[0], cross, (gv[1] - g[1]) * per[1]]
         };
-        let (gu, gv) = (shifted(0), shifted(1));
-        let per = [size[0] / h, size[1] / h];
-        let (mut a, c) = ((gu[0] - g[0]) * per[0], (gv[1] - g[1]) * per[1]);
-        let b = 0.5 * ((gu[1] - g[1]) * per[0] + (gv[0] - g[0]) * per[1]);
         // Enough is added to the Hessian that it goes down.
         let mut d = c;
         let scale = (size[0] * size[0] + size[1] * size[1]) / scene;
@@ -391,19 +406,41 @@ pub(crate) fn descend(
         for _ in 0..12 {
             let next = Spot { at: [spot.at[0] + step[0], spot.at[1] + step[1]], ..spot };
             let next = sheet.settle(next);
-            let (fn_, gn, jn) = look(&next);
-            if fn_ < f {
-                (spot, f, g, jet, moved) = (next, fn_, gn, jn, true);
+            let there = look(&next);
+            if there.f < f {
+                (spot, now, moved) = (next, there, true);
                 break;
             }
             step = step.map(|s| 0.25 * s);
         }
         if !moved {
-            if fine {
-                break;
-            }
-            fine = true;
+            way = match way {
+                Way::Exact => Way::Coarse,
+                Way::Coarse => Way::Fine,
+                Way::Fine => break,
+            };
         }
     }
-    (f, spot, jet.p)
+    (now.f, spot, now.p)
+}
+
+/// A place on the way down: distance, its slopes and second derivatives by the parameters, the greatest curvature
+/// of the tool's distance, the tangents and the point.
+#[derive(Clone, Copy, Debug)]
+struct Look {
+    f: f64,
+    g: [f64; 2],
+    hessian: [f64; 3],
+    sharp: f64,
+    d: [Vec3; 2],
+    p: Vec3,
+}
+
+/// Where the second derivatives come from: the closed form, which serves but next to edges of the tool; differences
+/// over a coarse step, which is soon near; over a fine one for the sharp bend about an edge.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Way {
+    Exact,
+    Coarse,
+    Fine,
 }

@@ -251,7 +251,7 @@ impl Patched {
         match self.nodes[index].below {
             Below::Chart(chart) => [None, Some(self.patch(chart))],
             Below::Nodes([a, b]) => {
-                let far = |i: usize| (self.nodes[i].center - x).norm() - self.nodes[i].radius;
+                let far = |i: usize| (self.nodes[i].center - x).norm_squared();
                 if far(a) < far(b) { [node(b), node(a)] } else { [node(a), node(b)] }
             }
         }
@@ -280,7 +280,7 @@ impl Patched {
     }
 
     /// A place with its second derivatives.
-    fn look(&self, spot: &Spot) -> (Jet, [Vec3; 3]) {
+    pub(crate) fn look(&self, spot: &Spot) -> (Jet, [Vec3; 3]) {
         let chart = &self.charts[spot.chart];
         let d = self.at(chart, spot.at);
         let bend = [d.uu, d.uv, d.vv];

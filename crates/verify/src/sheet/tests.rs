@@ -42,7 +42,8 @@ proptest! {
         let mut patch = patched.root();
         let mut spheres = Vec::new();
         for side in walk {
-            let Some((node, [first, second])) = sheet.group(&patch, Vec3::zeros()) else { break };
+            let Some(node) = sheet.group(&patch) else { break };
+            let [first, second] = sheet.below(&patch, Vec3::zeros());
             spheres.push(*node);
             patch = if side { first.or(second) } else { second }.unwrap();
         }
