@@ -14,3 +14,7 @@ pub(crate) struct Bound {
     /// Where the greatest gap is, 0 to 1.
     pub(crate) high_at: f64,
 }
+
+/// A bound that is as near as this, of the length of tool and vector, to a gap that was met is not made better: a
+/// tenth of what covers rounding.
+pub(crate) const CLOSE: f64 = 1e-12;

@@ -148,7 +148,8 @@ impl Demand {
                 (low, high) = (low.min(bound.low), high.max(bound.high));
                 continue;
             }
-            for t in [bound.low_at, bound.high_at] {
+            let (deep, far) = (bound.least < least, bound.high > most);
+            for (_, t) in [(deep, bound.low_at), (far, bound.high_at)].into_iter().filter(|p| p.0) {
                 let place = between_poses(&p, &q, t);
                 let gap = self.gap(&tool, &place, convex);
                 let depth = (least - gap).max(gap - most);

@@ -9,11 +9,11 @@
 
 use aptc_geometry::{Vec3, trig};
 
-use crate::bound::Bound;
+use crate::bound::{Bound, CLOSE};
 use crate::demand::{bulge, parabola};
 use crate::pile::Pile;
 use crate::solid::{Solid, any_across};
-use crate::tool::{Pose, Tool, carry};
+use crate::tool::{Pose, Tool, carry, rise};
 
 /// A direction may look up the axis by so much and still count as square to it.
 const LEVEL: f64 = 1e-12;
@@ -26,6 +26,11 @@ pub(crate) trait Walls {
     /// The direction near `m` in which the solid is bounded, unit.
     fn bounded_direction(&self, m: Vec3) -> Vec3;
 
+    /// Greatest `|m . ta|` over its normals m at most.
+    fn steepest(&self, _ta: Vec3) -> f64 {
+        1.0
+    }
+
     /// Gap from below and from above over the directions m with `m . ta <= up`, and where it is least.
     fn nearest(&self, tool: &Tool<'_>, pose: &Pose, up: Option<f64>) -> (f64, f64, Vec3);
 }
@@ -37,6 +42,14 @@ impl Walls for Solid {
 
     fn bounded_direction(&self, m: Vec3) -> Vec3 {
         Solid::bounded_direction(self, m)
+    }
+
+    fn steepest(&self, ta: Vec3) -> f64 {
+        match self {
+            Self::Rod(_, t, _) => ta.cross(t).norm(),
+            Self::Nappe(_, t, cos, sin) => cos * ta.cross(t).norm() + sin * ta.dot(t).abs(),
+            Self::Half(_) | Self::Ball(..) => 1.0,
+        }
     }
 
     fn nearest(&self, tool: &Tool<'_>, pose: &Pose, up: Option<f64>) -> (f64, f64, Vec3) {
@@ -77,9 +90,11 @@ fn nearest(tool: &Tool<'_>, pose: &Pose, solid: &Solid, up: Option<f64>) -> (f64
     }
 }
 
-/// The least of `h(C, m) - h(T, m)` over the normals m of a surface of revolution, which form a circle. On a
-/// sector of half width w about the angle u each tool point gives a sinusoid, whose value is at most that at
-/// the better end plus its amplitude times (1/cos w - 1).
+/// The least of `h(C, m) - h(T, m)` over the normals m of a surface of revolution, which form a circle.
+///
+/// On a sector from m0 to m1 of less than half a turn `m = a m0 + b m1 - (a + b - 1) tilt`, so that the tool reaches
+/// no farther from the axis than the sinusoid through `h(C, m0) + k` and `h(C, m1) + k`, less k, with `k = h(C, -tilt)`: where
+/// one edge of the tool is next to the wall, that is what it does.
 fn around(
     tool: &Tool<'_>,
     pose: &Pose,
@@ -87,67 +102,78 @@ fn around(
     axis: Vec3,
     up: Option<f64>,
 ) -> (f64, f64, Vec3) {
-    /// Sectors to begin with.
-    const SECTORS: u32 = 24;
-    /// Halvings of a sector at most.
-    const DEPTH: u32 = 40;
-    let (e1, tilt, flat) = match solid {
-        Solid::Nappe(_, t, cos, sin) => (any_across(*t), -*sin * *t, *cos),
-        _ => (any_across(axis), Vec3::zeros(), 1.0),
-    };
+    /// Sectors to begin with, each at most a quarter.
+    const SECTORS: u32 = 4;
+    /// Divisions of a sector at most, and of all of them: a tool that stands nearly along the axis in the middle is
+    /// nearly as far from the wall all around.
+    const DEPTH: u32 = 60;
+    const MOST: u32 = 400;
+    let e1 = any_across(axis);
     let e2 = axis.cross(&e1);
-    let origin = match solid {
-        Solid::Rod(q, ..) | Solid::Nappe(q, ..) => *q,
-        _ => Vec3::zeros(),
+    let (origin, tilt, flat, radius) = match solid {
+        Solid::Rod(q, _, r) => (*q, Vec3::zeros(), 1.0, *r),
+        Solid::Nappe(q, t, cos, sin) => (*q, -*sin * *t, *cos, 0.0),
+        Solid::Half(_) | Solid::Ball(..) => (Vec3::zeros(), Vec3::zeros(), 1.0, 0.0),
     };
     let normal = |angle: f64| {
         let (s, c) = trig::sin_cos(angle);
         flat * (c * e1 + s * e2) + tilt
     };
-    let excess = |angle: f64| {
-        let m = normal(angle);
-        tool.height(pose, m) - solid.support(m)
-    };
+    let from_axis = |m: Vec3| tool.height(pose, m) - m.dot(&origin);
     let w = pose.te - origin;
-    let amplitude = flat * ((w - w.dot(&axis) * axis).norm() + tool.reach());
     let Some((from, turn)) = allowed(flat * e1, flat * e2, tilt, pose.ta, up) else {
         return (f64::INFINITY, f64::INFINITY, -pose.ta);
     };
+    let kept = from_axis(-tilt).max(0.0);
+    let lifted = |angle: f64| from_axis(normal(angle)) + kept;
+    let close = 1e-13 * (flat * ((w - w.dot(&axis) * axis).norm() + tool.reach()));
+    // Of a tool along the axis the same edge looks in every direction: it is farthest out where the tool is off the axis.
+    let off = trig::atan2(w.dot(&e2), w.dot(&e1));
+    let out = lifted(off);
+    let cap = out + 2.0 * axis.cross(&pose.ta).norm() * tool.reach();
+    if cap <= out + close && turn >= std::f64::consts::TAU {
+        return (radius + kept - cap, radius + kept - out, normal(off));
+    }
     let step = turn / f64::from(SECTORS);
-    let at = |i: u32| from + f64::from(i) * step;
-    let mut ends = [0.0; SECTORS as usize + 1];
-    for (i, end) in (0_u32..).zip(&mut ends) {
-        *end = excess(at(i));
-    }
-    let (mut best, mut best_angle) = (f64::NEG_INFINITY, 0.0);
-    // A sector waits for each of the first, and one for each halving.
     let mut stack = Pile::<_, 72>::new();
-    for (i, &f) in (0_u32..).zip(&ends) {
-        if f > best {
-            (best, best_angle) = (f, at(i));
+    let (mut a, mut ha) = (from, lifted(from));
+    let (mut best, mut best_angle) = (ha, from);
+    for i in 1..=SECTORS {
+        let b = from + f64::from(i) * step;
+        let hb = lifted(b);
+        if hb > best {
+            (best, best_angle) = (hb, b);
         }
-        if let Some(&next) = ends.get(i as usize + 1) {
-            stack.push((at(i), f, at(i + 1), next, 0));
-        }
+        stack.push((a, ha, b, hb, 0));
+        (a, ha) = (b, hb);
     }
-    let mut top = best;
-    while let Some((a, fa, b, fb, depth)) = stack.pop() {
-        let half = 0.5 * (b - a);
-        let over = amplitude * (1.0 / trig::cos(half) - 1.0);
-        let most = fa.max(fb) + over;
-        if most <= best + 1e-13 * amplitude || depth >= DEPTH {
+    let (mut top, mut seen) = (best, 0);
+    while let Some((a, ha, b, hb, depth)) = stack.pop() {
+        let (s, c) = trig::sin_cos(b - a);
+        let half = trig::sin(0.5 * (b - a));
+        let bend = 2.0 * half * half;
+        // How steeply the sinusoid begins and ends.
+        let (rise, fall) = ((hb - ha + ha * bend) / s, (ha - hb * c) / s);
+        let crests = rise > 0.0 && fall > 0.0;
+        if !crests {
+            continue;
+        }
+        seen += 1;
+        let most = (ha * ha + rise * rise).sqrt();
+        if most <= best + close || depth >= DEPTH || seen > MOST {
             top = top.max(most);
             continue;
         }
-        let m = 0.5 * (a + b);
-        let fm = excess(m);
-        if fm > best {
-            (best, best_angle) = (fm, m);
+        let crest = trig::atan2(rise, ha) / (b - a);
+        let m = a + (b - a) * crest.clamp(0.1, 0.9);
+        let hm = lifted(m);
+        if hm > best {
+            (best, best_angle) = (hm, m);
         }
-        stack.push((a, fa, m, fm, depth + 1));
-        stack.push((m, fm, b, fb, depth + 1));
+        stack.push((a, ha, m, hm, depth + 1));
+        stack.push((m, hm, b, hb, depth + 1));
     }
-    (-top.max(best), -best, normal(best_angle))
+    (radius + kept - top.min(cap).max(best), radius + kept - best, normal(best_angle))
 }
 
 /// The angles at which `c e1 + s e2 + tilt` does not look up the axis by more than `up`: the first and how
@@ -189,9 +215,11 @@ pub(crate) fn bound(tool: &Tool<'_>, a: &Pose, b: &Pose, solid: &impl Walls, ope
         if most < high {
             (high, high_at) = (most, t);
         }
+        high
     };
     offer(first.2, 0.0);
     offer(last.2, 1.0);
+    let mut seen = first.0.max(last.0);
     let (mut t0, mut t1, mut f0, mut f1) = (0.0, 1.0, -first.2.dot(&v), -last.2.dot(&v));
     if f0 > 0.0 && f1 < 0.0 {
         for round in 0..40 {
@@ -203,12 +231,13 @@ pub(crate) fn bound(tool: &Tool<'_>, a: &Pose, b: &Pose, solid: &impl Walls, ope
             };
             let m = at(t);
             let slope = -m.2.dot(&v);
-            offer(m.2, t);
             let square = solid.bounded_direction(m.2 - v * (m.2.dot(&v) / v.norm_squared()));
             if !open || square.dot(&a.ta) <= LEVEL {
                 offer(square, t);
             }
-            if slope.abs() <= 1e-14 * v.norm() || t1 - t0 <= 1e-15 {
+            seen = seen.max(m.0);
+            let apart = offer(m.2, t) - seen;
+            if apart <= CLOSE * (tool.reach() + v.norm()) || t1 - t0 <= 1e-15 {
                 break;
             }
             if slope > 0.0 {
@@ -221,8 +250,9 @@ pub(crate) fn bound(tool: &Tool<'_>, a: &Pose, b: &Pose, solid: &impl Walls, ope
     Bound { low, high, least: first.1.min(last.1), low_at, high_at }
 }
 
-/// Bounds along the vector from `a` to `b` when the axis turns by `turn`, as for the outside: the depth of a
-/// point is concave along the chord of its way.
+/// Bounds along the vector from `a` to `b` when the axis turns by `turn`. From below each direction has its own
+/// straight line but for what the tool rises while it turns, which is no more than for the direction that looks most along
+/// the axis. From above the depth of a point is concave along the chord of its way.
 pub(crate) fn bound_turning(
     tool: &Tool<'_>,
     a: &Pose,
@@ -234,7 +264,9 @@ pub(crate) fn bound_turning(
     // What does not look up the axis on the way looks up it at either end by no more than its turn.
     let up = open.then(|| (a.ta - b.ta).norm());
     let (first, last) = (solid.nearest(tool, a, up), solid.nearest(tool, b, up));
-    let low = -parabola(-first.0, -last.0, bulge(tool.reach(), turn));
+    let steep = solid.steepest(a.ta).max(solid.steepest(b.ta));
+    let lever = (tool.widest() + steep * tool.tallest()).min(tool.reach());
+    let low = -parabola(-first.0, -last.0, rise(lever, turn * tool.reach(), turn));
     let low_at = if first.0 <= last.0 { 0.0 } else { 1.0 };
     let carried = |from: &Pose, to: &Pose, m: Vec3| {
         let p = tool.farthest(from, m);
@@ -308,6 +340,23 @@ mod tests {
                     let g = gap(&tool, &Pose { te: a.te + t * (b.te - a.te), ta }, &solid, true);
                     assert!(g.1 >= bound.low - 1e-9 && g.0 <= bound.high + 1e-9, "{k} {t}");
                 }
+            }
+        }
+    }
+
+    #[test]
+    fn an_upright_tool_in_a_round_wall_is_as_far_as_its_edge_reaches() {
+        let profile = Profile::new(&Cutter::mill(10.0, 1.0, 50.0)).unwrap();
+        let tool = Tool::Solid(&profile);
+        let rod = Solid::Rod(Vec3::new(3.0, -2.0, 7.0), Vec3::z(), 40.0);
+        for (x, y) in [(30.0, 4.0), (-12.0, 25.0), (0.0, -31.0), (0.0, 0.0)] {
+            let te = Vec3::new(3.0 + x, y - 2.0, -60.0);
+            for lean in [0.0, 1e-14, 1e-9] {
+                let g = gap(&tool, &Pose { te, ta: up(lean) }, &rod, false);
+                let far = 40.0 - trig::hypot(x, y) - 5.0;
+                let slack = 200.0 * lean + 1e-10;
+                assert!((g.0 - far).abs() < slack && (g.1 - far).abs() < slack, "{x} {y} {g:?}");
+                assert!(g.0 <= g.1);
             }
         }
     }

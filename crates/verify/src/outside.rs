@@ -216,9 +216,8 @@ pub(crate) fn bound_turning(
     solid: &Solid,
     turn: f64,
 ) -> Bound {
-    let rise = bulge(tool.reach(), turn);
     let (first, last) = (touch(tool, a, solid), touch(tool, b, solid));
-    let hull = |d: Vec3| -parabola(tool.height(a, -d), tool.height(b, -d), rise) - solid.support(d);
+    let hull = |d: Vec3| -tool.height_turning(a, b, -d, turn) - solid.support(d);
     let mut low = f64::NEG_INFINITY;
     let middle = first.1 + last.1;
     for d in [first.1, last.1, solid.bounded_direction(middle)] {

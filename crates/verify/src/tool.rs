@@ -2,6 +2,7 @@
 
 use aptc_geometry::{Profile, Vec3, trig};
 
+use crate::demand::parabola;
 use crate::solid::{any_across, unit_or};
 
 /// Tool end and unit tool axis.
@@ -69,6 +70,26 @@ impl Tool<'_> {
             return base;
         }
         base + length * profile.support(out / length, up / length).reach
+    }
+
+    /// Greatest `n . p` at most over the tool on its way from one position to another, the axis turning evenly
+    /// by `turn`.
+    pub(crate) fn height_turning(&self, from: &Pose, to: &Pose, n: Vec3, turn: f64) -> f64 {
+        let k = unit_or(from.ta.cross(&to.ta), Vec3::zeros());
+        let across = n - k * n.dot(&k);
+        let ends = [self.height(from, n), self.height(to, n)];
+        let own = |pose: &Pose, n: Vec3, height: f64| height - n.dot(&pose.te);
+        let apart = own(from, n, ends[0]) - own(to, n, ends[1]);
+        let reach = |pose: &Pose| own(pose, across, self.height(pose, across));
+        parabola(ends[0], ends[1], rise(reach(from).max(reach(to)), apart.abs(), turn))
+    }
+
+    /// How far the tool's ends are from its tool end, along the axis.
+    pub(crate) fn tallest(&self) -> f64 {
+        match self {
+            Self::Solid(p) => p.height().abs().max(p.bottom().abs()),
+            Self::End => 0.0,
+        }
     }
 
     /// Signed distance of `q` from the tool and its unit gradient.
@@ -202,4 +223,48 @@ pub(crate) fn turned(from: Vec3, to: Vec3, x: Vec3) -> Vec3 {
         return x;
     }
     x * c + k.cross(&x) + k * (k.dot(&x) / (1.0 + c))
+}
+
+/// By how much the height h of a turning tool over its tool end along a direction n is more than evenly between its
+/// values at the ends, which are `apart`; at the share t of the way the part 4 t (1 - t) of it. `across` is the greater
+/// height along the part of n square to the axis k of the rotation.
+///
+/// Seen from the tool that part turns evenly: `n(t) = (1 - s) n(0) + s n(1) + (l - 1) c` with c between its values at
+/// the ends, `l = cos((t - 1/2) turn) / cos(turn / 2)` and `s - 1/2 = tan((t - 1/2) turn) / (2 tan(turn / 2))`; h is convex
+/// and grows with the length of n. `l - 1 <= 4 t (1 - t) (1 / cos(turn / 2) - 1)`, for cos(sqrt) is convex, and
+/// `|s - t| <= t (1 - t) (turn / sin(turn) - 1)`, as the series of the tangent has no negative term.
+pub(crate) fn rise(across: f64, apart: f64, turn: f64) -> f64 {
+    let longer = 1.0 / trig::cos(0.5 * turn) - 1.0;
+    let uneven = turn / trig::sin(turn) - 1.0;
+    if !(longer >= 0.0 && uneven.is_finite()) {
+        return f64::INFINITY;
+    }
+    longer * across.max(0.0) + 0.25 * apart * uneven.max(0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use aptc_geometry::Cutter;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn a_turning_tool_is_nowhere_higher_than_its_bound(
+            n in prop::array::uniform3(-1.0..1.0_f64), v in prop::array::uniform3(-9.0..9.0_f64),
+            lean in prop::array::uniform4(-1.5..1.5_f64), corner in 0.0..5.0_f64,
+        ) {
+            let profile = Profile::new(&Cutter::mill(10.0, corner, 80.0)).unwrap();
+            let tool = Tool::Solid(&profile);
+            let up = |x: f64, y: f64| Vec3::new(x, y, 1.0).normalize();
+            let a = Pose { te: Vec3::zeros(), ta: up(lean[0], lean[1]) };
+            let b = Pose { te: Vec3::from(v), ta: up(lean[2], lean[3]) };
+            let (n, turn) = (Vec3::from(n), crate::demand::angle(a.ta, b.ta));
+            let most = tool.height_turning(&a, &b, n, turn);
+            for i in 0..=40 {
+                let at = crate::demand::between_poses(&a, &b, f64::from(i) / 40.0);
+                prop_assert!(tool.height(&at, n) <= most + 1e-9, "{i}");
+            }
+        }
+    }
 }
