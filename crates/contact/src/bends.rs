@@ -19,15 +19,18 @@ impl Bends {
         Self { most: norms(patch, center, radius), boxes }
     }
 
-    /// How far a piece of half widths `h` may lie below its parallelogram along the unit vector `n`, or one that
-    /// is shorter; never negative.
+    /// By how much a piece of half widths `h` rises at least along the unit vector `n`, or one that is shorter, where
+    /// a parameter goes from its middle to its border, twice as much and without its slope: by u and by v. Negative
+    /// where it may fall.
     ///
-    /// By Taylor with the remainder n.(Suu du^2 / 2 + Suv du dv + Svv dv^2 / 2) at a place between.
+    /// By Taylor with the remainder n.(Suu du^2 / 2 + Suv du dv + Svv dv^2 / 2) at a place between; of the middle
+    /// term each parameter takes one half.
     #[inline]
-    pub(crate) fn dip(&self, n: Vec3, [hu, hv]: [f64; 2]) -> f64 {
+    pub(crate) fn rises(&self, n: Vec3, [hu, hv]: [f64; 2]) -> [f64; 2] {
         let [muu, muv, mvv] = self.most;
         let Some([uu, uv, vv]) = &self.boxes else {
-            return 0.5 * hu * hu * muu + hu * hv * muv + 0.5 * hv * hv * mvv;
+            let twist = hu * hv * muv;
+            return [-hu * hu * muu - twist, -hv * hv * mvv - twist];
         };
         let least = |b: &[Vec3; 2]| {
             let of = |i: usize| (n[i] * b[0][i]).min(n[i] * b[1][i]);
@@ -38,9 +41,20 @@ impl Bends {
             of(0) + of(1) + of(2)
         };
         let twist = (-least(uv)).max(most(uv)).min(muv).max(0.0);
-        let (du, dv) = ((-least(uu)).min(muu).max(0.0), (-least(vv)).min(mvv).max(0.0));
-        0.5 * hu * hu * du + hu * hv * twist + 0.5 * hv * hv * dv
+        let twist = hu * hv * twist;
+        [hu * hu * least(uu).max(-muu) - twist, hv * hv * least(vv).max(-mvv) - twist]
     }
+}
+
+/// How far a piece may lie below its middle along a vector by which its sides have these slopes and rises: the least of
+/// `slope s + rise s^2 / 2` with s from -1 to 1, of both parameters together; negative or 0.
+#[inline]
+pub(crate) fn lowest(slopes: [f64; 2], rises: [f64; 2]) -> f64 {
+    let of = |k: usize| {
+        let (slope, rise) = (slopes[k].abs(), rises[k]);
+        if rise > slope { -0.5 * slope * slope / rise } else { 0.5 * rise - slope }
+    };
+    of(0) + of(1)
 }
 
 /// Least and greatest coordinates of Suu, Suv and Svv: those of the differences of the control net.

@@ -3,14 +3,14 @@
 //! A piece of a patch is held by a parallelogram `c +- a +- b` made thicker by `d`: its middle point, half
 //! its derivatives, and what second derivatives can bend it. The distance of a convex cutter is convex, so
 //! its tangent at one place bounds it over the whole piece:
-//! `distance >= sd(c) - |n.a| - |n.b| - d`. Pieces are halved until the bound decides.
+//! `distance >= sd(c) - |n.a| - |n.b| - d`, and more where the piece bends away. Pieces are halved until the bound decides.
 
 use std::collections::BinaryHeap;
 
 use aptc_geometry::sculpt::Patch;
 use aptc_geometry::{Profile, Sculptured, Vec3, trig};
 
-use crate::bends::Bends;
+use crate::bends::{Bends, lowest};
 use crate::bodies::{Convex, Turned};
 
 /// A place of a surface.
@@ -372,10 +372,10 @@ impl PatchTree {
         let unsure = body.slack(point, far);
         let (distance, n, turn) = body.near_enough(point, aim + far + unsure);
         let (x, y) = (n.dot(&a), n.dot(&b));
-        let dip = leaf.bends.dip(n, [hu, hv]);
-        let mut bound = distance - x.abs() - y.abs() - dip;
+        let rises = leaf.bends.rises(n, [hu, hv]);
+        let mut bound = distance + lowest([x, y], rises);
         // A second bound lies below the distance of the middle less what bends: worth it only above the aim.
-        if bound < aim && distance - dip >= aim {
+        if bound < aim && distance + lowest([0.0; 2], rises) >= aim {
             // Once more from where the parallelogram comes nearest, by how fast the slope turns: a tangent there
             // hardly rises or falls over the piece.
             let to = |x: f64, a: &Vec3| (-x / (turn * a.norm_squared())).clamp(-1.0, 1.0);
@@ -383,8 +383,8 @@ impl PatchTree {
             let (s, t) = (if s.is_nan() { 0.0 } else { s }, if t.is_nan() { 0.0 } else { t });
             let w = -(a * s + b * t);
             let (e, m, _) = body.near(point - w);
-            let dip = leaf.bends.dip(m, [hu, hv]);
-            let second = e + m.dot(&w) - m.dot(&a).abs() - m.dot(&b).abs() - dip;
+            let slopes = [m.dot(&a), m.dot(&b)];
+            let second = e + m.dot(&w) + lowest(slopes, leaf.bends.rises(m, [hu, hv]));
             bound = bound.max(second);
         }
         bound -= unsure;

@@ -467,12 +467,11 @@ impl Curved<'_> {
 
     /// A gap beyond the greatest that no point of the tool is deeper than, at most `above` beyond it.
     fn afloat(&self, tool: &Tool<'_>, at: &Pose, above: f64, pad: f64) -> Option<f64> {
-        /// Times that a share of it is tried, and the share.
-        const TRIES: u32 = 6;
-        const SHARE: f64 = 0.25;
+        /// Shares of it that are tried.
+        const SHARES: [f64; 7] = [0.97, 0.9, 0.6, 0.25, 0.06, 0.015, 0.004];
         let pose = |_: f64| *at;
-        let mut beyond = 0.9 * above;
-        for _ in 0..TRIES {
+        for share in SHARES {
+            let beyond = share * above;
             if beyond <= pad {
                 break;
             }
@@ -481,7 +480,7 @@ impl Curved<'_> {
                 Half::Holds(_) => return Some(least),
                 // A search that comes to no end does so again.
                 Half::Open(_, f64::INFINITY) => break,
-                Half::Open(..) | Half::Broken(..) => beyond *= SHARE,
+                Half::Open(..) | Half::Broken(..) => {}
             }
         }
         None

@@ -93,11 +93,6 @@ pub(crate) fn clearance_from(
         }
         let known = known(&out, enough);
         if let Some(node) = moved.sheet.group(&patch) {
-            let far = (node.center - center).norm() - node.radius - within;
-            if far >= 0.0 {
-                out.least = out.least.min(enough.max(far));
-                continue;
-            }
             let shift = moved.shift.abs();
             let radius = node.radius + shift;
             let held = |meeting: &Meeting| {
@@ -107,6 +102,15 @@ pub(crate) fn clearance_from(
             };
             let (mut low, middle) =
                 hinted.as_ref().map_or((f64::NEG_INFINITY, f64::NEG_INFINITY), held);
+            if low >= known {
+                out.least = out.least.min(low);
+                continue;
+            }
+            let far = (node.center - center).norm() - node.radius - within;
+            if far >= 0.0 {
+                out.least = out.least.min(enough.max(far));
+                continue;
+            }
             // What is far enough in its middle by the hint is far enough in parts by it, most likely.
             if low < known && middle < known {
                 low = low.max(held(&sweep.meet(node.center)).0);

@@ -5,6 +5,7 @@
 //! solved for: a bound rests on Taylor's formula alone.
 
 mod bend;
+mod bow;
 mod patched;
 mod polyconic;
 mod quadric;
@@ -260,10 +261,8 @@ impl Tile {
     pub(crate) fn dip(&self, m: Vec3) -> f64 {
         let cross = m.dot(&self.bend[1]).abs() + self.vary[1];
         let along = |i: usize| {
-            let slope = m.dot(&self.side[i]).abs();
-            let bend = m.dot(&self.bend[2 * i]) - self.vary[2 * i] - cross;
-            // Least of -slope x + bend x^2 / 2 over 0 to 1.
-            if bend > slope { 0.5 * slope * slope / bend } else { slope - 0.5 * bend }
+            let slope = m.dot(&self.side[i]);
+            fall(slope, m.dot(&self.bend[2 * i]) - self.vary[2 * i] - cross)
         };
         along(0) + along(1)
     }
@@ -272,6 +271,12 @@ impl Tile {
     pub(crate) fn radius(&self) -> f64 {
         self.side[0].norm() + self.side[1].norm() + self.stray[0] + self.stray[1]
     }
+}
+
+/// By how much `slope s + bend s^2 / 2` may be below 0 with s from -1 to 1.
+fn fall(slope: f64, bend: f64) -> f64 {
+    let slope = slope.abs();
+    if bend > slope { 0.5 * slope * slope / bend } else { slope - 0.5 * bend }
 }
 
 impl Patch {

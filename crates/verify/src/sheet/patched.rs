@@ -5,10 +5,11 @@ use aptc_geometry::Vec3;
 use aptc_geometry::sculpt::Derivatives;
 
 use super::bend::Bend;
+use super::bow::Frame;
 use super::polyconic::Sections;
 use super::ruled::Rulings;
 use super::sculpted::Sculpted;
-use super::{Jet, Patch, Spot};
+use super::{Jet, Patch, Spot, fall};
 
 /// Evaluation of the cells of a grid.
 pub(crate) trait Cells {
@@ -67,24 +68,28 @@ struct Chart {
     third: [[f64; 2]; 3],
 }
 
-/// Charts within a sphere, and within a box about its middle.
+/// Charts within a sphere, and within a bowed box about its middle: over `s` and `t` from -1 to 1 along its first sides
+/// it is moved by `bow[0] s^2 + bow[1] t^2` along its normal.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Node {
     pub(crate) center: Vec3,
     pub(crate) radius: f64,
-    /// Half sides of the box, and by how much it is made thicker all around.
-    half: [Vec3; 3],
-    thick: f64,
-    /// About square to the charts.
+    /// Half sides of the box, the last along its normal, and by how much it is made thicker all around.
+    pub(super) half: [Vec3; 3],
+    bow: [f64; 2],
+    pub(super) thick: f64,
+    /// Unit vector about square to the charts.
     normal: Vec3,
     below: Below,
 }
 
 impl Node {
-    /// No point of the charts is farther from the middle along the unit vector.
+    /// No point of the charts is farther from the middle against the unit vector.
     pub(crate) fn extent(&self, m: Vec3) -> f64 {
-        let boxed = self.half.iter().map(|h| m.dot(h).abs()).sum::<f64>() + self.thick;
-        boxed.min(self.radius)
+        let rise = 2.0 * m.dot(&self.normal);
+        let [a, b, c] = &self.half;
+        let bowed = fall(m.dot(a), self.bow[0] * rise) + fall(m.dot(b), self.bow[1] * rise);
+        (bowed + m.dot(c).abs() + self.thick).min(self.radius)
     }
 }
 
@@ -164,7 +169,8 @@ impl Patched {
         let side = [jet.d[0] * hu, jet.d[1] * hv];
         let radius = side[0].norm() + side[1].norm() + thick;
         let half = [side[0], side[1], Vec3::zeros()];
-        Node { center: jet.p, radius, half, thick, normal: jet.n, below: Below::Chart(chart) }
+        let (bow, below) = ([0.0; 2], Below::Chart(chart));
+        Node { center: jet.p, radius, half, bow, thick, normal: jet.n, below }
     }
 
     /// The whole of a chart.
@@ -206,15 +212,24 @@ impl Patched {
                 (b.0.min(at - by), b.1.max(at + by))
             })
         });
-        let center = (0..3).map(|i| e[i] * (0.5 * (sides[i].0 + sides[i].1))).sum::<Vec3>();
-        let half = [0, 1, 2].map(|i| e[i] * (0.5 * (sides[i].1 - sides[i].0)));
+        let middle_of = |i: usize| 0.5 * (sides[i].0 + sides[i].1);
+        let center = (0..3).map(|i| e[i] * middle_of(i)).sum::<Vec3>();
+        let lengths = [0, 1, 2].map(|i| 0.5 * (sides[i].1 - sides[i].0));
+        let frame = Frame { center, e, lengths };
+        let bow = frame.bow(leaves);
+        let [low, high] = frame.heights(bow, leaves);
+        let bowed = high - low < 2.0 * lengths[2];
+        let (bow, [low, high]) =
+            if bowed { (bow, [low, high]) } else { ([0.0; 2], [-lengths[2], lengths[2]]) };
+        let center = center + e[2] * (0.5 * (low + high));
+        let half = [e[0] * lengths[0], e[1] * lengths[1], e[2] * (0.5 * (high - low))];
         let radius = reach(center, leaves);
         // Directions of unit length and square to each other but for rounding.
         let thick = 1e-12 * (radius + center.norm());
         let (a, b) = leaves.split_at_mut(middle);
         let pair = [self.grow(a), self.grow(b)];
         let below = Below::Nodes(pair);
-        self.nodes.push(Node { center, radius, half, thick, normal: e[2], below });
+        self.nodes.push(Node { center, radius, half, bow, thick, normal: e[2], below });
         self.nodes.len() - 1
     }
 

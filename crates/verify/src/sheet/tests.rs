@@ -61,7 +61,7 @@ proptest! {
         for s in spheres {
             prop_assert!((jet.p - s.center).norm() <= s.radius * (1.0 + 1e-9), "outside of its group");
             for m in directions(jet.n, Vec3::from(lean)) {
-                let off = m.dot(&(jet.p - s.center));
+                let off = m.dot(&(s.center - jet.p));
                 prop_assert!(off <= s.extent(m) * (1.0 + 1e-9) + 1e-12, "outside of its box");
             }
         }

@@ -1,0 +1,80 @@
+//! Bowed boxes about charts: a group of pieces of a crest or a hollow lies in one that is thin.
+
+use aptc_geometry::Vec3;
+
+use super::patched::Node;
+
+/// Where the charts of a node are laid out.
+pub(super) struct Frame {
+    pub(super) center: Vec3,
+    pub(super) e: [Vec3; 3],
+    /// Half lengths of the box along them.
+    pub(super) lengths: [f64; 3],
+}
+
+impl Frame {
+    /// A vector by the first sides, and along the normal.
+    fn own(&self, w: Vec3) -> [f64; 3] {
+        let share = |i: usize| if self.lengths[i] > 0.0 { 1.0 / self.lengths[i] } else { 0.0 };
+        [self.e[0].dot(&w) * share(0), self.e[1].dot(&w) * share(1), self.e[2].dot(&w)]
+    }
+
+    /// The bow that middles and corners of the charts have, by least squares; none where they do not tell.
+    pub(super) fn bow(&self, leaves: &[Node]) -> [f64; 2] {
+        const PLACES: [[f64; 2]; 5] =
+            [[0.0, 0.0], [1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]];
+        let places = || {
+            leaves.iter().flat_map(|n| {
+                PLACES.map(|[a, b]| {
+                    let [s, t, z] =
+                        self.own(n.center - self.center + n.half[0] * a + n.half[1] * b);
+                    [s * s, t * t, z]
+                })
+            })
+        };
+        let n = (PLACES.len() * leaves.len()) as f64;
+        let mean = [0, 1, 2].map(|i| places().map(|p| p[i]).sum::<f64>() / n);
+        let moment = |i: usize, j: usize| {
+            places().map(|p| (p[i] - mean[i]) * (p[j] - mean[j])).sum::<f64>() / n
+        };
+        let (ss, st, tt) = (moment(0, 0), moment(0, 1), moment(1, 1));
+        let (sz, tz) = (moment(0, 2), moment(1, 2));
+        let det = ss * tt - st * st;
+        if det > 1e-3 * ss * tt {
+            [(sz * tt - tz * st) / det, (tz * ss - sz * st) / det]
+        } else if ss > tt {
+            [sz / ss, 0.0]
+        } else if tt > 0.0 {
+            [0.0, tz / tt]
+        } else {
+            [0.0; 2]
+        }
+    }
+
+    /// Between which heights over the bow all points of the charts lie.
+    pub(super) fn heights(&self, bow: [f64; 2], leaves: &[Node]) -> [f64; 2] {
+        let of = |n: &Node| {
+            let [s, t, z] = self.own(n.center - self.center);
+            let sides = [n.half[0], n.half[1]].map(|h| self.own(h));
+            let by =
+                [0, 1].map(|k| if self.lengths[k] > 0.0 { n.thick / self.lengths[k] } else { 0.0 });
+            let slope = [2.0 * bow[0] * s, 2.0 * bow[1] * t];
+            let middle = z - bow[0] * s * s - bow[1] * t * t;
+            let along = |h: &[f64; 3]| (h[2] - slope[0] * h[0] - slope[1] * h[1]).abs();
+            let around = n.thick + slope[0].abs() * by[0] + slope[1].abs() * by[1];
+            let room = sides.iter().map(along).sum::<f64>() + around;
+            // What the square of the way to a border adds.
+            let square = [0, 1].map(|k| {
+                let far = sides[0][k].abs() + sides[1][k].abs() + by[k];
+                bow[k] * far * far
+            });
+            let [down, up] =
+                [1.0, -1.0].map(|x| square.iter().map(|q| (x * q).max(0.0)).sum::<f64>());
+            [middle - room - down, middle + room + up]
+        };
+        leaves
+            .iter()
+            .map(of)
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |b, l| [b[0].min(l[0]), b[1].max(l[1])])
+    }
+}
