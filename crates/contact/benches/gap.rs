@@ -106,7 +106,7 @@ fn main() {
             let mut start = None;
             let warm = time(|i| {
                 let g = gap_near(&at(i), surface, *side, 0.0, start).expect("a gap");
-                start = Some(g.surface_point);
+                start = Some(g.spot());
                 g.g
             });
             print!(" {cold:9.1} {warm:9.1}");

@@ -1,7 +1,7 @@
 //! The gap along a cut vector: where it is least and greatest while the tool end moves straight, its axis fixed
 //! or turning evenly.
 
-use aptc_geometry::{Reason, Surface, Tool, Vec3, trig};
+use aptc_geometry::{Reason, Spot, Surface, Tool, Vec3, trig};
 
 use crate::centred;
 use crate::gap::{Condition, Gap, Side, distance};
@@ -10,6 +10,10 @@ use crate::gap::{Condition, Gap, Side, distance};
 const MAX_STEPS: usize = 60;
 /// Places at which a single extreme is looked for before the chord is cut into pieces.
 const SINGLE: usize = 5;
+/// Share of the cutter's radius by which two places of contact lie apart.
+const ANOTHER: f64 = 0.1;
+/// Share of a chord at which it is seen what touches once the axis turns.
+const BESIDE: f64 = 1e-3;
 /// Greatest number of pieces into which a chord over a surface of mixed curvature is cut.
 const MAX_PIECES: usize = 256;
 
@@ -71,18 +75,20 @@ pub fn chord(
         None => (run.gap(0.0, None)?, run.gap(1.0, None)?),
     };
     let (a, b) = (run.at(0.0, a), run.at(1.0, b));
-    let bow = b.slope - a.slope;
     let ends = if a.gap.g <= b.gap.g { [a, b] } else { [b, a] };
     let extreme = |p: &Place| Extreme { t: p.t, g: p.gap.g };
     if turn.is_some() {
+        let [a, b] = run.governed(a, b, resolution)?;
         return match run.single(a, b, resolution)? {
             Some(chord) => Ok(chord),
             None => run.mixed(a, b, resolution),
         };
     }
     if let Surface::Plane(_) = surface {
+        let bow = b.slope - a.slope;
         return Ok(Chord { low: extreme(&ends[0]), high: extreme(&ends[1]), bow, proved: true });
     }
+    let bow = b.slope - a.slope;
     let known = [&a.gap, &b.gap];
     if let Some(inner) = centred::extreme(tool, run.v, surface, condition, side, known) {
         let (low, high) = match side {
@@ -150,7 +156,7 @@ struct Run<'a, 'b> {
 }
 
 impl Run<'_, '_> {
-    fn gap(&self, t: f64, start: Option<Vec3>) -> Result<Gap, Reason> {
+    fn gap(&self, t: f64, start: Option<Spot>) -> Result<Gap, Reason> {
         let mut tool = self.tool.at(self.tool.te + self.v * t);
         if let Some(turn) = &self.turn {
             tool.ta = turn.axis(t);
@@ -158,7 +164,7 @@ impl Run<'_, '_> {
         distance(&tool, self.surface, self.condition, self.side, self.thick, start)
     }
 
-    fn place(&self, t: f64, start: Option<Vec3>) -> Result<Place, Reason> {
+    fn place(&self, t: f64, start: Option<Spot>) -> Result<Place, Reason> {
         Ok(self.at(t, self.gap(t, start)?))
     }
 
@@ -168,15 +174,38 @@ impl Run<'_, '_> {
         Place { t, gap, slope: gap.normal.dot(&self.v) + turning }
     }
 
+    /// The ends of a chord with a turning axis. A flat end or a flank that lies along a surface there touches at all of a
+    /// line, and any of its points may have been found: the slope is that of the point that touches once the axis turns.
+    fn governed(&self, a: Place, b: Place, resolution: f64) -> Result<[Place; 2], Reason> {
+        let angle = self.turn.map_or(0.0, |turn| turn.angle);
+        let profile = self.tool.profile;
+        let alike = ANOTHER * profile.widest() + angle * profile.reach();
+        let apart = |p: &Place, q: &Place| {
+            (p.gap.tool_point - q.gap.tool_point - self.v * (p.t - q.t)).norm() > alike
+        };
+        let m = self.place(0.5, Some(a.gap.spot()))?;
+        let end = |end: Place, inwards: f64| {
+            if !apart(&end, &m) {
+                return Ok(end);
+            }
+            let near = self.place(end.t + inwards * BESIDE, Some(m.gap.spot()))?;
+            let change = 2.0 * BESIDE * near.slope.abs() + resolution;
+            let touches = (near.gap.g - end.gap.g).abs() <= change && !apart(&near, &m);
+            let gap = Gap { g: end.gap.g, raw: end.gap.raw, ..near.gap };
+            Ok(if touches { Place { t: end.t, gap, slope: near.slope } } else { end })
+        };
+        Ok([end(a, 1.0)?, end(b, -1.0)?])
+    }
+
     /// The middle of a piece; where its ends touch at different places, the deeper of both.
     fn between(&self, a: &Place, b: &Place) -> Result<Place, Reason> {
         let t = 0.5 * (a.t + b.t);
-        let m = self.place(t, Some(a.gap.surface_point))?;
+        let m = self.place(t, Some(a.gap.spot()))?;
         let apart = (a.gap.tool_point - b.gap.tool_point - self.v * (a.t - b.t)).norm();
-        if apart <= 0.1 * self.tool.profile.widest() {
+        if apart <= ANOTHER * self.tool.profile.widest() {
             return Ok(m);
         }
-        let other = self.place(t, Some(b.gap.surface_point))?;
+        let other = self.place(t, Some(b.gap.spot()))?;
         Ok(if other.gap.g < m.gap.g { other } else { m })
     }
 
@@ -197,7 +226,7 @@ impl Run<'_, '_> {
         for _ in 0..MAX_STEPS {
             // In a hollow the nearest wall may change on the way: only a search without a start sees it.
             let near = if t - a.t < b.t - t { a } else { b };
-            let start = (sign > 0.0).then_some(near.gap.surface_point);
+            let start = (sign > 0.0).then_some(near.gap.spot());
             let at = self.place(t, start)?;
             // The slope's own slope, from the parabola through three places.
             let by = |p: &Place| (slope(p) - slope(&at)) / (p.t - at.t);
@@ -242,7 +271,7 @@ impl Run<'_, '_> {
         let sign = if rises { 1.0 } else { -1.0 };
         let [sa, sb] = [sign * a.slope, sign * b.slope];
         let apart = (a.gap.tool_point - b.gap.tool_point - self.v * (a.t - b.t)).norm();
-        if sa >= 0.0 || sb <= 0.0 || apart > 0.1 * self.tool.profile.widest() {
+        if sa >= 0.0 || sb <= 0.0 || apart > ANOTHER * self.tool.profile.widest() {
             return Ok(None);
         }
         let (value, slope) = (|p: &Place| sign * p.gap.g, |p: &Place| sign * p.slope);
@@ -252,7 +281,7 @@ impl Run<'_, '_> {
         let foretold = cubic_at(&a, &b, t);
         for round in 0..SINGLE {
             let near = if t - low.t < high.t - t { &low } else { &high };
-            let at = self.place(t, Some(near.gap.surface_point))?;
+            let at = self.place(t, Some(near.gap.spot()))?;
             let s = slope(&at);
             let strange = round == 0 && (at.gap.g - foretold).abs() > 0.05 * depth;
             if strange || s <= slope(&low) || s >= slope(&high) {

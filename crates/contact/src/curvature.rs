@@ -16,8 +16,8 @@ use crate::open;
 pub fn second(tool: &Tool<'_>, surface: &Surface, side: Side, gap: &Gap) -> Option<Shape> {
     let outward = gap.normal * side.sign();
     let shape = match side {
-        Side::Open => open::shape(surface, tool.ta, gap.surface_point, outward),
-        _ => surface.shape_at(gap.surface_point, outward),
+        Side::Open => open::shape(surface, tool.ta, gap.spot(), outward),
+        _ => surface.shape_at(gap.spot(), outward),
     };
     let shape = if side == Side::Positive { shape } else { shape.reversed() };
     let Some(segment) = gap.segment else { return shape.offset(gap.raw) };

@@ -1,7 +1,7 @@
 //! The gap between a tool and a surface.
 
 use aptc_geometry::profile::Segment;
-use aptc_geometry::{Reason, Surface, Tool, Vec3};
+use aptc_geometry::{Reason, Spot, Surface, Tool, Vec3};
 
 use crate::{closed, open, rings, search, tangents};
 
@@ -54,6 +54,8 @@ pub struct Gap {
     pub tool_point: Vec3,
     /// The point of the surface.
     pub surface_point: Vec3,
+    /// Its parameters, of surfaces that have two, when they are known.
+    pub at: Option<[f64; 2]>,
     /// Unit normal of the surface there, towards the tool's side: the gradient of `g` by the tool end.
     pub normal: Vec3,
     /// Where on the cutter; `None` for ON.
@@ -64,6 +66,12 @@ pub struct Gap {
 }
 
 impl Gap {
+    /// The point of the surface, for the next search to begin at.
+    #[inline]
+    pub fn spot(&self) -> Spot {
+        Spot { point: self.surface_point, at: self.at }
+    }
+
     /// How fast the gap grows when the tool turns at the rate `omega` (radians, as a vector) about its end.
     ///
     /// The tool axis then changes by `omega x ta`.
@@ -92,7 +100,7 @@ pub fn gap_near(
     surface: &Surface,
     side: Side,
     thick: f64,
-    start: Option<Vec3>,
+    start: Option<Spot>,
 ) -> Result<Gap, Reason> {
     debug_assert!((tool.ta.norm() - 1.0).abs() < 1e-9, "the tool axis is a unit vector");
     let mut gap = match surface {
@@ -118,7 +126,7 @@ pub fn gap_at(
     surface: &Surface,
     side: Side,
     thick: f64,
-    q: Vec3,
+    q: Spot,
 ) -> Result<Gap, Reason> {
     let gap = search::local(tool, surface, side, q)?;
     Ok(Gap { g: gap.raw - thick, ..gap })
@@ -161,6 +169,7 @@ pub fn on(te: Vec3, surface: &Surface, side: Side) -> Gap {
         raw: s * foot.distance,
         tool_point: te,
         surface_point: foot.point,
+        at: foot.at,
         normal: foot.normal * s,
         segment: None,
         residual: 0.0,
@@ -175,7 +184,7 @@ pub fn distance(
     condition: Condition,
     side: Side,
     thick: f64,
-    start: Option<Vec3>,
+    start: Option<Spot>,
 ) -> Result<Gap, Reason> {
     match condition {
         // A tool without size touches where its end is.

@@ -5,7 +5,7 @@
 //! outline that the hollow shows along the axis the wall runs on straight up.
 
 use aptc_geometry::surface::frame_about;
-use aptc_geometry::{Cone, Cylinder, Foot, Shape, Surface, Vec3};
+use aptc_geometry::{Cone, Cylinder, Foot, Shape, Spot, Surface, Vec3};
 
 /// Cosine with the axis below which a normal counts as square to it.
 const LEVEL: f64 = 1e-12;
@@ -48,9 +48,10 @@ pub(crate) fn cone(s: &Cone, ta: Vec3, p: Vec3) -> Foot {
 }
 
 /// Curvature of the opened hollow's wall where its outward normal is `n`.
-pub(crate) fn shape(surface: &Surface, ta: Vec3, q: Vec3, n: Vec3) -> Shape {
+pub(crate) fn shape(surface: &Surface, ta: Vec3, spot: Spot, n: Vec3) -> Shape {
+    let q = spot.point;
     if n.dot(&ta) < -LEVEL {
-        return surface.shape_at(q, n);
+        return surface.shape_at(spot, n);
     }
     match surface {
         Surface::Quadric(s) => s.opened(ta).map_or(Shape::flat(n), |open| open.shape_at(q, n)),
@@ -77,5 +78,5 @@ fn outline(s: &Cone, ta: Vec3) -> Option<[Vec3; 2]> {
 
 fn straight(p: Vec3, normal: Vec3, distance: f64) -> Foot {
     let shape = Shape { frame: frame_about(normal), k: [0.0; 3] };
-    Foot { point: p - normal * distance, normal, distance, shape }
+    Foot { point: p - normal * distance, normal, distance, shape, at: None }
 }

@@ -4,7 +4,7 @@
 //! changes no normal pair, and keeps the tool's distance smooth through sharp edges and through contact.
 
 use aptc_geometry::profile::Segment;
-use aptc_geometry::{Foot, Reason, Shape, Surface, Tool, Vec3};
+use aptc_geometry::{Foot, Reason, Shape, Spot, Surface, Tool, Vec3};
 
 use crate::closed::{along_axis, is_axis};
 use crate::gap::{Gap, Side};
@@ -24,7 +24,7 @@ pub(crate) fn general(
     tool: &Tool<'_>,
     surface: &Surface,
     side: Side,
-    start: Option<Vec3>,
+    start: Option<Spot>,
 ) -> Result<Gap, Reason> {
     if surface.generator().is_some_and(|d| is_axis(tool, d)) {
         return Ok(along_axis(tool, surface, side));
@@ -33,7 +33,7 @@ pub(crate) fn general(
         Side::Positive => surface.convex(),
         Side::Negative | Side::Open => surface.concave(),
     };
-    let round = round(tool, surface, side);
+    let round = round(tool, surface, side, start);
     if let Some(gap) = round
         && (far_is_convex || start.is_some())
     {
@@ -41,7 +41,7 @@ pub(crate) fn general(
     }
     if far_is_convex {
         // One dip: any start leads there.
-        let q = start.unwrap_or_else(|| surface.foot(middle(tool)).point);
+        let q = start.unwrap_or_else(|| surface.foot(middle(tool)).spot());
         if let Ok(gap) = local(tool, surface, side, q) {
             return Ok(gap);
         }
@@ -99,12 +99,21 @@ pub(crate) fn elsewhere(
     side: Side,
     known: &Gap,
 ) -> (Option<Gap>, f64) {
-    let arc = round(tool, surface, side);
+    let arc = round(tool, surface, side, None);
     // An opened hollow is looked at as a whole each time.
-    if side == Side::Open || !several(tool, surface, side) || arc.is_some() && !has_side(tool) {
+    if side == Side::Open || !several(tool, surface, side) {
         return (None, f64::INFINITY);
     }
     let size = tool.profile.widest().max(0.1 * tool.profile.reach());
+    if let Some(gap) = arc
+        && !has_side(tool)
+    {
+        // Without parameters each search is one over the whole of the surface.
+        let Some(_) = known.at else { return (None, f64::INFINITY) };
+        let rival = surface.rival(middle(tool)) - tool.profile.corner_radius();
+        let room = (LOOK * size).min(0.5 * (rival - gap.raw).max(0.0));
+        return ((gap.raw < known.raw).then_some(gap), room);
+    }
     if hollow(surface, side) {
         let found = rings::with_rival(tool, |p| turned(surface.foot(p), side), 0.1 * size);
         let Ok((gap, rival)) = found else { return (None, LOOK * size) };
@@ -147,14 +156,17 @@ fn turned(foot: Foot, side: Side) -> Foot {
 }
 
 /// A cutter with a centre: its nearest surface point, when the arc faces it. Of all arc contacts this is the
-/// nearest one.
+/// nearest one, or with a start the one thereabouts.
 #[inline]
-fn round(tool: &Tool<'_>, surface: &Surface, side: Side) -> Option<Gap> {
+fn round(tool: &Tool<'_>, surface: &Surface, side: Side, start: Option<Spot>) -> Option<Gap> {
     let profile = tool.profile;
     if !profile.is_round() {
         return None;
     }
-    let foot = surface.foot(middle(tool));
+    let foot = match start {
+        Some(near) => surface.foot_from(middle(tool), near),
+        None => surface.foot(middle(tool)),
+    };
     let normal = foot.normal * side.sign();
     let p = tool.support(-normal);
     if p.segment != Segment::Arc {
@@ -166,6 +178,7 @@ fn round(tool: &Tool<'_>, surface: &Surface, side: Side) -> Option<Gap> {
         raw,
         tool_point: p.point,
         surface_point: foot.point,
+        at: foot.at,
         normal,
         segment: Some(Segment::Arc),
         residual: 0.0,
@@ -184,7 +197,7 @@ const SEEDS: usize = 4;
 
 /// Surface points below the lowest stations around the tool: the local minima over the stations, the lowest
 /// of them. Where the place of the arc is known, only stations on the cutter's side.
-fn seeds(tool: &Tool<'_>, surface: &Surface, side: Side, arc: bool) -> [Option<Vec3>; SEEDS] {
+fn seeds(tool: &Tool<'_>, surface: &Surface, side: Side, arc: bool) -> [Option<Spot>; SEEDS] {
     let profile = tool.profile;
     let [[rl, zl], [ru, zu]] = profile.joints();
     let mid = |a: [f64; 2], b: [f64; 2]| [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])];
@@ -196,10 +209,10 @@ fn seeds(tool: &Tool<'_>, surface: &Surface, side: Side, arc: bool) -> [Option<V
     let at = |rho: f64, z: f64, turn: usize| {
         let out = a * COS12[turn] + b * COS12[(turn + 9) % AROUND];
         let foot = surface.foot(tool.te + out * rho + tool.ta * z);
-        (side.sign() * foot.distance, foot.point)
+        (side.sign() * foot.distance, foot.spot())
     };
-    let mut found: [Option<(f64, Vec3)>; SEEDS] = [None; SEEDS];
-    let mut offer = |value: f64, q: Vec3| {
+    let mut found: [Option<(f64, Spot)>; SEEDS] = [None; SEEDS];
+    let mut offer = |value: f64, q: Spot| {
         let mut new = Some((value, q));
         for slot in &mut found {
             if new.is_some_and(|n| slot.is_none_or(|s| n.0 < s.0)) {
@@ -215,7 +228,7 @@ fn seeds(tool: &Tool<'_>, surface: &Surface, side: Side, arc: bool) -> [Option<V
         if i > 0 && stations[..i].contains(&[rho, z]) {
             continue;
         }
-        let ring: [(f64, Vec3); AROUND] = std::array::from_fn(|turn| at(rho, z, turn));
+        let ring: [(f64, Spot); AROUND] = std::array::from_fn(|turn| at(rho, z, turn));
         for turn in 0..AROUND {
             let (value, q) = ring[turn];
             let neighbours = [ring[(turn + 1) % AROUND].0, ring[(turn + AROUND - 1) % AROUND].0];
@@ -236,7 +249,7 @@ const COS12: [f64; AROUND] = {
 /// A place of the search.
 struct At {
     /// Foot on the surface.
-    q: Vec3,
+    q: Spot,
     normal: Vec3,
     /// Surface moved back.
     x: Vec3,
@@ -250,6 +263,8 @@ struct At {
     /// Cosine between the tool's normal and the surface's reversed.
     facing: f64,
     shape: Option<Shape>,
+    /// The same of the surface itself.
+    own: Shape,
 }
 
 fn at(tool: &Tool<'_>, foot: &Foot, side: Side, back: f64) -> At {
@@ -259,7 +274,7 @@ fn at(tool: &Tool<'_>, foot: &Foot, side: Side, back: f64) -> At {
     let near = tool.near(x);
     let facing = -near.normal.dot(&normal);
     At {
-        q: foot.point,
+        q: foot.spot(),
         normal,
         x,
         value: near.distance,
@@ -269,6 +284,7 @@ fn at(tool: &Tool<'_>, foot: &Foot, side: Side, back: f64) -> At {
         bend: near.shape,
         facing,
         shape: shape.offset(-back),
+        own: shape,
     }
 }
 
@@ -277,12 +293,12 @@ pub(crate) fn local(
     tool: &Tool<'_>,
     surface: &Surface,
     side: Side,
-    q: Vec3,
+    q: Spot,
 ) -> Result<Gap, Reason> {
     let size = tool.profile.widest().max(0.1 * tool.profile.reach());
-    let mut foot = surface.foot(q);
+    let mut foot = surface.foot_from(q.point, q);
     let mut back = 0.25 * size + 2.0 * (-tool.distance(foot.point)).max(0.0);
-    let mut failure = Reason::NotConverged { best: q, residual: f64::INFINITY };
+    let mut failure = Reason::NotConverged { best: q.point, residual: f64::INFINITY };
     // A tool deeper in than the surface was moved back is met again with the surface farther back.
     for _ in 0..4 {
         // The moved surface must not pass a centre of curvature.
@@ -291,7 +307,7 @@ pub(crate) fn local(
         let most = if tight.is_finite() { 0.7 / tight.max(1e-300) } else { 0.0 };
         let begin = at(tool, &foot, side, back.min(most));
         let (here, border) = descend(tool, surface, side, begin, back.min(most));
-        let w = here.tool_point - here.q;
+        let w = here.tool_point - here.q.point;
         let raw = w.dot(&here.normal);
         let residual = (w - here.normal * raw).norm();
         if here.facing > 0.0 && here.across.norm() <= 1e-7 {
@@ -299,14 +315,15 @@ pub(crate) fn local(
                 g: raw,
                 raw,
                 tool_point: here.tool_point,
-                surface_point: here.q,
+                surface_point: here.q.point,
+                at: here.q.at,
                 normal: here.normal,
                 segment: Some(here.segment),
                 residual,
             });
         }
-        failure = Reason::NotConverged { best: here.q, residual };
-        foot = surface.foot(here.q);
+        failure = Reason::NotConverged { best: here.q.point, residual };
+        foot = surface.foot_from(here.q.point, here.q);
         if border {
             return Err(Reason::OutOfDomain);
         }
@@ -331,7 +348,8 @@ fn descend(tool: &Tool<'_>, surface: &Surface, side: Side, start: At, back: f64)
             break;
         }
         let d = step(&here, cap);
-        let foot = surface.foot(here.x + d);
+        let foot = beside(surface, &here, d, back)
+            .unwrap_or_else(|| surface.foot_from(here.x + d, here.q));
         border = foot.shape.k[0].is_infinite();
         let next = at(tool, &foot, side, back);
         // Close to the end the values agree to rounding, and the slope tells.
@@ -348,6 +366,21 @@ fn descend(tool: &Tool<'_>, surface: &Surface, side: Side, start: At, back: f64)
         }
     }
     (here, border)
+}
+
+/// The place to which the moved surface's tangent step `d` leads, of a surface by two parameters without looking for a
+/// nearest point: the surface itself goes by as much less or more as it bends.
+fn beside(surface: &Surface, here: &At, d: Vec3, back: f64) -> Option<Foot> {
+    here.q.at?;
+    let [k11, k12, k22] = here.own.k;
+    if !(k11.is_finite() && k22.is_finite()) {
+        return None;
+    }
+    let [u, v] = here.own.frame;
+    let (a, b, c) = (1.0 - back * k11, -back * k12, 1.0 - back * k22);
+    let (p, q, det) = (d.dot(&u), d.dot(&v), a * c - b * b);
+    let by = u * ((c * p - b * q) / det) + v * ((a * q - b * p) / det);
+    if by.iter().all(|x| x.is_finite()) { surface.beside(here.q, by) } else { None }
 }
 
 /// Newton's step in the tangent plane, with the signs of the curvatures made positive; no longer than `cap`.

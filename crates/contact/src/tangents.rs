@@ -14,6 +14,8 @@ use crate::rings::{self, COS16};
 
 /// Bound of each one-parameter search; bisection alone would need 53 steps.
 const MAX_STEPS: usize = 80;
+/// How much farther than the tangents of a sharp peak say the next place lies beyond it.
+const BEYOND: f64 = 4.0;
 
 /// Gap to a cylinder.
 #[inline]
@@ -70,6 +72,7 @@ fn square(tool: &Tool<'_>, s: &Cylinder, side: Side) -> Gap {
         raw,
         tool_point,
         surface_point: tool_point - normal * raw,
+        at: None,
         normal,
         segment: Some(segment),
         residual: 0.0,
@@ -132,6 +135,7 @@ fn oblique_outside(tool: &Tool<'_>, s: &Cylinder) -> Gap {
         raw,
         tool_point: near.point,
         surface_point: near.point - away * raw,
+        at: None,
         normal: away,
         segment: Some(near.segment),
         residual: slope.abs() * near.distance.abs(),
@@ -171,6 +175,7 @@ pub(crate) fn cone(tool: &Tool<'_>, s: &Cone, side: Side) -> Result<Gap, Reason>
                     raw: near.distance,
                     tool_point: near.point,
                     surface_point: s.vertex,
+                    at: None,
                     normal: -near.normal,
                     segment: Some(near.segment),
                     residual: 0.0,
@@ -187,6 +192,7 @@ fn made(p: ToolSupport, m: Vec3, raw: f64, residual: f64) -> Gap {
         raw,
         tool_point: p.point,
         surface_point: p.point + m * raw,
+        at: None,
         normal: -m,
         segment: Some(p.segment),
         residual,
@@ -286,12 +292,17 @@ impl Family<'_, '_> {
             stride *= 2.0;
         }
         let mut last = hi.0 - lo.0;
+        // Which end of the bracket was brought nearer last, and how often one after another.
+        let (mut below, mut times) = (false, 0);
         for _ in 0..MAX_STEPS {
             let size = (self.v - at.p.point).norm();
             if at.slope.abs() <= 1e-14 * size {
                 return at;
             }
-            if at.slope > 0.0 {
+            let rising = at.slope > 0.0;
+            times = if rising == below { times + 1 } else { 1 };
+            below = rising;
+            if rising {
                 lo = (x, at);
             } else {
                 hi = (x, at);
@@ -309,19 +320,25 @@ impl Family<'_, '_> {
                 let by_x = |(x, at): &(f64, At)| at.slope / (1.0 + x * x);
                 let (a, b) = (by_x(&lo), by_x(&hi));
                 let cut = (lo.1.value - hi.1.value + b * hi.0 - a * lo.0) / (b - a);
-                let margin = 0.05 * width;
-                if cut.is_finite() && a > 0.0 && b < 0.0 && margin > 0.0 {
-                    cut.clamp(lo.0 + margin, hi.0 - margin)
+                let middle = 0.5 * (lo.0 + hi.0);
+                if !(cut.is_finite() && a > 0.0 && b < 0.0) {
+                    middle
+                } else if rising {
+                    // Beside a sharp peak the tangents meet short of it, as the sides bend: a step beyond, farther each
+                    // time, brings the other end near it too.
+                    (cut + (cut - lo.0) * BEYOND.powi(times)).min(cut.max(middle))
                 } else {
-                    0.5 * (lo.0 + hi.0)
+                    (cut - (hi.0 - cut) * BEYOND.powi(times)).max(cut.min(middle))
                 }
             };
-            if next <= lo.0 || next >= hi.0 || hi.0 - lo.0 <= 1e-15 {
+            let between = |x: f64| x > lo.0 && x < hi.0;
+            x = if between(next) { next } else { 0.5 * (lo.0 + hi.0) };
+            if hi.0 - lo.0 <= 1e-15 || !between(x) {
                 break;
             }
-            x = next;
             at = place(x);
         }
+        at = if lo.1.value > hi.1.value { lo.1 } else { hi.1 };
         if lo.1.slope > 0.0 && hi.1.slope < 0.0 {
             let share = lo.1.slope / (lo.1.slope - hi.1.slope);
             at.p.point = lo.1.p.point + (hi.1.p.point - lo.1.p.point) * share;

@@ -153,7 +153,7 @@ proptest! {
         let h = 1e-4;
         for d in [Vec3::x(), Vec3::y(), Vec3::z()] {
             let at = |s: f64| gap_near(&tool.at(tool.te + d * s), &surface, side, 0.0,
-                Some(here.surface_point));
+                Some(here.spot()));
             if let (Ok(f), Ok(b)) = (at(h), at(-h)) {
                 // Only within one smooth piece.
                 let apart = (f.tool_point - b.tool_point).norm();
@@ -340,6 +340,62 @@ fn outline(profile: &Profile) -> impl Fn(f64) -> [f64; 2] + '_ {
             mix(upper, rim, s - 4.0)
         } else {
             mix(rim, [0.0, profile.height()], s - 5.0)
+        }
+    }
+}
+
+/// A flat end upon a cone touches along a ruling, and with the least tilt at one end of it: the peak of the clearance is as
+/// sharp as the tilt is small.
+#[test]
+fn flat_ends_that_all_but_lie_on_a_cone() {
+    let mut dice = 7_u64;
+    let mut unit = || {
+        dice = dice.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        #[expect(clippy::cast_precision_loss, reason = "31 bits")]
+        let x = (dice >> 33) as f64 / 2_147_483_648.0;
+        2.0 * x - 1.0
+    };
+    let cone = Cone { vertex: Vec3::new(20.0, 12.0, 9.0), axis: -Vec3::z(), cos_half: 0.4 };
+    let surface = Surface::Cone(cone);
+    for corner in [0.0, 1.09] {
+        let profile = mill(7.26, corner);
+        for k in 0..400 {
+            let at = cone.vertex + Vec3::new(30.0 * unit(), 30.0 * unit(), -40.0 - 10.0 * unit());
+            let foot = surface.foot(at);
+            // Tilts of .1 to 1e-13 radians, and none.
+            let size = if k % 20 == 0 { 0.0 } else { trig::pow(10.0, -7.0 + 6.0 * unit()) };
+            let tilt = Vec3::new(unit(), unit(), unit()) * size;
+            let ta = (foot.normal + tilt).normalize();
+            let te = foot.point + foot.normal * (1e-3 * (1.0 + unit()));
+            let tool = Tool { profile: &profile, te, ta };
+            let found = gap(&tool, &surface, Side::Positive, 0.0).unwrap();
+            // The deepest point lies on the edge of the flat end, or on the arc beside it.
+            let [u, w] = aptc_geometry::surface::frame_about(ta);
+            let rho = profile.joints()[0][0];
+            let edge = |turn: f64| {
+                surface.distance(te + u * (rho * trig::cos(turn)) + w * (rho * trig::sin(turn)))
+            };
+            let lowest = |turn: f64| {
+                let (mut best, mut step) = ((edge(turn), turn), 0.01);
+                while step > 1e-12 {
+                    let turn =
+                        [best.1 - step, best.1 + step].into_iter().find(|t| edge(*t) < best.0);
+                    match turn {
+                        Some(turn) => best = (edge(turn), turn),
+                        None => step *= 0.5,
+                    }
+                }
+                best.0
+            };
+            let all = (0..36).map(|i| lowest(f64::from(i) * core::f64::consts::TAU / 36.0));
+            let least = all.fold(surface.distance(te), f64::min);
+            // The arc goes deeper by its sagitta, of the order of the square of the tilt.
+            let slack = 1e-11 + corner * 2.0 * size * size;
+            assert!(
+                (found.g - least).abs() <= slack,
+                "{corner} {k} {size:e}: {} {least} {found:?}",
+                found.g
+            );
         }
     }
 }

@@ -38,7 +38,7 @@ pub use profile::{BadCutter, CutterWarning, Profile, Segment};
 pub use reason::{Place, Reason};
 pub use ruled::{Rail, RuledSurface, Second};
 pub use sculpt::{Sculptured, SpaceCurve};
-pub use surface::{Fiop, Foot, Shape, Surface};
+pub use surface::{Fiop, Foot, Shape, Spot, Surface};
 pub use tabcyl::{Tabcyl, TabcylSpan, Vec2};
 pub use tabcyl_fit::{Fit, FitError, Knot};
 pub use tabcyl_meet::{CurveFoot, nearest_foot};

@@ -71,7 +71,7 @@ impl<'a> Tool<'a> {
     #[inline]
     fn half_plane(&self, w: Vec3) -> (f64, f64, Vec3) {
         let z = w.dot(&self.ta);
-        let radial = w - self.ta * z;
+        let radial = self.square(w - self.ta * z);
         let rho = radial.norm();
         // On the axis every direction is as good; below this the direction would be rounding.
         if rho > 1e-15 * z.abs() && rho > 0.0 {
@@ -79,6 +79,13 @@ impl<'a> Tool<'a> {
         } else {
             (z, 0.0, frame_about(self.ta)[0])
         }
+    }
+
+    /// What is left of a difference across the axis, once more without what rounding left along it: beside a small
+    /// difference that is much.
+    #[inline]
+    fn square(&self, radial: Vec3) -> Vec3 {
+        radial - self.ta * radial.dot(&self.ta)
     }
 
     /// Signed distance of `q` to the tool, negative inside; convex, with slope 1.
@@ -112,7 +119,7 @@ impl<'a> Tool<'a> {
     #[inline]
     pub fn support(&self, n: Vec3) -> ToolSupport {
         let up = n.dot(&self.ta);
-        let radial = n - self.ta * up;
+        let radial = self.square(n - self.ta * up);
         let size = radial.norm();
         let (across, out) = if size > EPS_ANG * 0.01 {
             (size, radial / size)

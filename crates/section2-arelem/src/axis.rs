@@ -1,7 +1,7 @@
 //! The tool axis in multi-axis work (APT: `TLAXIS`).
 
 use aptc_contact::{Condition, Gap};
-use aptc_geometry::{Vec3, trig};
+use aptc_geometry::{Surface, Vec3, trig};
 use aptc_protap::{AxisAngle, OptionSurface, ToolAxis};
 
 use crate::space::Keep;
@@ -124,8 +124,7 @@ impl AxisRule {
             }
             Self::Rulings(s) => {
                 let (gap, _, keep) = pick(*s);
-                let r = ruling(gap, keep)?;
-                Some(if r.dot(&around.ta) < 0.0 { -r } else { r })
+                ruling(gap, keep, around)
             }
             Self::Angle(a, came) => {
                 let (gap, other, keep) = pick(a.surface);
@@ -160,8 +159,17 @@ fn below(gap: &Gap, keep: &Keep, around: &Around<'_>) -> Vec3 {
     }
 }
 
-fn ruling(gap: &Gap, keep: &Keep) -> Option<Vec3> {
-    keep.surface.ruling(gap.surface_point)
+/// The ruling along which the flank lies, towards where the axis points. Rulings that are twisted have none: a flank along
+/// one of them cuts in at its ends. Beside the middle of a flank upon the ruling below the tool end it does so least.
+fn ruling(gap: &Gap, keep: &Keep, around: &Around<'_>) -> Option<Vec3> {
+    let ruling =
+        |p: Vec3| keep.surface.ruling(p).map(|r| if r.dot(&around.ta) < 0.0 { -r } else { r });
+    if keep.condition == Condition::On || !matches!(keep.surface, Surface::Parametric(_)) {
+        return ruling(gap.surface_point);
+    }
+    let [_, [_, upper]] = keep.profile.joints();
+    let below = ruling(around.te)?;
+    ruling(around.te + below * (0.5 * (upper + keep.profile.height()))).or(Some(below))
 }
 
 /// The axis at the angle alpha to the normal `n`, positive towards the normal `other` of the surface that

@@ -87,10 +87,12 @@ impl Cone {
                 normal,
                 distance: away,
                 shape: Shape::round(normal, f64::INFINITY),
+                at: None,
             };
         }
         let normal = m.away * cos - self.axis * sin;
-        Foot { point: p - normal * distance, normal, distance, shape: self.shape(m.away, along) }
+        let shape = self.shape(m.away, along);
+        Foot { point: p - normal * distance, normal, distance, shape, at: None }
     }
 
     /// Curvature at the point `q` of the surface with outward unit normal `n` there.

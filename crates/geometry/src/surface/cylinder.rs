@@ -51,7 +51,8 @@ impl Cylinder {
         let away = w.norm();
         let normal = if away > 0.0 { w / away } else { frame_about(self.axis)[0] };
         let distance = away - self.radius;
-        Foot { point: p - normal * distance, normal, distance, shape: self.shape(normal) }
+        let shape = self.shape(normal);
+        Foot { point: p - normal * distance, normal, distance, shape, at: None }
     }
 
     /// Curvature where the normal is `n`.

@@ -55,6 +55,31 @@ pub struct Foot {
     pub distance: f64,
     /// Curvature of the surface at the nearest point.
     pub shape: Shape,
+    /// Parameters of the nearest point, of surfaces that have two.
+    pub at: Option<[f64; 2]>,
+}
+
+/// A point of a surface: where a search may begin.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spot {
+    /// The point.
+    pub point: Vec3,
+    /// Its parameters, of surfaces that have two, when they are known.
+    pub at: Option<[f64; 2]>,
+}
+
+impl Foot {
+    /// The nearest point with its parameters.
+    #[inline]
+    pub fn spot(&self) -> Spot {
+        Spot { point: self.point, at: self.at }
+    }
+}
+
+impl From<Vec3> for Spot {
+    fn from(point: Vec3) -> Self {
+        Self { point, at: None }
+    }
 }
 
 /// Which intersection is wanted.
@@ -157,6 +182,35 @@ impl Surface {
         }
     }
 
+    /// The foot into which `near` runs downhill towards `p`: of a surface by two parameters with the place of `near`
+    /// known the nearest point thereabouts, several times as fast; else the nearest of all.
+    #[inline]
+    pub fn foot_from(&self, p: Vec3, near: Spot) -> Foot {
+        match (self, near.at) {
+            (Self::Parametric(s), Some(at)) => s.foot_from(p, at),
+            _ => self.foot(p),
+        }
+    }
+
+    /// A distance from `p` below which no place is but that of [`Self::foot`], among those from which the distance
+    /// grows all round: of surfaces by two parameters, as far as their samples show.
+    pub fn rival(&self, p: Vec3) -> f64 {
+        match self {
+            Self::Parametric(s) => s.rival(p),
+            _ => 0.0,
+        }
+    }
+
+    /// The place of the surface that lies beside `near` by the tangent `by`, to first order: any place will do that
+    /// comes nearer to it as `by` falls. `None` where there is no simple one, and beside a border.
+    #[inline]
+    pub fn beside(&self, near: Spot, by: Vec3) -> Option<Foot> {
+        match (self, near.at) {
+            (Self::Parametric(s), Some(at)) => s.beside(at, by),
+            _ => None,
+        }
+    }
+
     /// Signed distance of `p`, positive on the positive side.
     #[inline]
     pub fn distance(&self, p: Vec3) -> f64 {
@@ -167,9 +221,10 @@ impl Surface {
         }
     }
 
-    /// Curvature at the point `q` of the surface with unit normal `n` there (to the positive side).
+    /// Curvature at the point `spot` of the surface with unit normal `n` there (to the positive side).
     #[inline]
-    pub fn shape_at(&self, q: Vec3, n: Vec3) -> Shape {
+    pub fn shape_at(&self, spot: Spot, n: Vec3) -> Shape {
+        let q = spot.point;
         match self {
             Self::Plane(_) => Shape::flat(n),
             Self::Sphere(s) => Shape::round(n, 1.0 / s.radius),
@@ -177,7 +232,7 @@ impl Surface {
             Self::Cone(s) => s.shape_at(q, n),
             Self::Quadric(s) => s.shape_at(q, n),
             Self::Tabcyl(s) => s.shape_at(q),
-            Self::Parametric(s) => s.shape_at(q),
+            Self::Parametric(s) => s.shape_at(spot),
         }
     }
 

@@ -22,7 +22,8 @@ impl Plane {
     #[inline]
     pub fn foot(&self, p: Vec3) -> Foot {
         let distance = self.distance(p);
-        Foot { point: p - self.n * distance, normal: self.n, distance, shape: Shape::flat(self.n) }
+        let shape = Shape::flat(self.n);
+        Foot { point: p - self.n * distance, normal: self.n, distance, shape, at: None }
     }
 }
 

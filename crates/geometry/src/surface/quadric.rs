@@ -186,11 +186,11 @@ impl QuadricSurface {
             let sign = 1.0_f64.copysign(self.eval(y));
             let normal = if away > 0.0 { w * (sign / away) } else { self.axes.column(0).into() };
             let shape = Shape::round(normal, f64::INFINITY);
-            return Foot { point, normal, distance: sign * away, shape };
+            return Foot { point, normal, distance: sign * away, shape, at: None };
         }
         let distance = if pole.is_some() { (p - point).norm().copysign(mu) } else { mu * s };
         let normal = self.axes * (half_gradient / s);
-        Foot { point, normal, distance, shape: self.shape(normal, s) }
+        Foot { point, normal, distance, shape: self.shape(normal, s), at: None }
     }
 
     /// The other place of a convex hollow (the negative side) from which the distance of `p` grows all round, beside
@@ -249,7 +249,7 @@ impl QuadricSurface {
         let s = half_gradient.norm();
         let (point, normal) = (self.axes * q, self.axes * (half_gradient / s));
         let distance = (p - point).dot(&normal);
-        Some(Foot { point, normal, distance, shape: self.shape(normal, s) })
+        Some(Foot { point, normal, distance, shape: self.shape(normal, s), at: None })
     }
 
     /// By how much the form falls below zero in the hollow on its negative side; `None` where it falls without end.

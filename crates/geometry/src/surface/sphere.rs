@@ -39,6 +39,7 @@ impl Sphere {
             normal,
             distance: away - self.radius,
             shape: Shape::round(normal, 1.0 / self.radius),
+            at: None,
         }
     }
 }

@@ -156,6 +156,7 @@ impl TabcylSurface {
             normal: n,
             distance,
             shape: Shape { frame: [lift(Vec2::new(normal.y, -normal.x)), w], k: [k, 0.0, 0.0] },
+            at: None,
         }
     }
 

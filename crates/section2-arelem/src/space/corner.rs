@@ -51,7 +51,7 @@ impl Track {
                     continue;
                 }
                 // The place touched ahead exists here too, or it is the old one moved on.
-                let Ok(new) = keep.gap_at(&from.pose, met.surface_point) else { continue };
+                let Ok(new) = keep.gap_at(&from.pose, met.spot()) else { continue };
                 if (new.surface_point - old.surface_point).norm() <= APART * size {
                     continue;
                 }
@@ -94,9 +94,9 @@ impl Track {
             if (pose.te - from.pose.te).norm() > far + 2.0 * keep.width() {
                 return None;
             }
-            old = keep.gap_at(&pose, old.surface_point).ok()?;
-            new = keep.gap_at(&pose, new.surface_point).ok()?;
-            other = self.keeps[j].gap(&pose, Some(other.surface_point)).ok()?;
+            old = keep.gap_at(&pose, old.spot()).ok()?;
+            new = keep.gap_at(&pose, new.spot()).ok()?;
+            other = self.keeps[j].gap(&pose, Some(other.spot())).ok()?;
         }
         let off = [kept[0] - old.g, target - new.g, kept[1] - other.g];
         let deepest = keep.gap(&pose, None).ok()?.g;

@@ -3,7 +3,7 @@
 use aptc_contact::{
     Condition, Gap, Reason, Side, Tool, distance, elsewhere, gap_at, opens, second, surrounds,
 };
-use aptc_geometry::{Profile, Surface, Vec3};
+use aptc_geometry::{Profile, Spot, Surface, Vec3};
 
 /// A tool position: tool end and unit tool axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -42,9 +42,9 @@ impl Keep {
         Tool { profile: &self.profile, te: pose.te, ta: pose.ta }
     }
 
-    /// The gap; a search starts at the surface point `start`.
+    /// The gap; a search starts at the place `start` of the surface.
     #[inline]
-    pub(crate) fn gap(&self, pose: &Pose, start: Option<Vec3>) -> Result<Gap, Reason> {
+    pub(crate) fn gap(&self, pose: &Pose, start: Option<Spot>) -> Result<Gap, Reason> {
         let tool = self.tool(pose);
         distance(&tool, &self.surface, self.condition, self.side, self.thick, start)
     }
@@ -53,11 +53,11 @@ impl Keep {
     /// of a hollow all of the tool is looked at.
     pub(crate) fn gap_from(&self, pose: &Pose, known: Option<&Gap>) -> Result<Gap, Reason> {
         let known = known.filter(|_| !surrounds(&self.surface, self.side));
-        self.gap(pose, known.map(|g| g.surface_point))
+        self.gap(pose, known.map(Gap::spot))
     }
 
     /// The gap at the place of contact near the surface point `q`, also where another one is deeper.
-    pub(crate) fn gap_at(&self, pose: &Pose, q: Vec3) -> Result<Gap, Reason> {
+    pub(crate) fn gap_at(&self, pose: &Pose, q: Spot) -> Result<Gap, Reason> {
         gap_at(&self.tool(pose), &self.surface, self.side, self.thick, q)
     }
 

@@ -337,7 +337,7 @@ impl Solver<'_> {
             .iter()
             .enumerate()
             .map(|(i, a)| {
-                let start = last.and_then(|l| l.get(i)).map(|g| g.surface_point);
+                let start = last.and_then(|l| l.get(i)).map(Gap::spot);
                 a.keep
                     .gap(pose, start)
                     .or_else(|_| flattened(&a.keep, pose).gap(pose, None))
@@ -603,7 +603,7 @@ impl Solver<'_> {
         for _ in 0..ROUNDS {
             let pose = Pose { te: from.te + v * s, ..from };
             let gap = aim.keep.gap(&pose, last).ok()?;
-            last = Some(gap.surface_point);
+            last = Some(gap.spot());
             let scale = self.size(&pose);
             if gap.g.abs() <= 1e-13 * scale {
                 return Some(pose);

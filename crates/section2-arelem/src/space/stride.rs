@@ -6,7 +6,7 @@
 //! chord to the one just tried is known from the lowest gap on it, and the search for the length takes two
 //! or three trials. The same holds for the high limit over hollow surfaces.
 
-use aptc_contact::{Gap, chord};
+use aptc_contact::{Condition, Gap, chord};
 use aptc_geometry::Vec3;
 
 use super::keep::{Limits, Pose};
@@ -277,7 +277,11 @@ impl Track {
             Some([*ends[0], *ends[1]]),
             RESOLUTION * keep.width(),
         )?;
-        let (low, high) = (c.low.g, c.high.g);
+        let (mut low, high) = (c.low.g, c.high.g);
+        if turning && keep.condition == Condition::Touch {
+            // A turning axis may bring another place of the cutter down between two vertices at which it is free.
+            low = low.min(keep.gap(&between(&from.pose, &to.pose, 0.5), None)?.g);
+        }
         // The chord aims a little inside the band, so that it fits when it comes out a little longer.
         let aim = AIM * keep.width();
         let e = ends.map(|g| (g.g - limits.low - aim).max(0.0));
@@ -310,7 +314,7 @@ impl Track {
         if apart.norm() <= ANOTHER * keep.profile.widest() {
             return None;
         }
-        let other = keep.gap(&from.pose, Some(there.surface_point)).ok()?;
+        let other = keep.gap(&from.pose, Some(there.spot())).ok()?;
         ((other.g - here.g).abs() <= BOTH * keep.width()).then_some(other)
     }
 }

@@ -62,7 +62,7 @@ impl Track {
     /// Gaps at a pose.
     #[inline]
     pub(super) fn gaps(&self, pose: &Pose, hint: Option<&[Gap; 2]>) -> Result<[Gap; 2], Trouble> {
-        let start = |i: usize| hint.map(|h| h[i].surface_point);
+        let start = |i: usize| hint.map(|h| h[i].spot());
         Ok([self.keeps[0].gap(pose, start(0))?, self.keeps[1].gap(pose, start(1))?])
     }
 

@@ -11,7 +11,7 @@ mod tests;
 
 use std::sync::Arc;
 
-use crate::surface::{EPS_LEN, Foot, Shape, frame_about};
+use crate::surface::{EPS_LEN, Foot, Shape, Spot, frame_about};
 use crate::{Place, Polyconic, Reason, RuledSurface, Vec2, Vec3};
 use polyconic::Sections;
 use ruled::Rulings;
@@ -22,6 +22,8 @@ pub use sculptured::{Continued, continued};
 const MAX_STEPS: usize = 60;
 /// Share of the surface's size below which the square of a step of Newton's method is rounding.
 const NEAR: f64 = 1e-9;
+/// Share of the surface's size by which two places lie apart.
+const SAME: f64 = 1e-6;
 /// Samples on a side of a block, from which a search of its own sets out.
 const BLOCK: usize = 3;
 /// Places from which the nearest point is looked for.
@@ -72,6 +74,14 @@ struct Jet {
     suu: Vec3,
     suv: Vec3,
     svv: Vec3,
+}
+
+/// A place of the surface.
+#[derive(Clone, Copy, Debug)]
+struct Placed {
+    u: f64,
+    v: f64,
+    jet: Jet,
 }
 
 /// How far each parameter goes.
@@ -154,8 +164,7 @@ impl ParametricSurface {
             Patch::Sculptured(s) => s.ruled_along(),
             Patch::Polyconic(_) => return None,
         };
-        let (u, v) = self.nearest(p)?;
-        let jet = self.patch.jet(u, v);
+        let jet = self.nearest(p)?.jet;
         (if along { jet.su } else { jet.sv }).try_normalize(0.0)
     }
 
@@ -237,14 +246,46 @@ impl ParametricSurface {
     }
 
     /// Curvature at a point of the surface.
-    pub fn shape_at(&self, q: Vec3) -> Shape {
-        self.foot(q).shape
+    pub fn shape_at(&self, spot: Spot) -> Shape {
+        let Some([u, v]) = spot.at else { return self.foot(spot.point).shape };
+        let jet = self.patch.jet(u, v);
+        shape(&jet, self.normal_at(u, v, &jet))
     }
 
     /// The nearest point. Beyond an end the normal points from or to the given point.
     pub fn foot(&self, p: Vec3) -> Foot {
-        let (u, v) = self.nearest(p).unwrap_or((0.5, 0.5));
+        let place = self.nearest(p).unwrap_or_else(|| Placed::new(&self.patch, 0.5, 0.5));
+        self.foot_at(p, &place)
+    }
+
+    /// The foot into which the place with the parameters `at` runs downhill.
+    pub fn foot_from(&self, p: Vec3, [u, v]: [f64; 2]) -> Foot {
+        self.foot_at(p, &self.descend(p, u, v).1)
+    }
+
+    /// The place beside that with the parameters `at` by the tangent `by`; `None` at a border and where a derivative
+    /// vanishes.
+    pub fn beside(&self, [u, v]: [f64; 2], by: Vec3) -> Option<Foot> {
         let jet = self.patch.jet(u, v);
+        let (e, f, g) = (jet.su.norm_squared(), jet.su.dot(&jet.sv), jet.sv.norm_squared());
+        let det = e * g - f * f;
+        if det <= 1e-12 * e * g {
+            return None;
+        }
+        let (a, b) = (by.dot(&jet.su), by.dot(&jet.sv));
+        let (u, v) = (u + (g * a - f * b) / det, v + (e * b - f * a) / det);
+        let inside = |x: f64, ends: [f64; 2]| x > ends[0] && x < ends[1];
+        let domain = self.patch.domain();
+        if !(inside(u, domain.u) && inside(v, domain.v)) {
+            return None;
+        }
+        let place = Placed::new(&self.patch, u, v);
+        Some(self.foot_at(place.jet.s, &place))
+    }
+
+    fn foot_at(&self, p: Vec3, place: &Placed) -> Foot {
+        let Placed { u, v, jet } = *place;
+        let at = Some([u, v]);
         let normal = self.normal_at(u, v, &jet);
         let away = p - jet.s;
         let size = away.norm();
@@ -254,9 +295,9 @@ impl ParametricSurface {
             let side = if distance < 0.0 { -1.0 } else { 1.0 };
             let normal = away * (side / size);
             let shape = Shape { frame: frame_about(normal), k: [f64::INFINITY * side, 0.0, 0.0] };
-            return Foot { point: jet.s, normal, distance: side * size, shape };
+            return Foot { point: jet.s, normal, distance: side * size, shape, at };
         }
-        Foot { point: jet.s, normal, distance, shape: shape(&jet, normal) }
+        Foot { point: jet.s, normal, distance, shape: shape(&jet, normal), at }
     }
 
     fn normal_at(&self, u: f64, v: f64, jet: &Jet) -> Vec3 {
@@ -270,24 +311,38 @@ impl ParametricSurface {
         cross(jet).or_else(|| cross(&self.patch.jet(beside(u), beside(v)))).unwrap_or_else(Vec3::z)
     }
 
-    /// Parameters of the nearest point: Newton's method from the lowest samples.
-    fn nearest(&self, p: Vec3) -> Option<(f64, f64)> {
-        let seeds = match &self.patch {
+    /// Distance of the second nearest of the places into which the samples run downhill; infinite where all run into one.
+    pub fn rival(&self, p: Vec3) -> f64 {
+        let Some(nearest) = self.nearest(p) else { return f64::INFINITY };
+        let apart = SAME * self.extent;
+        let places = self.seeds(p).into_iter().flatten().map(|s| self.descend(p, s.u, s.v));
+        let others = places.filter(|(_, place)| (place.jet.s - nearest.jet.s).norm() > apart);
+        others.map(|(square, _)| square.sqrt()).fold(f64::INFINITY, f64::min)
+    }
+
+    fn seeds(&self, p: Vec3) -> [Option<Seed>; 2 * SEEDS] {
+        match &self.patch {
             Patch::Ruled(r) => {
                 let mut seeds = [None; 2 * SEEDS];
                 seeds[..SEEDS].copy_from_slice(&self.lowest_rulings(r, p));
                 seeds
             }
             Patch::Polyconic(_) | Patch::Sculptured(_) => self.lowest(p),
-        };
-        let mut best: Option<(f64, (f64, f64))> = None;
+        }
+    }
+
+    /// The nearest point: Newton's method from the lowest samples.
+    fn nearest(&self, p: Vec3) -> Option<Placed> {
+        let seeds = self.seeds(p);
+        let mut best: Option<(f64, Placed)> = None;
         for seed in seeds.into_iter().flatten() {
             // No place is nearer than its sample by more than the samples are apart.
-            if best.is_some_and(|b| seed.square.sqrt() - self.apart[seed.at] > b.0.sqrt()) {
+            if best.as_ref().is_some_and(|b| seed.square.sqrt() - self.apart[seed.at] > b.0.sqrt())
+            {
                 continue;
             }
             let (square, place) = self.descend(p, seed.u, seed.v);
-            if best.is_none_or(|b| square < b.0) {
+            if best.as_ref().is_none_or(|b| square < b.0) {
                 best = Some((square, place));
             }
         }
@@ -380,7 +435,7 @@ impl ParametricSurface {
 
     /// Newton's method for the nearest point, kept in the domain; steps that do not lower the distance are
     /// halved.
-    fn descend(&self, p: Vec3, u: f64, v: f64) -> (f64, (f64, f64)) {
+    fn descend(&self, p: Vec3, u: f64, v: f64) -> (f64, Placed) {
         let domain = self.patch.domain();
         let (mut u, mut v) = (u, v);
         let mut jet = self.patch.jet(u, v);
@@ -415,7 +470,7 @@ impl ParametricSurface {
                 break;
             }
         }
-        (square, (u, v))
+        (square, Placed { u, v, jet })
     }
 }
 
@@ -554,6 +609,12 @@ impl Patch {
             Self::Polyconic(p) => p.jet(u, v),
             Self::Sculptured(s) => s.jet(u, v),
         }
+    }
+}
+
+impl Placed {
+    fn new(patch: &Patch, u: f64, v: f64) -> Self {
+        Self { u, v, jet: patch.jet(u, v) }
     }
 }
 
