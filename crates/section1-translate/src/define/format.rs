@@ -216,8 +216,8 @@ impl Item {
             Self::PT => "pattern",
             Self::M => "matrix",
             Self::LC => "line|circle",
-            Self::SC => "SCURV",
-            Self::SS => "SSURF",
+            Self::SC => "sculptured curve",
+            Self::SS => "sculptured surface",
             Self::S | Self::AS => "surface",
             Self::Rest(text) | Self::Tail(text) => text,
         }
