@@ -75,7 +75,7 @@ mod tests {
     fn formats_and_reasons_stand_on_the_page() {
         let page = |word: &str| about(word).unwrap_or_default();
         assert!(page("line").contains("\nLINE/point,PARLEL,line\n"), "{}", page("line"));
-        assert!(page("POINT").contains("POINT/INTOF,SSURF,number,number\n"));
+        assert!(page("POINT").contains("POINT/INTOF,sculptured surface,number,number\n"));
         assert!(page("SCON").contains("SCON/AXIS,vector[,PLUS|MINUS]\n"), "{}", page("SCON"));
         assert!(page("VTLAXS").contains("VTLAXS/OFF,LEFT|RIGHT,number\n"));
         assert!(page("DMILL").contains("Refused: its processor was never published."));

@@ -21,6 +21,7 @@ fn forms() -> Forms {
     add("SP", "SPHERE", &[0.0, 0.0, -50.0, 50.0]);
     add("CY", "CYLNDR", &[10.0, 0.0, 0.0, 0.0, 1.0, 0.0, 3.0]);
     add("TILT", "PLANE", &[0.6, 0.0, 0.8, 6.0]);
+    add("LOW", "PLANE", &[0.0, 0.0, 1.0, -10.0]);
     f
 }
 
@@ -86,6 +87,25 @@ fn start_ups_to_one_two_and_three_surfaces() {
     both(&format!("{start}INDIRV/1,1,0\nOFFSET/LX,TO,PL2"), [7.0, -0.5, 2.0]);
     // A directed start stays on its vector.
     both(&format!("{start}INDIRV/1,1,0\nGO/TO,LX,TO,PL2"), [6.5, -0.5, 2.0]);
+}
+
+#[test]
+fn a_direction_guides_a_start_at_other_surfaces_from_the_middle_of_the_cutter() {
+    let start = "3DCALC\nCUTTER/1,0,.5,0,0,0,4\nINTOL/0\nOUTTOL/1E-12\n";
+    // The middle stands at 20,0,7 and the direction pierces the plane 11.6 / .48 farther on.
+    let pierced = 0.6 * 11.6 / 0.48;
+    // Missed, the sphere is 30.6.. away and the plane 30.
+    let y = 0.75 * (6500.0_f64.sqrt() - 50.0);
+    let out = 30.0 / trig::hypot(40.0, y);
+    for (text, end) in [
+        ("FROM/20,0,5\nINDIRV/-.8,.6,0\nGO/ON,TILT,TO,PL", [10.0, pierced, 0.0]),
+        ("FROM/20,0,5\nINDIRV/-.8,.6,0\nGO/TO,TILT,TO,PL", [10.5, pierced - 0.3, 0.0]),
+        ("FROM/40,0,20\nINDIRV/0,1,0\nGO/ON,SP,ON,LOW", [40.0 * out, y * out, -10.0]),
+    ] {
+        let ran = run(&forms(), &format!("{start}{text}")).clean();
+        let off = (ran.end() - Vec3::from(end)).norm();
+        assert!(off < 1e-6, "{text}: {:?} and not {end:?}", ran.end());
+    }
 }
 
 #[test]

@@ -302,11 +302,8 @@ impl Regional {
                 continue;
             }
             let on_line = if leg.extra { None } else { control.as_ref() };
-            let kind = if leg.extra && control.is_some() {
-                cl::MotionKind::Goto
-            } else {
-                cl::MotionKind::Continuous
-            };
+            let kind =
+                if on_line.is_some() { cl::MotionKind::Continuous } else { cl::MotionKind::Goto };
             let motion = cl::Motion {
                 kind,
                 name: cl::NameRef { name: name.name.clone(), subscript: name.subscript },

@@ -258,17 +258,16 @@ struct Solver<'a> {
 }
 
 impl Solver<'_> {
-    /// One direction for two surfaces of which one is a plane: the tool end stays in the plane through its
-    /// place that holds the direction and is as square as it can be to the line along which it could leave
-    /// both surfaces. Source: APT-360, `ASTRUP`.
+    /// One direction for an upright wall or cylinder and a plane: the tool end stays in the plane through its place
+    /// that holds the direction and is as square as it can be to the line along which it could leave both surfaces.
     fn guided(&self, home: Pose, from: Pose) -> Option<(Vec3, f64)> {
         let [a, b] = self.aims else { return None };
         let v = match (a.along, b.along) {
             (Some(v), None) | (None, Some(v)) => v,
             _ => return None,
         };
-        let plane = if b.keep.is_plane() { b } else { a };
-        if !plane.keep.is_plane() {
+        let (wall, plane) = if b.keep.is_plane() { (a, b) } else { (b, a) };
+        if !plane.keep.is_plane() || !wall.keep.is_upright(home.ta) {
             return None;
         }
         let gaps = self.gaps(&from, None).ok()?;
@@ -288,25 +287,33 @@ impl Solver<'_> {
         least(origin, pose.te, &rows)
     }
 
-    /// Where the directions given for the surfaces bring the tool: each pierces its surface.
+    /// Where the directions given for the surfaces bring the tool: each pierces its surface from the middle of the
+    /// cutter, and leaves room for its radius and the band. One that misses takes the tool along by three quarters of the
+    /// greatest gap. Source: what APT-360 does.
     fn approach(&self, pose: Pose) -> Pose {
         let mut te = pose.te;
         for aim in self.aims {
             let Some(v) = aim.along else { continue };
-            match aim.keep.surface.directed_distance(te, v, Fiop::Ahead) {
-                Ok(hit) => {
-                    let by = if aim.wall.on { 0.0 } else { aim.keep.profile.widest() };
-                    let by = if aim.relation == Relation::Past { by } else { -by };
-                    te = hit.point + v * by;
-                }
-                Err(_) => {
-                    // As far as the farthest of the surfaces is.
-                    let far = |a: &Aim<'_>| a.keep.surface.distance(te).abs();
-                    te += v * self.aims.iter().map(far).fold(0.0, f64::max);
-                }
-            }
+            let keep = &aim.keep;
+            let middle = te + pose.ta * (0.5 * keep.profile.height());
+            te += v * match keep.surface.directed_distance(middle, v, Fiop::Ahead) {
+                Ok(hit) if aim.wall.on => hit.distance - keep.width(),
+                Ok(hit) => hit.distance - keep.profile.widest() - keep.width(),
+                Err(_) => 0.75 * self.farthest(&Pose { te, ..pose }),
+            };
         }
         Pose { te, ..pose }
+    }
+
+    /// The greatest gap of the surfaces.
+    fn farthest(&self, pose: &Pose) -> f64 {
+        match self.gaps(pose, None) {
+            Ok(gaps) => gaps.iter().map(|g| g.g.abs()).fold(0.0, f64::max),
+            Err(_) => {
+                let far = |a: &Aim<'_>| a.keep.surface.distance(pose.te).abs();
+                self.aims.iter().map(far).fold(0.0, f64::max)
+            }
+        }
     }
 
     /// The position from a start on one of the planes: from above a wall that leans or ends the way there is not
