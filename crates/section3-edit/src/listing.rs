@@ -210,4 +210,22 @@ mod tests {
         assert_eq!(print(Listing::before_editing(), program()).lines().count(), 3);
         assert_eq!(print(Listing::whole(), program()).lines().count(), 8);
     }
+
+    #[test]
+    fn arguments_stand_as_they_were_written() {
+        let center = Vec3::new(1.0, 2.0, 0.0);
+        let circle = aptc_geometry::Circle { center, axis: Vec3::z(), radius: 3.5 };
+        let name = |name: &str, subscript| NameRef { name: name.into(), subscript };
+        let args = vec![
+            Arg::Number(-2.5),
+            Arg::Word("ON".into()),
+            Arg::Text("DEEP".into()),
+            Arg::Form { name: name("C", 4), form: aptc_geometry::Form::Circle(circle).into() },
+        ];
+        let kind = Kind::Post { word: "PPWORD".into(), args };
+        let mut text = String::new();
+        Listing::whole().push(&Record { kind, ..Record::default() }, &mut text);
+        let shown = "PPWORD   -2.5,ON,'DEEP',C(4) CIRCLE(1,2,0,0,0,1,3.5)\n";
+        assert!(text.ends_with(shown), "{text}");
+    }
 }
