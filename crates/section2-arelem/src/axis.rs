@@ -165,7 +165,8 @@ fn ruling(gap: &Gap, keep: &Keep, around: &Around<'_>) -> Option<Vec3> {
     let ruling =
         |p: Vec3| keep.surface.ruling(p).map(|r| if r.dot(&around.ta) < 0.0 { -r } else { r });
     if keep.condition == Condition::On || !matches!(keep.surface, Surface::Parametric(_)) {
-        return ruling(gap.surface_point);
+        // A flank that reaches beyond the vertex of a cone may touch there, where all rulings meet.
+        return ruling(gap.surface_point).or_else(|| ruling(around.te));
     }
     let [_, [_, upper]] = keep.profile.joints();
     let below = ruling(around.te)?;
