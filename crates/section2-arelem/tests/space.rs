@@ -271,25 +271,38 @@ fn a_tool_off_the_drive_surface_is_refused_with_the_amount() {
 }
 
 #[test]
-fn one_direction_for_two_surfaces_is_kept() {
+fn one_direction_for_an_upright_cylinder_and_a_plane_is_kept() {
     let mut f = support::Forms::new();
     let mut add = |name: &str, kind: &str, w: &[f64]| {
         f.insert(name.into(), form(kind, w).expect("a legal form"));
     };
     add("PL", "PLANE", &[0.0, 0.0, 1.0, 0.0]);
+    add("CY", "CYLNDR", &[20.0, 0.0, 0.0, 0.0, 0.0, 1.0, 6.0]);
     add("SP", "SPHERE", &[20.0, 0.0, 0.0, 6.0]);
-    for vector in ["1,-.1,0", "1,.05,0", "1,-.3,0"] {
+    let start = |vector: &str, surface: &str| {
         let text = format!(
-            "CUTTER/2,1\nINTOL/0\nOUTTOL/.001\nFROM/0,2,4\nINDIRV/{vector}\nGO/TO,SP,TO,PL"
+            "CUTTER/2,1\nINTOL/0\nOUTTOL/.001\nFROM/0,2,4\nINDIRV/{vector}\nGO/TO,{surface},TO,PL"
         );
-        let end = run(&f, &text).clean().end();
-        let c = end + Vec3::z() - Vec3::new(20.0, 0.0, 0.0);
+        run(&f, &text).clean().end()
+    };
+    for vector in ["1,-.1,0", "1,.05,0", "1,-.3,0"] {
+        let end = start(vector, "CY");
+        let c = end - Vec3::new(20.0, 0.0, 0.0);
         assert!((c.norm() - 7.0).abs() < 1.1e-3 && end.z.abs() < 1e-9, "{end}");
         // In plan the tool goes exactly where the vector points.
         let v: Vec<f64> = vector.split(',').map(|x| x.parse().expect("a number")).collect();
         let off = end.x * v[1] - (end.y - 2.0) * v[0];
         assert!(off.abs() < 1e-9, "{end}");
         assert!(end.x < 20.0);
+    }
+    // A sphere is come to from where the direction leads first. Source: what APT-360 computes.
+    for (vector, x, y) in [
+        ("1,-.1,0", 13.105_275, 0.689_472),
+        ("1,.05,0", 13.291_158, 1.733_216),
+        ("1,-.3,0", 13.101_353, -0.649_049),
+    ] {
+        let end = start(vector, "SP");
+        assert!((end - Vec3::new(x, y, 0.0)).norm() < 3e-4, "{end}");
     }
 }
 

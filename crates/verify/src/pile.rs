@@ -18,6 +18,15 @@ impl<T, const N: usize> Pile<T, N> {
         self.0.try_push(entry).is_ok()
     }
 
+    /// Takes the entry with the greatest key, the first of equal ones.
+    pub(crate) fn pop_greatest(&mut self, key: impl Fn(&T) -> f64) -> Option<T> {
+        let greater = |best: usize, i: usize| {
+            if key(&self.0[i]).total_cmp(&key(&self.0[best])).is_gt() { i } else { best }
+        };
+        let greatest = (0..self.0.len()).reduce(greater)?;
+        self.0.swap_pop(greatest)
+    }
+
     /// Takes the top entry.
     #[inline]
     pub(crate) fn pop(&mut self) -> Option<T> {

@@ -140,11 +140,17 @@ pub(crate) fn excess(
         None => *near = Some([first.spot, last.spot]),
     }
     let mut worst = f64::NEG_INFINITY;
-    let mut stack = Pile::<(Touch, Touch, u32), 64>::new();
-    stack.push((first, last, 0));
-    let (mut seen, mut beyond) = (0, 0);
-    while let Some((a, b, depth)) = stack.pop() {
+    let stretch = |a: Touch, b: Touch, depth| {
         let bound = between(tool, sheet, &a, &b, turn);
+        (a, b, depth, bound)
+    };
+    let mut stack = Pile::<(Touch, Touch, u32, f64), 96>::new();
+    stack.push(stretch(first, last, 0));
+    let (mut seen, mut beyond) = (0, 0);
+    loop {
+        // Where it is known to be too far somewhere, the most is looked for.
+        let next = if top.is_some() { stack.pop_greatest(|s| s.3) } else { stack.pop() };
+        let Some((a, b, depth, bound)) = next else { break };
         if bound <= top.map_or(most, |(_, gap)| gap + CLOSE * (gap - most)) {
             worst = worst.max(bound);
             continue;
@@ -167,8 +173,8 @@ pub(crate) fn excess(
         if middle.gap > most && top.is_none() {
             return Excess::Open(t, middle.gap);
         }
-        let room = stack.push((middle, b, depth + 1));
-        if !(room && stack.push((a, middle, depth + 1))) && top.is_none() {
+        let room = stack.push(stretch(middle, b, depth + 1));
+        if !(room && stack.push(stretch(a, middle, depth + 1))) && top.is_none() {
             return Excess::Open(t, bound);
         }
     }
