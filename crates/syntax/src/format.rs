@@ -155,7 +155,12 @@ fn compose(text: &str, options: &FormatOptions, meanings: &[Meaning], kept: &[bo
         };
         let label = lexer.statement(&flat).label;
         let pieces = &scanner.pieces;
-        if untouched {
+        // A text that goes on in the next card ends there, and what stands behind it is no comment.
+        let divided = tokens.iter().any(|(token, span)| {
+            matches!(token, Token::Text(_))
+                && text[span.start as usize..span.end as usize].contains('\n')
+        });
+        if untouched || divided {
             replaced.extend(pieces.iter().map(|(card, _)| (card.line, layout::Lines::Untouched)));
         } else if let (Some(fixed), [(card, _)]) = (scanned.fixed, &pieces[..]) {
             replaced.insert(card.line, layout::Lines::Fixed(fixed.word));

@@ -91,6 +91,12 @@ fn identification_goes_or_stays() {
 }
 
 #[test]
+fn a_text_that_goes_on_in_the_next_card_stays() {
+    let text = "GOTO/'$GOTO\n'$$\n";
+    assert_eq!(formatted(text), text);
+}
+
+#[test]
 fn long_lines_are_divided_behind_commas() {
     let long = format!("tp=tabcyl/noz,spline{}", ",1.25".repeat(10));
     assert_eq!(long.len(), 70);
