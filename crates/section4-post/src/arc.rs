@@ -162,11 +162,13 @@ impl Post {
             );
             self.warn(codes::ARC_OFF_CIRCLE, origin, message, "check the centre and the end");
         }
+        self.st.rounding = true;
         for i in 1..n {
             let part = f64::from(i) / f64::from(n);
             self.go_to(round(part) + off * part, last.ta, rapid, origin);
         }
         self.go_to(end, last.ta, rapid, origin);
+        self.st.rounding = false;
     }
 
     /// The motion as a turn in a plane of the control, and the index of a point to which a line leads first.

@@ -159,7 +159,9 @@ impl Post {
             let p = self.at_rest(p);
             [joints[0] - p.x, joints[1] - p.y, joints[2] - p.z]
         });
+        // A piece of an arc is so short that its axes may come to its end as they like.
         let split = path == RapidPath::Split
+            && !self.st.rounding
             && still
             && way.is_none_or(|d| {
                 let r = self.blocks.number(b'Z').resolution();

@@ -85,6 +85,8 @@ pub(crate) struct State {
     pub(crate) centered: bool,
     /// The machine is retracted and not at `pos`.
     pub(crate) away: bool,
+    /// The motion is a piece of an arc that is gone around in lines.
+    pub(crate) rounding: bool,
     /// RAPID is pending.
     pub(crate) rapid: bool,
     pub(crate) feed: Option<Feedrate>,
@@ -164,6 +166,7 @@ impl State {
             placed: None,
             centered: false,
             away: false,
+            rounding: false,
             rapid: false,
             feed: None,
             feed_word: None,

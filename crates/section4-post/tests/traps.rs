@@ -98,8 +98,11 @@ fn r_arcs_stay_away_from_half_a_turn() {
 /// Reading back refuses the straight way to the end, which crosses what the arc goes around.
 #[test]
 fn at_rapid_an_arc_is_gone_around() {
-    let text = format!("{HEAD}GOTO/20,0,0\nRAPID\nARC/0,0,0,0,0,1,20,180\nGOTO/-20,0,0\nFINI");
-    for machine in machines().filter(|m| m.kind == MachineKind::Mill && m.dialect != Dialect::Apt) {
+    let mills = machines().filter(|m| m.kind == MachineKind::Mill && m.dialect != Dialect::Apt);
+    // In a plane, and as a helix, whose pieces move the tool axis too.
+    for (machine, z) in mills.flat_map(|m| [(m, 0), (m, -6)]) {
+        let text =
+            format!("{HEAD}GOTO/20,0,0\nRAPID\nARC/0,0,0,0,0,1,20,180\nGOTO/-20,0,{z}\nFINI");
         let (nc, posted) = post_all(machine, PostOptions::default(), &records(&text));
         let wrong = posted.diagnostics.iter().find(|d| d.is_error());
         assert!(wrong.is_none(), "{}: {wrong:?}\n{nc}", machine.name);
