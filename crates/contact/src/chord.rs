@@ -84,11 +84,10 @@ pub fn chord(
             None => run.mixed(a, b, resolution),
         };
     }
+    let bow = b.slope - a.slope;
     if let Surface::Plane(_) = surface {
-        let bow = b.slope - a.slope;
         return Ok(Chord { low: extreme(&ends[0]), high: extreme(&ends[1]), bow, proved: true });
     }
-    let bow = b.slope - a.slope;
     let known = [&a.gap, &b.gap];
     if let Some(inner) = centred::extreme(tool, run.v, surface, condition, side, known) {
         let (low, high) = match side {

@@ -34,7 +34,7 @@ fn published_sagitta() {
 }
 
 proptest! {
-    #![proptest_config(support::fixed(300))]
+    #![proptest_config(support::cases(300))]
 
     #[test]
     fn bounds_hold_and_are_tight(

@@ -93,7 +93,7 @@ fn check(
 }
 
 proptest! {
-    #![proptest_config(support::fixed(300))]
+    #![proptest_config(support::cases(300))]
 
     #[test]
     fn closed_forms_agree_with_brute_force(

@@ -374,10 +374,15 @@ impl Spin {
 
 /// Angle of `R(d, x) u = v`; `from` when `u` lies along `d`.
 fn one_turn(d: Vec3, u: Vec3, v: Vec3, from: f64, singular: f64) -> Result<f64, NoSolution> {
-    if (d.dot(&u) - d.dot(&v)).abs() > UPRIGHT {
+    if (between(d, u) - between(d, v)).abs() > UPRIGHT {
         return Err(NoSolution::Direction);
     }
     Ok(angle_between(d, u, v, singular).unwrap_or(from))
+}
+
+/// Angle between two directions, radians, exact where cosines are not: next to 0 and half a turn.
+fn between(a: Vec3, b: Vec3) -> f64 {
+    trig::atan2(a.cross(&b).norm(), a.dot(&b))
 }
 
 /// Angle about `d` from `u` to `v`, seen across `d`; `None` when one of them lies within `singular` of `d`.
@@ -400,6 +405,12 @@ fn two_turns(
     singular: f64,
 ) -> Result<[Option<[f64; 2]>; 2], NoSolution> {
     // The vector w = R(d2, y) u = R(d1, -x) v lies in the plane of d1 and d2 and on both sides of it.
+    // They meet where three angles make a spherical triangle; by how much they miss is the lean that would be left.
+    let (alpha, beta, gamma) = (between(d1, v), between(d2, u), between(d1, d2));
+    let short = (gamma - alpha - beta).max((alpha - beta).abs() - gamma);
+    if short.max(alpha + beta + gamma - TAU) > UPRIGHT {
+        return Err(NoSolution::Direction);
+    }
     let cos = d1.dot(&d2);
     let (p, q) = (v.dot(&d1), u.dot(&d2));
     let det = 1.0 - cos * cos;
@@ -407,12 +418,9 @@ fn two_turns(
         return Err(NoSolution::Direction);
     }
     let (a, b) = ((p - cos * q) / det, (q - cos * p) / det);
+    // At the border both solutions are one.
     let rest = 1.0 - (a * a + b * b + 2.0 * a * b * cos);
     let normal = d1.cross(&d2);
-    // At the border both solutions are one; beyond it by rounding only, the border is meant.
-    if rest < -UPRIGHT {
-        return Err(NoSolution::Direction);
-    }
     let c = (rest.max(0.0) / det).sqrt();
     let base = d1 * a + d2 * b;
     let solve = |w: Vec3| {
@@ -479,6 +487,23 @@ mod tests {
         assert_eq!(m.angles(Vec3::zeros(), -Vec3::z(), [0.0; 2]), Err(NoSolution::Limits));
         let one = chain(vec![tilt], false);
         assert_eq!(one.angles(Vec3::zeros(), Vec3::x(), [0.0; 2]), Err(NoSolution::Direction));
+    }
+
+    #[test]
+    fn a_lean_across_what_the_machine_can_turn_is_refused_however_small() {
+        let turn = |d| turn(Carries::Part, d, Vec3::zeros());
+        let one = chain(vec![turn(Vec3::z())], false);
+        let two = chain(vec![turn(Vec3::z()), turn(Vec3::y())], false);
+        for lean in [1e-5, 9e-4, 0.1] {
+            let across = Vec3::new(0.0, lean, 1.0).normalize();
+            let along = Vec3::new(lean, 0.0, 1.0).normalize();
+            for m in [&one, &two] {
+                assert_eq!(m.angles(Vec3::zeros(), across, [0.0; 2]), Err(NoSolution::Direction));
+            }
+            let [a, c] = two.angles(Vec3::zeros(), along, [0.0; 2]).unwrap();
+            let (_, axis) = two.forward(&[0.0, 0.0, 0.0, a, c]);
+            assert!((axis - along).norm() < 1e-9, "{a} {c}");
+        }
     }
 
     #[test]

@@ -70,7 +70,7 @@ fn rare(limit: f64) -> Result<(), TestCaseError> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { rng_seed: proptest::test_runner::RngSeed::Fixed(1961), ..ProptestConfig::with_cases(192) })]
+    #![proptest_config(ProptestConfig::with_cases(192))]
     /// The bounds of a vector hold what the nearest points of the surface, found another way, say.
     #[test]
     fn bounds_hold_what_sampling_finds(

@@ -149,7 +149,8 @@ impl Demand {
                 continue;
             }
             let (deep, far) = (bound.least < least, bound.high > most);
-            for (_, t) in [(deep, bound.low_at), (far, bound.high_at)].into_iter().filter(|p| p.0) {
+            let suspects = [deep.then_some(bound.low_at), far.then_some(bound.high_at)];
+            for t in suspects.into_iter().flatten() {
                 let place = between_poses(&p, &q, t);
                 let gap = self.gap(&tool, &place, convex);
                 let depth = (least - gap).max(gap - most);
@@ -408,7 +409,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig { rng_seed: proptest::test_runner::RngSeed::Fixed(1961), ..ProptestConfig::with_cases(48) })]
+        #![proptest_config(ProptestConfig::with_cases(48))]
         #[test]
         fn bounds_hold_what_sampling_finds(
             te in prop::array::uniform3(-6.0..6.0_f64), v in prop::array::uniform3(-3.0..3.0_f64),

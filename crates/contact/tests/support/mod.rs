@@ -6,17 +6,11 @@ use aptc_geometry::{
     Vec3, trig,
 };
 use proptest::prelude::*;
-use proptest::test_runner::RngSeed;
 use std::sync::Arc;
 
-/// The same cases at every run; other seeds are for the search for counterexamples.
-pub(crate) fn fixed(cases: u32) -> ProptestConfig {
-    ProptestConfig {
-        cases,
-        rng_seed: RngSeed::Fixed(7),
-        failure_persistence: None,
-        ..ProptestConfig::default()
-    }
+/// So many cases, of which no file is left.
+pub(crate) fn cases(cases: u32) -> ProptestConfig {
+    ProptestConfig { cases, failure_persistence: None, ..ProptestConfig::default() }
 }
 
 /// Cutters of all shapes, about 4 to 12 wide.
