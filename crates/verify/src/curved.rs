@@ -3,13 +3,14 @@
 use aptc_cldata::Position;
 use aptc_geometry::Vec3;
 
+use crate::deep::deepest;
 use crate::demand::{Verdict, angle, between_poses, bulge};
 use crate::pile::Pile;
 use crate::search::{Aim, Moved, clearance, clearance_from};
 use crate::sheet::{Sheet, Spot};
 use crate::sweep::Sweep;
 use crate::tool::{Pose, Tool, carry};
-use crate::witness::{Excess, deepest, descend, excess};
+use crate::witness::{Excess, descend, excess};
 
 /// Halvings of a vector whose axis turns.
 const DEPTH: u32 = 22;
@@ -143,6 +144,8 @@ impl Curved<'_> {
         // A tool without thickness would pass through the surface without holding any of its points: the
         // surface is moved farther back, and the tool stays farther away from it.
         let thin = if tool.is_thin() { self.back(least, pad) } else { 0.0 };
+        // Both the surface farther back and the distance from it are rounded.
+        let enough = if tool.is_thin() { thin - 2.0 * pad } else { -pad };
         let moved = Moved { sheet: self.sheet, side, shift: least - thin };
         let mut low = f64::INFINITY;
         let mut open = (0.0, 0.0);
@@ -154,19 +157,19 @@ impl Curved<'_> {
             let bend = turn * (t1 - t0);
             let sweep = Sweep::new(tool, pose(t0), pose(t1), bend);
             let turned = sweep.pad + 0.25 * sweep.turn * (sweep.b.te - sweep.a.te).norm();
-            let found = clearance_from(&sweep, &moved, thin - pad, Aim::Clear, &mut warm.direction);
+            let found = clearance_from(&sweep, &moved, enough, Aim::Clear, &mut warm.direction);
             let shown = found.least - thin;
-            if found.least >= thin - pad {
+            if found.least >= enough {
                 low = low.min(least + shown);
                 continue;
             }
             if let Some((distance, t, spot)) = found.nearest
-                && distance < thin - pad
+                && distance < enough
             {
                 let t = t0 + t * (t1 - t0);
                 let pose = pose(t);
                 let distance = tool.near(&pose, moved.place(&spot)).0;
-                let gap = if distance < thin - pad {
+                let gap = if distance < enough {
                     self.confirm(tool, side, least, &pose, &spot, distance - thin, pad)
                 } else {
                     None
@@ -174,7 +177,7 @@ impl Curved<'_> {
                 match gap {
                     Some(gap) => return Half::Broken(t, gap),
                     // On its chord it is too near, on its way it is not.
-                    None if distance >= thin - pad && sweep.turn > 0.0 && depth < DEPTH => {}
+                    None if distance >= enough && sweep.turn > 0.0 && depth < DEPTH => {}
                     None => {
                         open = widest(open, (t, thin - distance));
                         continue;
@@ -377,8 +380,10 @@ impl Curved<'_> {
         cut: bool,
         found: Excess,
     ) -> Half {
+        // A tool without thickness may lie behind the surface, within the band: its distance has no sign.
         if let Excess::Beyond(t, gap) = found
             && self.most >= 0.0
+            && !tool.is_thin()
         {
             return Half::Broken(t, gap);
         }

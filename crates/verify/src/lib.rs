@@ -8,6 +8,7 @@ mod batch;
 mod bound;
 mod certificate;
 mod curved;
+mod deep;
 mod demand;
 mod deviation;
 mod foreign;

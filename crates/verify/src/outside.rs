@@ -59,8 +59,9 @@ fn along_axis(
     slope: f64,
     least: f64,
 ) -> (f64, Vec3, f64) {
-    /// Slope at which the value is right to the last digit.
+    /// Slope at which the value is right to the last digit, and rounds: the bracket halves down to rounding in them.
     const LEVEL: f64 = 1e-11;
+    const ROUNDS: u32 = 120;
     let middle = (pose.te + pose.ta * tool.shoulder() - q).dot(&t);
     let mut s = middle.max(least);
     let (d, n) = tool.near(pose, q + s * t);
@@ -71,27 +72,29 @@ fn along_axis(
     let far = 2.0 * ((pose.te - q).norm() + tool.reach()) / (1.0 - slope).max(0.05);
     let (mut a, mut b) = ((middle - far).max(least), (middle + far).max(least));
     let mut best = (f64::INFINITY, -pose.ta, s, f64::INFINITY);
-    let (mut steep, mut slow) = (f64::INFINITY, 0);
+    // The slope two rounds before; halvings that are due, and how many the next time.
+    let (mut steep, mut halve, mut halves) = ([f64::INFINITY; 2], 0, 1);
     for _ in 0..ROUNDS {
         let (d, n, change) = tool.bent(pose, q + s * t);
         let (value, rise) = (d - s * slope, n.dot(&t) - slope);
         if value < best.0 || (value <= best.0 && rise.abs() < best.3) {
             best = (value, n, s, rise.abs());
         }
-        if rise.abs() <= LEVEL || b - a <= 1e-16 * (a.abs() + b.abs()) {
+        if rise.abs() <= LEVEL || b - a <= 2e-16 * (a.abs() + b.abs()) {
             break;
         }
         *(if rise < 0.0 { &mut a } else { &mut b }) = s;
         let newton = s - rise / change.along(t, t);
-        // About an edge of the tool the slope jumps.
-        slow = if rise.abs() > 0.5 * steep { slow + 1 } else { 0 };
-        steep = rise.abs();
-        s = if slow > 1 || !(a..=b).contains(&newton) {
-            slow = 0;
-            0.5 * (a + b)
-        } else {
-            newton
-        };
+        // About an edge of the tool the slope jumps, and the steps would go to and fro across it for ever.
+        if halve == 0 && (rise.abs() > 0.5 * steep[0] || !(a..=b).contains(&newton)) {
+            (halve, halves) = (halves, 2 * halves);
+        }
+        steep = [steep[1], rise.abs()];
+        s = newton;
+        if halve > 0 {
+            halve -= 1;
+            s = 0.5 * (a + b);
+        }
     }
     (best.0, best.1, best.2)
 }
@@ -233,4 +236,37 @@ pub(crate) fn bound_turning(
     let (least, low_at) = if first.0 <= last.0 { (first.0, 0.0) } else { (last.0, 1.0) };
     let high_at = if first.0 >= last.0 { 0.0 } else { 1.0 };
     Bound { low, high, low_at, high_at, least }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use aptc_geometry::{Cutter, Profile, trig};
+
+    /// A leaning tool touches a rod with its flank, an edge or its top: the search over the rod's axis crosses edges.
+    #[test]
+    fn beside_rods_and_nappes_nothing_of_their_axes_is_nearer_than_what_is_found() {
+        for (d, r) in [(4.36, 2.18), (6.0, 0.0), (5.0, 1.0)] {
+            let profile = Profile::new(&Cutter::mill(d, r, 20.0)).unwrap();
+            let tool = Tool::Solid(&profile);
+            for i in 0..400_i32 {
+                let (f, lean) = (f64::from(i), 0.1 * f64::from(i % 160));
+                let (s, c) = trig::sin_cos(lean.to_radians());
+                let (u, w) = trig::sin_cos(f);
+                let ta = Vec3::new(s * u, s * w, c);
+                let te = Vec3::new(31.0, 6.0 * trig::sin(1.7 * f), 4.4);
+                let pose = Pose { te, ta };
+                for slope in [0.0, 0.3] {
+                    let least = if slope > 0.0 { 0.0 } else { f64::NEG_INFINITY };
+                    let t = Vec3::z();
+                    let (found, ..) = along_axis(&tool, &pose, Vec3::zeros(), t, slope, least);
+                    let at = |s: f64| tool.near(&pose, s * t).0 - s * slope;
+                    let sampled =
+                        (0..4000).map(|k| at(0.02 * f64::from(k))).fold(f64::MAX, f64::min);
+                    assert!(found <= sampled + 1e-12, "{i} {lean} {slope}: {found} {sampled}");
+                    assert!(found >= sampled - 0.02, "{i} {lean} {slope}: {found} {sampled}");
+                }
+            }
+        }
+    }
 }

@@ -6,8 +6,9 @@
 
 use std::cell::Cell;
 
-use aptc_geometry::{Vec3, trig};
+use aptc_geometry::Vec3;
 
+use crate::deep::slide;
 use crate::demand::parabola;
 use crate::pile::Pile;
 use crate::search::{Aim, Clearance, Moved, clearance};
@@ -222,117 +223,6 @@ fn meet(
         now = next;
     }
     now
-}
-
-/// A point of the tool with its signed distance from the surface and the place that is nearest to it.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Deep {
-    pub(crate) gap: f64,
-    pub(crate) p: Vec3,
-    pub(crate) spot: Spot,
-}
-
-/// The signed distance of a point from the surface, by the place that is found from `spot` on.
-fn depth(sheet: &Sheet, side: f64, p: Vec3, spot: Spot) -> Deep {
-    let (far, spot, q) = descend(&Tool::End, &Pose { te: p, ta: Vec3::z() }, sheet, spot);
-    let gap = far.copysign(side * (p - q).dot(&sheet.jet(&spot).n));
-    Deep { gap, p, spot }
-}
-
-/// The point of the tool that is deepest in the surface, as found from `spot` on; where it is not as deep as `most`,
-/// all around the axis.
-pub(crate) fn deepest(
-    tool: &Tool<'_>,
-    pose: &Pose,
-    sheet: &Sheet,
-    side: f64,
-    spot: Spot,
-    most: f64,
-) -> Deep {
-    /// Rounds from a point of the tool to the normal below it and back.
-    const ROUNDS: u32 = 12;
-    /// Places around the axis.
-    const AROUND: u32 = 16;
-    // Against a face many points are as far along the normal; then the one next to the place.
-    let below = |spot: Spot| {
-        let jet = sheet.jet(&spot);
-        let (f, m) = tool.near(pose, jet.p);
-        let far = depth(sheet, side, tool.farthest(pose, jet.n * -side), spot);
-        let near = depth(sheet, side, jet.p - m * f, spot);
-        if near.gap < far.gap { near } else { far }
-    };
-    let down = |mut best: Deep| {
-        for _ in 0..ROUNDS {
-            let mut next = below(best.spot);
-            if next.gap >= best.gap
-                && let Some(slid) = slide(pose, sheet, side, best.p, best.spot)
-            {
-                next = slid;
-            }
-            if next.gap >= best.gap {
-                break;
-            }
-            best = next;
-        }
-        best
-    };
-    let first = down(below(spot));
-    if first.gap <= most {
-        return first;
-    }
-    let up = pose.ta * (first.p - pose.te).dot(&pose.ta);
-    let out = first.p - pose.te - up;
-    let across = pose.ta.cross(&out);
-    let around = (1..AROUND).map(|k| {
-        let (s, c) = trig::sin_cos(std::f64::consts::TAU * f64::from(k) / f64::from(AROUND));
-        depth(sheet, side, pose.te + up + out * c + across * s, first.spot)
-    });
-    let other = around.reduce(|a, b| if b.gap < a.gap { b } else { a });
-    other.map(down).filter(|o| o.gap < first.gap).unwrap_or(first)
-}
-
-/// The deepest point on the ring that the tool's point `p` makes about the axis. Along a sharp edge the distance has
-/// a narrow and bent valley, in which a descent over the surface comes to a halt; over the angle about the
-/// axis it is smooth. `None` where there is no ring, or no deeper point on it.
-fn slide(pose: &Pose, sheet: &Sheet, side: f64, p: Vec3, spot: Spot) -> Option<Deep> {
-    /// Steps along the ring, the longest of them and that over which the slope is taken again, in radians.
-    const STEPS: u32 = 16;
-    const LONGEST: f64 = 0.4;
-    const DIFFERENCE: f64 = 1e-5;
-    let middle = pose.te + pose.ta * (p - pose.te).dot(&pose.ta);
-    let out = p - middle;
-    if out.norm() <= 1e-9 * (p - pose.te).norm() {
-        return None;
-    }
-    let across = pose.ta.cross(&out);
-    let look = |angle: f64, spot: Spot| {
-        let (s, c) = trig::sin_cos(angle);
-        let deep = depth(sheet, side, middle + out * c + across * s, spot);
-        (deep, side * sheet.jet(&deep.spot).n.dot(&(across * c - out * s)))
-    };
-    let (mut angle, mut now) = (0.0, look(0.0, spot));
-    let mut moved = false;
-    for _ in 0..STEPS {
-        let bend = (look(angle + DIFFERENCE, now.0.spot).1 - now.1) / DIFFERENCE;
-        let straight = if bend > 0.0 { -now.1 / bend } else { -LONGEST.copysign(now.1) };
-        let mut step = straight.clamp(-LONGEST, LONGEST);
-        let mut next = look(angle + step, now.0.spot);
-        for _ in 0..6 {
-            if next.0.gap < now.0.gap {
-                break;
-            }
-            step *= 0.25;
-            next = look(angle + step, now.0.spot);
-        }
-        if next.0.gap >= now.0.gap {
-            break;
-        }
-        (now, angle, moved) = (next, angle + step, true);
-        if step.abs() <= DIFFERENCE {
-            break;
-        }
-    }
-    moved.then_some(now.0)
 }
 
 /// The place of the surface nearest to the tool, going down from `spot`: distance, place, point. Newton's
