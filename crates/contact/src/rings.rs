@@ -63,29 +63,27 @@ pub(crate) fn within(tool: &Tool<'_>, foot: impl Fn(Vec3) -> Foot) -> Result<Gap
 }
 
 /// As [`within`], and a gap (before THICK) below which no other place of the tool is: one that is `apart` from the
-/// nearest.
+/// nearest. Every sample counts, for where a dip becomes two there is no second one before.
 pub(crate) fn with_rival(
     tool: &Tool<'_>,
     foot: impl Fn(Vec3) -> Foot,
     apart: f64,
 ) -> Result<(Gap, f64), Reason> {
-    let (gap, dips) = nearest(tool, foot)?;
-    let others = dips.iter().flatten().filter(|d| (d.0 - gap.tool_point).norm() > apart);
+    let (gap, seen) = nearest(tool, foot)?;
+    let others = seen.iter().flatten().flatten();
+    let others = others.filter(|d| (d.0 - gap.tool_point).norm() > apart);
     Ok((gap, others.map(|d| d.1).fold(f64::INFINITY, f64::min)))
 }
 
-/// The dips of the distance on the circles: a point of the tool and a gap that is not greater than the one there.
-type Dips = [Option<(Vec3, f64)>; DIPS];
+/// The samples of the circles: a point of the tool and a gap that is not greater than the one there.
+type Seen = [Option<[(Vec3, f64); 16]>; 5];
 
-/// Two dips on each circle; more are samples of a circle about the wall's own axis, all alike.
-const DIPS: usize = 16;
-
-fn nearest(tool: &Tool<'_>, foot: impl Fn(Vec3) -> Foot) -> Result<(Gap, Dips), Reason> {
+fn nearest(tool: &Tool<'_>, foot: impl Fn(Vec3) -> Foot) -> Result<(Gap, Seen), Reason> {
     let [a, b] = frame_about(tool.ta);
     let mut best: Option<Gap> = None;
-    let mut dips: Dips = [None; DIPS];
-    let mut seen = 0;
-    for ring in rings(tool.profile).iter().flatten() {
+    let mut seen: Seen = [None; 5];
+    for (slot, ring) in seen.iter_mut().zip(rings(tool.profile)) {
+        let Some(ring) = &ring else { continue };
         let center = tool.te + tool.ta * ring.z;
         let at = |out: Vec3| {
             let foot = foot(center + out * ring.rho);
@@ -116,6 +114,8 @@ fn nearest(tool: &Tool<'_>, foot: impl Fn(Vec3) -> Foot) -> Result<(Gap, Dips), 
             continue;
         }
         let all: [At; 16] = std::array::from_fn(|k| at(a * COS16[k] + b * COS16[(k + 12) % 16]));
+        let point = |at: &At| center + at.out * ring.rho + at.foot.normal * ring.r;
+        let samples = slot.insert(std::array::from_fn(|i| (point(&all[i]), all[i].value - ring.r)));
         let mut least = f64::INFINITY;
         for i in 0..16 {
             let (before, here, after) = (&all[(i + 15) % 16], &all[i], &all[(i + 1) % 16]);
@@ -125,19 +125,15 @@ fn nearest(tool: &Tool<'_>, foot: impl Fn(Vec3) -> Foot) -> Result<(Gap, Dips), 
             // No dip is deeper below its sample than this.
             let depth = (before.value - here.value).max(after.value - here.value);
             let bound = here.value - depth - ring.r;
-            let mut dip = (center + here.out * ring.rho + here.foot.normal * ring.r, bound);
+            samples[i].1 = bound;
             if bound <= least {
                 let lowest = descend(tool, ring, &at, *here);
                 least = least.min(offer(&lowest));
-                let point = center + lowest.out * ring.rho + lowest.foot.normal * ring.r;
-                dip = (point, lowest.value - ring.r);
-            }
-            if let Some(slot) = dips.get_mut(seen) {
-                (*slot, seen) = (Some(dip), seen + 1);
+                samples[i] = (point(&lowest), lowest.value - ring.r);
             }
         }
     }
-    best.map(|gap| (gap, dips)).ok_or(Reason::NoHit)
+    best.map(|gap| (gap, seen)).ok_or(Reason::NoHit)
 }
 
 /// Newton's method downhill on a circle, with steps no longer than the sampling.
@@ -165,4 +161,37 @@ fn descend(tool: &Tool<'_>, ring: &Ring, place: &impl Fn(Vec3) -> At, start: At)
         }
     }
     at
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use aptc_geometry::{Cutter, Sphere, Surface, trig};
+
+    #[test]
+    fn no_place_apart_from_the_nearest_is_nearer_than_its_rival() {
+        let ball = Surface::Sphere(Sphere { center: Vec3::zeros(), radius: 10.0 });
+        for (d, r) in [(6.0, 0.0), (8.0, 1.0)] {
+            let profile = Profile::new(&Cutter::mill(d, r, 9.0)).unwrap();
+            for (x, y, lean) in [(2.0, 0.3, 0.0), (0.1, 0.0, 0.2), (1.0, -2.0, -0.3)] {
+                let (s, c) = trig::sin_cos(lean);
+                let (te, ta) = (Vec3::new(x, y, -6.0), Vec3::new(s, 0.0, c));
+                let tool = Tool { profile: &profile, te, ta };
+                let apart = 0.3;
+                let (gap, rival) = with_rival(&tool, |p| ball.foot(p), apart).unwrap();
+                let [a, b] = frame_about(ta);
+                for ring in rings(&profile).iter().flatten() {
+                    for k in 0..720 {
+                        let (s, c) = trig::sin_cos(f64::from(k) * std::f64::consts::TAU / 720.0);
+                        let foot_of = te + ta * ring.z + (a * c + b * s) * ring.rho;
+                        let foot = ball.foot(foot_of);
+                        let (p, g) = (foot_of + foot.normal * ring.r, -foot.distance - ring.r);
+                        // Between two samples, some 1.2 apart, the gap may fall by what the surface falls on that way.
+                        let free = (p - gap.tool_point).norm() <= apart || g >= rival - 0.1;
+                        assert!(free, "{d} {r} {x} {lean}: {g} at {p}, rival {rival}");
+                    }
+                }
+            }
+        }
+    }
 }
