@@ -16,7 +16,6 @@
 //! assert_eq!(gap.normal, Vec3::z());
 //! ```
 
-mod bends;
 mod bodies;
 mod centred;
 mod chord;

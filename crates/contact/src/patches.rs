@@ -7,10 +7,9 @@
 
 use std::collections::BinaryHeap;
 
-use aptc_geometry::sculpt::Patch;
-use aptc_geometry::{Profile, Sculptured, Vec3, trig};
+use aptc_geometry::sculpt::{Bends, Patch};
+use aptc_geometry::{Ball, Below, Profile, Sculptured, Vec3, balls, trig};
 
-use crate::bends::{Bends, lowest};
 use crate::bodies::{Convex, Turned};
 
 /// A place of a surface.
@@ -49,7 +48,7 @@ const LEAF: usize = 4;
 #[derive(Clone, Debug, Default)]
 pub struct PatchTree {
     leaves: Vec<Leaf>,
-    nodes: Vec<Node>,
+    nodes: Vec<Ball>,
 }
 
 /// A patch with bounds of its second derivatives.
@@ -71,20 +70,6 @@ struct Spot {
     point: Vec3,
     u: Vec3,
     v: Vec3,
-}
-
-/// Patches within a ball: two nodes, or leaves `from..to`.
-#[derive(Clone, Debug)]
-struct Node {
-    center: Vec3,
-    radius: f64,
-    below: Below,
-}
-
-#[derive(Clone, Debug)]
-enum Below {
-    Nodes([usize; 2]),
-    Leaves(usize, usize),
 }
 
 /// What a look at a piece tells.
@@ -137,13 +122,10 @@ impl Ord for Piece {
 impl PatchTree {
     /// Prepares the patches of a surface. Memory: about 1.3 kB a patch.
     pub fn new(surface: &Sculptured) -> Self {
-        let leaves = surface.patches.iter().enumerate().map(|(i, p)| Leaf::new(i, p)).collect();
-        let mut tree = Self { leaves, nodes: Vec::new() };
-        let n = tree.leaves.len();
-        if n > 0 {
-            tree.grow(0, n);
-        }
-        tree
+        let mut leaves: Vec<Leaf> =
+            surface.patches.iter().enumerate().map(|(i, p)| Leaf::new(i, p)).collect();
+        let nodes = balls(&mut leaves, LEAF, |l| (l.center, l.radius));
+        Self { leaves, nodes }
     }
 
     /// Number of patches.
@@ -154,29 +136,6 @@ impl PatchTree {
     /// Is there no patch?
     pub fn is_empty(&self) -> bool {
         self.leaves.is_empty()
-    }
-
-    /// Makes the node over the leaves `from..to`, sorted along its longest side, and those below it.
-    fn grow(&mut self, from: usize, to: usize) -> usize {
-        let all = &self.leaves[from..to];
-        let (mut lo, mut hi) = (all[0].center, all[0].center);
-        for l in all {
-            (lo, hi) = (lo.inf(&l.center), hi.sup(&l.center));
-        }
-        let center = (lo + hi) * 0.5;
-        let radius = all.iter().map(|l| (l.center - center).norm() + l.radius).fold(0.0, f64::max);
-        let here = self.nodes.len();
-        self.nodes.push(Node { center, radius, below: Below::Leaves(from, to) });
-        if to - from > LEAF {
-            let axis = (hi - lo).imax();
-            self.leaves[from..to].sort_by(|a, b| {
-                a.center[axis].total_cmp(&b.center[axis]).then(a.number.cmp(&b.number))
-            });
-            let mid = usize::midpoint(from, to);
-            let pair = [self.grow(from, mid), self.grow(mid, to)];
-            self.nodes[here].below = Below::Nodes(pair);
-        }
-        here
     }
 
     /// Indices of the patches of which some point may be within `away` of the line through `from` along the unit
@@ -194,8 +153,8 @@ impl PatchTree {
                 continue;
             }
             match node.below {
-                Below::Nodes(pair) => stack.extend(pair),
-                Below::Leaves(from, to) => {
+                Below::Balls(pair) => stack.extend(pair),
+                Below::Things(from, to) => {
                     let leaves = self.leaves[from..to].iter();
                     found.extend(leaves.filter(|l| near(l.center, l.radius)).map(|l| l.number));
                 }
@@ -216,8 +175,8 @@ impl PatchTree {
                 continue;
             }
             match node.below {
-                Below::Nodes(pair) => stack.extend(pair),
-                Below::Leaves(from, to) => {
+                Below::Balls(pair) => stack.extend(pair),
+                Below::Things(from, to) => {
                     for (k, leaf) in self.leaves[from..to].iter().enumerate() {
                         let room = leaf.radius + body.slack(leaf.center, leaf.radius);
                         let near = body.near_enough(leaf.center, limit + room).0;
@@ -337,12 +296,12 @@ impl PatchTree {
         let mut node = self.nodes.first()?;
         loop {
             match node.below {
-                Below::Nodes(pair) => {
+                Below::Balls(pair) => {
                     let [a, b] = pair.map(|i| &self.nodes[i]);
-                    let far = |n: &Node| body.near(n.center).0;
+                    let far = |n: &Ball| body.near(n.center).0;
                     node = if far(b) < far(a) { b } else { a };
                 }
-                Below::Leaves(from, to) => {
+                Below::Things(from, to) => {
                     let of = |leaf: &Leaf| {
                         let [whole, ..] = leaf.kept;
                         body.near(whole.point).0 + body.slack(whole.point, 0.0)
@@ -427,6 +386,17 @@ impl PatchTree {
         }
         best
     }
+}
+
+/// How far a piece may lie below its middle along a vector by which its sides have these slopes and rises: the least of
+/// `slope s + rise s^2 / 2` with s from -1 to 1, of both parameters together; negative or 0.
+#[inline]
+fn lowest(slopes: [f64; 2], rises: [f64; 2]) -> f64 {
+    let of = |k: usize| {
+        let (slope, rise) = (slopes[k].abs(), rises[k]);
+        if rise > slope { -0.5 * slope * slope / rise } else { 0.5 * rise - slope }
+    };
+    of(0) + of(1)
 }
 
 /// The axis at the share `t` of the turn from `a` to `b`.

@@ -110,8 +110,10 @@ pub(crate) fn elsewhere(
     {
         // Without parameters each search is one over the whole of the surface.
         let Some(_) = known.at else { return (None, f64::INFINITY) };
-        let rival = surface.rival(middle(tool)) - tool.profile.corner_radius();
-        let room = (LOOK * size).min(0.5 * (rival - gap.raw).max(0.0));
+        let limit = gap.raw + 2.0 * LOOK * size;
+        let radius = tool.profile.corner_radius();
+        let rival = surface.rival(middle(tool), limit + radius) - radius;
+        let room = (0.5 * (rival - gap.raw)).max(0.0);
         return ((gap.raw < known.raw).then_some(gap), room);
     }
     if hollow(surface, side) {

@@ -9,6 +9,7 @@
 //! assert_eq!(top.canonical(), [0.0, 0.0, 1.0, 1.5]);
 //! ```
 
+mod balls;
 mod cutter;
 mod form;
 mod forms;
@@ -30,6 +31,7 @@ mod transformed;
 pub mod trig;
 mod units;
 
+pub use balls::{Ball, Below, balls};
 pub use cutter::Cutter;
 pub use form::{Form, FormKind, Written};
 pub use forms::{Circle, Cone, Cylinder, Line, Pattern, Plane, Quadric, QuadricKind, Sphere};

@@ -203,6 +203,7 @@ impl Compiled {
         }
         let mut plot = Plot::new();
         for part in self.parts.iter().filter(|p| !p.noplot) {
+            part.drawn.iter().for_each(|line| plot.line(line));
             part.edited.for_each(|record| plot.push(record))?;
         }
         Ok(vec![("svg".to_owned(), plot.finish().into_bytes())])

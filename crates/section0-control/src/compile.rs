@@ -54,6 +54,8 @@ pub struct Part {
     pub summary: Summary,
     /// What was proved of the path.
     pub certificate: Option<Certificate>,
+    /// Lines that PLOTFT drew.
+    pub drawn: Vec<Vec<Vec3>>,
     /// Was NOPLOT given?
     pub noplot: bool,
 }
@@ -269,6 +271,7 @@ impl<'o> Run<'o> {
         let crew = Threads::new(self.options, self.clock);
         let milled = self.regional.execute_by(record, &crew, &mut self.fresh);
         self.compiled.diagnostics.extend(self.regional.take_diagnostics());
+        self.part.drawn.extend(self.regional.take_drawn());
         if self.keeps_path {
             self.path = path_of(self.fresh.get(known..).unwrap_or_default()).or(self.path.take());
         }

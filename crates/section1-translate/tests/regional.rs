@@ -49,6 +49,9 @@ fn every_format_passes_as_it_is_written() {
         "GOLOFT/S,VCONST,0,THRU,1.5,LENGTH,3",
         "GOLOFT/S,AT,0.3",
         "GOLOFT/C,START,0,THRU,1,PARAM,CHORD,.01",
+        "PLOTFT/S,GRID,UCONST,3,VCONST,5,INCR,.1",
+        "PLOTFT/S,UCONST,.5,START,TO,PL,CHORD,.1",
+        "PLOTFT/C,START,0,THRU,1,FLOW",
         "GOMILL/S,UCONST,0,STEPOV,2,ZIGZAG,SCALOP,.1,MAXSTP,3,RETR,V,START,0",
         "GOMILL/S,VCONST,0,THRU,1,INVERS,AT,.5,RETR,PL",
         "GCLEAR/START,ON",
@@ -77,16 +80,10 @@ fn every_format_passes_as_it_is_written() {
 }
 
 #[test]
-fn drawing_has_no_effect_but_is_checked() {
-    for (text, n) in [
-        ("PLOTFT/S,GRID,UCONST,3,VCONST,5,INCR,.1", 0),
-        ("PLOTFT/C,START,0,THRU,1,FLOW", 0),
-        ("PLOTFT/C,GRID", 1),
-    ] {
-        let ran = run(&format!("{SCENE}{text}\nFINI\n"));
-        assert_eq!(ran.diagnostics.len(), n, "{text}\n{}", ran.messages());
-        assert!(!ran.kinds().iter().any(|k| matches!(k, Kind::Regional { .. })));
-    }
+fn a_curve_has_no_grid() {
+    let ran = run(&format!("{SCENE}PLOTFT/C,GRID\nFINI\n"));
+    assert_eq!(ran.diagnostics.len(), 1, "{}", ran.messages());
+    assert!(!ran.kinds().iter().any(|k| matches!(k, Kind::Regional { .. })));
 }
 
 #[test]

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use aptc_contact::PatchTree;
+use aptc_geometry::surface::ParametricSurface;
 use aptc_geometry::{Plane, Sculptured, SpaceCurve, Vec3};
 use aptc_protap::NameRef;
 
@@ -25,7 +26,7 @@ pub(crate) enum Hold {
 }
 
 /// The direction in which drive points are projected.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub(crate) enum Projection {
     /// A vector.
     Along(Vec3),
@@ -33,6 +34,8 @@ pub(crate) enum Projection {
     Normal,
     /// CRSSPL: the direction across the drive curve.
     Cross,
+    /// Towards the nearest place of a surface, from the side of its normal (+1) or the other (-1).
+    Foot(Arc<ParametricSurface>, f64),
 }
 
 /// SCON/DS.

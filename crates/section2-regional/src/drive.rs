@@ -1,6 +1,7 @@
 //! Places of the drive curve or surface.
 
 use aptc_geometry::Vec3;
+use aptc_geometry::surface::ParametricSurface;
 
 use crate::area::{DriveArea, Guide, Projection};
 
@@ -62,9 +63,10 @@ impl DriveArea {
                     [Some(a), None] | [None, Some(a)] => a,
                     [None, None] => Vec3::zeros(),
                 };
-                let direction = match self.projection {
-                    Projection::Along(v) => Some(v),
+                let direction = match &self.projection {
+                    Projection::Along(v) => Some(*v),
                     Projection::Normal | Projection::Cross => across.try_normalize(0.0),
+                    Projection::Foot(surface, side) => foot(surface, *side, p.point),
                 };
                 DrivePoint { uv, point: p.point, along: p.first, across, normal: None, direction }
             }
@@ -75,10 +77,11 @@ impl DriveArea {
                     Course::U => (d.u, d.v),
                     Course::V => (d.v, d.u),
                 };
-                let direction = match self.projection {
-                    Projection::Along(v) => Some(v),
+                let direction = match &self.projection {
+                    Projection::Along(v) => Some(*v),
                     Projection::Normal => normal.map(|n| -n),
                     Projection::Cross => across.try_normalize(0.0),
+                    Projection::Foot(surface, side) => foot(surface, *side, d.point),
                 };
                 DrivePoint { uv, point: d.point, along, across, normal, direction }
             }
@@ -97,4 +100,9 @@ impl DriveArea {
     pub(crate) fn is_curve(&self) -> bool {
         matches!(self.guide, Guide::Curve(_))
     }
+}
+
+/// Against the normal of the place nearest to `p`, seen from one side of the surface.
+fn foot(surface: &ParametricSurface, side: f64, p: Vec3) -> Option<Vec3> {
+    surface.normal(p).ok().map(|n| n * -side)
 }

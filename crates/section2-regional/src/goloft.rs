@@ -28,7 +28,7 @@ const HALVINGS: u32 = 20;
 
 /// Where a line begins or ends.
 #[derive(Clone, Copy, Debug)]
-enum End {
+pub(crate) enum End {
     /// At a parameter.
     Number(f64),
     /// Where the tool meets a plane: -1 TO, 0 ON, +1 PAST.
@@ -37,17 +37,17 @@ enum End {
 
 /// What the statement says besides the line.
 #[derive(Clone, Debug)]
-struct Wish {
-    start: Option<End>,
-    thru: Option<End>,
-    at: Option<End>,
+pub(crate) struct Wish {
+    pub(crate) start: Option<End>,
+    pub(crate) thru: Option<End>,
+    pub(crate) at: Option<End>,
     inverse: bool,
     mirror: bool,
     /// PARAM when false.
-    flow: bool,
-    incr: f64,
-    chord: Option<f64>,
-    longest: f64,
+    pub(crate) flow: bool,
+    pub(crate) incr: f64,
+    pub(crate) chord: Option<f64>,
+    pub(crate) longest: f64,
 }
 
 /// A line with the tool along it.
@@ -245,7 +245,7 @@ impl Regional {
         Ok(Setup { numpts: POSITIONS, length: None, centred: true, ..setup })
     }
 
-    fn wish(&self, w: &mut Words<'_>) -> Result<Wish, Failure> {
+    pub(crate) fn wish(&self, w: &mut Words<'_>) -> Result<Wish, Failure> {
         let mut wish = Wish {
             start: None,
             thru: None,

@@ -27,6 +27,7 @@ mod judge;
 mod outline;
 mod path;
 mod plain;
+mod plotft;
 mod position;
 mod project;
 mod region;

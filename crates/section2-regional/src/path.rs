@@ -14,6 +14,8 @@ use crate::solve::{CLOSE, LOOSE, Memory, Setup, Take};
 
 /// Halvings of a step before the path gives up.
 const RETRIES: usize = 60;
+/// Least step of the parameter, for parameters of the size of 1.
+const LEAST: f64 = 1e-11;
 /// Cut vectors into which avoidance may divide one.
 const DIVISIONS: usize = 4000;
 /// A chord aims at this part of what the tolerance leaves.
@@ -222,6 +224,10 @@ impl Setup<'_> {
             way: Way::Unknown,
         };
         for _ in 0..RETRIES {
+            // A place that the drive jumps at is come to in ever smaller steps.
+            if length < most && length <= LEAST * (1.0 + t.abs()) {
+                break;
+            }
             let end = if length >= most { last } else { t + sense * length };
             let take = if (limit - end) * sense <= 0.0 { self.at_end() } else { Take::Band };
             let mut uv = here.drive_uv;

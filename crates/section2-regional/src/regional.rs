@@ -5,6 +5,7 @@ use std::sync::Arc;
 use aptc_cldata as cl;
 use aptc_contact::PatchTree;
 use aptc_diagnostics::Diagnostic;
+use aptc_geometry::surface::ParametricSurface;
 use aptc_geometry::{Form, Profile, Sculptured, Vec3};
 use aptc_protap::{CutVectors, Kind, Record};
 
@@ -50,6 +51,8 @@ pub struct Regional {
     pub(crate) fitted: Vec<(Arc<Form>, Arc<Sculptured>)>,
     /// Surfaces prepared for questions.
     pub(crate) trees: Vec<(Arc<Sculptured>, Arc<PatchTree>)>,
+    /// Surfaces prepared for the places nearest to points.
+    pub(crate) feet: Vec<(Arc<Sculptured>, Arc<ParametricSurface>)>,
     /// Where the tool stands, if that is known.
     pub(crate) stand: Option<Stand>,
     /// HOLDER: solids with their height above the tool end.
@@ -80,6 +83,8 @@ pub struct Regional {
     pub(crate) recording: Option<Recording>,
     /// Cut vectors that the program may ask for.
     pub(crate) saved: Vec<CutVectors>,
+    /// Lines that PLOTFT has drawn.
+    pub(crate) drawn: Vec<Vec<Vec3>>,
     pub(crate) diagnostics: Vec<Diagnostic>,
 }
 
@@ -127,6 +132,7 @@ impl Regional {
             "CHKSRF" => self.chksrf(args).map(|()| None),
             "AVCTRL" => self.avctrl(args).map(|()| None),
             "GOLOFT" => self.goloft(&record.origin, args, out),
+            "PLOTFT" => self.plotft(args).map(|()| None),
             "CLDAT" => self.cldat(args, out).map(|()| None),
             "REGION" => self.region(args).map(|()| None),
             "TLPROJ" => self.tlproj(args),

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use aptc_cldata as cl;
 use aptc_geometry::Vec3;
 use aptc_geometry::sculpt::{CubicArc, SpaceCurve};
+use aptc_geometry::surface::ParametricSurface;
 use aptc_protap::{Arg, NameRef};
 
 use crate::area::{AxisArea, DriveArea, Guide, Hold, Projection};
@@ -23,14 +24,16 @@ const ONE_AXIS: f64 = 1.0 - 1e-12;
 /// What TLPROJ set.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Projecting {
-    direction: Vec3,
+    /// None: against the normal of the part surface.
+    direction: Option<Vec3>,
     hold: Hold,
     /// Where the last motion ended, as it was programmed; none before the first.
     last: Option<Vec3>,
 }
 
 impl Regional {
-    /// TLPROJ/V,ON|AT and TLPROJ/OFF. After the latter the tool stands where it was projected to.
+    /// TLPROJ/V,ON|AT, TLPROJ/NORMAL,ON|AT and TLPROJ/OFF. NORMAL takes each place to the nearest one of the part
+    /// surface. After the latter the tool stands where it was projected to.
     ///
     /// APT: `TLPROJ`; SSV3 has the statement, and no routine that carries it out. Its words are those of SCON/DS,
     /// and mean the same here.
@@ -40,12 +43,12 @@ impl Regional {
             let projected = self.projecting.take().and_then(|p| p.last).is_some();
             return Ok(self.stand.filter(|_| projected));
         }
-        if w.take("NORMAL") {
-            return Err(Failure::Undone { what: "TLPROJ/NORMAL" });
-        }
-        let direction = w.vector().and_then(|v| v.try_normalize(0.0));
-        let direction =
-            direction.ok_or(Failure::NoDirection { what: "the direction of TLPROJ" })?;
+        let direction = if w.take("NORMAL") {
+            None
+        } else {
+            let direction = w.vector().and_then(|v| v.try_normalize(0.0));
+            Some(direction.ok_or(Failure::NoDirection { what: "the direction of TLPROJ" })?)
+        };
         let hold = if w.take("AT") { Hold::At } else { Hold::On };
         self.projecting = Some(Projecting { direction, hold, last: None });
         Ok(None)
@@ -63,6 +66,9 @@ impl Regional {
         from: usize,
     ) -> Result<Option<Stand>, Failed> {
         let Some(mut projecting) = self.projecting else { return Ok(None) };
+        if projecting.direction.is_none() && records.len() > from {
+            self.prepare_feet();
+        }
         let mut stand = None;
         for i in from..records.len() {
             let record = &mut records[i];
@@ -100,6 +106,16 @@ impl Regional {
         Ok(stand)
     }
 
+    /// Makes the part surface ready for the places nearest to points; once for each.
+    fn prepare_feet(&mut self) {
+        let Some(part) = &self.areas.part else { return };
+        if !self.feet.iter().any(|(s, _)| Arc::ptr_eq(s, &part.surface))
+            && let Some(prepared) = ParametricSurface::of_sculptured(&part.surface)
+        {
+            self.feet.push((Arc::clone(&part.surface), Arc::new(prepared)));
+        }
+    }
+
     /// The path over the part surface, and why it ends early.
     fn projected(&self, projecting: &Projecting, motion: &cl::Motion) -> (Path, Option<Failure>) {
         match self.over_part(projecting, motion) {
@@ -120,6 +136,16 @@ impl Regional {
             return Err(failed(Failure::Undone { what }));
         }
         let axis = self.areas.axis.unwrap_or(AxisArea::Fixed(first.ta));
+        let projection = match projecting.direction {
+            Some(direction) => Projection::Along(direction),
+            None => {
+                let known = self.feet.iter().find(|(s, _)| Arc::ptr_eq(s, &part.surface));
+                let (_, surface) = known.ok_or_else(|| {
+                    failed(Failure::NoDirection { what: "the normal of the part surface" })
+                })?;
+                Projection::Foot(Arc::clone(surface), part.side)
+            }
+        };
         let (curve, goes) = guide(projecting.last, &motion.points);
         let drive = DriveArea {
             name: NameRef::default(),
@@ -127,7 +153,7 @@ impl Regional {
             v: [0.0; 2],
             guide: Guide::Curve(Arc::new(curve)),
             hold: projecting.hold,
-            projection: Projection::Along(projecting.direction),
+            projection,
             offset: 0.0,
         };
         let guard = self.guard();

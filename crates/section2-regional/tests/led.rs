@@ -1,4 +1,4 @@
-//! Paths of a led tool end (ON) whose contact jumps from one slope to another.
+//! Paths of a led tool end (ON) whose contact jumps from one slope to another, and places led to the nearest one.
 
 use std::sync::Arc;
 
@@ -103,5 +103,60 @@ fn the_contact_may_jump() {
                 }
             }
         }
+    }
+}
+
+/// The records of a program, the last of which gives what comes back.
+fn put_out(regional: &mut Regional, kinds: impl IntoIterator<Item = Kind>) -> Vec<cl::Record> {
+    let mut out = Vec::new();
+    for kind in kinds {
+        out.clear();
+        let record = Record { origin: aptc_diagnostics::Origin::default(), kind };
+        let done = regional.execute(&record, &mut out);
+        assert!(done.is_ok(), "{:?}", regional.take_diagnostics());
+    }
+    out
+}
+
+/// TLPROJ/NORMAL,AT: the cutter touches the place of the part surface that is nearest to the one programmed.
+#[test]
+fn a_place_is_led_to_the_nearest_one() {
+    let part = mesh(hills);
+    let fitted = fit_surface(&part, 10.0).expect("an even mesh");
+    let of = |form: Form| Arg::Form { name: NameRef::default(), form: Arc::new(form) };
+    let word = |w: &str| Arg::Word(w.into());
+    let regional = |word: &str, args: Vec<Arg>| Kind::Regional { word: word.into(), args };
+    let surface = of(Form::Ssurf(Arc::new(part)));
+    let radius = 1.0;
+    let mut milling = Regional::default();
+    let ps = vec![word("PS"), word("TO"), surface, word("PLUS"), Arg::Number(0.0)];
+    put_out(
+        &mut milling,
+        [
+            Kind::Units(Units::Mm),
+            Kind::Cutter(Cutter::mill(2.0 * radius, radius, 60.0)),
+            Kind::Intol([TOL; 4]),
+            Kind::Outtol([TOL; 4]),
+            regional("SCON", ps),
+        ],
+    );
+    for k in 0..12 {
+        let f = f64::from(k);
+        let (x, y) = (30.0 + 20.0 * trig::sin(f), 30.0 + 20.0 * trig::cos(1.7 * f));
+        // Above the surface and below it.
+        let p = Vec3::new(x, y, hills(x, y) + 1.5 * trig::sin(3.0 * f));
+        put_out(&mut milling, [regional("TLPROJ", vec![word("NORMAL"), word("AT")])]);
+        let motion = cl::Motion { points: vec![cl::Position::upright(p)], ..cl::Motion::default() };
+        let origin = aptc_diagnostics::Origin::default();
+        let mut records = vec![cl::Record { origin, kind: cl::Kind::Motion(motion) }];
+        let done = milling.project(&mut records, 0);
+        assert!(done.is_ok(), "{:?}", milling.take_diagnostics());
+        let cl::Kind::Motion(m) = &records[0].kind else { panic!("a motion stays one") };
+        let [position] = m.points.as_slice() else { panic!("one place is one: {m:?}") };
+        let center = position.te + Vec3::z() * radius;
+        let nearest = aptc_geometry::sculpt::nearest_on(&fitted, p).at;
+        let normal = nearest.normal().expect("a smooth surface");
+        let normal = if normal.z > 0.0 { normal } else { -normal };
+        assert!((center - (nearest.point + normal * radius)).norm() < 1e-8, "{k} {position:?}");
     }
 }

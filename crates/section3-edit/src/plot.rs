@@ -32,6 +32,9 @@ pub struct Plot {
     holes: Vec<(usize, Vec3)>,
     labels: Vec<(Vec3, String)>,
     start: Option<Vec3>,
+    /// Lines of surfaces and curves, that no tool goes along.
+    lines: Vec<Vec<Vec3>>,
+    n_drawn: usize,
     last: Option<Position>,
     rapid: bool,
     cycle: bool,
@@ -78,6 +81,25 @@ impl Plot {
             Kind::Fini => self.last = None,
             _ => {}
         }
+    }
+
+    /// Draws a line of a surface or a curve (PLOTFT), in part coordinates; a single point is a mark. Lines beyond
+    /// what a picture can show are left out.
+    pub fn line(&mut self, points: &[Vec3]) {
+        let finite = points.iter().all(|p| p.iter().all(|x| x.is_finite()));
+        if !finite || points.is_empty() || self.n_drawn + points.len() > MOST_POINTS {
+            return;
+        }
+        self.n_drawn += points.len();
+        for p in points {
+            self.holds(*p);
+        }
+        self.lines.push(points.to_vec());
+    }
+
+    fn holds(&mut self, p: Vec3) {
+        self.low = Some(self.low.map_or(p, |l| l.inf(&p)));
+        self.high = Some(self.high.map_or(p, |h| h.sup(&p)));
     }
 
     /// The SVG.
@@ -161,8 +183,7 @@ impl Plot {
             if !(p.te.x.is_finite() && p.te.y.is_finite() && p.te.z.is_finite()) {
                 continue;
             }
-            self.low = Some(self.low.map_or(p.te, |l| l.inf(&p.te)));
-            self.high = Some(self.high.map_or(p.te, |h| h.sup(&p.te)));
+            self.holds(p.te);
             if let Some(last) = self.last {
                 self.length[usize::from(rapid)] += (p.te - last.te).norm();
             }
@@ -252,6 +273,21 @@ mod tests {
         assert!(svg.starts_with("<svg") && svg.trim_end().ends_with("</svg>"));
         assert!(svg.contains("T3") && svg.contains("T4") && svg.contains("rapid"));
         assert_eq!(svg, plot_svg(&program));
+    }
+
+    #[test]
+    fn lines_of_a_surface_are_drawn_below_the_path() {
+        let mut plot = Plot::new();
+        plot.line(&[Vec3::zeros(), Vec3::new(10.0, 0.0, 0.0), Vec3::new(10.0, 5.0, 1.0)]);
+        plot.line(&[Vec3::new(3.0, 3.0, 0.0)]);
+        plot.line(&[Vec3::new(f64::NAN, 3.0, 0.0)]);
+        assert_eq!(plot.lines.len(), 2);
+        plot.push(&goto(0.0, 0.0, 0.0));
+        plot.push(&goto(10.0, 0.0, 5.0));
+        let svg = plot.finish();
+        let [line, path] = ["class=\"drawn\"", "class=\"feed\""].map(|c| svg.find(c).unwrap());
+        assert!(line < path && svg.contains("surface lines"));
+        assert!(!svg.contains("NaN"));
     }
 
     #[test]

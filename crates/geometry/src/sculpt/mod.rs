@@ -10,6 +10,7 @@
 //! span over all splines. Found from its printed results.
 
 mod arc;
+mod bends;
 mod bspline;
 mod canon;
 mod conic;
@@ -29,6 +30,7 @@ mod surface;
 mod trimmed;
 
 pub use arc::{ArcPoint, CubicArc, Vec4};
+pub use bends::Bends;
 pub use bspline::{BsplineFault, bspline};
 pub use conic::{ConicCondition, ConicFault, conic_arc, line_arc};
 pub use cross::{Product, cross_product, revolve, ruled, swept};

@@ -101,6 +101,19 @@ impl Sculptured {
         prolonged(&self.patches[i], a, b).rated(da, db)
     }
 
+    /// Point and derivatives at (u, v), kept to the patch of column `i` and row `j`, also on its borders.
+    pub(crate) fn at_patch(&self, [i, j]: [usize; 2], u: f64, v: f64) -> Derivatives {
+        let own = |knots: &[f64], i: usize, t: f64| {
+            let rate = 1.0 / (knots[i + 1] - knots[i]);
+            (((t - knots[i]) * rate).clamp(0.0, 1.0), rate)
+        };
+        let (index, (a, da), (b, db)) = match &self.layout {
+            Layout::Mesh { u: ku, v: kv } => (j * (ku.len() - 1) + i, own(ku, i, u), own(kv, j, v)),
+            Layout::Patches => (i, ((u - i as f64).clamp(0.0, 1.0), 1.0), (v.clamp(0.0, 1.0), 1.0)),
+        };
+        self.patches[index].at(a, b).rated(da, db)
+    }
+
     /// Point and derivatives at (u, v) of the n-th span of the grid, counted from 1 along u first, by the
     /// surface's parameters; `None` when there is none.
     pub fn at_span(&self, n: usize, u: f64, v: f64) -> Option<Derivatives> {

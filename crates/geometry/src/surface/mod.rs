@@ -192,11 +192,11 @@ impl Surface {
         }
     }
 
-    /// A distance from `p` below which no place is but that of [`Self::foot`], among those from which the distance
-    /// grows all round: of surfaces by two parameters, as far as their samples show.
-    pub fn rival(&self, p: Vec3) -> f64 {
+    /// A distance from `p`, at most `limit`, below which no place is but that of [`Self::foot`], among those from which
+    /// the distance grows all round: of surfaces by two parameters, of rulings and conics as far as their samples show.
+    pub fn rival(&self, p: Vec3, limit: f64) -> f64 {
         match self {
-            Self::Parametric(s) => s.rival(p),
+            Self::Parametric(s) => s.rival(p, limit),
             _ => 0.0,
         }
     }

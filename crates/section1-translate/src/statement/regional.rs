@@ -12,7 +12,6 @@ use super::shape::{Shape, fixed, open};
 use crate::Interpreter;
 use crate::define::Item::{self, AS, N, Of, PL, S, SC, SS, V, W};
 use crate::eval::{Arg, Known, Names, Poisoned};
-use crate::listing::EntryKind;
 
 const SIGN: Item = Of(&[word::PLUS, word::MINUS]);
 const SWITCH: Item = Of(&[word::ON, word::OFF]);
@@ -227,11 +226,6 @@ impl Interpreter<'_> {
         let args = self.args(clause, Names::Defined)?;
         self.shaped(word, shapes(word), clause, &args)?;
         self.rising(word, &args)?;
-        if word == word::PLOTFT {
-            let remark = format!("{word} has no effect: it drew a surface on a plotter");
-            self.list(EntryKind::Remark(remark));
-            return Ok(());
-        }
         let args = self.handed_on(args)?;
         self.emit(Kind::Regional { word: word.text().into(), args });
         Ok(())

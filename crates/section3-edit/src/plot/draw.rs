@@ -14,6 +14,9 @@ const GAP: f64 = 14.0;
 /// Room in a panel around the drawing.
 const MARGIN: f64 = 34.0;
 
+/// How lines of surfaces look.
+const DRAWN: &str =
+    "fill=\"none\" stroke=\"#a9b6a2\" stroke-width=\".9\" stroke-linejoin=\"round\"";
 /// Colours of the tools, in turn.
 const COLOURS: [&str; 12] = [
     "#1d6fd1", "#d9580d", "#178a4c", "#8b3fc4", "#c72c6b", "#0b8484", "#a86f00", "#6b7280",
@@ -213,6 +216,7 @@ impl Panel<'_> {
         }
         text(out, x + 12.0, y + 20.0, "start", "view", self.view.name);
         self.scale_bar(plot, out);
+        self.lines(plot, out);
         self.path(plot, true, out);
         self.path(plot, false, out);
         self.holes(plot, out);
@@ -306,25 +310,46 @@ impl Panel<'_> {
         }
     }
 
+    /// The points as a stroke.
+    fn stroke(&self, points: &[Vec3], d: &mut String) {
+        let mut last: Option<(f64, f64)> = None;
+        for p in points {
+            let (px, py) = self.at(*p);
+            let here = (tenth(px), tenth(py));
+            match last {
+                None => {
+                    let _ = write!(d, "M{} {}", here.0, here.1);
+                }
+                Some(l) if (l.0 - here.0).abs() + (l.1 - here.1).abs() < 0.25 => continue,
+                Some(_) => {
+                    let _ = write!(d, "L{} {}", here.0, here.1);
+                }
+            }
+            last = Some(here);
+        }
+    }
+
+    /// What PLOTFT drew; a single point is a small cross.
+    fn lines(&self, plot: &Plot, out: &mut String) {
+        let mut d = String::new();
+        for line in &plot.lines {
+            if let [p] = line.as_slice() {
+                let (px, py) = self.at(*p);
+                let _ = write!(d, "M{} {}h6m-3 -3v6", tenth(px - 3.0), tenth(py));
+            } else {
+                self.stroke(line, &mut d);
+            }
+        }
+        if !d.is_empty() {
+            let _ = writeln!(out, "<path class=\"drawn\" {DRAWN} d=\"{d}\"/>");
+        }
+    }
+
     fn path(&self, plot: &Plot, rapid: bool, out: &mut String) {
         for (tool, _) in plot.tools.iter().enumerate() {
             let mut d = String::new();
             for stroke in plot.strokes.iter().filter(|s| s.tool == tool && s.rapid == rapid) {
-                let mut last: Option<(f64, f64)> = None;
-                for p in &stroke.points {
-                    let (px, py) = self.at(*p);
-                    let here = (tenth(px), tenth(py));
-                    match last {
-                        None => {
-                            let _ = write!(d, "M{} {}", here.0, here.1);
-                        }
-                        Some(l) if (l.0 - here.0).abs() + (l.1 - here.1).abs() < 0.25 => continue,
-                        Some(_) => {
-                            let _ = write!(d, "L{} {}", here.0, here.1);
-                        }
-                    }
-                    last = Some(here);
-                }
+                self.stroke(&stroke.points, &mut d);
             }
             if d.is_empty() {
                 continue;
@@ -416,6 +441,12 @@ fn legend(plot: &Plot, out: &mut String, (low, high): (Vec3, Vec3)) {
             tenth(y - 4.0)
         );
         text(out, x + 36.0, y, "start", "note", &format!("{} cycle positions", plot.holes.len()));
+    }
+    if !plot.lines.is_empty() {
+        y += 22.0;
+        let (x0, y0) = (tenth(x), tenth(y - 4.0));
+        let _ = writeln!(out, "<path class=\"drawn\" {DRAWN} d=\"M{x0} {y0}h26\"/>");
+        text(out, x + 36.0, y, "start", "note", "surface lines");
     }
     if plot.start.is_some() {
         y += 22.0;

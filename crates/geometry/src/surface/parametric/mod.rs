@@ -2,6 +2,7 @@
 //!
 //! Beyond their ends they go on straight, as a TABCYL does, so that a cutter can come to an end.
 
+mod cells;
 mod polyconic;
 mod rail;
 mod ruled;
@@ -20,12 +21,14 @@ pub use sculptured::{Continued, continued};
 
 /// Bound of one search; Newton's method takes some six steps.
 const MAX_STEPS: usize = 60;
+/// Share of the surface's size that rounding may change of a distance.
+const NOISE: f64 = 1e-14;
 /// Share of the surface's size below which the square of a step of Newton's method is rounding.
 const NEAR: f64 = 1e-9;
 /// Share of the surface's size by which two places lie apart.
 const SAME: f64 = 1e-6;
-/// Samples on a side of a block, from which a search of its own sets out.
-const BLOCK: usize = 3;
+/// Samples along each side of a sculptured surface that tell how large its numbers are.
+const SHARES: u32 = 24;
 /// Places from which the nearest point is looked for.
 const SEEDS: usize = 4;
 
@@ -35,7 +38,7 @@ const SEEDS: usize = 4;
 #[derive(Clone, Debug)]
 pub struct ParametricSurface {
     patch: Patch,
-    /// Parameters of the grid of samples.
+    /// Parameters of the grid of samples; a sculptured surface has none.
     us: Vec<f64>,
     vs: Vec<f64>,
     /// The samples, all `v` of the first `u` first.
@@ -112,12 +115,22 @@ impl ParametricSurface {
 
     /// A sculptured surface with its straight continuation; `None` when it cannot be fitted.
     pub fn sculptured(form: &crate::sculptured::SurfaceDefinition) -> Option<Self> {
-        let spans = Spans::new(form)?;
-        let [pieces, across] = spans.pieces();
-        let domain = spans.domain();
-        let us = spread(domain.u, pieces);
-        let vs = spread(domain.v, across);
-        Self::prepared(Patch::Sculptured(Box::new(spans)), us, vs)
+        Some(Self::of_spans(Spans::new(form)?))
+    }
+
+    /// The same of a surface that is fitted.
+    pub fn of_sculptured(surface: &crate::Sculptured) -> Option<Self> {
+        Some(Self::of_spans(Spans::of_surface(sculptured::joined(surface))?))
+    }
+
+    /// A sculptured surface is looked at by its cells, and keeps no samples.
+    fn of_spans(spans: Spans) -> Self {
+        let share = |i: u32| f64::from(i) / f64::from(SHARES);
+        let points = (0..=SHARES).flat_map(|i| (0..=SHARES).map(move |j| [share(i), share(j)]));
+        let extent = points.map(|[u, v]| spans.jet(u, v).s.norm()).fold(0.0, f64::max);
+        let patch = Patch::Sculptured(Box::new(spans));
+        let (us, vs, grid) = (Vec::new(), Vec::new(), Vec::new());
+        Self { patch, us, vs, grid, apart: Vec::new(), columns: Vec::new(), extent }
     }
 
     /// Samples at the parameters `us` and `vs`; the ends of the domain across are put in.
@@ -173,11 +186,17 @@ impl ParametricSurface {
     /// APT: `ADDSTR`.
     pub fn ray(&self, p: Vec3, d: Vec3) -> Result<Vec<f64>, Reason> {
         let [a, b] = frame_about(d);
+        let mut all: Vec<f64> = Vec::new();
+        if let Patch::Sculptured(spans) = &self.patch {
+            let mut put = |u: f64, v: f64| {
+                all.extend(self.pierce(u, v, [a, b], p).map(|s| (s - p).dot(&d)));
+            };
+            spans.cells().met(p, d, |patch, u, v| spans.jet_of(patch, u, v), &mut put);
+        }
         let flat = |s: Vec3| Vec2::new((s - p).dot(&a), (s - p).dot(&b));
         let points: Vec<Vec2> = self.grid.iter().map(|s| flat(*s)).collect();
         let n = self.vs.len();
-        let mut all: Vec<f64> = Vec::new();
-        for i in 0..self.us.len() - 1 {
+        for i in 0..self.us.len().saturating_sub(1) {
             for j in 0..n - 1 {
                 let corners = [(i, j), (i, j + 1), (i + 1, j), (i + 1, j + 1)];
                 let around = |axis: usize| {
@@ -259,8 +278,8 @@ impl ParametricSurface {
     }
 
     /// The foot into which the place with the parameters `at` runs downhill.
-    pub fn foot_from(&self, p: Vec3, [u, v]: [f64; 2]) -> Foot {
-        self.foot_at(p, &self.descend(p, u, v).1)
+    pub fn foot_from(&self, p: Vec3, at: [f64; 2]) -> Foot {
+        self.foot_at(p, &self.descend_free(p, at).1)
     }
 
     /// The place beside that with the parameters `at` by the tangent `by`; `None` at a border and where a derivative
@@ -311,42 +330,68 @@ impl ParametricSurface {
         cross(jet).or_else(|| cross(&self.patch.jet(beside(u), beside(v)))).unwrap_or_else(Vec3::z)
     }
 
-    /// Distance of the second nearest of the places into which the samples run downhill; infinite where all run into one.
-    pub fn rival(&self, p: Vec3) -> f64 {
-        let Some(nearest) = self.nearest(p) else { return f64::INFINITY };
+    /// Distance of the second nearest of the places into which the samples run downhill, of a sculptured surface of
+    /// all dips; at most `limit`.
+    pub fn rival(&self, p: Vec3, limit: f64) -> f64 {
+        let Some(nearest) = self.nearest(p) else { return limit };
         let apart = SAME * self.extent;
-        let places = self.seeds(p).into_iter().flatten().map(|s| self.descend(p, s.u, s.v));
-        let others = places.filter(|(_, place)| (place.jet.s - nearest.jet.s).norm() > apart);
-        others.map(|(square, _)| square.sqrt()).fold(f64::INFINITY, f64::min)
+        let other = |place: &Placed| (place.jet.s - nearest.jet.s).norm() > apart;
+        if let Patch::Sculptured(spans) = &self.patch {
+            let jet = |patch, u, v| spans.jet_of(patch, u, v);
+            let dip = |u, v| Some(self.descend_free(p, [u, v])).filter(|(_, d)| other(d)).map(|(d, _)| d);
+            return spans.cells().rival(p, limit, jet, self.descending(spans, p), dip);
+        }
+        let places = self.seeds(p).into_iter().flatten();
+        let places = places.map(|s| self.descend_free(p, [s.u, s.v]));
+        let others = places.filter(|(_, place)| other(place));
+        others.map(|(square, _)| square.sqrt()).fold(limit, f64::min)
     }
 
-    fn seeds(&self, p: Vec3) -> [Option<Seed>; 2 * SEEDS] {
+    /// Where the nearest point is looked for from samples.
+    fn seeds(&self, p: Vec3) -> [Option<Seed>; SEEDS] {
         match &self.patch {
-            Patch::Ruled(r) => {
-                let mut seeds = [None; 2 * SEEDS];
-                seeds[..SEEDS].copy_from_slice(&self.lowest_rulings(r, p));
-                seeds
-            }
+            Patch::Ruled(r) => self.lowest_rulings(r, p),
             Patch::Polyconic(_) | Patch::Sculptured(_) => self.lowest(p),
         }
     }
 
-    /// The nearest point: Newton's method from the lowest samples.
+    /// The nearest point: Newton's method from the lowest samples, or over the cells.
     fn nearest(&self, p: Vec3) -> Option<Placed> {
-        let seeds = self.seeds(p);
+        if let Patch::Sculptured(spans) = &self.patch {
+            return self.over_cells(spans, p);
+        }
         let mut best: Option<(f64, Placed)> = None;
-        for seed in seeds.into_iter().flatten() {
+        for seed in self.seeds(p).into_iter().flatten() {
             // No place is nearer than its sample by more than the samples are apart.
             if best.as_ref().is_some_and(|b| seed.square.sqrt() - self.apart[seed.at] > b.0.sqrt())
             {
                 continue;
             }
-            let (square, place) = self.descend(p, seed.u, seed.v);
+            let (square, place) = self.descend_free(p, [seed.u, seed.v]);
             if best.as_ref().is_none_or(|b| square < b.0) {
                 best = Some((square, place));
             }
         }
         best.map(|b| b.1)
+    }
+
+    /// Of a sculptured surface the nearest point over its cells.
+    fn over_cells(&self, spans: &Spans, p: Vec3) -> Option<Placed> {
+        let jet = |patch, u, v| spans.jet_of(patch, u, v);
+        let noise = NOISE * (self.extent + p.norm());
+        spans.cells().nearest((p, noise), &spans.domain(), jet, self.descending(spans, p))
+    }
+
+    /// Of a sculptured surface the way downhill within a rectangle of the parameters, on one patch or all of them.
+    fn descending<'a>(
+        &'a self,
+        spans: &'a Spans,
+        p: Vec3,
+    ) -> impl Fn(Option<[usize; 2]>, [f64; 2], &Domain) -> (f64, Placed) + 'a {
+        move |patch, uv, within| match patch {
+            Some(patch) => self.descend(p, uv, within, |u, v| spans.jet_of(patch, u, v)),
+            None => self.descend(p, uv, within, |u, v| spans.jet(u, v)),
+        }
     }
 
     /// On a ruling the nearest point is known: the lowest of the sampled rulings.
@@ -375,7 +420,7 @@ impl ParametricSurface {
     }
 
     /// The lowest samples of the grid that are lower than their neighbours.
-    fn lowest(&self, p: Vec3) -> [Option<Seed>; 2 * SEEDS] {
+    fn lowest(&self, p: Vec3) -> [Option<Seed>; SEEDS] {
         let n = self.vs.len();
         let squares: Vec<f64> = self.grid.iter().map(|s| (s - p).norm_squared()).collect();
         let mut found = [None; SEEDS];
@@ -390,12 +435,7 @@ impl ParametricSurface {
                 }
             }
         }
-        let mut seeds = [None; 2 * SEEDS];
-        seeds[..SEEDS].copy_from_slice(&found);
-        if matches!(self.patch, Patch::Sculptured(_)) {
-            seeds[SEEDS..].copy_from_slice(&self.by_block(&squares));
-        }
-        seeds
+        found
     }
 
     fn seed(&self, square: f64, at: usize) -> Seed {
@@ -403,42 +443,22 @@ impl ParametricSurface {
         Seed { square, u: self.us[at / n], v: self.vs[at % n], at }
     }
 
-    /// The lowest samples of blocks of them: where the surface changes its bend, two places near each other
-    /// may be nearest, and only one of them shows as a dip of the samples.
-    fn by_block(&self, squares: &[f64]) -> [Option<Seed>; SEEDS] {
-        let n = self.vs.len();
-        let mut best: [Option<Seed>; SEEDS] = [None; SEEDS];
-        let mut cells = [[usize::MAX; 2]; SEEDS];
-        for (k, square) in squares.iter().enumerate() {
-            if best[SEEDS - 1].is_some_and(|b| *square >= b.square) {
-                continue;
-            }
-            let cell = [(k / n) / BLOCK, (k % n) / BLOCK];
-            if let Some(i) = (0..SEEDS).find(|i| best[*i].is_some() && cells[*i] == cell) {
-                if best[i].is_some_and(|b| b.square <= *square) {
-                    continue;
-                }
-                // The one that stood for this block goes to the end, where it is overwritten.
-                best[i..].rotate_left(1);
-                cells[i..].rotate_left(1);
-                best[SEEDS - 1] = None;
-            }
-            let after = |b: &Option<Seed>| b.is_none_or(|b| *square < b.square);
-            let place = best.iter().position(after).unwrap_or(SEEDS - 1);
-            best[place..].rotate_right(1);
-            cells[place..].rotate_right(1);
-            best[place] = Some(self.seed(*square, k));
-            cells[place] = cell;
-        }
-        best
+    /// Downhill over the whole surface.
+    fn descend_free(&self, p: Vec3, uv: [f64; 2]) -> (f64, Placed) {
+        self.descend(p, uv, &self.patch.domain(), |u, v| self.patch.jet(u, v))
     }
 
-    /// Newton's method for the nearest point, kept in the domain; steps that do not lower the distance are
+    /// Newton's method for the nearest point, kept in the rectangle; steps that do not lower the distance are
     /// halved.
-    fn descend(&self, p: Vec3, u: f64, v: f64) -> (f64, Placed) {
-        let domain = self.patch.domain();
+    fn descend(
+        &self,
+        p: Vec3,
+        [u, v]: [f64; 2],
+        domain: &Domain,
+        jet_at: impl Fn(f64, f64) -> Jet,
+    ) -> (f64, Placed) {
         let (mut u, mut v) = (u, v);
-        let mut jet = self.patch.jet(u, v);
+        let mut jet = jet_at(u, v);
         let mut square = (jet.s - p).norm_squared();
         let tiny = 1e-15 * (self.extent + p.norm());
         for _ in 0..MAX_STEPS {
@@ -451,7 +471,7 @@ impl ParametricSurface {
             let mut better = None;
             for _ in 0..30 {
                 let (nu, nv) = (domain.clamp_u(u + factor * du), domain.clamp_v(v + factor * dv));
-                let next = self.patch.jet(nu, nv);
+                let next = jet_at(nu, nv);
                 let value = (next.s - p).norm_squared();
                 // Near the end the distances agree to rounding, that of the coordinates, and the step tells.
                 let size = self.extent + p.norm();
@@ -503,21 +523,6 @@ fn halfway(ends: [f64; 2], n: u32) -> Vec<f64> {
     let mut all = vec![ends[0], 0.5 * ends[0]];
     all.extend(steps(n));
     all.extend([0.5 * (1.0 + ends[1]), ends[1]]);
-    all
-}
-
-/// 0 to 1 in `n` equal steps; beyond, where the domain goes on, samples that lie the closer together the
-/// nearer they are to the border, so that no fold of the surface hides what goes on straight.
-fn spread(ends: [f64; 2], n: u32) -> Vec<f64> {
-    const SHARES: [f64; 7] = [1.0, 0.5, 0.25, 0.125, 0.0625, 0.03125, 0.015625];
-    let mut all = Vec::new();
-    if ends[0] < 0.0 {
-        all.extend(SHARES.map(|s| ends[0] * s));
-    }
-    all.extend(steps(n));
-    if ends[1] > 1.0 {
-        all.extend(SHARES.iter().rev().map(|s| 1.0 + (ends[1] - 1.0) * s));
-    }
     all
 }
 

@@ -7,6 +7,7 @@ use crate::Vec3;
 use crate::sculpt::{Layout, Patch, Sculptured};
 use crate::sculptured::SurfaceDefinition;
 
+use super::cells::Cells;
 use super::{Domain, Jet};
 
 /// A ruled cylinder over a curve reaches ten units to both sides, as APT4 has it; the continuation goes on.
@@ -19,10 +20,10 @@ const BEYOND: f64 = 3.0;
 #[derive(Clone, Debug)]
 pub(super) struct Spans {
     surface: Sculptured,
-    spans: [f64; 2],
     domain: Domain,
     /// Is it straight along u, and bent along v?
     ruled_along: bool,
+    cells: Cells,
 }
 
 /// A sculptured surface with how far it goes straight on, in shares of itself: 0 to 1 is the surface.
@@ -38,39 +39,43 @@ pub struct Continued {
 
 /// The surface of a definition as it guides the tool; `None` when it cannot be fitted.
 pub fn continued(definition: &SurfaceDefinition) -> Option<Continued> {
-    let Spans { surface, domain, .. } = Spans::new(definition)?;
+    let surface = Spans::fitted(definition)?;
+    let domain = domain(&surface);
     Some(Continued { surface, u: domain.u, v: domain.v })
 }
 
 impl Spans {
     /// `None` when the definition cannot be fitted.
     pub(super) fn new(definition: &SurfaceDefinition) -> Option<Self> {
+        Self::of_surface(Self::fitted(definition)?)
+    }
+
+    /// The surface of a definition; loose patches that fit together are one grid.
+    fn fitted(definition: &SurfaceDefinition) -> Option<Sculptured> {
         // Triangles are for checking: they have no common parameters and no smooth normals.
         if definition.only_checks() {
             return None;
         }
-        let surface = crate::sculpt::fit_surface(definition, REACH).ok()?;
-        let surface = as_grid(&surface).unwrap_or(surface);
-        let spans = surface.spans();
+        Some(joined(&crate::sculpt::fit_surface(definition, REACH).ok()?))
+    }
+
+    /// `None` where a point of the surface is not finite.
+    pub(super) fn of_surface(surface: Sculptured) -> Option<Self> {
         let size = surface.extent();
-        let open = |a: &dyn Fn(f64) -> Vec3, b: &dyn Fn(f64) -> Vec3| {
-            // The two borders fall together, or one of them is a point.
-            let places = [0.0, 0.31, 0.72];
-            let apart = |t: f64| (a(t) - b(t)).norm() > 1e-9 * size;
-            let long = |c: &dyn Fn(f64) -> Vec3| {
-                places.iter().any(|t| (c(*t) - c(0.5)).norm() > 1e-9 * size)
-            };
-            (places.iter().any(|t| apart(*t)), long(a), long(b))
-        };
-        let at = |u: f64, v: f64| surface.at(u * spans[0], v * spans[1]).point;
-        let range = |(apart, first, last): (bool, bool, bool)| {
-            let beyond = |free: bool, far: f64, end: f64| if apart && free { far } else { end };
-            [beyond(first, -BEYOND, 0.0), beyond(last, 1.0 + BEYOND, 1.0)]
-        };
-        let u = range(open(&|v| at(0.0, v), &|v| at(1.0, v)));
-        let v = range(open(&|u| at(u, 0.0), &|u| at(u, 1.0)));
+        let domain = domain(&surface);
         let ruled_along = straight(&surface, size, true) && !straight(&surface, size, false);
-        Some(Self { spans, domain: Domain { u, v }, ruled_along, surface })
+        let cells = Cells::new(&surface, &domain)?;
+        Some(Self { domain, ruled_along, surface, cells })
+    }
+
+    /// Where it may be nearest to a point, or be met by a line.
+    pub(super) fn cells(&self) -> &Cells {
+        &self.cells
+    }
+
+    /// The place on a patch, also on its borders.
+    pub(super) fn jet_of(&self, patch: [usize; 2], u: f64, v: f64) -> Jet {
+        jet(&self.surface, Some(patch), u, v)
     }
 
     /// Do its rulings run along u? Else along v.
@@ -82,22 +87,45 @@ impl Spans {
         self.domain
     }
 
-    /// Samples along each parameter: some to each span, and enough for a span with many bends.
-    pub(super) fn pieces(&self) -> [u32; 2] {
-        self.spans.map(|n| {
-            let n = (1..=64_u32).find(|k| f64::from(*k) >= n).unwrap_or(64);
-            (4 * n).max(24)
-        })
-    }
-
     pub(super) fn jet(&self, u: f64, v: f64) -> Jet {
-        let [nu, nv] = self.spans;
-        let inside = |t: f64| t.clamp(0.0, 1.0);
-        let (a, b) = (inside(u), inside(v));
-        let d = self.surface.at(a * nu, b * nv).rated(nu, nv);
-        let jet = Jet { s: d.point, su: d.u, sv: d.v, suu: d.uu, suv: d.uv, svv: d.vv };
-        let (over_u, over_v) = (u - a, v - b);
-        if over_u == 0.0 && over_v == 0.0 { jet } else { jet.beyond(over_u, over_v) }
+        jet(&self.surface, None, u, v)
+    }
+}
+
+/// The place by parameters from 0 to 1, straight on beyond; of the patch that is named, also on its borders.
+pub(super) fn jet(surface: &Sculptured, patch: Option<[usize; 2]>, u: f64, v: f64) -> Jet {
+    let [nu, nv] = surface.spans();
+    let inside = |t: f64| t.clamp(0.0, 1.0);
+    let (a, b) = (inside(u), inside(v));
+    let d = match patch {
+        Some(patch) => surface.at_patch(patch, a * nu, b * nv),
+        None => surface.at(a * nu, b * nv),
+    };
+    let d = d.rated(nu, nv);
+    let jet = Jet { s: d.point, su: d.u, sv: d.v, suu: d.uu, suv: d.uv, svv: d.vv };
+    let (over_u, over_v) = (u - a, v - b);
+    if over_u == 0.0 && over_v == 0.0 { jet } else { jet.beyond(over_u, over_v) }
+}
+
+/// How far the surface goes, beyond 0 to 1 straight on.
+fn domain(surface: &Sculptured) -> Domain {
+    let (spans, size) = (surface.spans(), surface.extent());
+    let open = |a: &dyn Fn(f64) -> Vec3, b: &dyn Fn(f64) -> Vec3| {
+        // The two borders fall together, or one of them is a point.
+        let places = [0.0, 0.31, 0.72];
+        let apart = |t: f64| (a(t) - b(t)).norm() > 1e-9 * size;
+        let long =
+            |c: &dyn Fn(f64) -> Vec3| places.iter().any(|t| (c(*t) - c(0.5)).norm() > 1e-9 * size);
+        (places.iter().any(|t| apart(*t)), long(a), long(b))
+    };
+    let at = |u: f64, v: f64| surface.at(u * spans[0], v * spans[1]).point;
+    let range = |(apart, first, last): (bool, bool, bool)| {
+        let beyond = |free: bool, far: f64, end: f64| if apart && free { far } else { end };
+        [beyond(first, -BEYOND, 0.0), beyond(last, 1.0 + BEYOND, 1.0)]
+    };
+    Domain {
+        u: range(open(&|v| at(0.0, v), &|v| at(1.0, v))),
+        v: range(open(&|u| at(u, 0.0), &|u| at(u, 1.0))),
     }
 }
 
@@ -114,6 +142,11 @@ fn straight(surface: &Sculptured, size: f64, along: bool) -> bool {
         [q[1], q[2]].iter().all(|r| (r - q[0]).cross(&w).norm() <= 1e-9 * size * w.norm())
     };
     surface.patches.iter().all(|p| (0..4).all(|k| line(row(p, k))))
+}
+
+/// Loose patches that fit together are one grid; other surfaces stay what they are.
+pub(super) fn joined(surface: &Sculptured) -> Sculptured {
+    as_grid(surface).unwrap_or_else(|| surface.clone())
 }
 
 /// Loose patches that fit together into a rectangle, as one grid; `None` when they do not.

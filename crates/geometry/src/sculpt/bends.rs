@@ -1,22 +1,33 @@
 //! How far a piece of a patch bends out of its parallelogram.
 
-use aptc_geometry::Vec3;
-use aptc_geometry::sculpt::Patch;
+use super::patch::Patch;
+use crate::Vec3;
 
 /// Bounds of the second derivatives of a patch.
 #[derive(Clone, Debug)]
-pub(crate) struct Bends {
+pub struct Bends {
     /// Of |Suu|, |Suv|, |Svv|.
-    pub(crate) most: [f64; 3],
+    pub most: [f64; 3],
     /// Least and greatest coordinates of Suu, Suv and Svv; none of a rational patch.
     boxes: Option<[[Vec3; 2]; 3]>,
 }
 
 impl Bends {
     /// Of a patch within a ball about `center`.
-    pub(crate) fn of(patch: &Patch, center: Vec3, radius: f64) -> Self {
+    pub fn of(patch: &Patch, center: Vec3, radius: f64) -> Self {
         let boxes = (!patch.rational).then(|| boxes(patch));
         Self { most: norms(patch, center, radius), boxes }
+    }
+
+    /// For each of Suu, Suv and Svv a ball that holds it everywhere: centre and radius.
+    pub fn balls(&self) -> [(Vec3, f64); 3] {
+        core::array::from_fn(|k| match &self.boxes {
+            Some(boxes) => {
+                let [lo, hi] = boxes[k];
+                ((lo + hi) * 0.5, 0.5 * (hi - lo).norm())
+            }
+            None => (Vec3::zeros(), self.most[k]),
+        })
     }
 
     /// By how much a piece of half widths `h` rises at least along the unit vector `n`, or one that is shorter, where
@@ -26,7 +37,7 @@ impl Bends {
     /// By Taylor with the remainder n.(Suu du^2 / 2 + Suv du dv + Svv dv^2 / 2) at a place between; of the middle
     /// term each parameter takes one half.
     #[inline]
-    pub(crate) fn rises(&self, n: Vec3, [hu, hv]: [f64; 2]) -> [f64; 2] {
+    pub fn rises(&self, n: Vec3, [hu, hv]: [f64; 2]) -> [f64; 2] {
         let [muu, muv, mvv] = self.most;
         let Some([uu, uv, vv]) = &self.boxes else {
             let twist = hu * hv * muv;
@@ -44,17 +55,6 @@ impl Bends {
         let twist = hu * hv * twist;
         [hu * hu * least(uu).max(-muu) - twist, hv * hv * least(vv).max(-mvv) - twist]
     }
-}
-
-/// How far a piece may lie below its middle along a vector by which its sides have these slopes and rises: the least of
-/// `slope s + rise s^2 / 2` with s from -1 to 1, of both parameters together; negative or 0.
-#[inline]
-pub(crate) fn lowest(slopes: [f64; 2], rises: [f64; 2]) -> f64 {
-    let of = |k: usize| {
-        let (slope, rise) = (slopes[k].abs(), rises[k]);
-        if rise > slope { -0.5 * slope * slope / rise } else { 0.5 * rise - slope }
-    };
-    of(0) + of(1)
 }
 
 /// Least and greatest coordinates of Suu, Suv and Svv: those of the differences of the control net.

@@ -1,0 +1,671 @@
+//! The cells of a sculptured surface with its straight continuation: where it may be nearest to a point, or be met
+//! by a line.
+//!
+//! A cell is held by a parallelogram `c + s a + t b` with `s`, `t` from -1 to 1, and by balls about its second
+//! derivatives, which say how far it bends out of it. Cells stand in a tree of balls; one that bends too much to
+//! be judged is cut in four, a few times.
+
+use core::array;
+
+use super::sculptured::jet;
+use super::{Domain, Jet, Placed};
+use crate::Vec3;
+use crate::balls::{Ball, Below, balls};
+use crate::sculpt::{Bends, Layout, Patch, Sculptured, Vec4};
+
+/// Cells in a leaf of the tree.
+const LEAF: usize = 4;
+/// Balls that wait to be looked at: a tree of as many levels holds more cells than there are numbers.
+const WAITING: usize = 128;
+/// How often a cell is cut in four; then it is taken to hold one nearest place only, and to be met once.
+const CUTS: u32 = 3;
+/// Sine of an angle at which the way to a point is taken to stand across the surface: so much of a cell's size the
+/// distance may be wrong.
+const LEVEL: f64 = 1e-12;
+/// Where the continuation is divided, in shares of it: it bends the more the farther out.
+const SHARES: [f64; 5] = [0.0, 0.03125, 0.125, 0.375, 1.0];
+
+/// The cells of a surface.
+#[derive(Clone, Debug)]
+pub(super) struct Cells {
+    cells: Vec<Cell>,
+    tree: Vec<Ball>,
+}
+
+/// A rectangle of the parameters.
+#[derive(Clone, Copy, Debug)]
+struct Cell {
+    /// Column and row of its patch.
+    patch: [usize; 2],
+    mid: [f64; 2],
+    half: [f64; 2],
+    /// The point in the middle.
+    c: Vec3,
+    /// Derivatives there times the half widths.
+    side: [Vec3; 2],
+    /// For uu, uv and vv centre and radius of a ball that holds the derivative everywhere, times the half widths.
+    bend: [(Vec3, f64); 3],
+}
+
+/// What is known of the nearest place so far.
+struct Search {
+    p: Vec3,
+    least: f64,
+    place: Placed,
+    /// By less than this a place is not nearer: rounding would take it for one at the border of a cell.
+    noise: f64,
+}
+
+/// Greatest derivatives along a border: of the border twice, and of the slope across it once and twice.
+struct Edge {
+    twice: f64,
+    slope: f64,
+    slope_twice: f64,
+}
+
+impl Cells {
+    /// Of a surface over 0 to 1 and beyond as the domain says; `None` where a point is not finite.
+    pub(super) fn new(surface: &Sculptured, domain: &Domain) -> Option<Self> {
+        let whole = |n: usize| (0..=n).map(|k| k as f64).collect::<Vec<_>>();
+        let knots = match &surface.layout {
+            Layout::Mesh { u, v } => [u.clone(), v.clone()],
+            Layout::Patches => [whole(surface.patches.len()), whole(1)],
+        };
+        let cut = match surface.patches.len() {
+            0..=4 => 8,
+            5..=25 => 4,
+            26..=400 => 2,
+            _ => 1,
+        };
+        let mut put = Put { cells: Vec::new(), surface, place: [0; 2] };
+        for (index, patch) in surface.patches.iter().enumerate() {
+            put.patch(patch, index, &knots, cut, domain);
+        }
+        let mut cells = put.cells;
+        if cells.iter().any(|c| !c.c.iter().all(|x| x.is_finite())) {
+            return None;
+        }
+        let tree = balls(&mut cells, LEAF, |c| (c.c, c.reach()));
+        Some(Self { cells, tree })
+    }
+
+    /// Parameters of the place nearest to `p`; `descend` comes from parameters to those of the dip they lie in, within
+    /// a rectangle, with the square of the distance. Distances that differ by less than `noise` are equal.
+    ///
+    /// Every cell is put aside by a bound of its distance, or because the distance has one dip in it, which is
+    /// found; what is left after some cuts is searched from one place. So also across edges, where patches that
+    /// adjoin have not the same tangents.
+    pub(super) fn nearest(
+        &self,
+        (p, noise): (Vec3, f64),
+        domain: &Domain,
+        jet: impl Fn([usize; 2], f64, f64) -> Jet,
+        descend: impl Fn(Option<[usize; 2]>, [f64; 2], &Domain) -> (f64, Placed),
+    ) -> Option<Placed> {
+        let (square, place) = descend(None, self.guess(p)?, domain);
+        let mut search = Search { p, least: square.sqrt(), place, noise };
+        self.each(p, square.sqrt(), |cell| {
+            search.look(cell, CUTS, &jet, &descend);
+            search.least
+        });
+        Some(search.place)
+    }
+
+    /// Distance of the nearest dip from `p` of those that `dip` gives one for; `dip` goes downhill freely from
+    /// parameters. At most `limit`.
+    pub(super) fn rival(
+        &self,
+        p: Vec3,
+        limit: f64,
+        jet: impl Fn([usize; 2], f64, f64) -> Jet,
+        descend: impl Fn(Option<[usize; 2]>, [f64; 2], &Domain) -> (f64, Placed),
+        dip: impl Fn(f64, f64) -> Option<f64>,
+    ) -> f64 {
+        let mut least = limit;
+        self.each(p, limit, |cell| {
+            let mut parts = vec![(*cell, CUTS)];
+            while let Some((cell, left)) = parts.pop() {
+                let st = cell.toward(p);
+                if cell.bound(p, st) >= least {
+                    continue;
+                }
+                if left > 0 && !cell.has_one_dip(p) {
+                    parts.extend(cell.parts(&jet).map(|c| (c, left - 1)));
+                    continue;
+                }
+                let (square, place) = descend(Some(cell.patch), cell.parameters(st), &cell.domain());
+                if square < least * least
+                    && let Some(square) = dip(place.u, place.v)
+                {
+                    least = least.min(square.sqrt());
+                }
+            }
+            least
+        });
+        least
+    }
+
+    /// The cells that may come nearer to `p` than `least`, which `look` lowers.
+    fn each(&self, p: Vec3, mut least: f64, mut look: impl FnMut(&Cell) -> f64) {
+        let mut waiting = [0_usize; WAITING];
+        let mut n = usize::from(!self.tree.is_empty());
+        while n > 0 {
+            n -= 1;
+            let ball = &self.tree[waiting[n]];
+            if (p - ball.center).norm() - ball.radius >= least {
+                continue;
+            }
+            match ball.below {
+                Below::Balls(pair) => {
+                    let far = pair.map(|i| self.tree[i].apart(p));
+                    // The nearer one is looked at first.
+                    let pair = if far[0] < far[1] { [pair[1], pair[0]] } else { pair };
+                    for i in pair {
+                        if n < WAITING {
+                            waiting[n] = i;
+                            n += 1;
+                        }
+                    }
+                }
+                Below::Things(from, to) => {
+                    for cell in &self.cells[from..to] {
+                        least = look(cell);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Parameters near which the line through `p` along the unit vector `d` may meet the surface go to `put`.
+    pub(super) fn met(
+        &self,
+        p: Vec3,
+        d: Vec3,
+        jet: impl Fn([usize; 2], f64, f64) -> Jet,
+        put: &mut impl FnMut(f64, f64),
+    ) {
+        let mut balls = if self.tree.is_empty() { Vec::new() } else { vec![0] };
+        while let Some(ball) = balls.pop().map(|i: usize| &self.tree[i]) {
+            if (ball.center - p).cross(&d).norm() > ball.radius {
+                continue;
+            }
+            match ball.below {
+                Below::Balls(pair) => balls.extend(pair),
+                Below::Things(from, to) => {
+                    let mut cells: Vec<(Cell, u32)> =
+                        self.cells[from..to].iter().map(|c| (*c, CUTS)).collect();
+                    while let Some((cell, left)) = cells.pop() {
+                        if !cell.may_meet(p, d) {
+                            continue;
+                        }
+                        if left == 0 || cell.met_once(d) {
+                            put(cell.mid[0], cell.mid[1]);
+                        } else {
+                            cells.extend(cell.parts(&jet).map(|c| (c, left - 1)));
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    /// Parameters near which the nearest place may be.
+    fn guess(&self, p: Vec3) -> Option<[f64; 2]> {
+        let mut ball = self.tree.first()?;
+        loop {
+            match ball.below {
+                Below::Balls(pair) => {
+                    let [a, b] = pair.map(|i| &self.tree[i]);
+                    ball = if b.apart(p) < a.apart(p) { b } else { a };
+                }
+                Below::Things(from, to) => {
+                    let all = self.cells[from..to].iter().map(|c| (c, c.toward(p)));
+                    let near = |(c, st): &(&Cell, [f64; 2])| (c.at(*st) - p).norm_squared();
+                    let best = all.min_by(|a, b| near(a).total_cmp(&near(b)));
+                    return best.map(|(c, st)| c.parameters(st));
+                }
+            }
+        }
+    }
+}
+
+impl Ball {
+    /// How far the point is from the middle.
+    fn apart(&self, p: Vec3) -> f64 {
+        (p - self.center).norm_squared()
+    }
+}
+
+impl Search {
+    /// Looks for a nearer place in a cell.
+    fn look(
+        &mut self,
+        cell: &Cell,
+        left: u32,
+        jet: &impl Fn([usize; 2], f64, f64) -> Jet,
+        descend: &impl Fn(Option<[usize; 2]>, [f64; 2], &Domain) -> (f64, Placed),
+    ) {
+        let mut st = cell.toward(self.p);
+        if cell.bound(self.p, st) >= self.least {
+            return;
+        }
+        if !cell.has_one_dip(self.p) {
+            if left > 0 {
+                for part in cell.parts(jet) {
+                    self.look(&part, left - 1, jet, descend);
+                }
+                return;
+            }
+        } else {
+            // The square of the distance lies above its tangent plane at any place, so at the nearest one known.
+            st = cell.holds([self.place.u, self.place.v]).unwrap_or(st);
+            let [u, v] = cell.parameters(st);
+            let here = jet(cell.patch, u, v);
+            let w = here.s - self.p;
+            let slope = [w.dot(&here.su) * cell.half[0], w.dot(&here.sv) * cell.half[1]];
+            let fall: f64 = [0, 1].map(|k| slope[k].abs() + slope[k] * st[k]).iter().sum();
+            let size = cell.side[0].norm() + cell.side[1].norm();
+            let over = w.norm_squared() - self.least * self.least;
+            if 2.0 * fall <= over + LEVEL * size * w.norm() {
+                return;
+            }
+        }
+        let uv = cell.parameters(st);
+        let (square, place) = descend(Some(cell.patch), uv, &cell.domain());
+        let distance = square.sqrt();
+        if distance < self.least - self.noise {
+            (self.least, self.place) = (distance, place);
+        }
+    }
+}
+
+impl Cell {
+    fn new(
+        patch: [usize; 2],
+        [mid, half]: [[f64; 2]; 2],
+        bend: [(Vec3, f64); 3],
+        jet: &Jet,
+    ) -> Self {
+        Self { patch, mid, half, c: jet.s, side: [jet.su * half[0], jet.sv * half[1]], bend }
+    }
+
+    /// Greatest second derivative.
+    fn most(&self, k: usize) -> f64 {
+        let (m, r) = &self.bend[k];
+        m.norm() + r
+    }
+
+    /// No point is farther from the middle.
+    fn reach(&self) -> f64 {
+        let stray = 0.5 * (self.most(0) + self.most(2)) + self.most(1);
+        self.side[0].norm() + self.side[1].norm() + stray
+    }
+
+    /// The place of the parallelogram, from -1 to 1, nearest to `p` or nearly so.
+    fn toward(&self, p: Vec3) -> [f64; 2] {
+        let [a, b] = &self.side;
+        let w = p - self.c;
+        let (e, f, g) = (a.norm_squared(), a.dot(b), b.norm_squared());
+        let (x, y) = (w.dot(a), w.dot(b));
+        let det = e * g - f * f;
+        let kept = |x: f64| if x.is_nan() { 0.0 } else { x.clamp(-1.0, 1.0) };
+        let t = kept((e * y - f * x) / det);
+        let s = kept((x - t * f) / e);
+        [s, kept((y - s * f) / g)]
+    }
+
+    /// The point of the parallelogram.
+    fn at(&self, [s, t]: [f64; 2]) -> Vec3 {
+        self.c + self.side[0] * s + self.side[1] * t
+    }
+
+    fn parameters(&self, st: [f64; 2]) -> [f64; 2] {
+        [0, 1].map(|k| self.mid[k] + self.half[k] * st[k])
+    }
+
+    /// No point is nearer to `p`, which the place `st` of the parallelogram is near to.
+    fn bound(&self, p: Vec3, st: [f64; 2]) -> f64 {
+        let away = p - self.at(st);
+        let Some(n) = away.try_normalize(0.0) else { return 0.0 };
+        let over = |k: usize| n.dot(&self.bend[k].0) + self.bend[k].1;
+        let twist = n.dot(&self.bend[1].0).abs() + self.bend[1].1;
+        let stray = 0.5 * (over(0).max(0.0) + over(2).max(0.0)) + twist;
+        let [a, b] = &self.side;
+        n.dot(&(p - self.c)) - n.dot(a).abs() - n.dot(b).abs() - stray
+    }
+
+    fn domain(&self) -> Domain {
+        let ends = |k: usize| [self.mid[k] - self.half[k], self.mid[k] + self.half[k]];
+        Domain { u: ends(0), v: ends(1) }
+    }
+
+    /// Where the parameters lie in it, if they do.
+    fn holds(&self, uv: [f64; 2]) -> Option<[f64; 2]> {
+        let st = [0, 1].map(|k| (uv[k] - self.mid[k]) / self.half[k]);
+        st.iter().all(|s| s.abs() <= 1.0 + 1e-9).then(|| st.map(|s| s.clamp(-1.0, 1.0)))
+    }
+
+    /// How much the derivatives by the two parameters differ from those in the middle at most.
+    fn turns(&self) -> [f64; 2] {
+        [self.most(0) + self.most(1), self.most(1) + self.most(2)]
+    }
+
+    /// Is the square of the distance from `p` convex over the cell? Its second derivatives are
+    /// `S_i . S_j + (S - p) . S_ij`.
+    fn has_one_dip(&self, p: Vec3) -> bool {
+        let w = self.c - p;
+        let (away, r) = (w.norm(), self.reach());
+        let part = |k: usize| {
+            let (m, round) = &self.bend[k];
+            let unsure = away * round + r * (m.norm() + round);
+            (w.dot(m), unsure)
+        };
+        let [a, b] = &self.side;
+        let [ea, eb] = self.turns();
+        let (la, lb) = (a.norm(), b.norm());
+        let least = |l: f64, e: f64| {
+            let l = (l - e).max(0.0);
+            l * l
+        };
+        let [uu, uv, vv] = array::from_fn(part);
+        let (h11, h22) = (least(la, ea) + uu.0 - uu.1, least(lb, eb) + vv.0 - vv.1);
+        let h12 = (a.dot(b) + uv.0).abs() + uv.1 + la * eb + lb * ea + ea * eb;
+        h11 > 0.0 && h22 > 0.0 && h11 * h22 > h12 * h12
+    }
+
+    /// May the line through `p` along `d` meet it?
+    fn may_meet(&self, p: Vec3, d: Vec3) -> bool {
+        let [a, b] = &self.side;
+        let stray = 0.5 * (self.most(0) + self.most(2)) + self.most(1);
+        let w = self.c - p;
+        let beside = |x: &Vec3, y: &Vec3| {
+            let n = d.cross(x);
+            n.dot(&w).abs() <= n.dot(y).abs() + n.norm() * stray * (1.0 + 1e-9)
+        };
+        beside(a, b) && beside(b, a) && w.cross(&d).norm() <= self.reach() * (1.0 + 1e-9)
+    }
+
+    /// Does the surface keep one side towards `d` all over the cell?
+    fn met_once(&self, d: Vec3) -> bool {
+        let [a, b] = &self.side;
+        let [ea, eb] = self.turns();
+        a.cross(b).dot(&d).abs() > a.norm() * eb + b.norm() * ea + ea * eb
+    }
+
+    /// Its quarters.
+    fn parts(&self, jet: impl Fn([usize; 2], f64, f64) -> Jet) -> [Self; 4] {
+        let half = self.half.map(|h| 0.5 * h);
+        let bend = self.bend.map(|(m, r)| (m * 0.25, r * 0.25));
+        [[-1.0, -1.0], [1.0, -1.0], [-1.0, 1.0], [1.0, 1.0]].map(|sign| {
+            let mid = [0, 1].map(|k| self.mid[k] + sign[k] * half[k]);
+            Self::new(self.patch, [mid, half], bend, &jet(self.patch, mid[0], mid[1]))
+        })
+    }
+}
+
+/// Cells in the making.
+struct Put<'a> {
+    cells: Vec<Cell>,
+    surface: &'a Sculptured,
+    /// Column and row of the patch at hand.
+    place: [usize; 2],
+}
+
+impl Put<'_> {
+    fn cell(&mut self, mid: [f64; 2], half: [f64; 2], bend: [(Vec3, f64); 3]) {
+        let jet = self.jet(mid[0], mid[1]);
+        self.cells.push(Cell::new(self.place, [mid, half], bend, &jet));
+    }
+
+    fn jet(&self, u: f64, v: f64) -> Jet {
+        jet(self.surface, Some(self.place), u, v)
+    }
+
+    /// The cells of a patch and of what goes on beyond its borders.
+    fn patch(
+        &mut self,
+        patch: &Patch,
+        index: usize,
+        knots: &[Vec<f64>; 2],
+        cut: usize,
+        domain: &Domain,
+    ) {
+        let spans = self.surface.spans();
+        let count = [knots[0].len() - 1, knots[1].len() - 1];
+        let place = [index % count[0], index / count[0]];
+        self.place = place;
+        // Where the patch begins and how wide it is, in parameters of the whole.
+        let from = [0, 1].map(|k| knots[k][place[k]] / spans[k]);
+        let width = [0, 1].map(|k| (knots[k][place[k] + 1] - knots[k][place[k]]) / spans[k]);
+        let n = cut as f64;
+        let share = |i: usize| [i as f64 / n, (i + 1) as f64 / n];
+        let half = width.map(|w| 0.5 * w / n);
+        let middle = |k: usize, i: usize| from[k] + width[k] * (i as f64 + 0.5) / n;
+        for j in 0..cut {
+            for i in 0..cut {
+                let part = patch.part(share(i), share(j));
+                let balls = bends(&part).balls();
+                let bend = balls.map(|(m, r)| (m * 0.25, r * 0.25));
+                self.cell([middle(0, i), middle(1, j)], half, bend);
+            }
+        }
+        let out = [0, 1].map(|k| {
+            let ends = if k == 0 { domain.u } else { domain.v };
+            let last = place[k] + 1 == count[k];
+            [
+                (place[k] == 0 && ends[0] < 0.0).then_some([0.0, ends[0]]),
+                (last && ends[1] > 1.0).then_some([1.0, ends[1]]),
+            ]
+        });
+        // Beyond the borders across u, then across v.
+        for k in 0..2 {
+            for (side, range) in out[k].iter().enumerate() {
+                let Some(range) = range else { continue };
+                for i in 0..cut {
+                    let part = if k == 0 {
+                        patch.part([0.0, 1.0], share(i))
+                    } else {
+                        turned(&patch.part(share(i), [0.0, 1.0]))
+                    };
+                    let edge = Edge::of(&part, side);
+                    for (mid_out, half_out, far) in stretches(*range) {
+                        let rate = 1.0 / width[k];
+                        let twist = edge.slope * rate * half_out * 0.5;
+                        let along = (edge.twice + far * rate * edge.slope_twice) * 0.25;
+                        let zero = (Vec3::zeros(), 0.0);
+                        let (twist, along) = ((Vec3::zeros(), twist), (Vec3::zeros(), along));
+                        if k == 0 {
+                            let mid = [mid_out, middle(1, i)];
+                            self.cell(mid, [half_out, half[1]], [zero, twist, along]);
+                        } else {
+                            let mid = [middle(0, i), mid_out];
+                            self.cell(mid, [half[0], half_out], [along, twist, zero]);
+                        }
+                    }
+                }
+            }
+        }
+        // Beyond the corners the surface goes on doubly straight.
+        for range_u in out[0].iter().flatten() {
+            for range_v in out[1].iter().flatten() {
+                for (mu, hu, _) in stretches(*range_u) {
+                    for (mv, hv, _) in stretches(*range_v) {
+                        let twist = self.jet(mu, mv).suv * (hu * hv);
+                        let zero = (Vec3::zeros(), 0.0);
+                        self.cell([mu, mv], [hu, hv], [zero, (twist, 0.0), zero]);
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Middle, half width and greatest distance from the border of the stretches from a border to an end.
+fn stretches([border, end]: [f64; 2]) -> impl Iterator<Item = (f64, f64, f64)> {
+    let way = end - border;
+    SHARES
+        .windows(2)
+        .map(|w| [w[0], w[1]])
+        .collect::<Vec<_>>()
+        .into_iter()
+        .map(move |[a, b]| (border + 0.5 * (a + b) * way, 0.5 * (b - a) * way.abs(), b * way.abs()))
+}
+
+/// The patch with u and v exchanged.
+fn turned(patch: &Patch) -> Patch {
+    let net = array::from_fn(|j| array::from_fn(|i| patch.net[i][j]));
+    Patch { net, rational: patch.rational }
+}
+
+/// A ball that holds the control points.
+fn held(patch: &Patch) -> (Vec3, f64) {
+    let [lo, hi] = patch.bounds();
+    let center = (lo + hi) * 0.5;
+    let far = |h: &Vec4| (h.xyz() / h.w - center).norm();
+    (center, patch.net.iter().flatten().map(far).fold(0.0, f64::max))
+}
+
+fn bends(patch: &Patch) -> Bends {
+    let (center, radius) = held(patch);
+    Bends::of(patch, center, radius)
+}
+
+impl Edge {
+    /// Along the border u = 0 or 1 of a patch: with S = H / w and the slope T = (H' - w' S) / w, all about the middle of
+    /// the patch, the derivatives along the border follow from those of w S = H and w T = H' - w' S.
+    fn of(patch: &Patch, side: usize) -> Self {
+        let (center, r) = held(patch);
+        let at = |j: usize, i: usize| {
+            let h = patch.net[j][i];
+            let p = h.xyz() - center * h.w;
+            Vec4::new(p.x, p.y, p.z, h.w)
+        };
+        let border: [Vec4; 4] = array::from_fn(|j| at(j, 3 * side));
+        let across: [Vec4; 4] = array::from_fn(|j| (at(j, 2 * side + 1) - at(j, 2 * side)) * 3.0);
+        let least = border.iter().map(|h| h.w).fold(f64::INFINITY, f64::min);
+        let [(_, _), (h1, w1), (h2, w2)] = greatest(&border);
+        let [(d0, e0), (d1, e1), (d2, e2)] = greatest(&across);
+        let s1 = (h1 + w1 * r) / least;
+        let s2 = (h2 + 2.0 * w1 * s1 + w2 * r) / least;
+        let t0 = (d0 + e0 * r) / least;
+        let t1 = (d1 + s1 * e0 + r * e1 + t0 * w1) / least;
+        let t2 = (d2 + s2 * e0 + 2.0 * s1 * e1 + r * e2 + 2.0 * t1 * w1 + t0 * w2) / least;
+        Self { twice: s2, slope: t1, slope_twice: t2 }
+    }
+}
+
+/// Greatest lengths of the coordinates, and of the weight, of a cubic and its two derivatives.
+fn greatest(b: &[Vec4; 4]) -> [(f64, f64); 3] {
+    let of = |all: &[Vec4]| {
+        let top = |m: (f64, f64), h: &Vec4| (m.0.max(h.xyz().norm()), m.1.max(h.w.abs()));
+        all.iter().fold((0.0, 0.0), top)
+    };
+    let first: [Vec4; 3] = array::from_fn(|k| (b[k + 1] - b[k]) * 3.0);
+    let second: [Vec4; 2] = array::from_fn(|k| (first[k + 1] - first[k]) * 2.0);
+    [of(b), of(&first), of(&second)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::sculptured::Spans;
+    use super::*;
+    use proptest::prelude::*;
+
+    /// Patches over 3 by 2 cells of 10 with random heights and weights, joined or loose.
+    fn surface(z: &[f64], bend: f64, weights: bool) -> Sculptured {
+        let patch = |i0: usize, j0: usize| {
+            Patch::new(array::from_fn(|j| {
+                array::from_fn(|i| {
+                    let k = (3 * j0 + j) * 10 + 3 * i0 + i;
+                    let h = z[k % z.len()];
+                    let w = if weights { 1.0 + 0.4 * z[(7 * k + 3) % z.len()] } else { 1.0 };
+                    let (x, y) = ((3 * i0 + i) as f64, (3 * j0 + j) as f64);
+                    let p = Vec3::new(x / 0.3, y / 0.3 + bend * x, 4.0 * h + bend * x * x);
+                    Vec4::new(p.x * w, p.y * w, p.z * w, w)
+                })
+            }))
+        };
+        let patches = (0..6).map(|k| patch(k % 3, k / 3)).collect();
+        Sculptured::grid(patches, 3, 2).unwrap()
+    }
+
+    /// The nearest place by a grid of samples, the lowest of them searched ever finer.
+    fn brute(jet: impl Fn(f64, f64) -> Jet, domain: &Domain, p: Vec3) -> f64 {
+        let n = 140;
+        let axis = |ends: [f64; 2]| {
+            let inner = (0..=n).map(|k| f64::from(k) / f64::from(n));
+            let mut all: Vec<f64> = inner.collect();
+            for k in 1..=12 {
+                let s = f64::from(k) / 12.0;
+                all.push(ends[0] * s * s);
+                all.push(1.0 + (ends[1] - 1.0) * s * s);
+            }
+            all
+        };
+        let mut all = Vec::new();
+        for u in axis(domain.u) {
+            for v in axis(domain.v) {
+                all.push(((jet(u, v).s - p).norm(), u, v));
+            }
+        }
+        all.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut least = f64::INFINITY;
+        for &(d, u, v) in all.iter().take(12) {
+            let (mut d, mut u, mut v, mut h) = (d, u, v, 0.02);
+            while h > 1e-9 {
+                let mut moved = false;
+                for k in 0..8 {
+                    let angle = core::f64::consts::FRAC_PI_4 * f64::from(k);
+                    let (s, c) = crate::trig::sin_cos(angle);
+                    let (a, b) = (domain.clamp_u(u + h * c), domain.clamp_v(v + h * s));
+                    let e = (jet(a, b).s - p).norm();
+                    if e < d {
+                        (d, u, v, moved) = (e, a, b, true);
+                    }
+                }
+                if !moved {
+                    h *= 0.5;
+                }
+            }
+            least = least.min(d);
+        }
+        least
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(40))]
+        #[test]
+        fn no_sample_is_nearer(
+            z in prop::collection::vec(-1.0_f64..1.0, 70), bend in -0.3_f64..0.3, weights: bool,
+            p in prop::array::uniform3(-1.0_f64..1.0),
+        ) {
+            let spans = Spans::of_surface(surface(&z, bend, weights)).unwrap();
+            let p = Vec3::new(15.0 + 25.0 * p[0], 10.0 + 20.0 * p[1], 15.0 * p[2]);
+            let jet = |u, v| spans.jet(u, v);
+            let truth = brute(jet, &spans.domain(), p);
+            let whole = super::super::ParametricSurface::of_spans(spans);
+            let found = (whole.nearest(p).unwrap().jet.s - p).norm();
+            prop_assert!(found <= truth + 1e-7, "{found} {truth}");
+        }
+
+        #[test]
+        fn a_cell_holds_its_surface(
+            z in prop::collection::vec(-1.0_f64..1.0, 70), bend in -0.3_f64..0.3, weights: bool,
+        ) {
+            let spans = Spans::of_surface(surface(&z, bend, weights)).unwrap();
+            let p = Vec3::new(12.0, 9.0, 5.0);
+            let jet = |u, v| spans.jet(u, v);
+            for cell in &spans.cells().cells {
+                let bound = cell.bound(p, cell.toward(p));
+                for s in [-1.0, -0.4, 0.3, 1.0] {
+                    for t in [-1.0, -0.2, 0.7, 1.0] {
+                        let [u, v] = cell.parameters([s, t]);
+                        let here = jet(u, v).s;
+                        prop_assert!((here - cell.c).norm() <= cell.reach() * (1.0 + 1e-9));
+                        prop_assert!((here - p).norm() >= bound - 1e-9);
+                    }
+                }
+            }
+        }
+    }
+}
