@@ -99,6 +99,7 @@ mod tests {
             }
         }
         assert_eq!(held, 50);
-        assert!(balls(&mut [(Vec3::zeros(), 1.0); 0], 4, |t| *t).is_empty());
+        let mut none: [(Vec3, f64); 0] = [];
+        assert!(balls(&mut none, 4, |t| *t).is_empty());
     }
 }
