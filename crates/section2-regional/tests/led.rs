@@ -147,6 +147,8 @@ fn a_place_is_led_to_the_nearest_one() {
         let p = Vec3::new(x, y, hills(x, y) + 1.5 * trig::sin(3.0 * f));
         put_out(&mut milling, [regional("TLPROJ", vec![word("NORMAL"), word("AT")])]);
         let motion = cl::Motion { points: vec![cl::Position::upright(p)], ..cl::Motion::default() };
+        // Nothing is known of where the tool comes from.
+        milling.stood(None);
         let origin = aptc_diagnostics::Origin::default();
         let mut records = vec![cl::Record { origin, kind: cl::Kind::Motion(motion) }];
         let done = milling.project(&mut records, 0);
