@@ -116,6 +116,7 @@ mod tests {
             across,
             normal: Some(Vec3::z()),
             direction: Some(-Vec3::z()),
+            foot: None,
         }
     }
 

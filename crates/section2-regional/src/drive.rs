@@ -20,6 +20,8 @@ pub(crate) struct DrivePoint {
     pub(crate) normal: Option<Vec3>,
     /// Unit direction of projection; `None` where it is not defined.
     pub(crate) direction: Option<Vec3>,
+    /// Where the projection ends, in shares of the part surface, if that is known beforehand.
+    pub(crate) foot: Option<[f64; 2]>,
 }
 
 /// Which parameter runs along the path.
@@ -63,12 +65,13 @@ impl DriveArea {
                     [Some(a), None] | [None, Some(a)] => a,
                     [None, None] => Vec3::zeros(),
                 };
-                let direction = match &self.projection {
-                    Projection::Along(v) => Some(*v),
-                    Projection::Normal | Projection::Cross => across.try_normalize(0.0),
+                let (direction, foot) = match &self.projection {
+                    Projection::Along(v) => (Some(*v), None),
+                    Projection::Normal | Projection::Cross => (across.try_normalize(0.0), None),
                     Projection::Foot(surface, side) => foot(surface, *side, p.point),
                 };
-                DrivePoint { uv, point: p.point, along: p.first, across, normal: None, direction }
+                let (point, along) = (p.point, p.first);
+                DrivePoint { uv, point, along, across, normal: None, direction, foot }
             }
             Guide::Surface(s) => {
                 let d = s.at(uv[0], uv[1]);
@@ -77,13 +80,13 @@ impl DriveArea {
                     Course::U => (d.u, d.v),
                     Course::V => (d.v, d.u),
                 };
-                let direction = match &self.projection {
-                    Projection::Along(v) => Some(*v),
-                    Projection::Normal => normal.map(|n| -n),
-                    Projection::Cross => across.try_normalize(0.0),
+                let (direction, foot) = match &self.projection {
+                    Projection::Along(v) => (Some(*v), None),
+                    Projection::Normal => (normal.map(|n| -n), None),
+                    Projection::Cross => (across.try_normalize(0.0), None),
                     Projection::Foot(surface, side) => foot(surface, *side, d.point),
                 };
-                DrivePoint { uv, point: d.point, along, across, normal, direction }
+                DrivePoint { uv, point: d.point, along, across, normal, direction, foot }
             }
         }
     }
@@ -102,7 +105,9 @@ impl DriveArea {
     }
 }
 
-/// Against the normal of the place nearest to `p`, seen from one side of the surface.
-fn foot(surface: &ParametricSurface, side: f64, p: Vec3) -> Option<Vec3> {
-    surface.normal(p).ok().map(|n| n * -side)
+/// Against the normal of the place nearest to `p`, seen from one side of the surface, and that place.
+fn foot(surface: &ParametricSurface, side: f64, p: Vec3) -> (Option<Vec3>, Option<[f64; 2]>) {
+    let foot = surface.foot(p);
+    let smooth = foot.shape.k[0].is_finite();
+    (smooth.then(|| foot.normal * -side), foot.at)
 }

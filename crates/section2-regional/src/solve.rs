@@ -200,6 +200,10 @@ impl Setup<'_> {
         }
         let shot = self.shot(p, direction, ta);
         let tree = &self.part.tree;
+        let spans = surface.spans();
+        let foot = p.foot.map(|f| [f[0] * spans[0], f[1] * spans[1]]);
+        // A point goes to its foot and no other place of the line; a cutter to what it meets first.
+        let start = if self.leads() { start.or(foot) } else { foot.or(start) };
         let near = start.and_then(|s| shot.near(s)).or_else(|| shot.touch(tree));
         near.or_else(|| shot.first(tree)).or_else(|| shot.fall(tree)).ok_or_else(|| {
             Failure::NotMet { part: self.part.name.name.as_str().into(), uv: p.uv, place: p.point }

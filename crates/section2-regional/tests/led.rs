@@ -118,10 +118,20 @@ fn put_out(regional: &mut Regional, kinds: impl IntoIterator<Item = Kind>) -> Ve
     out
 }
 
+/// Furrows so steep that the normals in one pass through the ridges beside it.
+fn furrows(x: f64, y: f64) -> f64 {
+    16.0 * trig::sin(0.16 * x) + 0.5 * trig::cos(0.1 * y)
+}
+
 /// TLPROJ/NORMAL,AT: the cutter touches the place of the part surface that is nearest to the one programmed.
 #[test]
 fn a_place_is_led_to_the_nearest_one() {
-    let part = mesh(hills);
+    led(hills);
+    led(furrows);
+}
+
+fn led(height: fn(f64, f64) -> f64) {
+    let part = mesh(height);
     let fitted = fit_surface(&part, 10.0).expect("an even mesh");
     let of = |form: Form| Arg::Form { name: NameRef::default(), form: Arc::new(form) };
     let word = |w: &str| Arg::Word(w.into());
@@ -144,7 +154,7 @@ fn a_place_is_led_to_the_nearest_one() {
         let f = f64::from(k);
         let (x, y) = (30.0 + 20.0 * trig::sin(f), 30.0 + 20.0 * trig::cos(1.7 * f));
         // Above the surface and below it.
-        let p = Vec3::new(x, y, hills(x, y) + 1.5 * trig::sin(3.0 * f));
+        let p = Vec3::new(x, y, height(x, y) + 1.5 * trig::sin(3.0 * f));
         put_out(&mut milling, [regional("TLPROJ", vec![word("NORMAL"), word("AT")])]);
         let motion = cl::Motion { points: vec![cl::Position::upright(p)], ..cl::Motion::default() };
         // Nothing is known of where the tool comes from.

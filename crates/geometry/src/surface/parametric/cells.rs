@@ -133,7 +133,8 @@ impl Cells {
                     parts.extend(cell.parts(&jet).map(|c| (c, left - 1)));
                     continue;
                 }
-                let (square, place) = descend(Some(cell.patch), cell.parameters(st), &cell.domain());
+                let (square, place) =
+                    descend(Some(cell.patch), cell.parameters(st), &cell.domain());
                 if square < least * least
                     && let Some(square) = dip(place.u, place.v)
                 {

@@ -118,9 +118,9 @@ impl ParametricSurface {
         Some(Self::of_spans(Spans::new(form)?))
     }
 
-    /// The same of a surface that is fitted.
+    /// The same of a surface that is fitted; its parameters are shares of that one's spans.
     pub fn of_sculptured(surface: &crate::Sculptured) -> Option<Self> {
-        Some(Self::of_spans(Spans::of_surface(sculptured::joined(surface))?))
+        Some(Self::of_spans(Spans::of_surface(surface.clone())?))
     }
 
     /// A sculptured surface is looked at by its cells, and keeps no samples.
@@ -338,7 +338,8 @@ impl ParametricSurface {
         let other = |place: &Placed| (place.jet.s - nearest.jet.s).norm() > apart;
         if let Patch::Sculptured(spans) = &self.patch {
             let jet = |patch, u, v| spans.jet_of(patch, u, v);
-            let dip = |u, v| Some(self.descend_free(p, [u, v])).filter(|(_, d)| other(d)).map(|(d, _)| d);
+            let dip =
+                |u, v| Some(self.descend_free(p, [u, v])).filter(|(_, d)| other(d)).map(|(d, _)| d);
             return spans.cells().rival(p, limit, jet, self.descending(spans, p), dip);
         }
         let places = self.seeds(p).into_iter().flatten();

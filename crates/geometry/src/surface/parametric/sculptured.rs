@@ -145,7 +145,7 @@ fn straight(surface: &Sculptured, size: f64, along: bool) -> bool {
 }
 
 /// Loose patches that fit together are one grid; other surfaces stay what they are.
-pub(super) fn joined(surface: &Sculptured) -> Sculptured {
+fn joined(surface: &Sculptured) -> Sculptured {
     as_grid(surface).unwrap_or_else(|| surface.clone())
 }
 
