@@ -57,7 +57,9 @@ impl Arelem {
             let taken = Candidate::of(tool.te, end.te);
             self.diagnostics.push(failure::ambiguous(origin, &taken, &path.rivals));
         }
-        if let Some((_, surface)) = go.surfaces.get(1) {
+        self.settings.started = None;
+        if let Some((relation, surface)) = go.surfaces.get(1) {
+            self.settings.started = Some((Arc::clone(&surface.form), *relation == Relation::On));
             self.settings.part = Part::Surface(surface.clone());
             self.settings.nops = false;
         }

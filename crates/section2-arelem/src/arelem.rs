@@ -146,6 +146,18 @@ impl Arelem {
             Some(kind) => out.push(cl::Record { origin: origin.clone(), kind }),
             None => {}
         }
+        if matches!(
+            record.kind,
+            Kind::From(_)
+                | Kind::Goto(_)
+                | Kind::Points { .. }
+                | Kind::GoDelta(_)
+                | Kind::GoDeltaAxis(_)
+                | Kind::Pocket(_)
+                | Kind::Regional { .. }
+        ) {
+            self.settings.started = None;
+        }
         match &record.kind {
             Kind::From(p) => self.place(origin, p, cl::MotionKind::From, out),
             Kind::Goto(p) => self.place(origin, p, cl::MotionKind::Goto, out),

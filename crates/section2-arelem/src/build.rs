@@ -50,9 +50,12 @@ impl Arelem {
         };
         let on = stance == Stance::On;
         let part = self.part(&tool);
-        let part_on = match s.part_side {
-            Some(side) => side == PartSide::Tlonps,
-            None => !self.touches(&part, &tool) && self.stands_on(&part, Role::Part, &tool),
+        // GO says whether the tool end lies on the part surface, where nothing else does.
+        let started = s.started.as_ref().filter(|(form, _)| Arc::ptr_eq(form, &part.form));
+        let part_on = match (s.part_side, started) {
+            (Some(side), _) => side == PartSide::Tlonps,
+            (None, Some((_, on))) => *on,
+            (None, None) => !self.touches(&part, &tool) && self.stands_on(&part, Role::Part, &tool),
         };
         let mut checks = Vec::with_capacity(d.checks.len());
         for (i, c) in d.checks.iter().enumerate() {

@@ -72,6 +72,9 @@ pub(crate) struct Settings {
     pub(crate) drive_side: Option<DriveSide>,
     /// The last of TLONPS, TLOFPS; none yet.
     pub(crate) part_side: Option<PartSide>,
+    /// The part surface of the last GO, and whether it put the tool end on it; none when the tool has moved since
+    /// otherwise than along surfaces.
+    pub(crate) started: Option<(Arc<Form>, bool)>,
     pub(crate) given: Option<Given>,
     pub(crate) normals: Vec<Option<Vec3>>,
     pub(crate) cut: bool,
@@ -111,6 +114,7 @@ impl Default for Settings {
             nops: false,
             drive_side: None,
             part_side: None,
+            started: None,
             given: None,
             normals: Vec::new(),
             cut: true,

@@ -52,6 +52,23 @@ fn start_up_by_the_least_way() {
     ends(&f, &format!("{start}GO/TO,X0,TO,Y0"), [2.0, 2.0, 0.0], 1e-12);
 }
 
+/// `STRTUP`: GO tells whether the tool end lies on the part surface, also where the bands hold both.
+#[test]
+fn the_part_surface_is_kept_to_as_started() {
+    let a = 0.0245;
+    let f = forms(&[
+        Y0,
+        ("S", "PLANE", &[-a, 0.0, 1.0, 0.0]),
+        ("X1", "PLANE", &[1.0, 0.0, 0.0, 10.0]),
+        ("X2", "PLANE", &[1.0, 0.0, 0.0, 60.0]),
+    ]);
+    let start = "3DCALC\nCUTTER/10,5\nINTOL/.001\nOUTTOL/.001\nFROM/-20,-20,50\nGO/TO,Y0,";
+    let drive = "S,TO,X1\nTLRGT,GORGT/Y0,PAST,X2";
+    let over = 5.0 * ((1.0 + a * a).sqrt() - 1.0);
+    ends(&f, &format!("{start}ON,{drive}"), [65.0, -5.0, 65.0 * a], 1e-9);
+    ends(&f, &format!("{start}TO,{drive}"), [65.0, -5.0, 65.0 * a + over], 1e-9);
+}
+
 /// `ARLM2`: the cutter between two circles; `ARLM3` finds the same place.
 #[test]
 fn a_cutter_at_two_circles() {
