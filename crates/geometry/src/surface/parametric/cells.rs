@@ -108,7 +108,9 @@ impl Cells {
             search.look(cell, CUTS, &jet, &descend);
             search.least
         });
-        Some(search.place)
+        // A dip a little beyond the border of its cell is not nearer by more than the noise, and yet elsewhere.
+        let Placed { u, v, .. } = search.place;
+        Some(descend(None, [u, v], domain).1)
     }
 
     /// Distance of the nearest dip from `p` of those that `dip` gives one for; `dip` goes downhill freely from
