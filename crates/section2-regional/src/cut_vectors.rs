@@ -9,6 +9,7 @@ use aptc_geometry::sculpt::nearest_on;
 use aptc_geometry::{Form, Profile, Sculptured, Surface, Vec3};
 use aptc_protap::{Arg, CutContact, CutPoint, CutVectors, NameRef};
 
+use crate::area::Guide;
 use crate::failure::Failure;
 use crate::outline::{Outline, same, same_form};
 use crate::regional::Regional;
@@ -24,6 +25,28 @@ pub(crate) struct Recording {
     kept: Vec<Box<str>>,
     points: Vec<CutPoint>,
     outline: Outline,
+    guided: Vec<Guided>,
+}
+
+/// A motion of regional milling, by its record, along its drive surface.
+#[derive(Clone, Debug)]
+struct Guided {
+    record: usize,
+    surface: Arc<Sculptured>,
+    /// Parameters of the surface for each of its positions.
+    uvs: Vec<[f64; 2]>,
+}
+
+impl Guided {
+    /// The place of the surface that belongs to a position, its normal towards the tool.
+    fn place(&self, k: usize, p: &cl::Position) -> Option<Contact> {
+        let uv = *self.uvs.get(k)?;
+        let at = self.surface.at(uv[0], uv[1]);
+        let normal = at.normal()?;
+        let normal = if normal.dot(&p.ta) < 0.0 { -normal } else { normal };
+        let patch = Some(patch_of(&self.surface, uv));
+        Some(Contact { place: CutContact { point: at.point, normal, patch }, uv: Some(uv) })
+    }
 }
 
 /// A surface prepared for contacts.
@@ -74,7 +97,8 @@ impl Regional {
                 kept.push(word.into());
             }
             let (points, outline) = (Vec::new(), Outline::new(number));
-            self.recording = Some(Recording { number, from: out.len(), kept, points, outline });
+            let (from, guided) = (out.len(), Vec::new());
+            self.recording = Some(Recording { number, from, kept, points, outline, guided });
             return Ok(());
         }
         w.take("NOMORE");
@@ -132,11 +156,22 @@ impl Regional {
         Ok(())
     }
 
+    /// Remembers where the positions of the record of that index lie on their drive, if a section is open and asks
+    /// for it.
+    pub(crate) fn guided(&mut self, record: usize, guide: &Guide, uvs: Vec<[f64; 2]>) {
+        let open = self.recording.as_mut().filter(|open| open.needs(true));
+        if let (Some(open), Guide::Surface(surface)) = (open, guide) {
+            open.guided.push(Guided { record, surface: Arc::clone(surface), uvs });
+        }
+    }
+
     /// Takes the motions of the section out of `out`.
     fn gather(&mut self, open: &mut Recording, out: &mut Vec<cl::Record>) -> Result<(), Failure> {
         let mut prepared: Vec<Prepared> = Vec::new();
         let mut last: Option<Vec3> = None;
-        for record in out.split_off(open.from.min(out.len())) {
+        let guided = std::mem::take(&mut open.guided);
+        let from = open.from.min(out.len());
+        for (index, record) in (from..).zip(out.split_off(from)) {
             let cl::Kind::Motion(m) = &record.kind else {
                 out.push(record);
                 continue;
@@ -146,26 +181,34 @@ impl Regional {
             let part = control.and_then(|c| c.part.as_ref()).filter(|_| open.needs(false));
             let milling = control.and_then(|c| c.milling.as_ref()).filter(|_| open.needs(false));
             let of_drive = open.keeps("UVPDS");
+            let along = guided.iter().find(|g| g.record == index);
             let mut corners = Vec::new();
-            for p in &m.points {
-                let drive = self.contact(&mut prepared, drive, p)?;
+            for (k, p) in m.points.iter().enumerate() {
+                let drive = match along {
+                    Some(along) => along.place(k, p),
+                    None => self.contact(&mut prepared, drive, p)?,
+                };
                 let part = match milling {
                     Some(milling) => self.milled(milling, p),
                     None => self.contact(&mut prepared, part, p)?,
                 };
-                let along = last.and_then(|q| (p.te - q).try_normalize(0.0));
+                let forward = last.and_then(|q| (p.te - q).try_normalize(0.0));
                 last = Some(p.te);
                 corners.extend(if of_drive { drive } else { part }.and_then(|c| c.uv));
                 open.points.push(CutPoint {
                     te: p.te,
                     ta: p.ta,
-                    along,
+                    along: forward,
                     drive: drive.map(|c| c.place),
                     part: part.map(|c| c.place),
                 });
             }
-            let form = match (milling.filter(|_| !of_drive), if of_drive { drive } else { part }) {
-                (Some(milling), _) => self.form_of(milling),
+            let milled = match along.filter(|_| of_drive) {
+                Some(along) => Some(&along.surface),
+                None => milling.filter(|_| !of_drive).and_then(|m| Some(&m.part.as_ref()?.surface)),
+            };
+            let form = match (milled, if of_drive { drive } else { part }) {
+                (Some(surface), _) => self.form_of(surface),
                 (None, c) => c.map(|c| Arc::clone(&c.form)),
             };
             if let Some(form) = form.filter(|f| matches!(f.shape(), Form::Ssurf(_))) {
@@ -230,10 +273,9 @@ impl Regional {
         Some(Contact { place: CutContact { point: at.point, normal, patch }, uv: Some(uv) })
     }
 
-    /// The definition of the part surface.
-    fn form_of(&self, milling: &Milling) -> Option<Arc<Form>> {
-        let milled = milling.part.as_ref()?;
-        let same = self.fitted.iter().find(|(_, s)| Arc::ptr_eq(s, &milled.surface));
+    /// The definition of a surface that is fitted.
+    fn form_of(&self, surface: &Arc<Sculptured>) -> Option<Arc<Form>> {
+        let same = self.fitted.iter().find(|(_, s)| Arc::ptr_eq(s, surface));
         same.map(|(form, _)| Arc::clone(form))
     }
 }

@@ -105,6 +105,7 @@ impl Regional {
         } else {
             None
         };
+        let guide = Some(&drive.guide);
         let senses = [if wish.inverse { -1.0 } else { 1.0 }, over];
         let ways = &self.ways_of(Some(&part));
         let feeds = [0.0; 4];
@@ -118,7 +119,7 @@ impl Regional {
             }
             let puts = touched(&region, (course, first, at), wish.retract)?;
             let control = self.milling_control(&part, None, false);
-            return Ok(self.put(origin, name, puts, Some(&control), out));
+            return Ok(self.put(origin, (name, guide), puts, Some(&control), out));
         }
         let from = at_line(course, first, if wish.inverse { thru } else { start });
         if self.outlines.is_active() {
@@ -126,7 +127,7 @@ impl Regional {
             let done = within::mill(&region, &stretches, retract, crew)?;
             let control = self.milling_control(&part, None, false);
             self.diagnostics.extend(reports(origin, &done.notes));
-            let stand = self.put(origin, name, done.puts, Some(&control), out);
+            let stand = self.put(origin, (name, guide), done.puts, Some(&control), out);
             return done.why.map_or(Ok(stand), Err);
         }
         let done = region.mill(from, crew);
@@ -136,7 +137,7 @@ impl Regional {
         let scallop = (height > 0.0 && done.why.is_none()).then_some(Scallop { height, range });
         let control = self.milling_control(&part, scallop, false);
         self.diagnostics.extend(reports(origin, &done.notes));
-        let stand = self.put(origin, name, done.puts, Some(&control), out);
+        let stand = self.put(origin, (name, guide), done.puts, Some(&control), out);
         done.why.map_or(Ok(stand), Err)
     }
 

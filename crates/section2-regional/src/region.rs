@@ -26,6 +26,22 @@ pub(crate) enum Put {
     Feed(f64),
     /// Positions.
     Move(Vec<(Vec3, Vec3)>),
+    /// Positions of a path, with the parameters of the drive.
+    Path(Vec<Along>),
+}
+
+/// A position that belongs to a place of the drive.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Along {
+    pub(crate) at: (Vec3, Vec3),
+    /// Parameters of the drive.
+    pub(crate) uv: [f64; 2],
+}
+
+impl Along {
+    pub(crate) fn of(p: &Position) -> Self {
+        Self { at: (p.te, p.ta), uv: p.drive_uv }
+    }
 }
 
 /// How the tool is led away from the surface between passes.
@@ -351,8 +367,8 @@ impl Region<'_> {
             (First::Left, _) => true,
             (First::After(stand), Some(start)) => self.joined(setup, stand, start)?,
         };
-        let moves = points.iter().skip(usize::from(skip)).map(|p| (p.te, p.ta)).collect();
-        out.puts.push(Put::Move(moves));
+        let moves = points.iter().skip(usize::from(skip)).map(Along::of).collect();
+        out.puts.push(Put::Path(moves));
         out.notes.extend(notes);
         out.odd = out.odd.or(Odd::of(&points));
         out.first = out.first.or(start);

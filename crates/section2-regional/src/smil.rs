@@ -15,7 +15,7 @@ use crate::failure::{Deep, Failure, put_out, touches_with};
 use crate::guard::{Checked, Guard};
 use crate::path::{Broken, Path};
 use crate::position::Odd;
-use crate::region::{Put, Region, Retract};
+use crate::region::{Along, Put, Region, Retract};
 use crate::regional::{Regional, Stand};
 use crate::report::{Note, reports};
 use crate::scon::Words;
@@ -77,8 +77,10 @@ impl Regional {
         self.diagnostics.extend(reports(origin, &done.notes));
         self.odd(origin, done.odd);
         let control = self.control(&done);
-        let name = self.areas.drive.as_ref().map(|d| d.name.clone()).unwrap_or_default();
-        let stand = self.put(origin, &name, done.puts, control.as_ref(), out);
+        let drive = self.areas.drive.as_ref();
+        let name = drive.map(|d| d.name.clone()).unwrap_or_default();
+        let guide = drive.map(|d| d.guide.clone());
+        let stand = self.put(origin, (&name, guide.as_ref()), done.puts, control.as_ref(), out);
         done.why.map_or(Ok(stand), Err)
     }
 
@@ -129,7 +131,8 @@ impl Regional {
                 _ => p.te,
             }
         };
-        Ok((vec![Put::Move(vec![(te, p.ta)])], Odd::of(&[p]), te != p.te))
+        let along = Along { at: (te, p.ta), uv: p.drive_uv };
+        Ok((vec![Put::Path(vec![along])], Odd::of(&[p]), te != p.te))
     }
 
     fn course(&self, w: &mut Words<'_>) -> Result<(Course, f64), Failure> {
@@ -159,9 +162,9 @@ impl Regional {
                 (done, Some(why))
             }
         };
-        let moves = points.iter().skip(usize::from(skip)).map(|p| (p.te, p.ta)).collect();
+        let moves = points.iter().skip(usize::from(skip)).map(Along::of).collect();
         let first = points.first().map(|p| (p.te, p.ta));
-        let (puts, odd) = (vec![Put::Move(moves)], Odd::of(&points));
+        let (puts, odd) = (vec![Put::Path(moves)], Odd::of(&points));
         Ok(Done { puts, notes, odd, first, why: broken, joined: skip, ..Done::default() })
     }
 
@@ -216,6 +219,7 @@ impl Regional {
     fn join(&mut self, origin: &Origin, done: &mut Done) -> Result<(), Failure> {
         let second = done.puts.iter().find_map(|p| match p {
             Put::Move(points) => points.first().copied(),
+            Put::Path(points) => points.first().map(|p| p.at),
             Put::Feed(_) => None,
         });
         let (Some(stand), Some(first), Some(second)) = (self.stand, done.first, second) else {
@@ -327,11 +331,11 @@ impl Regional {
         Arc::new(cl::Control { milling: Some(milling), ..cl::Control::default() })
     }
 
-    /// Positions as CL records; where the tool stands then.
+    /// Positions as CL records, under the name of what guides them; where the tool stands then.
     pub(crate) fn put(
-        &self,
+        &mut self,
         origin: &Origin,
-        name: &NameRef,
+        (name, guide): (&NameRef, Option<&Guide>),
         puts: Vec<Put>,
         control: Option<&Arc<cl::Control>>,
         out: &mut Vec<cl::Record>,
@@ -339,21 +343,28 @@ impl Regional {
         let mut stand = None;
         let mut before: Option<Vec3> = None;
         for put in puts {
-            match put {
+            let (points, uvs) = match put {
                 Put::Feed(f) if f != 0.0 => {
                     let kind =
                         cl::Kind::Post { word: "FEDRAT".into(), args: vec![cl::Arg::Number(f)] };
                     out.push(cl::Record { origin: origin.clone(), kind });
+                    continue;
                 }
-                Put::Feed(_) => {}
-                Put::Move(points) => {
-                    for (te, ta) in &points {
-                        let along = before.map_or_else(Vec3::zeros, |b| te - b);
-                        stand = Some(Stand { te: *te, ta: *ta, along });
-                        before = Some(*te);
-                    }
-                    self.motion(origin, name, points, control, out);
-                }
+                Put::Feed(_) => continue,
+                Put::Move(points) => (points, Vec::new()),
+                Put::Path(points) => points.into_iter().map(|p| (p.at, p.uv)).unzip(),
+            };
+            for (te, ta) in &points {
+                let along = before.map_or_else(Vec3::zeros, |b| te - b);
+                stand = Some(Stand { te: *te, ta: *ta, along });
+                before = Some(*te);
+            }
+            let index = out.len();
+            self.motion(origin, name, points, control, out);
+            if out.len() > index
+                && let Some(guide) = guide
+            {
+                self.guided(index, guide, uvs);
             }
         }
         stand

@@ -9,8 +9,7 @@ use crate::drive::Course;
 use crate::failure::Failure;
 use crate::goloft::at_line;
 use crate::path::{Broken, Path};
-use crate::position::Position;
-use crate::region::{Put, Region, Retract};
+use crate::region::{Along, Put, Region, Retract};
 use crate::report::Note;
 
 /// What is left of a line: the other parameter, and from where to where it is milled.
@@ -62,9 +61,9 @@ pub(crate) fn mill(
                 (done, Some(why))
             }
         };
-        let points: Vec<_> = points.iter().map(|p: &Position| (p.te, p.ta)).collect();
+        let points: Vec<Along> = points.iter().map(Along::of).collect();
         if let (Some(from), Some(to), Some(retract)) = (last, points.first(), &retract) {
-            let way = retract.over(from, *to);
+            let way = retract.over(from, to.at);
             if let Err(blocked) = region.clear(from, &way) {
                 done.why = Some(blocked);
                 break;
@@ -72,8 +71,8 @@ pub(crate) fn mill(
             let [up, across, _] = way;
             done.puts.push(Put::Move(vec![up, across]));
         }
-        last = points.last().copied().or(last);
-        done.puts.push(Put::Move(points));
+        last = points.last().map(|p| p.at).or(last);
+        done.puts.push(Put::Path(points));
         done.notes.extend(notes);
         if why.is_some() {
             done.why = why;

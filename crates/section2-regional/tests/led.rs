@@ -37,8 +37,8 @@ fn mesh(z: impl Fn(f64, f64) -> f64) -> SurfaceDefinition {
     })
 }
 
-/// Tool ends of the line at `v` over the middle of the surface, the tool led over it along z.
-fn line(part: &SurfaceDefinition, cutter: Cutter, v: f64) -> Vec<Vec3> {
+/// Statements for the line at `v` over the middle of the surface, the tool led over it along z.
+fn statements(part: &SurfaceDefinition, cutter: Cutter, v: f64) -> [Kind; 8] {
     let of = |form: Form| Arg::Form { name: NameRef::default(), form: Arc::new(form) };
     let surface = |d: &SurfaceDefinition| of(Form::Ssurf(Arc::new(d.clone())));
     let word = |w: &str| Arg::Word(w.into());
@@ -50,7 +50,7 @@ fn line(part: &SurfaceDefinition, cutter: Cutter, v: f64) -> Vec<Vec3> {
     let ds = [vec![word("DS"), surface(&mesh(|_, _| 60.0)), word("PARAM")], limits];
     let ps = vec![word("PS"), word("TO"), surface(part), word("PLUS"), Arg::Number(0.0)];
     let from = [vec![word("PATH"), word("DS"), word("PARAM")], numbers(&[1.0, v])];
-    let kinds = [
+    [
         Kind::Units(Units::Mm),
         Kind::Cutter(cutter),
         Kind::Intol([TOL; 4]),
@@ -59,7 +59,12 @@ fn line(part: &SurfaceDefinition, cutter: Cutter, v: f64) -> Vec<Vec3> {
         regional("SCON", ps),
         regional("SCON", vec![word("AXIS"), of(Form::Vector(Vec3::z()))]),
         regional("SMIL", [from.concat(), vec![word("TANSPL"), word("PLUS")]].concat()),
-    ];
+    ]
+}
+
+/// Tool ends of the line.
+fn line(part: &SurfaceDefinition, cutter: Cutter, v: f64) -> Vec<Vec3> {
+    let kinds = statements(part, cutter, v);
     let mut regional = Regional::default();
     let mut out = Vec::new();
     for kind in kinds {
@@ -103,6 +108,42 @@ fn the_contact_may_jump() {
                 }
             }
         }
+    }
+}
+
+/// CLDAT keeps the places of the drive surface that the tool is led over.
+#[test]
+fn a_section_knows_the_places_of_the_drive_surface() {
+    let word = |w: &str| Arg::Word(w.into());
+    let section = |w: &str, more: &[&str]| {
+        let args = [vec![word(w), Arg::Number(1.0)], more.iter().map(|m| word(m)).collect()];
+        Kind::Regional { word: "CLDAT".into(), args: args.concat() }
+    };
+    let v = 2.5;
+    let mut kinds: Vec<Kind> = statements(&mesh(hills), Cutter::mill(8.0, 4.0, 60.0), v).into();
+    kinds.insert(kinds.len() - 1, section("START", &["UVPDS", "PDS", "NDS"]));
+    kinds.push(section("NOMORE", &[]));
+    let mut regional = Regional::default();
+    let mut out = Vec::new();
+    for kind in kinds {
+        let record = Record { origin: aptc_diagnostics::Origin::default(), kind };
+        let done = regional.execute(&record, &mut out);
+        assert!(done.is_ok(), "{:?}", regional.take_diagnostics());
+    }
+    let saved = regional.take_saved();
+    let [section] = saved.as_slice() else { panic!("one section: {saved:?}") };
+    assert!(section.points.len() > 10);
+    let mut last = 0.0;
+    for p in &section.points {
+        let place = p.drive.expect("a place of the drive surface");
+        // The drive surface is level at z = 60 with spans of 10; the tool end is below the place but for its tolerance.
+        assert!((place.point.z - 60.0).abs() < 1e-9 && (place.normal - Vec3::z()).norm() < 1e-9);
+        assert!((place.point.xy() - p.te.xy()).norm() < 2.0 * TOL, "{p:?}");
+        let (patch, [a, b]) = place.patch.expect("a patch");
+        let u = f64::from((patch - 1) % SPANS) + a;
+        assert!((u * 10.0 - place.point.x).abs() < 1e-9 && (b - 0.5).abs() < 1e-9);
+        assert!(u >= last);
+        last = u;
     }
 }
 
