@@ -4,7 +4,7 @@ use std::fs;
 use std::io::{self, Seek as _, Write};
 use std::path::Path;
 
-use aptc_control::ArtifactFile;
+use aptc_control::{Artifact, ArtifactFile};
 use tempfile::NamedTempFile;
 
 /// A result that is being written aside, in the folder where it is to go.
@@ -17,9 +17,14 @@ impl Aside {
         tempfile::Builder::new().prefix(".aptc-").tempfile_in(folder).map(Self)
     }
 
-    /// Gives it its name: what was there stays until all is written.
+    /// Gives it its name when it is on the disk: what was there stays until all is written, also when the power fails.
     pub(crate) fn keep(self, path: &Path) -> io::Result<()> {
         self.0.as_file().sync_all()?;
+        self.name(path)
+    }
+
+    /// Gives it its name: what was there stays until all is handed to the system.
+    fn name(self, path: &Path) -> io::Result<()> {
         #[cfg(unix)]
         {
             // A temporary file is readable by its owner alone; a result is an ordinary file.
@@ -49,18 +54,26 @@ impl Write for Aside {
 }
 
 /// Writes a result aside in the folder of `path`, then renames: what was there stays until all is written.
-pub(crate) fn write_whole(path: &Path, file: &ArtifactFile<'_>) -> io::Result<()> {
-    write_aside(path, |out| file.write_to(out))
+///
+/// Machine code is on the disk before it has its name. What is made from the program again at any time is not waited
+/// for: to wait takes longer than to compile a small program.
+pub(crate) fn write_whole(path: &Path, file: &ArtifactFile<'_>, kind: Artifact) -> io::Result<()> {
+    let aside = written(path, |out| file.write_to(out))?;
+    if kind == Artifact::Nc { aside.keep(path) } else { aside.name(path) }
 }
 
-/// The same of what `write` writes.
+/// The same of what `write` writes, which cannot be made again.
 pub(crate) fn write_aside(
     path: &Path,
     write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
 ) -> io::Result<()> {
+    written(path, write)?.keep(path)
+}
+
+fn written(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<Aside> {
     let mut aside = io::BufWriter::new(Aside::begin(path)?);
     write(&mut aside)?;
-    aside.into_inner().map_err(io::IntoInnerError::into_error)?.keep(path)
+    aside.into_inner().map_err(io::IntoInnerError::into_error)
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! Closed forms: plane, sphere, and whatever runs straight along the tool axis.
 
-use aptc_geometry::{Plane, Sphere, Surface, Tool, Vec3};
+use aptc_geometry::{Plane, Sphere, Spot, Surface, Tool, Vec3};
 
 use crate::gap::{Gap, Side};
 
@@ -57,10 +57,18 @@ pub(crate) fn sphere(tool: &Tool<'_>, sphere: &Sphere, side: Side) -> Gap {
 }
 
 /// The tool axis runs along the generator: seen along it the tool is a circle of its greatest radius, and
-/// the surface a curve whose nearest point to the axis is known.
+/// the surface a curve whose nearest point to the axis is known, sooner from a place near it.
 #[inline]
-pub(crate) fn along_axis(tool: &Tool<'_>, surface: &Surface, side: Side) -> Gap {
-    let foot = surface.foot(tool.te);
+pub(crate) fn along_axis(
+    tool: &Tool<'_>,
+    surface: &Surface,
+    side: Side,
+    near: Option<Spot>,
+) -> Gap {
+    let foot = match near {
+        Some(near) => surface.foot_from(tool.te, near),
+        None => surface.foot(tool.te),
+    };
     let s = side.sign();
     let normal = foot.normal * s;
     let raw = s * foot.distance - tool.profile.widest();

@@ -15,6 +15,8 @@ pub(crate) const COS16: [f64; 16] = {
 };
 /// Bound of Newton's method on one circle.
 const MAX_STEPS: usize = 60;
+/// After a step of Newton's method of no more than this, radians, rounding alone is left: it converges quadratically.
+const LAST: f64 = 1e-9;
 
 /// A circle of the cutter about its axis, thickened by r.
 #[derive(Clone, Copy)]
@@ -25,7 +27,7 @@ struct Ring {
     segment: Segment,
 }
 
-/// The circles whose hull the cutter is.
+/// The circles whose hull the cutter is, each once.
 fn rings(profile: &Profile) -> [Option<Ring>; 5] {
     let [[a, za], [b, zb]] = profile.joints();
     let [e, f] = profile.corner();
@@ -33,9 +35,10 @@ fn rings(profile: &Profile) -> [Option<Ring>; 5] {
     let sharp = |rho: f64, z: f64, segment| Some(Ring { rho, z, r: 0.0, segment });
     let r = profile.corner_radius();
     let edge = |new: bool, ring| if new { ring } else { None };
+    let arc = r > 0.0 || (e, f) != (rim, top);
     [
         sharp(rim, top, Segment::Rim),
-        Some(Ring { rho: e, z: f, r, segment: Segment::Arc }),
+        edge(arc, Some(Ring { rho: e, z: f, r, segment: Segment::Arc })),
         edge(r > 0.0, sharp(a, za, Segment::LowerPoint)),
         edge(r > 0.0 && (b, zb) != (rim, top), sharp(b, zb, Segment::UpperPoint)),
         sharp(0.0, profile.bottom(), Segment::Tip),
@@ -54,12 +57,16 @@ struct At {
 }
 
 /// Gap of a tool on the negative side of a surface whose negative side is convex, its nearest points
-/// given by `foot`.
+/// given by `foot`, and their signed distances, which may be had for less, by `distance`.
 ///
 /// On each circle the distance from the wall is smooth and has at most two dips, on opposite sides, which
 /// sixteen samples tell apart.
-pub(crate) fn within(tool: &Tool<'_>, foot: impl Fn(Vec3) -> Foot) -> Result<Gap, Reason> {
-    nearest(tool, foot).map(|(gap, _)| gap)
+pub(crate) fn within(
+    tool: &Tool<'_>,
+    foot: impl Fn(Vec3) -> Foot,
+    distance: impl Fn(Vec3) -> f64,
+) -> Result<Gap, Reason> {
+    nearest(tool, foot, distance, None)
 }
 
 /// As [`within`], and a gap (before THICK) below which no other place of the tool is: one that is `apart` from the
@@ -69,7 +76,8 @@ pub(crate) fn with_rival(
     foot: impl Fn(Vec3) -> Foot,
     apart: f64,
 ) -> Result<(Gap, f64), Reason> {
-    let (gap, seen) = nearest(tool, foot)?;
+    let mut seen: Seen = [None; 5];
+    let gap = nearest(tool, &foot, |p| foot(p).distance, Some(&mut seen))?;
     let others = seen.iter().flatten().flatten();
     let others = others.filter(|d| (d.0 - gap.tool_point).norm() > apart);
     Ok((gap, others.map(|d| d.1).fold(f64::INFINITY, f64::min)))
@@ -78,12 +86,16 @@ pub(crate) fn with_rival(
 /// The samples of the circles: a point of the tool and a gap that is not greater than the one there.
 type Seen = [Option<[(Vec3, f64); 16]>; 5];
 
-fn nearest(tool: &Tool<'_>, foot: impl Fn(Vec3) -> Foot) -> Result<(Gap, Seen), Reason> {
+fn nearest(
+    tool: &Tool<'_>,
+    foot: impl Fn(Vec3) -> Foot,
+    distance: impl Fn(Vec3) -> f64,
+    mut seen: Option<&mut Seen>,
+) -> Result<Gap, Reason> {
     let [a, b] = frame_about(tool.ta);
     let mut best: Option<Gap> = None;
-    let mut seen: Seen = [None; 5];
-    for (slot, ring) in seen.iter_mut().zip(rings(tool.profile)) {
-        let Some(ring) = &ring else { continue };
+    for (k, ring) in rings(tool.profile).iter().enumerate() {
+        let Some(ring) = ring else { continue };
         let center = tool.te + tool.ta * ring.z;
         let at = |out: Vec3| {
             let foot = foot(center + out * ring.rho);
@@ -113,27 +125,37 @@ fn nearest(tool: &Tool<'_>, foot: impl Fn(Vec3) -> Foot) -> Result<(Gap, Seen), 
             offer(&at(a));
             continue;
         }
-        let all: [At; 16] = std::array::from_fn(|k| at(a * COS16[k] + b * COS16[(k + 12) % 16]));
+        let out = |k: usize| a * COS16[k] + b * COS16[(k + 12) % 16];
         let point = |at: &At| center + at.out * ring.rho + at.foot.normal * ring.r;
-        let samples = slot.insert(std::array::from_fn(|i| (point(&all[i]), all[i].value - ring.r)));
+        let mut all = [0.0; 16];
+        for (k, value) in all.iter_mut().enumerate() {
+            *value = -distance(center + out(k) * ring.rho);
+        }
+        let sample = |i: usize| (point(&at(out(i))), all[i] - ring.r);
+        let mut samples =
+            seen.as_deref_mut().map(|seen| seen[k].insert(std::array::from_fn(sample)));
         let mut least = f64::INFINITY;
         for i in 0..16 {
-            let (before, here, after) = (&all[(i + 15) % 16], &all[i], &all[(i + 1) % 16]);
-            if here.value > before.value || here.value > after.value {
+            let (before, here, after) = (all[(i + 15) % 16], all[i], all[(i + 1) % 16]);
+            if here > before || here > after {
                 continue;
             }
             // No dip is deeper below its sample than this.
-            let depth = (before.value - here.value).max(after.value - here.value);
-            let bound = here.value - depth - ring.r;
-            samples[i].1 = bound;
+            let depth = (before - here).max(after - here);
+            let bound = here - depth - ring.r;
+            if let Some(samples) = &mut samples {
+                samples[i].1 = bound;
+            }
             if bound <= least {
-                let lowest = descend(tool, ring, &at, *here);
+                let lowest = descend(tool, ring, &at, at(out(i)));
                 least = least.min(offer(&lowest));
-                samples[i] = (point(&lowest), lowest.value - ring.r);
+                if let Some(samples) = &mut samples {
+                    samples[i] = (point(&lowest), lowest.value - ring.r);
+                }
             }
         }
     }
-    best.map(|gap| (gap, seen)).ok_or(Reason::NoHit)
+    best.ok_or(Reason::NoHit)
 }
 
 /// Newton's method downhill on a circle, with steps no longer than the sampling.
@@ -151,6 +173,9 @@ fn descend(tool: &Tool<'_>, ring: &Ring, place: &impl Fn(Vec3) -> At, start: At)
         let downhill = -cap * at.slope.signum();
         let step = if bend > 0.0 && newton.abs() <= cap { newton } else { downhill };
         let next = place((at.out + around * step).normalize());
+        if bend > 0.0 && newton.abs() <= LAST {
+            return next;
+        }
         if next.value < at.value || next.slope.abs() < 0.5 * at.slope.abs() && bend > 0.0 {
             at = next;
         } else {

@@ -27,7 +27,7 @@ pub(crate) fn general(
     start: Option<Spot>,
 ) -> Result<Gap, Reason> {
     if surface.generator().is_some_and(|d| is_axis(tool, d)) {
-        return Ok(along_axis(tool, surface, side));
+        return Ok(along_axis(tool, surface, side, start));
     }
     let far_is_convex = match side {
         Side::Positive => surface.convex(),
@@ -51,7 +51,8 @@ pub(crate) fn general(
         return Ok(gap);
     }
     if hollow(surface, side) {
-        return rings::within(tool, |p| turned(surface.foot(p), side));
+        let foot = |p| turned(surface.foot(p), side);
+        return rings::within(tool, foot, |p| foot(p).distance);
     }
     if let Some(gap) = round
         && !has_side(tool)
@@ -59,7 +60,8 @@ pub(crate) fn general(
         // Nothing but the arc can touch.
         return Ok(gap);
     }
-    let seeds = seeds(tool, surface, side, round.is_some());
+    let stations = Stations { lower: round.is_none(), flank: true };
+    let seeds = seeds(tool, surface, side, stations);
     let mut best: Option<Gap> = round;
     let mut failure = Reason::NoHit;
     for q in seeds.into_iter().flatten() {
@@ -105,25 +107,42 @@ pub(crate) fn elsewhere(
         return (None, f64::INFINITY);
     }
     let size = tool.profile.widest().max(0.1 * tool.profile.reach());
-    if let Some(gap) = arc
-        && !has_side(tool)
-    {
-        // Without parameters each search is one over the whole of the surface.
-        let Some(_) = known.at else { return (None, f64::INFINITY) };
-        let limit = gap.raw + 2.0 * LOOK * size;
-        let radius = tool.profile.corner_radius();
-        let rival = surface.rival(middle(tool), limit + radius) - radius;
-        let room = (0.5 * (rival - gap.raw)).max(0.0);
-        return ((gap.raw < known.raw).then_some(gap), room);
-    }
-    if hollow(surface, side) {
-        let found = rings::with_rival(tool, |p| turned(surface.foot(p), side), 0.1 * size);
+    let until = |rival: f64, gap: f64| (LOOK * size).min(0.5 * (rival - gap).max(0.0));
+    if hollow(surface, side) && (arc.is_none() || has_side(tool)) {
+        let foot = |p| turned(surface.foot(p), side);
+        let found = rings::with_rival(tool, foot, 0.1 * size);
         let Ok((gap, rival)) = found else { return (None, LOOK * size) };
-        let room = (LOOK * size).min(0.5 * (rival - gap.raw).max(0.0));
-        return ((gap.raw < known.raw).then_some(gap), room);
+        return ((gap.raw < known.raw).then_some(gap), until(rival, gap.raw));
+    }
+    if let Some(gap) = arc {
+        let flank = match has_side(tool) {
+            true => flank(tool, surface, side, 0.0, known.raw),
+            false => Some(f64::INFINITY),
+        };
+        if let Some(flank) = flank {
+            // But for surfaces by two parameters each search is one over the whole of the surface.
+            let rival = match surface {
+                Surface::Parametric(_) => {
+                    let radius = tool.profile.corner_radius();
+                    let limit = gap.raw + 2.0 * LOOK * size + radius;
+                    surface.rival(middle(tool), limit) - radius
+                }
+                _ if flank.is_infinite() => return (None, f64::INFINITY),
+                _ => f64::INFINITY,
+            };
+            let room = until(rival, gap.raw).min(until(flank, known.raw));
+            return ((gap.raw < known.raw).then_some(gap), room);
+        }
     }
     let (mut deepest, mut room) = (*known, LOOK * size);
-    let found = seeds(tool, surface, side, arc.is_some()).into_iter().flatten();
+    let mut stations = Stations { lower: arc.is_none(), flank: true };
+    if arc.is_none()
+        && let Some(flank) = flank(tool, surface, side, 0.25, known.raw)
+    {
+        room = until(flank, known.raw);
+        stations.flank = false;
+    }
+    let found = seeds(tool, surface, side, stations).into_iter().flatten();
     let found = found.filter_map(|q| local(tool, surface, side, q).ok());
     for gap in found.chain(arc) {
         if (gap.tool_point - known.tool_point).norm() > 1e-6 * size {
@@ -135,6 +154,37 @@ pub(crate) fn elsewhere(
     }
     ((deepest.raw < known.raw).then_some(deepest), room)
 }
+
+/// A distance greater than `above` from the surface within which none of the tool's upper line is beyond the share
+/// `from` of it, nor its top; `None` where that is not seen. No point of a piece is nearer than the middle of its axis
+/// by more than it lies away from that.
+fn flank(tool: &Tool<'_>, surface: &Surface, side: Side, from: f64, above: f64) -> Option<f64> {
+    let [_, [ru, zu]] = tool.profile.joints();
+    let (rim, top) = (tool.profile.top_radius(), tool.profile.height());
+    let wide = ru.max(rim);
+    let mut low = zu + (top - zu) * from;
+    let mut least = f64::INFINITY;
+    // From below in pieces, each time as much of what is left as is seen to be clear.
+    let mut high = top;
+    for _ in 0..FLANK {
+        let half = 0.5 * (high - low);
+        let middle = surface.foot(tool.te + tool.ta * (low + half));
+        let clear = side.sign() * middle.distance - aptc_geometry::trig::hypot(half, wide);
+        if clear <= above {
+            high = low + 0.5 * half;
+            continue;
+        }
+        least = least.min(clear);
+        if high >= top {
+            return Some(least);
+        }
+        (low, high) = (high, top);
+    }
+    None
+}
+
+/// Pieces in which the upper line is looked at, for a bound of its distance.
+const FLANK: usize = 8;
 
 /// Share of the cutter's size after which its contact is looked for anew in any case.
 const LOOK: f64 = 0.25;
@@ -197,16 +247,25 @@ fn has_side(tool: &Tool<'_>) -> bool {
 /// Greatest number of seeds that are searched from.
 const SEEDS: usize = 4;
 
+/// Which stations around the tool are looked at.
+#[derive(Clone, Copy)]
+struct Stations {
+    /// Those of the lower line and the arc: not where the place of the arc is known.
+    lower: bool,
+    /// Those of the upper line beyond its lower end.
+    flank: bool,
+}
+
 /// Surface points below the lowest stations around the tool: the local minima over the stations, the lowest
-/// of them. Where the place of the arc is known, only stations on the cutter's side.
-fn seeds(tool: &Tool<'_>, surface: &Surface, side: Side, arc: bool) -> [Option<Spot>; SEEDS] {
+/// of them.
+fn seeds(tool: &Tool<'_>, surface: &Surface, side: Side, of: Stations) -> [Option<Spot>; SEEDS] {
     let profile = tool.profile;
     let [[rl, zl], [ru, zu]] = profile.joints();
     let mid = |a: [f64; 2], b: [f64; 2]| [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])];
     let (lower, upper) = ([rl, zl], [ru, zu]);
     let rim = [profile.top_radius(), profile.height()];
     let stations = [rim, mid(upper, rim), upper, lower, mid(lower, [0.0, profile.bottom()])];
-    let stations = &stations[..if arc { 2 } else { stations.len() }];
+    let stations = &stations[if of.flank { 0 } else { 2 }..if of.lower { 5 } else { 2 }];
     let [a, b] = aptc_geometry::surface::frame_about(tool.ta);
     let at = |rho: f64, z: f64, turn: usize| {
         let out = a * COS12[turn] + b * COS12[(turn + 9) % AROUND];
@@ -222,7 +281,7 @@ fn seeds(tool: &Tool<'_>, surface: &Surface, side: Side, arc: bool) -> [Option<S
             }
         }
     };
-    if !arc {
+    if of.lower {
         let (value, q) = at(0.0, profile.bottom(), 0);
         offer(value, q);
     }
@@ -267,6 +326,8 @@ struct At {
     shape: Option<Shape>,
     /// The same of the surface itself.
     own: Shape,
+    /// Its derivatives by its two parameters, when they are known.
+    sides: Option<[Vec3; 2]>,
 }
 
 fn at(tool: &Tool<'_>, foot: &Foot, side: Side, back: f64) -> At {
@@ -287,6 +348,7 @@ fn at(tool: &Tool<'_>, foot: &Foot, side: Side, back: f64) -> At {
         facing,
         shape: shape.offset(-back),
         own: shape,
+        sides: None,
     }
 }
 
@@ -298,7 +360,7 @@ pub(crate) fn local(
     q: Spot,
 ) -> Result<Gap, Reason> {
     let size = tool.profile.widest().max(0.1 * tool.profile.reach());
-    let mut foot = surface.foot_from(q.point, q);
+    let mut foot = surface.place(q);
     let mut back = 0.25 * size + 2.0 * (-tool.distance(foot.point)).max(0.0);
     let mut failure = Reason::NotConverged { best: q.point, residual: f64::INFINITY };
     // A tool deeper in than the surface was moved back is met again with the surface farther back.
@@ -325,7 +387,7 @@ pub(crate) fn local(
             });
         }
         failure = Reason::NotConverged { best: here.q.point, residual };
-        foot = surface.foot_from(here.q.point, here.q);
+        foot = surface.place(here.q);
         if border {
             return Err(Reason::OutOfDomain);
         }
@@ -350,10 +412,12 @@ fn descend(tool: &Tool<'_>, surface: &Surface, side: Side, start: At, back: f64)
             break;
         }
         let d = step(&here, cap);
-        let foot = beside(surface, &here, d, back)
-            .unwrap_or_else(|| surface.foot_from(here.x + d, here.q));
+        let (foot, sides) = match beside(surface, &here, d, back) {
+            Some((foot, sides)) => (foot, Some(sides)),
+            None => (surface.foot_from(here.x + d, here.q), None),
+        };
         border = foot.shape.k[0].is_infinite();
-        let next = at(tool, &foot, side, back);
+        let next = At { sides, ..at(tool, &foot, side, back) };
         // Close to the end the values agree to rounding, and the slope tells.
         let lower = next.value < here.value - 1e-14 * size;
         let flatter = next.value <= here.value + 1e-13 * size && next.across.norm() < 0.7 * slope;
@@ -372,7 +436,7 @@ fn descend(tool: &Tool<'_>, surface: &Surface, side: Side, start: At, back: f64)
 
 /// The place to which the moved surface's tangent step `d` leads, of a surface by two parameters without looking for a
 /// nearest point: the surface itself goes by as much less or more as it bends.
-fn beside(surface: &Surface, here: &At, d: Vec3, back: f64) -> Option<Foot> {
+fn beside(surface: &Surface, here: &At, d: Vec3, back: f64) -> Option<(Foot, [Vec3; 2])> {
     here.q.at?;
     let [k11, k12, k22] = here.own.k;
     if !(k11.is_finite() && k22.is_finite()) {
@@ -382,7 +446,7 @@ fn beside(surface: &Surface, here: &At, d: Vec3, back: f64) -> Option<Foot> {
     let (a, b, c) = (1.0 - back * k11, -back * k12, 1.0 - back * k22);
     let (p, q, det) = (d.dot(&u), d.dot(&v), a * c - b * b);
     let by = u * ((c * p - b * q) / det) + v * ((a * q - b * p) / det);
-    if by.iter().all(|x| x.is_finite()) { surface.beside(here.q, by) } else { None }
+    if by.iter().all(|x| x.is_finite()) { surface.beside(here.q, here.sides, by) } else { None }
 }
 
 /// Newton's step in the tangent plane, with the signs of the curvatures made positive; no longer than `cap`.

@@ -36,8 +36,11 @@ pub(crate) fn cylinder(tool: &Tool<'_>, s: &Cylinder, side: Side) -> Result<Gap,
     }
     match side {
         Side::Positive => Ok(oblique_outside(tool, s)),
-        Side::Negative => rings::within(tool, |p| s.foot(p)),
-        Side::Open => rings::within(tool, |p| open::cylinder(s, tool.ta, p)),
+        Side::Negative => rings::within(tool, |p| s.foot(p), |p| s.radial(p).norm() - s.radius),
+        Side::Open => {
+            let foot = |p| open::cylinder(s, tool.ta, p);
+            rings::within(tool, foot, |p| foot(p).distance)
+        }
     }
 }
 
@@ -157,9 +160,10 @@ pub(crate) fn cone(tool: &Tool<'_>, s: &Cone, side: Side) -> Result<Gap, Reason>
     } else if side == Side::Positive {
         family.greatest()
     } else if side == Side::Open {
-        return rings::within(tool, |p| open::cone(s, tool.ta, p));
+        let foot = |p| open::cone(s, tool.ta, p);
+        return rings::within(tool, foot, |p| foot(p).distance);
     } else {
-        return rings::within(tool, |p| s.foot(p));
+        return rings::within(tool, |p| s.foot(p), |p| s.foot(p).distance);
     };
     if side == Side::Positive {
         let w = at.p.point - s.vertex;

@@ -1,7 +1,7 @@
 //! The tool axis in multi-axis work (APT: `TLAXIS`).
 
 use aptc_contact::{Condition, Gap};
-use aptc_geometry::{Surface, Vec3, trig};
+use aptc_geometry::{Shape, Surface, Vec3, trig};
 use aptc_protap::{AxisAngle, OptionSurface, ToolAxis};
 
 use crate::space::Keep;
@@ -84,6 +84,26 @@ impl AxisRule {
     /// Does it change along a path?
     pub(crate) fn turns(&self) -> bool {
         !matches!(self, Self::Fixed)
+    }
+
+    /// The axis that the place of the tool end alone tells, as with NORMPS and NORMDS, and how it changes with it: a
+    /// symmetrical form in the tangent plane. `None` for other rules and where the surface has no curvature.
+    pub(crate) fn by_place(&self, te: Vec3, ta: Vec3, keeps: [&Keep; 2]) -> Option<(Vec3, Shape)> {
+        let keep = match self {
+            Self::Normal(OptionSurface::Part) => keeps[1],
+            Self::Normal(OptionSurface::Drive) => keeps[0],
+            _ => return None,
+        };
+        let foot = keep.surface.foot(te);
+        let turned = match keep.condition {
+            Condition::On => foot.normal.dot(&ta) < 0.0,
+            Condition::Touch => keep.side.sign() < 0.0,
+        };
+        let shape = foot.shape.offset(foot.distance)?;
+        if !shape.k.iter().all(|k| k.is_finite()) {
+            return None;
+        }
+        Some(if turned { (-foot.normal, shape.reversed()) } else { (foot.normal, shape) })
     }
 
     /// The surface that controls an angle, when there is one.

@@ -187,7 +187,7 @@ fn write_artifacts(
         let files = compiled.files(artifact, args.keep_going).map_err(|e| (part.into(), e))?;
         for file in files {
             let path = folder.join(with_ending(stem.to_owned(), &file.ending));
-            write_whole(&path, &file).map_err(|e| (path.clone(), e))?;
+            write_whole(&path, &file, artifact).map_err(|e| (path.clone(), e))?;
             written.push(path);
         }
     }

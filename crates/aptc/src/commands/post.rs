@@ -71,7 +71,7 @@ pub(crate) fn post(args: &PostArgs, common: &Common) -> io::Result<ExitCode> {
     for (_, kind) in kinds {
         for file in compiled.files(kind, false)? {
             let path = path.with_extension(&file.ending);
-            if let Some(done) = wrote(&path, write_whole(&path, &file), common)? {
+            if let Some(done) = wrote(&path, write_whole(&path, &file, kind), common)? {
                 return Ok(done);
             }
         }

@@ -188,6 +188,7 @@ impl Surface {
     pub fn foot_from(&self, p: Vec3, near: Spot) -> Foot {
         match (self, near.at) {
             (Self::Parametric(s), Some(at)) => s.foot_from(p, at),
+            (Self::Tabcyl(s), at) => s.foot_from(p, at),
             _ => self.foot(p),
         }
     }
@@ -201,12 +202,27 @@ impl Surface {
         }
     }
 
-    /// The place of the surface that lies beside `near` by the tangent `by`, to first order: any place will do that
-    /// comes nearer to it as `by` falls. `None` where there is no simple one, and beside a border.
+    /// The foot of a point of the surface, which is known by its parameters where it has two.
     #[inline]
-    pub fn beside(&self, near: Spot, by: Vec3) -> Option<Foot> {
+    pub fn place(&self, spot: Spot) -> Foot {
+        match (self, spot.at) {
+            (Self::Parametric(s), Some(at)) => s.place(at),
+            _ => self.foot_from(spot.point, spot),
+        }
+    }
+
+    /// The place of the surface that lies beside `near` by the tangent `by`, to first order: any place will do that
+    /// comes nearer to it as `by` falls. `None` where there is no simple one, and beside a border. With it the
+    /// derivatives by both parameters there; `sides` are those at `near`, when they are known.
+    #[inline]
+    pub fn beside(
+        &self,
+        near: Spot,
+        sides: Option<[Vec3; 2]>,
+        by: Vec3,
+    ) -> Option<(Foot, [Vec3; 2])> {
         match (self, near.at) {
-            (Self::Parametric(s), Some(at)) => s.beside(at, by),
+            (Self::Parametric(s), Some(at)) => s.beside(at, sides, by),
             _ => None,
         }
     }
@@ -231,7 +247,7 @@ impl Surface {
             Self::Cylinder(s) => s.shape(n),
             Self::Cone(s) => s.shape_at(q, n),
             Self::Quadric(s) => s.shape_at(q, n),
-            Self::Tabcyl(s) => s.shape_at(q),
+            Self::Tabcyl(s) => s.shape_at(spot),
             Self::Parametric(s) => s.shape_at(spot),
         }
     }

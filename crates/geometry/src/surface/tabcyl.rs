@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::surface::{EPS_LEN, Foot, Shape};
+use crate::surface::{EPS_LEN, Foot, Shape, Spot};
 use crate::tabcyl::left;
 use crate::{Place, Reason, Tabcyl, TabcylSpan, Vec2, Vec3};
 
@@ -10,6 +10,9 @@ use crate::{Place, Reason, Tabcyl, TabcylSpan, Vec2, Vec3};
 const GROUP: usize = 8;
 /// Bound of the search for the nearest point of one span; it closes a bracket of doubles at worst.
 const MAX_STEPS: usize = 60;
+/// After a step of Newton's method of no more than this share of a span rounding alone is left: it converges
+/// quadratically.
+const LAST: f64 = 1e-9;
 /// Pieces of a strongly bent span that are searched one by one.
 const PIECES: usize = 8;
 
@@ -127,20 +130,23 @@ impl TabcylSurface {
     }
 
     /// The nearest point. At a corner, and beyond an end, the normal points from or to the given point.
+    ///
+    /// Its parameters are the number of the span and the place along its chord.
+    #[inline]
     pub fn foot(&self, p: Vec3) -> Foot {
+        self.foot_from(p, None)
+    }
+
+    /// The same, found sooner when it lies near the place `at`.
+    pub fn foot_from(&self, p: Vec3, at: Option<[f64; 2]>) -> Foot {
         let [u, v, w] = self.axes;
         let (x, height) = (Vec2::new(u.dot(&p), v.dot(&p)), w.dot(&p));
-        let near = self.nearest(x);
-        let place = &self.spans[near.span];
-        let (offset, slope) = (place.span.offset(near.s), place.span.slope(near.s));
-        let q = place.span.start + place.chord * near.s + left(place.chord) * offset;
-        let stretch = (1.0 + slope * slope).sqrt();
-        let tangent = (place.chord + left(place.chord) * slope) / stretch;
+        let near = self.nearest(x, at.map(|at| self.span(at[0])));
+        let Bent { point: q, tangent, k } = self.spans[near.span].bent(near.s);
+        let mut k = k;
         let mut normal = left(tangent);
         let away = x - q;
         let mut distance = normal.dot(&away);
-        // Seen from the left, what bends to the left is a hollow.
-        let mut k = -place.span.second(near.s) / (stretch * stretch * stretch);
         let along = tangent.dot(&away);
         let size = near.square.sqrt();
         if along.abs() > 1e-7 * size && size > 1e-12 * self.extent && self.free_end(&near) {
@@ -150,19 +156,40 @@ impl TabcylSurface {
             k = f64::INFINITY.copysign(side);
         }
         let lift = |a: Vec2| u * a.x + v * a.y;
-        let n = lift(normal);
+        #[expect(clippy::cast_precision_loss, reason = "thousands at most")]
+        let span = near.span as f64;
         Foot {
             point: lift(q) + w * height,
-            normal: n,
+            normal: lift(normal),
             distance,
-            shape: Shape { frame: [lift(Vec2::new(normal.y, -normal.x)), w], k: [k, 0.0, 0.0] },
-            at: None,
+            shape: self.shape(normal, k),
+            at: Some([span, near.s]),
         }
     }
 
     /// Curvature at a point of the surface.
-    pub fn shape_at(&self, q: Vec3) -> Shape {
-        self.foot(q).shape
+    pub fn shape_at(&self, spot: Spot) -> Shape {
+        let Some([span, s]) = spot.at else { return self.foot(spot.point).shape };
+        let Bent { tangent, k, .. } = self.spans[self.span(span)].bent(s);
+        self.shape(left(tangent), k)
+    }
+
+    /// The span that a parameter names.
+    #[inline]
+    fn span(&self, at: f64) -> usize {
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "made from one"
+        )]
+        let span = at as usize;
+        span.min(self.spans.len() - 1)
+    }
+
+    #[inline]
+    fn shape(&self, normal: Vec2, k: f64) -> Shape {
+        let [u, v, w] = self.axes;
+        Shape { frame: [u * normal.y - v * normal.x, w], k: [k, 0.0, 0.0] }
     }
 
     /// Is the place an end of the curve or a corner?
@@ -191,12 +218,36 @@ impl TabcylSurface {
         if normal.dot(&away) < 0.0 { -1.0 } else { 1.0 }
     }
 
-    /// Nearest place of the directrix: groups and spans that cannot be nearer than the best are passed.
-    fn nearest(&self, x: Vec2) -> Near {
-        let bound = |d: &Disk| {
-            let away = ((x - d.center).norm() - d.radius).max(0.0);
-            away * away
+    /// Nearest place of the directrix, that of the span `first` looked at before all others: groups and spans that
+    /// cannot be nearer than the best are passed.
+    fn nearest(&self, x: Vec2, first: Option<usize>) -> Near {
+        let first = first.unwrap_or_else(|| self.likely(x) * GROUP);
+        let look = |i: usize, best: &mut Near| {
+            let (square, s) = self.spans[i].nearest(x);
+            if square < best.square {
+                *best = Near { square, span: i, s };
+            }
         };
+        let mut best = Near { square: f64::INFINITY, span: first, s: 0.0 };
+        look(first, &mut best);
+        let mut away = best.square.sqrt();
+        for (g, group) in self.groups.iter().enumerate() {
+            if group.beyond(x, away) {
+                continue;
+            }
+            let from = g * GROUP;
+            for i in from..(from + GROUP).min(self.spans.len()) {
+                if i != first && !self.spans[i].disk.beyond(x, away) {
+                    look(i, &mut best);
+                    away = best.square.sqrt();
+                }
+            }
+        }
+        best
+    }
+
+    /// The group whose circle is nearest.
+    fn likely(&self, x: Vec2) -> usize {
         let mut first = (f64::INFINITY, 0);
         for (i, g) in self.groups.iter().enumerate() {
             let b = (x - g.center).norm() - g.radius;
@@ -204,31 +255,42 @@ impl TabcylSurface {
                 first = (b, i);
             }
         }
-        let mut best = Near { square: f64::INFINITY, span: 0, s: 0.0 };
-        let mut visit = |group: usize| {
-            let from = group * GROUP;
-            let to = (from + GROUP).min(self.spans.len());
-            for (i, span) in self.spans[from..to].iter().enumerate() {
-                if bound(&span.disk) < best.square {
-                    let (square, s) = span.nearest(x);
-                    if square < best.square {
-                        best = Near { square, span: from + i, s };
-                    }
-                }
-            }
-            best.square
-        };
-        let mut least = visit(first.1);
-        for (i, g) in self.groups.iter().enumerate() {
-            if i != first.1 && bound(g) < least {
-                least = visit(i);
-            }
-        }
-        best
+        first.1
     }
 }
 
+impl Disk {
+    /// Is all of it farther from `x` than `away`?
+    #[inline]
+    fn beyond(&self, x: Vec2, away: f64) -> bool {
+        let most = self.radius + away;
+        (x - self.center).norm_squared() >= most * most
+    }
+}
+
+/// A place of the directrix.
+#[derive(Clone, Copy, Debug)]
+struct Bent {
+    point: Vec2,
+    /// Unit tangent.
+    tangent: Vec2,
+    /// Curvature seen from the left: what bends to the left is a hollow.
+    k: f64,
+}
+
 impl Prepared {
+    /// The place at `s` along the chord.
+    #[inline]
+    fn bent(&self, s: f64) -> Bent {
+        let (offset, slope) = (self.span.offset(s), self.span.slope(s));
+        let stretch = (1.0 + slope * slope).sqrt();
+        Bent {
+            point: self.span.start + self.chord * s + left(self.chord) * offset,
+            tangent: (self.chord + left(self.chord) * slope) / stretch,
+            k: -self.span.second(s) / (stretch * stretch * stretch),
+        }
+    }
+
     /// Square of the distance of `x` and the place on the chord of the nearest point.
     fn nearest(&self, x: Vec2) -> (f64, f64) {
         let w = x - self.span.start;
@@ -285,6 +347,9 @@ impl Prepared {
             if steep > 0.0 && next > a && next < b && step.abs() < 0.5 * last {
                 last = step.abs();
                 s = next;
+                if last <= LAST * to {
+                    break;
+                }
             } else {
                 last = b - a;
                 let middle = 0.5 * (a + b);

@@ -118,6 +118,9 @@ impl Keep {
     /// Second derivative of the gap when the tool end moves along the unit vector `v`.
     #[inline]
     pub(crate) fn bend(&self, pose: &Pose, gap: &Gap, v: Vec3) -> f64 {
+        if self.is_plane() {
+            return 0.0;
+        }
         second(&self.tool(pose), &self.surface, self.side, gap).map_or(0.0, |s| s.second(v))
     }
 

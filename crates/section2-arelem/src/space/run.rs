@@ -1,5 +1,7 @@
 //! One motion along any two surfaces (APT: `AREPRE`, `ARLM3`).
 
+use std::collections::VecDeque;
+
 use aptc_cldata::{Control, Controlled, Position};
 use aptc_contact::{Condition, Gap, Side};
 use aptc_geometry::{Profile, Surface, Vec3};
@@ -76,7 +78,7 @@ fn follow(scene: &Scene, begin: &Begin) -> Result<Path, Failure> {
     let (mut reach, mut shortened) = (cap, 0);
     let mut vectors = 0;
     // The last nodes since the start or a corner.
-    let mut trail: Vec<Node> = Vec::new();
+    let mut trail: VecDeque<Node> = VecDeque::with_capacity(MERGED);
     while vectors < most {
         let (stride, leave) = match track.stride(&node, reach, &mut pace) {
             Ok(s) => (s, None),
@@ -150,9 +152,9 @@ fn follow(scene: &Scene, begin: &Begin) -> Result<Path, Failure> {
         }
         vectors += 1;
         if trail.len() >= MERGED {
-            trail.remove(0);
+            trail.pop_front();
         }
-        trail.push(node);
+        trail.push_back(node);
         if let Some(leave) = leave {
             // The cut vectors before a corner come ever shorter: one that ends at it stands for them.
             let short = |t: &Node| (stride.to.pose.te - t.pose.te).norm() <= cap;

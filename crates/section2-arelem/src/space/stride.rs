@@ -114,6 +114,7 @@ impl Track {
         let mut back = LONG_ENOUGH;
         for _ in 0..TRIALS {
             let tried = self.reach(from, s, plan.length, bends, look);
+            let tried = tried.as_ref().map_err(|t| *t);
             let next = match tried.and_then(|t| self.fit(from, &t.to).map(|fit| (t, fit))) {
                 Ok((tried, fit)) => {
                     // With a turning axis only the chord tells how the gaps bend along it; and where the bend
@@ -136,7 +137,7 @@ impl Track {
                         }
                     }
                     if fit.fits {
-                        good = Some(tried);
+                        good = Some(*tried);
                         if fit.ratio <= 1.0 + LONG_ENOUGH || s >= plan.most {
                             break;
                         }
@@ -157,7 +158,7 @@ impl Track {
                     0.5 * s
                 }
             };
-            let low = good.map_or(0.0, |g| g.length);
+            let low = good.as_ref().map_or(0.0, |g| g.length);
             if bad - low <= LONG_ENOUGH * low || s <= self.exact {
                 break;
             }

@@ -4,10 +4,14 @@ use aptc_contact::{Condition, Gap, Reason};
 use aptc_geometry::{Vec3, trig};
 
 use super::keep::{Keep, Pose};
+use super::turning::meet;
 use crate::axis::{Around, AxisRule};
 
 /// Rounds of Newton's method; three to five are usual with a fixed axis, some ten with a turning one.
 const ROUNDS: usize = 60;
+
+/// The same with an axis whose turn is known; three or four are usual.
+const ROUNDS_WITH_AXIS: usize = 8;
 
 /// Sine between two surfaces below which they run side by side.
 const SIDE_BY_SIDE: f64 = 1e-7;
@@ -107,10 +111,55 @@ impl Track {
         hint: &Node,
         look: bool,
     ) -> Result<Node, Trouble> {
+        if matches!(self.axis, AxisRule::Normal(_))
+            && let Ok(found) = self.settle_with_axis(start, across, targets, hint, look)
+        {
+            return Ok(found);
+        }
         match self.settle_by_normals(start, across, targets, hint, look) {
             Err(_) if self.axis.turns() => self.settle_turning(start, across, targets, hint, look),
             found => found,
         }
+    }
+
+    /// As [`Track::settle`] where the place of the tool end alone tells the axis: Newton's method knows then how the
+    /// gaps change as the axis turns. Where the flank lies along a surface the place that touches jumps, and it fails.
+    fn settle_with_axis(
+        &self,
+        start: Pose,
+        across: Vec3,
+        targets: [f64; 2],
+        hint: &Node,
+        look: bool,
+    ) -> Result<Node, Trouble> {
+        let level = across.dot(&start.te);
+        let keeps = [&self.keeps[0], &self.keeps[1]];
+        let mut pose = start;
+        let mut near = hint.gaps;
+        for _ in 0..ROUNDS_WITH_AXIS {
+            let (ta, turn) = self.axis.by_place(pose.te, pose.ta, keeps).ok_or(Trouble::Axis)?;
+            pose.ta = ta;
+            let gaps = self.gaps(&pose, Some(&near))?;
+            let off =
+                [targets[0] - gaps[0].g, targets[1] - gaps[1].g, level - across.dot(&pose.te)];
+            if off.iter().all(|o| o.abs() <= self.exact) {
+                let deeper = if look { self.deeper(&pose, &gaps).0 } else { [None, None] };
+                if deeper.iter().all(Option::is_none) {
+                    return self.finish(pose, gaps, self.onward(&pose, &gaps, hint));
+                }
+                // The cutter touches elsewhere first: on from there.
+                near = [0, 1].map(|i| deeper[i].unwrap_or(gaps[i]));
+                continue;
+            }
+            near = gaps;
+            // A turn by d ta moves the tool point by (ta x d ta) x w, w from the tool end to it.
+            let row = |i: usize| {
+                let (n, w) = (gaps[i].normal, gaps[i].tool_point - pose.te);
+                n + turn.apply(n * ta.dot(&w) - w * n.dot(&ta))
+            };
+            pose.te += meet([row(0), row(1), across], off).ok_or(Trouble::SideBySide)?;
+        }
+        Err(Trouble::Stuck)
     }
 
     fn settle_by_normals(
@@ -212,11 +261,16 @@ impl Track {
             (from.along * s, from.along)
         };
         let start = Pose { te: from.pose.te + step, ta: from.pose.ta };
-        let to = self.settle(start, across, targets, from, look)?;
+        let found = self.settle(start, across, targets, from, look);
         // Where the curvature ends on the way, the plane across may meet the track far away.
         let most = 2.0 * (s + self.keeps[0].width() + self.keeps[1].width());
-        let gone = (to.pose.te - from.pose.te).norm();
-        if gone <= most || self.axis.turns() { Ok(to) } else { Err(Trouble::Stuck) }
+        if let Ok(to) = &found
+            && (to.pose.te - from.pose.te).norm() > most
+            && !self.axis.turns()
+        {
+            return Err(Trouble::Stuck);
+        }
+        found
     }
 }
 

@@ -105,7 +105,7 @@ impl Track {
 }
 
 /// The vector with given products with three others.
-fn meet([a, b, c]: [Vec3; 3], rhs: [f64; 3]) -> Option<Vec3> {
+pub(super) fn meet([a, b, c]: [Vec3; 3], rhs: [f64; 3]) -> Option<Vec3> {
     let det = a.dot(&b.cross(&c));
     let flat = det.abs() <= FLAT * a.norm() * b.norm() * c.norm();
     (!flat).then(|| (b.cross(&c) * rhs[0] + c.cross(&a) * rhs[1] + a.cross(&b) * rhs[2]) / det)

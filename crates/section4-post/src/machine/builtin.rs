@@ -64,11 +64,12 @@ pub fn machine_for(name: &str, args: &[Arg]) -> Option<&'static Machine> {
         Some(Arg::Number(n)) => format!("{name},{n}"),
         _ => name.clone(),
     };
-    // The names stand in one line of each file: only the file that is meant need be read.
+    // The names stand in one of the first lines of each file: only the file that is meant need be read.
     let find = |wanted: &str| {
         let quoted = format!("\"{wanted}\"");
         let has = |text: &str| {
-            text.lines().any(|l| l.starts_with("machin = ") && l.contains(quoted.as_str()))
+            let line = text.lines().find(|l| l.starts_with("machin = "));
+            line.is_some_and(|l| l.contains(quoted.as_str()))
         };
         let idx = FILES.iter().position(|(_, text)| has(text))?;
         MACHINES.get(idx).map(|m| &**m)

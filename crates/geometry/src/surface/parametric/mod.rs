@@ -282,16 +282,30 @@ impl ParametricSurface {
         self.foot_at(p, &self.descend_free(p, at).1)
     }
 
-    /// The place beside that with the parameters `at` by the tangent `by`; `None` at a border and where a derivative
-    /// vanishes.
-    pub fn beside(&self, [u, v]: [f64; 2], by: Vec3) -> Option<Foot> {
-        let jet = self.patch.jet(u, v);
-        let (e, f, g) = (jet.su.norm_squared(), jet.su.dot(&jet.sv), jet.sv.norm_squared());
+    /// The foot of the place with the parameters `at`.
+    pub fn place(&self, [u, v]: [f64; 2]) -> Foot {
+        let place = Placed::new(&self.patch, u, v);
+        self.foot_at(place.jet.s, &place)
+    }
+
+    /// The place beside that with the parameters `at` by the tangent `by`, with its derivatives by both parameters;
+    /// `None` at a border and where a derivative vanishes. `sides` are the derivatives at `at`, when they are known.
+    pub fn beside(
+        &self,
+        [u, v]: [f64; 2],
+        sides: Option<[Vec3; 2]>,
+        by: Vec3,
+    ) -> Option<(Foot, [Vec3; 2])> {
+        let [su, sv] = sides.unwrap_or_else(|| {
+            let jet = self.patch.jet(u, v);
+            [jet.su, jet.sv]
+        });
+        let (e, f, g) = (su.norm_squared(), su.dot(&sv), sv.norm_squared());
         let det = e * g - f * f;
         if det <= 1e-12 * e * g {
             return None;
         }
-        let (a, b) = (by.dot(&jet.su), by.dot(&jet.sv));
+        let (a, b) = (by.dot(&su), by.dot(&sv));
         let (u, v) = (u + (g * a - f * b) / det, v + (e * b - f * a) / det);
         let inside = |x: f64, ends: [f64; 2]| x > ends[0] && x < ends[1];
         let domain = self.patch.domain();
@@ -299,7 +313,7 @@ impl ParametricSurface {
             return None;
         }
         let place = Placed::new(&self.patch, u, v);
-        Some(self.foot_at(place.jet.s, &place))
+        Some((self.foot_at(place.jet.s, &place), [place.jet.su, place.jet.sv]))
     }
 
     fn foot_at(&self, p: Vec3, place: &Placed) -> Foot {
