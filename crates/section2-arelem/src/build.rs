@@ -36,7 +36,8 @@ impl Arelem {
         };
         let normals = std::mem::take(&mut self.settings.normals);
         let axis = AxisRule::of(&self.settings.axis);
-        Ok(Start { tool, offset: go.offset, surfaces, part, along, normals, axis })
+        let thick = self.settings.thick.iter().any(|t| *t != 0.0);
+        Ok(Start { tool, offset: go.offset, surfaces, part, along, normals, axis, thick })
     }
 
     pub(crate) fn scene(&self, d: &protap::Drive, tool: Tool) -> Result<Scene, Failure> {

@@ -49,8 +49,10 @@ pub(crate) fn passes(p: &Pocket, settings: &Settings, tool: &Tool) -> Result<Pas
         if room - step / 2.0 <= p.radius {
             step /= 2.0;
         }
-        // The innermost pass still has to be a figure.
-        step = step.min(room - p.radius / 2.0);
+        if step >= room {
+            // The innermost pass still has to be a figure.
+            step = room - p.radius / 2.0;
+        }
         figure = figure.inset(step).ok_or("the pocket collapses")?;
         passes.push(figure.closed());
         cut = p.cut * cutter;

@@ -88,6 +88,8 @@ pub(crate) struct Start {
     /// SRFVCT for each surface.
     pub(crate) normals: Vec<Option<Vec3>>,
     pub(crate) axis: AxisRule,
+    /// Is a THICK in force?
+    pub(crate) thick: bool,
 }
 
 /// What came of it.

@@ -85,8 +85,13 @@ fn start_ups_to_one_two_and_three_surfaces() {
     both(&format!("{start}GO/ON,LX,ON,PL2,PAST,LY"), [-0.5, 0.0, 2.0]);
     // OFFSET pierces along the vector and leaves along the normal.
     both(&format!("{start}INDIRV/1,1,0\nOFFSET/LX,TO,PL2"), [7.0, -0.5, 2.0]);
-    // A directed start stays on its vector.
-    both(&format!("{start}INDIRV/1,1,0\nGO/TO,LX,TO,PL2"), [6.5, -0.5, 2.0]);
+    // In the plane a directed start stays on its vector; in space it goes on square to the wall from where the cutter's
+    // radius is left on the vector. Source: what APT-360 computes.
+    for (calc, x) in [("2DCALC", 6.5), ("3DCALC", 7.0 - 0.5 * 0.5_f64.sqrt())] {
+        let text = format!("{calc}\n{start}INDIRV/1,1,0\nGO/TO,LX,TO,PL2");
+        let end = run(&forms(), &text).clean().end();
+        assert!((end - Vec3::new(x, -0.5, 2.0)).norm() < 1e-9, "{text}: {end:?}");
+    }
 }
 
 #[test]

@@ -43,6 +43,41 @@ fn positions_at_two_surfaces() {
     ends(&f, &format!("{start}FROM/5,1,5\nGO/TO,X0,TO,Y0"), [2.0, 2.0, 5.0], 1e-12);
 }
 
+/// `STRTUP`: in the plane a start goes square to the wall in plan, or as the direction says, and its height follows; in
+/// space, and with the part surface named first, each step is the least one from where the last one led. Source of the
+/// places: what APT-360 computes.
+#[test]
+fn start_ups_between_surfaces_that_lean() {
+    let l = (0.3_f64 * 0.3 + 0.2 * 0.2 + 1.0).sqrt();
+    let f = forms(&[
+        ("TILT", "PLANE", &[0.3 / l, 0.2 / l, 1.0 / l, 0.5 / l]),
+        ("WALL", "PLANE", &[0.8, 0.6, 0.0, 3.0]),
+        ("CY", "CYLNDR", &[0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 3.0]),
+        ("LOW", "PLANE", &[0.0, 0.0, 1.0, 0.5]),
+        ("EGG", "QADRIC", &[1.0 / 9.0, 0.25, 1.0 / 2.25, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0]),
+    ]);
+    let start = "CUTTER/1,.25\nINTOL/.001\nOUTTOL/.001\n";
+    for (text, end, off) in [
+        ("FROM/6,1,2\nGO/TO,WALL,ON,TILT", [4.48, -0.14, -0.816], 1e-6),
+        ("FROM/6,1,2\nGO/ON,TILT,TO,WALL", [4.446_221_5, -0.094_962, -0.814_874], 1e-6),
+        (
+            "FROM/6,1,2\nINDIRV/-1,.1,0\nGO/TO,WALL,ON,TILT",
+            [3.432_432_4, 1.256_756_8, -0.781_081],
+            1e-6,
+        ),
+        (
+            "FROM/6,1,2\nINDIRV/-1,.1,0\nGO/ON,TILT,TO,WALL",
+            [-4.292_328, 11.556_438, -0.523_589],
+            1e-6,
+        ),
+        ("FROM/6,1,2\nGO/ON,CY,ON,TILT", [2.959_182, 0.493_197, -0.486_394], 1e-6),
+        ("3DCALC\nFROM/6,1,2\nGO/ON,CY,ON,TILT", [2.997_607, 0.138_396, -0.426_961], 2e-3),
+        ("CUTTER/0\nFROM/4,3,.5\nGO/ON,EGG,ON,LOW", [2.302_774, 1.095_521, 0.5], 2e-3),
+    ] {
+        ends(&f, &format!("{start}{text}"), end, off);
+    }
+}
+
 /// `STRTUP`: one surface by the least way, two together.
 #[test]
 fn start_up_by_the_least_way() {

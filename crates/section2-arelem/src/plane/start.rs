@@ -10,6 +10,9 @@ use super::frame::{Frame, Vec2};
 use crate::failure::{Candidate, Failure};
 use crate::scene::{Path, Start, Wall};
 
+/// Sine to the tool axis above which a part plane leans.
+const LEANS: f64 = 1e-9;
+
 /// A surface along the axis with the curve on which the tool end is to be.
 struct Side<'a> {
     wall: &'a Wall,
@@ -21,7 +24,8 @@ struct Side<'a> {
     along: Option<Vec3>,
 }
 
-/// The position of a start-up; `None` when it is not one for the plane routine.
+/// The position of a start-up; `None` when it is not one for the plane routine: the first surface must stand along
+/// the axis.
 pub(crate) fn start(go: &Start) -> Option<Result<Path, Failure>> {
     let frame = Frame::of(go.tool.ta);
     let te = frame.plan(go.tool.te);
@@ -54,7 +58,7 @@ pub(crate) fn start(go: &Start) -> Option<Result<Path, Failure>> {
                 }
             };
             sides.push(Side { wall, relation: *relation, trace, by, along });
-        } else if floor.is_none() {
+        } else if floor.is_none() && !sides.is_empty() {
             let height = if *relation == Relation::Past { Height::Far } else { Height::Near };
             floor = Some((Floor::of(wall, &frame, go.tool.te, height)?, wall, *relation));
         } else {
@@ -64,7 +68,7 @@ pub(crate) fn start(go: &Start) -> Option<Result<Path, Failure>> {
     if let Some(f) = failure {
         return Some(Err(f));
     }
-    if sides.is_empty() || sides.len() > 2 {
+    if sides.is_empty() || sides.len() > 2 || in_space(go, &floor, &sides, &frame) {
         return None;
     }
     // Without a floor the direction may climb; that is exact only for one surface.
@@ -96,6 +100,20 @@ pub(crate) fn start(go: &Start) -> Option<Result<Path, Failure>> {
     let points = vec![Position { te: end, ta: go.tool.ta }];
     let forward = end - go.tool.te;
     Some(Ok(Path { rivals, ..Path::started(points, forward, control) }))
+}
+
+/// With a thickness, or a cutter that is a point, APT-360 starts up in space; that ends elsewhere where a direction was
+/// given or the part surface leans.
+fn in_space(
+    go: &Start,
+    floor: &Option<(Floor, &Wall, Relation)>,
+    sides: &[Side<'_>],
+    frame: &Frame,
+) -> bool {
+    let point = |w: &Wall| !w.on && w.profile.widest() == 0.0;
+    let differs = floor.as_ref().is_some_and(|(f, ..)| f.n.cross(&frame.w).norm() > LEANS)
+        || sides.iter().any(|s| s.along.is_some());
+    differs && (go.thick || go.surfaces.iter().chain(&go.part).any(|(_, w)| point(w)))
 }
 
 /// Signed distance from the curve at which the tool end is to be: TO keeps the tool on its side, PAST

@@ -37,9 +37,6 @@ const EDGE: f64 = 1e-7;
 /// The same against surfaces whose nearest point is found by iteration.
 const EDGE_SEARCHED: f64 = 1e-6;
 
-/// Sine of the angle to the tool axis within which a wall counts as upright.
-const UPRIGHT: f64 = 1e-9;
-
 impl Keep {
     pub(crate) fn tool(&self, pose: &Pose) -> Tool<'_> {
         Tool { profile: &self.profile, te: pose.te, ta: pose.ta }
@@ -134,15 +131,6 @@ impl Keep {
 
     pub(crate) fn is_plane(&self) -> bool {
         matches!(self.surface, Surface::Plane(_))
-    }
-
-    /// A wall or a cylinder that stands along the tool axis.
-    pub(crate) fn is_upright(&self, ta: Vec3) -> bool {
-        match &self.surface {
-            Surface::Plane(p) => p.n.dot(&ta).abs() <= UPRIGHT,
-            Surface::Cylinder(c) => c.axis.cross(&ta).norm() <= UPRIGHT,
-            _ => false,
-        }
     }
 
     /// The band. With the tool end on the surface its positive side counts as outside.

@@ -130,7 +130,7 @@ fn rivals(go: &Start, aims: &[Aim<'_>], pose: Pose, end: Pose) -> Vec<Candidate>
         return all;
     }
     let axis = coming(&go.axis, aims, &pose);
-    let solver = Solver { aims, axis: &axis, guide: None };
+    let solver = Solver { aims, axis: &axis };
     let band = aims.iter().map(|a| a.keep.width()).fold(f64::INFINITY, f64::min);
     let by = end.te - pose.te;
     let near = 1e-3 * band + 1e-9 * solver.size(&pose);
@@ -170,21 +170,14 @@ fn coming(axis: &AxisRule, aims: &[Aim<'_>], pose: &Pose) -> AxisRule {
 
 fn solve(go: &Start, aims: &[Aim<'_>], pose: Pose) -> Result<Pose, Failure> {
     let axis = coming(&go.axis, aims, &pose);
-    let mut solver = Solver { aims, axis: &axis, guide: None };
+    let solver = Solver { aims, axis: &axis };
     let free = go.surfaces.len() == 1 && go.part.is_none();
     match go.along.first().copied().flatten() {
         Some(v) if go.offset => solver.offset(pose, v),
         Some(v) if free => solver.along(pose, v),
         _ => {
             let from = solver.let_down(solver.approach(pose));
-            solver.guide = solver.guided(pose, from);
-            let guided = solver.nearest(from, pose);
-            let found = if solver.guide.is_some() && guided.is_err() {
-                solver.guide = None;
-                solver.nearest(from, pose)
-            } else {
-                guided
-            };
+            let found = solver.nearest(from, pose);
             found.or_else(|failure| solver.by_a_plane(pose).ok_or(failure))
         }
     }
@@ -219,6 +212,7 @@ fn aim(
             let n = keep.surface.foot(pose.te).normal;
             if n.dot(&v) > 0.0 { keep.inner(pose) } else { Side::Positive }
         }
+        None if beyond(&keep, pose) => Side::Positive,
         None => {
             let apart = || Failure::NoContact { surface: wall.surface.clone() };
             let (gap, side) = clearance(&keep, pose)
@@ -242,6 +236,14 @@ fn aim(
     Ok(keep)
 }
 
+/// Are tool end and the middle of the cutter both outside of a surface that closes round the tool? However deep the
+/// cutter cuts in from there, it is outside that it is meant. Source: what APT-360 does.
+fn beyond(keep: &Keep, pose: &Pose) -> bool {
+    let middle = pose.te + pose.ta * (0.5 * keep.profile.height());
+    let out = |p: Vec3| keep.surface.distance(p) > keep.width();
+    opens(&keep.surface, pose.ta) && out(pose.te) && out(middle)
+}
+
 /// The surface's tangent plane nearest to the tool end in its place: far from a bounded surface the cutter has
 /// no place that faces it, and the plane tells the way there.
 fn flattened(keep: &Keep, pose: &Pose) -> Keep {
@@ -253,43 +255,19 @@ fn flattened(keep: &Keep, pose: &Pose) -> Keep {
 struct Solver<'a> {
     aims: &'a [Aim<'a>],
     axis: &'a AxisRule,
-    /// A plane in which the tool end stays: unit normal and distance.
-    guide: Option<(Vec3, f64)>,
 }
 
 impl Solver<'_> {
-    /// One direction for an upright wall or cylinder and a plane: the tool end stays in the plane through its place
-    /// that holds the direction and is as square as it can be to the line along which it could leave both surfaces.
-    fn guided(&self, home: Pose, from: Pose) -> Option<(Vec3, f64)> {
-        let [a, b] = self.aims else { return None };
-        let v = match (a.along, b.along) {
-            (Some(v), None) | (None, Some(v)) => v,
-            _ => return None,
-        };
-        let (wall, plane) = if b.keep.is_plane() { (a, b) } else { (b, a) };
-        if !plane.keep.is_plane() || !wall.keep.is_upright(home.ta) {
-            return None;
-        }
-        let gaps = self.gaps(&from, None).ok()?;
-        let along = gaps[0].normal.cross(&gaps[1].normal).try_normalize(1e-9)?;
-        let across = (along - v * along.dot(&v)).try_normalize(1e-6)?;
-        let own = plane.keep.surface.foot(from.te).normal;
-        (own.dot(&across).abs() <= 0.9999).then(|| (across, across.dot(&home.te)))
-    }
-
-    /// The point nearest to `origin` at which all conditions hold where they are linear.
-    fn least(&self, origin: Vec3, pose: &Pose, gaps: &[Gap], targets: &[f64]) -> Option<Vec3> {
-        let mut rows: Vec<(Vec3, f64)> =
+    /// The way, by the least vector, to where all conditions hold where they are linear.
+    fn least(&self, gaps: &[Gap], targets: &[f64]) -> Option<Vec3> {
+        let rows: Vec<(Vec3, f64)> =
             gaps.iter().zip(targets).map(|(g, t)| (g.normal, t - g.g)).collect();
-        if let Some((n, d)) = self.guide {
-            rows.push((n, d - n.dot(&pose.te)));
-        }
-        least(origin, pose.te, &rows)
+        least(&rows)
     }
 
     /// Where the directions given for the surfaces bring the tool: each pierces its surface from the middle of the
     /// cutter, and leaves room for its radius and the band. One that misses takes the tool along by three quarters of the
-    /// greatest gap. Source: what APT-360 does.
+    /// gap there. Source: what APT-360 does.
     fn approach(&self, pose: Pose) -> Pose {
         let mut te = pose.te;
         for aim in self.aims {
@@ -299,21 +277,13 @@ impl Solver<'_> {
             te += v * match keep.surface.directed_distance(middle, v, Fiop::Ahead) {
                 Ok(hit) if aim.wall.on => hit.distance - keep.width(),
                 Ok(hit) => hit.distance - keep.profile.widest() - keep.width(),
-                Err(_) => 0.75 * self.farthest(&Pose { te, ..pose }),
+                Err(_) => {
+                    let apart = keep.gap(&Pose { te, ..pose }, None);
+                    0.75 * apart.map_or_else(|_| keep.surface.distance(te), |g| g.g).abs()
+                }
             };
         }
         Pose { te, ..pose }
-    }
-
-    /// The greatest gap of the surfaces.
-    fn farthest(&self, pose: &Pose) -> f64 {
-        match self.gaps(pose, None) {
-            Ok(gaps) => gaps.iter().map(|g| g.g.abs()).fold(0.0, f64::max),
-            Err(_) => {
-                let far = |a: &Aim<'_>| a.keep.surface.distance(pose.te).abs();
-                self.aims.iter().map(far).fold(0.0, f64::max)
-            }
-        }
     }
 
     /// The position from a start on one of the planes: from above a wall that leans or ends the way there is not
@@ -397,12 +367,12 @@ impl Solver<'_> {
         self.axis.at(&around, keeps).unwrap_or(pose.ta)
     }
 
-    /// The position nearest to `origin` that satisfies all surfaces.
+    /// The position near `from` that satisfies all surfaces.
     ///
-    /// Each round moves the tool by the least vector from the origin that satisfies the surfaces where they
-    /// are linear; a round that makes the gaps worse is shortened.
+    /// Each round moves the tool by the least vector that satisfies the surfaces where they are linear; a round
+    /// that makes the gaps worse is shortened. Between planes the position is the nearest one, else near it: that of
+    /// APT-360, found by trial.
     fn nearest(&self, from: Pose, home: Pose) -> Result<Pose, Failure> {
-        let origin = from.te;
         let mut pose = from;
         let mut gaps = self.gaps(&pose, None)?;
         let mut best_step = f64::INFINITY;
@@ -411,10 +381,8 @@ impl Solver<'_> {
         for _ in 0..ROUNDS {
             let targets = self.targets(&pose, &gaps);
             let ta = self.turned(&pose, &gaps);
-            let to = self
-                .least(origin, &pose, &gaps, &targets)
-                .ok_or_else(|| self.impossible(home, &closest))?;
-            let step = to - pose.te;
+            let step =
+                self.least(&gaps, &targets).ok_or_else(|| self.impossible(home, &closest))?;
             let size = step.norm();
             // Near the end the rounds must come closer; far from it surfaces may bend away.
             if size > 0.95 * best_step {
@@ -462,10 +430,8 @@ impl Solver<'_> {
             if off <= enough && !self.deeper(&pose, &mut gaps) {
                 return Some(pose);
             }
-            pose = Pose {
-                te: self.least(pose.te, &pose, &gaps, &targets)?,
-                ta: self.turned(&pose, &gaps),
-            };
+            let step = self.least(&gaps, &targets)?;
+            pose = Pose { te: pose.te + step, ta: self.turned(&pose, &gaps) };
             gaps = self.gaps(&pose, Some(&gaps)).ok()?;
         }
         None
@@ -502,7 +468,7 @@ impl Solver<'_> {
                     (size > 1e-6).then(|| (n / size, (t - g.g) / size))
                 })
                 .collect();
-            let by = least(pose.te, pose.te, &rows?)? - pose.te;
+            let by = least(&rows?)?;
             let mut share = 1.0;
             (pose, gaps) = loop {
                 let next = self.with_axis(Pose { te: pose.te + by * share, ..pose })?;
@@ -634,26 +600,18 @@ impl Solver<'_> {
     }
 }
 
-/// The point nearest to `origin` from which the point `at` is reached by the steps asked for along each
-/// direction.
-fn least(origin: Vec3, at: Vec3, rows: &[(Vec3, f64)]) -> Option<Vec3> {
-    // Unknown multipliers m: x = origin + sum m_i n_i with n_i . (x - at) = step_i.
-    let n: Vec<Vec3> = rows.iter().map(|r| r.0).collect();
-    let rhs: Vec<f64> = rows.iter().map(|r| r.1 + r.0.dot(&(at - origin))).collect();
-    match n.as_slice() {
-        [a] => Some(origin + a * rhs[0]),
-        [a, b] => {
-            let c = a.dot(b);
+/// The least vector with the components asked for along one to three directions.
+fn least(rows: &[(Vec3, f64)]) -> Option<Vec3> {
+    match *rows {
+        [(a, s)] => Some(a * s),
+        [(a, s), (b, t)] => {
+            let c = a.dot(&b);
             let det = 1.0 - c * c;
-            (det > 1e-12).then(|| {
-                origin + a * ((rhs[0] - c * rhs[1]) / det) + b * ((rhs[1] - c * rhs[0]) / det)
-            })
+            (det > 1e-12).then(|| a * ((s - c * t) / det) + b * ((t - c * s) / det))
         }
-        [a, b, c] => {
-            let det = a.cross(b).dot(c);
-            (det.abs() > 1e-9).then(|| {
-                origin + (b.cross(c) * rhs[0] + c.cross(a) * rhs[1] + a.cross(b) * rhs[2]) / det
-            })
+        [(a, s), (b, t), (c, u)] => {
+            let det = a.cross(&b).dot(&c);
+            (det.abs() > 1e-9).then(|| (b.cross(&c) * s + c.cross(&a) * t + a.cross(&b) * u) / det)
         }
         _ => None,
     }
