@@ -54,7 +54,7 @@ fn start_ups_between_surfaces_that_lean() {
         ("WALL", "PLANE", &[0.8, 0.6, 0.0, 3.0]),
         ("CY", "CYLNDR", &[0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 3.0]),
         ("LOW", "PLANE", &[0.0, 0.0, 1.0, 0.5]),
-        ("EGG", "QADRIC", &[1.0 / 9.0, 0.25, 1.0 / 2.25, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0]),
+        ("EGG", "QADRIC", &[1.0 / 9.0, 0.25, 1.0 / 2.25, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]),
     ]);
     let start = "CUTTER/1,.25\nINTOL/.001\nOUTTOL/.001\n";
     for (text, end, off) in [

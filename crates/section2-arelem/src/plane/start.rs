@@ -102,18 +102,20 @@ pub(crate) fn start(go: &Start) -> Option<Result<Path, Failure>> {
     Some(Ok(Path { rivals, ..Path::started(points, forward, control) }))
 }
 
-/// With a thickness, or a cutter that is a point, APT-360 starts up in space; that ends elsewhere where a direction was
-/// given or the part surface leans.
+/// With a thickness, and with a cutter that is a point at a circle, APT-360 starts up in space; that ends elsewhere where a
+/// direction was given or the part surface leans.
 fn in_space(
     go: &Start,
     floor: &Option<(Floor, &Wall, Relation)>,
     sides: &[Side<'_>],
     frame: &Frame,
 ) -> bool {
-    let point = |w: &Wall| !w.on && w.profile.widest() == 0.0;
     let differs = floor.as_ref().is_some_and(|(f, ..)| f.n.cross(&frame.w).norm() > LEANS)
         || sides.iter().any(|s| s.along.is_some());
-    differs && (go.thick || go.surfaces.iter().chain(&go.part).any(|(_, w)| point(w)))
+    let point = |w: &Wall| !w.on && w.profile.widest() == 0.0;
+    let at_a_circle = sides.iter().any(|s| matches!(s.trace, Curve::Circle { .. }));
+    let touches = || go.surfaces.iter().chain(&go.part).any(|(_, w)| point(w));
+    differs && (go.thick || at_a_circle && touches())
 }
 
 /// Signed distance from the curve at which the tool end is to be: TO keeps the tool on its side, PAST

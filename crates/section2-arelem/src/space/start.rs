@@ -3,7 +3,7 @@
 use aptc_cldata::{Control, Position};
 use aptc_contact::{Condition, Gap, Side, opens};
 use aptc_geometry::surface::frame_about;
-use aptc_geometry::{Fiop, Plane, Surface, Vec3};
+use aptc_geometry::{Fiop, Form, Plane, Surface, Vec3};
 use aptc_protap::{OptionSurface, Relation};
 
 use super::keep::{Keep, Pose};
@@ -258,11 +258,21 @@ struct Solver<'a> {
 }
 
 impl Solver<'_> {
-    /// The way, by the least vector, to where all conditions hold where they are linear.
-    fn least(&self, gaps: &[Gap], targets: &[f64]) -> Option<Vec3> {
-        let rows: Vec<(Vec3, f64)> =
-            gaps.iter().zip(targets).map(|(g, t)| (g.normal, t - g.g)).collect();
-        least(&rows)
+    /// The place nearest to `origin` at which all conditions hold where they are linear.
+    fn least(&self, origin: Vec3, pose: &Pose, gaps: &[Gap], targets: &[f64]) -> Option<Vec3> {
+        let way = pose.te - origin;
+        let row = |(g, t): (&Gap, &f64)| (g.normal, t - g.g + g.normal.dot(&way));
+        let rows: Vec<(Vec3, f64)> = gaps.iter().zip(targets).map(row).collect();
+        least(&rows).map(|step| origin + step)
+    }
+
+    /// Is the nearest position meant? Near the bottom of a hollow, and along a polyconic, the place of contact moves far
+    /// with the least step, and where steps from one to the next end would hang on rounding.
+    fn nearest_of_all(&self, ta: Vec3) -> bool {
+        let touches = |a: &Aim<'_>| a.keep.condition == Condition::Touch;
+        let inside = |a: &Aim<'_>| a.keep.side != Side::Positive && opens(&a.keep.surface, ta);
+        let polyconic = |a: &Aim<'_>| matches!(a.wall.surface.form.shape(), Form::Polyconic(_));
+        self.aims.iter().any(|a| touches(a) && (inside(a) || polyconic(a)))
     }
 
     /// Where the directions given for the surfaces bring the tool: each pierces its surface from the middle of the
@@ -370,19 +380,24 @@ impl Solver<'_> {
     /// The position near `from` that satisfies all surfaces.
     ///
     /// Each round moves the tool by the least vector that satisfies the surfaces where they are linear; a round
-    /// that makes the gaps worse is shortened. Between planes the position is the nearest one, else near it: that of
-    /// APT-360, found by trial.
+    /// that makes the gaps worse is shortened. The vector is the least one from where the tool is, and the position that
+    /// of APT-360, found by trial; in a hollow and at a polyconic it is the least from the start, and the position the nearest one.
     fn nearest(&self, from: Pose, home: Pose) -> Result<Pose, Failure> {
         let mut pose = from;
         let mut gaps = self.gaps(&pose, None)?;
         let mut best_step = f64::INFINITY;
         let mut factor: f64 = 1.0;
         let mut closest = (f64::INFINITY, from, gaps.clone());
+        let pinned = self.nearest_of_all(from.ta);
+        let band = self.aims.iter().map(|a| a.keep.width()).fold(f64::INFINITY, f64::min);
+        let mut targets = self.targets(&pose, &gaps);
         for _ in 0..ROUNDS {
-            let targets = self.targets(&pose, &gaps);
             let ta = self.turned(&pose, &gaps);
-            let step =
-                self.least(&gaps, &targets).ok_or_else(|| self.impossible(home, &closest))?;
+            let origin = if pinned { from.te } else { pose.te };
+            let to = self
+                .least(origin, &pose, &gaps, &targets)
+                .ok_or_else(|| self.impossible(home, &closest))?;
+            let step = to - pose.te;
             let size = step.norm();
             // Near the end the rounds must come closer; far from it surfaces may bend away.
             if size > 0.95 * best_step {
@@ -395,6 +410,10 @@ impl Solver<'_> {
             let off = gaps.iter().zip(&targets).map(|(g, t)| (g.g - t).abs()).fold(0.0, f64::max);
             if off < closest.0 {
                 closest = (off, pose, gaps.clone());
+            }
+            if off > band {
+                // Within the band they stay: asked for anew at an edge they would never come to rest.
+                targets = self.targets(&pose, &gaps);
             }
             let scale = self.size(&pose) + size;
             if size <= 1e-13 * scale && turn <= 1e-11 && off <= 1e-13 * scale {
@@ -430,8 +449,8 @@ impl Solver<'_> {
             if off <= enough && !self.deeper(&pose, &mut gaps) {
                 return Some(pose);
             }
-            let step = self.least(&gaps, &targets)?;
-            pose = Pose { te: pose.te + step, ta: self.turned(&pose, &gaps) };
+            let te = self.least(pose.te, &pose, &gaps, &targets)?;
+            pose = Pose { te, ta: self.turned(&pose, &gaps) };
             gaps = self.gaps(&pose, Some(&gaps)).ok()?;
         }
         None

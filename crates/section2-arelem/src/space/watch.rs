@@ -213,17 +213,20 @@ impl Watch {
                 if !wanted {
                     continue;
                 }
-                self.met += 1;
-                if self.met == self.nth {
-                    return self.halt(&way, crossing, i).map(Some);
+                if self.met + 1 < self.nth {
+                    self.met += 1;
+                } else if let Some(halt) = self.halt(&way, crossing, i)? {
+                    self.met += 1;
+                    return Ok(Some(halt));
                 }
             }
         }
         Ok(None)
     }
 
-    /// The node at a crossing.
-    fn halt(&self, way: &Way<'_>, crossing: Crossing, i: usize) -> Result<Halt, Trouble> {
+    /// The node at a crossing; `None` where the cutter is much deeper in the check surface elsewhere: the shank may stand
+    /// through it at the start, or the place of contact go over from one wall to another.
+    fn halt(&self, way: &Way<'_>, crossing: Crossing, i: usize) -> Result<Option<Halt>, Trouble> {
         let keep = &self.gauges[i].keep;
         let node = way.settled(crossing.s)?;
         let gap = read(keep, &node, None)?;
@@ -241,8 +244,9 @@ impl Watch {
         };
         let crosses =
             !matches!(self.relation, Relation::Tanto | Relation::Pstan) && !crossing.touch;
-        let reading = read(keep, &node, Some(&gap))?.g;
-        Ok(Halt { s, node, side: keep.side, gauge: i, reading, crosses })
+        let reading = read(keep, &node, None)?.g;
+        let halt = Halt { s, node, side: keep.side, gauge: i, reading, crosses };
+        Ok((!crosses || reading >= -self.loose).then_some(halt))
     }
 
     /// The same halt on the way of another cut vector from the same node.
@@ -311,7 +315,7 @@ fn in_band(way: &Way<'_>, keep: &Keep, node: &Node, mut at: Sample) -> Option<f6
         }
         at = way.sample(keep, s, &at).ok()?;
     }
-    Some(at.s)
+    ((at.gap.g - target).abs() <= 0.1 * keep.width()).then_some(at.s)
 }
 
 impl Gauge {
