@@ -266,13 +266,13 @@ impl Solver<'_> {
         least(&rows).map(|step| origin + step)
     }
 
-    /// Is the nearest position meant? Near the bottom of a hollow, and along a polyconic, the place of contact moves far
-    /// with the least step, and where steps from one to the next end would hang on rounding.
+    /// Is the nearest position meant? Near the bottom of a hollow, along a polyconic and with an axis that turns the place of
+    /// contact moves far with the least step, and where steps from one to the next end would hang on rounding.
     fn nearest_of_all(&self, ta: Vec3) -> bool {
         let touches = |a: &Aim<'_>| a.keep.condition == Condition::Touch;
         let inside = |a: &Aim<'_>| a.keep.side != Side::Positive && opens(&a.keep.surface, ta);
         let polyconic = |a: &Aim<'_>| matches!(a.wall.surface.form.shape(), Form::Polyconic(_));
-        self.aims.iter().any(|a| touches(a) && (inside(a) || polyconic(a)))
+        self.axis.turns() || self.aims.iter().any(|a| touches(a) && (inside(a) || polyconic(a)))
     }
 
     /// Where the directions given for the surfaces bring the tool: each pierces its surface from the middle of the
@@ -381,7 +381,7 @@ impl Solver<'_> {
     ///
     /// Each round moves the tool by the least vector that satisfies the surfaces where they are linear; a round
     /// that makes the gaps worse is shortened. The vector is the least one from where the tool is, and the position that
-    /// of APT-360, found by trial; in a hollow and at a polyconic it is the least from the start, and the position the nearest one.
+    /// of APT-360, found by trial; else it is the least from the start, and the position the nearest one.
     fn nearest(&self, from: Pose, home: Pose) -> Result<Pose, Failure> {
         let mut pose = from;
         let mut gaps = self.gaps(&pose, None)?;
