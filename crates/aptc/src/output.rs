@@ -2,7 +2,7 @@
 
 use std::fs;
 use std::io::{self, Seek as _, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use aptc_control::{Artifact, ArtifactFile};
 use tempfile::NamedTempFile;
@@ -13,6 +13,10 @@ pub(crate) struct Aside(NamedTempFile);
 impl Aside {
     /// Begins the result that will be `path`.
     pub(crate) fn begin(path: &Path) -> io::Result<Self> {
+        let path = real(path);
+        if is_stream(&path) {
+            return NamedTempFile::new().map(Self);
+        }
         let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
         tempfile::Builder::new().prefix(".aptc-").tempfile_in(folder).map(Self)
     }
@@ -25,6 +29,10 @@ impl Aside {
 
     /// Gives it its name: what was there stays until all is handed to the system.
     fn name(self, path: &Path) -> io::Result<()> {
+        let path = &real(path);
+        if is_stream(path) {
+            return self.copy_to(&mut fs::OpenOptions::new().write(true).open(path)?);
+        }
         #[cfg(unix)]
         {
             // A temporary file is readable by its owner alone; a result is an ordinary file.
@@ -51,6 +59,16 @@ impl Write for Aside {
     fn flush(&mut self) -> io::Result<()> {
         self.0.flush()
     }
+}
+
+/// Where the file itself stands: a link stays one.
+fn real(path: &Path) -> PathBuf {
+    fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf())
+}
+
+/// A device or a pipe takes what is written; it is never replaced by a file.
+fn is_stream(path: &Path) -> bool {
+    fs::metadata(path).is_ok_and(|m| !m.is_file() && !m.is_dir())
 }
 
 /// Writes a result aside in the folder of `path`, then renames: what was there stays until all is written.
@@ -89,5 +107,22 @@ mod tests {
         assert_eq!(fs::read(&path).unwrap(), b"two");
         assert_eq!(fs::read_dir(dir.path()).unwrap().count(), 1);
         assert!(write_aside(&dir.path().join("no/such/folder"), |_| Ok(())).is_err());
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_link_stays_one_and_a_device_a_device() {
+        let dir = tempfile::tempdir().unwrap();
+        let (file, link, null) =
+            (dir.path().join("x.cl"), dir.path().join("link"), dir.path().join("null"));
+        fs::write(&file, "one").unwrap();
+        std::os::unix::fs::symlink(&file, &link).unwrap();
+        std::os::unix::fs::symlink("/dev/null", &null).unwrap();
+        write_aside(&link, |out| out.write_all(b"two")).unwrap();
+        assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
+        assert_eq!(fs::read(&file).unwrap(), b"two");
+        write_aside(&null, |out| out.write_all(b"two")).unwrap();
+        assert!(fs::symlink_metadata(&null).unwrap().is_symlink());
+        assert!(!fs::metadata("/dev/null").unwrap().is_file());
     }
 }
