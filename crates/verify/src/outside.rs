@@ -11,7 +11,7 @@ use aptc_geometry::Vec3;
 
 use crate::bound::Bound;
 use crate::demand::{angle, bulge, parabola};
-use crate::solid::Solid;
+use crate::solid::{Solid, unit_or};
 use crate::tool::{Pose, Tool, carry, turned};
 
 /// Rounds of the searches for the best direction; reaching them costs tightness, not truth.
@@ -62,6 +62,8 @@ fn along_axis(
     /// Slope at which the value is right to the last digit, and rounds: the bracket halves down to rounding in them.
     const LEVEL: f64 = 1e-11;
     const ROUNDS: u32 = 120;
+    /// Share of the length in which the least is looked for that values are rounded by.
+    const ALIKE: f64 = 1e-14;
     let middle = (pose.te + pose.ta * tool.shoulder() - q).dot(&t);
     let mut s = middle.max(least);
     let (d, n) = tool.near(pose, q + s * t);
@@ -72,18 +74,24 @@ fn along_axis(
     let far = 2.0 * ((pose.te - q).norm() + tool.reach()) / (1.0 - slope).max(0.05);
     let (mut a, mut b) = ((middle - far).max(least), (middle + far).max(least));
     let mut best = (f64::INFINITY, -pose.ta, s, f64::INFINITY);
+    // The directions on both sides of the least, with their slopes.
+    let mut sides: [Option<(Vec3, f64)>; 2] = [None; 2];
     // The slope two rounds before; halvings that are due, and how many the next time.
     let (mut steep, mut halve, mut halves) = ([f64::INFINITY; 2], 0, 1);
     for _ in 0..ROUNDS {
         let (d, n, change) = tool.bent(pose, q + s * t);
         let (value, rise) = (d - s * slope, n.dot(&t) - slope);
-        if value < best.0 || (value <= best.0 && rise.abs() < best.3) {
+        // Of values alike but for rounding the one counts whose direction proves it best.
+        let alike = (value - best.0).abs() <= ALIKE * far;
+        let better = if alike { rise.abs() < best.3 } else { value < best.0 };
+        if better {
             best = (value, n, s, rise.abs());
         }
         if rise.abs() <= LEVEL || b - a <= 2e-16 * (a.abs() + b.abs()) {
             break;
         }
         *(if rise < 0.0 { &mut a } else { &mut b }) = s;
+        sides[usize::from(rise >= 0.0)] = Some((n, rise.abs()));
         let newton = s - rise / change.along(t, t);
         // About an edge of the tool the slope jumps, and the steps would go to and fro across it for ever.
         if halve == 0 && (rise.abs() > 0.5 * steep[0] || !(a..=b).contains(&newton)) {
@@ -95,6 +103,12 @@ fn along_axis(
             halve -= 1;
             s = 0.5 * (a + b);
         }
+    }
+    // At an edge the direction that proves the value lies between those of both sides, level.
+    if best.3 > LEVEL
+        && let [Some((n, rise)), Some((m, fall))] = sides
+    {
+        best.1 = unit_or(n * fall + m * rise, best.1);
     }
     (best.0, best.1, best.2)
 }
@@ -265,6 +279,14 @@ mod tests {
                         (0..4000).map(|k| at(0.02 * f64::from(k))).fold(f64::MAX, f64::min);
                     assert!(found <= sampled + 1e-12, "{i} {lean} {slope}: {found} {sampled}");
                     assert!(found >= sampled - 0.02, "{i} {lean} {slope}: {found} {sampled}");
+                }
+                for solid in [
+                    Solid::Rod(Vec3::zeros(), Vec3::z(), 25.0),
+                    Solid::Nappe(Vec3::zeros(), Vec3::z(), 0.8, 0.6),
+                ] {
+                    let (gap, d) = gap(&tool, &pose, &solid);
+                    let low = proved(&tool, &pose, Vec3::zeros(), &solid, d);
+                    assert!(low >= gap - 1e-9, "{i} {lean} {solid:?}: {gap} proved {low}");
                 }
             }
         }
