@@ -8,13 +8,24 @@ use crate::sculpt::{Layout, Patch, Sculptured};
 use crate::sculptured::SurfaceDefinition;
 
 use super::cells::Cells;
-use super::{Domain, Jet};
+use super::{Domain, Jet, ParametricSurface};
 
 /// A ruled cylinder over a curve reaches ten units to both sides, as APT4 has it; the continuation goes on.
 const REACH: f64 = 10.0;
 
 /// How far the continuation goes, in lengths of the surface.
 const BEYOND: f64 = 3.0;
+
+/// Places along a border from which its continuation is followed.
+const RAYS: usize = 16;
+/// Share of the continuation after which it is first looked whether it meets the surface again, and least step.
+const FIRST: f64 = 0.04;
+/// Then it is to be this share of its way away from its border.
+const LEAVES: f64 = 0.5;
+/// It meets it where it is nearer to the surface than this share of its way.
+const MEETS: f64 = 0.1;
+/// There it ends at this share of its way.
+const CLEAR: f64 = 0.9;
 
 /// A sculptured surface prepared for evaluation.
 #[derive(Clone, Debug)]
@@ -39,8 +50,7 @@ pub struct Continued {
 
 /// The surface of a definition as it guides the tool; `None` when it cannot be fitted.
 pub fn continued(definition: &SurfaceDefinition) -> Option<Continued> {
-    let surface = Spans::fitted(definition)?;
-    let domain = domain(&surface);
+    let Spans { surface, domain, .. } = Spans::new(definition)?;
     Some(Continued { surface, u: domain.u, v: domain.v })
 }
 
@@ -62,10 +72,14 @@ impl Spans {
     /// `None` where a point of the surface is not finite.
     pub(super) fn of_surface(surface: Sculptured) -> Option<Self> {
         let size = surface.extent();
-        let domain = domain(&surface);
         let ruled_along = straight(&surface, size, true) && !straight(&surface, size, false);
-        let cells = Cells::new(&surface, &domain)?;
-        Some(Self { domain, ruled_along, surface, cells })
+        let free = domain(&surface);
+        let itself = Domain { u: [0.0, 1.0], v: [0.0, 1.0] };
+        let cells = Cells::new(&surface, &itself)?;
+        let bare = Self { surface, domain: itself, ruled_along, cells };
+        let domain = shortened(&bare, &free);
+        let cells = Cells::new(&bare.surface, &domain)?;
+        Some(Self { domain, cells, ..bare })
     }
 
     /// Where it may be nearest to a point, or be met by a line.
@@ -127,6 +141,46 @@ fn domain(surface: &Sculptured) -> Domain {
         u: range(open(&|v| at(0.0, v), &|v| at(1.0, v))),
         v: range(open(&|u| at(u, 0.0), &|u| at(u, 1.0))),
     }
+}
+
+/// The domain, its continuation cut off before it meets the surface again: what sticks out beyond it there is no
+/// part of it.
+fn shortened(bare: &Spans, free: &Domain) -> Domain {
+    let whole = ParametricSurface::of_spans(bare.clone());
+    let mut domain = *free;
+    for (axis, end) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
+        let range = if axis == 0 { &mut domain.u } else { &mut domain.v };
+        let border = end as f64;
+        let far = (range[end] - border).abs();
+        if far == 0.0 {
+            continue;
+        }
+        let mut reach = far;
+        for k in 0..RAYS {
+            let along = (k as f64 + 0.5) / RAYS as f64;
+            let [u, v] = if axis == 0 { [border, along] } else { [along, border] };
+            let jet = bare.jet(u, v);
+            let way = if axis == 0 { jet.su } else { jet.sv } * (2.0 * border - 1.0);
+            let length = way.norm();
+            let away = |t: f64| whole.foot(jet.s + way * t).distance.abs() / length;
+            let mut t = FIRST * far;
+            // Beside its own border it does not come off it, and tells nothing.
+            if away(t) < LEAVES * t {
+                continue;
+            }
+            while t < reach {
+                let away = away(t);
+                if away < MEETS * t {
+                    reach = t;
+                }
+                t += away.max(FIRST * far);
+            }
+        }
+        if reach < far {
+            range[end] = border + (range[end] - border).signum() * CLEAR * reach;
+        }
+    }
+    domain
 }
 
 /// Do the control points of each row along u (or across, along v) lie on a straight line?
@@ -194,4 +248,46 @@ fn as_grid(surface: &Sculptured) -> Option<Sculptured> {
     }
     let patches = order.into_iter().collect::<Option<Vec<_>>>()?;
     Sculptured::grid(patches, columns, rows).ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sculpt::from_points;
+
+    /// The rounded foot of a wall round three sides of a yard: at the bottom, z = 0, it goes on level, and would come
+    /// out on the other side.
+    fn foot() -> Sculptured {
+        use crate::trig::{cos, sin};
+        let right = core::f64::consts::FRAC_PI_2;
+        // From along one side over a corner and the back to the other side; the way out and where it begins.
+        let place = |k: usize, a: f64| match k {
+            0 => (Vec3::new(1.0, 10.0 * a, 0.0), Vec3::x()),
+            1 => (Vec3::new(1.0, 10.0, 0.0), Vec3::new(cos(right * a), sin(right * a), 0.0)),
+            2 => (Vec3::new(1.0 - 2.0 * a, 10.0, 0.0), Vec3::y()),
+            3 => (Vec3::new(-1.0, 10.0, 0.0), Vec3::new(-sin(right * a), cos(right * a), 0.0)),
+            _ => (Vec3::new(-1.0, 10.0 - 10.0 * a, 0.0), -Vec3::x()),
+        };
+        let patch = |k: usize| {
+            from_points(core::array::from_fn(|i| {
+                let (a, b) = ((i % 4) as f64 / 3.0, (i / 4) as f64 / 3.0);
+                let (from, out) = place(k, a);
+                from + out * cos(right * b) + Vec3::z() * (1.0 - sin(right * b))
+            }))
+        };
+        Sculptured::grid((0..5).map(patch).collect(), 5, 1).unwrap()
+    }
+
+    #[test]
+    fn a_continuation_ends_before_it_meets_the_surface_again() {
+        let spans = Spans::of_surface(foot()).unwrap();
+        let Domain { u, v } = spans.domain();
+        assert!(v[1] > 2.0 && v[1] < 2.3, "{v:?}");
+        for w in [0.1, 0.9] {
+            let s = spans.jet(w, v[1]).s;
+            assert!(s.x.abs() < 1.0 && s.z.abs() < 0.1, "{s}");
+        }
+        // Up the wall and off the ends nothing is met.
+        assert_eq!((u, v[0]), ([-BEYOND, 1.0 + BEYOND], -BEYOND));
+    }
 }
