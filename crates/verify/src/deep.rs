@@ -4,6 +4,7 @@
 //! the tool next to it and back, along sharp edges over the angle about the axis, over a disk without thickness by Newton's
 //! method, since behind a dome the way to and fro leads away from its deepest point.
 
+use aptc_geometry::surface::frame_about;
 use aptc_geometry::{Vec2, Vec3, trig};
 
 use crate::sheet::{Sheet, Spot};
@@ -133,9 +134,7 @@ fn glide(pose: &Pose, sheet: &Sheet, side: f64, middle: Vec3, radius: f64, spot:
     /// Newton's steps, and the share of the radius over which the slope is taken again.
     const STEPS: u32 = 24;
     const DIFFERENCE: f64 = 1e-5;
-    let smallest = if pose.ta.x.abs() < 0.6 { Vec3::x() } else { Vec3::y() };
-    let e = pose.ta.cross(&smallest).normalize();
-    let f = pose.ta.cross(&e);
+    let [e, f] = frame_about(pose.ta);
     // Depth and its slope at a place of the face, which is nowhere left.
     let look = |x: Vec2, spot: Spot| {
         let x = x * (radius / x.norm()).min(1.0);
