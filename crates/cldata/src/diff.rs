@@ -345,8 +345,7 @@ impl Walk {
         if self.greatest.is_none_or(|g| distance > g.distance) {
             self.greatest = Some(d);
         }
-        let c = p.p.ta.dot(&q.p.ta);
-        let angle = trig::atan2(p.p.ta.cross(&q.p.ta).norm(), c).to_degrees();
+        let angle = trig::angle_between(p.p.ta, q.p.ta).to_degrees();
         if self.greatest_axis.is_none_or(|g| angle > g.distance) {
             self.greatest_axis = Some(Deviation { distance: angle, ..d });
         }

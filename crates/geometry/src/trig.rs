@@ -1,5 +1,7 @@
 //! The only way to transcendental functions: libm, so that output is the same bits on every platform.
 
+use crate::Vec3;
+
 /// Sine of `x` radians.
 pub fn sin(x: f64) -> f64 {
     libm::sin(x)
@@ -43,6 +45,12 @@ pub fn atan(x: f64) -> f64 {
 /// Angle of the point (x, y) in radians, in (-pi, pi].
 pub fn atan2(y: f64, x: f64) -> f64 {
     libm::atan2(y, x)
+}
+
+/// Angle between two directions in radians, 0 to pi; they need no unit length. Exact where cosines are not: next to 0
+/// and half a turn.
+pub fn angle_between(a: Vec3, b: Vec3) -> f64 {
+    libm::atan2(a.cross(&b).norm(), a.dot(&b))
 }
 
 /// `e` to the power `x`.

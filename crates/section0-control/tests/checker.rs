@@ -395,7 +395,7 @@ impl Brute {
 /// Tool end straight on, tool axis turning evenly.
 fn between(a: &Position, b: &Position, t: f64) -> Position {
     let te = a.te + (b.te - a.te) * t;
-    let turn = trig::atan2(a.ta.cross(&b.ta).norm(), a.ta.dot(&b.ta));
+    let turn = trig::angle_between(a.ta, b.ta);
     let s = trig::sin(turn);
     let ta = if s > 1e-12 {
         a.ta * (trig::sin((1.0 - t) * turn) / s) + b.ta * (trig::sin(t * turn) / s)

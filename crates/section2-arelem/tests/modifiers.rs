@@ -225,7 +225,7 @@ INDIRV/1,0,0\nTLON,GOFWD/LX,ON,(LINE/1,0,0,30)"
         let start = ran.motions().nth(1).and_then(|(_, m)| m.points.last()).expect("a start").te;
         let centre = Vec3::new(0.0, 0.0, -55.0);
         let (a, b) = (start - centre, ran.end() - centre);
-        let turn = trig::atan2(a.cross(&b).norm(), a.dot(&b));
+        let turn = trig::angle_between(a, b);
         let (_, last) = ran.motions().last().expect("a motion");
         let n = last.points.len();
         let least = least(turn, 55.0, [band, band], true);

@@ -83,18 +83,22 @@ impl Plot {
         }
     }
 
-    /// Draws a line of a surface or a curve (PLOTFT), in part coordinates; a single point is a mark. Lines beyond
-    /// what a picture can show are left out.
+    /// Draws a line of a surface or a curve (PLOTFT), in part coordinates; a single point is a mark. Many lines are
+    /// drawn with fewer points.
     pub fn line(&mut self, points: &[Vec3]) {
         let finite = points.iter().all(|p| p.iter().all(|x| x.is_finite()));
-        if !finite || points.is_empty() || self.n_drawn + points.len() > MOST_POINTS {
+        if !finite || points.is_empty() {
             return;
         }
-        self.n_drawn += points.len();
         for p in points {
             self.holds(*p);
         }
         self.lines.push(points.to_vec());
+        self.n_drawn += points.len();
+        if self.n_drawn > 2 * MOST_POINTS {
+            too_many(&mut self.lines);
+            self.n_drawn = self.lines.iter_mut().map(thinned).sum();
+        }
     }
 
     fn holds(&mut self, p: Vec3) {
@@ -220,25 +224,32 @@ impl Plot {
 
     /// Leaves out every other point within the strokes, and strokes that have become too many.
     fn thin(&mut self) {
-        let n = self.strokes.len();
-        if n > MOST_POINTS {
-            let mut i = 0;
-            self.strokes.retain(|_| {
-                i += 1;
-                i % 2 == 0 || i == n
-            });
-        }
-        self.n_points = 0;
-        for s in &mut self.strokes {
-            let last = s.points.len() - 1;
-            let mut i = 0;
-            s.points.retain(|_| {
-                i += 1;
-                i == 1 || i == last + 1 || i % 2 == 1
-            });
-            self.n_points += s.points.len();
-        }
+        too_many(&mut self.strokes);
+        self.n_points = self.strokes.iter_mut().map(|s| thinned(&mut s.points)).sum();
     }
+}
+
+/// Leaves out every other one where there are too many, but for the last.
+fn too_many<T>(all: &mut Vec<T>) {
+    let n = all.len();
+    if n > MOST_POINTS {
+        let mut i = 0;
+        all.retain(|_| {
+            i += 1;
+            i % 2 == 0 || i == n
+        });
+    }
+}
+
+/// Leaves out every other point but for the first and the last; how many are left.
+fn thinned(points: &mut Vec<Vec3>) -> usize {
+    let n = points.len();
+    let mut i = 0;
+    points.retain(|_| {
+        i += 1;
+        i == n || i % 2 == 1
+    });
+    points.len()
 }
 
 #[cfg(test)]
@@ -288,6 +299,18 @@ mod tests {
         let [line, path] = ["class=\"drawn\"", "class=\"feed\""].map(|c| svg.find(c).unwrap());
         assert!(line < path && svg.contains("surface lines"));
         assert!(!svg.contains("NaN"));
+    }
+
+    #[test]
+    fn many_lines_are_drawn_with_fewer_points() {
+        let mut plot = Plot::new();
+        let line: Vec<Vec3> = (0..=1000).map(|i| Vec3::new(f64::from(i), 0.0, 0.0)).collect();
+        for _ in 0..1000 {
+            plot.line(&line);
+        }
+        assert_eq!(plot.lines.len(), 1000);
+        assert!(plot.n_drawn <= 2 * MOST_POINTS);
+        assert!(plot.lines.iter().all(|l| (l[0], l[l.len() - 1]) == (line[0], line[1000])));
     }
 
     #[test]

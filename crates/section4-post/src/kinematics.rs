@@ -374,19 +374,14 @@ impl Spin {
 
 /// Angle of `R(d, x) u = v`; `from` when `u` lies along `d`.
 fn one_turn(d: Vec3, u: Vec3, v: Vec3, from: f64, singular: f64) -> Result<f64, NoSolution> {
-    if (between(d, u) - between(d, v)).abs() > UPRIGHT {
+    if (trig::angle_between(d, u) - trig::angle_between(d, v)).abs() > UPRIGHT {
         return Err(NoSolution::Direction);
     }
-    Ok(angle_between(d, u, v, singular).unwrap_or(from))
-}
-
-/// Angle between two directions, radians, exact where cosines are not: next to 0 and half a turn.
-fn between(a: Vec3, b: Vec3) -> f64 {
-    trig::atan2(a.cross(&b).norm(), a.dot(&b))
+    Ok(angle_about(d, u, v, singular).unwrap_or(from))
 }
 
 /// Angle about `d` from `u` to `v`, seen across `d`; `None` when one of them lies within `singular` of `d`.
-fn angle_between(d: Vec3, u: Vec3, v: Vec3, singular: f64) -> Option<f64> {
+fn angle_about(d: Vec3, u: Vec3, v: Vec3, singular: f64) -> Option<f64> {
     let (pu, pv) = (u - d * d.dot(&u), v - d * d.dot(&v));
     let least = singular.max(1e-12);
     if pu.norm() < least || pv.norm() < least {
@@ -406,7 +401,7 @@ fn two_turns(
 ) -> Result<[Option<[f64; 2]>; 2], NoSolution> {
     // The vector w = R(d2, y) u = R(d1, -x) v lies in the plane of d1 and d2 and on both sides of it.
     // They meet where three angles make a spherical triangle; by how much they miss is the lean that would be left.
-    let (alpha, beta, gamma) = (between(d1, v), between(d2, u), between(d1, d2));
+    let (alpha, beta, gamma) = (trig::angle_between(d1, v), trig::angle_between(d2, u), trig::angle_between(d1, d2));
     let short = (gamma - alpha - beta).max((alpha - beta).abs() - gamma);
     if short.max(alpha + beta + gamma - TAU) > UPRIGHT {
         return Err(NoSolution::Direction);
@@ -424,9 +419,9 @@ fn two_turns(
     let c = (rest.max(0.0) / det).sqrt();
     let base = d1 * a + d2 * b;
     let solve = |w: Vec3| {
-        let y = angle_between(d2, u, w, 0.0).unwrap_or(from[1]);
+        let y = angle_about(d2, u, w, 0.0).unwrap_or(from[1]);
         // Near the singular direction the first axis may stay where it is.
-        let x = angle_between(d1, w, v, singular).unwrap_or(from[0]);
+        let x = angle_about(d1, w, v, singular).unwrap_or(from[0]);
         [x, y]
     };
     let one = solve(base + normal * c);

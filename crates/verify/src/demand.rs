@@ -261,7 +261,7 @@ pub(crate) fn angle(a: Vec3, b: Vec3) -> f64 {
     if a == b {
         return 0.0;
     }
-    trig::atan2(a.cross(&b).norm(), a.dot(&b))
+    trig::angle_between(a, b)
 }
 
 fn between(a: &Position, b: &Position, t: f64) -> Pose {

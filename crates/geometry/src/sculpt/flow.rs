@@ -122,8 +122,7 @@ impl Flow {
             FlowKind::Arc => a.length(t),
             FlowKind::Chord(d) => (a.at(t).point - a.start()).dot(&d).abs(),
             FlowKind::Angle(pivot) => {
-                let (v, w) = (a.start() - pivot, a.at(t).point - pivot);
-                trig::atan2(v.cross(&w).norm(), v.dot(&w))
+                trig::angle_between(a.start() - pivot, a.at(t).point - pivot)
             }
         }
     }
