@@ -31,6 +31,9 @@ pub(crate) struct Corner {
     pub(crate) leave: Node,
 }
 
+/// A pose with the gaps at the old and the new place of the surface, and at the other surface.
+type Touched = (Pose, [Gap; 3]);
+
 impl Track {
     /// The corner just ahead of a node, if the track has one there. The axis must not turn.
     pub(crate) fn corner(&self, from: &Node) -> Option<Corner> {
@@ -65,44 +68,52 @@ impl Track {
 
     /// The place no farther than `far` where surface `i` is touched at the old and the `new` place.
     fn turn_at(&self, from: &Node, i: usize, new: Gap, far: f64) -> Option<Corner> {
-        let j = 1 - i;
         let keep = &self.keeps[i];
-        let mut pose = from.pose;
-        let (mut old, mut new, mut other) = (from.gaps[i], new, from.gaps[j]);
+        let far = far + 2.0 * keep.width();
         // A little inside of the band, where what is found by iteration cannot lie beyond it.
         let limits = keep.limits();
         let room = INSIDE * keep.width();
         let within = |g: f64| g.clamp(limits.low + room, limits.high - room);
-        let kept = [within(old.g), other.g];
         // The new place at first where it is.
-        let mut target = within(new.g);
-        let mut settled = false;
+        let start = (from.pose, [from.gaps[i], new, from.gaps[1 - i]]);
+        let kept = [within(from.gaps[i].g), within(new.g), from.gaps[1 - i].g];
+        let here = self.touched(i, start, kept, far)?;
+        let (_, leave) = self.corner_at(from, i, here)?;
+        // The way on tells how the surface bends along it, and so where in the band it would best begin. Where the
+        // hollow becomes tighter than the cutter on the way, the old place may end before.
+        let best = within(keep.target(leave.bends[i], 1.0));
+        let there = self.touched(i, here, [kept[0], best, kept[2]], far);
+        let found = there.and_then(|at| self.corner_at(from, i, at));
+        let (arrive, leave) = found.or_else(|| self.corner_at(from, i, here))?;
+        Some(Corner { arrive, leave })
+    }
+
+    /// The pose near a start where the old place of surface `i`, the new one and the other surface are at these
+    /// gaps.
+    fn touched(&self, i: usize, start: Touched, wanted: [f64; 3], far: f64) -> Option<Touched> {
+        let (mut pose, mut gaps) = start;
         for _ in 0..ROUNDS {
-            let off = [kept[0] - old.g, target - new.g, kept[1] - other.g];
+            let off = [0, 1, 2].map(|k| wanted[k] - gaps[k].g);
             if off.iter().all(|o| o.abs() <= self.exact) {
-                if settled {
-                    break;
-                }
-                // The way on tells how the surface bends along it, and so where in the band it begins.
-                let leave = self.leaving(pose, i, [old, new, other])?;
-                target = within(keep.target(leave.bends[i], 1.0));
-                settled = true;
-                continue;
+                return Some((pose, gaps));
             }
-            let step = solve_normals([old.normal, new.normal, other.normal], off)?;
-            pose.te += step;
-            if (pose.te - from.pose.te).norm() > far + 2.0 * keep.width() {
+            pose.te += solve_normals(gaps.map(|g| g.normal), off)?;
+            if (pose.te - start.0.te).norm() > far {
                 return None;
             }
-            old = keep.gap_at(&pose, old.spot()).ok()?;
-            new = keep.gap_at(&pose, new.spot()).ok()?;
-            other = self.keeps[j].gap(&pose, Some(other.spot())).ok()?;
+            let at = |k: usize| self.keeps[i].gap_at(&pose, gaps[k].spot()).ok();
+            let other = self.keeps[1 - i].gap(&pose, Some(gaps[2].spot())).ok()?;
+            gaps = [at(0)?, at(1)?, other];
         }
-        let off = [kept[0] - old.g, target - new.g, kept[1] - other.g];
-        let deepest = keep.gap(&pose, None).ok()?.g;
-        let there = off.iter().all(|o| o.abs() <= self.exact);
+        None
+    }
+
+    /// The corner at such a pose, if the cutter is deeper nowhere else.
+    fn corner_at(&self, from: &Node, i: usize, at: Touched) -> Option<(Stride, Node)> {
+        let (pose, [old, new, other]) = at;
+        let deepest = self.keeps[i].gap(&pose, None).ok()?.g;
         let free = deepest >= old.g.min(new.g) - 4.0 * self.exact;
-        if !there || !free || self.keeps[j].deeper(&pose, &other, 4.0 * self.exact).0.is_some() {
+        if !free || self.keeps[1 - i].deeper(&pose, &other, 4.0 * self.exact).0.is_some() {
             return None;
         }
         let leave = self.leaving(pose, i, [old, new, other])?;
@@ -110,7 +121,7 @@ impl Track {
         gaps[i] = old;
         let to = self.finish(pose, gaps, from.along).ok()?;
         let length = (pose.te - from.pose.te).norm();
-        Some(Corner { arrive: Stride { length, to, targets: gaps.map(|g| g.g) }, leave })
+        Some((Stride { length, to, targets: gaps.map(|g| g.g) }, leave))
     }
 
     /// The node that goes on along the new place, away from the old one.
