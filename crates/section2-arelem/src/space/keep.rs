@@ -142,21 +142,34 @@ impl Keep {
     /// the share `share` of the band: outside where the surface is round, so that the middle of the cut
     /// vectors may go in, and inside where it is hollow.
     pub(crate) fn target(&self, bend: f64, share: f64) -> f64 {
-        let limits = self.limits();
-        let share_of_edge = match self.surface {
+        let Limits { low, high } = self.limits();
+        let edge = self.edge();
+        let (least, most) = (low + edge, high - edge);
+        let at = if bend > 0.0 {
+            share * most.max(0.0)
+        } else if bend < 0.0 {
+            share * least.min(0.0)
+        } else {
+            0.0
+        };
+        // A band may begin at the surface itself.
+        at.max(least).min(most)
+    }
+
+    /// Where it lies when the gap does not bend: touching, but a little inside of a band that begins there.
+    pub(crate) fn level(&self) -> f64 {
+        if self.is_plane() { 0.0 } else { self.target(0.0, 0.0) }
+    }
+
+    /// How far vertices keep from the edge of the band.
+    fn edge(&self) -> f64 {
+        let share = match self.surface {
             Surface::Plane(_) | Surface::Sphere(_) | Surface::Cylinder(_) | Surface::Cone(_) => {
                 EDGE
             }
             _ => EDGE_SEARCHED,
         };
-        let edge = share_of_edge * (limits.high - limits.low);
-        if bend > 0.0 {
-            share * (limits.high - edge).max(0.0)
-        } else if bend < 0.0 {
-            share * (limits.low + edge).min(0.0)
-        } else {
-            0.0
-        }
+        share * self.width()
     }
 
     /// Width of the band.

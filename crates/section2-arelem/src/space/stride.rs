@@ -211,7 +211,7 @@ impl Track {
             let (keep, bend) = (&self.keeps[i], bends[i]);
             let share = (bend.abs() * usual * usual / (8.0 * keep.width())).min(1.0);
             if share < 1e-9 {
-                return 0.0;
+                return keep.level();
             }
             let (even, edge) = (keep.target(bend, share), keep.target(bend, 1.0));
             let Limits { low, high } = keep.limits();
