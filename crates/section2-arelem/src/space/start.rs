@@ -213,6 +213,7 @@ fn aim(
             if n.dot(&v) > 0.0 { keep.inner(pose) } else { Side::Positive }
         }
         None if beyond(&keep, pose) => Side::Positive,
+        None if let Some(side) = rests_on(&keep, pose) => side,
         None => {
             let apart = || Failure::NoContact { surface: wall.surface.clone() };
             let (gap, side) = clearance(&keep, pose)
@@ -242,6 +243,17 @@ fn beyond(keep: &Keep, pose: &Pose) -> bool {
     let middle = pose.te + pose.ta * (0.5 * keep.profile.height());
     let out = |p: Vec3| keep.surface.distance(p) > keep.width();
     opens(&keep.surface, pose.ta) && out(pose.te) && out(middle)
+}
+
+/// The side towards which a point or a thin disk stands that is within the band on both.
+fn rests_on(keep: &Keep, pose: &Pose) -> Option<Side> {
+    let inner = keep.inner(pose);
+    let near = |side: Side| {
+        let gap = keep.on_side(side).gap(pose, None).ok()?;
+        (gap.g.abs() <= keep.width()).then(|| gap.normal.dot(&pose.ta))
+    };
+    let (outside, inside) = (near(Side::Positive)?, near(inner)?);
+    ((outside - inside).abs() > 0.1).then_some(if outside > inside { Side::Positive } else { inner })
 }
 
 /// The surface's tangent plane nearest to the tool end in its place: far from a bounded surface the cutter has
