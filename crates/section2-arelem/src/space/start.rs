@@ -33,7 +33,9 @@ pub(crate) fn start(go: &Start) -> Result<Path, Failure> {
     for ((relation, wall), i) in named.chain(go.part.iter().map(|s| (s, None))) {
         let normal = i.and_then(|i| go.normals.get(i).copied().flatten());
         let along = i.and_then(|i| go.along.get(i).copied().flatten());
-        let keep = aim(*relation, wall, &pose, normal)?;
+        let role = if i == Some(0) { OptionSurface::Drive } else { OptionSurface::Part };
+        let rules = i != Some(2) && matches!(go.axis, AxisRule::Normal(r) if r == role);
+        let keep = aim(*relation, wall, &pose, normal, rules)?;
         aims.push(Aim { wall, relation: *relation, keep, along });
     }
     let end = match arrive(go, &mut aims, pose) {
@@ -183,12 +185,14 @@ fn solve(go: &Start, aims: &[Aim<'_>], pose: Pose) -> Result<Pose, Failure> {
     }
 }
 
-/// The side on which the tool is to be: TO where it is, PAST on the other.
+/// The side on which the tool is to be: TO where it is, PAST on the other. Along a surface that `rules` the axis, its
+/// normal, the axis before says where a point is.
 fn aim(
     relation: Relation,
     wall: &Wall,
     pose: &Pose,
     to_past: Option<Vec3>,
+    rules: bool,
 ) -> Result<Keep, Failure> {
     let surface = wall
         .fitted
@@ -213,7 +217,7 @@ fn aim(
             if n.dot(&v) > 0.0 { keep.inner(pose) } else { Side::Positive }
         }
         None if beyond(&keep, pose) => Side::Positive,
-        None if let Some(side) = rests_on(&keep, pose) => side,
+        None if let Some(side) = rests_on(&keep, pose, rules) => side,
         None => {
             let apart = || Failure::NoContact { surface: wall.surface.clone() };
             let (gap, side) = clearance(&keep, pose)
@@ -245,14 +249,16 @@ fn beyond(keep: &Keep, pose: &Pose) -> bool {
     opens(&keep.surface, pose.ta) && out(pose.te) && out(middle)
 }
 
-/// The side towards which a point or a thin disk stands that is within the band on both.
-fn rests_on(keep: &Keep, pose: &Pose) -> Option<Side> {
+/// The side towards which a point or a thin disk stands that is within the band on both, or anywhere when it is a point
+/// whose axis follows the surface.
+fn rests_on(keep: &Keep, pose: &Pose, rules: bool) -> Option<Side> {
     let inner = keep.inner(pose);
-    let near = |side: Side| {
+    let anywhere = rules && keep.profile.reach() == 0.0;
+    let lean = |side: Side| {
         let gap = keep.on_side(side).gap(pose, None).ok()?;
-        (gap.g.abs() <= keep.width()).then(|| gap.normal.dot(&pose.ta))
+        (anywhere || gap.g.abs() <= keep.width()).then(|| gap.normal.dot(&pose.ta))
     };
-    let (outside, inside) = (near(Side::Positive)?, near(inner)?);
+    let (outside, inside) = (lean(Side::Positive)?, lean(inner)?);
     ((outside - inside).abs() > 0.1).then_some(if outside > inside { Side::Positive } else { inner })
 }
 
