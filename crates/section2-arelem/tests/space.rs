@@ -341,6 +341,32 @@ GO/ON,ACROSS,TO,{surface},ON,NEAR\nINDIRV/0,1,0\nTLON,GOFWD/ACROSS,ON,FAR"
     assert!(bore.iter().all(|r| (kept - 0.0012..=kept + 1e-9).contains(r)), "{bore:?}");
 }
 
+/// A point has no body that says on which side of a surface it is: the axis before does, also a little beyond it.
+#[test]
+fn a_point_keeps_the_side_of_its_axis() {
+    let words: [(&str, &str, &[f64]); 4] = [
+        ("DOME", "SPHERE", &[0.0, 0.0, 0.0, 5.0]),
+        ("ACROSS", "PLANE", &[1.0, 0.0, 0.0, 0.0]),
+        ("NEAR", "PLANE", &[0.0, 1.0, 0.0, -2.0]),
+        ("FAR", "PLANE", &[0.0, 1.0, 0.0, 2.0]),
+    ];
+    let forms = words.map(|(n, k, w)| (n.into(), form(k, w).expect("a legal form")));
+    let forms = forms.into_iter().collect();
+    for z in [-4.59, -4.58, -4.5] {
+        let text = format!(
+            "MULTAX\nINTOL/.001\nOUTTOL/.001\nCUTTER/0,0,0,0,0,0,0\nFROM/0,-2,{z},0,0,1\nTLAXIS/NORMPS
+GO/ON,ACROSS,TO,DOME,ON,NEAR\nINDIRV/0,1,0\nTLON,GOFWD/ACROSS,ON,FAR"
+        );
+        let ran = run(&forms, &text);
+        assert!(ran.diagnostics.is_empty(), "{:?}", ran.diagnostics);
+        let points: Vec<_> = ran.motions().skip(1).flat_map(|(_, m)| m.points.clone()).collect();
+        assert!(points.len() > 10);
+        for p in &points {
+            assert!((p.te.norm() - 5.0).abs() <= 0.001 + 1e-9 && p.ta.dot(&p.te) < -4.9, "{p:?}");
+        }
+    }
+}
+
 /// From above the apex of a cone the way to its side is found on the floor.
 #[test]
 fn a_start_beside_a_cone_from_above() {

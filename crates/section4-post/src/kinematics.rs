@@ -401,7 +401,8 @@ fn two_turns(
 ) -> Result<[Option<[f64; 2]>; 2], NoSolution> {
     // The vector w = R(d2, y) u = R(d1, -x) v lies in the plane of d1 and d2 and on both sides of it.
     // They meet where three angles make a spherical triangle; by how much they miss is the lean that would be left.
-    let (alpha, beta, gamma) = (trig::angle_between(d1, v), trig::angle_between(d2, u), trig::angle_between(d1, d2));
+    let (alpha, beta, gamma) =
+        (trig::angle_between(d1, v), trig::angle_between(d2, u), trig::angle_between(d1, d2));
     let short = (gamma - alpha - beta).max((alpha - beta).abs() - gamma);
     if short.max(alpha + beta + gamma - TAU) > UPRIGHT {
         return Err(NoSolution::Direction);

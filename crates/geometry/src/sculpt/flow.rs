@@ -121,9 +121,7 @@ impl Flow {
             FlowKind::Param => t,
             FlowKind::Arc => a.length(t),
             FlowKind::Chord(d) => (a.at(t).point - a.start()).dot(&d).abs(),
-            FlowKind::Angle(pivot) => {
-                trig::angle_between(a.start() - pivot, a.at(t).point - pivot)
-            }
+            FlowKind::Angle(pivot) => trig::angle_between(a.start() - pivot, a.at(t).point - pivot),
         }
     }
 

@@ -216,8 +216,8 @@ fn aim(
             let n = keep.surface.foot(pose.te).normal;
             if n.dot(&v) > 0.0 { keep.inner(pose) } else { Side::Positive }
         }
-        None if beyond(&keep, pose) => Side::Positive,
         None if let Some(side) = rests_on(&keep, pose, rules) => side,
+        None if beyond(&keep, pose) => Side::Positive,
         None => {
             let apart = || Failure::NoContact { surface: wall.surface.clone() };
             let (gap, side) = clearance(&keep, pose)
@@ -259,7 +259,11 @@ fn rests_on(keep: &Keep, pose: &Pose, rules: bool) -> Option<Side> {
         (anywhere || gap.g.abs() <= keep.width()).then(|| gap.normal.dot(&pose.ta))
     };
     let (outside, inside) = (lean(Side::Positive)?, lean(inner)?);
-    ((outside - inside).abs() > 0.1).then_some(if outside > inside { Side::Positive } else { inner })
+    ((outside - inside).abs() > 0.1).then_some(if outside > inside {
+        Side::Positive
+    } else {
+        inner
+    })
 }
 
 /// The surface's tangent plane nearest to the tool end in its place: far from a bounded surface the cutter has
