@@ -30,6 +30,7 @@ impl Arelem {
         }
         let Some(tool) = self.tool else { return self.fail(origin, &Failure::NoPosition) };
         self.need_cutter(origin, go.surfaces.iter().map(|s| &s.1));
+        self.chosen_contact(origin);
         let start = match self.start_scene(go, tool) {
             Ok(start) => start,
             Err(f) => return self.fail(origin, &f),
@@ -91,6 +92,7 @@ impl Arelem {
                 None => space::run(&scene),
             }
         });
+        self.chosen_contact(origin);
         match result {
             Ok(path) => {
                 if tool.assumed && !matches!(d.direction, Direction::Goup | Direction::Godown) {
@@ -115,6 +117,13 @@ impl Arelem {
                 self.picture(&f, &tool, all);
                 self.fail(origin, &f)
             }
+        }
+    }
+
+    /// Says once that a place of contact chosen by TLAXIS does not count.
+    fn chosen_contact(&mut self, origin: &Origin) {
+        if std::mem::take(&mut self.settings.contact_chosen) {
+            self.diagnostics.push(failure::contact_not_chosen(origin));
         }
     }
 

@@ -435,6 +435,14 @@ pub(crate) fn fouls(origin: &Origin, surface: &SurfaceRef, depth: f64) -> Diagno
         .help("write CUTTER/OPTION,2,radius,height if that is meant, or use a shorter cutter")
 }
 
+/// RADIUS or HIGHT of TLAXIS, which say where on the cutter it touches, before a motion in which its shape does.
+pub(crate) fn contact_not_chosen(origin: &Origin) -> Diagnostic {
+    let text = "RADIUS and HIGHT of TLAXIS do not count along surfaces: the cutter touches where its shape does";
+    Diagnostic::warning(codes::CONTACT_NOT_CHOSEN, origin.span, text)
+        .within(origin.trace.clone())
+        .help("leave them out, or write CUTTER/OPTION with the surface, the radius and the height of a disk that is to touch")
+}
+
 /// How a message names a surface.
 pub(crate) fn called(s: &SurfaceRef) -> String {
     if s.name.name.is_empty() {

@@ -66,6 +66,8 @@ pub(crate) struct Settings {
     pub(crate) multax: bool,
     pub(crate) axis: ToolAxis,
     pub(crate) axis_before: ToolAxis,
+    /// RADIUS or HIGHT of TLAXIS were given, and it was not said yet that they do not count.
+    pub(crate) contact_chosen: bool,
     pub(crate) part: Part,
     pub(crate) nops: bool,
     /// The last of TLLFT, TLRGT, TLON, TLNDON; none yet.
@@ -110,6 +112,7 @@ impl Default for Settings {
             multax: false,
             axis: ToolAxis::Fixed(Vec3::z()),
             axis_before: ToolAxis::Fixed(Vec3::z()),
+            contact_chosen: false,
             part: Part::Surface(plane_ref(Vec3::z(), 0.0)),
             nops: false,
             drive_side: None,
@@ -180,6 +183,12 @@ impl Settings {
             ToolAxis::Last => self.axis_before.clone(),
             axis => axis,
         };
+        let [radius, height] = match &next {
+            ToolAxis::Parallel { radius, height, .. } => [*radius, *height],
+            ToolAxis::Angle(a) => [a.radius, a.height],
+            _ => [None; 2],
+        };
+        self.contact_chosen = radius.or(height).is_some();
         self.axis_before = std::mem::replace(&mut self.axis, next);
     }
 

@@ -172,6 +172,16 @@ impl Keep {
         share * self.width()
     }
 
+    /// The gap itself, or the next one that is farther inside of the band than the share `share` of it: not at planes and
+    /// for the tool end, whose gaps are exact.
+    pub(crate) fn inside(&self, gap: f64, share: f64) -> f64 {
+        if self.is_plane() || self.condition == Condition::On {
+            return gap;
+        }
+        let (limits, room) = (self.limits(), share.min(0.5) * self.width());
+        gap.max(limits.low + room).min(limits.high - room)
+    }
+
     /// Width of the band.
     pub(crate) fn width(&self) -> f64 {
         self.intol + self.outtol

@@ -7,6 +7,7 @@ use aptc_geometry::{Fiop, Form, Plane, Surface, Vec3};
 use aptc_protap::{OptionSurface, Relation};
 
 use super::keep::{Keep, Pose};
+use super::stride::AIM_TURNING;
 use super::watch::clearance;
 use crate::axis::{Around, AxisRule, Came};
 use crate::failure::{Candidate, Failure};
@@ -356,8 +357,21 @@ impl Solver<'_> {
     }
 
     /// Gap asked of each surface at a contact: within the band, outside at round and inside at hollow ones,
-    /// so that the motion that follows has the whole band for its first cut vector.
+    /// so that the motion that follows has the whole band for its first cut vector. A flank that an axis lays along a
+    /// surface touches all along it: what is not told apart there stays away from the border of the band.
     fn targets(&self, pose: &Pose, gaps: &[Gap]) -> Vec<f64> {
+        let asked = self.wanted(pose, gaps);
+        if !self.axis.turns() {
+            return asked;
+        }
+        let inside = |(a, t): (&Aim<'_>, f64)| {
+            let alike = self.alike(pose, &a.keep) / a.keep.width();
+            a.keep.inside(t, alike.max(AIM_TURNING))
+        };
+        self.aims.iter().zip(asked).map(inside).collect()
+    }
+
+    fn wanted(&self, pose: &Pose, gaps: &[Gap]) -> Vec<f64> {
         self.aims
             .iter()
             .enumerate()
@@ -453,10 +467,15 @@ impl Solver<'_> {
     }
 
     /// A side that lies along a ruling touches at all of it: with an axis that turns the place of contact, and
-    /// the axis with it, then jumps within the band for ever. A tenth of the band is near enough there.
+    /// the axis with it, then jumps within the band for ever. A tenth of the band is near enough there, inside of it.
     fn near_enough(&self, (off, pose, gaps): &(f64, Pose, Vec<Gap>)) -> Option<Pose> {
         let least = self.aims.iter().map(|a| a.keep.width()).fold(f64::INFINITY, f64::min);
-        let there = self.axis.turns() && *off <= 0.1 * least;
+        let inside = |(a, g): (&Aim<'_>, &Gap)| {
+            let limits = a.keep.limits();
+            (limits.low..=limits.high).contains(&g.g)
+        };
+        let there = *off <= 0.1 * least && self.aims.iter().zip(gaps).all(inside);
+        let there = self.axis.turns() && there;
         (there && !self.deeper(pose, &mut gaps.clone())).then_some(*pose)
     }
 
@@ -543,11 +562,16 @@ impl Solver<'_> {
         pose.te.norm() + self.aims.iter().map(of).fold(0.0, f64::max)
     }
 
+    /// Gaps at two places of the cutter that differ by less count as one.
+    fn alike(&self, pose: &Pose, keep: &Keep) -> f64 {
+        1e-10 * self.size(pose) + 1e-8 * keep.width()
+    }
+
     /// Replaces gaps where the cutter touches elsewhere first.
     fn deeper(&self, pose: &Pose, gaps: &mut [Gap]) -> bool {
         let mut any = false;
         for (aim, gap) in self.aims.iter().zip(gaps) {
-            let exact = 1e-10 * self.size(pose) + 1e-8 * aim.keep.width();
+            let exact = self.alike(pose, &aim.keep);
             if let Some(deeper) = aim.keep.deeper(pose, gap, exact).0 {
                 *gap = deeper;
                 any = true;

@@ -31,6 +31,10 @@ const SPARE: f64 = 1.1;
 const MOST_TURN: f64 = 2.0;
 /// Share of the band by which a chord aims inside of it.
 const AIM: f64 = 1e-6;
+/// The same, and that by which vertices keep from the edge, where the axis turns: the gaps go by cubics then.
+pub(crate) const AIM_TURNING: f64 = 1e-4;
+/// Shares of a chord at which it is looked at as a whole where its contact goes over from one place to another.
+const BETWEEN: [f64; 7] = [0.02, 0.1, 0.3, 0.5, 0.7, 0.9, 0.98];
 /// Places of contact that are farther apart than this share of the cutter's radius are two.
 const ANOTHER: f64 = 0.1;
 /// Share of the band by which two places that touch at once may differ.
@@ -225,6 +229,10 @@ impl Track {
                 even.min(high - rest).max(edge)
             }
         };
+        let target = |i: usize| {
+            let target = target(i);
+            if self.axis.turns() { self.keeps[i].inside(target, AIM_TURNING) } else { target }
+        };
         [target(0), target(1)]
     }
 
@@ -278,13 +286,18 @@ impl Track {
             Some([*ends[0], *ends[1]]),
             RESOLUTION * keep.width(),
         )?;
-        let (mut low, high) = (c.low.g, c.high.g);
+        let (mut low, mut high) = (c.low.g, c.high.g);
         if turning && keep.condition == Condition::Touch {
-            // A turning axis may bring another place of the cutter down between two vertices at which it is free.
-            low = low.min(keep.gap(&between(&from.pose, &to.pose, 0.5), None)?.g);
+            // A turning axis may bring another place of the cutter down between two vertices at which it is free; and where
+            // the contact goes over from one place to another the gap has an edge on the way.
+            let places = if self.apart(i, from, to) { &BETWEEN[..] } else { &[0.5] };
+            for t in places {
+                let g = keep.gap(&between(&from.pose, &to.pose, *t), None)?.g;
+                (low, high) = (low.min(g), high.max(g));
+            }
         }
         // The chord aims a little inside the band, so that it fits when it comes out a little longer.
-        let aim = AIM * keep.width();
+        let aim = if turning { AIM_TURNING } else { AIM } * keep.width();
         let e = ends.map(|g| (g.g - limits.low - aim).max(0.0));
         let f = ends.map(|g| (limits.high - aim - g.g).max(0.0));
         let dips = [ends[0].g - low, ends[1].g - low].map(|d| d.max(0.0));
@@ -307,12 +320,17 @@ impl Track {
 }
 
 impl Track {
+    /// Does the cutter touch at different places of it at both ends?
+    fn apart(&self, i: usize, from: &Node, to: &Node) -> bool {
+        let place = |node: &Node| node.gaps[i].tool_point - node.pose.te;
+        (place(from) - place(to)).norm() > ANOTHER * self.keeps[i].profile.widest()
+    }
+
     /// The gap at the start of a cut vector at the place of contact of its end, where both touch at once: at the
     /// bottom of a hollow the cutter goes over from one to the other.
     fn governs(&self, i: usize, from: &Node, to: &Node) -> Option<Gap> {
         let (keep, here, there) = (&self.keeps[i], &from.gaps[i], &to.gaps[i]);
-        let apart = (here.tool_point - from.pose.te) - (there.tool_point - to.pose.te);
-        if apart.norm() <= ANOTHER * keep.profile.widest() {
+        if !self.apart(i, from, to) {
             return None;
         }
         let other = keep.gap(&from.pose, Some(there.spot())).ok()?;

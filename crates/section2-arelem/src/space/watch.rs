@@ -1,10 +1,9 @@
 //! Where the track meets a check surface (APT: `CHECK1`, `CHECK2`, `CHECK3`, `CPLAN`).
 //!
-//! The gap between cutter and check surface is followed along the track. TO and PAST are the zeros of the
-//! gaps on the two sides of the surface, in the order in which they come; ON the zeros of the tool end's
-//! distance; a tangency is a place where the gap is stationary and near zero, so that no plane has to
-//! stand in for the check surface. The gap changes no faster than the tool moves: that excludes most cut
-//! vectors at once, and bounds the search on the others.
+//! The gap between cutter and check surface is followed along the track: that of the whole cutter on either side of the
+//! surface. TO is where one of them falls to zero, PAST where one rises to it, ON a zero of the tool end's distance; a
+//! tangency is a place where the gap is stationary and near zero, so that no plane has to stand in for the check surface.
+//! The gap changes no faster than the tool moves: that excludes most cut vectors at once, and bounds the search on the others.
 
 use aptc_contact::{Condition, Gap, Reason, Side};
 use aptc_protap::Relation;
@@ -28,9 +27,6 @@ pub(crate) struct Watch {
     relation: Relation,
     nth: u32,
     gauges: Vec<Gauge>,
-    /// TO and PAST alternate: does TO come first?
-    to_first: bool,
-    passed: u32,
     met: u32,
     /// Closer than this counts as touching.
     near: f64,
@@ -71,7 +67,10 @@ struct Way<'a> {
 #[derive(Clone, Copy, Debug)]
 struct Crossing {
     s: f64,
+    /// Does the gap turn back there?
     touch: bool,
+    /// Does it fall there?
+    falls: bool,
 }
 
 /// Where a motion ends.
@@ -90,8 +89,6 @@ pub(crate) struct Halt {
 /// What a watch has seen until now.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Mark {
-    to_first: bool,
-    passed: u32,
     met: u32,
     closest: (f64, Pose),
     alike: f64,
@@ -101,14 +98,13 @@ pub(crate) struct Mark {
 impl Watch {
     pub(crate) fn mark(&self) -> Mark {
         let gauge = |i: usize| self.gauges.get(i).map_or((false, None), |g| (g.armed, g.last));
-        let Self { to_first, passed, met, closest, alike, .. } = *self;
-        Mark { to_first, passed, met, closest, alike, gauges: [gauge(0), gauge(1)] }
+        let Self { met, closest, alike, .. } = *self;
+        Mark { met, closest, alike, gauges: [gauge(0), gauge(1)] }
     }
 
     /// Forgets what it has seen since.
     pub(crate) fn back_to(&mut self, mark: &Mark) {
-        (self.to_first, self.passed, self.met) = (mark.to_first, mark.passed, mark.met);
-        (self.closest, self.alike) = (mark.closest, mark.alike);
+        (self.met, self.closest, self.alike) = (mark.met, mark.closest, mark.alike);
         for (gauge, (armed, last)) in self.gauges.iter_mut().zip(mark.gauges) {
             (gauge.armed, gauge.last) = (armed, last);
         }
@@ -126,12 +122,10 @@ impl Watch {
         let gauge = |side: Side| Gauge { keep: keep.on_side(side), armed: true, last: None };
         let sides = std::iter::once(Side::Positive).chain(inner);
         let mut gauges: Vec<Gauge> = sides.map(gauge).collect();
-        let mut best = f64::NEG_INFINITY;
         let mut closest = f64::INFINITY;
         for g in &mut gauges {
             if let Ok(gap) = g.keep.gap(pose, None) {
                 g.armed = gap.g.abs() > near;
-                best = best.max(gap.g);
                 if gap.g.abs() < closest.abs() {
                     closest = gap.g;
                 }
@@ -142,8 +136,6 @@ impl Watch {
             relation,
             nth: nth.max(1),
             gauges,
-            to_first: best > near,
-            passed: 0,
             met: 0,
             near,
             loose: 2.0 * keep.width(),
@@ -181,10 +173,7 @@ impl Watch {
         for i in 0..self.gauges.len() {
             let (near, loose) = (self.near, self.loose);
             let gauge = &mut self.gauges[i];
-            let touched = !gauge.armed;
             let Some((a, b)) = gauge.ends(&way, near) else { continue };
-            // A cutter that leaves what it touched comes back to it as one that was never there.
-            self.to_first |= touched && gauge.armed && a.gap.g.max(b.gap.g) > near;
             for p in [a, b] {
                 if p.gap.g.abs() < self.closest.0.abs() {
                     let pose = if p.s > 0.0 { stride.to.pose } else { from.pose };
@@ -196,29 +185,25 @@ impl Watch {
             if tangent {
                 tangencies(&way, keep, a, b, loose, HALVINGS, &mut self.alike, &mut out)?;
             } else {
-                crossings(&way, keep, a, b, near, HALVINGS, &mut out)?;
+                crossings(&way, keep, a, b, HALVINGS, &mut out)?;
             }
             found.extend(out.into_iter().map(|c| (c, i)));
         }
         found.sort_by(|a, b| a.0.s.total_cmp(&b.0.s));
         for (crossing, i) in found {
-            let times = if crossing.touch && self.gauges.len() > 1 && !tangent { 2 } else { 1 };
-            for _ in 0..times {
-                let wanted = match self.relation {
-                    Relation::To => self.passed.is_multiple_of(2) == self.to_first,
-                    Relation::Past => self.passed.is_multiple_of(2) != self.to_first,
-                    _ => true,
-                };
-                self.passed += 1;
-                if !wanted {
-                    continue;
-                }
-                if self.met + 1 < self.nth {
-                    self.met += 1;
-                } else if let Some(halt) = self.halt(&way, crossing, i)? {
-                    self.met += 1;
-                    return Ok(Some(halt));
-                }
+            let wanted = match self.relation {
+                Relation::To => crossing.touch || crossing.falls,
+                Relation::Past => crossing.touch || !crossing.falls,
+                _ => true,
+            };
+            if !wanted {
+                continue;
+            }
+            if self.met + 1 < self.nth {
+                self.met += 1;
+            } else if let Some(halt) = self.halt(&way, crossing, i)? {
+                self.met += 1;
+                return Ok(Some(halt));
             }
         }
         Ok(None)
@@ -238,13 +223,19 @@ impl Watch {
         } else {
             in_band(way, keep, &node, at)
         };
-        let (s, node) = match s {
+        let (mut s, mut node) = match s {
             Some(s) => (s, way.settled(s)?),
             None => (crossing.s, node),
         };
         let crosses =
             !matches!(self.relation, Relation::Tanto | Relation::Pstan) && !crossing.touch;
-        let reading = read(keep, &node, None)?.g;
+        let exact = way.track.exact;
+        let mut reading = read(keep, &node, None)?.g;
+        if crosses && reading >= -self.loose && !in_limits(keep, reading, exact) {
+            // Drive or part surface is touched elsewhere than on the way there.
+            (s, node) = way.to_reading(keep, s, node, 0.0)?;
+            reading = read(keep, &node, None)?.g;
+        }
         let halt = Halt { s, node, side: keep.side, gauge: i, reading, crosses };
         Ok((!crosses || reading >= -self.loose).then_some(halt))
     }
@@ -260,20 +251,21 @@ impl Watch {
         let turn = from.pose.ta.cross(&stride.to.pose.ta) / stride.length;
         let way = Way { track, from, stride, turn };
         let keep = &self.gauges[halt.gauge].keep;
-        let mut node = way.settled(halt.s)?;
-        let mut s = halt.s;
-        for _ in 0..8 {
-            let gap = read(keep, &node, None)?;
-            let off = gap.g - halt.reading;
-            let slope = way.slope(&node, &gap);
-            if !halt.crosses || off.abs() <= track.exact || slope.abs() < GRAZING {
-                break;
-            }
-            s -= off / slope;
-            node = way.settled(s)?;
+        let (mut s, mut node) = (halt.s, way.settled(halt.s)?);
+        if halt.crosses {
+            (s, node) = way.to_reading(keep, s, node, halt.reading)?;
+        }
+        if halt.crosses && !in_limits(keep, read(keep, &node, None)?.g, track.exact) {
+            return Err(Trouble::Check);
         }
         Ok(Halt { s, node, ..*halt })
     }
+}
+
+/// Is the gap in the band, but for rounding?
+fn in_limits(keep: &Keep, gap: f64, exact: f64) -> bool {
+    let limits = keep.limits();
+    (limits.low - exact..=limits.high + exact).contains(&gap)
 }
 
 /// Gap to the check surface, near a gap that is known.
@@ -310,24 +302,30 @@ fn in_band(way: &Way<'_>, keep: &Keep, node: &Node, mut at: Sample) -> Option<f6
             return Some(at.s);
         }
         let s = at.s - (at.gap.g - target) / at.slope;
-        if at.slope.abs() < 0.05 || s <= 0.0 {
+        // Beyond the end of the cut vector the path goes on otherwise.
+        if at.slope.abs() < 0.05 || s <= 0.0 || s > way.stride.length {
             return None;
         }
         at = way.sample(keep, s, &at).ok()?;
     }
-    ((at.gap.g - target).abs() <= 0.1 * keep.width()).then_some(at.s)
+    in_limits(keep, at.gap.g, 0.0).then_some(at.s)
 }
 
 impl Gauge {
     /// Readings at both ends of a cut vector; `None` when this side of the surface cannot be touched.
     fn ends(&mut self, way: &Way<'_>, near: f64) -> Option<(Sample, Sample)> {
+        let known = self.last;
         let at = |keep: &Keep, node: &Node, s: f64, last: Option<Gap>| {
-            let gap = keep.gap_from(&node.pose, last.as_ref()).ok()?;
+            let gap = keep.gap_from(&node.pose, last.as_ref());
+            let gap = gap.or_else(|_| keep.gap_from(&node.pose, known.as_ref())).ok()?;
             Some(Sample { s, gap, slope: way.slope(node, &gap) })
         };
         let to = &way.stride.to;
-        let b = at(&self.keep, to, way.stride.length, self.last);
-        let a = match self.last {
+        // Where several places may touch the last one says nothing of the others.
+        let whole = way.whole(&self.keep);
+        let last = self.last.filter(|_| !whole);
+        let b = at(&self.keep, to, way.stride.length, last);
+        let a = match last {
             Some(gap) => Some(Sample { s: 0.0, gap, slope: way.slope(way.from, &gap) }),
             None => at(&self.keep, way.from, 0.0, None),
         };
@@ -376,14 +374,52 @@ impl Way<'_> {
         self.track.walk(self.from, s, self.stride.targets, true)
     }
 
+    /// The place near `s`, with its node, where the gap is `wanted`, as far as it does not only graze the surface.
+    fn to_reading(
+        &self,
+        keep: &Keep,
+        mut s: f64,
+        mut node: Node,
+        wanted: f64,
+    ) -> Result<(f64, Node), Trouble> {
+        for _ in 0..8 {
+            let gap = read(keep, &node, None)?;
+            let off = gap.g - wanted;
+            let slope = self.slope(&node, &gap);
+            if off.abs() <= self.track.exact || slope.abs() < GRAZING {
+                break;
+            }
+            s -= off / slope;
+            node = self.settled(s)?;
+        }
+        Ok((s, node))
+    }
+
     /// Change of a gap with the way.
     fn slope(&self, node: &Node, gap: &Gap) -> f64 {
         gap.normal.dot(&node.along) + gap.turn_rate(node.pose.te, self.turn)
     }
 
+    /// Is the gap to be that of the whole cutter? Where several places of it may touch, and it may be at the surface on
+    /// the way: no point of it is farther from the middle of its axis than the corner of its box.
+    fn whole(&self, keep: &Keep) -> bool {
+        if simple(keep) || keep.condition == Condition::On {
+            return false;
+        }
+        let half = 0.5 * keep.profile.height();
+        let around = aptc_geometry::trig::hypot(half, keep.profile.widest()) + keep.thick.abs();
+        let clear = |node: &Node| {
+            let middle = node.pose.te + node.pose.ta * half;
+            keep.surface.distance(middle).abs() - around
+        };
+        let change = self.stride.length * (RATE + self.turn.norm() * keep.profile.reach());
+        clear(self.from) + clear(&self.stride.to) <= change
+    }
+
     fn sample(&self, keep: &Keep, s: f64, near: &Sample) -> Result<Sample, Trouble> {
         let node = self.node(s)?;
-        let gap = read(keep, &node, Some(&near.gap))?;
+        let whole = if simple(keep) { None } else { read(keep, &node, None).ok() };
+        let gap = whole.map_or_else(|| read(keep, &node, Some(&near.gap)), Ok)?;
         Ok(Sample { s, gap, slope: self.slope(&node, &gap) })
     }
 
@@ -509,7 +545,6 @@ fn crossings(
     keep: &Keep,
     a: Sample,
     b: Sample,
-    near: f64,
     halvings: u32,
     out: &mut Vec<Crossing>,
 ) -> Result<(), Trouble> {
@@ -524,7 +559,7 @@ fn crossings(
         let runs = |p: &Sample| (p.slope < 0.0) == falls;
         if halvings == 0 || simple(keep) || (runs(&a) && runs(&b)) {
             let root = way.zero(keep, a, b, gap, newton, way.track.exact)?;
-            out.push(Crossing { s: root.s, touch: false });
+            out.push(Crossing { s: root.s, touch: false, falls });
             return Ok(());
         }
     } else {
@@ -535,11 +570,11 @@ fn crossings(
         if a.slope * towards > 0.0 && b.slope * towards < 0.0 {
             let m = way.extreme(keep, a, b, 1e-9, true)?;
             if (m.gap.g > 0.0) != (fa > 0.0) {
-                crossings(way, keep, a, m, near, 0, out)?;
-                return crossings(way, keep, m, b, near, 0, out);
+                crossings(way, keep, a, m, 0, out)?;
+                return crossings(way, keep, m, b, 0, out);
             }
-            if m.gap.g.abs() <= near {
-                out.push(Crossing { s: m.s, touch: true });
+            if in_limits(keep, m.gap.g, way.track.exact) {
+                out.push(Crossing { s: m.s, touch: true, falls: fa > 0.0 });
                 return Ok(());
             }
         }
@@ -548,8 +583,8 @@ fn crossings(
         }
     }
     let m = way.sample(keep, 0.5 * (a.s + b.s), &a)?;
-    crossings(way, keep, a, m, near, halvings - 1, out)?;
-    crossings(way, keep, m, b, near, halvings - 1, out)
+    crossings(way, keep, a, m, halvings - 1, out)?;
+    crossings(way, keep, m, b, halvings - 1, out)
 }
 
 /// The places between two samples where the gap is stationary and within `loose` of zero.
@@ -572,7 +607,7 @@ fn tangencies(
     if turns && (!far || simple(keep)) {
         let m = way.extreme(keep, a, b, 1e-12, false)?;
         if m.gap.g.abs() <= loose {
-            out.push(Crossing { s: m.s, touch: true });
+            out.push(Crossing { s: m.s, touch: true, falls: a.slope < 0.0 });
         } else if m.gap.g.abs() < alike.abs() {
             *alike = m.gap.g;
         }
