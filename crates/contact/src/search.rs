@@ -16,6 +16,8 @@ const MAX_STEPS: usize = 60;
 /// A normal pair is accepted when the normals differ by less than this sine. The gap is then exact to its
 /// square.
 const FACING: f64 = 1e-10;
+/// Sine up to which the normals may differ where rounding stops a search.
+const LEVEL: f64 = 1e-7;
 /// Stations around the tool from which a search without a start sets out.
 const AROUND: usize = 12;
 
@@ -374,7 +376,7 @@ pub(crate) fn local(
         let w = here.tool_point - here.q.point;
         let raw = w.dot(&here.normal);
         let residual = (w - here.normal * raw).norm();
-        if here.facing > 0.0 && here.across.norm() <= 1e-7 {
+        if here.facing > 0.0 && here.across.norm() <= LEVEL {
             return Ok(Gap {
                 g: raw,
                 raw,
@@ -427,7 +429,9 @@ fn descend(tool: &Tool<'_>, surface: &Surface, side: Side, start: At, back: f64)
             continue;
         }
         cap = 0.35 * d.norm().min(cap);
-        if cap <= 1e-14 * size {
+        // The lowest place of a tool that stands on the other side: rounding alone is left, and no pair to be found.
+        let turned = here.facing <= 0.0 && slope <= LEVEL;
+        if turned || cap <= 1e-14 * size {
             break;
         }
     }
