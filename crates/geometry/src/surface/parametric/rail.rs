@@ -12,8 +12,10 @@ const EXACT: [f64; 3] = [2e-15, 1e-11, 1e-8];
 /// A function over 0 to 1 in pieces.
 #[derive(Clone, Debug)]
 pub(super) struct Pieces {
-    /// For each of the equal cells the first of its pieces and how many it has.
-    cells: Vec<(usize, usize)>,
+    /// Equal cells.
+    n: u32,
+    /// For each of them the first of its pieces and how many it has.
+    cells: Vec<(usize, u32)>,
     /// Coefficients over 0 to 1 within the piece; `None` where the function itself is to be asked.
     pieces: Vec<Option<[f64; 6]>>,
 }
@@ -24,27 +26,36 @@ pub(super) type Jet3 = [f64; 3];
 impl Pieces {
     /// The pieces of `f` in `n` equal cells; `size` is a length of the size of the curve.
     pub(super) fn new(n: u32, size: f64, f: impl Fn(f64) -> Jet3) -> Self {
-        let mut new = Self { cells: Vec::new(), pieces: Vec::new() };
+        let mut new = Self { n, cells: Vec::new(), pieces: Vec::new() };
+        let mut from = f(0.0);
         for i in 0..n {
-            let [a, b] = [i, i + 1].map(|i| f64::from(i) / f64::from(n));
-            new.cell(a, b, size, &f);
+            let ends = [i, i + 1].map(|i| f64::from(i) / f64::from(n));
+            let to = f(ends[1]);
+            new.cell(ends, [from, to], size, &f);
+            from = to;
         }
         new
     }
 
-    fn cell(&mut self, a: f64, b: f64, size: f64, f: &impl Fn(f64) -> Jet3) {
+    fn cell(&mut self, [a, b]: [f64; 2], ends: [Jet3; 2], size: f64, f: &impl Fn(f64) -> Jet3) {
         let first = self.pieces.len();
+        // The middle of the first piece is the end of the first one of the next round.
+        let mut middle = None;
         for halvings in 0..=HALVINGS {
             let n = 1_u32 << halvings;
             let last = halvings == HALVINGS;
             self.pieces.truncate(first);
             let h = (b - a) / f64::from(n);
-            let mut from = f(a);
+            let mut from = ends[0];
             for i in 0..n {
                 let at = a + h * f64::from(i);
-                let to = f(if i + 1 == n { b } else { at + h });
+                let known = if i + 1 == n { Some(ends[1]) } else { middle.filter(|_| i == 0) };
+                let to = known.unwrap_or_else(|| f(at + h));
                 let c = quintic(from, to, h);
-                let (mid, is) = (evaluate(&c, 0.5, h), f(at + 0.5 * h));
+                let (mid, is) = (evaluate(&c, 0.5, 1.0 / h), f(at + 0.5 * h));
+                if i == 0 {
+                    middle = Some(is);
+                }
                 let off = |k: usize| (mid[k] - is[k]).abs() <= EXACT[k] * size;
                 let exact = (0..3).all(off);
                 if !(exact || last) {
@@ -54,7 +65,7 @@ impl Pieces {
                 from = to;
             }
             if self.pieces.len() - first == n as usize {
-                self.cells.push((first, n as usize));
+                self.cells.push((first, n));
                 return;
             }
         }
@@ -63,27 +74,21 @@ impl Pieces {
     /// Value and derivatives at `u` in [0, 1]; `None` where the function itself is to be asked.
     #[inline]
     pub(super) fn at(&self, u: f64) -> Option<Jet3> {
-        let cells = self.cells.len();
-        let (i, s) = place(u, cells);
-        let (first, n) = self.cells[i];
+        let (i, s) = place(u, self.n);
+        let (first, n) = self.cells[i as usize];
         let (j, t) = place(s, n);
-        let c = self.pieces[first + j].as_ref()?;
-        #[expect(clippy::cast_precision_loss, reason = "thousands at most")]
-        let h = 1.0 / (cells * n) as f64;
-        Some(evaluate(c, t, h))
+        let c = self.pieces[first + j as usize].as_ref()?;
+        Some(evaluate(c, t, f64::from(self.n * n)))
     }
 }
 
 /// Which of `n` equal parts of [0, 1] holds `u`, and where in it.
 #[inline]
-fn place(u: f64, n: usize) -> (usize, f64) {
-    #[expect(clippy::cast_precision_loss, reason = "thousands at most")]
-    let x = u * n as f64;
+fn place(u: f64, n: u32) -> (u32, f64) {
+    let x = u * f64::from(n);
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to n")]
-    let i = (x as usize).min(n - 1);
-    #[expect(clippy::cast_precision_loss, reason = "thousands at most")]
-    let t = x - i as f64;
-    (i, t)
+    let i = (x as u32).min(n - 1);
+    (i, x - f64::from(i))
 }
 
 /// The polynomial over 0 to 1 with these values and derivatives (by the length `h`) at its ends.
@@ -102,13 +107,14 @@ fn quintic(a: Jet3, b: Jet3, h: f64) -> [f64; 6] {
     ]
 }
 
+/// Value and derivatives at `t`; `inverse` is one over the length.
 #[inline]
-fn evaluate(c: &[f64; 6], t: f64, h: f64) -> Jet3 {
+fn evaluate(c: &[f64; 6], t: f64, inverse: f64) -> Jet3 {
     let [f, d, e, p, q, r] = *c;
     let value = f + t * (d + t * (e + t * (p + t * (q + t * r))));
     let first = d + t * (2.0 * e + t * (3.0 * p + t * (4.0 * q + t * 5.0 * r)));
     let second = 2.0 * e + t * (6.0 * p + t * (12.0 * q + t * 20.0 * r));
-    [value, first / h, second / (h * h)]
+    [value, first * inverse, second * (inverse * inverse)]
 }
 
 #[cfg(test)]

@@ -50,6 +50,17 @@ struct Line {
     dd: Vec3,
 }
 
+/// A place over the base lines.
+struct Over {
+    u: f64,
+    /// The nearest in [0, 1].
+    at: f64,
+    /// The fraction of the base line there with its derivatives.
+    fraction: [f64; 3],
+    /// Is it near a steep end?
+    end: bool,
+}
+
 impl Rulings {
     pub(super) fn new(form: &RuledSurface) -> Option<Self> {
         let first = Curve::new(&form.first)?;
@@ -123,21 +134,19 @@ impl Rulings {
     }
 
     #[inline]
-    fn line(&self, curve: &Curve, u: f64) -> Line {
-        let at = u.clamp(0.0, 1.0);
-        // At a steep end the curve itself is asked: its derivatives there are those of a place beside it.
-        let end = self.steep[0] && at < STEEP || self.steep[1] && at > 1.0 - STEEP;
-        let heights = curve.heights.as_ref().filter(|_| !end);
-        let Some([h, dh, ddh]) = heights.and_then(|p| p.at(at)) else {
-            return self.exact(curve, u);
+    fn line(&self, curve: &Curve, over: &Over) -> Line {
+        let known = curve.heights.as_ref().filter(|_| !over.end).and_then(|p| p.at(over.at));
+        let Some([h, dh, ddh]) = known else {
+            return self.exact(curve, over.u);
         };
-        let [t, dt, ddt] = self.fraction(at);
+        let [t, dt, ddt] = over.fraction;
         let p = curve.start + curve.base * t + curve.toward * h;
         let d = curve.base * dt + curve.toward * dh;
-        let beyond = u - at;
-        let straight = beyond != 0.0;
-        let dd = if straight { Vec3::zeros() } else { curve.base * ddt + curve.toward * ddh };
-        Line { p: p + d * beyond, d, dd }
+        let beyond = over.u - over.at;
+        if beyond != 0.0 {
+            return Line { p: p + d * beyond, d, dd: Vec3::zeros() };
+        }
+        Line { p, d, dd: curve.base * ddt + curve.toward * ddh }
     }
 
     /// From the curve itself.
@@ -163,9 +172,13 @@ impl Rulings {
     }
 
     pub(super) fn jet(&self, u: f64, v: f64) -> Jet {
-        let a = self.line(&self.first, u);
+        let at = u.clamp(0.0, 1.0);
+        // At a steep end the curve itself is asked: its derivatives there are those of a place beside it.
+        let end = self.steep[0] && at < STEEP || self.steep[1] && at > 1.0 - STEEP;
+        let over = Over { u, at, fraction: self.fraction(at), end };
+        let a = self.line(&self.first, &over);
         let b = match &self.second {
-            Far::Curve(c) => self.line(c, u),
+            Far::Curve(c) => self.line(c, &over),
             Far::Apex(p) => Line { p: *p, d: Vec3::zeros(), dd: Vec3::zeros() },
         };
         Jet {
