@@ -19,6 +19,12 @@ const TRIALS: usize = 40;
 const LONG_ENOUGH: f64 = 1e-5;
 /// Share of the band by which a vertex may lie off its target: half of it is the share of a length that it costs.
 const OFF_TARGET: f64 = 1e-2;
+/// Greatest change of the ratio of two cut vectors that is expected to go on.
+const EVEN: f64 = 0.02;
+/// By how much longer than the one before a cut vector is tried at first where nothing bends.
+const FARTHER: f64 = 16.0;
+/// Share of a length up to which another trial begins at the one before.
+const BESIDE: f64 = 0.25;
 /// How often one cut vector may learn from its chord how its gaps bend.
 const LESSONS: u32 = 3;
 /// A chord to be shortened to less than this has its vertex in the wrong place.
@@ -64,8 +70,11 @@ struct Fit {
 /// What one cut vector tells the next.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Pace {
-    /// The accepted length over the foretold one.
-    ratio: f64,
+    /// The longest length over the foretold one, and by how much more it was than that of the cut vector before.
+    ratio: Option<f64>,
+    trend: f64,
+    /// The length of the last one.
+    length: f64,
     /// Way for which no other place of contact can become the deepest.
     room: f64,
     /// Every trial looks for other places of contact.
@@ -76,7 +85,19 @@ pub(crate) struct Pace {
 
 impl Pace {
     pub(crate) fn new() -> Self {
-        Self { ratio: 1.0, room: 0.0, careful: false, bends: None }
+        Self { ratio: None, trend: 0.0, length: 0.0, room: 0.0, careful: false, bends: None }
+    }
+
+    /// The ratio that is to be expected next: the curvature that changes it does so evenly for a while.
+    fn expected(&self) -> f64 {
+        self.ratio.unwrap_or(1.0) + self.trend
+    }
+
+    fn learn(&mut self, ratio: f64) {
+        let ratio = ratio.clamp(0.2, 2.0);
+        let trend = self.ratio.map_or(0.0, |last| ratio - last);
+        self.trend = if trend.abs() <= EVEN { trend } else { 0.0 };
+        self.ratio = Some(ratio);
     }
 }
 
@@ -109,18 +130,23 @@ impl Track {
         let look = pace.careful;
         let mut bends = pace.bends;
         let mut plan = self.plan(from, bends, cap);
-        let mut s = (plan.length * pace.ratio).min(plan.most);
+        let mut s = (plan.length * pace.expected() * (1.0 - 0.25 * LONG_ENOUGH)).min(plan.most);
+        if plan.length >= plan.most && pace.length > 0.0 {
+            // Nothing bends here, which may end soon.
+            s = s.min(FARTHER * pace.length);
+        }
         let (mut good, mut bad): (Option<Stride>, f64) = (None, f64::INFINITY);
+        let (mut last, mut rest): (Option<Stride>, f64) = (None, 1.0);
         let mut trouble = Trouble::Stuck;
         let mut before: Option<(f64, f64)> = None;
         let mut learnt = 0;
         // A chord that does not fit though its ratio says so is shortened more each time.
         let mut back = LONG_ENOUGH;
         for _ in 0..TRIALS {
-            let tried = self.reach(from, s, plan.length, bends, look);
-            let tried = tried.as_ref().map_err(|t| *t);
-            let next = match tried.and_then(|t| self.fit(from, &t.to).map(|fit| (t, fit))) {
-                Ok((tried, fit)) => {
+            let beside = last.as_ref().filter(|l| self.beside(from, l, s)).map(|l| &l.to);
+            let tried = self.reach(from, s, plan.length, bends, look, beside);
+            let next = match tried.and_then(|t| Ok((self.fit(from, &t.to)?, t))) {
+                Ok((fit, tried)) => {
                     // With a turning axis only the chord tells how the gaps bend along it; and where the bend
                     // grows from nothing on the way, a vertex may lie where no chord of any length fits.
                     let lost = !fit.fits && fit.ratio < LOST;
@@ -133,6 +159,7 @@ impl Track {
                         }
                         let least = if lost { EDGES_APART } else { OFF_TARGET };
                         if self.differ(aim, tried.targets, least) {
+                            last = Some(tried);
                             // The same once more with the vertex where it ought to be.
                             (bends, plan) = (Some(fit.bends), better);
                             s = s.min(plan.most);
@@ -141,7 +168,8 @@ impl Track {
                         }
                     }
                     if fit.fits {
-                        good = Some(*tried);
+                        rest = fit.ratio;
+                        good = Some(tried);
                         if fit.ratio <= 1.0 + LONG_ENOUGH || s >= plan.most {
                             break;
                         }
@@ -152,6 +180,7 @@ impl Track {
                     if !fit.fits && good.is_none() {
                         back = (4.0 * back).min(0.5);
                     }
+                    last = Some(tried);
                     let next = lengthen(s, ratio, before) * (1.0 - 0.25 * LONG_ENOUGH);
                     before = Some((s, ratio));
                     next
@@ -172,7 +201,9 @@ impl Track {
             }
         }
         let stride = good.ok_or(trouble)?;
-        pace.ratio = (stride.length / plan.length).clamp(0.2, 2.0);
+        let rest = if rest <= 1.0 + LONG_ENOUGH { rest } else { 1.0 };
+        pace.length = stride.length;
+        pace.learn(stride.length * rest / plan.length);
         Ok(stride)
     }
 
@@ -190,16 +221,23 @@ impl Track {
         usual: f64,
         bends: Option<[f64; 2]>,
         look: bool,
+        beside: Option<&Node>,
     ) -> Result<Stride, Trouble> {
         let targets = self.aims(from, bends.unwrap_or(from.bends), usual);
-        let to = self.walk(from, s, targets, look)?;
+        let to = self.walk_beside(from, s, targets, look, beside)?;
         let again = self.aims(from, bends.unwrap_or(to.bends), usual);
         let (to, targets) = if self.differ(again, targets, OFF_TARGET) {
-            (self.walk(from, s, again, look)?, again)
+            (self.walk_beside(from, s, again, look, Some(&to))?, again)
         } else {
             (to, targets)
         };
         Ok(Stride { length: s, to, targets })
+    }
+
+    /// Is a trial near enough to the length `s`, and does it touch at the places of the cutter that its start touches at?
+    fn beside(&self, from: &Node, tried: &Stride, s: f64) -> bool {
+        let alike = (0..2).all(|i| !self.apart(i, from, &tried.to));
+        (tried.length - s).abs() <= BESIDE * s && alike
     }
 
     /// Are the aims off these targets by more than a share of the band?

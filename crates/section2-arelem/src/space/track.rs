@@ -116,7 +116,7 @@ impl Track {
         {
             return Ok(found);
         }
-        match self.settle_by_normals(start, across, targets, hint, look) {
+        match self.settle_by_normals(start, across, targets, hint, &hint.gaps, look) {
             Err(_) if self.axis.turns() => self.settle_turning(start, across, targets, hint, look),
             found => found,
         }
@@ -168,12 +168,13 @@ impl Track {
         across: Vec3,
         targets: [f64; 2],
         hint: &Node,
+        near: &[Gap; 2],
         look: bool,
     ) -> Result<Node, Trouble> {
         let level = across.dot(&start.te);
         let turning = self.axis.turns();
         let mut pose = start;
-        let mut near = hint.gaps;
+        let mut near = *near;
         let mut last = (f64::INFINITY, pose, Vec3::zeros());
         for _ in 0..ROUNDS {
             let gaps = match self.gaps(&pose, Some(&near)) {
@@ -251,6 +252,18 @@ impl Track {
         targets: [f64; 2],
         look: bool,
     ) -> Result<Node, Trouble> {
+        self.walk_beside(from, s, targets, look, None)
+    }
+
+    /// The same place, found sooner from a node beside it that touches at the same places of the cutter.
+    pub(crate) fn walk_beside(
+        &self,
+        from: &Node,
+        s: f64,
+        targets: [f64; 2],
+        look: bool,
+        beside: Option<&Node>,
+    ) -> Result<Node, Trouble> {
         let k = from.curl.norm();
         let turn = k * s;
         let (step, across) = if turn > 1e-9 {
@@ -261,7 +274,14 @@ impl Track {
             (from.along * s, from.along)
         };
         let start = Pose { te: from.pose.te + step, ta: from.pose.ta };
-        let found = self.settle(start, across, targets, from, look);
+        let sooner = beside.filter(|_| !self.axis.turns()).and_then(|known| {
+            let begin = moved(known, across, across.dot(&start.te), targets)?;
+            self.settle_by_normals(begin, across, targets, from, &known.gaps, look).ok()
+        });
+        let found = match sooner {
+            Some(node) => Ok(node),
+            None => self.settle(start, across, targets, from, look),
+        };
         // Where the curvature ends on the way, the plane across may meet the track far away.
         let most = 2.0 * (s + self.keeps[0].width() + self.keeps[1].width());
         if let Ok(to) = &found
@@ -272,6 +292,15 @@ impl Track {
         }
         found
     }
+}
+
+/// Where the track meets the plane `across` at `level` beside a known place of it, to second order.
+fn moved(known: &Node, across: Vec3, level: f64, targets: [f64; 2]) -> Option<Pose> {
+    let ahead = level - across.dot(&known.pose.te);
+    let s = ahead / across.dot(&known.along);
+    let off = |i: usize| targets[i] - known.gaps[i].g - 0.5 * known.bends[i] * s * s;
+    let step = solve(&known.gaps, across, [off(0), off(1), ahead])?;
+    Some(Pose { te: known.pose.te + step, ta: known.pose.ta })
 }
 
 /// The direction common to both surfaces, on the side of `heading`.
