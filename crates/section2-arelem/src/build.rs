@@ -11,7 +11,7 @@ use crate::arelem::Arelem;
 use crate::axis::AxisRule;
 use crate::failure::Failure;
 use crate::scene::{Check, Limits, Scene, Stance, Start, Wall};
-use crate::state::{Given, Part, Role, Tool, plane_ref, unit};
+use crate::state::{Band, Given, Part, Role, Tool, plane_ref, unit};
 
 impl Arelem {
     pub(crate) fn start_scene(&mut self, go: &protap::Go, tool: Tool) -> Result<Start, Failure> {
@@ -85,10 +85,10 @@ impl Arelem {
 
     /// Is the tool end on the surface, as GO/ON leaves it?
     pub(crate) fn stands_on(&self, surface: &SurfaceRef, role: Role, tool: &Tool) -> bool {
-        let band = self.settings.band(role);
-        self.fitted
-            .of(&surface.form)
-            .is_some_and(|s| s.distance(tool.te).abs() <= band.intol + band.outtol)
+        let Band { intol, outtol } = self.settings.band(role);
+        let slack = 1e-6 * (intol + outtol);
+        let held = -intol - slack..=outtol + slack;
+        self.fitted.of(&surface.form).is_some_and(|s| held.contains(&s.distance(tool.te)))
     }
 
     /// Does the tool cut into the surface as deep from either side, so that it has none?
