@@ -46,8 +46,8 @@ pub struct CodeOptions {
     pub annotate: bool,
     /// Keep the statement of each block.
     pub map: bool,
-    /// Machine code is not asked for: where neither the program nor [`machine`](Self::machine) names a machine, none is assumed
-    /// and Section 4 is left out.
+    /// Machine code is not asked for: where neither the program nor [`machine`](Self::machine) names a machine that is known,
+    /// none is assumed and Section 4 is left out.
     pub unasked: bool,
 }
 

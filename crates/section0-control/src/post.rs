@@ -83,9 +83,9 @@ impl PartHead {
         }
     }
 
-    /// Whether a MACHIN statement names a machine, known or not.
+    /// Whether a MACHIN statement names a machine that is known.
     pub(crate) fn names_machine(&self) -> bool {
-        !self.machines.is_empty() || self.unknown.is_some()
+        !self.machines.is_empty()
     }
 
     fn machines(
