@@ -69,7 +69,7 @@ pub fn define(head: Word, args: &[Arg], context: &Context) -> Result<Form, Defin
     let Some(system) = &context.refsys else {
         return format::solve(head, formats, args, context);
     };
-    if head == word::MATRIX && context.matrix_to_base {
+    if head == word::MATRIX && context.apt4 {
         return format::solve(head, formats, args, context);
     }
     let Some(inverse) = system.inverse() else { return Err(DefineError::flat_system()) };

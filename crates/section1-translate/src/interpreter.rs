@@ -136,6 +136,8 @@ pub(crate) struct State {
     pub(crate) sculptured: bool,
     /// Was said how a MATRIX in a reference system is taken?
     pub(crate) matrix_said: bool,
+    /// Was said in which order two maps are carried out?
+    pub(crate) product_said: bool,
     /// Was a statement of this program executed?
     pub(crate) begun: bool,
 }

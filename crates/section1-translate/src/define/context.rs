@@ -15,9 +15,10 @@ pub struct Context {
     pub zsurf: Option<Plane>,
     /// REFSYS: the map from the reference system into the base system.
     pub refsys: Option<Transform>,
-    /// A MATRIX given by places (points, vectors, planes) within REFSYS leads into the base system, as APT4
-    /// has it; else into the reference system, as the manual of APT-360 has it.
-    pub matrix_to_base: bool,
+    /// MATRIX as APT4 has it: given by places (points, vectors, planes) within REFSYS it leads into the base system, and
+    /// of two maps the first is carried out first. Else as the manual of APT-360 has it: into the reference system,
+    /// and the left map is applied to what the right gives.
+    pub apt4: bool,
     /// Most points in a PATERN and most points of a TABCYL; historic 330 and 139.
     pub max_points: usize,
     /// How far a TABCYL goes straight on at both ends; historic 10 inches, in program units.
@@ -52,7 +53,7 @@ impl Default for Context {
         Self {
             zsurf: None,
             refsys: None,
-            matrix_to_base: false,
+            apt4: false,
             max_points: 100_000,
             tabcyl_end: 10.0,
             found: RefCell::default(),

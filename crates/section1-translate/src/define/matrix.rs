@@ -1,7 +1,8 @@
 //! MATRIX: a map from the new system into the old one.
 //!
 //! Of two maps the left is applied to what the right gives, as a product of matrices is; but a rotation
-//! followed by a translation, or a translation by a rotation, is carried out in the order written.
+//! followed by a translation, or a translation by a rotation, is carried out in the order written. In APT4 all are:
+//! what SSV3 computed for its own tests says so.
 
 use aptc_geometry::{Form, Plane, Transform, Vec3, trig};
 use aptc_vocabulary::{Word, word};
@@ -113,8 +114,8 @@ fn single(a: &Args<'_>) -> Result<Form, Fault> {
 fn pair(a: &Args<'_>) -> Result<Form, Fault> {
     let one = step(a, 0)?;
     let other = step(a, one.next)?;
-    let in_order =
-        matches!((one.kind, other.kind), (Kind::Turn, Kind::Move) | (Kind::Move, Kind::Turn));
+    let in_order = a.context.apt4
+        || matches!((one.kind, other.kind), (Kind::Turn, Kind::Move) | (Kind::Move, Kind::Turn));
     let product = if in_order { one.map.then(&other.map) } else { other.map.then(&one.map) };
     Ok(Form::Matrix(product))
 }

@@ -105,7 +105,7 @@ impl Interpreter<'_> {
         let context = Context {
             zsurf: self.state.zsurf,
             refsys: self.state.refsys,
-            matrix_to_base: self.state.sculptured,
+            apt4: self.state.sculptured,
             max_points: self.options.limits.points,
             tabcyl_end: self.prolongation(),
             found: RefCell::default(),
@@ -129,6 +129,7 @@ impl Interpreter<'_> {
         }
         match form {
             Ok(form) => {
+                self.product_in_order(head, span, args, &form, &context);
                 // Numbers at the edge of what can be written leave no form behind.
                 if let Some(why) = fault_of_form(&form) {
                     self.error(Diagnostic::error(
@@ -173,6 +174,40 @@ impl Interpreter<'_> {
             )
             .note(why)
             .help("define it before REFSYS, or after REFSYS/NOMORE, where no system is in doubt"),
+        );
+    }
+
+    /// Says once that the first of two maps is carried out first, where the dialects differ.
+    fn product_in_order(
+        &mut self,
+        head: Word,
+        span: Span,
+        args: &[define::Arg],
+        form: &Form,
+        context: &Context,
+    ) {
+        if head != word::MATRIX || !context.apt4 || self.state.product_said {
+            return;
+        }
+        let other = Context { apt4: false, refsys: None, ..context.clone() };
+        let (Form::Matrix(map), Ok(Form::Matrix(other))) =
+            (form, define::define(head, args, &other))
+        else {
+            return;
+        };
+        let alike = |(a, b): (f64, f64)| (a - b).abs() <= 1e-9 * (1.0 + a.abs());
+        if map.rows().into_iter().zip(other.rows()).all(alike) {
+            return;
+        }
+        self.state.product_said = true;
+        self.error(
+            Diagnostic::warning(
+                codes::MATRIX_ORDER,
+                span,
+                "of these two maps the first is carried out first",
+            )
+            .note("the program has sculptured forms: so APT4 takes it; APT-360 carries out the second first")
+            .help("swap them where the other order is meant"),
         );
     }
 
