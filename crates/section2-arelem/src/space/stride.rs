@@ -145,6 +145,7 @@ impl Track {
         for _ in 0..TRIALS {
             let beside = last.as_ref().filter(|l| self.beside(from, l, s)).map(|l| &l.to);
             let tried = self.reach(from, s, plan.length, bends, look, beside);
+            let tried = tried.map(|t| &*last.insert(t));
             let next = match tried.and_then(|t| Ok((self.fit(from, &t.to)?, t))) {
                 Ok((fit, tried)) => {
                     // With a turning axis only the chord tells how the gaps bend along it; and where the bend
@@ -159,7 +160,6 @@ impl Track {
                         }
                         let least = if lost { EDGES_APART } else { OFF_TARGET };
                         if self.differ(aim, tried.targets, least) {
-                            last = Some(tried);
                             // The same once more with the vertex where it ought to be.
                             (bends, plan) = (Some(fit.bends), better);
                             s = s.min(plan.most);
@@ -169,7 +169,7 @@ impl Track {
                     }
                     if fit.fits {
                         rest = fit.ratio;
-                        good = Some(tried);
+                        good = Some(*tried);
                         if fit.ratio <= 1.0 + LONG_ENOUGH || s >= plan.most {
                             break;
                         }
@@ -180,7 +180,6 @@ impl Track {
                     if !fit.fits && good.is_none() {
                         back = (4.0 * back).min(0.5);
                     }
-                    last = Some(tried);
                     let next = lengthen(s, ratio, before) * (1.0 - 0.25 * LONG_ENOUGH);
                     before = Some((s, ratio));
                     next

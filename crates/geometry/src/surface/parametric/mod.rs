@@ -413,23 +413,23 @@ impl ParametricSurface {
     fn lowest_rulings(&self, rulings: &Rulings, p: Vec3) -> [Option<Seed>; SEEDS] {
         let domain = rulings.domain();
         let mut found = [None; SEEDS];
-        // The one before with what came before it, until it is known whether the next is lower.
-        let (mut before, mut last) = (f64::INFINITY, None::<Seed>);
-        for (i, (start, way, inverse)) in self.columns.iter().enumerate() {
-            let w = p - start;
-            let along = (w.dot(way) * inverse).clamp(0.0, 1.0);
-            let square = (w - way * along).norm_squared();
-            if let Some(seed) = last {
-                if seed.square <= before && seed.square <= square {
-                    offer(&mut found, seed);
-                }
-                before = seed.square;
-            }
+        let seed = |i: usize, square: f64| {
+            let along = along(&self.columns[i], p);
             let v = domain.v[0] + (domain.v[1] - domain.v[0]) * along;
-            last = Some(Seed { square, u: self.us[i], v, at: i * self.vs.len() });
+            Seed { square, u: self.us[i], v, at: i * self.vs.len() }
+        };
+        // The one before with what came before it, until it is known whether the next is lower.
+        let (mut before, mut last) = (f64::INFINITY, f64::INFINITY);
+        for (i, column) in self.columns.iter().enumerate() {
+            let (start, way, _) = column;
+            let square = (p - start - way * along(column, p)).norm_squared();
+            if i > 0 && last <= before && last <= square {
+                offer(&mut found, seed(i - 1, last));
+            }
+            (before, last) = (last, square);
         }
-        if let Some(seed) = last.filter(|s| s.square <= before) {
-            offer(&mut found, seed);
+        if last <= before && !self.columns.is_empty() {
+            offer(&mut found, seed(self.columns.len() - 1, last));
         }
         found
     }
@@ -521,6 +521,12 @@ fn apart(patch: &Patch, grid: &[Vec3], n: usize, k: usize) -> f64 {
     let left = (!k.is_multiple_of(n)).then(|| k - 1);
     let right = (k % n + 1 < n).then(|| k + 1);
     along + to(left).max(to(right))
+}
+
+/// The share of a sampled ruling at which it is nearest to `p`.
+#[inline]
+fn along((start, way, inverse): &(Vec3, Vec3, f64), p: Vec3) -> f64 {
+    ((p - start).dot(way) * inverse).clamp(0.0, 1.0)
 }
 
 /// Keeps the lowest few.
