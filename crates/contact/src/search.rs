@@ -136,12 +136,13 @@ pub(crate) fn elsewhere(
             return ((gap.raw < known.raw).then_some(gap), room);
         }
     }
-    let (mut deepest, mut room) = (*known, LOOK * size);
+    let seen = SEEN * if tool.profile.widest() > 0.0 { tool.profile.widest() } else { size };
+    let (mut deepest, mut room) = (*known, seen);
     let mut stations = Stations { lower: arc.is_none(), flank: true };
     if arc.is_none()
         && let Some(flank) = flank(tool, surface, side, 0.25, known.raw)
     {
-        room = until(flank, known.raw);
+        room = seen.min(until(flank, known.raw));
         stations.flank = false;
     }
     let found = seeds(tool, surface, side, stations).into_iter().flatten();
@@ -190,6 +191,10 @@ const FLANK: usize = 8;
 
 /// Share of the cutter's size after which its contact is looked for anew in any case.
 const LOOK: f64 = 0.25;
+
+/// The same where a dip that is not there yet may come up: share of the cutter's radius, which below a long shank is several
+/// times less.
+const SEEN: f64 = 0.15;
 
 /// A point of the tool's axis, near the corner.
 fn middle(tool: &Tool<'_>) -> Vec3 {
@@ -258,6 +263,9 @@ struct Stations {
     flank: bool,
 }
 
+/// Values and places below the stations of one ring.
+type Ring = [(f64, Spot); AROUND];
+
 /// Surface points below the lowest stations around the tool: the local minima over the stations, the lowest
 /// of them.
 fn seeds(tool: &Tool<'_>, surface: &Surface, side: Side, of: Stations) -> [Option<Spot>; SEEDS] {
@@ -274,33 +282,42 @@ fn seeds(tool: &Tool<'_>, surface: &Surface, side: Side, of: Stations) -> [Optio
         let foot = surface.foot(tool.te + out * rho + tool.ta * z);
         (side.sign() * foot.distance, foot.spot())
     };
-    let mut found: [Option<(f64, Spot)>; SEEDS] = [None; SEEDS];
-    let mut offer = |value: f64, q: Spot| {
-        let mut new = Some((value, q));
+    let mut found: [Option<(bool, f64, Spot)>; SEEDS] = [None; SEEDS];
+    let mut offer = |beside: bool, value: f64, q: Spot| {
+        let mut new = Some((beside, value, q));
         for slot in &mut found {
-            if new.is_some_and(|n| slot.is_none_or(|s| n.0 < s.0)) {
+            if new.is_some_and(|n| slot.is_none_or(|s| (n.0, n.1) < (s.0, s.1))) {
                 std::mem::swap(slot, &mut new);
             }
         }
     };
     if of.lower {
         let (value, q) = at(0.0, profile.bottom(), 0);
-        offer(value, q);
+        offer(false, value, q);
     }
-    for (i, [rho, z]) in stations.iter().copied().enumerate() {
-        if i > 0 && stations[..i].contains(&[rho, z]) {
-            continue;
+    let ring = |[rho, z]: [f64; 2]| -> Ring { std::array::from_fn(|turn| at(rho, z, turn)) };
+    let mut rings = [None; 5];
+    for (i, station) in stations.iter().enumerate() {
+        if !stations[..i].contains(station) {
+            rings[i] = Some(ring(*station));
         }
-        let ring: [(f64, Spot); AROUND] = std::array::from_fn(|turn| at(rho, z, turn));
+    }
+    let rings: [Option<Ring>; 5] = rings;
+    let rings = || rings.iter().flatten();
+    for (i, ring) in rings().enumerate() {
+        let next = [i.checked_sub(1), Some(i + 1)].map(|k| k.and_then(|k| rings().nth(k)));
         for turn in 0..AROUND {
             let (value, q) = ring[turn];
-            let neighbours = [ring[(turn + 1) % AROUND].0, ring[(turn + AROUND - 1) % AROUND].0];
-            if neighbours.iter().all(|v| value <= *v) {
-                offer(value, q);
+            let about = [(turn + 1) % AROUND, (turn + AROUND - 1) % AROUND];
+            if about.iter().all(|t| value <= ring[*t].0) {
+                // Where the ring above or below is lower it leads to the same place, most likely: one such place must not
+                // take the seeds of another.
+                let lower = |r: &Ring| about.iter().chain([&turn]).any(|t| r[*t].0 < value);
+                offer(next.into_iter().flatten().any(lower), value, q);
             }
         }
     }
-    found.map(|f| f.map(|f| f.1))
+    found.map(|f| f.map(|f| f.2))
 }
 
 /// Cosines of the multiples of 30 degrees.

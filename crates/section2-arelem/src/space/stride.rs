@@ -324,10 +324,16 @@ impl Track {
             RESOLUTION * keep.width(),
         )?;
         let (mut low, mut high) = (c.low.g, c.high.g);
-        if turning && keep.condition == Condition::Touch {
+        let mixed = !keep.surface.convex() && !keep.surface.concave();
+        if keep.condition == Condition::Touch && (turning || mixed) {
             // A turning axis may bring another place of the cutter down between two vertices at which it is free; and where
             // the contact goes over from one place to another the gap has an edge on the way.
-            let places = if self.apart(i, from, to) { &BETWEEN[..] } else { &[0.5] };
+            let apart = self.apart(i, from, to);
+            let places: &[f64] = match (apart, turning) {
+                (true, _) => &BETWEEN,
+                (false, true) => &[0.5],
+                (false, false) => &[],
+            };
             for t in places {
                 let g = keep.gap(&between(&from.pose, &to.pose, *t), None)?.g;
                 (low, high) = (low.min(g), high.max(g));

@@ -231,10 +231,13 @@ impl Watch {
             !matches!(self.relation, Relation::Tanto | Relation::Pstan) && !crossing.touch;
         let exact = way.track.exact;
         let mut reading = read(keep, &node, None)?.g;
-        if crosses && reading >= -self.loose && !in_limits(keep, reading, exact) {
+        if crosses && !in_limits(keep, reading, exact) {
             // Drive or part surface is touched elsewhere than on the way there.
-            (s, node) = way.to_reading(keep, s, node, 0.0)?;
-            reading = read(keep, &node, None)?.g;
+            let other = way.to_reading(keep, s, node, 0.0)?;
+            let there = read(keep, &other.1, None)?.g;
+            if in_limits(keep, there, exact) {
+                (s, node, reading) = (other.0, other.1, there);
+            }
         }
         let halt = Halt { s, node, side: keep.side, gauge: i, reading, crosses };
         Ok((!crosses || reading >= -self.loose).then_some(halt))
@@ -389,7 +392,11 @@ impl Way<'_> {
             if off.abs() <= self.track.exact || slope.abs() < GRAZING {
                 break;
             }
-            s -= off / slope;
+            let next = s - off / slope;
+            if !(0.0..=self.stride.length).contains(&next) {
+                break;
+            }
+            s = next;
             node = self.settled(s)?;
         }
         Ok((s, node))
