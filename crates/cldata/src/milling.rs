@@ -26,6 +26,13 @@ pub struct Milling {
     pub joined: bool,
 }
 
+impl Milling {
+    /// Is the tool held to a surface or kept off one? A tool end that is led away from its surface is free.
+    pub fn asks(&self) -> bool {
+        self.part.is_some() || !self.checked.is_empty()
+    }
+}
+
 /// A surface that the cutter does not cut into.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Milled {

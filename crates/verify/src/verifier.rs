@@ -2,6 +2,7 @@
 
 use std::sync::{Arc, OnceLock};
 
+use aptc_cldata::milling::Milling;
 use aptc_cldata::{Arg, Control, Kind, Motion, MotionKind, Position, Record};
 use aptc_diagnostics::{Diagnostic, Origin, codes};
 use aptc_geometry::{Cutter, Form, Plane, Profile};
@@ -210,12 +211,13 @@ impl Verifier {
             return;
         };
         let startup = motion.kind == MotionKind::Startup;
-        let control = match (&motion.control, motion.kind) {
+        let told = match (&motion.control, motion.kind) {
             (Some(control), MotionKind::Startup | MotionKind::Continuous) => Some(control),
             _ => None,
         };
+        let control = told.filter(|c| c.milling.as_ref().is_none_or(Milling::asks));
         self.close_unless(control);
-        if control.is_none() && motion.kind == MotionKind::Continuous {
+        if told.is_none() && motion.kind == MotionKind::Continuous {
             self.waiting.push(Event::Unknown(motion.clone(), origin.clone()));
             self.n_waiting += motion.points.len();
         } else if control.is_none() {
