@@ -83,12 +83,16 @@ impl Arelem {
         })
     }
 
-    /// Is the tool end on the surface, as GO/ON leaves it?
+    /// Is the tool end on the surface, as GO/ON leaves it? A point or a needle touches where its end is on it: on the narrow
+    /// side of the band it stands beside.
     pub(crate) fn stands_on(&self, surface: &SurfaceRef, role: Role, tool: &Tool) -> bool {
         let Band { intol, outtol } = self.settings.band(role);
+        let thin = matches!(self.settings.profile(role), Some(Ok(p)) if p.widest() == 0.0);
         let slack = 1e-6 * (intol + outtol);
-        let held = -intol - slack..=outtol + slack;
-        self.fitted.of(&surface.form).is_some_and(|s| held.contains(&s.distance(tool.te)))
+        let [inside, outside] =
+            if thin { [intol + slack, outtol + slack] } else { [intol + outtol; 2] };
+        let at = self.fitted.of(&surface.form).map(|s| s.distance(tool.te));
+        at.is_some_and(|d| (-inside..=outside).contains(&d))
     }
 
     /// Does the tool cut into the surface as deep from either side, so that it has none?

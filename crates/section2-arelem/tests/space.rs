@@ -367,6 +367,27 @@ GO/ON,ACROSS,TO,DOME,ON,NEAR\nINDIRV/0,1,0\nTLON,GOFWD/ACROSS,ON,FAR"
     }
 }
 
+/// A needle that came TO a wall stands beside it, also where its normal points away and the band has nothing on that side.
+#[test]
+fn a_needle_stays_beside_the_wall_that_it_came_to() {
+    let words: [(&str, &str, &[f64]); 4] = [
+        ("WALL", "QADRIC", &[-1.0, -1.0, 0.0, 100.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]),
+        ("FLOOR", "PLANE", &[0.0, 0.0, 1.0, 0.0]),
+        ("ACROSS", "PLANE", &[1.0, 0.0, 0.0, 0.0]),
+        ("FAR", "PLANE", &[1.0, 0.0, 0.0, 7.0]),
+    ];
+    let forms = words.map(|(n, k, w)| (n.into(), form(k, w).expect("a legal form")));
+    let forms = forms.into_iter().collect();
+    let text = "INTOL/0\nOUTTOL/.001\nCUTTER/0,0,0,0,0,0,.1\nFROM/0,-14,0
+GO/ON,ACROSS,TO,FLOOR\nINDIRV/0,1,0\nGOFWD/ACROSS,WALL\nGORGT/WALL,FAR";
+    let ran = run(&forms, text);
+    assert!(ran.diagnostics.is_empty(), "{:?}", ran.diagnostics);
+    let points: Vec<_> = ran.motions().flat_map(|(_, m)| m.points.clone()).collect();
+    let along = points.iter().filter(|p| p.te.x > 1e-6);
+    let off: Vec<f64> = along.map(|p| p.te.xy().norm() - 10.0).collect();
+    assert!(off.len() > 5 && off.iter().all(|o| (-1e-9..=0.001 + 1e-9).contains(o)), "{off:?}");
+}
+
 /// From above the apex of a cone the way to its side is found on the floor.
 #[test]
 fn a_start_beside_a_cone_from_above() {
