@@ -78,14 +78,13 @@ impl Track {
         let start = (from.pose, [from.gaps[i], new, from.gaps[1 - i]]);
         let kept = [within(from.gaps[i].g), within(new.g), from.gaps[1 - i].g];
         let here = self.touched(i, start, kept, far)?;
-        let (_, leave) = self.corner_at(from, i, here)?;
+        let leave = self.leaving(here.0, i, here.1)?;
         // The way on tells how the surface bends along it, and so where in the band it would best begin. Where the
         // hollow becomes tighter than the cutter on the way, the old place may end before.
         let best = within(keep.target(leave.bends[i], 1.0));
         let there = self.touched(i, here, [kept[0], best, kept[2]], far);
         let found = there.and_then(|at| self.corner_at(from, i, at));
-        let (arrive, leave) = found.or_else(|| self.corner_at(from, i, here))?;
-        Some(Corner { arrive, leave })
+        found.or_else(|| self.corner_at(from, i, here))
     }
 
     /// The pose near a start where the old place of surface `i`, the new one and the other surface are at these
@@ -109,7 +108,7 @@ impl Track {
     }
 
     /// The corner at such a pose, if the cutter is deeper nowhere else.
-    fn corner_at(&self, from: &Node, i: usize, at: Touched) -> Option<(Stride, Node)> {
+    fn corner_at(&self, from: &Node, i: usize, at: Touched) -> Option<Corner> {
         let (pose, [old, new, other]) = at;
         let deepest = self.keeps[i].gap(&pose, None).ok()?.g;
         let free = deepest >= old.g.min(new.g) - 4.0 * self.exact;
@@ -121,7 +120,7 @@ impl Track {
         gaps[i] = old;
         let to = self.finish(pose, gaps, from.along).ok()?;
         let length = (pose.te - from.pose.te).norm();
-        Some((Stride { length, to, targets: gaps.map(|g| g.g) }, leave))
+        Some(Corner { arrive: Stride { length, to, targets: gaps.map(|g| g.g) }, leave })
     }
 
     /// The node that goes on along the new place, away from the old one.
