@@ -443,6 +443,17 @@ pub(crate) fn contact_not_chosen(origin: &Origin) -> Diagnostic {
         .help("leave them out, or write CUTTER/OPTION with the surface, the radius and the height of a disk that is to touch")
 }
 
+/// A pocket whose passes do not reach everything in it.
+pub(crate) fn material_left(origin: &Origin, left: f64) -> Diagnostic {
+    let text = format!(
+        "the passes leave material in the pocket, up to {} beyond what the effective radius reaches",
+        number(left)
+    );
+    Diagnostic::warning(codes::MATERIAL_LEFT, origin.span, text)
+        .within(origin.trace.clone())
+        .help("make the cut smaller, or let the passes be set closer where they must: the flag o of POCKET as 0")
+}
+
 /// How a message names a surface.
 pub(crate) fn called(s: &SurfaceRef) -> String {
     if s.name.name.is_empty() {

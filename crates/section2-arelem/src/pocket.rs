@@ -1,7 +1,8 @@
 //! POCKET (APT: `APOCK`): a convex polygon cleared from the inside out.
 //!
-//! The passes are closed polygons, each the next one inwards by the programmed cut. They are computed from
-//! the outside and cut from the inside, always beginning at the corner of the first point.
+//! The passes are polygons, each the next one inwards by the programmed cut. They are computed from the outside and cut
+//! from the inside, always beginning at the corner of the first point. How near the innermost ones come, and how the cut
+//! is shortened at corners that come up, is APT-360's way, found by running some hundreds of pockets through it.
 
 use aptc_geometry::{Form, Plane, Vec3};
 use aptc_protap::Pocket;
@@ -11,16 +12,25 @@ use crate::state::{Part, Settings, Tool};
 /// Least and greatest number of corners.
 const CORNERS: std::ops::RangeInclusive<usize> = 3..=20;
 
+/// Sines of half corners that differ by less are those of one corner.
+const SAME_CORNER: f64 = 1e-9;
+
 /// More passes than this are a mistake in the numbers.
 const MOST_PASSES: usize = 10_000;
 
-/// Closed polygons, innermost first; the last is the finish pass.
-pub(crate) type Passes = Vec<Vec<Vec3>>;
+/// The passes of a pocket.
+#[derive(Clone, Debug)]
+pub(crate) struct Passes {
+    /// Closed polygons, innermost first; the last is the finish pass. An innermost one may be a single line.
+    pub(crate) polygons: Vec<Vec<Vec3>>,
+    /// Material that they leave: how far the nearest pass stays from it beyond the effective radius.
+    pub(crate) left: Option<f64>,
+}
 
 /// Why there are no passes.
 pub(crate) type Reason = String;
 
-/// The passes of a pocket.
+/// Works them out.
 pub(crate) fn passes(p: &Pocket, settings: &Settings, tool: &Tool) -> Result<Passes, Reason> {
     let cutter = settings.cutter.map_or(0.0, |c| c.diameter / 2.0);
     let [keep_offsets, kind] = p.flags;
@@ -33,31 +43,84 @@ pub(crate) fn passes(p: &Pocket, settings: &Settings, tool: &Tool) -> Result<Pas
     if !positive(p.radius) || !positive(p.cut) || !positive(p.finish) || !positive(cutter) {
         return Err("effective radius, cuts and cutter must be above zero".into());
     }
-    let mut passes = vec![figure.closed()];
+    let (mut polygons, mut left) = (vec![figure.closed()], 0.0_f64);
     let mut cut = p.finish * cutter;
-    while passes.len() < MOST_PASSES {
-        let room = figure.room();
-        if room <= p.radius {
-            passes.reverse();
-            return Ok(passes);
+    // The sharpest corner until now limits the cut.
+    let mut sharpest = figure.sharpest();
+    while polygons.len() < MOST_PASSES {
+        if figure.width() <= 2.0 * p.radius {
+            return Ok(inside_out(polygons, left, p.radius));
         }
-        let mut step = cut;
-        if keep_offsets == 0 {
-            // So deep may the next pass lie that no material stays at the sharpest corner.
-            step = step.min(p.radius * (1.0 + figure.sharpest()));
+        let most = if keep_offsets == 0 { p.radius * (1.0 + sharpest) } else { f64::INFINITY };
+        let step = cut.min(most);
+        let half = figure.inset(step / 2.0);
+        if let Some(last) = half.as_ref().filter(|h| h.width() <= 2.0 * p.radius) {
+            // Half of the cut clears what is left, and a line of that pass if it is a narrow one.
+            polygons.push(last.line(p.radius).unwrap_or_else(|| last.closed()));
+            return Ok(inside_out(polygons, left, p.radius));
         }
-        if room - step / 2.0 <= p.radius {
-            step /= 2.0;
-        }
-        if step >= room {
-            // The innermost pass still has to be a figure.
-            step = room - p.radius / 2.0;
-        }
-        figure = figure.inset(step).ok_or("the pocket collapses")?;
-        passes.push(figure.closed());
+        let next = match half {
+            Some(half) if keep_offsets == 0 => {
+                let (step, s) = nearer(&figure, &half, step, p.radius);
+                sharpest = sharpest.min(s);
+                figure.inset(step).or(Some(half))
+            }
+            Some(half) => figure.inset(step).or(Some(half)),
+            None => None,
+        };
+        let Some(next) = next else {
+            // As given, no cut of this depth has room.
+            left = left.max(figure.room() - p.radius);
+            return Ok(inside_out(polygons, left, p.radius));
+        };
+        left = left.max(between(&figure, &next, p.radius));
+        polygons.push(next.closed());
+        figure = next;
         cut = p.cut * cutter;
     }
     Err("the cut is too small for the pocket".into())
+}
+
+/// How far material between two passes is beyond the effective radius at most. It stays on the halving lines of the inner
+/// corners, as far from them as from the outer sides, but where the tool goes out along one.
+fn between(outer: &Figure, inner: &Figure, radius: f64) -> f64 {
+    let farthest = |i: usize| {
+        let n = inner.sides.len();
+        let sides = [&inner.sides[(i + n - 1) % n], &inner.sides[i]];
+        let inwards = |s: &Side| inner.normal.cross(&s.along);
+        let along = (inwards(sides[0]) + inwards(sides[1])).normalize();
+        let off = |s: &Side| (inner.corners[i] - s.on).dot(&inwards(s));
+        let reach = |s: &Side| off(s) / (1.0 + along.dot(&inwards(s)));
+        outer.sides.iter().map(reach).fold(f64::INFINITY, f64::min) - radius
+    };
+    let (from, to) = (inner.first(), outer.first());
+    let straight = inner.sides[from].index == outer.sides[to].index;
+    let corners = (0..inner.corners.len()).filter(|i| !straight || *i != from);
+    corners.map(farthest).fold(0.0, f64::max)
+}
+
+fn inside_out(mut polygons: Vec<Vec<Vec3>>, left: f64, radius: f64) -> Passes {
+    polygons.reverse();
+    Passes { polygons, left: (left > 1e-6 * radius).then_some(left) }
+}
+
+/// A cut that leaves no material at corners that come up on the way, as sides vanish, and the sine of half the sharpest:
+/// half of it and as much of the effective radius as the corner has.
+fn nearer(figure: &Figure, half: &Figure, step: f64, radius: f64) -> (f64, f64) {
+    let fewer = half.sides.len() < figure.sides.len();
+    let shortened = |sine: f64| step.min(0.5 * step + radius * sine);
+    let mut sine = if fewer { half.sharpest() } else { figure.sharpest() };
+    let mut cut = if fewer { shortened(sine) } else { step };
+    // Each round meets a sharper corner; there are no more of them than sides.
+    for _ in 0..figure.sides.len() {
+        let there = figure.inset(cut).map_or(sine, |f| f.sharpest());
+        if there >= sine - SAME_CORNER {
+            break;
+        }
+        sine = there;
+        cut = shortened(sine);
+    }
+    (cut, sine)
 }
 
 /// Points moved along the tool axis onto the part surface.
@@ -168,21 +231,43 @@ impl Figure {
     /// Sine of half the sharpest corner.
     fn sharpest(&self) -> f64 {
         let n = self.sides.len();
-        (0..n)
-            .map(|i| {
-                let (a, b) = (self.sides[i].along, self.sides[(i + 1) % n].along);
-                // The inner angle is what the turn leaves of 180 degrees.
-                ((1.0 + a.dot(&b)) / 2.0).max(0.0).sqrt()
-            })
-            .fold(1.0, f64::min)
+        let sine = |i: usize| {
+            let (a, b) = (self.sides[i].along, self.sides[(i + 1) % n].along);
+            // The inner angle is what the turn leaves of 180 degrees.
+            ((1.0 + a.dot(&b)) / 2.0).max(0.0).sqrt()
+        };
+        (0..n).map(sine).fold(1.0, f64::min)
+    }
+
+    /// Distance of the farthest corner from a side.
+    fn across(&self, side: &Side) -> f64 {
+        let inwards = self.normal.cross(&side.along);
+        self.corners.iter().map(|p| (p - side.on).dot(&inwards)).fold(0.0, f64::max)
+    }
+
+    /// Least of them: twice the radius of any circle in the figure is no more.
+    fn width(&self) -> f64 {
+        self.sides.iter().map(|s| self.across(s)).fold(f64::INFINITY, f64::min)
+    }
+
+    /// The first side that has all of the figure within `radius`, towards the corner that comes first.
+    fn line(&self, radius: f64) -> Option<Vec<Vec3>> {
+        let (n, first) = (self.sides.len(), self.first());
+        let at = |k: usize| (first + k) % n;
+        let k = (0..n).find(|k| self.across(&self.sides[at(*k)]) <= radius)?;
+        let (from, to) = if k + 1 == n { (k, 0) } else { (k + 1, k) };
+        Some(vec![self.corners[at(from)], self.corners[at(to)]])
     }
 
     /// Corners from the one of the first point on, and that one again.
     fn closed(&self) -> Vec<Vec3> {
-        let n = self.corners.len();
-        let first = (0..n).min_by_key(|i| self.sides[*i].index).unwrap_or(0);
-        // When the side that begins at the first point has vanished, its corner is the end of the last.
+        let (n, first) = (self.corners.len(), self.first());
         (0..=n).map(|i| self.corners[(first + i) % n]).collect()
+    }
+
+    /// The corner of the first point; when the side that begins there has vanished, it is the end of the last.
+    fn first(&self) -> usize {
+        (0..self.sides.len()).min_by_key(|i| self.sides[*i].index).unwrap_or(0)
     }
 }
 
@@ -190,7 +275,8 @@ impl Figure {
 fn cross(a: &Side, b: &Side, normal: Vec3) -> Option<Vec3> {
     let det = a.along.cross(&b.along).dot(&normal);
     if det <= 1e-9 {
-        return None;
+        // Three corners in a line: the one between them stays where it is along it.
+        return (a.along.dot(&b.along) > 0.0).then_some(b.on);
     }
     let t = (b.on - a.on).cross(&b.along).dot(&normal) / det;
     Some(a.on + a.along * t)
@@ -224,6 +310,33 @@ mod tests {
         let f = Figure::new(&p).unwrap();
         assert_eq!(f.inset(0.1).unwrap().sides.len(), 5);
         assert_eq!(f.inset(1.0).unwrap().sides.len(), 4);
+    }
+
+    #[test]
+    fn a_corner_in_a_line_moves_with_it() {
+        let mut p = square(4.0);
+        p.insert(1, Vec3::new(1.0, 0.0, 1.0));
+        let f = Figure::new(&p).unwrap().inset(0.5).unwrap();
+        assert_eq!(f.corners[1], Vec3::new(1.0, 0.5, 1.0));
+        assert!((f.width() - 3.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_narrow_rest_is_cleared_along_one_side() {
+        let p = [(0.0, 0.0), (9.0, 0.0), (9.0, 1.0), (0.0, 1.0)].map(|(x, y)| Vec3::new(x, y, 0.0));
+        let f = Figure::new(&p).unwrap();
+        assert_eq!(f.line(1.0).unwrap(), vec![p[1], p[0]]);
+        assert!(f.line(0.9).is_none());
+    }
+
+    #[test]
+    fn passes_too_far_apart_leave_material_at_the_corner() {
+        let f = Figure::new(&square(4.0)).unwrap();
+        let inner = f.inset(1.0).unwrap();
+        // On the halving line it is as far from the sides as from the inner corner, root 2 from the outer one.
+        let worst = 1.0 / (1.0 + 0.5f64.sqrt());
+        assert!((between(&f, &inner, 0.5) - (worst - 0.5)).abs() < 1e-12);
+        assert!(between(&f, &inner, 0.6) <= 0.0);
     }
 
     #[test]

@@ -9,7 +9,7 @@ use aptc_protap::{Outcome, ToolAxis};
 use crate::arelem::Arelem;
 use crate::failure::Failure;
 use crate::state::{Given, Tool, unit};
-use crate::{forward, pocket};
+use crate::{failure, forward, pocket};
 
 impl Arelem {
     /// FROM and GOTO.
@@ -115,7 +115,12 @@ impl Arelem {
         }
         let Some(tool) = self.tool else { return self.fail(origin, &Failure::NoPosition) };
         let passes = match pocket::passes(p, &self.settings, &tool) {
-            Ok(passes) => passes,
+            Ok(passes) => {
+                if let Some(left) = passes.left {
+                    self.diagnostics.push(failure::material_left(origin, left));
+                }
+                passes.polygons
+            }
             Err(why) => return self.fail(origin, &Failure::Pocket { why }),
         };
         let general: Vec<Vec3> = passes[..passes.len() - 1].iter().flatten().copied().collect();

@@ -2,7 +2,7 @@
 
 mod support;
 
-use support::{Run, expected, forms_of, run};
+use support::{Forms, Run, expected, form, forms_of, run};
 
 /// Each statement ends where the oracle's does, with at most as many points.
 fn agree(ours: &Run, theirs: &[Vec<aptc_geometry::Vec3>], tolerance: f64, ratio: f64) {
@@ -87,6 +87,56 @@ fn pocket_frame_with_a_start_up_to_three_surfaces() {
     let text = "CUTTER/.5\nPSIS/PL1\nFROM/SETPT\nGO/TO,L1,TO,PL1,TO,LY\nINDIRV/1,0,0\nTLRGT\nGOFWD/L1,TANTO,C2
 GOFWD/C2,TANTO,L4\nGOFWD/L4,ON,LY\nGOTO/0,-1.5,1.25";
     check("pocket", text, 0..6, 0.0005);
+}
+
+/// How far inside of the corners given each pass of a POCKET lies, innermost first, and by how many points it goes.
+fn depths(corners: &[(f64, f64)], numbers: &str) -> Vec<(f64, usize)> {
+    let named = corners.iter().enumerate().map(|(i, (x, y))| (format!("P{i}"), [*x, *y, 0.0]));
+    let forms: Forms = named.filter_map(|(p, at)| Some((p, form("POINT", &at)?))).collect();
+    let points: Vec<String> = (0..corners.len()).map(|i| format!("P{i}")).collect();
+    let ran = run(&forms, &format!("FROM/0,0,1\n{numbers},{}", points.join(","))).clean();
+    let n = corners.len();
+    let mut passes: Vec<(f64, usize)> = Vec::new();
+    for te in ran.motions().skip(1).flat_map(|(_, m)| &m.points).map(|p| p.te) {
+        let depth = |i: usize| {
+            let ((ax, ay), (bx, by)) = (corners[i], corners[(i + 1) % n]);
+            let (ux, uy) = (bx - ax, by - ay);
+            (ux * (te.y - ay) - uy * (te.x - ax)).abs() / (ux * ux + uy * uy).sqrt()
+        };
+        let depth = (0..n).map(depth).fold(f64::INFINITY, f64::min);
+        match passes.last_mut() {
+            Some((last, count)) if (*last - depth).abs() < 1e-6 => *count += 1,
+            _ => passes.push((depth, 1)),
+        }
+    }
+    passes
+}
+
+fn same_passes(got: &[(f64, usize)], want: &[(f64, usize)]) {
+    assert_eq!(got.len(), want.len(), "{got:?}");
+    for (g, w) in got.iter().zip(want) {
+        assert!((g.0 - w.0).abs() < 6e-5 && g.1 == w.1, "{got:?}");
+    }
+}
+
+#[test]
+fn passes_of_pockets_lie_where_apt_360_puts_them() {
+    // A side vanishes and leaves a sharper corner: 3.4578 is nearer than the corners before would ask, and half a cut ends it.
+    let four = [(7.87064, 1.21475), (-1.48353, 6.66463), (-6.29592, -4.18443), (6.90456, -3.42561)];
+    let got = depths(&four, "CUTTER/.75\nPOCKET/.35625,1.6,1,35,30,20,0,0");
+    let whole = [2.5423, 2.0005, 1.4587, 0.9168, 0.375, 0.0].map(|d| (d, 5));
+    let inner = [(4.1462, 4), (3.9168, 4), (3.4578, 4), (3.0842, 5)];
+    same_passes(&got, &[&inner[..], &whole].concat());
+    // The rest is so narrow that a line clears it.
+    let five = [
+        (7.222, 2.61238),
+        (-1.60775, 5.94906),
+        (-6.85424, 3.13172),
+        (-7.94285, 0.7246),
+        (-3.72485, -5.37453),
+    ];
+    let got = depths(&five, "CUTTER/0.25\nPOCKET/0.1,1.8,0.6,35,30,20,0,0");
+    same_passes(&got[..4], &[(4.1674, 2), (4.114, 4), (4.0333, 5), (3.8857, 5)]);
 }
 
 #[test]
