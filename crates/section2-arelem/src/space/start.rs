@@ -218,7 +218,8 @@ fn aim(
             if n.dot(&v) > 0.0 { keep.inner(pose) } else { Side::Positive }
         }
         None if let Some(side) = rests_on(&keep, pose, rules) => side,
-        None if beyond(&keep, pose) => Side::Positive,
+        None if both(&keep, pose, 1.0) => Side::Positive,
+        None if both(&keep, pose, -1.0) => keep.inner(pose),
         None => {
             let apart = || Failure::NoContact { surface: wall.surface.clone() };
             let (gap, side) = clearance(&keep, pose)
@@ -242,12 +243,12 @@ fn aim(
     Ok(keep)
 }
 
-/// Are tool end and the middle of the cutter both outside of a surface that closes round the tool? However deep the
-/// cutter cuts in from there, it is outside that it is meant. Source: what APT-360 does.
-fn beyond(keep: &Keep, pose: &Pose) -> bool {
+/// Are tool end and the middle of the cutter both outside of a surface that closes round the tool (`sign` 1), or inside of
+/// it (-1)? However deep the cutter cuts in from there, it is that side that is meant. Source: what APT-360 does.
+fn both(keep: &Keep, pose: &Pose, sign: f64) -> bool {
     let middle = pose.te + pose.ta * (0.5 * keep.profile.height());
-    let out = |p: Vec3| keep.surface.distance(p) > keep.width();
-    opens(&keep.surface, pose.ta) && out(pose.te) && out(middle)
+    let there = |p: Vec3| sign * keep.surface.distance(p) > keep.width();
+    opens(&keep.surface, pose.ta) && there(pose.te) && there(middle)
 }
 
 /// The side towards which a point or a thin disk stands that is within the band on both, or anywhere when it is a point
