@@ -49,6 +49,12 @@ struct Place {
     slope: f64,
 }
 
+impl Place {
+    fn sample(&self) -> Sample {
+        Sample { t: self.t, g: self.gap.g, slope: self.slope }
+    }
+}
+
 /// Least and greatest gap while the tool end moves straight from `tool` to `to`, the axis turning evenly in the
 /// plane of both axes. `ends` are the gaps at both ends when they are known. Extreme values are found to
 /// `resolution`.
@@ -208,59 +214,12 @@ impl Run<'_, '_> {
         Ok(if other.gap.g < m.gap.g { other } else { m })
     }
 
-    /// The least value of `sign * g`, a convex function, bounded from below by the tangents of a bracket.
+    /// The extreme value of a convex or concave gap; see [`dip`].
     fn dip(&self, a: Place, b: Place, sign: f64, resolution: f64) -> Result<Extreme, Reason> {
-        let value = |p: &Place| sign * p.gap.g;
-        let slope = |p: &Place| sign * p.slope;
-        if slope(&a) >= 0.0 {
-            return Ok(Extreme { t: a.t, g: a.gap.g });
-        }
-        if slope(&b) <= 0.0 {
-            return Ok(Extreme { t: b.t, g: b.gap.g });
-        }
-        let (mut a, mut b) = (a, b);
-        // The cubic through both ends and slopes starts the search: exact for constant curvature.
-        let mut t = cubic_minimum(&a, &b, slope(&a), slope(&b), value(&a), value(&b));
-        let mut last = f64::INFINITY;
-        for _ in 0..MAX_STEPS {
-            // In a hollow the nearest wall may change on the way: only a search without a start sees it.
-            let near = if t - a.t < b.t - t { a } else { b };
-            let start = (sign > 0.0).then_some(near.gap.spot());
-            let at = self.place(t, start)?;
-            // The slope's own slope, from the parabola through three places.
-            let by = |p: &Place| (slope(p) - slope(&at)) / (p.t - at.t);
-            let bend = by(&a) + by(&b) - (slope(&b) - slope(&a)) / (b.t - a.t);
-            if slope(&at) < 0.0 {
-                a = at;
-            } else {
-                b = at;
-            }
-            let cut = tangents_meet(&a, &b, slope(&a), slope(&b), value(&a), value(&b));
-            let best = if value(&a) < value(&b) { &a } else { &b };
-            if value(best) - cut.1 <= resolution || b.t - a.t <= 1e-15 {
-                return Ok(Extreme { t: best.t, g: sign * cut.1.min(value(best)) });
-            }
-            let step = -slope(&at) / bend;
-            let newton = at.t + step;
-            t = if bend > 0.0 && newton > a.t && newton < b.t && step.abs() < 0.5 * last {
-                last = step.abs();
-                newton
-            } else {
-                last = f64::INFINITY;
-                let margin = 0.05 * (b.t - a.t);
-                cut.0.clamp(a.t + margin, b.t - margin)
-            };
-            if step.abs() <= 1e-9 && bend > 0.0 {
-                // The bracket closes from one side only: step over to see the other.
-                let over = 4.0 * step.abs().max(1e-12) * step.signum();
-                let cross = at.t + over;
-                if cross > a.t && cross < b.t {
-                    t = cross;
-                }
-            }
-        }
-        let cut = tangents_meet(&a, &b, slope(&a), slope(&b), value(&a), value(&b));
-        Ok(Extreme { t: cut.0, g: sign * cut.1 })
+        let known = |p: Place| (p.sample(), p.gap.spot());
+        // In a hollow the nearest wall may change on the way: only a search without a start sees it.
+        let at = |t: f64, near: &Spot| Ok(known(self.place(t, (sign > 0.0).then_some(*near))?));
+        dip(known(a), known(b), sign, resolution, at)
     }
 
     /// One dip or one bump, as on most chords: the slope, met at a few places, falls or rises all along, and
@@ -276,7 +235,7 @@ impl Run<'_, '_> {
         let (value, slope) = (|p: &Place| sign * p.gap.g, |p: &Place| sign * p.slope);
         let depth = 0.125 * (b.t - a.t) * (sb - sa);
         let (mut low, mut high) = (a, b);
-        let mut t = cubic_minimum(&a, &b, sa, sb, value(&a), value(&b));
+        let mut t = cubic_minimum(&a.sample(), &b.sample(), sa, sb, value(&a), value(&b));
         let foretold = cubic_at(&a, &b, t);
         for round in 0..SINGLE {
             let near = if t - low.t < high.t - t { &low } else { &high };
@@ -366,6 +325,75 @@ impl Run<'_, '_> {
     }
 }
 
+/// Gap and its rate of change at a place of a chord.
+#[derive(Clone, Copy)]
+pub(crate) struct Sample {
+    pub(crate) t: f64,
+    pub(crate) g: f64,
+    pub(crate) slope: f64,
+}
+
+/// The least value of `sign * g`, a convex function, bounded from below by the tangents of a bracket; `at` gives the
+/// sample at a place, and what helps to find those near it.
+#[inline]
+pub(crate) fn dip<N>(
+    a: (Sample, N),
+    b: (Sample, N),
+    sign: f64,
+    resolution: f64,
+    at: impl Fn(f64, &N) -> Result<(Sample, N), Reason>,
+) -> Result<Extreme, Reason> {
+    let value = |p: &Sample| sign * p.g;
+    let slope = |p: &Sample| sign * p.slope;
+    if slope(&a.0) >= 0.0 {
+        return Ok(Extreme { t: a.0.t, g: a.0.g });
+    }
+    if slope(&b.0) <= 0.0 {
+        return Ok(Extreme { t: b.0.t, g: b.0.g });
+    }
+    let ((mut a, mut by_a), (mut b, mut by_b)) = (a, b);
+    // The cubic through both ends and slopes starts the search: exact for constant curvature.
+    let mut t = cubic_minimum(&a, &b, slope(&a), slope(&b), value(&a), value(&b));
+    let mut last = f64::INFINITY;
+    for _ in 0..MAX_STEPS {
+        let near = if t - a.t < b.t - t { &by_a } else { &by_b };
+        let (here, by) = at(t, near)?;
+        // The slope's own slope, from the parabola through three places.
+        let turn = |p: &Sample| (slope(p) - slope(&here)) / (p.t - here.t);
+        let bend = turn(&a) + turn(&b) - (slope(&b) - slope(&a)) / (b.t - a.t);
+        if slope(&here) < 0.0 {
+            (a, by_a) = (here, by);
+        } else {
+            (b, by_b) = (here, by);
+        }
+        let cut = tangents_meet(&a, &b, slope(&a), slope(&b), value(&a), value(&b));
+        let best = if value(&a) < value(&b) { &a } else { &b };
+        if value(best) - cut.1 <= resolution || b.t - a.t <= 1e-15 {
+            return Ok(Extreme { t: best.t, g: sign * cut.1.min(value(best)) });
+        }
+        let step = -slope(&here) / bend;
+        let newton = here.t + step;
+        t = if bend > 0.0 && newton > a.t && newton < b.t && step.abs() < 0.5 * last {
+            last = step.abs();
+            newton
+        } else {
+            last = f64::INFINITY;
+            let margin = 0.05 * (b.t - a.t);
+            cut.0.clamp(a.t + margin, b.t - margin)
+        };
+        if step.abs() <= 1e-9 && bend > 0.0 {
+            // The bracket closes from one side only: step over to see the other.
+            let over = 4.0 * step.abs().max(1e-12) * step.signum();
+            let cross = here.t + over;
+            if cross > a.t && cross < b.t {
+                t = cross;
+            }
+        }
+    }
+    let cut = tangents_meet(&a, &b, slope(&a), slope(&b), value(&a), value(&b));
+    Ok(Extreme { t: cut.0, g: sign * cut.1 })
+}
+
 /// The cubic through values and slopes of two places.
 fn cubic_at(a: &Place, b: &Place, t: f64) -> f64 {
     let h = b.t - a.t;
@@ -378,7 +406,7 @@ fn cubic_at(a: &Place, b: &Place, t: f64) -> f64 {
 }
 
 /// Where the tangents at the ends of a bracket meet.
-fn tangents_meet(a: &Place, b: &Place, sa: f64, sb: f64, ga: f64, gb: f64) -> (f64, f64) {
+fn tangents_meet(a: &Sample, b: &Sample, sa: f64, sb: f64, ga: f64, gb: f64) -> (f64, f64) {
     let t = (ga - gb + sb * b.t - sa * a.t) / (sb - sa);
     if t.is_finite() {
         let t = t.clamp(a.t, b.t);
@@ -389,7 +417,7 @@ fn tangents_meet(a: &Place, b: &Place, sa: f64, sb: f64, ga: f64, gb: f64) -> (f
 }
 
 /// Place of the minimum of the cubic through values and slopes, the slopes falling and rising.
-fn cubic_minimum(a: &Place, b: &Place, sa: f64, sb: f64, ga: f64, gb: f64) -> f64 {
+fn cubic_minimum(a: &Sample, b: &Sample, sa: f64, sb: f64, ga: f64, gb: f64) -> f64 {
     let h = b.t - a.t;
     let z = 3.0 * (ga - gb) / h + sa + sb;
     let root = (z * z - sa * sb).max(0.0).sqrt();

@@ -22,6 +22,7 @@ mod chord;
 mod closed;
 mod curvature;
 mod gap;
+mod guide;
 mod open;
 mod patches;
 mod rings;
@@ -35,4 +36,5 @@ pub use curvature::second;
 pub use gap::{
     Condition, Gap, Side, distance, elsewhere, gap, gap_at, gap_near, on, opens, surrounds,
 };
+pub use guide::{Guide, Reading};
 pub use patches::{Clear, PatchPlace, PatchTree};

@@ -103,11 +103,11 @@ pub(crate) fn elsewhere(
     side: Side,
     known: &Gap,
 ) -> (Option<Gap>, f64) {
-    let arc = round(tool, surface, side, None);
     // An opened hollow is looked at as a whole each time.
     if side == Side::Open || !several(tool, surface, side) {
         return (None, f64::INFINITY);
     }
+    let arc = round(tool, surface, side, None);
     let size = tool.profile.widest().max(0.1 * tool.profile.reach());
     let until = |rival: f64, gap: f64| (LOOK * size).min(0.5 * (rival - gap).max(0.0));
     if hollow(surface, side) && (arc.is_none() || has_side(tool)) {

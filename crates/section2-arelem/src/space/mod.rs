@@ -2,6 +2,7 @@
 
 mod blocked;
 mod corner;
+mod guided;
 mod keep;
 mod nearest;
 mod run;

@@ -8,6 +8,7 @@ use aptc_geometry::{Profile, Surface, Vec3};
 use aptc_protap::{OptionSurface, Relation};
 
 use super::blocked::{Cause, cause};
+use super::guided::guides;
 use super::keep::{Keep, Pose};
 use super::nearest::approach;
 use super::stride::Pace;
@@ -80,12 +81,14 @@ fn follow(scene: &Scene, begin: &Begin) -> Result<Path, Failure> {
     // The last nodes since the start or a corner.
     let mut trail: VecDeque<Node> = VecDeque::with_capacity(MERGED);
     while vectors < most {
-        let (stride, leave) = match track.stride(&node, reach, &mut pace) {
-            Ok(s) => (s, None),
+        let mut leave = None;
+        let stride = match track.stride(&node, reach, &mut pace) {
+            Ok(s) => s,
             Err(t) => match track.corner(&node) {
                 // A place with a corner after a corner at it leads nowhere.
                 Some(c) if c.arrive.length > track.exact || !trail.is_empty() => {
-                    (c.arrive, Some(c.leave))
+                    leave = Some(c.leave);
+                    c.arrive
                 }
                 _ => return Err(blocked(scene, begin, &watches, &node, gone, t)),
             },
@@ -305,7 +308,9 @@ fn begin(scene: &Scene) -> Result<Begin, Failure> {
         pose.te.norm() + drive.profile.reach() + drive.surface.extent() + part.surface.extent();
     let exact = 1e-13 * size + 2e-9 * drive.width().min(part.width());
     let axis = coming(scene, &pose, heading, [&drive_gap, &part_gap]);
-    let track = Track { keeps: [drive, part], axis, exact, size };
+    let keeps = [drive, part];
+    let guides = guides(&keeps, &axis, &pose);
+    let track = Track { keeps, axis, guides, exact, size };
     let node = track.node(pose, heading).map_err(|t| trouble_at(scene, &pose, t))?;
     if off_drive <= 1.0 && off_part <= 1.0 {
         let turned = turn(&track, &node, scene.limits.step);

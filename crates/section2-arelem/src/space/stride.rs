@@ -9,6 +9,7 @@
 use aptc_contact::{Condition, Gap, chord};
 use aptc_geometry::Vec3;
 
+use super::guided::Guided;
 use super::keep::{Limits, Pose};
 use super::track::{Node, Track, Trouble};
 
@@ -18,7 +19,7 @@ const TRIALS: usize = 40;
 /// a hundred thousand.
 const LONG_ENOUGH: f64 = 1e-5;
 /// Share of the band by which a vertex may lie off its target: half of it is the share of a length that it costs.
-const OFF_TARGET: f64 = 1e-2;
+pub(super) const OFF_TARGET: f64 = 1e-2;
 /// Greatest change of the ratio of two cut vectors that is expected to go on.
 const EVEN: f64 = 0.02;
 /// By how much longer than the one before a cut vector is tried at first where nothing bends.
@@ -46,14 +47,14 @@ const ANOTHER: f64 = 0.1;
 /// Share of the band by which two places that touch at once may differ.
 const BOTH: f64 = 1e-2;
 /// Extreme gaps on a chord are found to this share of the band.
-const RESOLUTION: f64 = 2e-7;
+pub(super) const RESOLUTION: f64 = 2e-7;
 
 /// A cut vector.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Stride {
+pub(crate) struct Stride<To = Node> {
     /// Length along the track.
     pub(crate) length: f64,
-    pub(crate) to: Node,
+    pub(crate) to: To,
     /// Gaps at its end, from which the next one continues.
     pub(crate) targets: [f64; 2],
 }
@@ -61,10 +62,59 @@ pub(crate) struct Stride {
 /// How a chord lies in the bands: it fits, the ratio by which it could be longer, and second derivatives of the
 /// gaps along it, from the slopes at its ends.
 #[derive(Clone, Copy, Debug)]
-struct Fit {
-    fits: bool,
-    ratio: f64,
-    bends: [f64; 2],
+pub(super) struct Fit {
+    pub(super) fits: bool,
+    pub(super) ratio: f64,
+    pub(super) bends: [f64; 2],
+}
+
+/// How the ends of trials are found and held against the bands.
+pub(super) trait Trials {
+    /// The end of a trial.
+    type Place: Copy;
+    /// Is there no place where none is found? Else other trials tell.
+    const FINAL: bool;
+
+    /// The place at distance `s`, its gaps at the targets that belong to the `bends` of cut vectors about `usual` long;
+    /// without them to its own curvature. `last` is the trial before.
+    fn reach(
+        &self,
+        from: &Node,
+        s: f64,
+        usual: f64,
+        bends: Option<[f64; 2]>,
+        last: Option<&Stride<Self::Place>>,
+    ) -> Result<Stride<Self::Place>, Trouble>;
+
+    /// How the chord to it lies in both bands, and how much longer it could be.
+    fn fit(&self, from: &Node, to: &Self::Place) -> Result<Fit, Trouble>;
+}
+
+/// Trials by contacts; with `look` none that is deeper may be elsewhere.
+struct Contacts<'a> {
+    track: &'a Track,
+    look: bool,
+}
+
+impl Trials for Contacts<'_> {
+    type Place = Node;
+    const FINAL: bool = true;
+
+    fn reach(
+        &self,
+        from: &Node,
+        s: f64,
+        usual: f64,
+        bends: Option<[f64; 2]>,
+        last: Option<&Stride>,
+    ) -> Result<Stride, Trouble> {
+        let beside = last.filter(|l| self.track.beside(from, l, s)).map(|l| &l.to);
+        self.track.reach(from, s, usual, bends, self.look, beside)
+    }
+
+    fn fit(&self, from: &Node, to: &Node) -> Result<Fit, Trouble> {
+        self.track.fit(from, to)
+    }
 }
 
 /// What one cut vector tells the next.
@@ -108,7 +158,12 @@ impl Track {
     /// when it may be so; once it is, and where nothing is found, every trial asks.
     pub(crate) fn stride(&self, from: &Node, cap: f64, pace: &mut Pace) -> Result<Stride, Trouble> {
         if !pace.careful {
-            if let Ok(stride) = self.longest(from, cap, pace) {
+            if let Some(stride) = self.guided(from, cap, pace) {
+                return Ok(stride);
+            }
+            if let Ok(stride) =
+                self.longest(&Contacts { track: self, look: false }, from, cap, pace)
+            {
                 let turn = (stride.to.pose.ta - from.pose.ta).norm();
                 let reach = self.keeps[0].profile.reach().max(self.keeps[1].profile.reach());
                 pace.room -= stride.length + turn * reach;
@@ -123,11 +178,23 @@ impl Track {
             }
             pace.careful = true;
         }
-        self.longest(from, cap, pace)
+        self.longest(&Contacts { track: self, look: true }, from, cap, pace)
     }
 
-    fn longest(&self, from: &Node, cap: f64, pace: &mut Pace) -> Result<Stride, Trouble> {
-        let look = pace.careful;
+    /// The same along guides, where no other place of contact can be; `None` where these do not tell.
+    fn guided(&self, from: &Node, cap: f64, pace: &mut Pace) -> Option<Stride> {
+        let guided = Guided { track: self, guides: self.guides.as_ref()? };
+        let Stride { length, to, targets } = self.longest(&guided, from, cap, pace).ok()?;
+        Some(Stride { length, to: guided.node(from, &to).ok()?, targets })
+    }
+
+    fn longest<T: Trials>(
+        &self,
+        trials: &T,
+        from: &Node,
+        cap: f64,
+        pace: &mut Pace,
+    ) -> Result<Stride<T::Place>, Trouble> {
         let mut bends = pace.bends;
         let mut plan = self.plan(from, bends, cap);
         let mut s = (plan.length * pace.expected() * (1.0 - 0.25 * LONG_ENOUGH)).min(plan.most);
@@ -135,18 +202,17 @@ impl Track {
             // Nothing bends here, which may end soon.
             s = s.min(FARTHER * pace.length);
         }
-        let (mut good, mut bad): (Option<Stride>, f64) = (None, f64::INFINITY);
-        let (mut last, mut rest): (Option<Stride>, f64) = (None, 1.0);
+        let (mut good, mut bad): (Option<Stride<T::Place>>, f64) = (None, f64::INFINITY);
+        let (mut last, mut rest): (Option<Stride<T::Place>>, f64) = (None, 1.0);
         let mut trouble = Trouble::Stuck;
         let mut before: Option<(f64, f64)> = None;
         let mut learnt = 0;
         // A chord that does not fit though its ratio says so is shortened more each time.
         let mut back = LONG_ENOUGH;
         for _ in 0..TRIALS {
-            let beside = last.as_ref().filter(|l| self.beside(from, l, s)).map(|l| &l.to);
-            let tried = self.reach(from, s, plan.length, bends, look, beside);
+            let tried = trials.reach(from, s, plan.length, bends, last.as_ref());
             let tried = tried.map(|t| &*last.insert(t));
-            let next = match tried.and_then(|t| Ok((self.fit(from, &t.to)?, t))) {
+            let next = match tried.and_then(|t| Ok((trials.fit(from, &t.to)?, t))) {
                 Ok((fit, tried)) => {
                     // With a turning axis only the chord tells how the gaps bend along it; and where the bend
                     // grows from nothing on the way, a vertex may lie where no chord of any length fits.
@@ -184,6 +250,7 @@ impl Track {
                     before = Some((s, ratio));
                     next
                 }
+                Err(t) if !T::FINAL => return Err(t),
                 Err(t) => {
                     trouble = t;
                     bad = bad.min(s);
@@ -240,14 +307,16 @@ impl Track {
     }
 
     /// Are the aims off these targets by more than a share of the band?
-    fn differ(&self, aims: [f64; 2], targets: [f64; 2], share: f64) -> bool {
+    #[inline]
+    pub(super) fn differ(&self, aims: [f64; 2], targets: [f64; 2], share: f64) -> bool {
         (0..2).any(|i| (aims[i] - targets[i]).abs() > share * self.keeps[i].width())
     }
 
     /// Gaps of the next vertex when cut vectors are about `usual` long and the gaps bend so along them: in the
     /// share of the band that the chords use, and farther out where the vertex before left less room for the
     /// chord between both.
-    fn aims(&self, from: &Node, bends: [f64; 2], usual: f64) -> [f64; 2] {
+    #[inline]
+    pub(super) fn aims(&self, from: &Node, bends: [f64; 2], usual: f64) -> [f64; 2] {
         let target = |i: usize| {
             let (keep, bend) = (&self.keeps[i], bends[i]);
             let share = (bend.abs() * usual * usual / (8.0 * keep.width())).min(1.0);
@@ -309,7 +378,6 @@ impl Track {
         if keep.is_plane() && !turning {
             return Ok((true, f64::INFINITY, 0.0));
         }
-        let limits = keep.limits();
         let v = to.pose.te - from.pose.te;
         let other = self.governs(i, from, to);
         let ends = [other.as_ref().unwrap_or(&from.gaps[i]), &to.gaps[i]];
@@ -339,17 +407,37 @@ impl Track {
                 (low, high) = (low.min(g), high.max(g));
             }
         }
+        let gaps = ends.map(|g| g.g);
+        let (fits, ratio) = self.judge(i, gaps, [low, high], c.bow, turning);
+        Ok((fits, ratio, c.bow / v.norm_squared()))
+    }
+}
+
+impl Track {
+    /// Does a chord stay in the band of surface `i`, and how much longer could it be? `ends` are the gaps at its ends,
+    /// `bow` by how much the rate of change grows.
+    #[inline]
+    pub(super) fn judge(
+        &self,
+        i: usize,
+        ends: [f64; 2],
+        [low, high]: [f64; 2],
+        bow: f64,
+        turning: bool,
+    ) -> (bool, f64) {
+        let keep = &self.keeps[i];
+        let limits = keep.limits();
         // The chord aims a little inside the band, so that it fits when it comes out a little longer.
         let aim = if turning { AIM_TURNING } else { AIM } * keep.width();
-        let e = ends.map(|g| (g.g - limits.low - aim).max(0.0));
-        let f = ends.map(|g| (limits.high - aim - g.g).max(0.0));
-        let dips = [ends[0].g - low, ends[1].g - low].map(|d| d.max(0.0));
-        let rises = [high - ends[0].g, high - ends[1].g].map(|d| d.max(0.0));
-        let depth = 0.5 * c.bow;
+        let e = ends.map(|g| (g - limits.low - aim).max(0.0));
+        let f = ends.map(|g| (limits.high - aim - g).max(0.0));
+        let dips = [ends[0] - low, ends[1] - low].map(|d| d.max(0.0));
+        let rises = [high - ends[0], high - ends[1]].map(|d| d.max(0.0));
+        let depth = 0.5 * bow;
         // Vertices of the motion before may lie at the very edge; they are no fault of this chord.
         let slack = 1e-14 * self.size + RESOLUTION * keep.width();
-        let least = (ends[0].g.min(ends[1].g) - slack).min(limits.low + slack);
-        let most = (ends[0].g.max(ends[1].g) + slack).max(limits.high - slack);
+        let least = (ends[0].min(ends[1]) - slack).min(limits.low + slack);
+        let most = (ends[0].max(ends[1]) + slack).max(limits.high - slack);
         let fits = low >= least && high <= most;
         let mut ratio = f64::INFINITY;
         if depth > 0.0 || dips[0].min(dips[1]) > aim {
@@ -358,7 +446,7 @@ impl Track {
         if depth < 0.0 || rises[0].min(rises[1]) > aim {
             ratio = ratio.min(grow(f, rises, -depth));
         }
-        Ok((fits, ratio, c.bow / v.norm_squared()))
+        (fits, ratio)
     }
 }
 

@@ -1,6 +1,6 @@
 //! The curve on which the tool moves: in place at drive and part surface (APT: `CENTR`, `CENTR2`).
 
-use aptc_contact::{Condition, Gap, Reason};
+use aptc_contact::{Condition, Gap, Guide, Reason};
 use aptc_geometry::{Vec3, trig};
 
 use super::keep::{Keep, Pose};
@@ -22,6 +22,8 @@ pub(crate) struct Track {
     /// Drive surface, part surface.
     pub(crate) keeps: [Keep; 2],
     pub(crate) axis: AxisRule,
+    /// Closed forms of both gaps, when there are any.
+    pub(crate) guides: Option<[Guide; 2]>,
     /// Residual of the gaps that counts as zero.
     pub(crate) exact: f64,
     /// A length of the size of the scene.
@@ -54,6 +56,33 @@ pub(crate) enum Trouble {
     Stuck,
     /// The rule of the tool axis has no solution.
     Axis,
+}
+
+impl Node {
+    /// The node with these gaps that goes on along `along`, along which they bend by `bends`.
+    pub(super) fn new(
+        pose: Pose,
+        gaps: [Gap; 2],
+        along: Vec3,
+        bends: [f64; 2],
+    ) -> Result<Self, Trouble> {
+        let curl = solve(&gaps, along, [-bends[0], -bends[1], 0.0]).ok_or(Trouble::SideBySide)?;
+        Ok(Self { pose, gaps, along, bends, curl })
+    }
+
+    /// The way by `s` along the track, to second order, and its direction there.
+    #[inline]
+    pub(super) fn ahead(&self, s: f64) -> (Vec3, Vec3) {
+        let k = self.curl.norm();
+        let turn = k * s;
+        if turn <= 1e-9 {
+            return (self.along * s, self.along);
+        }
+        let (sin, cos) = trig::sin_cos(turn);
+        let inwards = self.curl / k;
+        let step = self.along * (sin / k) + inwards * ((1.0 - cos) / k);
+        (step, self.along * cos + inwards * sin)
+    }
 }
 
 impl From<Reason> for Trouble {
@@ -93,9 +122,7 @@ impl Track {
     ) -> Result<Node, Trouble> {
         let along = direction(&gaps, heading)?;
         let bend = |i: usize| self.keeps[i].bend(&pose, &gaps[i], along);
-        let bends = [bend(0), bend(1)];
-        let curl = solve(&gaps, along, [-bends[0], -bends[1], 0.0]).ok_or(Trouble::SideBySide)?;
-        Ok(Node { pose, gaps, along, bends, curl })
+        Node::new(pose, gaps, along, [bend(0), bend(1)])
     }
 
     /// The place in the plane across `across` through the start, with the gaps at their targets.
@@ -264,15 +291,7 @@ impl Track {
         look: bool,
         beside: Option<&Node>,
     ) -> Result<Node, Trouble> {
-        let k = from.curl.norm();
-        let turn = k * s;
-        let (step, across) = if turn > 1e-9 {
-            let (sin, cos) = trig::sin_cos(turn);
-            let inwards = from.curl / k;
-            (from.along * (sin / k) + inwards * ((1.0 - cos) / k), from.along * cos + inwards * sin)
-        } else {
-            (from.along * s, from.along)
-        };
+        let (step, across) = from.ahead(s);
         let start = Pose { te: from.pose.te + step, ta: from.pose.ta };
         let sooner = beside.filter(|_| !self.axis.turns()).and_then(|known| {
             let begin = moved(known, across, across.dot(&start.te), targets)?;
@@ -282,15 +301,20 @@ impl Track {
             Some(node) => Ok(node),
             None => self.settle(start, across, targets, from, look),
         };
-        // Where the curvature ends on the way, the plane across may meet the track far away.
-        let most = 2.0 * (s + self.keeps[0].width() + self.keeps[1].width());
         if let Ok(to) = &found
-            && (to.pose.te - from.pose.te).norm() > most
+            && (to.pose.te - from.pose.te).norm() > self.farthest(s)
             && !self.axis.turns()
         {
             return Err(Trouble::Stuck);
         }
         found
+    }
+
+    /// Greatest length of a cut vector `s` along the track: where the curvature ends on the way, the plane across may
+    /// meet the track far away.
+    #[inline]
+    pub(super) fn farthest(&self, s: f64) -> f64 {
+        2.0 * (s + self.keeps[0].width() + self.keeps[1].width())
     }
 }
 
