@@ -140,7 +140,7 @@ impl Sheet {
     pub(crate) fn sign(&self, p: Vec3) -> Option<f64> {
         match &self.kind {
             Kind::Quadric(q) => Some(1.0_f64.copysign(q.value(p))),
-            Kind::Tabcyl(t) => Some(t.sign(p)),
+            Kind::Tabcyl(t) => t.sign(p),
             Kind::Patched(_) => None,
         }
     }

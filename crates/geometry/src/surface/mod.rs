@@ -252,6 +252,15 @@ impl Surface {
         }
     }
 
+    /// Is a place with these parameters on the border of a surface that ends, where what touches it goes round its edge?
+    pub fn ends_at(&self, at: Option<[f64; 2]>) -> bool {
+        match (self, at) {
+            (Self::Tabcyl(t), Some(at)) => t.ends_at(at),
+            (Self::Parametric(s), Some(at)) => s.ends_at(at),
+            _ => false,
+        }
+    }
+
     /// The direction in which the surface runs straight for ever (planes have many and give none).
     pub fn generator(&self) -> Option<Vec3> {
         match self {

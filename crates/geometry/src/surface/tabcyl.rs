@@ -192,6 +192,12 @@ impl TabcylSurface {
         Shape { frame: [u * normal.y - v * normal.x, w], k: [k, 0.0, 0.0] }
     }
 
+    /// Is the place at an end of the curve?
+    pub(crate) fn ends_at(&self, [span, s]: [f64; 2]) -> bool {
+        let (span, last) = (self.span(span), self.spans.len() - 1);
+        span == 0 && s <= 0.0 || span == last && s >= self.spans[last].span.length
+    }
+
     /// Is the place an end of the curve or a corner?
     fn free_end(&self, near: &Near) -> bool {
         let span = &self.spans[near.span];

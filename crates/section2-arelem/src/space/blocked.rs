@@ -30,7 +30,8 @@ pub(super) fn cause(track: &Track, node: &Node) -> Cause {
     };
     let size = |keep: &Keep| keep.profile.widest().max(0.1 * keep.profile.reach());
     for (i, keep) in track.keeps.iter().enumerate() {
-        if STEPS.iter().any(|s| ahead(keep, s * size(keep)).is_err()) {
+        let ends = |s: &f64| ahead(keep, s * size(keep)).is_err();
+        if keep.goes_round_an_end(&node.gaps[i]) || STEPS.iter().any(ends) {
             return Cause::Ends(i);
         }
     }

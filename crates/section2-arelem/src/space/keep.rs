@@ -129,6 +129,11 @@ impl Keep {
         (self.condition == Condition::Touch && tight).then(|| 1.0 / tightest)
     }
 
+    /// Does the cutter touch the edge at which the surface ends, and not the surface itself?
+    pub(crate) fn goes_round_an_end(&self, gap: &Gap) -> bool {
+        self.condition == Condition::Touch && self.surface.ends_at(gap.at)
+    }
+
     pub(crate) fn is_plane(&self) -> bool {
         matches!(self.surface, Surface::Plane(_))
     }

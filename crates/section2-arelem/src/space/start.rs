@@ -49,8 +49,8 @@ pub(crate) fn start(go: &Start) -> Result<Path, Failure> {
     };
     let rivals = rivals(go, &aims, pose, end);
     for aim in &aims {
-        let apart = |_| Failure::NoContact { surface: aim.wall.surface.clone() };
-        aim.keep.gap(&end, None).map_err(apart)?;
+        let gap = aim.keep.gap(&end, None).ok().filter(|g| !aim.keep.goes_round_an_end(g));
+        gap.ok_or_else(|| Failure::NoContact { surface: aim.wall.surface.clone() })?;
     }
     let mut sides = aims.iter().map(|a| a.wall.beside(a.relation, a.keep.side));
     let (drive, part) = (sides.next(), sides.next());

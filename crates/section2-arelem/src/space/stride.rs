@@ -378,6 +378,10 @@ impl Track {
         if keep.is_plane() && !turning {
             return Ok((true, f64::INFINITY, 0.0));
         }
+        if keep.goes_round_an_end(&from.gaps[i]) && keep.goes_round_an_end(&to.gaps[i]) {
+            // The surface is left behind, and its edge no guide.
+            return Err(Trouble::Contact);
+        }
         let v = to.pose.te - from.pose.te;
         let other = self.governs(i, from, to);
         let ends = [other.as_ref().unwrap_or(&from.gaps[i]), &to.gaps[i]];

@@ -126,8 +126,8 @@ impl Tabcyl {
         Spot { at: [x.clamp(0.0, length), w], ..spot }
     }
 
-    /// The side of the nearest place.
-    pub(crate) fn sign(&self, p: Vec3) -> f64 {
+    /// The side of the nearest place; `None` beyond an end, where only what lies near the surface has a side.
+    pub(crate) fn sign(&self, p: Vec3) -> Option<f64> {
         let flat = p.xy();
         let mut best = (f64::INFINITY, 1.0);
         for (chart, s) in self.spans.iter().enumerate() {
@@ -139,7 +139,19 @@ impl Tabcyl {
                 best = (distance, side);
             }
         }
-        1.0_f64.copysign(best.1)
+        // At corners between spans the side is that of either; an end has no other.
+        let beside = best.1.abs() < 0.5 * best.0 && self.beyond(flat);
+        (!beside).then(|| 1.0_f64.copysign(best.1))
+    }
+
+    /// Is a point beyond an end of the curve, seen along it there?
+    fn beyond(&self, flat: Vec2) -> bool {
+        let last = self.spans.len() - 1;
+        let ahead = |chart: usize, x: f64, way: f64| {
+            let jet = self.jet(&Spot { chart, at: [x, 0.0] });
+            way * (flat - jet.p.xy()).dot(&jet.d[0].xy()) > 0.0
+        };
+        ahead(0, 0.0, -1.0) || ahead(last, self.spans[last].length, 1.0)
     }
 
     /// Distance of a point from a span and how far it is to the left of the nearest place there. The span is cut

@@ -271,6 +271,11 @@ impl ParametricSurface {
         shape(&jet, self.normal_at(u, v, &jet))
     }
 
+    /// Is the place with these parameters on the border?
+    pub(crate) fn ends_at(&self, [u, v]: [f64; 2]) -> bool {
+        self.patch.domain().border(u, v)
+    }
+
     /// The nearest point. Beyond an end the normal points from or to the given point.
     pub fn foot(&self, p: Vec3) -> Foot {
         let place = self.nearest(p).unwrap_or_else(|| Placed::new(&self.patch, 0.5, 0.5));
