@@ -7,7 +7,7 @@
 //! or three trials. The same holds for the high limit over hollow surfaces.
 
 use aptc_contact::{Condition, Gap, chord};
-use aptc_geometry::Vec3;
+use aptc_geometry::{Surface, Vec3};
 
 use super::guided::Guided;
 use super::keep::{Limits, Pose};
@@ -403,6 +403,8 @@ impl Track {
             let apart = self.apart(i, from, to);
             let places: &[f64] = match (apart, turning) {
                 (true, _) => &BETWEEN,
+                // Along a surface of rulings a flank lies nearly, and its gap goes by more than cubics.
+                (false, true) if matches!(keep.surface, Surface::Parametric(_)) => &BETWEEN,
                 (false, true) => &[0.5],
                 (false, false) => &[],
             };
