@@ -138,6 +138,11 @@ impl Keep {
         matches!(self.surface, Surface::Plane(_))
     }
 
+    /// May several places of the cutter touch, because the surface bends both ways?
+    pub(crate) fn is_mixed(&self) -> bool {
+        self.condition == Condition::Touch && !self.surface.convex() && !self.surface.concave()
+    }
+
     /// The band. With the tool end on the surface its positive side counts as outside.
     pub(crate) fn limits(&self) -> Limits {
         Limits { low: -self.intol, high: self.outtol }

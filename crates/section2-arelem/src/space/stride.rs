@@ -10,7 +10,7 @@ use aptc_contact::{Condition, Gap, chord};
 use aptc_geometry::{Surface, Vec3};
 
 use super::guided::Guided;
-use super::keep::{Limits, Pose};
+use super::keep::{Keep, Limits, Pose};
 use super::track::{Node, Track, Trouble};
 
 /// Trials of one cut vector; two or three are usual.
@@ -90,10 +90,12 @@ pub(super) trait Trials {
     fn fit(&self, from: &Node, to: &Self::Place) -> Result<Fit, Trouble>;
 }
 
-/// Trials by contacts; with `look` none that is deeper may be elsewhere.
+/// Trials by contacts; with `look` none that is deeper may be elsewhere, with `between` chords on which the contact goes
+/// over from one place to another are looked at as a whole.
 struct Contacts<'a> {
     track: &'a Track,
     look: bool,
+    between: bool,
 }
 
 impl Trials for Contacts<'_> {
@@ -113,7 +115,7 @@ impl Trials for Contacts<'_> {
     }
 
     fn fit(&self, from: &Node, to: &Node) -> Result<Fit, Trouble> {
-        self.track.fit(from, to)
+        self.track.fit(from, to, self.between)
     }
 }
 
@@ -161,9 +163,7 @@ impl Track {
             if let Some(stride) = self.guided(from, cap, pace) {
                 return Ok(stride);
             }
-            if let Ok(stride) =
-                self.longest(&Contacts { track: self, look: false }, from, cap, pace)
-            {
+            if let Ok(stride) = self.by_contacts(from, cap, pace, false) {
                 let turn = (stride.to.pose.ta - from.pose.ta).norm();
                 let reach = self.keeps[0].profile.reach().max(self.keeps[1].profile.reach());
                 pace.room -= stride.length + turn * reach;
@@ -178,7 +178,32 @@ impl Track {
             }
             pace.careful = true;
         }
-        self.longest(&Contacts { track: self, look: true }, from, cap, pace)
+        self.by_contacts(from, cap, pace, true)
+    }
+
+    /// The same by contacts. Chords on which the contact goes over to another place are looked at as a whole once one is found;
+    /// only where that does not fit each trial is.
+    fn by_contacts(
+        &self,
+        from: &Node,
+        cap: f64,
+        pace: &mut Pace,
+        look: bool,
+    ) -> Result<Stride, Trouble> {
+        let trials = |between| Contacts { track: self, look, between };
+        if self.axis.turns() || !self.keeps.iter().any(Keep::is_mixed) {
+            return self.longest(&trials(true), from, cap, pace);
+        }
+        let before = *pace;
+        let found = self.longest(&trials(false), from, cap, pace);
+        let over = |to: &Node| (0..2).any(|i| self.keeps[i].is_mixed() && self.apart(i, from, to));
+        if let Ok(stride) = found
+            && (!over(&stride.to) || self.fits(from, &stride.to))
+        {
+            return Ok(stride);
+        }
+        *pace = before;
+        self.longest(&trials(true), from, cap, pace)
     }
 
     /// The same along guides, where no other place of contact can be; `None` where these do not tell.
@@ -275,7 +300,7 @@ impl Track {
 
     /// Does the chord between two nodes stay in both bands?
     pub(crate) fn fits(&self, from: &Node, to: &Node) -> bool {
-        self.fit(from, to).is_ok_and(|f| f.fits)
+        self.fit(from, to, true).is_ok_and(|f| f.fits)
     }
 
     /// The place at distance `s`, its gaps at the targets that belong to the `bends`; without them to its own
@@ -355,15 +380,16 @@ impl Track {
         Plan { length, most }
     }
 
-    /// Does the chord stay in both bands, and how much longer could it be?
-    fn fit(&self, from: &Node, to: &Node) -> Result<Fit, Trouble> {
+    /// Does the chord stay in both bands, and how much longer could it be? With `between` it is looked at as a whole where the
+    /// contact goes over from one place to another.
+    fn fit(&self, from: &Node, to: &Node, between: bool) -> Result<Fit, Trouble> {
         let mut all = Fit { fits: true, ratio: f64::INFINITY, bends: [0.0; 2] };
         // The end must be ahead: a track that closes on itself is not cut short.
         if (to.pose.te - from.pose.te).dot(&from.along) <= 0.0 && from.curl.norm() <= 0.0 {
             return Ok(Fit { fits: false, ratio: 0.5, ..all });
         }
         for i in 0..2 {
-            let (fits, ratio, bend) = self.fit_one(i, from, to)?;
+            let (fits, ratio, bend) = self.fit_one(i, from, to, between)?;
             all.fits &= fits;
             all.ratio = all.ratio.min(ratio);
             all.bends[i] = bend;
@@ -372,7 +398,13 @@ impl Track {
     }
 
     /// The same of one surface.
-    fn fit_one(&self, i: usize, from: &Node, to: &Node) -> Result<(bool, f64, f64), Trouble> {
+    fn fit_one(
+        &self,
+        i: usize,
+        from: &Node,
+        to: &Node,
+        whole: bool,
+    ) -> Result<(bool, f64, f64), Trouble> {
         let keep = &self.keeps[i];
         let turning = (from.pose.ta - to.pose.ta).norm_squared() > 1e-24;
         if keep.is_plane() && !turning {
@@ -396,11 +428,10 @@ impl Track {
             RESOLUTION * keep.width(),
         )?;
         let (mut low, mut high) = (c.low.g, c.high.g);
-        let mixed = !keep.surface.convex() && !keep.surface.concave();
-        if keep.condition == Condition::Touch && (turning || mixed) {
+        if keep.condition == Condition::Touch && turning || keep.is_mixed() {
             // A turning axis may bring another place of the cutter down between two vertices at which it is free; and where
             // the contact goes over from one place to another the gap has an edge on the way.
-            let apart = self.apart(i, from, to);
+            let apart = (turning || whole) && self.apart(i, from, to);
             let places: &[f64] = match (apart, turning) {
                 (true, _) => &BETWEEN,
                 // Along a surface of rulings a flank lies nearly, and its gap goes by more than cubics.
