@@ -7,7 +7,7 @@ use aptc_contact::{Gap, Guide, Reading};
 use aptc_geometry::Vec3;
 
 use super::keep::{Keep, Pose};
-use super::stride::{Fit, OFF_TARGET, RESOLUTION, Stride, Trials};
+use super::stride::{Fit, RESOLUTION, Stride, Trials};
 use super::track::{Node, Track, Trouble, solve_normals};
 use crate::axis::AxisRule;
 
@@ -60,11 +60,9 @@ impl Trials for Guided<'_> {
         let (step, across) = from.ahead(s);
         let start = from.pose.te + step;
         let to = self.settle(from, start, start, across, targets)?;
-        let again = track.aims(from, bends.unwrap_or(to.bends), usual);
-        let (to, targets) = if track.differ(again, targets, OFF_TARGET) {
-            (self.settle(from, start, to.te, across, again)?, again)
-        } else {
-            (to, targets)
+        let (to, targets) = match track.other_aims(from, bends, to.bends, usual, targets) {
+            Some(aims) => (self.settle(from, start, to.te, across, aims)?, aims),
+            None => (to, targets),
         };
         if (to.te - from.pose.te).norm() > track.farthest(s) {
             return Err(Trouble::Stuck);
@@ -133,6 +131,7 @@ impl Guided<'_> {
     }
 
     /// The node at the end of a trial.
+    #[inline(always)]
     pub(super) fn node(&self, from: &Node, to: &Place) -> Result<Node, Trouble> {
         let gap = |i: usize| -> Gap { self.guides[i].gap(to.te, to.gaps[i], to.normals[i]) };
         let pose = Pose { te: to.te, ta: from.pose.ta };

@@ -19,7 +19,9 @@ const TRIALS: usize = 40;
 /// a hundred thousand.
 const LONG_ENOUGH: f64 = 1e-5;
 /// Share of the band by which a vertex may lie off its target: half of it is the share of a length that it costs.
-pub(super) const OFF_TARGET: f64 = 1e-2;
+const OFF_TARGET: f64 = 1e-2;
+/// Share of a bend by which it may change until where the vertex ought to lie does.
+const SAME_BEND: f64 = 1e-3;
 /// Greatest change of the ratio of two cut vectors that is expected to go on.
 const EVEN: f64 = 0.02;
 /// By how much longer than the one before a cut vector is tried at first where nothing bends.
@@ -316,13 +318,31 @@ impl Track {
     ) -> Result<Stride, Trouble> {
         let targets = self.aims(from, bends.unwrap_or(from.bends), usual);
         let to = self.walk_beside(from, s, targets, look, beside)?;
-        let again = self.aims(from, bends.unwrap_or(to.bends), usual);
-        let (to, targets) = if self.differ(again, targets, OFF_TARGET) {
-            (self.walk_beside(from, s, again, look, Some(&to))?, again)
-        } else {
-            (to, targets)
+        let other = self.other_aims(from, bends, to.bends, usual, targets);
+        let (to, targets) = match other {
+            Some(aims) => (self.walk_beside(from, s, aims, look, Some(&to))?, aims),
+            None => (to, targets),
         };
         Ok(Stride { length: s, to, targets })
+    }
+
+    /// The aims that belong to the bends at the end of a trial, when they are off its targets: with `bends` these were for them,
+    /// and a bend that is the same to a thousandth moves them by half of what counts.
+    #[inline]
+    pub(super) fn other_aims(
+        &self,
+        from: &Node,
+        bends: Option<[f64; 2]>,
+        found: [f64; 2],
+        usual: f64,
+        targets: [f64; 2],
+    ) -> Option<[f64; 2]> {
+        let same = |i: usize| (found[i] - from.bends[i]).abs() <= SAME_BEND * found[i].abs();
+        if bends.is_some() || same(0) && same(1) {
+            return None;
+        }
+        let aims = self.aims(from, found, usual);
+        self.differ(aims, targets, OFF_TARGET).then_some(aims)
     }
 
     /// Is a trial near enough to the length `s`, and does it touch at the places of the cutter that its start touches at?
@@ -332,8 +352,7 @@ impl Track {
     }
 
     /// Are the aims off these targets by more than a share of the band?
-    #[inline]
-    pub(super) fn differ(&self, aims: [f64; 2], targets: [f64; 2], share: f64) -> bool {
+    fn differ(&self, aims: [f64; 2], targets: [f64; 2], share: f64) -> bool {
         (0..2).any(|i| (aims[i] - targets[i]).abs() > share * self.keeps[i].width())
     }
 

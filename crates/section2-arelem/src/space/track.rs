@@ -60,6 +60,7 @@ pub(crate) enum Trouble {
 
 impl Node {
     /// The node with these gaps that goes on along `along`, along which they bend by `bends`.
+    #[inline(always)]
     pub(super) fn new(
         pose: Pose,
         gaps: [Gap; 2],
