@@ -136,6 +136,9 @@ pub(crate) fn elsewhere(
             return ((gap.raw < known.raw).then_some(gap), room);
         }
     }
+    if let Some(through) = pierced(tool, surface, side) {
+        return (Some(through), 0.0);
+    }
     let seen = SEEN * if tool.profile.widest() > 0.0 { tool.profile.widest() } else { size };
     let (mut deepest, mut room) = (*known, seen);
     let mut stations = Stations { lower: arc.is_none(), flank: true };
@@ -157,6 +160,42 @@ pub(crate) fn elsewhere(
     }
     ((deepest.raw < known.raw).then_some(deepest), room)
 }
+
+/// Where the axis of the shank goes through a surface with ends: what lies behind its edge has no place of contact of its
+/// own, for there the shank is the deeper the farther out.
+fn pierced(tool: &Tool<'_>, surface: &Surface, side: Side) -> Option<Gap> {
+    if !matches!(surface, Surface::Tabcyl(_) | Surface::Parametric(_)) || !has_side(tool) {
+        return None;
+    }
+    let [_, [wide, joint]] = tool.profile.joints();
+    let at = |z: f64| surface.foot(tool.te + tool.ta * z);
+    let (mut low, mut high) = (joint, tool.profile.height());
+    let before = |foot: &Foot| side.sign() * foot.distance > 0.0;
+    if before(&at(high)) || !before(&at(low)) {
+        return None;
+    }
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (low + high);
+        *(if before(&at(middle)) { &mut low } else { &mut high }) = middle;
+    }
+    let foot = at(high);
+    // Where the axis goes by the edge the side changes and the distance does not vanish.
+    let near = 1e-6 * tool.profile.reach();
+    let raw = -wide.min(tool.profile.top_radius());
+    (foot.distance.abs() <= near && raw < 0.0).then(|| Gap {
+        g: raw,
+        raw,
+        tool_point: tool.te + tool.ta * high,
+        surface_point: foot.point,
+        at: foot.at,
+        normal: foot.normal * side.sign(),
+        segment: None,
+        residual: f64::INFINITY,
+    })
+}
+
+/// Halvings in the search for the place where an axis goes through a surface.
+const HALVINGS: u32 = 40;
 
 /// A distance greater than `above` from the surface within which none of the tool's upper line is beyond the share
 /// `from` of it, nor its top; `None` where that is not seen. No point of a piece is nearer than the middle of its axis
@@ -494,7 +533,8 @@ fn step(here: &At, cap: f64) -> Vec3 {
         let s = aptc_geometry::trig::hypot(p, q);
         let (p, q) = if s > 0.0 { (p / s, q / s) } else { (1.0, 0.0) };
         let (a, b) = (p * g[0] + q * g[1], p * g[1] - q * g[0]);
-        let floor = 1e-6 * top;
+        // Along a flank that lies nearly along a ruling the gap falls evenly, by little, to its end.
+        let floor = 1e-9 * top;
         let (a, b) = (-a / w1.abs().max(floor), -b / w2.abs().max(floor));
         [p * a - q * b, q * a + p * b]
     };

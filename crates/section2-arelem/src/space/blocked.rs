@@ -35,6 +35,17 @@ pub(super) fn cause(track: &Track, node: &Node) -> Cause {
             return Cause::Ends(i);
         }
     }
+    for (i, keep) in track.keeps.iter().enumerate() {
+        for step in STEPS {
+            let te = node.pose.te + node.along * (step * size(keep));
+            let pose = Pose { te, ..node.pose };
+            if let Ok(gap) = keep.gap(&pose, Some(node.gaps[i].spot()))
+                && let (Some(deeper), _) = keep.deeper(&pose, &gap, keep.width())
+            {
+                return Cause::Again(i, deeper.surface_point);
+            }
+        }
+    }
     let left = node.pose.ta.cross(&node.along);
     for (i, keep) in track.keeps.iter().enumerate() {
         if keep.condition == Condition::On || keep.is_plane() {
