@@ -240,7 +240,14 @@ impl Watch {
             }
         }
         let halt = Halt { s, node, side: keep.side, gauge: i, reading, crosses };
-        Ok((!crosses || reading >= -self.loose).then_some(halt))
+        let deep = crosses && (reading < -self.loose || self.pierced(keep, &node)?);
+        Ok((!deep).then_some(halt))
+    }
+
+    /// Does another place of the cutter lie much deeper in the check surface?
+    fn pierced(&self, keep: &Keep, node: &Node) -> Result<bool, Trouble> {
+        let gap = read(keep, node, None)?;
+        Ok(keep.deeper(&node.pose, &gap, self.loose).0.is_some())
     }
 
     /// The same halt on the way of another cut vector from the same node.
