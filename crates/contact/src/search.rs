@@ -16,6 +16,8 @@ const MAX_STEPS: usize = 60;
 /// A normal pair is accepted when the normals differ by less than this sine. The gap is then exact to its
 /// square.
 const FACING: f64 = 1e-10;
+/// The same on a straight line of the cutter: along a ruling the gap falls by so much of its length to the end.
+const FACING_ON_LINE: f64 = 1e-12;
 /// Sine up to which the normals may differ where rounding stops a search.
 const LEVEL: f64 = 1e-7;
 /// Stations around the tool from which a search without a start sets out.
@@ -466,7 +468,8 @@ fn descend(tool: &Tool<'_>, surface: &Surface, side: Side, start: At, back: f64)
     let mut cap = size;
     for _ in 0..MAX_STEPS {
         let slope = here.across.norm();
-        if here.facing > 0.0 && slope <= FACING {
+        let line = matches!(here.segment, Segment::LowerLine | Segment::UpperLine);
+        if here.facing > 0.0 && slope <= if line { FACING_ON_LINE } else { FACING } {
             break;
         }
         let d = step(&here, cap);
