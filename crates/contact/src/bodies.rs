@@ -2,6 +2,8 @@
 
 use aptc_geometry::{Profile, Tool, Vec3, trig};
 
+use crate::under::{Cell, Under};
+
 /// A convex body with its signed distance, negative inside, and a gradient of it.
 pub trait Convex {
     /// A value `d` at `q` and a slope `n`, `|n| <= 1`, such that no point `p` is nearer to the body than
@@ -12,6 +14,12 @@ pub trait Convex {
     fn near_enough(&self, q: Vec3, _enough: f64) -> (f64, Vec3, f64) {
         self.near(q)
     }
+
+    /// Is the body certain to be farther than `reach` from `q`? As fast as can be: a no says nothing.
+    fn misses(&self, q: Vec3, reach: f64) -> bool;
+
+    /// A form of second degree below the distances of all places of a piece, but for [`Convex::slack`], where there is one.
+    fn under(&self, cell: &Cell) -> Option<Under>;
 
     /// By how much distances of points within `radius` of `q` may differ from what `near` says.
     fn slack(&self, _q: Vec3, _radius: f64) -> f64 {
@@ -25,6 +33,31 @@ impl Convex for Tool<'_> {
         let n = Tool::near(self, q);
         (n.distance, n.normal, n.shape.k[0].max(n.shape.k[2]))
     }
+
+    #[inline]
+    fn misses(&self, q: Vec3, reach: f64) -> bool {
+        outside(self, Vec3::zeros(), q, reach)
+    }
+
+    #[inline]
+    fn under(&self, cell: &Cell) -> Option<Under> {
+        Under::of(self, Vec3::zeros(), cell)
+    }
+}
+
+/// Is a place farther than `reach` from a cylinder that holds the tool on its way by `by`?
+#[inline]
+fn outside(tool: &Tool<'_>, by: Vec3, q: Vec3, reach: f64) -> bool {
+    let half = by * 0.5;
+    let w = q - tool.te - half;
+    let z = w.dot(&tool.ta);
+    let up = half.dot(&tool.ta).abs() + reach;
+    let wide = tool.profile.widest() + half.norm() + reach;
+    let square = (w - tool.ta * z).norm_squared();
+    z < tool.profile.bottom() - up
+        || z > tool.profile.height() + up
+        || wide < 0.0
+        || square > wide * wide
 }
 
 /// A tool with everything that it passes on the way by `by`, its axis unchanged.
@@ -101,6 +134,16 @@ impl Convex for Swept<'_> {
         let share = -low.3 / (high.3 - low.3);
         (meet(&low, &high), low.2 * (1.0 - share) + high.2 * share, low.4)
     }
+
+    #[inline]
+    fn misses(&self, q: Vec3, reach: f64) -> bool {
+        outside(&self.tool, self.by, q, reach)
+    }
+
+    #[inline]
+    fn under(&self, cell: &Cell) -> Option<Under> {
+        Under::of(&self.tool, self.by, cell)
+    }
 }
 
 /// A place of the way with value, gradient, slope along the way and bend.
@@ -142,6 +185,14 @@ impl Convex for Turned<'_> {
 
     fn near_enough(&self, q: Vec3, enough: f64) -> (f64, Vec3, f64) {
         self.swept.near_enough(q, enough)
+    }
+
+    fn misses(&self, q: Vec3, reach: f64) -> bool {
+        self.swept.misses(q, reach)
+    }
+
+    fn under(&self, cell: &Cell) -> Option<Under> {
+        self.swept.under(cell)
     }
 
     fn slack(&self, q: Vec3, radius: f64) -> f64 {

@@ -28,6 +28,7 @@ mod patches;
 mod rings;
 mod search;
 mod tangents;
+mod under;
 
 pub use aptc_geometry::{Place, Reason, Tool};
 pub use bodies::{Convex, Swept, Turned};
@@ -38,3 +39,4 @@ pub use gap::{
 };
 pub use guide::{Guide, Reading};
 pub use patches::{Clear, PatchPlace, PatchTree};
+pub use under::{Cell, Under};

@@ -1,9 +1,10 @@
 //! A cutter against sculptured surfaces: is it clear, and how deep is it in?
 //!
-//! A piece of a patch is held by a parallelogram `c +- a +- b` made thicker by `d`: its middle point, half
-//! its derivatives, and what second derivatives can bend it. The distance of a convex cutter is convex, so
-//! its tangent at one place bounds it over the whole piece:
-//! `distance >= sd(c) - |n.a| - |n.b| - d`, and more where the piece bends away. Pieces are halved until the bound decides.
+//! A piece of a patch is its middle point, half its derivatives, what the second derivatives there add, and what third
+//! derivatives can make of it at most. Below the distance of a rounded cutter lies a form of second degree, so that
+//! the bound of a piece gives away terms of third degree only ([`Under`]). Elsewhere the distance of a convex cutter is above
+//! its tangent at one place: `distance >= sd(c) - |n.a| - |n.b| - d` for a parallelogram `c +- a +- b` made thicker by `d`,
+//! and more where the piece bends away. Pieces are halved until the bound decides.
 
 use std::collections::BinaryHeap;
 
@@ -11,6 +12,7 @@ use aptc_geometry::sculpt::{Bends, Patch};
 use aptc_geometry::{Ball, Below, Profile, Sculptured, Vec3, balls, trig};
 
 use crate::bodies::{Convex, Turned};
+use crate::under::Cell;
 
 /// A place of a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,15 +45,26 @@ const HALVINGS: u32 = 14;
 const STRETCHES: u32 = 4000;
 /// Patches in a leaf.
 const LEAF: usize = 4;
+/// Times that a patch is divided beforehand, so that most pieces need no evaluation, and the pieces that may be kept in
+/// all: each time takes four times the memory of the one before.
+const KEPT: usize = 3;
+const MOST: usize = 250_000;
+/// A piece that strays from its parallelogram by no more than this part of the patch is not divided beforehand.
+const FLAT: f64 = 2e-4;
+/// A piece of half widths up to this is held against both bounds.
+const SMALL: f64 = 1.0 / 128.0;
+/// A side that is not shorter than this part of the other is halved with it.
+const SQUARE: f64 = 0.6;
 
 /// Surfaces prepared for questions.
 #[derive(Clone, Debug, Default)]
 pub struct PatchTree {
     leaves: Vec<Leaf>,
     nodes: Vec<Ball>,
+    cells: Vec<Cell>,
 }
 
-/// A patch with bounds of its second derivatives.
+/// A patch with bounds of its derivatives.
 #[derive(Clone, Debug)]
 struct Leaf {
     /// Its number in the surface.
@@ -60,16 +73,18 @@ struct Leaf {
     bends: Bends,
     center: Vec3,
     radius: f64,
-    /// Its middle and those of its quarters, so that most pieces need no evaluation.
-    kept: [Spot; 5],
+    /// Its pieces that are kept, each level rows of as many columns as the parameter u is divided into, the whole first.
+    levels: [Level; KEPT + 1],
+    depth: usize,
 }
 
-/// A point of a patch with the first derivatives there.
-#[derive(Clone, Copy, Debug)]
-struct Spot {
-    point: Vec3,
-    u: Vec3,
-    v: Vec3,
+/// Pieces of one size.
+#[derive(Clone, Copy, Debug, Default)]
+struct Level {
+    /// Where the first of them is.
+    first: usize,
+    /// Into how many parts the parameters are divided.
+    parts: [usize; 2],
 }
 
 /// What a look at a piece tells.
@@ -80,7 +95,7 @@ struct Look {
     bound: f64,
     /// The parameter to halve.
     split: usize,
-    /// No point of it is farther from the middle; of a body without slack 0.
+    /// No point of it is farther from the middle.
     reach: f64,
 }
 
@@ -88,8 +103,8 @@ struct Look {
 #[derive(Clone, Copy, Debug)]
 struct Piece {
     leaf: usize,
-    /// Which of the spots that the leaf keeps is its middle, if one is.
-    kept: Option<u8>,
+    /// Its level and place among the pieces that are kept, if it is one.
+    kept: Option<(usize, usize)>,
     mid: [f64; 2],
     half: [f64; 2],
     /// No point of it is nearer to the body.
@@ -120,12 +135,19 @@ impl Ord for Piece {
 }
 
 impl PatchTree {
-    /// Prepares the patches of a surface. Memory: about 1.3 kB a patch.
+    /// Prepares the patches of a surface. Memory: up to 15 kB a patch, of many 5 kB, of very many 2 kB.
     pub fn new(surface: &Sculptured) -> Self {
         let mut leaves: Vec<Leaf> =
             surface.patches.iter().enumerate().map(|(i, p)| Leaf::new(i, p)).collect();
         let nodes = balls(&mut leaves, LEAF, |l| (l.center, l.radius));
-        Self { leaves, nodes }
+        let mut cells = Vec::new();
+        // A patch divided so often is 1, 5, 21 or 85 pieces.
+        let pieces = |times: usize| leaves.len() * ((1 << (2 * times + 2)) - 1) / 3;
+        let depth = (1..=KEPT).rev().find(|k| pieces(*k) <= MOST).unwrap_or(1);
+        for leaf in &mut leaves {
+            leaf.keep(depth, &mut cells);
+        }
+        Self { leaves, nodes, cells }
     }
 
     /// Number of patches.
@@ -171,7 +193,7 @@ impl PatchTree {
         while let Some(i) = stack.pop() {
             let node = &self.nodes[i];
             let room = node.radius + body.slack(node.center, node.radius);
-            if body.near_enough(node.center, limit + room).0 - room > limit {
+            if body.misses(node.center, limit + room) {
                 continue;
             }
             match node.below {
@@ -179,11 +201,13 @@ impl PatchTree {
                 Below::Things(from, to) => {
                     for (k, leaf) in self.leaves[from..to].iter().enumerate() {
                         let room = leaf.radius + body.slack(leaf.center, leaf.radius);
-                        let near = body.near_enough(leaf.center, limit + room).0;
-                        let bound = near - room;
+                        if body.misses(leaf.center, limit + room) {
+                            continue;
+                        }
+                        let bound = body.near_enough(leaf.center, limit + room).0 - room;
                         if bound <= limit {
                             let (mid, half) = ([0.5; 2], [0.5; 2]);
-                            let kept = Some(0);
+                            let kept = Some((0, leaf.levels[0].first));
                             found.push(Piece { leaf: from + k, kept, mid, half, bound });
                         }
                     }
@@ -207,8 +231,12 @@ impl PatchTree {
         let mut looked = 0;
         while let Some(piece) = stack.pop() {
             looked += 1;
-            let Look { place, bound, split, reach } = self.look(body, &piece, limit);
+            let Look { mut place, bound, split, reach } = self.look(body, &piece, limit);
             let slack = body.slack(place.point, 0.0);
+            if place.distance - slack < limit {
+                // The look tells no more than what the distance is at least.
+                place.distance = body.near(place.point).0;
+            }
             if place.distance + slack < limit {
                 return Clear::No(place);
             }
@@ -224,7 +252,7 @@ impl PatchTree {
             if looked > PIECES {
                 return Clear::Unknown(deepest.unwrap_or(place));
             }
-            piece.parts(split, &mut |p| stack.push(p));
+            self.parts(piece, split, &mut |p| stack.push(p));
         }
         Clear::Yes
     }
@@ -276,16 +304,18 @@ impl PatchTree {
             let aim = best.map_or(f64::INFINITY, |b| b.distance - eps);
             let Look { place, bound, split, .. } = self.look(body, &piece, aim);
             if best.is_none_or(|b| place.distance < b.distance) {
-                // The look may have stopped where the distance was certain to be great enough.
+                // The look tells no more than what the distance is at least.
                 let place = PatchPlace { distance: body.near(place.point).0, ..place };
-                best = Some(self.polish(body, &piece, place));
+                if best.is_none_or(|b| place.distance < b.distance) {
+                    best = Some(self.polish(body, &piece, place));
+                }
             }
             if looked > PIECES {
                 return best.map(|b| (b, false));
             }
             if best.is_none_or(|b| bound < b.distance - eps) {
                 let bound = bound.max(piece.bound);
-                piece.parts(split, &mut |p| heap.push(Piece { bound, ..p }));
+                self.parts(piece, split, &mut |p| heap.push(Piece { bound, ..p }));
             }
         }
         best.map(|b| (b, true))
@@ -303,8 +333,8 @@ impl PatchTree {
                 }
                 Below::Things(from, to) => {
                     let of = |leaf: &Leaf| {
-                        let [whole, ..] = leaf.kept;
-                        body.near(whole.point).0 + body.slack(whole.point, 0.0)
+                        let middle = self.cells[leaf.levels[0].first].point;
+                        body.near(middle).0 + body.slack(middle, 0.0)
                     };
                     return self.leaves[from..to].iter().map(of).min_by(f64::total_cmp);
                 }
@@ -313,45 +343,66 @@ impl PatchTree {
     }
 
     /// The middle of a piece, a bound below all its distances, and the parameter to halve. Below `aim` the
-    /// bound is tried for twice.
+    /// bound is tried for twice where the body is not rounded.
     fn look(&self, body: &impl Convex, piece: &Piece, aim: f64) -> Look {
         let leaf = &self.leaves[piece.leaf];
-        let [u, v] = piece.mid;
-        let Spot { point, u: su, v: sv } = match piece.kept {
-            Some(k) => leaf.kept[usize::from(k)],
-            None => Spot::of(&leaf.patch, u, v),
+        let made;
+        let cell = match piece.kept {
+            Some((_, k)) => &self.cells[k],
+            None => {
+                made = leaf.cell(piece.mid, piece.half);
+                &made
+            }
         };
-        let [hu, hv] = piece.half;
-        let (a, b) = (su * hu, sv * hv);
-        let [muu, muv, mvv] = leaf.bends.most;
-        let (along, across) = (a.norm_squared(), b.norm_squared());
-        let (bu, bv) = (0.5 * hu * hu * muu, 0.5 * hv * hv * mvv);
-        // No point of the piece is farther from its middle.
-        let far = along.sqrt() + across.sqrt() + bu + hu * hv * muv + bv;
-        let unsure = body.slack(point, far);
-        let (distance, n, turn) = body.near_enough(point, aim + far + unsure);
-        let (x, y) = (n.dot(&a), n.dot(&b));
-        let rises = leaf.bends.rises(n, [hu, hv]);
-        let mut bound = distance + lowest([x, y], rises);
-        // A second bound lies below the distance of the middle less what bends: worth it only above the aim.
-        if bound < aim && distance + lowest([0.0; 2], rises) >= aim {
-            // Once more from where the parallelogram comes nearest, by how fast the slope turns: a tangent there
-            // hardly rises or falls over the piece.
-            let to = |x: f64, a: &Vec3| (-x / (turn * a.norm_squared())).clamp(-1.0, 1.0);
-            let (s, t) = (to(x, &a), to(y, &b));
-            let (s, t) = (if s.is_nan() { 0.0 } else { s }, if t.is_nan() { 0.0 } else { t });
-            let w = -(a * s + b * t);
-            let (e, m, _) = body.near(point - w);
-            let slopes = [m.dot(&a), m.dot(&b)];
-            let second = e + m.dot(&w) + lowest(slopes, leaf.bends.rises(m, [hu, hv]));
-            bound = bound.max(second);
+        let reach = cell.far;
+        let unsure = body.slack(cell.point, reach);
+        let aim = aim + unsure;
+        let tangents = || tangents(body, cell, &leaf.bends, piece.half, aim);
+        let (distance, bound) = match body.under(cell) {
+            Some(under) => {
+                let bound = under.over(cell);
+                // What the form gives away shrinks with the piece; what else it does may not.
+                let small = piece.half[0].max(piece.half[1]) <= SMALL;
+                let more = if small && bound < aim { tangents().1 } else { bound };
+                (under.distance(), bound.max(more))
+            }
+            None => tangents(),
+        };
+        let [a, b] = cell.first;
+        let [p, _, r] = cell.second;
+        let split =
+            usize::from(b.norm_squared() + r.norm_squared() > a.norm_squared() + p.norm_squared());
+        let place = PatchPlace { patch: leaf.number, uv: piece.mid, point: cell.point, distance };
+        Look { place, bound: bound - unsure, split, reach }
+    }
+
+    /// The parts of a piece: those that are kept of one that is, else its halves across the parameter `k`.
+    fn parts(&self, piece: Piece, k: usize, put: &mut impl FnMut(Piece)) {
+        let leaf = &self.leaves[piece.leaf];
+        if let Some((level, _)) = piece.kept.filter(|(level, _)| *level < leaf.depth) {
+            let [here, next] = [leaf.levels[level], leaf.levels[level + 1]];
+            let ways = [0, 1].map(|k| next.parts[k] / here.parts[k]);
+            let half = [0, 1].map(|k| piece.half[k] / ways[k] as f64);
+            for j in 0..ways[1] {
+                for i in 0..ways[0] {
+                    let place = |k: usize, i: usize| {
+                        let mid = piece.mid[k] - piece.half[k] + half[k] * (2 * i + 1) as f64;
+                        (mid, next.place(k, mid))
+                    };
+                    let ((u, column), (v, row)) = (place(0, i), place(1, j));
+                    let kept = Some((level + 1, next.first + row * next.parts[0] + column));
+                    put(Piece { kept, mid: [u, v], half, ..piece });
+                }
+            }
+            return;
         }
-        bound -= unsure;
-        // Only a body that is not sure of its distances needs to know how large the piece is.
-        let reach = if unsure > 0.0 { far } else { 0.0 };
-        let split = usize::from(across + bv * bv > along + bu * bu);
-        let place = PatchPlace { patch: leaf.number, uv: [u, v], point, distance };
-        Look { place, bound, split, reach }
+        let half = 0.5 * piece.half[k];
+        for sign in [-1.0, 1.0] {
+            let mut part = Piece { kept: None, ..piece };
+            part.half[k] = half;
+            part.mid[k] += sign * half;
+            put(part);
+        }
     }
 
     /// Downhill from a place within its patch: steepest descent in lengths, halved until it descends.
@@ -388,6 +439,35 @@ impl PatchTree {
     }
 }
 
+/// The distance of the middle of a piece and a bound below all its distances, by a tangent to them at its middle, and where
+/// that does not reach `aim` one at the place of its parallelogram that is nearest.
+fn tangents(
+    body: &impl Convex,
+    cell: &Cell,
+    bends: &Bends,
+    half: [f64; 2],
+    aim: f64,
+) -> (f64, f64) {
+    let [a, b] = cell.first;
+    let (distance, n, turn) = body.near_enough(cell.point, aim + cell.far);
+    let (x, y) = (n.dot(&a), n.dot(&b));
+    let rises = bends.rises(n, half);
+    let bound = distance + lowest([x, y], rises);
+    // A second bound lies below the distance of the middle less what bends: worth it only above the aim.
+    if bound >= aim || distance + lowest([0.0; 2], rises) < aim {
+        return (distance, bound);
+    }
+    // Once more from where the parallelogram comes nearest, by how fast the slope turns: a tangent there
+    // hardly rises or falls over the piece.
+    let to = |x: f64, a: &Vec3| (-x / (turn * a.norm_squared())).clamp(-1.0, 1.0);
+    let (s, t) = (to(x, &a), to(y, &b));
+    let (s, t) = (if s.is_nan() { 0.0 } else { s }, if t.is_nan() { 0.0 } else { t });
+    let w = -(a * s + b * t);
+    let (e, m, _) = body.near(cell.point - w);
+    let slopes = [m.dot(&a), m.dot(&b)];
+    (distance, bound.max(e + m.dot(&w) + lowest(slopes, bends.rises(m, half))))
+}
+
 /// How far a piece may lie below its middle along a vector by which its sides have these slopes and rises: the least of
 /// `slope s + rise s^2 / 2` with s from -1 to 1, of both parameters together; negative or 0.
 #[inline]
@@ -409,49 +489,64 @@ fn between(a: Vec3, b: Vec3, t: f64) -> Vec3 {
     (a * trig::sin(angle * (1.0 - t)) + b * trig::sin(angle * t)) / s
 }
 
-impl Piece {
-    /// The quarters of a whole patch, whose middles are kept; else the halves across the parameter `k`.
-    fn parts(self, k: usize, put: &mut impl FnMut(Self)) {
-        if self.kept == Some(0) {
-            for (i, [su, sv]) in (1..).zip(QUARTERS) {
-                let mid = [0.5 + 0.25 * su, 0.5 + 0.25 * sv];
-                put(Self { kept: Some(i), mid, half: [0.25; 2], ..self });
-            }
-            return;
-        }
-        let half = 0.5 * self.half[k];
-        for sign in [-1.0, 1.0] {
-            let mut part = Self { kept: None, ..self };
-            part.half[k] = half;
-            part.mid[k] += sign * half;
-            put(part);
-        }
-    }
-}
-
-/// The directions of the quarters of a patch from its middle.
-const QUARTERS: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [-1.0, 1.0], [1.0, 1.0]];
-
-impl Spot {
-    fn of(patch: &Patch, u: f64, v: f64) -> Self {
-        let (point, u, v) = patch.tangents(u, v);
-        Self { point, u, v }
-    }
-}
-
 impl Leaf {
     fn new(number: usize, patch: &Patch) -> Self {
         let [lo, hi] = patch.bounds();
         let center = (lo + hi) * 0.5;
         let radius =
             patch.net.iter().flatten().map(|h| (h.xyz() / h.w - center).norm()).fold(0.0, f64::max);
-        let whole = Spot::of(patch, 0.5, 0.5);
-        let mut kept = [whole; 5];
-        for (spot, [su, sv]) in kept.iter_mut().skip(1).zip(QUARTERS) {
-            *spot = Spot::of(patch, 0.5 + 0.25 * su, 0.5 + 0.25 * sv);
-        }
         let bends = Bends::of(patch, center, radius);
-        Self { number, patch: patch.clone(), bends, center, radius, kept }
+        let levels = [Level::default(); KEPT + 1];
+        Self { number, patch: patch.clone(), bends, center, radius, levels, depth: 0 }
+    }
+
+    /// Adds its pieces to those that are kept.
+    fn keep(&mut self, depth: usize, cells: &mut Vec<Cell>) {
+        let mut parts = [1; 2];
+        let mut size = [1.0, 1.0];
+        for level in 0..=depth {
+            let half = parts.map(|n| 0.5 / n as f64);
+            let middle = |k: usize, i: usize| half[k] * (2 * i + 1) as f64;
+            self.levels[level] = Level { first: cells.len(), parts };
+            self.depth = level;
+            for j in 0..parts[1] {
+                cells.extend((0..parts[0]).map(|i| self.cell([middle(0, i), middle(1, j)], half)));
+            }
+            if level == 0 {
+                size = cells[cells.len() - 1].first.map(|d| d.norm());
+            }
+            if self.bends.strays(half) <= FLAT * self.radius {
+                break;
+            }
+            let sides = [0, 1].map(|k| size[k] / parts[k] as f64);
+            for k in 0..2 {
+                if sides[k] >= SQUARE * sides[1 - k] {
+                    parts[k] *= 2;
+                }
+            }
+        }
+    }
+
+    /// A piece by its middle and half widths.
+    fn cell(&self, mid: [f64; 2], half: [f64; 2]) -> Cell {
+        let d = self.patch.at(mid[0], mid[1]);
+        let [hu, hv] = half;
+        let first = [d.u * hu, d.v * hv];
+        let far = first[0].norm() + first[1].norm() + self.bends.strays(half);
+        let second = [d.uu * (0.5 * hu * hu), d.uv * (hu * hv), d.vv * (0.5 * hv * hv)];
+        Cell { point: d.point, first, second, rests: self.bends.rests(half), far }
+    }
+}
+
+impl Level {
+    /// In which part of the parameter `k` a place is.
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "0 to 1 times a few"
+    )]
+    fn place(&self, k: usize, at: f64) -> usize {
+        (at * self.parts[k] as f64) as usize
     }
 }
 

@@ -14,6 +14,7 @@
 
 mod build;
 pub(crate) mod distance;
+mod rounded;
 mod support;
 
 pub use build::{BadCutter, CutterWarning};

@@ -245,7 +245,7 @@ impl Patch {
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::super::arc::weighted;
     use super::*;
     use proptest::prelude::*;

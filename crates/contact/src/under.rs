@@ -1,0 +1,339 @@
+//! Below the distance of a rounded cutter: the square of its distance to a disk is above a form of second degree.
+//!
+//! A tangent plane bounds the distance of a convex cutter from below and gives away how both bend. Where the cutter
+//! is a disk made thicker by its corner radius `r`, `(distance + r)^2` is the squared distance to the disk: with `a`
+//! the way from the axis along a fixed direction and `b` the way across, it is `(rho - e)^2 + z^2` with
+//! `rho = sqrt(a^2 + b^2) >= a + b^2 / (2 rho)`: below it lies a form of second degree. On a piece of a patch that is one in its parameters, but for terms of third degree.
+
+use aptc_geometry::surface::frame_about;
+use aptc_geometry::{Tool, Vec3};
+
+/// A piece of a patch: `point + a s + b t + p s^2 + q s t + r t^2` for s and t from -1 to 1, but for what strays.
+#[derive(Clone, Copy, Debug)]
+pub struct Cell {
+    /// Its middle.
+    pub point: Vec3,
+    /// Half its first derivatives there, [a, b].
+    pub first: [Vec3; 2],
+    /// What its second derivatives add, [p, q, r].
+    pub second: [Vec3; 3],
+    /// No point of it is farther off the sum of all than the first times `s^2` and the second times `t^2`.
+    pub rests: [f64; 2],
+    /// No point of it is farther from its middle.
+    pub far: f64,
+}
+
+/// For all places `q + w` of a piece about `q` the distance is at least `sqrt(f) - radius`, with
+/// `f = value + slope . w + |w|^2 - sum of share (m . w)^2` over the flats `(share, m)` where that is above 0, else 0. What
+/// is taken off is never more than `|w|^2`.
+#[derive(Clone, Copy, Debug)]
+pub struct Under {
+    radius: f64,
+    value: f64,
+    slope: Vec3,
+    flats: [(f64, Vec3); 3],
+    /// How many of the flats there are.
+    count: usize,
+}
+
+/// A sweep whose square is this part of what it would be without flats goes along them.
+const ALONG: f64 = 1e-6;
+/// Rounds in which the nearest place on a way is looked for, and how near to each other, as parts of the way, the last two
+/// are: the bound is lower by the square of what is missing.
+const NEAREST: usize = 5;
+const CLOSE: f64 = 1e-4;
+
+impl Cell {
+    /// No point of it is farther from its middle along the vector, times the vector's length.
+    #[inline]
+    fn extent(&self, v: Vec3) -> f64 {
+        let [a, b] = self.first.map(|d| d.dot(&v).abs());
+        let [p, q, r] = self.second.map(|d| d.dot(&v).abs());
+        a + b + p + q + r + (self.rests[0] + self.rests[1]) * v.norm()
+    }
+}
+
+impl Under {
+    /// For the places of a piece about its middle and a tool that moves by `by`. `None` where it is not rounded there.
+    #[inline]
+    pub fn of(tool: &Tool<'_>, by: Vec3, cell: &Cell) -> Option<Self> {
+        let q = cell.point;
+        let part = |at: Vec3| {
+            let w = q - at;
+            let z = w.dot(&tool.ta);
+            ((w - tool.ta * z).norm(), z)
+        };
+        let (far, high) = (cell.far, cell.extent(tool.ta));
+        let (rho, z) = part(tool.te);
+        if by == Vec3::zeros() {
+            let rounded = tool.profile.is_rounded([rho - far, rho + far], [z - high, z + high]);
+            return rounded.then(|| Self::at(tool, cell, by, [0.0; 2]));
+        }
+        // On the way the height changes evenly, the distance from the axis is greatest at an end.
+        let (rho_on, z_on) = part(tool.te + by);
+        let square = by.norm_squared();
+        let rhos = [0.5 * (rho + rho_on - square.sqrt()) - far, rho.max(rho_on) + far];
+        if !tool.profile.is_rounded(rhos, [z.min(z_on) - high, z.max(z_on) + high]) {
+            return None;
+        }
+        let t = nearest(tool, by, q);
+        let range = [-t, 1.0 - t];
+        Self::at(&tool.at(tool.te + by * t), cell, by, range).swept(by, range, cell)
+    }
+
+    /// For a tool that stands still where it is rounded: the places of a piece, and those moved the other way by the part
+    /// of `by` within `range`.
+    #[inline]
+    fn at(tool: &Tool<'_>, cell: &Cell, by: Vec3, range: [f64; 2]) -> Self {
+        let [e, f] = tool.profile.corner();
+        let radius = tool.profile.corner_radius();
+        let none = (0.0, Vec3::zeros());
+        let w = cell.point - tool.te;
+        if e == 0.0 {
+            let c = w - tool.ta * f;
+            let (value, slope) = (c.norm_squared(), c * 2.0);
+            return Self { radius, value, slope, flats: [none; 3], count: 0 };
+        }
+        let height = w.dot(&tool.ta);
+        let radial = w - tool.ta * height;
+        let (rho, z) = (radial.norm(), height - f);
+        let out = if rho > 0.0 { radial / rho } else { frame_about(tool.ta)[0] };
+        let around = tool.ta.cross(&out);
+        // How far along the radius, and from the axis, the places in question are.
+        let most = range[0].abs().max(range[1]);
+        let reach = cell.extent(out) + most * by.dot(&out).abs();
+        let widest = rho + cell.far + most * by.norm();
+        let off = (rho - e).max(0.0);
+        let (value, slope) = (off * off + z * z, (out * off + tool.ta * z) * 2.0);
+        // With d the way beyond `off` the square of that is at least `off^2 + 2 off d + k d^2`, with k up to 1, or where
+        // places may be below the disk, on which it is 0, to `1 - (1 - off / reach)^2`; and d is at least the way a along
+        // the radius and `b^2 / 2` through the greatest distance from the axis.
+        let part = if off > 0.0 { (off / reach).min(1.0) } else { 0.0 };
+        let k = part * (2.0 - part);
+        let round = (off - k * reach).max(0.0) / widest;
+        Self {
+            radius,
+            value,
+            slope,
+            flats: [(1.0 - k, out), (1.0 - round, around), none],
+            count: 2,
+        }
+    }
+
+    /// The least of the forms for the places of a piece moved the other way by the part of `by` within `range`.
+    #[inline]
+    fn swept(mut self, by: Vec3, range: [f64; 2], cell: &Cell) -> Option<Self> {
+        let hb = self.mapped(by);
+        let (bb, sb) = (by.dot(&hb), self.slope.dot(&by));
+        if bb <= ALONG * by.norm_squared() {
+            return None;
+        }
+        let free = 0.5 * sb / bb;
+        let end = free.clamp(range[0], range[1]);
+        let over = free - end;
+        if over.abs() * bb > cell.extent(hb) {
+            // All places are beyond this end of the way.
+            self.value += end * (end * bb - sb);
+            self.slope -= hb * (2.0 * end);
+            return Some(self);
+        }
+        // Across the way, and beyond its end at least as a tangent says.
+        self.value += bb * (over * over - free * free);
+        self.slope += hb * (2.0 * (over - free));
+        self.flats[self.count] = (1.0 / bb, hb);
+        self.count += 1;
+        Some(self)
+    }
+
+    /// The distance of the middle, or less.
+    #[inline]
+    pub fn distance(&self) -> f64 {
+        self.value.max(0.0).sqrt() - self.radius
+    }
+
+    fn flats(&self) -> &[(f64, Vec3)] {
+        &self.flats[..self.count]
+    }
+
+    /// The form's second part as a vector.
+    #[inline]
+    fn mapped(&self, v: Vec3) -> Vec3 {
+        self.flats().iter().fold(v, |sum, (share, m)| sum - m * (share * m.dot(&v)))
+    }
+
+    /// No point of the piece about the place is nearer.
+    #[inline]
+    pub fn over(&self, cell: &Cell) -> f64 {
+        let [a, b] = &cell.first;
+        let [p, q, r] = &cell.second;
+        // The products of the first derivatives, and those with the second by the powers of the parameters.
+        let (mut aa, mut ab, mut bb) = (a.dot(a), a.dot(b), b.dot(b));
+        let (mut s3, mut s2, mut t2, mut t3) =
+            (a.dot(p), a.dot(q) + b.dot(p), a.dot(r) + b.dot(q), b.dot(r));
+        for (share, m) in self.flats() {
+            let (ma, mb) = (m.dot(a), m.dot(b));
+            let (sa, sb) = (share * ma, share * mb);
+            let (mp, mq, mr) = (m.dot(p), m.dot(q), m.dot(r));
+            aa -= sa * ma;
+            ab -= sa * mb;
+            bb -= sb * mb;
+            s3 -= sa * mp;
+            s2 -= sa * mq + sb * mp;
+            t2 -= sa * mr + sb * mq;
+            t3 -= sb * mr;
+        }
+        // Third powers of parameters up to 1 are less than squares: what they take away is nothing in the middle.
+        let n = &self.slope;
+        let [rest_u, rest_v] = cell.rests.map(|rest| (n.norm() + 2.0 * cell.far) * rest);
+        let second = [
+            aa + n.dot(p) - 2.0 * (s3.abs() + s2.abs()) - rest_u,
+            2.0 * ab + n.dot(q),
+            bb + n.dot(r) - 2.0 * (t2.abs() + t3.abs()) - rest_v,
+        ];
+        let least = self.value + lowest([n.dot(a), n.dot(b)], second);
+        least.max(0.0).sqrt() - self.radius
+    }
+}
+
+/// The part of the way by `by` on which a rounded tool is nearest to `q`, by Newton's method on the square of its distance
+/// to the disk.
+#[inline]
+fn nearest(tool: &Tool<'_>, by: Vec3, q: Vec3) -> f64 {
+    let [e, f] = tool.profile.corner();
+    let w = q - tool.te;
+    let (height, rise) = (w.dot(&tool.ta), by.dot(&tool.ta));
+    let (radial, side) = (w - tool.ta * height, by - tool.ta * rise);
+    let (here, both, on) = (radial.norm_squared(), radial.dot(&side), side.norm_squared());
+    let mut t: f64 = 0.5;
+    for _ in 0..NEAREST {
+        let z = height - f - rise * t;
+        let rho = (here - 2.0 * both * t + on * t * t).max(0.0).sqrt();
+        let (mut slope, mut bend) = (-z * rise, rise * rise);
+        if rho > e {
+            let turn = (on * t - both) / rho;
+            slope += (rho - e) * turn;
+            bend += turn * turn + (rho - e) * (on - turn * turn) / rho;
+        }
+        if bend <= 0.0 {
+            break;
+        }
+        let next = (t - slope / bend).clamp(0.0, 1.0);
+        let near = (next - t).abs() <= CLOSE;
+        t = next;
+        if near {
+            break;
+        }
+    }
+    t
+}
+
+/// At most the least of `x s + y t + a s^2 + b s t + c t^2` with s and t from -1 to 1; the least itself where the form
+/// is convex.
+#[inline]
+fn lowest([x, y]: [f64; 2], [a, b, c]: [f64; 3]) -> f64 {
+    let det = 4.0 * a * c - b * b;
+    if !(a > 0.0 && c > 0.0 && det > 0.0) {
+        let twist = 0.5 * b.abs();
+        return along(x, a - twist) + along(y, c - twist);
+    }
+    let (s, t) = ((b * y - 2.0 * c * x) / det, (b * x - 2.0 * a * y) / det);
+    let (beside, beyond) = (s.abs() > 1.0, t.abs() > 1.0);
+    if !beside && !beyond {
+        return 0.5 * (x * s + y * t);
+    }
+    // On the sides that the lowest place is beyond.
+    let mut least = f64::INFINITY;
+    if beside {
+        let s = 1.0_f64.copysign(s);
+        least = x * s + a + along(y + b * s, c);
+    }
+    if beyond {
+        let t = 1.0_f64.copysign(t);
+        least = least.min(y * t + c + along(x + b * t, a));
+    }
+    least
+}
+
+/// The least of `x s + a s^2` with s from -1 to 1.
+#[inline]
+fn along(x: f64, a: f64) -> f64 {
+    let x = x.abs();
+    if 2.0 * a > x { -0.25 * x * x / a } else { a - x }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use aptc_geometry::{Cutter, Profile};
+    use proptest::prelude::*;
+
+    /// The form itself.
+    fn value(u: &Under, w: Vec3) -> f64 {
+        u.value + u.slope.dot(&w) + w.dot(&u.mapped(w))
+    }
+
+    #[test]
+    fn the_lowest_place_of_a_form() {
+        for k in 0..400 {
+            let f = f64::from(k);
+            let of = |c: f64| aptc_geometry::trig::sin(c * f + c);
+            let (x, y, a, b, c) = (2.0 * of(1.3), 2.0 * of(2.1), of(0.7), of(3.3), of(4.9));
+            let mut least = f64::INFINITY;
+            for i in 0..=100 {
+                for j in 0..=100 {
+                    let (s, t) = (0.02 * f64::from(i) - 1.0, 0.02 * f64::from(j) - 1.0);
+                    least = least.min(x * s + y * t + a * s * s + b * s * t + c * t * t);
+                }
+            }
+            let found = lowest([x, y], [a, b, c]);
+            assert!(found <= least + 1e-12);
+            let convex = a > 0.0 && c > 0.0 && 4.0 * a * c > b * b;
+            assert!(!convex || found > least - 2e-3, "{k}: {found} {least}");
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn no_place_is_nearer_than_the_form_says(
+            r in 0.5_f64..5.0, wide in 0.0_f64..6.0, ball in 0..3_i32, moves in 0..3_i32,
+            lean in prop::array::uniform2(-0.5_f64..0.5), at in prop::array::uniform3(-1.0_f64..1.0),
+            by in prop::array::uniform3(-1.0_f64..1.0), far in 0.01_f64..1.5,
+            sides in prop::array::uniform5(prop::array::uniform3(-1.0_f64..1.0)),
+            off in prop::collection::vec(prop::array::uniform3(-1.0_f64..1.0), 30),
+        ) {
+            let e = if ball == 0 { 0.0 } else { wide };
+            let profile = Profile::new(&Cutter::mill(2.0 * (e + r), r, 60.0)).unwrap();
+            let ta = Vec3::new(lean[0], lean[1], 1.0).normalize();
+            let tool = Tool { profile: &profile, te: Vec3::new(3.0, -2.0, 1.0), ta };
+            let q = tool.te + Vec3::new(at[0] * (e + 2.0 * r), at[1] * (e + 2.0 * r), r * (at[2] - 0.3));
+            let by = Vec3::from(by) * [0.0, 2.0, 8.0][usize::try_from(moves).unwrap()];
+            let [a, b, second @ ..] = sides.map(|d| Vec3::from(d) * (0.2 * far));
+            let rest = 0.1 * far;
+            let size = [a, b].into_iter().chain(second).map(|d| d.norm()).sum::<f64>() + rest;
+            let rests = [0.5 * rest; 2];
+            let cell = Cell { point: q, first: [a, b], second, rests, far: size };
+            let found = Under::of(&tool, by, &cell);
+            prop_assume!(found.is_some());
+            let u = found.unwrap();
+            let distance = |p: Vec3| {
+                let one = |k: i32| tool.at(tool.te + by * (f64::from(k) / 64.0)).distance(p);
+                (0..=64).map(one).fold(f64::INFINITY, f64::min)
+            };
+            prop_assert!(u.distance() <= distance(q) + 1e-9);
+            if by == Vec3::zeros() {
+                prop_assert!(u.distance() >= distance(q) - 1e-9);
+            }
+            // The bound of the whole piece, and the form at its places.
+            let bound = u.over(&cell);
+            for [s, t, x] in off {
+                let bent = second[0] * (s * s) + second[1] * (s * t) + second[2] * (t * t);
+                let w = a * s + b * t + bent + Vec3::new(x, s, t).normalize() * (0.5 * x * rest * (s * s + t * t));
+                prop_assert!(distance(q + w) >= bound - 1e-9);
+                let least = value(&u, w).max(0.0).sqrt() - r;
+                prop_assert!(distance(q + w) >= least - 1e-9, "{} {}", distance(q + w), least);
+                let taken = w.norm_squared() - w.dot(&u.mapped(w));
+                prop_assert!(taken >= -1e-9 && taken <= w.norm_squared() + 1e-9);
+            }
+        }
+    }
+}
