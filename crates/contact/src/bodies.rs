@@ -2,7 +2,7 @@
 
 use aptc_geometry::{Profile, Tool, Vec3, trig};
 
-use crate::under::{Cell, Under};
+use crate::under::{Cell, Low, under};
 
 /// A convex body with its signed distance, negative inside, and a gradient of it.
 pub trait Convex {
@@ -18,8 +18,9 @@ pub trait Convex {
     /// Is the body certain to be farther than `reach` from `q`? As fast as can be: a no says nothing.
     fn misses(&self, q: Vec3, reach: f64) -> bool;
 
-    /// A form of second degree below the distances of all places of a piece, but for [`Convex::slack`], where there is one.
-    fn under(&self, cell: &Cell) -> Option<Under>;
+    /// The distances of a piece, but for [`Convex::slack`], the bound as sharp as need be to reach `aim`; `None` where there
+    /// are only tangents.
+    fn under(&self, cell: &Cell, aim: f64) -> Option<Low>;
 
     /// By how much distances of points within `radius` of `q` may differ from what `near` says.
     fn slack(&self, _q: Vec3, _radius: f64) -> f64 {
@@ -40,8 +41,8 @@ impl Convex for Tool<'_> {
     }
 
     #[inline]
-    fn under(&self, cell: &Cell) -> Option<Under> {
-        Under::of(self, Vec3::zeros(), cell)
+    fn under(&self, cell: &Cell, aim: f64) -> Option<Low> {
+        under(self, Vec3::zeros(), cell, aim)
     }
 }
 
@@ -141,8 +142,8 @@ impl Convex for Swept<'_> {
     }
 
     #[inline]
-    fn under(&self, cell: &Cell) -> Option<Under> {
-        Under::of(&self.tool, self.by, cell)
+    fn under(&self, cell: &Cell, aim: f64) -> Option<Low> {
+        under(&self.tool, self.by, cell, aim)
     }
 }
 
@@ -191,8 +192,8 @@ impl Convex for Turned<'_> {
         self.swept.misses(q, reach)
     }
 
-    fn under(&self, cell: &Cell) -> Option<Under> {
-        self.swept.under(cell)
+    fn under(&self, cell: &Cell, aim: f64) -> Option<Low> {
+        self.swept.under(cell, aim)
     }
 
     fn slack(&self, q: Vec3, radius: f64) -> f64 {

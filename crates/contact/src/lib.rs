@@ -39,4 +39,4 @@ pub use gap::{
 };
 pub use guide::{Guide, Reading};
 pub use patches::{Clear, PatchPlace, PatchTree};
-pub use under::{Cell, Under};
+pub use under::{Cell, Low};

@@ -23,12 +23,11 @@ pub struct Cell {
     pub far: f64,
 }
 
-/// For all places `q + w` of a piece about `q` the distance is at least `sqrt(f) - radius`, with
-/// `f = value + slope . w + |w|^2 - sum of share (m . w)^2` over the flats `(share, m)` where that is above 0, else 0. What
-/// is taken off is never more than `|w|^2`.
+/// For all places `q + w` of a piece about `q` the squared distance to the disk is at least
+/// `value + slope . w + |w|^2 - sum of share (m . w)^2` over the flats `(share, m)`; what is taken off is never more than
+/// `|w|^2`.
 #[derive(Clone, Copy, Debug)]
-pub struct Under {
-    radius: f64,
+struct Under {
     value: f64,
     slope: Vec3,
     flats: [(f64, Vec3); 3],
@@ -39,9 +38,9 @@ pub struct Under {
 /// A sweep whose square is this part of what it would be without flats goes along them.
 const ALONG: f64 = 1e-6;
 /// Rounds in which the nearest place on a way is looked for, and how near to each other, as parts of the way, the last two
-/// are: the bound is lower by the square of what is missing.
+/// are: the last is then off by the square of that, about, and the bound lower by the square of what it is off.
 const NEAREST: usize = 5;
-const CLOSE: f64 = 1e-4;
+const CLOSE: f64 = 1e-2;
 
 impl Cell {
     /// No point of it is farther from its middle along the vector, times the vector's length.
@@ -51,73 +50,121 @@ impl Cell {
         let [p, q, r] = self.second.map(|d| d.dot(&v).abs());
         a + b + p + q + r + (self.rests[0] + self.rests[1]) * v.norm()
     }
+
+    /// At most the least of what the places are along the vector from the middle, times the vector's length.
+    #[inline]
+    fn lowest(&self, v: Vec3) -> f64 {
+        let [a, b] = self.first.map(|d| d.dot(&v).abs());
+        let [p, q, r] = self.second.map(|d| d.dot(&v));
+        p.min(0.0) + r.min(0.0) - a - b - q.abs() - (self.rests[0] + self.rests[1]) * v.norm()
+    }
 }
 
-impl Under {
-    /// For the places of a piece about its middle and a tool that moves by `by`. `None` where it is not rounded there.
-    #[inline]
-    pub fn of(tool: &Tool<'_>, by: Vec3, cell: &Cell) -> Option<Self> {
-        let q = cell.point;
-        let part = |at: Vec3| {
-            let w = q - at;
-            let z = w.dot(&tool.ta);
-            ((w - tool.ta * z).norm(), z)
-        };
-        let (far, high) = (cell.far, cell.extent(tool.ta));
-        let (rho, z) = part(tool.te);
-        if by == Vec3::zeros() {
-            let rounded = tool.profile.is_rounded([rho - far, rho + far], [z - high, z + high]);
-            return rounded.then(|| Self::at(tool, cell, by, [0.0; 2]));
-        }
+/// What is known of the distances of a piece.
+#[derive(Clone, Copy, Debug)]
+pub struct Low {
+    /// That of its middle, or less.
+    pub middle: f64,
+    /// None is less.
+    pub bound: f64,
+    /// Where the bound is, about: s and t, from -1 to 1.
+    pub at: [f64; 2],
+}
+
+/// The distances of a piece from a tool that moves by `by`, the bound as sharp as need be to reach `aim` if it can. `None`
+/// where the tool is not rounded.
+#[inline]
+pub(crate) fn under(tool: &Tool<'_>, by: Vec3, cell: &Cell, aim: f64) -> Option<Low> {
+    let q = cell.point;
+    let part = |at: Vec3| {
+        let w = q - at;
+        let z = w.dot(&tool.ta);
+        ((w - tool.ta * z).norm(), z)
+    };
+    let (rho, z) = part(tool.te);
+    let moves = by != Vec3::zeros();
+    let (mut rhos, mut zs) = ([rho; 2], [z; 2]);
+    if moves {
         // On the way the height changes evenly, the distance from the axis is greatest at an end.
         let (rho_on, z_on) = part(tool.te + by);
-        let square = by.norm_squared();
-        let rhos = [0.5 * (rho + rho_on - square.sqrt()) - far, rho.max(rho_on) + far];
-        if !tool.profile.is_rounded(rhos, [z.min(z_on) - high, z.max(z_on) + high]) {
-            return None;
-        }
-        let t = nearest(tool, by, q);
-        let range = [-t, 1.0 - t];
-        Self::at(&tool.at(tool.te + by * t), cell, by, range).swept(by, range, cell)
+        rhos = [0.5 * (rho + rho_on - by.norm()), rho.max(rho_on)];
+        zs = [z.min(z_on), z.max(z_on)];
     }
+    let rounded = |high: f64| {
+        let [near, far] = [rhos[0] - cell.far, rhos[1] + cell.far];
+        tool.profile.is_rounded([near, far], [zs[0] - high, zs[1] + high])
+    };
+    if !rounded(cell.far) && !rounded(cell.extent(tool.ta)) {
+        return None;
+    }
+    let t = if moves { nearest(tool, by, q) } else { 0.0 };
+    let range = if moves { [-t, 1.0 - t] } else { [0.0; 2] };
+    let start = Start::of(&tool.at(tool.te + by * t), q);
+    let radius = tool.profile.corner_radius();
+    // A tangent is enough for most: the squared distance is convex, on the way too.
+    let along = range.map(|t| t * start.slope.dot(&by));
+    let value = start.value - along[0].max(along[1]).max(0.0);
+    let plane = value + cell.lowest(start.slope);
+    let root = |square: f64| square.max(0.0).sqrt() - radius;
+    let enough = (aim + radius).max(0.0);
+    if plane >= enough * enough {
+        return Some(Low { middle: root(value), bound: root(plane), at: [0.0; 2] });
+    }
+    let form = Under::of(&start, tool, cell, by, range);
+    let form = if moves { form.swept(by, range, cell)? } else { form };
+    let (least, at) = form.over(cell);
+    Some(Low { middle: root(form.value), bound: root(least), at })
+}
 
-    /// For a tool that stands still where it is rounded: the places of a piece, and those moved the other way by the part
-    /// of `by` within `range`.
+/// The squared distance to the disk at a place, and its slope.
+struct Start {
+    value: f64,
+    slope: Vec3,
+    /// Unit direction from the axis.
+    out: Vec3,
+    /// Distance from the axis.
+    rho: f64,
+}
+
+impl Start {
     #[inline]
-    fn at(tool: &Tool<'_>, cell: &Cell, by: Vec3, range: [f64; 2]) -> Self {
+    fn of(tool: &Tool<'_>, q: Vec3) -> Self {
         let [e, f] = tool.profile.corner();
-        let radius = tool.profile.corner_radius();
-        let none = (0.0, Vec3::zeros());
-        let w = cell.point - tool.te;
-        if e == 0.0 {
-            let c = w - tool.ta * f;
-            let (value, slope) = (c.norm_squared(), c * 2.0);
-            return Self { radius, value, slope, flats: [none; 3], count: 0 };
-        }
+        let w = q - tool.te;
         let height = w.dot(&tool.ta);
         let radial = w - tool.ta * height;
         let (rho, z) = (radial.norm(), height - f);
         let out = if rho > 0.0 { radial / rho } else { frame_about(tool.ta)[0] };
-        let around = tool.ta.cross(&out);
+        let off = (rho - e).max(0.0);
+        let slope = (out * off + tool.ta * z) * 2.0;
+        Self { value: off * off + z * z, slope, out, rho }
+    }
+}
+
+impl Under {
+    /// For a tool that stands still where it is rounded: the places of a piece, and those moved the other way by the part
+    /// of `by` within `range`.
+    #[inline]
+    fn of(start: &Start, tool: &Tool<'_>, cell: &Cell, by: Vec3, range: [f64; 2]) -> Self {
+        let [e, _] = tool.profile.corner();
+        let &Start { value, slope, out, rho } = start;
+        let none = (0.0, Vec3::zeros());
+        if e == 0.0 {
+            return Self { value, slope, flats: [none; 3], count: 0 };
+        }
         // How far along the radius, and from the axis, the places in question are.
         let most = range[0].abs().max(range[1]);
         let reach = cell.extent(out) + most * by.dot(&out).abs();
         let widest = rho + cell.far + most * by.norm();
         let off = (rho - e).max(0.0);
-        let (value, slope) = (off * off + z * z, (out * off + tool.ta * z) * 2.0);
         // With d the way beyond `off` the square of that is at least `off^2 + 2 off d + k d^2`, with k up to 1, or where
         // places may be below the disk, on which it is 0, to `1 - (1 - off / reach)^2`; and d is at least the way a along
         // the radius and `b^2 / 2` through the greatest distance from the axis.
         let part = if off > 0.0 { (off / reach).min(1.0) } else { 0.0 };
         let k = part * (2.0 - part);
         let round = (off - k * reach).max(0.0) / widest;
-        Self {
-            radius,
-            value,
-            slope,
-            flats: [(1.0 - k, out), (1.0 - round, around), none],
-            count: 2,
-        }
+        let flats = [(1.0 - k, out), (1.0 - round, tool.ta.cross(&out)), none];
+        Self { value, slope, flats, count: 2 }
     }
 
     /// The least of the forms for the places of a piece moved the other way by the part of `by` within `range`.
@@ -145,12 +192,6 @@ impl Under {
         Some(self)
     }
 
-    /// The distance of the middle, or less.
-    #[inline]
-    pub fn distance(&self) -> f64 {
-        self.value.max(0.0).sqrt() - self.radius
-    }
-
     fn flats(&self) -> &[(f64, Vec3)] {
         &self.flats[..self.count]
     }
@@ -161,9 +202,9 @@ impl Under {
         self.flats().iter().fold(v, |sum, (share, m)| sum - m * (share * m.dot(&v)))
     }
 
-    /// No point of the piece about the place is nearer.
+    /// The least over the piece, and where, about.
     #[inline]
-    pub fn over(&self, cell: &Cell) -> f64 {
+    fn over(&self, cell: &Cell) -> (f64, [f64; 2]) {
         let [a, b] = &cell.first;
         let [p, q, r] = &cell.second;
         // The products of the first derivatives, and those with the second by the powers of the parameters.
@@ -190,8 +231,8 @@ impl Under {
             2.0 * ab + n.dot(q),
             bb + n.dot(r) - 2.0 * (t2.abs() + t3.abs()) - rest_v,
         ];
-        let least = self.value + lowest([n.dot(a), n.dot(b)], second);
-        least.max(0.0).sqrt() - self.radius
+        let (least, at) = lowest([n.dot(a), n.dot(b)], second);
+        (self.value + least, at)
     }
 }
 
@@ -227,38 +268,48 @@ fn nearest(tool: &Tool<'_>, by: Vec3, q: Vec3) -> f64 {
     t
 }
 
-/// At most the least of `x s + y t + a s^2 + b s t + c t^2` with s and t from -1 to 1; the least itself where the form
-/// is convex.
+/// At most the least of `x s + y t + a s^2 + b s t + c t^2` with s and t from -1 to 1, and where, about; the least itself
+/// where the form is convex.
 #[inline]
-fn lowest([x, y]: [f64; 2], [a, b, c]: [f64; 3]) -> f64 {
+fn lowest([x, y]: [f64; 2], [a, b, c]: [f64; 3]) -> (f64, [f64; 2]) {
     let det = 4.0 * a * c - b * b;
     if !(a > 0.0 && c > 0.0 && det > 0.0) {
         let twist = 0.5 * b.abs();
-        return along(x, a - twist) + along(y, c - twist);
+        let ((u, s), (v, t)) = (along(x, a - twist), along(y, c - twist));
+        return (u + v, [s, t]);
     }
     let (s, t) = ((b * y - 2.0 * c * x) / det, (b * x - 2.0 * a * y) / det);
     let (beside, beyond) = (s.abs() > 1.0, t.abs() > 1.0);
     if !beside && !beyond {
-        return 0.5 * (x * s + y * t);
+        return (0.5 * (x * s + y * t), [s, t]);
     }
     // On the sides that the lowest place is beyond.
-    let mut least = f64::INFINITY;
+    let mut least = (f64::INFINITY, [0.0; 2]);
     if beside {
         let s = 1.0_f64.copysign(s);
-        least = x * s + a + along(y + b * s, c);
+        let (v, t) = along(y + b * s, c);
+        least = (x * s + a + v, [s, t]);
     }
     if beyond {
         let t = 1.0_f64.copysign(t);
-        least = least.min(y * t + c + along(x + b * t, a));
+        let (v, s) = along(x + b * t, a);
+        let v = y * t + c + v;
+        if v < least.0 {
+            least = (v, [s, t]);
+        }
     }
     least
 }
 
-/// The least of `x s + a s^2` with s from -1 to 1.
+/// The least of `x s + a s^2` with s from -1 to 1, and where.
 #[inline]
-fn along(x: f64, a: f64) -> f64 {
-    let x = x.abs();
-    if 2.0 * a > x { -0.25 * x * x / a } else { a - x }
+fn along(x: f64, a: f64) -> (f64, f64) {
+    let size = x.abs();
+    if 2.0 * a > size {
+        (-0.25 * x * x / a, -0.5 * x / a)
+    } else {
+        (a - size, -1.0_f64.copysign(x))
+    }
 }
 
 #[cfg(test)]
@@ -266,11 +317,6 @@ mod tests {
     use super::*;
     use aptc_geometry::{Cutter, Profile};
     use proptest::prelude::*;
-
-    /// The form itself.
-    fn value(u: &Under, w: Vec3) -> f64 {
-        u.value + u.slope.dot(&w) + w.dot(&u.mapped(w))
-    }
 
     #[test]
     fn the_lowest_place_of_a_form() {
@@ -285,10 +331,12 @@ mod tests {
                     least = least.min(x * s + y * t + a * s * s + b * s * t + c * t * t);
                 }
             }
-            let found = lowest([x, y], [a, b, c]);
+            let (found, [s, t]) = lowest([x, y], [a, b, c]);
             assert!(found <= least + 1e-12);
             let convex = a > 0.0 && c > 0.0 && 4.0 * a * c > b * b;
             assert!(!convex || found > least - 2e-3, "{k}: {found} {least}");
+            let there = x * s + y * t + a * s * s + b * s * t + c * t * t;
+            assert!(!convex || (there - found).abs() < 1e-12, "{k}: {found} {there}");
         }
     }
 
@@ -312,27 +360,24 @@ mod tests {
             let size = [a, b].into_iter().chain(second).map(|d| d.norm()).sum::<f64>() + rest;
             let rests = [0.5 * rest; 2];
             let cell = Cell { point: q, first: [a, b], second, rests, far: size };
-            let found = Under::of(&tool, by, &cell);
-            prop_assume!(found.is_some());
-            let u = found.unwrap();
+            // As a tangent has it, and as the form.
+            let all = [-1e3, 1e3].map(|aim| under(&tool, by, &cell, aim));
+            prop_assume!(all[0].is_some());
             let distance = |p: Vec3| {
                 let one = |k: i32| tool.at(tool.te + by * (f64::from(k) / 64.0)).distance(p);
                 (0..=64).map(one).fold(f64::INFINITY, f64::min)
             };
-            prop_assert!(u.distance() <= distance(q) + 1e-9);
-            if by == Vec3::zeros() {
-                prop_assert!(u.distance() >= distance(q) - 1e-9);
+            let all: Vec<Low> = all.into_iter().flatten().collect();
+            for low in &all {
+                prop_assert!(low.middle <= distance(q) + 1e-9);
+                prop_assert!(by != Vec3::zeros() || low.middle >= distance(q) - 1e-9);
             }
-            // The bound of the whole piece, and the form at its places.
-            let bound = u.over(&cell);
             for [s, t, x] in off {
                 let bent = second[0] * (s * s) + second[1] * (s * t) + second[2] * (t * t);
                 let w = a * s + b * t + bent + Vec3::new(x, s, t).normalize() * (0.5 * x * rest * (s * s + t * t));
-                prop_assert!(distance(q + w) >= bound - 1e-9);
-                let least = value(&u, w).max(0.0).sqrt() - r;
-                prop_assert!(distance(q + w) >= least - 1e-9, "{} {}", distance(q + w), least);
-                let taken = w.norm_squared() - w.dot(&u.mapped(w));
-                prop_assert!(taken >= -1e-9 && taken <= w.norm_squared() + 1e-9);
+                for low in &all {
+                    prop_assert!(distance(q + w) >= low.bound - 1e-9);
+                }
             }
         }
     }
