@@ -458,10 +458,9 @@ impl Track {
                 (false, true) => &[0.5],
                 (false, false) => &[],
             };
-            for t in places {
-                let g = keep.gap(&between(&from.pose, &to.pose, *t), None)?.g;
-                (low, high) = (low.min(g), high.max(g));
-            }
+            let look = |t: f64| Ok(keep.gap(&between(&from.pose, &to.pose, t), None)?.g);
+            let [least, most] = extremes(places, ends.map(|g| g.g), look)?;
+            (low, high) = (low.min(least), high.max(most));
         }
         let gaps = ends.map(|g| g.g);
         let (fits, ratio) = self.judge(i, gaps, [low, high], c.bow, turning);
@@ -523,6 +522,47 @@ impl Track {
         let other = keep.gap(&from.pose, Some(there.spot())).ok()?;
         ((other.g - here.g).abs() <= BOTH * keep.width()).then_some(other)
     }
+}
+
+/// Least and greatest gap at the ends of a chord and at these shares of it, and between those where a parabola has its own.
+fn extremes(
+    places: &[f64],
+    ends: [f64; 2],
+    look: impl Fn(f64) -> Result<f64, Trouble>,
+) -> Result<[f64; 2], Trouble> {
+    let mut seen = [(1.0, ends[1]); BETWEEN.len() + 2];
+    seen[0] = (0.0, ends[0]);
+    for (place, t) in seen[1..].iter_mut().zip(places) {
+        *place = (*t, look(*t)?);
+    }
+    let seen = &seen[..places.len() + 2];
+    let mut found = [ends[0].min(ends[1]), ends[0].max(ends[1])];
+    for (sign, found) in [1.0, -1.0].into_iter().zip(&mut found) {
+        let lower =
+            |a: &&[(f64, f64)], b: &&[(f64, f64)]| (sign * a[1].1).total_cmp(&(sign * b[1].1));
+        let Some(three) = seen.windows(3).min_by(lower) else { continue };
+        let beyond = |g: f64, than: f64| sign * g < sign * than;
+        if !beyond(three[1].1, *found) {
+            continue;
+        }
+        *found = three[1].1;
+        // One look alone tells too little for another.
+        if places.len() > 1
+            && let Some(t) = vertex(three)
+        {
+            let there = look(t)?;
+            *found = if beyond(there, *found) { there } else { *found };
+        }
+    }
+    Ok(found)
+}
+
+/// Where the parabola through three places turns, when that is between the outer two.
+fn vertex(three: &[(f64, f64)]) -> Option<f64> {
+    let [a, b, c] = three else { return None };
+    let ((x, p), (y, q)) = ((b.0 - a.0, b.1 - a.1), (b.0 - c.0, b.1 - c.1));
+    let t = b.0 - 0.5 * (x * x * q - y * y * p) / (x * q - y * p);
+    (t > a.0 && t < c.0).then_some(t)
 }
 
 /// The next length to try: by the ratio, and from the second trial on by the secant of the ratios, which
