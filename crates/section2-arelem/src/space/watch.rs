@@ -230,24 +230,22 @@ impl Watch {
         let crosses =
             !matches!(self.relation, Relation::Tanto | Relation::Pstan) && !crossing.touch;
         let exact = way.track.exact;
-        let mut reading = read(keep, &node, None)?.g;
-        if crosses && !in_limits(keep, reading, exact) {
+        let mut met = read(keep, &node, None)?;
+        if crosses && !in_limits(keep, met.g, exact) {
             // Drive or part surface is touched elsewhere than on the way there.
             let other = way.to_reading(keep, s, node, 0.0)?;
-            let there = read(keep, &other.1, None)?.g;
-            if in_limits(keep, there, exact) {
-                (s, node, reading) = (other.0, other.1, there);
+            let there = read(keep, &other.1, None)?;
+            if in_limits(keep, there.g, exact) {
+                (s, node, met) = (other.0, other.1, there);
             }
         }
-        let halt = Halt { s, node, side: keep.side, gauge: i, reading, crosses };
-        let deep = crosses && (reading < -self.loose || self.pierced(keep, &node)?);
-        Ok((!deep).then_some(halt))
-    }
-
-    /// Does another place of the cutter lie much deeper in the check surface?
-    fn pierced(&self, keep: &Keep, node: &Node) -> Result<bool, Trouble> {
-        let gap = read(keep, node, None)?;
-        Ok(keep.deeper(&node.pose, &gap, self.loose).0.is_some())
+        // Another place of the cutter may lie much deeper in the check surface.
+        let deeper = || keep.deeper(&node.pose, &met, self.loose).0.is_some();
+        if crosses && (met.g < -self.loose || deeper()) {
+            return Ok(None);
+        }
+        let (side, reading) = (keep.side, met.g);
+        Ok(Some(Halt { s, node, side, gauge: i, reading, crosses }))
     }
 
     /// The same halt on the way of another cut vector from the same node.
