@@ -6,7 +6,7 @@ use aptc_cldata::{Controlled, Position, Relation};
 use aptc_geometry::surface::QuadricSurface;
 use aptc_geometry::{Form, Plane, Profile, Quadric, Vec3, trig};
 
-use crate::bound::Bound;
+use crate::bound::{Bound, Touch};
 use crate::curved::{Curved, Warm};
 use crate::hollow::Hollow;
 use crate::inside::{self, Walls};
@@ -18,7 +18,15 @@ use crate::solid::Solid;
 use crate::tool::{Pose, Tool};
 
 /// Stretches of a vector that wait, from, to and how often halved: never more than one a halving.
-type Stack = Pile<(f64, f64, u32), 32>;
+type Stack = Pile<(Stop, Stop, u32), 32>;
+
+/// A place of a vector: its share of the way, the tool there, and what serves both stretches that meet there.
+#[derive(Clone, Copy, Debug)]
+struct Stop {
+    t: f64,
+    pose: Pose,
+    touch: Option<Touch>,
+}
 
 /// What is asked of the gap to a surface.
 #[derive(Clone, Debug)]
@@ -132,17 +140,21 @@ impl Demand {
             Body::Unknown => return Verdict::Undecided { at_most: f64::INFINITY, te: a.te },
         };
         let (least, most) = (self.least - pad, self.most + pad);
-        let pose = |t: f64| between(a, b, t);
+        let turns = angle(a.ta, b.ta) > NO_TURN;
+        let stop = |t: f64| {
+            let pose = between(a, b, t);
+            let touch = if turns { self.touch(&tool, &pose, convex) } else { None };
+            Stop { t, pose, touch }
+        };
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
         let mut open: (f64, Vec3) = (0.0, a.te);
         let mut worst: Option<(f64, f64, Vec3)> = None;
         let mut stack = Stack::new();
-        stack.push((0.0, 1.0, 0));
+        stack.push((stop(0.0), stop(1.0), 0));
         let mut seen = 0;
-        while let Some((t0, t1, depth)) = stack.pop() {
+        while let Some((from, to, depth)) = stack.pop() {
             seen += 1;
-            let (p, q) = (pose(t0), pose(t1));
-            let bound = self.bound(&tool, &p, &q, convex);
+            let bound = self.bound(&tool, &from, &to, convex);
             let excess = (least - bound.low).max(bound.high - most);
             if excess <= 0.0 {
                 (low, high) = (low.min(bound.low), high.max(bound.high));
@@ -151,7 +163,7 @@ impl Demand {
             let (deep, far) = (bound.least < least, bound.high > most);
             let suspects = [deep.then_some(bound.low_at), far.then_some(bound.high_at)];
             for t in suspects.into_iter().flatten() {
-                let place = between_poses(&p, &q, t);
+                let place = between_poses(&from.pose, &to.pose, t);
                 let gap = self.gap(&tool, &place, convex);
                 let depth = (least - gap).max(gap - most);
                 if depth > worst.map_or(0.0, |w| w.0) {
@@ -163,12 +175,12 @@ impl Demand {
             }
             if depth >= DEPTH || seen > MOST {
                 if excess > open.0 {
-                    open = (excess, p.te);
+                    open = (excess, from.pose.te);
                 }
             } else {
-                let m = 0.5 * (t0 + t1);
-                stack.push((m, t1, depth + 1));
-                stack.push((t0, m, depth + 1));
+                let middle = stop(0.5 * (from.t + to.t));
+                stack.push((middle, to, depth + 1));
+                stack.push((from, middle, depth + 1));
             }
         }
         match worst {
@@ -211,22 +223,49 @@ impl Demand {
         }
     }
 
-    fn bound(&self, tool: &Tool<'_>, p: &Pose, q: &Pose, convex: Convex<'_>) -> Bound {
-        let turn = angle(p.ta, q.ta);
+    /// What is known at one end of a stretch whatever its other end is: not inside of what is open, where that says which
+    /// directions count.
+    fn touch(&self, tool: &Tool<'_>, pose: &Pose, convex: Convex<'_>) -> Option<Touch> {
         match convex {
-            Convex::Solid(solid) if self.within => within(tool, [p, q], solid, self.open, turn),
-            Convex::Solid(solid) if turn <= 1e-15 => outside::bound(tool, p, q, solid),
-            Convex::Solid(solid) => outside::bound_turning(tool, p, q, solid, turn),
-            Convex::Hollow(hollow) => within(tool, [p, q], hollow, true, turn),
+            Convex::Solid(solid) if self.within && !self.open => {
+                let (low, high, m) = inside::gap(tool, pose, solid, false);
+                Some(Touch { low, high, m, p: pose.te })
+            }
+            Convex::Solid(solid) if !self.within => Some(outside::touch(tool, pose, solid)),
+            Convex::Solid(_) | Convex::Hollow(_) => None,
+        }
+    }
+
+    fn bound(&self, tool: &Tool<'_>, from: &Stop, to: &Stop, convex: Convex<'_>) -> Bound {
+        let (p, q) = (&from.pose, &to.pose);
+        let turn = angle(p.ta, q.ta);
+        let ends = [from.touch, to.touch];
+        match convex {
+            Convex::Solid(solid) if self.within => {
+                within(tool, [p, q], solid, self.open, turn, ends)
+            }
+            Convex::Solid(solid) if turn <= NO_TURN => outside::bound(tool, p, q, solid),
+            Convex::Solid(solid) => outside::bound_turning(tool, [p, q], solid, turn, ends),
+            Convex::Hollow(hollow) => within(tool, [p, q], hollow, true, turn, ends),
         }
     }
 }
 
-fn within(tool: &Tool<'_>, [p, q]: [&Pose; 2], walls: &impl Walls, open: bool, turn: f64) -> Bound {
-    if turn <= 1e-15 {
+/// Angle between two axes that counts as none.
+const NO_TURN: f64 = 1e-15;
+
+fn within(
+    tool: &Tool<'_>,
+    [p, q]: [&Pose; 2],
+    walls: &impl Walls,
+    open: bool,
+    turn: f64,
+    ends: [Option<Touch>; 2],
+) -> Bound {
+    if turn <= NO_TURN {
         inside::bound(tool, p, q, walls, open)
     } else {
-        inside::bound_turning(tool, p, q, walls, open, turn)
+        inside::bound_turning(tool, [p, q], walls, open, turn, ends)
     }
 }
 

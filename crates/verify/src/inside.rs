@@ -7,9 +7,9 @@
 //! A hollow that is open along the tool axis `ta` has the tangent planes of the solid whose m does not look
 //! up the axis: all of the above holds with these m alone.
 
-use aptc_geometry::{Vec3, trig};
+use aptc_geometry::{Vec2, Vec3, trig};
 
-use crate::bound::{Bound, CLOSE};
+use crate::bound::{Bound, CLOSE, Touch};
 use crate::demand::{bulge, parabola};
 use crate::pile::Pile;
 use crate::solid::{Solid, any_across};
@@ -115,45 +115,50 @@ fn around(
         Solid::Nappe(q, t, cos, sin) => (*q, -*sin * *t, *cos, 0.0),
         Solid::Half(_) | Solid::Ball(..) => (Vec3::zeros(), Vec3::zeros(), 1.0, 0.0),
     };
-    let normal = |angle: f64| {
-        let (s, c) = trig::sin_cos(angle);
-        flat * (c * e1 + s * e2) + tilt
-    };
+    let normal = |to: Vec2| flat * (to.x * e1 + to.y * e2) + tilt;
     let from_axis = |m: Vec3| tool.height(pose, m) - m.dot(&origin);
     let w = pose.te - origin;
     let Some((from, turn)) = allowed(flat * e1, flat * e2, tilt, pose.ta, up) else {
         return (f64::INFINITY, f64::INFINITY, -pose.ta);
     };
+    let whole = turn >= std::f64::consts::TAU;
     let kept = from_axis(-tilt).max(0.0);
-    let lifted = |angle: f64| from_axis(normal(angle)) + kept;
-    let close = 1e-13 * (flat * ((w - w.dot(&axis) * axis).norm() + tool.reach()));
+    let lifted = |to: Vec2| from_axis(normal(to)) + kept;
+    let off = Vec2::new(w.dot(&e1), w.dot(&e2));
+    let close = 1e-13 * (flat * (off.norm() + tool.reach()));
     // Of a tool along the axis the same edge looks in every direction: it is farthest out where the tool is off the axis.
-    let off = trig::atan2(w.dot(&e2), w.dot(&e1));
+    let off = off.try_normalize(0.0).unwrap_or(Vec2::x());
     let out = lifted(off);
     let cap = out + 2.0 * axis.cross(&pose.ta).norm() * tool.reach();
-    if cap <= out + close && turn >= std::f64::consts::TAU {
+    if cap <= out + close && whole {
         return (radius + kept - cap, radius + kept - out, normal(off));
     }
-    let step = turn / f64::from(SECTORS);
+    let border = |i: u32| {
+        let angle = from + f64::from(i) * (turn / f64::from(SECTORS));
+        let (s, c) = trig::sin_cos(angle);
+        Vec2::new(c, s)
+    };
+    let quarter = |i: u32| [Vec2::x(), Vec2::y(), -Vec2::x(), -Vec2::y()][i as usize % 4];
+    let border = |i: u32| if whole { quarter(i) } else { border(i) };
     let mut stack = Pile::<_, 72>::new();
-    let (mut a, mut ha) = (from, lifted(from));
-    let (mut best, mut best_angle) = (ha, from);
+    let mut a = border(0);
+    let mut ha = lifted(a);
+    let (mut best, mut best_to) = (ha, a);
     for i in 1..=SECTORS {
-        let b = from + f64::from(i) * step;
+        let b = border(i);
         let hb = lifted(b);
         if hb > best {
-            (best, best_angle) = (hb, b);
+            (best, best_to) = (hb, b);
         }
         stack.push((a, ha, b, hb, 0));
         (a, ha) = (b, hb);
     }
     let (mut top, mut seen) = (best, 0);
     while let Some((a, ha, b, hb, depth)) = stack.pop() {
-        let (s, c) = trig::sin_cos(b - a);
-        let half = trig::sin(0.5 * (b - a));
-        let bend = 2.0 * half * half;
-        // How steeply the sinusoid begins and ends.
-        let (rise, fall) = ((hb - ha + ha * bend) / s, (ha - hb * c) / s);
+        let s = a.perp(&b);
+        let bend = 0.5 * (b - a).norm_squared();
+        // How steeply the sinusoid begins and ends; its crest lies in the direction `fall a + rise b`.
+        let (rise, fall) = ((hb - ha + ha * bend) / s, (ha - hb + hb * bend) / s);
         let crests = rise > 0.0 && fall > 0.0;
         if !crests {
             continue;
@@ -164,16 +169,16 @@ fn around(
             top = top.max(most);
             continue;
         }
-        let crest = trig::atan2(rise, ha) / (b - a);
-        let m = a + (b - a) * crest.clamp(0.1, 0.9);
+        let share = (rise / (rise + fall)).clamp(0.1, 0.9);
+        let m = (a + (b - a) * share).normalize();
         let hm = lifted(m);
         if hm > best {
-            (best, best_angle) = (hm, m);
+            (best, best_to) = (hm, m);
         }
         stack.push((a, ha, m, hm, depth + 1));
         stack.push((m, hm, b, hb, depth + 1));
     }
-    (radius + kept - top.min(cap).max(best), radius + kept - best, normal(best_angle))
+    (radius + kept - top.min(cap).max(best), radius + kept - best, normal(best_to))
 }
 
 /// The angles at which `c e1 + s e2 + tilt` does not look up the axis by more than `up`: the first and how
@@ -252,18 +257,23 @@ pub(crate) fn bound(tool: &Tool<'_>, a: &Pose, b: &Pose, solid: &impl Walls, ope
 
 /// Bounds along the vector from `a` to `b` when the axis turns by `turn`. From below each direction has its own
 /// straight line but for what the tool rises while it turns, which is no more than for the direction that looks most along
-/// the axis. From above the depth of a point is concave along the chord of its way.
+/// the axis. From above the depth of a point is concave along the chord of its way. `ends` is what is known at both
+/// ends of all directions.
 pub(crate) fn bound_turning(
     tool: &Tool<'_>,
-    a: &Pose,
-    b: &Pose,
+    [a, b]: [&Pose; 2],
     solid: &impl Walls,
     open: bool,
     turn: f64,
+    ends: [Option<Touch>; 2],
 ) -> Bound {
     // What does not look up the axis on the way looks up it at either end by no more than its turn.
     let up = open.then(|| (a.ta - b.ta).norm());
-    let (first, last) = (solid.nearest(tool, a, up), solid.nearest(tool, b, up));
+    let at = |pose: &Pose, known: Option<Touch>| match known.filter(|_| !open) {
+        Some(Touch { low, high, m, .. }) => (low, high, m),
+        None => solid.nearest(tool, pose, up),
+    };
+    let (first, last) = (at(a, ends[0]), at(b, ends[1]));
     let steep = solid.steepest(a.ta).max(solid.steepest(b.ta));
     let lever = (tool.widest() + steep * tool.tallest()).min(tool.reach());
     let low = -parabola(-first.0, -last.0, rise(lever, turn * tool.reach(), turn));
@@ -333,7 +343,7 @@ mod tests {
                 let a = Pose { te: Vec3::new(x, 0.5, -20.0), ta: up(0.01 * x) };
                 let b = Pose { te: Vec3::new(x + 0.6, 0.3, -20.4), ta: up(0.01 * x + 0.02) };
                 let turn = (a.ta.cross(&b.ta)).norm();
-                let bound = bound_turning(&tool, &a, &b, &solid, true, turn);
+                let bound = bound_turning(&tool, [&a, &b], &solid, true, turn, [None; 2]);
                 for i in 0..=20 {
                     let t = f64::from(i) / 20.0;
                     let ta = (a.ta + t * (b.ta - a.ta)).normalize();

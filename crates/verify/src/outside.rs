@@ -9,7 +9,7 @@
 
 use aptc_geometry::Vec3;
 
-use crate::bound::Bound;
+use crate::bound::{Bound, Touch};
 use crate::demand::{angle, bulge, parabola};
 use crate::solid::{Solid, unit_or};
 use crate::tool::{Pose, Tool, carry, turned};
@@ -21,12 +21,17 @@ const SQUARE: f64 = 1e-8;
 
 /// Gap at a position: its value up to rounding, from above, and the direction that proves it.
 pub(crate) fn gap(tool: &Tool<'_>, pose: &Pose, solid: &Solid) -> (f64, Vec3) {
-    let (gap, d, _) = touch(tool, pose, solid);
-    (gap, d)
+    let Touch { low, m, .. } = touch(tool, pose, solid);
+    (low, m)
 }
 
-/// The gap, the direction that proves it and the point of the tool that has it.
-fn touch(tool: &Tool<'_>, pose: &Pose, solid: &Solid) -> (f64, Vec3, Vec3) {
+/// The same with the point of the tool that has it.
+pub(crate) fn touch(tool: &Tool<'_>, pose: &Pose, solid: &Solid) -> Touch {
+    let (gap, m, p) = nearest(tool, pose, solid);
+    Touch { low: gap, high: gap, m, p }
+}
+
+fn nearest(tool: &Tool<'_>, pose: &Pose, solid: &Solid) -> (f64, Vec3, Vec3) {
     // Of a tool that has `c` at the distance `d` in the direction `n` the point next to it.
     let next = |c: Vec3, d: f64, n: Vec3| c - n * d;
     match solid {
@@ -225,30 +230,31 @@ fn turning(tool: &Tool<'_>, a: &Pose, b: &Pose, solid: &Solid, d: [Vec3; 2], the
 }
 
 /// Bounds along the vector from `a` to `b` when the axis turns by `turn`: each point fixed in the tool keeps to
-/// the chord of its way but for its bulge, which vanishes at the ends.
+/// the chord of its way but for its bulge, which vanishes at the ends. `ends` is what is known at both ends.
 pub(crate) fn bound_turning(
     tool: &Tool<'_>,
-    a: &Pose,
-    b: &Pose,
+    [a, b]: [&Pose; 2],
     solid: &Solid,
     turn: f64,
+    ends: [Option<Touch>; 2],
 ) -> Bound {
-    let (first, last) = (touch(tool, a, solid), touch(tool, b, solid));
+    let at = |pose: &Pose, known: Option<Touch>| known.unwrap_or_else(|| touch(tool, pose, solid));
+    let (first, last) = (at(a, ends[0]), at(b, ends[1]));
     let hull = |d: Vec3| -tool.height_turning(a, b, -d, turn) - solid.support(d);
     let mut low = f64::NEG_INFINITY;
-    let middle = first.1 + last.1;
-    for d in [first.1, last.1, solid.bounded_direction(middle)] {
+    let middle = first.m + last.m;
+    for d in [first.m, last.m, solid.bounded_direction(middle)] {
         low = low.max(hull(d));
     }
-    low = low.max(turning(tool, a, b, solid, [first.1, last.1], turn));
+    low = low.max(turning(tool, a, b, solid, [first.m, last.m], turn));
     // The distance is convex along the chord.
     let carried = |from: &Pose, to: &Pose, p: Vec3| {
         let ends = [solid.distance(p), solid.distance(carry(from, to, p))];
         parabola(ends[0], ends[1], bulge((p - from.te).norm(), turn))
     };
-    let high = carried(a, b, first.2).min(carried(b, a, last.2));
-    let (least, low_at) = if first.0 <= last.0 { (first.0, 0.0) } else { (last.0, 1.0) };
-    let high_at = if first.0 >= last.0 { 0.0 } else { 1.0 };
+    let high = carried(a, b, first.p).min(carried(b, a, last.p));
+    let (least, low_at) = if first.low <= last.low { (first.low, 0.0) } else { (last.low, 1.0) };
+    let high_at = if first.low >= last.low { 0.0 } else { 1.0 };
     Bound { low, high, low_at, high_at, least }
 }
 
