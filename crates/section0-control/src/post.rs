@@ -116,10 +116,11 @@ impl PartHead {
                 format!("no MACHIN statement; posted for {}", default.title),
             ),
         };
-        let alike = |name: &&String| {
-            self.unknown.as_ref().is_some_and(|(u, _)| u.get(..3) == name.get(..3))
+        let alike = |(unknown, _): &(SmolStr, Span)| {
+            let mut names = aptc_post::machines().flat_map(|m| &m.machin);
+            names.find(|name| unknown.get(..3) == name.get(..3))
         };
-        let near = aptc_post::machines().flat_map(|m| &m.machin).find(alike);
+        let near = self.unknown.as_ref().and_then(alike);
         let near = near.map_or(String::new(), |name| format!("did you mean MACHIN/{name}? "));
         let help = format!("{near}choose a machine with --machine; `aptc machines` lists them");
         diagnostics.push(Diagnostic::note_at(codes::MACHINE_ASSUMED, span, message).help(help));
