@@ -12,6 +12,8 @@ const MAX_STEPS: usize = 60;
 const SINGLE: usize = 5;
 /// Share of the cutter's radius by which two places of contact lie apart.
 const ANOTHER: f64 = 0.1;
+/// Greatest change of the normal along a chord, as a vector, on which the contact goes round the cutter.
+const MOST_ROUND: f64 = 0.7;
 /// Share of a chord at which it is seen what touches once the axis turns.
 const BESIDE: f64 = 1e-3;
 /// Greatest number of pieces into which a chord over a surface of mixed curvature is cut.
@@ -202,16 +204,33 @@ impl Run<'_, '_> {
         Ok([end(a, 1.0)?, end(b, -1.0)?])
     }
 
-    /// The middle of a piece; where its ends touch at different places, the deeper of both.
-    fn between(&self, a: &Place, b: &Place) -> Result<Place, Reason> {
-        let t = 0.5 * (a.t + b.t);
-        let m = self.place(t, Some(a.gap.spot()))?;
-        let apart = (a.gap.tool_point - b.gap.tool_point - self.v * (a.t - b.t)).norm();
-        if apart <= ANOTHER * self.tool.profile.widest() {
+    /// A place of a piece; where its ends touch at different places, the deeper of both.
+    fn between(&self, a: &Place, b: &Place, t: f64) -> Result<Place, Reason> {
+        let [near, far] = if t - a.t <= b.t - t { [a, b] } else { [b, a] };
+        let m = self.place(t, Some(near.gap.spot()))?;
+        if self.apart(a, b) <= ANOTHER * self.tool.profile.widest() || self.closed() {
             return Ok(m);
         }
-        let other = self.place(t, Some(b.gap.spot()))?;
+        let other = self.place(t, Some(far.gap.spot()))?;
         Ok(if other.gap.g < m.gap.g { other } else { m })
+    }
+
+    /// How far the places of the cutter are from one another that touch at two places of the chord.
+    fn apart(&self, a: &Place, b: &Place) -> f64 {
+        (a.gap.tool_point - b.gap.tool_point - self.v * (a.t - b.t)).norm()
+    }
+
+    /// Does the contact go round the cutter as the surface turns, and not from one place to another?
+    fn goes_round(&self, a: &Place, b: &Place) -> bool {
+        let widest = self.tool.profile.widest();
+        let turned = (a.gap.normal - b.gap.normal).norm();
+        turned <= MOST_ROUND && self.apart(a, b) <= (ANOTHER + 2.0 * turned) * widest
+    }
+
+    /// Is the contact found without a search, so that it does not matter where one would begin?
+    fn closed(&self) -> bool {
+        use Surface::{Cone, Cylinder, Plane, Sphere};
+        matches!(self.surface, Plane(_) | Sphere(_) | Cylinder(_) | Cone(_))
     }
 
     /// The extreme value of a convex or concave gap; see [`dip`].
@@ -228,8 +247,7 @@ impl Run<'_, '_> {
         let rises = b.slope > a.slope;
         let sign = if rises { 1.0 } else { -1.0 };
         let [sa, sb] = [sign * a.slope, sign * b.slope];
-        let apart = (a.gap.tool_point - b.gap.tool_point - self.v * (a.t - b.t)).norm();
-        if sa >= 0.0 || sb <= 0.0 || apart > ANOTHER * self.tool.profile.widest() {
+        if sa >= 0.0 || sb <= 0.0 || !self.goes_round(&a, &b) {
             return Ok(None);
         }
         let (value, slope) = (|p: &Place| sign * p.gap.g, |p: &Place| sign * p.slope);
@@ -238,8 +256,7 @@ impl Run<'_, '_> {
         let mut t = cubic_minimum(&a.sample(), &b.sample(), sa, sb, value(&a), value(&b));
         let foretold = cubic_at(&a, &b, t);
         for round in 0..SINGLE {
-            let near = if t - low.t < high.t - t { &low } else { &high };
-            let at = self.place(t, Some(near.gap.spot()))?;
+            let at = self.between(&low, &high, t)?;
             let s = slope(&at);
             let strange = round == 0 && (at.gap.g - foretold).abs() > 0.05 * depth;
             if strange || s <= slope(&low) || s >= slope(&high) {
@@ -288,7 +305,7 @@ impl Run<'_, '_> {
         let mut pieces = 0;
         while let Some((a, b)) = todo.pop() {
             pieces += 1;
-            let m = self.between(&a, &b)?;
+            let m = self.between(&a, &b, 0.5 * (a.t + b.t))?;
             if m.gap.g < low.g {
                 low = at(&m);
             }

@@ -444,7 +444,7 @@ impl Track {
             keep.side,
             keep.thick,
             Some([*ends[0], *ends[1]]),
-            RESOLUTION * keep.width(),
+            if turning { 0.1 * AIM_TURNING } else { RESOLUTION } * keep.width(),
         )?;
         let (mut low, mut high) = (c.low.g, c.high.g);
         if keep.condition == Condition::Touch && turning || keep.is_mixed() {
