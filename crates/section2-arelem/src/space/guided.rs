@@ -8,7 +8,7 @@ use aptc_geometry::Vec3;
 
 use super::keep::{Keep, Pose};
 use super::stride::{Fit, RESOLUTION, Stride, Trials};
-use super::track::{Node, Track, Trouble, solve_normals};
+use super::track::{Node, Onset, Track, Trouble, curl, solve_normals};
 use crate::axis::AxisRule;
 
 /// Rounds of Newton's method; two are usual.
@@ -30,16 +30,33 @@ pub(super) fn guides(keeps: &[Keep; 2], axis: &AxisRule, pose: &Pose) -> Option<
 pub(super) struct Guided<'a> {
     pub(super) track: &'a Track,
     pub(super) guides: &'a [Guide; 2],
+    pub(super) from: &'a Place,
 }
 
-/// The end of a trial.
+/// A place on the track as guides read it.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Place {
-    te: Vec3,
-    gaps: [f64; 2],
+pub(crate) struct Place {
+    onset: Onset,
     normals: [Vec3; 2],
-    along: Vec3,
-    bends: [f64; 2],
+}
+
+impl Place {
+    #[inline(always)]
+    pub(super) fn of(node: &Node) -> Self {
+        Self { onset: node.onset(), normals: [node.gaps[0].normal, node.gaps[1].normal] }
+    }
+
+    /// The tool end.
+    #[inline]
+    pub(crate) fn te(&self) -> Vec3 {
+        self.onset.te
+    }
+
+    /// Unit direction of motion.
+    #[inline]
+    pub(crate) fn along(&self) -> Vec3 {
+        self.onset.along
+    }
 }
 
 impl Trials for Guided<'_> {
@@ -47,33 +64,37 @@ impl Trials for Guided<'_> {
     const FINAL: bool = false;
 
     #[inline(always)]
+    fn onset(&self) -> Onset {
+        self.from.onset
+    }
+
+    #[inline(always)]
     fn reach(
         &self,
-        from: &Node,
         s: f64,
         usual: f64,
         bends: Option<[f64; 2]>,
         _: Option<&Stride<Place>>,
     ) -> Result<Stride<Place>, Trouble> {
-        let track = self.track;
+        let (track, from) = (self.track, &self.from.onset);
         let targets = track.aims(from, bends.unwrap_or(from.bends), usual);
         let (step, across) = from.ahead(s);
-        let start = from.pose.te + step;
-        let to = self.settle(from, start, start, across, targets)?;
-        let (to, targets) = match track.other_aims(from, bends, to.bends, usual, targets) {
-            Some(aims) => (self.settle(from, start, to.te, across, aims)?, aims),
+        let start = from.te + step;
+        let to = self.settle(start, start, across, targets)?;
+        let (to, targets) = match track.other_aims(from, bends, to.onset.bends, usual, targets) {
+            Some(aims) => (self.settle(start, to.onset.te, across, aims)?, aims),
             None => (to, targets),
         };
-        if (to.te - from.pose.te).norm() > track.farthest(s) {
+        if (to.onset.te - from.te).norm() > track.farthest(s) {
             return Err(Trouble::Stuck);
         }
         Ok(Stride { length: s, to, targets })
     }
 
     #[inline(always)]
-    fn fit(&self, from: &Node, to: &Place) -> Result<Fit, Trouble> {
-        let track = self.track;
-        let v = to.te - from.pose.te;
+    fn fit(&self, to: &Place) -> Result<Fit, Trouble> {
+        let (track, from) = (self.track, &self.from.onset);
+        let v = to.onset.te - from.te;
         let mut all = Fit { fits: true, ratio: f64::INFINITY, bends: [0.0; 2] };
         if v.dot(&from.along) <= 0.0 && from.curl.norm() <= 0.0 {
             return Ok(Fit { fits: false, ratio: 0.5, ..all });
@@ -83,13 +104,13 @@ impl Trials for Guided<'_> {
             if keep.is_plane() {
                 continue;
             }
-            let (here, there) = (&from.gaps[i], to.gaps[i]);
-            let slopes = [here.normal.dot(&v), to.normals[i].dot(&v)];
-            let ends = [[here.g, slopes[0]], [there, slopes[1]]];
-            let chord = guide.chord(from.pose.te, v, ends, RESOLUTION * keep.width());
+            let (here, there) = (from.gaps[i], to.onset.gaps[i]);
+            let slopes = [self.from.normals[i].dot(&v), to.normals[i].dot(&v)];
+            let ends = [[here, slopes[0]], [there, slopes[1]]];
+            let chord = guide.chord(from.te, v, ends, RESOLUTION * keep.width());
             let [low, high] = chord.ok_or(Trouble::Contact)?;
             let bow = slopes[1] - slopes[0];
-            let (fits, ratio) = track.judge(i, [here.g, there], [low, high], bow, false);
+            let (fits, ratio) = track.judge(i, [here, there], [low, high], bow, false);
             all.fits &= fits;
             all.ratio = all.ratio.min(ratio);
             all.bends[i] = bow / v.norm_squared();
@@ -104,7 +125,6 @@ impl Guided<'_> {
     #[inline(always)]
     fn settle(
         &self,
-        from: &Node,
         start: Vec3,
         begin: Vec3,
         across: Vec3,
@@ -119,7 +139,7 @@ impl Guided<'_> {
             let off = [targets[0] - a.g, targets[1] - b.g, across.dot(&(start - te))];
             let worst = off[0].abs().max(off[1].abs()).max(off[2].abs());
             if worst <= exact {
-                return place(te, [&a, &b], from.along);
+                return place(te, [&a, &b], self.from.onset.along);
             }
             if worst > 0.9 * last && worst > 10.0 * exact {
                 break;
@@ -130,12 +150,12 @@ impl Guided<'_> {
         Err(Trouble::Stuck)
     }
 
-    /// The node at the end of a trial.
+    /// The node at a place, with the tool axis `ta`.
     #[inline(always)]
-    pub(super) fn node(&self, from: &Node, to: &Place) -> Result<Node, Trouble> {
-        let gap = |i: usize| -> Gap { self.guides[i].gap(to.te, to.gaps[i], to.normals[i]) };
-        let pose = Pose { te: to.te, ta: from.pose.ta };
-        Node::new(pose, [gap(0), gap(1)], to.along, to.bends)
+    pub(super) fn node(&self, ta: Vec3, at: &Place) -> Node {
+        let Onset { te, gaps, along, bends, curl } = at.onset;
+        let gap = |i: usize| -> Gap { self.guides[i].gap(te, gaps[i], at.normals[i]) };
+        Node { pose: Pose { te, ta }, gaps: [gap(0), gap(1)], along, bends, curl }
     }
 }
 
@@ -148,5 +168,7 @@ fn place(te: Vec3, [a, b]: [&Reading; 2], heading: Vec3) -> Result<Place, Troubl
         return Err(Trouble::Stuck);
     }
     let bends = [a.second(along), b.second(along)];
-    Ok(Place { te, gaps: [a.g, b.g], normals: [a.normal, b.normal], along, bends })
+    let normals = [a.normal, b.normal];
+    let curl = curl(normals, along, bends)?;
+    Ok(Place { onset: Onset { te, gaps: [a.g, b.g], along, bends, curl }, normals })
 }

@@ -81,6 +81,35 @@ fn follow(scene: &Scene, begin: &Begin) -> Result<Path, Failure> {
     // The last nodes since the start or a corner.
     let mut trail: VecDeque<Node> = VecDeque::with_capacity(MERGED);
     while vectors < most {
+        // Most of a path is far from all check surfaces.
+        let free = watches.iter().map(Watch::free).fold(f64::INFINITY, f64::min);
+        if free > 0.0 && reach >= cap && !straight {
+            let met: u32 = watches.iter().map(|w| w.account().0).sum();
+            let (ta, mut round) = (node.pose.ta, false);
+            let cruised = track.cruise(&node, cap, &mut pace, free, |from, to| {
+                let way = to.te() - from.te();
+                let length = way.norm();
+                if round || vectors >= most || length < least {
+                    return false;
+                }
+                (vectors, gone, last) = (vectors + 1, gone + length, way);
+                points.push(Position { te: to.te(), ta });
+                round = loops.closed(from.te(), to.te(), to.along(), met);
+                true
+            });
+            if let Some(to) = cruised {
+                node = to;
+                trail.clear();
+                watches.iter_mut().for_each(Watch::moved);
+            }
+            if round {
+                spent = None;
+                break;
+            }
+            if vectors >= most {
+                break;
+            }
+        }
         let mut leave = None;
         let stride = match track.stride(&node, reach, &mut pace) {
             Ok(s) => s,
@@ -171,7 +200,7 @@ fn follow(scene: &Scene, begin: &Begin) -> Result<Path, Failure> {
         }
         points.push(position(&stride.to.pose));
         let met: u32 = watches.iter().map(|w| w.account().0).sum();
-        if straight || loops.closed(&node, &stride.to, met) {
+        if straight || loops.closed(node.pose.te, stride.to.pose.te, stride.to.along, met) {
             spent = None;
             break;
         }
@@ -211,17 +240,17 @@ impl Loops {
     }
 
     /// Has it passed its start again without meeting anything on the round?
-    fn closed(&mut self, from: &Node, to: &Node, met: u32) -> bool {
+    fn closed(&mut self, from: Vec3, to: Vec3, along: Vec3, met: u32) -> bool {
         self.vectors += 1;
-        let v = to.pose.te - from.pose.te;
-        let w = self.start.te - from.pose.te;
+        let v = to - from;
+        let w = self.start.te - from;
         let length = v.norm();
         let t = w.dot(&v) / (length * length);
         let beside = (w - v * t).norm();
         let again = self.vectors > 3
             && (0.0..=1.0).contains(&t)
             && beside <= BESIDE * length
-            && self.along.dot(&to.along) > 0.5;
+            && self.along.dot(&along) > 0.5;
         if !again {
             return false;
         }

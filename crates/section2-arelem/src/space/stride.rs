@@ -9,9 +9,9 @@
 use aptc_contact::{Condition, Gap, chord};
 use aptc_geometry::{Surface, Vec3};
 
-use super::guided::Guided;
+use super::guided::{Guided, Place};
 use super::keep::{Keep, Limits, Pose};
-use super::track::{Node, Track, Trouble};
+use super::track::{Node, Onset, Track, Trouble};
 
 /// Trials of one cut vector; two or three are usual.
 const TRIALS: usize = 40;
@@ -77,11 +77,13 @@ pub(super) trait Trials {
     /// Is there no place where none is found? Else other trials tell.
     const FINAL: bool;
 
+    /// The place that they begin at.
+    fn onset(&self) -> Onset;
+
     /// The place at distance `s`, its gaps at the targets that belong to the `bends` of cut vectors about `usual` long;
     /// without them to its own curvature. `last` is the trial before.
     fn reach(
         &self,
-        from: &Node,
         s: f64,
         usual: f64,
         bends: Option<[f64; 2]>,
@@ -89,13 +91,14 @@ pub(super) trait Trials {
     ) -> Result<Stride<Self::Place>, Trouble>;
 
     /// How the chord to it lies in both bands, and how much longer it could be.
-    fn fit(&self, from: &Node, to: &Self::Place) -> Result<Fit, Trouble>;
+    fn fit(&self, to: &Self::Place) -> Result<Fit, Trouble>;
 }
 
 /// Trials by contacts; with `look` none that is deeper may be elsewhere, with `between` chords on which the contact goes
 /// over from one place to another are looked at as a whole.
 struct Contacts<'a> {
     track: &'a Track,
+    from: &'a Node,
     look: bool,
     between: bool,
 }
@@ -104,20 +107,23 @@ impl Trials for Contacts<'_> {
     type Place = Node;
     const FINAL: bool = true;
 
+    fn onset(&self) -> Onset {
+        self.from.onset()
+    }
+
     fn reach(
         &self,
-        from: &Node,
         s: f64,
         usual: f64,
         bends: Option<[f64; 2]>,
         last: Option<&Stride>,
     ) -> Result<Stride, Trouble> {
-        let beside = last.filter(|l| self.track.beside(from, l, s)).map(|l| &l.to);
-        self.track.reach(from, s, usual, bends, self.look, beside)
+        let beside = last.filter(|l| self.track.beside(self.from, l, s)).map(|l| &l.to);
+        self.track.reach(self.from, s, usual, bends, self.look, beside)
     }
 
-    fn fit(&self, from: &Node, to: &Node) -> Result<Fit, Trouble> {
-        self.track.fit(from, to, self.between)
+    fn fit(&self, to: &Node) -> Result<Fit, Trouble> {
+        self.track.fit(self.from, to, self.between)
     }
 }
 
@@ -192,12 +198,12 @@ impl Track {
         pace: &mut Pace,
         look: bool,
     ) -> Result<Stride, Trouble> {
-        let trials = |between| Contacts { track: self, look, between };
+        let trials = |between| Contacts { track: self, from, look, between };
         if self.axis.turns() || !self.keeps.iter().any(Keep::is_mixed) {
-            return self.longest(&trials(true), from, cap, pace);
+            return self.longest(&trials(true), cap, pace);
         }
         let before = *pace;
-        let found = self.longest(&trials(false), from, cap, pace);
+        let found = self.longest(&trials(false), cap, pace);
         let over = |to: &Node| (0..2).any(|i| self.keeps[i].is_mixed() && self.apart(i, from, to));
         if let Ok(stride) = found
             && (!over(&stride.to) || self.fits(from, &stride.to))
@@ -205,23 +211,51 @@ impl Track {
             return Ok(stride);
         }
         *pace = before;
-        self.longest(&trials(true), from, cap, pace)
+        self.longest(&trials(true), cap, pace)
     }
 
     /// The same along guides, where no other place of contact can be; `None` where these do not tell.
     fn guided(&self, from: &Node, cap: f64, pace: &mut Pace) -> Option<Stride> {
-        let guided = Guided { track: self, guides: self.guides.as_ref()? };
-        let Stride { length, to, targets } = self.longest(&guided, from, cap, pace).ok()?;
-        Some(Stride { length, to: guided.node(from, &to).ok()?, targets })
+        let place = Place::of(from);
+        let guided = Guided { track: self, guides: self.guides.as_ref()?, from: &place };
+        let Stride { length, to, targets } = self.longest(&guided, cap, pace).ok()?;
+        Some(Stride { length, to: guided.node(from.pose.ta, &to), targets })
     }
 
-    fn longest<T: Trials>(
+    /// Goes on along guides, without a look at anything else, for less than `free`; `take` gets the start and the
+    /// end of each cut vector, and says whether it goes on so. The node where that ends; `None` at the start.
+    pub(crate) fn cruise(
         &self,
-        trials: &T,
         from: &Node,
         cap: f64,
         pace: &mut Pace,
+        mut free: f64,
+        mut take: impl FnMut(&Place, &Place) -> bool,
+    ) -> Option<Node> {
+        let guides = self.guides.as_ref().filter(|_| !pace.careful)?;
+        let (mut at, mut gone) = (Place::of(from), false);
+        loop {
+            let guided = Guided { track: self, guides, from: &at };
+            let before = *pace;
+            let stride = self.longest(&guided, cap, pace).ok().filter(|s| s.length < free);
+            let taken = stride.filter(|s| take(&at, &s.to));
+            let Some(Stride { length, to, .. }) = taken else {
+                *pace = before;
+                return gone.then(|| guided.node(from.pose.ta, &at));
+            };
+            free -= length;
+            (at, gone) = (to, true);
+        }
+    }
+
+    #[inline(always)]
+    fn longest<T: Trials>(
+        &self,
+        trials: &T,
+        cap: f64,
+        pace: &mut Pace,
     ) -> Result<Stride<T::Place>, Trouble> {
+        let from = &trials.onset();
         let mut bends = pace.bends;
         let mut plan = self.plan(from, bends, cap);
         let mut s = (plan.length * pace.expected() * (1.0 - 0.25 * LONG_ENOUGH)).min(plan.most);
@@ -237,9 +271,9 @@ impl Track {
         // A chord that does not fit though its ratio says so is shortened more each time.
         let mut back = LONG_ENOUGH;
         for _ in 0..TRIALS {
-            let tried = trials.reach(from, s, plan.length, bends, last.as_ref());
+            let tried = trials.reach(s, plan.length, bends, last.as_ref());
             let tried = tried.map(|t| &*last.insert(t));
-            let next = match tried.and_then(|t| Ok((trials.fit(from, &t.to)?, t))) {
+            let next = match tried.and_then(|t| Ok((trials.fit(&t.to)?, t))) {
                 Ok((fit, tried)) => {
                     // With a turning axis only the chord tells how the gaps bend along it; and where the bend
                     // grows from nothing on the way, a vertex may lie where no chord of any length fits.
@@ -316,9 +350,10 @@ impl Track {
         look: bool,
         beside: Option<&Node>,
     ) -> Result<Stride, Trouble> {
-        let targets = self.aims(from, bends.unwrap_or(from.bends), usual);
+        let onset = &from.onset();
+        let targets = self.aims(onset, bends.unwrap_or(from.bends), usual);
         let to = self.walk_beside(from, s, targets, look, beside)?;
-        let other = self.other_aims(from, bends, to.bends, usual, targets);
+        let other = self.other_aims(onset, bends, to.bends, usual, targets);
         let (to, targets) = match other {
             Some(aims) => (self.walk_beside(from, s, aims, look, Some(&to))?, aims),
             None => (to, targets),
@@ -331,7 +366,7 @@ impl Track {
     #[inline]
     pub(super) fn other_aims(
         &self,
-        from: &Node,
+        from: &Onset,
         bends: Option<[f64; 2]>,
         found: [f64; 2],
         usual: f64,
@@ -360,7 +395,7 @@ impl Track {
     /// share of the band that the chords use, and farther out where the vertex before left less room for the
     /// chord between both.
     #[inline]
-    pub(super) fn aims(&self, from: &Node, bends: [f64; 2], usual: f64) -> [f64; 2] {
+    pub(super) fn aims(&self, from: &Onset, bends: [f64; 2], usual: f64) -> [f64; 2] {
         let target = |i: usize| {
             let (keep, bend) = (&self.keeps[i], bends[i]);
             let share = (bend.abs() * usual * usual / (8.0 * keep.width())).min(1.0);
@@ -369,7 +404,7 @@ impl Track {
             }
             let (even, edge) = (keep.target(bend, share), keep.target(bend, 1.0));
             let Limits { low, high } = keep.limits();
-            let before = from.gaps[i].g;
+            let before = from.gaps[i];
             let room = if bend > 0.0 { before - low } else { high - before };
             let depth = 0.5 * bend.abs() * usual * usual;
             let rest = SPARE * (depth.sqrt() - room.max(0.0).sqrt()).max(0.0).powi(2);
@@ -387,7 +422,7 @@ impl Track {
     }
 
     /// The length foretold from how the gaps bend, and the greatest allowed.
-    fn plan(&self, from: &Node, bends: Option<[f64; 2]>, cap: f64) -> Plan {
+    fn plan(&self, from: &Onset, bends: Option<[f64; 2]>, cap: f64) -> Plan {
         let turn = from.curl.norm();
         let most = if turn * cap > MOST_TURN { MOST_TURN / turn } else { cap };
         let mut length = most;

@@ -30,6 +30,19 @@ pub(crate) struct Track {
     pub(crate) size: f64,
 }
 
+/// What the search for a cut vector needs of the place that it begins at.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Onset {
+    pub(super) te: Vec3,
+    pub(super) gaps: [f64; 2],
+    /// Unit direction of motion.
+    pub(super) along: Vec3,
+    /// Second derivatives of the gaps along it.
+    pub(super) bends: [f64; 2],
+    /// Curvature of the track.
+    pub(super) curl: Vec3,
+}
+
 /// A place on the track.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Node {
@@ -67,10 +80,18 @@ impl Node {
         along: Vec3,
         bends: [f64; 2],
     ) -> Result<Self, Trouble> {
-        let curl = solve(&gaps, along, [-bends[0], -bends[1], 0.0]).ok_or(Trouble::SideBySide)?;
+        let curl = curl([gaps[0].normal, gaps[1].normal], along, bends)?;
         Ok(Self { pose, gaps, along, bends, curl })
     }
 
+    #[inline(always)]
+    pub(super) fn onset(&self) -> Onset {
+        let Self { pose, gaps, along, bends, curl } = *self;
+        Onset { te: pose.te, gaps: [gaps[0].g, gaps[1].g], along, bends, curl }
+    }
+}
+
+impl Onset {
     /// The way by `s` along the track, to second order, and its direction there.
     #[inline]
     pub(super) fn ahead(&self, s: f64) -> (Vec3, Vec3) {
@@ -292,7 +313,7 @@ impl Track {
         look: bool,
         beside: Option<&Node>,
     ) -> Result<Node, Trouble> {
-        let (step, across) = from.ahead(s);
+        let (step, across) = from.onset().ahead(s);
         let start = Pose { te: from.pose.te + step, ta: from.pose.ta };
         let sooner = beside.filter(|_| !self.axis.turns()).and_then(|known| {
             let begin = moved(known, across, across.dot(&start.te), targets)?;
@@ -337,6 +358,12 @@ pub(super) fn direction(gaps: &[Gap; 2], heading: Vec3) -> Result<Vec3, Trouble>
     }
     let t = cross / l;
     Ok(if t.dot(&heading) < 0.0 { -t } else { t })
+}
+
+/// Curvature of a track along `along` on which gaps with these gradients bend by `bends`.
+#[inline(always)]
+pub(super) fn curl([a, b]: [Vec3; 2], along: Vec3, bends: [f64; 2]) -> Result<Vec3, Trouble> {
+    solve_normals([a, b, along], [-bends[0], -bends[1], 0.0]).ok_or(Trouble::SideBySide)
 }
 
 /// The vector with given products with both normals and with `across`.

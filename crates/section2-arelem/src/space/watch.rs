@@ -149,6 +149,24 @@ impl Watch {
         (self.met, self.closest.0, self.closest.1)
     }
 
+    /// Way of a tool that keeps its axis for which the check surface cannot be met, as the last readings tell; tangencies
+    /// are looked for everywhere.
+    pub(crate) fn free(&self) -> f64 {
+        if matches!(self.relation, Relation::Tanto | Relation::Pstan) {
+            return 0.0;
+        }
+        let free = |g: &Gauge| match g.last {
+            Some(gap) if g.armed && simple(&g.keep) => gap.g.abs() / RATE,
+            _ => 0.0,
+        };
+        self.gauges.iter().map(free).fold(f64::INFINITY, f64::min)
+    }
+
+    /// The tool is elsewhere than at the last readings.
+    pub(crate) fn moved(&mut self) {
+        self.gauges.iter_mut().for_each(|g| g.last = None);
+    }
+
     /// Distance ahead at which a plane is passed for certain; 0 for other surfaces.
     pub(crate) fn ahead(&self, node: &Node) -> f64 {
         let to = |g: &Gauge| {
