@@ -474,7 +474,7 @@ fn descend(tool: &Tool<'_>, surface: &Surface, side: Side, start: At, back: f64)
         }
         let d = step(&here, cap);
         let (foot, sides) = match beside(surface, &here, d, back) {
-            Some((foot, sides)) => (foot, Some(sides)),
+            Some(found) => found,
             None => (surface.foot_from(here.x + d, here.q), None),
         };
         border = foot.shape.k[0].is_infinite();
@@ -497,10 +497,12 @@ fn descend(tool: &Tool<'_>, surface: &Surface, side: Side, start: At, back: f64)
     (here, border)
 }
 
-/// The place to which the moved surface's tangent step `d` leads, of a surface by two parameters without looking for a
+/// The place to which the moved surface's tangent step `d` leads, where the surface has one without a search for a
 /// nearest point: the surface itself goes by as much less or more as it bends.
-fn beside(surface: &Surface, here: &At, d: Vec3, back: f64) -> Option<(Foot, [Vec3; 2])> {
-    here.q.at?;
+fn beside(surface: &Surface, here: &At, d: Vec3, back: f64) -> Option<(Foot, Option<[Vec3; 2]>)> {
+    if here.q.at.is_none() && !matches!(surface, Surface::Quadric(_)) {
+        return None;
+    }
     let [k11, k12, k22] = here.own.k;
     if !(k11.is_finite() && k22.is_finite()) {
         return None;

@@ -212,17 +212,21 @@ impl Surface {
     }
 
     /// The place of the surface that lies beside `near` by the tangent `by`, to first order: any place will do that
-    /// comes nearer to it as `by` falls. `None` where there is no simple one, and beside a border. With it the
-    /// derivatives by both parameters there; `sides` are those at `near`, when they are known.
+    /// comes nearer to it as `by` falls. `None` where there is no simple one, and beside a border. With it, of a surface by
+    /// two parameters, the derivatives by them there; `sides` are those at `near`, when they are known.
     #[inline]
     pub fn beside(
         &self,
         near: Spot,
         sides: Option<[Vec3; 2]>,
         by: Vec3,
-    ) -> Option<(Foot, [Vec3; 2])> {
+    ) -> Option<(Foot, Option<[Vec3; 2]>)> {
         match (self, near.at) {
-            (Self::Parametric(s), Some(at)) => s.beside(at, sides, by),
+            (Self::Parametric(s), Some(at)) => {
+                let (foot, sides) = s.beside(at, sides, by)?;
+                Some((foot, Some(sides)))
+            }
+            (Self::Quadric(s), _) => Some((s.beside(near.point, by)?, None)),
             _ => None,
         }
     }
