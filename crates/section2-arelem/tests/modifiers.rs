@@ -232,3 +232,25 @@ INDIRV/1,0,0\nTLON,GOFWD/LX,ON,(LINE/1,0,0,30)"
         assert!(n == least || n == least + 1, "{band}: {n}, least {least}");
     }
 }
+
+/// A plane that the cylinder is tangent to is grazed: where the tool stops does not hang on where cut vectors end before.
+#[test]
+fn what_is_only_grazed_stops_the_tool_where_a_tenth_of_the_band_is_left() {
+    let mut forms = forms();
+    let mut add = |name: &str, kind: &str, w: &[f64]| {
+        forms.insert(name.into(), form(kind, w).expect("a legal form"));
+    };
+    add("WALL", "CYLNDR", &[0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 10.0]);
+    add("DOME", "SPHERE", &[0.0, 0.0, -1000.0, 1000.0]);
+    add("GRAZED", "PLANE", &[1.0, 0.0, 0.0, 20.0]);
+    for (intol, outtol) in [(0.0, 0.02), (0.01, 0.01)] {
+        for step in [0.07, 0.13, 0.2, 0.31, 5.0] {
+            let text = format!(
+                "CUTTER/10\nINTOL/{intol}\nOUTTOL/{outtol}\nMAXDP/{step}\nFROM/20,-30,5\nGO/TO,WALL,TO,DOME\n\
+                 INDIRV/1,0,0\nTLRGT,GOFWD/WALL,TO,GRAZED"
+            );
+            let end = run(&forms, &text).clean().end();
+            assert!((end.x - (15.0 - 0.002)).abs() < 1e-8, "{intol} {step}: {end:?}");
+        }
+    }
+}

@@ -110,7 +110,7 @@ impl Trials for Guided<'_> {
             let chord = guide.chord(from.te, v, ends, RESOLUTION * keep.width());
             let [low, high] = chord.ok_or(Trouble::Contact)?;
             let bow = slopes[1] - slopes[0];
-            let (fits, ratio) = track.judge(i, [here, there], [low, high], bow, false);
+            let (fits, ratio) = track.judge(i, [here, there], [low, high], bow);
             all.fits &= fits;
             all.ratio = all.ratio.min(ratio);
             all.bends[i] = bow / v.norm_squared();

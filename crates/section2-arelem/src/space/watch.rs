@@ -204,6 +204,9 @@ impl Watch {
                 tangencies(&way, keep, a, b, loose, HALVINGS, &mut self.alike, &mut out)?;
             } else {
                 crossings(&way, keep, a, b, HALVINGS, &mut out)?;
+                if self.relation == Relation::To && self.met + 1 >= self.nth && out.is_empty() {
+                    out.extend(grazed(&way, keep, a, b));
+                }
             }
             found.extend(out.into_iter().map(|c| (c, i)));
         }
@@ -302,10 +305,25 @@ fn read(keep: &Keep, node: &Node, near: Option<&Gap>) -> Result<Gap, Trouble> {
 /// Sine of the angle below which a check surface is met at a graze.
 const GRAZING: f64 = 0.1;
 
-/// A surface that is only grazed is near for a long way: the tool stops where a tenth of the band is left,
-/// as APT-360 does, not at the very place of contact.
+/// Share of the band that is left where the tool stops at a surface that it only grazes, which is near for a long way: as
+/// with APT-360, not at the very place of contact.
+fn left(keep: &Keep) -> f64 {
+    (0.1 * keep.width()).min(keep.outtol)
+}
+
+/// The same on a cut vector that comes so near and does not touch yet.
+fn grazed(way: &Way<'_>, keep: &Keep, a: Sample, b: Sample) -> Option<Crossing> {
+    let left = left(keep);
+    let over = |p: &Sample| p.gap.g - left;
+    let comes = over(&a) > 0.0 && over(&b) <= 0.0 && b.gap.g > 0.0;
+    let grazes = b.slope <= 0.0 && b.slope > -GRAZING;
+    let at = (comes && grazes).then(|| way.zero(keep, a, b, over, |_| None, way.track.exact))?;
+    Some(Crossing { s: at.ok()?.s, touch: true, falls: true })
+}
+
+/// The place on the way to a contact where a surface that is grazed there is as near as that.
 fn grazing(way: &Way<'_>, keep: &Keep, at: &Sample) -> Option<f64> {
-    let left = 0.1 * keep.width();
+    let left = left(keep);
     let gap = keep.gap_from(&way.from.pose, Some(&at.gap)).ok()?;
     let start = Sample { s: 0.0, gap, slope: way.slope(way.from, &gap) };
     let over = |p: &Sample| p.gap.g - left;
