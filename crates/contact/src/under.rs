@@ -1,9 +1,9 @@
 //! Below the distance of a rounded cutter: the square of its distance to a disk is above a form of second degree.
 //!
 //! A tangent plane bounds the distance of a convex cutter from below and gives away how both bend. Where the cutter
-//! is a disk made thicker by its corner radius `r`, `(distance + r)^2` is the squared distance to the disk: with `a`
-//! the way from the axis along a fixed direction and `b` the way across, it is `(rho - e)^2 + z^2` with
-//! `rho = sqrt(a^2 + b^2) >= a + b^2 / (2 rho)`: below it lies a form of second degree. On a piece of a patch that is one in its parameters, but for terms of third degree.
+//! is a disk made thicker by its corner radius `r`, `(distance + r)^2` is the squared distance to the disk: `z^2` over the disk
+//! and `(rho - e)^2 + z^2` beside it. Below each of them lies a form of second degree. On a piece of a patch that is one in its
+//! parameters, but for terms of third degree.
 
 use aptc_geometry::surface::frame_about;
 use aptc_geometry::{Tool, Vec3};
@@ -110,10 +110,25 @@ pub(crate) fn under(tool: &Tool<'_>, by: Vec3, cell: &Cell, aim: f64) -> Option<
     if plane >= enough * enough {
         return Some(Low { middle: root(value), bound: root(plane), at: [0.0; 2] });
     }
-    let form = Under::of(&start, tool, cell, by, range);
-    let form = if moves { form.swept(by, range, cell)? } else { form };
-    let (least, at) = form.over(cell);
-    Some(Low { middle: root(form.value), bound: root(least), at })
+    let least = |form: Under| {
+        let form = if moves { form.swept(by, range, cell)? } else { form };
+        let (least, at) = form.over(cell);
+        Some((form.value, least, at))
+    };
+    let (beside, over) = Under::parts(&start, tool, cell, by, range);
+    let (mut middle, mut bound, mut at) = least(beside)?;
+    if let Some(over) = over {
+        if bound < enough * enough {
+            // That of the other part would not help.
+            return Some(Low { middle: root(value), bound: root(plane), at });
+        }
+        let (low, lower, there) = least(over)?;
+        middle = middle.min(low);
+        if lower < bound {
+            (bound, at) = (lower, there);
+        }
+    }
+    Some(Low { middle: root(middle.max(value)), bound: root(bound), at })
 }
 
 /// The squared distance to the disk at a place, and its slope.
@@ -124,6 +139,8 @@ struct Start {
     out: Vec3,
     /// Distance from the axis.
     rho: f64,
+    /// Height over the disk.
+    z: f64,
 }
 
 impl Start {
@@ -137,34 +154,58 @@ impl Start {
         let out = if rho > 0.0 { radial / rho } else { frame_about(tool.ta)[0] };
         let off = (rho - e).max(0.0);
         let slope = (out * off + tool.ta * z) * 2.0;
-        Self { value: off * off + z * z, slope, out, rho }
+        Self { value: off * off + z * z, slope, out, rho, z }
     }
 }
 
 impl Under {
     /// For a tool that stands still where it is rounded: the places of a piece, and those moved the other way by the part
-    /// of `by` within `range`.
+    /// of `by` within `range`. Where some may be over the disk and others beside it a form for each part: the lesser counts.
     #[inline]
-    fn of(start: &Start, tool: &Tool<'_>, cell: &Cell, by: Vec3, range: [f64; 2]) -> Self {
+    fn parts(
+        start: &Start,
+        tool: &Tool<'_>,
+        cell: &Cell,
+        by: Vec3,
+        range: [f64; 2],
+    ) -> (Self, Option<Self>) {
         let [e, _] = tool.profile.corner();
-        let &Start { value, slope, out, rho } = start;
+        let &Start { value, slope, out, rho, z } = start;
         let none = (0.0, Vec3::zeros());
         if e == 0.0 {
-            return Self { value, slope, flats: [none; 3], count: 0 };
+            return (Self { value, slope, flats: [none; 3], count: 0 }, None);
         }
-        // How far along the radius, and from the axis, the places in question are.
+        // How far along the radius the places in question are.
         let most = range[0].abs().max(range[1]);
         let reach = cell.extent(out) + most * by.dot(&out).abs();
-        let widest = rho + cell.far + most * by.norm();
-        let off = (rho - e).max(0.0);
-        // With d the way beyond `off` the square of that is at least `off^2 + 2 off d + k d^2`, with k up to 1, or where
-        // places may be below the disk, on which it is 0, to `1 - (1 - off / reach)^2`; and d is at least the way a along
-        // the radius and `b^2 / 2` through the greatest distance from the axis.
-        let part = if off > 0.0 { (off / reach).min(1.0) } else { 0.0 };
-        let k = part * (2.0 - part);
-        let round = (off - k * reach).max(0.0) / widest;
-        let flats = [(1.0 - k, out), (1.0 - round, tool.ta.cross(&out)), none];
-        Self { value, slope, flats, count: 2 }
+        let (off, across) = (rho - e, tool.ta.cross(&out));
+        // With a the way along the radius in the middle and b the way across, the radius of a place is at least `rho + a`: all
+        // with `a >= -off` are beside the disk. `z^2` is below all squared distances, and where `a <= -off` so is
+        // `z^2 + m (off + a)` with m from 0 up.
+        let over = |m: f64| {
+            let (value, slope) = (z * z + m * off, tool.ta * (2.0 * z) + out * m);
+            Self { value, slope, flats: [(1.0, out), (1.0, across), none], count: 2 }
+        };
+        if off + reach <= 0.0 {
+            return (over(0.0), None);
+        }
+        // Where `a >= -off` the radius is at most `rho + a + b^2 / (2 (rho + a))`, and its square `(rho + a)^2 + b^2`. So the
+        // square of what it is above e is at least `(off + a)^2 + b^2 (1 - e / (rho + a))`.
+        let least = (off - reach).max(0.0);
+        let beside = Self {
+            value: off * off + z * z,
+            slope: (out * off + tool.ta * z) * 2.0,
+            flats: [(e / (e + least), across), none, none],
+            count: 1,
+        };
+        if off >= reach {
+            return (beside, None);
+        }
+        // The m with which the piece falls least along the radius.
+        let [a, b] = cell.first;
+        let (x, y) = (out.dot(&a), out.dot(&b));
+        let m = -2.0 * z * (tool.ta.dot(&a) * x + tool.ta.dot(&b) * y) / (x * x + y * y);
+        (beside, Some(over(if m > 0.0 && m.is_finite() { m } else { 0.0 })))
     }
 
     /// The least of the forms for the places of a piece moved the other way by the part of `by` within `range`.
@@ -177,17 +218,14 @@ impl Under {
         }
         let free = 0.5 * sb / bb;
         let end = free.clamp(range[0], range[1]);
+        // A place whose nearest is `over + d` of the way beyond the end, `|d| <= far`, has to the square of the way across that of
+        // what is beyond, if that is above 0: at least `over^2 + 2 over d + k d^2` with `k = 1 - (1 - over / far)^2`. For
+        // `d >= -over` as k <= 1; below, the form is convex, at `d = -over` it is not above 0 and at `d = -far` it is 0.
         let over = free - end;
-        if over.abs() * bb > cell.extent(hb) {
-            // All places are beyond this end of the way.
-            self.value += end * (end * bb - sb);
-            self.slope -= hb * (2.0 * end);
-            return Some(self);
-        }
-        // Across the way, and beyond its end at least as a tangent says.
+        let part = (over.abs() * bb / cell.extent(hb)).min(1.0);
         self.value += bb * (over * over - free * free);
         self.slope += hb * (2.0 * (over - free));
-        self.flats[self.count] = (1.0 / bb, hb);
+        self.flats[self.count] = ((1.0 - part) * (1.0 - part) / bb, hb);
         self.count += 1;
         Some(self)
     }
@@ -268,15 +306,24 @@ fn nearest(tool: &Tool<'_>, by: Vec3, q: Vec3) -> f64 {
     t
 }
 
-/// At most the least of `x s + y t + a s^2 + b s t + c t^2` with s and t from -1 to 1, and where, about; the least itself
-/// where the form is convex.
+/// The least of `x s + y t + a s^2 + b s t + c t^2` with s and t from -1 to 1, and where.
 #[inline]
 fn lowest([x, y]: [f64; 2], [a, b, c]: [f64; 3]) -> (f64, [f64; 2]) {
     let det = 4.0 * a * c - b * b;
     if !(a > 0.0 && c > 0.0 && det > 0.0) {
-        let twist = 0.5 * b.abs();
-        let ((u, s), (v, t)) = (along(x, a - twist), along(y, c - twist));
-        return (u + v, [s, t]);
+        // Not hollow in all directions: the least is on a side.
+        let mut least = (f64::INFINITY, [0.0; 2]);
+        for end in [-1.0, 1.0] {
+            let ((u, s), (v, t)) = (along(x + b * end, a), along(y + b * end, c));
+            let (u, v) = (y * end + c + u, x * end + a + v);
+            if u < least.0 {
+                least = (u, [s, end]);
+            }
+            if v < least.0 {
+                least = (v, [end, t]);
+            }
+        }
+        return least;
     }
     let (s, t) = ((b * y - 2.0 * c * x) / det, (b * x - 2.0 * a * y) / det);
     let (beside, beyond) = (s.abs() > 1.0, t.abs() > 1.0);
@@ -333,10 +380,9 @@ mod tests {
             }
             let (found, [s, t]) = lowest([x, y], [a, b, c]);
             assert!(found <= least + 1e-12);
-            let convex = a > 0.0 && c > 0.0 && 4.0 * a * c > b * b;
-            assert!(!convex || found > least - 2e-3, "{k}: {found} {least}");
+            assert!(found > least - 2e-3, "{k}: {found} {least}");
             let there = x * s + y * t + a * s * s + b * s * t + c * t * t;
-            assert!(!convex || (there - found).abs() < 1e-12, "{k}: {found} {there}");
+            assert!((there - found).abs() < 1e-12, "{k}: {found} {there}");
         }
     }
 

@@ -81,7 +81,7 @@ impl Setup<'_> {
     ///
     /// At places between its ends it is compared with the exact positions there, sideways also. Then bounds
     /// for the whole of it: how far the cutter stands off places of the surface, and how deep it is in the
-    /// part surface, which is proved.
+    /// part surface, which is proved. `clear` says that the first position is proved to be.
     ///
     /// APT: `GCHK` with `MIDPNT`, `MIDKUR`, `DEVCAL` and `XTPCAL`, which judged the middle of the parameter.
     pub(crate) fn judge(
@@ -89,6 +89,7 @@ impl Setup<'_> {
         ends: [&Position; 2],
         (course, sense): (Course, f64),
         memories: [Memory; 2],
+        clear: bool,
     ) -> Option<Judged> {
         let chord = Chord { ends, memories, course, sense };
         let [a, b] = ends;
@@ -124,7 +125,7 @@ impl Setup<'_> {
         if let Some(over) = self.off(&chord, &touched) {
             return Some(Judged { used: 1.0 + over / (intol + outtol), ..worst });
         }
-        Some(self.deep(a, b, worst))
+        Some(self.deep((a, clear), b, worst))
     }
 
     /// The exact position at a share of the parameter. Where the contact jumps from one end to the other, it is
@@ -201,8 +202,8 @@ impl Setup<'_> {
     }
 
     /// What is judged, with what is known of the way: deeper in the part surface than allowed it is too long, unless
-    /// the tool is so at one of its ends already.
-    fn deep(&self, a: &Position, b: &Position, judged: Judged) -> Judged {
+    /// the tool is so at one of its ends already; the first may be known not to be.
+    fn deep(&self, (a, known): (&Position, bool), b: &Position, judged: Judged) -> Judged {
         let allowed = self.band.intol - self.part.thick;
         let tree = &self.part.tree;
         let tool = |p: &Position| Tool { profile: self.profile, te: p.te, ta: p.ta };
@@ -215,7 +216,7 @@ impl Setup<'_> {
             return Judged { way: Way::Clear, ..judged };
         };
         let clear = |p: &Position| tree.clear(&tool(p), allowed) == Clear::Yes;
-        if !clear(b) || !clear(a) {
+        if !clear(b) || !known && !clear(a) {
             return Judged { way: Way::End, ..judged };
         }
         let deep = -place.distance + self.part.thick;

@@ -53,9 +53,12 @@ impl Setup<'_> {
         let span = (to - from[k]).abs();
         let room = 1e-10 * span.max(1.0);
         let mut guess = span;
+        // Is the last position proved to keep out of the part surface?
+        let mut clear = false;
         while (to - here.drive_uv[k]) * sense > room {
             let stop = self.stop(from[k], here.drive_uv[k], to, sense);
-            let step = self.step(&here, [stop, to], course, sense, memory, &mut guess);
+            let from = (&here, clear);
+            let step = self.step(from, [stop, to], course, sense, memory, &mut guess);
             let Step { next, kept, proved } = step.map_err(|why| broken(&mut points, why))?;
             gone += (next.te - here.te).norm();
             let uv = here.drive_uv;
@@ -70,7 +73,7 @@ impl Setup<'_> {
                 proved && points.points.last().is_some_and(|p| p.te == here.te && p.ta == here.ta);
             self.guarded(&mut points, next, (course, sense), memory, as_proved)
                 .map_err(|why| broken(&mut points, why))?;
-            (here, memory) = (next, kept);
+            (here, memory, clear) = (next, kept, proved);
         }
         Ok(points)
     }
@@ -201,10 +204,11 @@ impl Setup<'_> {
     }
 
     /// The next position: as far on as MAXDP, the next joint of the drive and the tolerance let it, at most to
-    /// the first of two parameters; the other is where the path ends.
+    /// the first of two parameters; the other is where the path ends. `clear` says that this one is proved to keep out of the
+    /// part surface.
     fn step(
         &self,
-        here: &Position,
+        (here, clear): (&Position, bool),
         [to, limit]: [f64; 2],
         course: Course,
         sense: f64,
@@ -238,8 +242,9 @@ impl Setup<'_> {
                 length *= (self.maxdp / moved * 0.999).clamp(0.1, 0.95);
                 continue;
             }
-            let judge =
-                |next: &Position, kept| self.judge([here, next], (course, sense), [memory, kept]);
+            let judge = |next: &Position, kept| {
+                self.judge([here, next], (course, sense), [memory, kept], clear)
+            };
             let mut judged = judge(&next, kept);
             // The search from the last contact may have missed one that comes before. Where the way is proved and
             // the position lies low in the band, that would be in the tool.
