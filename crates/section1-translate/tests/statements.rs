@@ -42,6 +42,38 @@ fn feed(f: f64) -> Kind {
     Kind::Post { word: "FEDRAT".into(), args: vec![Arg::Number(f)] }
 }
 
+/// Forms of another system are carried into the one where the tool moves; numbers are given in it.
+#[test]
+fn motion_within_a_reference_system_is_in_that_system() {
+    let refsys = "M9=MATRIX/XYROT,90,TRANSL,10,0,0\nREFSYS/M9\n";
+    // P lies at 1,2,3 in the base system: 10 less in x, then turned back by 90 degrees.
+    let there = at(2.0, 9.0, 3.0);
+    let goto = |text: &str| match kinds(&format!("{refsys}{text}")).pop() {
+        Some(Kind::Goto(place) | Kind::From(place)) => place.point,
+        other => panic!("{text}: {other:?}"),
+    };
+    for (text, point) in [
+        ("GOTO/P", there),
+        ("FROM/P", there),
+        ("GOTO/1,2,3", at(1.0, 2.0, 3.0)),
+        ("GOTO/1,2", at(1.0, 2.0, 0.0)),
+        ("GOTO/(1,2,3)", at(1.0, 2.0, 3.0)),
+        ("GOTO/(POINT/1,2,3)", at(1.0, 2.0, 3.0)),
+        ("Q=POINT/1,2,3\nGOTO/Q", at(1.0, 2.0, 3.0)),
+        ("Q=POINT/1,2,3\nREFSYS/NOMORE\nGOTO/Q", at(8.0, 1.0, 3.0)),
+        ("REFSYS/NOMORE\nGOTO/P", at(1.0, 2.0, 3.0)),
+        // The distance of two points is that of the system as well.
+        ("W=VECTOR/P,(POINT/2,9,7)\nGOTO/LNTHF(W),0,0", at(4.0, 0.0, 0.0)),
+    ] {
+        assert!((goto(text) - point).norm() < 1e-12, "{text}: {:?}", goto(text));
+    }
+    // Surfaces and directions too: the x axis of the base system stands at x = 0 there.
+    let all = kinds(&format!("{refsys}INDIRV/(VECTOR/0,1,0)\nGO/TO,L1"));
+    let Some(Kind::Go(go)) = all.last() else { panic!("{all:?}") };
+    let Form::Line(line) = &*go.surfaces[0].1.form else { panic!("{go:?}") };
+    assert!((line.plane().n.cross(&Vec3::x())).norm() < 1e-12 && line.plane().d.abs() < 1e-12);
+}
+
 #[test]
 fn points_of_motion() {
     let p = at(1.0, 2.0, 3.0);

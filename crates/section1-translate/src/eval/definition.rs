@@ -70,12 +70,19 @@ impl Interpreter<'_> {
 
     fn list_form(&mut self, name: &NameRef, form: &Form) {
         if self.state.print {
+            let elements = self.seen(form).canonical();
             self.list(EntryKind::Form {
                 name: Some(name.clone()),
                 word: form.kind().word(),
-                elements: form.canonical(),
+                elements,
             });
         }
+    }
+
+    /// A form as the present reference system sees it, for the listing; as it is where it cannot be carried over.
+    pub(crate) fn seen(&self, form: &Form) -> Form {
+        let inverse = self.state.refsys.and_then(|m| m.inverse());
+        inverse.and_then(|m| form.transformed(&m).ok()).unwrap_or_else(|| form.clone())
     }
 
     /// The form of a definition.

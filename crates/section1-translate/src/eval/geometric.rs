@@ -39,7 +39,7 @@ impl Interpreter<'_> {
             word::NUMF => self.points_of(args),
             word::PARMF => self.parameter(args, span),
             word::CLDATF => self.saved_parameter(args),
-            _ => self.canonical_element(args, span),
+            _ => self.canonical_element(args),
         });
         Some(number.map(Value::Number))
     }
@@ -51,7 +51,7 @@ impl Interpreter<'_> {
 
     fn form(&mut self, expr: &Expr, wanted: &str) -> Known<Arc<Form>> {
         match self.value(expr)? {
-            Value::Form(form) => Ok(form),
+            Value::Form(form) => self.in_system(&form, expr.span),
             value => Err(self.wrong_kind(expr.span, wanted, &value)),
         }
     }
@@ -139,11 +139,11 @@ impl Interpreter<'_> {
     }
 
     /// CANF(form,n): the n-th canonical element.
-    fn canonical_element(&mut self, args: &[Expr], span: Span) -> Known<f64> {
+    fn canonical_element(&mut self, args: &[Expr]) -> Known<f64> {
         let form = self.form(&args[0], "a geometric name");
         let n = self.number(&args[1]);
         let (form, n) = (form?, n?);
-        let elements = self.in_system(&form, span)?.canonical();
+        let elements = form.canonical();
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,

@@ -166,7 +166,8 @@ impl Interpreter<'_> {
     fn vector(&mut self, expr: &Expr) -> Known<Vec3> {
         let value = self.value(expr)?;
         if let Value::Form(form) = &value
-            && let Form::Vector(v) | Form::Point(v) = **form
+            && matches!(form.shape(), Form::Vector(_) | Form::Point(_))
+            && let Form::Vector(v) | Form::Point(v) = *self.in_system(form, expr.span)?
         {
             return Ok(v);
         }

@@ -50,18 +50,12 @@ impl Interpreter<'_> {
             2 if reader.left() == 2 => {
                 let (x, y) = (reader.number(), reader.number());
                 let flat = (x.unwrap_or_default(), y.unwrap_or_default());
-                self.on_base_zsurf(flat.0, flat.1)
+                self.on_zsurf(flat.0, flat.1)
             }
             0..=2 => return Err(self.expect(reader, "a point or two or three coordinates")),
             _ => reader.triple().unwrap_or_default(),
         };
         Ok((point, NameRef::default()))
-    }
-
-    /// The point over (x, y) on ZSURF, in the base system where tools move.
-    fn on_base_zsurf(&self, x: f64, y: f64) -> Vec3 {
-        let z = self.state.zsurf.map_or(0.0, |s| (s.d - s.n.x * x - s.n.y * y) / s.n.z);
-        Vec3::new(x, y, z + 0.0)
     }
 
     fn delta(&mut self, reader: &mut Reader<'_>) -> Known<()> {

@@ -180,7 +180,7 @@ impl Interpreter<'_> {
                     return;
                 }
             },
-            Value::Form(form) => (form.kind().word(), form.canonical()),
+            Value::Form(form) => (form.kind().word(), self.seen(form).canonical()),
             _ => return,
         };
         self.list(match style {

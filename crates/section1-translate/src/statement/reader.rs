@@ -135,8 +135,22 @@ impl<'a> Reader<'a> {
 }
 
 impl Interpreter<'_> {
-    /// The arguments of a clause; none without a slash.
+    /// The arguments of a clause, as the present reference system sees them; none without a slash.
+    ///
+    /// Within REFSYS the tool moves in the system of the matrix, in which numbers are given too. APT-360: a form is carried
+    /// over where it is used in another system than that of its definition, and nowhere else.
     pub(super) fn args(&mut self, clause: &Clause, names: Names) -> Known<Vec<Arg>> {
+        let mut args = self.args_in_base(clause, names)?;
+        for arg in &mut args {
+            if let ArgKind::Form { form, .. } = &mut arg.kind {
+                *form = self.in_system(form, arg.span)?;
+            }
+        }
+        Ok(args)
+    }
+
+    /// The arguments of a clause with all forms in the base system.
+    pub(super) fn args_in_base(&mut self, clause: &Clause, names: Names) -> Known<Vec<Arg>> {
         self.arguments(clause.args.as_deref().unwrap_or_default(), names)
     }
 

@@ -14,7 +14,7 @@ use crate::memory::Value;
 impl Interpreter<'_> {
     /// ZSURF/plane, z or NOMORE; REFSYS/matrix or NOMORE.
     pub(super) fn system(&mut self, word: Word, clause: &Clause) -> Known<()> {
-        let args = self.args(clause, Names::Defined)?;
+        let args = self.args_in_base(clause, Names::Defined)?;
         let mut reader = Reader::new(word, clause, &args);
         if reader.is_word(word::NOMORE) {
             if word == word::ZSURF {
