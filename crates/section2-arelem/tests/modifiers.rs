@@ -2,7 +2,10 @@
 
 mod support;
 
-use aptc_geometry::{Vec3, trig};
+use std::sync::Arc;
+
+use aptc_geometry::{Form, Tabcyl, TabcylSpan, Vec2, Vec3, trig};
+use nalgebra::Matrix3;
 use support::{Forms, Run, form, run};
 
 fn forms() -> Forms {
@@ -21,8 +24,28 @@ fn forms() -> Forms {
     add("SP", "SPHERE", &[0.0, 0.0, -50.0, 50.0]);
     add("CY", "CYLNDR", &[10.0, 0.0, 0.0, 0.0, 1.0, 0.0, 3.0]);
     add("TILT", "PLANE", &[0.6, 0.0, 0.8, 6.0]);
+    add("CR", "CYLNDR", &[10.0, 0.0, 0.0, 0.0, 1.0, 0.0, 2.0]);
+    add("LS", "LINE", &[0.6, -0.8, 0.0, 2.0]);
+    add("QE", "QADRIC", &[1.0, 1.0, 0.5, 98.0, 0.0, 0.0, 0.0, -10.0, 0.0, 0.0]);
+    let n = 1.36_f64.sqrt();
+    add("LT", "LINE", &[-0.6 / n, 1.0 / n, 0.0, (0.9 - 7.8) / n]);
     add("LOW", "PLANE", &[0.0, 0.0, 1.0, -10.0]);
+    f.insert("TB".into(), Form::Tabcyl(Arc::new(spline())));
     f
+}
+
+/// A spline from the x axis at 10, tangent to it, up to the line LT at 13, with straight ends of 10.
+fn spline() -> Tabcyl {
+    let spans = [
+        [0.0, 0.0, 0.0, 0.0, 10.0],
+        [10.0, 0.0, -0.002002925832530209, 0.10151663457052479, 1.004987562112089],
+        [11.0, 0.1, -0.004750681628218854, 0.09538033506703883, 1.044030650891055],
+        [12.0, 0.4, -0.005177920474813468, 0.08038027377914903, 1.118033988749895],
+        [13.0, 0.9, 0.0, 0.0, 10.0],
+    ];
+    let span = |[x, y, a, b, length]: [f64; 5]| TabcylSpan::new(Vec2::new(x, y), a, b, length);
+    let end = Vec2::new(21.574929257125444, 6.044957554275266);
+    Tabcyl { axes: Matrix3::identity(), spans: spans.map(span).to_vec(), end }
 }
 
 /// Runs the text in the plane and in space; both end at `end`.
@@ -62,6 +85,45 @@ fn tangent_to_a_circle_and_on_along_it() {
         let ran = run(&forms(), &text).clean();
         assert!((ran.end() - Vec3::new(5.0, 6.5, 0.0)).norm() < 1.1e-6, "{calc} {:?}", ran.end());
     }
+}
+
+/// A flat end lies on the crest as long as the crest is below it: it stops with its middle there, as APT-360 does.
+#[test]
+fn a_flat_that_passes_over_a_crest_stops_in_the_middle() {
+    for (cutter, rest) in [("1", ""), ("1,.2", ""), ("1,.2", "INTOL/.001\n"), ("1,.5", "")] {
+        let start =
+            format!("INTOL/0\nOUTTOL/.0005\n{rest}CUTTER/{cutter}\nFROM/0,-5,5\nINDIRV/0,1,0\n");
+        let go = "GO/TO,LX,TO,PL2\nINDIRV/1,0,0\nTLRGT,GOFWD/LX,PSTAN,CR";
+        both(&format!("{start}{go}"), [10.0, -0.5, 2.0]);
+        // At a slant the crest crosses the flat elsewhere, and the middle is below the tool end again.
+        let slant = "GO/ON,LS,TO,PL2\nINDIRV/1,0,0\nTLON,GOFWD/LS,PSTAN,CR";
+        both(&format!("{start}{slant}"), [10.0, 5.0, 2.0]);
+    }
+}
+
+/// The straight ends of a TABCYL lie along the lines that it is tangent to.
+#[test]
+fn a_line_is_tangent_to_the_straight_end_of_a_tabcyl() {
+    let start = "CUTTER/1\nINTOL/0\nOUTTOL/.0005\nFROM/5,-2,0\nGO/TO,LX\nINDIRV/1,0,0\n";
+    let end = |text: &str| run(&forms(), &format!("{start}{text}")).clean().end();
+    let near = |text: &str, p: [f64; 3], by: f64| {
+        let end = end(text);
+        assert!((end - Vec3::from(p)).norm() < by, "{text}: {end:?}");
+    };
+    near("TLRGT,GOFWD/LX,TANTO,TB", [10.0, -0.5, 0.0], 1e-6);
+    near("TLRGT,GOFWD/LX\nGOFWD/TB,ON,(LINE/1,0,0,12)", [12.0, -0.125, 0.0], 0.02);
+    let n = 1.36_f64.sqrt();
+    let at = [13.0 + 0.3 / n, 0.9 - 0.5 / n, 0.0];
+    near("TLRGT,GOFWD/LX,TANTO,TB\nGOFWD/TB,TANTO,LT", at, 0.02);
+    near("TLRGT,GOFWD/LX\nGOFWD/TB\nGOFWD/LT,ON,(LINE/1,0,0,20)", [20.0, 5.1 - 0.5 * n, 0.0], 1e-3);
+}
+
+/// A cutter with a flat goes straight towards a small ellipsoid on a single cut vector that leads far beyond it.
+#[test]
+fn a_small_ellipsoid_on_the_way_of_a_long_cut_vector() {
+    let start = "CUTTER/1\nINTOL/0\nOUTTOL/1E-12\nFROM/-3,0,0\nINDIRV/1,0,0\nTLON,GOFWD/LX,";
+    both(&format!("{start}TO,QE"), [10.0 - 2.0_f64.sqrt() - 0.5, 0.0, 0.0]);
+    both(&format!("{start}ON,QE"), [10.0 - 2.0_f64.sqrt(), 0.0, 0.0]);
 }
 
 #[test]

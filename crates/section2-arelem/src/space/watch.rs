@@ -5,7 +5,7 @@
 //! tangency is a place where the gap is stationary and near zero, so that no plane has to stand in for the check surface.
 //! The gap changes no faster than the tool moves: that excludes most cut vectors at once, and bounds the search on the others.
 
-use aptc_contact::{Condition, Gap, Reason, Side};
+use aptc_contact::{Condition, Gap, Reason, Side, on};
 use aptc_protap::Relation;
 
 use super::keep::{Keep, Pose};
@@ -191,6 +191,12 @@ impl Watch {
         for i in 0..self.gauges.len() {
             let (near, loose) = (self.near, self.loose);
             let gauge = &mut self.gauges[i];
+            if tangent
+                && !gauge.armed
+                && let Ok(Some(s)) = way.alongside(&gauge.keep, loose)
+            {
+                found.push((Crossing { s, touch: true, falls: true }, i));
+            }
             let Some((a, b)) = gauge.ends(&way, near) else { continue };
             for p in [a, b] {
                 if p.gap.g.abs() < self.closest.0.abs() {
@@ -300,6 +306,29 @@ fn in_limits(keep: &Keep, gap: f64, exact: f64) -> bool {
 /// Gap to the check surface, near a gap that is known.
 fn read(keep: &Keep, node: &Node, near: Option<&Gap>) -> Result<Gap, Trouble> {
     keep.gap_from(&node.pose, near).map_err(|_| Trouble::Check)
+}
+
+/// A gap that changes less than this with the way keeps its value: far above rounding, and a round surface of a
+/// thousand times the length of the cut vector changes more at the first look.
+const LEVEL: f64 = 1e-10;
+
+/// A bound of the gap of a cutter that is so deep in the surface that no pair of points faces each other: the depth of a point
+/// of its axis. `None` where none of those looked at is in it.
+///
+/// On the way through a small ellipsoid a cutter is there for a while. The gap is at most that of any point of the cutter,
+/// so that it is negative with the bound; where it is zero there is a pair.
+fn sunk(keep: &Keep, node: &Node) -> Option<Gap> {
+    if keep.condition == Condition::On || keep.side == Side::Open {
+        return None;
+    }
+    let at = |share: f64| {
+        let p = node.pose.te + node.pose.ta * (share * keep.profile.height());
+        let gap = on(p, &keep.surface, keep.side);
+        Gap { g: gap.raw - keep.thick, ..gap }
+    };
+    let deepest =
+        [0.0, 0.25, 0.5, 0.75, 1.0].map(at).into_iter().min_by(|a, b| a.g.total_cmp(&b.g));
+    deepest.filter(|gap| gap.g < -keep.width())
 }
 
 /// Sine of the angle below which a check surface is met at a graze.
@@ -467,7 +496,8 @@ impl Way<'_> {
     fn sample(&self, keep: &Keep, s: f64, near: &Sample) -> Result<Sample, Trouble> {
         let node = self.node(s)?;
         let whole = if simple(keep) { None } else { read(keep, &node, None).ok() };
-        let gap = whole.map_or_else(|| read(keep, &node, Some(&near.gap)), Ok)?;
+        let gap = whole.map_or_else(|| read(keep, &node, Some(&near.gap)), Ok);
+        let gap = gap.or_else(|t| sunk(keep, &node).ok_or(t))?;
         Ok(Sample { s, gap, slope: self.slope(&node, &gap) })
     }
 
@@ -582,6 +612,62 @@ impl Way<'_> {
     }
 }
 
+impl Way<'_> {
+    /// The middle of the stretch about the extreme `m` along which the gap keeps its value, `m` itself without one.
+    ///
+    /// A flat end of the cutter lies along its part surface and touches a round check surface tangent to it all the time
+    /// that the line of contact goes through below the flat: the tool stops where that line is below its end, as in APT-360.
+    fn middle(&self, keep: &Keep, a: &Sample, m: &Sample, b: &Sample) -> Result<f64, Trouble> {
+        let (from, to) = (self.level(keep, m, a)?, self.level(keep, m, b)?);
+        Ok(0.5 * (from + to))
+    }
+
+    /// Where, going from `m` to `end`, the gap ceases to keep its value.
+    fn level(&self, keep: &Keep, m: &Sample, end: &Sample) -> Result<f64, Trouble> {
+        let same = 2.0 * keep.width() + self.track.exact;
+        let keeps = |p: &Sample| p.slope.abs() <= LEVEL && (p.gap.g - m.gap.g).abs() <= same;
+        if keeps(end) {
+            return Ok(end.s);
+        }
+        let (mut inside, mut outside) = (m.s, end.s);
+        // The first look decides whether there is such a stretch at all.
+        let mut s = m.s + 1e-6 * (end.s - m.s);
+        for round in 0..ROUNDS {
+            if keeps(&self.sample(keep, s, m)?) {
+                inside = s;
+            } else if round == 0 {
+                return Ok(m.s);
+            } else {
+                outside = s;
+            }
+            if (outside - inside).abs() <= self.track.exact {
+                break;
+            }
+            s = 0.5 * (inside + outside);
+        }
+        Ok(inside)
+    }
+
+    /// How far the check surface runs along with the way from its beginning, where the tool touches it there.
+    ///
+    /// The straight end of a TABCYL lies along the line that it is tangent to: the motion to it ends where they part, though
+    /// nothing but that stretch says that they are tangent. APT-360 stops at once; along the check surface it is the same way.
+    fn alongside(&self, keep: &Keep, loose: f64) -> Result<Option<f64>, Trouble> {
+        let at = |node: &Node, s: f64| -> Result<Sample, Trouble> {
+            let gap = read(keep, node, None)?;
+            Ok(Sample { s, gap, slope: self.slope(node, &gap) })
+        };
+        let start = at(self.from, 0.0)?;
+        if start.gap.g.abs() > loose || start.slope.abs() > LEVEL {
+            return Ok(None);
+        }
+        let whole = at(&self.stride.to, self.stride.length).ok();
+        let Some(end) = whole.or_else(|| self.last_facing(keep, &start)) else { return Ok(None) };
+        let s = self.level(keep, &start, &end)?;
+        Ok((s > loose).then_some(s))
+    }
+}
+
 /// Is the gap along any cut vector free of more than one extreme value?
 fn simple(keep: &Keep) -> bool {
     keep.surface.convex() || keep.surface.concave()
@@ -650,12 +736,19 @@ fn tangencies(
     if b.s <= a.s {
         return Ok(());
     }
+    // The way comes to run along with the check surface, as along the straight end of a TABCYL: where that begins.
+    let runs = |p: &Sample| p.slope.abs() <= LEVEL && p.gap.g.abs() <= loose;
+    if runs(&b) && !runs(&a) {
+        out.push(Crossing { s: way.level(keep, &b, &a)?, touch: true, falls: a.slope < 0.0 });
+        return Ok(());
+    }
     let far = a.gap.g.abs() + b.gap.g.abs() - 2.0 * loose > reach(way, keep, &a, &b);
     let turns = (a.slope > 0.0) != (b.slope > 0.0);
     if turns && (!far || simple(keep)) {
         let m = way.extreme(keep, a, b, 1e-12, false)?;
         if m.gap.g.abs() <= loose {
-            out.push(Crossing { s: m.s, touch: true, falls: a.slope < 0.0 });
+            let s = way.middle(keep, &a, &m, &b)?;
+            out.push(Crossing { s, touch: true, falls: a.slope < 0.0 });
         } else if m.gap.g.abs() < alike.abs() {
             *alike = m.gap.g;
         }
