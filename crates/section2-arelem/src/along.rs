@@ -28,7 +28,10 @@ impl Arelem {
         if self.poisoned {
             return Outcome::Failed;
         }
-        let Some(tool) = self.tool else { return self.fail(origin, &Failure::NoPosition) };
+        let tool = match self.tool {
+            Some(tool) => tool,
+            None => self.stand_at_zero(origin),
+        };
         self.need_cutter(origin, go.surfaces.iter().map(|s| &s.1));
         self.chosen_contact(origin);
         let start = match self.start_scene(go, tool) {

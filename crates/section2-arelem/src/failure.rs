@@ -389,6 +389,14 @@ pub(crate) fn astray(origin: &Origin, surface: &SurfaceRef, is: Astray) -> Diagn
         .help(format!("write {}, or turn the other way", is.holds))
 }
 
+/// A start before the first position: it begins at 0,0,0.
+pub(crate) fn from_zero(origin: &Origin) -> Diagnostic {
+    let text = "the tool has no position yet and is taken to stand at 0,0,0";
+    Diagnostic::warning(codes::NO_POSITION, origin.span, text)
+        .within(origin.trace.clone())
+        .help("give FROM with the place where the tool stands")
+}
+
 /// TO and PAST while the tool stands on the surface: it is taken to be on the negative side.
 pub(crate) fn no_side(origin: &Origin, surface: &SurfaceRef) -> Diagnostic {
     let text = format!(

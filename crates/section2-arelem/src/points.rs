@@ -75,21 +75,32 @@ impl Arelem {
 
     /// Puts the tool there.
     pub(crate) fn go_to(&mut self, te: Vec3) {
-        let fixed = match &self.settings.axis {
-            ToolAxis::Fixed(v) => unit(*v),
-            _ => None,
-        };
         match &mut self.tool {
             Some(t) => {
                 t.turn(te - t.te);
                 t.te = te;
             }
-            None => {
-                let ta = fixed.unwrap_or_else(Vec3::z);
-                self.tool = Some(Tool { te, ta, forward: Vec3::x(), assumed: true });
-            }
+            None => self.tool = Some(self.first(te)),
         }
         self.poisoned = false;
+    }
+
+    /// The tool at its first position.
+    fn first(&self, te: Vec3) -> Tool {
+        let fixed = match &self.settings.axis {
+            ToolAxis::Fixed(v) => unit(*v),
+            _ => None,
+        };
+        Tool { te, ta: fixed.unwrap_or_else(Vec3::z), forward: Vec3::x(), assumed: true }
+    }
+
+    /// A start without a position before it begins at 0,0,0, as in APT-360, and says so: where it begins only tells the way to
+    /// the surfaces. A step from an unknown place (GODLTA) is refused.
+    pub(crate) fn stand_at_zero(&mut self, origin: &Origin) -> Tool {
+        self.diagnostics.push(failure::from_zero(origin));
+        let tool = self.first(Vec3::zeros());
+        self.tool = Some(tool);
+        tool
     }
 
     /// CUT and DNTCUT: after DNTCUT, CUT puts out where the tool is.

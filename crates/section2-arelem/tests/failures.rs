@@ -26,7 +26,7 @@ fn code(text: &str) -> u16 {
 #[test]
 fn each_refusal_has_its_code_and_is_the_only_message() {
     // No position; no cutter; not at the drive surface; not at the part surface.
-    assert_eq!(code("CUTTER/1\nGO/TO,LX"), 2001);
+    assert_eq!(code("CUTTER/1\nGODLTA/0,0,1"), 2001);
     assert_eq!(code("FROM/0,-5,0\nGO/TO,LX"), 2002);
     assert_eq!(code("CUTTER/1\nFROM/-5,-2,0\nINDIRV/1,0,0\nTLRGT,GOFWD/LX,ON,LY"), 2003);
     assert_eq!(code("CUTTER/1\nFROM/-5,-5,3\nGO/TO,LX\nPSIS/PL1\nTLRGT,GORGT/LX,ON,LY"), 2004);
@@ -44,6 +44,15 @@ fn each_refusal_has_its_code_and_is_the_only_message() {
     assert_eq!(code("CUTTER/1\nFROM/-5,0,0\nGO/TO,LX"), 2013);
     assert_eq!(code("CUTTER/1\nFROM/-5,-5,0\nGO/TO,LX\nTLRGT,GORGT/LX"), 2014);
     assert_eq!(code("CUTTER/1\nFROM/-5,-5,0\nGO/TO,P1"), 2015);
+}
+
+#[test]
+fn a_start_without_a_position_begins_at_zero_and_says_so() {
+    let text = "CUTTER/1\nOUTTOL/1E-9\nGO/TO,L5";
+    let ran = run(&forms(), text);
+    assert_eq!(ran.code(), 2001);
+    let known = run(&forms(), &text.replace("GO/", "FROM/0,0,0\nGO/")).clean();
+    assert!((ran.end() - known.end()).norm() < 1e-12, "{:?} {:?}", ran.end(), known.end());
 }
 
 #[test]
