@@ -26,8 +26,9 @@ impl Frame {
         let places = || {
             leaves.iter().flat_map(|n| {
                 PLACES.map(|[a, b]| {
-                    let [s, t, z] =
-                        self.own(n.center - self.center + n.half[0] * a + n.half[1] * b);
+                    let place = n.center + n.half[0] * a + n.half[1] * b;
+                    let bowed = n.normal * (n.bow[0] * a * a + n.bow[1] * b * b);
+                    let [s, t, z] = self.own(place + bowed - self.center);
                     [s * s, t * t, z]
                 })
             })
@@ -52,24 +53,35 @@ impl Frame {
     }
 
     /// Between which heights over the bow all points of the charts lie.
+    ///
+    /// With x and y from -1 to 1 along the sides of a chart, `q = bow[0] x^2 + bow[1] y^2` its own bow and L what its sides add to
+    /// the place along the first two axes, a point is at `place + L + normal q`, thick all around. Its height over the bow of
+    /// the frame is that of the middle, what goes evenly in x and y, a form of second degree, in which both bows take each
+    /// other away, and what is left of the squares of the place.
     pub(super) fn heights(&self, bow: [f64; 2], leaves: &[Node]) -> [f64; 2] {
         let of = |n: &Node| {
             let [s, t, z] = self.own(n.center - self.center);
-            let sides = [n.half[0], n.half[1]].map(|h| self.own(h));
+            let [a, b] = [n.half[0], n.half[1]].map(|h| self.own(h));
+            let normal = self.own(n.normal);
+            let slope = [2.0 * bow[0] * s, 2.0 * bow[1] * t];
+            let over = |w: &[f64; 3]| w[2] - slope[0] * w[0] - slope[1] * w[1];
+            let middle = z - bow[0] * s * s - bow[1] * t * t;
             let by =
                 [0, 1].map(|k| if self.lengths[k] > 0.0 { n.thick / self.lengths[k] } else { 0.0 });
-            let slope = [2.0 * bow[0] * s, 2.0 * bow[1] * t];
-            let middle = z - bow[0] * s * s - bow[1] * t * t;
-            let along = |h: &[f64; 3]| (h[2] - slope[0] * h[0] - slope[1] * h[1]).abs();
             let around = n.thick + slope[0].abs() * by[0] + slope[1].abs() * by[1];
-            let room = sides.iter().map(along).sum::<f64>() + around;
-            // What the square of the way to a border adds.
-            let square = [0, 1].map(|k| {
-                let far = sides[0][k].abs() + sides[1][k].abs() + by[k];
-                bow[k] * far * far
+            let product = |v: &[f64; 3], w: &[f64; 3]| bow[0] * v[0] * w[0] + bow[1] * v[1] * w[1];
+            let square = [
+                n.bow[0] * over(&normal) - product(&a, &a),
+                n.bow[1] * over(&normal) - product(&b, &b),
+            ];
+            let cross = 2.0 * product(&a, &b).abs();
+            let rest = [0, 1].map(|k| {
+                let by = by[k] + normal[k].abs() * (n.bow[0].abs() + n.bow[1].abs());
+                bow[k].abs() * (2.0 * (a[k].abs() + b[k].abs()) + by) * by
             });
+            let room = over(&a).abs() + over(&b).abs() + around + cross + rest[0] + rest[1];
             let [down, up] =
-                [1.0, -1.0].map(|x| square.iter().map(|q| (x * q).max(0.0)).sum::<f64>());
+                [-1.0, 1.0].map(|x| square.iter().map(|q| (x * q).max(0.0)).sum::<f64>());
             [middle - room - down, middle + room + up]
         };
         leaves

@@ -76,10 +76,10 @@ pub(crate) struct Node {
     pub(crate) radius: f64,
     /// Half sides of the box, the last along its normal, and by how much it is made thicker all around.
     pub(super) half: [Vec3; 3],
-    bow: [f64; 2],
+    pub(super) bow: [f64; 2],
     pub(super) thick: f64,
     /// Unit vector about square to the charts.
-    normal: Vec3,
+    pub(super) normal: Vec3,
     below: Below,
 }
 
@@ -159,17 +159,25 @@ impl Patched {
         Chart { range, cell, within, second, third }
     }
 
-    /// What holds a chart.
+    /// What holds a chart: its parallelogram, bowed as its middle is.
+    ///
+    /// By Taylor a place is `c + a s + b t + uu s^2 / 2 + uv s t + vv t^2 / 2` off by what these vary; of `uu` and `vv` the
+    /// parts along the normal are the bow, all else makes it thicker.
     fn leaf(&self, chart: usize) -> Node {
         let patch = self.patch(chart);
-        let jet = self.jet(&patch.spot());
-        let [uu, uv, vv] = self.charts[chart].second;
+        let (jet, bend, vary) = self.bent(&patch);
         let [hu, hv] = patch.half;
-        let thick = 0.5 * uu * hu * hu + uv * hu * hv + 0.5 * vv * hv * hv;
         let side = [jet.d[0] * hu, jet.d[1] * hv];
-        let radius = side[0].norm() + side[1].norm() + thick;
+        let area = [0.5 * hu * hu, hu * hv, 0.5 * hv * hv];
+        let bow = [0, 2].map(|i| area[i] * bend[i].dot(&jet.n));
+        let beside = [0, 2].map(|i| area[i] * (bend[i] - jet.n * bend[i].dot(&jet.n)).norm());
+        let rest = (0..3).map(|i| area[i] * vary[i]).sum::<f64>();
+        let thick = beside[0] + beside[1] + area[1] * bend[1].norm() + rest;
+        let [uu, uv, vv] = self.charts[chart].second;
+        let strays = area[0] * uu + area[1] * uv + area[2] * vv;
+        let radius = side[0].norm() + side[1].norm() + strays;
         let half = [side[0], side[1], Vec3::zeros()];
-        let (bow, below) = ([0.0; 2], Below::Chart(chart));
+        let below = Below::Chart(chart);
         Node { center: jet.p, radius, half, bow, thick, normal: jet.n, below }
     }
 
@@ -208,8 +216,8 @@ impl Patched {
         };
         let sides = e.map(|e| {
             leaves.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |b, n| {
-                let (at, by) = (n.center.dot(&e), n.extent(e));
-                (b.0.min(at - by), b.1.max(at + by))
+                let at = n.center.dot(&e);
+                (b.0.min(at - n.extent(e)), b.1.max(at + n.extent(-e)))
             })
         });
         let middle_of = |i: usize| 0.5 * (sides[i].0 + sides[i].1);
