@@ -10,6 +10,8 @@
 //! assert_eq!(file.expect("a surface").surfaces.len(), 1);
 //! ```
 
+mod border;
+mod curve;
 mod iges;
 mod json;
 mod step;

@@ -1,30 +1,28 @@
 //! STEP (ISO 10303-21): B-spline surfaces, also rational ones as complex instances, and those with implied
-//! knots. The text is read by `ruststep`.
+//! knots; planes, cylinders, cones, spheres, tori and surfaces of revolution and extrusion where faces bound them. The text is
+//! read by `ruststep`.
+//!
+//! A face is the patch of its surface over the box of parameters that its edges leave.
+
+mod curves;
+mod faces;
+mod forms;
 
 use std::collections::BTreeMap;
 
 use aptc_geometry::sculptured::BsplineSurface;
 use ruststep::ast::{EntityInstance, Name, Parameter, Record};
 
+use crate::border::named;
 use crate::{Collected, Fault, Limits, Outside, broken};
+use faces::{Face, border, faces};
+use forms::{Form, NAMES};
 
 /// Brackets within each other: the reader of the text calls itself for each.
 const DEPTH: usize = 64;
 
-/// Other surfaces, which are not read.
-const OTHER: [&str; 8] = [
-    "PLANE",
-    "CYLINDRICAL_SURFACE",
-    "CONICAL_SURFACE",
-    "SPHERICAL_SURFACE",
-    "TOROIDAL_SURFACE",
-    "SURFACE_OF_REVOLUTION",
-    "SURFACE_OF_LINEAR_EXTRUSION",
-    "OFFSET_SURFACE",
-];
-
-/// Faces, whose borders would cut the surfaces.
-const FACES: [&str; 3] = ["ADVANCED_FACE", "FACE_SURFACE", "CURVE_BOUNDED_SURFACE"];
+/// Surfaces that are not read.
+const OTHER: [&str; 3] = ["OFFSET_SURFACE", "RECTANGULAR_TRIMMED_SURFACE", "CURVE_BOUNDED_SURFACE"];
 
 /// Records of an entity by its number.
 type Entities<'x> = BTreeMap<u64, &'x [Record]>;
@@ -46,16 +44,42 @@ pub(crate) fn read(text: &str, limits: &Limits) -> Result<Outside, Fault> {
         .collect();
     let mut out = Collected::new(limits);
     out.file.unit_mm = unit(&entities)?;
-    let (mut other, mut faces) = (BTreeMap::<&str, usize>::new(), 0);
+    let angle = angle(&entities);
+    let mut faces_of = BTreeMap::<u64, Vec<Face>>::new();
+    for face in faces(&entities) {
+        faces_of.entry(face.surface).or_default().push(face);
+    }
+    let mut other = BTreeMap::<&str, usize>::new();
+    // Faces that are not the box of their parameters, and those of which the box is not known.
+    let (mut cut, mut unbounded) = (Vec::new(), Vec::new());
     for (id, records) in &entities {
-        if let Some(surface) = surface(&entities, *id, records, limits)? {
-            out.bspline(&format!("#{id}"), surface, None)?;
-        }
-        for r in *records {
-            if let Some(name) = OTHER.iter().find(|n| r.name == **n) {
-                *other.entry(name).or_default() += 1;
+        let whole = surface(&entities, *id, records, limits)?;
+        let bounded = faces_of.get(id).map_or(&[][..], Vec::as_slice);
+        let form = (!bounded.is_empty()).then(|| Form::of(&entities, *id, angle, limits)).flatten();
+        let mut left = bounded.is_empty() || form.is_none();
+        for (face, form) in bounded.iter().filter_map(|face| Some((face, form.as_ref()?))) {
+            let name = format!("#{id} of face #{}", face.id);
+            match border(&entities, face, form).map(|border| form.within(border)) {
+                Some(border) => {
+                    if !border.whole {
+                        cut.push(format!("#{}", face.id));
+                    }
+                    out.bspline(&name, form.patch(border.range), None)?;
+                }
+                None if whole.is_some() => {
+                    unbounded.push(format!("#{}", face.id));
+                    left = true;
+                }
+                None => left = true,
             }
-            faces += usize::from(FACES.contains(&r.name.as_str()));
+        }
+        match whole {
+            Some(surface) if left => out.bspline(&format!("#{id}"), surface, None)?,
+            _ => {}
+        }
+        let known = |name: &str| NAMES.iter().chain(&OTHER).find(|n| **n == name);
+        for name in records.iter().filter_map(|r| known(&r.name)).filter(|_| left) {
+            *other.entry(name).or_default() += 1;
         }
     }
     let left: Vec<String> = other.iter().map(|(name, n)| format!("{n} {name}")).collect();
@@ -65,10 +89,17 @@ pub(crate) fn read(text: &str, limits: &Limits) -> Result<Outside, Fault> {
     if !left.is_empty() {
         out.file.notes.push(format!("not read: {}", left.join(", ")));
     }
-    if faces > 0 {
-        out.file.notes.push(
-            "borders of faces are not regarded: each B-spline surface is taken as a whole".into(),
-        );
+    if !cut.is_empty() {
+        out.file.notes.push(format!(
+            "faces whose border is not a box of their surface's parameters are taken as all of that box: {}",
+            named(&cut)
+        ));
+    }
+    if !unbounded.is_empty() {
+        out.file.notes.push(format!(
+            "faces of which the border is not read are taken as the whole of their surface: {}",
+            named(&unbounded)
+        ));
     }
     Ok(out.file)
 }
@@ -321,4 +352,18 @@ fn length(entities: &Entities<'_>, id: u64, depth: usize) -> Option<f64> {
     let measure = entities.get(&measure)?.first().and_then(|r| list(&r.parameter))?;
     let [value, base] = measure else { return None };
     (depth < 4).then(|| Some(real(value)? * length(entities, reference(base)?, depth + 1)?))?
+}
+
+/// Radians of the file's unit of plane angles; 1 where it does not say.
+fn angle(entities: &Entities<'_>) -> f64 {
+    let contexts = entities.values().filter_map(|r| of(r, "GLOBAL_UNIT_ASSIGNED_CONTEXT")?.first());
+    let named = contexts.flat_map(|p| list(p).unwrap_or_default()).filter_map(reference);
+    let of_unit = |id: u64| {
+        let records = entities.get(&id)?;
+        records.iter().find(|r| r.name == "PLANE_ANGLE_UNIT")?;
+        let measure = reference(of(records, "CONVERSION_BASED_UNIT")?.get(1)?)?;
+        let measure = entities.get(&measure)?.first().and_then(|r| list(&r.parameter))?;
+        real(measure.first()?)
+    };
+    named.filter_map(of_unit).next().unwrap_or(1.0)
 }

@@ -1,0 +1,254 @@
+//! Curves from outside as rational B-splines, and the surfaces that they make: all exact.
+
+use aptc_geometry::sculptured::BsplineSurface;
+use aptc_geometry::{Vec3, trig};
+
+/// Highest degree of a curve.
+const MAX_DEGREE: usize = 15;
+/// Parts of a span of a curve at which its course is looked at.
+const PARTS: usize = 16;
+
+/// A point with its weight, the coordinates multiplied by it.
+type Weighted = [f64; 4];
+
+/// A rational B-spline curve over a part of its parameter's range.
+#[derive(Clone, Debug)]
+pub(crate) struct Curve {
+    degree: usize,
+    knots: Vec<f64>,
+    points: Vec<Weighted>,
+    pub(crate) range: [f64; 2],
+}
+
+/// Bezier pieces of one degree, each beginning where the one before ends.
+#[derive(Clone, Debug)]
+pub(crate) struct Chain {
+    degree: usize,
+    /// Parameters where the pieces meet, both ends among them.
+    breaks: Vec<f64>,
+    /// One more than pieces times degree.
+    points: Vec<Weighted>,
+}
+
+/// A line that something is turned about.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Axis {
+    pub(crate) point: Vec3,
+    /// Unit direction.
+    pub(crate) z: Vec3,
+}
+
+fn mix(a: &Weighted, b: &Weighted, t: f64) -> Weighted {
+    core::array::from_fn(|i| a[i] * (1.0 - t) + b[i] * t)
+}
+
+fn plain(h: &Weighted) -> Vec3 {
+    Vec3::new(h[0], h[1], h[2]) / h[3]
+}
+
+fn weighted(p: Vec3, w: f64) -> Weighted {
+    [p.x * w, p.y * w, p.z * w, w]
+}
+
+/// Control points of an arc of the unit circle by quarters at most, as cosine, sine and weight, the first two multiplied by it;
+/// and the angles where the pieces meet.
+fn circle([from, to]: [f64; 2]) -> (Vec<[f64; 3]>, Vec<f64>) {
+    let quarter = core::f64::consts::FRAC_PI_2;
+    let pieces = (1..4).find(|n| (to - from).abs() <= quarter * f64::from(*n) + 1e-9).unwrap_or(4);
+    let step = (to - from) / f64::from(pieces);
+    let at = |a: f64, w: f64| {
+        let (s, c) = trig::sin_cos(a);
+        [c, s, w]
+    };
+    let mut points = vec![at(from, 1.0)];
+    let mut breaks = vec![from];
+    for k in 0..pieces {
+        let end = if k + 1 == pieces { to } else { from + step * f64::from(k + 1) };
+        points.push(at(from + step * (f64::from(k) + 0.5), trig::cos(0.5 * step)));
+        points.push(at(end, 1.0));
+        breaks.push(end);
+    }
+    (points, breaks)
+}
+
+impl Curve {
+    /// Of control points with weights, which do not multiply the coordinates; `None` where that is no curve.
+    pub(crate) fn new(
+        degree: usize,
+        knots: Vec<f64>,
+        points: &[[f64; 4]],
+        range: Option<[f64; 2]>,
+    ) -> Option<Self> {
+        let n = points.len();
+        let rising = knots.windows(2).all(|w| w[0] <= w[1]) && knots.iter().all(|t| t.is_finite());
+        let sound = points.iter().all(|p| p.iter().all(|x| x.is_finite()) && p[3] > 0.0);
+        if degree == 0 || degree > MAX_DEGREE || n <= degree || knots.len() != n + degree + 1 {
+            return None;
+        }
+        let all = [knots[degree], knots[n]];
+        let range = range.unwrap_or(all);
+        let range = [range[0].clamp(all[0], all[1]), range[1].clamp(all[0], all[1])];
+        if !rising || !sound || range[0] >= range[1] {
+            return None;
+        }
+        let points = points.iter().map(|p| weighted(Vec3::new(p[0], p[1], p[2]), p[3])).collect();
+        Some(Self { degree, knots, points, range })
+    }
+
+    /// The straight line, over 0 to 1.
+    pub(crate) fn line(a: Vec3, b: Vec3) -> Self {
+        Self::through(&[a, b]).unwrap_or(Self {
+            degree: 1,
+            knots: vec![0.0, 0.0, 1.0, 1.0],
+            points: vec![weighted(a, 1.0), weighted(b, 1.0)],
+            range: [0.0, 1.0],
+        })
+    }
+
+    /// Straight lines from point to point, over 0 to their number.
+    pub(crate) fn through(points: &[Vec3]) -> Option<Self> {
+        let n = points.len().checked_sub(1).filter(|n| *n > 0)?;
+        let breaks = (0..=n).map(|k| k as f64).collect();
+        let points = points.iter().map(|p| weighted(*p, 1.0)).collect();
+        Some(Chain { degree: 1, breaks, points }.curve())
+    }
+
+    /// `center + x cos a + y sin a` over these angles, of which the first is the less; the parameter meets the angle where
+    /// its pieces do.
+    pub(crate) fn arc(center: Vec3, x: Vec3, y: Vec3, angles: [f64; 2]) -> Self {
+        let (points, breaks) = circle(angles);
+        let of = |[c, s, w]: [f64; 3]| {
+            let p = center * w + x * c + y * s;
+            [p.x, p.y, p.z, w]
+        };
+        Chain { degree: 2, breaks, points: points.into_iter().map(of).collect() }.curve()
+    }
+
+    /// The span in which a parameter lies.
+    fn span(&self, t: f64) -> usize {
+        let real = |k: &usize| self.knots[*k] < self.knots[*k + 1];
+        let spans = || (self.degree..self.points.len()).filter(real);
+        spans()
+            .rev()
+            .find(|k| self.knots[*k] <= t)
+            .or_else(|| spans().next())
+            .unwrap_or(self.degree)
+    }
+
+    /// The polar form within a span: de Boor's algorithm with an argument for each step.
+    fn polar(&self, span: usize, argument: impl Fn(usize) -> f64) -> Weighted {
+        let p = self.degree;
+        let mut d = self.points[span - p..=span].to_vec();
+        for r in 1..=p {
+            for j in (r..=p).rev() {
+                let i = span - p + j;
+                let (a, b) = (self.knots[i], self.knots[i + p + 1 - r]);
+                d[j] = mix(&d[j - 1], &d[j], (argument(r - 1) - a) / (b - a));
+            }
+        }
+        d[p]
+    }
+
+    pub(crate) fn at(&self, t: f64) -> Vec3 {
+        plain(&self.polar(self.span(t), |_| t))
+    }
+
+    /// Both ends of the range and the knots between.
+    fn breaks(&self) -> Vec<f64> {
+        let [from, to] = self.range;
+        let room = 1e-12 * (to - from);
+        let mut all = vec![from];
+        for t in &self.knots {
+            if *t > all[all.len() - 1] + room && *t < to - room {
+                all.push(*t);
+            }
+        }
+        all.push(to);
+        all
+    }
+
+    /// Its Bezier pieces between parameters that rise, its knots among them.
+    fn pieces(&self, breaks: Vec<f64>) -> Chain {
+        let p = self.degree;
+        let mut points = Vec::with_capacity(p * breaks.len());
+        for w in breaks.windows(2) {
+            let span = self.span(0.5 * (w[0] + w[1]));
+            let skip = usize::from(!points.is_empty());
+            points.extend((skip..=p).map(|i| self.polar(span, |k| w[usize::from(k < i)])));
+        }
+        Chain { degree: p, breaks, points }
+    }
+
+    pub(crate) fn chain(&self) -> Chain {
+        self.pieces(self.breaks())
+    }
+
+    /// Places along it, both ends among them.
+    pub(crate) fn places(&self) -> Vec<Vec3> {
+        let breaks = self.breaks();
+        let mut out = vec![self.at(breaks[0])];
+        for w in breaks.windows(2) {
+            out.extend(
+                (1..=PARTS).map(|k| self.at(w[0] + (w[1] - w[0]) * k as f64 / PARTS as f64)),
+            );
+        }
+        out
+    }
+}
+
+impl Chain {
+    fn knots(&self) -> Vec<f64> {
+        let last = self.breaks.len() - 1;
+        let times = |k: usize| self.degree + usize::from(k == 0 || k == last);
+        let all = self.breaks.iter().enumerate();
+        all.flat_map(|(k, t)| core::iter::repeat_n(*t, times(k))).collect()
+    }
+
+    fn curve(self) -> Curve {
+        let range = [self.breaks[0], self.breaks[self.breaks.len() - 1]];
+        Curve { degree: self.degree, knots: self.knots(), points: self.points, range }
+    }
+
+    /// Turned about an axis over these angles: u is the angle, where the pieces of 90 degrees at most meet, and v along it.
+    pub(crate) fn turned(&self, axis: &Axis, angles: [f64; 2]) -> BsplineSurface {
+        let (arc, breaks) = circle(angles);
+        let around = Self { degree: 2, breaks, points: Vec::new() };
+        surface(&around, self, |i, j| {
+            let h = &self.points[j];
+            let p = plain(h);
+            let foot = axis.point + axis.z * (p - axis.point).dot(&axis.z);
+            let out = p - foot;
+            let [c, s, w] = arc[i];
+            let q = (foot * w + out * c + axis.z.cross(&out) * s) * h[3];
+            [q.x, q.y, q.z, w * h[3]]
+        })
+    }
+
+    /// Moved by a vector: u along it and v from 0 to 1 by the vector.
+    pub(crate) fn moved(&self, by: Vec3) -> BsplineSurface {
+        surface(self, &line(), |i, j| {
+            let h = &self.points[i];
+            if j == 0 { *h } else { weighted(plain(h) + by, h[3]) }
+        })
+    }
+}
+
+/// The parameter of straight lines, 0 to 1.
+fn line() -> Chain {
+    Chain { degree: 1, breaks: vec![0.0, 1.0], points: Vec::new() }
+}
+
+/// A surface of the parameters of two chains, by control points along u and v.
+fn surface(u: &Chain, v: &Chain, point: impl Fn(usize, usize) -> Weighted) -> BsplineSurface {
+    let counts = [u, v].map(|c| c.degree * (c.breaks.len() - 1) + 1);
+    let mut points = Vec::with_capacity(counts[0] * counts[1]);
+    for j in 0..counts[1] {
+        for i in 0..counts[0] {
+            let h = point(i, j);
+            let p = plain(&h);
+            points.push([p.x, p.y, p.z, h[3]]);
+        }
+    }
+    let degree = [u.degree, v.degree];
+    BsplineSurface { degree, knots: [u.knots(), v.knots()], counts, points, range: [None; 2] }
+}
