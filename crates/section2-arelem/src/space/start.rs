@@ -7,7 +7,7 @@ use aptc_geometry::{Fiop, Form, Plane, Surface, Vec3};
 use aptc_protap::{OptionSurface, Relation};
 
 use super::keep::{Keep, Pose};
-use super::stride::AIM_BY_LOOKS;
+use super::stride::AIM_TURNING;
 use super::watch::clearance;
 use crate::axis::{Around, AxisRule, Came};
 use crate::failure::{Candidate, Failure};
@@ -367,7 +367,7 @@ impl Solver<'_> {
         }
         let inside = |(a, t): (&Aim<'_>, f64)| {
             let alike = self.alike(pose, &a.keep) / a.keep.width();
-            a.keep.inside(t, alike.max(AIM_BY_LOOKS))
+            a.keep.inside(t, alike.max(AIM_TURNING))
         };
         self.aims.iter().zip(asked).map(inside).collect()
     }

@@ -40,11 +40,11 @@ const SPARE: f64 = 1.1;
 const MOST_TURN: f64 = 2.0;
 /// Share of the band by which a chord aims inside of it.
 const AIM: f64 = 1e-6;
-/// The same, and that by which vertices keep from the edge, where no bound of the gaps along a chord is proved, but places
-/// of it are looked at: where the axis turns, and along surfaces that bend both ways. It makes a path longer by half of it.
-pub(crate) const AIM_BY_LOOKS: f64 = 1e-3;
+/// The same, and that by which vertices keep from the edge, where the axis turns: the gaps go by more than cubics then, and
+/// are looked at in places. It makes a path longer by half of it.
+pub(crate) const AIM_TURNING: f64 = 1e-3;
 /// Extreme gaps on such a chord are found to this share of the band.
-const RESOLUTION_BY_LOOKS: f64 = 0.01 * AIM_BY_LOOKS;
+const RESOLUTION_TURNING: f64 = 0.01 * AIM_TURNING;
 /// Shares of a chord at which it is looked at as a whole where its contact goes over from one place to another.
 const BETWEEN: [f64; 7] = [0.02, 0.1, 0.3, 0.5, 0.7, 0.9, 0.98];
 /// Places of contact that are farther apart than this share of the cutter's radius are two.
@@ -419,7 +419,7 @@ impl Track {
         };
         let target = |i: usize| {
             let target = target(i);
-            if self.by_looks(i) { self.keeps[i].inside(target, AIM_BY_LOOKS) } else { target }
+            if self.axis.turns() { self.keeps[i].inside(target, AIM_TURNING) } else { target }
         };
         [target(0), target(1)]
     }
@@ -482,7 +482,7 @@ impl Track {
             keep.side,
             keep.thick,
             Some([*ends[0], *ends[1]]),
-            if self.by_looks(i) { RESOLUTION_BY_LOOKS } else { RESOLUTION } * keep.width(),
+            if self.axis.turns() { RESOLUTION_TURNING } else { RESOLUTION } * keep.width(),
         )?;
         let (mut low, mut high) = (c.low.g, c.high.g);
         if keep.condition == Condition::Touch && turning || keep.is_mixed() {
@@ -520,8 +520,8 @@ impl Track {
         let keep = &self.keeps[i];
         let limits = keep.limits();
         // The chord aims a little inside the band, so that it fits when it comes out a little longer.
-        let [aim, found] = match self.by_looks(i) {
-            true => [AIM_BY_LOOKS, 2.0 * RESOLUTION_BY_LOOKS],
+        let [aim, found] = match self.axis.turns() {
+            true => [AIM_TURNING, 2.0 * RESOLUTION_TURNING],
             false => [AIM, RESOLUTION],
         };
         let aim = aim * keep.width();
@@ -547,13 +547,6 @@ impl Track {
 }
 
 impl Track {
-    /// Do the bounds of the gap to surface `i` along a chord rest on looks at places of it?
-    #[inline]
-    fn by_looks(&self, i: usize) -> bool {
-        let surface = &self.keeps[i].surface;
-        self.axis.turns() || !(surface.convex() || surface.concave())
-    }
-
     /// Does the cutter touch at different places of it at both ends?
     fn apart(&self, i: usize, from: &Node, to: &Node) -> bool {
         let place = |node: &Node| node.gaps[i].tool_point - node.pose.te;
