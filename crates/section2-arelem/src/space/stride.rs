@@ -45,6 +45,8 @@ const AIM: f64 = 1e-6;
 pub(crate) const AIM_TURNING: f64 = 1e-3;
 /// Extreme gaps on such a chord are found to this share of the band.
 const RESOLUTION_TURNING: f64 = 0.01 * AIM_TURNING;
+/// By this share of it they may be beyond those at its ends, which may lie at the edge of the band.
+const OWN_TURNING: f64 = 1e-8;
 /// Shares of a chord at which it is looked at as a whole where its contact goes over from one place to another.
 const BETWEEN: [f64; 7] = [0.02, 0.1, 0.3, 0.5, 0.7, 0.9, 0.98];
 /// Places of contact that are farther apart than this share of the cutter's radius are two.
@@ -520,9 +522,9 @@ impl Track {
         let keep = &self.keeps[i];
         let limits = keep.limits();
         // The chord aims a little inside the band, so that it fits when it comes out a little longer.
-        let [aim, found] = match self.axis.turns() {
-            true => [AIM_TURNING, 2.0 * RESOLUTION_TURNING],
-            false => [AIM, RESOLUTION],
+        let [aim, found, own] = match self.axis.turns() {
+            true => [AIM_TURNING, 2.0 * RESOLUTION_TURNING, OWN_TURNING],
+            false => [AIM, RESOLUTION, RESOLUTION],
         };
         let aim = aim * keep.width();
         let e = ends.map(|g| (g - limits.low - aim).max(0.0));
@@ -531,9 +533,10 @@ impl Track {
         let rises = [high - ends[0], high - ends[1]].map(|d| d.max(0.0));
         let depth = 0.5 * bow;
         // Vertices of the motion before may lie at the very edge; they are no fault of this chord.
-        let slack = 1e-14 * self.size + found * keep.width();
-        let least = (ends[0].min(ends[1]) - slack).min(limits.low + slack);
-        let most = (ends[0].max(ends[1]) + slack).max(limits.high - slack);
+        let slack = |share: f64| 1e-14 * self.size + share * keep.width();
+        let (own, inside) = (slack(own), slack(found));
+        let least = (ends[0].min(ends[1]) - own).min(limits.low + inside);
+        let most = (ends[0].max(ends[1]) + own).max(limits.high - inside);
         let fits = low >= least && high <= most;
         let mut ratio = f64::INFINITY;
         if depth > 0.0 || dips[0].min(dips[1]) > aim {
