@@ -11,6 +11,7 @@ mod stride;
 mod track;
 mod turning;
 mod watch;
+mod way;
 
 pub(crate) use keep::Keep;
 pub(crate) use run::run;

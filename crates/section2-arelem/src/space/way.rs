@@ -1,0 +1,410 @@
+//! The gap to a check surface along a cut vector: its zeros, its extreme values, and where it keeps its value.
+
+use aptc_contact::{Condition, Gap, Side, on};
+
+use super::keep::Keep;
+use super::stride::Stride;
+use super::track::{Node, Track, Trouble};
+
+/// Bound of each search along one cut vector.
+pub(super) const ROUNDS: usize = 80;
+
+/// Halvings in the search for the last place that faces a surface with ends.
+const FACING: u32 = 14;
+
+/// Rate of change of a gap along the track that is never exceeded, the turning of the axis apart.
+pub(super) const RATE: f64 = 1.5;
+
+/// Sine of the angle below which a check surface is met at a graze.
+pub(super) const GRAZING: f64 = 0.1;
+
+/// A value of the gap on the track.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sample {
+    pub(super) s: f64,
+    pub(super) gap: Gap,
+    pub(super) slope: f64,
+}
+
+/// The way between two nodes.
+pub(super) struct Way<'a> {
+    pub(super) track: &'a Track,
+    pub(super) from: &'a Node,
+    pub(super) stride: &'a Stride,
+    /// Turning of the axis over the length.
+    pub(super) turn: aptc_geometry::Vec3,
+}
+
+/// A place where a gauge reads zero.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Crossing {
+    pub(super) s: f64,
+    /// Does the gap turn back there?
+    pub(super) touch: bool,
+    /// Does it fall there?
+    pub(super) falls: bool,
+}
+
+/// Is the gap in the band, but for rounding?
+pub(super) fn in_limits(keep: &Keep, gap: f64, exact: f64) -> bool {
+    let limits = keep.limits();
+    (limits.low - exact..=limits.high + exact).contains(&gap)
+}
+
+/// Gap to the check surface, near a gap that is known.
+pub(super) fn read(keep: &Keep, node: &Node, near: Option<&Gap>) -> Result<Gap, Trouble> {
+    keep.gap_from(&node.pose, near).map_err(|_| Trouble::Check)
+}
+
+/// A gap that changes less than this with the way keeps its value: far above rounding, and a round surface of a
+/// thousand times the length of the cut vector changes more at the first look.
+const LEVEL: f64 = 1e-10;
+
+/// A bound of the gap of a cutter that is so deep in the surface that no pair of points faces each other: the depth of a point
+/// of its axis. `None` where none of those looked at is in it.
+///
+/// On the way through a small ellipsoid a cutter is there for a while. The gap is at most that of any point of the cutter,
+/// so that it is negative with the bound; where it is zero there is a pair.
+fn sunk(keep: &Keep, node: &Node) -> Option<Gap> {
+    if keep.condition == Condition::On || keep.side == Side::Open {
+        return None;
+    }
+    let at = |share: f64| {
+        let p = node.pose.te + node.pose.ta * (share * keep.profile.height());
+        let gap = on(p, &keep.surface, keep.side);
+        Gap { g: gap.raw - keep.thick, ..gap }
+    };
+    let deepest =
+        [0.0, 0.25, 0.5, 0.75, 1.0].map(at).into_iter().min_by(|a, b| a.g.total_cmp(&b.g));
+    deepest.filter(|gap| gap.g < -keep.width())
+}
+
+impl Way<'_> {
+    fn node(&self, s: f64) -> Result<Node, Trouble> {
+        self.track.walk(self.from, s, self.stride.targets, false)
+    }
+
+    /// The same where the motion may end: no other place of contact is deeper.
+    pub(super) fn settled(&self, s: f64) -> Result<Node, Trouble> {
+        self.track.walk(self.from, s, self.stride.targets, true)
+    }
+
+    /// The place near `s`, with its node, where the gap is `wanted`, as far as it does not only graze the surface.
+    pub(super) fn to_reading(
+        &self,
+        keep: &Keep,
+        mut s: f64,
+        mut node: Node,
+        wanted: f64,
+    ) -> Result<(f64, Node), Trouble> {
+        for _ in 0..8 {
+            let gap = read(keep, &node, None)?;
+            let off = gap.g - wanted;
+            let slope = self.slope(&node, &gap);
+            if off.abs() <= self.track.exact || slope.abs() < GRAZING {
+                break;
+            }
+            let next = s - off / slope;
+            if !(0.0..=self.stride.length).contains(&next) {
+                break;
+            }
+            s = next;
+            node = self.settled(s)?;
+        }
+        Ok((s, node))
+    }
+
+    /// Change of a gap with the way.
+    pub(super) fn slope(&self, node: &Node, gap: &Gap) -> f64 {
+        gap.normal.dot(&node.along) + gap.turn_rate(node.pose.te, self.turn)
+    }
+
+    /// Is the gap to be that of the whole cutter? Where several places of it may touch, and it may be at the surface on
+    /// the way: no point of it is farther from the middle of its axis than the corner of its box.
+    pub(super) fn whole(&self, keep: &Keep) -> bool {
+        if simple(keep) || keep.condition == Condition::On {
+            return false;
+        }
+        let half = 0.5 * keep.profile.height();
+        let around = aptc_geometry::trig::hypot(half, keep.profile.widest()) + keep.thick.abs();
+        let clear = |node: &Node| {
+            let middle = node.pose.te + node.pose.ta * half;
+            keep.surface.distance(middle).abs() - around
+        };
+        let change = self.stride.length * (RATE + self.turn.norm() * keep.profile.reach());
+        clear(self.from) + clear(&self.stride.to) <= change
+    }
+
+    pub(super) fn sample(&self, keep: &Keep, s: f64, near: &Sample) -> Result<Sample, Trouble> {
+        let node = self.node(s)?;
+        let whole = if simple(keep) { None } else { read(keep, &node, None).ok() };
+        let gap = whole.map_or_else(|| read(keep, &node, Some(&near.gap)), Ok);
+        let gap = gap.or_else(|t| sunk(keep, &node).ok_or(t))?;
+        Ok(Sample { s, gap, slope: self.slope(&node, &gap) })
+    }
+
+    /// The last place after `a`, about, where something of the surface faces the cutter.
+    pub(super) fn last_facing(&self, keep: &Keep, a: &Sample) -> Option<Sample> {
+        let (mut low, mut high) = (None, self.stride.length);
+        for _ in 0..FACING {
+            let s = 0.5 * (low.map_or(0.0, |l: Sample| l.s) + high);
+            match self.sample(keep, s, low.as_ref().unwrap_or(a)) {
+                Ok(sample) => low = Some(sample),
+                Err(_) => high = s,
+            }
+        }
+        low
+    }
+
+    /// The zero of `f` between two samples of opposite sign, by Newton's method kept in the bracket.
+    pub(super) fn zero(
+        &self,
+        keep: &Keep,
+        a: Sample,
+        b: Sample,
+        f: impl Fn(&Sample) -> f64,
+        newton: impl Fn(&Sample) -> Option<f64>,
+        enough: f64,
+    ) -> Result<Sample, Trouble> {
+        let (mut a, mut b) = (a, b);
+        let mut best = if f(&a).abs() < f(&b).abs() { a } else { b };
+        let mut side = 0_i32;
+        let (mut fa, mut fb) = (f(&a), f(&b));
+        for _ in 0..ROUNDS {
+            if f(&best).abs() <= enough || b.s - a.s <= 1e-15 * (b.s.abs() + 1e-300) {
+                break;
+            }
+            let secant = (a.s * fb - b.s * fa) / (fb - fa);
+            let s = newton(&best).filter(|s| *s > a.s && *s < b.s).unwrap_or(secant);
+            let s = if s > a.s && s < b.s { s } else { 0.5 * (a.s + b.s) };
+            let at = self.sample(keep, s, &best)?;
+            let value = f(&at);
+            // Illinois: the end that stays loses weight, so that the bracket closes from both sides.
+            if (value > 0.0) == (fa > 0.0) {
+                (a, fa) = (at, value);
+                if side == 1 {
+                    fb *= 0.5;
+                }
+                side = 1;
+            } else {
+                (b, fb) = (at, value);
+                if side == -1 {
+                    fa *= 0.5;
+                }
+                side = -1;
+            }
+            if f(&at).abs() < f(&best).abs() {
+                best = at;
+            } else if newton(&best).is_some() {
+                // Newton's method does not help here.
+                let mid = self.sample(keep, 0.5 * (a.s + b.s), &best)?;
+                let value = f(&mid);
+                if (value > 0.0) == (fa > 0.0) {
+                    (a, fa) = (mid, value);
+                } else {
+                    (b, fb) = (mid, value);
+                }
+                if value.abs() < f(&best).abs() {
+                    best = mid;
+                }
+            }
+        }
+        Ok(best)
+    }
+}
+
+impl Way<'_> {
+    /// The extreme gap between two samples whose slopes differ in sign, towards zero from where they are.
+    /// With `through` any place beyond zero will do. A kink is closed in by halving.
+    fn extreme(
+        &self,
+        keep: &Keep,
+        a: Sample,
+        b: Sample,
+        enough: f64,
+        through: bool,
+    ) -> Result<Sample, Trouble> {
+        let (mut a, mut b) = (a, b);
+        let falls = a.slope < 0.0;
+        let above = a.gap.g > 0.0;
+        let deeper = |p: &Sample, q: &Sample| (p.gap.g < q.gap.g) == falls;
+        let mut best = if deeper(&a, &b) { a } else { b };
+        for round in 0..ROUNDS {
+            let secant = (a.s * b.slope - b.s * a.slope) / (b.slope - a.slope);
+            // Every third step halves: at a kink the slopes tell nothing about the place.
+            let mid = 0.5 * (a.s + b.s);
+            let s = if round % 3 == 2 || !(secant > a.s && secant < b.s) { mid } else { secant };
+            let at = self.sample(keep, s, &best)?;
+            if deeper(&at, &best) {
+                best = at;
+            }
+            if at.slope.abs() <= enough || (through && (at.gap.g > 0.0) != above) {
+                return Ok(at);
+            }
+            if (at.slope < 0.0) == falls {
+                a = at;
+            } else {
+                b = at;
+            }
+            if b.s - a.s <= 1e-14 * b.s.abs() {
+                break;
+            }
+        }
+        Ok(best)
+    }
+}
+
+impl Way<'_> {
+    /// The middle of the stretch about the extreme `m` along which the gap keeps its value, `m` itself without one.
+    ///
+    /// A flat end of the cutter lies along its part surface and touches a round check surface tangent to it all the time
+    /// that the line of contact goes through below the flat: the tool stops where that line is below its end, as in APT-360.
+    fn middle(&self, keep: &Keep, a: &Sample, m: &Sample, b: &Sample) -> Result<f64, Trouble> {
+        let (from, to) = (self.level(keep, m, a)?, self.level(keep, m, b)?);
+        Ok(0.5 * (from + to))
+    }
+
+    /// Where, going from `m` to `end`, the gap ceases to keep its value.
+    fn level(&self, keep: &Keep, m: &Sample, end: &Sample) -> Result<f64, Trouble> {
+        let same = 2.0 * keep.width() + self.track.exact;
+        let keeps = |p: &Sample| p.slope.abs() <= LEVEL && (p.gap.g - m.gap.g).abs() <= same;
+        if keeps(end) {
+            return Ok(end.s);
+        }
+        let (mut inside, mut outside) = (m.s, end.s);
+        // The first look decides whether there is such a stretch at all.
+        let mut s = m.s + 1e-6 * (end.s - m.s);
+        for round in 0..ROUNDS {
+            if keeps(&self.sample(keep, s, m)?) {
+                inside = s;
+            } else if round == 0 {
+                return Ok(m.s);
+            } else {
+                outside = s;
+            }
+            if (outside - inside).abs() <= self.track.exact {
+                break;
+            }
+            s = 0.5 * (inside + outside);
+        }
+        Ok(inside)
+    }
+
+    /// How far the check surface runs along with the way from its beginning, where the tool touches it there.
+    ///
+    /// The straight end of a TABCYL lies along the line that it is tangent to: the motion to it ends where they part, though
+    /// nothing but that stretch says that they are tangent. APT-360 stops at once; along the check surface it is the same way.
+    pub(super) fn alongside(&self, keep: &Keep, loose: f64) -> Result<Option<f64>, Trouble> {
+        let at = |node: &Node, s: f64| -> Result<Sample, Trouble> {
+            let gap = read(keep, node, None)?;
+            Ok(Sample { s, gap, slope: self.slope(node, &gap) })
+        };
+        let start = at(self.from, 0.0)?;
+        if start.gap.g.abs() > loose || start.slope.abs() > LEVEL {
+            return Ok(None);
+        }
+        let whole = at(&self.stride.to, self.stride.length).ok();
+        let Some(end) = whole.or_else(|| self.last_facing(keep, &start)) else { return Ok(None) };
+        let s = self.level(keep, &start, &end)?;
+        Ok((s > loose).then_some(s))
+    }
+}
+
+/// Is the gap along any cut vector free of more than one extreme value?
+pub(super) fn simple(keep: &Keep) -> bool {
+    keep.surface.convex() || keep.surface.concave()
+}
+
+/// The zeros of the gap between two samples.
+pub(super) fn crossings(
+    way: &Way<'_>,
+    keep: &Keep,
+    a: Sample,
+    b: Sample,
+    halvings: u32,
+    out: &mut Vec<Crossing>,
+) -> Result<(), Trouble> {
+    if b.s <= a.s {
+        return Ok(());
+    }
+    let (fa, fb) = (a.gap.g, b.gap.g);
+    let gap = |p: &Sample| p.gap.g;
+    let newton = |p: &Sample| (p.slope != 0.0).then(|| p.s - p.gap.g / p.slope);
+    if (fa > 0.0) != (fb > 0.0) {
+        let falls = fb < fa;
+        let runs = |p: &Sample| (p.slope < 0.0) == falls;
+        if halvings == 0 || simple(keep) || (runs(&a) && runs(&b)) {
+            let root = way.zero(keep, a, b, gap, newton, way.track.exact)?;
+            out.push(Crossing { s: root.s, touch: false, falls });
+            return Ok(());
+        }
+    } else {
+        if fa.abs() + fb.abs() > reach(way, keep, &a, &b) {
+            return Ok(());
+        }
+        let towards = if fa > 0.0 { -1.0 } else { 1.0 };
+        if a.slope * towards > 0.0 && b.slope * towards < 0.0 {
+            let m = way.extreme(keep, a, b, 1e-9, true)?;
+            if (m.gap.g > 0.0) != (fa > 0.0) {
+                crossings(way, keep, a, m, 0, out)?;
+                return crossings(way, keep, m, b, 0, out);
+            }
+            if in_limits(keep, m.gap.g, way.track.exact) {
+                out.push(Crossing { s: m.s, touch: true, falls: fa > 0.0 });
+                return Ok(());
+            }
+        }
+        if halvings == 0 || simple(keep) {
+            return Ok(());
+        }
+    }
+    let m = way.sample(keep, 0.5 * (a.s + b.s), &a)?;
+    crossings(way, keep, a, m, halvings - 1, out)?;
+    crossings(way, keep, m, b, halvings - 1, out)
+}
+
+/// The places between two samples where the gap is stationary and within `loose` of zero.
+#[expect(clippy::too_many_arguments, reason = "the bracket, its surface and what is found")]
+pub(super) fn tangencies(
+    way: &Way<'_>,
+    keep: &Keep,
+    a: Sample,
+    b: Sample,
+    loose: f64,
+    halvings: u32,
+    alike: &mut f64,
+    out: &mut Vec<Crossing>,
+) -> Result<(), Trouble> {
+    if b.s <= a.s {
+        return Ok(());
+    }
+    // The way comes to run along with the check surface, as along the straight end of a TABCYL: where that begins.
+    let runs = |p: &Sample| p.slope.abs() <= LEVEL && p.gap.g.abs() <= loose;
+    if runs(&b) && !runs(&a) {
+        out.push(Crossing { s: way.level(keep, &b, &a)?, touch: true, falls: a.slope < 0.0 });
+        return Ok(());
+    }
+    let far = a.gap.g.abs() + b.gap.g.abs() - 2.0 * loose > reach(way, keep, &a, &b);
+    let turns = (a.slope > 0.0) != (b.slope > 0.0);
+    if turns && (!far || simple(keep)) {
+        let m = way.extreme(keep, a, b, 1e-12, false)?;
+        if m.gap.g.abs() <= loose {
+            let s = way.middle(keep, &a, &m, &b)?;
+            out.push(Crossing { s, touch: true, falls: a.slope < 0.0 });
+        } else if m.gap.g.abs() < alike.abs() {
+            *alike = m.gap.g;
+        }
+        return Ok(());
+    }
+    if far || halvings == 0 || simple(keep) {
+        return Ok(());
+    }
+    let m = way.sample(keep, 0.5 * (a.s + b.s), &a)?;
+    tangencies(way, keep, a, m, loose, halvings - 1, alike, out)?;
+    tangencies(way, keep, m, b, loose, halvings - 1, alike, out)
+}
+
+/// How much a gap can change between two samples.
+fn reach(way: &Way<'_>, keep: &Keep, a: &Sample, b: &Sample) -> f64 {
+    (b.s - a.s) * (RATE + way.turn.norm() * keep.profile.reach())
+}
