@@ -45,8 +45,8 @@ const AIM: f64 = 1e-6;
 pub(crate) const AIM_TURNING: f64 = 1e-3;
 /// Extreme gaps on such a chord are found to this share of the band.
 const RESOLUTION_TURNING: f64 = 0.01 * AIM_TURNING;
-/// By this share of it they may be beyond those at its ends, which may lie at the edge of the band.
-const OWN_TURNING: f64 = 1e-8;
+/// By this share of it they may be beyond those at its ends, which may lie at the edge of the band: what looks are unsure of.
+const OWN_TURNING: f64 = 0.3 * RESOLUTION_TURNING;
 /// Shares of a chord at which it is looked at as a whole where its contact goes over from one place to another.
 const BETWEEN: [f64; 7] = [0.02, 0.1, 0.3, 0.5, 0.7, 0.9, 0.98];
 /// Places of contact that are farther apart than this share of the cutter's radius are two.
