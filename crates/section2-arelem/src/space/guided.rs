@@ -6,8 +6,9 @@
 use aptc_contact::{Gap, Guide, Reading};
 use aptc_geometry::Vec3;
 
+use super::judge::{Fit, RESOLUTION};
 use super::keep::{Keep, Pose};
-use super::stride::{Fit, RESOLUTION, Stride, Trials};
+use super::stride::{Stride, Trials};
 use super::track::{Node, Onset, Track, Trouble, curl, solve_normals};
 use crate::axis::AxisRule;
 

@@ -3,6 +3,7 @@
 mod blocked;
 mod corner;
 mod guided;
+mod judge;
 mod keep;
 mod nearest;
 mod run;

@@ -1,7 +1,7 @@
 //! How near a path comes to a surface that it does not reach, for the message.
 
+use super::judge::between;
 use super::keep::{Keep, Pose};
-use super::stride::between;
 use super::watch::clearance;
 
 /// Places of the path that are looked at.

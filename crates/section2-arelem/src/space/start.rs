@@ -6,8 +6,8 @@ use aptc_geometry::surface::frame_about;
 use aptc_geometry::{Fiop, Form, Plane, Surface, Vec3};
 use aptc_protap::{OptionSurface, Relation};
 
+use super::judge::AIM_TURNING;
 use super::keep::{Keep, Pose};
-use super::stride::AIM_TURNING;
 use super::watch::clearance;
 use crate::axis::{Around, AxisRule, Came};
 use crate::failure::{Candidate, Failure};

@@ -1,0 +1,235 @@
+//! How a chord lies in the bands, and how much longer it could be (APT: `GOUGCK`).
+
+use aptc_contact::{Condition, Gap, chord};
+use aptc_geometry::{Surface, Vec3};
+
+use super::keep::Pose;
+use super::track::{Node, Track, Trouble};
+
+/// Share of the band by which a chord aims inside of it.
+const AIM: f64 = 1e-6;
+/// The same, and that by which vertices keep from the edge, where the axis turns: the gaps go by more than cubics then, and
+/// are looked at in places. It makes a path longer by half of it.
+pub(crate) const AIM_TURNING: f64 = 1e-3;
+/// Extreme gaps on such a chord are found to this share of the band.
+const RESOLUTION_TURNING: f64 = 0.01 * AIM_TURNING;
+/// By this share of it they may be beyond those at its ends, which may lie at the edge of the band: what looks are unsure of.
+const OWN_TURNING: f64 = 0.3 * RESOLUTION_TURNING;
+/// Shares of a chord at which it is looked at as a whole where its contact goes over from one place to another.
+const BETWEEN: [f64; 7] = [0.02, 0.1, 0.3, 0.5, 0.7, 0.9, 0.98];
+/// Places of contact that are farther apart than this share of the cutter's radius are two.
+const ANOTHER: f64 = 0.1;
+/// Share of the band by which two places that touch at once may differ.
+const BOTH: f64 = 1e-2;
+/// Extreme gaps on a chord are found to this share of the band.
+pub(super) const RESOLUTION: f64 = 2e-7;
+
+/// How a chord lies in the bands: it fits, the ratio by which it could be longer, and second derivatives of the
+/// gaps along it, from the slopes at its ends.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Fit {
+    pub(super) fits: bool,
+    pub(super) ratio: f64,
+    pub(super) bends: [f64; 2],
+}
+
+impl Track {
+    /// Does the chord between two nodes stay in both bands?
+    pub(crate) fn fits(&self, from: &Node, to: &Node) -> bool {
+        self.fit(from, to, true).is_ok_and(|f| f.fits)
+    }
+
+    /// Does the chord stay in both bands, and how much longer could it be? With `between` it is looked at as a whole where the
+    /// contact goes over from one place to another.
+    pub(super) fn fit(&self, from: &Node, to: &Node, between: bool) -> Result<Fit, Trouble> {
+        let mut all = Fit { fits: true, ratio: f64::INFINITY, bends: [0.0; 2] };
+        // The end must be ahead: a track that closes on itself is not cut short.
+        if (to.pose.te - from.pose.te).dot(&from.along) <= 0.0 && from.curl.norm() <= 0.0 {
+            return Ok(Fit { fits: false, ratio: 0.5, ..all });
+        }
+        for i in 0..2 {
+            let (fits, ratio, bend) = self.fit_one(i, from, to, between)?;
+            all.fits &= fits;
+            all.ratio = all.ratio.min(ratio);
+            all.bends[i] = bend;
+        }
+        Ok(all)
+    }
+
+    /// The same of one surface.
+    fn fit_one(
+        &self,
+        i: usize,
+        from: &Node,
+        to: &Node,
+        whole: bool,
+    ) -> Result<(bool, f64, f64), Trouble> {
+        let keep = &self.keeps[i];
+        let turning = (from.pose.ta - to.pose.ta).norm_squared() > 1e-24;
+        if keep.is_plane() && !turning {
+            return Ok((true, f64::INFINITY, 0.0));
+        }
+        if keep.goes_round_an_end(&from.gaps[i]) && keep.goes_round_an_end(&to.gaps[i]) {
+            // The surface is left behind, and its edge no guide.
+            return Err(Trouble::Contact);
+        }
+        let v = to.pose.te - from.pose.te;
+        let other = self.governs(i, from, to);
+        let ends = [other.as_ref().unwrap_or(&from.gaps[i]), &to.gaps[i]];
+        let c = chord(
+            &keep.tool(&from.pose),
+            &keep.tool(&to.pose),
+            &keep.surface,
+            keep.condition,
+            keep.side,
+            keep.thick,
+            Some([*ends[0], *ends[1]]),
+            if self.axis.turns() { RESOLUTION_TURNING } else { RESOLUTION } * keep.width(),
+        )?;
+        let (mut low, mut high) = (c.low.g, c.high.g);
+        if keep.condition == Condition::Touch && turning || keep.is_mixed() {
+            // A turning axis may bring another place of the cutter down between two vertices at which it is free; and where
+            // the contact goes over from one place to another the gap has an edge on the way.
+            let apart = (turning || whole) && self.apart(i, from, to);
+            let places: &[f64] = match (apart, turning) {
+                (true, _) => &BETWEEN,
+                // Along a surface of rulings a flank lies nearly, and its gap goes by more than cubics.
+                (false, true) if matches!(keep.surface, Surface::Parametric(_)) => &BETWEEN,
+                (false, true) => &[0.5],
+                (false, false) => &[],
+            };
+            let look = |t: f64| Ok(keep.gap(&between(&from.pose, &to.pose, t), None)?.g);
+            let [least, most] = extremes(places, ends.map(|g| g.g), look)?;
+            (low, high) = (low.min(least), high.max(most));
+        }
+        let gaps = ends.map(|g| g.g);
+        let (fits, ratio) = self.judge(i, gaps, [low, high], c.bow);
+        Ok((fits, ratio, c.bow / v.norm_squared()))
+    }
+
+    /// Does a chord stay in the band of surface `i`, and how much longer could it be? `ends` are the gaps at its ends,
+    /// `bow` by how much the rate of change grows.
+    #[inline]
+    pub(super) fn judge(
+        &self,
+        i: usize,
+        ends: [f64; 2],
+        [low, high]: [f64; 2],
+        bow: f64,
+    ) -> (bool, f64) {
+        let keep = &self.keeps[i];
+        let limits = keep.limits();
+        // The chord aims a little inside the band, so that it fits when it comes out a little longer.
+        let [aim, found, own] = match self.axis.turns() {
+            true => [AIM_TURNING, 2.0 * RESOLUTION_TURNING, OWN_TURNING],
+            false => [AIM, RESOLUTION, RESOLUTION],
+        };
+        let aim = aim * keep.width();
+        let e = ends.map(|g| (g - limits.low - aim).max(0.0));
+        let f = ends.map(|g| (limits.high - aim - g).max(0.0));
+        let dips = [ends[0] - low, ends[1] - low].map(|d| d.max(0.0));
+        let rises = [high - ends[0], high - ends[1]].map(|d| d.max(0.0));
+        let depth = 0.5 * bow;
+        // Vertices of the motion before may lie at the very edge; they are no fault of this chord.
+        let slack = |share: f64| 1e-14 * self.size + share * keep.width();
+        let (own, inside) = (slack(own), slack(found));
+        let least = (ends[0].min(ends[1]) - own).min(limits.low + inside);
+        let most = (ends[0].max(ends[1]) + own).max(limits.high - inside);
+        let fits = low >= least && high <= most;
+        let mut ratio = f64::INFINITY;
+        if depth > 0.0 || dips[0].min(dips[1]) > aim {
+            ratio = ratio.min(grow(e, dips, depth));
+        }
+        if depth < 0.0 || rises[0].min(rises[1]) > aim {
+            ratio = ratio.min(grow(f, rises, -depth));
+        }
+        (fits, ratio)
+    }
+
+    /// Does the cutter touch at different places of it at both ends?
+    pub(super) fn apart(&self, i: usize, from: &Node, to: &Node) -> bool {
+        let place = |node: &Node| node.gaps[i].tool_point - node.pose.te;
+        (place(from) - place(to)).norm() > ANOTHER * self.keeps[i].profile.widest()
+    }
+
+    /// The gap at the start of a cut vector at the place of contact of its end, where both touch at once: at the
+    /// bottom of a hollow the cutter goes over from one to the other.
+    fn governs(&self, i: usize, from: &Node, to: &Node) -> Option<Gap> {
+        let (keep, here, there) = (&self.keeps[i], &from.gaps[i], &to.gaps[i]);
+        if !self.apart(i, from, to) {
+            return None;
+        }
+        let other = keep.gap(&from.pose, Some(there.spot())).ok()?;
+        ((other.g - here.g).abs() <= BOTH * keep.width()).then_some(other)
+    }
+}
+
+/// Least and greatest gap at the ends of a chord and at these shares of it, and between those where a parabola has its own.
+fn extremes(
+    places: &[f64],
+    ends: [f64; 2],
+    look: impl Fn(f64) -> Result<f64, Trouble>,
+) -> Result<[f64; 2], Trouble> {
+    let mut seen = [(1.0, ends[1]); BETWEEN.len() + 2];
+    seen[0] = (0.0, ends[0]);
+    for (place, t) in seen[1..].iter_mut().zip(places) {
+        *place = (*t, look(*t)?);
+    }
+    let seen = &seen[..places.len() + 2];
+    let mut found = [ends[0].min(ends[1]), ends[0].max(ends[1])];
+    for (sign, found) in [1.0, -1.0].into_iter().zip(&mut found) {
+        let lower =
+            |a: &&[(f64, f64)], b: &&[(f64, f64)]| (sign * a[1].1).total_cmp(&(sign * b[1].1));
+        let Some(three) = seen.windows(3).min_by(lower) else { continue };
+        let beyond = |g: f64, than: f64| sign * g < sign * than;
+        if !beyond(three[1].1, *found) {
+            continue;
+        }
+        *found = three[1].1;
+        // One look alone tells too little for another.
+        if places.len() > 1
+            && let Some(t) = vertex(three)
+        {
+            let there = look(t)?;
+            *found = if beyond(there, *found) { there } else { *found };
+        }
+    }
+    Ok(found)
+}
+
+/// Where the parabola through three places turns, when that is between the outer two.
+fn vertex(three: &[(f64, f64)]) -> Option<f64> {
+    let [a, b, c] = three else { return None };
+    let ((x, p), (y, q)) = ((b.0 - a.0, b.1 - a.1), (b.0 - c.0, b.1 - c.1));
+    let t = b.0 - 0.5 * (x * x * q - y * y * p) / (x * q - y * p);
+    (t > a.0 && t < c.0).then_some(t)
+}
+
+/// Ratio of the longest chord to this one: `room` between the ends and the limit, `dips` between the ends
+/// and the extreme place, `depth` of the parabola where the chord has no inner extreme.
+fn grow(room: [f64; 2], dips: [f64; 2], depth: f64) -> f64 {
+    let allowed = room[0].sqrt() + room[1].sqrt();
+    let used = if dips[0].min(dips[1]) > 0.0 {
+        dips[0].sqrt() + dips[1].sqrt()
+    } else {
+        depth.max(0.0).sqrt()
+    };
+    if used > 0.0 { allowed / used } else { f64::INFINITY }
+}
+
+/// The pose at `t` in [0, 1] of a cut vector: the tool end moves straight, the axis turns evenly.
+pub(crate) fn between(a: &Pose, b: &Pose, t: f64) -> Pose {
+    Pose { te: a.te + (b.te - a.te) * t, ta: slerp(a.ta, b.ta, t) }
+}
+
+fn slerp(a: Vec3, b: Vec3, t: f64) -> Vec3 {
+    let cos = a.dot(&b).clamp(-1.0, 1.0);
+    let across = b - a * cos;
+    let sin = across.norm();
+    if sin <= 1e-15 {
+        return a;
+    }
+    let angle = aptc_geometry::trig::atan2(sin, cos) * t;
+    let (s, c) = aptc_geometry::trig::sin_cos(angle);
+    (a * c + across * (s / sin)).normalize()
+}
