@@ -182,10 +182,10 @@ impl Keep {
         share * self.width()
     }
 
-    /// The gap itself, or the next one that is farther inside of the band than the share `share` of it: not at planes and
-    /// for the tool end, whose gaps are exact.
+    /// The gap itself, or the next one that is farther inside of the band than the share `share` of it, for an axis that
+    /// turns: not for the tool end, whose gap does not depend on it.
     pub(crate) fn inside(&self, gap: f64, share: f64) -> f64 {
-        if self.is_plane() || self.condition == Condition::On {
+        if self.condition == Condition::On {
             return gap;
         }
         let (limits, room) = (self.limits(), share.min(0.5) * self.width());
