@@ -21,6 +21,8 @@ const BETWEEN: [f64; 7] = [0.02, 0.1, 0.3, 0.5, 0.7, 0.9, 0.98];
 const ANOTHER: f64 = 0.1;
 /// Share of the band by which two places that touch at once may differ.
 const BOTH: f64 = 1e-2;
+/// Halvings in the search for the place where the contact goes over from one to the other.
+const CREST: usize = 40;
 /// Extreme gaps on a chord are found to this share of the band.
 pub(super) const RESOLUTION: f64 = 2e-7;
 
@@ -86,7 +88,15 @@ impl Track {
             Some([*ends[0], *ends[1]]),
             if self.axis.turns() { RESOLUTION_TURNING } else { RESOLUTION } * keep.width(),
         )?;
+        let gaps = [from.gaps[i].g, to.gaps[i].g];
         let (mut low, mut high) = (c.low.g, c.high.g);
+        // Until the contact goes over the first place governs: a gap of the other beyond the band does not count there.
+        let top = gaps[0].max(keep.limits().high);
+        if other.is_some_and(|o| o.g > top) {
+            let (t, crest) = self.crest(i, from, to)?;
+            let beyond = if c.high.t < t { gaps[1] } else { high };
+            high = beyond.max(crest);
+        }
         if keep.condition == Condition::Touch && turning || keep.is_mixed() {
             // A turning axis may bring another place of the cutter down between two vertices at which it is free; and where
             // the contact goes over from one place to another the gap has an edge on the way.
@@ -99,11 +109,11 @@ impl Track {
                 (false, false) => &[],
             };
             let look = |t: f64| Ok(keep.gap(&between(&from.pose, &to.pose, t), None)?.g);
-            let [least, most] = extremes(places, ends.map(|g| g.g), look)?;
+            let [least, most] = extremes(places, gaps, look)?;
             (low, high) = (low.min(least), high.max(most));
         }
-        let gaps = ends.map(|g| g.g);
-        let (fits, ratio) = self.judge(i, gaps, [low, high], c.bow);
+        let begin = ends[0].g.min(top);
+        let (fits, ratio) = self.judge(i, [begin, gaps[1]], [low, high], c.bow);
         Ok((fits, ratio, c.bow / v.norm_squared()))
     }
 
@@ -161,6 +171,27 @@ impl Track {
         }
         let other = keep.gap(&from.pose, Some(there.spot())).ok()?;
         ((other.g - here.g).abs() <= BOTH * keep.width()).then_some(other)
+    }
+
+    /// Where along a cut vector, as a share of it, the places of contact of both ends are as near as each other, and the gap
+    /// there: the first is nearer at the start, the second at the end.
+    fn crest(&self, i: usize, from: &Node, to: &Node) -> Result<(f64, f64), Trouble> {
+        let keep = &self.keeps[i];
+        let (mut low, mut high, mut found) = (0.0, 1.0, (1.0, to.gaps[i].g));
+        let mut spots = [from.gaps[i].spot(), to.gaps[i].spot()];
+        for _ in 0..CREST {
+            let t = 0.5 * (low + high);
+            let pose = between(&from.pose, &to.pose, t);
+            let [a, b] = spots.map(|spot| keep.gap_at(&pose, spot));
+            let (a, b) = (a?, b?);
+            spots = [a.spot(), b.spot()];
+            found = (t, a.g.max(b.g));
+            if (a.g - b.g).abs() <= 0.5 * AIM * keep.width() {
+                break;
+            }
+            *(if a.g < b.g { &mut low } else { &mut high }) = t;
+        }
+        Ok(found)
     }
 }
 
