@@ -42,9 +42,12 @@ pub(crate) struct Warm {
     pub(crate) direction: Option<Vec3>,
     /// The places of the surface next to the tool where it began and where it ended.
     near: Option<[Spot; 2]>,
+    /// That it is nowhere too far was shown by points of the tool alone.
+    sunk: bool,
 }
 
 /// What came of one bound.
+#[derive(Clone, Copy, Debug)]
 pub(crate) enum Half {
     /// It holds; the gap is nowhere beyond this.
     Holds(f64),
@@ -68,7 +71,11 @@ impl Curved<'_> {
             |t: f64| between_poses(&Pose { te: a.te, ta: a.ta }, &Pose { te: b.te, ta: b.ta }, t);
         let pose = |t: f64| self.sheet.local(&world(t));
         let turn = angle(a.ta, b.ta);
-        let above = (!self.on).then(|| self.excess(tool, &pose, turn, pad, warm));
+        // A tool that is to be in the surface, as a disk is, is looked at from its own side first once that has told.
+        let by_points = if warm.sunk { self.sunk(tool, &pose, turn, pad) } else { None };
+        let by_points = by_points.filter(|half| matches!(half, Half::Holds(_)));
+        let asked = !self.on && by_points.is_none();
+        let above = asked.then(|| self.excess(tool, &pose, turn, pad, warm));
         let low = self.not_below(tool, self.side, self.least, &pose, turn, pad, warm);
         let low = worst(low, self.least, |least| {
             let warm = &mut Warm::default();
@@ -76,8 +83,9 @@ impl Curved<'_> {
         });
         // A point has the same distance from both sides.
         let cut = matches!(low, Half::Broken(..));
-        let high = match above {
-            None => {
+        let high = match (by_points, above) {
+            (Some(held), _) => held,
+            (None, None) => {
                 let above = |most: f64| {
                     let warm = &mut Warm::default();
                     self.not_below(tool, -self.side, most, &pose, turn, pad, warm)
@@ -88,8 +96,10 @@ impl Curved<'_> {
                     open @ Half::Open(..) => open,
                 }
             }
-            Some(found) => self.not_above(tool, &pose, turn, pad, cut, found),
+            (None, Some(found)) => self.not_above(tool, &pose, turn, pad, cut, found),
         };
+        let touched = matches!(above, None | Some(Excess::Within(_)));
+        warm.sunk = by_points.is_some() || !touched && matches!(high, Half::Holds(_));
         match (low, high) {
             (Half::Broken(t, g), Half::Broken(s, h)) => {
                 let deeper = self.least - g >= h - self.most;
@@ -420,7 +430,11 @@ impl Curved<'_> {
         let Tool::Solid(_) = tool else { return None };
         let sweep = Sweep::still(tool, pose(0.0));
         let moved = Moved { sheet: self.sheet, side: self.side, shift: 0.0 };
-        let mut spot = clearance(&sweep, &moved, self.most + tool.reach(), Aim::Any).nearest?.2;
+        let any = || clearance(&sweep, &moved, self.most + tool.reach(), Aim::Any).nearest;
+        let mut spot = match self.within(tool, &pose(0.0)) {
+            Some(spot) => spot,
+            None => any()?.2,
+        };
         let mut stack = Pile::<(f64, f64, u32), 32>::new();
         stack.push((0.0, 1.0, 0));
         let (mut seen, mut high) = (0, f64::NEG_INFINITY);
@@ -492,7 +506,9 @@ impl Curved<'_> {
             }
             let least = self.most + beyond;
             match self.not_below(tool, self.side, least, &pose, 0.0, pad, &mut Warm::default()) {
-                Half::Holds(_) => return Some(least),
+                // What holds is short of that by what rounding may take.
+                Half::Holds(low) if low > self.most => return Some(low),
+                Half::Holds(_) => break,
                 // A search that comes to no end does so again.
                 Half::Open(_, f64::INFINITY) => break,
                 Half::Open(..) | Half::Broken(..) => {}

@@ -1,7 +1,7 @@
 //! The point of the tool that is deepest in a surface.
 //!
 //! Over the tool the signed distance from the surface is looked for its least: from a place of the surface to the point of
-//! the tool next to it and back, along sharp edges over the angle about the axis, over a disk without thickness by Newton's
+//! the tool next to it and back, along sharp edges over the angle about the axis, over flat ends and the flank by Newton's
 //! method, since behind a dome the way to and fro leads away from its deepest point.
 
 use aptc_geometry::surface::frame_about;
@@ -57,18 +57,26 @@ pub(crate) fn deepest(
                 next = slid;
             }
             if next.gap >= best.gap {
-                break;
+                return best;
             }
             best = next;
         }
-        best
+        // To and fro along an edge comes to its deepest point slowly.
+        let slid = slide(pose, sheet, side, best.p, best.spot);
+        slid.filter(|s| s.gap < best.gap).unwrap_or(best)
     };
     let mut first = down(below(spot));
     if first.gap > most
-        && let Tool::Solid(disk) = tool
-        && tool.is_thin()
+        && let Some(end) = Disk::of(tool, pose)
     {
-        let over = glide(pose, sheet, side, tool.inner(pose), disk.widest(), first.spot);
+        let over = glide(sheet, side, &end, Vec2::zeros(), first.spot);
+        first = if over.gap < first.gap { over } else { first };
+    }
+    if first.gap <= most {
+        return first;
+    }
+    if let Some(flank) = Flank::of(tool, pose) {
+        let over = glide(sheet, side, &flank, flank.beside(first.p), first.spot);
         first = if over.gap < first.gap { over } else { first };
     }
     if first.gap <= most {
@@ -129,25 +137,136 @@ pub(crate) fn slide(pose: &Pose, sheet: &Sheet, side: f64, p: Vec3, spot: Spot) 
     moved.then_some(now.0)
 }
 
-/// The deepest point of the face of a disk about `middle`, found from there on.
-fn glide(pose: &Pose, sheet: &Sheet, side: f64, middle: Vec3, radius: f64, spot: Spot) -> Deep {
-    /// Newton's steps, and the share of the radius over which the slope is taken again.
+/// A face of the tool by two lengths.
+trait Face {
+    /// The point at `x`, and how it goes with either length.
+    fn at(&self, x: Vec2) -> (Vec3, [Vec3; 2]);
+    /// The place of the face next to `x`.
+    fn within(&self, x: Vec2) -> Vec2;
+    /// Signs of the ways that lead away from the border.
+    fn inward(&self, x: Vec2) -> Vec2;
+    /// The longest step of a search.
+    fn size(&self) -> f64;
+}
+
+/// A disk without thickness, or a flat end.
+struct Disk {
+    middle: Vec3,
+    e: Vec3,
+    f: Vec3,
+    radius: f64,
+}
+
+impl Disk {
+    /// `None` of a tool whose end is not flat.
+    fn of(tool: &Tool<'_>, pose: &Pose) -> Option<Self> {
+        let Tool::Solid(profile) = tool else { return None };
+        let [[radius, z], _] = profile.joints();
+        let flat = radius > 0.0 && z <= profile.bottom();
+        let [e, f] = frame_about(pose.ta);
+        flat.then_some(Self { middle: pose.te + pose.ta * z, e, f, radius })
+    }
+}
+
+impl Face for Disk {
+    fn at(&self, x: Vec2) -> (Vec3, [Vec3; 2]) {
+        (self.middle + self.e * x.x + self.f * x.y, [self.e, self.f])
+    }
+
+    fn within(&self, x: Vec2) -> Vec2 {
+        x * (self.radius / x.norm()).min(1.0)
+    }
+
+    fn inward(&self, x: Vec2) -> Vec2 {
+        x.map(|v| if v > 0.0 { -1.0 } else { 1.0 })
+    }
+
+    fn size(&self) -> f64 {
+        self.radius
+    }
+}
+
+/// The upper line of the profile, turned about the axis: the way round at its widest, and the height above its lower end.
+struct Flank {
+    foot: Vec3,
+    ta: Vec3,
+    e: Vec3,
+    f: Vec3,
+    /// Its radius below and by how much that grows with the height.
+    radius: f64,
+    lean: f64,
+    height: f64,
+}
+
+impl Flank {
+    /// `None` of what has none.
+    fn of(tool: &Tool<'_>, pose: &Pose) -> Option<Self> {
+        let Tool::Solid(profile) = tool else { return None };
+        let [_, [radius, z]] = profile.joints();
+        let height = profile.height() - z;
+        let lean = (profile.top_radius() - radius) / height;
+        let [e, f] = frame_about(pose.ta);
+        let foot = pose.te + pose.ta * z;
+        (height > 0.0 && radius > 0.0 && lean.is_finite()).then_some(Self {
+            foot,
+            ta: pose.ta,
+            e,
+            f,
+            radius,
+            lean,
+            height,
+        })
+    }
+
+    /// The place on the side of the point `p`.
+    fn beside(&self, p: Vec3) -> Vec2 {
+        let w = p - self.foot;
+        let round = trig::atan2(w.dot(&self.f), w.dot(&self.e)) * self.radius;
+        self.within(Vec2::new(round, w.dot(&self.ta)))
+    }
+}
+
+impl Face for Flank {
+    fn at(&self, x: Vec2) -> (Vec3, [Vec3; 2]) {
+        let (s, c) = trig::sin_cos(x.x / self.radius);
+        let (out, round) = (self.e * c + self.f * s, self.f * c - self.e * s);
+        let rho = self.radius + self.lean * x.y;
+        let p = self.foot + self.ta * x.y + out * rho;
+        (p, [round * (rho / self.radius), self.ta + out * self.lean])
+    }
+
+    fn within(&self, x: Vec2) -> Vec2 {
+        Vec2::new(x.x, x.y.clamp(0.0, self.height))
+    }
+
+    fn inward(&self, x: Vec2) -> Vec2 {
+        Vec2::new(1.0, if x.y > 0.5 * self.height { -1.0 } else { 1.0 })
+    }
+
+    fn size(&self) -> f64 {
+        self.radius
+    }
+}
+
+/// The deepest point of a face, found from its place `start` on: Newton's method with differences of the slope.
+fn glide(sheet: &Sheet, side: f64, face: &impl Face, start: Vec2, spot: Spot) -> Deep {
+    /// Newton's steps, and the share of the face's size over which the slope is taken again.
     const STEPS: u32 = 24;
     const DIFFERENCE: f64 = 1e-5;
-    let [e, f] = frame_about(pose.ta);
     // Depth and its slope at a place of the face, which is nowhere left.
     let look = |x: Vec2, spot: Spot| {
-        let x = x * (radius / x.norm()).min(1.0);
-        let deep = depth(sheet, side, middle + e * x.x + f * x.y, spot);
+        let x = face.within(x);
+        let (p, [e, f]) = face.at(x);
+        let deep = depth(sheet, side, p, spot);
         let n = sheet.jet(&deep.spot).n * side;
         (deep, x, Vec2::new(n.dot(&e), n.dot(&f)))
     };
-    let h = DIFFERENCE * radius;
-    let (mut now, mut at, mut slope) = look(Vec2::zeros(), spot);
+    let h = DIFFERENCE * face.size();
+    let (mut now, mut at, mut slope) = look(start, spot);
     for _ in 0..STEPS {
         let bend = |d: Vec2| (look(at + d, now.spot).2 - slope) / h;
         // Away from the edge, so that the difference is one.
-        let inward = Vec2::new(-at.x, -at.y).map(|v| if v < 0.0 { -1.0 } else { 1.0 });
+        let inward = face.inward(at);
         let along = [Vec2::new(h * inward.x, 0.0), Vec2::new(0.0, h * inward.y)];
         let (u, v) = (bend(along[0]) * inward.x, bend(along[1]) * inward.y);
         let (a, b, c) = (u.x, 0.5 * (u.y + v.x), v.y);
@@ -155,7 +274,7 @@ fn glide(pose: &Pose, sheet: &Sheet, side: f64, middle: Vec3, radius: f64, spot:
         let mut step = if a > 0.0 && det > 0.0 {
             Vec2::new(b * slope.y - c * slope.x, b * slope.x - a * slope.y) / det
         } else {
-            slope * (-radius / slope.norm().max(f64::MIN_POSITIVE))
+            slope * (-face.size() / slope.norm().max(f64::MIN_POSITIVE))
         };
         let mut next = look(at + step, now.spot);
         for _ in 0..8 {

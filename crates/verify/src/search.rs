@@ -16,7 +16,7 @@ const MOST: u32 = 20_000;
 const MORE: u32 = 400;
 
 /// Share of the shift below which a piece that is too near is not cut further.
-const FOLD: f64 = 1e-4;
+const FOLD: f64 = 1e-6;
 
 /// What a search found.
 #[derive(Clone, Copy, Debug)]
