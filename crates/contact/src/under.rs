@@ -111,24 +111,24 @@ pub(crate) fn under(tool: &Tool<'_>, by: Vec3, cell: &Cell, aim: f64) -> Option<
         return Some(Low { middle: root(value), bound: root(plane), at: [0.0; 2] });
     }
     let least = |form: Under| {
-        let form = if moves { form.swept(by, range, cell)? } else { form };
+        let form = if moves { form.swept(by, range, cell) } else { form };
         let (least, at) = form.over(cell);
-        Some((form.value, least, at))
+        (form.value, least, at)
     };
     let (beside, over) = Under::parts(&start, tool, cell, by, range);
-    let (mut middle, mut bound, mut at) = least(beside)?;
+    let (mut middle, mut bound, mut at) = least(beside);
     if let Some(over) = over {
         if bound < enough * enough {
             // That of the other part would not help.
             return Some(Low { middle: root(value), bound: root(plane), at });
         }
-        let (low, lower, there) = least(over)?;
+        let (low, lower, there) = least(over);
         middle = middle.min(low);
-        if lower < bound {
+        if lower < bound || lower.is_nan() {
             (bound, at) = (lower, there);
         }
     }
-    Some(Low { middle: root(middle.max(value)), bound: root(bound), at })
+    Some(Low { middle: root(middle.max(value)), bound: root(bound.max(plane)), at })
 }
 
 /// The squared distance to the disk at a place, and its slope.
@@ -210,11 +210,14 @@ impl Under {
 
     /// The least of the forms for the places of a piece moved the other way by the part of `by` within `range`.
     #[inline]
-    fn swept(mut self, by: Vec3, range: [f64; 2], cell: &Cell) -> Option<Self> {
+    fn swept(mut self, by: Vec3, range: [f64; 2], cell: &Cell) -> Self {
         let hb = self.mapped(by);
         let (bb, sb) = (by.dot(&hb), self.slope.dot(&by));
         if bb <= ALONG * by.norm_squared() {
-            return None;
+            // Next to level, as beside a flat: `t^2 by.H by` is not below 0.
+            let most = range[0].abs().max(range[1]);
+            self.value -= (range[0] * sb).max(range[1] * sb) + 2.0 * most * cell.extent(hb);
+            return self;
         }
         let free = 0.5 * sb / bb;
         let end = free.clamp(range[0], range[1]);
@@ -227,7 +230,7 @@ impl Under {
         self.slope += hb * (2.0 * (over - free));
         self.flats[self.count] = ((1.0 - part) * (1.0 - part) / bb, hb);
         self.count += 1;
-        Some(self)
+        self
     }
 
     fn flats(&self) -> &[(f64, Vec3)] {
@@ -316,10 +319,11 @@ fn lowest([x, y]: [f64; 2], [a, b, c]: [f64; 3]) -> (f64, [f64; 2]) {
         for end in [-1.0, 1.0] {
             let ((u, s), (v, t)) = (along(x + b * end, a), along(y + b * end, c));
             let (u, v) = (y * end + c + u, x * end + a + v);
-            if u < least.0 {
+            // What is no number shows nothing, and must not be passed over.
+            if u < least.0 || u.is_nan() {
                 least = (u, [s, end]);
             }
-            if v < least.0 {
+            if v < least.0 || v.is_nan() {
                 least = (v, [end, t]);
             }
         }
@@ -341,7 +345,7 @@ fn lowest([x, y]: [f64; 2], [a, b, c]: [f64; 3]) -> (f64, [f64; 2]) {
         let t = 1.0_f64.copysign(t);
         let (v, s) = along(x + b * t, a);
         let v = y * t + c + v;
-        if v < least.0 {
+        if v < least.0 || v.is_nan() {
             least = (v, [s, t]);
         }
     }
@@ -364,6 +368,20 @@ mod tests {
     use super::*;
     use aptc_geometry::{Cutter, Profile};
     use proptest::prelude::*;
+
+    #[test]
+    fn what_is_no_number_bounds_nothing() {
+        for k in 0..5 {
+            let mut x = [1.0; 5];
+            x[k] = f64::NAN;
+            let [a, b, c, d, e] = x;
+            assert!(
+                lowest([a, b], [c, d, e]).0.is_nan() || lowest([a, b], [c, d, e]).0 < -0.2,
+                "{k}"
+            );
+            assert!(lowest([a, b], [-c, d, e]).0.is_nan(), "{k}");
+        }
+    }
 
     #[test]
     fn the_lowest_place_of_a_form() {
@@ -389,7 +407,7 @@ mod tests {
     proptest! {
         #[test]
         fn no_place_is_nearer_than_the_form_says(
-            r in 0.5_f64..5.0, wide in 0.0_f64..6.0, ball in 0..3_i32, moves in 0..3_i32,
+            r in 0.5_f64..5.0, wide in 0.0_f64..6.0, ball in 0..3_i32, moves in 0..4_i32,
             lean in prop::array::uniform2(-0.5_f64..0.5), at in prop::array::uniform3(-1.0_f64..1.0),
             by in prop::array::uniform3(-1.0_f64..1.0), far in 0.01_f64..1.5,
             sides in prop::array::uniform5(prop::array::uniform3(-1.0_f64..1.0)),
@@ -400,7 +418,9 @@ mod tests {
             let ta = Vec3::new(lean[0], lean[1], 1.0).normalize();
             let tool = Tool { profile: &profile, te: Vec3::new(3.0, -2.0, 1.0), ta };
             let q = tool.te + Vec3::new(at[0] * (e + 2.0 * r), at[1] * (e + 2.0 * r), r * (at[2] - 0.3));
-            let by = Vec3::from(by) * [0.0, 2.0, 8.0][usize::try_from(moves).unwrap()];
+            let by = Vec3::from(by) * [0.0, 2.0, 8.0, 4.0][usize::try_from(moves).unwrap()];
+            // Level ways, on which the disk goes along itself.
+            let by = if moves == 3 { by - ta * ta.dot(&by) } else { by };
             let [a, b, second @ ..] = sides.map(|d| Vec3::from(d) * (0.2 * far));
             let rest = 0.1 * far;
             let size = [a, b].into_iter().chain(second).map(|d| d.norm()).sum::<f64>() + rest;

@@ -80,6 +80,8 @@ fn follow(scene: &Scene, begin: &Begin) -> Result<Path, Failure> {
     let mut vectors = 0;
     // The last nodes since the start or a corner.
     let mut trail: VecDeque<Node> = VecDeque::with_capacity(MERGED);
+    // Is it at a corner?
+    let mut cornered = true;
     while vectors < most {
         // Most of a path is far from all check surfaces.
         let free = watches.iter().map(Watch::free).fold(f64::INFINITY, f64::min);
@@ -99,6 +101,7 @@ fn follow(scene: &Scene, begin: &Begin) -> Result<Path, Failure> {
             });
             if let Some(to) = cruised {
                 node = to;
+                (creeps, cornered) = (0, false);
                 trail.clear();
                 watches.iter_mut().for_each(Watch::moved);
             }
@@ -115,7 +118,7 @@ fn follow(scene: &Scene, begin: &Begin) -> Result<Path, Failure> {
             Ok(s) => s,
             Err(t) => match track.corner(&node) {
                 // A place with a corner after a corner at it leads nowhere.
-                Some(c) if c.arrive.length > track.exact || !trail.is_empty() => {
+                Some(c) if c.arrive.length > track.exact || !cornered => {
                     leave = Some(c.leave);
                     c.arrive
                 }
@@ -195,7 +198,7 @@ fn follow(scene: &Scene, begin: &Begin) -> Result<Path, Failure> {
             points.truncate(points.len().saturating_sub(trail.len() - 1 - kept));
             points.push(position(&stride.to.pose));
             trail.clear();
-            node = leave;
+            (node, cornered) = (leave, true);
             continue;
         }
         points.push(position(&stride.to.pose));
@@ -204,7 +207,7 @@ fn follow(scene: &Scene, begin: &Begin) -> Result<Path, Failure> {
             spent = None;
             break;
         }
-        node = stride.to;
+        (node, cornered) = (stride.to, false);
     }
     Err(not_reached(scene, &watches, begin.node.pose, &points, gone, spent))
 }

@@ -209,7 +209,7 @@ impl Track {
         mut free: f64,
         mut take: impl FnMut(&Place, &Place) -> bool,
     ) -> Option<Node> {
-        let guides = self.guides.as_ref().filter(|_| !pace.careful)?;
+        let guides = self.guides.as_ref().filter(|_| !pace.careful && free > pace.length)?;
         let (mut at, mut gone) = (Place::of(from), false);
         loop {
             let guided = Guided { track: self, guides, from: &at };
