@@ -67,8 +67,12 @@ fn cut_vectors_come_back_to_the_program() {
                  GOTO/(NUMF(CLDATA)),0,0\nGODLTA/(VECTOR/CLDATA,1)\n\
                  CLDAT/START,3,UVPPS,PPS,NPS\nGOLOFT/S,UCONST,.25,START,.5,INCR,.5\nCLDAT/NOMORE,3\n\
                  GOTO/(POINT/CLDATA,3,PPS,1)\nGOTO/(CLDATF(3,UPS,2)),(CLDATF(3,VPS,2)),(NUMF(CLDATA,3))\n\
-                 GODLTA/(VECTOR/CLDATA,3,NPS,2)\nFINI\n";
-    let dir = folder(&[("x.apt", &format!("{flat}{cut}{along}"))]);
+                 GODLTA/(VECTOR/CLDATA,3,NPS,2)\n";
+    // What moved within a reference system is found there again.
+    let within = "REFSYS/(MATRIX/TRANSL,100,0,0)\nGOTO/-80,5,9\nCLDAT/START,4,PPS\nGO/TO,(LINE/-96,0,-96,10),TO,S\n\
+                  CLDAT/NOMORE,4\nGOTO/(POINT/CLDATA,4,TP,1)\nGOTO/(POINT/CLDATA,2,PDS,2)\nREFSYS/NOMORE\n\
+                  GOTO/(POINT/CLDATA,4,TP,1)\nFINI\n";
+    let dir = folder(&[("x.apt", &format!("{flat}{cut}{along}{within}"))]);
     let run = aptc(dir.path(), &["compile", "x.apt", "--emit", "cl"]);
     assert_eq!(run.status.code(), Some(0), "{}", said(&run));
     let text = read(dir.path(), "x.cl");
@@ -92,6 +96,10 @@ fn cut_vectors_come_back_to_the_program() {
         [2.5, 5.0, 0.0],
         [0.25, 1.0, 2.0],
         [0.25, 1.0, 3.0],
+        [-80.0, 5.0, 9.0],
+        [-93.0, 5.0, 0.0],
+        [-96.0, 17.0, 3.0],
+        [7.0, 5.0, 0.0],
     ];
     assert_eq!(numbers.len(), wanted.len(), "{text}");
     for (got, want) in numbers.iter().zip(wanted) {

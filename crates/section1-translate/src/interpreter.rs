@@ -114,6 +114,8 @@ pub(crate) struct Here {
 pub(crate) struct State {
     /// REFSYS.
     pub(crate) refsys: Option<Transform>,
+    /// Forms as REFSYS sees them, by where they are kept: what is used again is the same surface.
+    pub(crate) carried: HashMap<usize, [Arc<Form>; 2]>,
     /// ZSURF in the base system.
     pub(crate) zsurf: Option<Plane>,
     /// CANON/ON: names may be defined again.

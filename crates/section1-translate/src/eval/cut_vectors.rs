@@ -15,13 +15,24 @@ use crate::listing::EntryKind;
 
 impl Interpreter<'_> {
     /// Takes in cut vectors that a section of CLDAT recorded, or the path of the last motion.
-    pub fn saved(&mut self, saved: CutVectors) {
+    pub fn saved(&mut self, mut saved: CutVectors) {
         if saved.canon {
             for (k, p) in saved.points.iter().enumerate() {
                 let patch = p.part.and_then(|c| c.patch).map_or(0, |(n, _)| n);
                 let [x, y, z] = [p.te.x, p.te.y, p.te.z].map(|x| x + 0.0);
                 let line = format!("PT{patch:04}({})=POINT/{x:.6},{y:.6},{z:.6}", k + 1);
                 self.list(EntryKind::Remark(line));
+            }
+        }
+        // Kept in the base system, as forms are; motion within REFSYS is in that of the matrix.
+        if let Some(m) = &self.state.refsys {
+            for p in &mut saved.points {
+                (p.te, p.ta) = (m.point(p.te), m.vector(p.ta));
+                p.along = p.along.map(|v| m.vector(v));
+                for contact in [&mut p.part, &mut p.drive].into_iter().flatten() {
+                    contact.point = m.point(contact.point);
+                    contact.normal = m.vector(contact.normal);
+                }
             }
         }
         let known = &mut self.state.cut_vectors;

@@ -332,9 +332,20 @@ impl Interpreter<'_> {
     /// A form as the present reference system sees it.
     pub(crate) fn in_system(&mut self, form: &Arc<Form>, span: Span) -> Known<Arc<Form>> {
         let Some(system) = &self.state.refsys else { return Ok(Arc::clone(form)) };
-        let carried = system.inverse().and_then(|m| form.transformed(&m).ok());
+        let kept = Arc::as_ptr(form).addr();
+        if let Some([_, carried]) = self.state.carried.get(&kept) {
+            return Ok(Arc::clone(carried));
+        }
+        let carried = system.inverse().and_then(|m| form.transformed(&m).ok()).map(Arc::new);
         match carried {
-            Some(form) => Ok(Arc::new(form)),
+            Some(carried) => {
+                // Of points a new one costs less than to keep it.
+                if !matches!(**form, Form::Point(_) | Form::Vector(_)) {
+                    let both = [Arc::clone(form), Arc::clone(&carried)];
+                    self.state.carried.insert(kept, both);
+                }
+                Ok(carried)
+            }
             None => {
                 self.error(Diagnostic::error(
                     codes::NOT_CARRIED,

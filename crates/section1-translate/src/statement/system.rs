@@ -16,6 +16,7 @@ impl Interpreter<'_> {
     pub(super) fn system(&mut self, word: Word, clause: &Clause) -> Known<()> {
         let args = self.args_in_base(clause, Names::Defined)?;
         let mut reader = Reader::new(word, clause, &args);
+        self.state.carried.clear();
         if reader.is_word(word::NOMORE) {
             if word == word::ZSURF {
                 self.state.zsurf = None;
