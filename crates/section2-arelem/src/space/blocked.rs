@@ -25,7 +25,7 @@ const ANOTHER: f64 = 1e-2;
 /// The cause, from the gaps about the last place of the track.
 pub(super) fn cause(track: &Track, node: &Node) -> Cause {
     let ahead = |keep: &Keep, h: f64| {
-        let pose = Pose { te: node.pose.te + node.along * h, ..node.pose };
+        let pose = Pose { te: node.pose.te + node.course.along * h, ..node.pose };
         keep.gap(&pose, None)
     };
     let size = |keep: &Keep| keep.profile.widest().max(0.1 * keep.profile.reach());
@@ -37,7 +37,7 @@ pub(super) fn cause(track: &Track, node: &Node) -> Cause {
     }
     for (i, keep) in track.keeps.iter().enumerate() {
         for step in STEPS {
-            let te = node.pose.te + node.along * (step * size(keep));
+            let te = node.pose.te + node.course.along * (step * size(keep));
             let pose = Pose { te, ..node.pose };
             if let Ok(gap) = keep.gap(&pose, Some(node.gaps[i].spot()))
                 && let (Some(deeper), _) = keep.deeper(&pose, &gap, keep.width())
@@ -46,7 +46,7 @@ pub(super) fn cause(track: &Track, node: &Node) -> Cause {
             }
         }
     }
-    let left = node.pose.ta.cross(&node.along);
+    let left = node.pose.ta.cross(&node.course.along);
     for (i, keep) in track.keeps.iter().enumerate() {
         if keep.condition == Condition::On || keep.is_plane() {
             continue;
@@ -54,7 +54,7 @@ pub(super) fn cause(track: &Track, node: &Node) -> Cause {
         let here = &node.gaps[i];
         for step in STEPS {
             let h = step * size(keep);
-            for v in [node.along, -node.along, left, -left] {
+            for v in [node.course.along, -node.course.along, left, -left] {
                 let pose = Pose { te: node.pose.te + v * h, ..node.pose };
                 let Ok(gap) = keep.gap(&pose, None) else { continue };
                 let level = gap.g <= here.g + 2.0 * h + keep.width();

@@ -47,7 +47,7 @@ impl Track {
                 }
                 let size = keep.profile.widest().max(0.1 * keep.profile.reach());
                 let h = share * size;
-                let ahead = Pose { te: from.pose.te + from.along * h, ..from.pose };
+                let ahead = Pose { te: from.pose.te + from.course.along * h, ..from.pose };
                 let Ok(met) = keep.gap(&ahead, None) else { continue };
                 let old = &from.gaps[i];
                 if (met.normal - old.normal).norm() <= ANOTHER {
@@ -81,7 +81,7 @@ impl Track {
         let leave = self.leaving(here.0, i, here.1)?;
         // The way on tells how the surface bends along it, and so where in the band it would best begin. Where the
         // hollow becomes tighter than the cutter on the way, the old place may end before.
-        let best = within(keep.target(leave.bends[i], 1.0));
+        let best = within(keep.target(leave.course.bends[i], 1.0));
         let there = self.touched(i, here, [kept[0], best, kept[2]], far);
         let found = there.and_then(|at| self.corner_at(from, i, at));
         found.or_else(|| self.corner_at(from, i, here))
@@ -118,7 +118,7 @@ impl Track {
         let leave = self.leaving(pose, i, [old, new, other])?;
         let mut gaps = [other; 2];
         gaps[i] = old;
-        let to = self.finish(pose, gaps, from.along).ok()?;
+        let to = self.finish(pose, gaps, from.course.along).ok()?;
         let length = (pose.te - from.pose.te).norm();
         Some(Corner { arrive: Stride { length, to, targets: gaps.map(|g| g.g) }, leave })
     }

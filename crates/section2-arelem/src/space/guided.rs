@@ -9,7 +9,7 @@ use aptc_geometry::Vec3;
 use super::judge::{Fit, RESOLUTION};
 use super::keep::{Keep, Pose};
 use super::stride::{Stride, Trials};
-use super::track::{Node, Onset, Track, Trouble, curl, solve_normals};
+use super::track::{Course, Node, Track, Trouble, solve_normals};
 use crate::axis::AxisRule;
 
 /// Rounds of Newton's method; two are usual.
@@ -37,26 +37,30 @@ pub(super) struct Guided<'a> {
 /// A place on the track as guides read it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Place {
-    onset: Onset,
+    te: Vec3,
+    gaps: [f64; 2],
     normals: [Vec3; 2],
+    course: Course,
 }
 
 impl Place {
     #[inline(always)]
     pub(super) fn of(node: &Node) -> Self {
-        Self { onset: node.onset(), normals: [node.gaps[0].normal, node.gaps[1].normal] }
+        let [a, b] = &node.gaps;
+        let (gaps, normals) = ([a.g, b.g], [a.normal, b.normal]);
+        Self { te: node.pose.te, gaps, normals, course: node.course }
     }
 
     /// The tool end.
     #[inline]
     pub(crate) fn te(&self) -> Vec3 {
-        self.onset.te
+        self.te
     }
 
     /// Unit direction of motion.
     #[inline]
     pub(crate) fn along(&self) -> Vec3 {
-        self.onset.along
+        self.course.along
     }
 }
 
@@ -65,8 +69,8 @@ impl Trials for Guided<'_> {
     const FINAL: bool = false;
 
     #[inline(always)]
-    fn onset(&self) -> Onset {
-        self.from.onset
+    fn start(&self) -> ([f64; 2], &Course) {
+        (self.from.gaps, &self.from.course)
     }
 
     #[inline(always)]
@@ -77,16 +81,17 @@ impl Trials for Guided<'_> {
         bends: Option<[f64; 2]>,
         _: Option<&Stride<Place>>,
     ) -> Result<Stride<Place>, Trouble> {
-        let (track, from) = (self.track, &self.from.onset);
-        let targets = track.aims(from, bends.unwrap_or(from.bends), usual);
-        let (step, across) = from.ahead(s);
+        let (track, from) = (self.track, self.from);
+        let targets = track.aims(from.gaps, bends.unwrap_or(from.course.bends), usual);
+        let (step, across) = from.course.ahead(s);
         let start = from.te + step;
         let to = self.settle(start, start, across, targets)?;
-        let (to, targets) = match track.other_aims(from, bends, to.onset.bends, usual, targets) {
-            Some(aims) => (self.settle(start, to.onset.te, across, aims)?, aims),
-            None => (to, targets),
-        };
-        if (to.onset.te - from.te).norm() > track.farthest(s) {
+        let (to, targets) =
+            match track.other_aims(self.start(), bends, to.course.bends, usual, targets) {
+                Some(aims) => (self.settle(start, to.te, across, aims)?, aims),
+                None => (to, targets),
+            };
+        if (to.te - from.te).norm() > track.farthest(s) {
             return Err(Trouble::Stuck);
         }
         Ok(Stride { length: s, to, targets })
@@ -94,10 +99,10 @@ impl Trials for Guided<'_> {
 
     #[inline(always)]
     fn fit(&self, to: &Place) -> Result<Fit, Trouble> {
-        let (track, from) = (self.track, &self.from.onset);
-        let v = to.onset.te - from.te;
+        let (track, from) = (self.track, self.from);
+        let v = to.te - from.te;
         let mut all = Fit { fits: true, ratio: f64::INFINITY, bends: [0.0; 2] };
-        if v.dot(&from.along) <= 0.0 && from.curl.norm() <= 0.0 {
+        if v.dot(&from.course.along) <= 0.0 && from.course.curl.norm() <= 0.0 {
             return Ok(Fit { fits: false, ratio: 0.5, ..all });
         }
         for (i, guide) in self.guides.iter().enumerate() {
@@ -105,8 +110,8 @@ impl Trials for Guided<'_> {
             if keep.is_plane() {
                 continue;
             }
-            let (here, there) = (from.gaps[i], to.onset.gaps[i]);
-            let slopes = [self.from.normals[i].dot(&v), to.normals[i].dot(&v)];
+            let (here, there) = (from.gaps[i], to.gaps[i]);
+            let slopes = [from.normals[i].dot(&v), to.normals[i].dot(&v)];
             let ends = [[here, slopes[0]], [there, slopes[1]]];
             let chord = guide.chord(from.te, v, ends, RESOLUTION * keep.width());
             let [low, high] = chord.ok_or(Trouble::Contact)?;
@@ -140,7 +145,7 @@ impl Guided<'_> {
             let off = [targets[0] - a.g, targets[1] - b.g, across.dot(&(start - te))];
             let worst = off[0].abs().max(off[1].abs()).max(off[2].abs());
             if worst <= exact {
-                return place(te, [&a, &b], self.from.onset.along);
+                return place(te, [&a, &b], self.from.course.along);
             }
             if worst > 0.9 * last && worst > 10.0 * exact {
                 break;
@@ -154,9 +159,8 @@ impl Guided<'_> {
     /// The node at a place, with the tool axis `ta`.
     #[inline(always)]
     pub(super) fn node(&self, ta: Vec3, at: &Place) -> Node {
-        let Onset { te, gaps, along, bends, curl } = at.onset;
-        let gap = |i: usize| -> Gap { self.guides[i].gap(te, gaps[i], at.normals[i]) };
-        Node { pose: Pose { te, ta }, gaps: [gap(0), gap(1)], along, bends, curl }
+        let gap = |i: usize| -> Gap { self.guides[i].gap(at.te, at.gaps[i], at.normals[i]) };
+        Node { pose: Pose { te: at.te, ta }, gaps: [gap(0), gap(1)], course: at.course }
     }
 }
 
@@ -170,6 +174,6 @@ fn place(te: Vec3, [a, b]: [&Reading; 2], heading: Vec3) -> Result<Place, Troubl
     }
     let bends = [a.second(along), b.second(along)];
     let normals = [a.normal, b.normal];
-    let curl = curl(normals, along, bends)?;
-    Ok(Place { onset: Onset { te, gaps: [a.g, b.g], along, bends, curl }, normals })
+    let course = Course::new(normals, along, bends)?;
+    Ok(Place { te, gaps: [a.g, b.g], normals, course })
 }

@@ -46,7 +46,9 @@ impl Track {
     pub(super) fn fit(&self, from: &Node, to: &Node, between: bool) -> Result<Fit, Trouble> {
         let mut all = Fit { fits: true, ratio: f64::INFINITY, bends: [0.0; 2] };
         // The end must be ahead: a track that closes on itself is not cut short.
-        if (to.pose.te - from.pose.te).dot(&from.along) <= 0.0 && from.curl.norm() <= 0.0 {
+        if (to.pose.te - from.pose.te).dot(&from.course.along) <= 0.0
+            && from.course.curl.norm() <= 0.0
+        {
             return Ok(Fit { fits: false, ratio: 0.5, ..all });
         }
         for i in 0..2 {

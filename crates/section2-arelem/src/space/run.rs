@@ -167,7 +167,7 @@ fn follow(scene: &Scene, begin: &Begin) -> Result<Path, Failure> {
                 arc: None,
                 turned: begin.turned,
                 check: i,
-                forward: halt.node.along,
+                forward: halt.node.course.along,
                 control: control(scene, track, &watches, i, &halt),
                 fouls: None,
                 astray: begin.astray,
@@ -203,7 +203,7 @@ fn follow(scene: &Scene, begin: &Begin) -> Result<Path, Failure> {
         }
         points.push(position(&stride.to.pose));
         let met: u32 = watches.iter().map(|w| w.account().0).sum();
-        if straight || loops.closed(node.pose.te, stride.to.pose.te, stride.to.along, met) {
+        if straight || loops.closed(node.pose.te, stride.to.pose.te, stride.to.course.along, met) {
             spent = None;
             break;
         }
@@ -239,7 +239,7 @@ struct Loops {
 
 impl Loops {
     fn new(node: &Node) -> Self {
-        Self { start: node.pose, along: node.along, vectors: 0, met: 0 }
+        Self { start: node.pose, along: node.course.along, vectors: 0, met: 0 }
     }
 
     /// Has it passed its start again without meeting anything on the round?
@@ -352,7 +352,7 @@ fn begin(scene: &Scene) -> Result<Begin, Failure> {
     }
     let targets = [0.0, 0.0];
     let node = track
-        .settle(pose, node.along, targets, &node, true)
+        .settle(pose, node.course.along, targets, &node, true)
         .map_err(|t| trouble_at(scene, &pose, t))?;
     let first = Some(position(&node.pose));
     Ok(Begin { track, node, first, turned: None, astray })
@@ -387,12 +387,14 @@ fn turn(track: &Track, node: &Node, cap: f64) -> Option<Node> {
         return None;
     }
     let [drive, part] = &node.gaps;
-    let around = Around { te: node.pose.te, ta: node.pose.ta, part, drive, along: node.along };
+    let around =
+        Around { te: node.pose.te, ta: node.pose.ta, part, drive, along: node.course.along };
     let ta = track.axis.at(&around, [&track.keeps[0], &track.keeps[1]])?;
     if (ta - node.pose.ta).norm() <= LEAST {
         return None;
     }
-    let turned = track.settle(Pose { ta, ..node.pose }, node.along, [0.0; 2], node, true).ok()?;
+    let turned =
+        track.settle(Pose { ta, ..node.pose }, node.course.along, [0.0; 2], node, true).ok()?;
     let length = |node: &Node| track.stride(node, cap, &mut Pace::new()).map_or(0.0, |s| s.length);
     (length(node) < WORTH * length(&turned)).then_some(turned)
 }

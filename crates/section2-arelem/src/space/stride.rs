@@ -9,7 +9,7 @@
 use super::guided::{Guided, Place};
 use super::judge::{AIM_TURNING, Fit};
 use super::keep::{Keep, Limits};
-use super::track::{Node, Onset, Track, Trouble};
+use super::track::{Course, Node, Track, Trouble};
 
 /// Trials of one cut vector; two or three are usual.
 const TRIALS: usize = 40;
@@ -54,8 +54,8 @@ pub(super) trait Trials {
     /// Is there no place where none is found? Else other trials tell.
     const FINAL: bool;
 
-    /// The place that they begin at.
-    fn onset(&self) -> Onset;
+    /// The gaps where they begin, and how the track goes on there.
+    fn start(&self) -> ([f64; 2], &Course);
 
     /// The place at distance `s`, its gaps at the targets that belong to the `bends` of cut vectors about `usual` long;
     /// without them to its own curvature. `last` is the trial before.
@@ -84,8 +84,8 @@ impl Trials for Contacts<'_> {
     type Place = Node;
     const FINAL: bool = true;
 
-    fn onset(&self) -> Onset {
-        self.from.onset()
+    fn start(&self) -> ([f64; 2], &Course) {
+        (self.from.gaps.map(|g| g.g), &self.from.course)
     }
 
     fn reach(
@@ -232,7 +232,7 @@ impl Track {
         cap: f64,
         pace: &mut Pace,
     ) -> Result<Stride<T::Place>, Trouble> {
-        let from = &trials.onset();
+        let (gaps, from) = trials.start();
         let mut bends = pace.bends;
         let mut plan = self.plan(from, bends, cap);
         let mut s = (plan.length * pace.expected() * (1.0 - 0.25 * LONG_ENOUGH)).min(plan.most);
@@ -258,7 +258,7 @@ impl Track {
                     if learnt < LESSONS && (lost || self.axis.turns()) {
                         learnt += 1;
                         let better = self.plan(from, Some(fit.bends), cap);
-                        let aim = self.aims(from, fit.bends, better.length);
+                        let aim = self.aims(gaps, fit.bends, better.length);
                         if self.axis.turns() {
                             pace.bends = Some(fit.bends);
                         }
@@ -322,10 +322,10 @@ impl Track {
         look: bool,
         beside: Option<&Node>,
     ) -> Result<Stride, Trouble> {
-        let onset = &from.onset();
-        let targets = self.aims(onset, bends.unwrap_or(from.bends), usual);
+        let gaps = from.gaps.map(|g| g.g);
+        let targets = self.aims(gaps, bends.unwrap_or(from.course.bends), usual);
         let to = self.walk_beside(from, s, targets, look, beside)?;
-        let other = self.other_aims(onset, bends, to.bends, usual, targets);
+        let other = self.other_aims((gaps, &from.course), bends, to.course.bends, usual, targets);
         let (to, targets) = match other {
             Some(aims) => (self.walk_beside(from, s, aims, look, Some(&to))?, aims),
             None => (to, targets),
@@ -338,7 +338,7 @@ impl Track {
     #[inline]
     pub(super) fn other_aims(
         &self,
-        from: &Onset,
+        (gaps, from): ([f64; 2], &Course),
         bends: Option<[f64; 2]>,
         found: [f64; 2],
         usual: f64,
@@ -348,7 +348,7 @@ impl Track {
         if bends.is_some() || same(0) && same(1) {
             return None;
         }
-        let aims = self.aims(from, found, usual);
+        let aims = self.aims(gaps, found, usual);
         self.differ(aims, targets, OFF_TARGET).then_some(aims)
     }
 
@@ -367,7 +367,7 @@ impl Track {
     /// share of the band that the chords use, and farther out where the vertex before left less room for the
     /// chord between both.
     #[inline]
-    pub(super) fn aims(&self, from: &Onset, bends: [f64; 2], usual: f64) -> [f64; 2] {
+    pub(super) fn aims(&self, gaps: [f64; 2], bends: [f64; 2], usual: f64) -> [f64; 2] {
         let target = |i: usize| {
             let (keep, bend) = (&self.keeps[i], bends[i]);
             let share = (bend.abs() * usual * usual / (8.0 * keep.width())).min(1.0);
@@ -376,7 +376,7 @@ impl Track {
             }
             let (even, edge) = (keep.target(bend, share), keep.target(bend, 1.0));
             let Limits { low, high } = keep.limits();
-            let before = from.gaps[i];
+            let before = gaps[i];
             let room = if bend > 0.0 { before - low } else { high - before };
             let depth = 0.5 * bend.abs() * usual * usual;
             let rest = SPARE * (depth.sqrt() - room.max(0.0).sqrt()).max(0.0).powi(2);
@@ -394,7 +394,7 @@ impl Track {
     }
 
     /// The length foretold from how the gaps bend, and the greatest allowed.
-    fn plan(&self, from: &Onset, bends: Option<[f64; 2]>, cap: f64) -> Plan {
+    fn plan(&self, from: &Course, bends: Option<[f64; 2]>, cap: f64) -> Plan {
         let turn = from.curl.norm();
         let most = if turn * cap > MOST_TURN { MOST_TURN / turn } else { cap };
         let mut length = most;

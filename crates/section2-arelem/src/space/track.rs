@@ -30,17 +30,15 @@ pub(crate) struct Track {
     pub(crate) size: f64,
 }
 
-/// What the search for a cut vector needs of the place that it begins at.
+/// How the track goes on at a place of it.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Onset {
-    pub(super) te: Vec3,
-    pub(super) gaps: [f64; 2],
+pub(crate) struct Course {
     /// Unit direction of motion.
-    pub(super) along: Vec3,
+    pub(crate) along: Vec3,
     /// Second derivatives of the gaps along it.
-    pub(super) bends: [f64; 2],
+    pub(crate) bends: [f64; 2],
     /// Curvature of the track.
-    pub(super) curl: Vec3,
+    pub(crate) curl: Vec3,
 }
 
 /// A place on the track.
@@ -48,12 +46,7 @@ pub(super) struct Onset {
 pub(crate) struct Node {
     pub(crate) pose: Pose,
     pub(crate) gaps: [Gap; 2],
-    /// Unit direction of motion.
-    pub(crate) along: Vec3,
-    /// Second derivatives of the gaps along it.
-    pub(crate) bends: [f64; 2],
-    /// Curvature of the track.
-    pub(crate) curl: Vec3,
+    pub(crate) course: Course,
 }
 
 /// Why there is no place.
@@ -80,18 +73,19 @@ impl Node {
         along: Vec3,
         bends: [f64; 2],
     ) -> Result<Self, Trouble> {
-        let curl = curl([gaps[0].normal, gaps[1].normal], along, bends)?;
-        Ok(Self { pose, gaps, along, bends, curl })
-    }
-
-    #[inline(always)]
-    pub(super) fn onset(&self) -> Onset {
-        let Self { pose, gaps, along, bends, curl } = *self;
-        Onset { te: pose.te, gaps: [gaps[0].g, gaps[1].g], along, bends, curl }
+        let course = Course::new([gaps[0].normal, gaps[1].normal], along, bends)?;
+        Ok(Self { pose, gaps, course })
     }
 }
 
-impl Onset {
+impl Course {
+    /// That along `along` on which gaps with these gradients bend by `bends`.
+    #[inline(always)]
+    pub(super) fn new(normals: [Vec3; 2], along: Vec3, bends: [f64; 2]) -> Result<Self, Trouble> {
+        let curl = solve_normals([normals[0], normals[1], along], [-bends[0], -bends[1], 0.0]);
+        Ok(Self { along, bends, curl: curl.ok_or(Trouble::SideBySide)? })
+    }
+
     /// The way by `s` along the track, to second order, and its direction there.
     #[inline]
     pub(super) fn ahead(&self, s: f64) -> (Vec3, Vec3) {
@@ -241,7 +235,7 @@ impl Track {
             let mut turned = 0.0;
             let mut ta = pose.ta;
             if turning {
-                let along = direction(&gaps, hint.along)?;
+                let along = direction(&gaps, hint.course.along)?;
                 let around = Around { te: pose.te, ta, part: &gaps[1], drive: &gaps[0], along };
                 ta =
                     self.axis.at(&around, [&self.keeps[0], &self.keeps[1]]).ok_or(Trouble::Axis)?;
@@ -279,7 +273,7 @@ impl Track {
     /// has a corner in a hollow on the way, and leads away from the place of contact before it.
     fn onward(&self, pose: &Pose, gaps: &[Gap; 2], hint: &Node) -> Vec3 {
         let way = (pose.te - hint.pose.te).norm();
-        let Ok(t) = direction(gaps, hint.along) else { return hint.along };
+        let Ok(t) = direction(gaps, hint.course.along) else { return hint.course.along };
         let changed = |i: usize| (gaps[i].normal - hint.gaps[i].normal).norm();
         let i = usize::from(changed(1) > changed(0));
         let keep = &self.keeps[i];
@@ -288,7 +282,7 @@ impl Track {
         let beside = level[0] && level[1];
         let radius = if beside { keep.profile.widest() } else { keep.profile.corner_radius() };
         let touches = keep.condition == Condition::Touch && !keep.is_plane();
-        let sharp = touches && t.dot(&hint.along) < 0.5 && way < 0.1 * radius;
+        let sharp = touches && t.dot(&hint.course.along) < 0.5 && way < 0.1 * radius;
         let rise = t.dot(&hint.gaps[i].normal);
         if sharp && rise < -0.1 { -t } else { t }
     }
@@ -313,7 +307,7 @@ impl Track {
         look: bool,
         beside: Option<&Node>,
     ) -> Result<Node, Trouble> {
-        let (step, across) = from.onset().ahead(s);
+        let (step, across) = from.course.ahead(s);
         let start = Pose { te: from.pose.te + step, ta: from.pose.ta };
         let sooner = beside.filter(|_| !self.axis.turns()).and_then(|known| {
             let begin = moved(known, across, across.dot(&start.te), targets)?;
@@ -343,8 +337,8 @@ impl Track {
 /// Where the track meets the plane `across` at `level` beside a known place of it, to second order.
 fn moved(known: &Node, across: Vec3, level: f64, targets: [f64; 2]) -> Option<Pose> {
     let ahead = level - across.dot(&known.pose.te);
-    let s = ahead / across.dot(&known.along);
-    let off = |i: usize| targets[i] - known.gaps[i].g - 0.5 * known.bends[i] * s * s;
+    let s = ahead / across.dot(&known.course.along);
+    let off = |i: usize| targets[i] - known.gaps[i].g - 0.5 * known.course.bends[i] * s * s;
     let step = solve(&known.gaps, across, [off(0), off(1), ahead])?;
     Some(Pose { te: known.pose.te + step, ta: known.pose.ta })
 }
@@ -358,12 +352,6 @@ pub(super) fn direction(gaps: &[Gap; 2], heading: Vec3) -> Result<Vec3, Trouble>
     }
     let t = cross / l;
     Ok(if t.dot(&heading) < 0.0 { -t } else { t })
-}
-
-/// Curvature of a track along `along` on which gaps with these gradients bend by `bends`.
-#[inline(always)]
-pub(super) fn curl([a, b]: [Vec3; 2], along: Vec3, bends: [f64; 2]) -> Result<Vec3, Trouble> {
-    solve_normals([a, b, along], [-bends[0], -bends[1], 0.0]).ok_or(Trouble::SideBySide)
 }
 
 /// The vector with given products with both normals and with `across`.

@@ -39,16 +39,16 @@ impl Track {
             [targets[0] - gaps[0].g, targets[1] - gaps[1].g, level]
         };
         let worst = |off: &[f64; 3]| off.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
-        let (mut pose, mut gaps) = self.with_axis(start, &hint.gaps, hint.along)?;
+        let (mut pose, mut gaps) = self.with_axis(start, &hint.gaps, hint.course.along)?;
         for _ in 0..ROUNDS {
             let now = off(&pose, &gaps);
             if worst(&now) <= self.exact {
                 let deeper = if look { self.deeper(&pose, &gaps).0 } else { [None, None] };
                 if deeper.iter().all(Option::is_none) {
-                    return self.finish(pose, gaps, hint.along);
+                    return self.finish(pose, gaps, hint.course.along);
                 }
                 let near = [0, 1].map(|i| deeper[i].unwrap_or(gaps[i]));
-                (pose, gaps) = self.with_axis(pose, &near, hint.along)?;
+                (pose, gaps) = self.with_axis(pose, &near, hint.course.along)?;
                 if worst(&off(&pose, &gaps)) <= self.exact {
                     return Err(Trouble::Stuck);
                 }
@@ -58,7 +58,7 @@ impl Track {
             for i in 0..3 {
                 let mut beside = pose;
                 beside.te[i] += step;
-                let (_, other) = self.with_axis(beside, &gaps, hint.along)?;
+                let (_, other) = self.with_axis(beside, &gaps, hint.course.along)?;
                 for (slope, (a, b)) in slopes.iter_mut().zip(gaps.iter().zip(&other)) {
                     slope[i] = (b.g - a.g) / step;
                 }
@@ -67,7 +67,7 @@ impl Track {
             let mut share = 1.0;
             (pose, gaps) = loop {
                 let next = Pose { te: pose.te + by * share, ..pose };
-                if let Ok(next) = self.with_axis(next, &gaps, hint.along)
+                if let Ok(next) = self.with_axis(next, &gaps, hint.course.along)
                     && (worst(&off(&next.0, &next.1)) < worst(&now) || share < LEAST)
                 {
                     break next;

@@ -141,7 +141,7 @@ impl Watch {
     pub(crate) fn ahead(&self, node: &Node) -> f64 {
         let to = |g: &Gauge| {
             let gap = g.keep.is_plane().then_some(g.last)??;
-            let s = (-gap.g / gap.normal.dot(&node.along)).abs();
+            let s = (-gap.g / gap.normal.dot(&node.course.along)).abs();
             s.is_finite().then_some(s)
         };
         self.gauges.iter().filter_map(to).fold(0.0, f64::max)

@@ -116,7 +116,7 @@ impl Way<'_> {
 
     /// Change of a gap with the way.
     pub(super) fn slope(&self, node: &Node, gap: &Gap) -> f64 {
-        gap.normal.dot(&node.along) + gap.turn_rate(node.pose.te, self.turn)
+        gap.normal.dot(&node.course.along) + gap.turn_rate(node.pose.te, self.turn)
     }
 
     /// Is the gap to be that of the whole cutter? Where several places of it may touch, and it may be at the surface on
