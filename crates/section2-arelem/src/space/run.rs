@@ -143,9 +143,11 @@ fn follow(scene: &Scene, begin: &Begin) -> Result<Path, Failure> {
             }
         }
         if let Some((i, mut halt)) = stop {
-            // The last cut vector ends where the gaps were to be farther on; where the surface changes its
+            // A place that the cut vector before ended at needs no other. The last one ends where the gaps were to be farther on;
+            // where the surface changes its
             // bend on the way that does not fit, and a cut vector made for that length does.
-            if !track.fits(&node, &halt.node) {
+            let here = halt.s <= track.exact && !points.is_empty();
+            if !here && !track.fits(&node, &halt.node) {
                 let shorter = track.stride(&node, halt.s, &mut pace);
                 let again = shorter.and_then(|s| watches[i].again(track, &node, &s, &halt));
                 match again.ok().filter(|h| track.fits(&node, &h.node)) {
@@ -161,7 +163,9 @@ fn follow(scene: &Scene, begin: &Begin) -> Result<Path, Failure> {
                     None => {}
                 }
             }
-            points.push(position(&halt.node.pose));
+            if !here {
+                points.push(position(&halt.node.pose));
+            }
             return Ok(Path {
                 points,
                 arc: None,

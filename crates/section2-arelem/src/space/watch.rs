@@ -40,6 +40,8 @@ struct Gauge {
     keep: Keep,
     /// Did the gap leave zero since the start?
     armed: bool,
+    /// Did it run along with the whole of the cut vector before?
+    along: bool,
     last: Option<Gap>,
 }
 
@@ -62,12 +64,14 @@ pub(crate) struct Mark {
     met: u32,
     closest: (f64, Pose),
     alike: f64,
-    gauges: [(bool, Option<Gap>); 2],
+    gauges: [([bool; 2], Option<Gap>); 2],
 }
 
 impl Watch {
     pub(crate) fn mark(&self) -> Mark {
-        let gauge = |i: usize| self.gauges.get(i).map_or((false, None), |g| (g.armed, g.last));
+        let gauge = |i: usize| {
+            self.gauges.get(i).map_or(([false; 2], None), |g| ([g.armed, g.along], g.last))
+        };
         let Self { met, closest, alike, .. } = *self;
         Mark { met, closest, alike, gauges: [gauge(0), gauge(1)] }
     }
@@ -75,8 +79,8 @@ impl Watch {
     /// Forgets what it has seen since.
     pub(crate) fn back_to(&mut self, mark: &Mark) {
         (self.met, self.closest, self.alike) = (mark.met, mark.closest, mark.alike);
-        for (gauge, (armed, last)) in self.gauges.iter_mut().zip(mark.gauges) {
-            (gauge.armed, gauge.last) = (armed, last);
+        for (gauge, ([armed, along], last)) in self.gauges.iter_mut().zip(mark.gauges) {
+            (gauge.armed, gauge.along, gauge.last) = (armed, along, last);
         }
     }
 
@@ -89,7 +93,8 @@ impl Watch {
         // A cutter that comes from outside is inside only when all of it is.
         let inner = inner.map(|s| if keep.on_side(s).clears(pose) { s } else { Side::Negative });
         let near = keep.intol.max(keep.outtol);
-        let gauge = |side: Side| Gauge { keep: keep.on_side(side), armed: true, last: None };
+        let gauge =
+            |side: Side| Gauge { keep: keep.on_side(side), armed: true, along: false, last: None };
         let sides = std::iter::once(Side::Positive).chain(inner);
         let mut gauges: Vec<Gauge> = sides.map(gauge).collect();
         let mut closest = f64::INFINITY;
@@ -165,7 +170,10 @@ impl Watch {
                 && !gauge.armed
                 && let Ok(Some(s)) = way.alongside(&gauge.keep, loose)
             {
-                found.push((Crossing { s, touch: true, falls: true }, i));
+                let before = std::mem::replace(&mut gauge.along, s >= stride.length);
+                if !gauge.along && (s > loose || before) {
+                    found.push((Crossing { s, touch: true, falls: true }, i));
+                }
             }
             let Some((a, b)) = gauge.ends(&way, near) else { continue };
             for p in [a, b] {

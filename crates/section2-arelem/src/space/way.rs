@@ -290,7 +290,8 @@ impl Way<'_> {
         Ok(inside)
     }
 
-    /// How far the check surface runs along with the way from its beginning, where the tool touches it there.
+    /// How far the check surface runs along with the way from its beginning, where the tool touches it there; all of the cut
+    /// vector where they do not part on it.
     ///
     /// The straight end of a TABCYL lies along the line that it is tangent to: the motion to it ends where they part, though
     /// nothing but that stretch says that they are tangent. APT-360 stops at once; along the check surface it is the same way.
@@ -305,8 +306,7 @@ impl Way<'_> {
         }
         let whole = at(&self.stride.to, self.stride.length).ok();
         let Some(end) = whole.or_else(|| self.last_facing(keep, &start)) else { return Ok(None) };
-        let s = self.level(keep, &start, &end)?;
-        Ok((s > loose).then_some(s))
+        Ok(Some(self.level(keep, &start, &end)?))
     }
 }
 
