@@ -668,7 +668,8 @@ mod tests {
                     .collect()
             })
             .collect();
-        let s = aptc_geometry::sculpt::mesh(&rows, false).unwrap();
+        let s = aptc_geometry::sculpt::mesh(&rows, aptc_geometry::sculptured::MeshSpacing::Xyz)
+            .unwrap();
         let tree = PatchTree::new(&s);
         assert_eq!(tree.len(), 900);
         // Along a line through it only the patches beside it.

@@ -242,11 +242,11 @@ pub enum MeshKind {
 pub enum MeshSpacing {
     /// Distances in space.
     Xyz,
-    /// Distances seen along z.
+    /// Bilinear seen along z; heights in z.
     Xyplan,
-    /// Distances seen along x.
+    /// Bilinear seen along x; heights in x.
     Yzplan,
-    /// Distances seen along y.
+    /// Bilinear seen along y; heights in y.
     Zxplan,
     /// Straight between neighbouring splines.
     Ruled,

@@ -21,7 +21,7 @@ fn traced_mesh() -> Sculptured {
                 .collect()
         })
         .collect();
-    mesh(&rows, false).expect("an even mesh")
+    mesh(&rows, aptc_geometry::sculptured::MeshSpacing::Xyz).expect("an even mesh")
 }
 
 /// Values of a line `NAME x x x`.

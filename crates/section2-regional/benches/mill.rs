@@ -41,7 +41,7 @@ fn rows(n: u32, size: f64, z: impl Fn(f64, f64) -> f64) -> Vec<Vec<Vec3>> {
 fn sculptured(rows: &[Vec<Vec3>]) -> Sculptured {
     let rows: Vec<Vec<_>> =
         rows.iter().map(|r| r.iter().map(|p| SplinePoint::plain(*p)).collect()).collect();
-    mesh(&rows, false).expect("an even mesh")
+    mesh(&rows, MeshSpacing::Xyz).expect("an even mesh")
 }
 
 fn form(rows: &[Vec<Vec3>]) -> Arc<Form> {

@@ -146,7 +146,9 @@ mod tests {
             let at = |i| SplinePoint::plain(Vec3::new(2.5, f64::from(i) * 10.0 - 10.0, z));
             (0..3).map(at).collect()
         };
-        let s = Arc::new(mesh(&[row(2.0), row(12.0)], true).unwrap());
+        let s = Arc::new(
+            mesh(&[row(2.0), row(12.0)], aptc_geometry::sculptured::MeshSpacing::Ruled).unwrap(),
+        );
         let tree = Arc::new(PatchTree::new(&s));
         let checked = Checked { name: "WALL".into(), surface: s, tree, part: false };
         Guard { surfaces: vec![checked], intol: 1e-3, thick: 0.0, ..Guard::default() }

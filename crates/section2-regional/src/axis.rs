@@ -57,14 +57,14 @@ pub(crate) fn of_line(axis: Option<&ToolAxis>, side: f64, last: Vec3) -> Result<
         Some(ToolAxis::Fixed(v)) => AxisArea::Fixed(v.try_normalize(0.0).unwrap_or_else(Vec3::z)),
         Some(ToolAxis::Keep) => AxisArea::Fixed(last),
         Some(ToolAxis::NormPs | ToolAxis::NormDs) => AxisArea::NormDs(side),
-        Some(ToolAxis::Parallel { radius: None, height: None, .. }) => AxisArea::Ruling(last),
+        Some(ToolAxis::Parallel { .. }) => AxisArea::Ruling(last),
         Some(ToolAxis::PerpTo(v)) => {
             let to = v.try_normalize(0.0);
             let to = to.ok_or(Failure::NoDirection { what: "the vector of PERPTO" })?;
             // Square to the vector and as near to the normal as that lets it be.
             AxisArea::Square { to, side, alpha: None, last }
         }
-        Some(ToolAxis::Angle(a)) if a.radius.is_none() && a.height.is_none() => {
+        Some(ToolAxis::Angle(a)) => {
             let alpha = a.angle_deg.to_radians();
             let beta = a.cutting_deg.unwrap_or(0.0).to_radians();
             match a.reference.and_then(|v| v.try_normalize(0.0)) {
@@ -75,9 +75,6 @@ pub(crate) fn of_line(axis: Option<&ToolAxis>, side: f64, last: Vec3) -> Result<
                 }
                 Some(to) => AxisArea::Square { to, side, alpha: Some(alpha), last },
             }
-        }
-        Some(ToolAxis::Parallel { .. } | ToolAxis::Angle(_)) => {
-            return Err(Failure::Undone { what: "GOLOFT with RADIUS or HIGHT of TLAXIS" });
         }
         Some(ToolAxis::Last) => {
             return Err(Failure::Undone { what: "GOLOFT behind TLAXIS/LAST with no axis before" });

@@ -258,6 +258,16 @@ pub(crate) fn placed(span: Option<(usize, [f64; 2])>) -> String {
     span.map_or_else(String::new, of)
 }
 
+/// RADIUS or HIGHT of TLAXIS where the cutter touches with one place of its shape alone.
+pub(crate) fn contact_not_chosen(origin: &Origin, surface: &str) -> Diagnostic {
+    let text = format!(
+        "RADIUS and HIGHT of TLAXIS do not count on {surface}: neither bottom nor flank lies along it, or the number of the other is given"
+    );
+    Diagnostic::warning(codes::CONTACT_NOT_CHOSEN, origin.span, text)
+        .within(origin.trace.clone())
+        .help("leave them out; RADIUS is for a bottom that lies on the surface, HIGHT for a flank along it")
+}
+
 /// A line is milled from the side from which the tool's shank passes through the surface.
 pub(crate) fn through(origin: &Origin, surface: &str) -> Diagnostic {
     let text = format!(

@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use aptc_cldata as cl;
 use aptc_contact::Tool;
-use aptc_diagnostics::Origin;
-use aptc_geometry::{Form, Plane, Profile, SpaceCurve, Vec3};
+use aptc_diagnostics::{Diagnostic, Origin};
+use aptc_geometry::{Form, Plane, Profile, Segment, SpaceCurve, Vec3};
 use aptc_protap::{Arg, NameRef};
 
 use crate::area::{DriveArea, Guide, Hold, PartArea, Projection};
@@ -13,7 +13,7 @@ use crate::drive::Course;
 use crate::failure::{self, Failure};
 use crate::gclear::Spot;
 use crate::path::{Broken, Path};
-use crate::position::Position;
+use crate::position::{Chosen, Position};
 use crate::regional::{Regional, Stand};
 use crate::report::{Note, reports};
 use crate::scon::Words;
@@ -48,6 +48,17 @@ pub(crate) struct Wish {
     pub(crate) incr: f64,
     pub(crate) chord: Option<f64>,
     pub(crate) longest: f64,
+}
+
+/// What of a curve GOMILL mills.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct CurveWish {
+    /// One place alone.
+    pub(crate) at: Option<f64>,
+    /// START and THRU.
+    pub(crate) ends: [Option<f64>; 2],
+    /// From THRU to START.
+    pub(crate) inverse: bool,
 }
 
 /// A line with the tool along it.
@@ -162,7 +173,10 @@ impl Regional {
         setup.over = if near(-1.0) > near(1.0) + 1e-9 { -1.0 } else { 1.0 };
         let line = Line::Surface(Box::new(setup), course, fixed, sense);
         let mut milled = Milled::default();
-        match line.stretch(&wish)? {
+        let stretch = line.stretch(&wish)?;
+        let (Stretch::At(t) | Stretch::From([t, _])) = stretch;
+        let unchosen = chosen_counts(origin, &setup, (at_line(course, fixed, t), course, sense))?;
+        match stretch {
             Stretch::At(t) => {
                 let s = line.stop(t)?;
                 milled.through = s.normal.dot(&s.ta) < -1e-6;
@@ -185,6 +199,7 @@ impl Regional {
         if milled.through {
             self.diagnostics.push(failure::through(origin, &name.name));
         }
+        self.diagnostics.extend(unchosen);
         self.diagnostics.extend(reports(origin, &milled.notes));
         let stand = self.put_line(origin, name, &milled.stretches, Some(control), out)?;
         milled.why.map_or(Ok(stand), Err)
@@ -197,12 +212,24 @@ impl Regional {
         wish: &Wish,
         out: &mut Vec<cl::Record>,
     ) -> Result<Option<Stand>, Failure> {
+        let stops = self.curve_stops(name, form, wish)?;
+        let points = stops.iter().map(Stop::spot).collect();
+        self.put_line(origin, name, &[points], None, out)
+    }
+
+    fn curve_stops(
+        &mut self,
+        name: &NameRef,
+        form: &Arc<Form>,
+        wish: &Wish,
+    ) -> Result<Vec<Stop>, Failure> {
         let curve = self.curve(name, form)?;
         let ta = match &self.settings.axis {
             None => Vec3::z(),
             Some(aptc_protap::ToolAxis::Fixed(v)) => v.try_normalize(0.0).unwrap_or_else(Vec3::z),
+            Some(aptc_protap::ToolAxis::Keep) => self.stand.map_or_else(Vec3::z, |s| s.ta),
             Some(_) => {
-                let what = "GOLOFT along a curve with a tool axis that follows a surface";
+                let what = "milling along a curve with a tool axis that follows a surface";
                 return Err(Failure::Undone { what });
             }
         };
@@ -215,8 +242,41 @@ impl Regional {
         if wish.inverse {
             stops.reverse();
         }
-        let points = stops.iter().map(Stop::spot).collect();
-        self.put_line(origin, name, &[points], None, out)
+        Ok(stops)
+    }
+
+    /// Tool ends and axes along a curve whose chords leave it by no more than `chord`.
+    ///
+    /// # Errors
+    /// As [`Regional::goloft`]; and an end beyond those of the curve.
+    pub(crate) fn curve_places(
+        &mut self,
+        name: &NameRef,
+        form: &Arc<Form>,
+        what: CurveWish,
+        chord: f64,
+    ) -> Result<Vec<(Vec3, Vec3)>, Failure> {
+        let most = self.curve(name, form)?.span();
+        let [start, thru] = what.ends;
+        for (word, value) in [("START", start), ("THRU", thru), ("AT", what.at)] {
+            if let Some(value) = value.filter(|t| !(-1e-9..=most + 1e-9).contains(t)) {
+                let need = format!("between 0 and {most}").into();
+                return Err(Failure::Value { what: word, value, need });
+            }
+        }
+        let wish = Wish {
+            start: start.map(End::Number),
+            thru: thru.map(End::Number),
+            at: what.at.map(End::Number),
+            inverse: what.inverse,
+            mirror: false,
+            flow: false,
+            incr: STEP,
+            chord: Some(chord),
+            longest: self.settings.maxdp(),
+        };
+        let stops = self.curve_stops(name, form, &wish)?;
+        Ok(stops.iter().map(|s| (s.te, s.ta)).collect())
     }
 
     /// The surface of the statement as part surface.
@@ -242,7 +302,8 @@ impl Regional {
         let last = self.stand.map_or_else(Vec3::z, |s| s.ta);
         let axis = crate::axis::of_line(self.settings.axis.as_ref(), side, last)?;
         let setup = Setup::new(&self.settings, drive, part, axis)?;
-        Ok(Setup { numpts: POSITIONS, length: None, centred: true, ..setup })
+        let chosen = Chosen::of(self.settings.axis.as_ref());
+        Ok(Setup { numpts: POSITIONS, length: None, centred: true, chosen, ..setup })
     }
 
     pub(crate) fn wish(&self, w: &mut Words<'_>) -> Result<Wish, Failure> {
@@ -532,6 +593,36 @@ impl Line<'_> {
         let mid = self.stop(0.5 * (a.t + b.t))?;
         self.halve(a, mid, (chord, longest), left - 1, stops)?;
         self.halve(mid, b, (chord, longest), left - 1, stops)
+    }
+}
+
+/// Says where RADIUS or HIGHT of TLAXIS do not count at a place of a line.
+///
+/// # Errors
+/// The number that counts is beyond the face that lies along the surface.
+pub(crate) fn chosen_counts(
+    origin: &Origin,
+    setup: &Setup<'_>,
+    (uv, course, sense): ([f64; 2], Course, f64),
+) -> Result<Option<Diagnostic>, Failure> {
+    if setup.chosen == Chosen::default() {
+        return Ok(None);
+    }
+    let (p, _) = setup.position(uv, course, sense, None, Take::Nothing)?;
+    match setup.chosen.counts(setup.profile, p.ta, p.normal) {
+        Some((segment, Some(value), [least, most])) => {
+            if (least..=most).contains(&value) {
+                return Ok(None);
+            }
+            let what = match segment {
+                Segment::LowerLine => "RADIUS of TLAXIS",
+                _ => "HIGHT of TLAXIS",
+            };
+            let (least, most) = (failure::short(least), failure::short(most));
+            let need = format!("between {least} and {most}, where the face of the cutter is");
+            Err(Failure::Value { what, value, need: need.into() })
+        }
+        _ => Ok(Some(failure::contact_not_chosen(origin, &setup.part.name.name))),
     }
 }
 

@@ -6,13 +6,13 @@ use aptc_cldata as cl;
 use aptc_cldata::milling::Scallop;
 use aptc_diagnostics::Origin;
 use aptc_geometry::{Form, Vec3};
-use aptc_protap::Arg;
+use aptc_protap::{Arg, NameRef};
 
 use crate::area::StepoverArea;
 use crate::crew::Crew;
 use crate::drive::Course;
 use crate::failure::Failure;
-use crate::goloft::{at_line, own_drive};
+use crate::goloft::{CurveWish, at_line, chosen_counts, own_drive};
 use crate::region::{Put, Region, Retract};
 use crate::regional::{Regional, Stand};
 use crate::report::reports;
@@ -54,7 +54,7 @@ impl Regional {
             return Err(Failure::Undone { what: "this form of GOMILL" });
         };
         if matches!(form.shape(), Form::Scurv(_)) {
-            return Err(Failure::Undone { what: "GOMILL along a curve, which has only one line" });
+            return self.gomill_curve(origin, (name, form), &mut w, out);
         }
         let course = if w.take("UCONST") { Course::V } else { Course::U };
         w.take("VCONST");
@@ -85,6 +85,11 @@ impl Regional {
             Course::U => drive.u = [start, thru],
             Course::V => drive.v = [start, thru],
         }
+        let start_uv = at_line(course, first, if wish.inverse { thru } else { start });
+        let sense = if wish.inverse { -1.0 } else { 1.0 };
+        let setup = self.line_setup(&drive, &part, 1.0)?;
+        let unchosen = chosen_counts(origin, &setup, (start_uv, course, sense))?;
+        self.diagnostics.extend(unchosen);
         let guard = self.guarded(Some(&part));
         let mut setup = self.line_setup(&drive, &part, 1.0)?;
         setup.guard = guard.as_ref().map(|g| (g, self.avoid));
@@ -106,7 +111,7 @@ impl Regional {
             None
         };
         let guide = Some(&drive.guide);
-        let senses = [if wish.inverse { -1.0 } else { 1.0 }, over];
+        let senses = [sense, over];
         let ways = &self.ways_of(Some(&part));
         let feeds = [0.0; 4];
         let region =
@@ -121,7 +126,7 @@ impl Regional {
             let control = self.milling_control(&part, None, false);
             return Ok(self.put(origin, (name, guide), puts, Some(&control), out));
         }
-        let from = at_line(course, first, if wish.inverse { thru } else { start });
+        let from = start_uv;
         if self.outlines.is_active() {
             let stretches = self.left(&region, form, from, ([start, thru], wish.pick));
             let done = within::mill(&region, &stretches, retract, crew)?;
@@ -139,6 +144,41 @@ impl Regional {
         self.diagnostics.extend(reports(origin, &done.notes));
         let stand = self.put(origin, (name, guide), done.puts, Some(&control), out);
         done.why.map_or(Ok(stand), Err)
+    }
+
+    /// GOMILL/curve,VCONST,0[,START,a][,THRU,b][,INVERS][,AT,x[,RETR,d]]: the tool end along the curve, its chords
+    /// within the tolerance of the drive surface; GOMILL/curve,UCONST,c: at its place c alone. AT and UCONST are led
+    /// to and from the place by RETR. A curve is a line of constant v, 0, the only one, whose u is its parameter:
+    /// no step leads to another.
+    fn gomill_curve(
+        &mut self,
+        origin: &Origin,
+        (name, form): (&NameRef, &Arc<Form>),
+        w: &mut Words<'_>,
+        out: &mut Vec<cl::Record>,
+    ) -> Result<Option<Stand>, Failure> {
+        let place = w.take("UCONST");
+        w.take("VCONST");
+        let fixed = w.number().unwrap_or(0.0);
+        let given = wish(w)?;
+        if given.scallop > 0.0 || given.most > 0.0 {
+            return Err(Failure::Undone {
+                what: "SCALOP or MAXSTP of GOMILL along a curve, which has one line",
+            });
+        }
+        if !place && fixed != 0.0 {
+            let need = "0, for a curve has one line".into();
+            return Err(Failure::Value { what: "VCONST", value: fixed, need });
+        }
+        let at = if place { Some(fixed) } else { given.at };
+        let ends = [given.start, given.thru];
+        let (what, chord) =
+            (CurveWish { at, ends, inverse: given.inverse }, self.settings.lateral());
+        let mut points = self.curve_places(name, form, what, chord)?;
+        if let (Some(_), Some(r), Some(&here)) = (at, &given.retract, points.first()) {
+            points = vec![r.above(here), here, r.above(here)];
+        }
+        Ok(self.put(origin, (name, None), vec![Put::Move(points)], None, out))
     }
 
     /// What REGION leaves of the lines, in the order and the sense in which they are milled.

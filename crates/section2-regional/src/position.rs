@@ -2,6 +2,7 @@
 
 use aptc_contact::Tool;
 use aptc_geometry::{Profile, Segment, Vec3};
+use aptc_protap::ToolAxis;
 
 /// A position of the tool with its contact.
 #[derive(Clone, Copy, Debug)]
@@ -76,6 +77,78 @@ pub(crate) fn tool_end(
     contact + n * thick - place
 }
 
+/// RADIUS and HIGHT of TLAXIS: where on its bottom or its flank the cutter is to touch.
+///
+/// They count where the bottom or the flank as a whole lies along the surface, where any place of it would do;
+/// elsewhere the cutter touches where its shape does.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Chosen {
+    /// Distance of the place from the axis, which counts for the bottom.
+    pub(crate) radius: Option<f64>,
+    /// Height of the place above the tool end, which counts for the flank.
+    pub(crate) height: Option<f64>,
+}
+
+impl Chosen {
+    /// Of a rule of TLAXIS.
+    pub(crate) fn of(axis: Option<&ToolAxis>) -> Self {
+        match axis {
+            Some(ToolAxis::Parallel { radius, height, .. }) => {
+                Self { radius: *radius, height: *height }
+            }
+            Some(ToolAxis::Angle(a)) => Self { radius: a.radius, height: a.height },
+            _ => Self::default(),
+        }
+    }
+
+    /// With which face the cutter touches at a contact of the unit normal `n`, the number that counts there,
+    /// and its range; `None` where no face lies along the surface.
+    pub(crate) fn counts(
+        &self,
+        profile: &Profile,
+        ta: Vec3,
+        n: Vec3,
+    ) -> Option<(Segment, Option<f64>, [f64; 2])> {
+        let [lower, upper] = profile.joints();
+        let segment = Tool { profile, te: Vec3::zeros(), ta }.support(-n).segment;
+        match segment {
+            Segment::LowerLine => Some((segment, self.radius, [0.0, lower[0]])),
+            Segment::UpperLine => Some((segment, self.height, [upper[1], profile.height()])),
+            _ => None,
+        }
+    }
+
+    /// The tool end for a contact, as [`tool_end`] has it, with the place that is chosen at the contact; `None`
+    /// where nothing is chosen. With a flat bottom that place is on the side away from `last`.
+    pub(crate) fn tool_end(
+        &self,
+        profile: &Profile,
+        ta: Vec3,
+        contact: Vec3,
+        n: Vec3,
+        thick: f64,
+        last: Vec3,
+    ) -> Option<Vec3> {
+        if *self == Self::default() {
+            return None;
+        }
+        let (segment, value, [least, most]) = self.counts(profile, ta, n)?;
+        let value = value.filter(|x| (least..=most).contains(x))?;
+        // The face runs square to its normal (out, up) of the half plane.
+        let (level, up) = (-(n - ta * n.dot(&ta)), -n.dot(&ta));
+        let out = level.norm();
+        let (rho, z) = if segment == Segment::LowerLine {
+            (value, profile.bottom() - out / up * value)
+        } else {
+            let [_, [rho, z]] = profile.joints();
+            (rho - up / out * (value - z), value)
+        };
+        let away = if out > 1e-6 { level / out } else { -(last - ta * last.dot(&ta)) };
+        let away = away.try_normalize(0.0).unwrap_or_else(Vec3::zeros);
+        Some(contact + n * thick - away * rho - ta * z)
+    }
+}
+
 /// Unit direction square to the axis from a contact to the axis, `None` where the normal stands along it.
 pub(crate) fn toward_axis(n: Vec3, ta: Vec3) -> Option<Vec3> {
     let radial = n - ta * n.dot(&ta);
@@ -85,7 +158,7 @@ pub(crate) fn toward_axis(n: Vec3, ta: Vec3) -> Option<Vec3> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use aptc_geometry::Cutter;
+    use aptc_geometry::{Cutter, trig};
 
     #[test]
     fn published_positions() {
@@ -101,6 +174,51 @@ mod tests {
         // thickness lifts along it.
         let lifted = tool_end(&bull, ta, Vec3::zeros(), Vec3::z(), 0.25, Vec3::x());
         assert!((lifted - te - Vec3::z() * 0.25).norm() < 1e-15);
+    }
+
+    /// A tapered cutter whose flank or bottom cone lies along a plane: wherever it is said to touch, all of the
+    /// face is on the plane and the place that was named is at the contact.
+    #[test]
+    fn the_place_on_a_face_is_that_of_radius_and_hight() {
+        // Both lines meet 10 from the axis, and the corner is tangent to them.
+        let (alpha_deg, beta_deg, r) = (20.0, 10.0, 3.0);
+        let [sa, ca] = [trig::sin_deg(alpha_deg), trig::cos_deg(alpha_deg)];
+        let [sb, cb] = [trig::sin_deg(beta_deg), trig::cos_deg(beta_deg)];
+        let slope = sa / ca;
+        let e = (10.0 * cb + r / ca * sb - 10.0 * slope * sb - r) / (cb - sb * slope);
+        let f = (r + e * sa) / ca;
+        let cutter = Cutter { e, f, alpha_deg, beta_deg, ..Cutter::mill(20.0, r, 60.0) };
+        let profile = Profile::new(&cutter).unwrap();
+        let contact = Vec3::new(3.0, -2.0, 7.0);
+        let n = Vec3::z();
+        // The normals of both faces make these angles with the axis.
+        for (deg, chosen, face) in [
+            (20.0, Chosen { radius: Some(2.5), height: None }, Segment::LowerLine),
+            (80.0, Chosen { radius: None, height: Some(31.0) }, Segment::UpperLine),
+        ] {
+            let (sin, cos) = (trig::sin_deg(deg), trig::cos_deg(deg));
+            let ta = Vec3::new(sin, 0.0, cos);
+            assert_eq!(chosen.counts(&profile, ta, n).map(|c| c.0), Some(face), "{deg}");
+            let te = chosen.tool_end(&profile, ta, contact, n, 0.5, Vec3::x()).unwrap();
+            let tool = Tool { profile: &profile, te, ta };
+            // The cutter is thick above the plane, and the named place is over the contact.
+            assert!((tool.support(-n).point.z - (contact.z + 0.5)).abs() < 1e-12);
+            let from = contact + n * 0.5 - te;
+            let (z, rho) = (from.dot(&ta), (from - ta * from.dot(&ta)).norm());
+            let named = if face == Segment::LowerLine { rho } else { z };
+            let asked = chosen.radius.or(chosen.height).unwrap();
+            assert!((named - asked).abs() < 1e-12, "{named} {asked}");
+            assert!(profile.near(rho, z).distance.abs() < 1e-12);
+            // Beyond the face, and with the other number alone, it does not count.
+            let other = Chosen { radius: chosen.height, height: chosen.radius };
+            assert!(other.tool_end(&profile, ta, contact, n, 0.5, Vec3::x()).is_none());
+        }
+        let flat = Profile::new(&Cutter::mill(20.0, 3.0, 40.0)).unwrap();
+        let chosen = Chosen { radius: Some(4.0), height: None };
+        let te = chosen.tool_end(&flat, n, Vec3::zeros(), n, 0.0, -Vec3::y()).unwrap();
+        assert!((te - Vec3::new(0.0, -4.0, 0.0)).norm() < 1e-14, "{te}");
+        let wide = Chosen { radius: Some(7.5), height: None };
+        assert!(wide.tool_end(&flat, n, Vec3::zeros(), n, 0.0, -Vec3::y()).is_none());
     }
 
     #[test]

@@ -319,7 +319,7 @@ mod tests {
                     .collect()
             })
             .collect();
-        mesh(&rows, false).unwrap()
+        mesh(&rows, aptc_geometry::sculptured::MeshSpacing::Xyz).unwrap()
     }
 
     #[test]

@@ -11,7 +11,7 @@ use crate::axis;
 use crate::drive::{Course, DrivePoint};
 use crate::failure::Failure;
 use crate::guard::Guard;
-use crate::position::{Position, tool_end, toward_axis};
+use crate::position::{Chosen, Position, tool_end, toward_axis};
 use crate::project::{Met, Probe, Shot};
 use crate::settings::{Band, Settings};
 
@@ -50,6 +50,8 @@ pub(crate) struct Setup<'a> {
     /// Is the tool end over the contact where axis and normal are parallel, as GOLOFT has it? Else the contact
     /// is behind.
     pub(crate) centred: bool,
+    /// Which place of its bottom or flank is to touch.
+    pub(crate) chosen: Chosen,
 }
 
 /// Which part of the tolerance a position may take.
@@ -107,6 +109,7 @@ impl<'a> Setup<'a> {
             every: None,
             joins: false,
             centred: false,
+            chosen: Chosen::default(),
         })
     }
 }
@@ -250,7 +253,11 @@ impl Setup<'_> {
             let along = p.direction.unwrap_or_else(Vec3::zeros);
             p.point + ta * (self.thick() - self.drive.offset) + along * met.way + n * shift
         } else if self.part.touches {
-            tool_end(self.profile, ta, met.at.point, n, self.thick() + shift, toward)
+            let (at, thick) = (met.at.point, self.thick() + shift);
+            let back = if toward == Vec3::zeros() { -forward } else { toward };
+            self.chosen
+                .tool_end(self.profile, ta, at, n, thick, back)
+                .unwrap_or_else(|| tool_end(self.profile, ta, at, n, thick, toward))
         } else {
             met.at.point + n * shift
         };

@@ -18,7 +18,7 @@ fn square(z: impl Fn(f64, f64) -> f64) -> Arc<Sculptured> {
         SplinePoint::plain(Vec3::new(x, y, z(x, y)))
     };
     let rows: Vec<Vec<_>> = (0..5).map(|j| (0..5).map(|i| at(i, j)).collect()).collect();
-    Arc::new(mesh(&rows, false).expect("a surface"))
+    Arc::new(mesh(&rows, aptc_geometry::sculptured::MeshSpacing::Xyz).expect("a surface"))
 }
 
 fn milled(name: &str, surface: &Arc<Sculptured>, thick: f64) -> Milled {

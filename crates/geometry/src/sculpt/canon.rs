@@ -79,8 +79,9 @@ fn kept_surface(e: &[f64]) -> Option<Result<Sculptured, SculptFault>> {
 }
 
 /// Rows `P00 P10 Pu00 Pu10`, `P01 P11 Pu01 Pu11`, `Pv00 Pv10 Puv00 Puv10`, `Pv01 Pv11 Puv01 Puv11` of a
-/// coordinate, and the number of words read. Kind 1 is a constant, 3 has no twists, 4 is full; kind 2, the
-/// corners of a bilinear patch, and curves in place of a patch (GENCUR) are not known well enough.
+/// coordinate, and the number of words read. Kind 1 is a constant, 2 the four corners of a bilinear patch (the
+/// meshes XYPLAN of TEST01 have 21 words a patch: 4, 4, 12 and 1), 3 has no twists, 4 is full. Curves in
+/// place of a patch (GENCUR) are not known well enough.
 fn matrix_of(e: &[f64], kind: usize) -> Option<([f64; 16], usize)> {
     let mut m = [0.0; 16];
     let used = match kind {
@@ -90,6 +91,16 @@ fn matrix_of(e: &[f64], kind: usize) -> Option<([f64; 16], usize)> {
                 m[k] = c;
             }
             1
+        }
+        2 => {
+            let c = e.get(..4)?;
+            let (u, v) = ([c[1] - c[0], c[3] - c[2]], [c[2] - c[0], c[3] - c[1]]);
+            let twist = u[1] - u[0];
+            m = [
+                c[0], c[1], u[0], u[0], c[2], c[3], u[1], u[1], v[0], v[1], twist, twist, v[0],
+                v[1], twist, twist,
+            ];
+            4
         }
         3 => {
             let words = e.get(..12)?;
@@ -178,14 +189,15 @@ fn sound(arcs: Vec<CubicArc>) -> Option<SpaceCurve> {
 mod tests {
     use super::super::{Layout, SplinePoint, mesh, spline};
     use super::*;
+    use crate::sculptured::MeshSpacing;
 
     fn made() -> Sculptured {
         let at = |x: f64, y: f64| SplinePoint::plain(Vec3::new(x, y, 0.3 * x * y - 0.1 * x * x));
         let row = |j: usize| (0..4).map(|i| at(i as f64, j as f64)).collect::<Vec<_>>();
-        mesh(&(0..3).map(row).collect::<Vec<_>>(), false).unwrap()
+        mesh(&(0..3).map(row).collect::<Vec<_>>(), MeshSpacing::Xyz).unwrap()
     }
 
-    /// As SSV3 would write the mesh: kinds 4 4 4 1.
+    /// As SSV3 would write the mesh, the matrices of these kinds.
     fn kept(s: &Sculptured, kinds: [f64; 4], along: f64, across: f64) -> Vec<f64> {
         let n = s.patches.len();
         let mut values = Vec::new();
@@ -202,7 +214,9 @@ mod tests {
                     d.v, e.v, d.uv, e.uv,
                 ];
                 let short = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 12, 13];
-                if (kinds[k] - 3.0).abs() < 0.5 {
+                if (kinds[k] - 2.0).abs() < 0.5 {
+                    values.extend([0, 1, 4, 5].map(|i| full[i][k]));
+                } else if (kinds[k] - 3.0).abs() < 0.5 {
                     values.extend(short.map(|i| full[i][k]));
                 } else {
                     values.extend(full.map(|v| v[k]));
@@ -233,11 +247,27 @@ mod tests {
         assert!((back.at(1.4, 1.0).point - s.at(1.4, 1.0).point).norm() < 1e-13);
         // Cut short, of a kind that is not known, or pointing beyond its end it is none.
         assert!(surface(&e[..e.len() - 1]).is_none());
-        for (at, x) in [(HEAD, 2.0), (HEAD + 4, 1e6), (HEAD + 4, -3.0), (2, 1e9)] {
+        for (at, x) in [(HEAD, 5.0), (HEAD + 4, 1e6), (HEAD + 4, -3.0), (2, 1e9)] {
             let mut bad = e.clone();
             bad[at] = x;
             assert!(surface(&bad).is_none(), "{at} {x}");
         }
+    }
+
+    /// A mesh over a plane, as TEST01 has them: 21 words a patch.
+    #[test]
+    fn bilinear_coordinates_are_read() {
+        let at = |x: f64, y: f64| SplinePoint::plain(Vec3::new(x + 0.1 * x * y, y, x * y - x * x));
+        let row = |j: usize| (0..4).map(|i| at(i as f64, j as f64)).collect::<Vec<_>>();
+        let s = mesh(&(0..3).map(row).collect::<Vec<_>>(), MeshSpacing::Xyplan).unwrap();
+        let e = kept(&s, [2.0, 2.0, 3.0, 1.0], 4.0, 3.0);
+        assert_eq!(e.len(), HEAD + 6 * ENTRY + 6 * 21);
+        let back = surface(&e).unwrap().unwrap();
+        for k in 0..20 {
+            let (u, v) = (0.149 * f64::from(k), 0.097 * f64::from(k));
+            assert!((back.at(u, v).point - s.at(u, v).point).norm() < 1e-13);
+        }
+        assert!(surface(&e[..e.len() - 1]).is_none());
     }
 
     #[test]

@@ -18,8 +18,8 @@ use super::spline::{SplineFault, SplinePoint, spline};
 use super::surface::{SculptFault, Sculptured};
 use super::trimmed::circle_between;
 use crate::sculptured::{
-    CurveDefinition, CurveShape, FlowLaw, FlowSpan, Knot, MeshSpacing, PatchKind, Smoothing,
-    SurfaceDefinition, SurfaceShape, Sweep,
+    CurveDefinition, CurveShape, FlowLaw, FlowSpan, Knot, PatchKind, Smoothing, SurfaceDefinition,
+    SurfaceShape, Sweep,
 };
 use crate::{Circle, Vec3};
 
@@ -264,7 +264,7 @@ fn surface(d: &SurfaceDefinition, reach: f64, depth: usize) -> Result<Sculptured
                 .iter()
                 .map(|s| s.knots.iter().map(|k| point(k, &s.smoothing)).collect())
                 .collect();
-            mesh(&rows, *spacing == MeshSpacing::Ruled).map_err(FitFault::Mesh)?
+            mesh(&rows, *spacing).map_err(FitFault::Mesh)?
         }
         SurfaceShape::Patches { kind, patches } => patch_list(*kind, patches)?,
         SurfaceShape::Revolved { curve, origin, axis, clockwise, angles_deg } => {

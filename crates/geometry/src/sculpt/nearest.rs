@@ -175,7 +175,7 @@ mod tests {
     fn surface() -> Sculptured {
         let at = |x: f64, y: f64| SplinePoint::plain(Vec3::new(x, y, 0.1 * x * x - 0.2 * y * y));
         let row = |j: usize| (0..5).map(|i| at(i as f64 - 2.0, j as f64 - 2.0)).collect::<Vec<_>>();
-        mesh(&(0..5).map(row).collect::<Vec<_>>(), false).unwrap()
+        mesh(&(0..5).map(row).collect::<Vec<_>>(), crate::sculptured::MeshSpacing::Xyz).unwrap()
     }
 
     #[test]

@@ -100,7 +100,8 @@ impl Interpreter<'_> {
         }
         let refused = args.first().and_then(|a| match a.value {
             define::Value::Word(word::FETCH) => Some(
-                "saved surfaces, and those of JSON, IGES, STEP and STL, are read by READ/1,name",
+                "it took a form from a library file of 1977 whose records were never published, and SSV3 \
+                 refuses it too; saved surfaces, and those of JSON, IGES, STEP and STL, are read by READ/1,name",
             ),
             _ => None,
         });

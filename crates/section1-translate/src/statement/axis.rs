@@ -158,6 +158,7 @@ impl Interpreter<'_> {
                     reader.before(),
                     "CUTANG,AUTO leaves the angle open, which is not done here",
                 )
+                .note("the grammar of APT4 has the word, and no source says which angle it takes")
                 .help("give the lead or lag angle in degrees"),
             );
             return Err(Poisoned);

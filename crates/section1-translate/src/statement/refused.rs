@@ -42,7 +42,11 @@ const TABLE: &[(Word, Fate, &str)] = &[
     (word::TANCRV, Refused, "its processor was never published"),
     (word::BEVELS, Refused, "its processor was never published"),
     (word::DMILL, Refused, "its processor was never published"),
-    (word::PARSRF, Refused, "its data were written by programs, in a form never published"),
+    (
+        word::PARSRF,
+        Refused,
+        "APT4 (SSV3) has one format of it, a parametric surface as data; what the numbers mean was never published",
+    ),
     (word::HEX, Refused, "saved forms are read as statements by READ/1, not in hexadecimal"),
     (word::LOFT, Refused, "its processor was never published"),
     (word::MESH, Refused, "its processor was never published"),
@@ -157,5 +161,6 @@ mod tests {
         assert!(told("TUNEUP/1000,2000,3000\nDEBUG/ON\nFINI\n").is_empty());
         assert_eq!(told("BEVELS/1\nFINI\n"), [codes::REFUSED_WORD]);
         assert_eq!(told("S=MESH/1,2\nFINI\n"), [codes::REFUSED_WORD]);
+        assert_eq!(told("S=PARSRF/1,2\nFINI\n"), [codes::REFUSED_WORD]);
     }
 }

@@ -11,7 +11,7 @@ fn field(n: usize, z: impl Fn(f64, f64) -> f64) -> Sculptured {
         SplinePoint::plain(Vec3::new(x, y, z(x, y)))
     };
     let rows: Vec<Vec<SplinePoint>> = (0..n).map(|j| (0..n).map(|i| at(i, j)).collect()).collect();
-    mesh(&rows, false).unwrap()
+    mesh(&rows, crate::sculptured::MeshSpacing::Xyz).unwrap()
 }
 
 fn bumps(x: f64, y: f64) -> f64 {

@@ -1,0 +1,186 @@
+//! Lines of surfaces and curves: GOLOFT with RADIUS and HIGHT of TLAXIS, GOMILL along a curve.
+
+use std::sync::Arc;
+
+use aptc_cldata as cl;
+use aptc_diagnostics::{Diagnostic, codes};
+use aptc_geometry::sculpt::fit_curve;
+use aptc_geometry::sculptured::{
+    CurveDefinition, CurveShape, Knot, MeshKind, MeshSpacing, MeshSpline, Smoothing,
+    SurfaceDefinition, SurfaceShape,
+};
+use aptc_geometry::{Cutter, Form, Vec3};
+use aptc_protap::{Arg, AxisAngle, Kind, NameRef, OptionSurface, Record, ToolAxis, Units};
+use aptc_regional::Regional;
+
+const TOL: f64 = 0.01;
+
+fn of(form: Form) -> Arg {
+    Arg::Form { name: NameRef::default(), form: Arc::new(form) }
+}
+
+fn word(w: &str) -> Arg {
+    Arg::Word(w.into())
+}
+
+fn regional(word: &str, args: Vec<Arg>) -> Kind {
+    Kind::Regional { word: word.into(), args }
+}
+
+/// Tool ends and axes of all motions, and the messages.
+fn run(kinds: Vec<Kind>) -> (Vec<(Vec3, Vec3)>, Vec<Diagnostic>) {
+    let mut milling = Regional::default();
+    let mut out = Vec::new();
+    for kind in kinds {
+        let record = Record { origin: aptc_diagnostics::Origin::default(), kind };
+        if milling.execute(&record, &mut out).is_err() {
+            break;
+        }
+    }
+    let points = |r: &cl::Record| match &r.kind {
+        cl::Kind::Motion(m) => m.points.iter().map(|p| (p.te, p.ta)).collect(),
+        _ => Vec::new(),
+    };
+    (out.iter().flat_map(points).collect(), milling.take_diagnostics())
+}
+
+fn rows(kind: MeshSpacing, rows: &[Vec<Vec3>]) -> SurfaceDefinition {
+    let spline = |r: &Vec<Vec3>| MeshSpline {
+        smoothing: Smoothing::default(),
+        knots: r.iter().map(|p| Knot { point: *p, ..Knot::default() }).collect(),
+    };
+    SurfaceDefinition::plain(SurfaceShape::Mesh {
+        kind: MeshKind::Smesh,
+        spacing: kind,
+        splines: rows.iter().map(spline).collect(),
+    })
+}
+
+fn prepared(cutter: Cutter, axis: ToolAxis) -> Vec<Kind> {
+    vec![
+        Kind::Units(Units::Mm),
+        Kind::Cutter(cutter),
+        Kind::Intol([TOL; 4]),
+        Kind::Outtol([TOL; 4]),
+        Kind::ToolAxis(axis),
+    ]
+}
+
+/// A wall that leans and bends, ruled upwards: the flank lies along the rulings, and HIGHT says which place of
+/// it is on the line.
+#[test]
+fn a_flank_along_rulings_touches_at_its_hight() {
+    let foot = |x: f64| Vec3::new(x, 0.004 * (x - 30.0) * (x - 30.0), 0.0);
+    let row =
+        |z: f64| (0..7).map(|i| foot(10.0 * f64::from(i)) + Vec3::new(0.0, 0.2 * z, z)).collect();
+    let wall = rows(MeshSpacing::Ruled, &[row(0.0), row(20.0)]);
+    let goloft = |height: Option<f64>| {
+        let axis = ToolAxis::Parallel { surface: OptionSurface::Part, radius: None, height };
+        let mut all = prepared(Cutter::mill(10.0, 2.0, 50.0), axis);
+        let line = [word("VCONST"), Arg::Number(0.5)];
+        let args = [vec![of(Form::Ssurf(Arc::new(wall.clone())))], line.to_vec()].concat();
+        all.push(regional("GOLOFT", args));
+        run(all)
+    };
+    let (low, told) = goloft(Some(12.0));
+    assert!(told.iter().all(|d| d.code != codes::CONTACT_NOT_CHOSEN), "{told:?}");
+    assert!(low.len() > 4);
+    let surface = aptc_geometry::sculpt::fit_surface(&wall, 10.0).expect("a ruled mesh");
+    for (te, ta) in &low {
+        // The place of the flank 12 above the tool end is 5 off the axis, next to the line.
+        let axis = te + ta * 12.0;
+        let foot = aptc_geometry::sculpt::nearest_on(&surface, axis);
+        assert!((foot.distance - 5.0).abs() <= TOL + 1e-9, "{}", foot.distance);
+        assert!((foot.uv[1] - 0.5).abs() < 1e-6, "{:?}", foot.uv);
+    }
+    let (high, _) = goloft(Some(20.0));
+    let (first, second) = (low[0], high[0]);
+    assert!((first.0 - first.1 * 8.0 - second.0).norm() < 1e-9);
+    // Beyond the flank it is an error.
+    let (none, told) = goloft(Some(60.0));
+    assert!(none.is_empty());
+    assert_eq!(told.iter().map(|d| d.code).collect::<Vec<_>>(), [codes::REGION_VALUE]);
+}
+
+/// A round corner touches at one place alone: the numbers do not count, and that is said once.
+#[test]
+fn where_the_shape_says_it_radius_does_not_count() {
+    let row = |y: f64| (0..4).map(|i| Vec3::new(10.0 * f64::from(i), y, 0.0)).collect();
+    let floor = rows(MeshSpacing::Xyz, &[row(0.0), row(10.0), row(20.0)]);
+    let goloft = |angle_deg: f64, radius: Option<f64>| {
+        let axis = AxisAngle {
+            surface: OptionSurface::Part,
+            angle_deg,
+            reference: None,
+            cutting_deg: None,
+            radius,
+            height: None,
+        };
+        let mut all = prepared(Cutter::mill(10.0, 2.0, 50.0), ToolAxis::Angle(axis));
+        let line = [word("VCONST"), Arg::Number(1.0)];
+        let args = [vec![of(Form::Ssurf(Arc::new(floor.clone())))], line.to_vec()].concat();
+        all.push(regional("GOLOFT", args));
+        run(all)
+    };
+    let (with, told) = goloft(10.0, Some(1.0));
+    assert_eq!(told.iter().map(|d| d.code).collect::<Vec<_>>(), [codes::CONTACT_NOT_CHOSEN]);
+    assert_eq!(with, goloft(10.0, None).0);
+    // A flat bottom that lies on the floor: the line runs 2 beside the axis, and not under it.
+    let (flat, told) = goloft(0.0, Some(2.0));
+    assert!(told.is_empty(), "{told:?}");
+    for (te, _) in flat {
+        let [off, height] = [te.y - 10.0, te.z];
+        assert!(height.abs() <= TOL && off.abs() <= 2.0 + 1e-9);
+    }
+}
+
+/// The tool end goes along the curve within tolerance, from START to THRU and back, or touches one place.
+#[test]
+fn gomill_along_a_curve() {
+    let knots = [[0.0, 0.0, 0.0], [20.0, 10.0, 2.0], [40.0, 5.0, 8.0], [55.0, -10.0, 3.0]]
+        .map(|p| Knot { point: Vec3::from(p), ..Knot::default() });
+    let curve = CurveDefinition::plain(CurveShape::Spline {
+        smoothing: Smoothing::default(),
+        knots: knots.to_vec(),
+    });
+    let fitted = fit_curve(&curve).expect("a spline");
+    let gomill = |more: &[Arg]| {
+        let mut all = prepared(Cutter::mill(6.0, 3.0, 50.0), ToolAxis::Fixed(Vec3::z()));
+        let args = [vec![of(Form::Scurv(Arc::new(curve.clone())))], more.to_vec()].concat();
+        all.push(regional("GOMILL", args));
+        run(all)
+    };
+    let n = Arg::Number;
+    let along = [word("VCONST"), n(0.0), word("START"), n(0.25), word("THRU"), n(2.5)];
+    let (path, told) = gomill(&along);
+    assert!(told.is_empty(), "{told:?}");
+    assert!((path[0].0 - fitted.at(0.25).point).norm() < 1e-12);
+    assert!((path[path.len() - 1].0 - fitted.at(2.5).point).norm() < 1e-12);
+    // No place of the curve is farther from the path than the tolerance of the drive.
+    for k in 0..=900 {
+        let p = fitted.at(0.25 + f64::from(k) * 0.0025).point;
+        let off = path.windows(2).map(|w| {
+            let way = w[1].0 - w[0].0;
+            let t = ((p - w[0].0).dot(&way) / way.norm_squared()).clamp(0.0, 1.0);
+            (p - w[0].0 - way * t).norm()
+        });
+        assert!(off.fold(f64::INFINITY, f64::min) <= TOL, "{k}");
+    }
+    let mut back = gomill(&[&along[..], &[word("INVERS")]].concat()).0;
+    back.reverse();
+    assert_eq!(back, path);
+    // One place, led to and from by RETR.
+    let (touched, _) = gomill(&[word("UCONST"), n(1.0), word("RETR"), n(15.0)]);
+    let on = Vec3::new(20.0, 10.0, 2.0);
+    let heights: Vec<f64> = touched.iter().map(|p| (p.0 - on).z).collect();
+    assert_eq!(heights, [15.0, 0.0, 15.0]);
+    // What a curve has not is refused.
+    let refused = |more: &[Arg], code: aptc_diagnostics::Code| {
+        let (path, told) = gomill(more);
+        assert!(path.is_empty());
+        assert_eq!(told.iter().map(|d| d.code).collect::<Vec<_>>(), [code]);
+    };
+    refused(&[word("VCONST"), n(1.0)], codes::REGION_VALUE);
+    refused(&[word("UCONST"), n(3.5)], codes::REGION_VALUE);
+    refused(&[word("VCONST"), n(0.0), word("SCALOP"), n(0.1)], codes::UNSUPPORTED_MOTION);
+}
