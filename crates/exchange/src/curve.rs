@@ -16,7 +16,7 @@ type Weighted = [f64; 4];
 pub(crate) struct Curve {
     degree: usize,
     knots: Vec<f64>,
-    points: Vec<Weighted>,
+    pub(crate) points: Vec<Weighted>,
     pub(crate) range: [f64; 2],
 }
 
@@ -124,6 +124,48 @@ impl Curve {
         Chain { degree: 2, breaks, points: points.into_iter().map(of).collect() }.curve()
     }
 
+    /// The parameter of an [arc](Self::arc) at one of its angles.
+    ///
+    /// Within a piece from angle a to b, seen from the centre, the parameter s from 0 to 1 has
+    /// s / (1 - s) = sin((x - a) / 2) / sin((b - x) / 2), for the middle weight is the cosine of (b - a) / 2.
+    pub(crate) fn at_angle(&self, x: f64) -> f64 {
+        let breaks = self.breaks();
+        let k = breaks[1..breaks.len() - 1].iter().filter(|b| **b <= x).count();
+        let [a, b] = [breaks[k], breaks[k + 1]];
+        let [before, behind] = [trig::sin(0.5 * (x - a)), trig::sin(0.5 * (b - x))];
+        if x <= a || x >= b { x } else { a + (b - a) * before / (before + behind) }
+    }
+
+    /// From its end to its beginning.
+    pub(crate) fn reverse(&mut self) {
+        let [from, to] = self.range;
+        self.points.reverse();
+        self.knots.reverse();
+        self.knots.iter_mut().for_each(|t| *t = from + to - *t);
+    }
+
+    /// Straight lines to `other` from places of the same share of the parameter: u along both, 0 to 1, and v from this one to
+    /// the other. Where weights differ v does not run evenly along a line.
+    pub(crate) fn ruled(&self, other: &Self) -> BsplineSurface {
+        // Pieces of both, wherever one of them has a joint.
+        let share = |c: &Self, t: f64| (t - c.range[0]) / (c.range[1] - c.range[0]);
+        let mut all: Vec<f64> = Vec::new();
+        for c in [self, other] {
+            all.extend(c.breaks().iter().map(|t| share(c, *t)));
+        }
+        all.sort_by(f64::total_cmp);
+        all.dedup_by(|a, b| (*a - *b).abs() <= 1e-9);
+        let last = all.len() - 1;
+        (all[0], all[last]) = (0.0, 1.0);
+        let degree = self.degree.max(other.degree);
+        let [a, b] = [self, other].map(|c| {
+            let [from, to] = c.range;
+            let breaks = all.iter().map(|s| from * (1.0 - s) + to * s).collect();
+            Chain { breaks: all.clone(), ..c.pieces(breaks).raised(degree) }
+        });
+        surface(&a, &line(), |i, j| if j == 0 { a.points[i] } else { b.points[i] })
+    }
+
     /// The span in which a parameter lies.
     fn span(&self, t: f64) -> usize {
         let real = |k: &usize| self.knots[*k] < self.knots[*k + 1];
@@ -197,6 +239,12 @@ impl Curve {
 }
 
 impl Chain {
+    /// Of the parameters where the pieces meet and their control points; coordinates are multiplied by the weights.
+    pub(crate) fn of(degree: usize, breaks: Vec<f64>, points: Vec<Weighted>) -> Self {
+        debug_assert_eq!(points.len(), degree * (breaks.len() - 1) + 1);
+        Self { degree, breaks, points }
+    }
+
     fn knots(&self) -> Vec<f64> {
         let last = self.breaks.len() - 1;
         let times = |k: usize| self.degree + usize::from(k == 0 || k == last);
@@ -204,7 +252,7 @@ impl Chain {
         all.flat_map(|(k, t)| core::iter::repeat_n(*t, times(k))).collect()
     }
 
-    fn curve(self) -> Curve {
+    pub(crate) fn curve(self) -> Curve {
         let range = [self.breaks[0], self.breaks[self.breaks.len() - 1]];
         Curve { degree: self.degree, knots: self.knots(), points: self.points, range }
     }
@@ -222,6 +270,29 @@ impl Chain {
             let q = (foot * w + out * c + axis.z.cross(&out) * s) * h[3];
             [q.x, q.y, q.z, w * h[3]]
         })
+    }
+
+    /// The same with control points of a degree that is not less.
+    pub(crate) fn raised(&self, degree: usize) -> Self {
+        let mut own = self.clone();
+        while own.degree < degree {
+            let p = own.degree;
+            let mut points = vec![own.points[0]];
+            for piece in 0..own.breaks.len() - 1 {
+                let h = &own.points[p * piece..=p * piece + p];
+                points.extend((1..=p).map(|i| mix(&h[i], &h[i - 1], i as f64 / (p + 1) as f64)));
+                points.push(h[p]);
+            }
+            own = Self { degree: p + 1, breaks: own.breaks, points };
+        }
+        own
+    }
+
+    /// Its pieces, four control points each, where they are cubic.
+    pub(crate) fn cubics(&self) -> Option<Vec<[Weighted; 4]>> {
+        let own = (self.degree <= 3).then(|| self.raised(3))?;
+        let piece = |k: usize| core::array::from_fn(|i| own.points[3 * k + i]);
+        Some((0..own.breaks.len() - 1).map(piece).collect())
     }
 
     /// Moved by a vector: u along it and v from 0 to 1 by the vector.
@@ -251,4 +322,51 @@ fn surface(u: &Chain, v: &Chain, point: impl Fn(usize, usize) -> Weighted) -> Bs
     }
     let degree = [u.degree, v.degree];
     BsplineSurface { degree, knots: [u.knots(), v.knots()], counts, points, range: [None; 2] }
+}
+
+/// The surface with its parameters exchanged.
+pub(crate) fn exchanged(s: BsplineSurface) -> BsplineSurface {
+    let [nu, nv] = s.counts;
+    let mut points = Vec::with_capacity(s.points.len());
+    for i in 0..nu {
+        points.extend((0..nv).map(|j| s.points[j * nu + i]));
+    }
+    let ([p, q], [ku, kv], [ru, rv]) = (s.degree, s.knots, s.range);
+    BsplineSurface { degree: [q, p], knots: [kv, ku], counts: [nv, nu], points, range: [rv, ru] }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Raised in degree, exchanged and ruled: the same places.
+    #[test]
+    fn the_same_curve_of_a_higher_degree() {
+        let arc = Curve::arc(Vec3::z(), Vec3::x() * 3.0, Vec3::y() * 2.0, [0.2, 2.9]);
+        let chain = arc.chain();
+        let raised = chain.raised(5).curve();
+        for k in 0..=10 {
+            let t = 0.2 + 2.7 * f64::from(k) / 10.0;
+            assert!((arc.at(t) - raised.at(t)).norm() < 1e-14);
+        }
+        assert_eq!(chain.cubics().map(|c| c.len()), Some(2));
+        assert!(chain.raised(4).cubics().is_none());
+        let mut other = Curve::line(Vec3::new(4.0, 0.0, 5.0), Vec3::new(-4.0, 1.0, 6.0));
+        let ruled = arc.ruled(&other);
+        let fitted = |s: &BsplineSurface| aptc_geometry::sculpt::bspline(s).unwrap().0;
+        let (s, t) = (fitted(&ruled), fitted(&exchanged(ruled.clone())));
+        assert!((s.at(0.0, 0.0).point - arc.at(0.2)).norm() < 1e-14);
+        assert!((s.at(0.7, 0.3).point - t.at(0.3, 0.7).point).norm() < 1e-14);
+        // Straight up, between places of the same share of the parameter; turned round from end to end.
+        for k in 0..=10 {
+            let share = f64::from(k) / 10.0;
+            let [p, q] = [arc.at(0.2 + 2.7 * share), other.at(share)];
+            let middle = s.at(2.0 * share, 0.5).point;
+            assert!(((q - p).cross(&(middle - p))).norm() < 1e-13 * (q - p).norm_squared());
+            assert!((s.at(2.0 * share, 1.0).point - q).norm() < 1e-13);
+        }
+        let before = other.at(0.3);
+        other.reverse();
+        assert!((other.at(0.7) - before).norm() < 1e-14);
+    }
 }

@@ -1,20 +1,26 @@
-//! IGES 5.3: B-spline surfaces (128) and parametric spline surfaces (114), with their matrices (124).
+//! IGES 5.3: B-spline surfaces (128), parametric spline surfaces (114), ruled surfaces (118), those of revolution (120) and tabulated
+//! cylinders (122), also trimmed (143, 144), with their matrices (124).
 //!
 //! No library of the registry reads IGES. Source of the layout: IGES 5.3 (US PRO, 1996), chapters 2 and 4.
 
-use std::collections::BTreeMap;
+mod curves;
+mod faces;
+
+use std::collections::{BTreeMap, BTreeSet};
 
 use aptc_geometry::Transform;
 use aptc_geometry::sculptured::{BsplineSurface, SurfaceShape};
 
+use crate::border::named;
 use crate::{Collected, Fault, Limits, Outside, broken};
+use faces::{Held, border, held, trimmed};
 
 /// Matrices that refer to each other.
 const MATRICES: usize = 8;
 
 /// A surface of these types is known and not read.
 const OTHER: [(u32, &str); 9] = [
-    (108, "bounded plane"),
+    (108, "plane"),
     (118, "ruled surface"),
     (120, "surface of revolution"),
     (122, "tabulated cylinder"),
@@ -25,9 +31,16 @@ const OTHER: [(u32, &str); 9] = [
     (196, "spherical surface"),
 ];
 
+/// Types that are read, some of them where their curves are, a plane where it is trimmed.
+const READ: [u32; 6] = [108, 114, 118, 120, 122, 128];
+
+/// Trimmed surfaces.
+const TRIMMED: [u32; 2] = [143, 144];
+
 /// A pair of lines of the directory.
 struct Entry {
     kind: u32,
+    form: usize,
     /// First line of its parameters, and their number.
     from: usize,
     lines: usize,
@@ -60,39 +73,89 @@ fn section(line: &str) -> Option<char> {
 
 pub(crate) fn read(text: &str, limits: &Limits) -> Result<Outside, Fault> {
     let file = sections(text)?;
-    let held = |kinds: &[u32]| file.entries.values().find(|e| kinds.contains(&e.kind));
-    if let Some(e) = held(&[143, 144]) {
-        let name =
-            if e.kind == 143 { "a bounded surface (143)" } else { "a trimmed surface (144)" };
-        return Err(Fault::Unsupported(format!(
-            "it holds {name}, and trims are not read; write the surfaces without them"
-        )));
-    }
     let mut out = Collected::new(limits);
     out.file.unit_mm = file.unit_mm;
-    for e in file.entries.values() {
-        let name = format!("entity {} of line {}", e.kind, e.line);
-        match e.kind {
-            128 => {
-                let p = Numbers::of(&file, e)?;
-                let (surface, map) = (bspline(p, limits)?, file.map(e.matrix)?);
-                out.bspline(&name, surface, map)?;
+    // What a trimmed surface is cut from is no surface of its own.
+    let mut cut_from = BTreeSet::new();
+    for e in file.entries.values().filter(|e| TRIMMED.contains(&e.kind)) {
+        cut_from.insert(trimmed(&file, e, limits)?.surface);
+    }
+    let mut left = BTreeMap::<u32, usize>::new();
+    // Trimmed surfaces that are not the box of their parameters, and those of which the box is not known.
+    let (mut cut, mut unbounded) = (Vec::new(), Vec::new());
+    for (at, e) in &file.entries {
+        let mut name = format!("entity {} of line {}", e.kind, e.line);
+        let (base, trim) = match e.kind {
+            kind if TRIMMED.contains(&kind) => {
+                let own = trimmed(&file, e, limits)?;
+                let base = file.entries.get(&own.surface);
+                let base = base.ok_or_else(|| broken(format!("{name} is of no surface")))?;
+                name =
+                    format!("entity {} of line {}, cut by line {}", base.kind, base.line, e.line);
+                (base, Some(own))
             }
-            114 => {
-                let p = Numbers::of(&file, e)?;
-                let (shape, n) = spline(p, limits)?;
-                out.push(shape, n, file.map(e.matrix)?)?;
+            _ if cut_from.contains(at) => continue,
+            _ => (e, None),
+        };
+        let known = OTHER.iter().any(|(kind, _)| *kind == base.kind);
+        let read = READ.contains(&base.kind) && (base.kind != 108 || trim.is_some());
+        let found = if read { held(&file, base, trim.is_some(), limits)? } else { None };
+        let Some(found) = found else {
+            if known || trim.is_some() {
+                *left.entry(base.kind).or_default() += 1;
             }
-            _ => {}
+            continue;
+        };
+        let base = match found {
+            Held::Exact(base) => base,
+            Held::Followed(shape, n, map) => {
+                out.push(shape, n, map)?;
+                if trim.is_some() {
+                    unbounded.push(e.line.to_string());
+                }
+                continue;
+            }
+        };
+        let patch = match &trim {
+            None => base.whole(),
+            Some(trim) => match border(&file, trim, &base, limits)? {
+                Some(border) => {
+                    if !border.whole {
+                        cut.push(e.line.to_string());
+                    }
+                    Some(base.patch(border.range))
+                }
+                None => {
+                    let whole = base.whole();
+                    if whole.is_some() {
+                        unbounded.push(e.line.to_string());
+                    }
+                    whole
+                }
+            },
+        };
+        match patch {
+            Some(patch) => out.bspline(&name, patch, base.map)?,
+            None => *left.entry(e.kind).or_default() += 1,
         }
     }
-    let left: Vec<String> = OTHER
-        .iter()
-        .filter_map(|(kind, name)| {
-            let n = file.entries.values().filter(|e| e.kind == *kind).count();
-            (n > 0).then(|| format!("{n} of type {kind} ({name})"))
-        })
-        .collect();
+    let said = |kind: &u32| {
+        let named = OTHER.iter().find(|(k, _)| k == kind).map_or("surface", |(_, name)| *name);
+        format!("{} of type {kind} ({named})", left[kind])
+    };
+    let left: Vec<String> = left.keys().map(said).collect();
+    if !cut.is_empty() {
+        out.file.notes.push(format!(
+            "trimmed surfaces whose border is not a box of their parameters are taken as all of that box: line {}",
+            named(&cut)
+        ));
+    }
+    if !unbounded.is_empty() {
+        out.file.notes.push(format!(
+            "trimmed surfaces of which the border is not read are taken as the whole of their surface: line {}",
+            named(&unbounded)
+        ));
+    }
     match (out.file.surfaces.is_empty(), left.is_empty()) {
         (true, false) => return Err(Fault::NoSurface(left.join(", "))),
         (false, false) => out.file.notes.push(format!("not read: {}", left.join(", "))),
@@ -139,7 +202,8 @@ fn sections(text: &str) -> Result<File<'_>, Fault> {
         };
         let kind = u32::try_from(get(first, 0)?).unwrap_or(0);
         let (from, matrix, lines) = (get(first, 1)?, get(first, 6)?, get(second, 3)?);
-        entries.insert(2 * k + 1, Entry { kind, from, lines, matrix, line: *line });
+        let form = get(second, 4)?;
+        entries.insert(2 * k + 1, Entry { kind, form, from, lines, matrix, line: *line });
     }
     Ok(File { entries, parameters, marks, unit_mm })
 }
@@ -232,6 +296,7 @@ struct Numbers {
     all: Vec<f64>,
     at: usize,
     line: usize,
+    form: usize,
 }
 
 impl Numbers {
@@ -258,7 +323,7 @@ impl Numbers {
         if all.first().is_none_or(|k| (*k - f64::from(e.kind)).abs() > 0.0) {
             return Err(wrong("its parameters are those of another type"));
         }
-        Ok(Self { all, at: 1, line: e.line })
+        Ok(Self { all, at: 1, line: e.line, form: e.form })
     }
 
     fn take(&mut self, n: usize) -> Result<&[f64], Fault> {
@@ -269,6 +334,11 @@ impl Numbers {
         };
         let from = std::mem::replace(&mut self.at, end);
         Ok(&self.all[from..end])
+    }
+
+    /// A line of the directory.
+    fn pointer(&mut self) -> Result<usize, Fault> {
+        self.count(&Limits { points: usize::MAX, surfaces: 0 })
     }
 
     /// A count that the limits allow.
@@ -331,8 +401,54 @@ fn bspline(mut p: Numbers, limits: &Limits) -> Result<BsplineSurface, Fault> {
     Ok(BsplineSurface { degree, knots, counts, points, range })
 }
 
+/// The patches of type 114.
+struct Cells {
+    /// Patches along u and along v.
+    counts: [usize; 2],
+    breaks: [Vec<f64>; 2],
+    /// Control points with weights of 1, 16 a patch.
+    net: Vec<f64>,
+}
+
+impl Cells {
+    fn shape(self) -> SurfaceShape {
+        let [m, n] = self.counts;
+        #[expect(clippy::cast_precision_loss, reason = "counts within the limits")]
+        let mut words = vec![m as f64, n as f64, (m * n) as f64];
+        words.extend(self.net);
+        SurfaceShape::Canonical(words)
+    }
+}
+
+/// The patches as a B-spline surface of the breakpoints; `None` where they do not join within the digits that files have.
+fn joined(cells: &Cells) -> Option<BsplineSurface> {
+    const DIGITS: f64 = 1e-7;
+    let [m, n] = cells.counts;
+    let counts = [3 * m + 1, 3 * n + 1];
+    let size = cells.net.iter().fold(0.0_f64, |s, x| s.max(x.abs()));
+    let mut points = vec![[f64::NAN; 4]; counts[0] * counts[1]];
+    for (k, cell) in cells.net.chunks_exact(64).enumerate() {
+        let (i, j) = (k % m, k / m);
+        for (at, q) in cell.chunks_exact(4).enumerate() {
+            let (column, row) = (3 * i + at % 4, 3 * j + at / 4);
+            let own = &mut points[row * counts[0] + column];
+            let q = [q[0], q[1], q[2], q[3]];
+            if own.iter().zip(q).any(|(a, b)| (a - b).abs() > DIGITS * size) {
+                return None;
+            }
+            *own = q;
+        }
+    }
+    let knots = [0, 1].map(|k| {
+        let b = &cells.breaks[k];
+        let times = |i: usize| 3 + usize::from(i == 0 || i + 1 == b.len());
+        b.iter().enumerate().flat_map(|(i, t)| std::iter::repeat_n(*t, times(i))).collect()
+    });
+    Some(BsplineSurface { degree: [3; 2], knots, counts, points, range: [None; 2] })
+}
+
 /// Type 114: powers of the distance from each patch's corner, up to the third.
-fn spline(mut p: Numbers, limits: &Limits) -> Result<(SurfaceShape, usize), Fault> {
+fn cells(mut p: Numbers, limits: &Limits) -> Result<Cells, Fault> {
     let _kind = p.take(2)?;
     let (m, n) = (p.count(limits)?, p.count(limits)?);
     let line = p.line;
@@ -367,10 +483,7 @@ fn spline(mut p: Numbers, limits: &Limits) -> Result<(SurfaceShape, usize), Faul
         }
         p.take(48)?;
     }
-    #[expect(clippy::cast_precision_loss, reason = "counts within the limits")]
-    let mut words = vec![m as f64, n as f64, cells as f64];
-    words.append(&mut net);
-    Ok((SurfaceShape::Canonical(words), 16 * cells))
+    Ok(Cells { counts: [m, n], breaks: [tu, tv], net })
 }
 
 /// The control point (i, j) of a bicubic whose coefficients of u^a v^b are given.

@@ -4,9 +4,9 @@
 //!
 //! A face is the patch of its surface over the box of parameters that its edges leave.
 
-mod curves;
-mod faces;
-mod forms;
+pub(crate) mod curves;
+pub(crate) mod faces;
+pub(crate) mod forms;
 
 use std::collections::BTreeMap;
 

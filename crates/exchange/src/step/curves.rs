@@ -13,11 +13,11 @@ const PLACES: usize = 16;
 
 /// An origin with three unit directions square to each other.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Frame {
-    pub(super) origin: Vec3,
-    pub(super) x: Vec3,
-    pub(super) y: Vec3,
-    pub(super) z: Vec3,
+pub(crate) struct Frame {
+    pub(crate) origin: Vec3,
+    pub(crate) x: Vec3,
+    pub(crate) y: Vec3,
+    pub(crate) z: Vec3,
 }
 
 impl Frame {

@@ -1,5 +1,6 @@
 //! Faces of STEP: the box of a surface's parameters that a face's edges leave.
 
+use aptc_geometry::Vec3;
 use ruststep::ast::Parameter;
 
 use super::curves::{edge, flag, single};
@@ -16,6 +17,13 @@ pub(super) struct Face {
     bounds: Vec<u64>,
 }
 
+impl Line {
+    /// A line in the parameters that comes back to its beginning there.
+    pub(crate) fn of(places: Vec<[f64; 2]>) -> Self {
+        Self { places, rounds: [0.0; 2] }
+    }
+}
+
 /// The faces of a file, by their numbers.
 pub(super) fn faces(entities: &Entities<'_>) -> Vec<Face> {
     let of = |(id, records): (&u64, &&[ruststep::ast::Record])| {
@@ -28,7 +36,7 @@ pub(super) fn faces(entities: &Entities<'_>) -> Vec<Face> {
 }
 
 /// A border followed on the surface.
-struct Line {
+pub(crate) struct Line {
     places: Vec<[f64; 2]>,
     /// How often each parameter came round.
     rounds: [f64; 2],
@@ -52,6 +60,12 @@ pub(super) fn border(entities: &Entities<'_>, face: &Face, form: &Form) -> Optio
         }
         lines.push(line);
     }
+    bounded(&lines, form, face.along)
+}
+
+/// The box within closed lines on a surface; `along`: is the face on their left, seen against the surface's normal? None where
+/// the lines do not tell. No line at all is all of a surface that has no border.
+pub(crate) fn bounded(lines: &[Line], form: &Form, along: bool) -> Option<Border> {
     let periods = form.periods();
     let mut around = [None; 2];
     if lines.is_empty() {
@@ -81,7 +95,7 @@ pub(super) fn border(entities: &Entities<'_>, face: &Face, form: &Form) -> Optio
     let k = (0..2).find(|k| lines[0].rounds[*k] != 0.0)?;
     let other = 1 - k;
     let left = lines[0].rounds[k] * if k == 0 { 1.0 } else { -1.0 };
-    let left = if face.along { left } else { -left };
+    let left = if along { left } else { -left };
     let at = lines[0].places[0][other];
     let end = match form.ends(other) {
         [Some(low), Some(high)] if left > 0.0 => high.max(low),
@@ -94,14 +108,21 @@ pub(super) fn border(entities: &Entities<'_>, face: &Face, form: &Form) -> Optio
     Some(Border { range, whole: true })
 }
 
-/// The parameters along the edges of a loop, each parameter that comes round going on from the place before.
+/// The parameters along the edges of a loop.
 fn follow(entities: &Entities<'_>, edges: &[Parameter], form: &Form) -> Option<Line> {
+    let all = edges.iter().map(|e| edge(entities, e)).collect::<Option<Vec<_>>>()?;
+    followed(&all, form)
+}
+
+/// The parameters along curves that go on where the one before ends, each parameter that comes round going on from the place
+/// before.
+pub(crate) fn followed(curves: &[Vec<Vec3>], form: &Form) -> Option<Line> {
     let periods = form.periods();
     let mut places: Vec<[f64; 2]> = Vec::new();
     // The first place behind a pole or tip, where a parameter may have jumped.
     let mut jump: [Option<usize>; 2] = [None; 2];
-    for e in edges {
-        for p in edge(entities, e)? {
+    for curve in curves {
+        for &p in curve {
             let own = form.parameters(p);
             let last = places.last().copied();
             for k in 0..2 {

@@ -29,7 +29,7 @@ const THIRDS: usize = 30;
 const NEWTONS: usize = 6;
 
 /// A surface with parameters u and v; du x dv points where STEP has its normal.
-pub(super) enum Form {
+pub(crate) enum Form {
     /// x and y.
     Plane(Frame),
     /// Angle and height, with the radius there; `slope` is what it grows by with the height.
@@ -83,7 +83,7 @@ impl Form {
         })
     }
 
-    fn spline(own: BsplineSurface) -> Option<Self> {
+    pub(crate) fn spline(own: BsplineSurface) -> Option<Self> {
         let (fitted, _) = sculpt::bspline(&own).ok()?;
         let borders = [0, 1].map(|k| {
             let (p, n) = (own.degree[k], own.counts[k]);
@@ -133,7 +133,7 @@ impl Form {
     }
 
     /// After how much a parameter comes back to the same place.
-    pub(super) fn periods(&self) -> [Option<f64>; 2] {
+    pub(crate) fn periods(&self) -> [Option<f64>; 2] {
         match self {
             Self::Plane(_) => [None; 2],
             Self::Cone { .. } | Self::Sphere { .. } => [Some(TAU), None],
@@ -162,7 +162,7 @@ impl Form {
     }
 
     /// Ends of a parameter where it does not come back and has some: the pole or the tip, or the borders.
-    pub(super) fn ends(&self, k: usize) -> [Option<f64>; 2] {
+    pub(crate) fn ends(&self, k: usize) -> [Option<f64>; 2] {
         match self {
             Self::Sphere { .. } if k == 1 => [Some(-FRAC_PI_2), Some(FRAC_PI_2)],
             Self::Cone { radius, slope, .. } if k == 1 && *slope != 0.0 => {
@@ -179,7 +179,7 @@ impl Form {
     }
 
     /// The parameters of a place; `None` for the one that is none there, at a pole or tip.
-    pub(super) fn parameters(&self, p: Vec3) -> [Option<f64>; 2] {
+    pub(crate) fn parameters(&self, p: Vec3) -> [Option<f64>; 2] {
         let around = |own: Vec3, size: f64| {
             let far = trig::hypot(own.x, own.y);
             (far > 1e-9 * size).then(|| trig::atan2(own.y, own.x))
@@ -240,7 +240,7 @@ impl Form {
 
     /// A border's box within the range that the surface has: ends that are about its own, or about borders of its spans, are
     /// those. Of a face across the seam of a closed surface all round is taken, which is not its box.
-    pub(super) fn within(&self, mut border: Border) -> Border {
+    pub(crate) fn within(&self, mut border: Border) -> Border {
         const ABOUT: f64 = 1e-6;
         for k in 0..2 {
             let Self::Spline { borders, .. } = self else { continue };
@@ -258,7 +258,7 @@ impl Form {
     }
 
     /// The exact patch over a box of the parameters.
-    pub(super) fn patch(&self, [u, v]: [[f64; 2]; 2]) -> BsplineSurface {
+    pub(crate) fn patch(&self, [u, v]: [[f64; 2]; 2]) -> BsplineSurface {
         let turned = |frame: &Frame, profile: &Chain| {
             profile.turned(&Axis { point: frame.origin, z: frame.z }, u)
         };
