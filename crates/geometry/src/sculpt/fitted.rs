@@ -80,8 +80,23 @@ impl core::fmt::Display for FitFault {
             }
             Self::Mesh(MeshFault::TooFew) => "a mesh needs two splines",
             Self::Loft(LoftFault::TooFew) => "GENCUR needs two curves",
+            Self::Loft(LoftFault::UnevenCross(i)) => {
+                return write!(
+                    f,
+                    "curve {} across has another number of segments than the first",
+                    i + 1
+                );
+            }
+            Self::Loft(LoftFault::Apart(i, j)) => {
+                return write!(
+                    f,
+                    "curve {} and curve {} across do not meet at a joint of both",
+                    i + 1,
+                    j + 1
+                );
+            }
             Self::Loft(LoftFault::Cross) => {
-                "curves across are possible only as two between two curves of one segment"
+                "the curves across do not all meet the curves at the same joints, in one order and at both ends"
             }
             Self::Surface(s)
             | Self::Mesh(MeshFault::Surface(s))

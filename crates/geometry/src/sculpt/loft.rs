@@ -15,21 +15,25 @@ pub enum LoftFault {
     Uneven(usize),
     /// The tangents across cannot be found.
     Across(SplineFault),
-    /// Curves across are possible only between two curves of one segment each, and there must be two.
+    /// Curves across do not meet all curves at the same joints in one order, the first and the last at the ends.
     Cross,
+    /// This curve across (counted from 0) has another number of segments than the first.
+    UnevenCross(usize),
+    /// This curve, and this one across (counted from 0), do not meet at joints of both.
+    Apart(usize, usize),
     /// The curves make no surface.
     Surface(SculptFault),
 }
 
 /// Patches a span along u where curves are not followed exactly by one.
-const FINE: usize = 8;
+pub(super) const FINE: usize = 8;
 
 /// The surface through `curves`: u runs along them by their flow, v from one to the next. Two curves make a
 /// ruled surface; more are joined at every u by the twice differentiable cubic over the chords, its
 /// tangents as long as the mean chord of their span at the joints.
 ///
 /// Curves with flow, and more than two curves, are followed by bicubic patches, eight a span and one
-/// more at every joint of an arc.
+/// more at every joint of an arc. Curves across make a net of them: see [`network`](super::network).
 pub fn loft(curves: &[SpaceCurve], cross: &[SpaceCurve]) -> Result<Sculptured, LoftFault> {
     let Some(first) = curves.first() else { return Err(LoftFault::TooFew) };
     if curves.len() < 2 {
@@ -39,7 +43,15 @@ pub fn loft(curves: &[SpaceCurve], cross: &[SpaceCurve]) -> Result<Sculptured, L
         return Err(LoftFault::Uneven(i));
     }
     if !cross.is_empty() {
-        return between_four(curves, cross);
+        let single = |c: &SpaceCurve| c.segments() == 1;
+        let four = curves.len() == 2 && cross.len() == 2;
+        return if four && curves.iter().chain(cross).all(single) {
+            between_four(curves, cross)
+        } else if cross.len() < 2 {
+            Err(LoftFault::Cross)
+        } else {
+            super::network::network(curves, cross)
+        };
     }
     if curves.len() == 2 && curves.iter().all(|c| c.flow.is_none()) {
         return super::cross::ruled(&curves[0], &curves[1]).map_err(LoftFault::Surface);
@@ -131,7 +143,7 @@ fn mean_chords(curves: &[SpaceCurve]) -> Vec<f64> {
 }
 
 /// Parameters along u between which one patch follows the curves.
-fn knots(curves: &[SpaceCurve]) -> Vec<f64> {
+pub(super) fn knots(curves: &[SpaceCurve]) -> Vec<f64> {
     let spans = curves[0].segments();
     let mut all: Vec<f64> = (0..=spans * FINE).map(|k| k as f64 / FINE as f64).collect();
     for c in curves {
@@ -172,9 +184,6 @@ fn flow_at(c: &SpaceCurve, span: f64, t: f64) -> Option<f64> {
 /// Two curves along and two across, each pair straight between: Coons' patch, followed by bicubic pieces.
 fn between_four(curves: &[SpaceCurve], cross: &[SpaceCurve]) -> Result<Sculptured, LoftFault> {
     let ([c0, c1], [d0, d1]) = (curves, cross) else { return Err(LoftFault::Cross) };
-    if [c0, c1, d0, d1].iter().any(|c| c.segments() != 1) {
-        return Err(LoftFault::Cross);
-    }
     // Curves across run from the first curve to the second, as their ends say.
     let near = |a: Vec3, b: Vec3, c: Vec3| (a - b).norm() <= (a - c).norm();
     let across = |d: &SpaceCurve, s: f64, corner: Vec3| {

@@ -22,6 +22,7 @@ mod loft;
 mod meet;
 mod mesh;
 mod nearest;
+mod network;
 mod patch;
 mod patches;
 mod smooth;
