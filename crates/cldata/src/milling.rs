@@ -51,7 +51,9 @@ pub struct Milled {
 pub struct Scallop {
     /// Greatest height over the part surface and its thickness.
     pub height: f64,
-    /// The region: least and greatest u and v of the part surface; none where it is not known, as the passes
-    /// follow another surface or gouges are avoided.
+    /// The region: least and greatest u and v of the part surface, a box between the first and the last pass; none
+    /// where it is not known, as the tool end is led or the passes run askew to both parameters.
     pub range: Option<[[f64; 2]; 2]>,
+    /// Did the tool get out of the way somewhere (AVCTRL)? What stands there then was not to be cut.
+    pub avoided: bool,
 }

@@ -451,7 +451,7 @@ impl Line<'_> {
             }
             setup.every = Some((b - a) / n);
         }
-        let (Path { points, notes }, why) =
+        let (Path { points, notes, .. }, why) =
             match setup.run(at_line(*course, *fixed, from), to, *course, *sense) {
                 Ok(path) => (path, None),
                 Err(broken) => {

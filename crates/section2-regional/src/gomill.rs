@@ -136,10 +136,9 @@ impl Regional {
             return done.why.map_or(Ok(stand), Err);
         }
         let done = region.mill(from, crew);
-        let known = guard.is_none() || !self.avoid.on;
-        let height = wish.scallop;
-        let range = known.then_some(done.range).filter(|r| r.iter().all(|[a, b]| a < b));
-        let scallop = (height > 0.0 && done.why.is_none()).then_some(Scallop { height, range });
+        let (height, range, avoided) = (wish.scallop, done.range, done.avoided);
+        let scallop =
+            (height > 0.0 && done.why.is_none()).then_some(Scallop { height, range, avoided });
         let control = self.milling_control(&part, scallop, false);
         self.diagnostics.extend(reports(origin, &done.notes));
         let stand = self.put(origin, (name, guide), done.puts, Some(&control), out);
@@ -178,7 +177,15 @@ impl Regional {
         if let (Some(_), Some(r), Some(&here)) = (at, &given.retract, points.first()) {
             points = vec![r.above(here), here, r.above(here)];
         }
-        Ok(self.put(origin, (name, None), vec![Put::Move(points)], None, out))
+        let index = out.len();
+        let stand = self.put(origin, (name, None), vec![Put::Move(points)], None, out);
+        // No surface governs it: it counts as motion from point to point.
+        for record in &mut out[index..] {
+            if let cl::Kind::Motion(motion) = &mut record.kind {
+                motion.kind = cl::MotionKind::Goto;
+            }
+        }
+        Ok(stand)
     }
 
     /// What REGION leaves of the lines, in the order and the sense in which they are milled.

@@ -26,6 +26,8 @@ const AIM: f64 = 0.98;
 pub(crate) struct Path {
     pub(crate) points: Vec<Position>,
     pub(crate) notes: Vec<Note>,
+    /// Did the tool get out of the way of something?
+    pub(crate) avoided: bool,
 }
 
 impl Setup<'_> {
@@ -116,6 +118,7 @@ impl Setup<'_> {
                 };
                 p.lift = how.lift.map_or_else(Vec3::zeros, |_| how.te - te);
                 (p.te, p.ta) = (how.te, how.ta);
+                path.avoided = true;
                 if guard.report {
                     path.notes.push(Note { gouge: gouge(), te, ta, how });
                 }

@@ -95,12 +95,13 @@ pub(crate) struct Region<'a> {
 pub(crate) struct Done {
     pub(crate) puts: Vec<Put>,
     pub(crate) notes: Vec<Note>,
+    /// Did the tool get out of the way somewhere?
+    pub(crate) avoided: bool,
     pub(crate) odd: Odd,
     /// The first position, put out or not.
     pub(crate) first: Option<(Vec3, Vec3)>,
-    /// Least and greatest u and v of the part surface between the contacts of all paths; meaningful where the
-    /// drive is the part surface.
-    pub(crate) range: [[f64; 2]; 2],
+    /// A box of u and v of the part surface that lies between the contacts of the first and the last pass.
+    pub(crate) range: Option<[[f64; 2]; 2]>,
     pub(crate) why: Option<Failure>,
 }
 
@@ -121,6 +122,7 @@ struct Lane {
 struct Pass {
     puts: Vec<Put>,
     notes: Vec<Note>,
+    avoided: bool,
     odd: Odd,
     first: Option<(Vec3, Vec3)>,
     /// Least and greatest u and v of the part surface that its path touches.
@@ -137,6 +139,29 @@ enum First {
     Left,
     /// It is put out unless the tool, which stands here, is there already.
     After((Vec3, Vec3)),
+}
+
+/// The box of the part surface's parameters that lies between the first and the last pass, from the least and greatest
+/// parameters that each pass touches; the greater one of the two that passes along u and along v would have.
+///
+/// Along the passes it goes as far as each of them does. Their contacts run through all of it without a gap, the first on one
+/// side of the box and the last on the other, so that every place in it has a pass on either side.
+fn between(touched: &[[[f64; 2]; 2]], spans: [f64; 2]) -> Option<[[f64; 2]; 2]> {
+    let (first, last) = (touched.first()?, touched.last()?);
+    let boxes = [0, 1].map(|k| {
+        let c = 1 - k;
+        let whole = [f64::NEG_INFINITY, f64::INFINITY];
+        let along = touched.iter().fold(whole, |r, t| [r[0].max(t[k][0]), r[1].min(t[k][1])]);
+        let up = [first[c][1], last[c][0]];
+        let down = [last[c][1], first[c][0]];
+        let mut range = [along; 2];
+        range[c] = if up[0] < up[1] { up } else { down };
+        range
+    });
+    let size =
+        |r: &[[f64; 2]; 2]| (r[0][1] - r[0][0]) / spans[0] * ((r[1][1] - r[1][0]) / spans[1]);
+    let real = boxes.into_iter().filter(|r| r.iter().all(|[a, b]| a < b));
+    real.max_by(|a, b| size(a).total_cmp(&size(b)))
 }
 
 /// Places of the tool, and axes, so near to each other for the size of the numbers are the same.
@@ -173,15 +198,17 @@ impl Region<'_> {
             // Each job fills its own slot, once.
             let _ = slot.set(pass);
         });
-        let mut done = Done { range: [[f64::NEG_INFINITY, f64::INFINITY]; 2], ..Done::default() };
+        let mut done = Done::default();
+        let mut touched = Vec::with_capacity(n);
         for (i, slot) in slots.into_iter().enumerate() {
             let Some(pass) = slot.into_inner() else {
                 done.why = Some(Failure::Stopped { done: i, all: n });
                 break;
             };
-            self.narrow(&mut done.range, &pass.touched, [i == 0, i + 1 == n]);
+            touched.push(pass.touched);
             done.puts.extend(pass.puts);
             done.notes.extend(pass.notes);
+            done.avoided |= pass.avoided;
             done.odd = done.odd.or(pass.odd);
             done.first = done.first.or(pass.first);
             if pass.why.is_some() {
@@ -189,22 +216,8 @@ impl Region<'_> {
                 break;
             }
         }
+        done.range = between(&touched, self.setup.part.surface.spans());
         done
-    }
-
-    /// Keeps of a range what lies between the passes: along them what all of them touch, across them what lies
-    /// between the first and the last.
-    fn narrow(&self, range: &mut [[f64; 2]; 2], touched: &[[f64; 2]; 2], [first, last]: [bool; 2]) {
-        let (k, c) = (self.course.index(), self.course.across().index());
-        range[k] = [range[k][0].max(touched[k][0]), range[k][1].min(touched[k][1])];
-        let rises = self.senses[1] > 0.0;
-        let [low, high] = touched[c];
-        if first {
-            range[c][usize::from(!rises)] = if rises { high } else { low };
-        }
-        if last {
-            range[c][usize::from(rises)] = if rises { low } else { high };
-        }
     }
 
     /// Where the passes begin.
@@ -354,7 +367,7 @@ impl Region<'_> {
         first: First,
         out: &mut Pass,
     ) -> Result<Vec<Position>, Failure> {
-        let (Path { points, notes }, why) = match setup.run(from, to, course, sense) {
+        let (Path { points, notes, avoided }, why) = match setup.run(from, to, course, sense) {
             Ok(path) => (path, None),
             Err(broken) => {
                 let Broken { done, why } = *broken;
@@ -370,6 +383,7 @@ impl Region<'_> {
         let moves = points.iter().skip(usize::from(skip)).map(Along::of).collect();
         out.puts.push(Put::Path(moves));
         out.notes.extend(notes);
+        out.avoided |= avoided;
         out.odd = out.odd.or(Odd::of(&points));
         out.first = out.first.or(start);
         why.map_or(Ok(points), Err)
@@ -455,5 +469,27 @@ impl Region<'_> {
             here = to;
         }
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Passes along u at several v, in either order; along v; askew, and across both: a box between all of them, or none.
+    #[test]
+    fn a_box_between_the_first_and_the_last_pass() {
+        let lines = [[[0.0, 4.0], [0.5, 0.6]], [[0.2, 4.0], [1.4, 1.7]], [[0.0, 3.9], [2.5, 2.8]]];
+        let boxed = Some([[0.2, 3.9], [0.6, 2.5]]);
+        assert_eq!(between(&lines, [4.0, 3.0]), boxed);
+        let mut back = lines;
+        back.reverse();
+        assert_eq!(between(&back, [4.0, 3.0]), boxed);
+        let turned = lines.map(|[u, v]| [v, u]);
+        assert_eq!(between(&turned, [3.0, 4.0]), Some([[0.6, 2.5], [0.2, 3.9]]));
+        let askew = [[[0.0, 2.0], [0.0, 2.0]], [[1.0, 3.0], [1.0, 3.0]]];
+        assert_eq!(between(&askew, [4.0, 4.0]), None);
+        assert_eq!(between(&lines[..1], [4.0, 3.0]), None);
+        assert_eq!(between(&[], [4.0, 3.0]), None);
     }
 }

@@ -8,7 +8,7 @@ use aptc_diagnostics::Origin;
 use aptc_geometry::{Form, Vec3};
 use aptc_protap::{Arg, NameRef};
 
-use crate::area::{AxisArea, DriveArea, Guide, PartArea};
+use crate::area::{AxisArea, DriveArea, Guide, Hold, PartArea};
 use crate::crew::Crew;
 use crate::drive::Course;
 use crate::failure::{Deep, Failure, put_out, touches_with};
@@ -155,7 +155,7 @@ impl Regional {
         let (course, sense) = self.course(w)?;
         let skip = w.number().is_some_and(|s| s > 0.0);
         let to = setup.drive.limits(course)[usize::from(sense > 0.0)];
-        let (Path { points, notes }, broken) = match setup.run(from, to, course, sense) {
+        let (Path { points, notes, .. }, broken) = match setup.run(from, to, course, sense) {
             Ok(path) => (path, None),
             Err(broken) => {
                 let Broken { done, why } = *broken;
@@ -201,13 +201,15 @@ impl Regional {
         let senses = [along, over];
         let same =
             matches!(&setup.drive.guide, Guide::Surface(s) if Arc::ptr_eq(s, &setup.part.surface));
-        let known = same && setup.part.touches && (guard.is_none() || !self.avoid.on);
+        // Where the tool end is led over another surface, what the cutter does not come to lies between too.
+        let known = setup.part.touches && (same || setup.drive.hold == Hold::At);
         let ways = &self.ways();
         let region = Region { setup, stepover, feeds, clearance, ways, course, senses, skip };
         let done = region.mill(from, crew);
-        let range = known.then_some(done.range).filter(|r| r.iter().all(|[a, b]| a < b));
-        let height = stepover.scallop;
-        let scallop = (height > 0.0 && done.why.is_none()).then_some(Scallop { height, range });
+        let range = done.range.filter(|_| known);
+        let (height, avoided) = (stepover.scallop, done.avoided);
+        let scallop =
+            (height > 0.0 && done.why.is_none()).then_some(Scallop { height, range, avoided });
         let crate::region::Done { puts, notes, odd, first, why, .. } = done;
         let (joined, picks) = (skip, pick);
         Ok(Done { puts, notes, odd, first, picks, why, scallop, joined, away: false })

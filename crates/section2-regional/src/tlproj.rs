@@ -165,7 +165,7 @@ impl Regional {
             let (p, _) =
                 setup.settled([0.0; 2], Course::U, 1.0, None, Take::Middle).map_err(failed)?;
             self.comes(projecting, &p).map_err(failed)?;
-            return Ok(Path { points: vec![p], notes: Vec::new() });
+            return Ok(Path { points: vec![p], ..Path::default() });
         }
         let joined = |mut path: Path| {
             if projecting.last.is_some() && !path.points.is_empty() {

@@ -53,7 +53,7 @@ pub(crate) fn mill(
     let mut done = Done::default();
     let mut last: Option<(Vec3, Vec3)> = None;
     for (i, slot) in slots.into_iter().enumerate() {
-        let (Path { points, notes }, why) = match slot.into_inner() {
+        let (Path { points, notes, .. }, why) = match slot.into_inner() {
             None => (Path::default(), Some(Failure::Stopped { done: i, all: n })),
             Some(Ok(path)) => (path, None),
             Some(Err(broken)) => {

@@ -184,3 +184,66 @@ fn gomill_along_a_curve() {
     refused(&[word("UCONST"), n(3.5)], codes::REGION_VALUE);
     refused(&[word("VCONST"), n(0.0), word("SCALOP"), n(0.1)], codes::UNSUPPORTED_MOTION);
 }
+
+/// Passes that a surface above leads over the part surface: the region between them is known in the parameters of the part
+/// surface, also where these run the other way; where the tool end is led it is not.
+#[test]
+fn the_region_of_passes_that_another_surface_leads() {
+    let n = Arg::Number;
+    let hill = |x: f64, y: f64| 0.01 * (x - 30.0) * (y - 20.0);
+    let part = |turned: bool| {
+        let row = |j: u32| {
+            let at = |i: u32| {
+                let (a, b) = (10.0 * f64::from(i), 10.0 * f64::from(j));
+                let (x, y) = if turned { (b, a) } else { (a, b) };
+                Vec3::new(x, y, hill(x, y))
+            };
+            (0..7).map(at).collect()
+        };
+        rows(MeshSpacing::Xyz, &(0..7).map(row).collect::<Vec<_>>())
+    };
+    // Over x from 15 to 45 and y from 12 to 36.
+    let lid = |y: f64| [15.0, 30.0, 45.0].map(|x| Vec3::new(x, y, 50.0)).to_vec();
+    let above = rows(MeshSpacing::Xyz, &[lid(12.0), lid(24.0), lid(36.0)]);
+    let region = |turned: bool, hold: &str| {
+        let surface = |d: &SurfaceDefinition| of(Form::Ssurf(Arc::new(d.clone())));
+        let mut all = prepared(Cutter::mill(8.0, 4.0, 50.0), ToolAxis::Fixed(Vec3::z()));
+        let limits = [0.0, 2.0, 0.0, 2.0].map(n).to_vec();
+        let down = of(Form::Vector(-Vec3::z()));
+        let ds = [vec![word("DS"), surface(&above), word("PARAM")], limits, vec![word(hold), down]];
+        all.push(regional("SCON", ds.concat()));
+        let side = if turned { "MINUS" } else { "PLUS" };
+        let ps = vec![word("PS"), word("TO"), surface(&part(turned)), word(side), n(0.0)];
+        all.push(regional("SCON", ps));
+        all.push(regional("SCON", vec![word("AXIS"), of(Form::Vector(Vec3::z()))]));
+        let numbers = |w: &str, x: [f64; 4]| [vec![word(w)], x.map(n).to_vec()].concat();
+        all.push(regional("SCON", numbers("FEED", [100.0; 4])));
+        all.push(regional("SCON", numbers("STEPOV", [0.1, 4.0, 0.0, 0.0])));
+        let from = vec![word("ZIGZAG"), word("DS"), word("PARAM"), n(0.0), n(0.0)];
+        let ways = ["TANSPL", "PLUS", "STEPOV", "PLUS"].map(word).to_vec();
+        all.push(regional("SMIL", [from, ways].concat()));
+        let mut milling = Regional::default();
+        let mut out = Vec::new();
+        for kind in all {
+            let record = Record { origin: aptc_diagnostics::Origin::default(), kind };
+            assert!(milling.execute(&record, &mut out).is_ok(), "{:?}", milling.take_diagnostics());
+        }
+        let promised = out.iter().find_map(|r| match &r.kind {
+            cl::Kind::Motion(m) => m.control.as_ref()?.milling.as_ref()?.scallop,
+            _ => None,
+        });
+        let scallop = promised.expect("a scallop is asked for");
+        assert!((scallop.height - 0.1).abs() < 1e-15 && !scallop.avoided);
+        scallop.range
+    };
+    for turned in [false, true] {
+        let mut range = region(turned, "AT").expect("a region");
+        if turned {
+            range.swap(0, 1);
+        }
+        for (found, asked) in range.iter().flatten().zip([1.5, 4.5, 1.2, 3.6]) {
+            assert!((found - asked).abs() < 1e-3, "{range:?}");
+        }
+    }
+    assert_eq!(region(false, "ON"), None);
+}

@@ -60,7 +60,7 @@ impl Region {
         let surfaces = all.map(new).collect::<Option<Vec<_>>>()?;
         let cusps = milling.scallop.zip(milling.part.as_ref()).map(|(scallop, part)| {
             let height = part.thick + scallop.height + milling.outtol;
-            Cusps::new(&surfaces[0].sheet, part.side, height, scallop.range)
+            Cusps::new(&surfaces[0].sheet, part.side, height, (scallop.range, scallop.avoided))
         });
         Some(Self { surfaces, cusps, swath: OnceLock::new() })
     }
@@ -73,6 +73,11 @@ impl Region {
     pub(crate) fn allowed(&self) -> (String, f64) {
         let name = self.surfaces.first().map_or_else(String::new, |s| s.name.clone());
         (name, self.cusps.as_ref().map_or(0.0, |c| c.height))
+    }
+
+    /// May more stand between the passes, for the tool got out of the way there?
+    pub(crate) fn avoided(&self) -> bool {
+        self.cusps.as_ref().is_some_and(|c| c.avoided)
     }
 
     /// What is left at one of [`PLACES`] parts of the region; `None` where nothing is asked.

@@ -29,6 +29,8 @@ pub(crate) struct Cusps {
     pub(crate) height: f64,
     /// None where the region is not known.
     pieces: Option<Vec<Patch>>,
+    /// Did the tool get out of the way somewhere, so that more may stand?
+    pub(crate) avoided: bool,
     /// The first part in which something is left; those behind it do not count.
     first: AtomicUsize,
 }
@@ -49,7 +51,7 @@ impl Cusps {
         sheet: &Arc<Sheet>,
         side: f64,
         height: f64,
-        range: Option<[[f64; 2]; 2]>,
+        (range, avoided): (Option<[[f64; 2]; 2]>, bool),
     ) -> Self {
         let pieces = range.map(|range| {
             let mut pieces = sheet.pieces(&range);
@@ -61,7 +63,8 @@ impl Cusps {
             pieces.reverse();
             pieces
         });
-        Self { sheet: Arc::clone(sheet), side, height, pieces, first: AtomicUsize::new(usize::MAX) }
+        let (sheet, first) = (Arc::clone(sheet), AtomicUsize::new(usize::MAX));
+        Self { sheet, side, height, pieces, avoided, first }
     }
 
     /// Judges what the ways leave in part `part` of `n`; `pad` covers rounding. Behind a part where something is left

@@ -248,7 +248,8 @@ impl Statement {
                 proof.surfaces.push(SurfaceBound { name, role, least, most, band, at: None });
                 return;
             }
-            Left::Higher(stands, way) => (way, stands - height, true),
+            // Where the tool got out of the way what it left was not to be cut.
+            Left::Higher(stands, way) => (way, stands - height, !region.avoided()),
             Left::Open(way) => (way, f64::INFINITY, false),
         };
         let Some(at) = self.points.get(way) else { return };

@@ -34,7 +34,7 @@ fn milling(surface: &Arc<Sculptured>, scallop: Option<f64>) -> Milling {
         checked: Vec::new(),
         intol: BAND,
         outtol: BAND,
-        scallop: scallop.map(|height| Scallop { height, range }),
+        scallop: scallop.map(|height| Scallop { height, range, avoided: false }),
         joined: false,
     }
 }
@@ -132,6 +132,18 @@ fn what_is_left_between_passes_is_bounded() {
         short.drain(6..8);
         let (c, _) = judge(milling(&flat, Some(ridge)), short);
         assert!(c.refuted > 0, "{step}");
+    }
+    // Where the tool got out of the way that is proved too, and what stands higher is told and not refuted.
+    for (step, proved) in [(1.0_f64, true), (2.5, false)] {
+        let mut lifted = milling(&flat, Some(0.1));
+        lifted.scallop.as_mut().expect("set").avoided = true;
+        let (c, said) = judge(lifted, upright(&passes(step, 0.0)));
+        assert_eq!((c.is_proved(), c.refuted, c.undecided), (proved, 0, u64::from(!proved)));
+        let ridge = 5.0 - (25.0 - 0.25 * step * step).sqrt();
+        let depth = c.statements[0].fault.as_ref().map(|f| f.depth);
+        let over = ridge - 0.1 - BAND;
+        // The first place that is found need not be the highest.
+        assert!(proved || depth.is_some_and(|d| 0.0 < d && d < over + 1e-9), "{depth:?} {said:?}");
     }
     // Where the region is not known that is said.
     let mut unknown = milling(&flat, Some(0.1));
