@@ -24,7 +24,7 @@ pub enum MeshFault {
 
 /// The surface through the rows: u runs along a row, v from row to row.
 ///
-/// Weights smooth the rows first. TANSPL holds the direction along a row, CRSSPL across, NORMAL both. Tangents
+/// Weights smooth the rows first, each for itself, as SSV3 does. TANSPL holds the direction along a row, CRSSPL across, NORMAL both. Tangents
 /// are as long as chords, twists are zero. With RULED the lines across are straight.
 ///
 /// XYPLAN, YZPLAN and ZXPLAN: seen along the axis square to that plane every patch is the bilinear one of its
@@ -208,6 +208,31 @@ mod tests {
         let hit = hits.first().unwrap();
         assert!((hit.at.point - Vec3::new(5.146_898, 5.317_524, 1.259_656)).norm() < 5e-5);
         assert!((hit.at.v - Vec3::new(0.050_688, 3.116_401, -0.033_710)).norm() < 1e-4);
+    }
+
+    /// Surface SSDRIV of TEST01: the point of weight .5 moves as its row alone asks for, not the one across, and the
+    /// normals are those that are printed, one of them given.
+    #[test]
+    fn a_weight_moves_a_point_along_its_row() {
+        let mut r = rows(&[
+            [[10.0, -3.0, -10.0], [10.0, -2.0, 0.0], [10.0, -3.0, 10.0]],
+            [[0.0, -1.0, -10.0], [0.0, 0.0, 0.0], [0.0, -1.0, 10.0]],
+            [[-10.0, -3.0, -10.0], [-10.0, -2.0, 0.0], [-10.0, -3.0, 10.0]],
+        ]);
+        r[1][2].normal = Some(Vec3::new(10.0, 0.0, 1.0));
+        r[2][1].weight = Some(0.5);
+        let s = mesh(&r, MeshSpacing::Xyz).unwrap();
+        let p = s.at(1.0, 2.0).point;
+        assert!((p - Vec3::new(-10.0, -2.005_88, 0.0)).norm() < 5e-6, "{p}");
+        for (u, v, n) in [
+            (0.0, 0.0, [-0.36515, -0.91287, 0.18257]),
+            (1.0, 2.0, [0.37213, -0.92818, 0.0]),
+            (0.0, 2.0, [0.36522, -0.91305, 0.18154]),
+            (2.0, 1.0, [-0.99504, 0.0, -0.09950]),
+        ] {
+            let ours = s.at(u, v).normal().unwrap();
+            assert!((ours - Vec3::from(n)).amax() < 1.1e-5, "{u} {v} {ours}");
+        }
     }
 
     /// Surfaces SSPARB, SSPHER and SSADLE (XYPLAN) and SSCHK2 (YZPLAN) of TEST01: the printed normals, and the
