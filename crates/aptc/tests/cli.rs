@@ -41,6 +41,19 @@ fn a_part_alone_is_compiled() {
     assert!(summary.contains("cut vectors") && summary.contains("SLOT"), "{summary}");
 }
 
+/// Without MACHIN a machine is taken that can reach the tool axes.
+#[test]
+fn a_leaning_axis_without_machin_is_posted_for_five_axes() {
+    let leaning = GOOD.replace("CUTTER/6\n", "CUTTER/6\nMULTAX\n");
+    let leaning = leaning.replace("GOTO/50,0,-1\n", "GOTO/50,0,-1,.6,0,.8\n");
+    let dir = folder_with(&[("slot.apt", GOOD), ("lean.apt", &leaning)]);
+    for (name, title) in [("slot.apt", "three-axis mill"), ("lean.apt", "five-axis mill")] {
+        let run = aptc(dir.path(), &["compile", name]);
+        assert_eq!(run.status.code(), Some(0), "{}", text(&run.stderr));
+        assert!(text(&run.stderr).contains(title), "{}", text(&run.stderr));
+    }
+}
+
 #[test]
 fn errors_leave_good_files_alone() {
     let dir = folder_with(&[("slot.apt", GOOD)]);

@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use aptc_cldata::{Arg, Kind, Record};
+use aptc_cldata::{Arg, Kind, Position, Record};
 use aptc_diagnostics::{Diagnostic, Span, codes};
 use aptc_post::{BlockOrigin, Machine, Post, PostOptions, SetupSheet, ToolScan};
 use smol_str::SmolStr;
@@ -61,6 +61,8 @@ pub(crate) struct PartHead {
     start: Option<(Span, bool)>,
     /// The first MACHIN that names no known machine.
     unknown: Option<(SmolStr, Span)>,
+    /// Does the tool axis lean anywhere?
+    leans: bool,
 }
 
 impl PartHead {
@@ -69,6 +71,11 @@ impl PartHead {
         let partno = matches!(&record.kind, Kind::Text { word, .. } if word == "PARTNO");
         if self.start.is_none_or(|(_, found)| partno && !found) {
             self.start = Some((record.origin.span, partno));
+        }
+        if let Kind::Motion(motion) = &record.kind {
+            // So little counts as upright on a machine of three axes.
+            let upright = |p: &Position| p.ta.xy().norm_squared() <= 1e-12 && p.ta.z > 0.0;
+            self.leans |= !self.leans && !motion.points.iter().all(upright);
         }
         let Kind::Post { word, args } = &record.kind else { return };
         self.tools.push(record);
@@ -105,7 +112,8 @@ impl PartHead {
         if !self.machines.is_empty() {
             return self.machines.clone();
         }
-        let default = aptc_post::machine("linuxcnc-mill").expect("it is built in");
+        let name = if self.leans { "linuxcnc-5axis" } else { "linuxcnc-mill" };
+        let default = aptc_post::machine(name).expect("it is built in");
         let (span, message) = match &self.unknown {
             Some((name, span)) => (
                 *span,

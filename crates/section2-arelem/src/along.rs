@@ -14,7 +14,7 @@ use crate::failure::{self, Candidate, Failure};
 use crate::feed::divide;
 use crate::points::put_feed;
 use crate::scene::Path;
-use crate::state::{Part, Role, Tool};
+use crate::state::{Role, Tool};
 use crate::{forward, plane, space};
 
 impl Arelem {
@@ -38,10 +38,11 @@ impl Arelem {
             Ok(start) => start,
             Err(f) => return self.fail(origin, &f),
         };
-        let result = match self.plane_allowed(&start.axis).then(|| plane::start(&start)).flatten() {
-            Some(result) => result,
-            None => space::start(&start),
-        };
+        let flat = self.plane_allowed(&start.axis).then(|| plane::start(&start)).flatten();
+        // With three surfaces, or with SRFVCT, APT-360 starts up in space although the plane has the answer.
+        let sided = start.normals.iter().any(Option::is_some);
+        let in_space = flat.is_none() || start.surfaces.len() > 2 || sided;
+        let result = flat.unwrap_or_else(|| space::start(&start));
         for (i, (relation, surface)) in go.surfaces.iter().enumerate() {
             let sided = start.normals.get(i).copied().flatten().is_some();
             let asks = matches!(relation, Relation::To | Relation::Past) && !sided;
@@ -57,15 +58,16 @@ impl Arelem {
                 return self.fail(origin, &f);
             }
         };
+        if let (true, Some(end)) = (in_space && !start.offset, path.points.last()) {
+            self.settings.part_normal_before = start.part_normal(end.te);
+        }
         if let (false, Some(end)) = (path.rivals.is_empty(), path.points.last()) {
             let taken = Candidate::of(tool.te, end.te);
             self.diagnostics.push(failure::ambiguous(origin, &taken, &path.rivals));
         }
         self.settings.started = None;
         if let Some((relation, surface)) = go.surfaces.get(1) {
-            self.settings.started = Some((Arc::clone(&surface.form), *relation == Relation::On));
-            self.settings.part = Part::Surface(surface.clone());
-            self.settings.nops = false;
+            self.settings.start_part(surface, *relation == Relation::On);
         }
         if let Some((relation, _)) = go.surfaces.first() {
             self.settings.start_side(*relation == Relation::On);

@@ -4,7 +4,7 @@ use aptc_cldata as cl;
 use aptc_diagnostics::{Diagnostic, Origin};
 use aptc_geometry::Vec3;
 use aptc_protap as protap;
-use aptc_protap::{Direction, DriveSide, Kind, Outcome, Relation, Sense, ToolAxis};
+use aptc_protap::{Direction, DriveSide, Kind, Outcome, PartSide, Relation, Sense, ToolAxis};
 
 use crate::diagram::Situation;
 use crate::failure::Failure;
@@ -227,7 +227,10 @@ impl Arelem {
             }
             Kind::Nops => s.nops = true,
             Kind::DriveSide(d) => s.drive_side = Some(*d),
-            Kind::PartSide(p) => s.part_side = Some(*p),
+            Kind::PartSide(p) => {
+                s.part_side = Some(*p);
+                s.ends_on_part = *p == PartSide::Tlonps;
+            }
             Kind::SurfaceNormals(v) => s.normals.clone_from(v),
             Kind::Sense(sense) => {
                 s.given = Some(match sense {

@@ -21,7 +21,7 @@ impl Arelem {
             surfaces.push((*relation, self.wall(surface, role, *relation == Relation::On)?));
         }
         let part = if surfaces.len() < 2 && !self.settings.nops {
-            let on = self.settings.part_side == Some(PartSide::Tlonps);
+            let on = self.settings.ends_on_part;
             let relation = if on { Relation::On } else { Relation::To };
             Some((relation, self.wall(&self.part(&tool), Role::Part, on)?))
         } else {
@@ -37,7 +37,9 @@ impl Arelem {
         let normals = std::mem::take(&mut self.settings.normals);
         let axis = AxisRule::of(&self.settings.axis);
         let thick = self.settings.thick.iter().any(|t| *t != 0.0);
-        Ok(Start { tool, offset: go.offset, surfaces, part, along, normals, axis, thick })
+        let part_normal_before = self.settings.part_normal_before;
+        let offset = go.offset;
+        Ok(Start { tool, offset, surfaces, part, along, normals, axis, thick, part_normal_before })
     }
 
     pub(crate) fn scene(&self, d: &protap::Drive, tool: Tool) -> Result<Scene, Failure> {

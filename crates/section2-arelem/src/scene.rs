@@ -90,6 +90,23 @@ pub(crate) struct Start {
     pub(crate) axis: AxisRule,
     /// Is a THICK in force?
     pub(crate) thick: bool,
+    /// Unit normal of the part surface where the last start-up in space ended.
+    pub(crate) part_normal_before: Option<Vec3>,
+}
+
+impl Start {
+    /// Unit normal of the part surface at its place nearest to `te`.
+    pub(crate) fn part_normal(&self, te: Vec3) -> Option<Vec3> {
+        let (_, wall) = self.surfaces.get(1).or(self.part.as_ref())?;
+        Some(wall.fitted.as_ref()?.foot(te).normal)
+    }
+
+    /// Has the part surface at `te` the normal that it had at the last start-up in space? Only then a direction is followed
+    /// all the way. Source: what APT-360 does.
+    pub(crate) fn on_the_same_part(&self, te: Vec3) -> bool {
+        let both = self.part_normal_before.zip(self.part_normal(te));
+        both.is_some_and(|(a, b)| a.cross(&b).norm() <= 1e-9)
+    }
 }
 
 /// What came of it.

@@ -72,11 +72,17 @@ pub(crate) struct Settings {
     pub(crate) nops: bool,
     /// The last of TLLFT, TLRGT, TLON, TLNDON; none yet.
     pub(crate) drive_side: Option<DriveSide>,
-    /// The last of TLONPS, TLOFPS; none yet.
+    /// The last of TLONPS, TLOFPS; none yet, or since a GO that named the part surface.
     pub(crate) part_side: Option<PartSide>,
+    /// Does GO with its drive surface alone put the tool end on the part surface? The last of TLONPS, TLOFPS and of the
+    /// GOs that named the part surface says so, whatever stood between. Source: what APT-360 does.
+    pub(crate) ends_on_part: bool,
     /// The part surface of the last GO, and whether it put the tool end on it; none when the tool has moved since
     /// otherwise than along surfaces.
     pub(crate) started: Option<(Arc<Form>, bool)>,
+    /// Unit normal of the part surface where the last start-up in space ended. One whose part surface has another goes to
+    /// where its direction pierces the drive surface and on from there the least way.
+    pub(crate) part_normal_before: Option<Vec3>,
     pub(crate) given: Option<Given>,
     pub(crate) normals: Vec<Option<Vec3>>,
     pub(crate) cut: bool,
@@ -117,7 +123,9 @@ impl Default for Settings {
             nops: false,
             drive_side: None,
             part_side: None,
+            ends_on_part: false,
             started: None,
+            part_normal_before: None,
             given: None,
             normals: Vec::new(),
             cut: true,
@@ -199,6 +207,16 @@ impl Settings {
         if said != on {
             self.drive_side = None;
         }
+    }
+
+    /// A start-up that names the part surface says anew whether the tool end is on it: TLONPS or TLOFPS before it holds no
+    /// longer, as in APT-360.
+    pub(crate) fn start_part(&mut self, surface: &SurfaceRef, on: bool) {
+        self.started = Some((Arc::clone(&surface.form), on));
+        self.part_side = None;
+        self.ends_on_part = on;
+        self.part = Part::Surface(surface.clone());
+        self.nops = false;
     }
 
     /// Tolerance band on the surface of that role; never of no width.

@@ -320,3 +320,61 @@ fn what_is_only_grazed_stops_the_tool_where_a_tenth_of_the_band_is_left() {
         }
     }
 }
+
+/// Where the part surface leans, the tool end on it and the cutter touching it are a different height; the last of TLONPS,
+/// TLOFPS and of the GOs that name the part surface says which is meant. Source: what APT-360 does.
+#[test]
+fn a_start_that_names_the_part_surface_says_anew_whether_the_tool_end_is_on_it() {
+    // TILT at x: .6 x + .8 z = 6; a flat end of radius 1 touches it .75 above its tool end's place.
+    let on = |x: f64| (6.0 - 0.6 * x) / 0.8;
+    let to = |x: f64| on(x) + 0.75;
+    let start = "CUTTER/2\nFROM/10,5,20\n";
+    let along = "TLLFT,GOLFT/L20,ON,LB\n";
+    let mut f = forms();
+    f.insert("LB".into(), form("LINE", &[0.0, 1.0, 0.0, 8.0]).expect("a line"));
+    let ends = |text: &str, end: [f64; 3]| {
+        for calc in ["2DCALC", "3DCALC"] {
+            let ran = run(&f, &format!("{calc}\n{start}{text}")).clean();
+            let off = (ran.end() - Vec3::from(end)).norm();
+            assert!(off < 1e-9, "{calc} {text}: {:?}", ran.end());
+        }
+    };
+    // TLONPS or TLOFPS before such a GO holds no longer, also in the motion after it.
+    ends(&format!("TLONPS\nGO/TO,L20,TO,TILT\n{along}"), [19.0, 8.0, to(19.0)]);
+    ends(&format!("TLOFPS\nGO/TO,L20,ON,TILT\n{along}"), [19.0, 8.0, on(19.0)]);
+    // A GO with the drive surface alone follows it, through GOTO and a further part surface too.
+    ends("GO/TO,L20,ON,TILT\nGOTO/10,5,20\nGO/TO,LY", [1.0, 5.0, on(1.0)]);
+    ends("GO/TO,L20,ON,PL\nPSIS/TILT\nGO/TO,LY", [1.0, 5.0, on(1.0)]);
+    ends("GO/TO,L20,TO,TILT\nGO/TO,LY", [1.0, 5.0, to(1.0)]);
+    // A word between them is the last to say so.
+    ends("GO/TO,L20,ON,TILT\nTLOFPS\nGO/TO,LY", [1.0, 5.0, to(1.0)]);
+    ends("GO/TO,L20,TO,TILT\nTLONPS\nGO/TO,LY", [1.0, 5.0, on(1.0)]);
+}
+
+/// In space a direction is followed all the way, forward or back, where the part surface has the normal that it had at the
+/// start-up in space before; else it leads to where it pierces the drive surface, and on from there goes the least way.
+/// Source: what APT-360 does.
+#[test]
+fn a_directed_start_in_space_keeps_to_its_direction_on_the_part_surface_of_the_one_before() {
+    let ran = |before: &str, sense: &str| {
+        let text = format!(
+            "3DCALC\nCUTTER/2\nFROM/10,5,1\nGO/TO,L20,ON,{before}\nGOTO/10,5,1\n\
+             INDIRV/{sense},0\nGO/TO,LY,ON,PL"
+        );
+        run(&forms(), &text).clean().end()
+    };
+    let near = |a: Vec3, b: [f64; 3], eps: f64| {
+        assert!((a - Vec3::from(b)).norm() < eps, "{a:?}, not {b:?}");
+    };
+    // Nine to the left of 10,5 along -1,.3, and as far against 1,.3.
+    near(ran("PL", "-1,.3"), [1.0, 7.7, 0.0], 1e-9);
+    near(ran("LOW", "-1,.3"), [1.0, 7.7, 0.0], 1e-9);
+    near(ran("PL", "1,.3"), [1.0, 2.3, 0.0], 1e-9);
+    // C about 10,0 with radius 3 is passed by at more than the radius of the cutter.
+    let text =
+        "3DCALC\nCUTTER/2\nFROM/10,9,1\nGO/TO,L20,ON,PL\nGOTO/10,9,1\nINDIRV/1,.3,0\nGO/TO,C,ON,PL";
+    assert_eq!(run(&forms(), text).code(), 2012);
+    // Less the radius along the direction from where the line meets LY, then straight to it; the band is left out here.
+    let y = 8.0 - 0.3 / 1.09_f64.sqrt();
+    near(ran("TILT", "-1,.3"), [1.0, y, 0.0], 0.02);
+}

@@ -133,7 +133,7 @@ fn rivals(go: &Start, aims: &[Aim<'_>], pose: Pose, end: Pose) -> Vec<Candidate>
         return all;
     }
     let axis = coming(&go.axis, aims, &pose);
-    let solver = Solver { aims, axis: &axis };
+    let solver = Solver { aims, axis: &axis, held: None };
     let band = aims.iter().map(|a| a.keep.width()).fold(f64::INFINITY, f64::min);
     let by = end.te - pose.te;
     let near = 1e-3 * band + 1e-9 * solver.size(&pose);
@@ -173,11 +173,24 @@ fn coming(axis: &AxisRule, aims: &[Aim<'_>], pose: &Pose) -> AxisRule {
 
 fn solve(go: &Start, aims: &[Aim<'_>], pose: Pose) -> Result<Pose, Failure> {
     let axis = coming(&go.axis, aims, &pose);
-    let solver = Solver { aims, axis: &axis };
+    let solver = Solver { aims, axis: &axis, held: None };
     let free = go.surfaces.len() == 1 && go.part.is_none();
+    let others = go.along.iter().skip(1).any(Option::is_some);
     match go.along.first().copied().flatten() {
         Some(v) if go.offset => solver.offset(pose, v),
         Some(v) if free => solver.along(pose, v),
+        Some(v) if go.on_the_same_part(pose.te) && aims.len() == 2 && !others => {
+            let from = solver.approach(pose);
+            let held = solver.plane_along(from, v)?;
+            let found = Solver { held, ..solver }.nearest(from, pose);
+            found.map_err(|failure| match failure {
+                Failure::NoStart { left, .. } if held.is_some() => Failure::Misses {
+                    surface: aims[0].wall.surface.clone(),
+                    closest: left.first().map_or(0.0, |(_, gap)| gap.abs()),
+                },
+                other => other,
+            })
+        }
         _ => {
             let from = solver.let_down(solver.approach(pose));
             let found = solver.nearest(from, pose);
@@ -279,6 +292,8 @@ fn flattened(keep: &Keep, pose: &Pose) -> Keep {
 struct Solver<'a> {
     aims: &'a [Aim<'a>],
     axis: &'a AxisRule,
+    /// A plane in which the tool end stays: its unit normal and the distance of its points along it.
+    held: Option<(Vec3, f64)>,
 }
 
 impl Solver<'_> {
@@ -286,8 +301,22 @@ impl Solver<'_> {
     fn least(&self, origin: Vec3, pose: &Pose, gaps: &[Gap], targets: &[f64]) -> Option<Vec3> {
         let way = pose.te - origin;
         let row = |(g, t): (&Gap, &f64)| (g.normal, t - g.g + g.normal.dot(&way));
-        let rows: Vec<(Vec3, f64)> = gaps.iter().zip(targets).map(row).collect();
+        let held = self.held.map(|(n, d)| (n, d - n.dot(&origin)));
+        let rows: Vec<(Vec3, f64)> = gaps.iter().zip(targets).map(row).chain(held).collect();
         least(&rows).map(|step| origin + step)
+    }
+
+    /// The plane through the line along `v` that is squarest to the course of both surfaces at `from`: in it the tool moves
+    /// along `v`, forward or back, and along the part surface.
+    ///
+    /// With t the direction in which the surfaces meet, its normal is t less the part of it along v; none when t is along v.
+    /// Source: what APT-360 does.
+    fn plane_along(&self, from: Pose, v: Vec3) -> Result<Option<(Vec3, f64)>, Failure> {
+        let gaps = self.gaps(&from, None)?;
+        let [a, b] = gaps.as_slice() else { return Ok(None) };
+        let t = a.normal.cross(&b.normal);
+        let n = (t - v * t.dot(&v)).try_normalize(1e-6);
+        Ok(n.map(|n| (n, n.dot(&from.te))))
     }
 
     /// Is the nearest position meant? Near the bottom of a hollow, along a polyconic and with an axis that turns the place of
@@ -529,7 +558,9 @@ impl Solver<'_> {
                     (size > 1e-6).then(|| (n / size, (t - g.g) / size))
                 })
                 .collect();
-            let by = least(&rows?)?;
+            let held = self.held.map(|(n, d)| (n, d - n.dot(&pose.te)));
+            let rows: Vec<(Vec3, f64)> = rows?.into_iter().chain(held).collect();
+            let by = least(&rows)?;
             let mut share = 1.0;
             (pose, gaps) = loop {
                 let next = self.with_axis(Pose { te: pose.te + by * share, ..pose })?;

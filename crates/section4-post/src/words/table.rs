@@ -46,6 +46,7 @@ pub(crate) fn action(word: &str) -> Option<&'static Entry> {
 
 const DRAWN: &str = "it is for a plotter";
 const SHOWN: &str = "it is for the screen of a CAM system";
+const EDITED: &str = "it was carried out before: the path that follows has it";
 const TAPE: &str = "there is no tape";
 const LISTED: &str = "it is for the listing of another post-processor";
 
@@ -140,6 +141,8 @@ static TABLE: &[(&str, Entry)] = &[
     ("TURRET", Do(tool::loadtl)),
     ("ULOCKX", Refuse("no machine here locks axes")),
     ("UNLOAD", Ignore("the next tool change takes the tool out")),
+    ("VTLAXS", Silent(EDITED)),
+    ("WCORN", Silent(EDITED)),
     ("ZERO", Refuse("axes are not set to zero; ORIGIN and TRANS move the part")),
 ];
 
