@@ -3,10 +3,10 @@
 use aptc_cldata::Position;
 use aptc_geometry::Vec3;
 
-use crate::deep::deepest;
+use crate::deep::{deepest, on_faces};
 use crate::demand::{Verdict, angle, between_poses, bulge};
 use crate::pile::Pile;
-use crate::search::{Aim, Moved, clearance, clearance_from};
+use crate::search::{Aim, FINE_FOLD, FOLD, Moved, clearance, clearance_from};
 use crate::sheet::{Sheet, Spot};
 use crate::sweep::Sweep;
 use crate::tool::{Pose, Tool, carry};
@@ -74,6 +74,10 @@ impl Curved<'_> {
         // A tool that is to be in the surface, as a disk is, is looked at from its own side first once that has told.
         let by_points = if warm.sunk { self.sunk(tool, &pose, turn, pad) } else { None };
         let by_points = by_points.filter(|half| matches!(half, Half::Holds(_)));
+        if by_points.is_some() {
+            // Nothing is known of the places next to this vector.
+            warm.near = None;
+        }
         let asked = !self.on && by_points.is_none();
         let above = asked.then(|| self.excess(tool, &pose, turn, pad, warm));
         let low = self.not_below(tool, self.side, self.least, &pose, turn, pad, warm);
@@ -124,7 +128,7 @@ impl Curved<'_> {
         let sweep = Sweep::still(tool, pose);
         // Nothing is near enough to end the search before the nearest is found.
         let enough = 4.0 * tool.reach().max(self.most.abs().min(1.0));
-        let moved = Moved { sheet: self.sheet, side: self.side, shift: 0.0 };
+        let moved = Moved { sheet: self.sheet, side: self.side, shift: 0.0, fold: FOLD };
         // Each search comes to a tenth of what the one before left; where the surface goes through the tool one is enough.
         let mut nearest = None;
         let mut within = enough;
@@ -158,6 +162,29 @@ impl Curved<'_> {
         pad: f64,
         warm: &mut Warm,
     ) -> Half {
+        let judge = |fold: f64, warm: &mut Warm| {
+            self.not_below_but(tool, side, least, pose, turn, pad, fold, warm)
+        };
+        match judge(FOLD, warm) {
+            // What looked like a fold may be a piece that is still too large.
+            Half::Open(_, at_most) if at_most.is_finite() => judge(FINE_FOLD, warm),
+            told => told,
+        }
+    }
+
+    /// The same; pieces smaller than the share `fold` of the shift count as folds.
+    #[expect(clippy::too_many_arguments, reason = "one bound and all that it hangs on")]
+    fn not_below_but(
+        &self,
+        tool: &Tool<'_>,
+        side: f64,
+        least: f64,
+        pose: &dyn Fn(f64) -> Pose,
+        turn: f64,
+        pad: f64,
+        fold: f64,
+        warm: &mut Warm,
+    ) -> Half {
         if least == f64::NEG_INFINITY {
             return Half::Holds(f64::NEG_INFINITY);
         }
@@ -166,7 +193,7 @@ impl Curved<'_> {
         let thin = if tool.is_thin() { self.back(least, pad) } else { 0.0 };
         // Both the surface farther back and the distance from it are rounded.
         let enough = if tool.is_thin() { thin - 2.0 * pad } else { -pad };
-        let moved = Moved { sheet: self.sheet, side, shift: least - thin };
+        let moved = Moved { sheet: self.sheet, side, shift: least - thin, fold };
         let mut low = f64::INFINITY;
         let mut open = (0.0, 0.0);
         let mut stack = Pile::<(f64, f64, u32), 32>::new();
@@ -270,7 +297,7 @@ impl Curved<'_> {
     /// to the surface; 0 where that does not tell.
     fn stands(&self, tool: &Tool<'_>, pose: &Pose) -> f64 {
         let sweep = Sweep::still(tool, *pose);
-        let moved = Moved { sheet: self.sheet, side: 1.0, shift: 0.0 };
+        let moved = Moved { sheet: self.sheet, side: 1.0, shift: 0.0, fold: FOLD };
         let band = [self.least, self.most].into_iter().filter(|x| x.is_finite());
         let near = 4.0 * band.fold(1e-6 * tool.reach(), |m, x| m.max(x.abs()));
         let mut enough = near.max(f64::MIN_POSITIVE);
@@ -349,7 +376,7 @@ impl Curved<'_> {
     fn nearest(&self, p: Vec3, enough: f64) -> (f64, Option<Spot>) {
         let pose = Pose { te: p, ta: Vec3::z() };
         let sweep = Sweep::still(&Tool::End, pose);
-        let moved = Moved { sheet: self.sheet, side: 1.0, shift: 0.0 };
+        let moved = Moved { sheet: self.sheet, side: 1.0, shift: 0.0, fold: FOLD };
         let (mut far, mut place) = (enough, None);
         let mut within = enough;
         for _ in 0..5 {
@@ -429,7 +456,7 @@ impl Curved<'_> {
         const STRETCHES: u32 = 40;
         let Tool::Solid(_) = tool else { return None };
         let sweep = Sweep::still(tool, pose(0.0));
-        let moved = Moved { sheet: self.sheet, side: self.side, shift: 0.0 };
+        let moved = Moved { sheet: self.sheet, side: self.side, shift: 0.0, fold: FOLD };
         let any = || clearance(&sweep, &moved, self.most + tool.reach(), Aim::Any).nearest;
         let mut spot = match self.within(tool, &pose(0.0)) {
             Some(spot) => spot,
@@ -454,6 +481,9 @@ impl Curved<'_> {
                     && let Some(spot) = self.within(tool, &at)
                 {
                     deep = deepest(tool, &at, self.sheet, self.side, spot, most);
+                }
+                if deep.gap > most {
+                    deep = on_faces(tool, &at, self.sheet, self.side, deep, most);
                 }
                 spot = deep.spot;
                 let above = deep.gap - self.most;
@@ -489,7 +519,7 @@ impl Curved<'_> {
 
     /// A place of the surface that lies in the tool when it is moved by the greatest gap: as deep the tool is there.
     fn within(&self, tool: &Tool<'_>, at: &Pose) -> Option<Spot> {
-        let moved = Moved { sheet: self.sheet, side: self.side, shift: self.most };
+        let moved = Moved { sheet: self.sheet, side: self.side, shift: self.most, fold: FOLD };
         let found = clearance(&Sweep::still(tool, *at), &moved, 0.0, Aim::Nearest).nearest?;
         (found.0 < 0.0).then_some(found.2)
     }

@@ -320,6 +320,14 @@ proptest! {
             let verdict = demand.judge(&profile, &at, &at, 1e-9);
             let holds = matches!(verdict, Verdict::Proved { .. });
             prop_assert!(holds == proved, "{above:e} {gap} {verdict:?}");
+            // What the vectors before found does not change it.
+            let mut warm = Warm::default();
+            for far in [0.9, -0.4, 0.0] {
+                let there = Position { te: at.te + Vec3::new(far, far, 0.0), ta };
+                let verdict = demand.judge_next(&profile, &there, &there, 1e-9, &mut warm);
+                let holds = matches!(verdict, Verdict::Proved { .. });
+                prop_assert!(far != 0.0 || holds == proved, "{above:e} {gap} {verdict:?}");
+            }
         }
     }
 }

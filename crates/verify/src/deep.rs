@@ -67,16 +67,10 @@ pub(crate) fn deepest(
     };
     let mut first = down(below(spot));
     if first.gap > most
-        && let Some(end) = Disk::of(tool, pose)
+        && tool.is_thin()
+        && let Some(disk) = Disk::of(tool, pose)
     {
-        let over = glide(sheet, side, &end, Vec2::zeros(), first.spot);
-        first = if over.gap < first.gap { over } else { first };
-    }
-    if first.gap <= most {
-        return first;
-    }
-    if let Some(flank) = Flank::of(tool, pose) {
-        let over = glide(sheet, side, &flank, flank.beside(first.p), first.spot);
+        let over = glide(sheet, side, &disk, Vec2::zeros(), first.spot);
         first = if over.gap < first.gap { over } else { first };
     }
     if first.gap <= most {
@@ -91,6 +85,27 @@ pub(crate) fn deepest(
     });
     let other = around.reduce(|a, b| if b.gap < a.gap { b } else { a });
     other.map(down).filter(|o| o.gap < first.gap).unwrap_or(first)
+}
+
+/// A deeper point than `first`, if there is one, on the flat end or the flank of the tool. It may be deep in a surface that
+/// it is beside of, whose nearest place is another: what it says is to be shown.
+pub(crate) fn on_faces(
+    tool: &Tool<'_>,
+    pose: &Pose,
+    sheet: &Sheet,
+    side: f64,
+    first: Deep,
+    most: f64,
+) -> Deep {
+    let deeper = |a: Deep, b: Deep| if b.gap < a.gap { b } else { a };
+    let mut best = first;
+    if let Some(end) = Disk::of(tool, pose) {
+        best = deeper(best, glide(sheet, side, &end, Vec2::zeros(), first.spot));
+    }
+    if let Some(flank) = Flank::of(tool, pose).filter(|_| best.gap > most) {
+        best = deeper(best, glide(sheet, side, &flank, flank.beside(best.p), best.spot));
+    }
+    best
 }
 
 /// The deepest point on the ring that the tool's point `p` makes about the axis. Along a sharp edge the distance has

@@ -11,7 +11,7 @@ use crate::curved::{Curved, Half, Warm, worst};
 use crate::demand::{Verdict, angle, between_poses};
 use crate::pile::Pile;
 use crate::scallop::{Cusps, Left};
-use crate::search::{Aim, Moved, clearance_from};
+use crate::search::{Aim, FOLD, Moved, clearance_from};
 use crate::sheet::Sheet;
 use crate::sheets::Sheets;
 use crate::statement::{PLACES, Seen, Statement};
@@ -201,7 +201,7 @@ fn keeps_off(
     least: f64,
     warm: &mut Warm,
 ) -> Half {
-    let moved = Moved { sheet, side: 1.0, shift: 0.0 };
+    let moved = Moved { sheet, side: 1.0, shift: 0.0, fold: FOLD };
     let mut low = f64::INFINITY;
     let mut open = (0.0, 0.0);
     let mut stack = Pile::<(f64, f64, u32), 32>::new();

@@ -15,8 +15,9 @@ const MOST: u32 = 20_000;
 /// Pieces that a search looks at for a still nearer place when it has found one that is too near.
 const MORE: u32 = 400;
 
-/// Share of the shift below which a piece that is too near is not cut further.
-const FOLD: f64 = 1e-6;
+/// Share of the shift below which a piece that is too near is not cut further, as a rule and where that decides nothing.
+pub(crate) const FOLD: f64 = 1e-4;
+pub(crate) const FINE_FOLD: f64 = 1e-6;
 
 /// What a search found.
 #[derive(Clone, Copy, Debug)]
@@ -33,6 +34,8 @@ pub(crate) struct Moved<'a> {
     pub(crate) sheet: &'a Sheet,
     pub(crate) side: f64,
     pub(crate) shift: f64,
+    /// Share of the shift below which a piece of it counts as a fold.
+    pub(crate) fold: f64,
 }
 
 impl Moved<'_> {
@@ -142,7 +145,7 @@ pub(crate) fn clearance_from(
         let by_hint = hinted.filter(|_| aim != Aim::Nearest).map(bound);
         let shown = match by_hint {
             Some(shown) if shown.low >= known => shown,
-            Some(shown) if shown.halves_show(known, &tile, moved.shift) => shown,
+            Some(shown) if shown.halves_show(known, &tile, moved) => shown,
             _ => {
                 // Along the normal the piece has no extent: next to a place that is touched that direction shows
                 // most.
@@ -150,7 +153,7 @@ pub(crate) fn clearance_from(
                 let level = Shown::better(first, square);
                 let level = by_hint.map_or(level, |shown| Shown::better(shown, level));
                 if aim != Aim::Nearest
-                    && (level.low >= known || level.halves_show(known, &tile, moved.shift))
+                    && (level.low >= known || level.halves_show(known, &tile, moved))
                 {
                     level
                 } else {
@@ -189,7 +192,7 @@ pub(crate) fn clearance_from(
             out.least = out.least.min(low);
             break;
         }
-        if tile.radius() <= FOLD * moved.shift.abs() {
+        if tile.radius() <= moved.fold * moved.shift.abs() {
             // What is left is the normal, which turns by as much however small the piece: the moved surface
             // has a fold or a tip here.
             out.least = out.least.min(low);
@@ -224,11 +227,11 @@ struct Shown {
 
 impl Shown {
     /// Is the direction likely to show of both halves what it does not of the whole?
-    fn halves_show(&self, known: f64, tile: &Tile, shift: f64) -> bool {
+    fn halves_show(&self, known: f64, tile: &Tile, moved: &Moved<'_>) -> bool {
         let [u, v] = self.slack.by;
         self.low + 0.5 * self.slack.all >= known
             && u + v > 2.0 * self.rise
-            && tile.radius() > 2.0 * FOLD * shift.abs()
+            && tile.radius() > 2.0 * moved.fold * moved.shift.abs()
     }
 
     fn better(a: Self, b: Self) -> Self {
