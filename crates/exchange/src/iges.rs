@@ -3,6 +3,7 @@
 //!
 //! No library of the registry reads IGES. Source of the layout: IGES 5.3 (US PRO, 1996), chapters 2 and 4.
 
+mod borders;
 mod curves;
 mod faces;
 
@@ -11,9 +12,10 @@ use std::collections::{BTreeMap, BTreeSet};
 use aptc_geometry::Transform;
 use aptc_geometry::sculptured::{BsplineSurface, SurfaceShape};
 
-use crate::border::named;
-use crate::{Collected, Fault, Limits, Outside, broken};
-use faces::{Held, border, held, trimmed};
+use crate::follow::{WORK, Work};
+use crate::{Collected, Fault, Limits, Outside, broken, named};
+use borders::{border, trimmed};
+use faces::{Held, held};
 
 /// Matrices that refer to each other.
 const MATRICES: usize = 8;
@@ -80,9 +82,11 @@ pub(crate) fn read(text: &str, limits: &Limits) -> Result<Outside, Fault> {
     for e in file.entries.values().filter(|e| TRIMMED.contains(&e.kind)) {
         cut_from.insert(trimmed(&file, e, limits)?.surface);
     }
-    let mut left = BTreeMap::<u32, usize>::new();
-    // Trimmed surfaces that are not the box of their parameters, and those of which the box is not known.
-    let (mut cut, mut unbounded) = (Vec::new(), Vec::new());
+    let mut left = BTreeMap::<u32, Left>::new();
+    // Trimmed surfaces that are not the box of their parameters, those of which the box is not known, and those that make no
+    // surface, by their lines.
+    let (mut cut, mut unbounded, mut none) = (Vec::new(), Vec::new(), Vec::new());
+    let mut work = Work::new();
     for (at, e) in &file.entries {
         let mut name = format!("entity {} of line {}", e.kind, e.line);
         let (base, trim) = match e.kind {
@@ -102,7 +106,7 @@ pub(crate) fn read(text: &str, limits: &Limits) -> Result<Outside, Fault> {
         let found = if read { held(&file, base, trim.is_some(), limits)? } else { None };
         let Some(found) = found else {
             if known || trim.is_some() {
-                *left.entry(base.kind).or_default() += 1;
+                left.entry(base.kind).or_default().add(e);
             }
             continue;
         };
@@ -111,49 +115,62 @@ pub(crate) fn read(text: &str, limits: &Limits) -> Result<Outside, Fault> {
             Held::Followed(shape, n, map) => {
                 out.push(shape, n, map)?;
                 if trim.is_some() {
-                    unbounded.push(e.line.to_string());
+                    unbounded.push(e.line);
                 }
                 continue;
             }
         };
+        let mut told = None;
         let patch = match &trim {
             None => base.whole(),
-            Some(trim) => match border(&file, trim, &base, limits)? {
+            Some(trim) => match border(&file, trim, &base, &mut work, limits)? {
                 Some(border) => {
-                    if !border.whole {
-                        cut.push(e.line.to_string());
-                    }
+                    told = (!border.whole).then_some(&mut cut);
                     Some(base.patch(border.range))
                 }
                 None => {
-                    let whole = base.whole();
-                    if whole.is_some() {
-                        unbounded.push(e.line.to_string());
-                    }
-                    whole
+                    told = Some(&mut unbounded);
+                    base.whole()
                 }
             },
         };
-        match patch {
-            Some(patch) => out.bspline(&name, patch, base.map)?,
-            None => *left.entry(e.kind).or_default() += 1,
+        let Some(patch) = patch else {
+            left.entry(e.kind).or_default().add(e);
+            continue;
+        };
+        match out.bspline(&name, patch, base.map) {
+            Ok(()) => told.into_iter().for_each(|lines| lines.push(e.line)),
+            // A trimmed one that has no extent leaves the others.
+            Err(Fault::Broken { .. }) if trim.is_some() => none.push(e.line),
+            Err(why) => return Err(why),
         }
     }
     let said = |kind: &u32| {
-        let named = OTHER.iter().find(|(k, _)| k == kind).map_or("surface", |(_, name)| *name);
-        format!("{} of type {kind} ({named})", left[kind])
+        let name = OTHER.iter().find(|(k, _)| k == kind).map_or("surface", |(_, name)| *name);
+        left[kind].told(*kind, name)
     };
     let left: Vec<String> = left.keys().map(said).collect();
     if !cut.is_empty() {
         out.file.notes.push(format!(
             "trimmed surfaces whose border is not a box of their parameters are taken as all of that box: line {}",
-            named(&cut)
+            named("", &cut)
         ));
     }
     if !unbounded.is_empty() {
         out.file.notes.push(format!(
             "trimmed surfaces of which the border is not read are taken as the whole of their surface: line {}",
-            named(&unbounded)
+            named("", &unbounded)
+        ));
+    }
+    if !none.is_empty() {
+        out.file.notes.push(format!(
+            "trimmed surfaces that have no extent are not read: line {}",
+            named("", &none)
+        ));
+    }
+    if work.spent() {
+        out.file.notes.push(format!(
+            "the borders of its trimmed surfaces take more than {WORK} looks at curves; those of further ones are not read"
         ));
     }
     match (out.file.surfaces.is_empty(), left.is_empty()) {
@@ -162,6 +179,30 @@ pub(crate) fn read(text: &str, limits: &Limits) -> Result<Outside, Fault> {
         _ => {}
     }
     Ok(out.file)
+}
+
+/// Surfaces of a type that are not read, and the lines of those that are trimmed.
+#[derive(Default)]
+struct Left {
+    surfaces: usize,
+    trimmed: Vec<usize>,
+}
+
+impl Left {
+    fn add(&mut self, e: &Entry) {
+        self.surfaces += 1;
+        if TRIMMED.contains(&e.kind) {
+            self.trimmed.push(e.line);
+        }
+    }
+
+    fn told(&self, kind: u32, name: &str) -> String {
+        let lines = match self.trimmed.as_slice() {
+            [] => String::new(),
+            all => format!(", trimmed by line {}", named("", all)),
+        };
+        format!("{} of type {kind} ({name}{lines})", self.surfaces)
+    }
 }
 
 fn sections(text: &str) -> Result<File<'_>, Fault> {

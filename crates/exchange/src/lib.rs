@@ -12,6 +12,7 @@
 
 mod border;
 mod curve;
+mod follow;
 mod iges;
 mod json;
 mod step;
@@ -154,4 +155,13 @@ impl<'l> Collected<'l> {
         self.file.surfaces.push(SurfaceDefinition { shape, map });
         Ok(())
     }
+}
+
+/// Numbers in a message, the first of them, with what stands before each.
+fn named<T: fmt::Display>(mark: &str, all: &[T]) -> String {
+    const MOST: usize = 12;
+    let first: Vec<String> = all.iter().take(MOST).map(|id| format!("{mark}{id}")).collect();
+    let more = all.len().saturating_sub(MOST);
+    let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+    first.join(", ") + &more
 }

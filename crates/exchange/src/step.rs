@@ -5,7 +5,8 @@
 //! A face is the patch of its surface over the box of parameters that its edges leave.
 
 pub(crate) mod curves;
-pub(crate) mod faces;
+pub(crate) mod edges;
+mod faces;
 pub(crate) mod forms;
 
 use std::collections::BTreeMap;
@@ -13,8 +14,9 @@ use std::collections::BTreeMap;
 use aptc_geometry::sculptured::BsplineSurface;
 use ruststep::ast::{EntityInstance, Name, Parameter, Record};
 
-use crate::border::named;
-use crate::{Collected, Fault, Limits, Outside, broken};
+use crate::follow::WORK;
+use crate::{Collected, Fault, Limits, Outside, broken, named};
+use edges::Curves;
 use faces::{Face, border, faces};
 use forms::{Form, NAMES};
 
@@ -49,59 +51,99 @@ pub(crate) fn read(text: &str, limits: &Limits) -> Result<Outside, Fault> {
     for face in faces(&entities) {
         faces_of.entry(face.surface).or_default().push(face);
     }
-    let mut other = BTreeMap::<&str, usize>::new();
-    // Faces that are not the box of their parameters, and those of which the box is not known.
-    let (mut cut, mut unbounded) = (Vec::new(), Vec::new());
+    let mut other = BTreeMap::<&str, Left>::new();
+    // Faces that are not the box of their parameters, those of which the box is not known, and those that make no surface.
+    let (mut cut, mut unbounded, mut none) = (Vec::new(), Vec::new(), Vec::new());
+    let mut curves = Curves::new(&entities, limits);
     for (id, records) in &entities {
         let whole = surface(&entities, *id, records, limits)?;
         let bounded = faces_of.get(id).map_or(&[][..], Vec::as_slice);
-        let form = (!bounded.is_empty()).then(|| Form::of(&entities, *id, angle, limits)).flatten();
+        let form = (!bounded.is_empty())
+            .then(|| Form::of(&entities, *id, angle, whole.as_ref(), limits))
+            .flatten();
         let mut left = bounded.is_empty() || form.is_none();
+        let mut faces = Vec::new();
+        if form.is_none() {
+            faces.extend(bounded.iter().map(|f| f.id));
+        }
         for (face, form) in bounded.iter().filter_map(|face| Some((face, form.as_ref()?))) {
-            let name = format!("#{id} of face #{}", face.id);
-            match border(&entities, face, form).map(|border| form.within(border)) {
-                Some(border) => {
-                    if !border.whole {
-                        cut.push(format!("#{}", face.id));
-                    }
-                    out.bspline(&name, form.patch(border.range), None)?;
-                }
-                None if whole.is_some() => {
-                    unbounded.push(format!("#{}", face.id));
-                    left = true;
-                }
-                None => left = true,
+            let Some(border) = border(&mut curves, face, form).map(|b| form.within(b)) else {
+                left = true;
+                faces.push(face.id);
+                continue;
+            };
+            match out.bspline(
+                &format!("#{id} of face #{}", face.id),
+                form.patch(border.range),
+                None,
+            ) {
+                Ok(()) if border.whole => {}
+                Ok(()) => cut.push(face.id),
+                Err(why @ Fault::TooLarge(_)) => return Err(why),
+                Err(_) => none.push(face.id),
             }
         }
         match whole {
-            Some(surface) if left => out.bspline(&format!("#{id}"), surface, None)?,
+            Some(surface) if left => {
+                unbounded.append(&mut faces);
+                out.bspline(&format!("#{id}"), surface, None)?;
+            }
             _ => {}
         }
         let known = |name: &str| NAMES.iter().chain(&OTHER).find(|n| **n == name);
         for name in records.iter().filter_map(|r| known(&r.name)).filter(|_| left) {
-            *other.entry(name).or_default() += 1;
+            let left = other.entry(name).or_default();
+            left.surfaces += 1;
+            left.faces.append(&mut faces);
         }
     }
-    let left: Vec<String> = other.iter().map(|(name, n)| format!("{n} {name}")).collect();
+    let left: Vec<String> = other.iter().map(|(name, left)| left.told(name)).collect();
     if out.file.surfaces.is_empty() {
         return Err(Fault::NoSurface(left.join(", ")));
     }
     if !left.is_empty() {
         out.file.notes.push(format!("not read: {}", left.join(", ")));
     }
+    if curves.work.spent() {
+        out.file.notes.push(format!(
+            "the borders of its faces take more than {WORK} looks at curves; those of further faces are not read"
+        ));
+    }
+    if !none.is_empty() {
+        out.file
+            .notes
+            .push(format!("faces that have no extent are not read: {}", named("#", &none)));
+    }
     if !cut.is_empty() {
         out.file.notes.push(format!(
             "faces whose border is not a box of their surface's parameters are taken as all of that box: {}",
-            named(&cut)
+            named("#", &cut)
         ));
     }
     if !unbounded.is_empty() {
         out.file.notes.push(format!(
             "faces of which the border is not read are taken as the whole of their surface: {}",
-            named(&unbounded)
+            named("#", &unbounded)
         ));
     }
     Ok(out.file)
+}
+
+/// Surfaces of a kind that are not read, or not for these faces.
+#[derive(Default)]
+struct Left {
+    surfaces: usize,
+    faces: Vec<u64>,
+}
+
+impl Left {
+    fn told(&self, name: &str) -> String {
+        match self.faces.len() {
+            0 => format!("{} {name}", self.surfaces),
+            1 => format!("{} {name} (face {})", self.surfaces, named("#", &self.faces)),
+            _ => format!("{} {name} (faces {})", self.surfaces, named("#", &self.faces)),
+        }
+    }
 }
 
 /// The text with `$` for empty lists, which the reader does not know. Brackets deeper than its stack should bear
@@ -273,7 +315,7 @@ fn repeated(times: &Parameter, knots: &Parameter, most: usize) -> Option<Vec<f64
     let mut all = Vec::new();
     for (m, t) in times.iter().zip(knots) {
         let (m, t) = (count(m)?, real(t)?);
-        if m > 2 * most + 64 {
+        if m > 2 * most + 64 || all.len() > 2 * most + 64 {
             return None;
         }
         all.extend(std::iter::repeat_n(t, m));

@@ -1,120 +1,9 @@
 //! Faces of STEP as patches of their surfaces, by closed forms.
 
-use aptc_exchange::{Limits, Outside, read};
+mod maker;
+
 use aptc_geometry::Vec3;
-use aptc_geometry::sculpt::{Sculptured, fit_surface};
-
-/// A file of STEP that is put together from numbered entities.
-#[derive(Default)]
-struct Step(Vec<String>);
-
-impl Step {
-    fn add(&mut self, entity: String) -> usize {
-        self.0.push(entity);
-        self.0.len()
-    }
-
-    fn point(&mut self, [x, y, z]: [f64; 3]) -> usize {
-        self.add(format!("CARTESIAN_POINT('',({x:?},{y:?},{z:?}))"))
-    }
-
-    fn direction(&mut self, [x, y, z]: [f64; 3]) -> usize {
-        self.add(format!("DIRECTION('',({x:?},{y:?},{z:?}))"))
-    }
-
-    fn frame(&mut self, at: [f64; 3], z: [f64; 3], x: [f64; 3]) -> usize {
-        let (p, z, x) = (self.point(at), self.direction(z), self.direction(x));
-        self.add(format!("AXIS2_PLACEMENT_3D('',#{p},#{z},#{x})"))
-    }
-
-    fn vertex(&mut self, at: [f64; 3]) -> usize {
-        let p = self.point(at);
-        self.add(format!("VERTEX_POINT('',#{p})"))
-    }
-
-    fn line(&mut self, from: [f64; 3], to: [f64; 3]) -> usize {
-        let d = [0, 1, 2].map(|i| to[i] - from[i]);
-        let (p, d) = (self.point(from), self.direction(d));
-        let v = self.add(format!("VECTOR('',#{d},1.)"));
-        self.add(format!("LINE('',#{p},#{v})"))
-    }
-
-    fn circle(&mut self, at: [f64; 3], z: [f64; 3], x: [f64; 3], r: f64) -> usize {
-        let frame = self.frame(at, z, x);
-        self.add(format!("CIRCLE('',#{frame},{r:?})"))
-    }
-
-    /// An edge along a curve, `along` its sense.
-    fn edge(&mut self, ends: [usize; 2], curve: usize, along: bool) -> usize {
-        let [a, b] = ends;
-        self.add(format!("EDGE_CURVE('',#{a},#{b},#{curve},{})", flag(along)))
-    }
-
-    /// A loop of edges, each with its sense.
-    fn bound(&mut self, edges: &[(usize, bool)]) -> usize {
-        let all: Vec<String> = edges
-            .iter()
-            .map(|(e, along)| {
-                let id = self.add(format!("ORIENTED_EDGE('',*,*,#{e},{})", flag(*along)));
-                format!("#{id}")
-            })
-            .collect();
-        let id = self.add(format!("EDGE_LOOP('',({}))", all.join(",")));
-        self.add(format!("FACE_BOUND('',#{id},.T.)"))
-    }
-
-    fn face(&mut self, bounds: &[usize], surface: usize) -> usize {
-        let all: Vec<String> = bounds.iter().map(|b| format!("#{b}")).collect();
-        self.add(format!("ADVANCED_FACE('',({}),#{surface},.T.)", all.join(",")))
-    }
-
-    /// Straight edges around corners.
-    fn polygon(&mut self, corners: &[[f64; 3]]) -> usize {
-        let vertices: Vec<usize> = corners.iter().map(|p| self.vertex(*p)).collect();
-        let edges: Vec<_> = (0..corners.len())
-            .map(|k| {
-                let j = (k + 1) % corners.len();
-                let line = self.line(corners[k], corners[j]);
-                (self.edge([vertices[k], vertices[j]], line, true), true)
-            })
-            .collect();
-        self.bound(&edges)
-    }
-
-    fn read(&self) -> Outside {
-        let data: String =
-            self.0.iter().enumerate().map(|(k, e)| format!("#{}={e};\n", k + 1)).collect();
-        let text = format!(
-            "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_NAME('a','b',(''),(''),'c','d','');\n\
-             FILE_SCHEMA(('CONFIG_CONTROL_DESIGN'));\nENDSEC;\nDATA;\n{data}ENDSEC;\nEND-ISO-10303-21;\n"
-        );
-        read(&text, &Limits::default()).expect("STEP").expect("surfaces")
-    }
-}
-
-fn flag(b: bool) -> &'static str {
-    if b { ".T." } else { ".F." }
-}
-
-/// Places all over the first surface, its corners among them.
-fn places(file: &Outside) -> Vec<Vec3> {
-    let s: Sculptured = fit_surface(&file.surfaces[0], 1.0).expect("a surface");
-    let [nu, nv] = s.spans();
-    let share = |k: i32| f64::from(k) / 12.0;
-    (0..=12)
-        .flat_map(|i| (0..=12).map(move |j| (i, j)))
-        .map(|(i, j)| s.at(nu * share(i), nv * share(j)).point)
-        .collect()
-}
-
-/// Least and greatest coordinates.
-fn bounds(all: &[Vec3]) -> [Vec3; 2] {
-    all.iter().fold([all[0], all[0]], |b, p| [b[0].inf(p), b[1].sup(p)])
-}
-
-fn near(a: Vec3, b: [f64; 3]) -> bool {
-    (a - Vec3::from(b)).norm() < 1e-9
-}
+use maker::{Step, bounds, near, places};
 
 #[test]
 fn a_plane_between_its_edges() {
@@ -262,8 +151,13 @@ fn curves_that_are_turned_or_moved() {
             };
             step.edge([here[k], at[k]], curve, true)
         });
-        let bound =
-            step.bound(&[(first, true), (sides[1], true), (last, false), (sides[0], false)]);
+        let mut around = [(first, true), (sides[1], true), (last, false), (sides[0], false)];
+        // The normal of what is turned looks outwards, of what is moved inwards; the face is on the left of its border.
+        if surface == turned {
+            around.reverse();
+            around.iter_mut().for_each(|(_, along)| *along = !*along);
+        }
+        let bound = step.bound(&around);
         step.face(&[bound], surface);
         let file = step.read();
         // The other one is bounded by no face.

@@ -377,3 +377,177 @@ fn a_rounded_cube_of_another_program() {
     }
     assert_eq!(round, 1);
 }
+
+/// A sphere of 4 turned up to an angle, and the part of it between the meridians at two angles: the first curve up, the second
+/// down, or both the other way; with or without the same border in the parameters. Angles in degrees.
+fn lune(up_to: f64, [a, b]: [f64; 2], backwards: bool, flat: bool) -> Outside {
+    let meridian = |deg: f64| {
+        let (s, c) = (trig::sin_deg(deg), trig::cos_deg(deg));
+        of(124, &format!("{c:?},0.,{s:?},0.,{s:?},0.,{:?},0.,0.,1.,0.,0.", -c))
+    };
+    let half = |matrix: usize| {
+        let mut half = arc(0.0, 4.0, -90.0, 90.0);
+        half.1 = matrix;
+        half
+    };
+    let rad = |deg: f64| deg * core::f64::consts::PI / 180.0;
+    // The arc's parameter is its angle, from 270 degrees on.
+    let side = |deg: f64, up: bool| {
+        let mut ends = [[rad(270.0), rad(deg), 0.0], [rad(450.0), rad(deg), 0.0]];
+        if !up {
+            ends.reverse();
+        }
+        line(ends[0], ends[1])
+    };
+    let (up, down) = if backwards { (2, 1) } else { (1, 2) };
+    let with = |at: usize| if flat { format!("1,{at}") } else { "0".into() };
+    let mut all = vec![
+        meridian(0.0),
+        line([0.0; 3], [0.0, 0.0, 1.0]),
+        half(1),
+        (120, 0, format!("3,5,0.,{:?}", rad(up_to))),
+        meridian(a),
+        half(9),
+        meridian(b),
+        half(13),
+        side(a, !backwards),
+        side(b, backwards),
+    ];
+    all.push(of(141, &format!("1,1,7,2,11,{up},{},15,{down},{}", with(17), with(19))));
+    all.push(of(143, "1,7,1,21"));
+    self::all(&iges(2, &all)).expect("a file")
+}
+
+/// Angles about z at the first, middle and last places of the equator, each following the one before.
+fn angles(file: &Outside) -> [f64; 3] {
+    let s = fitted(file);
+    let [nu, nv] = s.spans();
+    let at = |share: f64| {
+        let p = s.at(0.5 * nu, share * nv).point;
+        assert!(p.z.abs() < 1e-9 && (p.norm() - 4.0).abs() < 1e-9, "{p}");
+        trig::atan2(p.y, p.x).to_degrees().rem_euclid(360.0)
+    };
+    let first = at(0.0);
+    let behind = |before: f64, x: f64| if x < before { x + 360.0 } else { x };
+    let middle = behind(first, at(0.5));
+    [first, middle, behind(middle, at(1.0))]
+}
+
+/// Meridians through both poles bound two parts of a sphere. Which it is say the surface's own range, the curves of the
+/// parameters, or else the sense of the border, which is told.
+#[test]
+fn iges_between_meridians() {
+    let is = |file: &Outside, [a, b]: [f64; 2], notes: usize| {
+        let found = angles(file);
+        for (x, y) in found.iter().zip([a, 0.5 * (a + b), b]) {
+            assert!((x - y).abs() < 1e-6, "{found:?} {a} {b}");
+        }
+        assert_eq!(file.notes.len(), notes, "{:?}", file.notes);
+    };
+    for (a, b) in [(10.0, 260.0), (20.0, 200.0), (40.0, 90.0)] {
+        for backwards in [false, true] {
+            is(&lune(270.0, [a, b], backwards, false), [a, b], 0);
+            is(&lune(360.0, [a, b], backwards, true), [a, b], 0);
+        }
+        is(&lune(360.0, [a, b], false, false), [a, b], 1);
+        is(&lune(360.0, [a, b], true, false), [b, a + 360.0], 1);
+    }
+}
+
+/// A cylinder that is cut along two rings without a seam, whichever way they run, and along one of them alone.
+#[test]
+fn iges_between_rings() {
+    let base = [
+        line([0.0; 3], [0.0, 0.0, 1.0]),
+        line([5.0, 0.0, 0.0], [5.0, 0.0, 20.0]),
+        of(120, "1,3,0.,6.283185307179586"),
+        arc(4.0, 5.0, 70.0, 430.0),
+        arc(9.0, 5.0, 70.0, 430.0),
+    ];
+    for senses in [[1, 1], [1, 2], [2, 1], [2, 2]] {
+        let mut all = base.to_vec();
+        for (at, sense) in [7, 9].iter().zip(senses) {
+            all.push(of(141, &format!("0,1,5,1,{at},{sense},0")));
+        }
+        all.push(of(143, "0,5,2,11,13"));
+        let s = silent(&all).remove(0);
+        let heights = corners(&s).map(|p| p.z);
+        let range = [least(&heights), -least(&heights.map(|z| -z))];
+        assert!((range[0] - 4.0).abs() < 1e-9 && (range[1] - 9.0).abs() < 1e-9, "{range:?}");
+    }
+    // Above or below it: the sense is followed, and told.
+    let mut heights = [1, 2].map(|sense| {
+        let mut all = base.to_vec();
+        all.push(of(141, &format!("0,1,5,1,7,{sense},0")));
+        all.push(of(143, "0,5,1,11"));
+        let file = self::all(&iges(2, &all)).unwrap();
+        assert!(file.notes.len() == 1 && file.notes[0].contains("not a box"), "{:?}", file.notes);
+        let heights = corners(&fitted(&file)).map(|p| p.z);
+        [least(&heights), -least(&heights.map(|z| -z))]
+    });
+    heights.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    for (x, y) in heights.concat().iter().zip([0.0, 4.0, 4.0, 20.0]) {
+        assert!((x - y).abs() < 1e-9, "{heights:?}");
+    }
+}
+
+/// The cap of a whole sphere above 30 degrees, with a seam up to the pole and back, whichever way it runs: nothing to tell.
+#[test]
+fn the_cap_of_a_sphere_of_iges() {
+    let level = |deg: f64| {
+        let at = 4.0 * trig::sin_deg(deg);
+        arc(at, 4.0 * trig::cos_deg(deg), 0.0, 360.0)
+    };
+    let matrix = of(124, "1.,0.,0.,0.,0.,0.,-1.,0.,0.,1.,0.,0.");
+    let half = |from: f64| {
+        let mut half = arc(0.0, 4.0, from, 90.0);
+        half.1 = 1;
+        half
+    };
+    let axis = line([0.0; 3], [0.0, 0.0, 1.0]);
+    let base =
+        [matrix, axis, half(-90.0), of(120, "3,5,0.,6.283185307179586"), level(30.0), half(30.0)];
+    for edges in ["9,1,0,11,1,0,11,2,0", "11,1,0,11,2,0,9,2,0"] {
+        let mut all = base.to_vec();
+        all.push(of(141, &format!("0,1,7,3,{edges}")));
+        all.push(of(143, "0,7,1,13"));
+        let s = silent(&all).remove(0);
+        let [nu, nv] = s.spans();
+        for k in 0..=10 {
+            let p = s.at(nu * f64::from(k) / 10.0, 0.3 * nv).point;
+            assert!((p.norm() - 4.0).abs() < 1e-9 && p.z > 2.0 - 1e-9, "{p}");
+        }
+        let heights = corners(&s).map(|p| p.z);
+        assert!((least(&heights) - 2.0).abs() < 1e-9, "{heights:?}");
+        assert!((-least(&heights.map(|z| -z)) - 4.0).abs() < 1e-9, "{heights:?}");
+    }
+}
+
+/// The box of a disk in the parameters is that of the disk, not that of places along it; so is that of an arc in space.
+#[test]
+fn the_box_of_a_round_border_of_iges() {
+    let plain = of(128, &quarter("0.,1."));
+    let round = |kind: u32, at: [f64; 3], r: f64| {
+        let [x, y, z] = at;
+        let (s, c) = (r * trig::sin_deg(11.25), r * trig::cos_deg(11.25));
+        let end = format!("{:?},{:?}", x + c, y + s);
+        (kind, 0, format!("{z:?},{x:?},{y:?},{end},{end}"))
+    };
+    let size = |entities: &[(u32, usize, String)]| {
+        let file = all(&iges(2, entities)).unwrap();
+        assert!(file.notes.len() == 1 && file.notes[0].contains("not a box"), "{:?}", file.notes);
+        corners(&fitted(&file))
+    };
+    // Over v, .125 to .625 of a height of 8.
+    let flat =
+        [plain, round(100, [0.5, 0.375, 0.0], 0.25), of(142, "1,1,3,0,1"), of(144, "1,1,0,5")];
+    let heights = size(&flat).map(|p| p.z);
+    assert!((least(&heights) - 1.0).abs() < 1e-9, "{heights:?}");
+    assert!((-least(&heights.map(|z| -z)) - 5.0).abs() < 1e-9, "{heights:?}");
+    let plane = of(108, "0.,0.,1.,7.,0,0.,0.,0.,0.");
+    let space =
+        [plane, round(100, [300.0, 200.0, 7.0], 100.0), of(142, "1,1,0,3,2"), of(144, "1,1,0,5")];
+    let all = size(&space);
+    let side = (all[1] - all[0]).norm();
+    assert!((side - 200.0).abs() < 1e-6, "{all:?}");
+}

@@ -3,6 +3,7 @@
 
 use core::f64::consts::TAU;
 
+use aptc_geometry::sculpt::{flat, weighted};
 use aptc_geometry::{Transform, Vec3, trig};
 
 use super::{File, Numbers};
@@ -179,7 +180,7 @@ fn spline(p: &mut Numbers, limits: &Limits) -> Result<Option<Path>, Fault> {
         let (a, b, q, d) = (power(0), power(1), power(2), power(3));
         let own = [a, a + b / 3.0, a + (b * 2.0 + q) / 3.0, a + b + q + d];
         let skip = usize::from(!points.is_empty());
-        points.extend(own[skip..].iter().map(|p| [p.x, p.y, p.z, 1.0]));
+        points.extend(own[skip..].iter().map(|p| weighted(*p, 1.0)));
     }
     Ok(Some(Path::plain(Chain::of(3, breaks, points).curve())))
 }
@@ -201,10 +202,7 @@ fn bspline(p: &mut Numbers, limits: &Limits) -> Result<Option<Path>, Fault> {
 impl Curve {
     /// Carried by a map.
     pub(super) fn carry(&mut self, m: &Transform) {
-        for h in &mut self.points {
-            let p = m.point(Vec3::new(h[0], h[1], h[2]) / h[3]) * h[3];
-            (h[0], h[1], h[2]) = (p.x, p.y, p.z);
-        }
+        self.points.iter_mut().for_each(|h| *h = weighted(m.point(flat(*h)), h.w));
     }
 }
 

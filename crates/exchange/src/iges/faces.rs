@@ -1,5 +1,5 @@
-//! Surfaces of IGES that are made of curves (118 ruled, 120 of revolution, 122 tabulated cylinders), and trimmed ones (143 with
-//! 141, 144 with 142) as the boxes of parameters that their borders leave.
+//! Surfaces of IGES that are made of curves (118 ruled, 120 of revolution, 122 tabulated cylinders), and what others are when they
+//! are trimmed.
 
 use aptc_geometry::sculptured::{
     BsplineSurface, CurveDefinition, CurveShape, FlowLaw, FlowSpan, SegmentSpan, SurfaceShape,
@@ -8,25 +8,20 @@ use aptc_geometry::{Plane, Transform, Vec3};
 
 use super::curves::{Path, paths};
 use super::{Entry, File, Numbers, bspline, cells, joined};
-use crate::border::Border;
 use crate::curve::{Axis, exchanged};
 use crate::step::curves::Frame;
-use crate::step::faces::{Line, bounded, followed};
 use crate::step::forms::Form;
 use crate::{Fault, Limits};
 
-/// Curves of a border at most.
-const CURVES: usize = 10_000;
-
 /// A surface with exact patches over boxes of its parameters.
 pub(super) struct Base {
-    form: Form,
+    pub(super) form: Form,
     /// The file's first parameter is the form's second one.
-    exchange: bool,
+    pub(super) exchange: bool,
     /// Of a surface of revolution what is turned, for its parameter.
     turned: Option<Path>,
     /// All of it; none of a plane without a border.
-    whole: Option<[[f64; 2]; 2]>,
+    pub(super) whole: Option<[[f64; 2]; 2]>,
     pub(super) map: Option<Transform>,
 }
 
@@ -50,9 +45,9 @@ impl Base {
     }
 
     /// The form's parameters for the file's; `None` where a type's are not known.
-    fn own(&self, [x, y]: [f64; 2]) -> Option<[f64; 2]> {
+    pub(super) fn own(&self, [x, y]: [f64; 2]) -> Option<[f64; 2]> {
         match (&self.form, &self.turned) {
-            (Form::Spline { .. }, _) => Some([x, y]),
+            (Form::Spline(_), _) => Some([x, y]),
             (Form::Turned { .. }, Some(path)) => Some([y, path.own(x)]),
             _ => None,
         }
@@ -84,7 +79,7 @@ pub(super) fn held(
         let form = Form::spline(s);
         let whole = form.as_ref().map(|f| {
             [0, 1].map(|k| {
-                let ends = f.ends(k).map(|x| x.unwrap_or(0.0));
+                let ends = f.plane().ends[k].map(|x| x.unwrap_or(0.0));
                 let r = range[k].unwrap_or(ends);
                 [r[0].max(ends[0]), r[1].min(ends[1])]
             })
@@ -111,7 +106,7 @@ pub(super) fn held(
             let turned = p.take(1)?[0] > 0.5;
             let (Some(a), Some(mut b)) = (single(first)?, single(second)?) else { return Ok(None) };
             if turned {
-                b.curve.reverse();
+                b.curve = b.curve.reversed();
             }
             if alike(&a, &b, e.form == 1) {
                 let (form, whole) = of_spline(a.curve.ruled(&b.curve));
@@ -192,122 +187,4 @@ fn plane(p: &mut Numbers) -> Result<Option<Form>, Fault> {
     let aside = if z.x.abs() < 0.9 { Vec3::x() } else { Vec3::y() };
     let y = z.cross(&aside).normalize();
     Ok(Some(Form::Plane(Frame { origin: z * plane.d, x: y.cross(&z), y, z })))
-}
-
-/// A trimmed surface: the directory line of the whole, and its borders.
-pub(super) struct Trimmed {
-    pub(super) surface: usize,
-    /// Directory lines of 142 or 141; none where the border is that of the surface.
-    borders: Vec<usize>,
-    /// The border of the surface is there besides.
-    outer: bool,
-}
-
-pub(super) fn trimmed(file: &File<'_>, e: &Entry, limits: &Limits) -> Result<Trimmed, Fault> {
-    let mut p = Numbers::of(file, e)?;
-    if e.kind == 143 {
-        let _kind = p.take(1)?;
-        let surface = p.pointer()?;
-        let n = p.count(limits)?.min(CURVES);
-        let borders = (0..n).map(|_| p.pointer()).collect::<Result<_, _>>()?;
-        return Ok(Trimmed { surface, borders, outer: n == 0 });
-    }
-    let surface = p.pointer()?;
-    let own = p.take(1)?[0] > 0.5;
-    let holes = p.count(limits)?.min(CURVES);
-    let first = p.take(1)?[0];
-    let mut borders = Vec::new();
-    if own && first > 0.5 {
-        p.at -= 1;
-        borders.push(p.pointer()?);
-    }
-    for _ in 0..holes {
-        borders.push(p.pointer()?);
-    }
-    Ok(Trimmed { surface, borders, outer: !own })
-}
-
-/// The box of a trimmed surface in the parameters of its form; `None` where its borders do not tell.
-pub(super) fn border(
-    file: &File<'_>,
-    trimmed: &Trimmed,
-    base: &Base,
-    limits: &Limits,
-) -> Result<Option<Border>, Fault> {
-    if trimmed.outer {
-        let whole = trimmed.borders.is_empty();
-        return Ok(base.whole.map(|range| Border { range, whole }));
-    }
-    let back = match &base.map {
-        Some(m) => m.inverse(),
-        None => Some(Transform::identity()),
-    };
-    let Some(back) = back else { return Ok(None) };
-    let mut lines = Vec::with_capacity(trimmed.borders.len());
-    for at in &trimmed.borders {
-        let Some(line) = line(file, *at, (base, &back), limits)? else { return Ok(None) };
-        lines.push(line);
-    }
-    if lines.is_empty() {
-        return Ok(None);
-    }
-    Ok(bounded(&lines, &base.form, true).map(|b| base.form.within(b)))
-}
-
-/// A border on a surface: by its curves in space where the file has them, else by those in the parameters.
-fn line(
-    file: &File<'_>,
-    at: usize,
-    (base, back): (&Base, &Transform),
-    limits: &Limits,
-) -> Result<Option<Line>, Fault> {
-    let Some(e) = file.entries.get(&at).filter(|e| [141, 142].contains(&e.kind)) else {
-        return Ok(None);
-    };
-    let mut p = Numbers::of(file, e)?;
-    // Curves in space with their senses, and curves of parameters.
-    let (mut space, mut flat) = (Vec::new(), Vec::new());
-    if e.kind == 142 {
-        let _made = p.take(1)?;
-        let _surface = p.take(1)?;
-        let pointers = [p.take(1)?[0], p.take(1)?[0]];
-        p.at -= 2;
-        for (pointer, all) in pointers.iter().zip([&mut flat, &mut space]) {
-            if *pointer > 0.5 {
-                all.push((p.pointer()?, true));
-            } else {
-                p.at += 1;
-            }
-        }
-    } else {
-        let _kinds = p.take(3)?;
-        for _ in 0..p.count(limits)?.min(CURVES) {
-            let curve = p.pointer()?;
-            let along = p.take(1)?[0] < 1.5;
-            space.push((curve, along));
-            for _ in 0..p.count(limits)?.min(CURVES) {
-                flat.push((p.pointer()?, true));
-            }
-        }
-    }
-    let places = |all: &[(usize, bool)]| -> Result<Option<Vec<Vec<Vec3>>>, Fault> {
-        let mut out = Vec::new();
-        for (at, along) in all {
-            let Some(paths) = paths(file, *at, limits)? else { return Ok(None) };
-            let mut own: Vec<Vec<Vec3>> = paths.iter().map(|p| p.curve.places()).collect();
-            if !along {
-                own.reverse();
-                own.iter_mut().for_each(|c| c.reverse());
-            }
-            out.append(&mut own);
-        }
-        Ok((!out.is_empty()).then_some(out))
-    };
-    if let Some(mut curves) = places(&space)? {
-        curves.iter_mut().flatten().for_each(|q| *q = back.point(*q));
-        return Ok(followed(&curves, &base.form));
-    }
-    let Some(curves) = places(&flat)? else { return Ok(None) };
-    let own = curves.iter().flatten().map(|q| base.own([q.x, q.y])).collect::<Option<Vec<_>>>();
-    Ok(own.map(Line::of))
 }

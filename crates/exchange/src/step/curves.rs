@@ -1,15 +1,14 @@
-//! Curves of STEP, and the edges of faces along them.
+//! Curves of STEP.
 
-use aptc_geometry::{Vec3, trig};
+use aptc_geometry::Vec3;
 use ruststep::ast::{Parameter, Record};
 
 use super::{Entities, count, list, of, place, real, reference, repeated, steps};
+use crate::Limits;
 use crate::curve::Curve;
 
 /// Curves that stand for others, within each other at most.
 const DEPTH: usize = 8;
-/// Places of an edge at least.
-const PLACES: usize = 16;
 
 /// An origin with three unit directions square to each other.
 #[derive(Clone, Copy, Debug)]
@@ -83,19 +82,24 @@ pub(super) enum Shape {
 }
 
 impl Shape {
-    pub(super) fn of(entities: &Entities<'_>, id: u64) -> Option<Self> {
-        Self::within(entities, id, 0)
+    pub(super) fn of(entities: &Entities<'_>, id: u64, limits: &Limits) -> Option<Self> {
+        Self::within(entities, id, limits, 0)
     }
 
-    fn within(entities: &Entities<'_>, id: u64, depth: usize) -> Option<Self> {
+    fn within(entities: &Entities<'_>, id: u64, limits: &Limits, depth: usize) -> Option<Self> {
         let records = *entities.get(&id)?;
         if depth > DEPTH {
             return None;
         }
-        for name in ["SURFACE_CURVE", "SEAM_CURVE", "INTERSECTION_CURVE", "TRIMMED_CURVE"] {
+        for name in ["SURFACE_CURVE", "SEAM_CURVE", "INTERSECTION_CURVE"] {
             if let Some(all) = of(records, name) {
-                return Self::within(entities, reference(all.get(1)?)?, depth + 1);
+                return Self::within(entities, reference(all.get(1)?)?, limits, depth + 1);
             }
+        }
+        // Its ends are those of the edge or face; its sense may be against the curve's.
+        if let Some(all) = of(records, "TRIMMED_CURVE") {
+            let basis = Self::within(entities, reference(all.get(1)?)?, limits, depth + 1)?;
+            return Some(if flag(all.get(4)?)? { basis } else { basis.reversed() });
         }
         if let Some(all) = of(records, "LINE") {
             let (point, along) = (point(entities, all.get(1)?)?, vector(entities, all.get(2)?)?);
@@ -110,71 +114,29 @@ impl Shape {
             return Some(Self::Ellipse { frame: frame(entities, all.get(1)?)?, half });
         }
         if let Some(all) = of(records, "POLYLINE") {
-            let places = list(all.get(1)?)?
-                .iter()
-                .map(|p| point(entities, p))
-                .collect::<Option<Vec<_>>>()?;
+            let places = list(all.get(1)?)?;
+            let places = (places.len() <= limits.points).then_some(places)?;
+            let places = places.iter().map(|p| point(entities, p)).collect::<Option<Vec<_>>>()?;
             return Curve::through(&places).map(Self::Spline);
         }
-        spline(entities, records).map(Self::Spline)
+        spline(entities, records, limits).map(Self::Spline)
     }
 
-    /// Places from one place of it to another, in its sense; all round where both are the same.
-    fn between(&self, [from, to]: [Vec3; 2], closed: bool) -> Vec<Vec3> {
+    /// Run through the other way.
+    fn reversed(self) -> Self {
         match self {
-            Self::Line { .. } => even(|t| from + (to - from) * t),
+            Self::Line { point, along } => Self::Line { point, along: -along },
             Self::Ellipse { frame, half } => {
-                let angle = |p: Vec3| {
-                    let own = frame.own(p);
-                    trig::atan2(own.y / half[1], own.x / half[0])
-                };
-                let (a, b) = (angle(from), angle(to));
-                let round = core::f64::consts::TAU;
-                let by = if closed {
-                    round
-                } else {
-                    let by = b - a;
-                    if by <= 0.0 { by + round } else { by }
-                };
-                even(|t| {
-                    let (s, c) = trig::sin_cos(a + by * t);
-                    frame.origin + frame.x * (half[0] * c) + frame.y * (half[1] * s)
-                })
+                let frame = Frame { y: -frame.y, z: -frame.z, ..frame };
+                Self::Ellipse { frame, half }
             }
-            Self::Spline(curve) => {
-                let all = curve.places();
-                let next = |p: Vec3| {
-                    let far = |k: &usize| (all[*k] - p).norm();
-                    (0..all.len()).min_by(|a, b| far(a).total_cmp(&far(b))).unwrap_or(0)
-                };
-                let last = all.len() - 1;
-                let (i, j) = if closed { (0, last) } else { (next(from), next(to)) };
-                // Of a closed curve an end may be either.
-                let round = (all[0] - all[last]).norm() <= 1e-9 * all[0].norm().max(1.0);
-                let mut out = vec![from];
-                if i <= j {
-                    out.extend_from_slice(&all[i..=j]);
-                } else if round && i == last {
-                    out.extend_from_slice(&all[..=j]);
-                } else if round && j == 0 {
-                    out.extend_from_slice(&all[i..]);
-                } else if round {
-                    out.extend_from_slice(&all[i..]);
-                    out.extend_from_slice(&all[..=j]);
-                }
-                out.push(to);
-                out
-            }
+            Self::Spline(curve) => Self::Spline(curve.reversed()),
         }
     }
-}
-
-fn even(place: impl Fn(f64) -> Vec3) -> Vec<Vec3> {
-    (0..=PLACES).map(|k| place(k as f64 / PLACES as f64)).collect()
 }
 
 /// A B-spline curve, rational or not, with its knots or with implied ones.
-fn spline(entities: &Entities<'_>, records: &[Record]) -> Option<Curve> {
+fn spline(entities: &Entities<'_>, records: &[Record], limits: &Limits) -> Option<Curve> {
     const IMPLIED: [&str; 3] = ["BEZIER_CURVE", "UNIFORM_CURVE", "QUASI_UNIFORM_CURVE"];
     let (base, own) = match records {
         [one] => {
@@ -188,6 +150,9 @@ fn spline(entities: &Entities<'_>, records: &[Record]) -> Option<Curve> {
         many => (of(many, "B_SPLINE_CURVE")?, of(many, "B_SPLINE_CURVE_WITH_KNOTS")),
     };
     let (degree, points) = (count(base.first()?)?, list(base.get(1)?)?);
+    if points.len() > limits.points {
+        return None;
+    }
     let weights = of(records, "RATIONAL_B_SPLINE_CURVE").and_then(|w| list(w.first()?));
     let mut all = Vec::with_capacity(points.len());
     for (k, p) in points.iter().enumerate() {
@@ -208,25 +173,6 @@ fn spline(entities: &Entities<'_>, records: &[Record]) -> Option<Curve> {
         }
     };
     Curve::new(degree, knots, &all, None)
-}
-
-/// Places along an oriented edge, both ends among them.
-pub(super) fn edge(entities: &Entities<'_>, p: &Parameter) -> Option<Vec<Vec3>> {
-    let oriented = single(entities, reference(p)?, "ORIENTED_EDGE")?;
-    let curve = single(entities, reference(oriented.get(3)?)?, "EDGE_CURVE")?;
-    let vertex = |k: usize| {
-        let v = single(entities, reference(curve.get(k)?)?, "VERTEX_POINT")?;
-        point(entities, v.get(1)?)
-    };
-    let shape = Shape::of(entities, reference(curve.get(3)?)?)?;
-    let ends = [vertex(1)?, vertex(2)?];
-    let (along, forward) = (flag(curve.get(4)?)?, flag(oriented.get(4)?)?);
-    let closed = reference(curve.get(1)?) == reference(curve.get(2)?) || ends[0] == ends[1];
-    let mut places = shape.between(if along { ends } else { [ends[1], ends[0]] }, closed);
-    if along != forward {
-        places.reverse();
-    }
-    Some(places)
 }
 
 /// A truth value.

@@ -7,9 +7,9 @@ use aptc_geometry::sculptured::BsplineSurface;
 use aptc_geometry::{Vec3, trig};
 
 use super::curves::{Frame, Shape, axis, frame, vector};
-use super::{Entities, real, reference, surface};
+use super::{Entities, real, reference};
 use crate::Limits;
-use crate::border::Border;
+use crate::border::{Border, Plane};
 use crate::curve::{Axis, Chain, Curve};
 
 /// Surfaces that are read when a face bounds them.
@@ -23,17 +23,16 @@ pub(super) const NAMES: [&str; 7] = [
     "SURFACE_OF_LINEAR_EXTRUSION",
 ];
 
-/// Parts of a curve at which the place nearest to a point is looked for, and steps that make it exact.
-const PARTS: usize = 64;
-const THIRDS: usize = 30;
-const NEWTONS: usize = 6;
+/// A place nearer to a pole or tip than this share of the surface's size is there.
+const POLE: f64 = 1e-6;
 
 /// A surface with parameters u and v; du x dv points where STEP has its normal.
 pub(crate) enum Form {
     /// x and y.
     Plane(Frame),
-    /// Angle and height, with the radius there; `slope` is what it grows by with the height.
-    Cone { frame: Frame, radius: f64, slope: f64 },
+    /// Angle and height, with the radius there; `slope` is what it grows by with the height, and `up` is -1 where the height
+    /// counts against z.
+    Cone { frame: Frame, radius: f64, slope: f64, up: f64 },
     /// Longitude and latitude.
     Sphere { frame: Frame, radius: f64 },
     /// Both angles.
@@ -43,35 +42,52 @@ pub(crate) enum Form {
     /// The parameter of the curve, and the share of the vector.
     Moved { curve: Curve, by: Vec3 },
     /// Its own parameters.
-    Spline { surface: Box<BsplineSurface>, fitted: Box<Sculptured>, borders: [Vec<f64>; 2] },
+    Spline(Box<Spline>),
+}
+
+/// A B-spline surface with what is asked of it often.
+pub(crate) struct Spline {
+    surface: BsplineSurface,
+    fitted: Sculptured,
+    /// Both ends of each parameter, and knots between.
+    borders: [Vec<f64>; 2],
+    periods: [Option<f64>; 2],
+    /// Points into which sides of the surface shrink: of each parameter at the ends of the other one.
+    poles: [[Option<Vec3>; 2]; 2],
 }
 
 impl Form {
-    /// The surface of an entity; `None` when it is of another kind or broken. `angle` is the file's unit in radians.
+    /// The surface of an entity; `None` when it is of another kind or broken. `angle` is the file's unit in radians, `own` the
+    /// B-spline surface that it is.
     pub(super) fn of(
         entities: &Entities<'_>,
         id: u64,
         angle: f64,
+        own: Option<&BsplineSurface>,
         limits: &Limits,
     ) -> Option<Self> {
         let records = *entities.get(&id)?;
-        if let Ok(Some(own)) = surface(entities, id, records, limits) {
-            return Self::spline(own);
+        if let Some(own) = own {
+            return Self::spline(own.clone());
         }
         let [one] = records else { return None };
         let all = super::list(&one.parameter)?;
         let frame = || frame(entities, all.get(1)?);
         let number = |k: usize| real(all.get(k)?);
-        let curve = |k: usize| Shape::of(entities, reference(all.get(k)?)?);
+        let radius = |k: usize| number(k).filter(|r| *r > 0.0);
+        let curve = |k: usize| Shape::of(entities, reference(all.get(k)?)?, limits);
         Some(match one.name.as_str() {
             "PLANE" => Self::Plane(frame()?),
-            "CYLINDRICAL_SURFACE" => Self::Cone { frame: frame()?, radius: number(2)?, slope: 0.0 },
+            "CYLINDRICAL_SURFACE" => {
+                Self::Cone { frame: frame()?, radius: radius(2)?, slope: 0.0, up: 1.0 }
+            }
             "CONICAL_SURFACE" => {
                 let slope = trig::tan(number(3)? * angle);
-                Self::Cone { frame: frame()?, radius: number(2)?, slope }
+                let radius = number(2).filter(|r| *r >= 0.0)?;
+                Self::Cone { frame: frame()?, radius, slope, up: 1.0 }
             }
-            "SPHERICAL_SURFACE" => Self::Sphere { frame: frame()?, radius: number(2)? },
-            "TOROIDAL_SURFACE" => Self::Torus { frame: frame()?, radii: [number(2)?, number(3)?] },
+            "SPHERICAL_SURFACE" => Self::Sphere { frame: frame()?, radius: radius(2)? },
+            "TOROIDAL_SURFACE" => Self::Torus { frame: frame()?, radii: [radius(2)?, radius(3)?] },
             "SURFACE_OF_REVOLUTION" => {
                 let (point, z) = axis(entities, all.get(2)?)?;
                 Self::turned(curve(1)?, Axis { point, z })?
@@ -83,15 +99,40 @@ impl Form {
         })
     }
 
-    pub(crate) fn spline(own: BsplineSurface) -> Option<Self> {
-        let (fitted, _) = sculpt::bspline(&own).ok()?;
+    pub(crate) fn spline(surface: BsplineSurface) -> Option<Self> {
+        let (fitted, _) = sculpt::bspline(&surface).ok()?;
         let borders = [0, 1].map(|k| {
-            let (p, n) = (own.degree[k], own.counts[k]);
-            let mut all = own.knots[k][p..=n].to_vec();
-            all.dedup();
-            all
+            let (p, n) = (surface.degree[k], surface.counts[k]);
+            // The knots that the fitted surface counts.
+            let all = &surface.knots[k][p..=n];
+            let tiny = 1e-9 * (all[n - p] - all[0]);
+            let mut borders: Vec<f64> =
+                all.windows(2).filter(|w| w[1] - w[0] > tiny).map(|w| w[0]).collect();
+            borders.push(all[n - p]);
+            borders
         });
-        Some(Self::Spline { surface: Box::new(own), fitted: Box::new(fitted), borders })
+        let spans = fitted.spans();
+        // Places at an end of the other parameter than the k-th.
+        let side = |k: usize, end: usize| {
+            [0, 1, 2, 3, 4].map(|i| {
+                let mut uv = [spans[0] * end as f64, spans[1] * end as f64];
+                uv[k] = spans[k] * f64::from(i) / 4.0;
+                fitted.at(uv[0], uv[1]).point
+            })
+        };
+        let (same, one) = (1e-7 * fitted.extent(), 1e-9 * fitted.extent());
+        let periods = [0, 1].map(|k| {
+            let (a, b) = (side(1 - k, 0), side(1 - k, 1));
+            let closed = a.iter().zip(&b).all(|(a, b)| (a - b).norm() <= same);
+            closed.then(|| borders[k][borders[k].len() - 1] - borders[k][0])
+        });
+        let poles = [0, 1].map(|k| {
+            [0, 1].map(|end| {
+                let all = side(k, end);
+                all.iter().all(|p| (p - all[0]).norm() <= one).then_some(all[0])
+            })
+        });
+        Some(Self::Spline(Box::new(Spline { surface, fitted, borders, periods, poles })))
     }
 
     /// A line that is turned is a cylinder or a cone, or a plane.
@@ -102,20 +143,21 @@ impl Form {
                 let rise = along.dot(&axis.z);
                 let out = w - axis.z * w.dot(&axis.z);
                 let side = along - axis.z * rise;
+                let origin = axis.point + axis.z * w.dot(&axis.z);
+                if rise.abs() <= 1e-9 * along.norm() {
+                    // Turned to the left about z a line that leads outwards has its normal down.
+                    let z = if out.dot(&side) < 0.0 { axis.z } else { -axis.z };
+                    let x = side.try_normalize(0.0)?;
+                    return Some(Self::Plane(Frame { origin, x, y: z.cross(&x), z }));
+                }
                 // A line aside of the axis makes a hyperboloid.
-                if rise.abs() <= 1e-9 * along.norm()
-                    || out.cross(&side).norm() > 1e-9 * out.norm() * along.norm()
-                {
+                if out.cross(&side).norm() > 1e-9 * out.norm() * along.norm() {
                     return None;
                 }
                 let x = out.try_normalize(0.0).or_else(|| side.try_normalize(0.0))?;
-                let frame = Frame {
-                    origin: axis.point + axis.z * w.dot(&axis.z),
-                    x,
-                    y: axis.z.cross(&x),
-                    z: axis.z,
-                };
-                Some(Self::Cone { frame, radius: out.norm(), slope: side.dot(&x) / rise })
+                let frame = Frame { origin, x, y: axis.z.cross(&x), z: axis.z };
+                let (slope, up) = (side.dot(&x) / rise.abs(), rise.signum());
+                Some(Self::Cone { frame, radius: out.norm(), slope, up })
             }
             shape => Some(Self::Turned { axis, curve: whole(shape)? }),
         }
@@ -132,37 +174,23 @@ impl Form {
         }
     }
 
-    /// After how much a parameter comes back to the same place.
-    pub(crate) fn periods(&self) -> [Option<f64>; 2] {
+    /// Periods and ends of the parameters.
+    pub(crate) fn plane(&self) -> Plane {
+        Plane { periods: self.periods(), ends: [self.ends(0), self.ends(1)] }
+    }
+
+    fn periods(&self) -> [Option<f64>; 2] {
         match self {
             Self::Plane(_) => [None; 2],
             Self::Cone { .. } | Self::Sphere { .. } => [Some(TAU), None],
             Self::Torus { .. } => [Some(TAU); 2],
-            Self::Turned { curve, .. } => [Some(TAU), closed(curve)],
-            Self::Moved { curve, .. } => [closed(curve), None],
-            Self::Spline { fitted, borders, .. } => {
-                let ends = fitted.spans();
-                let [nu, nv] = ends;
-                let same = |a: [f64; 2], b: [f64; 2]| {
-                    let [a, b] = [a, b].map(|p| fitted.at(p[0], p[1]).point);
-                    (a - b).norm() <= 1e-7 * fitted.extent()
-                };
-                let u = (0..=4).all(|k| {
-                    let v = nv * f64::from(k) / 4.0;
-                    same([0.0, v], [nu, v])
-                });
-                let v = (0..=4).all(|k| {
-                    let u = nu * f64::from(k) / 4.0;
-                    same([u, 0.0], [u, nv])
-                });
-                let length = |k: usize| borders[k][borders[k].len() - 1] - borders[k][0];
-                [u.then(|| length(0)), v.then(|| length(1))]
-            }
+            Self::Turned { curve, .. } => [Some(TAU), curve.period()],
+            Self::Moved { curve, .. } => [curve.period(), None],
+            Self::Spline(s) => s.periods,
         }
     }
 
-    /// Ends of a parameter where it does not come back and has some: the pole or the tip, or the borders.
-    pub(crate) fn ends(&self, k: usize) -> [Option<f64>; 2] {
+    fn ends(&self, k: usize) -> [Option<f64>; 2] {
         match self {
             Self::Sphere { .. } if k == 1 => [Some(-FRAC_PI_2), Some(FRAC_PI_2)],
             Self::Cone { radius, slope, .. } if k == 1 && *slope != 0.0 => {
@@ -171,10 +199,50 @@ impl Form {
             }
             Self::Turned { curve, .. } if k == 1 => curve.range.map(Some),
             Self::Moved { curve, .. } if k == 0 => curve.range.map(Some),
-            Self::Spline { borders, .. } => {
-                [borders[k].first().copied(), borders[k].last().copied()]
-            }
+            Self::Spline(s) => [s.borders[k].first().copied(), s.borders[k].last().copied()],
             _ => [None; 2],
+        }
+    }
+
+    /// What the parameters of a place take, as a number of evaluations of a curve.
+    pub(crate) fn cost(&self) -> u64 {
+        match self {
+            Self::Turned { curve, .. } | Self::Moved { curve, .. } => {
+                curve.spans() as u64 * 2 + 400
+            }
+            Self::Spline(s) => s.fitted.patches.len() as u64 / 10 + 400,
+            _ => 1,
+        }
+    }
+
+    /// The place of parameters.
+    pub(crate) fn at(&self, [u, v]: [f64; 2]) -> Vec3 {
+        let about = |frame: &Frame, r: f64, z: f64| {
+            let (s, c) = trig::sin_cos(u);
+            frame.origin + (frame.x * c + frame.y * s) * r + frame.z * z
+        };
+        match self {
+            Self::Plane(frame) => frame.origin + frame.x * u + frame.y * v,
+            Self::Cone { frame, radius, slope, up } => about(frame, radius + slope * v, up * v),
+            Self::Sphere { frame, radius } => {
+                let (s, c) = trig::sin_cos(v);
+                about(frame, radius * c, radius * s)
+            }
+            Self::Torus { frame, radii } => {
+                let (s, c) = trig::sin_cos(v);
+                about(frame, radii[0] + radii[1] * c, radii[1] * s)
+            }
+            Self::Turned { axis, curve } => {
+                let p = around(curve, v);
+                let foot = axis.point + axis.z * (p - axis.point).dot(&axis.z);
+                let (s, c) = trig::sin_cos(u);
+                foot + (p - foot) * c + axis.z.cross(&(p - foot)) * s
+            }
+            Self::Moved { curve, by } => around(curve, u) + by * v,
+            Self::Spline(own) => {
+                let [u, v] = [0, 1].map(|k| own.fitted_at(k, [u, v][k]));
+                own.fitted.at(u, v).point
+            }
         }
     }
 
@@ -182,16 +250,20 @@ impl Form {
     pub(crate) fn parameters(&self, p: Vec3) -> [Option<f64>; 2] {
         let around = |own: Vec3, size: f64| {
             let far = trig::hypot(own.x, own.y);
-            (far > 1e-9 * size).then(|| trig::atan2(own.y, own.x))
+            (far > POLE * size).then(|| trig::atan2(own.y, own.x))
         };
         match self {
             Self::Plane(frame) => {
                 let own = frame.own(p);
                 [Some(own.x), Some(own.y)]
             }
-            Self::Cone { frame, radius, .. } => {
+            Self::Cone { frame, radius, slope, up } => {
                 let own = frame.own(p);
-                [around(own, radius.abs().max(own.z.abs())), Some(own.z)]
+                let height = up * own.z;
+                // Beyond the tip it is on the other side of the axis.
+                let other = radius + slope * height < 0.0;
+                let turned = if other { -own } else { own };
+                [around(turned, radius.abs().max((slope * height).abs())), Some(height)]
             }
             Self::Sphere { frame, radius } => {
                 let own = frame.own(p);
@@ -210,7 +282,7 @@ impl Form {
                     ((w - axis.z * z).norm(), z)
                 };
                 let (rho, z) = flat(p);
-                let t = nearest(curve, |q| {
+                let t = curve.nearest(|q| {
                     let (r, h) = flat(q);
                     Vec3::new(r - rho, h - z, 0.0)
                 });
@@ -219,38 +291,48 @@ impl Form {
                     w - axis.z * w.dot(&axis.z)
                 };
                 let (from, to) = (side(curve.at(t)), side(p));
-                let turned = rho > 1e-9 * (rho.abs() + z.abs());
+                let turned = rho > POLE * (curve.extent() + (curve.at(t) - axis.point).norm());
                 let angle = trig::atan2(axis.z.dot(&from.cross(&to)), from.dot(&to));
                 [turned.then_some(angle), Some(t)]
             }
             Self::Moved { curve, by } => {
                 let unit = by / by.norm();
-                let t = nearest(curve, |q| {
+                let t = curve.nearest(|q| {
                     let w = p - q;
                     w - unit * w.dot(&unit)
                 });
                 [Some(t), Some((p - curve.at(t)).dot(by) / by.norm_squared())]
             }
-            Self::Spline { fitted, borders, .. } => {
-                let uv = nearest_on(fitted, p).uv;
-                [0, 1].map(|k| Some(knot(fitted, &borders[k], k, uv[k])))
+            Self::Spline(s) => {
+                let near = |q: &Vec3| (p - q).norm() <= POLE * s.fitted.extent();
+                for k in 0..2 {
+                    let end = s.poles[k].iter().position(|q| q.as_ref().is_some_and(near));
+                    if let Some(end) = end {
+                        let mut own = [None; 2];
+                        own[1 - k] = self.ends(1 - k)[end];
+                        return own;
+                    }
+                }
+                let uv = nearest_on(&s.fitted, p).uv;
+                [0, 1].map(|k| Some(s.knot(k, uv[k])))
             }
         }
     }
 
-    /// A border's box within the range that the surface has: ends that are about its own, or about borders of its spans, are
-    /// those. Of a face across the seam of a closed surface all round is taken, which is not its box.
+    /// A border's box within the range that the surface has: of a B-spline surface ends that are about its own, or about borders of
+    /// its spans, are those, and of a face across its seam all round is taken, which is not its box.
     pub(crate) fn within(&self, mut border: Border) -> Border {
         const ABOUT: f64 = 1e-6;
+        let Self::Spline(s) = self else { return border };
         for k in 0..2 {
-            let Self::Spline { borders, .. } = self else { continue };
-            let (low, high) = (borders[k][0], borders[k][borders[k].len() - 1]);
+            let borders = &s.borders[k];
+            let (low, high) = (borders[0], borders[borders.len() - 1]);
             let room = ABOUT * (high - low);
             if border.range[k][0] < low - room || border.range[k][1] > high + room {
                 (border.range[k], border.whole) = ([low, high], false);
             }
             border.range[k] = border.range[k].map(|x| {
-                let near = borders[k].iter().find(|b| (x - **b).abs() <= room);
+                let near = borders.iter().find(|b| (x - **b).abs() <= room);
                 near.copied().unwrap_or(x)
             });
         }
@@ -268,8 +350,9 @@ impl Form {
                 let by = frame.y * (v[1] - v[0]);
                 Curve::line(at(u[0], v[0]), at(u[1], v[0])).chain().moved(by)
             }
-            Self::Cone { frame, radius, slope } => {
-                let at = |h: f64| frame.origin + frame.x * (radius + slope * h) + frame.z * h;
+            Self::Cone { frame, radius, slope, up } => {
+                let at =
+                    |h: f64| frame.origin + frame.x * (radius + slope * h) + frame.z * (up * h);
                 turned(frame, &Curve::line(at(v[0]), at(v[1])).chain())
             }
             Self::Sphere { frame, radius } => {
@@ -280,9 +363,9 @@ impl Form {
                 let middle = frame.origin + frame.x * *large;
                 turned(frame, &Curve::arc(middle, frame.x * *small, frame.z * *small, v).chain())
             }
-            Self::Turned { axis, curve } => part(curve, v).chain().turned(axis, u),
+            Self::Turned { axis, curve } => curve.part(v).turned(axis, u),
             Self::Moved { curve, by } => {
-                let mut moved = part(curve, u).chain().moved(by * (v[1] - v[0]));
+                let mut moved = curve.part(u).moved(by * (v[1] - v[0]));
                 for p in &mut moved.points {
                     for (x, d) in p.iter_mut().zip(by.iter()) {
                         *x += d * v[0];
@@ -290,8 +373,8 @@ impl Form {
                 }
                 moved
             }
-            Self::Spline { surface, .. } => {
-                let mut own = (**surface).clone();
+            Self::Spline(s) => {
+                let mut own = s.surface.clone();
                 own.range = [Some(u), Some(v)];
                 own
             }
@@ -310,61 +393,39 @@ fn whole(shape: Shape) -> Option<Curve> {
     }
 }
 
-fn part(curve: &Curve, range: [f64; 2]) -> Curve {
-    let mut own = curve.clone();
-    own.range = range;
-    own
-}
-
-/// The length of a closed curve's parameter.
-fn closed(curve: &Curve) -> Option<f64> {
+/// A place of a curve, of a closed one also beyond its ends.
+fn around(curve: &Curve, t: f64) -> Vec3 {
     let [from, to] = curve.range;
-    let (a, b, c) = (curve.at(from), curve.at(to), curve.at(0.5 * (from + to)));
-    ((a - b).norm() <= 1e-9 * (a - c).norm().max((b - c).norm())).then_some(to - from)
+    if t < from || t > to { curve.around(t, to - from) } else { curve.at(t) }
 }
 
-/// The parameter at which what a place of a curve is off is least.
-fn nearest(curve: &Curve, off: impl Fn(Vec3) -> Vec3) -> f64 {
-    let [from, to] = curve.range;
-    let step = (to - from) / PARTS as f64;
-    let at = |k: usize| if k == PARTS { to } else { from + step * k as f64 };
-    let of = |t: f64| off(curve.at(t)).norm_squared();
-    let best = (0..=PARTS).min_by(|a, b| of(at(*a)).total_cmp(&of(at(*b)))).unwrap_or(0);
-    let (mut low, mut high) = (at(best.saturating_sub(1)), at((best + 1).min(PARTS)));
-    for _ in 0..THIRDS {
-        let third = (high - low) / 3.0;
-        if of(low + third) <= of(high - third) {
-            high -= third;
-        } else {
-            low += third;
-        }
+impl Spline {
+    /// The last parameter of the fitted surface, and the spans between knots.
+    fn length(&self, k: usize) -> (f64, usize) {
+        let last = match &self.fitted.layout {
+            Layout::Mesh { u, v } => [u, v][k].last().copied().unwrap_or(1.0),
+            Layout::Patches => 1.0,
+        };
+        (last, self.borders[k].len() - 1)
     }
-    // The last digits by Gauss and Newton: what is off at a place of the curve is nothing.
-    let mut t = 0.5 * (low + high);
-    let h = 1e-4 * step;
-    for _ in 0..NEWTONS {
-        let rate = (off(curve.at((t + h).min(to))) - off(curve.at((t - h).max(from))))
-            / ((t + h).min(to) - (t - h).max(from));
-        let by = off(curve.at(t)).dot(&rate) / rate.norm_squared();
-        if !by.is_finite() {
-            break;
-        }
-        t = (t - by).clamp(from, to);
-    }
-    // Ends are hit exactly.
-    [from, to, at(best), t].into_iter().min_by(|a, b| of(*a).total_cmp(&of(*b))).unwrap_or(t)
-}
 
-/// A parameter of the fitted surface as one of the knots: spans between them count as one each.
-fn knot(fitted: &Sculptured, borders: &[f64], k: usize, at: f64) -> f64 {
-    let spans = borders.len() - 1;
-    let last = match &fitted.layout {
-        Layout::Mesh { u, v } => [u, v][k].last().copied().unwrap_or(1.0),
-        Layout::Patches => 1.0,
-    };
-    // Parameters of the whole run over 0 to the number of spans.
-    let x = (at * spans as f64 / last).clamp(0.0, spans as f64);
-    let span = (0..spans).rev().find(|i| *i as f64 <= x).unwrap_or(0);
-    let share = x - span as f64;
-    borders[span] * (1.0 - share) + borders[span + 1] * share
+    /// A parameter of the fitted surface as one of the knots: spans between them count as one each.
+    fn knot(&self, k: usize, at: f64) -> f64 {
+        let (borders, (last, spans)) = (&self.borders[k], self.length(k));
+        let x = (at * spans as f64 / last).clamp(0.0, spans as f64);
+        let span = (0..spans).rev().find(|i| *i as f64 <= x).unwrap_or(0);
+        let share = x - span as f64;
+        borders[span] * (1.0 - share) + borders[span + 1] * share
+    }
+
+    /// The parameter of the fitted surface for one of the knots.
+    fn fitted_at(&self, k: usize, t: f64) -> f64 {
+        let (borders, (last, spans)) = (&self.borders[k], self.length(k));
+        let (low, high) = (borders[0], borders[spans]);
+        let over = self.periods[k].filter(|_| t < low || t > high);
+        let t = over.map_or(t, |p| t - ((t - low) / p).floor() * p).clamp(low, high);
+        let span = borders.partition_point(|b| *b <= t).clamp(1, spans) - 1;
+        let share = (t - borders[span]) / (borders[span + 1] - borders[span]);
+        (span as f64 + share) * last / spans as f64
+    }
 }

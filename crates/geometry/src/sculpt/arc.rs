@@ -49,12 +49,12 @@ impl ArcPoint {
 }
 
 /// A point of weight `w`.
-pub(crate) fn weighted(p: Vec3, w: f64) -> Vec4 {
+pub fn weighted(p: Vec3, w: f64) -> Vec4 {
     Vec4::new(p.x * w, p.y * w, p.z * w, w)
 }
 
 /// The point that homogeneous coordinates stand for.
-pub(crate) fn flat(h: Vec4) -> Vec3 {
+pub fn flat(h: Vec4) -> Vec3 {
     h.xyz() / h.w
 }
 

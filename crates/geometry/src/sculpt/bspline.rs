@@ -7,7 +7,7 @@ use crate::Vec3;
 use crate::sculptured::BsplineSurface;
 
 /// Highest degree: beyond it blossoms lose digits, and nobody uses it.
-const MAX_DEGREE: usize = 15;
+pub const MAX_DEGREE: usize = 15;
 /// Patches of one surface.
 const MAX_PATCHES: usize = 250_000;
 /// Share of the surface's size by which cubic patches may leave a surface of higher degree.
@@ -166,19 +166,33 @@ impl Direction<'_> {
 
     /// The blossom of the interval at `degree - i` times `a` and `i` times `b`.
     fn blossom(&self, points: &[Vec4], interval: usize, a: f64, b: f64, i: usize) -> Vec4 {
-        let p = self.degree;
-        let mut d = [Vec4::zeros(); MAX_DEGREE + 1];
-        d[..=p].copy_from_slice(&points[interval - p..=interval]);
-        for r in 1..=p {
-            let t = if r <= i { b } else { a };
-            for j in (r..=p).rev() {
-                let (lo, hi) = (self.knots[interval - p + j], self.knots[interval + 1 + j - r]);
-                let share = (t - lo) / (hi - lo);
-                d[j] = d[j - 1] * (1.0 - share) + d[j] * share;
-            }
-        }
-        d[p]
+        blossom(self.degree, self.knots, points, interval, |r| if r < i { b } else { a })
     }
+}
+
+/// The blossom of a B-spline curve within the interval of its knots from the given index on: de Boor's algorithm with an
+/// argument for each of its steps, counted from 0. With the same argument everywhere it is the curve's place.
+///
+/// `degree` is [`MAX_DEGREE`] at most, and the interval between `degree` and the last of the points and not empty.
+pub fn blossom(
+    degree: usize,
+    knots: &[f64],
+    points: &[Vec4],
+    interval: usize,
+    argument: impl Fn(usize) -> f64,
+) -> Vec4 {
+    let p = degree;
+    let mut d = [Vec4::zeros(); MAX_DEGREE + 1];
+    d[..=p].copy_from_slice(&points[interval - p..=interval]);
+    for r in 1..=p {
+        let t = argument(r - 1);
+        for j in (r..=p).rev() {
+            let (lo, hi) = (knots[interval - p + j], knots[interval + 1 + j - r]);
+            let share = (t - lo) / (hi - lo);
+            d[j] = d[j - 1] * (1.0 - share) + d[j] * share;
+        }
+    }
+    d[p]
 }
 
 /// Cubic patches of all nets, each cut in `m[0]` by `m[1]`, row after row, and a bound of what they are off.

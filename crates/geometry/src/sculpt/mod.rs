@@ -30,9 +30,9 @@ mod spline;
 mod surface;
 mod trimmed;
 
-pub use arc::{ArcPoint, CubicArc, Vec4};
+pub use arc::{ArcPoint, CubicArc, Vec4, flat, weighted};
 pub use bends::Bends;
-pub use bspline::{BsplineFault, bspline};
+pub use bspline::{BsplineFault, MAX_DEGREE, blossom, bspline};
 pub use conic::{ConicCondition, ConicFault, conic_arc, line_arc};
 pub use cross::{Product, cross_product, revolve, ruled, swept};
 pub use curve::{CurveAt, SpaceCurve};
