@@ -1,6 +1,6 @@
 //! Messages of a run, in the form that was asked for.
 
-use std::io::{self, IsTerminal as _, Write};
+use std::io::{self, BufWriter, IsTerminal as _, Write};
 use std::process::ExitCode;
 
 use aptc_control::Compiled;
@@ -25,17 +25,19 @@ pub(crate) fn write(
     sources: &SourceMap,
     common: &Common,
 ) -> io::Result<()> {
+    // Pictures of source lines come a character at a time.
+    let mut out = BufWriter::new(out);
     let kept: Vec<Diagnostic> = diagnostics
         .iter()
         .filter(|d| !common.quiet || d.severity == Severity::Error)
         .cloned()
         .collect();
-    render::render(out, &kept, sources, common.message_format, colored(common.color))?;
+    render::render(&mut out, &kept, sources, common.message_format, colored(common.color))?;
     let errors = kept.iter().filter(|d| d.is_error()).count();
     if errors > 0 && common.message_format == MessageFormat::Human {
         writeln!(out, "{errors} error{}", if errors == 1 { "" } else { "s" })?;
     }
-    Ok(())
+    out.flush()
 }
 
 /// Says on standard error why nothing can be done; exit code 2.
