@@ -125,8 +125,7 @@ impl PartHead {
             ),
         };
         let alike = |(unknown, _): &(SmolStr, Span)| {
-            let mut names = aptc_post::machines().flat_map(|m| &m.machin);
-            names.find(|name| unknown.get(..3) == name.get(..3))
+            aptc_post::machin_names().find(|name| unknown.get(..3) == name.get(..3))
         };
         let near = self.unknown.as_ref().and_then(alike);
         let near = near.map_or(String::new(), |name| format!("did you mean MACHIN/{name}? "));

@@ -28,6 +28,7 @@ mod statement;
 mod swath;
 mod sweep;
 mod tool;
+mod upright;
 mod verifier;
 mod witness;
 

@@ -22,7 +22,7 @@ use crate::tool::Pose;
 pub(crate) use patched::Node;
 use patched::Patched;
 pub(crate) use quadric::Quadric;
-pub(crate) use tabcyl::Tabcyl;
+pub(crate) use tabcyl::{Flat, Tabcyl};
 
 /// A surface in a system of its own.
 #[derive(Clone, Debug)]
@@ -133,6 +133,14 @@ impl Sheet {
         let turn =
             |w: Vec3| Vec3::new(self.axes[0].dot(&w), self.axes[1].dot(&w), self.axes[2].dot(&w));
         Pose { te: turn(pose.te - self.origin), ta: turn(pose.ta) }
+    }
+
+    /// The curve of a TABCYL, in the plane of its own first two axes.
+    pub(crate) fn curve(&self) -> Option<&Tabcyl> {
+        match &self.kind {
+            Kind::Tabcyl(t) => Some(t),
+            Kind::Quadric(_) | Kind::Patched(_) => None,
+        }
     }
 
     /// On which side the point of the surface's own system lies, +1 or -1; `None` where only the nearest
