@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use aptc_cldata as cl;
-use aptc_cldata::milling::{Milled, Milling, Scallop};
+use aptc_cldata::milling::{Milled, Milling, Plain, Raised, Scallop};
 use aptc_diagnostics::Origin;
 use aptc_geometry::{Form, Vec3};
 use aptc_protap::{Arg, NameRef};
@@ -320,11 +320,19 @@ impl Regional {
             side: 1.0,
             thick: 0.0,
         });
+        let plain = self.plain.iter().map(|p| Plain {
+            name: cl::NameRef { name: p.name.as_str().into(), subscript: 0 },
+            form: Arc::clone(&p.form),
+        });
+        let holder = self.holder.iter().map(|&(profile, up)| Raised { profile, up });
         let band = self.settings.band();
         let milling = Milling {
             part: Some(own),
             on: !part.touches,
             checked: checked.collect(),
+            plain: plain.collect(),
+            holder: holder.collect(),
+            guarded: self.check_part && part.touches,
             intol: band.intol,
             outtol: band.outtol,
             scallop,

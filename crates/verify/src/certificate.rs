@@ -50,7 +50,8 @@ pub struct StatementProof {
 pub struct SurfaceBound {
     /// Name of the surface.
     pub name: String,
-    /// `drive`, `part` or `check`.
+    /// `drive`, `part` or `check`; in regional milling `part`, `checked`, `holder` (shank and holder against a checked
+    /// surface) and `scallop`.
     pub role: &'static str,
     /// The gap is nowhere less.
     pub least: f64,

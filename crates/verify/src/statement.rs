@@ -218,8 +218,7 @@ impl Statement {
             Ready::Milled(None) => {}
             Ready::Milled(Some(region)) => {
                 proof.method = "branch and bound";
-                let bounds = region.surfaces().iter().zip(&seen);
-                proof.surfaces = bounds.filter_map(|(s, seen)| s.bound(seen)).collect();
+                proof.surfaces = region.bounds(&seen);
                 if let Some(left) = left {
                     self.between(region, left, &mut proof, &mut vectors);
                 }

@@ -2,11 +2,11 @@
 
 use std::sync::Arc;
 
-use aptc_cldata::milling::{Milled, Milling, Scallop};
+use aptc_cldata::milling::{Milled, Milling, Plain, Raised, Scallop};
 use aptc_cldata::{Control, Kind, Motion, MotionKind, NameRef, Position, Record};
 use aptc_diagnostics::{Diagnostic, Origin, codes};
 use aptc_geometry::sculpt::{SplinePoint, mesh};
-use aptc_geometry::{Cutter, Sculptured, Vec3, trig};
+use aptc_geometry::{Cutter, Cylinder, Form, Plane, Profile, Sculptured, Sphere, Vec3, trig};
 use aptc_verify::{Certificate, Effort, Verifier, deviation_svg};
 
 const BAND: f64 = 0.01;
@@ -32,6 +32,9 @@ fn milling(surface: &Arc<Sculptured>, scallop: Option<f64>) -> Milling {
         part: Some(milled("FLOOR", surface, 0.0)),
         on: false,
         checked: Vec::new(),
+        plain: Vec::new(),
+        holder: Vec::new(),
+        guarded: false,
         intol: BAND,
         outtol: BAND,
         scallop: scallop.map(|height| Scallop { height, range, avoided: false }),
@@ -114,6 +117,102 @@ fn a_chord_over_a_crest_cuts_by_its_sagitta_and_a_checked_wall_is_held_off() {
     let (c, _) = judge(with, upright(&fine));
     let fault = c.statements[0].fault.clone().expect("the wall");
     assert!(c.refuted > 0 && fault.surface == "checked surface WALL", "{fault:?}");
+}
+
+fn plain(name: &str, form: Form) -> Plain {
+    Plain { name: NameRef { name: name.into(), subscript: 0 }, form: Arc::new(form) }
+}
+
+/// A holder of radius 8 that begins 30 above the tool end.
+fn holder() -> Raised {
+    let profile = Profile::new(&Cutter::mill(16.0, 0.0, 20.0)).expect("a solid");
+    Raised { profile, up: 30.0 }
+}
+
+#[test]
+fn surfaces_of_other_kinds_are_held_off_by_cutter_and_holder() {
+    let flat = square(|_, _| 0.0);
+    let path = upright(&passes(2.0, 0.0));
+    let wall = |x: f64| plain("WALL", Form::Plane(Plane { n: Vec3::x(), d: x }));
+    let boss = |radius: f64| {
+        let center = Vec3::new(10.0, 9.0, 45.0);
+        plain("BOSS", Form::Sphere(Sphere { center, radius }))
+    };
+    let post = |radius: f64| {
+        let point = Vec3::new(10.0, -13.0, 0.0);
+        plain("POST", Form::Cylinder(Cylinder { point, axis: Vec3::z(), radius }))
+    };
+    let with = |p: &Plain, held: bool| {
+        let holder = if held { vec![holder()] } else { Vec::new() };
+        let own = Milling { plain: vec![p.clone()], holder, ..milling(&flat, None) };
+        judge(own, path.clone())
+    };
+    // The cutter comes to x = 25, its holder to 28; y to -5 and -8.
+    for (p, held, role, gap) in [
+        (wall(25.0 + 0.9 * BAND), false, "checked", 0.9 * BAND),
+        (wall(25.0 - 0.9 * BAND), false, "checked", -0.9 * BAND),
+        (wall(28.0 - 0.9 * BAND), true, "holder", -0.9 * BAND),
+        (post(8.0 + 0.9 * BAND), false, "checked", -0.9 * BAND),
+        (post(5.0 + 0.9 * BAND), true, "holder", -0.9 * BAND),
+    ] {
+        let (c, said) = with(&p, held);
+        assert!(c.is_proved(), "{said:?}");
+        let s = c.statements[0].surfaces.iter().find(|s| s.role == role).expect("a bound");
+        assert!((s.least - gap).abs() < 1e-9 && s.name == p.name.name.as_str(), "{s:?}");
+    }
+    for (p, held, what, depth) in [
+        (wall(25.0 - 1.5 * BAND), false, "checked surface WALL", 0.5 * BAND),
+        (wall(27.0), true, "checked surface WALL with the holder", 1.0 - BAND),
+        (post(8.0 + 3.0 * BAND), true, "checked surface POST with the holder", 3.0 + 2.0 * BAND),
+        (post(5.0 + 3.0 * BAND), true, "checked surface POST with the holder", 2.0 * BAND),
+        (boss(4.0), true, "checked surface BOSS with the holder", 5.0),
+    ] {
+        let (c, _) = with(&p, held);
+        let fault = c.statements[0].fault.clone().expect("a fault");
+        assert!(c.refuted > 0 && fault.gouge && fault.surface == what, "{fault:?}");
+        assert!(fault.depth > 0.85 * depth, "{fault:?}");
+    }
+    // The part surface is held off by the holder where it is checked.
+    let tall = square(|x, _| if x > 17.0 { 40.0 } else { 0.0 });
+    for (guarded, faults) in [(false, false), (true, true)] {
+        let place = upright(&[[-20.0, 10.0, 35.0], [-6.0, 10.0, 35.0]]);
+        let high =
+            Raised { up: 1.0, profile: Profile::new(&Cutter::mill(60.0, 0.0, 3.0)).expect("") };
+        let own = Milling { holder: vec![high], guarded, ..milling(&tall, None) };
+        let (c, _) = judge(own, place);
+        let holder = c.statements[0].fault.as_ref().map(|f| f.surface.clone());
+        assert_eq!(c.refuted > 0, faults, "{holder:?}");
+        assert!(!faults || holder.is_some_and(|s| s == "part surface FLOOR with the holder"));
+    }
+}
+
+#[test]
+fn a_tool_that_gets_out_of_the_way_is_proved_while_it_turns() {
+    // About the point that the ball stands on, away from a wall at x = 9, as AVCTRL tilts it.
+    let flat = square(|_, _| 0.0);
+    let lean = |deg: f64| {
+        let ta = Vec3::new(-trig::sin_deg(deg), 0.0, trig::cos_deg(deg));
+        Position { te: Vec3::new(4.0, 10.0, 5.0) - ta * 5.0, ta }
+    };
+    let wall = Plane { n: Vec3::x(), d: 9.0 - 0.5 * BAND };
+    let roof = Plane { n: Vec3::z(), d: 40.2 };
+    let at = |form: Plane, degrees: [f64; 2], raised: Option<Raised>| {
+        let own = Milling {
+            plain: vec![plain("WALL", Form::Plane(form))],
+            holder: raised.into_iter().collect(),
+            ..milling(&flat, None)
+        };
+        judge(own, degrees.map(lean).to_vec()).0
+    };
+    assert!(at(wall, [0.0, 20.0], None).is_proved());
+    assert!(at(wall, [-1.0, 20.0], None).refuted > 0);
+    // The holder is clear where it leans by 20 degrees and not where it stands upright.
+    let long = Raised { up: 40.0, ..holder() };
+    assert!(at(wall, [15.0, 30.0], Some(long)).is_proved());
+    assert!(at(wall, [0.0, 30.0], Some(long)).refuted > 0);
+    // Between two leaning positions the rim of the top rises to its highest.
+    assert!(at(roof, [-30.0, -20.0], None).is_proved());
+    assert!(at(roof, [-30.0, 30.0], None).refuted > 0);
 }
 
 #[test]
