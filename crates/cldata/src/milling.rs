@@ -71,13 +71,29 @@ pub struct Raised {
 }
 
 /// What may be left between the passes.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Scallop {
     /// Greatest height over the part surface and its thickness.
     pub height: f64,
-    /// The region: least and greatest u and v of the part surface, a box between the first and the last pass; none
-    /// where it is not known, as the tool end is led or the passes run askew to both parameters.
-    pub range: Option<[[f64; 2]; 2]>,
+    /// Where.
+    pub extent: Extent,
     /// Did the tool get out of the way somewhere (AVCTRL)? What stands there then was not to be cut.
     pub avoided: bool,
+}
+
+/// A region of the part surface, by its parameters u and v, between the contacts of the first and the last pass.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Extent {
+    /// Least and greatest u and v.
+    Box([[f64; 2]; 2]),
+    /// What a closed outline of straight lines holds that does not cross itself, by its corners: the contacts of the
+    /// first and the last pass, and the ends of those between.
+    Outline {
+        /// Its corners, one after the other.
+        corners: Vec<[f64; 2]>,
+        /// Does the tool go from the end of a pass to the next along the outline? If not, more may stand there.
+        linked: bool,
+    },
+    /// It is not known, for this reason.
+    Unknown(&'static str),
 }

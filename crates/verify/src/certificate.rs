@@ -79,6 +79,9 @@ pub struct Fault {
     pub depth: f64,
     /// Is it material that is cut (else material that is left)?
     pub gouge: bool,
+    /// Why it is not decided, where that is known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub why: Option<&'static str>,
 }
 
 /// A length for a message: small ones keep their digits.

@@ -75,10 +75,10 @@ impl Region {
         {
             surfaces.push(MilledSurface::new(of, role, milling, sheets.of(&of.surface)?));
         }
-        let cusps = milling.scallop.zip(milling.part.as_ref()).and_then(|(scallop, part)| {
+        let cusps = milling.scallop.as_ref().zip(milling.part.as_ref());
+        let cusps = cusps.and_then(|(scallop, part)| {
             let height = part.thick + scallop.height + milling.outtol;
-            let sheet = surfaces.first()?.sheet()?;
-            Some(Cusps::new(sheet, part.side, height, (scallop.range, scallop.avoided)))
+            Some(Cusps::new(surfaces.first()?.sheet()?, part.side, height, scallop))
         });
         surfaces
             .extend(milling.plain.iter().map(|p| MilledSurface::plain(p, milling.intol, sheets)));
@@ -115,9 +115,9 @@ impl Region {
         (name, self.cusps.as_ref().map_or(0.0, |c| c.height))
     }
 
-    /// May more stand between the passes, for the tool got out of the way there?
-    pub(crate) fn avoided(&self) -> bool {
-        self.cusps.as_ref().is_some_and(|c| c.avoided)
+    /// May more stand between the passes, for the tool got out of the way there? The reason.
+    pub(crate) fn excused(&self) -> Option<&'static str> {
+        self.cusps.as_ref()?.excused
     }
 
     /// What is left at one of [`PLACES`] parts of the region; `None` where nothing is asked.
@@ -222,7 +222,15 @@ impl MilledSurface {
                 let gouge = gap < from;
                 let depth = if gouge { from - gap } else { gap - self.band[1] };
                 let te = te.into();
-                Some(Fault { refuted: true, surface: surface(), vector, te, depth, gouge })
+                Some(Fault {
+                    refuted: true,
+                    surface: surface(),
+                    vector,
+                    te,
+                    depth,
+                    gouge,
+                    why: None,
+                })
             }
             Verdict::Undecided { at_most, te } => Some(Fault {
                 refuted: false,
@@ -231,6 +239,7 @@ impl MilledSurface {
                 te: te.into(),
                 depth: at_most,
                 gouge: true,
+                why: None,
             }),
         }
     }

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use aptc_cldata::milling::{Milled, Milling, Plain, Raised, Scallop};
+use aptc_cldata::milling::{Extent, Milled, Milling, Plain, Raised, Scallop};
 use aptc_cldata::{Control, Kind, Motion, MotionKind, NameRef, Position, Record};
 use aptc_diagnostics::{Diagnostic, Origin, codes};
 use aptc_geometry::sculpt::{SplinePoint, mesh};
@@ -27,7 +27,6 @@ fn milled(name: &str, surface: &Arc<Sculptured>, thick: f64) -> Milled {
 }
 
 fn milling(surface: &Arc<Sculptured>, scallop: Option<f64>) -> Milling {
-    let range = Some([[0.0, 4.0]; 2]);
     Milling {
         part: Some(milled("FLOOR", surface, 0.0)),
         on: false,
@@ -37,7 +36,10 @@ fn milling(surface: &Arc<Sculptured>, scallop: Option<f64>) -> Milling {
         guarded: false,
         intol: BAND,
         outtol: BAND,
-        scallop: scallop.map(|height| Scallop { height, range, avoided: false }),
+        scallop: scallop.map(|height| {
+            let extent = Extent::Box([[0.0, 4.0]; 2]);
+            Scallop { height, extent, avoided: false }
+        }),
         joined: false,
     }
 }
@@ -246,9 +248,51 @@ fn what_is_left_between_passes_is_bounded() {
     }
     // Where the region is not known that is said.
     let mut unknown = milling(&flat, Some(0.1));
-    unknown.scallop.as_mut().expect("set").range = None;
+    unknown.scallop.as_mut().expect("set").extent = Extent::Unknown("the tool end is led");
     let (c, said) = judge(unknown, upright(&passes(1.0, 0.0)));
     assert_eq!((c.undecided, said[0].code), (1, codes::UNPROVED));
+    assert_eq!(said[0].notes, ["the tool end is led"]);
+}
+
+#[test]
+fn what_is_left_between_askew_passes_is_bounded_within_their_outline() {
+    let flat = square(|_, _| 0.0);
+    // Passes askew to both parameters, over a square of 8 that stands on its corner about the middle.
+    let (along, over) = (Vec3::new(0.6, 0.8, 0.0), Vec3::new(-0.8, 0.6, 0.0));
+    let place = |s: f64, t: f64| Vec3::new(10.0, 10.0, 0.0) + along * s + over * t;
+    let way = |step: f64, n: i32| {
+        let pass = |i: i32| {
+            let t = step * f64::from(i) - 4.0;
+            let ends = if i % 2 == 0 { [-4.0, 4.0] } else { [4.0, -4.0] };
+            ends.map(|s| Position::upright(place(s, t)))
+        };
+        (0..=n).flat_map(pass).collect::<Vec<_>>()
+    };
+    let outline = |size: f64, linked: bool| {
+        let ends = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
+        let uv = |p: Vec3| [p.x / 5.0, p.y / 5.0];
+        let corners = ends.map(|(s, t)| uv(place(s * size, t * size))).to_vec();
+        Extent::Outline { corners, linked }
+    };
+    let asked = |height: f64, extent: Extent| Milling {
+        scallop: Some(Scallop { height, extent, avoided: false }),
+        ..milling(&flat, None)
+    };
+    for (step, n) in [(2.0_f64, 4), (4.0, 2)] {
+        let ridge = 5.0 - (25.0 - 0.25 * step * step).sqrt();
+        let (c, said) = judge(asked(ridge - BAND + 1e-4, outline(4.0, true)), way(step, n));
+        assert!(c.is_proved(), "{step} {said:?}");
+        assert!(c.statements[0].surfaces.iter().any(|s| s.role == "scallop"));
+        let (c, _) = judge(asked(ridge - BAND - 1e-4, outline(4.0, true)), way(step, n));
+        let fault = c.statements[0].fault.clone().expect("a ridge");
+        assert!(!fault.gouge && c.refuted == 1 && fault.depth < 1.1e-4, "{fault:?}");
+        // Beyond the passes nothing was cut; where the ends are not linked that is not refuted.
+        let (c, _) = judge(asked(ridge, outline(6.0, true)), way(step, n));
+        assert!(c.refuted > 0, "{step}");
+        let (c, said) = judge(asked(ridge, outline(6.0, false)), way(step, n));
+        assert_eq!((c.refuted, c.undecided, said[0].code), (0, 1, codes::UNPROVED));
+        assert!(said[0].notes.iter().any(|n| n.contains("end of a pass")), "{said:?}");
+    }
 }
 
 #[test]
