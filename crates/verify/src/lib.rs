@@ -17,6 +17,7 @@ mod hollow;
 mod inside;
 mod judged;
 mod milled;
+mod outline;
 mod outside;
 mod pile;
 mod scallop;

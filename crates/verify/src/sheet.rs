@@ -245,7 +245,7 @@ impl Sheet {
         match &self.kind {
             Kind::Quadric(q) => q.second(patch),
             Kind::Tabcyl(t) => t.second(patch),
-            Kind::Patched(p) => p.second(patch.chart),
+            Kind::Patched(p) => p.second(patch),
         }
     }
 
