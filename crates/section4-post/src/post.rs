@@ -9,6 +9,7 @@ use smol_str::SmolStr;
 use crate::args::{Statement, whole};
 use crate::emit::{AptText, Blocks, TooGreat};
 use crate::fitting::{Waiting, asks_nothing};
+use crate::held::may_wait;
 use crate::machine::{Dialect, Machine, MachineKind, OutputUnits};
 use crate::report::{BlockOrigin, Summary, ToolUse};
 use crate::roundtrip::{Checker, Proof};
@@ -146,8 +147,11 @@ impl Post {
             self.read_back(Some(record), begin, &record.origin);
         } else if self.waiting.is_empty() || !asks_nothing(&record.kind) {
             self.release_all();
-            let before = self.blocks.lines;
             let begin = self.blocks.out.len();
+            if !self.st.held.is_empty() && !may_wait(record) {
+                self.let_go();
+            }
+            let before = self.blocks.lines;
             let from_part = self.seen_from_part(record);
             let ended = self.st.ended;
             self.record(from_part.as_ref().unwrap_or(record));
@@ -432,6 +436,13 @@ impl Post {
     pub(crate) fn note_cut(&mut self, before: u64, origin: &Origin, kind: MotionKind) {
         if self.options.map && self.blocks.lines > before {
             self.note_lines(before, origin, motion_name(kind));
+        }
+    }
+
+    /// With `map`: the blocks since `before` come from a word.
+    pub(crate) fn note_word(&mut self, before: u64, origin: &Origin, word: &'static str) {
+        if self.options.map && self.blocks.lines > before {
+            self.note_lines(before, origin, SmolStr::new_static(word));
         }
     }
 

@@ -100,6 +100,8 @@ pub(crate) struct State {
     pub(crate) spindle: SpindleState,
     /// The spindle was stopped by a tool change and has to run again.
     pub(crate) spindle_again: bool,
+    /// SPINDL and COOLNT whose blocks wait.
+    pub(crate) held: Vec<crate::held::Held>,
     pub(crate) max_rpm: Option<f64>,
     pub(crate) coolant: Option<String>,
     pub(crate) last_coolant: Option<String>,
@@ -175,6 +177,7 @@ impl State {
             refused_words: BTreeSet::new(),
             spindle: SpindleState::default(),
             spindle_again: false,
+            held: Vec::new(),
             max_rpm: None,
             coolant: None,
             last_coolant: None,

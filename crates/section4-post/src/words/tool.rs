@@ -46,6 +46,7 @@ fn change(post: &mut Post, s: &Statement<'_>, at: usize) {
         return;
     }
     post.leave_cycle();
+    post.held_over_change(tool, &s.written(), s.origin);
     let said = loaded(s, at);
     let offset = said.offset.unwrap_or(tool);
     post.st.tool_length = said.length.or(post.st.tool_length);
