@@ -142,6 +142,8 @@ pub(crate) struct State {
     /// Which ends of X, Y and Z have been reported as exceeded.
     pub(crate) limits_told: [[bool; 2]; 3],
     pub(crate) multax: bool,
+    /// The note about blocks in which the tool turns where it stands is written.
+    pub(crate) turn_noted: bool,
 }
 
 impl State {
@@ -209,6 +211,7 @@ impl State {
             reach: [[f64::INFINITY, f64::NEG_INFINITY]; 5],
             limits_told: [[false; 2]; 3],
             multax: false,
+            turn_noted: false,
         }
     }
 
