@@ -127,3 +127,24 @@ fn blocks_of_a_spindle_that_waited_are_its_own() {
     }
     assert!(posted.map.windows(2).all(|w| w[0].last < w[1].first), "{:?}", posted.map);
 }
+
+#[test]
+fn after_a_stop_spindle_and_coolant_run_again() {
+    for m in changers() {
+        let load = if m.kind == MachineKind::Lathe { "TURRET" } else { "LOADTL" };
+        let multax = if m.rotary.len() == 2 { "MULTAX\n" } else { "" };
+        let length = if m.kind == MachineKind::Mill { ",LENGTH,80" } else { "" };
+        let head = format!("{multax}{load}/1{length}\nSPINDL/500,CLW\nCOOLNT/ON");
+        let (nc, _) = post_all(m, PostOptions::default(), &records(&part(m, &head, "STOP")));
+        let after = nc.split("M0\n").last().expect("it stops");
+        let on = |text: &str, word: &str| text.split_whitespace().position(|w| w == word);
+        let (spindle, cut) = (on(after, "M3"), on(after, "F200"));
+        assert!(spindle.is_some_and(|s| cut.is_none_or(|c| s < c)), "{}\n{nc}", m.name);
+        assert!(on(after, "M8").is_some(), "{}\n{nc}", m.name);
+        // What does not run is not started.
+        let text = part(m, &head, "SPINDL/OFF\nCOOLNT/OFF\nSTOP");
+        let (nc, _) = post_all(m, PostOptions::default(), &records(&text));
+        let after = nc.split("M0\n").last().expect("it stops");
+        assert!(on(after, "M3").is_none() && on(after, "M8").is_none(), "{nc}");
+    }
+}
