@@ -161,6 +161,14 @@ impl Post {
         self.st.centered = true;
     }
 
+    /// Ends tool-centre control that has a line of its own: the lines of the machine file go to places of the machine.
+    pub(crate) fn tool_center_off(&mut self) {
+        if std::mem::take(&mut self.st.centered) {
+            let machine = std::sync::Arc::clone(&self.machine);
+            self.blocks.line(&machine.multiaxis.tool_center_off);
+        }
+    }
+
     /// One straight motion of the tool end while rotary axes may turn.
     pub(crate) fn go_turning(&mut self, te: Vec3, ta: Vec3, rapid: bool, origin: &Origin) {
         let Some(end) = self.pose(te, ta, self.st.angles, origin) else { return };

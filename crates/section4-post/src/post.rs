@@ -353,6 +353,7 @@ impl Post {
             self.error(codes::COMPENSATION, origin, message, help);
         }
         self.leave_plane();
+        self.tool_center_off();
         let machine = Arc::clone(&self.machine);
         let vars = self.common_vars();
         self.blocks.template(&machine.program.end, &vars.list());

@@ -131,3 +131,34 @@ fn fanuc_says_which_parameter_it_needs() {
     );
     assert!(!straight.contains("19696"), "{straight}");
 }
+
+/// Heidenhain wants M128 reset before M91 and TOOL CALL; with TRAORI on, SUPA goes to no place of the machine.
+#[test]
+fn tool_center_control_is_off_where_the_machine_goes_to_a_place_of_its_own() {
+    for (name, on, off, home) in [
+        ("heidenhain-tnc-5axis", "M128", "M129", ["M91", "TOOL CALL 2"]),
+        ("siemens-840d-5axis", "TRAORI", "TRAFOOF", ["SUPA", "T2 M6"]),
+    ] {
+        let m = machine(name).expect("built in");
+        let one = part(m, "MM", 300.0, 20.0);
+        let (head, _) = one.split_once("FINI").expect("it ends");
+        let text = format!(
+            "{head}RETRCT\nGOTO/40,0,40,0,0,1\nGOTO/60,0,40,0,0,1\nLOADTL/2,LENGTH,80\nSPINDL/900,CLW\n\
+             GOTO/60,0,10,0,0,1\nGOHOME\nGOTO/70,0,10,0,0,1\nEND\nFINI"
+        );
+        let nc = good(name, &text);
+        let (mut active, mut times) = (false, 0);
+        for line in nc.lines() {
+            if line.ends_with(on) {
+                assert!(!active, "{nc}");
+                (active, times) = (true, times + 1);
+            } else if line.ends_with(off) {
+                assert!(active, "{nc}");
+                active = false;
+            } else {
+                assert!(!active || home.iter().all(|h| !line.contains(h)), "{name}: {line}\n{nc}");
+            }
+        }
+        assert!(!active && times == 4, "{name}: {times}\n{nc}");
+    }
+}

@@ -77,6 +77,7 @@ fn change(post: &mut Post, s: &Statement<'_>, at: usize) {
     let skip = std::mem::replace(&mut post.blocks.skip, false);
     post.blocks.with_tool_axis = None;
     post.leave_plane();
+    post.tool_center_off();
     let line = post.blocks.lines + 1;
     post.blocks.template(&machine.program.tool_change, &vars);
     post.blocks.skip = skip;
@@ -86,7 +87,6 @@ fn change(post: &mut Post, s: &Statement<'_>, at: usize) {
     post.st.chain = None;
     post.st.across = None;
     post.st.placed = None;
-    post.st.centered = false;
     post.st.away = machine.program.start_retracts;
     post.st.tool = Some(tool);
     post.st.spindle_again = post.st.spindle.on;
