@@ -33,6 +33,7 @@ mod emit;
 mod feed;
 mod fit;
 mod fitting;
+mod held;
 mod index;
 mod kinematics;
 mod machine;
