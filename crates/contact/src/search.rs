@@ -65,7 +65,7 @@ pub(crate) fn general(
         return Ok(gap);
     }
     let stations = Stations { lower: round.is_none(), flank: true };
-    let seeds = seeds(tool, surface, side, stations);
+    let (seeds, deepest) = seeds(tool, surface, side, stations);
     let mut best: Option<Gap> = round;
     let mut failure = Reason::NoHit;
     for q in seeds.into_iter().flatten() {
@@ -75,7 +75,33 @@ pub(crate) fn general(
             Err(reason) => failure = reason,
         }
     }
-    best.ok_or(failure)
+    best.map(|gap| drowned(tool, surface, side, &gap, deepest).unwrap_or(gap)).ok_or(failure)
+}
+
+/// What a point of the tool tells that is deeper than a place of contact: where a shank goes through a sheet of a quadric
+/// and beyond, no pair of points may face each other. Only quadrics have a form that tells the side of every point.
+fn drowned(
+    tool: &Tool<'_>,
+    surface: &Surface,
+    side: Side,
+    known: &Gap,
+    (depth, point): (f64, Vec3),
+) -> Option<Gap> {
+    let size = tool.profile.reach() + known.raw.abs();
+    let deeper = matches!(surface, Surface::Quadric(_)) && depth < known.raw - 1e-9 * size;
+    deeper.then(|| {
+        let foot = surface.foot(point);
+        Gap {
+            g: depth,
+            raw: depth,
+            tool_point: point,
+            surface_point: foot.point,
+            at: foot.at,
+            normal: foot.normal * side.sign(),
+            segment: None,
+            residual: f64::INFINITY,
+        }
+    })
 }
 
 /// Is the tool within a convex hollow?
@@ -150,8 +176,8 @@ pub(crate) fn elsewhere(
         room = seen.min(until(flank, known.raw));
         stations.flank = false;
     }
-    let found = seeds(tool, surface, side, stations).into_iter().flatten();
-    let found = found.filter_map(|q| local(tool, surface, side, q).ok());
+    let (seeds, lowest) = seeds(tool, surface, side, stations);
+    let found = seeds.into_iter().flatten().filter_map(|q| local(tool, surface, side, q).ok());
     for gap in found.chain(arc) {
         if (gap.tool_point - known.tool_point).norm() > 1e-6 * size {
             room = room.min(0.5 * (gap.raw - known.raw).max(0.0));
@@ -159,6 +185,9 @@ pub(crate) fn elsewhere(
         if gap.raw < deepest.raw {
             deepest = gap;
         }
+    }
+    if let Some(through) = drowned(tool, surface, side, &deepest, lowest) {
+        return (Some(through), 0.0);
     }
     ((deepest.raw < known.raw).then_some(deepest), room)
 }
@@ -308,8 +337,13 @@ struct Stations {
 type Ring = [(f64, Spot); AROUND];
 
 /// Surface points below the lowest stations around the tool: the local minima over the stations, the lowest
-/// of them.
-fn seeds(tool: &Tool<'_>, surface: &Surface, side: Side, of: Stations) -> [Option<Spot>; SEEDS] {
+/// of them; and of all stations the deepest, by how much.
+fn seeds(
+    tool: &Tool<'_>,
+    surface: &Surface,
+    side: Side,
+    of: Stations,
+) -> ([Option<Spot>; SEEDS], (f64, Vec3)) {
     let profile = tool.profile;
     let [[rl, zl], [ru, zu]] = profile.joints();
     let mid = |a: [f64; 2], b: [f64; 2]| [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])];
@@ -318,10 +352,16 @@ fn seeds(tool: &Tool<'_>, surface: &Surface, side: Side, of: Stations) -> [Optio
     let stations = [rim, mid(upper, rim), upper, lower, mid(lower, [0.0, profile.bottom()])];
     let stations = &stations[if of.flank { 0 } else { 2 }..if of.lower { 5 } else { 2 }];
     let [a, b] = aptc_geometry::surface::frame_about(tool.ta);
-    let at = |rho: f64, z: f64, turn: usize| {
+    let mut deepest = (f64::INFINITY, tool.te);
+    let mut at = |rho: f64, z: f64, turn: usize| {
         let out = a * COS12[turn] + b * COS12[(turn + 9) % AROUND];
-        let foot = surface.foot(tool.te + out * rho + tool.ta * z);
-        (side.sign() * foot.distance, foot.spot())
+        let p = tool.te + out * rho + tool.ta * z;
+        let foot = surface.foot(p);
+        let value = side.sign() * foot.distance;
+        if value < deepest.0 {
+            deepest = (value, p);
+        }
+        (value, foot.spot())
     };
     let mut found: [Option<(bool, f64, Spot)>; SEEDS] = [None; SEEDS];
     let mut offer = |beside: bool, value: f64, q: Spot| {
@@ -336,7 +376,7 @@ fn seeds(tool: &Tool<'_>, surface: &Surface, side: Side, of: Stations) -> [Optio
         let (value, q) = at(0.0, profile.bottom(), 0);
         offer(false, value, q);
     }
-    let ring = |[rho, z]: [f64; 2]| -> Ring { std::array::from_fn(|turn| at(rho, z, turn)) };
+    let mut ring = |[rho, z]: [f64; 2]| -> Ring { std::array::from_fn(|turn| at(rho, z, turn)) };
     let mut rings = [None; 5];
     for (i, station) in stations.iter().enumerate() {
         if !stations[..i].contains(station) {
@@ -358,7 +398,7 @@ fn seeds(tool: &Tool<'_>, surface: &Surface, side: Side, of: Stations) -> [Optio
             }
         }
     }
-    found.map(|f| f.map(|f| f.2))
+    (found.map(|f| f.map(|f| f.2)), deepest)
 }
 
 /// Cosines of the multiples of 30 degrees.
