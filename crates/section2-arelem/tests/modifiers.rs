@@ -30,7 +30,9 @@ fn forms() -> Forms {
     let n = 1.36_f64.sqrt();
     add("LT", "LINE", &[-0.6 / n, 1.0 / n, 0.0, (0.9 - 7.8) / n]);
     add("LOW", "PLANE", &[0.0, 0.0, 1.0, -10.0]);
+    add("L3", "LINE", &[0.0, 1.0, 0.0, 0.3]);
     f.insert("TB".into(), Form::Tabcyl(Arc::new(spline())));
+    f.insert("WAVE".into(), Form::Tabcyl(Arc::new(wave())));
     f
 }
 
@@ -46,6 +48,19 @@ fn spline() -> Tabcyl {
     let span = |[x, y, a, b, length]: [f64; 5]| TabcylSpan::new(Vec2::new(x, y), a, b, length);
     let end = Vec2::new(21.574929257125444, 6.044957554275266);
     Tabcyl { axes: Matrix3::identity(), spans: spans.map(span).to_vec(), end }
+}
+
+/// Eight half waves over the x axis from 10 to 18, parabolas .6 high up and down in turn, with straight ends of 10.
+fn wave() -> Tabcyl {
+    let half = |k: u8| {
+        let b = if k % 2 == 0 { -2.4 } else { 2.4 };
+        TabcylSpan::new(Vec2::new(10.0 + f64::from(k), 0.0), 0.0, b, 1.0)
+    };
+    let way = Vec2::new(10.0, 24.0) / 2.6;
+    let mut spans = vec![TabcylSpan::new(Vec2::new(10.0, 0.0) - way, 0.0, 0.0, 10.0)];
+    spans.extend((0..8).map(half));
+    spans.push(TabcylSpan::new(Vec2::new(18.0, 0.0), 0.0, 0.0, 10.0));
+    Tabcyl { axes: Matrix3::identity(), spans, end: Vec2::new(18.0, 0.0) + way }
 }
 
 /// Runs the text in the plane and in space; both end at `end`.
@@ -120,6 +135,26 @@ fn a_line_is_tangent_to_the_straight_end_of_a_tabcyl() {
         near(&format!("MAXDP/{step}\nTLRGT,GOFWD/TB,TANTO,LX"), [10.0, -0.5, 0.0], 0.05);
     }
     near("TLRGT,GOFWD/LX\nGOFWD/TB\nGOFWD/LT,ON,(LINE/1,0,0,20)", [20.0, 5.1 - 0.5 * n, 0.0], 1e-3);
+}
+
+/// A straight drive surface leads past all of a check surface on one cut vector: each of its crossings counts.
+#[test]
+fn every_crossing_of_a_wave_counts_from_far_away() {
+    for from in [-3.0, -100.0] {
+        for n in 1..=9 {
+            let k = f64::from((n - 1) / 2);
+            let x = if n == 9 {
+                18.125
+            } else {
+                10.0 + 2.0 * k
+                    + if n % 2 == 1 { 0.5 - 0.125_f64.sqrt() } else { 0.5 + 0.125_f64.sqrt() }
+            };
+            let text = format!(
+                "CUTTER/.2\nINTOL/0\nOUTTOL/1E-12\nFROM/{from},.3,0\nINDIRV/1,0,0\nTLON,GOFWD/L3,ON,{n},INTOF,WAVE"
+            );
+            both(&text, [x, 0.3, 0.0]);
+        }
+    }
 }
 
 /// A cutter with a flat goes straight towards a small ellipsoid on a single cut vector that leads far beyond it.
