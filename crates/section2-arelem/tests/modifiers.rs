@@ -31,6 +31,8 @@ fn forms() -> Forms {
     add("LT", "LINE", &[-0.6 / n, 1.0 / n, 0.0, (0.9 - 7.8) / n]);
     add("LOW", "PLANE", &[0.0, 0.0, 1.0, -10.0]);
     add("L3", "LINE", &[0.0, 1.0, 0.0, 0.3]);
+    add("LN", "LINE", &[0.0, -1.0, 0.0, 0.0]);
+    add("ROOF", "PLANE", &[-0.1, -0.2, 1.0, 0.0]);
     f.insert("TB".into(), Form::Tabcyl(Arc::new(spline())));
     f.insert("WAVE".into(), Form::Tabcyl(Arc::new(wave())));
     f
@@ -163,6 +165,46 @@ fn a_small_ellipsoid_on_the_way_of_a_long_cut_vector() {
     let start = "CUTTER/1\nINTOL/0\nOUTTOL/1E-12\nFROM/-3,0,0\nINDIRV/1,0,0\nTLON,GOFWD/LX,";
     both(&format!("{start}TO,QE"), [10.0 - 2.0_f64.sqrt() - 0.5, 0.0, 0.0]);
     both(&format!("{start}ON,QE"), [10.0 - 2.0_f64.sqrt(), 0.0, 0.0]);
+}
+
+/// With the tool end on the drive surface an axis at an angle to the part surface leans to the side to which it leans
+/// already; an upright one onwards in a GO and along the normal in a motion: as APT-360, whatever INDIRV says.
+#[test]
+fn the_lean_across_the_surface_that_the_tool_end_is_on() {
+    let lean = |text: &str| {
+        let ran = run(&forms(), &format!("MULTAX\nCUTTER/.5\nOUTTOL/.001\n{text}")).clean();
+        let (_, last) = ran.motions().last().expect("a motion");
+        last.points[last.points.len() - 1].ta.y
+    };
+    let same = |text: &str, expected: f64| {
+        let y = lean(text);
+        assert!((y - expected).abs() < 1e-6, "{text}: {y}, not {expected}");
+    };
+    let (rule, sine) = ("TLAXIS/ATANGL,1,10\n", trig::sin_deg(10.0));
+    for (drive, normal) in [("LX", 1.0), ("LN", -1.0)] {
+        let go = format!("GO/ON,{drive},TO,PL\n");
+        for (y, onwards) in [(-3, 1.0), (3, -1.0)] {
+            for given in ["1,0,0", "1,.2,0", "1,-.2,0"] {
+                let from = format!("FROM/-2,{y},3\n");
+                let on = format!("INDIRV/{given}\nTLON,GOFWD/{drive},ON,L20");
+                same(&format!("{from}{rule}{go}{on}"), onwards * sine);
+                same(&format!("{from}{go}{rule}{on}"), normal * sine);
+            }
+            for side in [-0.02, 0.02_f64] {
+                let axis = format!("FROM/-2,{y},3\nTLAXIS/.2,{side},1\n");
+                same(&format!("{axis}{rule}{go}"), sine * side.signum());
+            }
+        }
+    }
+    // A part surface whose normal leans more than the angle decides alone.
+    let n = 1.05_f64.sqrt();
+    let across = trig::cos_deg(10.0) * -0.2 / n - sine * 1.01_f64.sqrt() / n;
+    for y in [-3, 3_i32] {
+        same(&format!("FROM/-2,{y},3\n{rule}GO/ON,LX,TO,ROOF\n"), across);
+        // What leans at the start of the way does not count.
+        let dome = format!("FROM/0,{y},3\n{rule}GO/ON,LX,TO,SP,ON,LY\n");
+        assert!(lean(&dome) * f64::from(y) < -0.17, "{dome}");
+    }
 }
 
 #[test]
