@@ -55,7 +55,7 @@ fn spline() -> Tabcyl {
 /// Eight half waves over the x axis from 10 to 18, parabolas .6 high up and down in turn, with straight ends of 10.
 fn wave() -> Tabcyl {
     let half = |k: u8| {
-        let b = if k % 2 == 0 { -2.4 } else { 2.4 };
+        let b = if k.is_multiple_of(2) { -2.4 } else { 2.4 };
         TabcylSpan::new(Vec2::new(10.0 + f64::from(k), 0.0), 0.0, b, 1.0)
     };
     let way = Vec2::new(10.0, 24.0) / 2.6;
