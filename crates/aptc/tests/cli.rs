@@ -54,6 +54,30 @@ fn a_leaning_axis_without_machin_is_posted_for_five_axes() {
     }
 }
 
+/// Who names no machine and asks for no machine code is not failed by a machine that is only assumed.
+#[test]
+fn cl_data_alone_need_no_feed() {
+    let bare = "PARTNO BARE\nUNITS/MM\nCUTTER/6\nFROM/0,0,10\nGOTO/0,0,-1\nGOTO/50,0,-1\nFINI\n";
+    let named = bare.replace("CUTTER", "MACHIN/EMC\nCUTTER");
+    let dir = folder_with(&[("bare.apt", bare), ("named.apt", &named)]);
+    let run = aptc(dir.path(), &["compile", "bare.apt"]);
+    assert_eq!(run.status.code(), Some(0), "{}", text(&run.stderr));
+    assert!(dir.path().join("bare.cl").is_file() && !dir.path().join("bare.nc").exists());
+    let said = text(&run.stderr);
+    assert!(said.contains("no machine code is written: this cut has no feed rate"), "{said}");
+    assert!(!said.contains("Error") && !said.contains("Warning"), "{said}");
+    for asked in [
+        vec!["compile", "bare.apt", "--emit", "nc"],
+        vec!["compile", "bare.apt", "--machine", "grbl"],
+        vec!["compile", "named.apt"],
+        vec!["post", "bare.cl"],
+    ] {
+        let run = aptc(dir.path(), &asked);
+        assert_eq!(run.status.code(), Some(1), "{asked:?}: {}", text(&run.stderr));
+        assert!(text(&run.stderr).contains("this cut has no feed rate"), "{asked:?}");
+    }
+}
+
 #[test]
 fn errors_leave_good_files_alone() {
     let dir = folder_with(&[("slot.apt", GOOD)]);

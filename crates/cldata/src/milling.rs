@@ -2,7 +2,7 @@
 
 use std::sync::Arc as Shared;
 
-use aptc_geometry::Sculptured;
+use aptc_geometry::{Form, Profile, Sculptured};
 
 use crate::NameRef;
 
@@ -13,8 +13,14 @@ pub struct Milling {
     pub part: Option<Milled>,
     /// Does the tool end lie on the part surface (ON)? Else the cutter touches it.
     pub on: bool,
-    /// Further surfaces that are checked (CHKSRF).
+    /// Further sculptured surfaces that are checked (CHKSRF).
     pub checked: Vec<Milled>,
+    /// Checked surfaces of other kinds.
+    pub plain: Vec<Plain>,
+    /// Shank and holder, which keep clear of what is checked.
+    pub holder: Vec<Raised>,
+    /// Is the part surface checked too (CHKSRF/PS), so that shank and holder keep clear of it?
+    pub guarded: bool,
     /// How deep the cutter may be in a surface.
     pub intol: f64,
     /// How much may be left on the part surface beyond thickness and scallop.
@@ -29,7 +35,7 @@ pub struct Milling {
 impl Milling {
     /// Is the tool held to a surface or kept off one? A tool end that is led away from its surface is free.
     pub fn asks(&self) -> bool {
-        self.part.is_some() || !self.checked.is_empty()
+        self.part.is_some() || !self.checked.is_empty() || !self.plain.is_empty()
     }
 }
 
@@ -46,14 +52,48 @@ pub struct Milled {
     pub thick: f64,
 }
 
-/// What may be left between the passes.
+/// A surface that is not sculptured: the cutter keeps to the side of it on which it stands.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plain {
+    /// Its name.
+    pub name: NameRef,
+    /// Its canonical form in the part frame.
+    pub form: Shared<Form>,
+}
+
+/// A solid about the tool axis that goes along with the cutter.
 #[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Raised {
+    /// Its outline, from its own lower end.
+    pub profile: Profile,
+    /// Height of that end above the tool end.
+    pub up: f64,
+}
+
+/// What may be left between the passes.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Scallop {
     /// Greatest height over the part surface and its thickness.
     pub height: f64,
-    /// The region: least and greatest u and v of the part surface, a box between the first and the last pass; none
-    /// where it is not known, as the tool end is led or the passes run askew to both parameters.
-    pub range: Option<[[f64; 2]; 2]>,
+    /// Where.
+    pub extent: Extent,
     /// Did the tool get out of the way somewhere (AVCTRL)? What stands there then was not to be cut.
     pub avoided: bool,
+}
+
+/// A region of the part surface, by its parameters u and v, between the contacts of the first and the last pass.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Extent {
+    /// Least and greatest u and v.
+    Box([[f64; 2]; 2]),
+    /// What a closed outline of straight lines holds that does not cross itself, by its corners: the contacts of the
+    /// first and the last pass, and the ends of those between.
+    Outline {
+        /// Its corners, one after the other.
+        corners: Vec<[f64; 2]>,
+        /// Does the tool go from the end of a pass to the next along the outline? If not, more may stand there.
+        linked: bool,
+    },
+    /// It is not known, for this reason.
+    Unknown(&'static str),
 }

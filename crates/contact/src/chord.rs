@@ -244,52 +244,18 @@ impl Run<'_, '_> {
     /// One dip or one bump, as on most chords: the slope, met at a few places, falls or rises all along, and
     /// the cubic through the ends foretells what is met. `None` when it is not so.
     fn single(&self, a: Place, b: Place, resolution: f64) -> Result<Option<Chord>, Reason> {
-        let rises = b.slope > a.slope;
-        let sign = if rises { 1.0 } else { -1.0 };
-        let [sa, sb] = [sign * a.slope, sign * b.slope];
-        if sa >= 0.0 || sb <= 0.0 || !self.goes_round(&a, &b) {
+        if !self.goes_round(&a, &b) {
             return Ok(None);
         }
-        let (value, slope) = (|p: &Place| sign * p.gap.g, |p: &Place| sign * p.slope);
-        let depth = 0.125 * (b.t - a.t) * (sb - sa);
-        let (mut low, mut high) = (a, b);
-        let mut t = cubic_minimum(&a.sample(), &b.sample(), sa, sb, value(&a), value(&b));
-        let foretold = cubic_at(&a, &b, t);
-        for round in 0..SINGLE {
-            let at = self.between(&low, &high, t)?;
-            let s = slope(&at);
-            let strange = round == 0 && (at.gap.g - foretold).abs() > 0.05 * depth;
-            if strange || s <= slope(&low) || s >= slope(&high) {
-                return Ok(None);
-            }
-            // The slope's own slope there, from the parabola through three places.
-            let by = |p: &Place| (slope(p) - s) / (p.t - at.t);
-            let whole = (slope(&high) - slope(&low)) / (high.t - low.t);
-            let bend = by(&low) + by(&high) - whole;
-            if bend <= 0.0 {
-                return Ok(None);
-            }
-            // Twice what is left to the extreme of a parabola.
-            let left = s * s / bend;
-            if left <= resolution {
-                let inner = Extreme { t: at.t, g: sign * (value(&at) - left) };
-                let ends = if (a.gap.g <= b.gap.g) == rises { &b } else { &a };
-                let outer = Extreme { t: ends.t, g: ends.gap.g };
-                let (low, high) = if rises { (inner, outer) } else { (outer, inner) };
-                let bow = b.slope - a.slope;
-                return Ok(Some(Chord { low, high, bow, proved: false }));
-            }
-            t = at.t - s / bend;
-            if s < 0.0 {
-                low = at;
-            } else {
-                high = at;
-            }
-            if t <= low.t || t >= high.t {
-                return Ok(None);
-            }
-        }
-        Ok(None)
+        let between = |a: &Place, b: &Place, t: f64| self.between(a, b, t);
+        let Some(inner) = single(a, b, resolution, Place::sample, between)? else {
+            return Ok(None);
+        };
+        let rises = b.slope > a.slope;
+        let ends = if (a.gap.g <= b.gap.g) == rises { &b } else { &a };
+        let outer = Extreme { t: ends.t, g: ends.gap.g };
+        let (low, high) = if rises { (inner, outer) } else { (outer, inner) };
+        Ok(Some(Chord { low, high, bow: b.slope - a.slope, proved: false }))
     }
 
     /// Any curvature: halves of a piece are bounded by the cubics through their ends and slopes and by how far
@@ -411,15 +377,65 @@ pub(crate) fn dip<N>(
     Ok(Extreme { t: cut.0, g: sign * cut.1 })
 }
 
+/// The one dip or bump between two places whose slopes have different signs: the slope, met at a few places, falls or rises
+/// all along, and the cubic through the ends foretells what is met. `None` when it is not so. `between` looks at a place
+/// between two that are known.
+#[inline]
+pub(crate) fn single<P: Copy>(
+    a: P,
+    b: P,
+    resolution: f64,
+    sample: impl Fn(&P) -> Sample,
+    between: impl Fn(&P, &P, f64) -> Result<P, Reason>,
+) -> Result<Option<Extreme>, Reason> {
+    let [begin, end] = [sample(&a), sample(&b)];
+    let sign = if end.slope > begin.slope { 1.0 } else { -1.0 };
+    let (value, slope) = (|p: &Sample| sign * p.g, |p: &Sample| sign * p.slope);
+    let [sa, sb] = [slope(&begin), slope(&end)];
+    if sa >= 0.0 || sb <= 0.0 {
+        return Ok(None);
+    }
+    let depth = 0.125 * (end.t - begin.t) * (sb - sa);
+    let (mut low, mut high) = ((a, begin), (b, end));
+    let mut t = cubic_minimum(&begin, &end, sa, sb, value(&begin), value(&end));
+    let foretold = cubic_at(&begin, &end, t);
+    for round in 0..SINGLE {
+        let found = between(&low.0, &high.0, t)?;
+        let at = sample(&found);
+        let s = slope(&at);
+        let strange = round == 0 && (at.g - foretold).abs() > 0.05 * depth;
+        if strange || s <= slope(&low.1) || s >= slope(&high.1) {
+            return Ok(None);
+        }
+        // The slope's own slope there, from the parabola through three places.
+        let by = |p: &Sample| (slope(p) - s) / (p.t - at.t);
+        let whole = (slope(&high.1) - slope(&low.1)) / (high.1.t - low.1.t);
+        let bend = by(&low.1) + by(&high.1) - whole;
+        if bend <= 0.0 {
+            return Ok(None);
+        }
+        // Twice what is left to the extreme of a parabola.
+        let left = s * s / bend;
+        if left <= resolution {
+            return Ok(Some(Extreme { t: at.t, g: sign * (value(&at) - left) }));
+        }
+        t = at.t - s / bend;
+        *(if s < 0.0 { &mut low } else { &mut high }) = (found, at);
+        if t <= low.1.t || t >= high.1.t {
+            return Ok(None);
+        }
+    }
+    Ok(None)
+}
+
 /// The cubic through values and slopes of two places.
-fn cubic_at(a: &Place, b: &Place, t: f64) -> f64 {
+fn cubic_at(a: &Sample, b: &Sample, t: f64) -> f64 {
     let h = b.t - a.t;
     let x = (t - a.t) / h;
-    let (ga, gb) = (a.gap.g, b.gap.g);
-    let (c1, rise) = (a.slope * h, gb - ga);
+    let (c1, rise) = (a.slope * h, b.g - a.g);
     let c2 = 3.0 * rise - 2.0 * c1 - b.slope * h;
     let c3 = c1 + b.slope * h - 2.0 * rise;
-    ga + x * (c1 + x * (c2 + x * c3))
+    a.g + x * (c1 + x * (c2 + x * c3))
 }
 
 /// Where the tangents at the ends of a bracket meet.

@@ -15,13 +15,66 @@ const SQUARE: f64 = 1e-12;
 
 /// A surface with a cutter that does not turn.
 #[derive(Clone, Copy, Debug)]
-pub struct Guide {
+pub struct ClosedGuide {
     form: Form,
     touch: Touch,
     profile: Profile,
     ta: Vec3,
     /// What the gap is less than the distance.
     thick: f64,
+}
+
+/// A surface with a cutter that does not turn, and what is read of the gap between them.
+pub trait Guide: Sized {
+    /// What is known of the place of the surface, for the next reading to begin at.
+    type At: Copy;
+    /// How the gap bends.
+    type Bends: Copy;
+
+    /// The guide of what [`crate::distance`] is asked for, where there is one.
+    fn new(
+        tool: &Tool<'_>,
+        surface: &Surface,
+        condition: Condition,
+        side: Side,
+        thick: f64,
+    ) -> Option<Self>;
+
+    /// The place of a gap.
+    fn at(gap: &Gap) -> Self::At;
+
+    /// May another place of contact than that read become the deepest, so that it has to be looked for?
+    fn several(&self) -> bool;
+
+    /// Do the contacts with these normals lie far from each other on the cutter?
+    fn apart(&self, a: Vec3, b: Vec3) -> bool;
+
+    /// The gap to the `surface` that the guide is made for with the tool end at `te`, at the place near `at`; `None` where
+    /// another part of the cutter touches than the guide is made for, at an end of the surface, and in its middle, where
+    /// no normal is.
+    fn read(
+        &self,
+        surface: &Surface,
+        te: Vec3,
+        at: Self::At,
+    ) -> Option<Reading<Self::At, Self::Bends>>;
+
+    /// Second derivative of the gap that was read when the tool end moves along `v`; see [`crate::second`].
+    fn second(read: &Reading<Self::At, Self::Bends>, v: Vec3) -> f64;
+
+    /// The gap in full at a place where this was read.
+    fn gap(&self, te: Vec3, read: &End<Self::At>) -> Gap;
+
+    /// Least and greatest gap while the tool end moves by `v` from `te`, as of [`crate::chord`]; `ends` are what is read at
+    /// both ends. `None` where nothing is at the first, and where more than one dip or bump may be on the way.
+    fn chord(
+        &self,
+        surface: &Surface,
+        te: Vec3,
+        v: Vec3,
+        ends: [&End<Self::At>; 2],
+        resolution: f64,
+    ) -> Option<[f64; 2]>;
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -48,29 +101,47 @@ enum Touch {
 
 /// The gap at a place.
 #[derive(Clone, Copy, Debug)]
-pub struct Reading {
+pub struct Reading<At, Bends> {
+    /// Gap, gradient and place.
+    pub end: End<At>,
+    /// How it bends.
+    pub(crate) bends: Bends,
+}
+
+/// Second derivatives of a gap across its normal: along `across` and square to it.
+#[derive(Clone, Copy, Debug)]
+pub struct Bends {
+    pub(crate) along: f64,
+    pub(crate) aside: f64,
+    pub(crate) across: Vec3,
+}
+
+/// The gap at an end of a chord.
+#[derive(Clone, Copy, Debug)]
+pub struct End<At> {
     /// Signed gap less THICK, as in [`Gap`].
     pub g: f64,
     /// Its gradient, a unit vector.
     pub normal: Vec3,
-    /// Second derivatives across the normal: along `across` and square to it.
-    bends: [f64; 2],
-    across: Vec3,
+    /// Where on the surface.
+    pub at: At,
 }
 
-impl Reading {
-    /// Second derivative of the gap when the tool end moves along `v`; see [`crate::second`].
+impl Bends {
+    /// That along `v`, of a gap with this unit normal.
     #[inline]
-    pub fn second(&self, v: Vec3) -> f64 {
-        let (out, aside) = (self.normal.dot(&v), self.across.dot(&v));
+    pub(crate) fn second(&self, normal: Vec3, v: Vec3) -> f64 {
+        let (out, aside) = (normal.dot(&v), self.across.dot(&v));
         let rest = v.norm_squared() - out * out - aside * aside;
-        self.bends[0] * aside * aside + self.bends[1] * rest
+        self.along * aside * aside + self.aside * rest
     }
 }
 
-impl Guide {
-    /// The guide of what [`crate::distance`] is asked for, where there is one.
-    pub fn new(
+impl Guide for ClosedGuide {
+    type At = ();
+    type Bends = Bends;
+
+    fn new(
         tool: &Tool<'_>,
         surface: &Surface,
         condition: Condition,
@@ -119,48 +190,42 @@ impl Guide {
         Some(Self { form, touch, profile: *tool.profile, ta: tool.ta, thick })
     }
 
-    /// The gap with the tool end at `te`; `None` where another part of the cutter touches than the guide is made for,
-    /// and in the middle of the surface, where no normal is.
     #[inline]
-    pub fn read(&self, te: Vec3) -> Option<Reading> {
+    fn at(_: &Gap) {}
+
+    #[inline]
+    fn several(&self) -> bool {
+        false
+    }
+
+    #[inline]
+    fn apart(&self, _: Vec3, _: Vec3) -> bool {
+        false
+    }
+
+    #[inline(always)]
+    fn read(&self, _: &Surface, te: Vec3, (): ()) -> Option<Reading<(), Bends>> {
         match &self.form {
-            Form::Plane { n, d } => {
-                let g = n.dot(&te) - d;
-                Some(Reading { g, normal: *n, bends: [0.0; 2], across: Vec3::zeros() })
-            }
+            Form::Plane { n, d } => Some(reading(n.dot(&te) - d, *n, [0.0; 2], Vec3::zeros())),
             Form::Round { from, along, sign, level, up } => {
                 let w = te - from;
                 let w = w - along * w.dot(along);
                 let away = w.norm();
                 let bend = sign / away;
-                let reading = Reading {
-                    g: sign * away + level,
-                    normal: w * bend,
-                    bends: [0.0, bend],
-                    across: *along,
-                };
-                (away > 0.0 && up.dot(&w) >= 0.0).then_some(reading)
+                let found = reading(sign * away + level, w * bend, [0.0, bend], *along);
+                (away > 0.0 && up.dot(&w) >= 0.0).then_some(found)
             }
-            Form::Solid { from, along, level } => {
-                let w = from - te;
-                let near = self.tool(te).near(te + (w - along * w.dot(along)));
-                let [bend, _, around] = near.shape.k;
-                let straight = along != &Vec3::zeros();
-                let (around, across) =
-                    if straight { (0.0, *along) } else { (around, near.shape.frame[1]) };
-                Some(Reading {
-                    g: near.distance + level,
-                    normal: -near.normal,
-                    bends: [around, bend],
-                    across,
-                })
-            }
+            Form::Solid { from, along, level } => Some(self.solid(te, [*from, *along], *level)),
         }
     }
 
-    /// The gap in full at a place where `g` and `normal` were read.
     #[inline]
-    pub fn gap(&self, te: Vec3, g: f64, normal: Vec3) -> Gap {
+    fn second(read: &Reading<(), Bends>, v: Vec3) -> f64 {
+        read.bends.second(read.end.normal, v)
+    }
+
+    #[inline]
+    fn gap(&self, te: Vec3, &End { g, normal, .. }: &End<()>) -> Gap {
         let raw = g + self.thick;
         let (tool_point, segment) = match (self.touch, &self.form) {
             (Touch::End, _) => (te, None),
@@ -183,18 +248,16 @@ impl Guide {
         Gap { g, raw, tool_point, surface_point, at: None, normal, segment, residual: 0.0 }
     }
 
-    /// Least and greatest gap while the tool end moves by `v` from `te`, as of [`crate::chord`]; `ends` are gap and rate of
-    /// change at both ends, of which the second has a reading. `None` where the first has none.
     #[inline]
-    pub fn chord(
+    fn chord(
         &self,
+        _: &Surface,
         te: Vec3,
         v: Vec3,
-        ends: [[f64; 2]; 2],
+        [begin, end]: [&End<()>; 2],
         resolution: f64,
     ) -> Option<[f64; 2]> {
-        let [[a, rate], [b, rate_at_end]] = ends;
-        let (low, high) = (a.min(b), a.max(b));
+        let (low, high) = (begin.g.min(end.g), begin.g.max(end.g));
         match &self.form {
             Form::Plane { .. } => Some([low, high]),
             Form::Round { from, along, sign, up, .. } => {
@@ -204,35 +267,56 @@ impl Guide {
                     return None;
                 }
                 let v = v - along * v.dot(along);
-                let t = -w.dot(&v) / v.norm_squared();
-                if !(t > 0.0 && t < 1.0) {
+                let (fall, length) = (-w.dot(&v), v.norm_squared());
+                if !(fall > 0.0 && fall < length) {
                     return Some([low, high]);
                 }
-                let inner = a + sign * ((w + v * t).norm() - w.norm());
+                let away = w.norm_squared();
+                let inner = (away - fall * fall / length).max(0.0).sqrt() - away.sqrt();
+                let inner = begin.g + sign * inner;
                 Some(if *sign > 0.0 { [inner, high] } else { [low, inner] })
             }
-            Form::Solid { .. } => {
+            Form::Solid { from, along, level } => {
+                let sample = |t: f64, e: &End<()>| Sample { t, g: e.g, slope: e.normal.dot(&v) };
                 let at = |t: f64, (): &()| {
-                    // Solids are read everywhere.
-                    let r = self.read(te + v * t).ok_or(aptc_geometry::Reason::NoHit)?;
-                    Ok((Sample { t, g: r.g, slope: r.normal.dot(&v) }, ()))
+                    let read = self.solid(te + v * t, [*from, *along], *level);
+                    Ok((sample(t, &read.end), ()))
                 };
-                let first = Sample { t: 0.0, g: a, slope: rate };
-                let last = Sample { t: 1.0, g: b, slope: rate_at_end };
+                let (first, last) = (sample(0.0, begin), sample(1.0, end));
                 let found = dip((first, ()), (last, ()), 1.0, resolution, at);
                 Some([found.ok()?.g, high])
             }
         }
     }
+}
 
+impl ClosedGuide {
     #[inline]
     fn tool(&self, te: Vec3) -> Tool<'_> {
         Tool { profile: &self.profile, te, ta: self.ta }
     }
+
+    /// What is read of [`Form::Solid`].
+    #[inline]
+    fn solid(&self, te: Vec3, [from, along]: [Vec3; 2], level: f64) -> Reading<(), Bends> {
+        let w = from - te;
+        let near = self.tool(te).near(te + (w - along * w.dot(&along)));
+        let [bend, _, around] = near.shape.k;
+        let (around, across) = match along == Vec3::zeros() {
+            true => (around, near.shape.frame[1]),
+            false => (0.0, along),
+        };
+        reading(near.distance + level, -near.normal, [around, bend], across)
+    }
+}
+
+#[inline(always)]
+fn reading(g: f64, normal: Vec3, [along, aside]: [f64; 2], across: Vec3) -> Reading<(), Bends> {
+    Reading { end: End { g, normal, at: () }, bends: Bends { along, aside, across } }
 }
 
 /// Is the cutter a ball up to the height of its middle? All below the middle it then touches with its arc.
-fn is_ball(profile: &Profile) -> bool {
+pub(crate) fn is_ball(profile: &Profile) -> bool {
     let (r, [_, high]) = (profile.corner_radius(), profile.corner());
     let [[inner, _], [wide, top]] = profile.joints();
     let near = 1e-12 * r;
@@ -287,15 +371,15 @@ mod tests {
             let side = if inside { Side::Negative } else { Side::Positive };
             let (te, v) = (vec(te) * 40.0, vec(v) * 9.0);
             let tool = Tool { profile: &profile, te, ta };
-            let Some(guide) = Guide::new(&tool, &surface, condition, side, thick) else { return Ok(()) };
-            let (Some(a), Some(b)) = (guide.read(te), guide.read(te + v)) else { return Ok(()) };
+            let Some(guide) = ClosedGuide::new(&tool, &surface, condition, side, thick) else { return Ok(()) };
+            let (Some(a), Some(b)) = (guide.read(&surface, te, ()), guide.read(&surface, te + v, ())) else { return Ok(()) };
             let whole = |te: Vec3| distance(&tool.at(te), &surface, condition, side, thick, None).unwrap();
             let ends = [whole(te), whole(te + v)];
             for (te, reading, gap) in [(te, &a, &ends[0]), (te + v, &b, &ends[1])] {
-                prop_assert!((reading.g - gap.g).abs() < NEAR, "{reading:?} {gap:?}");
-                let slant = (reading.normal - gap.normal).norm();
+                prop_assert!((reading.end.g - gap.g).abs() < NEAR, "{reading:?} {gap:?}");
+                let slant = (reading.end.normal - gap.normal).norm();
                 prop_assert!(slant < 1e-6, "{reading:?} {gap:?}");
-                let made = guide.gap(te, reading.g, reading.normal);
+                let made = guide.gap(te, &reading.end);
                 prop_assert!((made.tool_point - gap.tool_point).norm() < 1e-4, "{made:?} {gap:?}");
                 prop_assert!((made.surface_point - gap.surface_point).norm() < 1e-4);
                 prop_assert_eq!(made.segment, gap.segment);
@@ -305,14 +389,13 @@ mod tests {
                     && !(edge && gap.raw.abs() < 1.0)
                 {
                     let d = v.normalize();
-                    let (x, y) = (reading.second(d), shape.second(d));
+                    let (x, y) = (ClosedGuide::second(reading, d), shape.second(d));
                     prop_assert!((x - y).abs() < 1e-6 * (1.0 + x.abs()), "{x} {y} {gap:?}");
                 }
             }
             let to = tool.at(te + v);
             let c = chord(&tool, &to, &surface, condition, side, thick, Some(ends), 1e-10).unwrap();
-            let slopes = [[a.g, a.normal.dot(&v)], [b.g, b.normal.dot(&v)]];
-            let [low, high] = guide.chord(te, v, slopes, 1e-10).unwrap();
+            let [low, high] = guide.chord(&surface, te, v, [&a.end, &b.end], 1e-10).unwrap();
             prop_assert!((low - c.low.g).abs() < NEAR, "{low} {c:?}");
             prop_assert!((high - c.high.g).abs() < NEAR, "{high} {c:?}");
             for i in 0..=20 {

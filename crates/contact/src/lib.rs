@@ -25,6 +25,7 @@ mod gap;
 mod guide;
 mod open;
 mod patches;
+mod point;
 mod rings;
 mod search;
 mod tangents;
@@ -37,6 +38,7 @@ pub use curvature::second;
 pub use gap::{
     Condition, Gap, Side, distance, elsewhere, gap, gap_at, gap_near, on, opens, surrounds,
 };
-pub use guide::{Guide, Reading};
+pub use guide::{ClosedGuide, End, Guide, Reading};
 pub use patches::{Clear, PatchPlace, PatchTree};
+pub use point::PointGuide;
 pub use under::{Cell, Low};

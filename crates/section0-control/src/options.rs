@@ -49,6 +49,9 @@ pub struct CodeOptions {
     /// Machine code is not asked for: where neither the program nor [`machine`](Self::machine) names a machine that is known,
     /// none is assumed and Section 4 is left out.
     pub unasked: bool,
+    /// Machine code is one of the things that are written when nothing is said of it: where no machine is named either,
+    /// and the one that is assumed refuses the path, the CL data stand without machine code and with a note.
+    pub by_default: bool,
 }
 
 impl MachineChoice {

@@ -125,8 +125,7 @@ impl PartHead {
             ),
         };
         let alike = |(unknown, _): &(SmolStr, Span)| {
-            let mut names = aptc_post::machines().flat_map(|m| &m.machin);
-            names.find(|name| unknown.get(..3) == name.get(..3))
+            aptc_post::machin_names().find(|name| unknown.get(..3) == name.get(..3))
         };
         let near = self.unknown.as_ref().and_then(alike);
         let near = near.map_or(String::new(), |name| format!("did you mean MACHIN/{name}? "));
@@ -140,6 +139,8 @@ impl PartHead {
 pub(crate) struct Poster<W> {
     runs: Vec<Run<W>>,
     diagnostics: Vec<Diagnostic>,
+    /// The machine is assumed and its code was not asked for: what it refuses is no error.
+    may_fail: bool,
 }
 
 /// Machine codes with their texts.
@@ -177,7 +178,11 @@ impl<W: Write> Poster<W> {
             let post = Post::new(&machine, options);
             runs.push(Run { machine, post, block: Vec::new(), out: create()?, begun: false });
         }
-        Ok(Self { runs, diagnostics })
+        let may_fail = code.by_default
+            && code.machine.is_none()
+            && head.unknown.is_none()
+            && !head.names_machine();
+        Ok(Self { runs, diagnostics, may_fail })
     }
 
     /// Takes one record.
@@ -201,6 +206,16 @@ impl<W: Write> Poster<W> {
             run.out.write_all(&run.block)?;
             run.out.flush()?;
             let refused = posted.diagnostics.iter().any(Diagnostic::is_error);
+            if let Some(why) = posted.diagnostics.iter().find(|d| d.is_error())
+                && self.may_fail
+            {
+                let what = format!("no machine code is written: {}", why.message);
+                let help =
+                    "choose a machine with MACHIN or --machine when there shall be machine code";
+                let note = Diagnostic::note_at(codes::MACHINE_ASSUMED, why.span, what);
+                self.diagnostics = vec![note.help(help)];
+                continue;
+            }
             for d in posted.diagnostics {
                 if !self.diagnostics.contains(&d) {
                     self.diagnostics.push(d);

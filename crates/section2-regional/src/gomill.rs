@@ -18,6 +18,7 @@ use crate::regional::{Regional, Stand};
 use crate::report::reports;
 use crate::scon::Words;
 use crate::solve::Take;
+use crate::touched::along_lines;
 use crate::within::{self, Stretch};
 
 /// What the statement says besides surface and first line.
@@ -136,9 +137,10 @@ impl Regional {
             return done.why.map_or(Ok(stand), Err);
         }
         let done = region.mill(from, crew);
-        let (height, range, avoided) = (wish.scallop, done.range, done.avoided);
-        let scallop =
-            (height > 0.0 && done.why.is_none()).then_some(Scallop { height, range, avoided });
+        let (height, avoided) = (wish.scallop, done.avoided);
+        let extent = || along_lines(&done.touched, &part.surface);
+        let asked = height > 0.0 && done.why.is_none();
+        let scallop = asked.then(|| Scallop { height, extent: extent(), avoided });
         let control = self.milling_control(&part, scallop, false);
         self.diagnostics.extend(reports(origin, &done.notes));
         let stand = self.put(origin, (name, guide), done.puts, Some(&control), out);

@@ -39,6 +39,7 @@ mod smil;
 mod solve;
 mod stepover;
 mod tlproj;
+mod touched;
 mod watch;
 mod within;
 

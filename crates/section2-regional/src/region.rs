@@ -18,6 +18,7 @@ use crate::position::{Odd, Position};
 use crate::report::Note;
 use crate::solve::{Setup, Take};
 use crate::stepover::parameter_step;
+use crate::touched::Touched;
 
 /// What is put out.
 #[derive(Clone, Debug)]
@@ -100,8 +101,8 @@ pub(crate) struct Done {
     pub(crate) odd: Odd,
     /// The first position, put out or not.
     pub(crate) first: Option<(Vec3, Vec3)>,
-    /// A box of u and v of the part surface that lies between the contacts of the first and the last pass.
-    pub(crate) range: Option<[[f64; 2]; 2]>,
+    /// What each pass touches of the part surface.
+    pub(crate) touched: Vec<Touched>,
     pub(crate) why: Option<Failure>,
 }
 
@@ -125,8 +126,7 @@ struct Pass {
     avoided: bool,
     odd: Odd,
     first: Option<(Vec3, Vec3)>,
-    /// Least and greatest u and v of the part surface that its path touches.
-    touched: [[f64; 2]; 2],
+    touched: Touched,
     why: Option<Failure>,
 }
 
@@ -139,29 +139,6 @@ enum First {
     Left,
     /// It is put out unless the tool, which stands here, is there already.
     After((Vec3, Vec3)),
-}
-
-/// The box of the part surface's parameters that lies between the first and the last pass, from the least and greatest
-/// parameters that each pass touches; the greater one of the two that passes along u and along v would have.
-///
-/// Along the passes it goes as far as each of them does. Their contacts run through all of it without a gap, the first on one
-/// side of the box and the last on the other, so that every place in it has a pass on either side.
-fn between(touched: &[[[f64; 2]; 2]], spans: [f64; 2]) -> Option<[[f64; 2]; 2]> {
-    let (first, last) = (touched.first()?, touched.last()?);
-    let boxes = [0, 1].map(|k| {
-        let c = 1 - k;
-        let whole = [f64::NEG_INFINITY, f64::INFINITY];
-        let along = touched.iter().fold(whole, |r, t| [r[0].max(t[k][0]), r[1].min(t[k][1])]);
-        let up = [first[c][1], last[c][0]];
-        let down = [last[c][1], first[c][0]];
-        let mut range = [along; 2];
-        range[c] = if up[0] < up[1] { up } else { down };
-        range
-    });
-    let size =
-        |r: &[[f64; 2]; 2]| (r[0][1] - r[0][0]) / spans[0] * ((r[1][1] - r[1][0]) / spans[1]);
-    let real = boxes.into_iter().filter(|r| r.iter().all(|[a, b]| a < b));
-    real.max_by(|a, b| size(a).total_cmp(&size(b)))
 }
 
 /// Places of the tool, and axes, so near to each other for the size of the numbers are the same.
@@ -216,7 +193,7 @@ impl Region<'_> {
                 break;
             }
         }
-        done.range = between(&touched, self.setup.part.surface.spans());
+        done.touched = touched;
         done
     }
 
@@ -340,10 +317,8 @@ impl Region<'_> {
         let setup = Setup { joins: true, ..self.setup };
         let course = (lane.to, self.course, lane.sense);
         let points = self.run(&setup, lane.from, course, first, out)?;
-        out.touched = [0, 1].map(|k| {
-            let all = points.iter().map(|p| p.part_uv[k]);
-            all.fold([f64::INFINITY, f64::NEG_INFINITY], |r, x| [r[0].min(x), r[1].max(x)])
-        });
+        // Of passes that go to and fro the contacts are kept in one direction.
+        out.touched = Touched::by(points.iter().map(|p| p.part_uv), lane.sense < 0.0);
         let Some(target) = lane.next else { return Ok(()) };
         let mut from = lane.from;
         let stand = if self.clearance.is_some() {
@@ -469,27 +444,5 @@ impl Region<'_> {
             here = to;
         }
         Ok(())
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Passes along u at several v, in either order; along v; askew, and across both: a box between all of them, or none.
-    #[test]
-    fn a_box_between_the_first_and_the_last_pass() {
-        let lines = [[[0.0, 4.0], [0.5, 0.6]], [[0.2, 4.0], [1.4, 1.7]], [[0.0, 3.9], [2.5, 2.8]]];
-        let boxed = Some([[0.2, 3.9], [0.6, 2.5]]);
-        assert_eq!(between(&lines, [4.0, 3.0]), boxed);
-        let mut back = lines;
-        back.reverse();
-        assert_eq!(between(&back, [4.0, 3.0]), boxed);
-        let turned = lines.map(|[u, v]| [v, u]);
-        assert_eq!(between(&turned, [3.0, 4.0]), Some([[0.6, 2.5], [0.2, 3.9]]));
-        let askew = [[[0.0, 2.0], [0.0, 2.0]], [[1.0, 3.0], [1.0, 3.0]]];
-        assert_eq!(between(&askew, [4.0, 4.0]), None);
-        assert_eq!(between(&lines[..1], [4.0, 3.0]), None);
-        assert_eq!(between(&[], [4.0, 3.0]), None);
     }
 }

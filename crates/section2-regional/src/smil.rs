@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use aptc_cldata as cl;
-use aptc_cldata::milling::{Milled, Milling, Scallop};
+use aptc_cldata::milling::{Extent, Milled, Milling, Plain, Raised, Scallop};
 use aptc_diagnostics::Origin;
 use aptc_geometry::{Form, Vec3};
 use aptc_protap::{Arg, NameRef};
@@ -21,6 +21,7 @@ use crate::report::{Note, reports};
 use crate::scon::Words;
 use crate::settings::Band;
 use crate::solve::{Setup, Take};
+use crate::touched::{along_lines, led};
 
 /// What a statement gives.
 #[derive(Default)]
@@ -201,15 +202,25 @@ impl Regional {
         let senses = [along, over];
         let same =
             matches!(&setup.drive.guide, Guide::Surface(s) if Arc::ptr_eq(s, &setup.part.surface));
-        // Where the tool end is led over another surface, what the cutter does not come to lies between too.
-        let known = setup.part.touches && (same || setup.drive.hold == Hold::At);
         let ways = &self.ways();
         let region = Region { setup, stepover, feeds, clearance, ways, course, senses, skip };
         let done = region.mill(from, crew);
-        let range = done.range.filter(|_| known);
         let (height, avoided) = (stepover.scallop, done.avoided);
-        let scallop =
-            (height > 0.0 && done.why.is_none()).then_some(Scallop { height, range, avoided });
+        let part = &region.setup.part;
+        let extent = || {
+            if !part.touches {
+                Extent::Unknown("the tool end is led on its part surface")
+            } else if same {
+                along_lines(&done.touched, &part.surface)
+            } else if region.setup.drive.hold == Hold::At {
+                led(&done.touched, &part.surface, !pick)
+            } else {
+                // What the cutter does not come to lies between too.
+                Extent::Unknown("the tool end is led over another surface")
+            }
+        };
+        let asked = height > 0.0 && done.why.is_none();
+        let scallop = asked.then(|| Scallop { height, extent: extent(), avoided });
         let crate::region::Done { puts, notes, odd, first, why, .. } = done;
         let (joined, picks) = (skip, pick);
         Ok(Done { puts, notes, odd, first, picks, why, scallop, joined, away: false })
@@ -289,7 +300,7 @@ impl Regional {
     /// What the statement keeps to.
     fn control(&self, done: &Done) -> Option<Arc<cl::Control>> {
         let part = self.areas.part.as_ref()?;
-        let mut control = self.milling_control(part, done.scallop, done.joined);
+        let mut control = self.milling_control(part, done.scallop.clone(), done.joined);
         if let Some(c) = Arc::get_mut(&mut control).and_then(|c| c.milling.as_mut())
             && !part.touches
             && done.away
@@ -320,11 +331,19 @@ impl Regional {
             side: 1.0,
             thick: 0.0,
         });
+        let plain = self.plain.iter().map(|p| Plain {
+            name: cl::NameRef { name: p.name.as_str().into(), subscript: 0 },
+            form: Arc::clone(&p.form),
+        });
+        let holder = self.holder.iter().map(|&(profile, up)| Raised { profile, up });
         let band = self.settings.band();
         let milling = Milling {
             part: Some(own),
             on: !part.touches,
             checked: checked.collect(),
+            plain: plain.collect(),
+            holder: holder.collect(),
+            guarded: self.check_part && part.touches,
             intol: band.intol,
             outtol: band.outtol,
             scallop,

@@ -45,6 +45,7 @@ impl Post {
             && st.cycle.is_none()
             && st.thread.is_none()
             && !st.ended
+            && st.held.is_empty()
             && self.blocks.with_motion.is_none()
             && m.points.iter().all(|p| (p.ta - st.ta).norm() < 1e-12);
         let ready =

@@ -33,6 +33,7 @@ mod emit;
 mod feed;
 mod fit;
 mod fitting;
+mod held;
 mod index;
 mod kinematics;
 mod machine;
@@ -55,8 +56,8 @@ mod words;
 pub use machine::{
     ArcCenter, ArcPlane, Arcs, Axis, BlockNumbers, Carries, Compensation, Cycle, CycleWord,
     CycleWords, Dialect, Feed, Format, Machine, MachineKind, Milling, Multiaxis, OutputUnits,
-    Program, Rapid, RapidPath, Rotary, RotaryFeed, Spindle, Turning, TurningPlane, Wrap, machine,
-    machine_for, machines,
+    Program, Rapid, RapidPath, Rotary, RotaryFeed, Spindle, Turning, TurningPlane, Wrap,
+    machin_names, machine, machine_for, machines,
 };
 pub use nc_reader::NcReader;
 pub use post::{Post, PostOptions, Posted, ToolScan, post_all};

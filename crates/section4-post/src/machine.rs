@@ -15,7 +15,7 @@ mod check;
 mod defaults;
 mod milling;
 
-pub use builtin::{machine, machine_for, machines};
+pub use builtin::{machin_names, machine, machine_for, machines};
 pub use milling::Milling;
 
 /// A machine with its control.
@@ -551,6 +551,9 @@ pub struct Multiaxis {
     pub rewind_feed: f64,
     /// Within this angle of the singular direction the first rotary axis may keep its angle, degrees.
     pub singular: f64,
+    /// Comment before the first block in which the tool turns where it stands at feed, for tool-centre controls
+    /// that need a parameter of theirs for it.
+    pub turn_note: String,
     /// Length of the tool for control without tool-centre control when CUTTER and LOADTL give none,
     /// millimetres.
     pub tool_length: Option<f64>,

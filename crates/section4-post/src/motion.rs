@@ -93,6 +93,7 @@ impl Post {
             return;
         }
         self.leave_plane();
+        self.tool_center_off();
         let vars = self.common_vars();
         self.blocks.template(&machine.program.retract, &vars.list());
         self.left_for_home();

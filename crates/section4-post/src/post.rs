@@ -1,14 +1,20 @@
 //! The post-processor: takes CL records, conducts words and motion, gives text and findings.
 
+mod messages;
+mod tools;
+mod vars;
+
 use std::sync::Arc;
 
-use aptc_cldata::{Arg, Kind, MotionKind, Record, Units};
-use aptc_diagnostics::{Code, Diagnostic, Origin, Severity, codes};
+use aptc_cldata::{Kind, MotionKind, Record, Units};
+use aptc_diagnostics::{Diagnostic, Origin, Severity, codes};
 use smol_str::SmolStr;
 
-use crate::args::{Statement, whole};
-use crate::emit::{AptText, Blocks, TooGreat};
+pub use self::tools::ToolScan;
+use crate::args::Statement;
+use crate::emit::{AptText, Blocks};
 use crate::fitting::{Waiting, asks_nothing};
+use crate::held::may_wait;
 use crate::machine::{Dialect, Machine, MachineKind, OutputUnits};
 use crate::report::{BlockOrigin, Summary, ToolUse};
 use crate::roundtrip::{Checker, Proof};
@@ -19,9 +25,6 @@ use crate::words;
 
 /// Comments before the first block that are kept back until the start lines stand; more begin the program.
 const MOST_EARLY: usize = 200;
-
-/// Messages of one program; after that many one message says that there are more.
-const MOST_MESSAGES: usize = 500;
 
 /// What the caller may set.
 #[derive(Clone, Debug)]
@@ -146,8 +149,11 @@ impl Post {
             self.read_back(Some(record), begin, &record.origin);
         } else if self.waiting.is_empty() || !asks_nothing(&record.kind) {
             self.release_all();
-            let before = self.blocks.lines;
             let begin = self.blocks.out.len();
+            if !self.st.held.is_empty() && !may_wait(record) {
+                self.let_go();
+            }
+            let before = self.blocks.lines;
             let from_part = self.seen_from_part(record);
             let ended = self.st.ended;
             self.record(from_part.as_ref().unwrap_or(record));
@@ -349,6 +355,7 @@ impl Post {
             self.error(codes::COMPENSATION, origin, message, help);
         }
         self.leave_plane();
+        self.tool_center_off();
         let machine = Arc::clone(&self.machine);
         let vars = self.common_vars();
         self.blocks.template(&machine.program.end, &vars.list());
@@ -359,29 +366,6 @@ impl Post {
         if !self.st.ended {
             self.start(origin);
             self.end(origin);
-        }
-    }
-
-    /// Values that every template may use.
-    pub(crate) fn common_vars(&self) -> Vars {
-        let p = &self.machine.program;
-        let mm = self.st.path_tolerance_mm.unwrap_or(p.path_tolerance);
-        let tolerance = if mm > 0.0 {
-            let places = if self.st.inch { 5 } else { 4 };
-            trimmed(mm / self.st.out_mm(), places)
-        } else {
-            String::new()
-        };
-        let path_mode =
-            crate::emit::render(&p.path_mode, &[("tolerance", &tolerance)]).unwrap_or_default();
-        Vars {
-            part: self.st.partno.clone(),
-            machine: self.machine.title.clone(),
-            units: if self.st.inch { p.inch.clone() } else { p.metric.clone() },
-            work_offset: self.options.work_offset.clone().unwrap_or_else(|| p.work_offset.clone()),
-            path_mode,
-            number: if p.number == 0 { String::new() } else { format!("{:04}", p.number) },
-            name: program_name(&self.st.partno),
         }
     }
 
@@ -435,6 +419,13 @@ impl Post {
         }
     }
 
+    /// With `map`: the blocks since `before` come from a word.
+    pub(crate) fn note_word(&mut self, before: u64, origin: &Origin, word: &'static str) {
+        if self.options.map && self.blocks.lines > before {
+            self.note_lines(before, origin, SmolStr::new_static(word));
+        }
+    }
+
     fn note_lines(&mut self, before: u64, origin: &Origin, record: SmolStr) {
         let (first, last) = (before + 1, self.blocks.lines);
         if let Some(run) = self.map.last_mut()
@@ -445,104 +436,6 @@ impl Post {
         }
         self.map.push(BlockOrigin { first, last, record, origin: origin.clone() });
     }
-
-    pub(crate) fn error(&mut self, code: Code, origin: &Origin, message: String, help: &str) {
-        self.say(Diagnostic::error(code, origin.span, message), origin, help);
-    }
-
-    pub(crate) fn warn(&mut self, code: Code, origin: &Origin, message: String, help: &str) {
-        self.say(Diagnostic::warning(code, origin.span, message), origin, help);
-    }
-
-    pub(crate) fn note(&mut self, code: Code, origin: &Origin, message: String, help: &str) {
-        self.say(Diagnostic::note_at(code, origin.span, message), origin, help);
-    }
-
-    fn say(&mut self, mut d: Diagnostic, origin: &Origin, help: &str) {
-        // A statement in a loop would say the same at each pass.
-        let same = |o: &Diagnostic| o.code == d.code && o.span == d.span && o.message == d.message;
-        if self.diagnostics.iter().rev().take(64).any(same) {
-            return;
-        }
-        if self.diagnostics.len() >= MOST_MESSAGES && (!d.is_error() || self.refused()) {
-            if self.diagnostics.len() == MOST_MESSAGES {
-                let message = format!("more than {MOST_MESSAGES} messages; the rest is left out");
-                self.diagnostics.push(Diagnostic::note_at(
-                    codes::MORE_MESSAGES,
-                    origin.span,
-                    message,
-                ));
-            }
-            return;
-        }
-        if !help.is_empty() {
-            d = d.help(help);
-        }
-        self.diagnostics.push(d.within(origin.trace.clone()));
-    }
-
-    pub(crate) fn too_great(&mut self, origin: &Origin, e: TooGreat) {
-        let message = format!("{}{:e} is too great a number for a block", e.letter, e.value);
-        let help = "check the unit and the position of this statement";
-        self.error(codes::TOO_GREAT, origin, message, help);
-    }
-}
-
-/// Values that every template may use.
-pub(crate) struct Vars {
-    part: String,
-    machine: String,
-    units: String,
-    work_offset: String,
-    pub(crate) path_mode: String,
-    number: String,
-    name: String,
-}
-
-impl Vars {
-    pub(crate) fn list(&self) -> Vec<(&'static str, &str)> {
-        vec![
-            ("part", &self.part),
-            ("machine", &self.machine),
-            ("units", &self.units),
-            ("work_offset", &self.work_offset),
-            ("path_mode", &self.path_mode),
-            ("number", &self.number),
-            ("name", &self.name),
-        ]
-    }
-}
-
-/// The tools of LOADTL in order, for [`PostOptions::tools`].
-#[derive(Clone, Debug, Default)]
-pub struct ToolScan {
-    tools: Vec<u32>,
-}
-
-impl ToolScan {
-    /// Looks at one record.
-    pub fn push(&mut self, record: &Record) {
-        if let Kind::Post { word, args } = &record.kind
-            && let Some(tool) = loaded_tool(word, args)
-        {
-            self.tools.push(tool);
-        }
-    }
-
-    /// The tools.
-    pub fn finish(self) -> Vec<u32> {
-        self.tools
-    }
-}
-
-/// The tool that LOADTL, LOAD/TOOL or TURRET brings in.
-pub(crate) fn loaded_tool(word: &str, args: &[Arg]) -> Option<u32> {
-    let n = match (word, args) {
-        ("LOADTL" | "TURRET", [Arg::Number(n), ..]) => *n,
-        ("LOAD", [Arg::Word(w), Arg::Number(n), ..]) if w == "TOOL" => *n,
-        _ => return None,
-    };
-    whole(n)
 }
 
 /// Text of a whole program at once, with the next tool made ready at each tool change.
@@ -563,18 +456,6 @@ pub fn post_all(
     }
     let posted = post.finish(&mut out);
     (String::from_utf8_lossy(&out).into_owned(), posted)
-}
-
-/// A name that every control takes: letters and digits of PARTNO.
-fn program_name(part: &str) -> String {
-    let name: String = part
-        .to_ascii_uppercase()
-        .chars()
-        .map(|c| if c.is_ascii_alphanumeric() { c } else { '_' })
-        .collect();
-    let words: Vec<&str> = name.split('_').filter(|w| !w.is_empty()).collect();
-    let name: String = words.join("_").chars().take(24).collect();
-    if name.is_empty() { "PART".into() } else { name }
 }
 
 fn motion_name(kind: MotionKind) -> SmolStr {

@@ -100,6 +100,8 @@ pub(crate) struct State {
     pub(crate) spindle: SpindleState,
     /// The spindle was stopped by a tool change and has to run again.
     pub(crate) spindle_again: bool,
+    /// SPINDL and COOLNT whose blocks wait.
+    pub(crate) held: Vec<crate::held::Held>,
     pub(crate) max_rpm: Option<f64>,
     pub(crate) coolant: Option<String>,
     pub(crate) last_coolant: Option<String>,
@@ -140,6 +142,8 @@ pub(crate) struct State {
     /// Which ends of X, Y and Z have been reported as exceeded.
     pub(crate) limits_told: [[bool; 2]; 3],
     pub(crate) multax: bool,
+    /// The note about blocks in which the tool turns where it stands is written.
+    pub(crate) turn_noted: bool,
 }
 
 impl State {
@@ -175,6 +179,7 @@ impl State {
             refused_words: BTreeSet::new(),
             spindle: SpindleState::default(),
             spindle_again: false,
+            held: Vec::new(),
             max_rpm: None,
             coolant: None,
             last_coolant: None,
@@ -206,6 +211,7 @@ impl State {
             reach: [[f64::INFINITY, f64::NEG_INFINITY]; 5],
             limits_told: [[false; 2]; 3],
             multax: false,
+            turn_noted: false,
         }
     }
 

@@ -310,7 +310,10 @@ fn words_that_were_misread_are_done() {
     );
     assert!(posted.diagnostics.iter().any(|d| d.message.contains("more than two lengths")));
     // What comes of a surface speed is bounded: 300 feet a minute at 10 mm would be 2911.
-    assert!(good("linuxcnc-mill", &part("SPINDL/SFM,300,CLW,MAXRPM,2000")).contains("S2000"));
+    assert!(
+        good("linuxcnc-mill", &part("SPINDL/SFM,300,CLW,MAXRPM,2000\nGOTO/9,9,9"))
+            .contains("S2000")
+    );
     assert!(good("fanuc-0i-mill", &part("COOLNT/FLOOD\nCOOLNT/OFF")).contains("M9"));
     // Numbers of blocks leave the ends of the tape and the number of the program alone.
     for machine in ["fanuc-0i-mill", "haas-vf"] {

@@ -50,7 +50,8 @@ pub struct StatementProof {
 pub struct SurfaceBound {
     /// Name of the surface.
     pub name: String,
-    /// `drive`, `part` or `check`.
+    /// `drive`, `part` or `check`; in regional milling `part`, `checked`, `holder` (shank and holder against a checked
+    /// surface) and `scallop`.
     pub role: &'static str,
     /// The gap is nowhere less.
     pub least: f64,
@@ -78,6 +79,9 @@ pub struct Fault {
     pub depth: f64,
     /// Is it material that is cut (else material that is left)?
     pub gouge: bool,
+    /// Why it is not decided, where that is known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub why: Option<&'static str>,
 }
 
 /// A length for a message: small ones keep their digits.

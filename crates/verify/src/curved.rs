@@ -10,6 +10,7 @@ use crate::search::{Aim, FINE_FOLD, FOLD, Moved, clearance, clearance_from};
 use crate::sheet::{Sheet, Spot};
 use crate::sweep::Sweep;
 use crate::tool::{Pose, Tool, carry};
+use crate::upright::distances;
 use crate::witness::{Excess, descend, excess};
 
 /// Halvings of a vector whose axis turns.
@@ -71,6 +72,9 @@ impl Curved<'_> {
             |t: f64| between_poses(&Pose { te: a.te, ta: a.ta }, &Pose { te: b.te, ta: b.ta }, t);
         let pose = |t: f64| self.sheet.local(&world(t));
         let turn = angle(a.ta, b.ta);
+        if let Some([low, high]) = self.upright(tool, [&pose(0.0), &pose(1.0)], pad, warm) {
+            return Verdict::Proved { low, high };
+        }
         // A tool that is to be in the surface, as a disk is, is looked at from its own side first once that has told.
         let by_points = if warm.sunk { self.sunk(tool, &pose, turn, pad) } else { None };
         let by_points = by_points.filter(|half| matches!(half, Half::Holds(_)));
@@ -118,6 +122,30 @@ impl Curved<'_> {
             }
             (Half::Holds(low), Half::Holds(high)) => Verdict::Proved { low, high },
         }
+    }
+
+    /// Least and greatest gap of a cutter that stands along the generatrix of a TABCYL, when they are within what is
+    /// allowed; `None` where nothing is known of a vector before, and where they are not shown so.
+    fn upright(
+        &self,
+        tool: &Tool<'_>,
+        [a, b]: [&Pose; 2],
+        pad: f64,
+        warm: &mut Warm,
+    ) -> Option<[f64; 2]> {
+        let curve = self.sheet.curve()?;
+        let near = warm.near?[1];
+        // How far the tool reaches sideways where its axis leans by rounding.
+        let leans = [a, b].map(|pose| tool.reach() * pose.ta.xy().norm());
+        if self.on || leans[0].max(leans[1]) > 0.5 * pad {
+            return None;
+        }
+        let (widest, pad) = (tool.widest(), 0.5 * pad);
+        let limits = [widest + self.least - pad, widest + self.most + pad];
+        let ([low, high], near) =
+            distances(curve, self.side, [a.te.xy(), b.te.xy()], limits, &near)?;
+        warm.near = Some(near);
+        Some([low - widest, high - widest])
     }
 
     /// The gap at a position, from below and to a thousandth of the tool; `None` when it is not found.

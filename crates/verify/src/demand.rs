@@ -113,6 +113,18 @@ impl Demand {
         Self { body, side, within, open: c.open, on, least, most }
     }
 
+    /// That no point of a tool is deeper than `depth` beyond a surface with a closed form, the tool on the side `side` of
+    /// it; `None` of other surfaces.
+    pub(crate) fn clear(form: &Form, side: f64, depth: f64) -> Option<Self> {
+        let solid = match Solid::new(form)? {
+            Solid::Half(p) if side < 0.0 => Solid::Half(Plane { n: -p.n, d: -p.d }),
+            solid => solid,
+        };
+        let within = side < 0.0 && !matches!(solid, Solid::Half(_));
+        let (body, least, most) = (Body::Solid(solid), -depth, f64::INFINITY);
+        Some(Self { body, side, within, open: false, on: false, least, most })
+    }
+
     /// Judges the cut vector from `a` to `b`; `pad` covers rounding. Of what is refuted the deepest place is
     /// given, to a tenth of its depth.
     pub(crate) fn judge(&self, profile: &Profile, a: &Position, b: &Position, pad: f64) -> Verdict {
@@ -128,22 +140,34 @@ impl Demand {
         pad: f64,
         warm: &mut Warm,
     ) -> Verdict {
+        let tool = if self.on { Tool::End } else { Tool::Solid(profile) };
+        self.judge_tool(&tool, a, b, pad, warm)
+    }
+
+    /// The same of any tool.
+    pub(crate) fn judge_tool(
+        &self,
+        tool: &Tool<'_>,
+        a: &Position,
+        b: &Position,
+        pad: f64,
+        warm: &mut Warm,
+    ) -> Verdict {
         /// Halvings of a vector at most, and stretches that are looked at. Where the path of a turning tool
         /// just meets the border of its band the bounds are short of it by the square of the stretch.
         const DEPTH: u32 = 24;
         const MOST: u32 = 4000;
-        let tool = if self.on { Tool::End } else { Tool::Solid(profile) };
         let convex = match &self.body {
             Body::Solid(solid) => Convex::Solid(solid),
             Body::Hollow(hollow) => Convex::Hollow(hollow),
-            Body::Sheet(sheet) => return self.curved(sheet).judge(&tool, a, b, pad, warm),
+            Body::Sheet(sheet) => return self.curved(sheet).judge(tool, a, b, pad, warm),
             Body::Unknown => return Verdict::Undecided { at_most: f64::INFINITY, te: a.te },
         };
         let (least, most) = (self.least - pad, self.most + pad);
         let turns = angle(a.ta, b.ta) > NO_TURN;
         let stop = |t: f64| {
             let pose = between(a, b, t);
-            let touch = if turns { self.touch(&tool, &pose, convex) } else { None };
+            let touch = if turns { self.touch(tool, &pose, convex) } else { None };
             Stop { t, pose, touch }
         };
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
@@ -154,7 +178,7 @@ impl Demand {
         let mut seen = 0;
         while let Some((from, to, depth)) = stack.pop() {
             seen += 1;
-            let bound = self.bound(&tool, &from, &to, convex);
+            let bound = self.bound(tool, &from, &to, convex);
             let excess = (least - bound.low).max(bound.high - most);
             if excess <= 0.0 {
                 (low, high) = (low.min(bound.low), high.max(bound.high));
@@ -164,7 +188,7 @@ impl Demand {
             let suspects = [deep.then_some(bound.low_at), far.then_some(bound.high_at)];
             for t in suspects.into_iter().flatten() {
                 let place = between_poses(&from.pose, &to.pose, t);
-                let gap = self.gap(&tool, &place, convex);
+                let gap = self.gap(tool, &place, convex);
                 let depth = (least - gap).max(gap - most);
                 if depth > worst.map_or(0.0, |w| w.0) {
                     worst = Some((depth, gap, place.te));

@@ -143,14 +143,14 @@ impl Cut {
     /// How far the surface is from what the cutter swept there, negative cut into; `None` where the cutter did
     /// not come near.
     fn deviation(&self, swath: &Swath, p: Vec3) -> Option<f64> {
-        let scallop = self.milling.scallop.map_or(0.0, |s| s.height);
+        let scallop = self.milling.scallop.as_ref().map_or(0.0, |s| s.height);
         let near = 10.0 * (self.milling.intol + self.milling.outtol + scallop);
         swath.least(p, near).map(|b| b.0).filter(|d| *d <= near)
     }
 
     fn color(&self, deviation: Option<f64>) -> &'static str {
         let Milling { intol, outtol, .. } = self.milling;
-        let scallop = self.milling.scallop.map_or(0.0, |s| s.height);
+        let scallop = self.milling.scallop.as_ref().map_or(0.0, |s| s.height);
         match deviation {
             None => "#cccccc",
             Some(d) if d < -2.0 * intol => "#a50026",

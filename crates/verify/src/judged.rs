@@ -135,6 +135,7 @@ impl Judged {
                     te: te.into(),
                     depth,
                     gouge,
+                    why: None,
                 })
             }
             Verdict::Undecided { at_most, te } => Some(Fault {
@@ -144,6 +145,7 @@ impl Judged {
                 te: te.into(),
                 depth: at_most,
                 gouge: false,
+                why: None,
             }),
         }
     }

@@ -17,6 +17,7 @@ mod hollow;
 mod inside;
 mod judged;
 mod milled;
+mod outline;
 mod outside;
 mod pile;
 mod scallop;
@@ -28,6 +29,7 @@ mod statement;
 mod swath;
 mod sweep;
 mod tool;
+mod upright;
 mod verifier;
 mod witness;
 

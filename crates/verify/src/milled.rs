@@ -2,18 +2,19 @@
 
 use std::sync::{Arc, OnceLock};
 
-use aptc_cldata::milling::{Milled, Milling};
+use aptc_cldata::milling::{Milled, Milling, Plain, Raised};
 use aptc_cldata::{NameRef, Position};
-use aptc_geometry::Profile;
+use aptc_geometry::{Form, Profile};
 
 use crate::certificate::{Fault, SurfaceBound};
 use crate::curved::{Curved, Half, Warm, worst};
-use crate::demand::{Verdict, angle, between_poses};
+use crate::demand::{Demand, Verdict, angle, between_poses};
 use crate::pile::Pile;
 use crate::scallop::{Cusps, Left};
 use crate::search::{Aim, FOLD, Moved, clearance_from};
 use crate::sheet::Sheet;
 use crate::sheets::Sheets;
+use crate::solid::Solid;
 use crate::statement::{PLACES, Seen, Statement};
 use crate::swath::Swath;
 use crate::sweep::Sweep;
@@ -36,12 +37,14 @@ pub(crate) struct Region {
     swath: OnceLock<Swath>,
 }
 
-/// One of them.
-#[derive(Debug)]
+/// One of them, with what is held against it.
+#[derive(Clone, Debug)]
 pub(crate) struct MilledSurface {
-    sheet: Arc<Sheet>,
+    body: Body,
     name: String,
     role: &'static str,
+    /// What keeps clear of it beside the cutter itself: of shank and holder one solid.
+    holder: Option<Raised>,
     /// Is the tool end held to it? Else the cutter stays away from it.
     on: bool,
     side: f64,
@@ -49,24 +52,61 @@ pub(crate) struct MilledSurface {
     band: [f64; 2],
 }
 
+/// What is known of a surface.
+#[derive(Clone, Debug)]
+enum Body {
+    /// It has charts.
+    Sheet(Arc<Sheet>),
+    /// It has a closed form: what is asked of a tool on its positive side, and on the other.
+    Closed(Solid, Box<[Demand; 2]>),
+    /// Nothing that could be proved against.
+    Unknown,
+}
+
 impl Region {
     /// `None` when a surface has no charts.
     pub(crate) fn new(milling: &Milling, sheets: &Sheets) -> Option<Self> {
-        let part = milling.part.iter().map(|p| (p, "part"));
-        let all = part.chain(milling.checked.iter().map(|c| (c, "checked")));
-        let new = |(of, role): (&Milled, _)| {
-            Some(MilledSurface::new(of, role, milling, sheets.of(&of.surface)?))
-        };
-        let surfaces = all.map(new).collect::<Option<Vec<_>>>()?;
-        let cusps = milling.scallop.zip(milling.part.as_ref()).map(|(scallop, part)| {
+        let mut surfaces = Vec::new();
+        for (of, role) in milling
+            .part
+            .iter()
+            .map(|p| (p, "part"))
+            .chain(milling.checked.iter().map(|c| (c, "checked")))
+        {
+            surfaces.push(MilledSurface::new(of, role, milling, sheets.of(&of.surface)?));
+        }
+        let cusps = milling.scallop.as_ref().zip(milling.part.as_ref());
+        let cusps = cusps.and_then(|(scallop, part)| {
             let height = part.thick + scallop.height + milling.outtol;
-            Cusps::new(&surfaces[0].sheet, part.side, height, (scallop.range, scallop.avoided))
+            Some(Cusps::new(surfaces.first()?.sheet()?, part.side, height, scallop))
         });
+        surfaces
+            .extend(milling.plain.iter().map(|p| MilledSurface::plain(p, milling.intol, sheets)));
+        // Shank and holder keep clear of what is checked, the part surface only where it is.
+        let kept = |s: &&MilledSurface| s.role != "part" || milling.guarded;
+        let held = milling.holder.iter().flat_map(|h| {
+            surfaces.iter().filter(kept).map(|s| MilledSurface { holder: Some(*h), ..s.clone() })
+        });
+        let held: Vec<_> = held.collect();
+        surfaces.extend(held);
         Some(Self { surfaces, cusps, swath: OnceLock::new() })
     }
 
     pub(crate) fn surfaces(&self) -> &[MilledSurface] {
         &self.surfaces
+    }
+
+    /// What is known of the gaps, shank and holder as one.
+    pub(crate) fn bounds(&self, seen: &[Seen]) -> Vec<SurfaceBound> {
+        let mut all: Vec<SurfaceBound> = Vec::with_capacity(self.surfaces.len());
+        for bound in self.surfaces.iter().zip(seen).filter_map(|(s, seen)| s.bound(seen)) {
+            match all.iter_mut().find(|b| (&b.name, b.role) == (&bound.name, bound.role)) {
+                Some(b) if bound.least < b.least => *b = bound,
+                Some(_) => {}
+                None => all.push(bound),
+            }
+        }
+        all
     }
 
     /// The part surface by its name, and how much may stand on it between the passes.
@@ -75,9 +115,9 @@ impl Region {
         (name, self.cusps.as_ref().map_or(0.0, |c| c.height))
     }
 
-    /// May more stand between the passes, for the tool got out of the way there?
-    pub(crate) fn avoided(&self) -> bool {
-        self.cusps.as_ref().is_some_and(|c| c.avoided)
+    /// May more stand between the passes, for the tool got out of the way there? The reason.
+    pub(crate) fn excused(&self) -> Option<&'static str> {
+        self.cusps.as_ref()?.excused
     }
 
     /// What is left at one of [`PLACES`] parts of the region; `None` where nothing is asked.
@@ -103,12 +143,41 @@ impl MilledSurface {
         let thick = if on { 0.0 } else { of.thick };
         let (least, most) = (thick - milling.intol, thick + milling.outtol);
         Self {
-            sheet,
+            body: Body::Sheet(sheet),
             name: name_of(&of.name),
             role,
+            holder: None,
             on,
             side: of.side,
             band: [least, if on { most } else { f64::INFINITY }],
+        }
+    }
+
+    /// A surface that is not sculptured. Its straight continuations belong to it.
+    fn plain(of: &Plain, intol: f64, sheets: &Sheets) -> Self {
+        let on_side = |side: f64| Demand::clear(&of.form, side, intol);
+        let closed = || {
+            let both = Box::new([on_side(1.0)?, on_side(-1.0)?]);
+            Some(Body::Closed(Solid::new(&of.form)?, both))
+        };
+        // The working surface of a POLCON with a thickness is another one.
+        let thick = matches!(of.form.shape(), Form::Polyconic(p) if p.thickness != 0.0);
+        let sheet = || sheets.of_form(&of.form).filter(|_| !thick).map(Body::Sheet);
+        Self {
+            body: closed().or_else(sheet).unwrap_or(Body::Unknown),
+            name: name_of(&of.name),
+            role: "checked",
+            holder: None,
+            on: false,
+            side: 1.0,
+            band: [-intol, f64::INFINITY],
+        }
+    }
+
+    fn sheet(&self) -> Option<&Arc<Sheet>> {
+        match &self.body {
+            Body::Sheet(sheet) => Some(sheet),
+            Body::Closed(..) | Body::Unknown => None,
         }
     }
 
@@ -122,14 +191,28 @@ impl MilledSurface {
         vector: u64,
         seen: &mut Seen,
     ) -> Option<Fault> {
-        let (verdict, from) = if self.on {
-            let [least, most] = self.band;
-            let curved = Curved { sheet: &self.sheet, side: self.side, on: true, least, most };
-            (curved.judge(&Tool::End, a, b, pad, &mut seen.warm), least)
-        } else {
-            (self.clear(&Tool::Solid(profile), a, b, pad, &mut seen.warm), self.band[0])
+        let tool = match &self.holder {
+            Some(Raised { profile, up }) => Tool::Raised(profile, *up),
+            None => Tool::Solid(profile),
         };
-        let surface = || format!("{} surface {}", self.role, self.name);
+        let [from, most] = self.band;
+        let warm = &mut seen.warm;
+        let verdict = match &self.body {
+            Body::Sheet(sheet) if self.on && self.holder.is_none() => {
+                let curved = Curved { sheet, side: self.side, on: true, least: from, most };
+                curved.judge(&Tool::End, a, b, pad, warm)
+            }
+            Body::Sheet(sheet) => self.clear(sheet, &tool, a, b, pad, warm),
+            Body::Closed(solid, sides) => {
+                // The tool stands on the side of its middle.
+                let middle = a.te + a.ta * tool.middle().0;
+                let side = usize::from(solid.distance(middle) < 0.0);
+                sides[side].judge_tool(&tool, a, b, pad, warm)
+            }
+            Body::Unknown => Verdict::Undecided { at_most: f64::INFINITY, te: a.te },
+        };
+        let with = if self.holder.is_some() { " with the holder" } else { "" };
+        let surface = || format!("{} surface {}{with}", self.role, self.name);
         match verdict {
             Verdict::Proved { low, high } => {
                 seen.take(low, high, Some(b.te));
@@ -139,7 +222,15 @@ impl MilledSurface {
                 let gouge = gap < from;
                 let depth = if gouge { from - gap } else { gap - self.band[1] };
                 let te = te.into();
-                Some(Fault { refuted: true, surface: surface(), vector, te, depth, gouge })
+                Some(Fault {
+                    refuted: true,
+                    surface: surface(),
+                    vector,
+                    te,
+                    depth,
+                    gouge,
+                    why: None,
+                })
             }
             Verdict::Undecided { at_most, te } => Some(Fault {
                 refuted: false,
@@ -148,13 +239,15 @@ impl MilledSurface {
                 te: te.into(),
                 depth: at_most,
                 gouge: true,
+                why: None,
             }),
         }
     }
 
-    /// That no point of the surface is nearer to the cutter than the least.
+    /// That no point of the surface is nearer to the tool than the least.
     fn clear(
         &self,
+        sheet: &Sheet,
         tool: &Tool<'_>,
         a: &Position,
         b: &Position,
@@ -163,11 +256,11 @@ impl MilledSurface {
     ) -> Verdict {
         let ends = [Pose { te: a.te, ta: a.ta }, Pose { te: b.te, ta: b.ta }];
         let pose = |t: f64| between_poses(&ends[0], &ends[1], t);
+        let own = |t: f64| sheet.local(&pose(t));
         let turn = angle(a.ta, b.ta);
         let least = self.band[0] - pad;
-        let first = keeps_off(tool, &self.sheet, &pose, turn, least, warm);
-        let deeper =
-            |least: f64| keeps_off(tool, &self.sheet, &pose, turn, least, &mut Warm::default());
+        let first = keeps_off(tool, sheet, &own, turn, least, warm);
+        let deeper = |least: f64| keeps_off(tool, sheet, &own, turn, least, &mut Warm::default());
         match worst(first, least, deeper) {
             Half::Holds(low) => Verdict::Proved { low, high: f64::INFINITY },
             Half::Broken(t, gap) => Verdict::Refuted { gap, te: pose(t).te },
@@ -176,10 +269,10 @@ impl MilledSurface {
     }
 
     /// What is known of the gap; nothing before a vector was proved.
-    pub(crate) fn bound(&self, seen: &Seen) -> Option<SurfaceBound> {
+    fn bound(&self, seen: &Seen) -> Option<SurfaceBound> {
         (seen.low < f64::INFINITY).then(|| SurfaceBound {
             name: self.name.clone(),
-            role: self.role,
+            role: if self.holder.is_some() { "holder" } else { self.role },
             least: seen.low,
             most: seen.high,
             band: self.band,
@@ -239,3 +332,7 @@ fn keeps_off(
     }
     if open.1 > 0.0 { Half::Open(open.0, open.1) } else { Half::Holds(low) }
 }
+
+#[cfg(test)]
+#[path = "milled_tests.rs"]
+mod tests;

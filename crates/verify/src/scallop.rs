@@ -8,9 +8,11 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use aptc_cldata::milling::{Extent, Scallop};
 use aptc_geometry::Vec3;
 
-use crate::sheet::{Patch, Sheet};
+use crate::outline::{Outline, Share};
+use crate::sheet::{Patch, Sheet, Spot};
 use crate::swath::Swath;
 
 /// Pieces that are looked at in one part of a region.
@@ -27,10 +29,12 @@ pub(crate) struct Cusps {
     side: f64,
     /// Allowed height over the surface, thickness and tolerance included.
     pub(crate) height: f64,
-    /// None where the region is not known.
-    pieces: Option<Vec<Patch>>,
-    /// Did the tool get out of the way somewhere, so that more may stand?
-    pub(crate) avoided: bool,
+    /// The reason where the region is not known.
+    pieces: Result<Vec<Patch>, &'static str>,
+    /// What of the pieces counts, where that is not all of them.
+    outline: Option<Outline>,
+    /// Why more may stand somewhere, if it may.
+    pub(crate) excused: Option<&'static str>,
     /// The first part in which something is left; those behind it do not count.
     first: AtomicUsize,
 }
@@ -42,17 +46,20 @@ pub(crate) enum Left {
     Proved,
     /// Something does: its height, and the number of the nearest way.
     Higher(f64, usize),
-    /// It is not known near this way.
-    Open(usize),
+    /// It is not known near this way, and why where that is known.
+    Open(usize, Option<&'static str>),
 }
 
 impl Cusps {
-    pub(crate) fn new(
-        sheet: &Arc<Sheet>,
-        side: f64,
-        height: f64,
-        (range, avoided): (Option<[[f64; 2]; 2]>, bool),
-    ) -> Self {
+    pub(crate) fn new(sheet: &Arc<Sheet>, side: f64, height: f64, asked: &Scallop) -> Self {
+        let (range, outline, linked) = match &asked.extent {
+            Extent::Box(range) => (Ok(*range), None, true),
+            Extent::Outline { corners, linked } => {
+                let outline = Outline::new(corners);
+                (Ok(outline.range()), Some(outline), *linked)
+            }
+            Extent::Unknown(why) => (Err(*why), None, true),
+        };
         let pieces = range.map(|range| {
             let mut pieces = sheet.pieces(&range);
             let mut across = 0;
@@ -63,14 +70,22 @@ impl Cusps {
             pieces.reverse();
             pieces
         });
+        let excused = match (asked.avoided, linked) {
+            (true, _) => Some("the tool got out of the way"),
+            (false, false) => Some("the tool does not go from the end of a pass to the next"),
+            (false, true) => None,
+        };
         let (sheet, first) = (Arc::clone(sheet), AtomicUsize::new(usize::MAX));
-        Self { sheet, side, height, pieces, avoided, first }
+        Self { sheet, side, height, pieces, outline, excused, first }
     }
 
     /// Judges what the ways leave in part `part` of `n`; `pad` covers rounding. Behind a part where something is left
     /// any answer is given.
     pub(crate) fn judge(&self, swath: &Swath, pad: f64, part: usize, n: usize) -> Left {
-        let Some(pieces) = &self.pieces else { return Left::Open(0) };
+        let pieces = match &self.pieces {
+            Ok(pieces) => pieces,
+            Err(why) => return Left::Open(0, Some(why)),
+        };
         if part > self.first.load(Ordering::Relaxed) {
             return Left::Proved;
         }
@@ -87,6 +102,10 @@ impl Cusps {
         let mut hint = 0;
         let mut seen = 0;
         while let Some(patch) = stack.pop() {
+            let counts = self.outline.as_ref().map_or(Share::All, |o| o.share(&patch));
+            if counts == Share::None {
+                continue;
+            }
             seen += 1;
             let tile = self.sheet.tile(&patch);
             let x = tile.c + tile.n * (self.side * self.height);
@@ -111,12 +130,23 @@ impl Cusps {
                 continue;
             }
             if best.0 > pad {
-                let (height, way) = self.height_at(swath, tile.c, tile.n, best.1);
-                return Left::Higher(height, way);
+                // Where the middle is beside the region a place of its outline tells.
+                let (c, n, near) = match counts {
+                    Share::Rest(at) => {
+                        let jet =
+                            self.sheet.jet(&self.sheet.settle(Spot { chart: patch.chart, at }));
+                        (jet.p, jet.n, swath.least(jet.p + jet.n * (self.side * self.height), pad))
+                    }
+                    _ => (tile.c, tile.n, None),
+                };
+                if near.is_none_or(|(d, _)| d > pad) {
+                    let (height, way) = self.height_at(swath, c, n, best.1);
+                    return Left::Higher(height, way);
+                }
             }
             let sides = [0, 1].map(|i| tile.side[i].norm() + tile.stray[i]);
             if seen > MOST || sides[0] + sides[1] <= pad {
-                return Left::Open(best.1);
+                return Left::Open(best.1, None);
             }
             stack.extend(patch.halves(usize::from(sides[1] > sides[0])));
         }

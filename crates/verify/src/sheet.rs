@@ -22,7 +22,7 @@ use crate::tool::Pose;
 pub(crate) use patched::Node;
 use patched::Patched;
 pub(crate) use quadric::Quadric;
-pub(crate) use tabcyl::Tabcyl;
+pub(crate) use tabcyl::{Flat, Tabcyl};
 
 /// A surface in a system of its own.
 #[derive(Clone, Debug)]
@@ -135,6 +135,14 @@ impl Sheet {
         Pose { te: turn(pose.te - self.origin), ta: turn(pose.ta) }
     }
 
+    /// The curve of a TABCYL, in the plane of its own first two axes.
+    pub(crate) fn curve(&self) -> Option<&Tabcyl> {
+        match &self.kind {
+            Kind::Tabcyl(t) => Some(t),
+            Kind::Quadric(_) | Kind::Patched(_) => None,
+        }
+    }
+
     /// On which side the point of the surface's own system lies, +1 or -1; `None` where only the nearest
     /// place tells.
     pub(crate) fn sign(&self, p: Vec3) -> Option<f64> {
@@ -237,7 +245,7 @@ impl Sheet {
         match &self.kind {
             Kind::Quadric(q) => q.second(patch),
             Kind::Tabcyl(t) => t.second(patch),
-            Kind::Patched(p) => p.second(patch.chart),
+            Kind::Patched(p) => p.second(patch),
         }
     }
 

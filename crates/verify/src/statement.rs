@@ -218,8 +218,7 @@ impl Statement {
             Ready::Milled(None) => {}
             Ready::Milled(Some(region)) => {
                 proof.method = "branch and bound";
-                let bounds = region.surfaces().iter().zip(&seen);
-                proof.surfaces = bounds.filter_map(|(s, seen)| s.bound(seen)).collect();
+                proof.surfaces = region.bounds(&seen);
                 if let Some(left) = left {
                     self.between(region, left, &mut proof, &mut vectors);
                 }
@@ -241,7 +240,7 @@ impl Statement {
         vectors: &mut [Outcome],
     ) {
         let (name, height) = region.allowed();
-        let (way, depth, refuted) = match left {
+        let (way, depth, refuted, why) = match left {
             Left::Proved => {
                 let (least, band) = (0.0, [0.0, height]);
                 let (role, most) = ("scallop", height);
@@ -249,8 +248,11 @@ impl Statement {
                 return;
             }
             // Where the tool got out of the way what it left was not to be cut.
-            Left::Higher(stands, way) => (way, stands - height, !region.avoided()),
-            Left::Open(way) => (way, f64::INFINITY, false),
+            Left::Higher(stands, way) => {
+                let why = region.excused();
+                (way, stands - height, why.is_none(), why)
+            }
+            Left::Open(way, why) => (way, f64::INFINITY, false, why),
         };
         let Some(at) = self.points.get(way) else { return };
         if let Some(outcome @ Outcome::Proved) = vectors.get_mut(way) {
@@ -259,7 +261,10 @@ impl Statement {
         let vector = way as u64 + 1;
         let surface = format!("between the passes the part surface {name}");
         let te = at.te.into();
-        keep(&mut proof.fault, Some(Fault { refuted, surface, vector, te, depth, gouge: false }));
+        keep(
+            &mut proof.fault,
+            Some(Fault { refuted, surface, vector, te, depth, gouge: false, why }),
+        );
     }
 
     /// A vector along surfaces without charts.
@@ -271,6 +276,7 @@ impl Statement {
             te: self.points.first().map_or(Vec3::zeros(), |p| p.te).into(),
             depth: f64::INFINITY,
             gouge: false,
+            why: None,
         }
     }
 

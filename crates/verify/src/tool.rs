@@ -16,6 +16,8 @@ pub(crate) struct Pose {
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Tool<'a> {
     Solid(&'a Profile),
+    /// A solid whose lower end stands so high above the tool end: shank or holder.
+    Raised(&'a Profile, f64),
     End,
 }
 
@@ -44,10 +46,20 @@ impl Change {
     }
 }
 
-impl Tool<'_> {
+impl<'a> Tool<'a> {
+    /// The solid and how high above the tool end it begins; `None` of the tool end alone.
+    #[inline]
+    fn solid(&self) -> Option<(&'a Profile, f64)> {
+        match *self {
+            Self::Solid(profile) => Some((profile, 0.0)),
+            Self::Raised(profile, up) => Some((profile, up)),
+            Self::End => None,
+        }
+    }
+
     /// The point of the tool farthest along `n`.
     pub(crate) fn farthest(&self, pose: &Pose, n: Vec3) -> Vec3 {
-        let Self::Solid(profile) = self else { return pose.te };
+        let Some((profile, base)) = self.solid() else { return pose.te };
         let up = n.dot(&pose.ta);
         let across = n - up * pose.ta;
         let out = across.norm();
@@ -56,14 +68,15 @@ impl Tool<'_> {
             return pose.te;
         }
         let [x, z] = profile.support(out / length, up / length).point;
-        pose.te + x * radial(across, out, pose.ta) + z * pose.ta
+        pose.te + x * radial(across, out, pose.ta) + (z + base) * pose.ta
     }
 
     /// Support function: greatest `n . p` over the tool.
     pub(crate) fn height(&self, pose: &Pose, n: Vec3) -> f64 {
         let base = n.dot(&pose.te);
-        let Self::Solid(profile) = self else { return base };
+        let Some((profile, lift)) = self.solid() else { return base };
         let up = n.dot(&pose.ta);
+        let base = base + lift * up;
         let out = (n - up * pose.ta).norm();
         let length = n.norm();
         if length == 0.0 {
@@ -86,22 +99,21 @@ impl Tool<'_> {
 
     /// How far the tool's ends are from its tool end, along the axis.
     pub(crate) fn tallest(&self) -> f64 {
-        match self {
-            Self::Solid(p) => p.height().abs().max(p.bottom().abs()),
-            Self::End => 0.0,
-        }
+        let tallest =
+            |(p, up): (&Profile, f64)| (up + p.height()).abs().max((up + p.bottom()).abs());
+        self.solid().map_or(0.0, tallest)
     }
 
     /// Signed distance of `q` from the tool and its unit gradient.
     pub(crate) fn near(&self, pose: &Pose, q: Vec3) -> (f64, Vec3) {
         let w = q - pose.te;
-        let Self::Solid(profile) = self else {
+        let Some((profile, up)) = self.solid() else {
             return (w.norm(), unit_or(w, -pose.ta));
         };
         let z = w.dot(&pose.ta);
         let across = w - z * pose.ta;
         let far = across.norm();
-        let near = profile.near(far, z);
+        let near = profile.near(far, z - up);
         let [out, up] = near.normal;
         (near.distance, out * radial(across, far, pose.ta) + up * pose.ta)
     }
@@ -109,7 +121,7 @@ impl Tool<'_> {
     /// The same with how the gradient changes.
     pub(crate) fn bent(&self, pose: &Pose, q: Vec3) -> (f64, Vec3, Change) {
         let w = q - pose.te;
-        let Self::Solid(profile) = self else {
+        let Some((profile, up)) = self.solid() else {
             let (far, m) = (w.norm(), unit_or(w, -pose.ta));
             let round = 1.0 / far;
             return (far, m, Change { m, ring: Vec3::zeros(), across: round, around: round });
@@ -117,7 +129,7 @@ impl Tool<'_> {
         let z = w.dot(&pose.ta);
         let across = w - z * pose.ta;
         let far = across.norm();
-        let near = profile.near(far, z);
+        let near = profile.near(far, z - up);
         let [out, up] = near.normal;
         let radial = radial(across, far, pose.ta);
         let m = out * radial + up * pose.ta;
@@ -129,10 +141,12 @@ impl Tool<'_> {
     /// Greatest distance of a point of the tool from `c`, and the unit direction to it.
     pub(crate) fn farthest_from(&self, pose: &Pose, c: Vec3) -> (f64, Vec3) {
         let w = c - pose.te;
-        let Self::Solid(profile) = self else { return (w.norm(), unit_or(-w, -pose.ta)) };
+        let Some((profile, up)) = self.solid() else {
+            return (w.norm(), unit_or(-w, -pose.ta));
+        };
         let z = w.dot(&pose.ta);
         let across = w - z * pose.ta;
-        let f = profile.farthest(across.norm(), z);
+        let f = profile.farthest(across.norm(), z - up);
         let [out, up] = f.direction;
         (f.distance, up * pose.ta - out * unit_or(across, any_across(pose.ta)))
     }
@@ -143,64 +157,45 @@ impl Tool<'_> {
         let w = c - pose.te;
         let z = w.dot(&pose.ta);
         let across = w - z * pose.ta;
-        let Self::Solid(profile) = self else {
+        let Some((profile, up)) = self.solid() else {
             let off = -across - z.max(0.0) * pose.ta;
             return (off.norm(), unit_or(off, -pose.ta));
         };
-        let f = profile.farthest_below(across.norm(), z);
+        let f = profile.farthest_below(across.norm(), z - up);
         let [out, up] = f.direction;
         (f.distance, up * pose.ta - out * unit_or(across, any_across(pose.ta)))
     }
 
     /// Has it no inside: the tool end alone, a disk, a cutter of no width?
     pub(crate) fn is_thin(&self) -> bool {
-        match self {
-            Self::Solid(p) => p.widest() <= 0.0 || p.height() <= p.bottom(),
-            Self::End => true,
-        }
+        self.solid().is_none_or(|(p, _)| p.widest() <= 0.0 || p.height() <= p.bottom())
     }
 
     /// A point well inside.
     pub(crate) fn inner(&self, pose: &Pose) -> Vec3 {
-        match self {
-            Self::Solid(p) => pose.te + pose.ta * (0.5 * (p.bottom() + p.height())),
-            Self::End => pose.te,
-        }
+        pose.te + pose.ta * self.middle().0
     }
 
     /// How far up its axis the middle of the tool is, and the radius of the sphere about it that holds the tool.
     pub(crate) fn middle(&self) -> (f64, f64) {
-        match self {
-            Self::Solid(p) => {
-                let half = 0.5 * (p.height() - p.bottom());
-                (0.5 * (p.bottom() + p.height()), trig::hypot(p.widest(), half))
-            }
-            Self::End => (0.0, 0.0),
-        }
+        let Some((p, up)) = self.solid() else { return (0.0, 0.0) };
+        let half = 0.5 * (p.height() - p.bottom());
+        (up + 0.5 * (p.bottom() + p.height()), trig::hypot(p.widest(), half))
     }
 
     /// How far up its axis the middle of its corner is.
     pub(crate) fn shoulder(&self) -> f64 {
-        match self {
-            Self::Solid(profile) => profile.corner()[1],
-            Self::End => 0.0,
-        }
+        self.solid().map_or(0.0, |(profile, up)| up + profile.corner()[1])
     }
 
     /// Greatest distance of a point of the tool from its axis.
     pub(crate) fn widest(&self) -> f64 {
-        match self {
-            Self::Solid(profile) => profile.widest(),
-            Self::End => 0.0,
-        }
+        self.solid().map_or(0.0, |(profile, _)| profile.widest())
     }
 
     /// Radius of the sphere about the tool end that holds the tool.
     pub(crate) fn reach(&self) -> f64 {
-        match self {
-            Self::Solid(profile) => profile.reach(),
-            Self::End => 0.0,
-        }
+        self.solid().map_or(0.0, |(profile, up)| up.abs() + profile.reach())
     }
 }
 

@@ -269,6 +269,7 @@ impl Verifier {
             te: p.te.into(),
             depth: f64::INFINITY,
             gouge: false,
+            why: None,
         });
         let (origin, surfaces) = (origin.clone(), Vec::new());
         let proof =
@@ -337,6 +338,7 @@ impl Verifier {
             let message =
                 format!("cut vector {} against {} could not be proved", f.vector, f.surface);
             let d = Diagnostic::warning(codes::UNPROVED, proof.origin.span, message);
+            let d = f.why.map_or(d.clone(), |why| d.note(why.to_owned()));
             if f.depth.is_finite() {
                 d.note(format!("it leaves the band by {} at most, {}", length(f.depth), f.place()))
             } else {

@@ -2,11 +2,11 @@
 
 use std::sync::Arc;
 
-use aptc_cldata::milling::{Milled, Milling, Scallop};
+use aptc_cldata::milling::{Extent, Milled, Milling, Plain, Raised, Scallop};
 use aptc_cldata::{Control, Kind, Motion, MotionKind, NameRef, Position, Record};
 use aptc_diagnostics::{Diagnostic, Origin, codes};
 use aptc_geometry::sculpt::{SplinePoint, mesh};
-use aptc_geometry::{Cutter, Sculptured, Vec3, trig};
+use aptc_geometry::{Cutter, Cylinder, Form, Plane, Profile, Sculptured, Sphere, Vec3, trig};
 use aptc_verify::{Certificate, Effort, Verifier, deviation_svg};
 
 const BAND: f64 = 0.01;
@@ -27,14 +27,19 @@ fn milled(name: &str, surface: &Arc<Sculptured>, thick: f64) -> Milled {
 }
 
 fn milling(surface: &Arc<Sculptured>, scallop: Option<f64>) -> Milling {
-    let range = Some([[0.0, 4.0]; 2]);
     Milling {
         part: Some(milled("FLOOR", surface, 0.0)),
         on: false,
         checked: Vec::new(),
+        plain: Vec::new(),
+        holder: Vec::new(),
+        guarded: false,
         intol: BAND,
         outtol: BAND,
-        scallop: scallop.map(|height| Scallop { height, range, avoided: false }),
+        scallop: scallop.map(|height| {
+            let extent = Extent::Box([[0.0, 4.0]; 2]);
+            Scallop { height, extent, avoided: false }
+        }),
         joined: false,
     }
 }
@@ -116,6 +121,102 @@ fn a_chord_over_a_crest_cuts_by_its_sagitta_and_a_checked_wall_is_held_off() {
     assert!(c.refuted > 0 && fault.surface == "checked surface WALL", "{fault:?}");
 }
 
+fn plain(name: &str, form: Form) -> Plain {
+    Plain { name: NameRef { name: name.into(), subscript: 0 }, form: Arc::new(form) }
+}
+
+/// A holder of radius 8 that begins 30 above the tool end.
+fn holder() -> Raised {
+    let profile = Profile::new(&Cutter::mill(16.0, 0.0, 20.0)).expect("a solid");
+    Raised { profile, up: 30.0 }
+}
+
+#[test]
+fn surfaces_of_other_kinds_are_held_off_by_cutter_and_holder() {
+    let flat = square(|_, _| 0.0);
+    let path = upright(&passes(2.0, 0.0));
+    let wall = |x: f64| plain("WALL", Form::Plane(Plane { n: Vec3::x(), d: x }));
+    let boss = |radius: f64| {
+        let center = Vec3::new(10.0, 9.0, 45.0);
+        plain("BOSS", Form::Sphere(Sphere { center, radius }))
+    };
+    let post = |radius: f64| {
+        let point = Vec3::new(10.0, -13.0, 0.0);
+        plain("POST", Form::Cylinder(Cylinder { point, axis: Vec3::z(), radius }))
+    };
+    let with = |p: &Plain, held: bool| {
+        let holder = if held { vec![holder()] } else { Vec::new() };
+        let own = Milling { plain: vec![p.clone()], holder, ..milling(&flat, None) };
+        judge(own, path.clone())
+    };
+    // The cutter comes to x = 25, its holder to 28; y to -5 and -8.
+    for (p, held, role, gap) in [
+        (wall(25.0 + 0.9 * BAND), false, "checked", 0.9 * BAND),
+        (wall(25.0 - 0.9 * BAND), false, "checked", -0.9 * BAND),
+        (wall(28.0 - 0.9 * BAND), true, "holder", -0.9 * BAND),
+        (post(8.0 + 0.9 * BAND), false, "checked", -0.9 * BAND),
+        (post(5.0 + 0.9 * BAND), true, "holder", -0.9 * BAND),
+    ] {
+        let (c, said) = with(&p, held);
+        assert!(c.is_proved(), "{said:?}");
+        let s = c.statements[0].surfaces.iter().find(|s| s.role == role).expect("a bound");
+        assert!((s.least - gap).abs() < 1e-9 && s.name == p.name.name.as_str(), "{s:?}");
+    }
+    for (p, held, what, depth) in [
+        (wall(25.0 - 1.5 * BAND), false, "checked surface WALL", 0.5 * BAND),
+        (wall(27.0), true, "checked surface WALL with the holder", 1.0 - BAND),
+        (post(8.0 + 3.0 * BAND), true, "checked surface POST with the holder", 3.0 + 2.0 * BAND),
+        (post(5.0 + 3.0 * BAND), true, "checked surface POST with the holder", 2.0 * BAND),
+        (boss(4.0), true, "checked surface BOSS with the holder", 5.0),
+    ] {
+        let (c, _) = with(&p, held);
+        let fault = c.statements[0].fault.clone().expect("a fault");
+        assert!(c.refuted > 0 && fault.gouge && fault.surface == what, "{fault:?}");
+        assert!(fault.depth > 0.85 * depth, "{fault:?}");
+    }
+    // The part surface is held off by the holder where it is checked.
+    let tall = square(|x, _| if x > 17.0 { 40.0 } else { 0.0 });
+    for (guarded, faults) in [(false, false), (true, true)] {
+        let place = upright(&[[-20.0, 10.0, 35.0], [-6.0, 10.0, 35.0]]);
+        let high =
+            Raised { up: 1.0, profile: Profile::new(&Cutter::mill(60.0, 0.0, 3.0)).expect("") };
+        let own = Milling { holder: vec![high], guarded, ..milling(&tall, None) };
+        let (c, _) = judge(own, place);
+        let holder = c.statements[0].fault.as_ref().map(|f| f.surface.clone());
+        assert_eq!(c.refuted > 0, faults, "{holder:?}");
+        assert!(!faults || holder.is_some_and(|s| s == "part surface FLOOR with the holder"));
+    }
+}
+
+#[test]
+fn a_tool_that_gets_out_of_the_way_is_proved_while_it_turns() {
+    // About the point that the ball stands on, away from a wall at x = 9, as AVCTRL tilts it.
+    let flat = square(|_, _| 0.0);
+    let lean = |deg: f64| {
+        let ta = Vec3::new(-trig::sin_deg(deg), 0.0, trig::cos_deg(deg));
+        Position { te: Vec3::new(4.0, 10.0, 5.0) - ta * 5.0, ta }
+    };
+    let wall = Plane { n: Vec3::x(), d: 9.0 - 0.5 * BAND };
+    let roof = Plane { n: Vec3::z(), d: 40.2 };
+    let at = |form: Plane, degrees: [f64; 2], raised: Option<Raised>| {
+        let own = Milling {
+            plain: vec![plain("WALL", Form::Plane(form))],
+            holder: raised.into_iter().collect(),
+            ..milling(&flat, None)
+        };
+        judge(own, degrees.map(lean).to_vec()).0
+    };
+    assert!(at(wall, [0.0, 20.0], None).is_proved());
+    assert!(at(wall, [-1.0, 20.0], None).refuted > 0);
+    // The holder is clear where it leans by 20 degrees and not where it stands upright.
+    let long = Raised { up: 40.0, ..holder() };
+    assert!(at(wall, [15.0, 30.0], Some(long)).is_proved());
+    assert!(at(wall, [0.0, 30.0], Some(long)).refuted > 0);
+    // Between two leaning positions the rim of the top rises to its highest.
+    assert!(at(roof, [-30.0, -20.0], None).is_proved());
+    assert!(at(roof, [-30.0, 30.0], None).refuted > 0);
+}
+
 #[test]
 fn what_is_left_between_passes_is_bounded() {
     let flat = square(|_, _| 0.0);
@@ -147,9 +248,51 @@ fn what_is_left_between_passes_is_bounded() {
     }
     // Where the region is not known that is said.
     let mut unknown = milling(&flat, Some(0.1));
-    unknown.scallop.as_mut().expect("set").range = None;
+    unknown.scallop.as_mut().expect("set").extent = Extent::Unknown("the tool end is led");
     let (c, said) = judge(unknown, upright(&passes(1.0, 0.0)));
     assert_eq!((c.undecided, said[0].code), (1, codes::UNPROVED));
+    assert_eq!(said[0].notes, ["the tool end is led"]);
+}
+
+#[test]
+fn what_is_left_between_askew_passes_is_bounded_within_their_outline() {
+    let flat = square(|_, _| 0.0);
+    // Passes askew to both parameters, over a square of 8 that stands on its corner about the middle.
+    let (along, over) = (Vec3::new(0.6, 0.8, 0.0), Vec3::new(-0.8, 0.6, 0.0));
+    let place = |s: f64, t: f64| Vec3::new(10.0, 10.0, 0.0) + along * s + over * t;
+    let way = |step: f64, n: i32| {
+        let pass = |i: i32| {
+            let t = step * f64::from(i) - 4.0;
+            let ends = if i % 2 == 0 { [-4.0, 4.0] } else { [4.0, -4.0] };
+            ends.map(|s| Position::upright(place(s, t)))
+        };
+        (0..=n).flat_map(pass).collect::<Vec<_>>()
+    };
+    let outline = |size: f64, linked: bool| {
+        let ends = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
+        let uv = |p: Vec3| [p.x / 5.0, p.y / 5.0];
+        let corners = ends.map(|(s, t)| uv(place(s * size, t * size))).to_vec();
+        Extent::Outline { corners, linked }
+    };
+    let asked = |height: f64, extent: Extent| Milling {
+        scallop: Some(Scallop { height, extent, avoided: false }),
+        ..milling(&flat, None)
+    };
+    for (step, n) in [(2.0_f64, 4), (4.0, 2)] {
+        let ridge = 5.0 - (25.0 - 0.25 * step * step).sqrt();
+        let (c, said) = judge(asked(ridge - BAND + 1e-4, outline(4.0, true)), way(step, n));
+        assert!(c.is_proved(), "{step} {said:?}");
+        assert!(c.statements[0].surfaces.iter().any(|s| s.role == "scallop"));
+        let (c, _) = judge(asked(ridge - BAND - 1e-4, outline(4.0, true)), way(step, n));
+        let fault = c.statements[0].fault.clone().expect("a ridge");
+        assert!(!fault.gouge && c.refuted == 1 && fault.depth < 1.1e-4, "{fault:?}");
+        // Beyond the passes nothing was cut; where the ends are not linked that is not refuted.
+        let (c, _) = judge(asked(ridge, outline(6.0, true)), way(step, n));
+        assert!(c.refuted > 0, "{step}");
+        let (c, said) = judge(asked(ridge, outline(6.0, false)), way(step, n));
+        assert_eq!((c.refuted, c.undecided, said[0].code), (0, 1, codes::UNPROVED));
+        assert!(said[0].notes.iter().any(|n| n.contains("end of a pass")), "{said:?}");
+    }
 }
 
 #[test]

@@ -27,6 +27,7 @@ pub(crate) fn compile(args: &CompileArgs, common: &Common) -> io::Result<ExitCod
     };
     code.map = args.emit.contains(&Emit::Map);
     code.unasked = ![Emit::Nc, Emit::Setup, Emit::Map].iter().any(|kind| args.emit.contains(kind));
+    code.by_default = args.emit == [Emit::Cl, Emit::Nc, Emit::Lst, Emit::Svg];
     let mut worst = 0;
     for part in &args.parts {
         let code = compile_one(part, &folder, args, common, code.clone())?;
@@ -140,6 +141,7 @@ pub(crate) fn code_options(args: &CodeArgs, limit: u64) -> Result<CodeOptions, S
         annotate: args.annotate,
         map: false,
         unasked: false,
+        by_default: false,
     })
 }
 

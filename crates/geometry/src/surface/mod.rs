@@ -207,6 +207,8 @@ impl Surface {
     pub fn place(&self, spot: Spot) -> Foot {
         match (self, spot.at) {
             (Self::Parametric(s), Some(at)) => s.place(at),
+            (Self::Tabcyl(s), Some(at)) => s.place(spot.point, at),
+            (Self::Quadric(s), _) => s.place(spot.point).unwrap_or_else(|| s.foot(spot.point)),
             _ => self.foot_from(spot.point, spot),
         }
     }

@@ -193,6 +193,15 @@ impl QuadricSurface {
         Foot { point, normal, distance, shape: self.shape(normal, s), at: None }
     }
 
+    /// The foot of the point `q` of the surface; `None` at a singular one.
+    pub fn place(&self, q: Vec3) -> Option<Foot> {
+        let half_gradient = 0.5 * self.form.gradient(q);
+        let s = half_gradient.norm();
+        (s > 1e-150).then_some(())?;
+        let normal = half_gradient / s;
+        Some(Foot { point: q, normal, distance: 0.0, shape: self.shape(normal, s), at: None })
+    }
+
     /// The place beside the point `q` of the surface by the tangent `by`: where the normal at `q`, set out from there, meets
     /// the same sheet. `None` where it meets none, and beside a singular place.
     pub fn beside(&self, q: Vec3, by: Vec3) -> Option<Foot> {
@@ -204,11 +213,7 @@ impl QuadricSurface {
         if !(b > 0.0 && away.is_finite()) {
             return None;
         }
-        let point = p + up * away;
-        let half_gradient = 0.5 * self.form.gradient(point);
-        let s = half_gradient.norm();
-        let normal = half_gradient.try_normalize(1e-150)?;
-        Some(Foot { point, normal, distance: 0.0, shape: self.shape(normal, s), at: None })
+        self.place(p + up * away)
     }
 
     /// The other place of a convex hollow (the negative side) from which the distance of `p` grows all round, beside

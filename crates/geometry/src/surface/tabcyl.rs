@@ -167,6 +167,21 @@ impl TabcylSurface {
         }
     }
 
+    /// The foot of the point `q` of the surface, whose parameters are `at`.
+    pub fn place(&self, q: Vec3, at: [f64; 2]) -> Foot {
+        let Bent { point, tangent, k } = self.spans[self.span(at[0])].bent(at[1]);
+        let [u, v, w] = self.axes;
+        let lift = |a: Vec2| u * a.x + v * a.y;
+        let normal = left(tangent);
+        Foot {
+            point: lift(point) + w * w.dot(&q),
+            normal: lift(normal),
+            distance: 0.0,
+            shape: self.shape(normal, k),
+            at: Some(at),
+        }
+    }
+
     /// Curvature at a point of the surface.
     pub fn shape_at(&self, spot: Spot) -> Shape {
         let Some([span, s]) = spot.at else { return self.foot(spot.point).shape };

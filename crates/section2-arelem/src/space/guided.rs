@@ -1,9 +1,10 @@
-//! Trials of cut vectors along guides: surfaces whose gaps are closed forms while the tool axis stands.
+//! Trials of cut vectors along guides: surfaces whose gaps are closed forms, or hang on one point of the tool, while its axis
+//! stands.
 //!
 //! The same places as those of the general trials, to rounding, found several times as fast. Whatever is out of the
 //! ordinary is left to those.
 
-use aptc_contact::{Gap, Guide, Reading};
+use aptc_contact::{ClosedGuide, End, Gap, Guide, PointGuide, Reading};
 use aptc_geometry::Vec3;
 
 use super::judge::{Fit, RESOLUTION};
@@ -17,60 +18,75 @@ const ROUNDS: usize = 12;
 /// Cosine of the turn from which the direction at the end of a cut vector may have to be reversed.
 const SHARP: f64 = 0.5;
 
-/// The guides of drive and part surface for a tool that keeps its axis; `None` when one has no closed form.
-pub(super) fn guides(keeps: &[Keep; 2], axis: &AxisRule, pose: &Pose) -> Option<[Guide; 2]> {
-    let guide = |keep: &Keep| {
-        let tool = keep.tool(pose);
-        Guide::new(&tool, &keep.surface, keep.condition, keep.side, keep.thick)
-    };
-    (!axis.turns()).then_some(())?;
-    Some([guide(&keeps[0])?, guide(&keeps[1])?])
+/// The guides of drive and part surface.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Guides {
+    /// Both have closed forms.
+    Closed([ClosedGuide; 2]),
+    /// One of them hangs on a point.
+    Point([PointGuide; 2]),
+}
+
+impl Guides {
+    /// Those of a tool that keeps its axis; `None` when there are none.
+    pub(super) fn new(keeps: &[Keep; 2], axis: &AxisRule, pose: &Pose) -> Option<Self> {
+        fn both<G: Guide>(keeps: &[Keep; 2], pose: &Pose) -> Option<[G; 2]> {
+            let guide = |k: &Keep| {
+                let tool = k.tool(pose);
+                G::new(&tool, &k.surface, k.condition, k.side, k.thick)
+            };
+            Some([guide(&keeps[0])?, guide(&keeps[1])?])
+        }
+        (!axis.turns()).then_some(())?;
+        let closed = both(keeps, pose).map(Self::Closed);
+        closed.or_else(|| both(keeps, pose).map(Self::Point))
+    }
+
+    /// May they miss a place of contact that becomes the deepest?
+    pub(super) fn several(&self) -> bool {
+        match self {
+            Self::Closed(_) => false,
+            Self::Point(guides) => guides.iter().any(Guide::several),
+        }
+    }
 }
 
 /// Trials along guides.
-pub(super) struct Guided<'a> {
+pub(super) struct Guided<'a, G: Guide> {
     pub(super) track: &'a Track,
-    pub(super) guides: &'a [Guide; 2],
-    pub(super) from: &'a Place,
+    pub(super) guides: &'a [G; 2],
+    pub(super) from: &'a Place<G::At>,
 }
 
 /// A place on the track as guides read it.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Place {
-    te: Vec3,
-    gaps: [f64; 2],
-    normals: [Vec3; 2],
-    course: Course,
+pub(super) struct Place<At> {
+    pub(super) te: Vec3,
+    gaps: [End<At>; 2],
+    pub(super) course: Course,
 }
 
-impl Place {
+impl<At: Copy> Place<At> {
     #[inline(always)]
-    pub(super) fn of(node: &Node) -> Self {
+    pub(super) fn of<G: Guide<At = At>>(node: &Node) -> Self {
         let [a, b] = &node.gaps;
-        let (gaps, normals) = ([a.g, b.g], [a.normal, b.normal]);
-        Self { te: node.pose.te, gaps, normals, course: node.course }
+        let end = |gap: &Gap| End { g: gap.g, normal: gap.normal, at: G::at(gap) };
+        Self { te: node.pose.te, gaps: [end(a), end(b)], course: node.course }
     }
 
-    /// The tool end.
-    #[inline]
-    pub(crate) fn te(&self) -> Vec3 {
-        self.te
-    }
-
-    /// Unit direction of motion.
-    #[inline]
-    pub(crate) fn along(&self) -> Vec3 {
-        self.course.along
+    #[inline(always)]
+    fn gaps(&self) -> [f64; 2] {
+        [self.gaps[0].g, self.gaps[1].g]
     }
 }
 
-impl Trials for Guided<'_> {
-    type Place = Place;
+impl<G: Guide> Trials for Guided<'_, G> {
+    type Place = Place<G::At>;
     const FINAL: bool = false;
 
     #[inline(always)]
     fn start(&self) -> ([f64; 2], &Course) {
-        (self.from.gaps, &self.from.course)
+        (self.from.gaps(), &self.from.course)
     }
 
     #[inline(always)]
@@ -79,16 +95,16 @@ impl Trials for Guided<'_> {
         s: f64,
         usual: f64,
         bends: Option<[f64; 2]>,
-        _: Option<&Stride<Place>>,
-    ) -> Result<Stride<Place>, Trouble> {
+        _: Option<&Stride<Self::Place>>,
+    ) -> Result<Stride<Self::Place>, Trouble> {
         let (track, from) = (self.track, self.from);
-        let targets = track.aims(from.gaps, bends.unwrap_or(from.course.bends), usual);
+        let targets = track.aims(from.gaps(), bends.unwrap_or(from.course.bends), usual);
         let (step, across) = from.course.ahead(s);
         let start = from.te + step;
-        let to = self.settle(start, start, across, targets)?;
+        let to = self.settle(start, start, across, targets, &from.gaps)?;
         let (to, targets) =
             match track.other_aims(self.start(), bends, to.course.bends, usual, targets) {
-                Some(aims) => (self.settle(start, to.te, across, aims)?, aims),
+                Some(aims) => (self.settle(start, to.te, across, aims, &to.gaps)?, aims),
                 None => (to, targets),
             };
         if (to.te - from.te).norm() > track.farthest(s) {
@@ -98,7 +114,7 @@ impl Trials for Guided<'_> {
     }
 
     #[inline(always)]
-    fn fit(&self, to: &Place) -> Result<Fit, Trouble> {
+    fn fit(&self, to: &Self::Place) -> Result<Fit, Trouble> {
         let (track, from) = (self.track, self.from);
         let v = to.te - from.te;
         let mut all = Fit { fits: true, ratio: f64::INFINITY, bends: [0.0; 2] };
@@ -110,13 +126,16 @@ impl Trials for Guided<'_> {
             if keep.is_plane() {
                 continue;
             }
-            let (here, there) = (from.gaps[i], to.gaps[i]);
-            let slopes = [from.normals[i].dot(&v), to.normals[i].dot(&v)];
-            let ends = [[here, slopes[0]], [there, slopes[1]]];
-            let chord = guide.chord(from.te, v, ends, RESOLUTION * keep.width());
+            let (here, there) = (&from.gaps[i], &to.gaps[i]);
+            if guide.several() && guide.apart(here.normal, there.normal) {
+                // The contact may have gone over to another place.
+                return Err(Trouble::Contact);
+            }
+            let chord =
+                guide.chord(&keep.surface, from.te, v, [here, there], RESOLUTION * keep.width());
             let [low, high] = chord.ok_or(Trouble::Contact)?;
-            let bow = slopes[1] - slopes[0];
-            let (fits, ratio) = track.judge(i, [here, there], [low, high], bow);
+            let bow = there.normal.dot(&v) - here.normal.dot(&v);
+            let (fits, ratio) = track.judge(i, [here.g, there.g], [low, high], bow);
             all.fits &= fits;
             all.ratio = all.ratio.min(ratio);
             all.bends[i] = bow / v.norm_squared();
@@ -125,9 +144,9 @@ impl Trials for Guided<'_> {
     }
 }
 
-impl Guided<'_> {
+impl<G: Guide> Guided<'_, G> {
     /// Newton's method from `begin` to the place in the plane across `across` through `start`, with the gaps at their
-    /// targets.
+    /// targets, from the places `near` of both surfaces.
     #[inline(always)]
     fn settle(
         &self,
@@ -135,45 +154,56 @@ impl Guided<'_> {
         begin: Vec3,
         across: Vec3,
         targets: [f64; 2],
-    ) -> Result<Place, Trouble> {
+        near: &[End<G::At>; 2],
+    ) -> Result<Place<G::At>, Trouble> {
         let [drive, part] = self.guides;
+        let [one, two] = [&self.track.keeps[0].surface, &self.track.keeps[1].surface];
         let exact = self.track.exact;
         let (mut te, mut last) = (begin, f64::INFINITY);
+        let mut at = [near[0].at, near[1].at];
         for _ in 0..ROUNDS {
-            let a = drive.read(te).ok_or(Trouble::Contact)?;
-            let b = part.read(te).ok_or(Trouble::Contact)?;
-            let off = [targets[0] - a.g, targets[1] - b.g, across.dot(&(start - te))];
+            let a = drive.read(one, te, at[0]).ok_or(Trouble::Contact)?;
+            let b = part.read(two, te, at[1]).ok_or(Trouble::Contact)?;
+            at = [a.end.at, b.end.at];
+            let off = [targets[0] - a.end.g, targets[1] - b.end.g, across.dot(&(start - te))];
             let worst = off[0].abs().max(off[1].abs()).max(off[2].abs());
             if worst <= exact {
-                return place(te, [&a, &b], self.from.course.along);
+                return self.place(te, [&a, &b]);
             }
             if worst > 0.9 * last && worst > 10.0 * exact {
                 break;
             }
             last = worst;
-            te += solve_normals([a.normal, b.normal, across], off).ok_or(Trouble::SideBySide)?;
+            te += solve_normals([a.end.normal, b.end.normal, across], off)
+                .ok_or(Trouble::SideBySide)?;
         }
         Err(Trouble::Stuck)
     }
 
     /// The node at a place, with the tool axis `ta`.
     #[inline(always)]
-    pub(super) fn node(&self, ta: Vec3, at: &Place) -> Node {
-        let gap = |i: usize| -> Gap { self.guides[i].gap(at.te, at.gaps[i], at.normals[i]) };
+    pub(super) fn node(&self, ta: Vec3, at: &Place<G::At>) -> Node {
+        let gap = |i: usize| -> Gap { self.guides[i].gap(at.te, &at.gaps[i]) };
         Node { pose: Pose { te: at.te, ta }, gaps: [gap(0), gap(1)], course: at.course }
     }
-}
 
-/// The end of a trial, going on as `heading` does.
-#[inline(always)]
-fn place(te: Vec3, [a, b]: [&Reading; 2], heading: Vec3) -> Result<Place, Trouble> {
-    let along = a.normal.cross(&b.normal).try_normalize(1e-7).ok_or(Trouble::SideBySide)?;
-    let along = if along.dot(&heading) < 0.0 { -along } else { along };
-    if along.dot(&heading) < SHARP {
-        return Err(Trouble::Stuck);
+    /// The end of a trial, going on as its start does.
+    #[inline(always)]
+    fn place(
+        &self,
+        te: Vec3,
+        [a, b]: [&Reading<G::At, G::Bends>; 2],
+    ) -> Result<Place<G::At>, Trouble> {
+        let heading = self.from.course.along;
+        let normals = [a.end.normal, b.end.normal];
+        let along = normals[0].cross(&normals[1]).try_normalize(1e-7);
+        let along = along.ok_or(Trouble::SideBySide)?;
+        let along = if along.dot(&heading) < 0.0 { -along } else { along };
+        if along.dot(&heading) < SHARP {
+            return Err(Trouble::Stuck);
+        }
+        let bends = [G::second(a, along), G::second(b, along)];
+        let course = Course::new(normals, along, bends)?;
+        Ok(Place { te, gaps: [a.end, b.end], course })
     }
-    let bends = [a.second(along), b.second(along)];
-    let normals = [a.normal, b.normal];
-    let course = Course::new(normals, along, bends)?;
-    Ok(Place { te, gaps: [a.g, b.g], normals, course })
 }

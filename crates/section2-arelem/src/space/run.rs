@@ -8,7 +8,7 @@ use aptc_geometry::{Profile, Surface, Vec3};
 use aptc_protap::{OptionSurface, Relation};
 
 use super::blocked::{Cause, cause};
-use super::guided::guides;
+use super::guided::Guides;
 use super::keep::{Keep, Pose};
 use super::nearest::approach;
 use super::stride::Pace;
@@ -88,15 +88,15 @@ fn follow(scene: &Scene, begin: &Begin) -> Result<Path, Failure> {
         if free > 0.0 && reach >= cap && !straight {
             let met: u32 = watches.iter().map(|w| w.account().0).sum();
             let (ta, mut round) = (node.pose.ta, false);
-            let cruised = track.cruise(&node, cap, &mut pace, free, |from, to| {
-                let way = to.te() - from.te();
+            let cruised = track.cruise(&node, cap, &mut pace, free, |[from, to], along| {
+                let way = to - from;
                 let length = way.norm();
                 if round || vectors >= most || length < least {
                     return false;
                 }
                 (vectors, gone, last) = (vectors + 1, gone + length, way);
-                points.push(Position { te: to.te(), ta });
-                round = loops.closed(from.te(), to.te(), to.along(), met);
+                points.push(Position { te: to, ta });
+                round = loops.closed(from, to, along, met);
                 true
             });
             if let Some(to) = cruised {
@@ -346,7 +346,7 @@ fn begin(scene: &Scene) -> Result<Begin, Failure> {
     let (te, ta) = (pose.te, pose.ta);
     let around = Around { te, ta, part: &part_gap, drive: &drive_gap, along: heading };
     let axis = sided(scene, &keeps, &around);
-    let guides = guides(&keeps, &axis, &pose);
+    let guides = Guides::new(&keeps, &axis, &pose);
     let track = Track { keeps, axis, guides, exact, size };
     let node = track.node(pose, heading).map_err(|t| trouble_at(scene, &pose, t))?;
     if off_drive <= 1.0 && off_part <= 1.0 {

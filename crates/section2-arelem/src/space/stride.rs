@@ -6,7 +6,10 @@
 //! chord to the one just tried is known from the lowest gap on it, and the search for the length takes two
 //! or three trials. The same holds for the high limit over hollow surfaces.
 
-use super::guided::{Guided, Place};
+use aptc_contact::Guide;
+use aptc_geometry::Vec3;
+
+use super::guided::{Guided, Guides, Place};
 use super::judge::{AIM_TURNING, Fit};
 use super::keep::{Keep, Limits};
 use super::track::{Course, Node, Track, Trouble};
@@ -130,8 +133,11 @@ impl Pace {
         self.ratio.unwrap_or(1.0) + self.trend
     }
 
-    fn learn(&mut self, ratio: f64) {
-        let ratio = ratio.clamp(0.2, 2.0);
+    /// A cut vector was this long where `plan` was foretold, and could be longer by the ratio `rest` at most.
+    fn learn(&mut self, length: f64, rest: f64, plan: f64) {
+        self.length = length;
+        let rest = if rest <= 1.0 + LONG_ENOUGH { rest } else { 1.0 };
+        let ratio = (length * rest / plan).clamp(0.2, 2.0);
         let trend = self.ratio.map_or(0.0, |last| ratio - last);
         self.trend = if trend.abs() <= EVEN { trend } else { 0.0 };
         self.ratio = Some(ratio);
@@ -145,10 +151,17 @@ impl Track {
     /// when it may be so; once it is, and where nothing is found, every trial asks.
     pub(crate) fn stride(&self, from: &Node, cap: f64, pace: &mut Pace) -> Result<Stride, Trouble> {
         if !pace.careful {
-            if let Some(stride) = self.guided(from, cap, pace) {
+            let guided = self.guided(from, cap, pace);
+            if let Some(stride) = guided
+                && !self.several()
+            {
                 return Ok(stride);
             }
-            if let Ok(stride) = self.by_contacts(from, cap, pace, false) {
+            let stride = match guided {
+                Some(stride) => Ok(stride),
+                None => self.by_contacts(from, cap, pace, false),
+            };
+            if let Ok(stride) = stride {
                 let turn = (stride.to.pose.ta - from.pose.ta).norm();
                 let reach = self.keeps[0].profile.reach().max(self.keeps[1].profile.reach());
                 pace.room -= stride.length + turn * reach;
@@ -191,37 +204,78 @@ impl Track {
         self.longest(&trials(true), cap, pace)
     }
 
-    /// The same along guides, where no other place of contact can be; `None` where these do not tell.
+    /// May guides miss a place of contact that becomes the deepest?
+    fn several(&self) -> bool {
+        self.guides.as_ref().is_some_and(Guides::several)
+    }
+
+    /// The same along guides; `None` where these do not tell.
     fn guided(&self, from: &Node, cap: f64, pace: &mut Pace) -> Option<Stride> {
-        let place = Place::of(from);
-        let guided = Guided { track: self, guides: self.guides.as_ref()?, from: &place };
+        match self.guides.as_ref()? {
+            Guides::Closed(guides) => self.guided_by(guides, from, cap, pace),
+            Guides::Point(guides) => self.guided_by(guides, from, cap, pace),
+        }
+    }
+
+    fn guided_by<G: Guide>(
+        &self,
+        guides: &[G; 2],
+        from: &Node,
+        cap: f64,
+        pace: &mut Pace,
+    ) -> Option<Stride> {
+        let place = Place::of::<G>(from);
+        let guided = Guided { track: self, guides, from: &place };
         let Stride { length, to, targets } = self.longest(&guided, cap, pace).ok()?;
         Some(Stride { length, to: guided.node(from.pose.ta, &to), targets })
     }
 
-    /// Goes on along guides, without a look at anything else, for less than `free`; `take` gets the start and the
-    /// end of each cut vector, and says whether it goes on so. The node where that ends; `None` at the start.
+    /// Goes on along guides, without a look at anything else, for less than `free`; `take` gets both ends of each cut vector
+    /// and the direction at the second, and says whether it goes on so. The node where that ends; `None` at the start.
     pub(crate) fn cruise(
         &self,
         from: &Node,
         cap: f64,
         pace: &mut Pace,
-        mut free: f64,
-        mut take: impl FnMut(&Place, &Place) -> bool,
+        free: f64,
+        take: impl FnMut([Vec3; 2], Vec3) -> bool,
     ) -> Option<Node> {
-        let guides = self.guides.as_ref().filter(|_| !pace.careful && free > pace.length)?;
-        let (mut at, mut gone) = (Place::of(from), false);
+        let free = if self.several() { free.min(pace.room) } else { free };
+        if pace.careful || free <= pace.length {
+            return None;
+        }
+        match self.guides.as_ref()? {
+            Guides::Closed(guides) => self.cruise_by(guides, from, cap, pace, free, take),
+            Guides::Point(guides) => self.cruise_by(guides, from, cap, pace, free, take),
+        }
+    }
+
+    fn cruise_by<G: Guide>(
+        &self,
+        guides: &[G; 2],
+        from: &Node,
+        cap: f64,
+        pace: &mut Pace,
+        mut free: f64,
+        mut take: impl FnMut([Vec3; 2], Vec3) -> bool,
+    ) -> Option<Node> {
+        let (mut at, mut gone) = (Place::of::<G>(from), false);
         loop {
             let guided = Guided { track: self, guides, from: &at };
             let before = *pace;
-            let stride = self.longest(&guided, cap, pace).ok().filter(|s| s.length < free);
-            let taken = stride.filter(|s| take(&at, &s.to));
-            let Some(Stride { length, to, .. }) = taken else {
-                *pace = before;
-                return gone.then(|| guided.node(from.pose.ta, &at));
-            };
-            free -= length;
-            (at, gone) = (to, true);
+            match self.longest(&guided, cap, pace) {
+                Ok(Stride { length, to, .. })
+                    if length < free && take([at.te, to.te], to.course.along) =>
+                {
+                    free -= length;
+                    pace.room -= length;
+                    (at, gone) = (to, true);
+                }
+                _ => {
+                    *pace = before;
+                    return gone.then(|| guided.node(from.pose.ta, &at));
+                }
+            }
         }
     }
 
@@ -241,7 +295,7 @@ impl Track {
             s = s.min(FARTHER * pace.length);
         }
         let (mut good, mut bad): (Option<Stride<T::Place>>, f64) = (None, f64::INFINITY);
-        let (mut last, mut rest): (Option<Stride<T::Place>>, f64) = (None, 1.0);
+        let mut last: Option<Stride<T::Place>> = None;
         let mut trouble = Trouble::Stuck;
         let mut before: Option<(f64, f64)> = None;
         let mut learnt = 0;
@@ -249,9 +303,10 @@ impl Track {
         let mut back = LONG_ENOUGH;
         for _ in 0..TRIALS {
             let tried = trials.reach(s, plan.length, bends, last.as_ref());
-            let tried = tried.map(|t| &*last.insert(t));
-            let next = match tried.and_then(|t| Ok((trials.fit(&t.to)?, t))) {
-                Ok((fit, tried)) => {
+            let fit = tried.as_ref().map_err(|t| *t).and_then(|t| trials.fit(&t.to));
+            let targets = tried.as_ref().map_or(gaps, |t| t.targets);
+            let next = match fit {
+                Ok(fit) => {
                     // With a turning axis only the chord tells how the gaps bend along it; and where the bend
                     // grows from nothing on the way, a vertex may lie where no chord of any length fits.
                     let lost = !fit.fits && fit.ratio < LOST;
@@ -263,20 +318,21 @@ impl Track {
                             pace.bends = Some(fit.bends);
                         }
                         let least = if lost { EDGES_APART } else { OFF_TARGET };
-                        if self.differ(aim, tried.targets, least) {
+                        if self.differ(aim, targets, least) {
                             // The same once more with the vertex where it ought to be.
                             (bends, plan) = (Some(fit.bends), better);
                             s = s.min(plan.most);
                             (good, bad, before) = (None, f64::INFINITY, None);
+                            last = tried.ok().or(last);
                             continue;
                         }
                     }
                     if fit.fits {
-                        rest = fit.ratio;
-                        good = Some(*tried);
                         if fit.ratio <= 1.0 + LONG_ENOUGH || s >= plan.most {
-                            break;
+                            pace.learn(s, fit.ratio, plan.length);
+                            return tried;
                         }
+                        good = tried.ok();
                     } else {
                         bad = bad.min(s);
                     }
@@ -295,6 +351,7 @@ impl Track {
                     0.5 * s
                 }
             };
+            last = tried.ok().or(last);
             let low = good.as_ref().map_or(0.0, |g| g.length);
             if bad - low <= LONG_ENOUGH * low || s <= self.exact {
                 break;
@@ -305,9 +362,7 @@ impl Track {
             }
         }
         let stride = good.ok_or(trouble)?;
-        let rest = if rest <= 1.0 + LONG_ENOUGH { rest } else { 1.0 };
-        pace.length = stride.length;
-        pace.learn(stride.length * rest / plan.length);
+        pace.learn(stride.length, 1.0, plan.length);
         Ok(stride)
     }
 

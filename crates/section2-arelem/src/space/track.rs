@@ -1,8 +1,9 @@
 //! The curve on which the tool moves: in place at drive and part surface (APT: `CENTR`, `CENTR2`).
 
-use aptc_contact::{Condition, Gap, Guide, Reason};
+use aptc_contact::{Condition, Gap, Reason};
 use aptc_geometry::{Vec3, trig};
 
+use super::guided::Guides;
 use super::keep::{Keep, Pose};
 use super::turning::meet;
 use crate::axis::{Around, AxisRule};
@@ -22,8 +23,8 @@ pub(crate) struct Track {
     /// Drive surface, part surface.
     pub(crate) keeps: [Keep; 2],
     pub(crate) axis: AxisRule,
-    /// Closed forms of both gaps, when there are any.
-    pub(crate) guides: Option<[Guide; 2]>,
+    /// What guides the tool past trials by contacts, when there is something.
+    pub(crate) guides: Option<Guides>,
     /// Residual of the gaps that counts as zero.
     pub(crate) exact: f64,
     /// A length of the size of the scene.

@@ -64,15 +64,31 @@ pub fn machine_for(name: &str, args: &[Arg]) -> Option<&'static Machine> {
         Some(Arg::Number(n)) => format!("{name},{n}"),
         _ => name.clone(),
     };
-    // The names stand in one of the first lines of each file: only the file that is meant need be read.
     let find = |wanted: &str| {
-        let quoted = format!("\"{wanted}\"");
-        let has = |text: &str| {
-            let line = text.lines().find(|l| l.starts_with("machin = "));
-            line.is_some_and(|l| l.contains(quoted.as_str()))
-        };
-        let idx = FILES.iter().position(|(_, text)| has(text))?;
+        let idx = FILES.iter().position(|(_, text)| meant(text).any(|m| m == wanted))?;
         MACHINES.get(idx).map(|m| &**m)
     };
     find(&numbered).or_else(|| find(&name)).or_else(|| machine(&name))
+}
+
+/// The names by which MACHIN may mean a built-in machine.
+pub fn machin_names() -> impl Iterator<Item = &'static str> {
+    FILES.iter().flat_map(|(_, text)| meant(text))
+}
+
+/// The same of one file, of which only the line is read that has them.
+fn meant(text: &str) -> impl Iterator<Item = &str> {
+    let line = text.lines().find(|l| l.starts_with("machin = "));
+    line.unwrap_or_default().split('"').skip(1).step_by(2)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_names_are_those_of_the_machines() {
+        let read: Vec<&str> = machines().flat_map(|m| &m.machin).map(String::as_str).collect();
+        assert_eq!(machin_names().collect::<Vec<_>>(), read);
+    }
 }

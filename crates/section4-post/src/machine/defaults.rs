@@ -139,6 +139,7 @@ impl Default for Multiaxis {
             rewind_retract: 0.0,
             rewind_feed: 1000.0,
             singular: 0.01,
+            turn_note: String::new(),
             tool_length: None,
         }
     }

@@ -30,9 +30,10 @@ pub(super) fn air(post: &mut Post, s: &Statement<'_>) {
 
 fn switch(post: &mut Post, s: &Statement<'_>, kind: &str) {
     post.start(s.origin);
-    post.annotate(s.origin);
     if kind == "OFF" {
+        post.annotate(s.origin);
         post.st.coolant_again = false;
+        post.st.held.retain(|h| h.spindle);
         if let Some(off) = post.machine.coolant.get("OFF").cloned() {
             if post.st.coolant.take().is_some() {
                 post.blocks.line(&off);
@@ -59,9 +60,10 @@ fn switch(post: &mut Post, s: &Statement<'_>, kind: &str) {
             && !post.st.coolant_again
             && let Some(off) = post.machine.coolant.get("OFF").cloned()
         {
+            post.annotate(s.origin);
             post.blocks.line(&off);
         }
-        post.blocks.line(&code);
+        post.hold(false, s.written(), s.origin);
     }
     post.st.coolant_again = false;
     post.st.coolant = Some(wanted.clone());
@@ -74,11 +76,17 @@ impl Post {
     /// Spindle and coolant that a tool change has stopped run again.
     pub(crate) fn run_again(&mut self) {
         if std::mem::take(&mut self.st.spindle_again) && self.st.spindle.on {
-            super::spindl::write(self);
+            self.spindle_on();
         }
-        if std::mem::take(&mut self.st.coolant_again)
-            && let Some(code) =
-                self.st.coolant.as_ref().and_then(|k| self.machine.coolant.get(k)).cloned()
+        if std::mem::take(&mut self.st.coolant_again) {
+            self.coolant_on();
+        }
+    }
+
+    /// Writes the coolant as it is to run.
+    pub(crate) fn coolant_on(&mut self) {
+        if let Some(code) =
+            self.st.coolant.as_ref().and_then(|k| self.machine.coolant.get(k)).cloned()
         {
             self.blocks.line(&code);
         }

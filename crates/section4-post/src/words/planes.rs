@@ -132,6 +132,7 @@ pub(super) fn gohome(post: &mut Post, s: &Statement<'_>) {
     post.annotate(s.origin);
     post.leave_cycle();
     post.leave_plane();
+    post.tool_center_off();
     let machine = Arc::clone(&post.machine);
     let vars = post.common_vars();
     post.blocks.template(&machine.program.home, &vars.list());

@@ -30,6 +30,9 @@ fn one(post: &mut Post, s: &Statement<'_>, line: &str) {
     post.start(s.origin);
     post.annotate(s.origin);
     post.blocks.line(line);
+    // Haas and Heidenhain stop spindle and coolant for it and leave them so when the operator goes on.
+    post.st.spindle_again |= post.st.spindle.on;
+    post.st.coolant_again |= post.st.coolant.is_some();
 }
 
 /// `END`.

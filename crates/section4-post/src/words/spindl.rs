@@ -12,10 +12,11 @@ use crate::words::{bad_arguments, refuse};
 /// `SPINDL/[RPM|SFM|SMM,]n[,CLW|CCLW][,RANGE,r|LOW|MEDIUM|HIGH]`, `ON`, `OFF`, `ORIENT[,a]`, `MAXRPM,n`.
 pub(super) fn spindl(post: &mut Post, s: &Statement<'_>) {
     post.start(s.origin);
-    post.annotate(s.origin);
     match s.word(0) {
         Some("OFF") if s.args.len() == 1 => {
+            post.annotate(s.origin);
             post.st.spindle_again = false;
+            post.st.held.retain(|h| !h.spindle);
             post.st.spindle.on = false;
             post.st.feed_word = None;
             let off = post.machine.spindle.off.clone();
@@ -23,6 +24,7 @@ pub(super) fn spindl(post: &mut Post, s: &Statement<'_>) {
             return;
         }
         Some("ORIENT") => {
+            post.annotate(s.origin);
             let angle = trimmed(s.first_number().unwrap_or(0.0), 3);
             match render(&post.machine.spindle.orient, &[("angle", &angle)]) {
                 Some(line) if !line.is_empty() => post.blocks.line(&line),
@@ -46,7 +48,7 @@ pub(super) fn spindl(post: &mut Post, s: &Statement<'_>) {
     post.st.spindle = next;
     post.st.feed_word = None;
     if again {
-        write(post);
+        post.hold(true, s.written(), s.origin);
     }
 }
 
@@ -170,13 +172,22 @@ fn range(post: &mut Post, s: &Statement<'_>, name: &str) {
         return;
     }
     match post.machine.spindle.ranges.get(name).cloned() {
-        Some(code) => post.blocks.line(&code),
+        Some(code) => {
+            post.annotate(s.origin);
+            post.blocks.line(&code);
+        }
         None => refuse(post, s, "the machine has no such spindle range"),
     }
 }
 
-/// Writes the spindle as it is to run.
-pub(super) fn write(post: &mut Post) {
+impl Post {
+    /// Writes the spindle as it is to run.
+    pub(crate) fn spindle_on(&mut self) {
+        write(self);
+    }
+}
+
+fn write(post: &mut Post) {
     let st = post.st.spindle;
     let speed = trimmed(st.speed, 3);
     let machine = std::sync::Arc::clone(&post.machine);

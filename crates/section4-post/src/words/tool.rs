@@ -46,6 +46,7 @@ fn change(post: &mut Post, s: &Statement<'_>, at: usize) {
         return;
     }
     post.leave_cycle();
+    post.held_over_change(tool, &s.written(), s.origin);
     let said = loaded(s, at);
     let offset = said.offset.unwrap_or(tool);
     post.st.tool_length = said.length.or(post.st.tool_length);
@@ -76,6 +77,7 @@ fn change(post: &mut Post, s: &Statement<'_>, at: usize) {
     let skip = std::mem::replace(&mut post.blocks.skip, false);
     post.blocks.with_tool_axis = None;
     post.leave_plane();
+    post.tool_center_off();
     let line = post.blocks.lines + 1;
     post.blocks.template(&machine.program.tool_change, &vars);
     post.blocks.skip = skip;
@@ -85,7 +87,6 @@ fn change(post: &mut Post, s: &Statement<'_>, at: usize) {
     post.st.chain = None;
     post.st.across = None;
     post.st.placed = None;
-    post.st.centered = false;
     post.st.away = machine.program.start_retracts;
     post.st.tool = Some(tool);
     post.st.spindle_again = post.st.spindle.on;

@@ -62,10 +62,23 @@ struct Chart {
     /// The cell that is evaluated, and its borders.
     cell: [usize; 2],
     within: [[f64; 2]; 2],
-    /// Bounds of the second derivatives.
+    /// Bounds of the second derivatives on the border of the cell or within it.
     second: [f64; 3],
-    /// Bounds of the third: of uu by u and v, of uv, of vv. Infinite where they are not known.
+    /// Bounds of the third: of uu by u and v, of uv, of vv.
     third: [[f64; 2]; 3],
+    /// By how much `uu` and `vv` may change for each unit beyond the cell.
+    beyond: [f64; 2],
+}
+
+impl Chart {
+    /// How much the second derivatives of a piece may differ from those on the border of the cell at most.
+    fn more(&self, patch: &Patch) -> [f64; 3] {
+        let [u, v] = [0, 1].map(|k| {
+            let [from, to] = [patch.at[k] - patch.half[k], patch.at[k] + patch.half[k]];
+            (self.within[k][0] - from).max(to - self.within[k][1]).max(0.0)
+        });
+        [self.beyond[0] * v, 0.0, self.beyond[1] * u]
+    }
 }
 
 /// Charts within a sphere, and within a bowed box about its middle: over `s` and `t` from -1 to 1 along its first sides
@@ -124,7 +137,7 @@ impl Patched {
             let leaf = new.leaf(i);
             if !(leaf.radius.is_finite()
                 && leaf.center.iter().all(|x| x.is_finite())
-                && c.second.iter().all(|x| x.is_finite()))
+                && c.second.iter().chain(&c.beyond).all(|x| x.is_finite()))
             {
                 return None;
             }
@@ -143,20 +156,19 @@ impl Patched {
         // How far the chart is beyond its cell.
         let over =
             [0, 1].map(|k| (within[k][0] - range[k][0]).max(range[k][1] - within[k][1]).max(0.0));
-        let second = match over.map(|o| o > 0.0) {
-            [false, false] => [b.uu, b.uv, b.vv],
-            [true, false] => [0.0, b.uv, b.vv + over[0] * b.uvv],
-            [false, true] => [b.uu + over[1] * b.uuv, b.uv, 0.0],
-            [true, true] => [0.0, b.uv, 0.0],
+        // Beyond u the place is `b(v) + s b_u(v)`, so that `vv` is that on the border and `s` times `uvv` there at most; by v
+        // it changes as that on the border does, the rest counts as a whole.
+        let none = [0.0; 2];
+        let (second, third, beyond) = match over.map(|o| o > 0.0) {
+            [false, false] => {
+                let third = [[b.uuu, b.uuv], [b.uuv, b.uvv], [b.uvv, b.vvv]];
+                ([b.uu, b.uv, b.vv], third, none)
+            }
+            [true, false] => ([0.0, b.uv, b.vv], [none, [0.0, b.uvv], [0.0, b.vvv]], [0.0, b.uvv]),
+            [false, true] => ([b.uu, b.uv, 0.0], [[b.uuu, 0.0], [b.uuv, 0.0], none], [b.uuv, 0.0]),
+            [true, true] => ([0.0, b.uv, 0.0], [none; 3], none),
         };
-        let far = f64::INFINITY;
-        let third = match over.map(|o| o > 0.0) {
-            [false, false] => [[b.uuu, b.uuv], [b.uuv, b.uvv], [b.uvv, b.vvv]],
-            [true, false] => [[0.0; 2], [0.0, b.uvv], [b.uvv, far]],
-            [false, true] => [[far, b.uuv], [b.uuv, 0.0], [0.0; 2]],
-            [true, true] => [[0.0; 2]; 3],
-        };
-        Chart { range, cell, within, second, third }
+        Chart { range, cell, within, second, third, beyond }
     }
 
     /// What holds a chart: its parallelogram, bowed as its middle is.
@@ -173,7 +185,7 @@ impl Patched {
         let beside = [0, 2].map(|i| area[i] * (bend[i] - jet.n * bend[i].dot(&jet.n)).norm());
         let rest = (0..3).map(|i| area[i] * vary[i]).sum::<f64>();
         let thick = beside[0] + beside[1] + area[1] * bend[1].norm() + rest;
-        let [uu, uv, vv] = self.charts[chart].second;
+        let [uu, uv, vv] = self.second(&patch);
         let strays = area[0] * uu + area[1] * uv + area[2] * vv;
         let radius = side[0].norm() + side[1].norm() + strays;
         let half = [side[0], side[1], Vec3::zeros()];
@@ -289,10 +301,11 @@ impl Patched {
         let (jet, mut bend) = self.look(&patch.spot());
         let chart = &self.charts[patch.chart];
         let [hu, hv] = patch.half;
-        let mut vary = chart.second;
+        let mut vary = self.second(patch);
+        let beyond = chart.more(patch);
         for i in 0..3 {
             let [by_u, by_v] = chart.third[i];
-            let off = by_u * hu + by_v * hv;
+            let off = by_u * hu + by_v * hv + beyond[i];
             if off < vary[i] {
                 vary[i] = off;
             } else {
@@ -337,7 +350,7 @@ impl Patched {
         if a != 0.0 || b != 0.0 {
             d.point += d.u * a + d.v * b + d.uv * (a * b);
             (d.u, d.v) = (d.u + d.uv * b, d.v + d.uv * a);
-            // Straight there; along the border it bends as the border does, which is not told.
+            // Straight there; along the border it bends as the border does, and by what [`Chart::more`] has beside.
             let none = Vec3::zeros();
             (d.uu, d.vv) = (if a != 0.0 { none } else { d.uu }, if b != 0.0 { none } else { d.vv });
         }
@@ -352,13 +365,16 @@ impl Patched {
         }
     }
 
-    pub(crate) fn second(&self, chart: usize) -> [f64; 3] {
-        self.charts[chart].second
+    /// Bounds of the second derivatives over a piece.
+    pub(crate) fn second(&self, patch: &Patch) -> [f64; 3] {
+        let chart = &self.charts[patch.chart];
+        let more = chart.more(patch);
+        [0, 1, 2].map(|i| chart.second[i] + more[i])
     }
 
     /// Bounds of the change of the unit normal over a piece, by parameter.
     pub(crate) fn turn(&self, patch: &Patch, jet: &Jet) -> [f64; 2] {
-        let [uu, uv, vv] = self.charts[patch.chart].second;
+        let [uu, uv, vv] = self.second(patch);
         let [hu, hv] = patch.half;
         let (su, sv) = (jet.d[0].norm() + uu * hu + uv * hv, jet.d[1].norm() + uv * hu + vv * hv);
         let change = [(uu * sv + su * uv) * hu, (uv * sv + su * vv) * hv];

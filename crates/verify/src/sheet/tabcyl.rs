@@ -16,12 +16,31 @@ pub(crate) struct Tabcyl {
 
 #[derive(Clone, Copy, Debug)]
 struct Span {
-    start: Vec2,
-    chord: Vec2,
-    a: f64,
-    b: f64,
-    length: f64,
+    flat: Flat,
     disk: Disk,
+}
+
+/// A span of the directrix in its plane: `x` along the chord, to its left `x (a (x^2 - l^2) + b (x - l))`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Flat {
+    pub(crate) start: Vec2,
+    /// Unit direction of the chord.
+    pub(crate) chord: Vec2,
+    pub(crate) a: f64,
+    pub(crate) b: f64,
+    /// That of the chord.
+    pub(crate) length: f64,
+}
+
+impl Flat {
+    /// The place at `x` and its first and second derivatives.
+    pub(crate) fn jet(&self, x: f64) -> [Vec2; 3] {
+        let (l, left) = (self.length, Vec2::new(-self.chord.y, self.chord.x));
+        let offset = x * (self.a * (x * x - l * l) + self.b * (x - l));
+        let slope = 3.0 * self.a * x * x + 2.0 * self.b * x - self.a * l * l - self.b * l;
+        let bend = 6.0 * self.a * x + 2.0 * self.b;
+        [self.start + self.chord * x + left * offset, self.chord + left * slope, left * bend]
+    }
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -41,10 +60,11 @@ impl Tabcyl {
                 let center = s.start + chord * (0.5 * s.length);
                 let rise = s.max.abs().max(s.min.abs());
                 let disk = Disk { center, radius: 0.5 * s.length + rise };
-                Span { start: s.start, chord, a: s.a, b: s.b, length: s.length, disk }
+                let flat = Flat { start: s.start, chord, a: s.a, b: s.b, length: s.length };
+                Span { flat, disk }
             })
             .collect();
-        let usable = |s: &Span| s.length > 0.0 && s.chord.norm().is_finite();
+        let usable = |s: &Span| s.flat.length > 0.0 && s.flat.chord.norm().is_finite();
         if spans.is_empty() || !spans.iter().all(usable) {
             return None;
         }
@@ -67,7 +87,7 @@ impl Tabcyl {
                 continue;
             }
             for (i, s) in self.spans.iter().enumerate().skip(g * GROUP).take(GROUP) {
-                let half = 0.5 * s.length;
+                let half = 0.5 * s.flat.length;
                 let patch =
                     Patch { chart: i, at: [half, center.z], half: [half, radius], group: false };
                 if !far(&s.disk) && !out.push(patch) {
@@ -78,15 +98,27 @@ impl Tabcyl {
         true
     }
 
+    /// A span of the directrix.
+    pub(crate) fn flat(&self, chart: usize) -> Option<Flat> {
+        self.spans.get(chart).map(|s| s.flat)
+    }
+
+    /// The spans of which a part may be within `radius` of a point of the plane.
+    pub(crate) fn about(&self, p: Vec2, radius: f64) -> impl Iterator<Item = usize> {
+        let far = move |d: &Disk| (d.center - p).norm() > d.radius + radius;
+        let groups = self.groups.iter().enumerate().filter(move |(_, disk)| !far(disk));
+        groups.flat_map(move |(g, _)| {
+            let spans = self.spans.iter().enumerate().skip(g * GROUP).take(GROUP);
+            spans.filter(move |(_, s)| !far(&s.disk)).map(|(i, _)| i)
+        })
+    }
+
     pub(crate) fn jet(&self, spot: &Spot) -> Jet {
-        let s = &self.spans[spot.chart];
+        let s = &self.spans[spot.chart].flat;
         let [x, w] = spot.at;
         let left = Vec2::new(-s.chord.y, s.chord.x);
-        let l = s.length;
-        let offset = x * (s.a * (x * x - l * l) + s.b * (x - l));
-        let slope = 3.0 * s.a * x * x + 2.0 * s.b * x - s.a * l * l - s.b * l;
-        let p = s.start + s.chord * x + left * offset;
-        let d = s.chord + left * slope;
+        let [p, d, _] = s.jet(x);
+        let slope = d.dot(&left);
         let n = (left - s.chord * slope) / (1.0 + slope * slope).sqrt();
         Jet {
             p: Vec3::new(p.x, p.y, w),
@@ -96,7 +128,7 @@ impl Tabcyl {
     }
 
     pub(crate) fn second(&self, patch: &Patch) -> [f64; 3] {
-        let s = &self.spans[patch.chart];
+        let s = &self.spans[patch.chart].flat;
         let at = |x: f64| (6.0 * s.a * x + 2.0 * s.b).abs();
         let (x, h) = (patch.at[0], patch.half[0]);
         [at(x - h).max(at(x + h)), 0.0, 0.0]
@@ -104,7 +136,7 @@ impl Tabcyl {
 
     /// Second derivatives in the middle of a piece, and how much they differ on it.
     pub(crate) fn bend(&self, patch: &Patch) -> ([Vec3; 3], [f64; 3]) {
-        let s = &self.spans[patch.chart];
+        let s = &self.spans[patch.chart].flat;
         let left = Vec3::new(-s.chord.y, s.chord.x, 0.0);
         let bend = left * (6.0 * s.a * patch.at[0] + 2.0 * s.b);
         ([bend, Vec3::zeros(), Vec3::zeros()], [6.0 * s.a.abs() * patch.half[0], 0.0, 0.0])
@@ -112,15 +144,15 @@ impl Tabcyl {
 
     pub(crate) fn settle(&self, spot: Spot) -> Spot {
         let [x, w] = spot.at;
-        let length = self.spans[spot.chart].length;
+        let length = self.spans[spot.chart].flat.length;
         if x > length && spot.chart + 1 < self.spans.len() {
             let chart = spot.chart + 1;
-            let x = (x - length).min(self.spans[chart].length);
+            let x = (x - length).min(self.spans[chart].flat.length);
             return Spot { chart, at: [x, w] };
         }
         if x < 0.0 && spot.chart > 0 {
             let chart = spot.chart - 1;
-            let l = self.spans[chart].length;
+            let l = self.spans[chart].flat.length;
             return Spot { chart, at: [(l + x).max(0.0), w] };
         }
         Spot { at: [x.clamp(0.0, length), w], ..spot }
@@ -128,7 +160,11 @@ impl Tabcyl {
 
     /// The side of the nearest place; `None` beyond an end, where only what lies near the surface has a side.
     pub(crate) fn sign(&self, p: Vec3) -> Option<f64> {
-        let flat = p.xy();
+        self.sign_at(p.xy())
+    }
+
+    /// The same of a point of the plane.
+    pub(crate) fn sign_at(&self, flat: Vec2) -> Option<f64> {
         let mut best = (f64::INFINITY, 1.0);
         for (chart, s) in self.spans.iter().enumerate() {
             if (s.disk.center - flat).norm() - s.disk.radius > best.0 {
@@ -151,17 +187,18 @@ impl Tabcyl {
             let jet = self.jet(&Spot { chart, at: [x, 0.0] });
             way * (flat - jet.p.xy()).dot(&jet.d[0].xy()) > 0.0
         };
-        ahead(0, 0.0, -1.0) || ahead(last, self.spans[last].length, 1.0)
+        ahead(0, 0.0, -1.0) || ahead(last, self.spans[last].flat.length, 1.0)
     }
 
     /// Distance of a point from a span and how far it is to the left of the nearest place there. The span is cut
-    /// into pieces; in each the place is narrowed down where the distance stops falling.
+    /// into pieces; in each the place is narrowed down where the distance stops falling, by regula falsi; the end that
+    /// stays counts half.
     fn nearest(&self, chart: usize, flat: Vec2) -> (f64, f64) {
         /// Pieces of a span.
         const PIECES: u32 = 16;
-        /// Halvings of a piece: to the last digit of its length.
-        const HALVINGS: u32 = 52;
-        let length = self.spans[chart].length;
+        /// Looks at a piece; some six are usual.
+        const LOOKS: u32 = 60;
+        let length = self.spans[chart].flat.length;
         let look = |x: f64| {
             let jet = self.jet(&Spot { chart, at: [x, 0.0] });
             let away = flat - jet.p.xy();
@@ -179,12 +216,23 @@ impl Tabcyl {
             let behind = look(at(i));
             offer(behind);
             if before.2 < 0.0 && behind.2 > 0.0 {
-                let (mut a, mut b) = (at(i - 1), at(i));
-                for _ in 0..HALVINGS {
-                    let middle = 0.5 * (a + b);
-                    if look(middle).2 < 0.0 { a = middle } else { b = middle }
+                let (mut a, mut b) = ((at(i - 1), before.2), (at(i), behind.2));
+                let mut stayed = 0;
+                for _ in 0..LOOKS {
+                    let x = a.0 - a.1 * (b.0 - a.0) / (b.1 - a.1);
+                    let here = look(x);
+                    offer(here);
+                    if here.2 < 0.0 {
+                        (a, b.1) = ((x, here.2), if stayed < 0 { 0.5 * b.1 } else { b.1 });
+                        stayed = -1;
+                    } else {
+                        (b, a.1) = ((x, here.2), if stayed > 0 { 0.5 * a.1 } else { a.1 });
+                        stayed = 1;
+                    }
+                    if here.2.abs() <= f64::EPSILON * here.0 || b.0 - a.0 <= f64::EPSILON * length {
+                        break;
+                    }
                 }
-                offer(look(0.5 * (a + b)));
             }
             before = behind;
         }

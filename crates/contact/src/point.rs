@@ -1,0 +1,383 @@
+//! Gaps that are the distance of one point of the tool from a surface while the tool axis stands: of a ball, of the tool end
+//! and of what stands along the rulings. The place on the surface is found from the last one.
+
+use aptc_geometry::profile::Segment;
+use aptc_geometry::{Profile, Reason, Shape, Spot, Surface, Tool, Vec3};
+
+use crate::chord::{Sample, dip, single};
+use crate::closed::is_axis;
+use crate::gap::{Condition, Gap, Side};
+use crate::guide::{Bends, ClosedGuide, End, Guide, Reading, is_ball};
+use crate::search::several;
+
+/// Change of the normal, as a vector, from which two places of contact on the cutter are two.
+const ANOTHER: f64 = 0.1;
+
+/// A surface with a cutter that does not turn, of which one point alone tells the gap.
+#[derive(Clone, Copy, Debug)]
+pub enum PointGuide {
+    /// The gap is a closed form.
+    Closed(ClosedGuide),
+    /// It is the distance of a point.
+    Point(Point),
+}
+
+/// The point of a tool that tells the gap.
+#[derive(Clone, Copy, Debug)]
+pub struct Point {
+    profile: Profile,
+    ta: Vec3,
+    touch: Touch,
+    /// From the tool end to it.
+    up: Vec3,
+    /// The gap is the distance on this side, and `level`.
+    sign: f64,
+    level: f64,
+    /// What the gap is less than the distance.
+    thick: f64,
+    /// Is the nearest place of all asked for, not the one near the last?
+    nearest: bool,
+    /// May another place of contact become the deepest?
+    several: bool,
+}
+
+/// What touches.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Touch {
+    /// The point itself, the tool end.
+    End,
+    /// The arc of a ball about it.
+    Ball,
+    /// The widest of a tool that stands along the rulings.
+    Widest,
+}
+
+/// Parameters of a place, of surfaces that have two.
+type At = Option<[f64; 2]>;
+
+/// How the gap bends.
+#[derive(Clone, Copy, Debug)]
+pub enum PointBends {
+    /// As a closed form tells.
+    Closed(Bends),
+    /// As a surface parallel to the one that is touched.
+    Parallel(Shape),
+}
+
+/// What is known of a place of a chord.
+type Known = (Sample, At);
+
+impl Guide for PointGuide {
+    type At = At;
+    type Bends = PointBends;
+
+    fn new(
+        tool: &Tool<'_>,
+        surface: &Surface,
+        condition: Condition,
+        side: Side,
+        thick: f64,
+    ) -> Option<Self> {
+        let closed = ClosedGuide::new(tool, surface, condition, side, thick).map(Self::Closed);
+        closed.or_else(|| Point::new(tool, surface, condition, side, thick).map(Self::Point))
+    }
+
+    #[inline]
+    fn at(gap: &Gap) -> At {
+        gap.at
+    }
+
+    #[inline]
+    fn several(&self) -> bool {
+        matches!(self, Self::Point(p) if p.several)
+    }
+
+    #[inline]
+    fn apart(&self, a: Vec3, b: Vec3) -> bool {
+        match self {
+            Self::Closed(_) => false,
+            Self::Point(p) => p.apart(a, b),
+        }
+    }
+
+    #[inline]
+    fn read(&self, surface: &Surface, te: Vec3, at: At) -> Option<Reading<At, PointBends>> {
+        match self {
+            Self::Closed(guide) => {
+                let Reading { end: End { g, normal, .. }, bends } = guide.read(surface, te, ())?;
+                let end = End { g, normal, at: None };
+                Some(Reading { end, bends: PointBends::Closed(bends) })
+            }
+            Self::Point(p) => p.read(surface, te, at),
+        }
+    }
+
+    #[inline]
+    fn second(read: &Reading<At, PointBends>, v: Vec3) -> f64 {
+        match &read.bends {
+            PointBends::Closed(bends) => bends.second(read.end.normal, v),
+            PointBends::Parallel(shape) => shape.second(v),
+        }
+    }
+
+    #[inline]
+    fn gap(&self, te: Vec3, read: &End<At>) -> Gap {
+        match self {
+            Self::Closed(guide) => guide.gap(te, &closed(read)),
+            Self::Point(p) => p.gap(te, read),
+        }
+    }
+
+    #[inline]
+    fn chord(
+        &self,
+        surface: &Surface,
+        te: Vec3,
+        v: Vec3,
+        ends: [&End<At>; 2],
+        resolution: f64,
+    ) -> Option<[f64; 2]> {
+        match self {
+            Self::Closed(guide) => {
+                let [a, b] = ends.map(closed);
+                guide.chord(surface, te, v, [&a, &b], resolution)
+            }
+            Self::Point(p) => p.chord(surface, te, v, ends, resolution),
+        }
+    }
+}
+
+fn closed(read: &End<At>) -> End<()> {
+    End { g: read.g, normal: read.normal, at: () }
+}
+
+impl Point {
+    fn new(
+        tool: &Tool<'_>,
+        surface: &Surface,
+        condition: Condition,
+        side: Side,
+        thick: f64,
+    ) -> Option<Self> {
+        use Surface::{Parametric, Quadric, Tabcyl};
+        if side == Side::Open || !matches!(surface, Parametric(_) | Quadric(_) | Tabcyl(_)) {
+            return None;
+        }
+        let on = condition == Condition::On;
+        let end = on || tool.profile.reach() == 0.0;
+        let thick = if on { 0.0 } else { thick };
+        let (up, radius, touch) = if end {
+            (Vec3::zeros(), 0.0, Touch::End)
+        } else if surface.generator().is_some_and(|d| is_axis(tool, d)) {
+            (Vec3::zeros(), tool.profile.widest(), Touch::Widest)
+        } else if is_ball(tool.profile) {
+            let [_, high] = tool.profile.corner();
+            (tool.ta * high, tool.profile.corner_radius(), Touch::Ball)
+        } else {
+            return None;
+        };
+        Some(Self {
+            profile: *tool.profile,
+            ta: tool.ta,
+            touch,
+            up,
+            sign: side.sign(),
+            level: -radius - thick,
+            thick,
+            nearest: end && matches!(surface, Parametric(_)),
+            several: !end && several(tool, surface, side),
+        })
+    }
+
+    /// Do two places of contact lie far from each other on the cutter?
+    #[inline]
+    fn apart(&self, a: Vec3, b: Vec3) -> bool {
+        self.touch != Touch::End && (a - b).norm_squared() > ANOTHER * ANOTHER
+    }
+
+    fn read(&self, surface: &Surface, te: Vec3, at: At) -> Option<Reading<At, PointBends>> {
+        let p = te + self.up;
+        let foot = match at {
+            Some(_) if !self.nearest => surface.foot_from(p, Spot { point: p, at }),
+            _ => surface.foot(p),
+        };
+        let normal = foot.normal * self.sign;
+        // A ball touches with its lower half.
+        let another = self.touch == Touch::Ball && normal.dot(&self.ta) < 0.0;
+        if another || surface.ends_at(foot.at) {
+            return None;
+        }
+        let away = self.sign * foot.distance;
+        let shape = if self.sign > 0.0 { foot.shape } else { foot.shape.reversed() };
+        // Corners go round, which is left to the general forms.
+        let smooth = shape.k.iter().all(|k| k.is_finite());
+        let bends = PointBends::Parallel(shape.offset(away).filter(|_| smooth)?);
+        Some(Reading { end: End { g: away + self.level, normal, at: foot.at }, bends })
+    }
+
+    fn gap(&self, te: Vec3, &End { g, normal, at }: &End<At>) -> Gap {
+        let raw = g + self.thick;
+        let (tool_point, segment) = match self.touch {
+            Touch::End => (te, None),
+            Touch::Ball => {
+                let arc = self.up - normal * self.profile.corner_radius();
+                (te + arc, Some(Segment::Arc))
+            }
+            Touch::Widest => {
+                let p = Tool { profile: &self.profile, te, ta: self.ta }.support(-normal);
+                (p.point, Some(p.segment))
+            }
+        };
+        let surface_point = tool_point - normal * raw;
+        Gap { g, raw, tool_point, surface_point, at, normal, segment, residual: 0.0 }
+    }
+
+    fn chord(
+        &self,
+        surface: &Surface,
+        te: Vec3,
+        v: Vec3,
+        [begin, end]: [&End<At>; 2],
+        resolution: f64,
+    ) -> Option<[f64; 2]> {
+        let (low, high) = (begin.g.min(end.g), begin.g.max(end.g));
+        let known = |t: f64, e: &End<At>| -> Known {
+            (Sample { t, g: e.g, slope: e.normal.dot(&v) }, e.at)
+        };
+        let look = |t: f64, near: &At| -> Result<Known, Reason> {
+            let read = self.read(surface, te + v * t, *near).ok_or(Reason::NoHit)?;
+            Ok(known(t, &read.end))
+        };
+        let (a, b) = (known(0.0, begin), known(1.0, end));
+        let (outside, inside) = (surface.convex(), surface.concave());
+        let (dome, hollow) = if self.sign > 0.0 { (outside, inside) } else { (inside, outside) };
+        if dome {
+            return Some([dip(a, b, 1.0, resolution, look).ok()?.g, high]);
+        }
+        if hollow {
+            // The nearest wall may change on the way: it is looked for anew.
+            let whole = |t: f64, _: &At| look(t, &None);
+            return Some([low, dip(a, b, -1.0, resolution, whole).ok()?.g]);
+        }
+        if self.apart(begin.normal, end.normal) {
+            return None;
+        }
+        let between = |a: &Known, b: &Known, t: f64| {
+            look(t, if t - a.0.t <= b.0.t - t { &a.1 } else { &b.1 })
+        };
+        let found = single(a, b, resolution, |k| k.0, between).ok()??;
+        Some([low.min(found.g), high.max(found.g)])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::{chord, distance, second};
+    use aptc_geometry::{Cutter, Fit, Form, Knot, Quadric, QuadricKind, Tabcyl, Vec2};
+    use proptest::prelude::*;
+
+    fn vec(x: [f64; 3]) -> Vec3 {
+        Vec3::new(x[0], x[1], x[2])
+    }
+
+    /// An ellipsoid, a saddle, a hyperboloid, and a wave along the y axis.
+    fn surface(kind: usize) -> Surface {
+        let quadric = |c: [f64; 10]| {
+            Surface::from_form(&Form::Quadric(Quadric { kind: QuadricKind::Qadric, c }))
+        };
+        let found = match kind {
+            0 => quadric([
+                1.0 / 900.0,
+                1.0 / 1600.0,
+                1.0 / 625.0,
+                -1.0,
+                0.0,
+                0.0,
+                0.0,
+                0.0,
+                0.0,
+                0.0,
+            ]),
+            1 => quadric([0.02, -0.015, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.5]),
+            2 => quadric([
+                1.0 / 900.0,
+                1.0 / 900.0,
+                -1.0 / 400.0,
+                -1.0,
+                0.0,
+                0.0,
+                0.0,
+                0.0,
+                0.0,
+                0.0,
+            ]),
+            _ => {
+                let at = |x: f64, y: f64| Knot { point: Vec2::new(x, y), tangent: None };
+                let knots =
+                    [at(-40.0, 0.0), at(-20.0, 6.0), at(0.0, 0.0), at(25.0, -5.0), at(50.0, 2.0)];
+                let axes = nalgebra::Matrix3::new(1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, -1.0, 0.0);
+                let wave = Tabcyl::fit(&knots, Fit::Spline, axes.transpose(), 100.0).unwrap();
+                Surface::from_form(&Form::Tabcyl(Arc::new(wave)))
+            }
+        };
+        found.unwrap()
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(3000))]
+        #[test]
+        fn reads_what_the_general_forms_read(
+            kind in 0_usize..4, stands in any::<bool>(), on in any::<bool>(), inside in any::<bool>(),
+            thick in -0.3_f64..0.5,
+            [te, v, ta] in prop::array::uniform3(prop::array::uniform3(-1.0_f64..1.0)),
+        ) {
+            let surface = surface(kind);
+            let ta = match surface.generator() {
+                Some(along) if stands => along,
+                _ => vec(ta),
+            };
+            prop_assume!(ta.norm() > 0.1);
+            let ta = ta.normalize();
+            let profile = Profile::new(&Cutter::mill(6.0, 3.0, 3.0)).unwrap();
+            let condition = if on { Condition::On } else { Condition::Touch };
+            let side = if inside { Side::Negative } else { Side::Positive };
+            let (te, v) = (vec(te) * 30.0, vec(v) * 2.0);
+            let tool = Tool { profile: &profile, te, ta };
+            let guide = Point::new(&tool, &surface, condition, side, thick);
+            let guide = guide.expect("a ball and its end are guided");
+            let Some(a) = guide.read(&surface, te, None) else { return Ok(()) };
+            let Some(b) = guide.read(&surface, te + v, a.end.at) else { return Ok(()) };
+            let near = |te: Vec3, at: At| {
+                let point = guide.gap(te, &a.end).surface_point;
+                distance(&tool.at(te), &surface, condition, side, thick, Some(Spot { point, at })).unwrap()
+            };
+            let ends = [near(te, a.end.at), near(te + v, a.end.at)];
+            for (te, read, gap) in [(te, &a, &ends[0]), (te + v, &b, &ends[1])] {
+                prop_assert!((read.end.g - gap.g).abs() < 1e-9, "{read:?} {gap:?}");
+                prop_assert!((read.end.normal - gap.normal).norm() < 1e-6);
+                let made = guide.gap(te, &read.end);
+                prop_assert!((made.tool_point - gap.tool_point).norm() < 1e-5, "{made:?} {gap:?}");
+                prop_assert!((made.surface_point - gap.surface_point).norm() < 1e-5, "{made:?} {gap:?}");
+                prop_assert_eq!(made.segment, gap.segment);
+                prop_assert!((made.raw - gap.raw).abs() < 1e-9);
+                if let Some(shape) = second(&tool.at(te), &surface, side, gap) {
+                    let d = v.normalize();
+                    let (x, y) = (PointGuide::second(read, d), shape.second(d));
+                    prop_assert!((x - y).abs() < 1e-5 * (1.0 + x.abs() * x.abs()), "{x} {y} {gap:?}");
+                }
+            }
+            // Deep inside the nearest place changes along a chord.
+            if a.end.g.abs() > 5.0 {
+                return Ok(());
+            }
+            let Some([low, high]) = guide.chord(&surface, te, v, [&a.end, &b.end], 1e-10) else { return Ok(()) };
+            let to = tool.at(te + v);
+            let whole = chord(&tool, &to, &surface, condition, side, thick, Some(ends), 1e-10).unwrap();
+            prop_assert!((low - whole.low.g).abs() < 1e-8, "{low} {whole:?}");
+            prop_assert!((high - whole.high.g).abs() < 1e-8, "{high} {whole:?}");
+        }
+    }
+}

@@ -1,0 +1,186 @@
+//! What the passes of a region touch of the part surface, and the region between them.
+
+use aptc_cldata::milling::Extent;
+use aptc_geometry::Sculptured;
+use aptc_geometry::sculpt::Layout;
+
+/// The contacts of a pass, by parameters of the part surface, in one direction for all passes.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Touched {
+    line: Vec<[f64; 2]>,
+    /// Least and greatest u and v.
+    range: [[f64; 2]; 2],
+}
+
+impl Touched {
+    /// `back`: the pass goes the other way.
+    pub(crate) fn by(contacts: impl Iterator<Item = [f64; 2]>, back: bool) -> Self {
+        let mut line: Vec<[f64; 2]> = contacts.collect();
+        if back {
+            line.reverse();
+        }
+        let range = [0, 1].map(|k| {
+            let all = line.iter().map(|uv| uv[k]);
+            all.fold([f64::INFINITY, f64::NEG_INFINITY], |r, x| [r[0].min(x), r[1].max(x)])
+        });
+        Self { line, range }
+    }
+}
+
+/// The region of passes along lines of the part surface itself.
+pub(crate) fn along_lines(touched: &[Touched], surface: &Sculptured) -> Extent {
+    let ranges: Vec<_> = touched.iter().map(|t| t.range).collect();
+    between(&ranges, surface.spans())
+        .map_or(Extent::Unknown("no box of parameters lies between its passes"), Extent::Box)
+}
+
+/// The region of passes that another surface leads: where they run along neither parameter its outline. `linked`: the tool
+/// goes from the end of each to the next.
+pub(crate) fn led(touched: &[Touched], surface: &Sculptured, linked: bool) -> Extent {
+    outline(touched, surface)
+        .map_or_else(Extent::Unknown, |corners| Extent::Outline { corners, linked })
+}
+
+/// The box of the part surface's parameters that lies between the first and the last pass, from the least and greatest
+/// parameters that each pass touches; the greater one of the two that passes along u and along v would have.
+///
+/// Along the passes it goes as far as each of them does. Their contacts run through all of it without a gap, the first on one
+/// side of the box and the last on the other, so that every place in it has a pass on either side.
+fn between(touched: &[[[f64; 2]; 2]], spans: [f64; 2]) -> Option<[[f64; 2]; 2]> {
+    let (first, last) = (touched.first()?, touched.last()?);
+    let boxes = [0, 1].map(|k| {
+        let c = 1 - k;
+        let whole = [f64::NEG_INFINITY, f64::INFINITY];
+        let along = touched.iter().fold(whole, |r, t| [r[0].max(t[k][0]), r[1].min(t[k][1])]);
+        let up = [first[c][1], last[c][0]];
+        let down = [last[c][1], first[c][0]];
+        let mut range = [along; 2];
+        range[c] = if up[0] < up[1] { up } else { down };
+        range
+    });
+    let size =
+        |r: &[[f64; 2]; 2]| (r[0][1] - r[0][0]) / spans[0] * ((r[1][1] - r[1][0]) / spans[1]);
+    let real = boxes.into_iter().filter(|r| r.iter().all(|[a, b]| a < b));
+    real.max_by(|a, b| size(a).total_cmp(&size(b)))
+}
+
+/// The first pass, the ends of the others, the last pass back, and their beginnings back: a closed outline that does not
+/// cross itself, or the reason why there is none.
+fn outline(touched: &[Touched], surface: &Sculptured) -> Result<Vec<[f64; 2]>, &'static str> {
+    let one = matches!(surface.layout, Layout::Mesh { .. }) || surface.patches.len() == 1;
+    if !one {
+        return Err("the parameters of its part surface do not run through from patch to patch");
+    }
+    let [first, between @ .., last] = touched else { return Err("it has fewer than two passes") };
+    if touched.iter().any(|t| t.line.is_empty()) {
+        return Err("a pass of it touches nothing");
+    }
+    let ends = between.iter().filter_map(|t| t.line.last());
+    let begins = between.iter().rev().filter_map(|t| t.line.first());
+    let way = first.line.iter().chain(ends).chain(last.line.iter().rev()).chain(begins);
+    let mut corners: Vec<[f64; 2]> = way.copied().collect();
+    corners.dedup();
+    if corners.len() > 1 && corners.first() == corners.last() {
+        corners.pop();
+    }
+    // A line of the outline that leaves the surface between its ends is none: the contact jumps, or the parameters do.
+    let strays = edges(&corners).any(|[a, b]| {
+        let place = |uv: [f64; 2]| surface.at(uv[0], uv[1]).point;
+        let (p, q) = (place(a), place(b));
+        let middle = place([0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])]);
+        (middle - 0.5 * (p + q)).norm() > (q - p).norm()
+    });
+    if strays {
+        return Err("the contacts of its passes jump");
+    }
+    if crosses(&corners) {
+        return Err("the contacts of its passes cross");
+    }
+    Ok(corners)
+}
+
+/// The lines of a closed outline.
+fn edges(corners: &[[f64; 2]]) -> impl Iterator<Item = [[f64; 2]; 2]> {
+    let next = corners.iter().cycle().skip(1);
+    corners.iter().zip(next).map(|(a, b)| [*a, *b])
+}
+
+/// Does a closed outline cross itself?
+fn crosses(corners: &[[f64; 2]]) -> bool {
+    let mut all: Vec<[[f64; 2]; 2]> = edges(corners).collect();
+    let low = |e: &[[f64; 2]; 2]| e[0][0].min(e[1][0]);
+    all.sort_by(|a, b| low(a).total_cmp(&low(b)));
+    let side = |[a, b]: [[f64; 2]; 2], p: [f64; 2]| {
+        (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0])
+    };
+    let apart = |e: [[f64; 2]; 2], f: [[f64; 2]; 2]| side(e, f[0]) * side(e, f[1]);
+    all.iter().enumerate().any(|(i, e)| {
+        let high = e[0][0].max(e[1][0]);
+        let beside = all[i + 1..].iter().take_while(|f| low(f) <= high);
+        // Lines that meet at a corner do not cross.
+        beside.into_iter().any(|f| apart(*e, *f) < 0.0 && apart(*f, *e) < 0.0)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use aptc_geometry::Vec3;
+    use aptc_geometry::sculpt::{SplinePoint, mesh};
+    use aptc_geometry::sculptured::MeshSpacing;
+
+    /// Passes along u at several v, in either order; along v; askew, and across both: a box between all of them, or none.
+    #[test]
+    fn a_box_between_the_first_and_the_last_pass() {
+        let lines = [[[0.0, 4.0], [0.5, 0.6]], [[0.2, 4.0], [1.4, 1.7]], [[0.0, 3.9], [2.5, 2.8]]];
+        let boxed = Some([[0.2, 3.9], [0.6, 2.5]]);
+        assert_eq!(between(&lines, [4.0, 3.0]), boxed);
+        let mut back = lines;
+        back.reverse();
+        assert_eq!(between(&back, [4.0, 3.0]), boxed);
+        let turned = lines.map(|[u, v]| [v, u]);
+        assert_eq!(between(&turned, [3.0, 4.0]), Some([[0.6, 2.5], [0.2, 3.9]]));
+        let askew = [[[0.0, 2.0], [0.0, 2.0]], [[1.0, 3.0], [1.0, 3.0]]];
+        assert_eq!(between(&askew, [4.0, 4.0]), None);
+        assert_eq!(between(&lines[..1], [4.0, 3.0]), None);
+        assert_eq!(between(&[], [4.0, 3.0]), None);
+    }
+
+    fn flat() -> Sculptured {
+        let row = |y: f64| {
+            let at = |x: f64| SplinePoint::plain(Vec3::new(x, y, 0.0));
+            [0.0, 10.0, 20.0].map(at).to_vec()
+        };
+        mesh(&[row(0.0), row(10.0), row(20.0)], MeshSpacing::Xyz).unwrap()
+    }
+
+    #[test]
+    fn an_outline_round_askew_passes() {
+        // Askew by 45 degrees, to and fro.
+        let pass = |i: i32| {
+            let d = 0.1 * f64::from(i);
+            let line = [[0.8 + d, 0.2 + d], [0.6 + d, 0.4 + d], [0.4 + d, 0.6 + d]];
+            let back = i % 2 == 1;
+            let mut way = line.to_vec();
+            if back {
+                way.reverse();
+            }
+            Touched::by(way.into_iter(), back)
+        };
+        let passes: Vec<_> = (0..4).map(pass).collect();
+        let s = flat();
+        let Extent::Outline { corners, linked: true } = led(&passes, &s, true) else {
+            panic!("an outline");
+        };
+        assert_eq!(corners.len(), 10);
+        // Its area is that of the rectangle.
+        let area: f64 = edges(&corners).map(|[a, b]| a[0] * b[1] - a[1] * b[0]).sum();
+        assert!((0.5 * area.abs() - 0.24).abs() < 1e-12, "{area}");
+        // Passes that cross, one pass, and contacts that jump have none.
+        let line = |points: &[[f64; 2]]| Touched::by(points.iter().copied(), false);
+        let cross = [line(&[[0.0, 0.0], [1.0, 1.0]]), line(&[[0.0, 1.0], [1.0, 0.0]])];
+        assert!(matches!(led(&cross, &s, true), Extent::Unknown(_)));
+        assert!(matches!(led(&passes[..1], &s, true), Extent::Unknown(_)));
+        assert!(matches!(led(&[passes[0].clone(), line(&[])], &s, true), Extent::Unknown(_)));
+    }
+}

@@ -1,0 +1,127 @@
+//! A region of a surface's parameters that is bounded by straight lines.
+
+use crate::sheet::Patch;
+
+/// What a closed outline that does not cross itself holds.
+#[derive(Debug)]
+pub(crate) struct Outline {
+    edges: Vec<[[f64; 2]; 2]>,
+}
+
+/// What of a piece lies in it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Share {
+    All,
+    /// The outline goes through it, and its middle is within.
+    Middle,
+    /// The outline goes through it and has this place there, and its middle is without.
+    Rest([f64; 2]),
+    None,
+}
+
+/// A piece is taken for larger by this share of the numbers, so that rounding loses no line that goes through it.
+const ROUNDING: f64 = 1e-12;
+
+impl Outline {
+    pub(crate) fn new(corners: &[[f64; 2]]) -> Self {
+        let next = corners.iter().cycle().skip(1);
+        Self { edges: corners.iter().zip(next).map(|(a, b)| [*a, *b]).collect() }
+    }
+
+    /// Least and greatest parameters.
+    pub(crate) fn range(&self) -> [[f64; 2]; 2] {
+        [0, 1].map(|k| {
+            let all = self.edges.iter().map(|e| e[0][k]);
+            all.fold([f64::INFINITY, f64::NEG_INFINITY], |r, x| [r[0].min(x), r[1].max(x)])
+        })
+    }
+
+    /// A piece through which no line goes is as its middle is.
+    pub(crate) fn share(&self, patch: &Patch) -> Share {
+        let half = [0, 1].map(|k| patch.half[k] + ROUNDING * (patch.at[k].abs() + patch.half[k]));
+        let through = self.edges.iter().find(|e| meets(**e, patch.at, half));
+        match (through, self.holds(patch.at)) {
+            (None, true) => Share::All,
+            (Some(_), true) => Share::Middle,
+            (Some(edge), false) => Share::Rest(beside(*edge, patch.at, half)),
+            (None, false) => Share::None,
+        }
+    }
+
+    /// Does a ray from the place meet the lines an odd number of times?
+    fn holds(&self, [u, v]: [f64; 2]) -> bool {
+        let meets = |[[a, b], [c, d]]: &[[f64; 2]; 2]| {
+            (*b > v) != (*d > v) && u < a + (c - a) * ((v - b) / (d - b))
+        };
+        self.edges.iter().filter(|e| meets(e)).count() % 2 == 1
+    }
+}
+
+/// Does a line come into the box `at +- half`? Neither an axis of the box nor the normal of the line parts them.
+fn meets([a, b]: [[f64; 2]; 2], at: [f64; 2], half: [f64; 2]) -> bool {
+    for k in 0..2 {
+        let (lo, hi) = (a[k].min(b[k]), a[k].max(b[k]));
+        if lo > at[k] + half[k] || hi < at[k] - half[k] {
+            return false;
+        }
+    }
+    let [p, q] = [b[0] - a[0], b[1] - a[1]];
+    let off = p * (at[1] - a[1]) - q * (at[0] - a[0]);
+    off.abs() <= (p.abs() * half[1] + q.abs() * half[0]) * (1.0 + ROUNDING)
+}
+
+/// The place of a line next to the middle of a box, by the size of the box.
+fn beside([a, b]: [[f64; 2]; 2], at: [f64; 2], half: [f64; 2]) -> [f64; 2] {
+    let [p, q] = [0, 1].map(|k| (b[k] - a[k]) / half[k]);
+    let [x, y] = [0, 1].map(|k| (at[k] - a[k]) / half[k]);
+    let t = ((p * x + q * y) / (p * p + q * q)).clamp(0.0, 1.0);
+    [0, 1].map(|k| a[k] + (b[k] - a[k]) * t)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// A star of five points about (2, 1).
+    fn star() -> Outline {
+        let corner = |i: i32| {
+            let (s, c) = aptc_geometry::trig::sin_cos(f64::from(i) * std::f64::consts::PI / 5.0);
+            let r = if i % 2 == 0 { 1.5 } else { 0.6 };
+            [2.0 + r * c, 1.0 + r * s]
+        };
+        Outline::new(&(0..10).map(corner).collect::<Vec<_>>())
+    }
+
+    proptest! {
+        #[test]
+        fn pieces_are_within_and_without_as_their_places_are(
+            at in prop::array::uniform2(-0.5..3.5_f64), half in prop::array::uniform2(0.0..0.6_f64),
+        ) {
+            let o = star();
+            let share = o.share(&Patch { at, half, ..Patch::default() });
+            for i in 0..=20_i32 {
+                for j in 0..=20_i32 {
+                    let [s, t] = [i, j].map(|i| 0.1 * f64::from(i) - 1.0);
+                    let held = o.holds([at[0] + s * half[0], at[1] + t * half[1]]);
+                    match share {
+                        Share::All => prop_assert!(held),
+                        Share::None => prop_assert!(!held),
+                        Share::Middle | Share::Rest(_) => {}
+                    }
+                }
+            }
+            if let Share::Rest(x) = share {
+                let off = |k: usize| (x[k] - at[k]).abs() <= 1.5 * half[k] + 1e-9;
+                prop_assert!(off(0) && off(1), "{x:?}");
+            }
+            prop_assert_eq!(o.holds(at), matches!(share, Share::All | Share::Middle));
+        }
+    }
+
+    #[test]
+    fn the_range_is_that_of_the_corners() {
+        let o = Outline::new(&[[0.0, 1.0], [2.0, 0.5], [1.0, 3.0]]);
+        assert_eq!(o.range(), [[0.0, 2.0], [0.5, 3.0]]);
+    }
+}
