@@ -32,6 +32,9 @@ fn forms() -> Forms {
     add("LOW", "PLANE", &[0.0, 0.0, 1.0, -10.0]);
     add("L3", "LINE", &[0.0, 1.0, 0.0, 0.3]);
     add("LN", "LINE", &[0.0, -1.0, 0.0, 0.0]);
+    add("LW", "LINE", &[1.0, 0.0, 0.0, -2.0]);
+    add("BALL", "SPHERE", &[0.0, 0.0, -4.0, 4.0]);
+    add("LOG", "CYLNDR", &[0.0, 0.0, -4.0, 1.0, 0.0, 0.0, 4.0]);
     add("ROOF", "PLANE", &[-0.1, -0.2, 1.0, 0.0]);
     f.insert("TB".into(), Form::Tabcyl(Arc::new(spline())));
     f.insert("WAVE".into(), Form::Tabcyl(Arc::new(wave())));
@@ -204,6 +207,14 @@ fn the_lean_across_the_surface_that_the_tool_end_is_on() {
         // What leans at the start of the way does not count.
         let dome = format!("FROM/0,{y},3\n{rule}GO/ON,LX,TO,SP,ON,LY\n");
         assert!(lean(&dome) * f64::from(y) < -0.17, "{dome}");
+    }
+    // Nor what leaned on the way there along a surface that bends.
+    for (drive, z, x) in [("LX", 2, -2.5), ("LN", 2, -1.5), ("LX", 9, -2.5), ("LN", 9, -1.5)] {
+        for (y, part) in [(-1.5, "BALL"), (1.5, "BALL"), (-1.5, "LOG"), (1.5_f64, "LOG")] {
+            let go = format!("FROM/{x},{y},{z}\n{rule}GO/ON,{drive},TO,{part},ON,LW\n");
+            let y = lean(&go) * -y.signum();
+            assert!((0.232..0.235).contains(&y), "{go}: {y}");
+        }
     }
 }
 
