@@ -12,8 +12,8 @@ use crate::{Tabcyl, TabcylSpan, Vec2, trig};
 /// How the curve runs through its points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fit {
-    /// SPLINE: slope and curvature are continuous. A given slope holds; without one an end interval is a
-    /// parabola.
+    /// SPLINE: slope and curvature are continuous. A slope given at an end holds; without one an end interval is a
+    /// parabola. Given in between it does not count, as in APT-360: it would break the curvature.
     Spline,
     /// TWOPT, PTSLOP, PTNORM: given slopes hold, others are those of the circle through the point and its
     /// neighbours.
@@ -73,7 +73,7 @@ impl Tabcyl {
     ) -> Result<Self, FitError> {
         let chords = chords(knots)?;
         let slopes = match fit {
-            Fit::Spline => between_tangents(&chords, &spline(knots, &chords)?),
+            Fit::Spline => between_tangents(&chords, &spline(&free_within(knots), &chords)?),
             Fit::TwoPoint => between_tangents(&chords, &two_point(knots, &chords)),
             Fit::FourPoint => four_point(knots, &chords)?,
         };
@@ -100,6 +100,16 @@ impl Tabcyl {
         spans.push(straight(tip, lengths[1]));
         Ok(Self { axes, spans, end: tip + end * lengths[1] })
     }
+}
+
+/// The points without the slopes of those between the ends.
+fn free_within(knots: &[Knot]) -> Vec<Knot> {
+    let last = knots.len() - 1;
+    let free = |(i, k): (usize, &Knot)| match i {
+        i if i == 0 || i == last => *k,
+        _ => Knot { tangent: None, ..*k },
+    };
+    knots.iter().enumerate().map(free).collect()
 }
 
 /// One chord.
@@ -177,7 +187,7 @@ fn bounded_tan(angle: f64) -> f64 {
 }
 
 /// Angle of the tangent at point `i` in radians: the given one in the sense of the chords, or that of the
-/// circle through the neighbours; at an end, that of the parabola that meets the next point's tangent.
+/// circle through the neighbours; at an end, that of the parabola that meets the next point's circle.
 fn start_angle(knots: &[Knot], chords: &[Chord], i: usize) -> Option<f64> {
     let (before, after) = (i.checked_sub(1).map(|j| &chords[j]), chords.get(i));
     if let Some(given) = knots[i].tangent {
@@ -191,9 +201,15 @@ fn start_angle(knots: &[Knot], chords: &[Chord], i: usize) -> Option<f64> {
         let half = std::f64::consts::PI;
         return Some(mean + turn - half * (turn / half).round());
     }
-    let (before, after) = (before?, after?);
-    let turn = after.angle - before.angle;
-    Some(before.angle + turn * before.length / (before.length + after.length))
+    circle_angle(chords, i)
+}
+
+/// Angle at an inner point of the circle through it and its neighbours: with the angles p and q between tangent and chords,
+/// p + q is the turn of the chords and sin p : sin q their lengths, so tan p = sin turn / (cos turn + after / before).
+fn circle_angle(chords: &[Chord], i: usize) -> Option<f64> {
+    let (before, after) = (chords.get(i.checked_sub(1)?)?, chords.get(i)?);
+    let (sine, cosine) = (before.unit.perp(&after.unit), before.unit.dot(&after.unit));
+    Some(before.angle + trig::atan2(sine, cosine + after.length / before.length))
 }
 
 fn two_point(knots: &[Knot], chords: &[Chord]) -> Vec<f64> {
@@ -202,8 +218,10 @@ fn two_point(knots: &[Knot], chords: &[Chord]) -> Vec<f64> {
     for (end, next, chord) in [(0, 1, 0), (n - 1, n - 2, n - 2)] {
         if angles[end].is_none() {
             let angle = chords[chord].angle;
-            // Alone, two points have no next tangent: the chord itself.
-            angles[end] = Some(angles[next].map_or(angle, |next| 2.0 * angle - next));
+            // A slope given at the next point is that point's alone, as in APT-360. Alone, two points have no next
+            // tangent: the chord itself.
+            let next = circle_angle(chords, next).or(angles[next]);
+            angles[end] = Some(next.map_or(angle, |next| 2.0 * angle - next));
         }
     }
     angles.into_iter().flatten().collect()
@@ -410,13 +428,38 @@ mod tests {
             }
             for fit in [Fit::Spline, Fit::TwoPoint] {
                 let t = fitted(&knots, fit);
-                for i in places {
+                // Within a SPLINE none holds: the ends alone give the same curve.
+                let ends = [0, knots.len() - 1];
+                let mut free = knots.clone();
+                free[3].tangent = None;
+                assert_eq!(t == fitted(&free, fit), fit == Fit::Spline);
+                for i in places.into_iter().filter(|i| fit == Fit::TwoPoint || ends.contains(i)) {
                     let given = knots[i].tangent.unwrap().normalize();
                     let after = t.tangent(i + 1, 0.0).normalize();
                     let before = t.tangent(i, t.spans[i].length).normalize();
                     assert!(given.perp(&after).abs() < 1e-12 && after.dot(&before) > 0.999_999);
                 }
             }
+        }
+    }
+
+    /// Points of a circle have its tangents, and so have the ends, whatever is given beside them.
+    #[test]
+    fn two_point_slopes_are_those_of_circles() {
+        let at = |degrees: f64| [5.0 * trig::cos_deg(degrees), 5.0 * trig::sin_deg(degrees)];
+        let degrees = [0.0, 25.0, 95.0, 130.0, 190.0];
+        let plain = free(&degrees.map(at));
+        let mut given = plain.clone();
+        given[1].tangent = Some(Vec2::new(-1.0, 1.0));
+        for (knots, places) in [(&plain, [1, 2, 3]), (&given, [2, 2, 3])] {
+            let t = fitted(knots, Fit::TwoPoint);
+            for i in places {
+                let off = t.tangent(i + 1, 0.0).normalize().dot(&knots[i].point) / 5.0;
+                assert!(off.abs() < 1e-12, "{i}: {off}");
+            }
+            // The parabola at an end leans as much against its chord as the circle does at the other end of it.
+            let off = t.tangent(1, 0.0).normalize().dot(&knots[0].point) / 5.0;
+            assert!(off.abs() < 1e-12, "the end: {off}");
         }
     }
 

@@ -23,8 +23,9 @@ pub(crate) enum AxisRule {
 }
 
 /// On which side of the surface that does not control the axis the tool was before its end came to lie on it.
-/// An angle leans the axis away from such a surface when the cutter is at it, and onwards when the tool end is
-/// on it. Source: what APT-360 does, by trial.
+/// An angle leans the axis away from such a surface when the cutter is at it. When the tool end is on it the axis leans
+/// to the side to which it leans already, and an upright one onwards in a GO, along the normal in a motion. Source: what
+/// APT-360 does, by trial.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Came {
     /// Where the surface's normals point.
@@ -122,12 +123,17 @@ impl AxisRule {
         }
     }
 
-    /// From where the tool end must have come to the other surface if the axis leans as it does; `on` is the
-    /// normal of that surface.
-    pub(crate) fn leaning(&self, ta: Vec3, n: Vec3, along: Vec3, on: Vec3) -> Came {
-        let Self::Angle(a, _) = self else { return Came::There };
-        let across = ta - n * ta.dot(&n) - along * ta.dot(&along);
-        Came::from(-across.dot(&on) * a.angle_deg.signum(), 1e-3)
+    /// The same rule for a tool whose axis is `ta` and whose end lies on the other surface, with the normal `on`: as far as
+    /// the axis leans across that surface its lean says the side, as in APT-360, which takes such a normal on the side of
+    /// the axis wherever the tool came from and whatever direction is given.
+    pub(crate) fn leaning(&self, ta: Vec3, on: Vec3) -> Self {
+        /// Sine of the lean of an axis that counts as upright.
+        const LEANS: f64 = 1e-6;
+        let Self::Angle(a, came) = self else { return self.clone() };
+        match Came::from(-ta.dot(&on) * a.angle_deg.signum(), LEANS) {
+            Came::There => Self::Angle(a.clone(), *came),
+            lean => Self::Angle(a.clone(), lean),
+        }
     }
 
     /// The axis at a place; `None` when the conditions contradict each other. `keeps` are drive and part.

@@ -30,7 +30,14 @@ fn forms() -> Forms {
     let n = 1.36_f64.sqrt();
     add("LT", "LINE", &[-0.6 / n, 1.0 / n, 0.0, (0.9 - 7.8) / n]);
     add("LOW", "PLANE", &[0.0, 0.0, 1.0, -10.0]);
+    add("L3", "LINE", &[0.0, 1.0, 0.0, 0.3]);
+    add("LN", "LINE", &[0.0, -1.0, 0.0, 0.0]);
+    add("LW", "LINE", &[1.0, 0.0, 0.0, -2.0]);
+    add("BALL", "SPHERE", &[0.0, 0.0, -4.0, 4.0]);
+    add("LOG", "CYLNDR", &[0.0, 0.0, -4.0, 1.0, 0.0, 0.0, 4.0]);
+    add("ROOF", "PLANE", &[-0.1, -0.2, 1.0, 0.0]);
     f.insert("TB".into(), Form::Tabcyl(Arc::new(spline())));
+    f.insert("WAVE".into(), Form::Tabcyl(Arc::new(wave())));
     f
 }
 
@@ -46,6 +53,19 @@ fn spline() -> Tabcyl {
     let span = |[x, y, a, b, length]: [f64; 5]| TabcylSpan::new(Vec2::new(x, y), a, b, length);
     let end = Vec2::new(21.574929257125444, 6.044957554275266);
     Tabcyl { axes: Matrix3::identity(), spans: spans.map(span).to_vec(), end }
+}
+
+/// Eight half waves over the x axis from 10 to 18, parabolas .6 high up and down in turn, with straight ends of 10.
+fn wave() -> Tabcyl {
+    let half = |k: u8| {
+        let b = if k.is_multiple_of(2) { -2.4 } else { 2.4 };
+        TabcylSpan::new(Vec2::new(10.0 + f64::from(k), 0.0), 0.0, b, 1.0)
+    };
+    let way = Vec2::new(10.0, 24.0) / 2.6;
+    let mut spans = vec![TabcylSpan::new(Vec2::new(10.0, 0.0) - way, 0.0, 0.0, 10.0)];
+    spans.extend((0..8).map(half));
+    spans.push(TabcylSpan::new(Vec2::new(18.0, 0.0), 0.0, 0.0, 10.0));
+    Tabcyl { axes: Matrix3::identity(), spans, end: Vec2::new(18.0, 0.0) + way }
 }
 
 /// Runs the text in the plane and in space; both end at `end`.
@@ -122,12 +142,80 @@ fn a_line_is_tangent_to_the_straight_end_of_a_tabcyl() {
     near("TLRGT,GOFWD/LX\nGOFWD/TB\nGOFWD/LT,ON,(LINE/1,0,0,20)", [20.0, 5.1 - 0.5 * n, 0.0], 1e-3);
 }
 
+/// A straight drive surface leads past all of a check surface on one cut vector: each of its crossings counts.
+#[test]
+fn every_crossing_of_a_wave_counts_from_far_away() {
+    for from in [-3.0, -100.0] {
+        for n in 1..=9 {
+            let k = f64::from((n - 1) / 2);
+            let x = if n == 9 {
+                18.125
+            } else {
+                10.0 + 2.0 * k
+                    + if n % 2 == 1 { 0.5 - 0.125_f64.sqrt() } else { 0.5 + 0.125_f64.sqrt() }
+            };
+            let text = format!(
+                "CUTTER/.2\nINTOL/0\nOUTTOL/1E-12\nFROM/{from},.3,0\nINDIRV/1,0,0\nTLON,GOFWD/L3,ON,{n},INTOF,WAVE"
+            );
+            both(&text, [x, 0.3, 0.0]);
+        }
+    }
+}
+
 /// A cutter with a flat goes straight towards a small ellipsoid on a single cut vector that leads far beyond it.
 #[test]
 fn a_small_ellipsoid_on_the_way_of_a_long_cut_vector() {
     let start = "CUTTER/1\nINTOL/0\nOUTTOL/1E-12\nFROM/-3,0,0\nINDIRV/1,0,0\nTLON,GOFWD/LX,";
     both(&format!("{start}TO,QE"), [10.0 - 2.0_f64.sqrt() - 0.5, 0.0, 0.0]);
     both(&format!("{start}ON,QE"), [10.0 - 2.0_f64.sqrt(), 0.0, 0.0]);
+}
+
+/// With the tool end on the drive surface an axis at an angle to the part surface leans to the side to which it leans
+/// already; an upright one onwards in a GO and along the normal in a motion: as APT-360, whatever INDIRV says.
+#[test]
+fn the_lean_across_the_surface_that_the_tool_end_is_on() {
+    let lean = |text: &str| {
+        let ran = run(&forms(), &format!("MULTAX\nCUTTER/.5\nOUTTOL/.001\n{text}")).clean();
+        let (_, last) = ran.motions().last().expect("a motion");
+        last.points[last.points.len() - 1].ta.y
+    };
+    let same = |text: &str, expected: f64| {
+        let y = lean(text);
+        assert!((y - expected).abs() < 1e-6, "{text}: {y}, not {expected}");
+    };
+    let (rule, sine) = ("TLAXIS/ATANGL,1,10\n", trig::sin_deg(10.0));
+    for (drive, normal) in [("LX", 1.0), ("LN", -1.0)] {
+        let go = format!("GO/ON,{drive},TO,PL\n");
+        for (y, onwards) in [(-3, 1.0), (3, -1.0)] {
+            for given in ["1,0,0", "1,.2,0", "1,-.2,0"] {
+                let from = format!("FROM/-2,{y},3\n");
+                let on = format!("INDIRV/{given}\nTLON,GOFWD/{drive},ON,L20");
+                same(&format!("{from}{rule}{go}{on}"), onwards * sine);
+                same(&format!("{from}{go}{rule}{on}"), normal * sine);
+            }
+            for side in [-0.02, 0.02_f64] {
+                let axis = format!("FROM/-2,{y},3\nTLAXIS/.2,{side},1\n");
+                same(&format!("{axis}{rule}{go}"), sine * side.signum());
+            }
+        }
+    }
+    // A part surface whose normal leans more than the angle decides alone.
+    let n = 1.05_f64.sqrt();
+    let across = trig::cos_deg(10.0) * -0.2 / n - sine * 1.01_f64.sqrt() / n;
+    for y in [-3, 3_i32] {
+        same(&format!("FROM/-2,{y},3\n{rule}GO/ON,LX,TO,ROOF\n"), across);
+        // What leans at the start of the way does not count.
+        let dome = format!("FROM/0,{y},3\n{rule}GO/ON,LX,TO,SP,ON,LY\n");
+        assert!(lean(&dome) * f64::from(y) < -0.17, "{dome}");
+    }
+    // Nor what leaned on the way there along a surface that bends.
+    for (drive, z, x) in [("LX", 2, -2.5), ("LN", 2, -1.5), ("LX", 9, -2.5), ("LN", 9, -1.5)] {
+        for (y, part) in [(-1.5, "BALL"), (1.5, "BALL"), (-1.5, "LOG"), (1.5_f64, "LOG")] {
+            let go = format!("FROM/{x},{y},{z}\n{rule}GO/ON,{drive},TO,{part},ON,LW\n");
+            let y = lean(&go) * -y.signum();
+            assert!((0.232..0.235).contains(&y), "{go}: {y}");
+        }
+    }
 }
 
 #[test]

@@ -22,11 +22,16 @@ const MOST_MESSAGES: usize = 500;
 ///
 /// TRACUT is not cumulative: each acts on the positions as Section 2 made them and replaces the one
 /// before. A COPY repeats the edited records of its range; those stand between INDEX and `INDEX/n,NOMORE`
-/// or, without that, the COPY itself, copies made in between included. Copies are not transformed by a
-/// TRACUT around them again, and carry the origin of what they repeat.
+/// or, without that, the COPY itself, copies made in between included. A copy of a copy is made anew from the
+/// record that it repeats: what copies now goes first, then what copied before, as APT-360 carries out the
+/// statements of the range, COPY among them, once more. Copies are not transformed by a TRACUT around them
+/// again, and carry the origin of what they repeat.
 #[derive(Default)]
 pub struct Editor {
+    /// The records of open ranges as they were before any COPY, and between them the maps of the copies.
     spool: Spool,
+    /// Map of the record put last into the spool, if it is that of a copy.
+    spooled: Option<Transform>,
     ranges: Vec<Range>,
     tracut: Option<Carrier>,
     vtlaxs: Vtlaxs,
@@ -51,6 +56,8 @@ struct Range {
     n: f64,
     start: u64,
     end: Option<u64>,
+    /// Map of what stands at its beginning, if that is a copy.
+    map: Option<Transform>,
     origin: Origin,
     copied: bool,
     /// Records in the spool where it begins and ends.
@@ -183,10 +190,25 @@ impl Editor {
 
     /// Puts a record out, and into the spool while a range is open.
     fn emit(&mut self, record: &Record, out: &mut dyn RecordWriter) -> io::Result<()> {
+        self.keep(record, None)?;
+        self.put_out(record, out)
+    }
+
+    /// Puts into the spool, while a range is open, a record that `map` makes a copy of.
+    fn keep(&mut self, record: &Record, map: Option<Transform>) -> io::Result<()> {
         if self.ranges.iter().any(|r| r.end.is_none()) {
+            if self.spooled != map {
+                self.spooled = map;
+                let kind = Kind::Edit(Edit::Tracut(map));
+                self.spool.put(&Record { origin: map_origin(), kind })?;
+            }
             self.spool.put(record)?;
             self.n_spooled += 1;
         }
+        Ok(())
+    }
+
+    fn put_out(&mut self, record: &Record, out: &mut dyn RecordWriter) -> io::Result<()> {
         if let Kind::Motion(m) = &record.kind {
             self.emitted = m.points.last().copied().or(self.emitted);
         }
@@ -210,6 +232,7 @@ impl Editor {
             n,
             start: self.spool.end(),
             end: None,
+            map: self.spooled,
             origin: origin.clone(),
             copied: false,
             counts: (self.n_spooled, None),
@@ -271,7 +294,6 @@ impl Editor {
             }
         }
         let mut map = *step;
-        let identity = *step == Transform::identity();
         let mut copied = Record::default();
         let mut block = Block::default();
         let range = &self.ranges[index];
@@ -284,22 +306,31 @@ impl Editor {
             return Ok(());
         }
         for k in 0..count {
-            let carrier = Carrier::new(map);
+            // What copied before is done after.
+            let after = |inner: Option<Transform>| inner.map_or(map, |inner| map.then(&inner));
+            let mut total = after(self.ranges[index].map);
+            let mut carrier = Carrier::new(total);
             let mut at = start;
             let mut last = self.ranges[index].before;
             while at < end {
                 at = self.spool.get(at, &mut copied, &mut block)?;
+                if let Some(inner) = as_map(&copied) {
+                    total = after(inner);
+                    carrier = Carrier::new(total);
+                    continue;
+                }
                 let before = last;
                 if let Kind::Motion(m) = &copied.kind {
                     last = m.points.last().copied().or(last);
                 }
-                if !identity && touches(&copied.kind) {
+                self.keep(&copied, Some(total))?;
+                if total != Transform::identity() && touches(&copied.kind) {
                     let tolerance = self.chord_tolerance();
                     if let Err(trouble) = carrier.carry(&mut copied.kind, before, tolerance) {
                         self.trouble(trouble, &copied.origin);
                     }
                 }
-                self.emit(&copied, out)?;
+                self.put_out(&copied, out)?;
             }
             if k + 1 < count {
                 map = map.then(step);
@@ -367,6 +398,19 @@ impl Editor {
             _ => Diagnostic::warning(codes::CL_NOT_CARRIED, origin.span, what),
         };
         self.list.push(d.help(help).within(origin.trace.clone()));
+    }
+}
+
+/// Origin of the records of the spool that hold the map of those after them: no statement has this number.
+fn map_origin() -> Origin {
+    Origin { isn: u32::MAX, line: u32::MAX, ..Origin::default() }
+}
+
+/// The map of the copies that follow, or that none do, if the record of the spool says so.
+fn as_map(record: &Record) -> Option<Option<Transform>> {
+    match record.kind {
+        Kind::Edit(Edit::Tracut(map)) if record.origin == map_origin() => Some(map),
+        _ => None,
     }
 }
 

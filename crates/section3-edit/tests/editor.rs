@@ -105,6 +105,45 @@ fn copies_nest_three_deep() {
     assert_eq!(x, [0.0, 1.0, 10.0, 11.0, 100.0, 101.0, 110.0, 111.0]);
 }
 
+/// As APT-360 has it: a range is carried out once more, the COPY in it too, on what the outer COPY has moved.
+#[test]
+fn a_copy_of_a_copy_is_made_from_the_original() {
+    let quarter = Transform::rotation(Vec3::z(), 90.0);
+    let near = |records: &[Record], expected: &[(f64, f64)]| {
+        let places = places(records);
+        let alike =
+            |(p, q): (&(f64, f64), &(f64, f64))| (p.0 - q.0).abs().max((p.1 - q.1).abs()) < 1e-12;
+        assert!(places.iter().zip(expected).all(alike), "{places:?}");
+        assert_eq!(places.len(), expected.len());
+    };
+    let (out, _) = edit(vec![
+        index(1.0),
+        index(2.0),
+        goto(3.0, 0.0, 0.0),
+        copy(2.0, shift(1.0, 0.0), 2),
+        copy(1.0, quarter, 1),
+    ]);
+    near(&out, &[(3.0, 0.0), (4.0, 0.0), (5.0, 0.0), (0.0, 3.0), (1.0, 3.0), (2.0, 3.0)]);
+    // The same range twice, and a range with NOMORE within it: scaled, turned, shifted.
+    let (out, _) = edit(vec![
+        index(1.0),
+        index(2.0),
+        goto(4.0, 0.0, 0.0),
+        nomore(2.0),
+        goto(1.0, 1.0, 0.0),
+        copy(2.0, shift(1.0, 0.0), 1),
+        goto(5.0, 6.0, 0.0),
+        copy(1.0, quarter, 1),
+        copy(1.0, Transform::scale(2.0), 1),
+        goto(7.0, 7.0, 0.0),
+    ]);
+    let once = [(4.0, 0.0), (1.0, 1.0), (5.0, 0.0), (5.0, 6.0)];
+    let turned = [(0.0, 4.0), (-1.0, 1.0), (1.0, 4.0), (-6.0, 5.0)];
+    let twice = [(8.0, 0.0), (2.0, 2.0), (9.0, 0.0), (10.0, 12.0)];
+    let both = [(0.0, 8.0), (-2.0, 2.0), (1.0, 8.0), (-12.0, 10.0)];
+    near(&out, &[&once[..], &turned, &twice, &both, &[(7.0, 7.0)]].concat());
+}
+
 #[test]
 fn a_matrix_of_a_copy_is_applied_once_more_for_each() {
     let quarter = Transform::rotation(Vec3::z(), 90.0);

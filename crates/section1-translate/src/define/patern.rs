@@ -30,16 +30,9 @@ struct Steps {
     groups: Vec<Vec<f64>>,
 }
 
-/// Whether `number,AT,increment` or, as the manual has it for columns, `increment,AT,number`.
-#[derive(Clone, Copy, PartialEq)]
-enum At {
-    CountFirst,
-    CountLast,
-}
-
 /// The increments after the INCR that stands before `from`: numbers, or `n,AT,i`, in groups that each
 /// begin with an INCR.
-fn steps(a: &Args<'_>, from: usize, order: At) -> Result<Steps, Fault> {
+fn steps(a: &Args<'_>, from: usize) -> Result<Steps, Fault> {
     let (mut groups, mut group, mut at, mut n) = (Vec::new(), Vec::new(), from, 1);
     while at < a.len() {
         if a.is(at, word::INCR) {
@@ -57,7 +50,7 @@ fn steps(a: &Args<'_>, from: usize, order: At) -> Result<Steps, Fault> {
             if !a.is_number(at + 2) {
                 return Err(Fault::Unexpected { at: at + 2, expected: "a number" });
             }
-            let (count, step) = counted(a, at, order)?;
+            let (count, step) = counted(a, at)?;
             n += count;
             limit(a, at, n)?;
             group.extend(std::iter::repeat_n(step, count));
@@ -76,14 +69,11 @@ fn steps(a: &Args<'_>, from: usize, order: At) -> Result<Steps, Fault> {
     Ok(Steps { groups })
 }
 
-/// Which of `x,AT,y` is the count. Columns are written the other way round in the manual than points; a
-/// number that is not whole cannot be the count in either.
-fn counted(a: &Args<'_>, at: usize, order: At) -> Result<(usize, f64), Fault> {
+/// Which of `x,AT,y` is the count: the first, as in APT-360 and APT4, for columns too, which the manual of APT-360
+/// writes the other way round in its text. A number that is not whole cannot be the count in either.
+fn counted(a: &Args<'_>, at: usize) -> Result<(usize, f64), Fault> {
     let whole = |x: f64| x >= 1.0 && (x - x.round()).abs() < 1e-9;
-    let first = match order {
-        At::CountFirst => true,
-        At::CountLast => !whole(a.number(at + 2)?) && whole(a.number(at)?),
-    };
+    let first = whole(a.number(at)?) || !whole(a.number(at + 2)?);
     let (count, step) = if first { (at, at + 2) } else { (at + 2, at) };
     Ok((a.count(count, 1)?, a.number(step)?))
 }
@@ -129,7 +119,7 @@ fn sums(steps: &Steps) -> Vec<f64> {
 
 fn linear_steps(a: &Args<'_>) -> Result<Form, Fault> {
     let (p, u) = (a.point(1)?, a.direction(2)?);
-    let steps = steps(a, 4, At::CountFirst)?;
+    let steps = steps(a, 4)?;
     Ok(pattern(sums(&steps).iter().map(|s| p + u * *s).collect()))
 }
 
@@ -161,7 +151,7 @@ fn arc_between(a: &Args<'_>) -> Result<Form, Fault> {
 fn arc_steps(a: &Args<'_>) -> Result<Form, Fault> {
     let (mut angle, sense) = (a.number(2)?, sense(a, 3));
     let mut points = Vec::new();
-    for group in &steps(a, 5, At::CountFirst)?.groups {
+    for group in &steps(a, 5)?.groups {
         points.push(on_circle(a, angle)?);
         for step in group {
             angle += sense * step;
@@ -226,10 +216,17 @@ fn grid_along(a: &Args<'_>) -> Result<Form, Fault> {
     grid(a, &a.pattern(1)?.points, &ways)
 }
 
+/// With a second INCR the column that was reached stands twice, as with arcs.
 fn grid_steps(a: &Args<'_>) -> Result<Form, Fault> {
     let u = a.direction(2)?;
-    let steps = steps(a, 4, At::CountLast)?;
-    let ways: Vec<Vec3> = sums(&steps).iter().map(|s| u * *s).collect();
+    let (mut sum, mut ways) = (0.0, Vec::new());
+    for group in &steps(a, 4)?.groups {
+        ways.push(u * sum);
+        for step in group {
+            sum += step;
+            ways.push(u * sum);
+        }
+    }
     grid(a, &a.pattern(1)?.points, &ways)
 }
 

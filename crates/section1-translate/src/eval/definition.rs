@@ -138,6 +138,7 @@ impl Interpreter<'_> {
         match form {
             Ok(form) => {
                 self.product_in_order(head, span, args, &form, &context);
+                self.inner_slope(head, args);
                 // Numbers at the edge of what can be written leave no form behind.
                 if let Some(why) = fault_of_form(&form) {
                     self.error(Diagnostic::error(
@@ -216,6 +217,33 @@ impl Interpreter<'_> {
             )
             .note("the program has sculptured forms: so APT4 takes it; APT-360 carries out the second first")
             .help("swap them where the other order is meant"),
+        );
+    }
+
+    /// Says that a SPLINE takes slopes at its ends alone: at the first of them that stands elsewhere.
+    fn inner_slope(&mut self, head: Word, args: &[define::Arg]) {
+        let is = |i: usize, w: Word| args.get(i).is_some_and(|a| a.value == define::Value::Word(w));
+        if head != word::TABCYL || !is(1, word::SPLINE) {
+            return;
+        }
+        let data = if is(2, word::TRFORM) { 4 } else { 2 };
+        // The first point is a form or two numbers.
+        let first = match args.get(data).map(|a| &a.value) {
+            Some(define::Value::Form { .. }) => data + 1,
+            _ => data + 2,
+        };
+        let inner = (first + 1..args.len().saturating_sub(2))
+            .find(|i| is(*i, word::SLOPE) || is(*i, word::NORMAL));
+        let Some(at) = inner else { return };
+        let what = if is(at, word::SLOPE) { "SLOPE" } else { "NORMAL" };
+        self.error(
+            Diagnostic::warning(
+                codes::INNER_SLOPE,
+                args[at].span,
+                format!("{what} does not count between the ends of a SPLINE"),
+            )
+            .note("its slopes there are those with which the curvature is continuous, as in APT-360")
+            .help("take TWOPT, whose slopes hold at every point, or end one SPLINE there and begin another"),
         );
     }
 

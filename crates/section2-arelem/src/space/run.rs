@@ -14,7 +14,7 @@ use super::nearest::approach;
 use super::stride::Pace;
 use super::track::{Node, Track, Trouble};
 use super::watch::{Halt, Mark, Watch, clearance};
-use crate::axis::{Around, AxisRule, Came};
+use crate::axis::{Around, AxisRule};
 use crate::failure::{Blocked, Failure, Hindrance};
 use crate::prepare::way;
 use crate::scene::{Astray, Path, Scene, Stance, Wall, to_or_on};
@@ -342,8 +342,10 @@ fn begin(scene: &Scene) -> Result<Begin, Failure> {
     let size =
         pose.te.norm() + drive.profile.reach() + drive.surface.extent() + part.surface.extent();
     let exact = 1e-13 * size + 2e-9 * drive.width().min(part.width());
-    let axis = coming(scene, &pose, heading, [&drive_gap, &part_gap]);
     let keeps = [drive, part];
+    let (te, ta) = (pose.te, pose.ta);
+    let around = Around { te, ta, part: &part_gap, drive: &drive_gap, along: heading };
+    let axis = sided(scene, &keeps, &around);
     let guides = Guides::new(&keeps, &axis, &pose);
     let track = Track { keeps, axis, guides, exact, size };
     let node = track.node(pose, heading).map_err(|t| trouble_at(scene, &pose, t))?;
@@ -361,21 +363,20 @@ fn begin(scene: &Scene) -> Result<Begin, Failure> {
     Ok(Begin { track, node, first, turned: None, astray })
 }
 
-/// The rule of the axis with the side from which the tool end came to a surface that it lies on: by the motion
-/// before, or by how the axis leans when that ran along the surface.
-fn coming(scene: &Scene, pose: &Pose, heading: Vec3, [drive, part]: [&Gap; 2]) -> AxisRule {
-    /// Sine above which a motion counts as coming to a surface.
-    const COMES: f64 = 1e-3;
-    let (own, other) = match scene.axis.angle_to() {
-        Some(OptionSurface::Part) => (part, drive),
-        Some(OptionSurface::Drive) => (drive, part),
+/// The rule of the axis with the side of the other surface to which it leans, where the tool end lies on that: as the
+/// axis stands, and as it will stand by that.
+fn sided(scene: &Scene, keeps: &[Keep; 2], around: &Around<'_>) -> AxisRule {
+    let other = match scene.axis.angle_to() {
+        Some(OptionSurface::Part) => around.drive,
+        Some(OptionSurface::Drive) => around.part,
         None => return scene.axis.clone(),
     };
-    let came = match Came::from(-scene.tool.forward.dot(&other.normal), COMES) {
-        Came::There => scene.axis.leaning(pose.ta, own.normal, heading, other.normal),
-        came => came,
-    };
-    scene.axis.coming(came)
+    let rule = scene.axis.leaning(around.ta, other.normal);
+    let on_it = other.segment.is_none();
+    match rule.at(around, [&keeps[0], &keeps[1]]) {
+        Some(ta) if on_it => rule.leaning(ta, other.normal),
+        _ => rule,
+    }
 }
 
 /// The place at the start with the axis that the rule asks for there, when the tool stands with another one:

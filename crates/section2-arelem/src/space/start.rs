@@ -165,8 +165,10 @@ fn coming(axis: &AxisRule, aims: &[Aim<'_>], pose: &Pose) -> AxisRule {
     other.map_or_else(
         || axis.clone(),
         |o| {
-            let distance = o.keep.surface.distance(pose.te);
-            axis.coming(Came::from(distance, o.keep.width()))
+            let foot = o.keep.surface.foot(pose.te);
+            let axis = axis.coming(Came::from(foot.distance, o.keep.width()));
+            let on = o.keep.condition == Condition::On;
+            if on { axis.leaning(pose.ta, foot.normal) } else { axis }
         },
     )
 }
@@ -432,15 +434,29 @@ impl Solver<'_> {
         let part = gaps.get(1).unwrap_or(drive);
         let keeps = [&self.aims[0].keep, self.aims.get(1).map_or(&self.aims[0].keep, |a| &a.keep)];
         let [on_drive, on_part] = [drive, part].map(|g| g.segment.is_none());
-        let came = match self.axis {
-            AxisRule::Angle(_, came) if on_drive || on_part => came.home(),
-            _ => 1.0,
+        let at = |rule: &AxisRule| {
+            let came = match rule {
+                AxisRule::Angle(_, came) if on_drive || on_part => came.home(),
+                _ => 1.0,
+            };
+            // The direction of the motion that follows is not known; this one is APT-360's guess.
+            let along = part.normal.cross(&drive.normal) * came;
+            let along = if along.norm() > 1e-9 { along.normalize() } else { Vec3::x() };
+            let around = Around { te: pose.te, ta: pose.ta, part, drive, along };
+            rule.at(&around, keeps)
         };
-        // The direction of the motion that follows is not known; this one is APT-360's guess.
-        let along = part.normal.cross(&drive.normal) * came;
-        let along = if along.norm() > 1e-9 { along.normalize() } else { Vec3::x() };
-        let around = Around { te: pose.te, ta: pose.ta, part, drive, along };
-        self.axis.at(&around, keeps).unwrap_or(pose.ta)
+        let ta = at(self.axis);
+        // On its way there the tool leans as it did where it came from. Once there the side is that of the axis that belongs
+        // to this place: the one of the round before leaned with the normal elsewhere.
+        let there = |i: usize, g: &Gap| g.g.abs() <= self.aims[i].keep.width();
+        let on = match self.axis.angle_to() {
+            Some(OptionSurface::Part) if on_drive && there(0, drive) => drive.normal,
+            Some(OptionSurface::Drive) if on_part && gaps.len() > 1 && there(1, part) => {
+                part.normal
+            }
+            _ => return ta.unwrap_or(pose.ta),
+        };
+        ta.and_then(|ta| at(&self.axis.leaning(ta, on))).unwrap_or(pose.ta)
     }
 
     /// The position near `from` that satisfies all surfaces.

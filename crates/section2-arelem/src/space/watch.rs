@@ -12,11 +12,12 @@ use super::keep::{Keep, Pose};
 use super::stride::Stride;
 use super::track::{Node, Track, Trouble};
 use super::way::{
-    Crossing, GRAZING, RATE, ROUNDS, Sample, Way, crossings, in_limits, read, simple, tangencies,
+    Crossing, GRAZING, HALVINGS, RATE, ROUNDS, Sample, Way, crossings, in_limits, read, simple,
+    tangencies,
 };
 
-/// How often a piece of a cut vector over a surface of mixed curvature is halved.
-const HALVINGS: u32 = 6;
+/// How often a long cut vector over a surface of mixed curvature is halved at most.
+const MOST_HALVINGS: u32 = 20;
 
 /// A check surface on the way.
 #[derive(Clone, Debug)]
@@ -38,6 +39,9 @@ pub(crate) struct Watch {
 #[derive(Clone, Debug)]
 struct Gauge {
     keep: Keep,
+    /// Length of cut vectors that is halved [`HALVINGS`] times: beside a straight drive surface they go past the whole of
+    /// the check surface at once, which may be met often there.
+    piece: f64,
     /// Did the gap leave zero since the start?
     armed: bool,
     /// Did it run along with the whole of the cut vector before?
@@ -93,8 +97,11 @@ impl Watch {
         // A cutter that comes from outside is inside only when all of it is.
         let inner = inner.map(|s| if keep.on_side(s).clears(pose) { s } else { Side::Negative });
         let near = keep.intol.max(keep.outtol);
-        let gauge =
-            |side: Side| Gauge { keep: keep.on_side(side), armed: true, along: false, last: None };
+        let piece = 4.0 * keep.profile.widest().max(keep.surface.extent() / 256.0);
+        let gauge = |side: Side| {
+            let keep = keep.on_side(side);
+            Gauge { keep, piece, armed: true, along: false, last: None }
+        };
         let sides = std::iter::once(Side::Positive).chain(inner);
         let mut gauges: Vec<Gauge> = sides.map(gauge).collect();
         let mut closest = f64::INFINITY;
@@ -182,12 +189,13 @@ impl Watch {
                     self.closest = (p.gap.g, pose);
                 }
             }
+            let halvings = self.gauges[i].halvings(stride.length);
             let keep = &self.gauges[i].keep;
             let mut out = Vec::new();
             if tangent {
-                tangencies(&way, keep, a, b, loose, HALVINGS, &mut self.alike, &mut out)?;
+                tangencies(&way, keep, a, b, loose, halvings, &mut self.alike, &mut out)?;
             } else {
-                crossings(&way, keep, a, b, HALVINGS, &mut out)?;
+                crossings(&way, keep, a, b, halvings, &mut out)?;
                 if self.relation == Relation::To && self.met + 1 >= self.nth && out.is_empty() {
                     out.extend(grazed(&way, keep, a, b));
                 }
@@ -326,6 +334,15 @@ fn in_band(way: &Way<'_>, keep: &Keep, node: &Node, mut at: Sample) -> Option<f6
 }
 
 impl Gauge {
+    /// How often a cut vector of this length is halved in search of what lies on it.
+    fn halvings(&self, mut length: f64) -> u32 {
+        let mut n = HALVINGS;
+        while length > self.piece && n < MOST_HALVINGS {
+            (length, n) = (0.5 * length, n + 1);
+        }
+        n
+    }
+
     /// Readings at both ends of a cut vector; `None` when this side of the surface cannot be touched.
     fn ends(&mut self, way: &Way<'_>, near: f64) -> Option<(Sample, Sample)> {
         let known = self.last;

@@ -12,6 +12,10 @@ pub(super) const ROUNDS: usize = 80;
 /// Halvings in the search for the last place that faces a surface with ends.
 const FACING: u32 = 14;
 
+/// How often a piece of a cut vector over a surface of mixed curvature is halved. Where more halvings are left the piece is
+/// too long for its ends to tell how often the gap changes its sign in between.
+pub(super) const HALVINGS: u32 = 6;
+
 /// Rate of change of a gap along the track that is never exceeded, the turning of the axis apart.
 pub(super) const RATE: f64 = 1.5;
 
@@ -330,10 +334,11 @@ pub(super) fn crossings(
     let (fa, fb) = (a.gap.g, b.gap.g);
     let gap = |p: &Sample| p.gap.g;
     let newton = |p: &Sample| (p.slope != 0.0).then(|| p.s - p.gap.g / p.slope);
+    let coarse = halvings > HALVINGS && !simple(keep);
     if (fa > 0.0) != (fb > 0.0) {
         let falls = fb < fa;
         let runs = |p: &Sample| (p.slope < 0.0) == falls;
-        if halvings == 0 || simple(keep) || (runs(&a) && runs(&b)) {
+        if !coarse && (halvings == 0 || simple(keep) || (runs(&a) && runs(&b))) {
             let root = way.zero(keep, a, b, gap, newton, way.track.exact)?;
             out.push(Crossing { s: root.s, touch: false, falls });
             return Ok(());
@@ -343,7 +348,7 @@ pub(super) fn crossings(
             return Ok(());
         }
         let towards = if fa > 0.0 { -1.0 } else { 1.0 };
-        if a.slope * towards > 0.0 && b.slope * towards < 0.0 {
+        if !coarse && a.slope * towards > 0.0 && b.slope * towards < 0.0 {
             let m = way.extreme(keep, a, b, 1e-9, true)?;
             if (m.gap.g > 0.0) != (fa > 0.0) {
                 crossings(way, keep, a, m, 0, out)?;
@@ -358,7 +363,11 @@ pub(super) fn crossings(
             return Ok(());
         }
     }
-    let m = way.sample(keep, 0.5 * (a.s + b.s), &a)?;
+    let m = match way.sample(keep, 0.5 * (a.s + b.s), &a) {
+        // Where nothing faces the cutter the ends have to do.
+        Err(_) if coarse => return crossings(way, keep, a, b, HALVINGS, out),
+        m => m?,
+    };
     crossings(way, keep, a, m, halvings - 1, out)?;
     crossings(way, keep, m, b, halvings - 1, out)
 }
@@ -386,7 +395,8 @@ pub(super) fn tangencies(
     }
     let far = a.gap.g.abs() + b.gap.g.abs() - 2.0 * loose > reach(way, keep, &a, &b);
     let turns = (a.slope > 0.0) != (b.slope > 0.0);
-    if turns && (!far || simple(keep)) {
+    let coarse = halvings > HALVINGS && !simple(keep);
+    if turns && !coarse && (!far || simple(keep)) {
         let m = way.extreme(keep, a, b, 1e-12, false)?;
         if m.gap.g.abs() <= loose {
             let s = way.middle(keep, &a, &m, &b)?;
@@ -399,7 +409,10 @@ pub(super) fn tangencies(
     if far || halvings == 0 || simple(keep) {
         return Ok(());
     }
-    let m = way.sample(keep, 0.5 * (a.s + b.s), &a)?;
+    let m = match way.sample(keep, 0.5 * (a.s + b.s), &a) {
+        Err(_) if coarse => return tangencies(way, keep, a, b, loose, HALVINGS, alike, out),
+        m => m?,
+    };
     tangencies(way, keep, a, m, loose, halvings - 1, alike, out)?;
     tangencies(way, keep, m, b, loose, halvings - 1, alike, out)
 }

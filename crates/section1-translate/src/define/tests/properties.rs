@@ -79,7 +79,7 @@ fn arguments(g: &mut Gen, head: Word, key: &str, format: &Format) -> Vec<Value> 
             out[2] = Form::Pattern(Pattern { points: moved }).into();
             out[1] = a.into();
         }
-        ("PATERN", k) if k.ends_with("steps") => out.extend(steps(g, k.starts_with("PARLEL"))),
+        ("PATERN", k) if k.ends_with("steps") => out.extend(steps(g)),
         ("PATERN", "RANDOM,points and patterns") => {
             for _ in 0..1 + g.below(4) {
                 let p = g.vec3();
@@ -92,16 +92,14 @@ fn arguments(g: &mut Gen, head: Word, key: &str, format: &Format) -> Vec<Value> 
     out
 }
 
-/// Increments, `n,AT,i` among them; columns have them as `i,AT,n`.
-fn steps(g: &mut Gen, columns: bool) -> Vec<Value> {
+/// Increments, `n,AT,i` among them.
+fn steps(g: &mut Gen) -> Vec<Value> {
     let mut out = Vec::new();
     for _ in 0..1 + g.below(4) {
         let step = n(g.radius());
         if g.below(2) == 0 {
             let count = n(f64::from(u32::try_from(1 + g.below(4)).unwrap()));
-            // A whole step would do for the count as well.
-            let (a, b) = if columns { (step, count) } else { (count, step) };
-            out.extend([a, w("AT"), b]);
+            out.extend([count, w("AT"), step]);
         } else {
             out.push(step);
         }

@@ -503,7 +503,7 @@ pub(super) fn residuals(head: &str, key: &str, c: &Case<'_>, size: f64) -> Optio
             gaps.chain([vec(c.pattern()[0], c.p(1))]).collect()
         }
         ("PATERN", "LINEAR,point,vector,INCR,steps") => {
-            let sums = running(0.0, &increments(c, 4, false).concat());
+            let sums = running(0.0, &increments(c, 4).concat());
             let u = c.p(2).normalize();
             points(c, &sums.iter().map(|s| c.p(1) + u * *s).collect::<Vec<_>>())
         }
@@ -526,7 +526,7 @@ pub(super) fn residuals(head: &str, key: &str, c: &Case<'_>, size: f64) -> Optio
             let (o, sense) = (c.c(1), if c.is(3, word::CLW) { -1.0 } else { 1.0 });
             let mut angle = c.n(2);
             let mut all = Vec::new();
-            for group in increments(c, 5, false) {
+            for group in increments(c, 5) {
                 let sums = running(angle, &group.iter().map(|s| s * sense).collect::<Vec<_>>());
                 angle = sums[sums.len() - 1];
                 all.extend(sums.iter().map(|d| o.center + lift(at(*d)) * o.radius));
@@ -555,9 +555,14 @@ pub(super) fn residuals(head: &str, key: &str, c: &Case<'_>, size: f64) -> Optio
             grid(c, &ways)
         }
         ("PATERN", "PARLEL|GRID|PERIM,pattern,vector,INCR,steps") => {
-            let sums = running(0.0, &increments(c, 4, true).concat());
+            let (mut from, mut ways) = (0.0, Vec::new());
             let u = c.p(2).normalize();
-            grid(c, &sums.iter().map(|s| u * *s).collect::<Vec<_>>())
+            for group in increments(c, 4) {
+                let sums = running(from, &group);
+                from = sums[sums.len() - 1];
+                ways.extend(sums.iter().map(|s| u * *s));
+            }
+            grid(c, &ways)
         }
         ("PATERN", "RANDOM,points and patterns") => {
             let mut all = Vec::new();

@@ -136,17 +136,16 @@ pub(super) fn product(c: &Case<'_>) -> Residuals {
 }
 
 /// The increments from argument `i` on, as a list of groups.
-pub(super) fn increments(c: &Case<'_>, mut i: usize, count_last: bool) -> Vec<Vec<f64>> {
+pub(super) fn increments(c: &Case<'_>, mut i: usize) -> Vec<Vec<f64>> {
     let mut groups = vec![Vec::new()];
     while i < c.args.len() {
         if c.is(i, word::INCR) {
             groups.push(Vec::new());
             i += 1;
         } else if c.is(i + 1, word::AT) {
-            let (n, step) = if count_last { (c.n(i + 2), c.n(i)) } else { (c.n(i), c.n(i + 2)) };
-            let mut left = n;
+            let mut left = c.n(i);
             while left > 0.5 {
-                groups.last_mut().unwrap().push(step);
+                groups.last_mut().unwrap().push(c.n(i + 2));
                 left -= 1.0;
             }
             i += 3;
@@ -260,7 +259,9 @@ pub(super) fn tabcyl(c: &Case<'_>) -> Residuals {
         } else {
             None
         };
-        if let Some(along) = tangent {
+        // Within a SPLINE a slope does not count.
+        let counts = !c.is(1, word::SPLINE) || span == 1 || i >= c.args.len();
+        if let Some(along) = tangent.filter(|_| counts) {
             let along = t.flatten(m.vector(along)).normalize();
             residuals.push(along.perp(&t.tangent(span, 0.0).normalize()).abs());
         }
