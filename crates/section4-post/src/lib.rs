@@ -25,6 +25,7 @@
 //! ```
 
 mod angles;
+mod approach;
 mod arc;
 mod args;
 mod count;

@@ -63,7 +63,7 @@ impl Post {
     }
 
     /// The axis along which the tool stands, and the others.
-    fn tool_axis_and_others(&self) -> ([bool; 5], [bool; 5]) {
+    pub(crate) fn tool_axis_and_others(&self) -> ([bool; 5], [bool; 5]) {
         let mut tool = [false; 5];
         tool[self.tool_along()] = true;
         (tool, tool.map(|t| !t))
@@ -194,36 +194,6 @@ impl Post {
         };
         self.check(done, origin);
         self.count_rapid(te);
-    }
-
-    /// From the retracted position to where the CL data thinks that the tool is: first across, then down;
-    /// and what a tool change has stopped runs again.
-    pub(crate) fn approach(&mut self, te: Vec3, ta: Vec3, rapid: bool, origin: &Origin) {
-        self.run_again();
-        if !std::mem::take(&mut self.st.away) {
-            return;
-        }
-        // A rapid motion may go to its own end; a cut must begin where the last motion ended.
-        let (over, axis, down) = match self.st.pos {
-            Some(p) if !rapid => (p, self.st.ta, true),
-            _ => (te, ta, rapid),
-        };
-        let Some(joints) = self.joints(over, axis, origin) else { return };
-        self.enter_plane();
-        self.tool_center_on();
-        let (tool_axis, but_tool_axis) = self.tool_axis_and_others();
-        let done = self.blocks.straight(MotionCode::Rapid, &joints, but_tool_axis, None);
-        self.check(done, origin);
-        if down {
-            let way = self.down_to(over);
-            self.must_be_free(&way, axis, origin);
-            let done = self.blocks.straight(MotionCode::Rapid, &joints, tool_axis, None);
-            self.check(done, origin);
-            self.st.pos = Some(over);
-            self.st.ta = axis;
-        }
-        self.st.angles = [joints[3], joints[4]];
-        self.st.placed = None;
     }
 
     /// The axes go to `joints`: how far is kept, and what is beyond a limit is refused.

@@ -82,8 +82,8 @@ impl<R: BufRead> NcReader<R> {
     fn step(&mut self, step: &Step) {
         let motion = match step {
             Step::Away => return self.word("GOHOME", Vec::new()),
-            // Places of the axes are compared, in whatever plane they are written.
-            Step::Frame(_) => return,
+            // Places of the axes are compared, in whatever frame they are written.
+            Step::Frame(_) | Step::Center(_) => return,
             Step::Line { to, rapid, feed, .. } => {
                 if *rapid {
                     self.word("RAPID", Vec::new());

@@ -46,6 +46,16 @@ impl Reader {
     }
 }
 
+/// The words that begin and end tool-centre control; empty ones where the control has none, or never ends it.
+fn center_words(machine: &Machine) -> [String; 2] {
+    let m = &machine.multiaxis;
+    let usable = m.tool_center && !m.tool_center_on.is_empty();
+    [&m.tool_center_on, &m.tool_center_off].map(|line| {
+        let word = line.split_ascii_whitespace().next().filter(|_| usable);
+        word.unwrap_or_default().to_owned()
+    })
+}
+
 /// A line that the control would not take.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Fault {

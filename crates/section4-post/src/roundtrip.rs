@@ -58,6 +58,16 @@ struct Hole {
     deepest: f64,
 }
 
+/// The tool stands on the line through `at` along `ta`.
+#[derive(Clone, Copy, Debug)]
+struct Over {
+    at: Vec3,
+    ta: Vec3,
+    /// Is `at` where it stands, and not only beside it?
+    known: bool,
+    angles: [Option<f64>; 2],
+}
+
 /// What the comparison has found.
 #[derive(Clone, Debug, Default, PartialEq, serde::Serialize)]
 pub struct Proof {
@@ -118,6 +128,10 @@ pub(crate) struct Checker {
     /// Tool end and axis as read.
     now: Option<(Vec3, Vec3)>,
     away: bool,
+    /// On the way from home: a place and direction along which the tool stands, and the angles for it.
+    over: Option<Over>,
+    /// Positions are those of the tool end beside turned axes.
+    centered: bool,
     /// Text of INSERT or PREFUN comes: any motion is the user's own.
     free: bool,
     /// The tool is retracted to wind the rotary axes back.
@@ -158,6 +172,8 @@ impl Checker {
             at: None,
             now: None,
             away: machine.program.start_retracts,
+            over: None,
+            centered: machine.multiaxis.tool_center_on.is_empty(),
             free: false,
             detour: false,
             linear: 0.001,

@@ -24,6 +24,8 @@ pub(crate) enum Step {
     Arc(ArcStep),
     /// The plane of the program is tilted, or no more.
     Frame(Option<Frame>),
+    /// Positions are those of the tool end beside turned axes from here on, or no more.
+    Center(bool),
 }
 
 /// A tilted plane.
@@ -86,6 +88,9 @@ pub(crate) struct Control {
     pub(crate) ended: bool,
     /// MCALL: the cycle that each position calls.
     pub(super) called: Option<super::siemens::Called>,
+    /// What begins and ends tool-centre control.
+    center_words: [String; 2],
+    centered: bool,
 }
 
 impl Control {
@@ -124,6 +129,8 @@ impl Control {
             radius_tolerance_mm: machine.arcs.as_ref().map_or(0.005, |a| 2.5 * a.radius_tolerance),
             ended: false,
             called: None,
+            center_words: super::center_words(machine),
+            centered: false,
         }
     }
 
@@ -154,13 +161,19 @@ impl Control {
         let mut motion_said = false;
         let mut dwell = false;
         let mut frame = None;
+        let mut center = None;
         for keyword in &line.keywords {
+            center = self.center_word(&keyword.name).or(center);
             if keyword.name == "CYCLE800" {
                 frame = Some(super::siemens::swivelled(keyword));
             }
             machine_frame |= self.keyword(keyword)?;
         }
         for w in &line.words {
+            if matches!(w.letter, b'G' | b'M') {
+                let said = format!("{}{}", char::from(w.letter), w.value);
+                center = self.center_word(&said).or(center);
+            }
             match w.letter {
                 b'G' => {
                     let code = tenths(w.value)?;
@@ -263,6 +276,14 @@ impl Control {
                 seen |= bit;
             }
         }
+        if let Some(on) = center.filter(|on| *on != self.centered) {
+            self.centered = on;
+            // Beside turned axes the numbers of the linear axes no longer mean the same places.
+            if self.at[3..].iter().flatten().any(|a| a % 360.0 != 0.0) {
+                self.at[..3].fill(None);
+            }
+            steps.push(Step::Center(on));
+        }
         if dwell {
             return Ok(());
         }
@@ -313,6 +334,12 @@ impl Control {
             Some(called) => self.call(&called, steps),
             None => Ok(()),
         }
+    }
+
+    /// Does the word begin or end tool-centre control?
+    fn center_word(&self, word: &str) -> Option<bool> {
+        let [on, off] = &self.center_words;
+        if word == on { Some(true) } else { (word == off).then_some(false) }
     }
 
     /// The positions that a line names, in millimetres.

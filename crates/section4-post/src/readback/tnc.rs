@@ -25,6 +25,9 @@ pub(crate) struct Tnc {
     open: String,
     radius_tolerance_mm: f64,
     ended: bool,
+    /// What begins and ends tool-centre control: a word, or a line of FUNCTION.
+    center_words: [String; 2],
+    centered: bool,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -89,6 +92,9 @@ impl Tnc {
             open: String::new(),
             radius_tolerance_mm: machine.arcs.as_ref().map_or(0.005, |a| 2.5 * a.radius_tolerance),
             ended: false,
+            center_words: [&machine.multiaxis.tool_center_on, &machine.multiaxis.tool_center_off]
+                .map(|line| line.trim().to_owned()),
+            centered: false,
         }
     }
 
@@ -126,6 +132,20 @@ impl Tnc {
             return Err("a block after the end of the program".into());
         }
         let rest: Vec<&str> = words.collect();
+        let [on, off] = &self.center_words;
+        let said = |line: &str| {
+            let whole = || std::iter::once(head).chain(rest.iter().copied());
+            whole().any(|w| w == line) || whole().eq(line.split_ascii_whitespace())
+        };
+        let center = if said(on) { Some(true) } else { said(off).then_some(false) };
+        if let Some(on) = center.filter(|on| *on != self.centered) {
+            self.centered = on;
+            // Beside turned axes the numbers of the linear axes no longer mean the same places.
+            if self.at[3..].iter().flatten().any(|a| a % 360.0 != 0.0) {
+                self.at[..3].fill(None);
+            }
+            steps.push(Step::Center(on));
+        }
         match head.trim_start_matches('/') {
             "" => Ok(()),
             "BEGIN" => {

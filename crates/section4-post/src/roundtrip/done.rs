@@ -2,7 +2,7 @@
 
 use aptc_geometry::{Vec3, trig};
 
-use super::{Checker, Expect, Hole, shown};
+use super::{Checker, Expect, Hole, Over, shown};
 use crate::kinematics::Chain;
 use crate::machine::RapidPath;
 use crate::readback::{ArcStep, Frame, Place, Step};
@@ -14,7 +14,17 @@ impl Checker {
         if self.machine.rotary.is_empty() {
             return Some((Vec3::new(joints[0], joints[1], joints[2]), Vec3::z()));
         }
+        if !self.means_the_part(place) {
+            return None;
+        }
         Some(self.chain().forward(&joints))
+    }
+
+    /// Are the numbers of the linear axes positions of the part? Beside turned axes only a tilted plane or
+    /// tool-centre control makes them so, where the control has these.
+    fn means_the_part(&self, place: &Place) -> bool {
+        let turned = place[3..].iter().flatten().any(|a| (a / 360.0).fract().abs() > 1e-9);
+        !self.machine.multiaxis.tool_center || self.centered || self.frame.is_some() || !turned
     }
 
     fn chain(&mut self) -> &Chain {
@@ -50,11 +60,13 @@ impl Checker {
             Step::Away => {
                 self.away = true;
                 self.now = None;
+                self.over = None;
             }
             Step::Frame(frame) => {
                 self.frame = *frame;
                 self.chain = None;
             }
+            Step::Center(on) => self.centered = *on,
             Step::Line { from, to, rapid, .. } => self.line(from, to, *rapid),
             Step::Arc(arc) => self.arc(arc),
         }
@@ -83,6 +95,7 @@ impl Checker {
 
     fn line(&mut self, from: &Place, to: &Place, rapid: bool) {
         let Some((end, axis)) = self.pose(to) else {
+            self.over = self.across(to);
             // Across at a height that only the machine knows: allowed on the way from home.
             if !rapid && !self.free {
                 self.say("a cut to a place that is not known".into());
@@ -104,7 +117,17 @@ impl Checker {
         }
         let begin = self.pose(from).or(if self.away { None } else { self.at });
         if self.away {
-            self.arrive(end, axis, rapid);
+            let down = self.comes_down(to, end, axis);
+            if !down && (!rapid || self.wants(end)) {
+                self.say(format!(
+                    "the tool comes to {} from a place that is not above it along its axis",
+                    shown(end)
+                ));
+                self.arrive(end, axis, rapid);
+            } else if down {
+                self.arrive(end, axis, rapid);
+            }
+            self.over = Some(Over { at: end, ta: axis, known: true, angles: [to[3], to[4]] });
             self.now = Some((end, axis));
             return;
         }
@@ -223,6 +246,47 @@ impl Checker {
         self.queue.pop_front();
         self.reached(te, ta, end, axis);
         true
+    }
+
+    /// The line along the tool on which it stands after a motion across, at a height that is not known.
+    fn across(&mut self, to: &Place) -> Option<Over> {
+        let [x, y] = [to[0], to[1]];
+        let (at, ta) = self.pose(&[x, y, Some(0.0), to[3], to[4]])?;
+        let (higher, _) = self.pose(&[x, y, Some(1.0), to[3], to[4]])?;
+        if !self.away || (higher - at - ta).norm() > self.angular {
+            return None;
+        }
+        Some(Over { at, ta, known: false, angles: [to[3], to[4]] })
+    }
+
+    /// Where the control keeps the tool end on its path: is the way here from home one down along the tool, with the
+    /// rotary axes at rest?
+    ///
+    /// Then the linear axes of the machine go along the tool only, however the control leads a rapid motion: the
+    /// place across was reached before, at the height of home or above this place.
+    fn comes_down(&self, to: &Place, end: Vec3, axis: Vec3) -> bool {
+        if !self.machine.multiaxis.tool_center || self.machine.rotary.is_empty() {
+            return true;
+        }
+        let Some(over) = self.over.filter(|o| o.angles == [to[3], to[4]]) else { return false };
+        let d = over.at - end;
+        let aside = (d - axis * d.dot(&axis)).norm();
+        // The angles of a tilted plane are rounded as those of the axes are.
+        let tol = 2.0 * self.linear + 2.0 * self.angular * (end.norm() + d.norm());
+        aside <= tol
+            && (over.ta - axis).norm() <= 2.0 * self.angular
+            && (!over.known || d.dot(&axis) >= -tol)
+    }
+
+    /// Is this a place at which the CL data goes on?
+    fn wants(&self, end: Vec3) -> bool {
+        let near = |p: Vec3| (p - end).norm() <= 2.0 * self.linear;
+        self.at.is_some_and(|(at, _)| near(at))
+            || match self.queue.front() {
+                Some(Expect::Point { te, .. }) => near(*te),
+                Some(Expect::Hole(h)) => (end - h.at).dot(&h.ta) < h.retract + 2.0 * self.linear,
+                _ => false,
+            }
     }
 
     /// From home to where the CL data goes on.
