@@ -10,7 +10,7 @@ use aptc_diagnostics::Origin;
 use aptc_geometry::Vec3;
 
 use crate::emit::{Joints, MotionCode};
-use crate::machine::Carries;
+use crate::machine::{Carries, MachineKind};
 use crate::motion::ALL;
 use crate::post::Post;
 
@@ -19,6 +19,10 @@ const ROTARY: [bool; 5] = [false, false, false, true, true];
 /// How far above its place a tool comes to the part where there is no tilted plane and the machine file says no more,
 /// millimetres.
 const ABOVE: f64 = 50.0;
+
+/// How far above the end of a cut a tool that goes on with it comes at rapid where no clearance plane is given,
+/// millimetres.
+const ABOVE_CUT: f64 = 2.0;
 
 impl Post {
     /// From the retracted position to where the CL data thinks that the tool is, the last part of the way down along the
@@ -35,7 +39,7 @@ impl Post {
         };
         let Some(joints) = self.joints(over, axis, origin) else { return };
         if self.turned_for_control(&joints) {
-            self.approach_turned(over, axis, &joints, down, origin);
+            self.approach_turned(over, axis, (te, rapid), &joints, down, origin);
         } else {
             self.enter_plane();
             let (tool_axis, but_tool_axis) = self.tool_axis_and_others();
@@ -44,7 +48,7 @@ impl Post {
             if down {
                 let way = self.down_to(over);
                 self.must_be_free(&way, axis, origin);
-                self.rapid_block(&joints, tool_axis, origin);
+                self.come_down(over, axis, te, &joints, (tool_axis, rapid), origin);
             }
         }
         if down {
@@ -67,6 +71,7 @@ impl Post {
         &mut self,
         over: Vec3,
         axis: Vec3,
+        (next, rapid): (Vec3, bool),
         joints: &Joints,
         down: bool,
         origin: &Origin,
@@ -96,21 +101,58 @@ impl Post {
         if down {
             let way = self.down_to(over);
             self.must_be_free(&way, axis, origin);
-            self.rapid_block(joints, ALL, origin);
+            self.come_down(over, axis, next, joints, (ALL, rapid), origin);
         }
+    }
+
+    /// Down to a place. Where a cut ended, and the next goes on from there, the tool must not meet the material at rapid:
+    /// the last part of the way, from the clearance plane or from a little above, is gone at the feed of the cut.
+    fn come_down(
+        &mut self,
+        over: Vec3,
+        axis: Vec3,
+        next: Vec3,
+        joints: &Joints,
+        (mask, rapid): ([bool; 5], bool),
+        origin: &Origin,
+    ) {
+        let cuts = self.st.cut_last && !rapid && self.machine.kind == MachineKind::Mill;
+        let on = next - over;
+        // A cut straight up ends in what lies above; it needs no way down at feed.
+        let up = on.dot(&axis);
+        let cuts = cuts && (on - axis * up).norm() > 1e-6 * on.norm();
+        let plane = self.height_of_clearance(over, axis);
+        let height = plane.filter(|h| *h > 0.0).unwrap_or(ABOVE_CUT / self.st.out_mm());
+        let above = if cuts { self.joints(over + axis * height, axis, origin) } else { None };
+        let Some(above) = above else {
+            self.rapid_block(joints, mask, origin);
+            return;
+        };
+        self.rapid_block(&above, mask, origin);
+        let inverse = std::mem::replace(&mut self.st.inverse, false);
+        if let Some(feed) = self.feed_for(over, origin) {
+            let done = self.blocks.straight(MotionCode::Line, joints, ALL, Some(feed));
+            self.check(done, origin);
+            self.count_cut(over, height, feed);
+        }
+        self.st.inverse = inverse;
     }
 
     /// Above a place along the tool, and above the clearance plane.
     fn placed_above(&self, over: Vec3, axis: Vec3, angles: [f64; 2]) -> Joints {
         let retract = self.machine.multiaxis.rewind_retract;
         let above = if retract > 0.0 { retract } else { ABOVE } / self.st.out_mm();
-        let plane = self.st.clearance().and_then(|p| {
-            let slope = p.n.dot(&axis);
-            (slope > 0.1).then(|| (p.d - p.n.dot(&over)) / slope)
-        });
+        let plane = self.height_of_clearance(over, axis);
         let te = over + axis * plane.map_or(above, |h| h.max(above));
         let xyz = self.st.chain.as_ref().map_or(te, |c| c.linear(te, angles));
         [xyz.x, xyz.y, xyz.z, angles[0], angles[1]]
+    }
+
+    /// How far above a place the tool meets the clearance plane, where that does not lie steep to it.
+    fn height_of_clearance(&self, over: Vec3, axis: Vec3) -> Option<f64> {
+        let p = self.st.clearance()?;
+        let slope = p.n.dot(&axis);
+        (slope > 0.1).then(|| (p.d - p.n.dot(&over)) / slope)
     }
 
     fn rapid_block(&mut self, joints: &Joints, mask: [bool; 5], origin: &Origin) {

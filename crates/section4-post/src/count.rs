@@ -8,6 +8,7 @@ use crate::report::{AxisUse, Extent};
 
 impl Post {
     pub(crate) fn count_cut(&mut self, te: Vec3, length: f64, feed: FeedWord) {
+        self.st.cut_last = true;
         self.summary.cut_length += length;
         let minutes = match feed.mode {
             FeedMode::PerMinute => length / feed.value,
@@ -32,6 +33,7 @@ impl Post {
     }
 
     pub(crate) fn count_rapid(&mut self, te: Vec3) {
+        self.st.cut_last = false;
         let length = self.distance(te);
         let minutes = length * self.st.out_mm() / self.machine.rapid.feed;
         self.summary.rapid_length += length;

@@ -84,6 +84,7 @@ impl Post {
         }
         self.st.pos = Some(te);
         self.st.ta = p.ta;
+        self.st.cut_last = false;
     }
 
     /// Runs the retract lines of the machine; the next motion comes from there.

@@ -388,10 +388,11 @@ impl Post {
     /// Feed of a block in which the tool turns where it stands: its end leaves its place by no more than LINTOL while
     /// its flank goes the way `sweep`.
     ///
-    /// The speed of the tool end says nothing there, and controls differ in what they make of F: Fanuc with G43.4
-    /// turns at its greatest cutting feed unless parameter 19696#6 (RFC) is set, Siemens, Haas and Heidenhain take
-    /// degrees a minute, in programs in inches too. So the block has a time: the flank of the cutter, which sweeps
-    /// through the part, goes no faster than the feed, and no axis makes a turn in less than a tenth of a minute.
+    /// The speed of the tool end says nothing there. Fanuc with G43.4 turns at its greatest cutting feed (parameter 1422)
+    /// unless bit 6 of 19696 (RFC) is set (additional manual A-79348E of Series 30i, page 78). That Siemens, Haas and
+    /// Heidenhain take degrees a minute, in programs in inches too, is assumed: no document shown here says so. So
+    /// the block has a time: the flank of the cutter, which sweeps through the part, goes no faster than the feed, and no
+    /// axis makes a turn in less than a tenth of a minute.
     fn feed_in_place(&mut self, to: &Pose, sweep: f64, origin: &Origin) -> Option<FeedWord> {
         let inverse = std::mem::replace(&mut self.st.inverse, false);
         let feed = self.feed_for(to.te, origin);

@@ -83,6 +83,8 @@ pub(crate) struct State {
     pub(crate) placed: Option<(Vec3, Vec3)>,
     /// Tool-centre control is on.
     pub(crate) centered: bool,
+    /// The last motion to `pos` was a cut.
+    pub(crate) cut_last: bool,
     /// The machine is retracted and not at `pos`.
     pub(crate) away: bool,
     /// The motion is a piece of an arc that is gone around in lines.
@@ -169,6 +171,7 @@ impl State {
             plane_on: false,
             placed: None,
             centered: false,
+            cut_last: false,
             away: false,
             rounding: false,
             rapid: false,

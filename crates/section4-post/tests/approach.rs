@@ -216,3 +216,39 @@ fn the_control_ends_with_the_tool_retracted_or_before_a_place_of_the_machine() {
         }
     }
 }
+
+/// After RETRCT a cut goes on where the last one ended: down to there, the last part at the feed.
+#[test]
+fn a_cut_that_goes_on_is_not_come_to_at_rapid() {
+    let cut = |words: &str, next: &str| {
+        format!(
+            "UNITS/MM\nCUTTER/8\nLOADTL/1,LENGTH,80\nSPINDL/3000,CLW\nCOOLNT/ON\nFEDRAT/500\n{words}FROM/0,0,100\nRAPID\n\
+             GOTO/0,0,5\nGOTO/0,0,-2\nRETRCT\n{next}FINI"
+        )
+    };
+    for name in
+        ["linuxcnc-mill", "linuxcnc-5axis", "fanuc-0i-mill", "heidenhain-tnc", "fanuc-31i-5axis"]
+    {
+        // Heights, and whether they are come to at feed, behind the first approach and cut.
+        let heights = |words: &str, next: &str| -> Vec<(f64, bool)> {
+            let nc = good(name, &cut(words, next));
+            let part = |l: &&str| ["G53", "G28", "M91"].iter().all(|w| !l.contains(w));
+            let feed = |l: &str| l.split(' ').any(|w| w == "G1" || w == "F500" || w == "F500.");
+            let all = nc.lines().filter(part).filter_map(|l| Some((value(l, 'Z')?, feed(l))));
+            all.skip(2).collect()
+        };
+        let on = "GOTO/20,0,-2\n";
+        assert_eq!(heights("", on), [(0.0, false), (-2.0, true)], "{name}");
+        assert_eq!(heights("CLRSRF/3\n", on), [(3.0, false), (-2.0, true)], "{name}");
+        // At rapid to its own end.
+        assert_eq!(heights("", "RAPID\nGOTO/20,0,4\n"), [(4.0, false)], "{name}");
+        // Straight up nothing is cut.
+        assert_eq!(heights("", "GOTO/0,0,4\n"), [(-2.0, false), (4.0, true)], "{name}");
+    }
+    let leaning = program(&format!("{LEANING}RETRCT\nGOTO/-20,60,38,.4330127,.75,.5\n"));
+    let nc = good("fanuc-31i-5axis", &leaning);
+    assert!(
+        nc.contains("G69\nG43.4 H2 X-29.134 Y61.5 Z39.\nG1 X-30. Y60. Z38. F500.\nX-20."),
+        "{nc}"
+    );
+}

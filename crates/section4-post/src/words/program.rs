@@ -30,7 +30,8 @@ fn one(post: &mut Post, s: &Statement<'_>, line: &str) {
     post.start(s.origin);
     post.annotate(s.origin);
     post.blocks.line(line);
-    // Haas and Heidenhain stop spindle and coolant for it and leave them so when the operator goes on.
+    // Controls are told to stop spindle and coolant for it and to leave them so when the operator goes on; no manual of
+    // the controls here was at hand for it. Where both run still, starting them again changes nothing.
     post.st.spindle_again |= post.st.spindle.on;
     post.st.coolant_again |= post.st.coolant.is_some();
 }
