@@ -66,6 +66,16 @@ fn cl_data_alone_need_no_feed() {
     let said = text(&run.stderr);
     assert!(said.contains("no machine code is written: this cut has no feed rate"), "{said}");
     assert!(!said.contains("Error") && !said.contains("Warning"), "{said}");
+    // Machine code of an earlier run would pass for that of this one.
+    assert!(!said.contains("earlier run"), "{said}");
+    std::fs::write(dir.path().join("bare.nc"), "G0 Z50\n").expect("a folder of our own");
+    let run = aptc(dir.path(), &["compile", "bare.apt"]);
+    assert_eq!(run.status.code(), Some(0), "{}", text(&run.stderr));
+    let said = text(&run.stderr);
+    assert!(said.contains("warning: ") && said.contains("bare.nc is of an earlier run"), "{said}");
+    let run = aptc(dir.path(), &["compile", "bare.apt", "--emit", "cl"]);
+    assert!(!text(&run.stderr).contains("earlier run"), "{}", text(&run.stderr));
+    std::fs::remove_file(dir.path().join("bare.nc")).expect("it is there");
     for asked in [
         vec!["compile", "bare.apt", "--emit", "nc"],
         vec!["compile", "bare.apt", "--machine", "grbl"],

@@ -77,6 +77,10 @@ fn compile_one(
             return Ok(exit::FILES);
         }
     };
+    if let Some(old) = stale_code(part, folder, args, &compiled, &written) {
+        let left = "is of an earlier run: this one wrote no machine code";
+        writeln!(io::stderr(), "aptc: warning: {} {left}", old.display())?;
+    }
     if !common.quiet {
         io::stdout().lock().write_all(summary(part, &compiled, &written).as_bytes())?;
     }
@@ -194,6 +198,20 @@ fn write_artifacts(
         }
     }
     Ok(written)
+}
+
+/// Machine code of an earlier run beside the new CL data of one that wrote none, though nothing failed.
+fn stale_code(
+    part: &Path,
+    folder: &Path,
+    args: &CompileArgs,
+    compiled: &Compiled,
+    written: &[PathBuf],
+) -> Option<PathBuf> {
+    let stem = part.file_stem().unwrap_or(part.as_os_str());
+    let path = folder.join(with_ending(stem.to_owned(), "nc"));
+    let missing = args.emit.contains(&Emit::Nc) && !compiled.has_errors();
+    (missing && !written.contains(&path) && path.exists()).then_some(path)
 }
 
 fn with_ending(mut stem: OsString, ending: &str) -> OsString {
