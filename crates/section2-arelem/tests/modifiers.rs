@@ -31,6 +31,8 @@ fn forms() -> Forms {
     add("LT", "LINE", &[-0.6 / n, 1.0 / n, 0.0, (0.9 - 7.8) / n]);
     add("LOW", "PLANE", &[0.0, 0.0, 1.0, -10.0]);
     add("L3", "LINE", &[0.0, 1.0, 0.0, 0.3]);
+    add("L30", "LINE", &[0.0, 1.0, 0.0, 30.0]);
+    add("L40", "LINE", &[1.0, 0.0, 0.0, 40.0]);
     add("LN", "LINE", &[0.0, -1.0, 0.0, 0.0]);
     add("LW", "LINE", &[1.0, 0.0, 0.0, -2.0]);
     add("BALL", "SPHERE", &[0.0, 0.0, -4.0, 4.0]);
@@ -159,6 +161,15 @@ fn every_crossing_of_a_wave_counts_from_far_away() {
             );
             both(&text, [x, 0.3, 0.0]);
         }
+    }
+}
+
+/// Beyond the end of a TABCYL the tool changes its side far from it, which is no contact.
+#[test]
+fn a_check_surface_passed_beyond_its_end_stops_nothing() {
+    let start = "CUTTER/1\nINTOL/0\nOUTTOL/1E-12\nFROM/40,-20,0\nINDIRV/0,1,0";
+    for word in ["TO", "ON", "PAST"] {
+        both(&format!("{start}\nTLON,GOFWD/L40,{word},TB,ON,L30"), [40.0, 30.0, 0.0]);
     }
 }
 

@@ -223,7 +223,7 @@ impl Watch {
     }
 
     /// The node at a crossing; `None` where the cutter is much deeper in the check surface elsewhere: the shank may stand
-    /// through it at the start, or the place of contact go over from one wall to another.
+    /// through it at the start, or the place of contact go over from one wall to another; and where it does not touch.
     fn halt(&self, way: &Way<'_>, crossing: Crossing, i: usize) -> Result<Option<Halt>, Trouble> {
         let keep = &self.gauges[i].keep;
         let node = way.settled(crossing.s)?;
@@ -252,9 +252,11 @@ impl Watch {
                 (s, node, met) = (other.0, other.1, there);
             }
         }
-        // Another place of the cutter may lie much deeper in the check surface.
+        // Beyond the end of a surface the cutter changes its side without touching; and another place of it may lie much deeper
+        // in the check surface.
+        let beyond = met.g > self.loose && keep.goes_round_an_end(&met);
         let deeper = || keep.deeper(&node.pose, &met, self.loose).0.is_some();
-        if crosses && (met.g < -self.loose || deeper()) {
+        if crosses && (met.g < -self.loose || beyond || deeper()) {
             return Ok(None);
         }
         let (side, reading) = (keep.side, met.g);
