@@ -56,6 +56,16 @@ fn a_leaning_axis_without_machin_is_posted_for_five_axes() {
 
 /// Who names no machine and asks for no machine code is not failed by a machine that is only assumed.
 #[test]
+fn a_rapid_through_the_stock_is_an_error_with_any_machine() {
+    let dir = tempfile::tempdir().expect("a folder of our own");
+    let part = "PARTNO RAPID\nCUTTER/10\nFROM/-50,25,40\nRAPID\nGOTO/25,25,5\nFINI\n";
+    fs::write(dir.path().join("rapid.apt"), part).expect("a folder of our own");
+    let run = aptc(dir.path(), &["compile", "rapid.apt", "--stock", "0,0,0,50,50,20"]);
+    let said = text(&run.stderr);
+    assert!(run.status.code() != Some(0) && said.contains("Error"), "{said}");
+}
+
+#[test]
 fn cl_data_alone_need_no_feed() {
     let bare = "PARTNO BARE\nUNITS/MM\nCUTTER/6\nFROM/0,0,10\nGOTO/0,0,-1\nGOTO/50,0,-1\nFINI\n";
     let named = bare.replace("CUTTER", "MACHIN/EMC\nCUTTER");
@@ -68,14 +78,14 @@ fn cl_data_alone_need_no_feed() {
     assert!(!said.contains("Error") && !said.contains("Warning"), "{said}");
     // Machine code of an earlier run would pass for that of this one.
     assert!(!said.contains("earlier run"), "{said}");
-    std::fs::write(dir.path().join("bare.nc"), "G0 Z50\n").expect("a folder of our own");
+    fs::write(dir.path().join("bare.nc"), "G0 Z50\n").expect("a folder of our own");
     let run = aptc(dir.path(), &["compile", "bare.apt"]);
     assert_eq!(run.status.code(), Some(0), "{}", text(&run.stderr));
     let said = text(&run.stderr);
     assert!(said.contains("warning: ") && said.contains("bare.nc is of an earlier run"), "{said}");
     let run = aptc(dir.path(), &["compile", "bare.apt", "--emit", "cl"]);
     assert!(!text(&run.stderr).contains("earlier run"), "{}", text(&run.stderr));
-    std::fs::remove_file(dir.path().join("bare.nc")).expect("it is there");
+    fs::remove_file(dir.path().join("bare.nc")).expect("it is there");
     for asked in [
         vec!["compile", "bare.apt", "--emit", "nc"],
         vec!["compile", "bare.apt", "--machine", "grbl"],

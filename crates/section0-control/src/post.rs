@@ -139,7 +139,7 @@ impl PartHead {
 pub(crate) struct Poster<W> {
     runs: Vec<Run<W>>,
     diagnostics: Vec<Diagnostic>,
-    /// The machine is assumed and its code was not asked for: what it refuses is no error.
+    /// The machine is assumed and its code was not asked for: that it lacks a feed is no error.
     may_fail: bool,
 }
 
@@ -206,8 +206,12 @@ impl<W: Write> Poster<W> {
             run.out.write_all(&run.block)?;
             run.out.flush()?;
             let refused = posted.diagnostics.iter().any(Diagnostic::is_error);
-            if let Some(why) = posted.diagnostics.iter().find(|d| d.is_error())
-                && self.may_fail
+            let mut errors = posted.diagnostics.iter().filter(|d| d.is_error());
+            let no_feed = |d: &Diagnostic| d.code == codes::NO_FEED;
+            if self.may_fail
+                && let Some(why) = errors.next()
+                && no_feed(why)
+                && errors.all(no_feed)
             {
                 let what = format!("no machine code is written: {}", why.message);
                 let help =

@@ -72,7 +72,9 @@ impl Curved<'_> {
             |t: f64| between_poses(&Pose { te: a.te, ta: a.ta }, &Pose { te: b.te, ta: b.ta }, t);
         let pose = |t: f64| self.sheet.local(&world(t));
         let turn = angle(a.ta, b.ta);
-        if let Some([low, high]) = self.upright(tool, [&pose(0.0), &pose(1.0)], pad, warm) {
+        if a.ta.dot(&b.ta) > 0.0
+            && let Some([low, high]) = self.upright(tool, [&pose(0.0), &pose(1.0)], pad, warm)
+        {
             return Verdict::Proved { low, high };
         }
         // A tool that is to be in the surface, as a disk is, is looked at from its own side first once that has told.
