@@ -116,11 +116,9 @@ impl Post {
         (mask, rapid): ([bool; 5], bool),
         origin: &Origin,
     ) {
-        let cuts = self.st.cut_last && !rapid && self.machine.kind == MachineKind::Mill;
-        let on = next - over;
+        let mills = self.machine.kind == MachineKind::Mill || self.machine.is_milling();
         // A cut straight up ends in what lies above; it needs no way down at feed.
-        let up = on.dot(&axis);
-        let cuts = cuts && (on - axis * up).norm() > 1e-6 * on.norm();
+        let cuts = self.st.cut_last && !rapid && mills && !goes_up(next - over, axis, 1e-6);
         let plane = self.height_of_clearance(over, axis);
         let height = plane.filter(|h| *h > 0.0).unwrap_or(ABOVE_CUT / self.st.out_mm());
         let above = if cuts { self.joints(over + axis * height, axis, origin) } else { None };
@@ -159,4 +157,10 @@ impl Post {
         let done = self.blocks.straight(MotionCode::Rapid, joints, mask, None);
         self.check(done, origin);
     }
+}
+
+/// Does a way lead up along a unit vector, within the angle `lean`? None does not: what comes after it may be any cut.
+pub(crate) fn goes_up(way: Vec3, axis: Vec3, lean: f64) -> bool {
+    let up = way.dot(&axis);
+    up > 0.0 && (way - axis * up).norm() <= lean * way.norm()
 }

@@ -39,7 +39,7 @@ impl Post {
         }
         let Some(arcs) = self.machine.arcs.clone() else { return false };
         let Some(pos) = self.st.pos else { return false };
-        if self.st.away || self.st.spindle_again || self.st.coolant_again {
+        if self.st.away || self.st.stands_still() {
             self.approach(pos, self.st.ta, false, origin);
         }
         let Some((turn, lead_in)) = self.turn(arc, points, &arcs) else { return false };

@@ -48,8 +48,7 @@ impl Post {
             && st.held.is_empty()
             && self.blocks.with_motion.is_none()
             && m.points.iter().all(|p| (p.ta - st.ta).norm() < 1e-12);
-        let ready =
-            st.started && st.pos.is_some() && !(st.away || st.spindle_again || st.coolant_again);
+        let ready = st.started && st.pos.is_some() && !(st.away || st.stands_still());
         if !plain || !ready {
             return false;
         }

@@ -3,7 +3,7 @@
 //! `SPINDL COOLNT LOADTL` in the order of their writing would start the spindle with the tool that is about to
 //! leave it, and stop it at once. What a program means by it is the tool that it loads.
 
-use aptc_cldata::{Kind, MotionKind, Record};
+use aptc_cldata::{Arg, Kind, MotionKind, Record};
 use aptc_diagnostics::{Origin, codes};
 
 use crate::machine::MachineKind;
@@ -69,6 +69,10 @@ impl Post {
 pub(crate) fn may_wait(record: &Record) -> bool {
     match &record.kind {
         Kind::Motion(m) => m.kind == MotionKind::From,
+        // An oriented stop ends the turning of the spindle, also of one that waits.
+        Kind::Post { word, args } if word == "SPINDL" => {
+            !matches!(args.first(), Some(Arg::Word(w)) if w == "ORIENT")
+        }
         Kind::Post { word, .. } => matches!(
             word.as_str(),
             "AIR"
@@ -85,7 +89,6 @@ pub(crate) fn may_wait(record: &Record) -> bool {
                 | "PPRINT"
                 | "SELCTL"
                 | "SELECT"
-                | "SPINDL"
                 | "TOOLNO"
                 | "TPRINT"
                 | "TURRET"

@@ -119,7 +119,7 @@ impl Post {
 
     /// One straight motion to a tool end in output units.
     pub(crate) fn go_to(&mut self, te: Vec3, ta: Vec3, rapid: bool, origin: &Origin) {
-        if self.st.away || self.st.spindle_again || self.st.coolant_again {
+        if self.st.away || self.st.stands_still() {
             self.approach(te, ta, rapid, origin);
         }
         if !rapid && !self.st.ready_said {

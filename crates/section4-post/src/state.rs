@@ -102,12 +102,19 @@ pub(crate) struct State {
     pub(crate) spindle: SpindleState,
     /// The spindle was stopped by a tool change and has to run again.
     pub(crate) spindle_again: bool,
+    /// A program stop may have stopped the spindle; or it runs on. Either way it is told to run again, and as running
+    /// where it is to stop.
+    pub(crate) spindle_perhaps: bool,
+    /// SPINDL/ORIENT has stopped the spindle: the program, not the machine, says when it runs again.
+    pub(crate) spindle_oriented: bool,
     /// SPINDL and COOLNT whose blocks wait.
     pub(crate) held: Vec<crate::held::Held>,
     pub(crate) max_rpm: Option<f64>,
     pub(crate) coolant: Option<String>,
     pub(crate) last_coolant: Option<String>,
     pub(crate) coolant_again: bool,
+    /// The same as `spindle_perhaps` of the coolant.
+    pub(crate) coolant_perhaps: bool,
     pub(crate) tool: Option<u32>,
     pub(crate) offset: Option<u32>,
     pub(crate) tool_length: Option<f64>,
@@ -182,11 +189,14 @@ impl State {
             refused_words: BTreeSet::new(),
             spindle: SpindleState::default(),
             spindle_again: false,
+            spindle_perhaps: false,
+            spindle_oriented: false,
             held: Vec::new(),
             max_rpm: None,
             coolant: None,
             last_coolant: None,
             coolant_again: false,
+            coolant_perhaps: false,
             tool: None,
             offset: None,
             tool_length: None,
@@ -216,6 +226,17 @@ impl State {
             multax: false,
             turn_noted: false,
         }
+    }
+
+    /// A SPINDL says how the spindle is from here on, whatever has stopped it before.
+    pub(crate) fn spindle_said(&mut self) {
+        (self.spindle_again, self.spindle_perhaps, self.spindle_oriented) = (false, false, false);
+    }
+
+    /// Must spindle or coolant be told to run before the next motion?
+    #[inline]
+    pub(crate) fn stands_still(&self) -> bool {
+        self.spindle_again || self.spindle_perhaps || self.coolant_again || self.coolant_perhaps
     }
 
     /// Millimetres in one output unit.

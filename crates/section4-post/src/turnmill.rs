@@ -44,6 +44,7 @@ impl Post {
         self.machine = machine;
         let st = &mut self.st;
         (st.spindle, st.spindle_again, st.feed_word) = (SpindleState::default(), false, None);
+        (st.spindle_perhaps, st.spindle_oriented) = (false, false);
         st.held.retain(|h| !h.spindle);
         (st.chain, st.placed, st.angles) = (None, None, [0.0; 2]);
         (st.thread, st.across, st.ready_said) = (None, None, false);

@@ -156,3 +156,43 @@ fn turning_goes_on_after_milling_from_the_retracted_place() {
     let before = nc.split("M65 P0").next().unwrap();
     assert!(before.trim_end().ends_with("G53 G0 X0\nG53 G0 Z0\nM5"), "{nc}");
 }
+
+#[test]
+fn a_live_tool_does_not_come_down_to_its_cut_at_rapid() {
+    let face = "RAPID\nGOTO/30,0,2\nGOTO/30,0,-5\nRETRCT\nGOTO/10,0,-5\n";
+    let side = "RAPID\nGOTO/0,30,-25,0,1,0\nGOTO/0,17,-25,0,1,0\nRETRCT\nGOTO/0,17,-35,0,1,0\n";
+    for name in MACHINES {
+        for (way, letter, above, at) in [(face, 'Z', -3.0, -5.0), (side, 'X', 38.0, 34.0)] {
+            let nc = good(name, &format!("{HEAD}{way}FINI"));
+            let value = |l: &str| -> Option<f64> {
+                l.split(' ').find_map(|w| w.strip_prefix(letter)?.parse().ok())
+            };
+            let lines: Vec<&str> = nc.lines().filter(|l| value(l).is_some()).collect();
+            let last = lines.iter().rposition(|l| value(l) == Some(at)).expect("it goes on");
+            assert!(
+                lines[last].contains("G1") && value(lines[last - 1]) == Some(above),
+                "{name}\n{nc}"
+            );
+            assert!(!lines[last - 1].contains("G1"), "{name}\n{nc}");
+        }
+    }
+}
+
+/// The spindle that an optional stop may have left running must stand before it places the part.
+#[test]
+fn the_spindle_is_stopped_for_milling_after_an_optional_stop() {
+    for name in MACHINES {
+        let m = machine(name).unwrap();
+        let stop = m.program.optional_stop.as_str();
+        let nc = good(
+            name,
+            "UNITS/MM\nTURRET/3\nSPINDL/500,CLW\nCOOLNT/ON\nFEDRAT/.2,MMPR\nRAPID\nGOTO/20,0,5\nGOTO/20,0,-5\n\
+             OPSTOP\nMODE/MILL\nCUTTER/8\nSPINDL/2000,CLW\nCOOLNT/ON\nFEDRAT/160,MMPM\nRAPID\nGOTO/30,0,2\n\
+             GOTO/30,0,-5\nFINI",
+        );
+        let (_, after) = nc.split_once(&format!("{stop}\n")).expect("it stops");
+        let off = after.lines().position(|l| l.ends_with(&m.spindle.off));
+        let on = after.lines().position(|l| l.contains("S2000"));
+        assert!(off.zip(on).is_some_and(|(off, on)| off < on), "{name}\n{nc}");
+    }
+}

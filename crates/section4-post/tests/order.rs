@@ -138,8 +138,10 @@ fn after_a_stop_spindle_and_coolant_run_again() {
         let (nc, _) = post_all(m, PostOptions::default(), &records(&part(m, &head, "STOP")));
         let after = nc.split("M0\n").last().expect("it stops");
         let on = |text: &str, word: &str| text.split_whitespace().position(|w| w == word);
-        let (spindle, cut) = (on(after, "M3"), on(after, "F200"));
-        assert!(spindle.is_some_and(|s| cut.is_none_or(|c| s < c)), "{}\n{nc}", m.name);
+        let place =
+            |w: &str| w.strip_prefix(['X', 'Y', 'Z']).is_some_and(|v| v.parse::<f64>().is_ok());
+        let (spindle, way) = (on(after, "M3"), after.split_whitespace().position(place));
+        assert!(spindle.zip(way).is_some_and(|(s, w)| s < w), "{}\n{nc}", m.name);
         assert!(on(after, "M8").is_some(), "{}\n{nc}", m.name);
         // What does not run is not started.
         let text = part(m, &head, "SPINDL/OFF\nCOOLNT/OFF\nSTOP");
@@ -147,4 +149,82 @@ fn after_a_stop_spindle_and_coolant_run_again() {
         let after = nc.split("M0\n").last().expect("it stops");
         assert!(on(after, "M3").is_none() && on(after, "M8").is_none(), "{nc}");
     }
+}
+
+/// A boring bar goes into the bore with its edge where ORIENT has put it: no spindle that waits, or that a stop has
+/// stopped, starts after it before the program says so.
+#[test]
+fn an_oriented_spindle_does_not_turn_before_it_is_told() {
+    let mut n = 0;
+    for m in changers().filter(|m| m.kind == MachineKind::Mill && !m.spindle.orient.is_empty()) {
+        let multax = if m.rotary.len() == 2 { "MULTAX\n" } else { "" };
+        let code = m.spindle.orient.split('{').next().expect("a first part");
+        for (head, middle, wanted) in [
+            ("SPINDL/800,CLW\nSPINDL/ORIENT,0", "", "3o"),
+            ("SPINDL/800,CLW\nSPINDL/ORIENT,0", "SPINDL/800,CLW", "3o3"),
+            ("SPINDL/800,CLW", "STOP\nSPINDL/ORIENT,0", "3o"),
+            ("SPINDL/800,CLW", "SPINDL/ORIENT,0\nSTOP", "3o"),
+            ("SPINDL/800,CLW\nLOADTL/2,LENGTH,80\nSPINDL/ORIENT,0", "", "o"),
+        ] {
+            let head = format!("{multax}LOADTL/1,LENGTH,80\n{head}");
+            let text = part(m, &head, middle);
+            let options = PostOptions { map: true, ..PostOptions::default() };
+            let (nc, posted) = post_all(m, options, &records(&text));
+            assert!(!posted.diagnostics.iter().any(|d| d.is_error()), "{}\n{nc}", m.name);
+            let mut course = String::new();
+            for line in nc.lines() {
+                if line.contains(code.trim()) {
+                    course.push('o');
+                } else if line.split_whitespace().any(|w| w == "M3") {
+                    course.push('3');
+                }
+            }
+            assert_eq!(course, wanted, "{} {middle}\n{nc}", m.name);
+            assert!(posted.map.windows(2).all(|w| w[0].last < w[1].first), "{:?}", posted.map);
+        }
+        n += 1;
+    }
+    assert!(n >= 4, "{n}");
+}
+
+/// Where an operator skips the optional stop nothing has stopped: one kind of coolant ends before another begins.
+#[test]
+fn after_an_optional_stop_what_may_run_is_stopped() {
+    let mut n = 0;
+    for m in changers() {
+        let Some([flood, mist, off]) = ["FLOOD", "MIST", "OFF"]
+            .map(|k| m.coolant.get(k))
+            .into_iter()
+            .collect::<Option<Vec<_>>>()
+            .and_then(|v| <[_; 3]>::try_from(v).ok())
+        else {
+            continue;
+        };
+        if flood == mist || m.program.optional_stop.is_empty() {
+            continue;
+        }
+        let load = if m.kind == MachineKind::Lathe { "TURRET/1" } else { "LOADTL/1,LENGTH,80" };
+        let multax = if m.rotary.len() == 2 { "MULTAX\n" } else { "" };
+        let head = format!("{multax}{load}\nSPINDL/500,CLW\nCOOLNT/FLOOD");
+        let of = |middle: &str| {
+            let (nc, posted) =
+                post_all(m, PostOptions::default(), &records(&part(m, &head, middle)));
+            assert!(!posted.diagnostics.iter().any(|d| d.is_error()), "{}\n{nc}", m.name);
+            let (_, after) = nc.split_once(m.program.optional_stop.as_str()).expect("it stops");
+            after.to_owned()
+        };
+        let after = of("OPSTOP\nCOOLNT/MIST");
+        let at = |text: &str, code: &str| {
+            text.lines()
+                .position(|l| l == code || l.split_once(' ').is_some_and(|(_, r)| r == code))
+        };
+        let (ends, begins) = (at(&after, off), at(&after, mist));
+        assert!(ends.zip(begins).is_some_and(|(e, b)| e < b), "{}\n{after}", m.name);
+        // The same kind only begins again.
+        let after = of("OPSTOP\nCOOLNT/FLOOD");
+        let (ends, begins) = (at(&after, off), at(&after, flood));
+        assert!(begins.is_some_and(|b| ends.is_none_or(|e| b < e)), "{}\n{after}", m.name);
+        n += 1;
+    }
+    assert!(n >= 3, "{n}");
 }

@@ -64,6 +64,10 @@ enum Mode {
     Cycle(i32),
 }
 
+/// The modal group of the tool length: of Fanuc's codes and Haas's one is on at a time.
+const LENGTH_CODES: [&str; 9] =
+    ["G43", "G43.1", "G43.4", "G43.5", "G44", "G49", "G49.1", "G143", "G234"];
+
 /// A control.
 pub(crate) struct Control {
     line: Line,
@@ -336,10 +340,13 @@ impl Control {
         }
     }
 
-    /// Does the word begin or end tool-centre control?
+    /// Does the word begin or end tool-centre control? The codes of the tool length end each other, and so that which
+    /// keeps the tool end on its path, where it is one of them.
     fn center_word(&self, word: &str) -> Option<bool> {
         let [on, off] = &self.center_words;
-        if word == on { Some(true) } else { (word == off).then_some(false) }
+        let ends =
+            word == off || (LENGTH_CODES.contains(&on.as_str()) && LENGTH_CODES.contains(&word));
+        if word == on { Some(true) } else { ends.then_some(false) }
     }
 
     /// The positions that a line names, in millimetres.

@@ -32,7 +32,7 @@ fn switch(post: &mut Post, s: &Statement<'_>, kind: &str) {
     post.start(s.origin);
     if kind == "OFF" {
         post.annotate(s.origin);
-        post.st.coolant_again = false;
+        (post.st.coolant_again, post.st.coolant_perhaps) = (false, false);
         post.st.held.retain(|h| h.spindle);
         if let Some(off) = post.machine.coolant.get("OFF").cloned() {
             if post.st.coolant.take().is_some() {
@@ -51,7 +51,8 @@ fn switch(post: &mut Post, s: &Statement<'_>, kind: &str) {
         refuse(post, s, &format!("the machine has no coolant {wanted}"));
         return;
     };
-    if post.st.coolant.as_deref() != Some(wanted.as_str()) || post.st.coolant_again {
+    let stands = post.st.coolant_again || post.st.coolant_perhaps;
+    if post.st.coolant.as_deref() != Some(wanted.as_str()) || stands {
         // From one kind to another the first is switched off, or both would run.
         let other =
             post.st.coolant.as_deref().and_then(|k| post.machine.coolant.get(k)) != Some(&code);
@@ -65,7 +66,7 @@ fn switch(post: &mut Post, s: &Statement<'_>, kind: &str) {
         }
         post.hold(false, s.written(), s.origin);
     }
-    post.st.coolant_again = false;
+    (post.st.coolant_again, post.st.coolant_perhaps) = (false, false);
     post.st.coolant = Some(wanted.clone());
     if wanted != "ON" {
         post.st.last_coolant = Some(wanted);
@@ -73,12 +74,17 @@ fn switch(post: &mut Post, s: &Statement<'_>, kind: &str) {
 }
 
 impl Post {
-    /// Spindle and coolant that a tool change has stopped run again.
+    /// Spindle and coolant that a tool change has stopped, or a program stop perhaps, run again.
     pub(crate) fn run_again(&mut self) {
-        if std::mem::take(&mut self.st.spindle_again) && self.st.spindle.on {
+        let st = &mut self.st;
+        let spindle =
+            std::mem::take(&mut st.spindle_again) | std::mem::take(&mut st.spindle_perhaps);
+        let coolant =
+            std::mem::take(&mut st.coolant_again) | std::mem::take(&mut st.coolant_perhaps);
+        if spindle && self.st.spindle.on {
             self.spindle_on();
         }
-        if std::mem::take(&mut self.st.coolant_again) {
+        if coolant {
             self.coolant_on();
         }
     }

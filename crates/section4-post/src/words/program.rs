@@ -32,8 +32,8 @@ fn one(post: &mut Post, s: &Statement<'_>, line: &str) {
     post.blocks.line(line);
     // Controls are told to stop spindle and coolant for it and to leave them so when the operator goes on; no manual of
     // the controls here was at hand for it. Where both run still, starting them again changes nothing.
-    post.st.spindle_again |= post.st.spindle.on;
-    post.st.coolant_again |= post.st.coolant.is_some();
+    post.st.spindle_perhaps |= post.st.spindle.on && !post.st.spindle_oriented;
+    post.st.coolant_perhaps |= post.st.coolant.is_some();
 }
 
 /// `END`.

@@ -15,7 +15,7 @@ pub(super) fn spindl(post: &mut Post, s: &Statement<'_>) {
     match s.word(0) {
         Some("OFF") if s.args.len() == 1 => {
             post.annotate(s.origin);
-            post.st.spindle_again = false;
+            post.st.spindle_said();
             post.st.held.retain(|h| !h.spindle);
             post.st.spindle.on = false;
             post.st.feed_word = None;
@@ -27,7 +27,12 @@ pub(super) fn spindl(post: &mut Post, s: &Statement<'_>) {
             post.annotate(s.origin);
             let angle = trimmed(s.first_number().unwrap_or(0.0), 3);
             match render(&post.machine.spindle.orient, &[("angle", &angle)]) {
-                Some(line) if !line.is_empty() => post.blocks.line(&line),
+                Some(line) if !line.is_empty() => {
+                    post.blocks.line(&line);
+                    // What would start it before the next motion would undo it.
+                    post.st.spindle_said();
+                    post.st.spindle_oriented = true;
+                }
                 _ => refuse(post, s, "the machine has no oriented spindle stop"),
             }
             return;
@@ -43,8 +48,10 @@ pub(super) fn spindl(post: &mut Post, s: &Statement<'_>) {
         _ => {}
     }
     let Some(next) = wanted(post, s) else { return };
-    let again = post.st.spindle_again || next != post.st.spindle;
-    post.st.spindle_again = false;
+    let st = &post.st;
+    let stands = st.spindle_again || st.spindle_perhaps || st.spindle_oriented;
+    let again = stands || next != st.spindle;
+    post.st.spindle_said();
     post.st.spindle = next;
     post.st.feed_word = None;
     if again {

@@ -91,6 +91,8 @@ fn change(post: &mut Post, s: &Statement<'_>, at: usize) {
     post.st.tool = Some(tool);
     post.st.spindle_again = post.st.spindle.on;
     post.st.coolant_again = post.st.coolant.is_some();
+    (post.st.spindle_perhaps, post.st.spindle_oriented, post.st.coolant_perhaps) =
+        (false, false, false);
     let cutter = post.st.cutter.map(|c| c.values());
     if post.summary.tools.len() == 1 && post.summary.tools[0] == unused(&post.summary.tools[0]) {
         post.summary.tools.clear();
