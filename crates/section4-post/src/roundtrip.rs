@@ -125,6 +125,10 @@ pub(crate) struct Checker {
     planned: Option<(Vec3, Vec3)>,
     /// The last position of the CL data that was reached, or FROM.
     at: Option<(Vec3, Vec3)>,
+    /// The motion to `at` was a cut.
+    at_cut: bool,
+    /// Where a cut ended below the place at which the tool came from home: it may go down there first.
+    below: Option<(Vec3, Vec3)>,
     /// Tool end and axis as read.
     now: Option<(Vec3, Vec3)>,
     away: bool,
@@ -170,6 +174,8 @@ impl Checker {
             queue: VecDeque::new(),
             planned: None,
             at: None,
+            at_cut: false,
+            below: None,
             now: None,
             away: machine.program.start_retracts,
             over: None,
@@ -247,7 +253,7 @@ impl Checker {
                 Some(Expect::From { te, ta }) => {
                     let far = self.at.is_some_and(|(at, _)| (at - te).norm() > self.linear);
                     self.away |= far && !self.machine.program.retract.is_empty();
-                    self.at = Some((*te, *ta));
+                    (self.at, self.at_cut) = (Some((*te, *ta)), false);
                 }
                 Some(Expect::Tool { length }) => {
                     self.read_length = *length;

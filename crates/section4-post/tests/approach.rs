@@ -146,6 +146,8 @@ fn a_tool_that_comes_down_aslant_is_found() {
         // The control is never on, or goes off too soon.
         ("fanuc-31i-5axis", "G43.4 H2 X", "G43 H2 X"),
         ("fanuc-31i-5axis", "G1 X-30.", "G49\nG1 X-30."),
+        ("fanuc-31i-5axis", "G1 X-30.", "G43 H2\nG1 X-30."),
+        ("haas-umc", "G1 X-30.", "G43 H2\nG1 X-30."),
         // The tables turn on the way down.
         ("fanuc-31i-5axis", "G0 A60. C30.", "G0 A60. C29."),
         ("haas-umc", "G255\n", ""),
@@ -242,6 +244,35 @@ fn a_cut_that_goes_on_is_not_come_to_at_rapid() {
         assert_eq!(heights("CLRSRF/3\n", on), [(3.0, false), (-2.0, true)], "{name}");
         // At rapid to its own end.
         assert_eq!(heights("", "RAPID\nGOTO/20,0,4\n"), [(4.0, false)], "{name}");
+        // Where it ended, deeper below it, around from it, and with another tool.
+        let deep = [(0.0, false), (-2.0, true)];
+        for next in [
+            on,
+            "GOTO/0,0,-2\nGOTO/20,0,-2\n",
+            "GOTO/0,0,-20\n",
+            "ARC/10,0,-2,0,0,1,10,-180\nGOTO/20,0,-2\n",
+            "LOADTL/2,LENGTH,80\nSPINDL/900,CLW\nCOOLNT/ON\nGOTO/20,0,-2\n",
+        ] {
+            assert_eq!(heights("", next)[..2], deep, "{name} {next}");
+            // At rapid to where the cut ended: it is found.
+            let cl = cut("", next);
+            let nc = good(name, &cl);
+            let lines: Vec<&str> = nc.lines().collect();
+            let at =
+                lines.iter().rposition(|l| value(l, 'Z') == Some(-2.0)).expect("the last way down");
+            let mut broken = lines.clone();
+            let rapid = lines[at - 1].replace("Z+0", "Z-2").replace("Z0", "Z-2");
+            assert_ne!(rapid, lines[at - 1], "{name} {next}\n{nc}");
+            broken[at - 1] = &rapid;
+            let m = machine(name).expect("built in");
+            for (text, bad) in [(&lines, false), (&broken, true)] {
+                let text = text.join("\n");
+                let (_, list) = prove(m, &mut records(&cl).into_iter(), &mut text.as_bytes())
+                    .expect("it is read");
+                let found = list.iter().any(|d| d.message.contains("the last cut"));
+                assert_eq!((found, list.is_empty()), (bad, !bad), "{name} {list:?}\n{text}");
+            }
+        }
         // Straight up nothing is cut.
         assert_eq!(heights("", "GOTO/0,0,4\n"), [(-2.0, false), (4.0, true)], "{name}");
     }

@@ -3,8 +3,9 @@
 use aptc_geometry::{Vec3, trig};
 
 use super::{Checker, Expect, Hole, Over, shown};
+use crate::approach::goes_up;
 use crate::kinematics::Chain;
-use crate::machine::RapidPath;
+use crate::machine::{MachineKind, RapidPath};
 use crate::readback::{ArcStep, Frame, Place, Step};
 
 impl Checker {
@@ -60,7 +61,7 @@ impl Checker {
             Step::Away => {
                 self.away = true;
                 self.now = None;
-                self.over = None;
+                (self.over, self.below) = (None, None);
             }
             Step::Frame(frame) => {
                 self.frame = *frame;
@@ -75,22 +76,23 @@ impl Checker {
     /// Positions that the tool already stands at.
     pub(super) fn skip_here(&mut self) {
         let Some((now, axis)) = self.now.filter(|_| !self.away) else { return };
-        while let Some(Expect::Point { te, ta, .. }) = self.queue.front() {
+        while let Some(Expect::Point { te, ta, rapid, .. }) = self.queue.front() {
             if (te - now).norm() > self.linear || (ta - axis).norm() > self.angular {
                 return;
             }
-            let reached = (*te, *ta);
-            self.reached(reached.0, reached.1, now, axis);
+            let (te, ta, cut) = (*te, *ta, !*rapid);
+            self.reached((te, ta), (now, axis), cut);
             self.queue.pop_front();
         }
     }
 
-    fn reached(&mut self, te: Vec3, ta: Vec3, now: Vec3, axis: Vec3) {
+    fn reached(&mut self, (te, ta): (Vec3, Vec3), (now, axis): (Vec3, Vec3), cut: bool) {
         self.proof.points += 1;
         self.proof.position_mm = self.proof.position_mm.max((te - now).norm());
         let lean = ta.cross(&axis).norm().min(1.0);
         self.proof.axis_deg = self.proof.axis_deg.max(trig::asin(lean).to_degrees());
         self.at = Some((te, ta));
+        self.at_cut = cut;
     }
 
     fn line(&mut self, from: &Place, to: &Place, rapid: bool) {
@@ -110,7 +112,7 @@ impl Checker {
                 return;
             }
             if !matches!(self.queue.front(), Some(Expect::Hole(_))) {
-                self.at = self.now;
+                (self.at, self.at_cut) = (self.now, false);
                 return;
             }
             self.free = false;
@@ -134,11 +136,16 @@ impl Checker {
         self.now = begin.or(self.now);
         self.skip_here();
         self.now = Some((end, axis));
+        if self.back_below(end, axis) {
+            self.cuts_on_from(end, rapid);
+            self.skip_here();
+            return;
+        }
         while let Some(Expect::Clear) = self.queue.front() {
             self.queue.pop_front();
             self.marks();
             if begin.is_some_and(|(b, t)| along(end - b, t, self.angular) > 0.0) {
-                self.at = Some((end, axis));
+                (self.at, self.at_cut) = (Some((end, axis)), false);
                 return;
             }
         }
@@ -175,7 +182,7 @@ impl Checker {
             }
             self.queue.pop_front();
             self.proof.points += 1;
-            self.at = Some((te, ta));
+            (self.at, self.at_cut) = (Some((te, ta)), !rapid);
         }
         let Some(Expect::Point { te, ta, rapid: want, round, .. }) = self.queue.front().cloned()
         else {
@@ -238,13 +245,13 @@ impl Checker {
 
     /// Is the next position this one? Then it is reached.
     fn pop_if_at(&mut self, end: Vec3, axis: Vec3) -> bool {
-        let Some(Expect::Point { te, ta, .. }) = self.queue.front() else { return false };
+        let Some(Expect::Point { te, ta, rapid, .. }) = self.queue.front() else { return false };
         if (te - end).norm() > 2.0 * self.linear || (ta - axis).norm() > self.angular {
             return false;
         }
-        let (te, ta) = (*te, *ta);
+        let (te, ta, cut) = (*te, *ta, !*rapid);
         self.queue.pop_front();
-        self.reached(te, ta, end, axis);
+        self.reached((te, ta), (end, axis), cut);
         true
     }
 
@@ -289,10 +296,45 @@ impl Checker {
             }
     }
 
+    /// Ended a cut of a mill where the CL data stands, and does the next motion cut on from there other than straight up?
+    fn goes_on_cutting(&self) -> bool {
+        let mills = self.machine.kind == MachineKind::Mill || self.machine.is_milling();
+        let Some((at, axis)) = self.at.filter(|_| self.at_cut && mills) else { return false };
+        // What RETRCT asked for has been done by way of home.
+        let next = self.queue.iter().find(|e| !matches!(e, Expect::Clear | Expect::Tool { .. }));
+        match next {
+            // Twice the angle that the writer allows: both compute it in units of their own.
+            Some(Expect::Point { te, rapid: false, .. }) => !goes_up(te - at, axis, 2e-6),
+            _ => false,
+        }
+    }
+
+    /// Does the tool go down again to where a cut ended? Then the CL data goes on from there.
+    fn back_below(&mut self, end: Vec3, axis: Vec3) -> bool {
+        let Some((te, ta)) = self.below.take() else { return false };
+        let there = (te - end).norm() <= 2.0 * self.linear && (ta - axis).norm() <= self.angular;
+        if there {
+            (self.at, self.at_cut) = (Some((te, ta)), true);
+        }
+        there
+    }
+
+    /// The tool comes to where a cut ended: not at rapid where the next one goes on from there.
+    fn cuts_on_from(&mut self, end: Vec3, rapid: bool) {
+        if rapid && self.goes_on_cutting() {
+            self.say(format!(
+                "a rapid motion to {}, where the last cut of the CL data ended and the next begins",
+                shown(end)
+            ));
+        }
+    }
+
     /// From home to where the CL data goes on.
     fn arrive(&mut self, end: Vec3, axis: Vec3, rapid: bool) {
         let near = |p: Vec3, tol: f64| (p - end).norm() <= tol;
+        self.back_below(end, axis);
         if self.at.is_some_and(|(at, _)| near(at, 2.0 * self.linear)) {
+            self.cuts_on_from(end, rapid);
             self.away = false;
             self.now = Some((end, axis));
             self.skip_here();
@@ -302,7 +344,8 @@ impl Checker {
             self.queue.pop_front();
             // Straight to the clearance plane over the last position.
             if self.at.is_some_and(|(at, t)| along(end - at, t, self.angular) >= 0.0) {
-                self.at = Some((end, axis));
+                self.below = self.at.filter(|_| self.at_cut);
+                (self.at, self.at_cut) = (Some((end, axis)), false);
                 self.away = false;
                 return;
             }
@@ -365,7 +408,7 @@ impl Checker {
             self.say("an arc to a place that is not known".into());
             return;
         };
-        self.away = false;
+        (self.away, self.below) = (false, None);
         self.now = Some(begin);
         self.skip_here();
         self.now = Some(end);
@@ -409,7 +452,7 @@ impl Checker {
             self.queue.pop_front();
             self.proof.points += 1;
             self.proof.path_mm = self.proof.path_mm.max(off);
-            self.at = Some((te, ta));
+            (self.at, self.at_cut) = (Some((te, ta)), !rapid);
         }
         let Some((at, _)) = self.at else { return };
         if (at - end.0).norm() <= 2.0 * self.linear {
@@ -479,7 +522,7 @@ impl Checker {
             return false;
         }
         self.proof.points += 1;
-        self.at = Some((hole.at + hole.ta * hole.retract, hole.ta));
+        (self.at, self.at_cut) = (Some((hole.at + hole.ta * hole.retract, hole.ta)), false);
         true
     }
 }
