@@ -105,17 +105,26 @@ fn edges(corners: &[[f64; 2]]) -> impl Iterator<Item = [[f64; 2]; 2]> {
     corners.iter().zip(next).map(|(a, b)| [*a, *b])
 }
 
-/// Does a closed outline cross itself?
+/// Does a closed outline cross itself? Looked over along the parameter that its lines are shorter in, so that few lie beside
+/// each other: along v where the passes do.
 fn crosses(corners: &[[f64; 2]]) -> bool {
     let mut all: Vec<[[f64; 2]; 2]> = edges(corners).collect();
-    let low = |e: &[[f64; 2]; 2]| e[0][0].min(e[1][0]);
+    let share = |k: usize| {
+        let ways: f64 = all.iter().map(|[a, b]| (b[k] - a[k]).abs()).sum();
+        let xs = corners.iter().map(|c| c[k]);
+        let [low, high] =
+            xs.fold([f64::INFINITY, f64::NEG_INFINITY], |r, x| [r[0].min(x), r[1].max(x)]);
+        ways / (high - low)
+    };
+    let k = usize::from(share(1) < share(0));
+    let low = |e: &[[f64; 2]; 2]| e[0][k].min(e[1][k]);
     all.sort_by(|a, b| low(a).total_cmp(&low(b)));
     let side = |[a, b]: [[f64; 2]; 2], p: [f64; 2]| {
         (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0])
     };
     let apart = |e: [[f64; 2]; 2], f: [[f64; 2]; 2]| side(e, f[0]) * side(e, f[1]);
     all.iter().enumerate().any(|(i, e)| {
-        let high = e[0][0].max(e[1][0]);
+        let high = e[0][k].max(e[1][k]);
         let beside = all[i + 1..].iter().take_while(|f| low(f) <= high);
         // Lines that meet at a corner do not cross.
         beside.into_iter().any(|f| apart(*e, *f) < 0.0 && apart(*f, *e) < 0.0)
@@ -180,6 +189,11 @@ mod tests {
         let line = |points: &[[f64; 2]]| Touched::by(points.iter().copied(), false);
         let cross = [line(&[[0.0, 0.0], [1.0, 1.0]]), line(&[[0.0, 1.0], [1.0, 0.0]])];
         assert!(matches!(led(&cross, &s, true), Extent::Unknown(_)));
+        // The same made longer in either parameter, and lines that only come near each other.
+        for [x, y] in [[1.0, 0.1], [0.1, 1.0]] {
+            let bow = |to: f64| [[0.0, 0.0], [x, y], [x, 0.0], [0.0, to]];
+            assert!(crosses(&bow(y)) && !crosses(&[[0.0, 0.0], [x, 0.0], [x, y], [0.0, y]]));
+        }
         assert!(matches!(led(&passes[..1], &s, true), Extent::Unknown(_)));
         assert!(matches!(led(&[passes[0].clone(), line(&[])], &s, true), Extent::Unknown(_)));
     }

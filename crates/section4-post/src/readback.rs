@@ -46,6 +46,17 @@ impl Reader {
     }
 }
 
+/// Tool-centre control begins or ends, when the block says so and it is not so already.
+fn turn_center(said: Option<bool>, centered: &mut bool, at: &mut Place, steps: &mut Vec<Step>) {
+    let Some(on) = said.filter(|on| on != centered) else { return };
+    *centered = on;
+    // Beside turned axes the numbers of the linear axes no longer mean the same places.
+    if at[3..].iter().flatten().any(|a| a % 360.0 != 0.0) {
+        at[..3].fill(None);
+    }
+    steps.push(Step::Center(on));
+}
+
 /// The words that begin and end tool-centre control; empty ones where the control has none, or never ends it.
 fn center_words(machine: &Machine) -> [String; 2] {
     let m = &machine.multiaxis;

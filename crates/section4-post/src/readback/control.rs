@@ -280,14 +280,7 @@ impl Control {
                 seen |= bit;
             }
         }
-        if let Some(on) = center.filter(|on| *on != self.centered) {
-            self.centered = on;
-            // Beside turned axes the numbers of the linear axes no longer mean the same places.
-            if self.at[3..].iter().flatten().any(|a| a % 360.0 != 0.0) {
-                self.at[..3].fill(None);
-            }
-            steps.push(Step::Center(on));
-        }
+        super::turn_center(center, &mut self.centered, &mut self.at, steps);
         if dwell {
             return Ok(());
         }
