@@ -16,6 +16,8 @@ const ANOTHER: f64 = 0.1;
 const MOST_ROUND: f64 = 0.7;
 /// Share of a chord at which it is seen what touches once the axis turns.
 const BESIDE: f64 = 1e-3;
+/// Share of its way to a limit to which an extreme gap is found.
+const BY: f64 = 0.01;
 /// Greatest number of pieces into which a chord over a surface of mixed curvature is cut.
 const MAX_PIECES: usize = 256;
 
@@ -43,6 +45,33 @@ pub struct Chord {
     pub proved: bool,
 }
 
+/// How exactly extreme gaps are wanted.
+#[derive(Clone, Copy, Debug)]
+pub struct Exact {
+    resolution: f64,
+    limits: Option<[f64; 2]>,
+}
+
+impl Exact {
+    /// To `resolution` near `limits` of the gap; elsewhere to a share of how far it is from them, which is enough to tell how
+    /// much longer or shorter a chord has to be.
+    pub fn beside(resolution: f64, limits: [f64; 2]) -> Self {
+        Self { resolution, limits: Some(limits) }
+    }
+
+    /// At least and greatest gaps like these.
+    fn at(self, gaps: [f64; 2]) -> [f64; 2] {
+        let Some(limits) = self.limits else { return [self.resolution; 2] };
+        [0, 1].map(|i| self.resolution.max(BY * (gaps[i] - limits[i]).abs()))
+    }
+}
+
+impl From<f64> for Exact {
+    fn from(resolution: f64) -> Self {
+        Self { resolution, limits: None }
+    }
+}
+
 /// One place of the chord.
 #[derive(Clone, Copy)]
 struct Place {
@@ -58,8 +87,8 @@ impl Place {
 }
 
 /// Least and greatest gap while the tool end moves straight from `tool` to `to`, the axis turning evenly in the
-/// plane of both axes. `ends` are the gaps at both ends when they are known. Extreme values are found to
-/// `resolution`.
+/// plane of both axes. `ends` are the gaps at both ends when they are known. Extreme values are found as exactly as
+/// `exact` says.
 ///
 /// Without turning a plane's gap is linear; outside a convex solid the gap is a convex function of the tool's place
 /// and inside one a concave function, so tangents bound it: the greatest (least) value is at an end, the other
@@ -73,8 +102,10 @@ pub fn chord(
     side: Side,
     thick: f64,
     ends: Option<[Gap; 2]>,
-    resolution: f64,
+    exact: impl Into<Exact>,
 ) -> Result<Chord, Reason> {
+    let exact = exact.into();
+    let resolution = exact.resolution;
     // Where the tool end lies on a surface it does not matter how the axis stands.
     let turn = if condition == Condition::On { None } else { Turn::between(tool.ta, to.ta) };
     let run = Run { tool, v: to.te - tool.te, turn, surface, condition, side, thick };
@@ -89,7 +120,7 @@ pub fn chord(
         let [a, b] = run.governed(a, b, resolution)?;
         return match run.single(a, b, resolution)? {
             Some(chord) => Ok(chord),
-            None => run.mixed(a, b, resolution),
+            None => run.mixed(a, b, exact),
         };
     }
     let bow = b.slope - a.slope;
@@ -117,7 +148,7 @@ pub fn chord(
     } else {
         match run.single(a, b, resolution)? {
             Some(chord) => Ok(chord),
-            None => run.mixed(a, b, resolution),
+            None => run.mixed(a, b, exact),
         }
     }
 }
@@ -261,7 +292,7 @@ impl Run<'_, '_> {
     /// Any curvature: halves of a piece are bounded by the cubics through their ends and slopes and by how far
     /// value and slope of the middle are from what the cubic of the piece foretells; pieces whose bounds reach
     /// beyond what was met are halved.
-    fn mixed(&self, a: Place, b: Place, resolution: f64) -> Result<Chord, Reason> {
+    fn mixed(&self, a: Place, b: Place, exact: Exact) -> Result<Chord, Reason> {
         let at = |p: &Place| Extreme { t: p.t, g: p.gap.g };
         let (mut low, mut high) =
             if a.gap.g < b.gap.g { (at(&a), at(&b)) } else { (at(&b), at(&a)) };
@@ -284,11 +315,13 @@ impl Run<'_, '_> {
             // The halves have the value and the slope of the middle: their cubics are off by an eighth of
             // this at most where the third derivative jumps once, and by less where it does not.
             let off = 0.25 * ((m.gap.g - foretold).abs() + 0.25 * h * (m.slope - lean).abs());
-            let mut beyond = false;
+            let [fine_low, fine_high] = exact.at([low.g, high.g]);
+            let mut beyond = [false; 2];
             let (mut under, mut over) = (floor, roof);
             for (a, b) in [(a, m), (m, b)] {
                 for (t, g) in cubic_extremes(&a, &b) {
-                    beyond |= g - off < low.g - resolution || g + off > high.g + resolution;
+                    beyond[0] |= g - off < low.g - fine_low;
+                    beyond[1] |= g + off > high.g + fine_high;
                     if g - off < under.g {
                         under = Extreme { t, g: g - off };
                     }
@@ -297,7 +330,8 @@ impl Run<'_, '_> {
                     }
                 }
             }
-            if beyond && off > 0.25 * resolution && pieces < MAX_PIECES {
+            let open = beyond[0] && off > 0.25 * fine_low || beyond[1] && off > 0.25 * fine_high;
+            if open && pieces < MAX_PIECES {
                 todo.push((a, m));
                 todo.push((m, b));
             } else {

@@ -55,7 +55,7 @@ pub fn second(tool: &Tool<'_>, surface: &Surface, side: Side, gap: &Gap) -> Opti
 
 /// `(1/K + diag(radii) + g)^-1` with K of the surface in the same frame; both may be singular.
 #[inline]
-fn relative(shape: Shape, radii: [f64; 2], g: f64) -> Option<Shape> {
+pub(crate) fn relative(shape: Shape, radii: [f64; 2], g: f64) -> Option<Shape> {
     let frame = shape.frame;
     let [a1, a2] = [radii[0] + g, radii[1] + g];
     let inverse = |a: f64| if a.is_infinite() { 0.0 } else { 1.0 / a };

@@ -26,6 +26,7 @@ mod guide;
 mod open;
 mod patches;
 mod point;
+mod ring;
 mod rings;
 mod search;
 mod tangents;
@@ -33,7 +34,7 @@ mod under;
 
 pub use aptc_geometry::{Place, Reason, Tool};
 pub use bodies::{Convex, Swept, Turned};
-pub use chord::{Chord, Extreme, chord};
+pub use chord::{Chord, Exact, Extreme, chord};
 pub use curvature::second;
 pub use gap::{
     Condition, Gap, Side, distance, elsewhere, gap, gap_at, gap_near, on, opens, surrounds,

@@ -1,5 +1,6 @@
-//! Gaps that are the distance of one point of the tool from a surface while the tool axis stands: of a ball, of the tool end
-//! and of what stands along the rulings. The place on the surface is found from the last one.
+//! Gaps that hang on one place of a surface while the tool axis stands: the distance of one point of the tool, which a ball,
+//! the tool end and what stands along the rulings have, or that of the circle of the corner's middles. The place is found
+//! from the last one.
 
 use aptc_geometry::profile::Segment;
 use aptc_geometry::{Profile, Reason, Shape, Spot, Surface, Tool, Vec3};
@@ -8,6 +9,7 @@ use crate::chord::{Sample, dip, single};
 use crate::closed::is_axis;
 use crate::gap::{Condition, Gap, Side};
 use crate::guide::{Bends, ClosedGuide, End, Guide, Reading, is_ball};
+use crate::ring::Ring;
 use crate::search::several;
 
 /// Change of the normal, as a vector, from which two places of contact on the cutter are two.
@@ -20,6 +22,8 @@ pub enum PointGuide {
     Closed(ClosedGuide),
     /// It is the distance of a point.
     Point(Point),
+    /// It is that of a circle.
+    Ring(Ring),
 }
 
 /// The point of a tool that tells the gap.
@@ -52,23 +56,20 @@ enum Touch {
     Widest,
 }
 
-/// Parameters of a place, of surfaces that have two.
-type At = Option<[f64; 2]>;
-
 /// How the gap bends.
 #[derive(Clone, Copy, Debug)]
 pub enum PointBends {
     /// As a closed form tells.
     Closed(Bends),
-    /// As a surface parallel to the one that is touched.
-    Parallel(Shape),
+    /// As the tool ends do at which the gap has one value.
+    Level(Shape),
 }
 
 /// What is known of a place of a chord.
-type Known = (Sample, At);
+type Known = (Sample, Spot);
 
 impl Guide for PointGuide {
-    type At = At;
+    type At = Spot;
     type Bends = PointBends;
 
     fn new(
@@ -79,17 +80,23 @@ impl Guide for PointGuide {
         thick: f64,
     ) -> Option<Self> {
         let closed = ClosedGuide::new(tool, surface, condition, side, thick).map(Self::Closed);
-        closed.or_else(|| Point::new(tool, surface, condition, side, thick).map(Self::Point))
+        let point = || Point::new(tool, surface, condition, side, thick).map(Self::Point);
+        let ring = || Ring::new(tool, surface, condition, side, thick).map(Self::Ring);
+        closed.or_else(point).or_else(ring)
     }
 
     #[inline]
-    fn at(gap: &Gap) -> At {
-        gap.at
+    fn at(gap: &Gap) -> Spot {
+        gap.spot()
     }
 
     #[inline]
     fn several(&self) -> bool {
-        matches!(self, Self::Point(p) if p.several)
+        match self {
+            Self::Closed(_) => false,
+            Self::Point(p) => p.several,
+            Self::Ring(r) => r.several,
+        }
     }
 
     #[inline]
@@ -97,34 +104,37 @@ impl Guide for PointGuide {
         match self {
             Self::Closed(_) => false,
             Self::Point(p) => p.apart(a, b),
+            Self::Ring(r) => r.apart(a, b),
         }
     }
 
     #[inline]
-    fn read(&self, surface: &Surface, te: Vec3, at: At) -> Option<Reading<At, PointBends>> {
+    fn read(&self, surface: &Surface, te: Vec3, at: Spot) -> Option<Reading<Spot, PointBends>> {
         match self {
             Self::Closed(guide) => {
                 let Reading { end: End { g, normal, .. }, bends } = guide.read(surface, te, ())?;
-                let end = End { g, normal, at: None };
+                let end = End { g, normal, at };
                 Some(Reading { end, bends: PointBends::Closed(bends) })
             }
-            Self::Point(p) => p.read(surface, te, at),
+            Self::Point(p) => p.read(surface, te, Some(at)),
+            Self::Ring(r) => r.read(surface, te, at),
         }
     }
 
     #[inline]
-    fn second(read: &Reading<At, PointBends>, v: Vec3) -> f64 {
+    fn second(read: &Reading<Spot, PointBends>, v: Vec3) -> f64 {
         match &read.bends {
             PointBends::Closed(bends) => bends.second(read.end.normal, v),
-            PointBends::Parallel(shape) => shape.second(v),
+            PointBends::Level(shape) => shape.second(v),
         }
     }
 
     #[inline]
-    fn gap(&self, te: Vec3, read: &End<At>) -> Gap {
+    fn gap(&self, te: Vec3, read: &End<Spot>) -> Gap {
         match self {
             Self::Closed(guide) => guide.gap(te, &closed(read)),
             Self::Point(p) => p.gap(te, read),
+            Self::Ring(r) => r.gap(te, read),
         }
     }
 
@@ -134,7 +144,7 @@ impl Guide for PointGuide {
         surface: &Surface,
         te: Vec3,
         v: Vec3,
-        ends: [&End<At>; 2],
+        ends: [&End<Spot>; 2],
         resolution: f64,
     ) -> Option<[f64; 2]> {
         match self {
@@ -142,13 +152,63 @@ impl Guide for PointGuide {
                 let [a, b] = ends.map(closed);
                 guide.chord(surface, te, v, [&a, &b], resolution)
             }
-            Self::Point(p) => p.chord(surface, te, v, ends, resolution),
+            Self::Point(p) => {
+                let read = |t: f64, near: Option<&Spot>| {
+                    Some(p.read(surface, te + v * t, near.copied())?.end)
+                };
+                let apart = p.apart(ends[0].normal, ends[1].normal);
+                least_and_greatest(surface, p.sign, apart, v, ends, resolution, read)
+            }
+            Self::Ring(r) => {
+                let read =
+                    |t: f64, near: Option<&Spot>| Some(r.read(surface, te + v * t, *near?)?.end);
+                let apart = r.apart(ends[0].normal, ends[1].normal);
+                least_and_greatest(surface, r.sign, apart, v, ends, resolution, read)
+            }
         }
     }
 }
 
-fn closed(read: &End<At>) -> End<()> {
+fn closed(read: &End<Spot>) -> End<()> {
     End { g: read.g, normal: read.normal, at: () }
+}
+
+/// Least and greatest gap of a chord along `v`, of which `read` reads places: near a known one, or without it anew.
+fn least_and_greatest(
+    surface: &Surface,
+    sign: f64,
+    apart: bool,
+    v: Vec3,
+    [begin, end]: [&End<Spot>; 2],
+    resolution: f64,
+    read: impl Fn(f64, Option<&Spot>) -> Option<End<Spot>>,
+) -> Option<[f64; 2]> {
+    let (low, high) = (begin.g.min(end.g), begin.g.max(end.g));
+    let known =
+        |t: f64, e: &End<Spot>| -> Known { (Sample { t, g: e.g, slope: e.normal.dot(&v) }, e.at) };
+    let look = |t: f64, near: Option<&Spot>| -> Result<Known, Reason> {
+        Ok(known(t, &read(t, near).ok_or(Reason::NoHit)?))
+    };
+    let (a, b) = (known(0.0, begin), known(1.0, end));
+    let (outside, inside) = (surface.convex(), surface.concave());
+    let (dome, hollow) = if sign > 0.0 { (outside, inside) } else { (inside, outside) };
+    if dome {
+        let beside = |t: f64, near: &Spot| look(t, Some(near));
+        return Some([dip(a, b, 1.0, resolution, beside).ok()?.g, high]);
+    }
+    if hollow {
+        // The nearest wall may change on the way: it is looked for anew.
+        let whole = |t: f64, _: &Spot| look(t, None);
+        return Some([low, dip(a, b, -1.0, resolution, whole).ok()?.g]);
+    }
+    if apart {
+        return None;
+    }
+    let between = |a: &Known, b: &Known, t: f64| {
+        look(t, Some(if t - a.0.t <= b.0.t - t { &a.1 } else { &b.1 }))
+    };
+    let found = single(a, b, resolution, |k| k.0, between).ok()??;
+    Some([low.min(found.g), high.max(found.g)])
 }
 
 impl Point {
@@ -195,10 +255,15 @@ impl Point {
         self.touch != Touch::End && (a - b).norm_squared() > ANOTHER * ANOTHER
     }
 
-    fn read(&self, surface: &Surface, te: Vec3, at: At) -> Option<Reading<At, PointBends>> {
+    fn read(
+        &self,
+        surface: &Surface,
+        te: Vec3,
+        near: Option<Spot>,
+    ) -> Option<Reading<Spot, PointBends>> {
         let p = te + self.up;
-        let foot = match at {
-            Some(_) if !self.nearest => surface.foot_from(p, Spot { point: p, at }),
+        let foot = match near.and_then(|n| n.at) {
+            Some(at) if !self.nearest => surface.foot_from(p, Spot { point: p, at: Some(at) }),
             _ => surface.foot(p),
         };
         let normal = foot.normal * self.sign;
@@ -211,11 +276,11 @@ impl Point {
         let shape = if self.sign > 0.0 { foot.shape } else { foot.shape.reversed() };
         // Corners go round, which is left to the general forms.
         let smooth = shape.k.iter().all(|k| k.is_finite());
-        let bends = PointBends::Parallel(shape.offset(away).filter(|_| smooth)?);
-        Some(Reading { end: End { g: away + self.level, normal, at: foot.at }, bends })
+        let bends = PointBends::Level(shape.offset(away).filter(|_| smooth)?);
+        Some(Reading { end: End { g: away + self.level, normal, at: foot.spot() }, bends })
     }
 
-    fn gap(&self, te: Vec3, &End { g, normal, at }: &End<At>) -> Gap {
+    fn gap(&self, te: Vec3, &End { g, normal, at }: &End<Spot>) -> Gap {
         let raw = g + self.thick;
         let (tool_point, segment) = match self.touch {
             Touch::End => (te, None),
@@ -229,44 +294,7 @@ impl Point {
             }
         };
         let surface_point = tool_point - normal * raw;
-        Gap { g, raw, tool_point, surface_point, at, normal, segment, residual: 0.0 }
-    }
-
-    fn chord(
-        &self,
-        surface: &Surface,
-        te: Vec3,
-        v: Vec3,
-        [begin, end]: [&End<At>; 2],
-        resolution: f64,
-    ) -> Option<[f64; 2]> {
-        let (low, high) = (begin.g.min(end.g), begin.g.max(end.g));
-        let known = |t: f64, e: &End<At>| -> Known {
-            (Sample { t, g: e.g, slope: e.normal.dot(&v) }, e.at)
-        };
-        let look = |t: f64, near: &At| -> Result<Known, Reason> {
-            let read = self.read(surface, te + v * t, *near).ok_or(Reason::NoHit)?;
-            Ok(known(t, &read.end))
-        };
-        let (a, b) = (known(0.0, begin), known(1.0, end));
-        let (outside, inside) = (surface.convex(), surface.concave());
-        let (dome, hollow) = if self.sign > 0.0 { (outside, inside) } else { (inside, outside) };
-        if dome {
-            return Some([dip(a, b, 1.0, resolution, look).ok()?.g, high]);
-        }
-        if hollow {
-            // The nearest wall may change on the way: it is looked for anew.
-            let whole = |t: f64, _: &At| look(t, &None);
-            return Some([low, dip(a, b, -1.0, resolution, whole).ok()?.g]);
-        }
-        if self.apart(begin.normal, end.normal) {
-            return None;
-        }
-        let between = |a: &Known, b: &Known, t: f64| {
-            look(t, if t - a.0.t <= b.0.t - t { &a.1 } else { &b.1 })
-        };
-        let found = single(a, b, resolution, |k| k.0, between).ok()??;
-        Some([low.min(found.g), high.max(found.g)])
+        Gap { g, raw, tool_point, surface_point, at: at.at, normal, segment, residual: 0.0 }
     }
 }
 
@@ -349,10 +377,10 @@ mod tests {
             let guide = Point::new(&tool, &surface, condition, side, thick);
             let guide = guide.expect("a ball and its end are guided");
             let Some(a) = guide.read(&surface, te, None) else { return Ok(()) };
-            let Some(b) = guide.read(&surface, te + v, a.end.at) else { return Ok(()) };
-            let near = |te: Vec3, at: At| {
+            let Some(b) = guide.read(&surface, te + v, Some(a.end.at)) else { return Ok(()) };
+            let near = |te: Vec3, at: Spot| {
                 let point = guide.gap(te, &a.end).surface_point;
-                distance(&tool.at(te), &surface, condition, side, thick, Some(Spot { point, at })).unwrap()
+                distance(&tool.at(te), &surface, condition, side, thick, Some(Spot { point, ..at })).unwrap()
             };
             let ends = [near(te, a.end.at), near(te + v, a.end.at)];
             for (te, read, gap) in [(te, &a, &ends[0]), (te + v, &b, &ends[1])] {
@@ -373,7 +401,8 @@ mod tests {
             if a.end.g.abs() > 5.0 {
                 return Ok(());
             }
-            let Some([low, high]) = guide.chord(&surface, te, v, [&a.end, &b.end], 1e-10) else { return Ok(()) };
+            let path = PointGuide::Point(guide);
+            let Some([low, high]) = path.chord(&surface, te, v, [&a.end, &b.end], 1e-10) else { return Ok(()) };
             let to = tool.at(te + v);
             let whole = chord(&tool, &to, &surface, condition, side, thick, Some(ends), 1e-10).unwrap();
             prop_assert!((low - whole.low.g).abs() < 1e-8, "{low} {whole:?}");

@@ -8,7 +8,7 @@ use aptc_geometry::{Foot, Reason, Shape, Spot, Surface, Tool, Vec3};
 
 use crate::closed::{along_axis, is_axis};
 use crate::gap::{Gap, Side};
-use crate::rings;
+use crate::{ring, rings};
 
 /// Bound of one local search. Newton's method takes 3 to 8 steps; the rest is for places where the surface
 /// is as tight as the tool.
@@ -43,6 +43,9 @@ pub(crate) fn general(
     {
         return Ok(gap);
     }
+    if let Some(gap) = start.and_then(|q| ring::beside(tool, surface, side, q)) {
+        return Ok(gap);
+    }
     if far_is_convex {
         // One dip: any start leads there.
         let q = start.unwrap_or_else(|| surface.foot(middle(tool)).spot());
@@ -65,7 +68,7 @@ pub(crate) fn general(
         return Ok(gap);
     }
     let stations = Stations { lower: round.is_none(), flank: true };
-    let (seeds, deepest) = seeds(tool, surface, side, stations);
+    let Seeds { found: seeds, deepest, .. } = seeds(tool, surface, side, stations);
     let mut best: Option<Gap> = round;
     let mut failure = Reason::NoHit;
     for q in seeds.into_iter().flatten() {
@@ -137,7 +140,8 @@ pub(crate) fn elsewhere(
     }
     let arc = round(tool, surface, side, None);
     let size = tool.profile.widest().max(0.1 * tool.profile.reach());
-    let until = |rival: f64, gap: f64| (LOOK * size).min(0.5 * (rival - gap).max(0.0));
+    let apart = |rival: f64, gap: f64| 0.5 * (rival - gap).max(0.0);
+    let until = |rival: f64, gap: f64| (LOOK * size).min(apart(rival, gap));
     if hollow(surface, side) && (arc.is_none() || has_side(tool)) {
         let foot = |p| turned(surface.foot(p), side);
         let found = rings::with_rival(tool, foot, 0.1 * size);
@@ -168,15 +172,17 @@ pub(crate) fn elsewhere(
         return (Some(through), 0.0);
     }
     let seen = SEEN * if tool.profile.widest() > 0.0 { tool.profile.widest() } else { size };
-    let (mut deepest, mut room) = (*known, seen);
+    let (mut deepest, mut room, mut free) = (*known, seen, 0.0_f64);
     let mut stations = Stations { lower: arc.is_none(), flank: true };
     if arc.is_none()
         && let Some(flank) = flank(tool, surface, side, 0.25, known.raw)
     {
-        room = seen.min(until(flank, known.raw));
+        free = apart(flank, known.raw);
+        room = seen.min(free);
         stations.flank = false;
     }
-    let (seeds, lowest) = seeds(tool, surface, side, stations);
+    let Seeds { found: seeds, deepest: lowest, tightest } = seeds(tool, surface, side, stations);
+    room = room.max(steep(tool, known, tightest).min(free));
     let found = seeds.into_iter().flatten().filter_map(|q| local(tool, surface, side, q).ok());
     for gap in found.chain(arc) {
         if (gap.tool_point - known.tool_point).norm() > 1e-6 * size {
@@ -266,6 +272,24 @@ const LOOK: f64 = 0.25;
 /// times less.
 const SEEN: f64 = 0.15;
 
+/// The way for which no place of the corner or below it can come to be as deep as the `known` one of the corner, as it leans
+/// there more than the surface bends; 0 where that is not so.
+///
+/// With rho the radius of the circle of the corner's middles, s the sine between axis and normal at the known place and k the
+/// greatest curvature about, the distance from the surface grows along the circle from the known place up to the angle t
+/// where s cos(t/2) = k rho, for the normals differ by 2 k rho sin(t/2) at most; beyond it is farther than s rho. A flat end
+/// has a place of its own only where the normal is the axis. Going on by x takes k x of s at most. Curvatures may be a
+/// quarter greater than those that were seen.
+fn steep(tool: &Tool<'_>, known: &Gap, tightest: f64) -> f64 {
+    let rho = tool.profile.corner()[0];
+    if known.segment != Some(Segment::Arc) || rho <= 0.0 {
+        return 0.0;
+    }
+    let lean = known.normal.cross(&tool.ta).norm();
+    let way = 0.8 * lean / tightest - 1.5 * rho;
+    way.clamp(0.0, tool.profile.widest())
+}
+
 /// A point of the tool's axis, near the corner.
 fn middle(tool: &Tool<'_>) -> Vec3 {
     tool.te + tool.ta * tool.profile.corner()[1]
@@ -336,14 +360,18 @@ struct Stations {
 /// Values and places below the stations of one ring.
 type Ring = [(f64, Spot); AROUND];
 
-/// Surface points below the lowest stations around the tool: the local minima over the stations, the lowest
-/// of them; and of all stations the deepest, by how much.
-fn seeds(
-    tool: &Tool<'_>,
-    surface: &Surface,
-    side: Side,
-    of: Stations,
-) -> ([Option<Spot>; SEEDS], (f64, Vec3)) {
+/// What the stations around a tool tell.
+struct Seeds {
+    /// Surface points below the lowest: the local minima over the stations, the lowest of them.
+    found: [Option<Spot>; SEEDS],
+    /// The deepest station, and by how much.
+    deepest: (f64, Vec3),
+    /// The greatest curvature of the surface at the feet of all.
+    tightest: f64,
+}
+
+/// The surface below the stations around the tool.
+fn seeds(tool: &Tool<'_>, surface: &Surface, side: Side, of: Stations) -> Seeds {
     let profile = tool.profile;
     let [[rl, zl], [ru, zu]] = profile.joints();
     let mid = |a: [f64; 2], b: [f64; 2]| [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])];
@@ -352,7 +380,7 @@ fn seeds(
     let stations = [rim, mid(upper, rim), upper, lower, mid(lower, [0.0, profile.bottom()])];
     let stations = &stations[if of.flank { 0 } else { 2 }..if of.lower { 5 } else { 2 }];
     let [a, b] = aptc_geometry::surface::frame_about(tool.ta);
-    let mut deepest = (f64::INFINITY, tool.te);
+    let (mut deepest, mut tightest) = ((f64::INFINITY, tool.te), 0.0_f64);
     let mut at = |rho: f64, z: f64, turn: usize| {
         let out = a * COS12[turn] + b * COS12[(turn + 9) % AROUND];
         let p = tool.te + out * rho + tool.ta * z;
@@ -361,6 +389,7 @@ fn seeds(
         if value < deepest.0 {
             deepest = (value, p);
         }
+        tightest = foot.shape.principal().into_iter().map(f64::abs).fold(tightest, f64::max);
         (value, foot.spot())
     };
     let mut found: [Option<(bool, f64, Spot)>; SEEDS] = [None; SEEDS];
@@ -398,7 +427,7 @@ fn seeds(
             }
         }
     }
-    (found.map(|f| f.map(|f| f.2)), deepest)
+    Seeds { found: found.map(|f| f.map(|f| f.2)), deepest, tightest }
 }
 
 /// Cosines of the multiples of 30 degrees.
@@ -581,6 +610,8 @@ fn step(here: &At, cap: f64) -> Vec3 {
         // Along a flank that lies nearly along a ruling the gap falls evenly, by little, to its end.
         let floor = 1e-9 * top;
         let (a, b) = (-a / w1.abs().max(floor), -b / w2.abs().max(floor));
+        // Each by itself: a long way along a ruling must not shorten the one across it.
+        let (a, b) = (a.clamp(-cap, cap), b.clamp(-cap, cap));
         [p * a - q * b, q * a + p * b]
     };
     let d = u * d[0] + v * d[1];

@@ -1,6 +1,6 @@
 //! How a chord lies in the bands, and how much longer it could be (APT: `GOUGCK`).
 
-use aptc_contact::{Condition, Gap, chord};
+use aptc_contact::{Condition, Exact, Gap, chord};
 use aptc_geometry::{Surface, Vec3};
 
 use super::keep::Pose;
@@ -80,6 +80,8 @@ impl Track {
         let v = to.pose.te - from.pose.te;
         let other = self.governs(i, from, to);
         let ends = [other.as_ref().unwrap_or(&from.gaps[i]), &to.gaps[i]];
+        let resolution = if self.axis.turns() { RESOLUTION_TURNING } else { RESOLUTION };
+        let limits = keep.limits();
         let c = chord(
             &keep.tool(&from.pose),
             &keep.tool(&to.pose),
@@ -88,7 +90,7 @@ impl Track {
             keep.side,
             keep.thick,
             Some([*ends[0], *ends[1]]),
-            if self.axis.turns() { RESOLUTION_TURNING } else { RESOLUTION } * keep.width(),
+            Exact::beside(resolution * keep.width(), [limits.low, limits.high]),
         )?;
         let gaps = [from.gaps[i].g, to.gaps[i].g];
         let (mut low, mut high) = (c.low.g, c.high.g);

@@ -29,6 +29,8 @@ const EVEN: f64 = 0.02;
 const FARTHER: f64 = 16.0;
 /// Share of a length up to which another trial begins at the one before.
 const BESIDE: f64 = 0.25;
+/// Share of a length within which another tells how the ratios go on.
+const NEAR: f64 = 1e-2;
 /// How often one cut vector may learn from its chord how its gaps bend.
 const LESSONS: u32 = 3;
 /// A chord to be shortened to less than this has its vertex in the wrong place.
@@ -328,7 +330,8 @@ impl Track {
                         }
                     }
                     if fit.fits {
-                        if fit.ratio <= 1.0 + LONG_ENOUGH || s >= plan.most {
+                        let rest = before.and_then(|before| rest(s, fit.ratio, before));
+                        if rest.unwrap_or(fit.ratio - 1.0) <= LONG_ENOUGH || s >= plan.most {
                             pace.learn(s, fit.ratio, plan.length);
                             return tried;
                         }
@@ -460,6 +463,13 @@ impl Track {
         }
         Plan { length, most }
     }
+}
+
+/// The share of a length by which a chord beside it could be longer, by the secant of the ratios: where the contact goes over
+/// to another place on the way these fall many times as fast as the length grows.
+fn rest(s: f64, ratio: f64, (s0, r0): (f64, f64)) -> Option<f64> {
+    let slope = (ratio - r0) / (s - s0);
+    ((s - s0).abs() <= NEAR * s && slope < -1.0 / s).then(|| (1.0 - ratio) / (slope * s))
 }
 
 /// The next length to try: by the ratio, and from the second trial on by the secant of the ratios, which
