@@ -246,6 +246,17 @@ impl Run<'_, '_> {
         Ok(if other.gap.g < m.gap.g { other } else { m })
     }
 
+    /// Where the contact goes over from one place to another on a piece, the gap is the less of two and has an edge: no farther
+    /// out than both tangents meet, as bent as the gaps are on so short a way.
+    fn crest(&self, a: &Place, b: &Place) -> Option<Extreme> {
+        let edge = a.slope > 0.0 && b.slope < 0.0;
+        if !edge || self.apart(a, b) <= ANOTHER * self.tool.profile.widest() {
+            return None;
+        }
+        let t = (a.gap.g - b.gap.g + b.slope * b.t - a.slope * a.t) / (b.slope - a.slope);
+        (t > a.t && t < b.t).then(|| Extreme { t, g: a.gap.g + a.slope * (t - a.t) })
+    }
+
     /// How far the places of the cutter are from one another that touch at two places of the chord.
     fn apart(&self, a: &Place, b: &Place) -> f64 {
         (a.gap.tool_point - b.gap.tool_point - self.v * (a.t - b.t)).norm()
@@ -317,8 +328,15 @@ impl Run<'_, '_> {
             let off = 0.25 * ((m.gap.g - foretold).abs() + 0.25 * h * (m.slope - lean).abs());
             let [fine_low, fine_high] = exact.at([low.g, high.g]);
             let mut beyond = [false; 2];
-            let (mut under, mut over) = (floor, roof);
+            let (mut under, mut over, mut rough) = (floor, roof, off);
             for (a, b) in [(a, m), (m, b)] {
+                if let Some(crest) = self.crest(&a, &b) {
+                    beyond[1] |= crest.g > high.g + fine_high;
+                    rough = rough.max(crest.g - a.gap.g.max(b.gap.g));
+                    if crest.g > over.g {
+                        over = crest;
+                    }
+                }
                 for (t, g) in cubic_extremes(&a, &b) {
                     beyond[0] |= g - off < low.g - fine_low;
                     beyond[1] |= g + off > high.g + fine_high;
@@ -330,7 +348,7 @@ impl Run<'_, '_> {
                     }
                 }
             }
-            let open = beyond[0] && off > 0.25 * fine_low || beyond[1] && off > 0.25 * fine_high;
+            let open = beyond[0] && off > 0.25 * fine_low || beyond[1] && rough > 0.25 * fine_high;
             if open && pieces < MAX_PIECES {
                 todo.push((a, m));
                 todo.push((m, b));

@@ -136,7 +136,7 @@ impl Track {
         // The chord aims a little inside the band, so that it fits when it comes out a little longer.
         let [aim, found, own] = match self.axis.turns() {
             true => [AIM_TURNING, 2.0 * RESOLUTION_TURNING, OWN_TURNING],
-            false => [AIM, RESOLUTION, RESOLUTION],
+            false => [keep.searched().unwrap_or(AIM), RESOLUTION, RESOLUTION],
         };
         let aim = aim * keep.width();
         let e = ends.map(|g| (g - limits.low - aim).max(0.0));

@@ -34,8 +34,9 @@ pub(crate) struct Limits {
 
 /// Share of the band that vertices keep from its edge, so that rounding does not carry them out.
 const EDGE: f64 = 1e-7;
-/// The same against surfaces whose nearest point is found by iteration.
-const EDGE_SEARCHED: f64 = 1e-6;
+/// The same against surfaces whose nearest point is found by iteration, and that by which chords over them aim inside of it:
+/// what is met on a chord tells the rest of it to less.
+const EDGE_SEARCHED: f64 = 5e-5;
 
 impl Keep {
     pub(crate) fn tool(&self, pose: &Pose) -> Tool<'_> {
@@ -173,13 +174,15 @@ impl Keep {
 
     /// How far vertices keep from the edge of the band.
     fn edge(&self) -> f64 {
-        let share = match self.surface {
-            Surface::Plane(_) | Surface::Sphere(_) | Surface::Cylinder(_) | Surface::Cone(_) => {
-                EDGE
-            }
-            _ => EDGE_SEARCHED,
-        };
-        share * self.width()
+        self.searched().unwrap_or(EDGE) * self.width()
+    }
+
+    /// Share of the band that is kept where the nearest point is found by iteration.
+    #[inline]
+    pub(crate) fn searched(&self) -> Option<f64> {
+        let closed =
+            matches!(self.surface, Surface::Plane(_) | Surface::Sphere(_) | Surface::Cylinder(_));
+        (!closed).then_some(EDGE_SEARCHED)
     }
 
     /// The gap itself, or the next one that is farther inside of the band than the share `share` of it, for an axis that
