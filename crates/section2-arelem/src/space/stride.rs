@@ -39,6 +39,8 @@ const LOST: f64 = 0.5;
 const EDGES_APART: f64 = 1e-9;
 /// By how much more than it needs a chord is given, for a bend that changes along it.
 const SPARE: f64 = 1.1;
+/// Cut vectors of which every trial looks for other places of contact once one was found.
+const CAREFUL: u32 = 6;
 /// Greatest turn of the track in one cut vector, radians.
 const MOST_TURN: f64 = 2.0;
 
@@ -119,15 +121,15 @@ pub(crate) struct Pace {
     length: f64,
     /// Way for which no other place of contact can become the deepest.
     room: f64,
-    /// Every trial looks for other places of contact.
-    careful: bool,
+    /// Cut vectors yet of which every trial looks for other places of contact.
+    careful: u32,
     /// How the gaps bend along the last cut vector when the axis turns, which the curvatures do not tell.
     bends: Option<[f64; 2]>,
 }
 
 impl Pace {
     pub(crate) fn new() -> Self {
-        Self { ratio: None, trend: 0.0, length: 0.0, room: 0.0, careful: false, bends: None }
+        Self { ratio: None, trend: 0.0, length: 0.0, room: 0.0, careful: 0, bends: None }
     }
 
     /// The ratio that is to be expected next: the curvature that changes it does so evenly for a while.
@@ -150,9 +152,9 @@ impl Track {
     /// The longest cut vector from a node, no longer than `cap`.
     ///
     /// The contacts are followed from vector to vector. Whether the cutter touches deeper elsewhere is asked
-    /// when it may be so; once it is, and where nothing is found, every trial asks.
+    /// when it may be so; once it is, and where nothing is found, every trial of some cut vectors asks.
     pub(crate) fn stride(&self, from: &Node, cap: f64, pace: &mut Pace) -> Result<Stride, Trouble> {
-        if !pace.careful {
+        if pace.careful == 0 {
             let guided = self.guided(from, cap, pace);
             if let Some(stride) = guided
                 && !self.several()
@@ -176,8 +178,10 @@ impl Track {
                     return Ok(stride);
                 }
             }
-            pace.careful = true;
+            pace.careful = CAREFUL;
         }
+        pace.careful -= 1;
+        pace.room = 0.0;
         self.by_contacts(from, cap, pace, true)
     }
 
@@ -243,7 +247,7 @@ impl Track {
         take: impl FnMut([Vec3; 2], Vec3) -> bool,
     ) -> Option<Node> {
         let free = if self.several() { free.min(pace.room) } else { free };
-        if pace.careful || free <= pace.length {
+        if pace.careful > 0 || free <= pace.length {
             return None;
         }
         match self.guides.as_ref()? {
