@@ -3,7 +3,7 @@
 use aptc_geometry::profile::Segment;
 use aptc_geometry::{Reason, Spot, Surface, Tool, Vec3};
 
-use crate::{closed, open, rings, search, tangents};
+use crate::{closed, descent, open, rings, search, tangents};
 
 /// The side of a surface on which the tool is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -128,7 +128,7 @@ pub fn gap_at(
     thick: f64,
     q: Spot,
 ) -> Result<Gap, Reason> {
-    let gap = search::local(tool, surface, side, q)?;
+    let gap = descent::local(tool, surface, side, q)?;
     Ok(Gap { g: gap.raw - thick, ..gap })
 }
 

@@ -6,8 +6,8 @@
 use aptc_geometry::profile::Segment;
 use aptc_geometry::{Profile, Surface, Tool, Vec3};
 
-use crate::chord::{Sample, dip};
 use crate::closed::is_axis;
+use crate::dips::{Sample, dip};
 use crate::gap::{Condition, Gap, Side};
 
 /// Sine of the angle between two directions below which they count as square to each other.

@@ -21,6 +21,8 @@ mod centred;
 mod chord;
 mod closed;
 mod curvature;
+mod descent;
+mod dips;
 mod gap;
 mod guide;
 mod open;
@@ -29,6 +31,7 @@ mod point;
 mod ring;
 mod rings;
 mod search;
+mod stations;
 mod tangents;
 mod under;
 

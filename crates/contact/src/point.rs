@@ -5,8 +5,8 @@
 use aptc_geometry::profile::Segment;
 use aptc_geometry::{Profile, Reason, Shape, Spot, Surface, Tool, Vec3};
 
-use crate::chord::{Sample, dip, single};
 use crate::closed::is_axis;
+use crate::dips::{Sample, dip, single};
 use crate::gap::{Condition, Gap, Side};
 use crate::guide::{Bends, ClosedGuide, End, Guide, Reading, is_ball};
 use crate::ring::Ring;

@@ -17,6 +17,8 @@ use aptc_testkit::bench;
 
 /// Half the band.
 const BAND: f64 = 1e-4;
+/// The same of a path so long in cut vectors that its start and its end count for little.
+const FINE: f64 = 1e-6;
 
 fn surface(form: Form) -> SurfaceRef {
     SurfaceRef { name: NameRef::default(), form: Arc::new(form) }
@@ -30,6 +32,7 @@ struct Motion {
     drive: Form,
     on: bool,
     part: Form,
+    band: f64,
 }
 
 impl Motion {
@@ -42,8 +45,8 @@ impl Motion {
             Place { name: NameRef::default(), point: Vec3::new(-30.0, -8.0, 8.0), axis: None };
         let kinds = vec![
             Kind::Cutter(cutter),
-            Kind::Intol([BAND; 4]),
-            Kind::Outtol([BAND; 4]),
+            Kind::Intol([self.band; 4]),
+            Kind::Outtol([self.band; 4]),
             Kind::Maxdp { step: 1e3, length: None },
             Kind::From(from),
             Kind::Go(Go {
@@ -129,8 +132,11 @@ fn main() {
         Form::Cylinder(Cylinder { point, axis: Vec3::z(), radius: 60.0 })
     };
     let flat = || Form::Plane(Plane { n: Vec3::z(), d: 0.0 });
-    let motion =
-        |name, target, corner, drive, on, part| Motion { name, target, corner, drive, on, part };
+    let motion = |name, target, corner, drive, on, part| {
+        let band = BAND;
+        Motion { name, target, corner, drive, on, part, band }
+    };
+    let fine = |motion: Motion| Motion { band: FINE, ..motion };
     let all = [
         motion("plane: circle in a plane", Some(10.0), 0.0, wall(), false, flat()),
         motion("ball: plane ON, sphere", Some(4.0), 5.0, line(), true, ball_at(50.0)),
@@ -143,6 +149,9 @@ fn main() {
         motion("ball: TABCYL, sphere", Some(0.4), 5.0, wave(), false, ball_at(50.0)),
         motion("ball: plane ON, ruled", Some(0.4), 5.0, line(), true, ruled()),
         motion("bull nose: plane ON, ruled", Some(0.4), 2.0, line(), true, ruled()),
+        fine(motion("ball: cylinder, sphere, fine", Some(4.0), 5.0, wall(), false, ball_at(50.0))),
+        fine(motion("ball: plane ON, ruled, fine", Some(0.4), 5.0, line(), true, ruled())),
+        fine(motion("bull nose: plane ON, ruled, fine", Some(0.4), 2.0, line(), true, ruled())),
     ];
     for m in &all {
         let records = m.records();

@@ -1,0 +1,161 @@
+//! Extreme values of a gap along a chord, from its values and slopes at places.
+
+use aptc_geometry::Reason;
+
+use crate::chord::Extreme;
+
+/// Bound of the search for one extreme value.
+const MAX_STEPS: usize = 60;
+/// Places at which a single extreme is looked for before the chord is cut into pieces.
+const SINGLE: usize = 5;
+
+/// Gap and its rate of change at a place of a chord.
+#[derive(Clone, Copy)]
+pub(crate) struct Sample {
+    pub(crate) t: f64,
+    pub(crate) g: f64,
+    pub(crate) slope: f64,
+}
+
+/// The least value of `sign * g`, a convex function, bounded from below by the tangents of a bracket; `at` gives the
+/// sample at a place, and what helps to find those near it.
+#[inline]
+pub(crate) fn dip<N>(
+    a: (Sample, N),
+    b: (Sample, N),
+    sign: f64,
+    resolution: f64,
+    at: impl Fn(f64, &N) -> Result<(Sample, N), Reason>,
+) -> Result<Extreme, Reason> {
+    let value = |p: &Sample| sign * p.g;
+    let slope = |p: &Sample| sign * p.slope;
+    if slope(&a.0) >= 0.0 {
+        return Ok(Extreme { t: a.0.t, g: a.0.g });
+    }
+    if slope(&b.0) <= 0.0 {
+        return Ok(Extreme { t: b.0.t, g: b.0.g });
+    }
+    let ((mut a, mut by_a), (mut b, mut by_b)) = (a, b);
+    // The cubic through both ends and slopes starts the search: exact for constant curvature.
+    let mut t = cubic_minimum(&a, &b, slope(&a), slope(&b), value(&a), value(&b));
+    let mut last = f64::INFINITY;
+    for _ in 0..MAX_STEPS {
+        let near = if t - a.t < b.t - t { &by_a } else { &by_b };
+        let (here, by) = at(t, near)?;
+        // The slope's own slope, from the parabola through three places.
+        let turn = |p: &Sample| (slope(p) - slope(&here)) / (p.t - here.t);
+        let bend = turn(&a) + turn(&b) - (slope(&b) - slope(&a)) / (b.t - a.t);
+        if slope(&here) < 0.0 {
+            (a, by_a) = (here, by);
+        } else {
+            (b, by_b) = (here, by);
+        }
+        let cut = tangents_meet(&a, &b, slope(&a), slope(&b), value(&a), value(&b));
+        let best = if value(&a) < value(&b) { &a } else { &b };
+        if value(best) - cut.1 <= resolution || b.t - a.t <= 1e-15 {
+            return Ok(Extreme { t: best.t, g: sign * cut.1.min(value(best)) });
+        }
+        let step = -slope(&here) / bend;
+        let newton = here.t + step;
+        t = if bend > 0.0 && newton > a.t && newton < b.t && step.abs() < 0.5 * last {
+            last = step.abs();
+            newton
+        } else {
+            last = f64::INFINITY;
+            let margin = 0.05 * (b.t - a.t);
+            cut.0.clamp(a.t + margin, b.t - margin)
+        };
+        if step.abs() <= 1e-9 && bend > 0.0 {
+            // The bracket closes from one side only: step over to see the other.
+            let over = 4.0 * step.abs().max(1e-12) * step.signum();
+            let cross = here.t + over;
+            if cross > a.t && cross < b.t {
+                t = cross;
+            }
+        }
+    }
+    let cut = tangents_meet(&a, &b, slope(&a), slope(&b), value(&a), value(&b));
+    Ok(Extreme { t: cut.0, g: sign * cut.1 })
+}
+
+/// The one dip or bump between two places whose slopes have different signs: the slope, met at a few places, falls or rises
+/// all along, and the cubic through the ends foretells what is met. `None` when it is not so. `between` looks at a place
+/// between two that are known.
+#[inline]
+pub(crate) fn single<P: Copy>(
+    a: P,
+    b: P,
+    resolution: f64,
+    sample: impl Fn(&P) -> Sample,
+    between: impl Fn(&P, &P, f64) -> Result<P, Reason>,
+) -> Result<Option<Extreme>, Reason> {
+    let [begin, end] = [sample(&a), sample(&b)];
+    let sign = if end.slope > begin.slope { 1.0 } else { -1.0 };
+    let (value, slope) = (|p: &Sample| sign * p.g, |p: &Sample| sign * p.slope);
+    let [sa, sb] = [slope(&begin), slope(&end)];
+    if sa >= 0.0 || sb <= 0.0 {
+        return Ok(None);
+    }
+    let depth = 0.125 * (end.t - begin.t) * (sb - sa);
+    let (mut low, mut high) = ((a, begin), (b, end));
+    let mut t = cubic_minimum(&begin, &end, sa, sb, value(&begin), value(&end));
+    let foretold = cubic_at(&begin, &end, t);
+    for round in 0..SINGLE {
+        let found = between(&low.0, &high.0, t)?;
+        let at = sample(&found);
+        let s = slope(&at);
+        let strange = round == 0 && (at.g - foretold).abs() > 0.05 * depth;
+        if strange || s <= slope(&low.1) || s >= slope(&high.1) {
+            return Ok(None);
+        }
+        // The slope's own slope there, from the parabola through three places.
+        let by = |p: &Sample| (slope(p) - s) / (p.t - at.t);
+        let whole = (slope(&high.1) - slope(&low.1)) / (high.1.t - low.1.t);
+        let bend = by(&low.1) + by(&high.1) - whole;
+        if bend <= 0.0 {
+            return Ok(None);
+        }
+        // Twice what is left to the extreme of a parabola.
+        let left = s * s / bend;
+        if left <= resolution {
+            return Ok(Some(Extreme { t: at.t, g: sign * (value(&at) - left) }));
+        }
+        t = at.t - s / bend;
+        *(if s < 0.0 { &mut low } else { &mut high }) = (found, at);
+        if t <= low.1.t || t >= high.1.t {
+            return Ok(None);
+        }
+    }
+    Ok(None)
+}
+
+/// The cubic through values and slopes of two places.
+fn cubic_at(a: &Sample, b: &Sample, t: f64) -> f64 {
+    let h = b.t - a.t;
+    let x = (t - a.t) / h;
+    let (c1, rise) = (a.slope * h, b.g - a.g);
+    let c2 = 3.0 * rise - 2.0 * c1 - b.slope * h;
+    let c3 = c1 + b.slope * h - 2.0 * rise;
+    a.g + x * (c1 + x * (c2 + x * c3))
+}
+
+/// Where the tangents at the ends of a bracket meet.
+fn tangents_meet(a: &Sample, b: &Sample, sa: f64, sb: f64, ga: f64, gb: f64) -> (f64, f64) {
+    let t = (ga - gb + sb * b.t - sa * a.t) / (sb - sa);
+    if t.is_finite() {
+        let t = t.clamp(a.t, b.t);
+        (t, (ga + sa * (t - a.t)).max(gb + sb * (t - b.t)))
+    } else {
+        (0.5 * (a.t + b.t), ga.min(gb))
+    }
+}
+
+/// Place of the minimum of the cubic through values and slopes, the slopes falling and rising.
+fn cubic_minimum(a: &Sample, b: &Sample, sa: f64, sb: f64, ga: f64, gb: f64) -> f64 {
+    let h = b.t - a.t;
+    let z = 3.0 * (ga - gb) / h + sa + sb;
+    let root = (z * z - sa * sb).max(0.0).sqrt();
+    let x = 1.0 - (sb + root - z) / (sb - sa + 2.0 * root);
+    let x = if x.is_finite() { x.clamp(0.02, 0.98) } else { 0.5 };
+    a.t + h * x
+}

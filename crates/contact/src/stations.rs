@@ -1,0 +1,98 @@
+//! Stations around a tool, from which its places of contact are looked for.
+
+use aptc_geometry::{Spot, Surface, Tool, Vec3};
+
+use crate::gap::Side;
+
+/// Stations around the tool from which a search without a start sets out.
+const AROUND: usize = 12;
+/// Greatest number of seeds that are searched from.
+const SEEDS: usize = 4;
+
+/// Which stations around the tool are looked at.
+#[derive(Clone, Copy)]
+pub(crate) struct Stations {
+    /// Those of the lower line and the arc: not where the place of the arc is known.
+    pub(crate) lower: bool,
+    /// Those of the upper line beyond its lower end.
+    pub(crate) flank: bool,
+}
+
+/// Values and places below the stations of one ring.
+type Ring = [(f64, Spot); AROUND];
+
+/// What the stations around a tool tell.
+pub(crate) struct Seeds {
+    /// Surface points below the lowest: the local minima over the stations, the lowest of them.
+    pub(crate) found: [Option<Spot>; SEEDS],
+    /// The deepest station, and by how much.
+    pub(crate) deepest: (f64, Vec3),
+    /// The greatest curvature of the surface at the feet of all.
+    pub(crate) tightest: f64,
+}
+
+/// The surface below the stations around the tool.
+pub(crate) fn seeds(tool: &Tool<'_>, surface: &Surface, side: Side, of: Stations) -> Seeds {
+    let profile = tool.profile;
+    let [[rl, zl], [ru, zu]] = profile.joints();
+    let mid = |a: [f64; 2], b: [f64; 2]| [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])];
+    let (lower, upper) = ([rl, zl], [ru, zu]);
+    let rim = [profile.top_radius(), profile.height()];
+    let stations = [rim, mid(upper, rim), upper, lower, mid(lower, [0.0, profile.bottom()])];
+    let stations = &stations[if of.flank { 0 } else { 2 }..if of.lower { 5 } else { 2 }];
+    let [a, b] = aptc_geometry::surface::frame_about(tool.ta);
+    let (mut deepest, mut tightest) = ((f64::INFINITY, tool.te), 0.0_f64);
+    let mut at = |rho: f64, z: f64, turn: usize| {
+        let out = a * COS12[turn] + b * COS12[(turn + 9) % AROUND];
+        let p = tool.te + out * rho + tool.ta * z;
+        let foot = surface.foot(p);
+        let value = side.sign() * foot.distance;
+        if value < deepest.0 {
+            deepest = (value, p);
+        }
+        tightest = foot.shape.principal().into_iter().map(f64::abs).fold(tightest, f64::max);
+        (value, foot.spot())
+    };
+    let mut found: [Option<(bool, f64, Spot)>; SEEDS] = [None; SEEDS];
+    let mut offer = |beside: bool, value: f64, q: Spot| {
+        let mut new = Some((beside, value, q));
+        for slot in &mut found {
+            if new.is_some_and(|n| slot.is_none_or(|s| (n.0, n.1) < (s.0, s.1))) {
+                std::mem::swap(slot, &mut new);
+            }
+        }
+    };
+    if of.lower {
+        let (value, q) = at(0.0, profile.bottom(), 0);
+        offer(false, value, q);
+    }
+    let mut ring = |[rho, z]: [f64; 2]| -> Ring { std::array::from_fn(|turn| at(rho, z, turn)) };
+    let mut rings = [None; 5];
+    for (i, station) in stations.iter().enumerate() {
+        if !stations[..i].contains(station) {
+            rings[i] = Some(ring(*station));
+        }
+    }
+    let rings: [Option<Ring>; 5] = rings;
+    let rings = || rings.iter().flatten();
+    for (i, ring) in rings().enumerate() {
+        let next = [i.checked_sub(1), Some(i + 1)].map(|k| k.and_then(|k| rings().nth(k)));
+        for turn in 0..AROUND {
+            let (value, q) = ring[turn];
+            let about = [(turn + 1) % AROUND, (turn + AROUND - 1) % AROUND];
+            if about.iter().all(|t| value <= ring[*t].0) {
+                // Where the ring above or below is lower it leads to the same place, most likely: one such place must not
+                // take the seeds of another.
+                let lower = |r: &Ring| about.iter().chain([&turn]).any(|t| r[*t].0 < value);
+                offer(next.into_iter().flatten().any(lower), value, q);
+            }
+        }
+    }
+    Seeds { found: found.map(|f| f.map(|f| f.2)), deepest, tightest }
+}
+
+/// Cosines of the multiples of 30 degrees.
+const COS12: [f64; AROUND] = {
+    let c = 0.866_025_403_784_438_6;
+    [1.0, c, 0.5, 0.0, -0.5, -c, -1.0, -c, -0.5, 0.0, 0.5, c]
+};
