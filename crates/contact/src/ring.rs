@@ -23,6 +23,9 @@ const STEPS: usize = 8;
 const FACING: f64 = 1e-9;
 /// Sine between normal and tool axis below which the corner is left.
 const FLAT: f64 = 1e-6;
+/// Slope towards the upper line from which it may touch as well: its far end comes down with the next step, where nothing is
+/// to be seen of it now.
+const BESIDE_LINE: f64 = 0.1;
 /// Share of the cutter's radius by which a place lies beside another.
 const BESIDE: f64 = 0.25;
 /// Share of the cutter's radius that two places of contact lie apart when they are two.
@@ -123,7 +126,10 @@ impl Ring {
                 return None;
             }
             if rest.norm_squared() <= enough * enough {
-                let arc = self.profile.support(across, along).segment == Segment::Arc;
+                let arc = [0.0, BESIDE_LINE].iter().all(|up| {
+                    let found = self.profile.support(across - up * along, along + up * across);
+                    found.segment == Segment::Arc
+                });
                 let radius = self.profile.corner_radius();
                 let raw = d - radius;
                 let radii = [radius, radius + self.rho / across];
