@@ -111,7 +111,8 @@ impl Track {
     fn corner_at(&self, from: &Node, i: usize, at: Touched) -> Option<Corner> {
         let (pose, [old, new, other]) = at;
         let deepest = self.keeps[i].gap(&pose, None).ok()?.g;
-        let free = deepest >= old.g.min(new.g) - 4.0 * self.exact;
+        let least = (old.g.min(new.g) - 4.0 * self.exact).max(self.keeps[i].limits().low);
+        let free = deepest >= least;
         if !free || self.keeps[1 - i].deeper(&pose, &other, 4.0 * self.exact).0.is_some() {
             return None;
         }
