@@ -54,7 +54,7 @@ pub(crate) fn general(
         return Ok(gap);
     }
     let stations = Stations { lower: round.is_none(), flank: true };
-    let Seeds { found: seeds, deepest, .. } = seeds(tool, surface, side, stations);
+    let Seeds { found: seeds, deepest, .. } = seeds(tool, surface, side, stations, None);
     let mut best: Option<Gap> = round;
     let mut failure = Reason::NoHit;
     for q in seeds.into_iter().flatten() {
@@ -158,17 +158,17 @@ pub(crate) fn elsewhere(
         return (Some(through), 0.0);
     }
     let seen = SEEN * if tool.profile.widest() > 0.0 { tool.profile.widest() } else { size };
-    let (mut deepest, mut room, mut free) = (*known, seen, 0.0_f64);
+    let (mut deepest, mut room) = (*known, seen);
     let mut stations = Stations { lower: arc.is_none(), flank: true };
     if arc.is_none()
         && let Some(flank) = flank(tool, surface, side, 0.25, known.raw)
     {
-        free = apart(flank, known.raw);
-        room = seen.min(free);
+        room = seen.min(apart(flank, known.raw));
         stations.flank = false;
     }
-    let Seeds { found: seeds, deepest: lowest, tightest } = seeds(tool, surface, side, stations);
-    room = room.max(steep(tool, known, tightest).min(free));
+    let Seeds { found: seeds, deepest: lowest, way } =
+        seeds(tool, surface, side, stations, Some(known));
+    room = room.min(0.5 * way);
     let found = seeds.into_iter().flatten().filter_map(|q| local(tool, surface, side, q).ok());
     for gap in found.chain(arc) {
         if (gap.tool_point - known.tool_point).norm() > 1e-6 * size {
@@ -254,27 +254,9 @@ const FLANK: usize = 8;
 /// Share of the cutter's size after which its contact is looked for anew in any case.
 const LOOK: f64 = 0.25;
 
-/// The same where a dip that is not there yet may come up: share of the cutter's radius, which below a long shank is several
-/// times less.
-const SEEN: f64 = 0.15;
-
-/// The way for which no place of the corner or below it can come to be as deep as the `known` one of the corner, as it leans
-/// there more than the surface bends; 0 where that is not so.
-///
-/// With rho the radius of the circle of the corner's middles, s the sine between axis and normal at the known place and k the
-/// greatest curvature about, the distance from the surface grows along the circle from the known place up to the angle t
-/// where s cos(t/2) = k rho, for the normals differ by 2 k rho sin(t/2) at most; beyond it is farther than s rho. A flat end
-/// has a place of its own only where the normal is the axis. Going on by x takes k x of s at most. Curvatures may be a
-/// quarter greater than those that were seen.
-fn steep(tool: &Tool<'_>, known: &Gap, tightest: f64) -> f64 {
-    let rho = tool.profile.corner()[0];
-    if known.segment != Some(Segment::Arc) || rho <= 0.0 {
-        return 0.0;
-    }
-    let lean = known.normal.cross(&tool.ta).norm();
-    let way = 0.8 * lean / tightest - 1.5 * rho;
-    way.clamp(0.0, tool.profile.widest())
-}
+/// The same where stations tell when one that is not there yet may come up: share of the cutter's radius, which below a long
+/// shank is several times less.
+const SEEN: f64 = 0.5;
 
 /// A point of the tool's axis, near the corner.
 fn middle(tool: &Tool<'_>) -> Vec3 {

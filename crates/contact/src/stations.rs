@@ -2,12 +2,16 @@
 
 use aptc_geometry::{Spot, Surface, Tool, Vec3};
 
-use crate::gap::Side;
+use crate::gap::{Gap, Side};
 
 /// Stations around the tool from which a search without a start sets out.
 const AROUND: usize = 12;
 /// Greatest number of seeds that are searched from.
 const SEEDS: usize = 4;
+
+/// Share of the cutter's radius from which a station is far from a place of contact: nearer ones the contact goes over to, and
+/// is followed.
+const FAR: f64 = 0.6;
 
 /// Which stations around the tool are looked at.
 #[derive(Clone, Copy)]
@@ -27,12 +31,19 @@ pub(crate) struct Seeds {
     pub(crate) found: [Option<Spot>; SEEDS],
     /// The deepest station, and by how much.
     pub(crate) deepest: (f64, Vec3),
-    /// The greatest curvature of the surface at the feet of all.
-    pub(crate) tightest: f64,
+    /// The least way after which a station far from the known place of contact may be as deep: its normal and the known one
+    /// differ by so much of the way as both go along them.
+    pub(crate) way: f64,
 }
 
-/// The surface below the stations around the tool.
-pub(crate) fn seeds(tool: &Tool<'_>, surface: &Surface, side: Side, of: Stations) -> Seeds {
+/// The surface below the stations around the tool, one place of contact being known or none.
+pub(crate) fn seeds(
+    tool: &Tool<'_>,
+    surface: &Surface,
+    side: Side,
+    of: Stations,
+    known: Option<&Gap>,
+) -> Seeds {
     let profile = tool.profile;
     let [[rl, zl], [ru, zu]] = profile.joints();
     let mid = |a: [f64; 2], b: [f64; 2]| [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])];
@@ -41,7 +52,8 @@ pub(crate) fn seeds(tool: &Tool<'_>, surface: &Surface, side: Side, of: Stations
     let stations = [rim, mid(upper, rim), upper, lower, mid(lower, [0.0, profile.bottom()])];
     let stations = &stations[if of.flank { 0 } else { 2 }..if of.lower { 5 } else { 2 }];
     let [a, b] = aptc_geometry::surface::frame_about(tool.ta);
-    let (mut deepest, mut tightest) = ((f64::INFINITY, tool.te), 0.0_f64);
+    let (mut deepest, mut way) = ((f64::INFINITY, tool.te), f64::INFINITY);
+    let far = FAR * profile.widest();
     let mut at = |rho: f64, z: f64, turn: usize| {
         let out = a * COS12[turn] + b * COS12[(turn + 9) % AROUND];
         let p = tool.te + out * rho + tool.ta * z;
@@ -50,7 +62,10 @@ pub(crate) fn seeds(tool: &Tool<'_>, surface: &Surface, side: Side, of: Stations
         if value < deepest.0 {
             deepest = (value, p);
         }
-        tightest = foot.shape.principal().into_iter().map(f64::abs).fold(tightest, f64::max);
+        if let Some(known) = known.filter(|k| (k.tool_point - p).norm() > far) {
+            let turned = (foot.normal * side.sign() - known.normal).norm();
+            way = way.min((value - known.raw) / turned.max(1e-9));
+        }
         (value, foot.spot())
     };
     let mut found: [Option<(bool, f64, Spot)>; SEEDS] = [None; SEEDS];
@@ -88,7 +103,7 @@ pub(crate) fn seeds(tool: &Tool<'_>, surface: &Surface, side: Side, of: Stations
             }
         }
     }
-    Seeds { found: found.map(|f| f.map(|f| f.2)), deepest, tightest }
+    Seeds { found: found.map(|f| f.map(|f| f.2)), deepest, way: way.max(0.0) }
 }
 
 /// Cosines of the multiples of 30 degrees.
