@@ -269,8 +269,7 @@ impl Post {
                     self.end(origin);
                 }
             }
-            // Positions are taken in the frame in which they are given.
-            Kind::Csys(_) => {}
+            Kind::Csys(frame) => self.frame(frame, origin),
             Kind::Output(_) | Kind::Edit(_) | Kind::Clprnt(_) | Kind::Comment(_) => {}
             Kind::Unread(text) => {
                 let text: String = text.chars().take(40).collect();

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use aptc_cldata::Units;
 use aptc_diagnostics::Severity;
-use aptc_geometry::{Cutter, Plane, Vec3};
+use aptc_geometry::{Cutter, Plane, Transform, Vec3};
 use smol_str::SmolStr;
 
 use crate::drill::DrillCycle;
@@ -115,7 +115,11 @@ pub(crate) struct State {
     pub(crate) coolant_again: bool,
     /// The same as `spindle_perhaps` of the coolant.
     pub(crate) coolant_perhaps: bool,
+    /// The coordinate system that the CL data named last.
+    pub(crate) frame: Option<Transform>,
     pub(crate) tool: Option<u32>,
+    /// Where the tool was when it was changed.
+    pub(crate) changed_at: Option<Vec3>,
     pub(crate) offset: Option<u32>,
     pub(crate) tool_length: Option<f64>,
     /// Tool numbers that LOADTL has given so far.
@@ -197,7 +201,9 @@ impl State {
             last_coolant: None,
             coolant_again: false,
             coolant_perhaps: false,
+            frame: None,
             tool: None,
+            changed_at: None,
             offset: None,
             tool_length: None,
             n_loads: 0,

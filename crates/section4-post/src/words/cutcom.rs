@@ -14,6 +14,10 @@ pub(super) fn cutcom(post: &mut Post, s: &Statement<'_>) {
     post.annotate(s.origin);
     match s.word(0) {
         Some("OFF") => off(post, s),
+        // HSMWorks: `CUTCOM/ON,LEFT,d`.
+        Some("ON") if s.has("LEFT") != s.has("RIGHT") => {
+            on(post, s, s.has("LEFT"), s.first_number().and_then(whole));
+        }
         Some("ON") => match post.st.last_cutcom {
             Some((left, d)) => on(post, s, left, Some(d)),
             // Nothing was on before: ON without a side has nothing to bring back.
@@ -41,7 +45,8 @@ fn on(post: &mut Post, s: &Statement<'_>, left: bool, d: Option<u32>) {
         return;
     }
     let planes = ["XYPLAN", "ZXPLAN", "YZPLAN"];
-    let other = (1..s.args.len()).filter_map(|i| s.word(i)).find(|w| !planes.contains(w));
+    let side = if s.word(0) == Some("ON") { 2 } else { 1 };
+    let other = (side..s.args.len()).filter_map(|i| s.word(i)).find(|w| !planes.contains(w));
     if let Some(other) = other {
         refuse(
             post,

@@ -1,0 +1,109 @@
+//! What the CL files of CAM systems say in ways of their own.
+
+use aptc_cldata::{Reader, Record, RecordReader};
+use aptc_post::{PostOptions, Posted, machine, post_all};
+
+const HEAD: &str =
+    "UNITS/MM\nCUTTER/6\nLOADTL/1\nSPINDL/3000,CLW\nCOOLNT/ON\nFEDRAT/500\nFROM/0,0,100\n";
+
+/// The text and findings for a machine, as the file is read.
+fn post(name: &str, text: &str) -> (String, Posted) {
+    let mut reader = Reader::open(text.as_bytes(), None).expect("text");
+    let (mut records, mut record) = (Vec::new(), Record::default());
+    while reader.read(&mut record).expect("text") {
+        records.push(record.clone());
+    }
+    assert!(!reader.into_diagnostics().iter().any(aptc_diagnostics::Diagnostic::is_error));
+    post_all(machine(name).expect("built in"), PostOptions::default(), &records)
+}
+
+/// The text; no errors allowed.
+fn good(name: &str, text: &str) -> String {
+    let (nc, posted) = post(name, text);
+    let errors: Vec<_> = posted.diagnostics.iter().filter(|d| d.is_error()).collect();
+    assert!(errors.is_empty(), "{errors:#?}\n{nc}");
+    nc
+}
+
+fn said(posted: &Posted, code: &str) -> Vec<String> {
+    let of = |d: &&aptc_diagnostics::Diagnostic| d.code.to_string() == code;
+    posted.diagnostics.iter().filter(of).map(|d| d.message.to_string()).collect()
+}
+
+#[test]
+fn a_cycle_comes_back_with_another_depth() {
+    let text = format!(
+        "{HEAD}RAPID\nGOTO/0,0,20\nCYCLE/DRILL,DEEP,STEP,4,CLEAR,2,FEDTO,-9,RTRCTO,AUTO,MMPM,80\n\
+         GOTO/10,0,0\nCYCLE/ON,FEDTO,-11,RTRCTO,AUTO\nGOTO/20,0,0\nCYCLE/OFF\nCYCLE/ON\nGOTO/30,0,0\n\
+         CYCLE/OFF\nFINI"
+    );
+    for name in ["linuxcnc-mill", "haas-vf", "siemens-840d-mill", "heidenhain-tnc"] {
+        let nc = good(name, &text);
+        let holes: Vec<&str> = nc
+            .lines()
+            .filter(|l| ["G83", "CYCLE83(", "Q201"].iter().any(|w| l.contains(w)))
+            .collect();
+        let depths: Vec<bool> = holes.iter().map(|l| l.contains("-11")).collect();
+        assert!(depths.first() == Some(&false) && depths.contains(&true), "{name}: {holes:?}");
+        assert!(holes[0].contains("-9"), "{name}: {holes:?}");
+        assert!(!nc.contains("X30. Y0. Z-9"), "{name}: the last depth holds\n{nc}");
+    }
+    let (_, posted) = post("haas-vf", &text.replace("CYCLE/ON,FEDTO,-11", "CYCLE/ON,WIDTH,-11"));
+    assert_eq!(said(&posted, "APT4006").len(), 1);
+}
+
+#[test]
+fn a_tap_has_its_pitch_for_a_feed() {
+    let text = format!(
+        "{HEAD}GOTO/0,0,20\nCYCLE/RIGID, DEPTH, 8, PITCH, 1.25, CLEAR, 12, RETURN, 12, RAPTO, 4\n\
+         GOTO/10,0,0\nCYCLE/OFF\nFINI"
+    );
+    let same = text.replace("RIGID", "TAP").replace("PITCH, 1.25", "MMPR, 1.25");
+    for name in ["fanuc-0i-mill", "siemens-840d-mill", "linuxcnc-mill"] {
+        assert_eq!(good(name, &text), good(name, &same));
+    }
+    let nc = good("fanuc-0i-mill", &text);
+    assert!(nc.contains("G84 X10. Y0. Z-8. R4."), "{nc}");
+}
+
+#[test]
+fn a_tool_named_again_is_not_changed_again() {
+    let text = HEAD.replace("LOADTL/1", "LOADTL/1\nLOADTL/1,ADJUST,7");
+    let nc = good("fanuc-0i-mill", &format!("{text}GOTO/1,2,3\nLOADTL/1\nGOTO/4,5,6\nFINI"));
+    assert_eq!(nc.matches("M6").count(), 2, "{nc}");
+    assert!(nc.contains("G43 H7") && nc.contains("G43 H1 "), "{nc}");
+}
+
+#[test]
+fn tools_that_share_an_offset_are_told() {
+    let cut = "SPINDL/3000,CLW\nGOTO/1,2,3\n";
+    let text = format!("{HEAD}GOTO/0,0,3\nLOADTL/8,ADJUST,1\n{cut}FINI");
+    for (name, n) in [("fanuc-0i-mill", 1), ("siemens-840d-mill", 0)] {
+        let (_, posted) = post(name, &text);
+        let said = said(&posted, "APT4031");
+        assert_eq!(said.len(), n, "{name}: {said:?}");
+        assert!(said.iter().all(|m| m.contains("offset 1 is that of tool 1 too")), "{said:?}");
+    }
+    let own = format!("{HEAD}GOTO/0,0,3\nLOADTL/8\n{cut}LOADTL/1\n{cut}FINI");
+    assert!(said(&post("fanuc-0i-mill", &own).1, "APT4031").is_empty());
+}
+
+#[test]
+fn another_coordinate_system_is_told() {
+    let same = "CSYS/1,0,0,5,0,1,0,6,0,0,1,7\n";
+    let text = format!("{same}{HEAD}GOTO/0,0,3\n{same}GOTO/1,0,3\n");
+    assert!(said(&post("haas-vf", &format!("{text}FINI")).1, "APT4030").is_empty());
+    let turned = "CSYS/0,-1,0,5,1,0,0,6,0,0,1,57\n";
+    let (_, posted) =
+        post("haas-vf", &format!("{text}{turned}GOTO/2,0,3\n{turned}GOTO/3,0,3\nFINI"));
+    let said = said(&posted, "APT4030");
+    assert_eq!(said.len(), 1);
+    assert!(said[0].contains("0,0,50") && said[0].contains("90 degrees"), "{said:?}");
+}
+
+#[test]
+fn compensation_is_switched_on_with_its_side() {
+    let path = "GOTO/0,0,3\nGOTO/5,0,3\nGOTO/5,5,3\nCUTCOM/OFF\nGOTO/0,5,3\nFINI";
+    let nc = good("haas-vf", &format!("{HEAD}CUTCOM/ON,RIGHT,4\n{path}"));
+    assert!(nc.contains("G42 D4"), "{nc}");
+}
