@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use aptc_cldata::Units;
-use aptc_diagnostics::Severity;
+use aptc_diagnostics::{Origin, Severity};
 use aptc_geometry::{Cutter, Plane, Transform, Vec3};
 use smol_str::SmolStr;
 
@@ -128,6 +128,8 @@ pub(crate) struct State {
     pub(crate) cutter: Option<Cutter>,
     pub(crate) cutcom: Option<(bool, u32)>,
     pub(crate) last_cutcom: Option<(bool, u32)>,
+    /// CUTCOM/ON whose side is to follow.
+    pub(crate) cutcom_asked: Option<Origin>,
     pub(crate) wear_defined: Vec<u32>,
     /// CLRSRF, in millimetres.
     pub(crate) clearance_mm: Option<Plane>,
@@ -211,6 +213,7 @@ impl State {
             cutter: None,
             cutcom: None,
             last_cutcom: None,
+            cutcom_asked: None,
             wear_defined: Vec::new(),
             clearance_mm: None,
             cycle: None,

@@ -107,3 +107,37 @@ fn compensation_is_switched_on_with_its_side() {
     let nc = good("haas-vf", &format!("{HEAD}CUTCOM/ON,RIGHT,4\n{path}"));
     assert!(nc.contains("G42 D4"), "{nc}");
 }
+
+#[test]
+fn words_of_cam_systems_that_say_nothing_to_the_machine() {
+    let path = "GOTO/0,0,3\nGOTO/5,0,3\nGOTO/5,5,3\nCUTCOM/OFF\nGOTO/0,5,3\nFINI";
+    let text = format!("{HEAD}CHANNEL,1\nOFSTNO/FIXTUR,1\nCUTCOM/ON\nCUTCOM/LEFT,OSETNO,1\n{path}");
+    let (nc, posted) = post("haas-vf", &text);
+    assert!(nc.contains("G41 D1"), "{nc}");
+    assert!(said(&posted, "APT4014").is_empty() && said(&posted, "APT4015").is_empty());
+    assert_eq!(said(&posted, "APT4013").len(), 2);
+    let (_, posted) = post("haas-vf", &text.replace("CUTCOM/LEFT", "$$ CUTCOM/LEFT"));
+    assert_eq!(said(&posted, "APT4015").len(), 1);
+    let (_, posted) = post("haas-vf", &text.replace("FIXTUR,1", "FIXTUR,2"));
+    assert_eq!(said(&posted, "APT4006").len(), 1);
+}
+
+#[test]
+fn a_tap_that_is_refused_says_why() {
+    let text = format!(
+        "{HEAD}MULTAX/ON\nGOTO/0,0,20,0,0,1\nCYCLE/TAP,DEPTH,8,MMPM,300,CLEAR,3,DWELL,1\n\
+         GOTO/10,0,0,0,0,1\nCYCLE/OFF\nFINI"
+    );
+    let (_, posted) = post("fanuc-31i-5axis", &text);
+    assert!(said(&posted, "APT4006")[0].ends_with("CYCLE/TAP with DWELL"));
+    let (_, posted) = post("fanuc-31i-5axis", &text.replace("0,0,0,0,1", "0,0,.6,0,.8"));
+    assert!(said(&posted, "APT4006")[0].contains("CYCLE/TAP while the tool leans"));
+}
+
+#[test]
+fn turns_at_constant_surface_speed_are_those_where_the_tool_is() {
+    let text = "UNITS/MM\nCUTTER/.8\nLOADTL/1\nSPINDL/60,SMM,CLW,MAXRPM,3000\nCOOLNT/ON\n\
+                FEDRAT/.2,MMPR\nGOTO/30,0,5\nGOTO/15,0,5\nDELAY/REV,10\nGOTO/30,0,5\nFINI";
+    // 60 m a minute at a diameter of 30 mm are 636.6 turns a minute.
+    assert!(good("linuxcnc-lathe", text).contains("G4 P0.942"), "{}", good("linuxcnc-lathe", text));
+}

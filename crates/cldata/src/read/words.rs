@@ -106,6 +106,7 @@ fn is_known(word: &str) -> bool {
                 | "ISN"
                 | "MOVE"
                 | "PPFUN"
+                | "OFSTNO"
                 | "CHANNEL"
         )
 }
