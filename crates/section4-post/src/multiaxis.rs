@@ -142,7 +142,12 @@ impl Post {
 
     /// Does the tool stand along its axis of the machine, as the rotary axes are now?
     pub(crate) fn along_tool(&self, ta: Vec3) -> bool {
-        let seen = self.st.chain.as_ref().map_or(ta, |c| c.turned(self.st.angles) * ta);
+        self.stands_along(ta, self.st.angles)
+    }
+
+    /// The same with the rotary axes at these angles.
+    pub(crate) fn stands_along(&self, ta: Vec3, angles: [f64; 2]) -> bool {
+        let seen = self.st.chain.as_ref().map_or(ta, |c| c.turned(angles) * ta);
         let mut axis = Vec3::zeros();
         axis[self.tool_along()] = 1.0;
         (seen - axis).norm() < 1e-6
