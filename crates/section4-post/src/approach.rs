@@ -167,7 +167,7 @@ impl Post {
     }
 
     /// How far above a place the tool meets the clearance plane, where that does not lie steep to it.
-    fn height_of_clearance(&self, over: Vec3, axis: Vec3) -> Option<f64> {
+    pub(crate) fn height_of_clearance(&self, over: Vec3, axis: Vec3) -> Option<f64> {
         let p = self.st.clearance()?;
         let slope = p.n.dot(&axis);
         (slope > 0.1).then(|| (p.d - p.n.dot(&over)) / slope)
