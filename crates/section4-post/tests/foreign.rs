@@ -123,6 +123,15 @@ fn words_of_cam_systems_that_say_nothing_to_the_machine() {
 }
 
 #[test]
+fn a_turret_is_loaded_and_a_retract_names_its_axis() {
+    let text = "UNITS/MM\nCUTTER/.8\nLOAD/TURRET,3,ADJUST,3\nSELECT/TURRET\nSPINDL/600,CLW\nCOOLNT/ON\n\
+                FEDRAT/.2,MMPR\nGOTO/30,0,5\nGOTO/15,0,5\nFINI";
+    assert!(good("fanuc-0i-lathe", text).contains("T0303"));
+    let text = format!("{HEAD}OPNAME 'x'\nGOTO/0,0,3\nRETRCT/ZAXIS\nGOTO/9,0,3\nFINI");
+    assert_eq!(good("haas-vf", &text), good("haas-vf", &text.replace("/ZAXIS", "")));
+}
+
+#[test]
 fn a_tap_that_is_refused_says_why() {
     let text = format!(
         "{HEAD}MULTAX/ON\nGOTO/0,0,20,0,0,1\nCYCLE/TAP,DEPTH,8,MMPM,300,CLEAR,3,DWELL,1\n\

@@ -168,7 +168,8 @@ pub(super) fn arc_word(state: &mut State, text: &[u8], word: &str, rest: &[u8]) 
         }
         _ => {}
     }
-    if matches!(word, "CW" | "CCW" | "ARC") && n.is_empty() {
+    // Alone these are modes of other systems; an arc that is left out would be cut straight.
+    if matches!(word, "CW" | "CCW" | "ARC") && n.is_empty() && couplets.list.is_empty() {
         return unread(state, text);
     }
     let help = "give centre, axis, radius and end as numbers";

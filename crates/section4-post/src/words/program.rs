@@ -83,7 +83,7 @@ impl Post {
     }
 }
 
-/// `OFSTNO/FIXTUR,n` of NX: the number of the zero, 1 for the first.
+/// `OFSTNO/FIXTUR,n` of NX, `MCSYS/NUM,n` of DMG: the number of the zero, 1 for the first.
 pub(super) fn ofstno(post: &mut Post, s: &Statement<'_>) {
     if s.first_number().is_some_and(|n| n <= 1.0) {
         let message = format!("{} is left out: the machine file has the first zero", s.written());

@@ -231,6 +231,8 @@ pub(super) fn select(post: &mut Post, s: &Statement<'_>) {
         if s.args.len() > 1 {
             ready(post, s, s.number(1));
         }
+    } else if s.word(0) == Some("TURRET") && s.args.len() == 1 {
+        // The turret turns by the tool change itself.
     } else {
         refuse(post, s, "only tools are selected here");
     }
