@@ -122,6 +122,22 @@ fn words_of_cam_systems_that_say_nothing_to_the_machine() {
     assert_eq!(said(&posted, "APT4006").len(), 1);
 }
 
+/// Fusion goes on from each hole at rapid to where the cycle left the tool, and may end there.
+#[test]
+fn a_rapid_motion_to_where_the_cycle_ended() {
+    let text = "MODE/MILL\nPARTNO/'1'\nUNITS/MM\nCUTTER/5., 0., 0., 0., 0., 59., 30.\nLOADTL/2, 0, 50., 2\n\
+                SPINDL/3000., RPM, CLW\nCOOLNT/ON\nRAPID\nGOTO/10., 10., 15.\n\
+                CYCLE/DRILL, 12., MMPM, 200., 15., RAPTO, 10.\nFEDRAT/200., MMPM\nGOTO/30., 10., -12.\n\
+                CYCLE/OFF\nRAPID\nGOTO/30., 10., 15.\nEND\nFINI";
+    for name in
+        ["haas-vf", "siemens-840d-mill", "heidenhain-tnc", "linuxcnc-mill", "fanuc-31i-5axis"]
+    {
+        let nc = good(name, text);
+        assert!(!nc.contains("-24"), "{name}: as deep again\n{nc}");
+    }
+    assert!(good("haas-vf", text).contains("G98 G81 X30. Y10. Z-12. R5. F200."));
+}
+
 #[test]
 fn a_turret_is_loaded_and_a_retract_names_its_axis() {
     let text = "UNITS/MM\nCUTTER/.8\nLOAD/TURRET,3,ADJUST,3\nSELECT/TURRET\nSPINDL/600,CLW\nCOOLNT/ON\n\

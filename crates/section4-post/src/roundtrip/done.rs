@@ -154,7 +154,10 @@ impl Checker {
                 return;
             }
         }
+        // A place that was reached before is said again: the height after a cycle.
+        let again = self.stands_at(end, axis);
         match self.queue.front_mut() {
+            None if again => {}
             None => self.say(format!("a motion to {} that the CL data does not have", shown(end))),
             Some(Expect::Hole(hole)) => {
                 let mut hole = hole.clone();
@@ -166,6 +169,13 @@ impl Checker {
             }
             Some(_) => self.toward(from, to, (end, axis), rapid),
         }
+    }
+
+    /// Does the tool stand there?
+    fn stands_at(&self, end: Vec3, axis: Vec3) -> bool {
+        self.at.is_some_and(|(at, ta)| {
+            (at - end).norm() <= 2.0 * self.linear && (ta - axis).norm() <= self.angular
+        })
     }
 
     /// A straight step towards the next position.
