@@ -3,7 +3,7 @@
 /// Who writes CL data so.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Dialect {
-    /// ISO 4343 text and what has no mark of its own: our `.cl`, Autodesk's common form, classic APT.
+    /// ISO 4343 text and what has no mark of its own: our `.cl`, classic APT.
     #[default]
     Iso,
     /// CATIA V5 aptsource.
@@ -16,6 +16,8 @@ pub enum Dialect {
     Camworks,
     /// DMG MORI's APT form: keyword couplets.
     Dmg,
+    /// Fusion, HSMWorks and Inventor CAM: their common APT form.
+    Fusion,
     /// NCL, PostWorks `.as`.
     Ncl,
     /// One JSON object a line.
@@ -28,13 +30,14 @@ pub enum Dialect {
 
 impl Dialect {
     /// All of them.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 11] = [
         Self::Iso,
         Self::Catia,
         Self::Nx,
         Self::Creo,
         Self::Camworks,
         Self::Dmg,
+        Self::Fusion,
         Self::Ncl,
         Self::Json,
         Self::Tape,
@@ -50,6 +53,7 @@ impl Dialect {
             Self::Creo => "creo",
             Self::Camworks => "camworks",
             Self::Dmg => "dmg",
+            Self::Fusion => "fusion",
             Self::Ncl => "ncl",
             Self::Json => "json",
             Self::Tape => "cltape",

@@ -9,6 +9,7 @@ mod creo;
 mod detect;
 mod encoding;
 mod fast;
+mod fusion;
 mod layout;
 mod nested;
 mod nx;

@@ -266,6 +266,26 @@ pub enum Relation {
     Pstan,
 }
 
+impl Kind {
+    /// May the record hold a length?
+    pub(crate) fn has_lengths(&self) -> bool {
+        match self {
+            Self::Motion(_)
+            | Self::Cutter(_)
+            | Self::Intol(_)
+            | Self::Outtol(_)
+            | Self::Edit(_)
+            | Self::Csys(_)
+            | Self::Fini => true,
+            Self::Post { word, args } => {
+                !matches!(word.as_str(), "MACHIN" | "PPWORD")
+                    && args.iter().any(|a| matches!(a, Arg::Number(_) | Arg::Form { .. }))
+            }
+            _ => false,
+        }
+    }
+}
+
 impl Position {
     /// Tool end with the axis straight up.
     pub fn upright(te: Vec3) -> Self {

@@ -119,6 +119,14 @@ fn circle_to_a_line() {
          (LINE/      0.00000,      0.00000,      2.00000,$\n      0.00000,     10.00000,      2.00000)\n",
         Some(Dialect::Catia),
     );
+    // A lathe: the circle lies in the zx plane though its start is as high as its centre.
+    is_arc(
+        "GOTO/20,0,-10\nINDIRV/0,0,-1\nTLON,GOFWD/(CIRCLE/30,0,-10,$\n10),ON,(LINE/30,0,-10,30,0,-20)\n",
+        Some(Dialect::Catia),
+        -Vec3::y(),
+        90.0,
+        Vec3::new(30.0, 0.0, -20.0),
+    );
     // More than half a turn: the second crossing; the other sense.
     is_arc(
         "GOTO/10,0,2\nINDIRV/0,-1,0\nTLON,GOFWD/(CIRCLE/0,0,2,10),ON,2,INTOF,$\n\

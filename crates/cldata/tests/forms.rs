@@ -306,3 +306,54 @@ fn unknown_words_are_told_once() {
     assert_eq!(told("TLCOMP", "line 4"), 1, "{said:?}");
     assert_eq!(said.len(), 3);
 }
+
+#[test]
+fn bottoms_of_holes_in_fusion() {
+    let head = "MODE/MILL\nPARTNO/'1'\nUNITS/MM\n";
+    let kinds = read(
+        &format!(
+            "{head}GOTO/0.,0.,15.\nCYCLE/DEEP, 12., INCR, 3., MMPM, 150., 15., RAPTO, 11., DWELL, .5\n\
+             FEDRAT/150., MMPM\nGOTO/5., 6., -12.\nGOTO/7., 6., -14.\nGOTO/8., 6., -14.\nCYCLE/OFF\n\
+             GOTO/1., 1., -12.\n"
+        ),
+        None,
+    );
+    let mut tops = vec![[0.0, 0.0, 15.0], [5.0, 6.0, 0.0], [7.0, 6.0, -2.0], [8.0, 6.0, -2.0]];
+    tops.push([1.0, 1.0, -12.0]);
+    assert_eq!(places(&kinds), tops);
+    let said: Vec<&[Arg]> = kinds
+        .iter()
+        .filter_map(|k| match k {
+            Kind::Post { word, args } if word == "CYCLE" => Some(args.as_slice()),
+            _ => None,
+        })
+        .collect();
+    // Feed begins at z 4 and the tool leaves at z 15, whatever the height of the top.
+    let cycle = |clear: f64, retract: f64| {
+        let mut list = vec![word("DEEP"), word("DEPTH"), number(12.0), word("STEP"), number(3.0)];
+        list.extend([word("MMPM"), number(150.0), word("CLEAR"), number(clear)]);
+        list.extend([word("RTRCTO"), number(retract), word("DWELL"), number(0.5)]);
+        list
+    };
+    assert_eq!(said, [cycle(4.0, 15.0).as_slice(), &cycle(6.0, 17.0), &[word("OFF")]]);
+
+    // Along a leaning tool axis, and with the words of other systems the point is the top.
+    let kinds = read(
+        &format!(
+            "{head}MULTAX/ON\nCYCLE/DRILL, 10., MMPM, 90., 40.\nGOTO/30., 0., 20., .6, 0., .8\nCYCLE/OFF\n"
+        ),
+        None,
+    );
+    assert_eq!(places(&kinds), [[36.0, 0.0, 28.0]]);
+    let cycle = args(&kinds, "CYCLE").unwrap();
+    assert_eq!(cycle[5..], [word("CLEAR"), number(-4.0), word("RTRCTO"), number(-4.0)]);
+    let words = "CYCLE/DRILL, FEDTO, 8, MMPM, 90, CLEAR, 15, RAPTO, 5\nGOTO/1, 2, 0\nCYCLE/OFF\n";
+    assert_eq!(places(&read(&format!("{head}{words}"), None)), [[1.0, 2.0, 0.0]]);
+    assert!(
+        args(&read(&format!("{head}{words}"), None), "CYCLE").unwrap().contains(&word("FEDTO"))
+    );
+    let bore =
+        "CYCLE/BORE, 5., MMPM, 90., 15., RAPTO, 10., ORIENT, 0\nGOTO/1., 2., -5.\nCYCLE/OFF\n";
+    let kinds = read(&format!("{head}{bore}"), None);
+    assert!(!args(&kinds, "CYCLE").unwrap().contains(&word("ORIENT")));
+}

@@ -30,6 +30,7 @@ fn statements_that_cannot_be_read_are_kept_and_told_with_their_line() {
         ("UNITS/MM\nCIRCLE/1,2,3,0,0,1,5,1,1,1\n", "APT3001", "line 2"),
         ("UNITS/FURLONGS\n", "APT3001", "line 1"),
         ("UNITS/MM\nMOVARC/1,2,3\n", "APT3001", "line 2"),
+        ("UNITS/MM\nGOTO/0,0,0\nARC/CLW,10,0,20,0\nGOTO/20,0,0\n", "APT3001", "line 3"),
         ("UNITS/MM\nTLON,GOFWD/(CIRCLE/1,2,3,4),ON,(LINE/1\n", "APT3001", "line 2"),
         ("UNITS/MM\nGODLTA/1,2,3\n", "APT3001", "line 2"),
         ("UNITS/MM\nGOTO/1,2,3\nGOTO/1,2,3,0,0,0\n", "APT3003", "line 3"),

@@ -4,7 +4,8 @@
 //! end on its path, X and Y of the part say nothing before that control is on, and Z alone is aslant of the tool
 //! after it. So the rotary axes turn where the tool is retracted, the tool goes across in the tilted plane, and with the
 //! plane off and the control on it comes to X, Y and Z of the part at once: with the rotary axes at rest and the place
-//! across reached, nothing but the axis along the tool moves.
+//! across reached, nothing but the axis along the tool moves. A head that leans without such control comes to a place
+//! high above on the tool's line first.
 
 use aptc_diagnostics::Origin;
 use aptc_geometry::Vec3;
@@ -43,12 +44,24 @@ impl Post {
         } else {
             self.enter_plane();
             let (tool_axis, but_tool_axis) = self.tool_axis_and_others();
-            self.rapid_block(&joints, but_tool_axis, origin);
+            let angles = [joints[3], joints[4]];
+            let mask = if self.tool_follows(axis, angles) {
+                self.rapid_block(&joints, but_tool_axis, origin);
+                tool_axis
+            } else {
+                // Down in Z alone a head that leans would go across its flank: so down in Z beside the tool's own
+                // line, high above, and from there along it.
+                let above = self.placed_above(over, axis, angles);
+                self.reach(&above, origin);
+                self.rapid_block(&above, but_tool_axis, origin);
+                self.rapid_block(&above, tool_axis, origin);
+                ALL
+            };
             self.tool_center_on();
             if down {
                 let way = self.down_to(over);
                 self.must_be_free(&way, axis, origin);
-                self.come_down(over, axis, te, &joints, (tool_axis, rapid), origin);
+                self.come_down(over, axis, te, &joints, (mask, rapid), origin);
             }
         }
         if down {
@@ -57,6 +70,13 @@ impl Post {
         }
         self.st.angles = [joints[3], joints[4]];
         self.st.placed = None;
+    }
+
+    /// Does the axis of the machine that comes down go along the tool? It does not with heads that lean where positions
+    /// are those of the axes; under a control that keeps the tool end on its path all axes come down together.
+    fn tool_follows(&self, axis: Vec3, angles: [f64; 2]) -> bool {
+        let m = &self.machine;
+        m.rotary.is_empty() || m.multiaxis.tool_center || self.stands_along(axis, angles)
     }
 
     /// Are positions those of the tool end beside axes that are not at zero?
@@ -147,7 +167,7 @@ impl Post {
     }
 
     /// How far above a place the tool meets the clearance plane, where that does not lie steep to it.
-    fn height_of_clearance(&self, over: Vec3, axis: Vec3) -> Option<f64> {
+    pub(crate) fn height_of_clearance(&self, over: Vec3, axis: Vec3) -> Option<f64> {
         let p = self.st.clearance()?;
         let slope = p.n.dot(&axis);
         (slope > 0.1).then(|| (p.d - p.n.dot(&over)) / slope)

@@ -6,6 +6,10 @@ use crate::emit::{FeedMode, FeedWord};
 use crate::post::Post;
 use crate::report::{AxisUse, Extent};
 
+/// Rapid motions up to this do not take the tool out of what it cuts, millimetres. Reading back takes 1e-6: what is
+/// written must not be bolder than what is asked for.
+const NOWHERE_MM: f64 = 0.01;
+
 impl Post {
     pub(crate) fn count_cut(&mut self, te: Vec3, length: f64, feed: FeedWord) {
         self.st.cut_last = true;
@@ -20,7 +24,7 @@ impl Post {
         };
         self.summary.cut_minutes += minutes;
         self.take_extent(te);
-        let speed = self.st.spindle.on.then_some(self.st.spindle.speed);
+        let speed = self.st.spindle.on.then(|| self.revolutions(te.x));
         let tool = self.tool_use();
         tool.minutes += minutes;
         tool.lowest = Some(tool.lowest.map_or(te.z, |z| z.min(te.z)));
@@ -33,8 +37,9 @@ impl Post {
     }
 
     pub(crate) fn count_rapid(&mut self, te: Vec3) {
-        self.st.cut_last = false;
         let length = self.distance(te);
+        // One that goes nowhere leaves the tool where the cut ended.
+        self.st.cut_last &= length * self.st.out_mm() <= NOWHERE_MM;
         let minutes = length * self.st.out_mm() / self.machine.rapid.feed;
         self.summary.rapid_length += length;
         self.summary.rapid_minutes += minutes;

@@ -88,7 +88,7 @@ impl Post {
             self.ready(origin);
         }
         let dwell = cycle.dwell.or_else(|| {
-            let per_second = self.st.spindle.speed / 60.0;
+            let per_second = self.revolutions_here().unwrap_or(0.0) / 60.0;
             cycle.dwell_rev.filter(|_| per_second > 0.0).map(|r| r / per_second)
         });
         if !self.machine.rotary.is_empty() && (self.st.ta - hole.ta).norm() > 1e-9 {
@@ -404,7 +404,15 @@ impl Post {
             "DRILL" | "FACE" | "CSINK" | "REAM" | "BORE" | "SPOT" => false,
             "DEEP" | "BRKCHP" => true,
             _ => {
-                let message = format!("{} has no cycle for CYCLE/{kind}", self.machine.name);
+                let mut message = format!("{} has no cycle for CYCLE/{kind}", self.machine.name);
+                if self.machine.cycles.contains_key(kind) {
+                    let upright = self.along_tool(hole.ta);
+                    message.push_str(match (upright, dwell.is_some()) {
+                        (false, _) => " while the tool leans in the frame of the axes",
+                        (true, true) => " with DWELL",
+                        (true, false) => " with these values",
+                    });
+                }
                 let help =
                     "write the motions of the hole instead, or choose a machine with the cycle";
                 self.error(codes::WORD_LACKING, origin, message, help);

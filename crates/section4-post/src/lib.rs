@@ -34,6 +34,7 @@ mod emit;
 mod feed;
 mod fit;
 mod fitting;
+mod frame;
 mod held;
 mod index;
 mod kinematics;

@@ -32,6 +32,9 @@ impl Pose {
     }
 }
 
+/// How far above the top of the stock the tool end is while rotary axes turn over, millimetres.
+const CLEAR_OF_STOCK_MM: f64 = 2.0;
+
 impl Post {
     /// Positions of the axes for a position of the tool; `None` after a refusal.
     #[inline]
@@ -142,7 +145,12 @@ impl Post {
 
     /// Does the tool stand along its axis of the machine, as the rotary axes are now?
     pub(crate) fn along_tool(&self, ta: Vec3) -> bool {
-        let seen = self.st.chain.as_ref().map_or(ta, |c| c.turned(self.st.angles) * ta);
+        self.stands_along(ta, self.st.angles)
+    }
+
+    /// The same with the rotary axes at these angles.
+    pub(crate) fn stands_along(&self, ta: Vec3, angles: [f64; 2]) -> bool {
+        let seen = self.st.chain.as_ref().map_or(ta, |c| c.turned(angles) * ta);
         let mut axis = Vec3::zeros();
         axis[self.tool_along()] = 1.0;
         (seen - axis).norm() < 1e-6
@@ -454,6 +462,17 @@ impl Post {
         Some(FeedWord { value: way / (length / feed.value).max(slowest), ..feed })
     }
 
+    /// How far the tool goes up along itself before the rotary axes turn over: at least `least`, to the clearance plane,
+    /// and above the top of the stock, where these do not lie steep to it.
+    fn clear_of(&self, at: &Pose, least: f64) -> f64 {
+        let plane = self.height_of_clearance(at.te, at.ta).unwrap_or(0.0);
+        let top = self.summary.stock.filter(|_| at.ta.z > 0.1).map_or(0.0, |[_, max]| {
+            let above = CLEAR_OF_STOCK_MM / self.st.out_mm();
+            (max[2] + above - at.te.z) / at.ta.z
+        });
+        least.max(plane).max(top)
+    }
+
     /// The rotary axes go over to another pair of angles while the tool is away from the part.
     fn wind_back(&mut self, from: &Pose, to: &Pose, rapid: bool, origin: &Origin) -> bool {
         let m = &self.machine.multiaxis;
@@ -469,13 +488,18 @@ impl Post {
             self.error(codes::WIND_BACK, origin, message, help);
             return false;
         }
-        let message = "the rotary axes are wound back with the tool retracted".to_string();
+        let retract = self.clear_of(from, retract).max(self.clear_of(to, retract));
+        let message = format!(
+            "the rotary axes are wound back with the tool retracted by {}",
+            trimmed(retract, 3)
+        );
         self.warn(codes::WIND_BACK, origin, message, "look at this place before cutting");
         let cut = FeedWord { mode: FeedMode::PerMinute, value: feed };
         let up = self.placed(from.te + from.ta * retract, from.ta, from.angles);
         let over = self.placed(to.te + to.ta * retract, to.ta, to.angles);
         for (pose, rapid) in [(up, false), (over, true), (*to, rapid)] {
             let joints = pose.joints();
+            self.reach(&joints, origin);
             let done = if rapid {
                 self.blocks.straight(MotionCode::Rapid, &joints, ALL, None)
             } else {

@@ -242,6 +242,13 @@ impl Post {
 
     fn record(&mut self, record: &Record) {
         let origin = &record.origin;
+        if self.st.cutcom_asked.is_some() {
+            let silent = matches!(record.kind, Kind::Comment(_));
+            let goes_on = matches!(&record.kind, Kind::Post { word, .. } if word == "CUTCOM");
+            if !silent && !goes_on {
+                self.no_side();
+            }
+        }
         match &record.kind {
             Kind::Motion(motion) => self.motion(motion, origin),
             Kind::Post { word, args } => {
@@ -269,8 +276,7 @@ impl Post {
                     self.end(origin);
                 }
             }
-            // Positions are taken in the frame in which they are given.
-            Kind::Csys(_) => {}
+            Kind::Csys(frame) => self.frame(frame, origin),
             Kind::Output(_) | Kind::Edit(_) | Kind::Clprnt(_) | Kind::Comment(_) => {}
             Kind::Unread(text) => {
                 let text: String = text.chars().take(40).collect();

@@ -3,8 +3,8 @@
 use std::collections::BTreeSet;
 
 use aptc_cldata::Units;
-use aptc_diagnostics::Severity;
-use aptc_geometry::{Cutter, Plane, Vec3};
+use aptc_diagnostics::{Origin, Severity};
+use aptc_geometry::{Cutter, Plane, Transform, Vec3};
 use smol_str::SmolStr;
 
 use crate::drill::DrillCycle;
@@ -115,7 +115,11 @@ pub(crate) struct State {
     pub(crate) coolant_again: bool,
     /// The same as `spindle_perhaps` of the coolant.
     pub(crate) coolant_perhaps: bool,
+    /// The coordinate system that the CL data named last.
+    pub(crate) frame: Option<Transform>,
     pub(crate) tool: Option<u32>,
+    /// Where the tool was when it was changed.
+    pub(crate) changed_at: Option<Vec3>,
     pub(crate) offset: Option<u32>,
     pub(crate) tool_length: Option<f64>,
     /// Tool numbers that LOADTL has given so far.
@@ -124,6 +128,8 @@ pub(crate) struct State {
     pub(crate) cutter: Option<Cutter>,
     pub(crate) cutcom: Option<(bool, u32)>,
     pub(crate) last_cutcom: Option<(bool, u32)>,
+    /// CUTCOM/ON whose side is to follow.
+    pub(crate) cutcom_asked: Option<Origin>,
     pub(crate) wear_defined: Vec<u32>,
     /// CLRSRF, in millimetres.
     pub(crate) clearance_mm: Option<Plane>,
@@ -197,7 +203,9 @@ impl State {
             last_coolant: None,
             coolant_again: false,
             coolant_perhaps: false,
+            frame: None,
             tool: None,
+            changed_at: None,
             offset: None,
             tool_length: None,
             n_loads: 0,
@@ -205,6 +213,7 @@ impl State {
             cutter: None,
             cutcom: None,
             last_cutcom: None,
+            cutcom_asked: None,
             wear_defined: Vec::new(),
             clearance_mm: None,
             cycle: None,

@@ -152,6 +152,17 @@ impl Post {
         self.count_cut(te, axial, feed);
     }
 
+    /// Revolutions a minute where the tool is; at constant surface speed they are known on a lathe only.
+    pub(crate) fn revolutions_here(&self) -> Option<f64> {
+        match self.st.pos {
+            _ if !self.st.spindle.surface => Some(self.st.spindle.speed),
+            Some(pos) if self.machine.kind == crate::MachineKind::Lathe => {
+                Some(self.revolutions(pos.x))
+            }
+            _ => None,
+        }
+    }
+
     /// Revolutions a minute; at constant surface speed those at a radius in output units.
     pub(crate) fn revolutions(&self, radius: f64) -> f64 {
         let s = self.st.spindle;

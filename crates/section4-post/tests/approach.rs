@@ -283,3 +283,48 @@ fn a_cut_that_goes_on_is_not_come_to_at_rapid() {
         "{nc}"
     );
 }
+
+/// A rapid motion that goes nowhere before the retract does not take the tool out of its cut.
+#[test]
+fn a_rapid_motion_of_no_length_does_not_end_a_cut() {
+    let cl = "UNITS/MM\nCUTTER/8\nLOADTL/2\nSPINDL/3000,CLW\nCOOLNT/ON\nFEDRAT/500\nGOTO/0,0,5\nGOTO/0,0,-2\n\
+              GOTO/9,0,-2\nRAPID\nGOTO/9,0,-2\nRETRCT\nGOTO/20,0,-2\nFINI";
+    for name in ["haas-vf", "linuxcnc-mill", "linuxcnc-5axis-head", "heidenhain-tnc"] {
+        let nc = good(name, cl);
+        let lines: Vec<&str> = nc.lines().collect();
+        let down =
+            lines.iter().rposition(|l| value(l, 'Z') == Some(-2.0)).expect("the last way down");
+        assert!(lines[down].contains('F') && !lines[down].contains("FMAX"), "{name} {nc}");
+        let m = machine(name).expect("built in");
+        let rapid = lines[down - 1].replace("Z+0", "Z-2").replace("Z0", "Z-2");
+        assert_ne!(rapid, lines[down - 1], "{name}");
+        let mut broken = lines.clone();
+        broken[down - 1] = &rapid;
+        let text = broken.join("\n");
+        let list = prove(m, &mut records(cl).into_iter(), &mut text.as_bytes()).expect("read").1;
+        assert!(list.iter().any(|d| d.message.contains("the last cut")), "{name} {list:?}\n{text}");
+    }
+}
+
+/// A head that leans without such control: the first motions down stand beside the tool's own line, high above; the last
+/// one goes along it.
+#[test]
+fn a_leaning_head_comes_down_along_its_tool() {
+    for way in ["RAPID\n", ""] {
+        let cl = program(&format!("{way}GOTO/0,0,0,.8,0,.6\nGOTO/10,0,0,.8,0,.6\n"));
+        let m = machine("linuxcnc-5axis-head").expect("built in");
+        let nc = good("linuxcnc-5axis-head", &cl);
+        // 230 mm from the centre of the head to the tool end, and 50 above.
+        let (above, down) = ("G0 X224 Y0 C0 B53.1301\nG43 H2 Z-62\n", "X184 Z-92");
+        assert!(nc.contains(above) && nc.contains(down), "{nc}");
+        let list = |text: &str| {
+            prove(m, &mut records(&cl).into_iter(), &mut text.as_bytes()).expect("it is read").1
+        };
+        assert!(list(&nc).is_empty(), "{:?}", list(&nc));
+        for x in ["G0 X184 Y0", "G0 X225 Y0"] {
+            let aslant = nc.replace("G0 X224 Y0", x);
+            assert_ne!(aslant, nc);
+            assert!(!list(&aslant).is_empty(), "{aslant}");
+        }
+    }
+}

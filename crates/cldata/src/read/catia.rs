@@ -7,11 +7,11 @@
 use aptc_geometry::{Circle, Plane, Transform, Vec3};
 
 use super::arcs::{self, EndPlane, Pending};
-use super::args;
 use super::comments::unit;
 use super::nested::{self, Nested, Part};
 use super::state::{Direction, State};
 use super::words::{unread, wrong};
+use super::{args, nx};
 use crate::Kind;
 
 const FORM: &str = "write INDIRV/i,j,k, then TLON,GOFWD/(CIRCLE/x,y,z,r),ON,(LINE/x,y,z,x,y,z)";
@@ -65,6 +65,20 @@ pub(super) fn comment(state: &mut State, text: &[u8]) -> bool {
         state.matrix = None;
         state.emit(Kind::Csys(frame));
     }
+    true
+}
+
+/// `ORIGIN/x,y,z,i,j,k,l,m,n`: the frame by origin, x and z axis.
+pub(super) fn origin(state: &mut State, rest: &[u8]) -> bool {
+    let numbers = args::all_numbers(rest);
+    let Some(&[x, y, z, i, j, k, l, m, n]) = numbers.as_ref().map(args::Numbers::get) else {
+        return false;
+    };
+    let (x_axis, z_axis) = (Vec3::new(i, j, k), Vec3::new(l, m, n));
+    let y_axis = z_axis.cross(&x_axis);
+    let frame = [x, y, z, i, j, k, y_axis.x, y_axis.y, y_axis.z];
+    let Some(frame) = nx::frame(&frame) else { return false };
+    state.emit(Kind::Csys(frame));
     true
 }
 
@@ -165,12 +179,13 @@ fn to_point(circle: &Circle, nth: u32, start: Vec3, to: Vec3) -> Option<(Circle,
     (crossings == nth.max(1) || near_half).then_some((*circle, to, sweep))
 }
 
-/// Axis of a CIRCLE without one: the normal of PSIS or z, whichever the start fits; else across the arm
-/// and the way ahead.
+/// Axis of a CIRCLE without one: the normal of PSIS or z, whichever start and way ahead fit; else across the
+/// arm and the way ahead. On lathes circles lie in the zx plane, and from their quadrants the start fits z too.
 fn axis(psis: Option<Plane>, m: &Move, arm: Vec3, ahead: Vec3) -> Option<Vec3> {
     let fits = |axis: Vec3| {
         let circle = Circle { center: Vec3::zeros(), axis, radius: m.radius };
         arcs::off_circle(&circle, arm).abs() <= 1e-2 * m.radius
+            && axis.dot(&ahead).abs() <= 0.5 * ahead.norm()
     };
     psis.map(|p| p.n)
         .filter(|n| fits(*n))

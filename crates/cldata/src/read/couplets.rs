@@ -103,6 +103,18 @@ pub(super) fn mcsys(state: &mut State, rest: &[u8]) -> bool {
     true
 }
 
+/// `MCS/i,j,k,l,m,n,o,p,q,x,y,z` of CAMplete: the frame by its three axes and its origin.
+pub(super) fn mcs(state: &mut State, rest: &[u8]) -> bool {
+    let numbers = args::all_numbers(rest);
+    let Some(&[i, j, k, l, m, n, _, _, _, x, y, z]) = numbers.as_ref().map(args::Numbers::get)
+    else {
+        return false;
+    };
+    let Some(frame) = nx::frame(&[x, y, z, i, j, k, l, m, n]) else { return false };
+    state.emit(Kind::Csys(frame));
+    true
+}
+
 /// ARC, ARCDAT, ARCMOV, GOCLW, GOCCLW, CW, CCW, HELICAL.
 pub(super) fn arc_word(state: &mut State, text: &[u8], word: &str, rest: &[u8]) {
     let couplets = Couplets::read(rest);
@@ -156,7 +168,8 @@ pub(super) fn arc_word(state: &mut State, text: &[u8], word: &str, rest: &[u8]) 
         }
         _ => {}
     }
-    if matches!(word, "CW" | "CCW" | "ARC") && n.is_empty() {
+    // Alone these are modes of other systems; an arc that is left out would be cut straight.
+    if matches!(word, "CW" | "CCW" | "ARC") && n.is_empty() && couplets.list.is_empty() {
         return unread(state, text);
     }
     let help = "give centre, axis, radius and end as numbers";

@@ -20,10 +20,18 @@ pub fn dialect(head: &[u8]) -> Dialect {
     if head.trim_ascii_start().first() == Some(&b'{') {
         return Dialect::Json;
     }
+    let mut last = Vec::new();
     for line in lines(head) {
-        if let Some(found) = by_line(&line.to_ascii_uppercase()) {
+        let line = line.to_ascii_uppercase();
+        if let Some(found) = by_line(&line) {
             return found;
         }
+        // MODE stands in many programs, but only here right before a PARTNO between quotes.
+        let mode = matches!(last.as_slice(), b"MODE/MILL" | b"MODE/TURN");
+        if mode && line.starts_with(b"PARTNO/'") {
+            return Dialect::Fusion;
+        }
+        last = line;
     }
     Dialect::Iso
 }
@@ -68,8 +76,8 @@ pub(super) fn marked(head: &[u8]) -> bool {
 
 /// What the head of a text says about the unit.
 pub(super) enum Unit {
-    /// It is stated, or will be.
-    Stated,
+    /// It is stated, or will be; the unit unless it is not known.
+    Stated(Option<Units>),
     /// Feeds are in this unit; lengths will be too.
     Feeds(Units),
     /// Nothing says it, and the system that wrote the file works in this unit if it is not told otherwise.
@@ -88,7 +96,8 @@ pub(super) fn unit(head: &[u8]) -> Unit {
         }
         let word = line.split(|b| *b == b'/').next().unwrap_or(&line).trim_ascii_end();
         if matches!(word, b"UNITS" | b"UNIT") {
-            return Unit::Stated;
+            let rest = memchr::memchr(b'/', &line).map_or(&b""[..], |slash| &line[slash + 1..]);
+            return Unit::Stated(super::words::unit_named(rest));
         }
         if !matches!(word, b"FEDRAT" | b"CYCLE" | b"TOOLNO") || feeds.is_some() {
             continue;
@@ -117,7 +126,7 @@ impl Unit {
     /// The unit to be stated before the first record, and what is to be said about it.
     pub(super) fn statement(&self) -> Option<(Option<Units>, Severity, &'static str)> {
         match self {
-            Self::Stated => None,
+            Self::Stated(_) => None,
             Self::Feeds(Units::Mm) => Some((
                 Some(Units::Mm),
                 Severity::Note,
@@ -152,6 +161,8 @@ mod tests {
             ("TOOL PATH/A,TOOL,B\n", Dialect::Nx),
             ("PARTNO/1\nUNIT/MM\nCSI_SET_FLUTE_LENGTH/4.\n", Dialect::Camworks),
             ("PARTNO/ 'x'\nOPNAME 'y'\n", Dialect::Dmg),
+            ("MODE/MILL\nPARTNO/'1001'\n", Dialect::Fusion),
+            ("MODE/MILL\nPARTNO 1001\n", Dialect::Iso),
             ("REMARK a.as  18-MAR-2019  NCLCAM 2018\n", Dialect::Ncl),
             ("{\"kind\"", Dialect::Json),
             ("", Dialect::Iso),
@@ -163,7 +174,7 @@ mod tests {
     #[test]
     fn units_by_feeds() {
         assert!(matches!(unit(b"FEDRAT/ 0.1,MMPR\n"), Unit::Feeds(Units::Mm)));
-        assert!(matches!(unit(b"FEDRAT/IPM,5\nUNIT/MM\n"), Unit::Stated));
+        assert!(matches!(unit(b"FEDRAT/IPM,5\nUNIT/MM\n"), Unit::Stated(Some(Units::Mm))));
         assert!(matches!(unit(b"$$ UNITS/MM\nGOTO/1,2,3\n"), Unit::Unknown));
     }
 }

@@ -56,6 +56,8 @@ pub(super) struct State {
     /// word that the editor makes into motion. The position before DEFSUB.
     pub(super) subprogram: Option<Option<Vec3>>,
     pub(super) called: bool,
+    /// A cycle whose points are the bottoms of holes.
+    pub(super) bottoms: Option<super::fusion::Cycle>,
 }
 
 /// The way of the tool at the start of an arc.
@@ -114,6 +116,7 @@ impl State {
             bare: false,
             subprogram: None,
             called: false,
+            bottoms: None,
         }
     }
 
@@ -176,12 +179,14 @@ impl State {
             && self.open.is_none()
             && self.matrix.is_none()
             && self.spline.is_empty()
+            && self.bottoms.is_none()
     }
 
     /// A plain point can be added to the open motion without a look at circles and marks.
     pub(super) fn takes_points(&self, with_axis: bool) -> bool {
         self.path.is_none()
             && self.pending.is_none()
+            && self.bottoms.is_none()
             && self.open.as_ref().is_some_and(|o| {
                 o.on.is_none()
                     && o.motion.with_axis == with_axis

@@ -18,6 +18,8 @@ pub struct TextReader<R> {
     state: State,
     /// Unit to be stated before the first record that is no text.
     unit: Option<Units>,
+    /// Is that the unit of a UNITS further down? Then nothing but a length wants it before.
+    stated: bool,
     /// Memory of the positions of a record that was given up.
     spare: Vec<Position>,
     ended: bool,
@@ -27,7 +29,7 @@ impl<R: Read> TextReader<R> {
     /// A reader of `input` in that dialect; `file` stands in the spans of its messages.
     pub fn new(input: R, dialect: Dialect, file: FileId) -> Self {
         let (scanner, state) = (Scanner::new(input), State::new(dialect, file));
-        Self { scanner, state, unit: None, spare: Vec::new(), ended: false }
+        Self { scanner, state, unit: None, stated: false, spare: Vec::new(), ended: false }
     }
 
     /// States the unit that the head of the file lets conclude, and says so.
@@ -36,6 +38,14 @@ impl<R: Read> TextReader<R> {
             let at = Place { line: 1, ..Place::default() };
             self.state.report.note(at, codes::CL_UNIT, severity, what);
             self.unit = unit;
+            self.state.units = unit;
+        }
+        // A CAM system has one unit for all of its file, wherever it states it; in a program of statements
+        // UNITS holds from where it stands.
+        if let detect::Unit::Stated(unit) = *unit
+            && self.state.dialect != Dialect::Iso
+        {
+            (self.unit, self.stated) = (unit, true);
             self.state.units = unit;
         }
     }
@@ -64,6 +74,7 @@ impl<R: Read> TextReader<R> {
                 self.unit = None;
                 None
             }
+            kind if self.stated && !kind.has_lengths() => None,
             _ => self.unit.take(),
         }
     }

@@ -8,7 +8,7 @@ use super::arcs::Pending;
 use super::args::{self, Numbers};
 use super::comments::unit;
 use super::state::{Direction, State};
-use super::{catia, comments, couplets, nx};
+use super::{catia, comments, couplets, fusion, nx};
 use crate::{Arg, Clprnt, Dialect, Edit, Kind, Output, Units, restore};
 
 /// Words whose statement is text to its end.
@@ -91,6 +91,7 @@ fn is_known(word: &str) -> bool {
                 | "TLDATA"
                 | "MSYS"
                 | "CSYS"
+                | "MCS"
                 | "UNIT"
                 | "GOCCLW"
                 | "GOCLW"
@@ -104,6 +105,9 @@ fn is_known(word: &str) -> bool {
                 | "MOVNRB"
                 | "ISN"
                 | "MOVE"
+                | "PPFUN"
+                | "OFSTNO"
+                | "CHANNEL"
         )
 }
 
@@ -173,6 +177,7 @@ fn word_statement(state: &mut State, text: &[u8], word: &SmolStr, rest: &[u8]) {
             motion(state, text, rest, false);
         }
         "ISN" if comments::line(state, true, rest) => {}
+        "CYCLE" if state.dialect == Dialect::Fusion && fusion::cycle(state, rest) => {}
         "MCSYS" if couplets::mcsys(state, rest) => {}
         "GOHOME" => gohome(state, word, rest),
         // The points of a MOVNRB stand after it as GOTO.
@@ -180,6 +185,8 @@ fn word_statement(state: &mut State, text: &[u8], word: &SmolStr, rest: &[u8]) {
             state.emit(Kind::Comment(format!(" {}", args::text(text)).into()));
         }
         "TLAXIS" if catia::tlaxis(state, rest) => {}
+        "ORIGIN" if state.dialect == Dialect::Catia && catia::origin(state, rest) => {}
+        "MCS" if couplets::mcs(state, rest) => {}
         "FINI" => fini(state),
         _ if state.dialect == Dialect::Nx && nx::statement(state, text, word, rest) => {}
         _ => post(state, word, rest),
@@ -329,6 +336,7 @@ fn goto(state: &mut State, n: &[f64], from: bool) {
     if state.spline.on {
         nx::end_spline(state);
     }
+    let te = if state.bottoms.is_some() { fusion::top(state, te, axis) } else { te };
     state.point(from, te, axis);
 }
 
@@ -355,18 +363,23 @@ fn godlta(state: &mut State, text: &[u8], rest: &[u8]) {
 }
 
 fn units(state: &mut State, text: &[u8], rest: &[u8]) {
-    let units = match args::upper(rest).as_str() {
-        "MM" => Units::Mm,
-        "CM" => Units::Cm,
-        "INCHES" | "INCH" | "IN" => Units::Inches,
-        "FEET" => Units::Feet,
-        _ => {
-            let help = "write UNITS/MM, CM, INCHES or FEET";
-            return wrong(state, text, "a unit that is not known", help);
-        }
+    let Some(units) = unit_named(rest) else {
+        let help = "write UNITS/MM, CM, INCHES or FEET";
+        return wrong(state, text, "a unit that is not known", help);
     };
     state.units = Some(units);
     state.emit(Kind::Units(units));
+}
+
+/// The unit behind UNITS.
+pub(super) fn unit_named(rest: &[u8]) -> Option<Units> {
+    match args::upper(rest).as_str() {
+        "MM" => Some(Units::Mm),
+        "CM" => Some(Units::Cm),
+        "INCHES" | "INCH" | "IN" => Some(Units::Inches),
+        "FEET" => Some(Units::Feet),
+        _ => None,
+    }
 }
 
 fn multax(state: &mut State, text: &[u8], rest: &[u8]) {
@@ -601,4 +614,5 @@ fn fini(state: &mut State) {
     state.pending = None;
     state.direction = None;
     (state.subprogram, state.called) = (None, false);
+    state.bottoms = None;
 }

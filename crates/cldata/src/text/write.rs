@@ -301,27 +301,9 @@ impl<W: Write> TextWriter<W> {
 
     /// Before the first length, UNITS must stand there.
     pub(crate) fn settle_units(&mut self, kind: &Kind) {
-        if self.units_at.is_some() && (has_lengths(kind) || self.buf.len() > BUFFER / 2) {
+        if self.units_at.is_some() && (kind.has_lengths() || self.buf.len() > BUFFER / 2) {
             self.state_units(self.options.units);
         }
-    }
-}
-
-/// May the record hold a length?
-fn has_lengths(kind: &Kind) -> bool {
-    match kind {
-        Kind::Motion(_)
-        | Kind::Cutter(_)
-        | Kind::Intol(_)
-        | Kind::Outtol(_)
-        | Kind::Edit(_)
-        | Kind::Csys(_)
-        | Kind::Fini => true,
-        Kind::Post { word, args } => {
-            !matches!(word.as_str(), "MACHIN" | "PPWORD")
-                && args.iter().any(|a| matches!(a, Arg::Number(_) | Arg::Form { .. }))
-        }
-        _ => false,
     }
 }
 

@@ -32,5 +32,7 @@ codes! {
     THREAD = 4027, "a thread that cannot be cut so";
     ARCS_FITTED = 4028, "arcs in place of short lines";
     INDEXED = 4029, "a turn of a table or head that cannot be";
+    OTHER_FRAME = 4030, "a coordinate system that changes within a file";
+    SHARED_OFFSET = 4031, "two tools with one length offset";
     STOCK_UNCHECKED = 4025, "motion that cannot be checked against the stock";
 }

@@ -42,7 +42,11 @@ impl Checker {
             "INSERT" | "PREFUN" => self.queue.push_back(Expect::Free),
             "CYCLE" => match s.word(0) {
                 Some("OFF" | "NOMORE") => self.cycle = None,
-                Some("ON") => self.cycle = self.last_cycle.clone(),
+                Some("ON") => {
+                    self.cycle =
+                        crate::words::cycle::again(self.last_cycle.as_ref(), s).ok().flatten();
+                    self.last_cycle.clone_from(&self.cycle);
+                }
                 Some("INIT" | "CLEAR") => {}
                 _ => {
                     self.cycle = crate::words::cycle::parse(s).ok();

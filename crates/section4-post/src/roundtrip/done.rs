@@ -5,8 +5,11 @@ use aptc_geometry::{Vec3, trig};
 use super::{Checker, Expect, Hole, Over, shown};
 use crate::approach::goes_up;
 use crate::kinematics::Chain;
-use crate::machine::{MachineKind, RapidPath};
+use crate::machine::{Carries, MachineKind, RapidPath};
 use crate::readback::{ArcStep, Frame, Place, Step};
+
+/// Rapid motions up to this have no length, millimetres.
+const NOWHERE_MM: f64 = 1e-6;
 
 impl Checker {
     fn pose(&mut self, place: &Place) -> Option<(Vec3, Vec3)> {
@@ -91,8 +94,10 @@ impl Checker {
         self.proof.position_mm = self.proof.position_mm.max((te - now).norm());
         let lean = ta.cross(&axis).norm().min(1.0);
         self.proof.axis_deg = self.proof.axis_deg.max(trig::asin(lean).to_degrees());
+        // A rapid motion of no length leaves the tool in its cut.
+        let stays = self.at.is_some_and(|(at, _)| (te - at).norm() <= NOWHERE_MM);
         self.at = Some((te, ta));
-        self.at_cut = cut;
+        self.at_cut = cut || self.at_cut && stays;
     }
 
     fn line(&mut self, from: &Place, to: &Place, rapid: bool) {
@@ -149,7 +154,10 @@ impl Checker {
                 return;
             }
         }
+        // A place that was reached before is said again: the height after a cycle.
+        let again = self.stands_at(end, axis);
         match self.queue.front_mut() {
+            None if again => {}
             None => self.say(format!("a motion to {} that the CL data does not have", shown(end))),
             Some(Expect::Hole(hole)) => {
                 let mut hole = hole.clone();
@@ -161,6 +169,13 @@ impl Checker {
             }
             Some(_) => self.toward(from, to, (end, axis), rapid),
         }
+    }
+
+    /// Does the tool stand there?
+    fn stands_at(&self, end: Vec3, axis: Vec3) -> bool {
+        self.at.is_some_and(|(at, ta)| {
+            (at - end).norm() <= 2.0 * self.linear && (ta - axis).norm() <= self.angular
+        })
     }
 
     /// A straight step towards the next position.
@@ -266,13 +281,15 @@ impl Checker {
         Some(Over { at, ta, known: false, angles: [to[3], to[4]] })
     }
 
-    /// Where the control keeps the tool end on its path: is the way here from home one down along the tool, with the
-    /// rotary axes at rest?
+    /// Where a control keeps the tool end on its path, or a head leans: is the way here from home one down along the
+    /// tool, with the rotary axes at rest?
     ///
     /// Then the linear axes of the machine go along the tool only, however the control leads a rapid motion: the
     /// place across was reached before, at the height of home or above this place.
     fn comes_down(&self, to: &Place, end: Vec3, axis: Vec3) -> bool {
-        if !self.machine.multiaxis.tool_center || self.machine.rotary.is_empty() {
+        let m = &self.machine;
+        // Tables without such control turn the part under a tool that comes down along itself.
+        if !m.multiaxis.tool_center && m.rotary.iter().all(|r| r.carries == Carries::Part) {
             return true;
         }
         let Some(over) = self.over.filter(|o| o.angles == [to[3], to[4]]) else { return false };
@@ -300,8 +317,12 @@ impl Checker {
     fn goes_on_cutting(&self) -> bool {
         let mills = self.machine.kind == MachineKind::Mill || self.machine.is_milling();
         let Some((at, axis)) = self.at.filter(|_| self.at_cut && mills) else { return false };
-        // What RETRCT asked for has been done by way of home.
-        let next = self.queue.iter().find(|e| !matches!(e, Expect::Clear | Expect::Tool { .. }));
+        // What RETRCT asked for has been done by way of home, and a rapid motion of no length ends no cut.
+        let next = self.queue.iter().find(|e| match e {
+            Expect::Clear | Expect::Tool { .. } => false,
+            Expect::Point { te, rapid: true, .. } => (te - at).norm() > NOWHERE_MM,
+            _ => true,
+        });
         match next {
             // Twice the angle that the writer allows: both compute it in units of their own.
             Some(Expect::Point { te, rapid: false, .. }) => !goes_up(te - at, axis, 2e-6),

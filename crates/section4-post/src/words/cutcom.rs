@@ -12,16 +12,22 @@ use crate::words::{bad_arguments, refuse};
 pub(super) fn cutcom(post: &mut Post, s: &Statement<'_>) {
     post.start(s.origin);
     post.annotate(s.origin);
+    if matches!(s.word(0), Some("LEFT" | "RIGHT")) {
+        post.st.cutcom_asked = None;
+    } else {
+        post.no_side();
+    }
     match s.word(0) {
         Some("OFF") => off(post, s),
+        // HSMWorks: `CUTCOM/ON,LEFT,d`.
+        Some("ON") if s.has("LEFT") != s.has("RIGHT") => {
+            on(post, s, s.has("LEFT"), s.first_number().and_then(whole));
+        }
         Some("ON") => match post.st.last_cutcom {
             Some((left, d)) => on(post, s, left, Some(d)),
             // Nothing was on before: ON without a side has nothing to bring back.
-            None => {
-                let message = "CUTCOM/ON has no earlier LEFT or RIGHT to bring back".to_string();
-                let help = "write CUTCOM/LEFT,d or CUTCOM/RIGHT,d";
-                post.warn(codes::COMPENSATION, s.origin, message, help);
-            }
+            // Fusion writes ON before each LEFT or RIGHT.
+            None => post.st.cutcom_asked = Some(s.origin.clone()),
         },
         Some("LEFT") => on(post, s, true, s.first_number().and_then(whole)),
         Some("RIGHT") => on(post, s, false, s.first_number().and_then(whole)),
@@ -33,6 +39,16 @@ pub(super) fn cutcom(post: &mut Post, s: &Statement<'_>) {
     }
 }
 
+impl Post {
+    /// `CUTCOM/ON` and no side behind it.
+    pub(crate) fn no_side(&mut self) {
+        let Some(origin) = self.st.cutcom_asked.take() else { return };
+        let message = "CUTCOM/ON has no earlier LEFT or RIGHT to bring back".to_string();
+        let help = "write CUTCOM/LEFT,d or CUTCOM/RIGHT,d";
+        self.warn(codes::COMPENSATION, &origin, message, help);
+    }
+}
+
 fn on(post: &mut Post, s: &Statement<'_>, left: bool, d: Option<u32>) {
     let comp = post.machine.compensation.clone();
     let template = if left { &comp.left } else { &comp.right };
@@ -41,7 +57,12 @@ fn on(post: &mut Post, s: &Statement<'_>, left: bool, d: Option<u32>) {
         return;
     }
     let planes = ["XYPLAN", "ZXPLAN", "YZPLAN"];
-    let other = (1..s.args.len()).filter_map(|i| s.word(i)).find(|w| !planes.contains(w));
+    // What stands before the number of the offset says nothing more.
+    let of_offset = ["OSETNO", "OFFSET", "ADJUST"];
+    let side = if s.word(0) == Some("ON") { 2 } else { 1 };
+    let other = (side..s.args.len())
+        .filter_map(|i| s.word(i))
+        .find(|w| !planes.contains(w) && !of_offset.contains(w));
     if let Some(other) = other {
         refuse(
             post,

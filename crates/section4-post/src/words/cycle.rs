@@ -8,7 +8,7 @@ use super::fedrat::unit;
 use crate::args::Statement;
 use crate::drill::DrillCycle;
 use crate::post::Post;
-use crate::state::Feedrate;
+use crate::state::{FeedUnit, Feedrate};
 use crate::words::refuse;
 
 /// Kinds of CYCLE that drill, with the name under which machine files have them.
@@ -27,6 +27,7 @@ const KINDS: &[(&str, &str)] = &[
     ("MILL", "MILL"),
     ("REAM", "REAM"),
     ("REVERS", "REVERS"),
+    ("RIGID", "TAP"),
     ("SHIFT", "SHIFT"),
     ("SPOT", "DRILL"),
     ("TAP", "TAP"),
@@ -53,7 +54,13 @@ pub(super) fn cycle(post: &mut Post, s: &Statement<'_>) {
                 let help = "write the cycle with its values, CYCLE/DRILL,DEPTH,d,CLEAR,c";
                 post.warn(codes::CYCLE_INCOMPLETE, s.origin, message, help);
             }
-            post.st.cycle = post.st.last_cycle.clone();
+            match again(post.st.last_cycle.as_ref(), s) {
+                Ok(cycle) => {
+                    post.st.last_cycle.clone_from(&cycle);
+                    post.st.cycle = cycle;
+                }
+                Err(refusal) => post.refuse_cycle(s, refusal),
+            }
             return;
         }
         // CAMWorks announces a cycle before it gives it.
@@ -69,8 +76,42 @@ pub(super) fn cycle(post: &mut Post, s: &Statement<'_>) {
             post.st.last_cycle = Some(cycle.clone());
             post.st.cycle = Some(cycle);
         }
-        Err(Refusal { code, message, help }) => post.error(code, s.origin, message, &help),
+        Err(refusal) => post.refuse_cycle(s, refusal),
     }
+}
+
+impl Post {
+    /// Holes under a cycle that is not understood are not drilled as the one before.
+    fn refuse_cycle(&mut self, s: &Statement<'_>, refusal: Refusal) {
+        let Refusal { code, message, help } = refusal;
+        self.error(code, s.origin, message, &help);
+    }
+}
+
+/// The cycle that `CYCLE/ON` brings back, with the values that stand behind ON (NX gives a new depth so).
+pub(crate) fn again(
+    last: Option<&DrillCycle>,
+    s: &Statement<'_>,
+) -> Result<Option<DrillCycle>, Refusal> {
+    let Some(last) = last else { return Ok(None) };
+    let v = gather(s, &last.kind, 1)?;
+    if !v.plain.is_empty() {
+        return Err(Refusal::arguments(s, "CYCLE/ON with a word before each value"));
+    }
+    let (near, far) = heights(&v);
+    let cycle = DrillCycle {
+        kind: last.kind.clone(),
+        depth: v.depth.map_or(last.depth, f64::abs),
+        clear: near.or(last.clear),
+        retract: v.retract.or(far).or(last.retract).filter(|_| !v.auto),
+        retract_auto: v.auto || last.retract_auto && v.retract.is_none(),
+        feed: v.feed.or(last.feed),
+        first_step: v.first_step.or(v.step).or(last.first_step),
+        step: v.step.or(v.first_step).or(last.step),
+        dwell: v.dwell.or(last.dwell),
+        dwell_rev: v.dwell_rev.or(last.dwell_rev),
+    };
+    checked(s, cycle).map(Some)
 }
 
 /// Why a cycle cannot be understood.
@@ -140,38 +181,22 @@ fn values(s: &Statement<'_>, kind: &str, from: usize) -> Result<DrillCycle, Refu
         && plain.len() >= 1
         && (plain.len() >= 2 || v.clear.or(v.rapto).is_some())
     {
-        feed =
-            plain.next().map(|value| Feedrate { value, unit: crate::state::FeedUnit::PerMinute });
+        feed = plain.next().map(|value| Feedrate { value, unit: FeedUnit::PerMinute });
     }
     let clear = v.clear.or(v.rapto).or_else(|| plain.next());
     if feed.is_none() && pecks {
-        feed =
-            plain.next().map(|value| Feedrate { value, unit: crate::state::FeedUnit::PerMinute });
+        feed = plain.next().map(|value| Feedrate { value, unit: FeedUnit::PerMinute });
     }
     let Some(depth) = depth else {
         let message = format!("{} has no depth", s.written());
         let help = format!("write CYCLE/{kind},DEPTH,d,CLEAR,c: d from the point down, c above it");
         return Err(Refusal::new(codes::CYCLE_INCOMPLETE, message, &help));
     };
-    // Where both stand, the feed begins at the nearer one and the tool ends at the farther one.
-    let (near, far) = match (v.clear, v.rapto) {
-        (Some(a), Some(b)) => (Some(a.min(b)), Some(a.max(b))),
-        _ => (clear, None),
-    };
-    let bad = [Some(depth), near, far, v.retract, step, v.first_step]
-        .into_iter()
-        .flatten()
-        .any(|n| !n.is_finite() || n.abs() > 1e9);
-    let negative = near.is_some_and(|c| c < 0.0);
-    if bad || negative {
-        let message = format!("{}: the clearance must not lie below the point", s.written());
-        let help = "give CLEAR,c upwards from the point";
-        return Err(Refusal::new(codes::CYCLE_INCOMPLETE, message, help));
-    }
-    Ok(DrillCycle {
+    let (near, far) = heights(&v);
+    let cycle = DrillCycle {
         kind: SmolStr::new(kind),
         depth: depth.abs(),
-        clear: near,
+        clear: near.or(clear),
         retract: v.retract.or(far),
         retract_auto: v.auto,
         feed,
@@ -179,7 +204,27 @@ fn values(s: &Statement<'_>, kind: &str, from: usize) -> Result<DrillCycle, Refu
         step: step.or(v.first_step),
         dwell: v.dwell,
         dwell_rev: v.dwell_rev,
-    })
+    };
+    checked(s, cycle)
+}
+
+/// Where CLEAR and RAPTO both stand, the feed begins at the nearer one and the tool ends at the farther one.
+fn heights(v: &Values) -> (Option<f64>, Option<f64>) {
+    match (v.clear, v.rapto) {
+        (Some(a), Some(b)) => (Some(a.min(b)), Some(a.max(b))),
+        (a, b) => (a.or(b), None),
+    }
+}
+
+fn checked(s: &Statement<'_>, cycle: DrillCycle) -> Result<DrillCycle, Refusal> {
+    let values = [Some(cycle.depth), cycle.clear, cycle.retract, cycle.step, cycle.first_step];
+    let bad = values.into_iter().flatten().any(|n| !n.is_finite() || n.abs() > 1e9);
+    if bad || cycle.clear.is_some_and(|c| c < 0.0) {
+        let message = format!("{}: the clearance must not lie below the point", s.written());
+        let help = "give CLEAR,c upwards from the point";
+        return Err(Refusal::new(codes::CYCLE_INCOMPLETE, message, help));
+    }
+    Ok(cycle)
 }
 
 fn gather(s: &Statement<'_>, kind: &str, from: usize) -> Result<Values, Refusal> {
@@ -224,6 +269,12 @@ fn gather(s: &Statement<'_>, kind: &str, from: usize) -> Result<Values, Refusal>
                 if w == kind || w == s.word(0).unwrap_or_default() {
                     // The kind said twice.
                     i += 1;
+                    continue;
+                }
+                // The pitch of a tap is its feed per revolution.
+                if let ("PITCH", Some(value)) = (w, number) {
+                    v.feed = Some(Feedrate { value, unit: FeedUnit::PerRevolution });
+                    i += 2;
                     continue;
                 }
                 let slot = match w {

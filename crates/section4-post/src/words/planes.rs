@@ -100,9 +100,10 @@ fn retract(post: &mut Post, s: &Statement<'_>) {
     }
 }
 
-/// `RETRCT`: as far as the machine goes.
+/// `RETRCT`, in NX `RETRCT/ZAXIS`: as far as the machine goes.
 pub(super) fn retrct(post: &mut Post, s: &Statement<'_>) {
-    if !s.args.is_empty() {
+    let along_z = s.args.len() == 1 && s.word(0) == Some("ZAXIS") && post.tool_along() == 2;
+    if !s.args.is_empty() && !along_z {
         refuse(post, s, "only RETRCT without arguments retracts here");
         return;
     }

@@ -56,12 +56,12 @@ pub(super) fn delay(post: &mut Post, s: &Statement<'_>) {
     post.start(s.origin);
     post.annotate(s.origin);
     let seconds = if s.has("REV") {
-        let speed = post.st.spindle.speed;
-        if !post.st.spindle.on || speed <= 0.0 {
+        let speed = post.revolutions_here().filter(|_| post.st.spindle.on);
+        let Some(speed) = speed.filter(|rpm| *rpm > 0.0) else {
             let message = format!("{}: the spindle speed is not known", s.written());
             post.error(codes::POST_ARGUMENTS, s.origin, message, "write SPINDL/n before it");
             return;
-        }
+        };
         t * 60.0 / speed
     } else {
         t
@@ -80,6 +80,16 @@ impl Post {
         }
         self.summary.cut_minutes += seconds / 60.0;
         self.tool_use().minutes += seconds / 60.0;
+    }
+}
+
+/// `OFSTNO/FIXTUR,n` of NX, `MCSYS/NUM,n` of DMG: the number of the zero, 1 for the first.
+pub(super) fn ofstno(post: &mut Post, s: &Statement<'_>) {
+    if s.first_number().is_some_and(|n| n <= 1.0) {
+        let message = format!("{} is left out: the machine file has the first zero", s.written());
+        post.note(codes::WORD_IGNORED, s.origin, message, "");
+    } else {
+        refuse(post, s, "there is one zero; post what stands at each zero by itself");
     }
 }
 

@@ -11,7 +11,7 @@ use crate::post::Post;
 use crate::report::ToolUse;
 use crate::words::{bad_arguments, refuse};
 
-/// `LOADTL/n[,LENGTH,l][,ADJUST|OFFSET|OSETNO,h]`, and by places `LOADTL/n,p,l[,h]`.
+/// `LOADTL/n[,LENGTH,l][,ADJUST|OFFSET|OSETNO,h]`, and by places `LOADTL/n,p,l[,h[,d]]`.
 pub(super) fn loadtl(post: &mut Post, s: &Statement<'_>) {
     change(post, s, 0);
 }
@@ -46,7 +46,6 @@ fn change(post: &mut Post, s: &Statement<'_>, at: usize) {
         return;
     }
     post.leave_cycle();
-    post.held_over_change(tool, &s.written(), s.origin);
     let said = loaded(s, at);
     let offset = said.offset.unwrap_or(tool);
     post.st.tool_length = said.length.or(post.st.tool_length);
@@ -58,6 +57,17 @@ fn change(post: &mut Post, s: &Statement<'_>, at: usize) {
     }
     let next = post.options.tools.get(post.st.n_loads + 1).copied();
     post.st.n_loads += 1;
+    if post.just_changed(tool) {
+        // CATIA names the tool at its change, and again with its compensation where the operation begins.
+        if let Some(offset) = said.offset {
+            post.st.offset = Some(offset);
+            post.length_words();
+            post.tool_use().offset = Some(offset);
+            post.own_offset(tool, offset, s);
+        }
+        return;
+    }
+    post.held_over_change(tool, &s.written(), s.origin);
     let next = next.filter(|n| *n != tool).map_or(String::new(), |n| n.to_string());
     let machine = Arc::clone(&post.machine);
     let comment = std::mem::take(&mut post.st.tool_comment);
@@ -89,6 +99,8 @@ fn change(post: &mut Post, s: &Statement<'_>, at: usize) {
     post.st.placed = None;
     post.st.away = machine.program.start_retracts;
     post.st.tool = Some(tool);
+    post.st.changed_at = post.st.pos;
+    post.own_offset(tool, offset, s);
     post.st.spindle_again = post.st.spindle.on;
     post.st.coolant_again = post.st.coolant.is_some();
     (post.st.spindle_perhaps, post.st.spindle_oriented, post.st.coolant_perhaps) =
@@ -125,7 +137,9 @@ pub(crate) fn loaded(s: &Statement<'_>, at: usize) -> Loaded {
     let mut args = s.args.get(at + 1..).unwrap_or_default();
     if s.word == "LOADTL" {
         match args {
-            [Arg::Number(_), Arg::Number(length), Arg::Number(offset)] => {
+            // MANUSpost has the offset of the radius behind them.
+            [Arg::Number(_), Arg::Number(length), Arg::Number(offset)]
+            | [Arg::Number(_), Arg::Number(length), Arg::Number(offset), Arg::Number(_)] => {
                 (said.length, said.offset, args) = (Some(*length), whole(*offset), &[]);
             }
             [Arg::Number(_), Arg::Number(length)] => (said.length, args) = (Some(*length), &[]),
@@ -159,6 +173,37 @@ pub(crate) fn loaded(s: &Statement<'_>, at: usize) -> Loaded {
 }
 
 impl Post {
+    /// Has this tool come in and not moved since?
+    fn just_changed(&self, tool: u32) -> bool {
+        let idle = self
+            .summary
+            .tools
+            .last()
+            .is_some_and(|t| t.number == Some(tool) && t.minutes <= 0.0 && t.lowest.is_none());
+        idle && self.st.tool == Some(tool)
+            && self.st.changed_at == self.st.pos
+            && self.st.away == self.machine.program.start_retracts
+    }
+
+    /// Warns when another tool has this length offset: CAM systems give each tool the number 1 if none is said.
+    fn own_offset(&mut self, tool: u32, offset: u32, s: &Statement<'_>) {
+        let machine = &self.machine;
+        let words = [&machine.compensation.length, &machine.multiaxis.tool_center_on];
+        let by_number = words.into_iter().chain(&machine.program.tool_change);
+        let by_number = by_number.into_iter().any(|words| words.contains("{offset"));
+        let other = |t: &ToolUse| t.offset == Some(offset) && t.number.is_some_and(|n| n != tool);
+        let Some(other) = self.summary.tools.iter().find(|t| other(t)).and_then(|t| t.number)
+        else {
+            return;
+        };
+        if by_number {
+            let message =
+                format!("{}: length offset {offset} is that of tool {other} too", s.written());
+            let help = "leave ADJUST out, so that each tool has the offset of its own number, or give each its own";
+            self.warn(codes::SHARED_OFFSET, s.origin, message, help);
+        }
+    }
+
     /// The length offset comes with the next motion along Z.
     pub(crate) fn length_words(&mut self) {
         let Some(offset) = self.st.offset else { return };
@@ -186,6 +231,8 @@ pub(super) fn select(post: &mut Post, s: &Statement<'_>) {
         if s.args.len() > 1 {
             ready(post, s, s.number(1));
         }
+    } else if s.word(0) == Some("TURRET") && s.args.len() == 1 {
+        // The turret turns by the tool change itself.
     } else {
         refuse(post, s, "only tools are selected here");
     }

@@ -1,0 +1,168 @@
+//! What the CL files of CAM systems say in ways of their own.
+
+use aptc_cldata::{Reader, Record, RecordReader};
+use aptc_post::{PostOptions, Posted, machine, post_all};
+
+const HEAD: &str =
+    "UNITS/MM\nCUTTER/6\nLOADTL/1\nSPINDL/3000,CLW\nCOOLNT/ON\nFEDRAT/500\nFROM/0,0,100\n";
+
+/// The text and findings for a machine, as the file is read.
+fn post(name: &str, text: &str) -> (String, Posted) {
+    let mut reader = Reader::open(text.as_bytes(), None).expect("text");
+    let (mut records, mut record) = (Vec::new(), Record::default());
+    while reader.read(&mut record).expect("text") {
+        records.push(record.clone());
+    }
+    assert!(!reader.into_diagnostics().iter().any(aptc_diagnostics::Diagnostic::is_error));
+    post_all(machine(name).expect("built in"), PostOptions::default(), &records)
+}
+
+/// The text; no errors allowed.
+fn good(name: &str, text: &str) -> String {
+    let (nc, posted) = post(name, text);
+    let errors: Vec<_> = posted.diagnostics.iter().filter(|d| d.is_error()).collect();
+    assert!(errors.is_empty(), "{errors:#?}\n{nc}");
+    nc
+}
+
+fn said(posted: &Posted, code: &str) -> Vec<String> {
+    let of = |d: &&aptc_diagnostics::Diagnostic| d.code.to_string() == code;
+    posted.diagnostics.iter().filter(of).map(|d| d.message.to_string()).collect()
+}
+
+#[test]
+fn a_cycle_comes_back_with_another_depth() {
+    let text = format!(
+        "{HEAD}RAPID\nGOTO/0,0,20\nCYCLE/DRILL,DEEP,STEP,4,CLEAR,2,FEDTO,-9,RTRCTO,AUTO,MMPM,80\n\
+         GOTO/10,0,0\nCYCLE/ON,FEDTO,-11,RTRCTO,AUTO\nGOTO/20,0,0\nCYCLE/OFF\nCYCLE/ON\nGOTO/30,0,0\n\
+         CYCLE/OFF\nFINI"
+    );
+    for name in ["linuxcnc-mill", "haas-vf", "siemens-840d-mill", "heidenhain-tnc"] {
+        let nc = good(name, &text);
+        let holes: Vec<&str> = nc
+            .lines()
+            .filter(|l| ["G83", "CYCLE83(", "Q201"].iter().any(|w| l.contains(w)))
+            .collect();
+        let depths: Vec<bool> = holes.iter().map(|l| l.contains("-11")).collect();
+        assert!(depths.first() == Some(&false) && depths.contains(&true), "{name}: {holes:?}");
+        assert!(holes[0].contains("-9"), "{name}: {holes:?}");
+        assert!(!nc.contains("X30. Y0. Z-9"), "{name}: the last depth holds\n{nc}");
+    }
+    let (_, posted) = post("haas-vf", &text.replace("CYCLE/ON,FEDTO,-11", "CYCLE/ON,WIDTH,-11"));
+    assert_eq!(said(&posted, "APT4006").len(), 1);
+}
+
+#[test]
+fn a_tap_has_its_pitch_for_a_feed() {
+    let text = format!(
+        "{HEAD}GOTO/0,0,20\nCYCLE/RIGID, DEPTH, 8, PITCH, 1.25, CLEAR, 12, RETURN, 12, RAPTO, 4\n\
+         GOTO/10,0,0\nCYCLE/OFF\nFINI"
+    );
+    let same = text.replace("RIGID", "TAP").replace("PITCH, 1.25", "MMPR, 1.25");
+    for name in ["fanuc-0i-mill", "siemens-840d-mill", "linuxcnc-mill"] {
+        assert_eq!(good(name, &text), good(name, &same));
+    }
+    let nc = good("fanuc-0i-mill", &text);
+    assert!(nc.contains("G84 X10. Y0. Z-8. R4."), "{nc}");
+}
+
+#[test]
+fn a_tool_named_again_is_not_changed_again() {
+    let text = HEAD.replace("LOADTL/1", "LOADTL/1\nLOADTL/1,ADJUST,7");
+    let nc = good("fanuc-0i-mill", &format!("{text}GOTO/1,2,3\nLOADTL/1\nGOTO/4,5,6\nFINI"));
+    assert_eq!(nc.matches("M6").count(), 2, "{nc}");
+    assert!(nc.contains("G43 H7") && nc.contains("G43 H1 "), "{nc}");
+}
+
+#[test]
+fn tools_that_share_an_offset_are_told() {
+    let cut = "SPINDL/3000,CLW\nGOTO/1,2,3\n";
+    let text = format!("{HEAD}GOTO/0,0,3\nLOADTL/8,ADJUST,1\n{cut}FINI");
+    for (name, n) in [("fanuc-0i-mill", 1), ("siemens-840d-mill", 0)] {
+        let (_, posted) = post(name, &text);
+        let said = said(&posted, "APT4031");
+        assert_eq!(said.len(), n, "{name}: {said:?}");
+        assert!(said.iter().all(|m| m.contains("offset 1 is that of tool 1 too")), "{said:?}");
+    }
+    let own = format!("{HEAD}GOTO/0,0,3\nLOADTL/8\n{cut}LOADTL/1\n{cut}FINI");
+    assert!(said(&post("fanuc-0i-mill", &own).1, "APT4031").is_empty());
+}
+
+#[test]
+fn another_coordinate_system_is_told() {
+    let same = "CSYS/1,0,0,5,0,1,0,6,0,0,1,7\n";
+    let text = format!("{same}{HEAD}GOTO/0,0,3\n{same}GOTO/1,0,3\n");
+    assert!(said(&post("haas-vf", &format!("{text}FINI")).1, "APT4030").is_empty());
+    let turned = "CSYS/0,-1,0,5,1,0,0,6,0,0,1,57\n";
+    let (_, posted) =
+        post("haas-vf", &format!("{text}{turned}GOTO/2,0,3\n{turned}GOTO/3,0,3\nFINI"));
+    let said = said(&posted, "APT4030");
+    assert_eq!(said.len(), 1);
+    assert!(said[0].contains("0,0,50") && said[0].contains("90 degrees"), "{said:?}");
+}
+
+#[test]
+fn compensation_is_switched_on_with_its_side() {
+    let path = "GOTO/0,0,3\nGOTO/5,0,3\nGOTO/5,5,3\nCUTCOM/OFF\nGOTO/0,5,3\nFINI";
+    let nc = good("haas-vf", &format!("{HEAD}CUTCOM/ON,RIGHT,4\n{path}"));
+    assert!(nc.contains("G42 D4"), "{nc}");
+}
+
+#[test]
+fn words_of_cam_systems_that_say_nothing_to_the_machine() {
+    let path = "GOTO/0,0,3\nGOTO/5,0,3\nGOTO/5,5,3\nCUTCOM/OFF\nGOTO/0,5,3\nFINI";
+    let text = format!("{HEAD}CHANNEL,1\nOFSTNO/FIXTUR,1\nCUTCOM/ON\nCUTCOM/LEFT,OSETNO,1\n{path}");
+    let (nc, posted) = post("haas-vf", &text);
+    assert!(nc.contains("G41 D1"), "{nc}");
+    assert!(said(&posted, "APT4014").is_empty() && said(&posted, "APT4015").is_empty());
+    assert_eq!(said(&posted, "APT4013").len(), 2);
+    let (_, posted) = post("haas-vf", &text.replace("CUTCOM/LEFT", "$$ CUTCOM/LEFT"));
+    assert_eq!(said(&posted, "APT4015").len(), 1);
+    let (_, posted) = post("haas-vf", &text.replace("FIXTUR,1", "FIXTUR,2"));
+    assert_eq!(said(&posted, "APT4006").len(), 1);
+}
+
+/// Fusion goes on from each hole at rapid to where the cycle left the tool, and may end there.
+#[test]
+fn a_rapid_motion_to_where_the_cycle_ended() {
+    let text = "MODE/MILL\nPARTNO/'1'\nUNITS/MM\nCUTTER/5., 0., 0., 0., 0., 59., 30.\nLOADTL/2, 0, 50., 2\n\
+                SPINDL/3000., RPM, CLW\nCOOLNT/ON\nRAPID\nGOTO/10., 10., 15.\n\
+                CYCLE/DRILL, 12., MMPM, 200., 15., RAPTO, 10.\nFEDRAT/200., MMPM\nGOTO/30., 10., -12.\n\
+                CYCLE/OFF\nRAPID\nGOTO/30., 10., 15.\nEND\nFINI";
+    for name in
+        ["haas-vf", "siemens-840d-mill", "heidenhain-tnc", "linuxcnc-mill", "fanuc-31i-5axis"]
+    {
+        let nc = good(name, text);
+        assert!(!nc.contains("-24"), "{name}: as deep again\n{nc}");
+    }
+    assert!(good("haas-vf", text).contains("G98 G81 X30. Y10. Z-12. R5. F200."));
+}
+
+#[test]
+fn a_turret_is_loaded_and_a_retract_names_its_axis() {
+    let text = "UNITS/MM\nCUTTER/.8\nLOAD/TURRET,3,ADJUST,3\nSELECT/TURRET\nSPINDL/600,CLW\nCOOLNT/ON\n\
+                FEDRAT/.2,MMPR\nGOTO/30,0,5\nGOTO/15,0,5\nFINI";
+    assert!(good("fanuc-0i-lathe", text).contains("T0303"));
+    let text = format!("{HEAD}OPNAME 'x'\nGOTO/0,0,3\nRETRCT/ZAXIS\nGOTO/9,0,3\nFINI");
+    assert_eq!(good("haas-vf", &text), good("haas-vf", &text.replace("/ZAXIS", "")));
+}
+
+#[test]
+fn a_tap_that_is_refused_says_why() {
+    let text = format!(
+        "{HEAD}MULTAX/ON\nGOTO/0,0,20,0,0,1\nCYCLE/TAP,DEPTH,8,MMPM,300,CLEAR,3,DWELL,1\n\
+         GOTO/10,0,0,0,0,1\nCYCLE/OFF\nFINI"
+    );
+    let (_, posted) = post("fanuc-31i-5axis", &text);
+    assert!(said(&posted, "APT4006")[0].ends_with("CYCLE/TAP with DWELL"));
+    let (_, posted) = post("fanuc-31i-5axis", &text.replace("0,0,0,0,1", "0,0,.6,0,.8"));
+    assert!(said(&posted, "APT4006")[0].contains("CYCLE/TAP while the tool leans"));
+}
+
+#[test]
+fn turns_at_constant_surface_speed_are_those_where_the_tool_is() {
+    let text = "UNITS/MM\nCUTTER/.8\nLOADTL/1\nSPINDL/60,SMM,CLW,MAXRPM,3000\nCOOLNT/ON\n\
+                FEDRAT/.2,MMPR\nGOTO/30,0,5\nGOTO/15,0,5\nDELAY/REV,10\nGOTO/30,0,5\nFINI";
+    // 60 m a minute at a diameter of 30 mm are 636.6 turns a minute.
+    assert!(good("linuxcnc-lathe", text).contains("G4 P0.942"), "{}", good("linuxcnc-lathe", text));
+}
