@@ -26,6 +26,7 @@ impl Arelem {
         out: &mut Vec<cl::Record>,
     ) -> Outcome {
         if self.poisoned {
+            self.settings.given.clear();
             return Outcome::Failed;
         }
         let tool = match self.tool {
@@ -83,11 +84,11 @@ impl Arelem {
         d: &protap::Drive,
         out: &mut Vec<cl::Record>,
     ) -> Outcome {
+        self.settings.given.clear();
         if self.poisoned {
             return Outcome::Failed;
         }
         let Some(tool) = self.tool else { return self.fail(origin, &Failure::NoPosition) };
-        self.settings.given = None;
         let part = self.part(&tool);
         let checks = d.checks.iter().map(|c| &c.surface);
         self.need_cutter(origin, [&d.drive, &part].into_iter().chain(checks));

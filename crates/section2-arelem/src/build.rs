@@ -11,7 +11,7 @@ use crate::arelem::Arelem;
 use crate::axis::AxisRule;
 use crate::failure::Failure;
 use crate::scene::{Check, Limits, Scene, Stance, Start, Wall};
-use crate::state::{Band, Given, Part, Role, Tool, plane_ref, unit};
+use crate::state::{Band, Part, Role, Tool, plane_ref, unit};
 
 impl Arelem {
     pub(crate) fn start_scene(&mut self, go: &protap::Go, tool: Tool) -> Result<Start, Failure> {
@@ -27,13 +27,8 @@ impl Arelem {
         } else {
             None
         };
-        let along = match self.settings.given.take() {
-            None => Vec::new(),
-            Some(Given::Vectors(v)) => v.into_iter().map(|v| v.and_then(unit)).collect(),
-            Some(Given::Points(p)) => {
-                p.into_iter().map(|p| p.and_then(|p| unit(p - tool.te))).collect()
-            }
-        };
+        let given = std::mem::take(&mut self.settings.given);
+        let along = given.into_iter().map(|v| v.and_then(unit)).collect();
         let normals = std::mem::take(&mut self.settings.normals);
         let axis = AxisRule::of(&self.settings.axis);
         let thick = self.settings.thick.iter().any(|t| *t != 0.0);

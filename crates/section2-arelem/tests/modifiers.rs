@@ -259,6 +259,30 @@ fn start_ups_to_one_two_and_three_surfaces() {
     }
 }
 
+/// INDIRP is a direction from where the tool stands then; either word holds up to the next motion along surfaces, whatever moves
+/// the tool between: as APT-360.
+#[test]
+fn a_direction_waits_for_the_next_motion_along_surfaces() {
+    let start = "CUTTER/1\nINTOL/0\nOUTTOL/1E-12\nFROM/0,-3,5\n";
+    let plane = |text: &str, end: [f64; 3]| {
+        let at = run(&forms(), &format!("{start}{text}")).clean().end();
+        assert!((at - Vec3::from(end)).norm() < 1e-9, "{text}: {at:?}");
+    };
+    for sense in ["INDIRV/1,1,0", "INDIRP/2,-1,5"] {
+        for (between, x) in [
+            ("GOTO/1,-4.5,3", 5.0),
+            ("GODLTA/0,-1,0", 3.5),
+            ("FROM/7,-1.5,0", 8.0),
+            ("GOTO/9,9,9\nGODLTA/-9,-9,-9\nGOTO/0,-2.5,0", 2.0),
+        ] {
+            plane(&format!("{sense}\n{between}\nGO/TO,LX,TO,PL2"), [x, -0.5, 2.0]);
+        }
+        // It serves once, here a motion whose way the GODLTA before it says.
+        let along = "GO/TO,LX\nINDIRV/-1,1,0\nGODLTA/1,0,0\nTLRGT,GOFWD/LX,ON,L20\n";
+        plane(&format!("{sense}\n{along}GOTO/0,-3,5\nGO/TO,LX,TO,PL2"), [0.0, -0.5, 2.0]);
+    }
+}
+
 #[test]
 fn a_direction_guides_a_start_at_other_surfaces_from_the_middle_of_the_cutter() {
     let start = "3DCALC\nCUTTER/1,0,.5,0,0,0,4\nINTOL/0\nOUTTOL/1E-12\n";
