@@ -92,6 +92,7 @@ impl Arelem {
         let part = self.part(&tool);
         let checks = d.checks.iter().map(|c| &c.surface);
         self.need_cutter(origin, [&d.drive, &part].into_iter().chain(checks));
+        let stays_on = self.stays_on(&d.drive, &tool);
         let result = self.scene(d, tool).and_then(|scene| {
             match self.plane_allowed(&scene.axis).then(|| plane::run(&scene)).flatten() {
                 Some(result) => result,
@@ -106,6 +107,9 @@ impl Arelem {
                 }
                 if let Some(depth) = path.fouls {
                     self.diagnostics.push(failure::fouls(origin, &d.drive, depth));
+                }
+                if stays_on {
+                    self.diagnostics.push(failure::stays_on(origin, &d.drive));
                 }
                 if let Some(astray) = path.astray {
                     self.diagnostics.push(failure::astray(origin, &d.drive, astray));
