@@ -26,6 +26,7 @@ impl Arelem {
         out: &mut Vec<cl::Record>,
     ) -> Outcome {
         if self.poisoned {
+            self.settings.given.clear();
             return Outcome::Failed;
         }
         let tool = match self.tool {
@@ -83,14 +84,15 @@ impl Arelem {
         d: &protap::Drive,
         out: &mut Vec<cl::Record>,
     ) -> Outcome {
+        self.settings.given.clear();
         if self.poisoned {
             return Outcome::Failed;
         }
         let Some(tool) = self.tool else { return self.fail(origin, &Failure::NoPosition) };
-        self.settings.given = None;
         let part = self.part(&tool);
         let checks = d.checks.iter().map(|c| &c.surface);
         self.need_cutter(origin, [&d.drive, &part].into_iter().chain(checks));
+        let stays_on = self.stays_on(&d.drive, &tool);
         let result = self.scene(d, tool).and_then(|scene| {
             match self.plane_allowed(&scene.axis).then(|| plane::run(&scene)).flatten() {
                 Some(result) => result,
@@ -105,6 +107,9 @@ impl Arelem {
                 }
                 if let Some(depth) = path.fouls {
                     self.diagnostics.push(failure::fouls(origin, &d.drive, depth));
+                }
+                if stays_on {
+                    self.diagnostics.push(failure::stays_on(origin, &d.drive));
                 }
                 if let Some(astray) = path.astray {
                     self.diagnostics.push(failure::astray(origin, &d.drive, astray));

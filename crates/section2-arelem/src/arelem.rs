@@ -11,7 +11,7 @@ use crate::failure::Failure;
 use crate::feed::Feed;
 use crate::fitted::Fitted;
 use crate::forward::forward;
-use crate::state::{Given, Part, Settings, Tool, plane_ref, unit};
+use crate::state::{Part, Settings, Tool, plane_ref, unit};
 
 /// Settings of Section 2 that no part program gives.
 #[derive(Clone, Debug, Default)]
@@ -233,19 +233,15 @@ impl Arelem {
             }
             Kind::SurfaceNormals(v) => s.normals.clone_from(v),
             Kind::Sense(sense) => {
-                s.given = Some(match sense {
-                    Sense::Vector(v) => Given::Vectors(v.clone()),
-                    Sense::Point(p) => Given::Points(p.clone()),
-                });
-                if let Some(t) = &mut self.tool {
-                    let first = match sense {
-                        Sense::Vector(v) => v.iter().flatten().next().copied(),
-                        Sense::Point(p) => p.iter().flatten().next().map(|p| p - t.te),
-                    };
-                    if let Some(f) = first {
-                        // Along the tool axis it says nothing about the way of a motion.
-                        t.turn(f);
-                    }
+                // A point is a direction from where the tool stands now, whatever moves it before the next motion.
+                let here = self.tool.map_or_else(Vec3::zeros, |t| t.te);
+                s.given = match sense {
+                    Sense::Vector(v) => v.clone(),
+                    Sense::Point(p) => p.iter().map(|p| p.map(|p| p - here)).collect(),
+                };
+                if let (Some(f), Some(t)) = (s.given.iter().flatten().next(), &mut self.tool) {
+                    // Along the tool axis it says nothing about the way of a motion.
+                    t.turn(*f);
                 }
             }
             _ => {}

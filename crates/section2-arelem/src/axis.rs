@@ -7,6 +7,11 @@ use aptc_protap::{AxisAngle, OptionSurface, ToolAxis};
 use crate::space::Keep;
 use crate::state::unit;
 
+/// Sine of the lean of an axis that counts as upright.
+pub(crate) const UPRIGHT: f64 = 1e-6;
+/// Degrees that count as none: the edge of a flat end rises by 2e-11 of its radius.
+const LEVEL_DEG: f64 = 1e-9;
+
 /// How the axis follows from the contacts.
 #[derive(Clone, Debug)]
 pub(crate) enum AxisRule {
@@ -48,7 +53,7 @@ impl Came {
     }
 
     /// The sign of the normal that points onwards.
-    fn onwards(self) -> f64 {
+    pub(crate) fn onwards(self) -> f64 {
         if self == Self::Front { -1.0 } else { 1.0 }
     }
 
@@ -76,6 +81,9 @@ impl AxisRule {
             ToolAxis::NormPs => Self::Normal(OptionSurface::Part),
             ToolAxis::NormDs => Self::Normal(OptionSurface::Drive),
             ToolAxis::Parallel { surface, .. } => Self::Rulings(*surface),
+            // A flat end on a dome stands along the normal wherever on the end it touches: of all these it is the middle, as in
+            // APT-360.
+            ToolAxis::Angle(a) if upright(a) => Self::Normal(a.surface),
             ToolAxis::Angle(a) => Self::Angle(a.clone(), Came::There),
             ToolAxis::PerpTo(v) => Self::Square(*v),
             _ => Self::Fixed,
@@ -115,6 +123,14 @@ impl AxisRule {
         }
     }
 
+    /// The surface whose normal the axis follows, along it or at an angle.
+    pub(crate) fn normal_of(&self) -> Option<OptionSurface> {
+        match self {
+            Self::Normal(s) => Some(*s),
+            rule => rule.angle_to(),
+        }
+    }
+
     /// The same rule for a tool whose end came to the other surface from there.
     pub(crate) fn coming(&self, from: Came) -> Self {
         match self {
@@ -127,10 +143,8 @@ impl AxisRule {
     /// the axis leans across that surface its lean says the side, as in APT-360, which takes such a normal on the side of
     /// the axis wherever the tool came from and whatever direction is given.
     pub(crate) fn leaning(&self, ta: Vec3, on: Vec3) -> Self {
-        /// Sine of the lean of an axis that counts as upright.
-        const LEANS: f64 = 1e-6;
         let Self::Angle(a, came) = self else { return self.clone() };
-        match Came::from(-ta.dot(&on) * a.angle_deg.signum(), LEANS) {
+        match Came::from(-ta.dot(&on) * a.angle_deg.signum(), UPRIGHT) {
             Came::There => Self::Angle(a.clone(), *came),
             lean => Self::Angle(a.clone(), lean),
         }
@@ -164,6 +178,12 @@ impl AxisRule {
             }
         }
     }
+}
+
+/// Is it the normal itself, with no lean along the motion and no plane to stay in?
+fn upright(a: &AxisAngle) -> bool {
+    let level = |deg: f64| deg.abs() <= LEVEL_DEG;
+    level(a.angle_deg) && a.cutting_deg.is_none_or(level) && a.reference.is_none()
 }
 
 /// The normal on the side of the tool: away from the surface when the cutter touches it, on the side of the

@@ -11,7 +11,7 @@ use crate::arelem::Arelem;
 use crate::axis::AxisRule;
 use crate::failure::Failure;
 use crate::scene::{Check, Limits, Scene, Stance, Start, Wall};
-use crate::state::{Band, Given, Part, Role, Tool, plane_ref, unit};
+use crate::state::{Band, Part, Role, Tool, plane_ref, unit};
 
 impl Arelem {
     pub(crate) fn start_scene(&mut self, go: &protap::Go, tool: Tool) -> Result<Start, Failure> {
@@ -27,13 +27,8 @@ impl Arelem {
         } else {
             None
         };
-        let along = match self.settings.given.take() {
-            None => Vec::new(),
-            Some(Given::Vectors(v)) => v.into_iter().map(|v| v.and_then(unit)).collect(),
-            Some(Given::Points(p)) => {
-                p.into_iter().map(|p| p.and_then(|p| unit(p - tool.te))).collect()
-            }
-        };
+        let given = std::mem::take(&mut self.settings.given);
+        let along = given.into_iter().map(|v| v.and_then(unit)).collect();
         let normals = std::mem::take(&mut self.settings.normals);
         let axis = AxisRule::of(&self.settings.axis);
         let thick = self.settings.thick.iter().any(|t| *t != 0.0);
@@ -46,6 +41,7 @@ impl Arelem {
         let s = &self.settings;
         let stance = match s.drive_side {
             Some(DriveSide::Tlon | DriveSide::Tlndon) => Stance::On,
+            Some(_) if self.stays_on(&d.drive, &tool) => Stance::On,
             Some(DriveSide::Tllft) => Stance::Left,
             Some(DriveSide::Tlrgt) => Stance::Right,
             None if self.stands_on(&d.drive, Role::Drive, &tool) => Stance::On,
@@ -83,6 +79,24 @@ impl Arelem {
             axis: AxisRule::of(&s.axis),
             limits: Limits { vectors: s.numpts, step: s.maxdp() },
         })
+    }
+
+    /// Does a tool with TLLFT or TLRGT stay ON the drive surface: an upright plane on which its end is, and beside which the
+    /// cutter would stand elsewhere? Along other surfaces, and with THICK, APT-360 refuses it too.
+    pub(crate) fn stays_on(&self, drive: &SurfaceRef, tool: &Tool) -> bool {
+        /// Sine of the lean of a plane that counts as upright.
+        const UPRIGHT: f64 = 1e-9;
+        let s = &self.settings;
+        let beside = matches!(s.drive_side, Some(DriveSide::Tllft | DriveSide::Tlrgt));
+        if !beside || s.thick[1] != 0.0 {
+            return false;
+        }
+        let Some(Surface::Plane(plane)) = self.fitted.of(&drive.form) else { return false };
+        let Band { intol, outtol } = s.band(Role::Drive);
+        let wide =
+            matches!(s.profile(Role::Drive), Some(Ok(p)) if p.widest() > 2.0 * (intol + outtol));
+        let upright = plane.n.dot(&tool.ta).abs() <= UPRIGHT;
+        upright && wide && self.stands_on(drive, Role::Drive, tool)
     }
 
     /// Is the tool end on the surface, as GO/ON leaves it? A point or a needle touches where its end is on it: on the narrow

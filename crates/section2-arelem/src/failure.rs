@@ -389,6 +389,17 @@ pub(crate) fn astray(origin: &Origin, surface: &SurfaceRef, is: Astray) -> Diagn
         .help(format!("write {}, or turn the other way", is.holds))
 }
 
+/// TLLFT or TLRGT, and the tool end lies on the drive surface.
+pub(crate) fn stays_on(origin: &Origin, surface: &SurfaceRef) -> Diagnostic {
+    let text = format!(
+        "the tool is to be beside {0}, but its end is on it; it stays on it",
+        called(surface)
+    );
+    Diagnostic::warning(codes::WRONG_SIDE, origin.span, text)
+        .within(origin.trace.clone())
+        .help("write TLON, or bring the tool beside it with GO/TO before")
+}
+
 /// A start before the first position: it begins at 0,0,0.
 pub(crate) fn from_zero(origin: &Origin) -> Diagnostic {
     let text = "the tool has no position yet and is taken to stand at 0,0,0";

@@ -8,7 +8,7 @@ use aptc_protap::{Outcome, ToolAxis};
 
 use crate::arelem::Arelem;
 use crate::failure::Failure;
-use crate::state::{Given, Tool, unit};
+use crate::state::{Tool, unit};
 use crate::{failure, forward, pocket};
 
 impl Arelem {
@@ -27,16 +27,12 @@ impl Arelem {
             }
         }
         self.go_to(place.point);
-        if kind == cl::MotionKind::From {
-            // Nothing moved: there is no direction yet but one given before.
-            let given = self.settings.given.clone();
-            if let (Some(Given::Vectors(v)), Some(t)) = (given, &mut self.tool)
-                && let Some(f) = v.into_iter().flatten().next()
-            {
-                t.turn(f);
-            }
-        } else {
-            self.settings.given = None;
+        // Nothing moved at FROM: there is no direction yet but one given before.
+        if kind == cl::MotionKind::From
+            && let (Some(f), Some(t)) =
+                (self.settings.given.iter().flatten().next(), &mut self.tool)
+        {
+            t.turn(*f);
         }
         self.put(origin, kind, forward::name(&place.name), vec![place.point], out);
         self.moved(0)
@@ -55,7 +51,6 @@ impl Arelem {
         if points.is_empty() {
             return Outcome::None;
         }
-        self.settings.given = None;
         self.put(origin, cl::MotionKind::Goto, forward::name(name), points.to_vec(), out);
         self.moved(0)
     }
@@ -68,7 +63,6 @@ impl Arelem {
         let Some(tool) = self.tool else { return self.fail(origin, &Failure::NoPosition) };
         let te = tool.te + v;
         self.go_to(te);
-        self.settings.given = None;
         self.put(origin, cl::MotionKind::Goto, cl::NameRef::default(), vec![te], out);
         self.moved(0)
     }
@@ -151,7 +145,6 @@ impl Arelem {
             let name = cl::NameRef { name: "POCKET".into(), subscript: 0 };
             self.put(origin, cl::MotionKind::Goto, name, points.to_vec(), out);
         }
-        self.settings.given = None;
         self.moved(0)
     }
 }

@@ -40,13 +40,6 @@ pub(crate) enum Part {
     Auto,
 }
 
-/// Direction given by INDIRV or INDIRP for the next motion.
-#[derive(Clone, Debug)]
-pub(crate) enum Given {
-    Vectors(Vec<Option<Vec3>>),
-    Points(Vec<Option<Vec3>>),
-}
-
 /// Modal settings.
 #[derive(Clone, Debug)]
 pub(crate) struct Settings {
@@ -83,7 +76,9 @@ pub(crate) struct Settings {
     /// Unit normal of the part surface where the last start-up in space ended. One whose part surface has another goes to
     /// where its direction pierces the drive surface and on from there the least way.
     pub(crate) part_normal_before: Option<Vec3>,
-    pub(crate) given: Option<Given>,
+    /// Directions of INDIRV, or of INDIRP from where the tool stood then, for the next motion along surfaces; GOTO and the like
+    /// between leave them. Source: what APT-360 does.
+    pub(crate) given: Vec<Option<Vec3>>,
     pub(crate) normals: Vec<Option<Vec3>>,
     pub(crate) cut: bool,
 }
@@ -126,7 +121,7 @@ impl Default for Settings {
             ends_on_part: false,
             started: None,
             part_normal_before: None,
-            given: None,
+            given: Vec::new(),
             normals: Vec::new(),
             cut: true,
         }

@@ -2,6 +2,7 @@
 
 mod support;
 
+use aptc_geometry::Vec3;
 use support::{Forms, form, run};
 
 fn forms() -> Forms {
@@ -72,8 +73,33 @@ fn a_tool_on_the_other_side_stays_there_with_a_warning() {
         let text = format!("{calc}\nCUTTER/1\nFROM/-5,-5,0\nGO/TO,LX\nTLLFT,GORGT/LX,ON,LY");
         let ran = run(&forms(), &text);
         assert_eq!(ran.code(), 2005);
-        assert!((ran.end() - aptc_geometry::Vec3::new(0.0, -0.5, 0.0)).norm() < 1e-12);
+        assert!((ran.end() - Vec3::new(0.0, -0.5, 0.0)).norm() < 1e-12);
     }
+}
+
+/// As APT-360: along an upright plane, without THICK; a circle and a leaning plane are refused.
+#[test]
+fn a_tool_on_an_upright_plane_stays_on_it_with_a_warning() {
+    for side in ["TLLFT", "TLRGT"] {
+        for (calc, before) in [("2DCALC", "FROM/-5,-2,3\nGO/ON,LX"), ("3DCALC", "FROM/-5,0,0")] {
+            let text = format!(
+                "{calc}\nCUTTER/1\n{before}\nINDIRV/1,0,0\n{side},GOFWD/LX,TO,LY\nTLON,GOFWD/LX,ON,LY"
+            );
+            let ran = run(&forms(), &text);
+            assert_eq!(ran.code(), 2005, "{text}: {:?}", ran.diagnostics);
+            let ends: Vec<_> =
+                ran.motions().map(|(line, m)| (line, m.points.last().unwrap().te)).collect();
+            let n = ends.len();
+            assert!((ends[n - 2].1 - Vec3::new(-0.5, 0.0, 0.0)).norm() < 1e-3, "{text}: {ends:?}");
+            assert!(ends[n - 1].1.norm() < 1e-3, "{text}: {ends:?}");
+        }
+    }
+    // Beside it, within the width of the band: a needle is where the word wants it.
+    let needle = run(&forms(), "CUTTER/0\nFROM/-5,0,0\nINDIRV/1,0,0\nTLLFT,GOFWD/LX,ON,LY");
+    assert!(needle.diagnostics.is_empty(), "{:?}", needle.diagnostics);
+    let on = "CUTTER/1\nFROM/-5,0,0\nINDIRV/1,0,0\n";
+    assert_eq!(code(&format!("{on}THICK/0,.1\nTLLFT,GOFWD/LX,ON,LY")), 2003);
+    assert_eq!(code("CUTTER/1\nFROM/-5,.3,0\nINDIRV/1,0,0\nTLLFT,GOFWD/LX,ON,LY"), 2003);
 }
 
 #[test]

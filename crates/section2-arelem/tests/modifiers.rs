@@ -229,6 +229,54 @@ fn the_lean_across_the_surface_that_the_tool_end_is_on() {
     }
 }
 
+/// Of a surface that controls the axis and that the tool end is on, the normal is meant to which the axis leans already, else the
+/// one that points on from where the tool comes, whichever way the surface's own does: as APT-360.
+#[test]
+fn an_upright_axis_leans_onwards_over_the_surface_that_controls_it() {
+    for (axis, y) in [("NORMDS", 1.0), ("ATANGL,2,85", trig::cos_deg(85.0))] {
+        for line in ["LX", "LN"] {
+            for from in [-4.0_f64, 4.0] {
+                for (before, sign) in
+                    [("", -from.signum()), ("TLAXIS/0,.05,1\n", 1.0), ("TLAXIS/0,-.05,1\n", -1.0)]
+                {
+                    let text = format!(
+                        "CUTTER/.5,.1\nINTOL/0\nOUTTOL/.001\nMULTAX\n{before}FROM/-3,{from},3\nTLAXIS/{axis}\n\
+                         GO/ON,{line},TO,BALL,ON,LW\nINDIRV/1,0,0\nTLON,GOFWD/{line},ON,(LINE/1,0,0,2)"
+                    );
+                    let ran = run(&forms(), &text).clean();
+                    let after = ran.motions().flat_map(|(_, m)| m.points.clone()).skip(1);
+                    for at in after {
+                        assert!((at.ta.y - sign * y).abs() < 1e-6, "{text}: {at:?}");
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// The axis is along the normal through the tool end, as with NORMPS, though a flat end that touches with its edge stands along
+/// the normal as well: as APT-360. With CUTANG of no angle it is the same.
+#[test]
+fn at_no_angle_a_flat_end_touches_a_dome_in_its_middle() {
+    for cutter in ["1", "1,.2", ".5,.25"] {
+        let path = |axis: &str| {
+            let text = format!(
+                "CUTTER/{cutter}\nINTOL/0\nOUTTOL/.001\nMULTAX\nFROM/-3,2,3\nTLAXIS/{axis}\nGO/TO,LX,TO,BALL,ON,LW\n\
+                 INDIRV/1,0,0\nTLLFT,GOFWD/LX,ON,(LINE/1,0,0,2)"
+            );
+            let ran = run(&forms(), &text).clean();
+            ran.motions().flat_map(|(_, m)| m.points.clone()).collect::<Vec<_>>()
+        };
+        let normal = path("NORMPS");
+        for at in &normal[2..] {
+            let out = (at.te - Vec3::new(0.0, 0.0, -4.0)).normalize();
+            assert!((at.ta - out).norm() < 1e-9, "{cutter}: {at:?}");
+        }
+        assert_eq!(normal, path("ATANGL,1,0"), "{cutter}");
+        assert_eq!(normal, path("ATANGL,1,0,CUTANG,0"), "{cutter}");
+    }
+}
+
 #[test]
 fn thickness_of_drive_check_and_part_surface() {
     let start = "CUTTER/1\nINTOL/0\nOUTTOL/1E-12\nFROM/0,-2,5\nTHICK/";
@@ -256,6 +304,30 @@ fn start_ups_to_one_two_and_three_surfaces() {
         let text = format!("{calc}\n{start}INDIRV/1,1,0\nGO/TO,LX,TO,PL2");
         let end = run(&forms(), &text).clean().end();
         assert!((end - Vec3::new(x, -0.5, 2.0)).norm() < 1e-9, "{text}: {end:?}");
+    }
+}
+
+/// INDIRP is a direction from where the tool stands then; either word holds up to the next motion along surfaces, whatever moves
+/// the tool between: as APT-360.
+#[test]
+fn a_direction_waits_for_the_next_motion_along_surfaces() {
+    let start = "CUTTER/1\nINTOL/0\nOUTTOL/1E-12\nFROM/0,-3,5\n";
+    let plane = |text: &str, end: [f64; 3]| {
+        let at = run(&forms(), &format!("{start}{text}")).clean().end();
+        assert!((at - Vec3::from(end)).norm() < 1e-9, "{text}: {at:?}");
+    };
+    for sense in ["INDIRV/1,1,0", "INDIRP/2,-1,5"] {
+        for (between, x) in [
+            ("GOTO/1,-4.5,3", 5.0),
+            ("GODLTA/0,-1,0", 3.5),
+            ("FROM/7,-1.5,0", 8.0),
+            ("GOTO/9,9,9\nGODLTA/-9,-9,-9\nGOTO/0,-2.5,0", 2.0),
+        ] {
+            plane(&format!("{sense}\n{between}\nGO/TO,LX,TO,PL2"), [x, -0.5, 2.0]);
+        }
+        // It serves once, here a motion whose way the GODLTA before it says.
+        let along = "GO/TO,LX\nINDIRV/-1,1,0\nGODLTA/1,0,0\nTLRGT,GOFWD/LX,ON,L20\n";
+        plane(&format!("{sense}\n{along}GOTO/0,-3,5\nGO/TO,LX,TO,PL2"), [0.0, -0.5, 2.0]);
     }
 }
 

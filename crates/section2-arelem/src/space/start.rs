@@ -9,7 +9,7 @@ use aptc_protap::{OptionSurface, Relation};
 use super::judge::AIM_TURNING;
 use super::keep::{Keep, Pose};
 use super::watch::clearance;
-use crate::axis::{Around, AxisRule, Came};
+use crate::axis::{Around, AxisRule, Came, UPRIGHT};
 use crate::failure::{Candidate, Failure};
 use crate::scene::{Path, Start, Wall};
 
@@ -133,7 +133,7 @@ fn rivals(go: &Start, aims: &[Aim<'_>], pose: Pose, end: Pose) -> Vec<Candidate>
         return all;
     }
     let axis = coming(&go.axis, aims, &pose);
-    let solver = Solver { aims, axis: &axis, held: None };
+    let solver = Solver { aims, axis: &axis, onwards: onwards(&axis, aims, &pose), held: None };
     let band = aims.iter().map(|a| a.keep.width()).fold(f64::INFINITY, f64::min);
     let by = end.te - pose.te;
     let near = 1e-3 * band + 1e-9 * solver.size(&pose);
@@ -173,9 +173,26 @@ fn coming(axis: &AxisRule, aims: &[Aim<'_>], pose: &Pose) -> AxisRule {
     )
 }
 
+/// The normal of the surface that controls the axis, on the side away from where the tool comes: an axis upright on it leans
+/// that way once the tool end lies on it. Source: what APT-360 does. Zero where the tool does not come from beside it.
+fn onwards(axis: &AxisRule, aims: &[Aim<'_>], pose: &Pose) -> Vec3 {
+    let aim = match axis.normal_of() {
+        Some(OptionSurface::Part) => aims.get(1),
+        Some(OptionSurface::Drive) => aims.first(),
+        None => None,
+    };
+    aim.map_or_else(Vec3::zeros, |aim| {
+        let foot = aim.keep.surface.foot(pose.te);
+        match Came::from(foot.distance, aim.keep.width()) {
+            Came::There => Vec3::zeros(),
+            from => foot.normal * from.onwards(),
+        }
+    })
+}
+
 fn solve(go: &Start, aims: &[Aim<'_>], pose: Pose) -> Result<Pose, Failure> {
     let axis = coming(&go.axis, aims, &pose);
-    let solver = Solver { aims, axis: &axis, held: None };
+    let solver = Solver { aims, axis: &axis, onwards: onwards(&axis, aims, &pose), held: None };
     let free = go.surfaces.len() == 1 && go.part.is_none();
     let others = go.along.iter().skip(1).any(Option::is_some);
     match go.along.first().copied().flatten() {
@@ -294,6 +311,8 @@ fn flattened(keep: &Keep, pose: &Pose) -> Keep {
 struct Solver<'a> {
     aims: &'a [Aim<'a>],
     axis: &'a AxisRule,
+    /// Where an upright axis leans.
+    onwards: Vec3,
     /// A plane in which the tool end stays: its unit normal and the distance of its points along it.
     held: Option<(Vec3, f64)>,
 }
@@ -442,7 +461,11 @@ impl Solver<'_> {
             // The direction of the motion that follows is not known; this one is APT-360's guess.
             let along = part.normal.cross(&drive.normal) * came;
             let along = if along.norm() > 1e-9 { along.normalize() } else { Vec3::x() };
-            let around = Around { te: pose.te, ta: pose.ta, part, drive, along };
+            // The rule asks its sign only.
+            let control = if rule.normal_of() == Some(OptionSurface::Part) { part } else { drive };
+            let upright = control.normal.dot(&pose.ta).abs() <= UPRIGHT;
+            let ta = if upright { pose.ta + self.onwards * (2.0 * UPRIGHT) } else { pose.ta };
+            let around = Around { te: pose.te, ta, part, drive, along };
             rule.at(&around, keeps)
         };
         let ta = at(self.axis);
