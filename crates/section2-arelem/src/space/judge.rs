@@ -117,12 +117,12 @@ impl Track {
             (low, high) = (low.min(least), high.max(most));
         }
         let begin = ends[0].g.min(top);
-        let (fits, ratio) = self.judge(i, [begin, gaps[1]], [low, high], c.bow);
+        let (fits, ratio) = self.judge(i, [begin, gaps[1]], [low, high], c.bow, c.proved);
         Ok((fits, ratio, c.bow / v.norm_squared()))
     }
 
     /// Does a chord stay in the band of surface `i`, and how much longer could it be? `ends` are the gaps at its ends,
-    /// `bow` by how much the rate of change grows.
+    /// `bow` by how much the rate of change grows; with `sharp` extremes that are at an end are known to be there.
     #[inline]
     pub(super) fn judge(
         &self,
@@ -130,6 +130,7 @@ impl Track {
         ends: [f64; 2],
         [low, high]: [f64; 2],
         bow: f64,
+        sharp: bool,
     ) -> (bool, f64) {
         let keep = &self.keeps[i];
         let limits = keep.limits();
@@ -146,7 +147,7 @@ impl Track {
         let depth = 0.5 * bow;
         // Vertices of the motion before may lie at the very edge; they are no fault of this chord.
         let slack = |share: f64| 1e-14 * self.size + share * keep.width();
-        let (own, inside) = (slack(own), slack(found));
+        let (own, inside) = (slack(if sharp { 0.0 } else { own }), slack(found));
         let least = (ends[0].min(ends[1]) - own).min(limits.low + inside);
         let most = (ends[0].max(ends[1]) + own).max(limits.high - inside);
         let fits = low >= least && high <= most;
