@@ -75,7 +75,7 @@ impl DriveArea {
             }
             Guide::Surface(s) => {
                 let d = s.at(uv[0], uv[1]);
-                let normal = d.normal();
+                let normal = s.normal_at(uv[0], uv[1]);
                 let (along, across) = match course {
                     Course::U => (d.u, d.v),
                     Course::V => (d.v, d.u),

@@ -198,7 +198,8 @@ impl Setup<'_> {
         if at && self.drive.offset == 0.0 && self.same_surface() {
             // The drive point is the contact; nothing is projected.
             let d = surface.at(p.uv[0], p.uv[1]);
-            let normal = d.normal().ok_or(Failure::NoAxis { uv: p.uv })? * self.part.side;
+            let normal = surface.normal_at(p.uv[0], p.uv[1]);
+            let normal = normal.ok_or(Failure::NoAxis { uv: p.uv })? * self.part.side;
             return Ok(Met { uv: p.uv, at: d, normal, way: 0.0 });
         }
         let shot = self.shot(p, direction, ta);

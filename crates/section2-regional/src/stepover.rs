@@ -52,13 +52,18 @@ pub(crate) fn parameter_step(
         return area.most.abs();
     }
     let mut step = if by_parameter { area.most.abs() } else { f64::INFINITY };
+    let round = |i: usize| {
+        let p: &Position = points.get(i)?;
+        Some(Round::at(profile, p.ta, p.normal, side_of(points, i)))
+    };
+    let mut near = [None, None, round(0)];
     for (i, p) in points.iter().enumerate() {
-        let ahead = path_direction(points, i);
         let place = drive.place(p.drive_uv, course);
         // The part of the step that leads away from the path, as seen on the part surface.
-        let side = p.normal.cross(&ahead).try_normalize(0.0).unwrap_or_else(Vec3::zeros);
+        let side = side_of(points, i);
+        near = [near[1], near[2], round(i + 1)];
         let k = across_curvature(setup, p, side);
-        let radius = radius_across(profile, p, side);
+        let radius = radius_across(profile, &near);
         let across = laid(place.across, place.direction, p.normal);
         let mut speed = across.dot(&side).abs();
         if setup.part.touches && drive.hold == Hold::On {
@@ -69,8 +74,9 @@ pub(crate) fn parameter_step(
             continue;
         }
         let mut width = if by_parameter || area.most == 0.0 { f64::INFINITY } else { area.most };
-        if area.scallop > 0.0 {
-            width = width.min(scallop_width(radius, area.scallop, k));
+        let allowed = scallop_width(radius, area.scallop, k);
+        if allowed > 0.0 {
+            width = width.min(allowed);
         }
         if width.is_finite() && width > 0.0 {
             step = step.min(width / speed);
@@ -93,20 +99,87 @@ fn across_curvature(setup: &Setup<'_>, p: &Position, side: Vec3) -> f64 {
     d.curvature_along(p.normal, side).unwrap_or(0.0)
 }
 
-/// Radius of the cutter at its contact in the plane of the normal and `side`.
-fn radius_across(profile: &Profile, p: &Position, side: Vec3) -> f64 {
-    let tool = aptc_contact::Tool { profile, te: p.te, ta: p.ta };
-    let s = tool.support(-p.normal);
-    let mut curvature = 0.0;
-    for (frame, radius) in s.frame.iter().zip(s.radii) {
-        let c = frame.dot(&side);
-        if radius > 0.0 && c.abs() > 1e-9 {
-            curvature += c * c / radius;
-        } else if c.abs() > 1e-9 {
-            return 0.0;
-        }
+/// How round the cutter is where it touches.
+#[derive(Clone, Copy, Debug)]
+struct Round {
+    /// Radii along the profile and around the axis.
+    radii: [f64; 2],
+    /// Angle from the direction along the profile, outwards, to that across the path.
+    turn: f64,
+    /// Does a face touch, so that the direction along the profile is any?
+    flat: bool,
+}
+
+/// Half a turn, after which the cutter is bent the same.
+const HALF: f64 = std::f64::consts::PI;
+/// Between two places that differ by more any direction may come.
+const MUCH: f64 = HALF / 3.0;
+/// Part of the angle between two places by which the direction may turn beyond either.
+const BEYOND: f64 = 0.25;
+
+impl Round {
+    /// Of a cutter with the axis `ta` at a surface with that normal.
+    fn at(profile: &Profile, ta: Vec3, normal: Vec3, side: Vec3) -> Self {
+        let tool = aptc_contact::Tool { profile, te: Vec3::zeros(), ta };
+        let s = tool.support(-normal);
+        let [along, around] = s.frame.map(|e| e.dot(&side));
+        let flat = s.radii.iter().all(|r| r.is_infinite());
+        Self { radii: s.radii, turn: aptc_geometry::trig::atan2(around, along), flat }
     }
-    if curvature > 0.0 { (1.0 / curvature).min(profile.widest()) } else { profile.widest() }
+
+    /// Radius in the direction `turn`, by the theorem of Euler.
+    fn radius(&self, turn: f64) -> f64 {
+        let (s, c) = aptc_geometry::trig::sin_cos(turn);
+        let mut curvature = 0.0;
+        for (c, radius) in [c, s].into_iter().zip(self.radii) {
+            if radius > 0.0 && c.abs() > 1e-9 {
+                curvature += c * c / radius;
+            } else if c.abs() > 1e-9 {
+                return 0.0;
+            }
+        }
+        1.0 / curvature
+    }
+}
+
+/// Least radius of the cutter in the plane of the normal and the direction across the path, from the place before to the
+/// place after: on its way over a crest the contact swings round the cutter, between two places too.
+///
+/// The cutter is bent most along its profile where its corner touches, and less the more the direction turns from
+/// there: of the angles that come between two places the least decides. Corner and radius around the axis are at both
+/// places as round as between, the one exactly and the other, `r + e / sin`, where the normal leans most.
+fn radius_across(profile: &Profile, near: &[Option<Round>; 3]) -> f64 {
+    let [before, Some(here), after] = near else { return profile.widest() };
+    let mut least = here.radius(here.turn);
+    for other in [before, after].into_iter().flatten() {
+        if here.flat && other.flat {
+            continue;
+        }
+        // What leans tells how round the cutter is; beside a face that lies on the surface any direction comes.
+        let leaning = if here.flat { other } else { here };
+        let steeper = leaning.radii[1].min(other.radii[1]).min(here.radii[1]);
+        let round = Round { radii: [leaning.radii[0], steeper], ..*leaning };
+        if !(round.radii[0] > 0.0 && round.radii[0] < steeper) {
+            continue;
+        }
+        let from = here.turn;
+        let gone = other.turn - from;
+        let gone = gone - 2.0 * HALF * (gone / (2.0 * HALF)).round();
+        let more = BEYOND * gone.abs();
+        let (low, high) = (from.min(from + gone) - more, from.max(from + gone) + more);
+        let any = here.flat || other.flat || gone.abs() > MUCH;
+        let along = (low / HALF).ceil() <= (high / HALF).floor();
+        let off = |a: f64| (a - HALF * (a / HALF).round()).abs();
+        let turn = if any || along { 0.0 } else { off(low).min(off(high)) };
+        least = least.min(round.radius(turn));
+    }
+    least.min(profile.widest())
+}
+
+/// The direction across the path at the i-th of its points.
+fn side_of(points: &[Position], i: usize) -> Vec3 {
+    let across = points[i].normal.cross(&path_direction(points, i));
+    across.try_normalize(0.0).unwrap_or_else(Vec3::zeros)
 }
 
 fn path_direction(points: &[Position], i: usize) -> Vec3 {
@@ -118,6 +191,7 @@ fn path_direction(points: &[Position], i: usize) -> Vec3 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use aptc_geometry::Cutter;
 
     #[test]
     fn published_widths() {
@@ -125,6 +199,42 @@ mod tests {
             assert!((scallop_width(5.0, 0.01, k) - w).abs() < 1e-7, "{k}");
         }
         assert!((scallop_width(5.0, 9.0, 0.0) - 10.0).abs() < 1e-15);
+    }
+
+    /// Beside the top of a dome, between two places however far apart, the cutter is nowhere less round across the path.
+    #[test]
+    fn the_radius_holds_between_places_too() {
+        for cutter in [
+            Cutter::mill(12.0, 3.0, 40.0),
+            Cutter::mill(16.0, 1.0, 40.0),
+            Cutter::mill(10.0, 5.0, 40.0),
+            Cutter { alpha_deg: 5.0, ..Cutter::mill(12.0, 2.0, 40.0) },
+        ] {
+            let profile = Profile::new(&cutter).unwrap();
+            for beside in [0.01, 0.2, 1.0, 4.0, 15.0] {
+                for (step, lean) in [(0.5, 0.0), (3.0, 0.05), (6.0, 0.0), (9.0, 0.1)] {
+                    let ta = Vec3::new(lean, 0.3 * lean, 1.0).normalize();
+                    let at = |x: f64| {
+                        let p = Vec3::new(x, beside, (3600.0 - x * x - beside * beside).sqrt());
+                        let (n, ahead) = (p / 60.0, Vec3::new(p.z, 0.0, -x));
+                        Round::at(&profile, ta, n, n.cross(&ahead).normalize())
+                    };
+                    for i in -5..5 {
+                        let x = |k: i32| (f64::from(i + k) + 0.37) * step;
+                        let told = [0, 1].map(|k| {
+                            let near = [at(x(k - 1)), at(x(k)), at(x(k + 1))].map(Some);
+                            radius_across(&profile, &near)
+                        });
+                        for k in 0..=500 {
+                            let here = at(x(0) + step * f64::from(k) / 500.0);
+                            let least = here.radius(here.turn).min(profile.widest());
+                            let told = told[0].min(told[1]);
+                            assert!(told <= least * 1.01, "{cutter:?} {beside} {step} {i} {k}");
+                        }
+                    }
+                }
+            }
+        }
     }
 
     /// Two balls that far apart on a circle of that curvature leave the scallop between them.

@@ -25,6 +25,7 @@ mod search;
 mod sheet;
 mod sheets;
 mod solid;
+mod standing;
 mod statement;
 mod swath;
 mod sweep;

@@ -101,6 +101,37 @@ impl Sculptured {
         prolonged(&self.patches[i], a, b).rated(da, db)
     }
 
+    /// The derivatives dU and dV at (u, v). Where a border runs together in a point, as in a three-sided patch, that along it
+    /// has the direction to which it comes along the other parameter: with `dU = 0` all along `v = 0` it is near by
+    /// `dU = v dUV`, along `dUV` on the side of rising v and against it on the other.
+    pub fn tangents(&self, u: f64, v: f64) -> [Vec3; 2] {
+        /// Part of one derivative that the other may be and still count as none; and how near to a border is on it.
+        const NONE: f64 = 1e-9;
+        let d = self.at(u, v);
+        let [nu, nv] = self.spans();
+        let inwards = |x: f64, end: f64| match x {
+            x if x <= NONE => 1.0,
+            x if x >= end - NONE => -1.0,
+            _ => 0.0,
+        };
+        let (a, b) = (d.u.norm(), d.v.norm());
+        if a <= NONE * b && inwards(v, nv) != 0.0 {
+            [d.uv * inwards(v, nv), d.v]
+        } else if b <= NONE * a && inwards(u, nu) != 0.0 {
+            [d.u, d.uv * inwards(u, nu)]
+        } else {
+            [d.u, d.v]
+        }
+    }
+
+    /// Unit normal at (u, v) along u x v, at a border that runs together in a point the one to which the normals come.
+    pub fn normal_at(&self, u: f64, v: f64) -> Option<Vec3> {
+        let [a, b] = self.tangents(u, v);
+        let n = a.cross(&b);
+        let size = n.norm();
+        (size > 1e-12 * a.norm() * b.norm() && size > 0.0).then(|| n / size)
+    }
+
     /// Point and derivatives at (u, v), kept to the patch of column `i` and row `j`, also on its borders.
     pub(crate) fn at_patch(&self, [i, j]: [usize; 2], u: f64, v: f64) -> Derivatives {
         let own = |knots: &[f64], i: usize, t: f64| {
@@ -259,6 +290,55 @@ mod tests {
             [e - c, f - d, twist, twist],
             [e - c, f - d, twist, twist],
         ])
+    }
+
+    #[test]
+    fn a_border_that_is_a_point_has_the_directions_near_it() {
+        // A fan from the point P to the parabola C, each ruling bent a little: the corner at each of the four borders in turn.
+        let (p, c, bend) =
+            (Vec3::new(1.0, 2.0, 3.0), Vec3::new(6.0, 0.0, 1.0), Vec3::new(0.0, 0.0, 0.5));
+        let rows = |turned: bool, last: bool| {
+            let far = |u: f64| c + Vec3::new(0.0, 4.0 * u, u * u);
+            let (slope, step) =
+                (|u: f64| Vec3::new(0.0, 4.0, 2.0 * u), if last { 1.0 } else { 0.0 });
+            let at = |u: f64, v: f64| {
+                let w = if last { 1.0 - v } else { v };
+                let sign = 1.0 - 2.0 * step;
+                let chord = far(u) - p;
+                let point = p + chord * w + bend * (w * w);
+                (point, slope(u) * w, (chord + bend * (2.0 * w)) * sign, slope(u) * sign)
+            };
+            let k = |u: f64, v: f64| if turned { at(v, u) } else { at(u, v) };
+            let swap = |t: (Vec3, Vec3, Vec3, Vec3)| if turned { (t.0, t.2, t.1, t.3) } else { t };
+            let corner = |u: f64, v: f64| swap(k(u, v));
+            let [a, b, d, e] =
+                [corner(0.0, 0.0), corner(1.0, 0.0), corner(0.0, 1.0), corner(1.0, 1.0)];
+            Patch::hermite([
+                [a.0, b.0, a.1, b.1],
+                [d.0, e.0, d.1, e.1],
+                [a.2, b.2, a.3, b.3],
+                [d.2, e.2, d.3, e.3],
+            ])
+        };
+        for (turned, last) in [(false, false), (false, true), (true, false), (true, true)] {
+            let s = Sculptured::grid(vec![rows(turned, last)], 1, 1).unwrap();
+            let edge = if last { 1.0 } else { 0.0 };
+            let near = edge + if last { -1e-5 } else { 1e-5 };
+            for share in [0.0, 0.3, 1.0] {
+                let uv = |x: f64| if turned { [x, share] } else { [share, x] };
+                let ([u, v], [nu, nv]) = (uv(edge), uv(near));
+                assert!((s.at(u, v).point - p).norm() < 1e-12, "{turned} {last}");
+                let (n, beside) = (s.normal_at(u, v).unwrap(), s.at(nu, nv).normal().unwrap());
+                assert!((n - beside).norm() < 1e-4, "{turned} {last} {share}: {n} {beside}");
+                let (t, d) = (s.tangents(u, v), s.at(nu, nv));
+                for (t, d) in t.into_iter().zip([d.u, d.v]) {
+                    assert!((t.normalize() - d.normalize()).norm() < 1e-4, "{turned} {last}");
+                }
+            }
+            // Elsewhere nothing is other than it was.
+            let d = s.at(0.4, 0.6);
+            assert_eq!((s.normal_at(0.4, 0.6), s.tangents(0.4, 0.6)), (d.normal(), [d.u, d.v]));
+        }
     }
 
     #[test]
