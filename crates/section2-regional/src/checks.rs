@@ -51,15 +51,8 @@ impl Regional {
             }
             self.plain.retain(|p| !same_form(&p.form, form));
             if on {
-                let mut surface = Surface::from_form(form)
+                let surface = Surface::from_form(form)
                     .ok_or(Failure::Undone { what: "CHKSRF of a surface of this kind" })?;
-                // Which side is the positive one says nothing here: the hollow of a quadric is the negative one.
-                if let Surface::Quadric(q) = &surface
-                    && q.convexity() < 0
-                    && let Some(other) = q.reversed()
-                {
-                    surface = Surface::Quadric(Arc::new(other));
-                }
                 let (form, surface) = (Arc::clone(form), Arc::new(surface));
                 self.plain.push(Plain { name: label, form, surface });
             }

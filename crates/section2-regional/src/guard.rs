@@ -94,8 +94,6 @@ impl Guard {
     /// turns is proved stretch by stretch.
     pub(crate) fn way(&self, profile: &Profile, ends: [(Vec3, Vec3); 2]) -> Result<(), Gouge> {
         let cutter = (*profile, 0.0);
-        // Cutter, shank and holder are one tool: all of it keeps to the side of the cutter.
-        let top = self.holder.iter().map(|(p, up)| up + p.height()).fold(0.0, f64::max);
         for (k, (profile, up)) in std::iter::once(&cutter).chain(&self.holder).enumerate() {
             let [a, b] = ends;
             for s in &self.surfaces {
@@ -115,8 +113,7 @@ impl Guard {
                 }
             }
             for p in &self.plain {
-                let side = p.side(&cutter.0, top, a);
-                if let Some((depth, _)) = p.deep((profile, *up), side, ends, self.intol) {
+                if let Some((depth, _)) = p.deep((profile, *up), ends, self.intol) {
                     let surface = p.name.clone();
                     return Err(Gouge { surface, span: None, depth, holder: k > 0 });
                 }

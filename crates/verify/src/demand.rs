@@ -15,7 +15,6 @@ use crate::pile::Pile;
 use crate::sheet::Sheet;
 use crate::sheets::Sheets;
 use crate::solid::Solid;
-use crate::standing::{Place, Sided};
 use crate::tool::{Pose, Tool};
 
 /// Stretches of a vector that wait, from, to and how often halved: never more than one a halving.
@@ -114,21 +113,16 @@ impl Demand {
         Self { body, side, within, open: c.open, on, least, most }
     }
 
-    /// That no point of a tool that stands there is deeper than `depth` beyond the surface; `None` where that has no
-    /// closed form.
-    pub(crate) fn clear(surface: &Sided, place: Place, depth: f64) -> Option<Self> {
-        let (inside, open) = (place != Place::Outside, place == Place::Open);
-        let body = match surface {
-            Sided::Solid(Solid::Half(p)) if inside => {
-                Body::Solid(Solid::Half(Plane { n: -p.n, d: -p.d }))
-            }
-            Sided::Solid(solid) => Body::Solid(*solid),
-            Sided::Quadric(q) if open => Body::Hollow(Hollow::new(q)?),
-            Sided::Quadric(_) => return None,
+    /// That no point of a tool is deeper than `depth` beyond a surface with a closed form, the tool on the side `side` of
+    /// it; `None` of other surfaces.
+    pub(crate) fn clear(form: &Form, side: f64, depth: f64) -> Option<Self> {
+        let solid = match Solid::new(form)? {
+            Solid::Half(p) if side < 0.0 => Solid::Half(Plane { n: -p.n, d: -p.d }),
+            solid => solid,
         };
-        let within = inside && !matches!(body, Body::Solid(Solid::Half(_)));
-        let side = if inside { -1.0 } else { 1.0 };
-        Some(Self { body, side, within, open, on: false, least: -depth, most: f64::INFINITY })
+        let within = side < 0.0 && !matches!(solid, Solid::Half(_));
+        let (body, least, most) = (Body::Solid(solid), -depth, f64::INFINITY);
+        Some(Self { body, side, within, open: false, on: false, least, most })
     }
 
     /// Judges the cut vector from `a` to `b`; `pad` covers rounding. Of what is refuted the deepest place is

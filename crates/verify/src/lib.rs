@@ -25,7 +25,6 @@ mod search;
 mod sheet;
 mod sheets;
 mod solid;
-mod standing;
 mod statement;
 mod swath;
 mod sweep;

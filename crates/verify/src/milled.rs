@@ -14,7 +14,7 @@ use crate::scallop::{Cusps, Left};
 use crate::search::{Aim, FOLD, Moved, clearance_from};
 use crate::sheet::Sheet;
 use crate::sheets::Sheets;
-use crate::standing::{Place, Sided};
+use crate::solid::Solid;
 use crate::statement::{PLACES, Seen, Statement};
 use crate::swath::Swath;
 use crate::sweep::Sweep;
@@ -45,10 +45,6 @@ pub(crate) struct MilledSurface {
     role: &'static str,
     /// What keeps clear of it beside the cutter itself: of shank and holder one solid.
     holder: Option<Raised>,
-    /// How high above the tool end shank and holder go.
-    top: f64,
-    /// Its two sides, where they are known of any place.
-    sided: Option<Sided>,
     /// Is the tool end held to it? Else the cutter stays away from it.
     on: bool,
     side: f64,
@@ -61,10 +57,8 @@ pub(crate) struct MilledSurface {
 enum Body {
     /// It has charts.
     Sheet(Arc<Sheet>),
-    /// It has a closed form: what is asked of a tool outside of it, inside, and inside where it is open.
-    Closed(Box<[Demand; 3]>),
-    /// It has charts, and a closed form where it is open.
-    Hollow(Arc<Sheet>, Box<Demand>),
+    /// It has a closed form: what is asked of a tool on its positive side, and on the other.
+    Closed(Solid, Box<[Demand; 2]>),
     /// Nothing that could be proved against.
     Unknown,
 }
@@ -90,8 +84,6 @@ impl Region {
             .extend(milling.plain.iter().map(|p| MilledSurface::plain(p, milling.intol, sheets)));
         // Shank and holder keep clear of what is checked, the part surface only where it is.
         let kept = |s: &&MilledSurface| s.role != "part" || milling.guarded;
-        let top = milling.holder.iter().map(|h| h.up + h.profile.height()).fold(0.0, f64::max);
-        surfaces.iter_mut().for_each(|s| s.top = top);
         let held = milling.holder.iter().flat_map(|h| {
             surfaces.iter().filter(kept).map(|s| MilledSurface { holder: Some(*h), ..s.clone() })
         });
@@ -155,8 +147,6 @@ impl MilledSurface {
             name: name_of(&of.name),
             role,
             holder: None,
-            top: 0.0,
-            sided: None,
             on,
             side: of.side,
             band: [least, if on { most } else { f64::INFINITY }],
@@ -165,29 +155,19 @@ impl MilledSurface {
 
     /// A surface that is not sculptured. Its straight continuations belong to it.
     fn plain(of: &Plain, intol: f64, sheets: &Sheets) -> Self {
-        let sided = Sided::new(&of.form);
-        let at = |place: Place| Demand::clear(sided.as_ref()?, place, intol);
+        let on_side = |side: f64| Demand::clear(&of.form, side, intol);
         let closed = || {
-            let places = [at(Place::Outside)?, at(Place::Inside)?, at(Place::Open)?];
-            Some(Body::Closed(Box::new(places)))
+            let both = Box::new([on_side(1.0)?, on_side(-1.0)?]);
+            Some(Body::Closed(Solid::new(&of.form)?, both))
         };
         // The working surface of a POLCON with a thickness is another one.
         let thick = matches!(of.form.shape(), Form::Polyconic(p) if p.thickness != 0.0);
-        let sheet = || {
-            let sheet = sheets.of_form(&of.form).filter(|_| !thick)?;
-            Some(match at(Place::Open) {
-                Some(open) => Body::Hollow(sheet, Box::new(open)),
-                None => Body::Sheet(sheet),
-            })
-        };
-        let body = closed().or_else(sheet).unwrap_or(Body::Unknown);
+        let sheet = || sheets.of_form(&of.form).filter(|_| !thick).map(Body::Sheet);
         Self {
-            body,
+            body: closed().or_else(sheet).unwrap_or(Body::Unknown),
             name: name_of(&of.name),
             role: "checked",
             holder: None,
-            top: 0.0,
-            sided,
             on: false,
             side: 1.0,
             band: [-intol, f64::INFINITY],
@@ -196,8 +176,8 @@ impl MilledSurface {
 
     fn sheet(&self) -> Option<&Arc<Sheet>> {
         match &self.body {
-            Body::Sheet(sheet) | Body::Hollow(sheet, _) => Some(sheet),
-            Body::Closed(_) | Body::Unknown => None,
+            Body::Sheet(sheet) => Some(sheet),
+            Body::Closed(..) | Body::Unknown => None,
         }
     }
 
@@ -217,31 +197,20 @@ impl MilledSurface {
         };
         let [from, most] = self.band;
         let warm = &mut seen.warm;
-        let begins = Pose { te: a.te, ta: a.ta };
-        let place = self.sided.as_ref().map(|s| s.place(profile, self.top, &begins));
-        // What has no closed form tells where the surface is in the tool, not that it stands between its parts.
-        let closed = matches!(self.body, Body::Closed(_));
-        let parted = place.filter(|_| self.holder.is_some() && !closed).and_then(|place| {
-            let depth = self.sided.as_ref()?.across(place, tool.inner(&begins))?;
-            (-depth < from - pad).then_some(Verdict::Refuted { gap: -depth, te: a.te })
-        });
-        let verdict = parted.unwrap_or_else(|| match &self.body {
+        let verdict = match &self.body {
             Body::Sheet(sheet) if self.on && self.holder.is_none() => {
                 let curved = Curved { sheet, side: self.side, on: true, least: from, most };
                 curved.judge(&Tool::End, a, b, pad, warm)
             }
-            Body::Hollow(_, open) if place == Some(Place::Open) => {
-                open.judge_tool(&tool, a, b, pad, warm)
-            }
-            Body::Sheet(sheet) | Body::Hollow(sheet, _) => {
-                self.clear(sheet, &tool, a, b, pad, warm)
-            }
-            Body::Closed(places) => {
-                let place = place.map_or(0, |p| p as usize);
-                places[place].judge_tool(&tool, a, b, pad, warm)
+            Body::Sheet(sheet) => self.clear(sheet, &tool, a, b, pad, warm),
+            Body::Closed(solid, sides) => {
+                // The tool stands on the side of its middle.
+                let middle = a.te + a.ta * tool.middle().0;
+                let side = usize::from(solid.distance(middle) < 0.0);
+                sides[side].judge_tool(&tool, a, b, pad, warm)
             }
             Body::Unknown => Verdict::Undecided { at_most: f64::INFINITY, te: a.te },
-        });
+        };
         let with = if self.holder.is_some() { " with the holder" } else { "" };
         let surface = || format!("{} surface {}{with}", self.role, self.name);
         match verdict {

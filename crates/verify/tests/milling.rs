@@ -6,9 +6,7 @@ use aptc_cldata::milling::{Extent, Milled, Milling, Plain, Raised, Scallop};
 use aptc_cldata::{Control, Kind, Motion, MotionKind, NameRef, Position, Record};
 use aptc_diagnostics::{Diagnostic, Origin, codes};
 use aptc_geometry::sculpt::{SplinePoint, mesh};
-use aptc_geometry::{
-    Cutter, Cylinder, Form, Plane, Profile, Quadric, QuadricKind, Sculptured, Sphere, Vec3, trig,
-};
+use aptc_geometry::{Cutter, Cylinder, Form, Plane, Profile, Sculptured, Sphere, Vec3, trig};
 use aptc_verify::{Certificate, Effort, Verifier, deviation_svg};
 
 const BAND: f64 = 0.01;
@@ -187,60 +185,6 @@ fn surfaces_of_other_kinds_are_held_off_by_cutter_and_holder() {
         let holder = c.statements[0].fault.as_ref().map(|f| f.surface.clone());
         assert_eq!(c.refuted > 0, faults, "{holder:?}");
         assert!(!faults || holder.is_some_and(|s| s == "part surface FLOOR with the holder"));
-    }
-}
-
-#[test]
-fn a_surface_between_cutter_and_holder_is_found_and_a_bowl_is_open_above() {
-    let flat = square(|_, _| 0.0);
-    let path = upright(&passes(2.0, 0.0));
-    // The cutter ends at 40, the holder begins at 60 and goes to 80.
-    let far = Raised { up: 60.0, ..holder() };
-    let with = |form: Form| {
-        let own =
-            Milling { plain: vec![plain("K", form)], holder: vec![far], ..milling(&flat, None) };
-        judge(own, path.clone()).0
-    };
-    let level = |z: f64| Form::Plane(Plane { n: Vec3::z(), d: z });
-    let squares = |c: [f64; 3], d: f64, r: f64| {
-        let [a, b, c] = c;
-        Form::Quadric(Quadric {
-            kind: QuadricKind::Qadric,
-            c: [a, b, c, d, 0.0, 0.0, 0.0, 0.0, 0.0, r],
-        })
-    };
-    let between = [
-        level(50.0),
-        // A pair of planes, z = 50 and z = -50, as a quadric; and a paraboloid whose bowl holds the holder.
-        squares([0.0, 0.0, 1.0], -2500.0, 0.0),
-        squares([1.0, 1.0, 0.0], 2500.0, -25.0),
-        // The ball that the holder is in and the cutter is not.
-        Form::Sphere(Sphere { center: Vec3::new(10.0, 10.0, 120.0), radius: 78.0 }),
-    ];
-    for form in between {
-        let c = with(form.clone());
-        let fault = c.statements[0].fault.clone().expect("a fault");
-        assert!(c.refuted > 0 && fault.surface == "checked surface K with the holder", "{form:?}");
-    }
-    assert!(with(level(81.0)).refuted == 0 && with(level(-1.0)).is_proved());
-    // Bowls that the cutter stands in and the whole tool has no room in: a sphere, a trough, an ellipsoid.
-    let bowl = |radius: f64| {
-        let center = Vec3::new(10.0, 10.0, radius - 1.0);
-        [
-            Form::Sphere(Sphere { center, radius }),
-            Form::Cylinder(Cylinder { point: center, axis: Vec3::x(), radius }),
-        ]
-    };
-    for form in bowl(30.0).into_iter().chain(bowl(36.0)) {
-        // The corners of the square are as far as 14 from its middle: there the cutter is in the wall, but not the top.
-        let c = with(form.clone());
-        let fault = c.statements[0].fault.clone().expect("the wall");
-        assert!(!fault.surface.contains("holder") && fault.depth < 12.0, "{form:?} {fault:?}");
-        let small = upright(&[[9.0, 10.0, 0.0], [11.0, 10.0, 0.0]]);
-        let own =
-            Milling { plain: vec![plain("K", form)], holder: vec![far], ..milling(&flat, None) };
-        let (c, said) = judge(own, small);
-        assert!(c.is_proved(), "{said:?}");
     }
 }
 
