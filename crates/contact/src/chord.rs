@@ -13,6 +13,8 @@ const ANOTHER: f64 = 0.1;
 const MOST_ROUND: f64 = 0.7;
 /// Share of a chord at which it is seen what touches once the axis turns.
 const BESIDE: f64 = 1e-3;
+/// Share by which a gap rises over its tangents at an edge, of what these rise and fall on the piece.
+const BENT: f64 = 0.05;
 /// Share of its way to a limit to which an extreme gap is found.
 const BY: f64 = 0.01;
 /// Greatest number of pieces into which a chord over a surface of mixed curvature is cut.
@@ -243,15 +245,18 @@ impl Run<'_, '_> {
         Ok(if other.gap.g < m.gap.g { other } else { m })
     }
 
-    /// Where the contact goes over from one place to another on a piece, the gap is the less of two and has an edge: no farther
-    /// out than both tangents meet, as bent as the gaps are on so short a way.
+    /// Where the contact goes over from one place to another on a piece, the gap is the less of two and has an edge: about where
+    /// both tangents meet. Over a crest both gaps bend up from them; that counts as a share of how steep they are, which is an
+    /// estimate and falls away as pieces are halved.
     fn crest(&self, a: &Place, b: &Place) -> Option<Extreme> {
         let edge = a.slope > 0.0 && b.slope < 0.0;
         if !edge || self.apart(a, b) <= ANOTHER * self.tool.profile.widest() {
             return None;
         }
         let t = (a.gap.g - b.gap.g + b.slope * b.t - a.slope * a.t) / (b.slope - a.slope);
-        (t > a.t && t < b.t).then_some(Extreme { t, g: a.gap.g + a.slope * (t - a.t) })
+        let bent = BENT * (b.t - a.t) * (a.slope - b.slope);
+        let g = a.gap.g + a.slope * (t - a.t) + bent;
+        (t > a.t && t < b.t).then_some(Extreme { t, g })
     }
 
     /// How far the places of the cutter are from one another that touch at two places of the chord.

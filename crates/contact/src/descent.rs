@@ -193,8 +193,6 @@ fn step(here: &At, cap: f64) -> Vec3 {
         // Along a flank that lies nearly along a ruling the gap falls evenly, by little, to its end.
         let floor = 1e-9 * top;
         let (a, b) = (-a / w1.abs().max(floor), -b / w2.abs().max(floor));
-        // Each by itself: a long way along a ruling must not shorten the one across it.
-        let (a, b) = (a.clamp(-cap, cap), b.clamp(-cap, cap));
         [p * a - q * b, q * a + p * b]
     };
     let d = u * d[0] + v * d[1];

@@ -254,9 +254,9 @@ const FLANK: usize = 8;
 /// Share of the cutter's size after which its contact is looked for anew in any case.
 const LOOK: f64 = 0.25;
 
-/// The same where stations tell when one that is not there yet may come up: share of the cutter's radius, which below a long
-/// shank is several times less.
-const SEEN: f64 = 0.5;
+/// The same where a dip that is not there yet may come up: share of the cutter's radius, which below a long shank is several
+/// times less.
+const SEEN: f64 = 0.15;
 
 /// A point of the tool's axis, near the corner.
 fn middle(tool: &Tool<'_>) -> Vec3 {

@@ -148,8 +148,12 @@ impl Track {
         // Vertices of the motion before may lie at the very edge; they are no fault of this chord.
         let slack = |share: f64| 1e-14 * self.size + share * keep.width();
         let (own, inside) = (slack(if sharp { 0.0 } else { own }), slack(found));
-        let least = (ends[0].min(ends[1]) - own).min(limits.low + inside);
-        let most = (ends[0].max(ends[1]) + own).max(limits.high - inside);
+        // What looks are unsure of reaches to the edge, and beyond it only from an end that lies there.
+        let [under, over] = [ends[0].min(ends[1]), ends[0].max(ends[1])];
+        let own =
+            [under - limits.low, limits.high - over].map(|room| own.min(room.max(slack(0.0))));
+        let least = (under - own[0]).min(limits.low + inside);
+        let most = (over + own[1]).max(limits.high - inside);
         let fits = low >= least && high <= most;
         let mut ratio = f64::INFINITY;
         if depth > 0.0 || dips[0].min(dips[1]) > aim {

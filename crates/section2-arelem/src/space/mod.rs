@@ -6,6 +6,7 @@ mod guided;
 mod judge;
 mod keep;
 mod nearest;
+mod overlooked;
 mod run;
 mod start;
 mod stride;

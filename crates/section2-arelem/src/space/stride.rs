@@ -41,6 +41,8 @@ const EDGES_APART: f64 = 1e-9;
 const SPARE: f64 = 1.1;
 /// Cut vectors of which every trial looks for other places of contact once one was found.
 const CAREFUL: u32 = 6;
+/// How often a cut vector is made shorter as the cutter cuts in on its way.
+const CUT_SHORT: u32 = 12;
 /// Greatest turn of the track in one cut vector, radians.
 const MOST_TURN: f64 = 2.0;
 
@@ -154,6 +156,18 @@ impl Track {
     /// The contacts are followed from vector to vector. Whether the cutter touches deeper elsewhere is asked
     /// when it may be so; once it is, and where nothing is found, every trial of some cut vectors asks.
     pub(crate) fn stride(&self, from: &Node, cap: f64, pace: &mut Pace) -> Result<Stride, Trouble> {
+        let mut cap = cap;
+        for _ in 0..CUT_SHORT {
+            let before = *pace;
+            let stride = self.stride_to(from, cap, pace)?;
+            let Some(s) = self.overlooked(from, &stride, before.room) else { return Ok(stride) };
+            (*pace, cap) = (before, s);
+        }
+        Err(Trouble::Contact)
+    }
+
+    /// The same, of which nobody has looked on the way.
+    fn stride_to(&self, from: &Node, cap: f64, pace: &mut Pace) -> Result<Stride, Trouble> {
         if pace.careful == 0 {
             let guided = self.guided(from, cap, pace);
             if let Some(stride) = guided
