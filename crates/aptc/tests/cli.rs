@@ -54,7 +54,6 @@ fn a_leaning_axis_without_machin_is_posted_for_five_axes() {
     }
 }
 
-/// Who names no machine and asks for no machine code is not failed by a machine that is only assumed.
 #[test]
 fn a_rapid_through_the_stock_is_an_error_with_any_machine() {
     let dir = tempfile::tempdir().expect("a folder of our own");
@@ -65,6 +64,7 @@ fn a_rapid_through_the_stock_is_an_error_with_any_machine() {
     assert!(run.status.code() != Some(0) && said.contains("Error"), "{said}");
 }
 
+/// Who names no machine and asks for no machine code is not failed by a machine that is only assumed.
 #[test]
 fn cl_data_alone_need_no_feed() {
     let bare = "PARTNO BARE\nUNITS/MM\nCUTTER/6\nFROM/0,0,10\nGOTO/0,0,-1\nGOTO/50,0,-1\nFINI\n";
@@ -76,6 +76,13 @@ fn cl_data_alone_need_no_feed() {
     let said = text(&run.stderr);
     assert!(said.contains("no machine code is written: this cut has no feed rate"), "{said}");
     assert!(!said.contains("Error") && !said.contains("Warning"), "{said}");
+    // Nor words that the assumed machine has not, as a lathe's or an old mill's.
+    let words = bare.replace("CUTTER", "FEDRAT/100\nSPINDL/HIGH,2000,OFF\nCUTTER");
+    fs::write(dir.path().join("words.apt"), words).expect("a folder of our own");
+    let run = aptc(dir.path(), &["compile", "words.apt"]);
+    let told = text(&run.stderr);
+    assert_eq!(run.status.code(), Some(0), "{told}");
+    assert!(told.contains("no machine code is written: SPINDL/HIGH,2000,OFF"), "{told}");
     // Machine code of an earlier run would pass for that of this one.
     assert!(!said.contains("earlier run"), "{said}");
     fs::write(dir.path().join("bare.nc"), "G0 Z50\n").expect("a folder of our own");

@@ -50,7 +50,7 @@ pub struct CodeOptions {
     /// none is assumed and Section 4 is left out.
     pub unasked: bool,
     /// Machine code is one of the things that are written when nothing is said of it: where no machine is named either,
-    /// and the one that is assumed finds no feed rate, the CL data stand without machine code and with a note.
+    /// and the one that is assumed finds no feed rate or has not the words, the CL data stand without machine code and with a note.
     pub by_default: bool,
 }
 

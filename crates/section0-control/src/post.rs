@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 
 use aptc_cldata::{Arg, Kind, Position, Record};
-use aptc_diagnostics::{Diagnostic, Span, codes};
+use aptc_diagnostics::{Code, Diagnostic, Span, codes};
 use aptc_post::{BlockOrigin, Machine, Post, PostOptions, SetupSheet, ToolScan};
 use smol_str::SmolStr;
 
@@ -139,9 +139,12 @@ impl PartHead {
 pub(crate) struct Poster<W> {
     runs: Vec<Run<W>>,
     diagnostics: Vec<Diagnostic>,
-    /// The machine is assumed and its code was not asked for: that it lacks a feed is no error.
+    /// The machine is assumed and its code was not asked for: a feed that is missing and words that it has not are no errors.
     may_fail: bool,
 }
+
+/// What a program lacks that was not written for the machine that is assumed, or has too much of: its motions are sound.
+const LACKING: [Code; 3] = [codes::NO_FEED, codes::WORD_LACKING, codes::POST_ARGUMENTS];
 
 /// Machine codes with their texts.
 type Texts<W> = Vec<(Nc, W)>;
@@ -207,11 +210,11 @@ impl<W: Write> Poster<W> {
             run.out.flush()?;
             let refused = posted.diagnostics.iter().any(Diagnostic::is_error);
             let mut errors = posted.diagnostics.iter().filter(|d| d.is_error());
-            let no_feed = |d: &Diagnostic| d.code == codes::NO_FEED;
+            let lacks = |d: &Diagnostic| LACKING.contains(&d.code);
             if self.may_fail
                 && let Some(why) = errors.next()
-                && no_feed(why)
-                && errors.all(no_feed)
+                && lacks(why)
+                && errors.all(lacks)
             {
                 let what = format!("no machine code is written: {}", why.message);
                 let help =
