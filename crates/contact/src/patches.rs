@@ -383,8 +383,13 @@ impl PatchTree {
         };
         let [a, b] = cell.first;
         let [p, _, r] = cell.second;
-        let split =
-            usize::from(b.norm_squared() + r.norm_squared() > a.norm_squared() + p.norm_squared());
+        // What strays counts too: where a border runs together in a point, the piece is short along it and strays as
+        // elsewhere, and halves across the other parameter alone would never be near it.
+        let [s, t] = cell.rests;
+        let split = usize::from(
+            b.norm_squared() + r.norm_squared() + t * t
+                > a.norm_squared() + p.norm_squared() + s * s,
+        );
         let place = PatchPlace { patch: leaf.number, uv: piece.mid, point: cell.point, distance };
         Look { place, bound: bound - unsure, low: at, split, reach }
     }
