@@ -357,3 +357,57 @@ fn bottoms_of_holes_in_fusion() {
     let kinds = read(&format!("{head}{bore}"), None);
     assert!(!args(&kinds, "CYCLE").unwrap().contains(&word("ORIENT")));
 }
+
+#[test]
+fn what_is_unknown_in_a_cycle_of_fusion_is_an_error() {
+    let head = "MODE/TURN\n$$ VERSION 5\n\nPARTNO/'1'\nUNITS/MM\n";
+    for unit in ["MMPM", "IPM", "MMPR", "IPR"] {
+        let kinds = read(
+            &format!("{head}CYCLE/TAP, 12., {unit}, 1.25, 15., RAPTO, 10.\nGOTO/3., 1., -12.\n"),
+            None,
+        );
+        assert_eq!(places(&kinds), [[3.0, 1.0, 0.0]], "{unit}");
+        let said = args(&kinds, "CYCLE").unwrap();
+        assert_eq!(said[3..5], [word(unit), number(1.25)]);
+        assert_eq!(said[6..], [number(5.0), word("RTRCTO"), number(15.0)]);
+    }
+    for (cycle, what) in [
+        ("DRILL, 12., MMPH, 200., 15.", "MMPH"),
+        ("DRILL, 12., MMPM, 200., 15., WIDTH, 3.", "WIDTH"),
+        ("DRILL, 12., MMPM, 200., 15., RAPTO", "RAPTO"),
+        ("DRILL, 12., MMPM, 200., 15., MMPR, .1", "a feed stands twice"),
+        ("DRILL, 12., MMPM, 200., 15., 3.", "ORIENT"),
+        ("DRILL, 12., MMPM, 200.", "no clearance"),
+        ("DRILL, 12., MMPM, 200., 15.\nGOTO/0., 0., -12.\nCYCLE/ON, FEDTO, 9.", "CYCLE/ON"),
+    ] {
+        let text = format!("{head}CYCLE/{cycle}\nGOTO/3., 1., -12.\nCYCLE/OFF\n");
+        let mut reader = Reader::open(text.as_bytes(), None).unwrap();
+        let mut record = Record::default();
+        while reader.read(&mut record).unwrap() {}
+        let said = reader.into_diagnostics();
+        assert!(said.iter().any(|d| d.is_error() && d.message.contains(what)), "{cycle}: {said:?}");
+    }
+}
+
+#[test]
+fn a_cycle_of_fusion_comes_back() {
+    let text = "MODE/MILL\nPARTNO/'1'\nUNITS/MM\nCYCLE/DRILL, 12., MMPM, 200., 15., RAPTO, 10.\n\
+                GOTO/30., 10., -12.\nCYCLE/OFF\nGOTO/40., 10., 15.\nCYCLE/ON\nGOTO/40., 10., -14.\n\
+                CYCLE/OFF\nCYCLE/OFF\nCYCLE/ON\nGOTO/50., 10., -12.\nCYCLE/OFF\nGOTO/1., 1., 9.\n";
+    let kinds = read(text, None);
+    let tops = [[30.0, 10.0, 0.0], [40.0, 10.0, 15.0], [40.0, 10.0, -2.0], [50.0, 10.0, 0.0]];
+    assert_eq!(places(&kinds)[..4], tops);
+    assert_eq!(places(&kinds)[4..], [[1.0, 1.0, 9.0]]);
+    let clear: Vec<Option<&Arg>> = kinds
+        .iter()
+        .filter_map(|k| match k {
+            Kind::Post { word, args } if word == "CYCLE" => Some(args.get(6)),
+            _ => None,
+        })
+        .collect();
+    let (low, high) = (number(5.0), number(7.0));
+    assert_eq!(clear, [Some(&low), None, Some(&high), None, None, Some(&low), None]);
+    // A cycle in the words of other systems comes back as such.
+    let words = text.replace("DRILL, 12., MMPM, 200., 15.", "DRILL, FEDTO, 12., CLEAR, 15.");
+    assert_eq!(places(&read(&words, None))[2..3], [[40.0, 10.0, -14.0]]);
+}

@@ -13,11 +13,15 @@ const MOVED_MM: f64 = 0.01;
 impl Post {
     /// The coordinate system of the positions that follow.
     ///
-    /// The one that holds when the tool first moves is that of the zero on the machine. Positions of another one are
+    /// The one that holds when the tool first moves is that of the zero on the machine; where none was named until
+    /// then, the first that is named is compared with that of the program itself. Positions of another one are
     /// written as they are, for only the operator knows where its zero lies; that is told.
     pub(crate) fn frame(&mut self, frame: &Transform, origin: &Origin) {
         let last = self.st.frame.replace(*frame);
-        let Some(last) = last.filter(|_| self.st.pos.is_some()) else { return };
+        if self.st.pos.is_none() {
+            return;
+        }
+        let last = last.unwrap_or_else(Transform::identity);
         let turn = last.linear.transpose() * frame.linear;
         let turned = trig::acos_clamped((turn.trace() - 1.0) / 2.0).to_degrees();
         let shift = frame.shift - last.shift;

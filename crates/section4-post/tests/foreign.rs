@@ -46,7 +46,12 @@ fn a_cycle_comes_back_with_another_depth() {
         let depths: Vec<bool> = holes.iter().map(|l| l.contains("-11")).collect();
         assert!(depths.first() == Some(&false) && depths.contains(&true), "{name}: {holes:?}");
         assert!(holes[0].contains("-9"), "{name}: {holes:?}");
-        assert!(!nc.contains("X30. Y0. Z-9"), "{name}: the last depth holds\n{nc}");
+        // The last depth holds, for the third hole too.
+        assert!(holes[1..].iter().all(|l| l.contains("-11")), "{name}: {holes:?}");
+        // Heidenhain gives each number a sign.
+        let nc = nc.replace("X+", "X");
+        let later = nc.split_once("X20").expect("the second hole").1;
+        assert!(later.contains("X30") && !later.contains("-9"), "{name}\n{nc}");
     }
     let (_, posted) = post("haas-vf", &text.replace("CYCLE/ON,FEDTO,-11", "CYCLE/ON,WIDTH,-11"));
     assert_eq!(said(&posted, "APT4006").len(), 1);
@@ -165,4 +170,94 @@ fn turns_at_constant_surface_speed_are_those_where_the_tool_is() {
                 FEDRAT/.2,MMPR\nGOTO/30,0,5\nGOTO/15,0,5\nDELAY/REV,10\nGOTO/30,0,5\nFINI";
     // 60 m a minute at a diameter of 30 mm are 636.6 turns a minute.
     assert!(good("linuxcnc-lathe", text).contains("G4 P0.942"), "{}", good("linuxcnc-lathe", text));
+}
+
+#[test]
+fn heights_of_a_cycle_that_comes_back() {
+    let text = format!(
+        "{HEAD}GOTO/0,0,30\nCYCLE/DRILL,DEPTH,9,CLEAR,20,RAPTO,4,MMPM,80\nGOTO/10,0,0\n\
+         CYCLE/ON,CLEAR,25\nGOTO/20,0,0\nCYCLE/OFF\nFINI"
+    );
+    let whole = text.replace("CYCLE/ON,CLEAR,25", "CYCLE/DRILL,DEPTH,9,CLEAR,25,RAPTO,4,MMPM,80");
+    for name in ["haas-vf", "siemens-840d-mill", "heidenhain-tnc", "linuxcnc-mill"] {
+        assert_eq!(good(name, &text), good(name, &whole), "{name}");
+    }
+    // A retract below where the feed begins, at once or by what came before.
+    let low = text.replace("RAPTO,4", "RTRCTO,21").replace("CYCLE/ON", "CYCLE/ON,RTRCTO,3");
+    let (_, posted) = post("haas-vf", &low);
+    assert_eq!(said(&posted, "APT4005").len(), 1);
+    let (_, posted) = post("haas-vf", &text.replace("RAPTO,4", "RTRCTO,21"));
+    assert!(said(&posted, "APT4005")[0].contains("ends at 21, below its clearance of 25"));
+}
+
+/// Holes under a refused cycle are not drilled as the one before.
+#[test]
+fn a_refused_cycle_ends_the_one_before() {
+    let text = format!(
+        "{HEAD}GOTO/0,0,30\nCYCLE/DRILL,DEPTH,9,CLEAR,2,MMPM,80\nGOTO/10,0,0\n\
+         CYCLE/DRILL,DEPTH,5,CLEAR,2,WIDTH,3\nGOTO/20,0,0\nCYCLE/OFF\nFINI"
+    );
+    let (nc, posted) = post("haas-vf", &text);
+    assert_eq!(said(&posted, "APT4006").len(), 1);
+    let after = nc.split_once("G81").expect("the first hole").1;
+    assert!(after.split_once("X20").expect("the second").0.contains("G80"), "{nc}");
+    assert!(!after.contains("G81"), "{nc}");
+}
+
+#[test]
+fn a_pitch_is_that_of_a_tap() {
+    let text = "UNITS/INCHES\nCUTTER/.25\nLOADTL/1\nSPINDL/500,CLW\nCOOLNT/ON\nFEDRAT/10\nFROM/0,0,4\n\
+                GOTO/0,0,2\nCYCLE/TAP,DEPTH,.5,PITCH,.05,CLEAR,.1\nGOTO/1,0,0\nCYCLE/OFF\nGOTO/2,0,2\nFINI";
+    let nc = good("haas-vf", text);
+    for feed in ["IPR,.05", "IPM,25", "PERREV,.05", "MMPM,635"] {
+        let both = text.replace("PITCH,.05", &format!("PITCH,.05,{feed}"));
+        assert_eq!(good("haas-vf", &both), nc, "{feed}");
+    }
+    for (bad, code, what) in [
+        ("PITCH,20", "APT4007", "a pitch of 20 inches"),
+        ("PITCH,.05,IPM,20", "APT4007", "not that of the pitch"),
+        ("PITCH,.05,IPR,.06", "APT4007", "not that of the pitch"),
+    ] {
+        let (_, posted) = post("haas-vf", &text.replace("PITCH,.05", bad));
+        let said = said(&posted, code);
+        assert!(said.len() == 1 && said[0].contains(what), "{bad}: {:?}", posted.diagnostics);
+    }
+    let (_, posted) = post("haas-vf", &text.replace("CYCLE/TAP", "CYCLE/DRILL"));
+    assert!(said(&posted, "APT4006")[0].contains("nothing for PITCH"));
+}
+
+#[test]
+fn a_frame_named_after_the_first_motion_is_told() {
+    let frame =
+        |z: u32| format!("{HEAD}GOTO/0,0,3\nCSYS/1,0,0,{z},0,1,0,0,0,0,1,0\nGOTO/1,0,3\nFINI");
+    assert!(said(&post("haas-vf", &frame(80)).1, "APT4030")[0].contains("80,0,0"));
+    assert!(said(&post("haas-vf", &frame(0)).1, "APT4030").is_empty());
+}
+
+#[test]
+fn a_second_channel_is_refused() {
+    for (n, errors) in [(1, 0), (2, 1), (4, 1)] {
+        let (_, posted) = post("haas-vf", &format!("{HEAD}CHANNEL,{n}\nGOTO/0,0,3\nFINI"));
+        assert_eq!(said(&posted, "APT4006").len(), errors, "{n}");
+    }
+}
+
+#[test]
+fn a_tool_named_again_keeps_its_comment_to_itself() {
+    let text = HEAD.replace(
+        "LOADTL/1",
+        "TPRINT/T1 END MILL\nLOADTL/1\nTPRINT/T1 END MILL AGAIN\nLOADTL/1,ADJUST,7",
+    ) + "GOTO/1,2,3\nLOADTL/2\nSPINDL/3000,CLW\nGOTO/4,5,6\nFINI";
+    let nc = good("haas-vf", &text);
+    assert!(nc.contains("END MILL") && !nc.contains("AGAIN"), "{nc}");
+    // The next tool is made ready, though its number comes second.
+    let mut reader = Reader::open(text.as_bytes(), None).expect("text");
+    let (mut records, mut record) = (Vec::new(), Record::default());
+    while reader.read(&mut record).expect("text") {
+        records.push(record.clone());
+    }
+    let options = PostOptions { tools: vec![1, 1, 2], ..PostOptions::default() };
+    let (nc, _) = post_all(machine("haas-vf").expect("built in"), options, &records);
+    let before = nc.split_once("T2 M6").or(nc.split_once("T2 M06")).expect("the second tool").0;
+    assert!(before.contains("T2"), "{nc}");
 }

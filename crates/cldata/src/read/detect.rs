@@ -26,12 +26,14 @@ pub fn dialect(head: &[u8]) -> Dialect {
         if let Some(found) = by_line(&line) {
             return found;
         }
-        // MODE stands in many programs, but only here right before a PARTNO between quotes.
+        // MODE stands in many programs, but only here as the statement before a PARTNO between quotes.
         let mode = matches!(last.as_slice(), b"MODE/MILL" | b"MODE/TURN");
         if mode && line.starts_with(b"PARTNO/'") {
             return Dialect::Fusion;
         }
-        last = line;
+        if !line.is_empty() && !line.starts_with(b"$$") {
+            last = line;
+        }
     }
     Dialect::Iso
 }
@@ -162,6 +164,8 @@ mod tests {
             ("PARTNO/1\nUNIT/MM\nCSI_SET_FLUTE_LENGTH/4.\n", Dialect::Camworks),
             ("PARTNO/ 'x'\nOPNAME 'y'\n", Dialect::Dmg),
             ("MODE/MILL\nPARTNO/'1001'\n", Dialect::Fusion),
+            ("MODE/MILL\n\n$$ VERSION 5\n  \nPARTNO/'1001'\n", Dialect::Fusion),
+            ("MODE/TURN\nUNITS/MM\nPARTNO/'1001'\n", Dialect::Iso),
             ("MODE/MILL\nPARTNO 1001\n", Dialect::Iso),
             ("REMARK a.as  18-MAR-2019  NCLCAM 2018\n", Dialect::Ncl),
             ("{\"kind\"", Dialect::Json),

@@ -31,43 +31,98 @@ pub(super) struct Cycle {
     said: Option<[f64; 2]>,
 }
 
+/// What Fusion writes, for whom it is to be written otherwise.
+const FORM: &str = "write CYCLE/kind,depth[,INCR,step],MMPM|IPM|MMPR|IPR,feed,clearance[,RAPTO,r]";
+
 /// Takes a CYCLE in; false when it has the words of other systems.
+///
+/// A number behind the kind is Fusion's depth. Anything unknown behind it is an error: taken as it stands, the
+/// point would be the top of the hole and the hole as deep again.
 pub(super) fn cycle(state: &mut State, rest: &[u8]) -> bool {
-    state.bottoms = None;
     let mut list = Vec::new();
     args::parse(rest, &mut list);
-    let Some(cycle) = read(state, &list) else { return false };
-    state.close();
-    state.bottoms = Some(cycle);
-    true
+    let before = state.bottoms.take();
+    match list.as_slice() {
+        [Arg::Word(w), ..] if matches!(w.as_str(), "OFF" | "NOMORE") => {
+            state.bottoms_off = before.or(state.bottoms_off.take());
+            false
+        }
+        [Arg::Word(w), more @ ..] if w == "ON" => {
+            let Some(cycle) = before.or(state.bottoms_off.take()) else { return false };
+            state.close();
+            if more.is_empty() {
+                state.bottoms = Some(Cycle { at: state.at, said: None, ..cycle });
+            } else {
+                let what = "CYCLE/ON with values behind a cycle whose points are bottoms of holes";
+                refused(state, what);
+            }
+            true
+        }
+        [Arg::Word(kind), Arg::Number(depth), rest @ ..] => {
+            state.close();
+            state.bottoms_off = None;
+            match read(state, kind, *depth, rest) {
+                Ok(cycle) => state.bottoms = Some(cycle),
+                Err(what) => refused(state, &format!("CYCLE/{kind}: {what}")),
+            }
+            true
+        }
+        _ => {
+            state.bottoms_off = None;
+            false
+        }
+    }
 }
 
-fn read(state: &mut State, list: &[Arg]) -> Option<Cycle> {
-    let [Arg::Word(kind), Arg::Number(depth), rest @ ..] = list else { return None };
+/// A cycle that is not understood: the holes under it are not drilled as those before.
+fn refused(state: &mut State, what: &str) {
+    state.report.error(state.at, what, FORM);
+    state.emit(Kind::Post { word: "CYCLE".into(), args: vec![Arg::Word("OFF".into())] });
+}
+
+/// The cycle, or what is not understood in it.
+fn read(state: &mut State, kind: &SmolStr, depth: f64, rest: &[Arg]) -> Result<Cycle, String> {
     let (mut middle, mut tail) = (Vec::new(), Vec::new());
     let (mut clearance, mut rapto, mut shift, mut orient) = (None, None, false, None);
+    let mut had = Vec::new();
     let mut rest = rest.iter();
     while let Some(arg) = rest.next() {
         match arg {
             Arg::Number(n) if clearance.is_none() => clearance = Some(*n),
-            Arg::Number(_) => {
+            Arg::Number(_) if !shift => {
                 shift = true;
                 tail.push(arg.clone());
             }
+            Arg::Number(n) => return Err(format!("{n} has no meaning behind the clearance")),
             Arg::Word(w) => {
-                let Some(Arg::Number(n)) = rest.next() else { return None };
+                let Some(Arg::Number(n)) = rest.next() else {
+                    return Err(format!("no number behind {w}"));
+                };
                 let pair = |w: &str| [Arg::Word(w.into()), Arg::Number(*n)];
+                let place = match w.as_str() {
+                    "MMPM" | "IPM" | "MMPR" | "IPR" => "a feed",
+                    w => w,
+                };
+                if had.contains(&place) {
+                    return Err(format!("{place} stands twice"));
+                }
+                had.push(place);
                 match w.as_str() {
                     "INCR" => middle.extend(pair("STEP")),
-                    "MMPM" | "IPM" => middle.extend(pair(w)),
+                    "MMPM" | "IPM" | "MMPR" | "IPR" => middle.extend(pair(w)),
                     "RAPTO" => rapto = Some(*n),
                     "ORIENT" => orient = Some(pair(w)),
                     "DWELL" => tail.extend(pair(w)),
-                    _ => return None,
+                    _ => return Err(format!("{w} is not known behind its depth")),
                 }
             }
-            _ => return None,
+            Arg::Text(_) | Arg::Form { .. } => {
+                return Err("it has numbers and words alone".into());
+            }
         }
+    }
+    if shift && orient.is_none() {
+        return Err("a number behind the clearance, and no ORIENT to shift the spindle in".into());
     }
     if let Some(orient) = orient {
         // ORIENT,0 stands behind every BORE; without a shift nothing depends on it.
@@ -78,10 +133,10 @@ fn read(state: &mut State, list: &[Arg]) -> Option<Cycle> {
             state.report.note(state.at, codes::CL_VALUE, Severity::Note, what);
         }
     }
-    let clearance = clearance?;
+    let clearance = clearance.ok_or("no clearance")?;
     let retract = clearance - rapto.unwrap_or(0.0);
     let (kind, depth, at) = (kind.clone(), depth.abs(), state.at);
-    Some(Cycle { at, kind, depth, clearance, retract, middle, tail, said: None })
+    Ok(Cycle { at, kind, depth, clearance, retract, middle, tail, said: None })
 }
 
 /// The top of the hole with this bottom; the cycle is said when its heights above the top are others than before.

@@ -58,6 +58,8 @@ pub(super) struct State {
     pub(super) called: bool,
     /// A cycle whose points are the bottoms of holes.
     pub(super) bottoms: Option<super::fusion::Cycle>,
+    /// The last such cycle while it is off: CYCLE/ON brings it back.
+    pub(super) bottoms_off: Option<super::fusion::Cycle>,
 }
 
 /// The way of the tool at the start of an arc.
@@ -117,6 +119,7 @@ impl State {
             subprogram: None,
             called: false,
             bottoms: None,
+            bottoms_off: None,
         }
     }
 

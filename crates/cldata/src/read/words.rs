@@ -614,5 +614,5 @@ fn fini(state: &mut State) {
     state.pending = None;
     state.direction = None;
     (state.subprogram, state.called) = (None, false);
-    state.bottoms = None;
+    (state.bottoms, state.bottoms_off) = (None, None);
 }

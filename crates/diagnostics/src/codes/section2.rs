@@ -8,7 +8,7 @@ codes! {
     NO_CUTTER = 2002, "a surface is to be touched and no cutter is given";
     OFF_DRIVE_SURFACE = 2003, "the tool is not within tolerance of the drive surface";
     OFF_PART_SURFACE = 2004, "the tool is not within tolerance of the part surface";
-    WRONG_SIDE = 2005, "the tool is on the other side of the drive surface";
+    WRONG_SIDE = 2005, "the tool is not beside the drive surface where the word says";
     UNCLEAR_DIRECTION = 2006, "a direction word that does not say which way";
     ASSUMED_DIRECTION = 2007, "a direction word with no direction before it";
     CHECK_NOT_REACHED = 2008, "the check surface is not reached";

@@ -1,13 +1,13 @@
 //! CYCLE: reading its forms.
 
-use aptc_cldata::Arg;
+use aptc_cldata::{Arg, Units};
 use aptc_diagnostics::{Code, codes};
 use smol_str::SmolStr;
 
 use super::fedrat::unit;
 use crate::args::Statement;
-use crate::drill::DrillCycle;
-use crate::post::Post;
+use crate::drill::{DrillCycle, Heights};
+use crate::post::{Post, trimmed};
 use crate::state::{FeedUnit, Feedrate};
 use crate::words::refuse;
 
@@ -54,7 +54,8 @@ pub(super) fn cycle(post: &mut Post, s: &Statement<'_>) {
                 let help = "write the cycle with its values, CYCLE/DRILL,DEPTH,d,CLEAR,c";
                 post.warn(codes::CYCLE_INCOMPLETE, s.origin, message, help);
             }
-            match again(post.st.last_cycle.as_ref(), s) {
+            let cycle = again(post.st.last_cycle.as_ref(), s);
+            match cycle.and_then(|cycle| post.pitched(s, cycle)) {
                 Ok(cycle) => {
                     post.st.last_cycle.clone_from(&cycle);
                     post.st.cycle = cycle;
@@ -71,10 +72,10 @@ pub(super) fn cycle(post: &mut Post, s: &Statement<'_>) {
         }
         _ => {}
     }
-    match parse(s) {
+    match parse(s).and_then(|cycle| post.pitched(s, Some(cycle))) {
         Ok(cycle) => {
-            post.st.last_cycle = Some(cycle.clone());
-            post.st.cycle = Some(cycle);
+            post.st.last_cycle.clone_from(&cycle);
+            post.st.cycle = cycle;
         }
         Err(refusal) => post.refuse_cycle(s, refusal),
     }
@@ -85,6 +86,47 @@ impl Post {
     fn refuse_cycle(&mut self, s: &Statement<'_>, refusal: Refusal) {
         let Refusal { code, message, help } = refusal;
         self.error(code, s.origin, message, &help);
+        self.leave_cycle();
+        (self.st.cycle, self.st.last_cycle) = (None, None);
+    }
+
+    /// The cycle, when its pitch can be one and no other feed contradicts it.
+    fn pitched(
+        &self,
+        s: &Statement<'_>,
+        cycle: Option<DrillCycle>,
+    ) -> Result<Option<DrillCycle>, Refusal> {
+        let Some((pitch, other)) =
+            cycle.as_ref().and_then(|c| c.pitch.map(|p| (p, c.beside_pitch)))
+        else {
+            return Ok(cycle);
+        };
+        // No tap goes an inch in a turn, but threads are named by how many an inch has.
+        if self.st.units == Units::Inches && pitch >= 1.0 {
+            let n = trimmed(pitch, 6);
+            let message = format!("{}: a pitch of {n} inches is none of a tap", s.written());
+            let help = format!("write PITCH,1/{n} where {n} threads an inch are meant");
+            return Err(Refusal::new(codes::POST_ARGUMENTS, message, &help));
+        }
+        let Some(other) = other else { return Ok(cycle) };
+        let cl = self.st.units.mm();
+        let per_minute = || self.revolutions_here().filter(|n| *n > 0.0);
+        let (mm, turns) = match other.unit {
+            FeedUnit::PerRevolution => (cl, Some(1.0)),
+            FeedUnit::InchPerRevolution => (25.4, Some(1.0)),
+            FeedUnit::MmPerRevolution => (1.0, Some(1.0)),
+            FeedUnit::PerMinute => (cl, per_minute()),
+            FeedUnit::InchPerMinute => (25.4, per_minute()),
+            FeedUnit::MmPerMinute => (1.0, per_minute()),
+        };
+        // Feeds are rounded to a few digits: within a thousandth they are the same.
+        let same = |a: f64| (a - pitch * cl).abs() <= 1e-3 * pitch * cl;
+        if turns.is_some_and(|turns| same(other.value * mm / turns)) {
+            return Ok(cycle);
+        }
+        let message = format!("{}: the feed is not that of the pitch", s.written());
+        let help = "leave the feed out: the pitch is the feed of each turn";
+        Err(Refusal::new(codes::POST_ARGUMENTS, message, help))
     }
 }
 
@@ -98,14 +140,19 @@ pub(crate) fn again(
     if !v.plain.is_empty() {
         return Err(Refusal::arguments(s, "CYCLE/ON with a word before each value"));
     }
-    let (near, far) = heights(&v);
+    let mut said = v.said.or(last.said);
+    said.retract = said.retract.filter(|_| !v.auto);
+    let (feed, beside_pitch) = v.feeds();
     let cycle = DrillCycle {
         kind: last.kind.clone(),
         depth: v.depth.map_or(last.depth, f64::abs),
-        clear: near.or(last.clear),
-        retract: v.retract.or(far).or(last.retract).filter(|_| !v.auto),
-        retract_auto: v.auto || last.retract_auto && v.retract.is_none(),
-        feed: v.feed.or(last.feed),
+        said,
+        clear: said.clearance(),
+        retract: said.end(),
+        retract_auto: v.auto || last.retract_auto && v.said.retract.is_none(),
+        feed: feed.or(last.feed),
+        beside_pitch,
+        pitch: v.pitch,
         first_step: v.first_step.or(v.step).or(last.first_step),
         step: v.step.or(v.first_step).or(last.step),
         dwell: v.dwell.or(last.dwell),
@@ -154,9 +201,8 @@ pub(crate) fn parse(s: &Statement<'_>) -> Result<DrillCycle, Refusal> {
 struct Values {
     depth: Option<f64>,
     feed: Option<Feedrate>,
-    clear: Option<f64>,
-    rapto: Option<f64>,
-    retract: Option<f64>,
+    pitch: Option<f64>,
+    said: Heights,
     auto: bool,
     first_step: Option<f64>,
     step: Option<f64>,
@@ -165,41 +211,54 @@ struct Values {
     plain: Vec<f64>,
 }
 
+impl Values {
+    /// The feed, and what stands beside it: the pitch of a tap is its feed per revolution.
+    fn feeds(&self) -> (Option<Feedrate>, Option<Feedrate>) {
+        match self.pitch {
+            Some(value) => (Some(Feedrate { value, unit: FeedUnit::PerRevolution }), self.feed),
+            None => (self.feed, None),
+        }
+    }
+}
+
 /// The values from the argument `from` on.
 fn values(s: &Statement<'_>, kind: &str, from: usize) -> Result<DrillCycle, Refusal> {
-    let v = gather(s, kind, from)?;
-    let mut plain = v.plain.iter().copied();
+    let mut v = gather(s, kind, from)?;
+    let list = std::mem::take(&mut v.plain);
+    let mut plain = list.into_iter();
     let depth = v.depth.or_else(|| plain.next());
     let mut step = v.step;
     let pecks = matches!(kind, "DEEP" | "BRKCHP");
     if pecks && step.is_none() && v.first_step.is_none() && plain.len() >= 2 {
         step = plain.next();
     }
-    let mut feed = v.feed;
-    if !pecks
-        && feed.is_none()
-        && plain.len() >= 1
-        && (plain.len() >= 2 || v.clear.or(v.rapto).is_some())
-    {
-        feed = plain.next().map(|value| Feedrate { value, unit: FeedUnit::PerMinute });
+    let high = v.said.clearance().is_some();
+    if !pecks && v.feed.is_none() && plain.len() >= 1 && (plain.len() >= 2 || high) {
+        v.feed = plain.next().map(|value| Feedrate { value, unit: FeedUnit::PerMinute });
     }
-    let clear = v.clear.or(v.rapto).or_else(|| plain.next());
-    if feed.is_none() && pecks {
-        feed = plain.next().map(|value| Feedrate { value, unit: FeedUnit::PerMinute });
+    if !high {
+        v.said.clear = plain.next();
+    }
+    if v.feed.is_none() && pecks {
+        v.feed = plain.next().map(|value| Feedrate { value, unit: FeedUnit::PerMinute });
     }
     let Some(depth) = depth else {
         let message = format!("{} has no depth", s.written());
         let help = format!("write CYCLE/{kind},DEPTH,d,CLEAR,c: d from the point down, c above it");
         return Err(Refusal::new(codes::CYCLE_INCOMPLETE, message, &help));
     };
-    let (near, far) = heights(&v);
+    v.said.retract = v.said.retract.filter(|_| !v.auto);
+    let (feed, beside_pitch) = v.feeds();
     let cycle = DrillCycle {
         kind: SmolStr::new(kind),
         depth: depth.abs(),
-        clear: near.or(clear),
-        retract: v.retract.or(far),
+        said: v.said,
+        clear: v.said.clearance(),
+        retract: v.said.end(),
         retract_auto: v.auto,
         feed,
+        beside_pitch,
+        pitch: v.pitch,
         first_step: v.first_step.or(step),
         step: step.or(v.first_step),
         dwell: v.dwell,
@@ -208,20 +267,20 @@ fn values(s: &Statement<'_>, kind: &str, from: usize) -> Result<DrillCycle, Refu
     checked(s, cycle)
 }
 
-/// Where CLEAR and RAPTO both stand, the feed begins at the nearer one and the tool ends at the farther one.
-fn heights(v: &Values) -> (Option<f64>, Option<f64>) {
-    match (v.clear, v.rapto) {
-        (Some(a), Some(b)) => (Some(a.min(b)), Some(a.max(b))),
-        (a, b) => (a.or(b), None),
-    }
-}
-
 fn checked(s: &Statement<'_>, cycle: DrillCycle) -> Result<DrillCycle, Refusal> {
     let values = [Some(cycle.depth), cycle.clear, cycle.retract, cycle.step, cycle.first_step];
     let bad = values.into_iter().flatten().any(|n| !n.is_finite() || n.abs() > 1e9);
     if bad || cycle.clear.is_some_and(|c| c < 0.0) {
         let message = format!("{}: the clearance must not lie below the point", s.written());
         let help = "give CLEAR,c upwards from the point";
+        return Err(Refusal::new(codes::CYCLE_INCOMPLETE, message, help));
+    }
+    // Heights of six decimals may be differences of others: what is within them is the same height.
+    let low = |(c, r): (f64, f64)| (r < c - 1e-6).then_some((c, r));
+    if let Some((c, r)) = cycle.clear.zip(cycle.retract).and_then(low) {
+        let (c, r) = (trimmed(c, 6), trimmed(r, 6));
+        let message = format!("{}: it ends at {r}, below its clearance of {c}", s.written());
+        let help = "give RTRCTO,r at the height of CLEAR,c or above it";
         return Err(Refusal::new(codes::CYCLE_INCOMPLETE, message, help));
     }
     Ok(cycle)
@@ -271,23 +330,18 @@ fn gather(s: &Statement<'_>, kind: &str, from: usize) -> Result<Values, Refusal>
                     i += 1;
                     continue;
                 }
-                // The pitch of a tap is its feed per revolution.
-                if let ("PITCH", Some(value)) = (w, number) {
-                    v.feed = Some(Feedrate { value, unit: FeedUnit::PerRevolution });
-                    i += 2;
-                    continue;
-                }
                 let slot = match w {
                     "DEPTH" | "FEDTO" => &mut v.depth,
-                    "CLEAR" => &mut v.clear,
-                    "RAPTO" => &mut v.rapto,
+                    "PITCH" if kind == "TAP" => &mut v.pitch,
+                    "CLEAR" => &mut v.said.clear,
+                    "RAPTO" => &mut v.said.rapto,
                     "RTRCTO" | "RETURN" => {
                         if matches!(args.get(i + 1), Some(Arg::Word(a)) if a == "AUTO") {
                             v.auto = true;
                             i += 2;
                             continue;
                         }
-                        &mut v.retract
+                        &mut v.said.retract
                     }
                     "STEP" | "INCR" | "SUBPECK" | "PECK" => &mut v.step,
                     "1STPECK" => &mut v.first_step,

@@ -93,6 +93,18 @@ pub(super) fn ofstno(post: &mut Post, s: &Statement<'_>) {
     }
 }
 
+/// `CHANNEL,n`: the program of the first channel is the only one.
+pub(super) fn channel(post: &mut Post, s: &Statement<'_>) {
+    match s.number(0).and_then(whole) {
+        Some(0 | 1) => {
+            let message = "CHANNEL is left out: the machines here have one channel".to_string();
+            post.note(codes::WORD_IGNORED, s.origin, message, "");
+        }
+        Some(_) => refuse(post, s, "the machines here have one channel; post the other by itself"),
+        None => bad_arguments(post, s, "CHANNEL,n with a whole number"),
+    }
+}
+
 /// `MODE/MILL|TURN|LATHE`: must be what the machine is, or what a lathe with tools that turn can be.
 pub(super) fn mode(post: &mut Post, s: &Statement<'_>) {
     let wanted = match s.word(0) {

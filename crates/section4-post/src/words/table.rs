@@ -59,7 +59,7 @@ static TABLE: &[(&str, Entry)] = &[
     ("AUXFUN", Do(program::auxfun)),
     ("BREAK", Ignore(TAPE)),
     ("CAMERA", Silent(SHOWN)),
-    ("CHANNEL", Ignore("the machines here have one channel")),
+    ("CHANNEL", Do(program::channel)),
     ("CHECK", Ignore("limits stand in the machine file")),
     ("CLAMP", Ignore("the machine file says what holds a rotary axis")),
     ("CLEARP", Do(planes::clearp)),

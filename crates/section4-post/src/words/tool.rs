@@ -55,8 +55,10 @@ fn change(post: &mut Post, s: &Statement<'_>, at: usize) {
         let help = "write LENGTH,l for the length of the tool, ADJUST,h for its offset";
         post.note(codes::WORD_IGNORED, s.origin, message, help);
     }
-    let next = post.options.tools.get(post.st.n_loads + 1).copied();
     post.st.n_loads += 1;
+    let later = post.options.tools.get(post.st.n_loads..).unwrap_or_default();
+    let next = later.iter().find(|n| **n != tool).map_or(String::new(), u32::to_string);
+    let comment = std::mem::take(&mut post.st.tool_comment);
     if post.just_changed(tool) {
         // CATIA names the tool at its change, and again with its compensation where the operation begins.
         if let Some(offset) = said.offset {
@@ -65,12 +67,14 @@ fn change(post: &mut Post, s: &Statement<'_>, at: usize) {
             post.tool_use().offset = Some(offset);
             post.own_offset(tool, offset, s);
         }
+        let known = &mut post.tool_use().comment;
+        if known.is_empty() {
+            *known = comment;
+        }
         return;
     }
     post.held_over_change(tool, &s.written(), s.origin);
-    let next = next.filter(|n| *n != tool).map_or(String::new(), |n| n.to_string());
     let machine = Arc::clone(&post.machine);
-    let comment = std::mem::take(&mut post.st.tool_comment);
     let (tool_text, offset_text) = (tool.to_string(), offset.to_string());
     let (tool_two, offset_two) = (format!("{tool:02}"), format!("{offset:02}"));
     let common = post.common_vars();
