@@ -392,7 +392,7 @@ pub(crate) fn astray(origin: &Origin, surface: &SurfaceRef, is: Astray) -> Diagn
 /// TLLFT or TLRGT, and the tool end lies on the drive surface.
 pub(crate) fn stays_on(origin: &Origin, surface: &SurfaceRef) -> Diagnostic {
     let text = format!(
-        "the tool is to be beside {0}, but its end is on it; it stays on it",
+        "the tool is to be beside {0}, but its end is on it; it goes on with its end on it, half the cutter in the wall",
         called(surface)
     );
     Diagnostic::warning(codes::WRONG_SIDE, origin.span, text)
