@@ -4,7 +4,7 @@
 use aptc_geometry::{Reason, Spot, Surface, Tool, Vec3, trig};
 
 use crate::centred;
-use crate::dips::{Sample, dip, single};
+use crate::dips::{Sample, dip, single, tangents_meet};
 use crate::gap::{Condition, Gap, Side, distance};
 
 /// Share of the cutter's radius by which two places of contact lie apart.
@@ -253,10 +253,10 @@ impl Run<'_, '_> {
         if !edge || self.apart(a, b) <= ANOTHER * self.tool.profile.widest() {
             return None;
         }
-        let t = (a.gap.g - b.gap.g + b.slope * b.t - a.slope * a.t) / (b.slope - a.slope);
+        let [from, to] = [a.sample(), b.sample()];
+        let (t, g) = tangents_meet(&from, &to, from.slope, to.slope, from.g, to.g);
         let bent = BENT * (b.t - a.t) * (a.slope - b.slope);
-        let g = a.gap.g + a.slope * (t - a.t) + bent;
-        (t > a.t && t < b.t).then_some(Extreme { t, g })
+        (t > a.t && t < b.t).then_some(Extreme { t, g: g + bent })
     }
 
     /// How far the places of the cutter are from one another that touch at two places of the chord.

@@ -140,7 +140,14 @@ fn cubic_at(a: &Sample, b: &Sample, t: f64) -> f64 {
 }
 
 /// Where the tangents at the ends of a bracket meet.
-fn tangents_meet(a: &Sample, b: &Sample, sa: f64, sb: f64, ga: f64, gb: f64) -> (f64, f64) {
+pub(crate) fn tangents_meet(
+    a: &Sample,
+    b: &Sample,
+    sa: f64,
+    sb: f64,
+    ga: f64,
+    gb: f64,
+) -> (f64, f64) {
     let t = (ga - gb + sb * b.t - sa * a.t) / (sb - sa);
     if t.is_finite() {
         let t = t.clamp(a.t, b.t);

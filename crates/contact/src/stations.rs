@@ -23,7 +23,7 @@ pub(crate) struct Stations {
 }
 
 /// Values and places below the stations of one ring.
-type Ring = [(f64, Spot); AROUND];
+type Row = [(f64, Spot); AROUND];
 
 /// What the stations around a tool tell.
 pub(crate) struct Seeds {
@@ -81,14 +81,14 @@ pub(crate) fn seeds(
         let (value, q) = at(0.0, profile.bottom(), 0);
         offer(false, value, q);
     }
-    let mut ring = |[rho, z]: [f64; 2]| -> Ring { std::array::from_fn(|turn| at(rho, z, turn)) };
+    let mut ring = |[rho, z]: [f64; 2]| -> Row { std::array::from_fn(|turn| at(rho, z, turn)) };
     let mut rings = [None; 5];
     for (i, station) in stations.iter().enumerate() {
         if !stations[..i].contains(station) {
             rings[i] = Some(ring(*station));
         }
     }
-    let rings: [Option<Ring>; 5] = rings;
+    let rings: [Option<Row>; 5] = rings;
     let rings = || rings.iter().flatten();
     for (i, ring) in rings().enumerate() {
         let next = [i.checked_sub(1), Some(i + 1)].map(|k| k.and_then(|k| rings().nth(k)));
@@ -98,7 +98,7 @@ pub(crate) fn seeds(
             if about.iter().all(|t| value <= ring[*t].0) {
                 // Where the ring above or below is lower it leads to the same place, most likely: one such place must not
                 // take the seeds of another.
-                let lower = |r: &Ring| about.iter().chain([&turn]).any(|t| r[*t].0 < value);
+                let lower = |r: &Row| about.iter().chain([&turn]).any(|t| r[*t].0 < value);
                 offer(next.into_iter().flatten().any(lower), value, q);
             }
         }
