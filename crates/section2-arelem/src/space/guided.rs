@@ -135,8 +135,7 @@ impl<G: Guide> Trials for Guided<'_, G> {
                 guide.chord(&keep.surface, from.te, v, [here, there], RESOLUTION * keep.width());
             let [low, high] = chord.ok_or(Trouble::Contact)?;
             let bow = there.normal.dot(&v) - here.normal.dot(&v);
-            let (fits, ratio) =
-                track.judge(i, [here.g, there.g], [low, high], bow, !guide.several());
+            let (fits, ratio) = track.judge(i, [here.g, there.g], [low, high], bow);
             all.fits &= fits;
             all.ratio = all.ratio.min(ratio);
             all.bends[i] = bow / v.norm_squared();

@@ -117,12 +117,12 @@ impl Track {
             (low, high) = (low.min(least), high.max(most));
         }
         let begin = ends[0].g.min(top);
-        let (fits, ratio) = self.judge(i, [begin, gaps[1]], [low, high], c.bow, c.proved);
+        let (fits, ratio) = self.judge(i, [begin, gaps[1]], [low, high], c.bow);
         Ok((fits, ratio, c.bow / v.norm_squared()))
     }
 
     /// Does a chord stay in the band of surface `i`, and how much longer could it be? `ends` are the gaps at its ends,
-    /// `bow` by how much the rate of change grows; with `sharp` extremes that are at an end are known to be there.
+    /// `bow` by how much the rate of change grows.
     #[inline]
     pub(super) fn judge(
         &self,
@@ -130,7 +130,6 @@ impl Track {
         ends: [f64; 2],
         [low, high]: [f64; 2],
         bow: f64,
-        sharp: bool,
     ) -> (bool, f64) {
         let keep = &self.keeps[i];
         let limits = keep.limits();
@@ -147,7 +146,7 @@ impl Track {
         let depth = 0.5 * bow;
         // Vertices of the motion before may lie at the very edge; they are no fault of this chord.
         let slack = |share: f64| 1e-14 * self.size + share * keep.width();
-        let (own, inside) = (slack(if sharp { 0.0 } else { own }), slack(found));
+        let (own, inside) = (slack(own), slack(found));
         // What looks are unsure of reaches to the edge, and beyond it only from an end that lies there.
         let [under, over] = [ends[0].min(ends[1]), ends[0].max(ends[1])];
         let own =
