@@ -15,7 +15,7 @@ mod check;
 mod defaults;
 mod milling;
 
-pub use builtin::{machin_names, machine, machine_for, machines};
+pub use builtin::{machin_names, machine, machine_file, machine_for, machines};
 pub use milling::Milling;
 
 /// A machine with its control.
