@@ -139,6 +139,7 @@ const MISTAKES: &[Mistake] = &[
     ("CUTTER/10", "CUTTER/10,2,3", 1306, "CUTTER/10,2,3", "CUTTER/d"),
     ("OUTTOL/.02", "OUTTOL/-.02", 1307, "-.02", "lengths"),
     ("OUTTOL/.02", "TLAXIS/0,0,0", 1308, "0", ""),
+    ("GOTO/SETPT", "GOTO/SETPT,0,0,0", 1308, "0", ""),
     ("OUTTOL/.02", "TLAXIS/ATANGL,1,100", 1308, "100", "surface normal"),
     ("OUTTOL/.02", "UNITS/MILES", 1304, "MILES", "MM, CM"),
     ("UNITS/MM", "UNITS/ON", 1304, "ON", ""),

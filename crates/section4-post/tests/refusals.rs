@@ -44,6 +44,8 @@ fn each_refusal_has_its_code() {
         ("COOLNT/5", "APT4007"),
         ("SPINDL/SFM,100", "APT4007"),
         ("SPINDL/0", "APT4008"),
+        ("SPINDL/100,CLW,CCLW", "APT4007"),
+        ("FEDRAT/10,IPM,MMPM", "APT4007"),
         ("FEDRAT/0", "APT4007"),
         ("FEDRAT/LOTS", "APT4007"),
         ("HEAD/2", "APT4006"),
