@@ -92,7 +92,8 @@ fn compile_one(
         writeln!(io::stderr(), "aptc: warning: {} {left}", old.display())?;
     }
     if !common.quiet {
-        io::stdout().lock().write_all(summary(part, &compiled, &written).as_bytes())?;
+        let text = summary(part, &compiled, &args.emit, &written);
+        io::stdout().lock().write_all(text.as_bytes())?;
     }
     Ok(exit_code(&compiled))
 }
@@ -234,7 +235,7 @@ fn with_ending(mut stem: OsString, ending: &str) -> OsString {
 }
 
 /// A few lines: what was made, how long it takes, what is proved, what was written.
-fn summary(part: &Path, compiled: &Compiled, written: &[PathBuf]) -> String {
+fn summary(part: &Path, compiled: &Compiled, asked: &[Emit], written: &[PathBuf]) -> String {
     let mut out = String::new();
     let mut add = |label: &str, text: String| {
         writeln!(out, "  {label:<15}{}", plain(&text)).expect("strings take all");
@@ -253,6 +254,17 @@ fn summary(part: &Path, compiled: &Compiled, written: &[PathBuf]) -> String {
         }
         if let Some(certificate) = &p.certificate {
             add("tolerance", certificate.to_string());
+        }
+    }
+    // What is not always made is not left out in silence.
+    let pictures = [
+        (Emit::Diagram, "diagram", "none, for no motion failed"),
+        (Emit::Deviation, "deviation", "none, for nothing was milled by regions"),
+    ];
+    for (kind, name, why) in pictures {
+        let made = |p: &PathBuf| p.to_string_lossy().ends_with(&format!(".{name}.svg"));
+        if asked.contains(&kind) && !written.iter().any(made) {
+            add(name, why.to_owned());
         }
     }
     if !written.is_empty() {
