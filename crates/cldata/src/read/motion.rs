@@ -137,4 +137,5 @@ fn leading_numbers(rest: &[u8]) -> Numbers {
         .expect("nothing is all numbers")
 }
 
-const COORDINATES: &str = "write GOTO/x,y,z or GOTO/x,y,z,i,j,k with numbers";
+/// What to write for a motion.
+pub(super) const COORDINATES: &str = "write GOTO/x,y,z or GOTO/x,y,z,i,j,k with numbers";

@@ -5,7 +5,7 @@ use smol_str::SmolStr;
 
 use super::args::{self, Numbers};
 use super::edit::{copy, index, matrix, tracut};
-use super::motion::{circle, godlta, goto, indir, motion, points};
+use super::motion::{COORDINATES, circle, godlta, goto, indir, motion, points};
 use super::state::State;
 use super::{catia, comments, couplets, fusion, nx};
 use crate::{Arg, Clprnt, Dialect, Kind, Output, Units, restore};
@@ -116,7 +116,13 @@ fn joined(state: &mut State, text: &[u8], head: &[u8], rest: &[u8]) {
         return word_statement(state, text, &word, rest);
     }
     let words: Option<Vec<SmolStr>> = head.split(|b| *b == b',').map(major).collect();
-    let Some(words) = words.filter(|w| w.len() > 1) else { return unread(state, text) };
+    let Some(words) = words.filter(|w| w.len() > 1) else {
+        if is_motion_without_slash(text) {
+            state.pending = None;
+            return wrong(state, text, "a motion without its slash", COORDINATES);
+        }
+        return unread(state, text);
+    };
     if words.last().is_some_and(|w| matches!(w.as_str(), "GOFWD" | "GF")) {
         return catia::circular_move(state, text, rest);
     }
@@ -130,6 +136,16 @@ fn joined(state: &mut State, text: &[u8], head: &[u8], rest: &[u8]) {
             word_statement(state, word.as_bytes(), word, b"");
         }
     }
+}
+
+/// `GOTO 1,2,3`: what it lacks must not lose the motion with a warning.
+fn is_motion_without_slash(text: &[u8]) -> bool {
+    let motions: [&[u8]; 3] = [b"GOTO", b"FROM", b"GODLTA"];
+    let behind = |w: &&[u8]| {
+        let head = text.get(..w.len()).filter(|head| head.eq_ignore_ascii_case(w))?;
+        text[head.len()..].trim_ascii_start().first().copied()
+    };
+    motions.iter().find_map(behind).is_some_and(|b| matches!(b, b'0'..=b'9' | b'-' | b'+' | b'.'))
 }
 
 /// `CHANNEL,1`, `NEXTTL, 4` and `OPNAME 'text'`: a word whose arguments follow without a slash.
