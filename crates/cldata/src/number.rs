@@ -134,11 +134,19 @@ fn digit_values(n: u64) -> u64 {
     tens | ((pairs - 10 * tens) << 8)
 }
 
-/// The size of `x` in units of 10^-`places`, when that is a number below 9e15.
+/// The size of `x` in units of 10^-`places`, halves rounded up, when that is a number below 9e15.
 fn scaled(x: f64, places: usize) -> Option<u64> {
-    let scaled = x.abs() * POW10[places];
+    let (x, unit) = (x.abs(), POW10[places]);
+    let scaled = x * unit;
+    if !(scaled < 9e15) {
+        return None;
+    }
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 <= it < 9e15")]
-    (scaled < 9e15).then_some((scaled + 0.5) as u64)
+    let whole = scaled as u64;
+    let rest = scaled - whole as f64;
+    // Half of a unit may be what rounding has made of a product that is less.
+    let up = rest > 0.5 || rest == 0.5 && x.mul_add(unit, -scaled) >= 0.0;
+    Some(whole + u64::from(up))
 }
 
 /// Writes `x` as an integer of 10^-`places`; false when it does not fit.
@@ -420,6 +428,9 @@ mod tests {
         assert_eq!(column(-1e-9, 6, 10), "  0.000000");
         assert_eq!(column(12_345_678.25, 3, 4), "12345678.250");
         assert_eq!(column(2.5, 0, 3), "  3");
+        // A little less than a half, which the product by 10^6 rounds to one.
+        assert_eq!(column(0.000_003_5, 6, 8), "0.000003");
+        assert_eq!(column(999_999.999_999_5, 6, 13), "999999.999999");
         assert_eq!(column(-0.062_5, 4, 8), " -0.0625");
         assert_eq!(column(1e300, 1, 4), format!("{:.1}", 1e300));
     }

@@ -27,6 +27,10 @@ const OFF_TARGET: f64 = 1e-2;
 const SAME_BEND: f64 = 1e-3;
 /// Greatest change of the ratio of two cut vectors that is expected to go on.
 const EVEN: f64 = 0.02;
+/// The same of their bends, as a share of these.
+const EVEN_BENDS: f64 = 0.5;
+/// By how much longer than it is foretold from its bend a chord is tried again that was much too long.
+const TOO_FAR: f64 = 2.0;
 /// By how much longer than the one before a cut vector is tried at first where nothing bends.
 const FARTHER: f64 = 16.0;
 /// Share of a length up to which another trial begins at the one before.
@@ -159,7 +163,11 @@ impl Pace {
     /// The gaps bend so along a cut vector.
     fn learn_bends(&mut self, bends: [f64; 2]) {
         let last = self.bends.unwrap_or(bends);
-        self.grown = [bends[0] - last[0], bends[1] - last[1]];
+        self.grown = [0, 1].map(|i| {
+            let grown = bends[i] - last[i];
+            // What jumps does not go on so.
+            if grown.abs() <= EVEN_BENDS * last[i].abs() { grown } else { 0.0 }
+        });
         self.bends = Some(bends);
     }
 
@@ -364,8 +372,9 @@ impl Track {
                         if self.differ(aim, targets, least) {
                             // Once more with the vertex where it ought to be.
                             (bends, plan) = (Some(fit.bends), better);
-                            let share = if lost { 1.0 } else { fit.ratio.clamp(LOST, 1.0 / LOST) };
-                            s = (s * share * (1.0 - 0.25 * long_enough)).min(plan.most);
+                            let share = fit.ratio.clamp(LOST, 1.0 / LOST);
+                            let next = if lost { s.min(TOO_FAR * plan.length) } else { s * share };
+                            s = (next * (1.0 - 0.25 * long_enough)).min(plan.most);
                             (good, bad, before) = (None, f64::INFINITY, None);
                             last = tried.ok().or(last);
                             continue;

@@ -324,6 +324,11 @@ impl Track {
         {
             return Err(Trouble::Stuck);
         }
+        // A plane across that is turned by much may meet the track behind as well.
+        let back = |to: &Node| (from.pose.te - to.pose.te).dot(&from.course.along);
+        if found.as_ref().is_ok_and(|to| back(to) > self.keeps[0].width() + self.keeps[1].width()) {
+            return Err(Trouble::Stuck);
+        }
         found
     }
 

@@ -101,9 +101,9 @@ impl Track {
             let turn = next - ta;
             pose.ta = match last {
                 // The part of both turns that is alike is left out, by as much as they differ by it.
-                Some((before, turned)) if turn.norm() > 1e-12 => {
+                Some((before, turned)) if turn.norm() > 1e-12 && turn != turned => {
                     let change = turn - turned;
-                    let share = turn.dot(&change) / change.norm_squared();
+                    let share = turn.dot(&change) / change.norm_squared().max(f64::MIN_POSITIVE);
                     let ahead = next - (next - before) * share.clamp(-MOST_SHARE, MOST_SHARE);
                     ahead.try_normalize(0.5).unwrap_or(next)
                 }
@@ -123,5 +123,6 @@ impl Track {
 pub(super) fn meet([a, b, c]: [Vec3; 3], rhs: [f64; 3]) -> Option<Vec3> {
     let det = a.dot(&b.cross(&c));
     let flat = det.abs() <= FLAT * a.norm() * b.norm() * c.norm();
-    (!flat).then(|| (b.cross(&c) * rhs[0] + c.cross(&a) * rhs[1] + a.cross(&b) * rhs[2]) / det)
+    (!flat && det.is_finite())
+        .then(|| (b.cross(&c) * rhs[0] + c.cross(&a) * rhs[1] + a.cross(&b) * rhs[2]) / det)
 }
