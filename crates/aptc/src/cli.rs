@@ -45,7 +45,7 @@ pub(crate) enum Command {
         /// The code or the word, for example APT1042 or CIRCLE; all codes are listed without one
         code: Option<String>,
     },
-    /// List the machines, or check and show one
+    /// List the machines, print the file of one, or check one's own
     Machines {
         /// Name of a machine or path of a machine file
         machine: Option<String>,
@@ -146,7 +146,7 @@ pub(crate) struct CodeArgs {
     #[arg(short, long, value_name = "NAME")]
     pub(crate) machine: Option<String>,
     /// Work offset instead of the machine's own, for example G55
-    #[arg(long, value_name = "CODE")]
+    #[arg(long, value_name = "CODE", value_parser = one_line)]
     pub(crate) work_offset: Option<String>,
     /// Block of material for the check of rapid motion, when the program has no STOCK
     #[arg(long, value_name = "X1,Y1,Z1,X2,Y2,Z2", value_parser = corners, allow_hyphen_values = true)]
@@ -392,6 +392,12 @@ pub(crate) enum VerifyHow {
     Sample,
     /// None
     Off,
+}
+
+/// Text that stands in one block.
+fn one_line(text: &str) -> Result<String, String> {
+    let plain = !text.trim().is_empty() && !text.chars().any(char::is_control);
+    if plain { Ok(text.to_owned()) } else { Err("one code on one line is expected".to_owned()) }
 }
 
 /// Six numbers with commas between.

@@ -4,6 +4,7 @@ mod cli;
 mod commands;
 mod exit;
 mod explain;
+mod input;
 mod output;
 mod plain;
 mod progress;

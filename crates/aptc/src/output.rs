@@ -1,6 +1,6 @@
 //! Files that are written whole or not at all.
 
-use std::fs;
+use std::fs::{self, Metadata};
 use std::io::{self, Seek as _, Write};
 use std::path::{Path, PathBuf};
 
@@ -13,8 +13,8 @@ pub(crate) struct Aside(NamedTempFile);
 impl Aside {
     /// Begins the result that will be `path`.
     pub(crate) fn begin(path: &Path) -> io::Result<Self> {
-        let path = real(path);
-        if is_stream(&path) {
+        let (path, there) = real(path);
+        if is_stream(there.as_ref()) {
             return NamedTempFile::new().map(Self);
         }
         let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
@@ -29,15 +29,15 @@ impl Aside {
 
     /// Gives it its name: what was there stays until all is handed to the system.
     fn name(self, path: &Path) -> io::Result<()> {
-        let path = &real(path);
-        if is_stream(path) {
+        let (path, there) = &real(path);
+        if is_stream(there.as_ref()) {
             return self.copy_to(&mut fs::OpenOptions::new().write(true).open(path)?);
         }
         #[cfg(unix)]
         {
             // A temporary file is readable by its owner alone; a result is an ordinary file.
             use std::os::unix::fs::PermissionsExt as _;
-            let mode = fs::metadata(path).map_or(0o644, |m| m.permissions().mode());
+            let mode = there.as_ref().map_or(0o644, |m| m.permissions().mode());
             self.0.as_file().set_permissions(fs::Permissions::from_mode(mode))?;
         }
         self.0.persist(path).map_err(|e| e.error)?;
@@ -61,14 +61,21 @@ impl Write for Aside {
     }
 }
 
-/// Where the file itself stands: a link stays one.
-fn real(path: &Path) -> PathBuf {
-    fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf())
+/// Where the file itself stands, for a link stays one, and what is there now.
+fn real(path: &Path) -> (PathBuf, Option<Metadata>) {
+    match fs::symlink_metadata(path) {
+        Ok(there) if there.is_symlink() => {
+            let real = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
+            let there = fs::metadata(&real).ok();
+            (real, there)
+        }
+        there => (path.to_path_buf(), there.ok()),
+    }
 }
 
 /// A device or a pipe takes what is written; it is never replaced by a file.
-fn is_stream(path: &Path) -> bool {
-    fs::metadata(path).is_ok_and(|m| !m.is_file() && !m.is_dir())
+fn is_stream(there: Option<&Metadata>) -> bool {
+    there.is_some_and(|m| !m.is_file() && !m.is_dir())
 }
 
 /// Writes a result aside in the folder of `path`, then renames: what was there stays until all is written.

@@ -270,3 +270,14 @@ fn an_installation_gets_completions_and_manual_pages() {
         assert!(page.contains(".SH OPTIONS"));
     }
 }
+
+/// A picture that is asked for and not made is told of, with the reason.
+#[test]
+fn pictures_that_there_are_not_are_told() {
+    let dir = folder_with(&[("slot.apt", GOOD)]);
+    let run = aptc(dir.path(), &["slot.apt", "--emit", "diagram,deviation"]);
+    let said = text(&run.stdout);
+    assert!(said.contains("none, for no motion failed"), "{said}");
+    assert!(said.contains("none, for nothing was milled by regions"), "{said}");
+    assert!(!said.contains("wrote"), "{said}");
+}

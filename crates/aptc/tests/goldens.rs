@@ -40,6 +40,10 @@ fn a_folder_of_ones_own_is_blessed_and_held() {
     assert!(said.contains("0 of 2 programs"), "{said}");
     let (code, said) = test(folder, &["--bless"]);
     assert_eq!(code, Some(0), "{said}");
+    assert!(said.contains("slot: blessed: program.cl is new"), "{said}");
+    assert!(said.contains("goldens are written anew"), "{said}");
+    let (code, said) = test(folder, &["none"]);
+    assert!(code == Some(2) && said.contains("no program of . has none in its name"), "{said}");
     for file in ["slot.golden/program.nc", "slot.golden/program.protap", "lug/program.cl"] {
         assert!(folder.join(file).is_file(), "{file}");
     }

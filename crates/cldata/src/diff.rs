@@ -5,6 +5,8 @@
 //! that the distance of the two ways, run along without going back, does not exceed. Different chords of
 //! the same curve therefore compare equal within a tolerance. Memory does not grow with the streams.
 
+mod words;
+
 use std::collections::VecDeque;
 use std::fmt::Write;
 use std::io;
@@ -12,12 +14,10 @@ use std::io;
 use aptc_geometry::{Vec3, trig};
 use serde::Serialize;
 
-use crate::{Arg, Kind, Position, Record, RecordReader, Units, flatten};
+use crate::{Kind, Position, Record, RecordReader, Units, flatten};
 
-/// Differences of post-processor words that are listed.
-const MOST_LISTED: usize = 20;
-/// Words of one stream that wait for those of the other.
-const MOST_WAITING: usize = 100_000;
+pub use words::WordDifference;
+use words::{Posts, Value, Words, values};
 
 /// What two streams have not in common.
 #[derive(Debug, Serialize)]
@@ -57,21 +57,6 @@ pub struct Deviation {
     pub line: u32,
     /// Line of the motion in the second stream.
     pub other_line: u32,
-}
-
-/// A post-processor word that is not the same in both.
-#[derive(Clone, Debug, Serialize)]
-pub struct WordDifference {
-    /// Number of the word in order, from 1.
-    pub number: u64,
-    /// The statement of the first stream; empty when it has no more.
-    pub first: String,
-    /// Its line.
-    pub first_line: u32,
-    /// The statement of the second stream; empty when it has no more.
-    pub second: String,
-    /// Its line.
-    pub second_line: u32,
 }
 
 impl Difference {
@@ -187,19 +172,12 @@ struct Way<'a> {
     reader: &'a mut dyn RecordReader,
     record: Record,
     ready: VecDeque<Station>,
-    posts: VecDeque<(String, Vec<Value>, u32)>,
+    posts: Posts,
     last: Option<Position>,
     units: Units,
     length: f64,
     n_points: u64,
     n_posts: u64,
-}
-
-/// An argument to be compared.
-#[derive(Clone, Debug)]
-enum Value {
-    Number(f64),
-    Text(String),
 }
 
 impl<'a> Way<'a> {
@@ -258,15 +236,6 @@ impl<'a> Way<'a> {
             }
             _ => {}
         }
-    }
-}
-
-fn values(arg: &Arg) -> Vec<Value> {
-    match arg {
-        Arg::Number(x) => vec![Value::Number(*x)],
-        Arg::Word(w) => vec![Value::Text(w.to_string())],
-        Arg::Text(t) => vec![Value::Text(t.to_string())],
-        Arg::Form { form, .. } => form.canonical().into_iter().map(Value::Number).collect(),
     }
 }
 
@@ -369,90 +338,6 @@ fn nearest(v: Vec3, from: Station, to: Station) -> Station {
     let ta = from.p.ta + (to.p.ta - from.p.ta) * t;
     let ta = ta.try_normalize(0.0).unwrap_or(to.p.ta);
     Station { p: Position { te: from.p.te + u * t, ta }, line: to.line }
-}
-
-/// Post-processor words in order.
-#[derive(Default)]
-struct Words {
-    list: Vec<WordDifference>,
-    n: u64,
-    compared: u64,
-}
-
-type Posts = VecDeque<(String, Vec<Value>, u32)>;
-
-impl Words {
-    fn compare(&mut self, a: &mut Posts, b: &mut Posts) {
-        while !a.is_empty() && !b.is_empty() {
-            let (Some(x), Some(y)) = (a.pop_front(), b.pop_front()) else { return };
-            self.compared += 1;
-            if !same(&x, &y) {
-                self.differ(Some(&x), Some(&y));
-            }
-        }
-        // When one way has words without end and the other none, they are counted, not kept.
-        self.drop_waiting(a, false);
-        self.drop_waiting(b, true);
-    }
-
-    fn drop_waiting(&mut self, posts: &mut Posts, second: bool) {
-        while posts.len() > MOST_WAITING {
-            let Some(x) = posts.pop_front() else { return };
-            self.compared += 1;
-            if second { self.differ(None, Some(&x)) } else { self.differ(Some(&x), None) }
-        }
-    }
-
-    fn rest(&mut self, a: &mut Posts, b: &mut Posts) {
-        for x in a.drain(..) {
-            self.compared += 1;
-            self.differ(Some(&x), None);
-        }
-        for y in b.drain(..) {
-            self.compared += 1;
-            self.differ(None, Some(&y));
-        }
-    }
-
-    fn differ(
-        &mut self,
-        a: Option<&(String, Vec<Value>, u32)>,
-        b: Option<&(String, Vec<Value>, u32)>,
-    ) {
-        self.n += 1;
-        if self.list.len() < MOST_LISTED {
-            let show = |x: Option<&(String, Vec<Value>, u32)>| x.map_or(String::new(), shown);
-            let line = |x: Option<&(String, Vec<Value>, u32)>| x.map_or(0, |x| x.2);
-            self.list.push(WordDifference {
-                number: self.compared,
-                first: show(a),
-                first_line: line(a),
-                second: show(b),
-                second_line: line(b),
-            });
-        }
-    }
-}
-
-fn shown((word, args, _): &(String, Vec<Value>, u32)) -> String {
-    let args: Vec<String> = args
-        .iter()
-        .map(|a| match a {
-            Value::Number(x) => x.to_string(),
-            Value::Text(t) => t.clone(),
-        })
-        .collect();
-    if args.is_empty() { word.clone() } else { format!("{word}/{}", args.join(",")) }
-}
-
-/// Same word and arguments, numbers to a millionth.
-fn same(a: &(String, Vec<Value>, u32), b: &(String, Vec<Value>, u32)) -> bool {
-    let one = |(x, y): (&Value, &Value)| match (x, y) {
-        (Value::Number(x), Value::Number(y)) => (x - y).abs() <= 1e-6 * y.abs().max(1.0),
-        (Value::Text(x), Value::Text(y)) => x.eq_ignore_ascii_case(y),
-        _ => false,
-    };
-    a.0 == b.0 && a.1.len() == b.1.len() && a.1.iter().zip(&b.1).all(one)
 }
 
 #[cfg(test)]

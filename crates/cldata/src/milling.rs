@@ -52,7 +52,9 @@ pub struct Milled {
     pub thick: f64,
 }
 
-/// A surface that is not sculptured: the cutter keeps to the side of it on which it stands.
+/// A surface that is not sculptured. To planes, spheres, cylinders and cones cutter and holder keep on one side, that on
+/// which the cutter's lower end stands before the statement: the place of its axis as far up as it is wide, half way up at
+/// most. Inside of a hollow out of which they reach there it is open along the axis.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plain {
     /// Its name.

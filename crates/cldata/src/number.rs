@@ -35,6 +35,29 @@ pub fn put(out: &mut Vec<u8>, x: f64, decimals: Decimals) {
     }
 }
 
+/// Appends `x` with all of `places` decimals, at most 15, at the right of a column of `width`; zero has no sign.
+pub fn put_column(out: &mut Vec<u8>, x: f64, places: u8, width: usize) {
+    let places = usize::from(places.min(15));
+    let Some(q) = scaled(x, places) else {
+        out.extend_from_slice(format!("{x:>width$.places$}").as_bytes());
+        return;
+    };
+    let mut digits = [b'0'; 24];
+    let start = put_digits(&mut digits, q).min(digits.len() - places - 1);
+    let (whole, fraction) = digits[start..].split_at(digits.len() - places - start);
+    let minus = x < 0.0 && q > 0;
+    let length = usize::from(minus) + whole.len() + usize::from(places > 0) + places;
+    out.resize(out.len() + width.saturating_sub(length), b' ');
+    if minus {
+        out.push(b'-');
+    }
+    out.extend_from_slice(whole);
+    if places > 0 {
+        out.push(b'.');
+        out.extend_from_slice(fraction);
+    }
+}
+
 /// Longest number that [`put_exact`] makes: sign, 8 digits, point and 16 decimals, each copied as eight.
 const LONGEST: usize = 32;
 /// Eight decimals.
@@ -111,14 +134,18 @@ fn digit_values(n: u64) -> u64 {
     tens | ((pairs - 10 * tens) << 8)
 }
 
+/// The size of `x` in units of 10^-`places`, when that is a number below 9e15.
+fn scaled(x: f64, places: usize) -> Option<u64> {
+    let scaled = x.abs() * POW10[places];
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 <= it < 9e15")]
+    (scaled < 9e15).then(|| (scaled + 0.5) as u64)
+}
+
 /// Writes `x` as an integer of 10^-`places`; false when it does not fit.
 fn put_scaled(out: &mut Vec<u8>, x: f64, places: usize) -> bool {
-    let scaled = x.abs() * POW10[places];
-    if scaled >= 9e15 {
+    let Some(q) = scaled(x, places) else {
         return false;
-    }
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 <= it < 9e15")]
-    let q = (scaled + 0.5) as u64;
+    };
     if q == 0 {
         out.push(b'0');
         return true;
@@ -380,6 +407,21 @@ mod tests {
         ] {
             assert_eq!(text(x, Decimals::Fixed(n)), fixed);
         }
+    }
+
+    #[test]
+    fn columns_keep_their_zeros() {
+        let column = |x: f64, places, width| {
+            let mut out = Vec::new();
+            put_column(&mut out, x, places, width);
+            String::from_utf8(out).unwrap()
+        };
+        assert_eq!(column(-1.5, 6, 13), "    -1.500000");
+        assert_eq!(column(-1e-9, 6, 10), "  0.000000");
+        assert_eq!(column(12_345_678.25, 3, 4), "12345678.250");
+        assert_eq!(column(2.5, 0, 3), "  3");
+        assert_eq!(column(-0.062_5, 4, 8), " -0.0625");
+        assert_eq!(column(1e300, 1, 4), format!("{:.1}", 1e300));
     }
 
     #[test]

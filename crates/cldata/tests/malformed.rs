@@ -28,6 +28,8 @@ fn statements_that_cannot_be_read_are_kept_and_told_with_their_line() {
         ("UNITS/MM\n\nGOTO/X,Y,Z\n", "APT3001", "line 3"),
         ("UNITS/MM\nGOTO/1,2,3,\nCIRCLE/1,2\nGOTO/4,5,6\n", "APT3001", "line 3"),
         ("UNITS/MM\nCIRCLE/1,2,3,0,0,1,5,1,1,1\n", "APT3001", "line 2"),
+        ("UNITS/MM\nGOTO 1,2,3\n", "APT3001", "line 2: a motion without its slash"),
+        ("UNITS/MM\nfrom -1,2,3\n", "APT3001", "line 2: a motion without its slash"),
         ("UNITS/FURLONGS\n", "APT3001", "line 1"),
         ("UNITS/MM\nMOVARC/1,2,3\n", "APT3001", "line 2"),
         ("UNITS/MM\nGOTO/0,0,0\nARC/CLW,10,0,20,0\nGOTO/20,0,0\n", "APT3001", "line 3"),
@@ -146,5 +148,21 @@ fn binary_files_with_wrong_counts() {
                 }
             }
         }
+    }
+}
+
+/// A file whose end is lost in the midst of a statement is not a whole one.
+#[test]
+fn a_statement_past_the_end_is_told() {
+    for (text, told) in [
+        ("UNITS/MM\nGOTO/1,2,3,$\n", true),
+        ("UNITS/MM\nGOTO/1,2,3,$", true),
+        ("UNITS/MM\nGOTO/1,2,3,$\n0,0,1\n", false),
+        ("UNITS/MM\nGOTO/1,2,3", false),
+        ("UNITS/MM\nGOTO/1,2,3\n$$ end $", false),
+    ] {
+        let (_, said) = read(text.as_bytes(), None);
+        let found = said.iter().any(|s| s.contains("line 2: the file ends where"));
+        assert_eq!(found, told, "{text}: {said:?}");
     }
 }

@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use aptc_control::{
-    Artifact, Compiled, Disk, MachineChoice, Options, RecordWriter as _, TextOptions, TextWriter,
-    UnknownWords,
+    Artifact, Compiled, Disk, Machine, MachineChoice, Options, RecordWriter as _, TextOptions,
+    TextWriter, UnknownWords,
 };
 use aptc_diagnostics::{Diagnostic, FileId, Severity, SourceMap};
 
@@ -39,7 +39,11 @@ pub fn compile(case: &Case) -> Result<Outputs, String> {
         Some(name) if name.ends_with(".toml") => {
             let path = case.folder().join(name);
             let text = Disk::open(&path, LARGEST).map_err(|error| unreadable(&path, error))?.text;
-            Some(MachineChoice::File(name.to_owned(), text.to_string()))
+            let wrong = |found: Vec<Diagnostic>| {
+                let first = found.first().map_or("", |d| d.message.as_str());
+                format!("{}: {first}", path.display())
+            };
+            Some(MachineChoice::Read(Box::new(Machine::parse(&text).map_err(wrong)?)))
         }
         name => name.map(|name| MachineChoice::Named(name.to_owned())),
     };

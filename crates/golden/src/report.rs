@@ -52,7 +52,11 @@ impl fmt::Display for Fault {
             Self::Changed { stage, line, golden, new } => {
                 write!(f, "{} line {line}: `{golden}` became `{new}`", stage.file())
             }
-            Self::Blessed(fault) => write!(f, "blessed: {fault}"),
+            Self::Blessed(fault) => match &**fault {
+                Self::NoGolden(stage) => write!(f, "blessed: {} is new", stage.file()),
+                Self::Orphan(stage) => write!(f, "blessed: {} is taken away", stage.file()),
+                fault => write!(f, "blessed: {fault}"),
+            },
         }
     }
 }

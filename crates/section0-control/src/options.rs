@@ -58,7 +58,7 @@ impl MachineChoice {
     /// The machine, or why there is none.
     pub fn machine(&self) -> Result<Machine, Vec<Diagnostic>> {
         match self {
-            Self::File(_, text) => Machine::parse(text),
+            Self::Read(machine) => Ok((**machine).clone()),
             Self::Named(name) => {
                 let found = aptc_post::machine(name).or_else(|| aptc_post::machine_for(name, &[]));
                 found.cloned().ok_or_else(|| {
@@ -72,13 +72,13 @@ impl MachineChoice {
     }
 }
 
-/// A machine by its name or by the text of a machine file.
+/// A machine by its name or by its machine file.
 #[derive(Clone, Debug)]
 pub enum MachineChoice {
     /// Name of a machine that aptc knows.
     Named(String),
-    /// Name and text of a machine file.
-    File(String, String),
+    /// What its file says.
+    Read(Box<Machine>),
 }
 
 /// How much of the path is proved.

@@ -22,7 +22,7 @@ pub trait World {
 pub struct Source {
     /// Name to show.
     pub name: Arc<str>,
-    /// The text. Bytes that are not UTF-8 are taken as Latin-1.
+    /// The text. UTF-16 is known by its mark; other bytes that are not UTF-8 are taken as Latin-1.
     pub text: Arc<str>,
 }
 
@@ -143,15 +143,29 @@ fn candidates(folder: &Path, name: &str) -> Vec<PathBuf> {
 }
 
 fn read_limited(path: &Path, limit: u64) -> Result<Arc<str>, WorldError> {
-    let bytes = read_bytes(path, limit)?;
-    Ok(match String::from_utf8(bytes) {
-        Ok(text) => text.into(),
-        Err(e) => e.into_bytes().iter().map(|&b| char::from(b)).collect::<String>().into(),
-    })
+    read_bytes(path, limit).map(|bytes| decoded(bytes).into())
+}
+
+/// Bytes as text: UTF-16 where its mark begins them, UTF-8, else Latin-1. Where nothing but CR ends lines it does so as LF.
+fn decoded(bytes: Vec<u8>) -> String {
+    let wide = |unit: fn([u8; 2]) -> u16| {
+        let units: Vec<u16> = bytes[2..].chunks_exact(2).map(|b| unit([b[0], b[1]])).collect();
+        String::from_utf16_lossy(&units)
+    };
+    let text = match bytes.as_slice() {
+        [0xff, 0xfe, ..] => wide(u16::from_le_bytes),
+        [0xfe, 0xff, ..] => wide(u16::from_be_bytes),
+        _ => String::from_utf8(bytes)
+            .unwrap_or_else(|e| e.as_bytes().iter().map(|&b| char::from(b)).collect()),
+    };
+    if text.contains('\r') && !text.contains('\n') { text.replace('\r', "\n") } else { text }
 }
 
 fn read_bytes(path: &Path, limit: u64) -> Result<Vec<u8>, WorldError> {
-    let unreadable = |e: std::io::Error| WorldError::Unreadable { reason: e.to_string() };
+    let unreadable = |e: std::io::Error| match e.kind() {
+        std::io::ErrorKind::NotFound => WorldError::Missing { searched: Vec::new() },
+        _ => WorldError::Unreadable { reason: e.to_string() },
+    };
     // Asked before it is opened: to open a pipe would wait for ever.
     if !fs::metadata(path).map_err(unreadable)?.is_file() {
         return Err(WorldError::Unreadable { reason: "not a file".into() });
@@ -203,6 +217,18 @@ mod tests {
         }
         fs::write(inside.join("long"), vec![b'A'; 101]).unwrap();
         assert_eq!(disk.include("long"), Err(WorldError::TooLarge { limit: 100 }));
+    }
+
+    #[test]
+    fn utf16_and_old_line_ends_are_read() {
+        let text = "\u{feff}$$ Füße\r\nFINI\r\n";
+        let little: Vec<u8> = text.encode_utf16().flat_map(u16::to_le_bytes).collect();
+        let big: Vec<u8> = text.encode_utf16().flat_map(u16::to_be_bytes).collect();
+        for bytes in [little, big] {
+            assert_eq!(decoded(bytes), "$$ Füße\r\nFINI\r\n");
+        }
+        assert_eq!(decoded(b"A=1\rFINI\r".to_vec()), "A=1\nFINI\n");
+        assert_eq!(decoded(b"A=1\r\nB=2\r".to_vec()), "A=1\r\nB=2\r");
     }
 
     #[test]

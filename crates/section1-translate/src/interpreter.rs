@@ -2,10 +2,13 @@
 //!
 //! APT: `AMONTR` and `ASYCTL` of Section 1, in one pass.
 
+mod quantity;
+mod stops;
+
 use std::collections::{HashMap, HashSet, VecDeque};
 use std::sync::Arc;
 
-use aptc_diagnostics::{Code, Diagnostic, Origin, SourceMap, Span, Trace, codes};
+use aptc_diagnostics::{Diagnostic, Origin, SourceMap, Span, Trace, codes};
 use aptc_geometry::{Form, Plane, Transform};
 use aptc_protap::{CutVectors, Kind, NameRef, Outcome, Record, Units};
 use aptc_syntax::tree::{Body, Statement};
@@ -21,6 +24,8 @@ use crate::program::{Plan, Role, Surroundings, Synonyms, Unit, foreign, plan, sc
 use crate::report::Reports;
 use crate::{Files, Language, Options};
 
+pub use quantity::Quantity;
+
 /// What a step gives.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Step {
@@ -28,33 +33,6 @@ pub enum Step {
     Record(Record),
     /// The program is at its end.
     End,
-}
-
-/// What a name stands for at the end of a program.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Quantity {
-    /// A number.
-    Scalar(f64),
-    /// A geometric form, in the base system.
-    Form(Arc<Form>),
-}
-
-impl Quantity {
-    /// The APT word of its type; SCALAR for a number.
-    pub fn word(&self) -> &'static str {
-        match self {
-            Self::Scalar(_) => "SCALAR",
-            Self::Form(form) => form.kind().word(),
-        }
-    }
-
-    /// The number, or the canonical elements.
-    pub fn elements(&self) -> Vec<f64> {
-        match self {
-            Self::Scalar(n) => vec![*n],
-            Self::Form(form) => form.canonical(),
-        }
-    }
 }
 
 /// A part program in execution.
@@ -225,17 +203,6 @@ impl<'w> Interpreter<'w> {
         None
     }
 
-    /// Ends the program before its end with a message about the statement that was to come.
-    pub fn stop(&mut self, code: Code, why: String, help: &str) {
-        if self.levels.is_empty() {
-            return;
-        }
-        self.queue.clear();
-        self.error(Diagnostic::error(code, self.here.span, why).help(help));
-        self.levels.clear();
-        self.emit(Kind::Fini);
-    }
-
     /// Takes in what came of the last record.
     pub fn outcome(&mut self, outcome: Outcome) {
         self.outcome = outcome;
@@ -269,33 +236,6 @@ impl<'w> Interpreter<'w> {
     /// How many statements were executed.
     pub fn n_executed(&self) -> u64 {
         self.executed
-    }
-
-    /// The last value of each name, in the order in which they first got one; of several part programs
-    /// in a file, all. Parameters and LOCAL names of macros are not among them.
-    pub fn geometry(&self) -> Vec<(NameRef, Quantity)> {
-        let mut values = self.finished.clone();
-        self.add_geometry(&mut values);
-        values
-    }
-
-    fn add_geometry(&self, values: &mut Vec<(NameRef, Quantity)>) {
-        let mut known: HashMap<NameRef, usize> =
-            values.iter().enumerate().map(|(i, (n, _))| (n.clone(), i)).collect();
-        for (place, value) in self.memory.in_order() {
-            let quantity = match value {
-                Value::Number(n) => Quantity::Scalar(*n),
-                Value::Form(form) => Quantity::Form(Arc::clone(form)),
-                _ => continue,
-            };
-            let name = self.name_ref(place);
-            if let Some(&i) = known.get(&name) {
-                values[i].1 = quantity;
-            } else {
-                known.insert(name.clone(), values.len());
-                values.push((name, quantity));
-            }
-        }
     }
 
     /// Parses a file, tells its mistakes and makes room for its names.
@@ -496,31 +436,6 @@ impl<'w> Interpreter<'w> {
         self.list(EntryKind::Remark(remark));
     }
 
-    fn out_of_statements(&mut self) {
-        let n = self.options.limits.statements;
-        self.error(
-            Diagnostic::error(
-                codes::TOO_MANY_STATEMENTS,
-                self.here.span,
-                format!("the program stops here after {n} executed statements"),
-            )
-            .label("a loop that does not end?")
-            .help("check what ends the loop; the limit is a setting"),
-        );
-        self.levels.clear();
-        self.emit(Kind::Fini);
-    }
-
-    /// A loop whose end an error has taken away is not a second mistake: the listing says that the search for
-    /// more ends here.
-    fn stopped_after_error(&mut self, n: u64) {
-        let line = self.sources.line_column(self.here.span.file, self.here.span.start).0;
-        let remark = format!("stopped at line {line}, {n} statements after the first error");
-        self.list(EntryKind::Remark(remark));
-        self.levels.clear();
-        self.emit(Kind::Fini);
-    }
-
     /// Goes where the check surface that stopped the last motion leads.
     fn follow_branch(&mut self) {
         let Some(goals) = self.branch.take() else { return };
@@ -549,16 +464,6 @@ impl<'w> Interpreter<'w> {
         if goal <= from && level.is_endless(goal, self.memory.last_change()) {
             self.endless();
         }
-    }
-
-    fn endless(&mut self) {
-        let what = "this loop never ends: from one pass to the next no value changes";
-        self.error(
-            Diagnostic::error(codes::ENDLESS_LOOP, self.here.span, what)
-                .help("change what the IF asks for within the loop"),
-        );
-        self.levels.clear();
-        self.emit(Kind::Fini);
     }
 
     /// Puts out a record of the present statement.

@@ -55,7 +55,12 @@ const MISTAKES: &[Mistake] = &[
     // names
     ("FROM/SETPT", "FROM/SETTP", 1050, "SETTP", "did you mean SETPT?"),
     ("LOADTL/2", "LOADTL/QQQQ", 1050, "QQQQ", "define QQQQ"),
+    ("LX=LINE/XAXIS", "LX=LIEN/XAXIS", 1050, "LIEN", "did you mean LINE?"),
+    ("LX=LINE/XAXIS", "LX=LINE/X-AXIS", 1050, "X", "define X"),
+    ("LOADTL/2", "LOADTL/1E3", 1050, "1E3", "has a point: 1.E3"),
     ("GO/TO,LX,ON,TOP", "GO/TO,LX,ON,TOPP", 1050, "TOPP", "did you mean TOP?"),
+    ("GORGT/LY,PAST,L3,250", "GORGT,LY,PAST,L3", 1304, "GORGT", "write GORGT/ and its arguments"),
+    ("TLRGT,GORGT/LX,TO,LY", "GORGT,TLRGT/LX,TO,LY", 1304, "GORGT", "after all other words"),
     ("GORGT/LY,PAST,L3,250", "GORGT/LY,PSAT,L3,250", 1050, "PSAT", "did you mean PAST?"),
     (
         "HOLES=PATERN/RANDOM,H(1,THRU,4)",
@@ -134,6 +139,7 @@ const MISTAKES: &[Mistake] = &[
     ("CUTTER/10", "CUTTER/10,2,3", 1306, "CUTTER/10,2,3", "CUTTER/d"),
     ("OUTTOL/.02", "OUTTOL/-.02", 1307, "-.02", "lengths"),
     ("OUTTOL/.02", "TLAXIS/0,0,0", 1308, "0", ""),
+    ("GOTO/SETPT", "GOTO/SETPT,0,0,0", 1308, "0", ""),
     ("OUTTOL/.02", "TLAXIS/ATANGL,1,100", 1308, "100", "surface normal"),
     ("OUTTOL/.02", "UNITS/MILES", 1304, "MILES", "MM, CM"),
     ("UNITS/MM", "UNITS/ON", 1304, "ON", ""),

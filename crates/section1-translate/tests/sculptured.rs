@@ -416,3 +416,24 @@ fn cut_vectors_that_are_not_there_are_told() {
     assert_eq!(mistake("X=CLDATF(1,UPS,1)"), (1053, 7));
     assert_eq!(mistake("X=CLDATF(1,UVPPS,1)"), (1053, 7));
 }
+
+#[test]
+fn what_does_not_fit_is_told_by_the_formats_of_its_word() {
+    let told = |text: &str| {
+        let ran = free(&format!("C1=SCURV/SPLINE,P1,P2,P3\n{text}"));
+        assert_eq!(ran.diagnostics.len(), 1, "{text}\n{}", ran.messages());
+        let d = &ran.diagnostics[0];
+        format!("{}\n{:?}", d.message, d.notes)
+    };
+    let axis = told("S=SSURF/RULED,C1,AXIS,P1,V1");
+    assert!(axis.contains("expected a point"), "{axis}");
+    let ruled = "RULED,sculptured curve,";
+    for format in
+        ["sculptured curve", "AXIS,point,point", "AXIS,vector"].map(|f| format!("{ruled}{f}"))
+    {
+        assert!(axis.contains(&format), "{format}: {axis}");
+    }
+    // A mesh whose first word is left out is told as before.
+    let mesh = told("S=SSURF/RULED,SPLINE,P1,P2,SPLINE,P3,P4");
+    assert!(mesh.contains("SMESH|GMESH is missing before RULED"), "{mesh}");
+}

@@ -111,6 +111,7 @@ mod tests {
             point: Vec3::zeros(),
             along: Vec3::y(),
             across,
+            speed: across,
             normal: Some(Vec3::z()),
             direction: Some(-Vec3::z()),
             foot: None,

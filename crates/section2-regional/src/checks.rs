@@ -54,7 +54,7 @@ impl Regional {
                 let surface = Surface::from_form(form)
                     .ok_or(Failure::Undone { what: "CHKSRF of a surface of this kind" })?;
                 let (form, surface) = (Arc::clone(form), Arc::new(surface));
-                self.plain.push(Plain { name: label, form, surface });
+                self.plain.push(Plain { name: label, form, surface, side: None });
             }
         }
         Ok(())
@@ -138,7 +138,9 @@ impl Regional {
         let thick = part.map_or(0.0, |p| p.thick);
         let intol = self.settings.band().intol;
         let (holder, report, plain) = (self.holder.clone(), self.report, self.plain.clone());
-        let guard = Guard { surfaces, plain, intol, thick, holder, report };
+        let mut guard = Guard { surfaces, plain, intol, thick, holder, report };
+        let stand = self.stand.map(|s| (s.te, s.ta));
+        guard.come_from(self.settings.profile.as_ref(), stand);
         (!guard.is_empty()).then_some(guard)
     }
 }

@@ -12,10 +12,13 @@ pub(crate) struct DrivePoint {
     pub(crate) uv: [f64; 2],
     /// The point.
     pub(crate) point: Vec3,
-    /// Derivative along the path, in the direction of rising parameter.
+    /// Derivative along the path, in the direction of rising parameter; where a border runs together in a point the
+    /// direction to which it comes.
     pub(crate) along: Vec3,
-    /// Derivative across the path; zero for a curve without CRSSPL.
+    /// The same across the path; zero for a curve without CRSSPL.
     pub(crate) across: Vec3,
+    /// Derivative across the path, zero where a border runs together.
+    pub(crate) speed: Vec3,
     /// Unit normal of the drive surface along dU x dV; `None` for a curve and where it vanishes.
     pub(crate) normal: Option<Vec3>,
     /// Unit direction of projection; `None` where it is not defined.
@@ -71,14 +74,27 @@ impl DriveArea {
                     Projection::Foot(surface, side) => foot(surface, *side, p.point),
                 };
                 let (point, along) = (p.point, p.first);
-                DrivePoint { uv, point, along, across, normal: None, direction, foot }
+                DrivePoint {
+                    uv,
+                    point,
+                    along,
+                    across,
+                    speed: across,
+                    normal: None,
+                    direction,
+                    foot,
+                }
             }
             Guide::Surface(s) => {
                 let d = s.at(uv[0], uv[1]);
                 let normal = s.normal_at(uv[0], uv[1]);
-                let (along, across) = match course {
-                    Course::U => (d.u, d.v),
-                    Course::V => (d.v, d.u),
+                let [a, b] = [d.u.norm(), d.v.norm()];
+                // Only there the limits differ from what is known already.
+                let limits =
+                    if a.min(b) <= 1e-6 * a.max(b) { s.tangents(uv[0], uv[1]) } else { [d.u, d.v] };
+                let (along, across, speed) = match course {
+                    Course::U => (limits[0], limits[1], d.v),
+                    Course::V => (limits[1], limits[0], d.u),
                 };
                 let (direction, foot) = match &self.projection {
                     Projection::Along(v) => (Some(*v), None),
@@ -86,7 +102,7 @@ impl DriveArea {
                     Projection::Cross => (across.try_normalize(0.0), None),
                     Projection::Foot(surface, side) => foot(surface, *side, d.point),
                 };
-                DrivePoint { uv, point: d.point, along, across, normal, direction, foot }
+                DrivePoint { uv, point: d.point, along, across, speed, normal, direction, foot }
             }
         }
     }

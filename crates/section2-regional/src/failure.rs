@@ -87,7 +87,15 @@ impl Failure {
     /// The words, at the statement.
     pub(crate) fn explain(&self, origin: &Origin) -> Diagnostic {
         let (code, text, help) = self.words();
-        Diagnostic::error(code, origin.span, text).within(origin.trace.clone()).help(help)
+        let told = Diagnostic::error(code, origin.span, text).within(origin.trace.clone());
+        let told = match self {
+            Self::Gouge(deep) if deep.gouge.entered => told.note(format!(
+                "the tool came from outside of {0}, which counts as solid; as a bowl {0} counts where the tool stands in it before the statement",
+                deep.gouge.surface
+            )),
+            _ => told,
+        };
+        told.help(help)
     }
 
     fn words(&self) -> (Code, String, String) {
@@ -241,7 +249,7 @@ impl Failure {
 
 impl Deep {
     fn said(&self, cutter: &str, holder: &str) -> String {
-        let Gouge { surface, span, depth, holder: by_holder } = &self.gouge;
+        let Gouge { surface, span, depth, holder: by_holder, .. } = &self.gouge;
         let who = if *by_holder { holder } else { cutter };
         let depth =
             if depth.is_finite() { format!("{} deep", short(*depth)) } else { "perhaps".into() };

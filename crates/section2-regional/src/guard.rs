@@ -42,6 +42,8 @@ pub(crate) struct Gouge {
     pub(crate) depth: f64,
     /// Is it the shank or the holder that is in the surface?
     pub(crate) holder: bool,
+    /// Does the tool, which came from outside, stand in the solid so that it could be a bowl?
+    pub(crate) entered: bool,
 }
 
 impl Guard {
@@ -55,6 +57,14 @@ impl Guard {
         let part = |s: &Checked| s.part && Arc::ptr_eq(&s.tree, tree);
         let alone = self.surfaces.len() == 1 && self.plain.is_empty() && self.holder.is_empty();
         alone && self.surfaces.iter().all(part) && thick >= self.thick && intol <= self.intol
+    }
+
+    /// Sides by where the tool stands before the statement; where that is not known each solid has its own.
+    pub(crate) fn come_from(&mut self, cutter: Option<&Profile>, stand: Option<(Vec3, Vec3)>) {
+        let (Some(cutter), Some(stand)) = (cutter, stand) else { return };
+        for p in &mut self.plain {
+            p.come_from(cutter, &self.holder, stand, self.intol);
+        }
     }
 
     /// Is the tool clear at `te`?
@@ -87,7 +97,7 @@ impl Guard {
         let [u, v] = s.surface.global(place.patch, place.uv[0], place.uv[1]);
         let thick = if s.part { self.thick } else { 0.0 };
         let (span, depth) = (Some(s.surface.span_of(u, v)), thick - place.distance);
-        Gouge { surface: s.name.clone(), span, depth, holder }
+        Gouge { surface: s.name.clone(), span, depth, holder, entered: false }
     }
 
     /// Is the tool with its holder clear all the way from one tool end and axis to the other? An axis that
@@ -115,7 +125,8 @@ impl Guard {
             for p in &self.plain {
                 if let Some((depth, _)) = p.deep((profile, *up), ends, self.intol) {
                     let surface = p.name.clone();
-                    return Err(Gouge { surface, span: None, depth, holder: k > 0 });
+                    let entered = p.is_entered(&cutter.0, ends[1]);
+                    return Err(Gouge { surface, span: None, depth, holder: k > 0, entered });
                 }
             }
         }

@@ -3,6 +3,7 @@
 use aptc_contact::Tool;
 use aptc_geometry::Vec3;
 
+use crate::area::Guide;
 use crate::avoid::Case;
 use crate::drive::Course;
 use crate::failure::Failure;
@@ -51,6 +52,16 @@ impl Setup<'_> {
         let (mut here, mut memory) = first.map_err(|why| broken(&mut points, why))?;
         self.guarded(&mut points, here, (course, sense), memory, false)
             .map_err(|why| broken(&mut points, why))?;
+        if let Some(end) = self.still(&here, to, course, sense) {
+            // Where the tool got out of the way it stands there.
+            points.points.extend(points.points.last().map(|p| Position {
+                te: p.te,
+                ta: p.ta,
+                lift: p.lift,
+                ..end
+            }));
+            return Ok(points);
+        }
         let mut gone = 0.0;
         let span = (to - from[k]).abs();
         let room = 1e-10 * span.max(1.0);
@@ -78,6 +89,48 @@ impl Setup<'_> {
             (here, memory, clear) = (next, kept, proved);
         }
         Ok(points)
+    }
+
+    /// The end of a path along a border of the drive that runs together in a point, where the tool stands still: the
+    /// position at the last parameter. `None` elsewhere, and where the normals fan out so that the tool swings about the point.
+    fn still(&self, first: &Position, to: f64, course: Course, sense: f64) -> Option<Position> {
+        /// Places in a span of the drive that are looked at.
+        const PLACES: f64 = 8.0;
+        /// And on all of it.
+        const MOST: f64 = 400.0;
+        /// Part of the band by which the tool may move and still stands.
+        const STILL: f64 = 1e-3;
+        let Guide::Surface(surface) = &self.drive.guide else { return None };
+        let k = course.index();
+        let from = first.drive_uv;
+        let at = |share: f64| {
+            let mut uv = from;
+            uv[k] += (to - from[k]) * share;
+            uv
+        };
+        let point = |[u, v]: [f64; 2]| surface.at(u, v).point;
+        let n = ((to - from[k]).abs() * PLACES).ceil().clamp(PLACES, MOST);
+        let start = point(from);
+        let near = 1e-9 * self.part.extent;
+        let mut i = n;
+        while i > 0.0 {
+            if (point(at(i / n)) - start).norm() > near {
+                return None;
+            }
+            i -= 1.0;
+        }
+        let room = STILL * (self.band.intol + self.band.outtol);
+        let lever = self.profile.reach();
+        let mut last = None;
+        while i < n {
+            i += 1.0;
+            let (p, _) = self.settled(at(i / n), course, sense, None, self.at_end()).ok()?;
+            if (p.te - first.te).norm() + lever * (p.ta - first.ta).norm() > room {
+                return None;
+            }
+            last = Some(p);
+        }
+        last
     }
 
     /// Appends a position after CHKSRF: one that gouges is avoided or fails; a cut vector between two clear

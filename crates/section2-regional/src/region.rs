@@ -43,6 +43,16 @@ impl Along {
     pub(crate) fn of(p: &Position) -> Self {
         Self { at: (p.te, p.ta), uv: p.drive_uv }
     }
+
+    /// A path, without its first place if that is to be skipped; where the tool stands still one place.
+    pub(crate) fn each(points: &[Position], skip: bool) -> Vec<Self> {
+        let mut all: Vec<Self> = points.iter().map(Self::of).collect();
+        all.dedup_by(|b, a| a.at == b.at);
+        if skip && !all.is_empty() {
+            all.remove(0);
+        }
+        all
+    }
 }
 
 /// How the tool is led away from the surface between passes.
@@ -355,8 +365,7 @@ impl Region<'_> {
             (First::Left, _) => true,
             (First::After(stand), Some(start)) => self.joined(setup, stand, start)?,
         };
-        let moves = points.iter().skip(usize::from(skip)).map(Along::of).collect();
-        out.puts.push(Put::Path(moves));
+        out.puts.push(Put::Path(Along::each(&points, skip)));
         out.notes.extend(notes);
         out.avoided |= avoided;
         out.odd = out.odd.or(Odd::of(&points));

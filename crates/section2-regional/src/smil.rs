@@ -74,6 +74,8 @@ impl Regional {
         };
         if done.joined {
             self.join(origin, &mut done)?;
+            // Where a statement before failed nothing is known of the way to the second point.
+            done.joined &= self.stand.is_some();
         }
         self.diagnostics.extend(reports(origin, &done.notes));
         self.odd(origin, done.odd);
@@ -163,7 +165,7 @@ impl Regional {
                 (done, Some(why))
             }
         };
-        let moves = points.iter().skip(usize::from(skip)).map(Along::of).collect();
+        let moves = Along::each(&points, skip);
         let first = points.first().map(|p| (p.te, p.ta));
         let (puts, odd) = (vec![Put::Path(moves)], Odd::of(&points));
         Ok(Done { puts, notes, odd, first, why: broken, joined: skip, ..Done::default() })

@@ -64,7 +64,7 @@ pub(crate) fn parameter_step(
         near = [near[1], near[2], round(i + 1)];
         let k = across_curvature(setup, p, side);
         let radius = radius_across(profile, &near);
-        let across = laid(place.across, place.direction, p.normal);
+        let across = laid(place.speed, place.direction, p.normal);
         let mut speed = across.dot(&side).abs();
         if setup.part.touches && drive.hold == Hold::On {
             // It is the tool that is led: in a hollow its contact moves faster, on a hump more slowly.

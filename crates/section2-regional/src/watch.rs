@@ -87,7 +87,8 @@ impl Regional {
         // A tool that just touches is not in.
         let intol = band.intol.max(0.01 * (band.intol + band.outtol));
         let (holder, report, plain) = (self.holder.clone(), false, self.plain.clone());
-        let guard = Guard { surfaces, plain, intol, thick, holder, report };
+        let mut guard = Guard { surfaces, plain, intol, thick, holder, report };
+        guard.come_from(self.watch.profile.as_ref(), self.watch.last);
         Ok((!guard.is_empty()).then_some(guard))
     }
 }

@@ -3,7 +3,7 @@
 use std::io;
 
 use aptc_cldata::{Block, Edit, Kind, Position, Record, RecordWriter, Spool, Units};
-use aptc_diagnostics::{Code, Diagnostic, Origin, Severity, codes};
+use aptc_diagnostics::{Code, Diagnostic, Origin, Severity, Span, codes};
 use aptc_geometry::Transform;
 
 use crate::carry::{Carrier, Trouble};
@@ -48,6 +48,8 @@ pub struct Editor {
     n_spooled: u64,
     scratch: Record,
     list: Vec<Diagnostic>,
+    /// How many more there were, and the first of them.
+    left_out: Option<(u64, Code, Span)>,
     said: Vec<(Code, &'static str)>,
 }
 
@@ -86,7 +88,12 @@ impl Editor {
 
     /// What there is to say so far.
     pub fn take_diagnostics(&mut self) -> Vec<Diagnostic> {
-        std::mem::take(&mut self.list)
+        let mut list = std::mem::take(&mut self.list);
+        if let Some((n, code, span)) = self.left_out.take() {
+            let what = format!("{n} more messages about COPY and INDEX are left out");
+            list.push(Diagnostic::note_at(code, span, what));
+        }
+        list
     }
 
     /// Takes a record and puts out what becomes of it.
@@ -363,10 +370,13 @@ impl Editor {
         self.say(d.within(origin.trace.clone()));
     }
 
-    /// Keeps a message, of very many only the first.
+    /// Keeps a message, of very many only the first; an error that is the first one always.
     fn say(&mut self, d: Diagnostic) {
-        if self.list.len() < MOST_MESSAGES {
+        let first_error = || d.is_error() && !self.list.iter().any(Diagnostic::is_error);
+        if self.list.len() < MOST_MESSAGES || first_error() {
             self.list.push(d);
+        } else {
+            self.left_out.get_or_insert((0, d.code, d.span)).0 += 1;
         }
     }
 

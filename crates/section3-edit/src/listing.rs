@@ -1,7 +1,7 @@
 //! CLPRNT: the CL data as a table for people.
 
 use aptc_cldata::number::{self, Decimals};
-use aptc_cldata::{Arg, Clprnt, Course, Edit, Kind, MotionKind, NameRef, Output, Record};
+use aptc_cldata::{Arg, Clprnt, Course, Edit, Kind, MotionKind, NameRef, Output, Position, Record};
 
 /// Prints records where CLPRNT asks for them.
 ///
@@ -119,22 +119,33 @@ impl Listing {
                     MotionKind::Startup => "GO",
                     MotionKind::Continuous => "CUT VEC",
                 };
+                let name = name_of(&m.name);
+                let mut rows = Vec::new();
                 for (i, p) in m.points.iter().enumerate() {
-                    let axis = if m.with_axis {
-                        format!(" {:>10.6} {:>10.6} {:>10.6}", p.ta.x, p.ta.y, p.ta.z)
-                    } else {
-                        String::new()
-                    };
-                    let te = format!("{:>13.6} {:>13.6} {:>13.6}", p.te.x, p.te.y, p.te.z);
-                    let (line, word) = if i == 0 { (line, word) } else { ("", "") };
-                    let name = if i == 0 { name_of(&m.name) } else { String::new() };
-                    let text = format!("{line:>6}  {word:<8} {name:<10} {te}{axis}");
-                    out.push_str(&text.replace("-0.000000", " 0.000000"));
-                    out.push('\n');
+                    let (line, word, name) =
+                        if i == 0 { (line, word, name.as_str()) } else { ("", "", "") };
+                    position(&mut rows, [line, word, name], p, m.with_axis);
                 }
+                out.push_str(&String::from_utf8_lossy(&rows));
             }
         }
     }
+}
+
+/// Appends the row of a position: line, word and name, the tool end and, where it is programmed, the tool axis.
+fn position(out: &mut Vec<u8>, head: [&str; 3], p: &Position, with_axis: bool) {
+    out.extend(format!("{:>6}  {:<8} {:<10} ", head[0], head[1], head[2]).bytes());
+    for (i, x) in [p.te.x, p.te.y, p.te.z].into_iter().enumerate() {
+        out.resize(out.len() + usize::from(i > 0), b' ');
+        number::put_column(out, x, 6, 13);
+    }
+    if with_axis {
+        for x in [p.ta.x, p.ta.y, p.ta.z] {
+            out.push(b' ');
+            number::put_column(out, x, 6, 10);
+        }
+    }
+    out.push(b'\n');
 }
 
 fn on_off(on: bool) -> &'static str {
@@ -183,7 +194,7 @@ fn list(args: &[Arg]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use aptc_cldata::{Motion, Position};
+    use aptc_cldata::Motion;
     use aptc_geometry::Vec3;
 
     #[test]

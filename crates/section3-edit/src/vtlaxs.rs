@@ -8,9 +8,15 @@
 //! corner gives the tilts before and behind it: in the corner the axis is the line in which both walls
 //! meet, and is reached and left in n steps (6) over the way by which the tool leans at the height h.
 
-use aptc_cldata::{Arg, Kind, Motion, Position, Record, Units, flatten};
+mod corner;
+mod path;
+
+use aptc_cldata::{Arg, Kind, Motion, Position, Record, Units};
 use aptc_diagnostics::{Diagnostic, Origin, codes};
 use aptc_geometry::{Vec3, trig};
+
+use corner::{Corner, wcorn_of};
+use path::Path;
 
 /// Records held between ON and OFF; what it trades is memory against paths longer than any wall.
 const MOST_HELD: usize = 1_000_000;
@@ -47,13 +53,6 @@ struct Section {
     zsmall: bool,
     start: Option<Position>,
     held: Vec<Record>,
-}
-
-struct Wcorn {
-    alpha: f64,
-    beta: f64,
-    height: f64,
-    n: u32,
 }
 
 impl Vtlaxs {
@@ -219,119 +218,6 @@ fn off(args: &[Arg]) -> Option<f64> {
     }
 }
 
-fn wcorn_of(record: &Record) -> Option<Wcorn> {
-    let Kind::Post { word, args } = &record.kind else { return None };
-    let [a, b, c, d, Arg::Number(height), rest @ ..] = args.as_slice() else { return None };
-    let n = match rest {
-        [] => 6.0,
-        [Arg::Number(n)] => n.clamp(1.0, 1000.0),
-        _ => return None,
-    };
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped")]
-    let n = n as u32;
-    let (alpha, beta) = (angle(a, b)?, angle(c, d)?);
-    (word == "WCORN" && *height > 0.0).then_some(Wcorn { alpha, beta, height: *height, n })
-}
-
-/// The level path: vertices, the way to each, and the record each belongs to.
-struct Path {
-    vertices: Vec<Vec3>,
-    way: Vec<f64>,
-    record: Vec<usize>,
-}
-
-impl Path {
-    fn new(section: &Section) -> Result<Self, (&'static str, &'static str)> {
-        let Some(start) = section.start else {
-            return Err(("VTLAXS before the tool has a position", "begin with FROM or GOTO"));
-        };
-        let mut path = Self { vertices: vec![start.te], way: vec![0.0], record: vec![0] };
-        let mut last = start;
-        for (i, record) in section.held.iter().enumerate() {
-            let Kind::Motion(m) = &record.kind else { continue };
-            if !m.with_axis {
-                return Err(("VTLAXS without MULTAX", "write MULTAX before the motion"));
-            }
-            for p in flatten::positions(m, Some(last), 1e-3 * section.radius) {
-                let step = (p.te - path.vertices[path.vertices.len() - 1]).norm();
-                let way = path.way[path.way.len() - 1] + step;
-                path.vertices.push(p.te);
-                path.way.push(way);
-                path.record.push(i);
-                if (p.ta - Vec3::z()).norm() > 1e-9 {
-                    return Err((
-                        "VTLAXS with a tool that is not upright",
-                        "write TLAXIS/0,0,1 before the motion",
-                    ));
-                }
-                last = p;
-            }
-        }
-        let z = start.te.z;
-        let slack = 1e-6 * section.radius.max(path.length());
-        if path.vertices.iter().any(|p| (p.z - z).abs() > slack) {
-            return Err((
-                "VTLAXS along a path that is not level",
-                "all positions between ON and OFF, and the one before, need the same z",
-            ));
-        }
-        if path.length() <= 0.0 {
-            return Err(("VTLAXS without motion", "put the motion between ON and OFF"));
-        }
-        Ok(path)
-    }
-
-    fn length(&self) -> f64 {
-        self.way[self.way.len() - 1]
-    }
-
-    /// The way up to the last vertex of the motions before a record.
-    fn up_to_record(&self, record: usize) -> f64 {
-        let n = self.record.iter().take_while(|r| **r < record).count();
-        self.way[n.max(1) - 1]
-    }
-
-    /// Vertices of a record as ways, with the steps at a corner in their places.
-    fn stations(&self, record: usize, corner: Option<&Corner>) -> Vec<f64> {
-        let own = |i: &usize| self.record[*i] == record;
-        let mut list: Vec<f64> = (1..self.way.len()).filter(own).map(|i| self.way[i]).collect();
-        let (Some(corner), Some(first), Some(last)) =
-            (corner, list.first().copied(), list.last().copied())
-        else {
-            return list;
-        };
-        let before = (1..self.way.len()).find(own).map_or(first, |i| self.way[i - 1]);
-        let slack = 1e-9 * self.length();
-        list.retain(|s| !corner.covers(*s, slack));
-        let steps = corner.steps.iter().copied();
-        // The corner itself ends the motion into it.
-        list.extend(steps.filter(|s| *s > before + slack && *s <= last + slack));
-        list.sort_by(f64::total_cmp);
-        list
-    }
-
-    /// Point and directions of arriving and leaving at a way.
-    fn at(&self, s: f64) -> (Vec3, Vec3, Vec3) {
-        let n = self.way.len();
-        let i = self.way.partition_point(|w| *w < s - 1e-12 * self.length()).clamp(1, n - 1);
-        let (a, b) = (self.vertices[i - 1], self.vertices[i]);
-        let (wa, wb) = (self.way[i - 1], self.way[i]);
-        let t = if wb > wa { ((s - wa) / (wb - wa)).clamp(0.0, 1.0) } else { 1.0 };
-        let point = a + (b - a) * t;
-        let arriving = self.direction(i);
-        let at_vertex = (s - wb).abs() <= 1e-9 * self.length();
-        let leaving = if at_vertex && i + 1 < n { self.direction(i + 1) } else { arriving };
-        (point, arriving, leaving)
-    }
-
-    /// Direction of the chord that ends at vertex `i`; of the nearest one when it has no length.
-    fn direction(&self, i: usize) -> Vec3 {
-        let chord = |i: usize| (self.vertices[i] - self.vertices[i - 1]).try_normalize(0.0);
-        let ahead = (i..self.vertices.len()).find_map(chord);
-        ahead.or_else(|| (1..i).rev().find_map(chord)).unwrap_or_else(Vec3::x)
-    }
-}
-
 /// The point where the upright tool touches the foot of the wall, and the way of the motion there.
 struct Foot {
     point: Vec3,
@@ -377,83 +263,6 @@ impl Foot {
         let (ta, normal) = section.axis(self.ahead, tilt_deg);
         let on = self.point + normal * section.radius;
         Position { te: section.lowered(on, ta, self.point.z), ta }
-    }
-}
-
-/// The way through a corner.
-struct Corner {
-    /// Where it is along the path.
-    s: f64,
-    before: f64,
-    behind: f64,
-    /// Ways of the steps, the corner itself among them.
-    steps: Vec<f64>,
-    /// Axes and wall normals before and behind, and the axis in the corner.
-    into: (Vec3, Vec3),
-    out_of: (Vec3, Vec3),
-    axis: Vec3,
-    position: Position,
-}
-
-impl Corner {
-    fn new(section: &Section, path: &Path, s: f64, w: &Wcorn, least: f64) -> Option<Self> {
-        let (te, arriving, leaving) = path.at(s);
-        let into = section.axis(arriving, w.alpha);
-        let out_of = section.axis(leaving, w.beta);
-        let axis = into.1.cross(&out_of.1).try_normalize(1e-6)?;
-        let axis = if axis.z < 0.0 { -axis } else { axis };
-        (axis.z > 0.1).then_some(())?;
-        let lean = |a: Vec3| {
-            let c = a.dot(&axis).clamp(-1.0, 1.0);
-            w.height * (1.0 - c * c).sqrt() / c.abs().max(0.1)
-        };
-        let before = lean(into.0).min(s);
-        let behind = lean(out_of.0).min(path.length() - s);
-        // The feet of both walls meet at `foot`; the axis is at the radius from both.
-        let (p, q) = (section.to_wall(arriving), section.to_wall(leaving));
-        let c = p.dot(&q);
-        let foot = te + (p + q) * (section.radius / (1.0 + c).max(1e-6));
-        let c = into.1.dot(&out_of.1);
-        let on = foot + (into.1 + out_of.1) * (section.radius / (1.0 + c).max(1e-6));
-        let position = Position { te: section.lowered(on, axis, te.z), ta: axis };
-        let count = |length: f64| {
-            let most = (length / least).floor().clamp(1.0, f64::from(w.n));
-            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped")]
-            let most = most as u32;
-            most
-        };
-        let mut steps = Vec::new();
-        let (n, m) = (count(before), count(behind));
-        steps.extend((0..n).map(|k| s - before * f64::from(n - k) / f64::from(n)));
-        steps.push(s);
-        steps.extend((1..=m).map(|k| s + behind * f64::from(k) / f64::from(m)));
-        steps.retain(|s| *s > 0.0);
-        Some(Self { s, before, behind, steps, into, out_of, axis, position })
-    }
-
-    /// Is the way within the steps?
-    fn covers(&self, s: f64, slack: f64) -> bool {
-        s >= self.s - self.before - slack && s <= self.s + self.behind + slack
-    }
-
-    /// The position at a way within the steps: the axis turns in the wall.
-    fn position(&self, section: &Section, path: &Path, s: f64) -> Option<Position> {
-        let slack = 1e-9 * path.length();
-        if !self.covers(s, slack) {
-            return None;
-        }
-        if (s - self.s).abs() <= slack {
-            return Some(self.position);
-        }
-        let ((start, normal), part) = if s < self.s {
-            (self.into, 1.0 - (self.s - s) / self.before)
-        } else {
-            (self.out_of, 1.0 - (s - self.s) / self.behind)
-        };
-        let ta = (start + (self.axis - start) * part).try_normalize(0.0)?;
-        let foot = section.upright_foot(path, s).point;
-        let on = foot + normal * section.radius;
-        Some(Position { te: section.lowered(on, ta, foot.z), ta })
     }
 }
 

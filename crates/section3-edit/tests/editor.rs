@@ -250,6 +250,18 @@ fn mistakes_are_told() {
     }
 }
 
+/// Warnings without end are counted, and hide no error that comes behind them.
+#[test]
+fn an_error_behind_very_many_warnings_is_told() {
+    let twice = (0..600).flat_map(|_| [index(1.0), nomore(1.0)]);
+    let (_, said) = edit(twice.chain([nomore(4.0), nomore(5.0)]).collect());
+    let errors: Vec<u16> = said.iter().filter(|d| d.is_error()).map(|d| d.code.number()).collect();
+    assert_eq!((errors, said.len()), (vec![3101], 502));
+    // 599 warnings and the second error, less the 500 that are shown.
+    let last = &said.last().expect("502").message;
+    assert!(last.starts_with("100 more messages"), "{last}");
+}
+
 #[test]
 fn nothing_is_edited_after_a_failed_motion() {
     let mut editor = Editor::new();

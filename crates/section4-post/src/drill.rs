@@ -41,6 +41,8 @@ pub(crate) struct DrillCycle {
     pub(crate) dwell: Option<f64>,
     /// Revolutions of the spindle instead.
     pub(crate) dwell_rev: Option<f64>,
+    /// Has it been told that no clearance is given? That is a fault of the cycle, not of each hole.
+    pub(crate) without_clearance: bool,
 }
 
 /// Heights of a cycle above the point, CL units, each under the word that gave it.
@@ -185,10 +187,15 @@ impl Post {
         let clearance = match (cycle.clear, self.clearance_above(at, ta)) {
             (Some(c), _) => c * scale,
             (None, Some(h)) if h > 0.0 => h,
-            _ => {
+            (None, plane) => {
                 let message = format!("CYCLE/{} has no clearance above the hole", cycle.kind);
                 let help = "add CLEAR,c to the cycle, or write CLRSRF before it";
-                self.error(codes::CYCLE_INCOMPLETE, origin, message, help);
+                if plane.is_some() || !cycle.without_clearance {
+                    self.error(codes::CYCLE_INCOMPLETE, origin, message, help);
+                }
+                if let Some(cycle) = &mut self.st.cycle {
+                    cycle.without_clearance |= plane.is_none();
+                }
                 return None;
             }
         };

@@ -59,7 +59,7 @@ pub use machine::{
     ArcCenter, ArcPlane, Arcs, Axis, BlockNumbers, Carries, Compensation, Cycle, CycleWord,
     CycleWords, Dialect, Feed, Format, Machine, MachineKind, Milling, Multiaxis, OutputUnits,
     Program, Rapid, RapidPath, Rotary, RotaryFeed, Spindle, Turning, TurningPlane, Wrap,
-    machin_names, machine, machine_for, machines,
+    machin_names, machine, machine_file, machine_for, machines,
 };
 pub use nc_reader::NcReader;
 pub use post::{Post, PostOptions, Posted, ToolScan, post_all};

@@ -10,13 +10,19 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
+mod arcs;
 mod builtin;
 mod check;
+mod cycles;
 mod defaults;
 mod milling;
+mod rotary;
 
-pub use builtin::{machin_names, machine, machine_for, machines};
+pub use arcs::{ArcCenter, ArcPlane, Arcs};
+pub use builtin::{machin_names, machine, machine_file, machine_for, machines};
+pub use cycles::{Cycle, CycleWord, CycleWords};
 pub use milling::Milling;
+pub use rotary::{Carries, Multiaxis, Rotary, RotaryFeed, Wrap};
 
 /// A machine with its control.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -285,120 +291,6 @@ pub enum RapidPath {
     Feed,
 }
 
-/// Circular motion.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
-pub struct Arcs {
-    /// The planes that the control has: `XY`, `ZX`, `YZ`.
-    pub planes: Vec<ArcPlane>,
-    /// How the centre is told.
-    pub center: ArcCenter,
-    /// Arcs with motion along the axis?
-    pub helix: bool,
-    /// A whole turn in one block?
-    pub full_circle: bool,
-    /// Longest arc in one block, degrees; 90 stops at each quadrant.
-    pub max_sweep: f64,
-    /// Least radius, millimetres.
-    pub min_radius: f64,
-    /// Greatest radius, millimetres.
-    pub max_radius: f64,
-    /// By how much the radii at both ends may differ, millimetres: half of what the control allows.
-    pub radius_tolerance: f64,
-    /// Runs of short lines become arcs that leave them by at most this, millimetres; 0 for never, unless
-    /// ARCSLP/LINCIR asks for it.
-    pub fit: f64,
-}
-
-/// A plane of circular motion.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
-pub enum ArcPlane {
-    /// G17.
-    #[serde(rename = "XY")]
-    Xy,
-    /// G18.
-    #[serde(rename = "ZX")]
-    Zx,
-    /// G19.
-    #[serde(rename = "YZ")]
-    Yz,
-}
-
-/// How the centre of an arc is told.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum ArcCenter {
-    /// I J K from the start of the arc.
-    #[default]
-    Relative,
-    /// I J K as coordinates.
-    Absolute,
-    /// R, negative above 180 degrees; arcs near 180 degrees are halved, whole turns too.
-    Radius,
-}
-
-/// A cycle that the control has.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Cycle {
-    /// Its code: `G81`. Depth, clearance and feed follow as Z, R and F.
-    #[serde(default)]
-    pub code: String,
-    /// Or lines that define it, where a position calls it: `{surface}` `{bottom}` `{clearance}` `{retract}`
-    /// as coordinates, `{depth}` `{clear}` `{back}` as distances from the surface, `{step}` `{first}`
-    /// `{dwell}` `{feed}` `{pitch}` `{speed}`.
-    #[serde(default)]
-    pub lines: Vec<String>,
-    /// Lines before the block that begins it, with `{speed}` `{pitch}` `{feed}`: `M29 S{speed}` of rigid tapping.
-    /// The control stops the spindle for them; it is started again after the cycle.
-    #[serde(default)]
-    pub before: Vec<String>,
-    /// Address of the pitch, for a code that taps one hole from the clearance down and up again with the spindle
-    /// and stays for no other: `K` of G33.1.
-    #[serde(default)]
-    pub lead: Option<char>,
-    /// The words that it needs besides depth, retract plane and feed: `Q` step, `P` dwell.
-    #[serde(default)]
-    pub words: Vec<CycleWord>,
-    /// The spindle turns so in it: `CLW` or `CCLW`; empty when it does not matter.
-    #[serde(default)]
-    pub spindle: String,
-}
-
-/// A word of a cycle.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum CycleWord {
-    /// Depth of one peck.
-    Step,
-    /// Dwell at the bottom.
-    Dwell,
-    /// Dwell at the bottom, left out when there is none.
-    MaybeDwell,
-}
-
-/// Words of cycles.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
-pub struct CycleWords {
-    /// Ends a cycle; empty when it holds for one position only.
-    pub off: String,
-    /// Words at the end of a position that calls a cycle defined by lines.
-    pub call: String,
-    /// Retracts to the plane of the first height.
-    pub to_initial: String,
-    /// Retracts to the clearance plane only.
-    pub to_clearance: String,
-    /// Address of the step.
-    pub step: char,
-    /// Address of the dwell.
-    pub dwell: char,
-    /// Is the dwell in milliseconds?
-    pub dwell_ms: bool,
-    /// How far above the last depth an expanded peck comes back, millimetres.
-    pub peck_back: f64,
-}
-
 /// Compensation in the control.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
@@ -459,115 +351,4 @@ pub struct Axis {
     pub max_feed: f64,
     /// Are positions written as twice their value (diameters of a lathe)?
     pub diameter: bool,
-}
-
-/// A rotary axis.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Rotary {
-    /// Address letter.
-    pub letter: char,
-    /// Does it turn the part or the tool?
-    pub carries: Carries,
-    /// Direction of its axis at zero of all axes. A positive angle turns what it carries anticlockwise seen
-    /// from the tip of this direction.
-    pub axis: [f64; 3],
-    /// A point of its axis, millimetres: for the part in the frame of the program, for the tool from the
-    /// tool end of a tool of no length.
-    #[serde(default)]
-    pub point: [f64; 3],
-    /// Least angle; none for an axis without end.
-    #[serde(default)]
-    pub min: Option<f64>,
-    /// Greatest angle.
-    #[serde(default)]
-    pub max: Option<f64>,
-    /// How an axis without end writes angles beyond a turn.
-    #[serde(default)]
-    pub wrap: Wrap,
-    /// Greatest speed, degrees a minute; 0 when unknown.
-    #[serde(default)]
-    pub max_feed: f64,
-    /// Code that holds it fast.
-    #[serde(default)]
-    pub clamp: String,
-    /// Code that sets it free.
-    #[serde(default)]
-    pub unclamp: String,
-}
-
-/// What a rotary axis turns.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Carries {
-    /// A table.
-    Part,
-    /// A head.
-    Tool,
-}
-
-/// How an axis without end writes angles beyond a turn.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Wrap {
-    /// The angles grow without end.
-    #[default]
-    Unwound,
-    /// Within 0 to 360; the control takes the shorter way.
-    Modulo,
-}
-
-/// How motion with rotary axes is done.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
-pub struct Multiaxis {
-    /// Does the control keep the tool end on its path? Then positions of the tool end are written, else
-    /// positions of the axes.
-    pub tool_center: bool,
-    /// Words that begin tool-centre control, with `{offset}`.
-    pub tool_center_on: String,
-    /// Do these words stand in the block of the first motion along Z, in place of the length offset? Else
-    /// they are a block before the first motion.
-    pub tool_center_with_z: bool,
-    /// Line that ends it.
-    pub tool_center_off: String,
-    /// Lines that tilt the plane of the program after ROTABL and ROTHED, for controls with tool-centre control:
-    /// `{first}` `{second}` `{third}` are the angles about Z, the new X and the new Z, `{x}` `{y}` `{z}` those about
-    /// X, the new Y and the new Z. Without them positions stay in the frame of the part.
-    pub plane_on: Vec<String>,
-    /// Lines that end it.
-    pub plane_off: Vec<String>,
-    /// How far the tool end may leave the straight line because rotary axes turn evenly (LINTOL),
-    /// millimetres.
-    pub lintol: f64,
-    /// How far the tool axis may lean out of the plane of its ends between two blocks, degrees.
-    pub axis_tolerance: f64,
-    /// Feed of blocks in which a rotary axis turns.
-    pub feed: RotaryFeed,
-    /// How far the tool retracts along its axis before rotary axes are wound back, millimetres; 0 when that
-    /// may not be done.
-    pub rewind_retract: f64,
-    /// Feed of that retract and of the way back, millimetres a minute.
-    pub rewind_feed: f64,
-    /// Within this angle of the singular direction the first rotary axis may keep its angle, degrees.
-    pub singular: f64,
-    /// Comment before the first block in which the tool turns where it stands at feed, for tool-centre controls
-    /// that need a parameter of theirs for it.
-    pub turn_note: String,
-    /// Length of the tool for control without tool-centre control when CUTTER and LOADTL give none,
-    /// millimetres.
-    pub tool_length: Option<f64>,
-}
-
-/// Feed of blocks in which a rotary axis turns.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum RotaryFeed {
-    /// The control means the tool end.
-    #[default]
-    Tip,
-    /// Inverse time.
-    Inverse,
-    /// The control takes degrees as if they were units of length, and the feed along the way of all axes.
-    Degrees,
 }

@@ -3,6 +3,8 @@
 
 mod common;
 
+use aptc_diagnostics::{FileId, Span};
+
 use common::{errors, good, post};
 
 #[test]
@@ -34,6 +36,26 @@ fn compensation_without_an_offset_says_what_is_missing() {
     assert!(error.message.contains("no tool is loaded"), "{}", error.message);
 }
 
+/// The cycle lacks its clearance, not each of its holes; a plane that lies above some of them is told at each other.
+#[test]
+fn a_cycle_without_clearance_is_told_once() {
+    let told = |text: &str| {
+        let mut list = common::records(text);
+        for (record, i) in list.iter_mut().zip(0..) {
+            record.origin.span = Span::new(FileId(0), i, i + 1);
+        }
+        let mill = aptc_post::machine("linuxcnc-mill").unwrap();
+        let posted = aptc_post::post_all(mill, Default::default(), &list).1;
+        let errors = posted.diagnostics.iter().filter(|d| d.is_error());
+        errors.map(|d| d.code.number()).collect::<Vec<_>>()
+    };
+    let ready = "UNITS/MM\nLOADTL/1\nSPINDL/100\nCOOLNT/ON\nFEDRAT/10\nRAPID\nGOTO/0,0,50\n";
+    let holes = "CYCLE/DRILL,DEPTH,5\nGOTO/0,0,0\nGOTO/9,0,0\nGOTO/18,0,0\nCYCLE/OFF\n";
+    assert_eq!(told(&format!("{ready}{holes}FINI")), [4005]);
+    assert_eq!(told(&format!("{ready}{holes}{holes}FINI")), [4005; 2]);
+    assert_eq!(told(&format!("{ready}CLRSRF/-1\n{holes}FINI")), [4005; 3]);
+}
+
 #[test]
 fn each_refusal_has_its_code() {
     for (statement, code) in [
@@ -44,6 +66,8 @@ fn each_refusal_has_its_code() {
         ("COOLNT/5", "APT4007"),
         ("SPINDL/SFM,100", "APT4007"),
         ("SPINDL/0", "APT4008"),
+        ("SPINDL/100,CLW,CCLW", "APT4007"),
+        ("FEDRAT/10,IPM,MMPM", "APT4007"),
         ("FEDRAT/0", "APT4007"),
         ("FEDRAT/LOTS", "APT4007"),
         ("HEAD/2", "APT4006"),

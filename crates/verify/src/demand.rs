@@ -115,15 +115,15 @@ impl Demand {
     }
 
     /// That no point of a tool is deeper than `depth` beyond a surface with a closed form, the tool on the side `side` of
-    /// it; `None` of other surfaces.
-    pub(crate) fn clear(form: &Form, side: f64, depth: f64) -> Option<Self> {
+    /// it, inside of a hollow that is open along the tool axis if told so; `None` of other surfaces.
+    pub(crate) fn clear(form: &Form, side: f64, open: bool, depth: f64) -> Option<Self> {
         let solid = match Solid::new(form)? {
             Solid::Half(p) if side < 0.0 => Solid::Half(Plane { n: -p.n, d: -p.d }),
             solid => solid,
         };
         let within = side < 0.0 && !matches!(solid, Solid::Half(_));
         let (body, least, most) = (Body::Solid(solid), -depth, f64::INFINITY);
-        Some(Self { body, side, within, open: false, on: false, least, most })
+        Some(Self { body, side, within, open: open && within, on: false, least, most })
     }
 
     /// Judges the cut vector from `a` to `b`; `pad` covers rounding. Of what is refuted the deepest place is
@@ -218,11 +218,16 @@ impl Demand {
     /// The gap at a position; `None` where the surface has no closed form.
     pub(crate) fn gap_at(&self, profile: &Profile, at: &Position) -> Option<f64> {
         let tool = if self.on { Tool::End } else { Tool::Solid(profile) };
+        self.gap_of(&tool, at)
+    }
+
+    /// The same of any tool.
+    pub(crate) fn gap_of(&self, tool: &Tool<'_>, at: &Position) -> Option<f64> {
         let pose = Pose { te: at.te, ta: at.ta };
         match &self.body {
-            Body::Solid(solid) => Some(self.gap(&tool, &pose, Convex::Solid(solid))),
-            Body::Hollow(hollow) => Some(self.gap(&tool, &pose, Convex::Hollow(hollow))),
-            Body::Sheet(sheet) => self.curved(sheet).gap(&tool, &pose),
+            Body::Solid(solid) => Some(self.gap(tool, &pose, Convex::Solid(solid))),
+            Body::Hollow(hollow) => Some(self.gap(tool, &pose, Convex::Hollow(hollow))),
+            Body::Sheet(sheet) => self.curved(sheet).gap(tool, &pose),
             Body::Unknown => None,
         }
     }

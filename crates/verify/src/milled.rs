@@ -15,7 +15,7 @@ use crate::scallop::{Cusps, Left};
 use crate::search::{Aim, FOLD, Moved, clearance_from};
 use crate::sheet::Sheet;
 use crate::sheets::Sheets;
-use crate::solid::Solid;
+use crate::solid::{Solid, unit_or};
 use crate::statement::{PLACES, Seen, Statement};
 use crate::swath::Swath;
 use crate::sweep::Sweep;
@@ -58,15 +58,56 @@ pub(crate) struct MilledSurface {
 enum Body {
     /// It has charts.
     Sheet(Arc<Sheet>),
-    /// It has a closed form: what is asked of a tool on its positive side, and on the other.
-    Closed(Solid, Box<[Demand; 2]>),
+    /// It has a closed form: what is asked on the side from which the tool comes.
+    Closed(Solid, Box<Kept>),
     /// Nothing that could be proved against.
     Unknown,
 }
 
+/// What is asked of cutter and holder beside a surface with a closed form.
+#[derive(Clone, Debug)]
+struct Kept {
+    demand: Demand,
+    /// The same of the hollow open along the axis, out of which the tool reaches.
+    opened: Option<Demand>,
+}
+
+impl Kept {
+    /// The side is that of the cutter's lower end where the tool comes from, for cutter and holder: the place of the axis as
+    /// far up as the cutter is wide, half way up at most.
+    fn new(
+        form: &Form,
+        solid: &Solid,
+        milling: &Milling,
+        (cutter, at): (&Profile, &Position),
+    ) -> Option<Self> {
+        let end = at.te + at.ta * cutter.widest().min(0.5 * cutter.height());
+        let side = if solid.distance(end) < 0.0 { -1.0 } else { 1.0 };
+        let demand = Demand::clear(form, side, false, milling.intol)?;
+        let held = milling.holder.iter().map(|h| Tool::Raised(&h.profile, h.up));
+        let sticks_out =
+            |tool: Tool<'_>| demand.gap_of(&tool, at).is_some_and(|g| g < demand.least);
+        let opens = side < 0.0 && solid.may_open(at.ta);
+        let opens = opens && std::iter::once(Tool::Solid(cutter)).chain(held).any(sticks_out);
+        let opened = if opens { Demand::clear(form, side, true, milling.intol) } else { None };
+        Some(Self { demand, opened })
+    }
+
+    /// Along a vector from `a` to `b`: a trough along which the tool comes to stand is a bore.
+    fn along(&self, solid: &Solid, a: &Position, b: &Position) -> &Demand {
+        let middle = unit_or(a.ta + b.ta, a.ta);
+        self.opened.as_ref().filter(|_| solid.may_open(middle)).unwrap_or(&self.demand)
+    }
+}
+
 impl Region {
-    /// `None` when a surface has no charts.
-    pub(crate) fn new(milling: &Milling, sheets: &Sheets) -> Option<Self> {
+    /// The tool is at `from` before the statement. `None` when a surface has no charts.
+    pub(crate) fn new(
+        milling: &Milling,
+        sheets: &Sheets,
+        profile: &Profile,
+        from: &Position,
+    ) -> Option<Self> {
         let mut surfaces = Vec::new();
         for (of, role) in milling
             .part
@@ -81,8 +122,8 @@ impl Region {
             let height = part.thick + scallop.height + milling.outtol;
             Some(Cusps::new(surfaces.first()?.sheet()?, part.side, height, scallop))
         });
-        surfaces
-            .extend(milling.plain.iter().map(|p| MilledSurface::plain(p, milling.intol, sheets)));
+        let plain = |p| MilledSurface::plain(p, milling, sheets, (profile, from));
+        surfaces.extend(milling.plain.iter().map(plain));
         // Shank and holder keep clear of what is checked, the part surface only where it is.
         let kept = |s: &&MilledSurface| s.role != "part" || milling.guarded;
         let held = milling.holder.iter().flat_map(|h| {
@@ -155,11 +196,11 @@ impl MilledSurface {
     }
 
     /// A surface that is not sculptured. Its straight continuations belong to it.
-    fn plain(of: &Plain, intol: f64, sheets: &Sheets) -> Self {
-        let on_side = |side: f64| Demand::clear(&of.form, side, intol);
+    fn plain(of: &Plain, milling: &Milling, sheets: &Sheets, from: (&Profile, &Position)) -> Self {
         let closed = || {
-            let both = Box::new([on_side(1.0)?, on_side(-1.0)?]);
-            Some(Body::Closed(Solid::new(&of.form)?, both))
+            let solid = Solid::new(&of.form)?;
+            let kept = Kept::new(&of.form, &solid, milling, from)?;
+            Some(Body::Closed(solid, Box::new(kept)))
         };
         // The working surface of a POLCON with a thickness is another one.
         let thick = matches!(of.form.shape(), Form::Polyconic(p) if p.thickness != 0.0);
@@ -171,7 +212,7 @@ impl MilledSurface {
             holder: None,
             on: false,
             side: 1.0,
-            band: [-intol, f64::INFINITY],
+            band: [-milling.intol, f64::INFINITY],
         }
     }
 
@@ -204,12 +245,7 @@ impl MilledSurface {
                 curved.judge(&Tool::End, a, b, pad, warm)
             }
             Body::Sheet(sheet) => self.clear(sheet, &tool, a, b, pad, warm),
-            Body::Closed(solid, sides) => {
-                // The tool stands on the side of its middle.
-                let middle = a.te + a.ta * tool.middle().0;
-                let side = usize::from(solid.distance(middle) < 0.0);
-                sides[side].judge_tool(&tool, a, b, pad, warm)
-            }
+            Body::Closed(solid, kept) => kept.along(solid, a, b).judge_tool(&tool, a, b, pad, warm),
             Body::Unknown => Verdict::Undecided { at_most: f64::INFINITY, te: a.te },
         };
         let with = if self.holder.is_some() { " with the holder" } else { "" };

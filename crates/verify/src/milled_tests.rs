@@ -46,6 +46,22 @@ fn forms() -> Vec<Form> {
     all
 }
 
+/// Nothing asked but what is given.
+fn milling(intol: f64) -> Milling {
+    Milling {
+        part: None,
+        on: false,
+        checked: Vec::new(),
+        plain: Vec::new(),
+        holder: Vec::new(),
+        guarded: false,
+        intol,
+        outtol: intol,
+        scallop: None,
+        joined: false,
+    }
+}
+
 /// The deepest place of the surface in the solid among those that lie beside points all over it, each taken downhill.
 fn deepest(surface: &Surface, solid: &aptc_geometry::Tool<'_>) -> f64 {
     const STEPS: u32 = 30;
@@ -133,11 +149,16 @@ proptest! {
         // Now more, now less than what is found.
         let intol = if depth > 0.0 { depth * share } else { 0.01 * share };
         let plain = Plain { name: NameRef::default(), form: Arc::new(form.clone()) };
-        let asked = MilledSurface::plain(&plain, intol, &Sheets::default());
-        let asked = MilledSurface { holder: holds.then_some(Raised { profile, up }), ..asked };
-        let mut seen = Seen::default();
         // The cutter itself is far away where the holder is judged.
         let cutter = Profile::new(&Cutter::mill(0.1, 0.0, 0.1)).unwrap();
+        // The middle of the solid tells the side: a tool without size that comes from there.
+        let point = Profile::new(&Cutter::mill(0.0, 0.0, 0.0)).unwrap();
+        let middle = solid(0.0).te + a.ta * (0.5 * (profile.bottom() + profile.height()));
+        let from = Position { te: middle, ta: a.ta };
+        let milling = milling(intol);
+        let asked = MilledSurface::plain(&plain, &milling, &Sheets::default(), (&point, &from));
+        let asked = MilledSurface { holder: holds.then_some(Raised { profile, up }), ..asked };
+        let mut seen = Seen::default();
         let own = if holds { &cutter } else { &profile };
         match asked.vector(own, &a, &b, 1e-10, 1, &mut seen) {
             None => {

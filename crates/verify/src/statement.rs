@@ -27,6 +27,8 @@ pub(crate) struct Statement {
     pub(crate) origin: Origin,
     /// Where the tool was before; `None` where how it came is not judged.
     pub(crate) start: Option<Position>,
+    /// Where it was before in any case: from there it comes to surfaces that it keeps to a side of.
+    pub(crate) before: Option<Position>,
     pub(crate) points: Vec<Position>,
     pub(crate) profile: Profile,
     /// Allowance for rounding.
@@ -282,7 +284,12 @@ impl Statement {
 
     fn ready(&self) -> &Ready {
         self.ready.get_or_init(|| match &self.control.milling {
-            Some(milling) => Ready::Milled(Region::new(milling, &self.sheets).map(Box::new)),
+            Some(milling) => {
+                let from = self.before.as_ref().or(self.points.first());
+                let region =
+                    from.and_then(|p| Region::new(milling, &self.sheets, &self.profile, p));
+                Ready::Milled(region.map(Box::new))
+            }
             None => Ready::Guided(Box::new(Guided::new(self))),
         })
     }

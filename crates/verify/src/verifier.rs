@@ -72,6 +72,7 @@ struct Open {
     startup: bool,
     origin: Origin,
     start: Option<Position>,
+    before: Option<Position>,
     points: Vec<Position>,
     profile: Profile,
 }
@@ -243,6 +244,7 @@ impl Verifier {
                     startup,
                     origin: origin.clone(),
                     start,
+                    before: self.last,
                     points: motion.points.clone(),
                     profile,
                 });
@@ -289,7 +291,7 @@ impl Verifier {
 
     fn close(&mut self) {
         let Some(open) = self.open.take() else { return };
-        let Open { control, startup, origin, start, points, profile } = open;
+        let Open { control, startup, origin, start, before, points, profile } = open;
         let pad = self.pad(&points, &profile);
         self.n_waiting += points.len();
         self.waiting.push(Event::Along(Box::new(Statement {
@@ -297,6 +299,7 @@ impl Verifier {
             startup,
             origin,
             start,
+            before,
             points,
             profile,
             pad,

@@ -189,6 +189,60 @@ fn surfaces_of_other_kinds_are_held_off_by_cutter_and_holder() {
 }
 
 #[test]
+fn cutter_and_holder_keep_to_the_side_that_the_tool_comes_from() {
+    let flat = square(|_, _| 0.0);
+    let path = upright(&[[9.0, 10.0, 0.0], [11.0, 10.0, 0.0]]);
+    // The cutter of radius 5 ends at 40; the holder of radius 8 begins at 50.
+    let judged = |form: Form, from: Option<[f64; 3]>| {
+        let own = Milling {
+            plain: vec![plain("K", form)],
+            holder: vec![Raised { up: 50.0, ..holder() }],
+            ..milling(&flat, None)
+        };
+        let mut verifier = Verifier::new(Effort::Full);
+        let [cutter, motion] = records(own, path.clone());
+        verifier.push(&cutter);
+        if let Some(from) = from {
+            let motion =
+                Motion { kind: MotionKind::From, points: upright(&[from]), ..Motion::default() };
+            verifier.push(&Record { origin: Origin::default(), kind: Kind::Motion(motion) });
+        }
+        verifier.push(&motion);
+        let (certificate, _) = verifier.finish();
+        let fault = certificate.statements[0].fault.clone();
+        (certificate.is_proved(), fault.map(|f| (f.surface, f.depth)))
+    };
+    let plane = |z: f64| Form::Plane(Plane { n: Vec3::z(), d: z });
+    let ball = |radius: f64| Form::Sphere(Sphere { center: Vec3::new(10.0, 10.0, 6.0), radius });
+    let bar = |radius: f64| {
+        Form::Cylinder(Cylinder { point: Vec3::new(10.0, 0.0, 6.0), axis: Vec3::y(), radius })
+    };
+    let (above, inside) = (Some([10.0, 10.0, 90.0]), Some([10.0, 10.0, 1.0]));
+    for from in [above, inside, None] {
+        assert!(judged(plane(-3.0), from).0 && judged(plane(75.0), inside).0);
+    }
+    let refuted = |form: Form, from: Option<[f64; 3]>, what: &str, depth: f64| {
+        let (_, fault) = judged(form, from);
+        let (surface, deep) = fault.expect("a fault");
+        assert_eq!(surface, what);
+        assert!(deep > 0.85 * depth && deep < depth * 1.001, "{deep} {depth}");
+    };
+    // A plane between them stands in the way of the one or the other, as the tool comes from below or from above.
+    refuted(plane(45.0), inside, "checked surface K with the holder", 70.0 - 45.0 - BAND);
+    refuted(plane(45.0), above, "checked surface K", 45.0 - BAND);
+    // Who comes into a ball or a bar from above cuts it; who stands in it is in a bowl or a trough, open above.
+    refuted(ball(9.5), above, "checked surface K", 14.5 - BAND);
+    refuted(bar(9.5), above, "checked surface K", 14.5 - BAND);
+    for from in [inside, None] {
+        assert!(judged(ball(9.0 - 0.9 * BAND), from).0 && judged(bar(9.0 - 0.9 * BAND), from).0);
+        let wide = "checked surface K with the holder";
+        refuted(ball(8.5), from, wide, 0.5 - BAND);
+        refuted(bar(8.5), from, wide, 0.5 - BAND);
+        refuted(ball(5.5), from, wide, 3.5 - BAND);
+    }
+}
+
+#[test]
 fn a_tool_that_gets_out_of_the_way_is_proved_while_it_turns() {
     // About the point that the ball stands on, away from a wall at x = 9, as AVCTRL tilts it.
     let flat = square(|_, _| 0.0);

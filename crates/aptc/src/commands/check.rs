@@ -1,12 +1,13 @@
 //! `aptc check`.
 
-use std::io::{self, Write as _};
+use std::io;
 use std::process::ExitCode;
 
 use aptc_control::Disk;
 
 use super::compile::{exit_code, folders, options};
 use crate::cli::{CheckArgs, Common, MessageFormat};
+use crate::input::part_program;
 use crate::progress::Progress;
 use crate::{exit, report};
 
@@ -15,10 +16,10 @@ use crate::{exit, report};
 pub(crate) fn check(args: &CheckArgs, common: &Common) -> io::Result<ExitCode> {
     let mut worst = 0;
     for part in &args.parts {
-        let source = match Disk::open(part, args.source.max_file_size) {
+        let source = match part_program(part, args.source.max_file_size) {
             Ok(s) => s,
             Err(e) => {
-                writeln!(io::stderr(), "aptc: cannot read {}: {e}", part.display())?;
+                report::complain(&e)?;
                 worst = worst.max(exit::FILES);
                 continue;
             }

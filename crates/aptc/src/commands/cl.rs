@@ -13,6 +13,7 @@ use aptc_control::{
 use aptc_diagnostics::{Diagnostic, SourceMap};
 
 use crate::cli::{CldiffArgs, Common, ConvertArgs, StatsArgs};
+use crate::input::{cl_fault, is_same};
 use crate::output::Aside;
 use crate::{exit, report};
 
@@ -27,6 +28,10 @@ pub(crate) fn convert(args: &ConvertArgs, common: &Common) -> io::Result<ExitCod
         Ok(r) => r,
         Err(e) => return report::complain(&e),
     };
+    if is_same(&args.output, &args.file) {
+        let name = args.output.display();
+        return report::complain(&format!("{name} is what is converted; name another file by -o"));
+    }
     let mut aside = match Aside::begin(&args.output) {
         Ok(a) => a,
         Err(e) => return cannot_write(&args.output, &e),
@@ -173,10 +178,10 @@ pub(crate) fn dialect(name: Option<&str>) -> Result<Option<Dialect>, String> {
 
 fn open(path: &Path, name: Option<&str>) -> Result<FileReader, String> {
     let dialect = dialect(name)?;
-    let fault = |e: io::Error| format!("cannot read {}: {e}", path.display());
-    if !path.is_file() {
-        return Err(format!("cannot read {}: it is no file", path.display()));
+    if let Some(fault) = cl_fault(path, dialect) {
+        return Err(fault);
     }
+    let fault = |e: io::Error| format!("cannot read {}: {e}", path.display());
     let file = File::open(path).map_err(fault)?;
     Reader::open(BufReader::new(file), dialect).map_err(fault)
 }

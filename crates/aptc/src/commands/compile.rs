@@ -1,15 +1,17 @@
 //! `aptc compile`.
 
-use std::ffi::OsString;
+use std::collections::BTreeMap;
+use std::ffi::{OsStr, OsString};
 use std::fmt::Write as _;
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Arc;
 
-use aptc_control::{Artifact, CodeOptions, Compiled, Disk, MachineChoice, Options, Verify};
+use aptc_control::{Artifact, CodeOptions, Compiled, Disk, Options, Verify};
 
 use crate::cli::{CodeArgs, Common, CompileArgs, Emit, SourceArgs, SourceDialect, VerifyHow};
+use crate::input::{is_same, part_program};
 use crate::output::write_whole;
 use crate::plain::plain;
 use crate::progress::Progress;
@@ -21,10 +23,18 @@ pub(crate) fn compile(args: &CompileArgs, common: &Common) -> io::Result<ExitCod
     if let Err(e) = std::fs::create_dir_all(&folder) {
         return report::complain(&format!("cannot make the folder {}: {e}", folder.display()));
     }
-    let mut code = match code_options(&args.code, args.source.max_file_size) {
+    let mut code = match code_options(&args.code, common)? {
         Ok(c) => c,
-        Err(e) => return report::complain(&e),
+        Err(done) => return Ok(done),
     };
+    if let Some((a, b, stem)) = twice(&args.parts) {
+        return report::complain(&format!(
+            "{} and {} would both be written to {}; give each a folder of its own by -o",
+            a.display(),
+            b.display(),
+            folder.join(with_ending(stem.to_owned(), "*")).display()
+        ));
+    }
     code.map = args.emit.contains(&Emit::Map);
     code.unasked = ![Emit::Nc, Emit::Setup, Emit::Map].iter().any(|kind| args.emit.contains(kind));
     code.by_default = args.emit == [Emit::Cl, Emit::Nc, Emit::Lst, Emit::Svg];
@@ -43,10 +53,10 @@ fn compile_one(
     common: &Common,
     code: CodeOptions,
 ) -> io::Result<u8> {
-    let source = match Disk::open(part, args.source.max_file_size) {
+    let source = match part_program(part, args.source.max_file_size) {
         Ok(s) => s,
         Err(e) => {
-            writeln!(io::stderr(), "aptc: cannot read {}: {e}", part.display())?;
+            report::complain(&e)?;
             return Ok(exit::FILES);
         }
     };
@@ -73,7 +83,7 @@ fn compile_one(
     let written = match write_artifacts(part, folder, args, &compiled) {
         Ok(w) => w,
         Err((path, e)) => {
-            writeln!(io::stderr(), "aptc: cannot write {}: {e}", path.display())?;
+            report::complain(&format!("cannot write {}: {e}", path.display()))?;
             return Ok(exit::FILES);
         }
     };
@@ -82,7 +92,8 @@ fn compile_one(
         writeln!(io::stderr(), "aptc: warning: {} {left}", old.display())?;
     }
     if !common.quiet {
-        io::stdout().lock().write_all(summary(part, &compiled, &written).as_bytes())?;
+        let text = summary(part, &compiled, &args.emit, &written);
+        io::stdout().lock().write_all(text.as_bytes())?;
     }
     Ok(exit_code(&compiled))
 }
@@ -136,31 +147,30 @@ pub(crate) fn folders(part: &Path, source: &SourceArgs) -> Vec<PathBuf> {
     std::iter::once(own.to_owned()).chain(source.include.iter().cloned()).collect()
 }
 
-/// How machine code is to be written.
-pub(crate) fn code_options(args: &CodeArgs, limit: u64) -> Result<CodeOptions, String> {
-    Ok(CodeOptions {
-        machine: machine_choice(args.machine.as_deref(), limit)?,
+/// The first two part programs whose results would have the same names, and those names' stem.
+fn twice(parts: &[PathBuf]) -> Option<(&Path, &Path, &OsStr)> {
+    let mut seen: BTreeMap<&OsStr, &Path> = BTreeMap::new();
+    parts.iter().find_map(|part| {
+        let stem = part.file_stem()?;
+        seen.insert(stem, part).map(|first| (first, part.as_path(), stem))
+    })
+}
+
+/// How machine code is to be written, or the exit code of what has been said of the machine.
+pub(crate) fn code_options(
+    args: &CodeArgs,
+    common: &Common,
+) -> io::Result<Result<CodeOptions, ExitCode>> {
+    let choice = super::machines::choice(args.machine.as_deref(), common)?;
+    Ok(choice.map(|machine| CodeOptions {
+        machine,
         work_offset: args.work_offset.clone(),
         stock: args.stock,
         annotate: args.annotate,
         map: false,
         unasked: false,
         by_default: false,
-    })
-}
-
-/// The machine that was asked for: a file when there is one of that name and it ends in `.toml`.
-pub(crate) fn machine_choice(
-    name: Option<&str>,
-    limit: u64,
-) -> Result<Option<MachineChoice>, String> {
-    let Some(name) = name else { return Ok(None) };
-    if !Path::new(name).extension().is_some_and(|e| e.eq_ignore_ascii_case("toml")) {
-        return Ok(Some(MachineChoice::Named(name.to_owned())));
-    }
-    let source =
-        Disk::open(Path::new(name), limit).map_err(|e| format!("cannot read {name}: {e}"))?;
-    Ok(Some(MachineChoice::File(name.to_owned(), source.text.to_string())))
+    }))
 }
 
 /// Writes what was asked for and can be made. An error leaves what was there before.
@@ -193,6 +203,10 @@ fn write_artifacts(
         let files = compiled.files(artifact, args.keep_going).map_err(|e| (part.into(), e))?;
         for file in files {
             let path = folder.join(with_ending(stem.to_owned(), &file.ending));
+            if is_same(&path, part) {
+                let why = "it is what was compiled; name another folder by -o";
+                return Err((path, io::Error::other(why)));
+            }
             write_whole(&path, &file, artifact).map_err(|e| (path.clone(), e))?;
             written.push(path);
         }
@@ -221,7 +235,7 @@ fn with_ending(mut stem: OsString, ending: &str) -> OsString {
 }
 
 /// A few lines: what was made, how long it takes, what is proved, what was written.
-fn summary(part: &Path, compiled: &Compiled, written: &[PathBuf]) -> String {
+fn summary(part: &Path, compiled: &Compiled, asked: &[Emit], written: &[PathBuf]) -> String {
     let mut out = String::new();
     let mut add = |label: &str, text: String| {
         writeln!(out, "  {label:<15}{}", plain(&text)).expect("strings take all");
@@ -240,6 +254,17 @@ fn summary(part: &Path, compiled: &Compiled, written: &[PathBuf]) -> String {
         }
         if let Some(certificate) = &p.certificate {
             add("tolerance", certificate.to_string());
+        }
+    }
+    // What is not always made is not left out in silence.
+    let pictures = [
+        (Emit::Diagram, "diagram", "none, for no motion failed"),
+        (Emit::Deviation, "deviation", "none, for nothing was milled by regions"),
+    ];
+    for (kind, name, why) in pictures {
+        let made = |p: &PathBuf| p.to_string_lossy().ends_with(&format!(".{name}.svg"));
+        if asked.contains(&kind) && !written.iter().any(made) {
+            add(name, why.to_owned());
         }
     }
     if !written.is_empty() {

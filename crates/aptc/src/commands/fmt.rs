@@ -3,9 +3,10 @@
 use std::io::{self, Write as _};
 use std::process::ExitCode;
 
-use aptc_control::{Disk, FormatOptions, format};
+use aptc_control::{FormatOptions, format};
 
 use crate::cli::FmtArgs;
+use crate::input::part_program;
 use crate::output::write_aside;
 use crate::{exit, report};
 
@@ -14,18 +15,22 @@ use crate::{exit, report};
 pub(crate) fn fmt(args: &FmtArgs) -> io::Result<ExitCode> {
     let options =
         FormatOptions { free_form: args.free_form, keep_identification: args.keep_columns };
-    let mut code = exit::GOOD;
+    let mut worst = 0;
     for part in &args.parts {
-        let source = match Disk::open(part, 256 << 20) {
+        let source = match part_program(part, 256 << 20) {
             Ok(s) => s,
-            Err(e) => return report::complain(&format!("cannot read {}: {e}", part.display())),
+            Err(e) => {
+                report::complain(&e)?;
+                worst = exit::FILES;
+                continue;
+            }
         };
         let formatted = format(&source.text, &options);
         if formatted == *source.text {
             continue;
         }
         if args.check || args.diff {
-            code = ExitCode::from(exit::ERRORS);
+            worst = worst.max(exit::ERRORS);
             let mut out = io::stdout().lock();
             if args.diff {
                 difference(&mut out, &source.name, &source.text, &formatted)?;
@@ -33,10 +38,11 @@ pub(crate) fn fmt(args: &FmtArgs) -> io::Result<ExitCode> {
                 writeln!(out, "would change {}", source.name)?;
             }
         } else if let Err(e) = write_aside(part, |out| out.write_all(formatted.as_bytes())) {
-            return report::complain(&format!("cannot write {}: {e}", part.display()));
+            report::complain(&format!("cannot write {}: {e}", part.display()))?;
+            worst = exit::FILES;
         }
     }
-    Ok(code)
+    Ok(ExitCode::from(worst))
 }
 
 /// The lines that change: the formatter keeps their number, so they can be shown side by side.

@@ -10,18 +10,16 @@ use aptc_control::{Artifact, ClOptions, PostedCl, post_cl};
 use super::cl::dialect;
 use super::compile::{code_options, exit_code};
 use crate::cli::{Common, PostArgs};
+use crate::input::{cl_fault, is_same};
 use crate::output::{Aside, write_whole};
-use crate::report;
-
-/// Largest machine file that is read.
-const MOST_BYTES: u64 = 64 << 20;
+use crate::{exit, report};
 
 /// Posts a CL file, record by record. The machine code is written whole or, where the post refused, not at
 /// all.
 pub(crate) fn post(args: &PostArgs, common: &Common) -> io::Result<ExitCode> {
-    let mut code = match code_options(&args.code, MOST_BYTES) {
+    let mut code = match code_options(&args.code, common)? {
         Ok(c) => c,
-        Err(e) => return report::complain(&e),
+        Err(done) => return Ok(done),
     };
     code.map = args.map;
     let dialect = match dialect(args.from.as_deref()) {
@@ -36,9 +34,14 @@ pub(crate) fn post(args: &PostArgs, common: &Common) -> io::Result<ExitCode> {
         _ => own_name,
     };
     let beside = if show { std::env::temp_dir().join("nc") } else { path.clone() };
-    if !args.file.is_file() {
-        let why = if args.file.exists() { "it is no file" } else { "there is no such file" };
-        return report::complain(&format!("cannot read {}: {why}", args.file.display()));
+    if let Some(e) = cl_fault(&args.file, dialect) {
+        return report::complain(&e);
+    }
+    if !show && is_same(&path, &args.file) {
+        return report::complain(&format!(
+            "{} is what is posted; name another file by -o",
+            path.display()
+        ));
     }
     let name = args.file.display().to_string();
     let mut open = || Ok(Box::new(File::open(&args.file)?) as Box<dyn Read>);
@@ -51,6 +54,10 @@ pub(crate) fn post(args: &PostArgs, common: &Common) -> io::Result<ExitCode> {
     report::messages(&mut io::stderr().lock(), &compiled, common)?;
     let exit = ExitCode::from(exit_code(&compiled));
     let whole = compiled.is_cl_whole();
+    if texts.is_empty() && exit == exit::GOOD {
+        let why = "it has no motion and no word that a machine obeys";
+        return report::complain(&format!("no machine code comes of {name}: {why}"));
+    }
     let texts = compiled.nc().map(|(stem, _)| format!("{stem}nc")).zip(texts);
     for (ending, text) in texts.filter(|_| whole) {
         if show {

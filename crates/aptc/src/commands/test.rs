@@ -3,7 +3,7 @@
 use std::io::{self, Write as _};
 use std::process::ExitCode;
 
-use aptc_golden::{Mode, Report, run};
+use aptc_golden::{Fault, Mode, Report, run};
 
 use crate::cli::{Common, TestArgs};
 use crate::{exit, report};
@@ -18,7 +18,10 @@ pub(crate) fn test(args: &TestArgs, common: &Common) -> io::Result<ExitCode> {
     };
     if tested.n_cases() == 0 {
         let folder = args.folder.display();
-        return report::complain(&format!("there is no program X.apt in {folder}"));
+        return report::complain(&match args.filter.as_str() {
+            "" => format!("there is no program X.apt in {folder}"),
+            filter => format!("no program of {folder} has {filter} in its name"),
+        });
     }
     let out = &mut io::stdout().lock();
     if common.quiet {
@@ -31,7 +34,10 @@ pub(crate) fn test(args: &TestArgs, common: &Common) -> io::Result<ExitCode> {
 }
 
 fn verdict(tested: &Report) -> &'static str {
-    if tested.is_good() {
+    let blessed = tested.faults().any(|(_, fault)| matches!(fault, Fault::Blessed(_)));
+    if tested.is_good() && blessed {
+        "goldens are written anew; read them before you keep them"
+    } else if tested.is_good() {
         "all is as it was"
     } else if tested.is_cosmetic() {
         "cosmetic changes only: the parts are the same; --bless takes them over"

@@ -10,8 +10,9 @@ use aptc_diagnostics::SourceMap;
 use serde_json::json;
 
 use super::cl::dialect;
-use super::compile::{folders, machine_choice, options};
+use super::compile::{folders, options};
 use crate::cli::{Common, VerifyArgs, VerifyHow};
+use crate::input::{cl_fault, part_program};
 use crate::{exit, report};
 
 /// Judges every part; exit code 0 only when all of the path is proved.
@@ -26,10 +27,13 @@ pub(crate) fn verify(args: &VerifyArgs, common: &Common) -> io::Result<ExitCode>
     let mut documents = Vec::new();
     for part in &args.parts {
         let limit = args.source.max_file_size;
-        let source = match Disk::open(part, limit) {
+        let source = match part_program(part, limit) {
             Ok(s) => s,
-            Err(e) => return report::complain(&format!("cannot read {}: {e}", part.display())),
+            Err(e) => return report::complain(&e),
         };
+        if let Some(e) = args.cl.as_ref().and_then(|path| cl_fault(path, None)) {
+            return report::complain(&e);
+        }
         let file = match &args.cl {
             None => None,
             Some(path) => match Disk::bytes(path, limit) {
@@ -71,11 +75,10 @@ pub(crate) fn verify(args: &VerifyArgs, common: &Common) -> io::Result<ExitCode>
 
 /// Holds machine code against CL data; exit code 0 only when it does what they say.
 fn verify_nc(nc: &Path, cl: &Path, args: &VerifyArgs, common: &Common) -> io::Result<ExitCode> {
-    let limit = args.source.max_file_size;
-    let machine = match machine_choice(args.machine.as_deref(), limit) {
+    let machine = match super::machines::choice(args.machine.as_deref(), common)? {
         Ok(Some(choice)) => choice.machine(),
         Ok(None) => return report::complain("--machine is missing"),
-        Err(e) => return report::complain(&e),
+        Err(done) => return Ok(done),
     };
     let dialect = match dialect(args.from.as_deref()) {
         Ok(d) => d,

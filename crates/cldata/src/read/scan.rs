@@ -31,6 +31,8 @@ pub(super) struct Scanner<R> {
     comment: Option<Range<usize>>,
     /// First line that was too long to be read, if any, and how many.
     pub(super) overlong: (u64, u64),
+    /// Does the last statement go on past the end of the file?
+    pub(super) cut_off: bool,
 }
 
 /// Where the text of the statement lies.
@@ -55,6 +57,7 @@ impl<R: Read> Scanner<R> {
             statement: Text::Joined,
             comment: None,
             overlong: (0, 0),
+            cut_off: false,
         }
     }
 
@@ -161,6 +164,7 @@ impl<R: Read> Scanner<R> {
         loop {
             if self.peek()?.is_none() {
                 self.statement = Text::Joined;
+                self.cut_off = n_lines > 0;
                 return Ok(n_lines > 0);
             }
             let Some((range, _)) = self.peeked.clone() else { return Ok(n_lines > 0) };

@@ -133,6 +133,10 @@ impl<R: Read> TextReader<R> {
         let state = &mut self.state;
         state.at = Place { line, start, end: self.scanner.offset };
         let text = self.scanner.text();
+        if self.scanner.cut_off {
+            let help = "see whether the file is whole";
+            state.report.error(state.at, "the file ends where the statement goes on", help);
+        }
         words::statement(state, text);
         if let Some(comment) = self.scanner.comment() {
             let taken = match state.dialect {

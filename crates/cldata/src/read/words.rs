@@ -1,15 +1,14 @@
 //! Statements by their major word: what every dialect shares.
 
-use aptc_diagnostics::{Severity, codes};
-use aptc_geometry::{Circle, Cutter, Transform, Vec3};
+use aptc_geometry::{Circle, Cutter, Vec3};
 use smol_str::SmolStr;
 
-use super::arcs::Pending;
 use super::args::{self, Numbers};
-use super::comments::unit;
-use super::state::{Direction, State};
+use super::edit::{copy, index, matrix, tracut};
+use super::motion::{COORDINATES, circle, godlta, goto, indir, motion, points};
+use super::state::State;
 use super::{catia, comments, couplets, fusion, nx};
-use crate::{Arg, Clprnt, Dialect, Edit, Kind, Output, Units, restore};
+use crate::{Arg, Clprnt, Dialect, Kind, Output, Units, restore};
 
 /// Words whose statement is text to its end.
 const TEXT_WORDS: [&[u8; 6]; 5] = [b"PARTNO", b"PPRINT", b"INSERT", b"REMARK", b"TITLES"];
@@ -117,7 +116,13 @@ fn joined(state: &mut State, text: &[u8], head: &[u8], rest: &[u8]) {
         return word_statement(state, text, &word, rest);
     }
     let words: Option<Vec<SmolStr>> = head.split(|b| *b == b',').map(major).collect();
-    let Some(words) = words.filter(|w| w.len() > 1) else { return unread(state, text) };
+    let Some(words) = words.filter(|w| w.len() > 1) else {
+        if is_motion_without_slash(text) {
+            state.pending = None;
+            return wrong(state, text, "a motion without its slash", COORDINATES);
+        }
+        return unread(state, text);
+    };
     if words.last().is_some_and(|w| matches!(w.as_str(), "GOFWD" | "GF")) {
         return catia::circular_move(state, text, rest);
     }
@@ -131,6 +136,16 @@ fn joined(state: &mut State, text: &[u8], head: &[u8], rest: &[u8]) {
             word_statement(state, word.as_bytes(), word, b"");
         }
     }
+}
+
+/// `GOTO 1,2,3`: what it lacks must not lose the motion with a warning.
+fn is_motion_without_slash(text: &[u8]) -> bool {
+    let motions: [&[u8]; 3] = [b"GOTO", b"FROM", b"GODLTA"];
+    let behind = |w: &&[u8]| {
+        let head = text.get(..w.len()).filter(|head| head.eq_ignore_ascii_case(w))?;
+        text[head.len()..].trim_ascii_start().first().copied()
+    };
+    motions.iter().find_map(behind).is_some_and(|b| matches!(b, b'0'..=b'9' | b'-' | b'+' | b'.'))
 }
 
 /// `CHANNEL,1`, `NEXTTL, 4` and `OPNAME 'text'`: a word whose arguments follow without a slash.
@@ -286,82 +301,6 @@ fn elements(plain: &[Arg], at: usize, count: usize) -> Option<Vec<f64>> {
     plain.get(at + 2..end)?.iter().map(number).collect()
 }
 
-fn motion(state: &mut State, text: &[u8], rest: &[u8], from: bool) {
-    match args::all_numbers(rest) {
-        Some(numbers) if numbers.get().len() >= 2 => goto(state, numbers.get(), from),
-        _ => {
-            // A feed rate or a word may follow the numbers.
-            let numbers = leading_numbers(rest);
-            if numbers.get().len() >= 3 {
-                let what = "words after the coordinates of a motion; they are left out";
-                state.report.note(state.at, codes::CL_VALUE, Severity::Warning, what);
-                return goto(state, numbers.get(), from);
-            }
-            state.pending = None;
-            wrong(state, text, "a motion whose coordinates cannot be read", COORDINATES);
-        }
-    }
-}
-
-const COORDINATES: &str = "write GOTO/x,y,z or GOTO/x,y,z,i,j,k with numbers";
-
-/// Numbers up to the first field that is none.
-fn leading_numbers(rest: &[u8]) -> Numbers {
-    let end = args::fields(rest)
-        .take_while(|f| args::coordinate(f).is_some())
-        .fold(0, |at, f| at + f.len() + 1);
-    args::all_numbers(&rest[..end.min(rest.len())])
-        .or_else(|| args::all_numbers(b""))
-        .expect("nothing is all numbers")
-}
-
-/// x,y,z or x,y,z,i,j,k; further numbers (contact points and the like) are left out.
-fn goto(state: &mut State, n: &[f64], from: bool) {
-    let (te, axis) = match n {
-        [x, y] => {
-            let what = "a motion with two coordinates; z is taken as 0";
-            state.report.note(state.at, codes::CL_VALUE, Severity::Warning, what);
-            (Vec3::new(*x, *y, 0.0), None)
-        }
-        [x, y, z] => (Vec3::new(*x, *y, *z), None),
-        [x, y, z, i, j, k] => (Vec3::new(*x, *y, *z), Some(Vec3::new(*i, *j, *k))),
-        [x, y, z, rest @ ..] => {
-            let what = "a motion with 4, 5 or more than 6 numbers; the first 3 or 6 are taken";
-            state.report.note(state.at, codes::CL_VALUE, Severity::Warning, what);
-            let axis = rest.get(..3).map(|a| Vec3::new(a[0], a[1], a[2]));
-            (Vec3::new(*x, *y, *z), axis)
-        }
-        _ => return,
-    };
-    if state.spline.on {
-        nx::end_spline(state);
-    }
-    let te = if state.bottoms.is_some() { fusion::top(state, te, axis) } else { te };
-    state.point(from, te, axis);
-}
-
-fn godlta(state: &mut State, text: &[u8], rest: &[u8]) {
-    let numbers = args::all_numbers(rest);
-    if (state.subprogram.is_some() || state.called) && numbers.is_some() {
-        return post(state, &"GODLTA".into(), rest);
-    }
-    let Some(te) = state.te else {
-        return wrong(state, text, "GODLTA before the tool has a position", "begin with FROM");
-    };
-    match numbers.as_ref().map(Numbers::get) {
-        Some([d]) => {
-            let ta = state.ta;
-            state.point(false, te + ta * *d, None);
-        }
-        Some([x, y, z]) => state.point(false, te + Vec3::new(*x, *y, *z), None),
-        Some([x, y, z, i, j, k]) => {
-            let axis = Vec3::new(*i, *j, *k);
-            state.point(false, te + Vec3::new(*x, *y, *z), Some(axis));
-        }
-        _ => wrong(state, text, "GODLTA without 1, 3 or 6 numbers", "write GODLTA/dx,dy,dz"),
-    }
-}
-
 fn units(state: &mut State, text: &[u8], rest: &[u8]) {
     let Some(units) = unit_named(rest) else {
         let help = "write UNITS/MM, CM, INCHES or FEET";
@@ -448,83 +387,11 @@ fn tolerance(state: &mut State, word: &SmolStr, rest: &[u8]) {
     }
 }
 
-fn list(rest: &[u8]) -> Vec<Arg> {
+/// The arguments of a word.
+pub(super) fn list(rest: &[u8]) -> Vec<Arg> {
     let mut out = Vec::new();
     args::parse(rest, &mut out);
     out
-}
-
-fn index(state: &mut State, word: &SmolStr, rest: &[u8]) {
-    match list(rest).as_slice() {
-        [Arg::Number(n)] => state.emit(Kind::Edit(Edit::Index { n: *n, close: false })),
-        [Arg::Number(n), Arg::Word(w)] if w == "NOMORE" => {
-            state.emit(Kind::Edit(Edit::Index { n: *n, close: true }));
-        }
-        _ => post(state, word, rest),
-    }
-}
-
-/// Twelve numbers, or name and subscript before them.
-fn matrix(list: &[Arg]) -> Option<Transform> {
-    let tail = match list.len() {
-        12 => list,
-        14 => &list[2..],
-        _ => return None,
-    };
-    let mut e = [0.0; 12];
-    for (value, arg) in e.iter_mut().zip(tail) {
-        let Arg::Number(x) = arg else { return None };
-        *value = Some(*x).filter(|x| args::is_coordinate(*x))?;
-    }
-    Some(Transform::from_rows(&e))
-}
-
-fn copy(state: &mut State, word: &SmolStr, rest: &[u8]) {
-    let list = list(rest);
-    let copy = || {
-        let (Arg::Number(n), Arg::Word(how), Arg::Number(count)) =
-            (list.first()?, list.get(1)?, list.last()?)
-        else {
-            return None;
-        };
-        let middle = list.get(2..list.len() - 1)?;
-        let turn = |axis| match middle {
-            [Arg::Number(angle)] => Some(Transform::rotation(axis, *angle)),
-            _ => None,
-        };
-        let step = match how.as_str() {
-            "SAME" if middle.is_empty() => Transform::identity(),
-            "TRANSL" => match middle {
-                [Arg::Number(x), Arg::Number(y), Arg::Number(z)] => {
-                    Transform::translation(Vec3::new(*x, *y, *z))
-                }
-                _ => return None,
-            },
-            "XYROT" => turn(Vec3::z())?,
-            "YZROT" => turn(Vec3::x())?,
-            "ZXROT" => turn(Vec3::y())?,
-            "MODIFY" => matrix(middle)?,
-            _ => return None,
-        };
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "checked")]
-        let count = (*count >= 0.0 && *count <= 1e9).then_some(*count as u32)?;
-        Some(Edit::Copy { n: *n, step, count })
-    };
-    match copy() {
-        Some(edit) => state.emit(Kind::Edit(edit)),
-        None => post(state, word, rest),
-    }
-}
-
-fn tracut(state: &mut State, word: &SmolStr, rest: &[u8]) {
-    let list = list(rest);
-    match list.as_slice() {
-        [Arg::Word(w)] if w == "NOMORE" => state.emit(Kind::Edit(Edit::Tracut(None))),
-        other => match matrix(other) {
-            Some(m) => state.emit(Kind::Edit(Edit::Tracut(Some(m)))),
-            None => post(state, word, rest),
-        },
-    }
 }
 
 fn clprnt(state: &mut State, word: &SmolStr, rest: &[u8]) {
@@ -542,57 +409,6 @@ fn csys(state: &mut State, word: &SmolStr, rest: &[u8]) {
         Some(m) => state.emit(Kind::Csys(m)),
         None => post(state, word, rest),
     }
-}
-
-fn indir(state: &mut State, text: &[u8], word: &str, rest: &[u8]) {
-    let numbers = args::all_numbers(rest);
-    let Some(&[x, y, z]) = numbers.as_ref().map(Numbers::get) else {
-        return unread(state, text);
-    };
-    let v = Vec3::new(x, y, z);
-    let along = word == "INDIRV";
-    state.direction = Some(if along { Direction::Along(v) } else { Direction::Towards(v) });
-}
-
-/// CIRCLE before the points of an arc. 4 numbers: centre and radius in the xy plane; 6: centre and axis
-/// (CAMWorks); 7: centre, axis, radius, then points or the end; 11: NX, clockwise about the axis.
-fn circle(state: &mut State, text: &[u8], rest: &[u8]) {
-    let (mut numbers, mut turns) = (leading_numbers(rest), 0);
-    let words = list(rest);
-    if let [.., Arg::Word(w), Arg::Number(n)] = words.as_slice() {
-        if w != "TIMES" || !(*n >= 1.0 && *n < 1e6) {
-            numbers = args::all_numbers(b"").expect("nothing is all numbers");
-        } else {
-            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "checked")]
-            let n = *n as u32;
-            turns = n - 1;
-        }
-    }
-    let n = numbers.get();
-    let v = |i: usize| Vec3::new(n[i], n[i + 1], n[i + 2]);
-    state.close();
-    state.pending = match n.len() {
-        4 => Some(points(v(0), Vec3::z(), n[3])),
-        6 => Some(Pending::End { center: v(0), axis: v(3), radius: None, turns, sweep: None }),
-        7 if state.dialect == Dialect::Camworks || turns > 0 => {
-            let radius = Some(n[6]);
-            Some(Pending::End { center: v(0), axis: v(3), radius, turns, sweep: None })
-        }
-        7 => unit(v(3)).map(|axis| points(v(0), axis, n[6])),
-        11 => {
-            let radius = Some(n[6]);
-            Some(Pending::End { center: v(0), axis: -v(3), radius, turns, sweep: None })
-        }
-        _ => None,
-    };
-    if state.pending.is_none() {
-        let help = "a circle has 4, 6, 7 or 11 numbers: centre, axis, radius";
-        wrong(state, text, "a circle that cannot be read", help);
-    }
-}
-
-fn points(center: Vec3, axis: Vec3, radius: f64) -> Pending {
-    Pending::Points { circle: Circle { center, axis, radius }, to_mark: false }
 }
 
 /// GOHOME stays a post-processor word; where it names the place, the tool is there afterwards.

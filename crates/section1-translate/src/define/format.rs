@@ -9,7 +9,7 @@ use super::fault::Fault;
 use super::{Arg, Context, DefineError, Value};
 
 /// What may stand at a place of a format.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Item {
     /// A number.
     N,

@@ -25,15 +25,28 @@ pub enum Mismatch {
 /// The best explanation, and the formats that it comes from.
 pub(super) fn explain(head: Word, table: &'static [Format], args: &[Arg]) -> DefineError {
     let mut best: Vec<(Mismatch, usize, String)> = Vec::new();
+    let farthest = table.iter().map(|f| reach_of(f, args)).max().unwrap_or(0);
     for format in table {
-        let Some((mismatch, at)) = single(format, args) else { continue };
+        let Some((mismatch, at)) = single(format, args, farthest) else { continue };
         best.push((mismatch, at, format.text()));
     }
     // Among equal kinds of change the table's order decides: the usual formats stand first.
     best.sort_by_key(|(mismatch, ..)| rank(mismatch));
     if let Some((mismatch, at, _)) = best.first().cloned() {
         let alike = |(m, a, _): &&(Mismatch, usize, String)| *a == at && *m == mismatch;
-        let candidates = best.iter().filter(alike).map(|(_, _, text)| text.clone()).collect();
+        let mut candidates: Vec<String> =
+            best.iter().filter(alike).map(|(_, _, text)| text.clone()).collect();
+        if let Mismatch::OtherKind(_) = mismatch {
+            // Something else may be meant than the nearest format: the others of the same word are shown too.
+            let first = table.iter().find(|f| candidates.contains(&f.text()));
+            let word = first.and_then(|f| f.items.first()).filter(|i| matches!(i, Item::W(_)));
+            let others = table.iter().filter(|f| word.is_some() && f.items.first() == word);
+            for text in others.map(Format::text) {
+                if !candidates.contains(&text) {
+                    candidates.push(text);
+                }
+            }
+        }
         return DefineError::NoSuchFormat { head, at, mismatch, candidates };
     }
     furthest(head, table, args)
@@ -51,17 +64,29 @@ fn rank(mismatch: &Mismatch) -> u8 {
 }
 
 /// The best single change that makes the arguments fit the format, and its place.
-fn single(format: &Format, args: &[Arg]) -> Option<(Mismatch, usize)> {
+///
+/// What stands at the end of a format for anything explains nothing: where the change lets the format read no more before
+/// that than it read without, or less than some format of the table reads as it stands (`farthest`), it is no explanation.
+fn single(format: &Format, args: &[Arg], farthest: usize) -> Option<(Mismatch, usize)> {
     let items = format.items;
+    let own = reach_of(format, args);
+    let explains = |left_out: usize, changed: usize| {
+        let fixed = items.iter().enumerate().filter(|(i, item)| *i != left_out && !is_rest(item));
+        let others = args.iter().enumerate().filter(|(i, _)| changed == 0 || *i != left_out);
+        match reach(fixed.map(|(_, item)| item), others.map(|(_, arg)| arg)) {
+            Reach::All => true,
+            Reach::Stops(n) => n + changed > own && n + changed >= farthest,
+        }
+    };
     if let [_, Item::Rest(_) | Item::Tail(_)] = items {
         // A word and then anything: whatever the word, it would be said to be the wrong one.
         return None;
     }
     let mut found: Vec<(Mismatch, usize)> = Vec::new();
     for at in 0..=args.len() {
-        if let Some(item) = items.get(at).filter(|i| !matches!(i, Item::Rest(_) | Item::Tail(_))) {
+        if let Some(item) = items.get(at).filter(|i| !is_rest(i)) {
             let rest = items.iter().enumerate().filter(|(i, _)| *i != at).map(|(_, item)| item);
-            if reach(rest, args.iter()) == Reach::All {
+            if reach(rest, args.iter()) == Reach::All && explains(at, 0) {
                 found.push((Mismatch::Missing(item.text()), at));
             }
         }
@@ -81,7 +106,13 @@ fn single(format: &Format, args: &[Arg]) -> Option<(Mismatch, usize)> {
                 }
             };
             let swapped = (0..args.len()).map(|i| &args[order(i)]);
-            if reach(items.iter(), swapped) == Reach::All {
+            // Both are read before what stands there for anything.
+            let fixed = items.iter().filter(|item| !is_rest(item));
+            let read = match reach(fixed, swapped.clone()) {
+                Reach::All => true,
+                Reach::Stops(n) => n > at,
+            };
+            if read && reach(items.iter(), swapped) == Reach::All {
                 found.push((Mismatch::Swapped, at));
             }
         }
@@ -89,7 +120,7 @@ fn single(format: &Format, args: &[Arg]) -> Option<(Mismatch, usize)> {
             let rest = items.iter().enumerate().filter(|(i, _)| *i != at).map(|(_, item)| item);
             let word = matches!(arg.value, Value::Word(_));
             let wants_word = matches!(item, Item::W(_) | Item::Of(_));
-            if word == wants_word && reach(rest, others) == Reach::All {
+            if word == wants_word && reach(rest, others) == Reach::All && explains(at, 1) {
                 let text = item.text();
                 let mismatch =
                     if word { Mismatch::OtherWord(text) } else { Mismatch::OtherKind(text) };
@@ -107,17 +138,25 @@ fn single(format: &Format, args: &[Arg]) -> Option<(Mismatch, usize)> {
 }
 
 fn has_rest(items: &[Item]) -> bool {
-    items.iter().any(|i| matches!(i, Item::Rest(_) | Item::Tail(_)))
+    items.iter().any(is_rest)
+}
+
+fn is_rest(item: &Item) -> bool {
+    matches!(item, Item::Rest(_) | Item::Tail(_))
+}
+
+/// How many arguments the format reads as it stands.
+fn reach_of(format: &Format, args: &[Arg]) -> usize {
+    match reach(format.items.iter(), args.iter()) {
+        Reach::All => args.len(),
+        Reach::Stops(at) => at,
+    }
 }
 
 /// What could stand where the formats that go furthest stop.
 fn furthest(head: Word, table: &'static [Format], args: &[Arg]) -> DefineError {
-    let reach_of = |f: &Format| match reach(f.items.iter(), args.iter()) {
-        Reach::All => args.len(),
-        Reach::Stops(at) => at,
-    };
-    let at = table.iter().map(reach_of).max().unwrap_or(0);
-    let best: Vec<&Format> = table.iter().filter(|f| reach_of(f) == at).collect();
+    let at = table.iter().map(|f| reach_of(f, args)).max().unwrap_or(0);
+    let best: Vec<&Format> = table.iter().filter(|f| reach_of(f, args) == at).collect();
     let mut expected: Vec<String> = Vec::new();
     if table.is_empty() {
         expected.push(word::CANON.text().to_owned());

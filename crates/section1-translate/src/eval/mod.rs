@@ -49,7 +49,12 @@ impl Interpreter<'_> {
                 self.as_number(value, expr.span)
             }
             ExprKind::Binary(op, a, b) if arithmetic::is_arithmetic(*op) => {
-                let (x, y) = (self.number(a), self.number(b));
+                let x = self.number(a);
+                if x.is_err() && matches!(&b.kind, ExprKind::Name(name) if name.word.is_some()) {
+                    // `LIEN/XAXIS` was no quotient: the word is not what is wrong.
+                    return Err(Poisoned);
+                }
+                let y = self.number(b);
                 self.arithmetic(*op, x?, y?, expr.span, b.span)
             }
             ExprKind::Unary(UnaryOp::Neg, a) => Ok(0.0 - self.number(a)?),

@@ -65,10 +65,19 @@ impl Interpreter<'_> {
                 }
                 None => {
                     let (from, to) = (name.span.start as usize, name.span.end as usize);
-                    let written = self.levels.last().and_then(|l| l.unit.text.get(from..to));
+                    let unit = self.levels.last().map(|l| &l.unit.text);
+                    let written = unit.and_then(|text| text.get(from..to));
+                    let behind = unit.and_then(|text| text.get(to..)).unwrap_or_default();
                     let pieces: Vec<&str> =
                         written.unwrap_or_default().split_whitespace().collect();
-                    message = message.help(if pieces.len() > 1 {
+                    let geometry = |w: Word| w.is(Class::Geometry) && self.synonyms.knows(w);
+                    let major = closest(&text, geometry)
+                        .filter(|_| behind.trim_start_matches(' ').starts_with('/'));
+                    message = message.help(if let Some(major) = major {
+                        format!("did you mean {major}?")
+                    } else if let Some((figures, power)) = exponential(&text) {
+                        format!("a number with an exponent has a point: {figures}.E{power}")
+                    } else if pieces.len() > 1 {
                         // Blanks have no meaning, but people set them where they mean something.
                         format!("put a `,` in between if it is {}", pieces.join(" and "))
                     } else {
@@ -186,6 +195,13 @@ fn slips(a: &str, b: &str) -> usize {
         before = std::mem::replace(&mut last, now);
     }
     last[b.len()]
+}
+
+/// Both parts of `1E3`, which is a name in APT: a number with an exponent has a point.
+fn exponential(text: &str) -> Option<(&str, &str)> {
+    let (figures, power) = text.split_once('E')?;
+    let plain = |part: &str| !part.is_empty() && part.bytes().all(|b| b.is_ascii_digit());
+    (plain(figures) && plain(power)).then_some((figures, power))
 }
 
 #[cfg(test)]

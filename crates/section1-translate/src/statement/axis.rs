@@ -59,6 +59,11 @@ impl Interpreter<'_> {
         let Some(direction) = reader.vector().or_else(|| reader.triple()) else {
             return Err(self.expect(reader, "a vector or three numbers"));
         };
+        self.not_zero(direction, reader)
+    }
+
+    /// The direction that was just read, unless it is none.
+    pub(super) fn not_zero(&mut self, direction: Vec3, reader: &Reader<'_>) -> Known<Vec3> {
         if direction == Vec3::zeros() {
             self.error(Diagnostic::error(
                 codes::BAD_AXIS,

@@ -35,6 +35,7 @@ impl Interpreter<'_> {
             None if reader.numbers_ahead() >= 3 => reader.triple(),
             None => None,
         };
+        let axis = axis.map(|axis| self.not_zero(axis, &reader)).transpose()?;
         self.feed(&mut reader)?;
         let place = Place { name, point, axis };
         self.emit(if word == word::FROM { Kind::From(place) } else { Kind::Goto(place) });

@@ -98,8 +98,19 @@ impl Interpreter<'_> {
             self.obtain(first, rest);
             return;
         }
-        for clause in clauses {
+        for (i, clause) in clauses.iter().enumerate() {
             match self.head_word(&clause.head) {
+                // What follows was meant to be its arguments, or to stand before it: one message, not one a word.
+                Some(word) if clause.args.is_none() && i + 1 < clauses.len() && goes(word) => {
+                    let message = format!("{word} is followed by `,` and has no arguments");
+                    self.error(
+                        Diagnostic::error(codes::BAD_ARGUMENTS, clause.head.span, message).help(
+                            format!("write {word}/ and its arguments, after all other words"),
+                        ),
+                    );
+                    self.fail();
+                    return;
+                }
                 Some(word) => {
                     if self.clause(unit, word, clause).is_err() && moves(word) {
                         self.fail();
@@ -337,6 +348,12 @@ pub(crate) fn statement_shapes(word: Word) -> Vec<String> {
 /// Does a failure of the statement leave it unknown where the tool stands, or how it cuts?
 fn moves(word: Word) -> bool {
     word.is(Class::Motion) || word.is(Class::Regional) || word == word::CUTTER
+}
+
+/// Does the word say where the tool goes, which nothing but its own arguments can tell?
+fn goes(word: Word) -> bool {
+    let along = [word::GOLFT, word::GORGT, word::GOFWD, word::GOBACK, word::GOUP, word::GODOWN];
+    along.contains(&word) || [word::FROM, word::GO, word::GOTO, word::GODLTA].contains(&word)
 }
 
 fn missing(clause: &Clause) -> Expr {

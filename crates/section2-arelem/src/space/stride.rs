@@ -19,6 +19,8 @@ const TRIALS: usize = 40;
 /// A chord that could be longer by less than this ratio is taken: a longer one would save no cut vector in
 /// a hundred thousand.
 const LONG_ENOUGH: f64 = 1e-5;
+/// The same where the axis turns, whose chords aim a thousandth inside of the band.
+const LONG_ENOUGH_TURNING: f64 = 0.5 * AIM_TURNING;
 /// Share of the band by which a vertex may lie off its target: half of it is the share of a length that it costs.
 const OFF_TARGET: f64 = 1e-2;
 /// Share of a bend by which it may change until where the vertex ought to lie does.
@@ -125,13 +127,23 @@ pub(crate) struct Pace {
     room: f64,
     /// Cut vectors yet of which every trial looks for other places of contact.
     careful: u32,
-    /// How the gaps bend along the last cut vector when the axis turns, which the curvatures do not tell.
+    /// How the gaps bend along the last cut vector when the axis turns, which the curvatures do not tell, and by how much
+    /// more than along the one before.
     bends: Option<[f64; 2]>,
+    grown: [f64; 2],
 }
 
 impl Pace {
     pub(crate) fn new() -> Self {
-        Self { ratio: None, trend: 0.0, length: 0.0, room: 0.0, careful: 0, bends: None }
+        Self {
+            ratio: None,
+            trend: 0.0,
+            length: 0.0,
+            room: 0.0,
+            careful: 0,
+            bends: None,
+            grown: [0.0; 2],
+        }
     }
 
     /// The ratio that is to be expected next: the curvature that changes it does so evenly for a while.
@@ -139,10 +151,21 @@ impl Pace {
         self.ratio.unwrap_or(1.0) + self.trend
     }
 
-    /// A cut vector was this long where `plan` was foretold, and could be longer by the ratio `rest` at most.
+    /// How the gaps of the next one are expected to bend.
+    fn expected_bends(&self) -> Option<[f64; 2]> {
+        self.bends.map(|b| [b[0] + self.grown[0], b[1] + self.grown[1]])
+    }
+
+    /// The gaps bend so along a cut vector.
+    fn learn_bends(&mut self, bends: [f64; 2]) {
+        let last = self.bends.unwrap_or(bends);
+        self.grown = [bends[0] - last[0], bends[1] - last[1]];
+        self.bends = Some(bends);
+    }
+
+    /// A cut vector was this long where `plan` was foretold, and could be longer by the ratio `rest`.
     fn learn(&mut self, length: f64, rest: f64, plan: f64) {
         self.length = length;
-        let rest = if rest <= 1.0 + LONG_ENOUGH { rest } else { 1.0 };
         let ratio = (length * rest / plan).clamp(0.2, 2.0);
         let trend = self.ratio.map_or(0.0, |last| ratio - last);
         self.trend = if trend.abs() <= EVEN { trend } else { 0.0 };
@@ -307,9 +330,11 @@ impl Track {
         pace: &mut Pace,
     ) -> Result<Stride<T::Place>, Trouble> {
         let (gaps, from) = trials.start();
-        let mut bends = pace.bends;
+        let long_enough = if self.axis.turns() { LONG_ENOUGH_TURNING } else { LONG_ENOUGH };
+        let mut bends = pace.expected_bends();
+        let mut bent = None;
         let mut plan = self.plan(from, bends, cap);
-        let mut s = (plan.length * pace.expected() * (1.0 - 0.25 * LONG_ENOUGH)).min(plan.most);
+        let mut s = (plan.length * pace.expected() * (1.0 - 0.25 * long_enough)).min(plan.most);
         if plan.length >= plan.most && pace.length > 0.0 {
             // Nothing bends here, which may end soon.
             s = s.min(FARTHER * pace.length);
@@ -320,7 +345,7 @@ impl Track {
         let mut before: Option<(f64, f64)> = None;
         let mut learnt = 0;
         // A chord that does not fit though its ratio says so is shortened more each time.
-        let mut back = LONG_ENOUGH;
+        let mut back = long_enough;
         for _ in 0..TRIALS {
             let tried = trials.reach(s, plan.length, bends, last.as_ref());
             let fit = tried.as_ref().map_err(|t| *t).and_then(|t| trials.fit(&t.to));
@@ -334,14 +359,13 @@ impl Track {
                         learnt += 1;
                         let better = self.plan(from, Some(fit.bends), cap);
                         let aim = self.aims(gaps, fit.bends, better.length);
-                        if self.axis.turns() {
-                            pace.bends = Some(fit.bends);
-                        }
+                        bent = Some(fit.bends);
                         let least = if lost { EDGES_APART } else { OFF_TARGET };
                         if self.differ(aim, targets, least) {
-                            // The same once more with the vertex where it ought to be.
+                            // Once more with the vertex where it ought to be.
                             (bends, plan) = (Some(fit.bends), better);
-                            s = s.min(plan.most);
+                            let share = if lost { 1.0 } else { fit.ratio.clamp(LOST, 1.0 / LOST) };
+                            s = (s * share * (1.0 - 0.25 * long_enough)).min(plan.most);
                             (good, bad, before) = (None, f64::INFINITY, None);
                             last = tried.ok().or(last);
                             continue;
@@ -349,8 +373,12 @@ impl Track {
                     }
                     if fit.fits {
                         let rest = before.and_then(|before| rest(s, fit.ratio, before));
-                        if rest.unwrap_or(fit.ratio - 1.0) <= LONG_ENOUGH || s >= plan.most {
-                            pace.learn(s, fit.ratio, plan.length);
+                        if rest.unwrap_or(fit.ratio - 1.0) <= long_enough || s >= plan.most {
+                            let rest = if fit.ratio <= 1.0 + long_enough { fit.ratio } else { 1.0 };
+                            pace.learn(s, rest, plan.length);
+                            if self.axis.turns() {
+                                pace.learn_bends(fit.bends);
+                            }
                             return tried;
                         }
                         good = tried.ok();
@@ -361,7 +389,7 @@ impl Track {
                     if !fit.fits && good.is_none() {
                         back = (4.0 * back).min(0.5);
                     }
-                    let next = lengthen(s, ratio, before) * (1.0 - 0.25 * LONG_ENOUGH);
+                    let next = lengthen(s, ratio, before) * (1.0 - 0.25 * long_enough);
                     before = Some((s, ratio));
                     next
                 }
@@ -374,7 +402,7 @@ impl Track {
             };
             last = tried.ok().or(last);
             let low = good.as_ref().map_or(0.0, |g| g.length);
-            if bad - low <= LONG_ENOUGH * low || s <= self.exact {
+            if bad - low <= long_enough * low || s <= self.exact {
                 break;
             }
             s = next.min(plan.most);
@@ -384,6 +412,9 @@ impl Track {
         }
         let stride = good.ok_or(trouble)?;
         pace.learn(stride.length, 1.0, plan.length);
+        if let Some(bends) = bent.filter(|_| self.axis.turns()) {
+            pace.learn_bends(bends);
+        }
         Ok(stride)
     }
 

@@ -15,6 +15,8 @@ use crate::axis::Around;
 const ROUNDS: usize = 20;
 /// Rounds in which axis and contacts come to rest at one place.
 const TURNS: usize = 30;
+/// Greatest share of the way between two axes by which the next one is put off or back.
+const MOST_SHARE: f64 = 3.0;
 /// Shortest share of a step that is tried.
 const LEAST: f64 = 1e-3;
 /// Part of the scene's size by which a place is moved to see how its gaps change.
@@ -89,14 +91,27 @@ impl Track {
         heading: Vec3,
     ) -> Result<(Pose, [Gap; 2]), Trouble> {
         let mut gaps = self.gaps(&pose, Some(near))?;
+        let mut last: Option<(Vec3, Vec3)> = None;
         for _ in 0..TURNS {
             let along = direction(&gaps, heading)?;
             let (te, ta) = (pose.te, pose.ta);
             let around = Around { te, ta, part: &gaps[1], drive: &gaps[0], along };
-            pose.ta =
+            let next =
                 self.axis.at(&around, [&self.keeps[0], &self.keeps[1]]).ok_or(Trouble::Axis)?;
+            let turn = next - ta;
+            pose.ta = match last {
+                // The part of both turns that is alike is left out, by as much as they differ by it.
+                Some((before, turned)) if turn.norm() > 1e-12 => {
+                    let change = turn - turned;
+                    let share = turn.dot(&change) / change.norm_squared();
+                    let ahead = next - (next - before) * share.clamp(-MOST_SHARE, MOST_SHARE);
+                    ahead.try_normalize(0.5).unwrap_or(next)
+                }
+                _ => next,
+            };
+            last = Some((next, turn));
             gaps = self.gaps(&pose, Some(&gaps))?;
-            if (pose.ta - ta).norm() <= 1e-12 {
+            if turn.norm() <= 1e-12 {
                 return Ok((pose, gaps));
             }
         }

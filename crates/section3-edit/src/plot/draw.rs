@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use aptc_cldata::number::{self, Decimals};
 use aptc_geometry::Vec3;
 
 use super::Plot;
@@ -71,7 +72,9 @@ pub(super) fn svg(plot: &Plot) -> String {
         let y = HEAD + GAP + (height + GAP) * f64::from(u8::from(i > 1));
         let scale = if view.letters.is_some() { plane } else { scale_of(view) };
         let scale = if scale.is_finite() { scale } else { 1.0 };
-        let panel = Panel { view, x, y, width, height, scale, low, high };
+        let (min, max) = bounds(view, low, high);
+        let middle = ((min.0 + max.0) / 2.0, (min.1 + max.1) / 2.0);
+        let panel = Panel { view, x, y, width, height, scale, middle };
         panel.draw(plot, &mut out);
     }
     legend(plot, &mut out, (low, high));
@@ -185,21 +188,19 @@ struct Panel<'a> {
     width: f64,
     height: f64,
     scale: f64,
-    low: Vec3,
-    high: Vec3,
+    /// Middle of what is drawn, along the view's right and up.
+    middle: (f64, f64),
 }
 
 impl Panel<'_> {
     /// Pixels of a point.
     fn at(&self, p: Vec3) -> (f64, f64) {
-        let (min, max) = bounds(self.view, self.low, self.high);
-        let middle = ((min.0 + max.0) / 2.0, (min.1 + max.1) / 2.0);
-        self.pixels(self.view.right.dot(&p), self.view.up.dot(&p), middle)
+        self.pixels(self.view.right.dot(&p), self.view.up.dot(&p))
     }
 
-    fn pixels(&self, u: f64, w: f64, middle: (f64, f64)) -> (f64, f64) {
-        let x = self.x + self.width / 2.0 + (u - middle.0) * self.scale;
-        let y = self.y + self.height / 2.0 - (w - middle.1) * self.scale;
+    fn pixels(&self, u: f64, w: f64) -> (f64, f64) {
+        let x = self.x + self.width / 2.0 + (u - self.middle.0) * self.scale;
+        let y = self.y + self.height / 2.0 - (w - self.middle.1) * self.scale;
         (x, y)
     }
 
@@ -237,8 +238,7 @@ impl Panel<'_> {
     }
 
     fn grid(&self, letters: (&str, &str), out: &mut String) {
-        let (min, max) = bounds(self.view, self.low, self.high);
-        let middle = ((min.0 + max.0) / 2.0, (min.1 + max.1) / 2.0);
+        let middle = self.middle;
         let (half_w, half_h) = (self.width / 2.0 / self.scale, self.height / 2.0 / self.scale);
         let step = step(2.0 * half_w, 8.0);
         let lines = |from: f64, to: f64| {
@@ -249,7 +249,7 @@ impl Panel<'_> {
         let mut zero = String::new();
         let mut path = String::new();
         for u in lines(middle.0 - half_w, middle.0 + half_w) {
-            let (px, _) = self.pixels(u, 0.0, middle);
+            let (px, _) = self.pixels(u, 0.0);
             if px < self.x + 1.0 || px > self.x + self.width - 1.0 {
                 continue;
             }
@@ -260,7 +260,7 @@ impl Panel<'_> {
             }
         }
         for w in lines(middle.1 - half_h, middle.1 + half_h) {
-            let (_, py) = self.pixels(0.0, w, middle);
+            let (_, py) = self.pixels(0.0, w);
             if py < self.y + 1.0 || py > self.y + self.height - 1.0 {
                 continue;
             }
@@ -311,19 +311,21 @@ impl Panel<'_> {
     }
 
     /// The points as a stroke.
-    fn stroke(&self, points: &[Vec3], d: &mut String) {
+    fn stroke(&self, points: &[Vec3], d: &mut Vec<u8>) {
         let mut last: Option<(f64, f64)> = None;
+        let mut to = |command: u8, here: (f64, f64)| {
+            d.push(command);
+            number::put(d, here.0, Decimals::Fixed(1));
+            d.push(b' ');
+            number::put(d, here.1, Decimals::Fixed(1));
+        };
         for p in points {
             let (px, py) = self.at(*p);
             let here = (tenth(px), tenth(py));
             match last {
-                None => {
-                    let _ = write!(d, "M{} {}", here.0, here.1);
-                }
+                None => to(b'M', here),
                 Some(l) if (l.0 - here.0).abs() + (l.1 - here.1).abs() < 0.25 => continue,
-                Some(_) => {
-                    let _ = write!(d, "L{} {}", here.0, here.1);
-                }
+                Some(_) => to(b'L', here),
             }
             last = Some(here);
         }
@@ -331,23 +333,23 @@ impl Panel<'_> {
 
     /// What PLOTFT drew; a single point is a small cross.
     fn lines(&self, plot: &Plot, out: &mut String) {
-        let mut d = String::new();
+        let mut d = Vec::new();
         for line in &plot.lines {
             if let [p] = line.as_slice() {
                 let (px, py) = self.at(*p);
-                let _ = write!(d, "M{} {}h6m-3 -3v6", tenth(px - 3.0), tenth(py));
+                d.extend(format!("M{} {}h6m-3 -3v6", tenth(px - 3.0), tenth(py)).bytes());
             } else {
                 self.stroke(line, &mut d);
             }
         }
         if !d.is_empty() {
-            let _ = writeln!(out, "<path class=\"drawn\" {DRAWN} d=\"{d}\"/>");
+            let _ = writeln!(out, "<path class=\"drawn\" {DRAWN} d=\"{}\"/>", digits(&d));
         }
     }
 
     fn path(&self, plot: &Plot, rapid: bool, out: &mut String) {
         for (tool, _) in plot.tools.iter().enumerate() {
-            let mut d = String::new();
+            let mut d = Vec::new();
             for stroke in plot.strokes.iter().filter(|s| s.tool == tool && s.rapid == rapid) {
                 self.stroke(&stroke.points, &mut d);
             }
@@ -357,7 +359,7 @@ impl Panel<'_> {
             let class = if rapid { "rapid" } else { "feed" };
             let colour =
                 if rapid { String::new() } else { format!(" stroke=\"{}\"", colour(tool)) };
-            let _ = writeln!(out, "<path class=\"{class}\"{colour} d=\"{d}\"/>");
+            let _ = writeln!(out, "<path class=\"{class}\"{colour} d=\"{}\"/>", digits(&d));
         }
     }
 
@@ -378,6 +380,10 @@ impl Panel<'_> {
             );
         }
     }
+}
+
+fn digits(path: &[u8]) -> &str {
+    std::str::from_utf8(path).expect("digits and letters")
 }
 
 fn colour(tool: usize) -> &'static str {

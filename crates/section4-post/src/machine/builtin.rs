@@ -55,6 +55,11 @@ pub fn machine(name: &str) -> Option<&'static Machine> {
     MACHINES.get(idx).map(|m| &**m)
 }
 
+/// The machine file of that built-in machine, to read and to begin another with.
+pub fn machine_file(name: &str) -> Option<&'static str> {
+    FILES.iter().find(|(n, _)| n.eq_ignore_ascii_case(name)).map(|(_, text)| *text)
+}
+
 /// The built-in machine that `MACHIN/name,args` means.
 ///
 /// A name with its number (`PMILL,5`) goes before the name alone.

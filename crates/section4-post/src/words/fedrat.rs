@@ -48,6 +48,10 @@ pub(super) fn fedrat(post: &mut Post, s: &Statement<'_>) {
                     return;
                 }
                 w => match unit(w) {
+                    Some(u) if found.is_some_and(|f| f != u) => {
+                        bad_arguments(post, s, "FEDRAT/f with one unit");
+                        return;
+                    }
                     Some(u) => found = Some(u),
                     None => {
                         bad_arguments(

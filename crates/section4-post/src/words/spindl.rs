@@ -64,6 +64,7 @@ fn wanted(post: &mut Post, s: &Statement<'_>) -> Option<crate::state::SpindleSta
     let mut next = post.st.spindle;
     let mut value = None;
     let mut surface = None;
+    let mut turns = None;
     let mut args = s.args.iter();
     while let Some(arg) = args.next() {
         match arg {
@@ -73,8 +74,13 @@ fn wanted(post: &mut Post, s: &Statement<'_>) -> Option<crate::state::SpindleSta
                 // Feet a minute, metres a minute: in output units a minute.
                 "SFM" => surface = Some(Some(12.0 * 25.4)),
                 "SMM" => surface = Some(Some(1000.0)),
-                "CLW" => next.ccw = false,
-                "CCLW" => next.ccw = true,
+                "CLW" | "CCLW" => {
+                    next.ccw = w == "CCLW";
+                    if turns.replace(next.ccw).is_some_and(|before| before != next.ccw) {
+                        bad_arguments(post, s, "SPINDL/n with CLW or with CCLW");
+                        return None;
+                    }
+                }
                 "ON" => {}
                 "MAXRPM" => {
                     if let Some(Arg::Number(n)) = args.next() {
