@@ -138,7 +138,7 @@ fn digit_values(n: u64) -> u64 {
 fn scaled(x: f64, places: usize) -> Option<u64> {
     let scaled = x.abs() * POW10[places];
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 <= it < 9e15")]
-    (scaled < 9e15).then(|| (scaled + 0.5) as u64)
+    (scaled < 9e15).then_some((scaled + 0.5) as u64)
 }
 
 /// Writes `x` as an integer of 10^-`places`; false when it does not fit.
