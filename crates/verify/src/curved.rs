@@ -37,7 +37,7 @@ pub(crate) struct Curved<'s> {
     pub(crate) most: f64,
 }
 
-/// What a vector found, where the next along the same surface is best begun. A bad beginning costs time.
+/// What a vector found, where the next of the same tool along the same surface is best begun. A bad beginning costs time.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Warm {
     pub(crate) lead: Lead,

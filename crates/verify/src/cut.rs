@@ -5,6 +5,12 @@
 //! another by the way of its end and the least rotation of its axis, by which a point at `r` from the end goes `r |ta' - ta|`:
 //! h changes by no more than `|te' - te| + reach |ta' - ta|`. A group of charts that is `low` from the tool at one position is
 //! at least that less from it at another, and ways one after another add up.
+//!
+//! A cut belongs to one surface, as the places of it do: each part of a statement has its own of each surface and begins with
+//! none, so that nothing hangs on who judges which part. What is asked along the surface may change; the next search then
+//! begins at the root.
+
+use aptc_geometry::Profile;
 
 use crate::search::Moved;
 use crate::sheet::{Node, Patch, Patches};
@@ -26,14 +32,16 @@ pub(crate) struct Cut {
     /// Its way so far.
     way: f64,
     groups: Vec<(usize, f64)>,
+    /// Did the last search begin here, not at the root?
+    went_on: bool,
 }
 
-/// What a search asks: shift and side of the surface, the distance that is enough, the tool by its measures.
+/// What a search asks: side and shift of the surface, the distance that is enough, the tool with the height at which it begins.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Asked {
     shift: [f64; 2],
     enough: f64,
-    tool: [f64; 3],
+    solid: Option<(Profile, f64)>,
 }
 
 /// A search that goes on from a cut.
@@ -52,6 +60,12 @@ fn way(sweep: &Sweep<'_>, from: &Pose, to: &Pose) -> f64 {
     (to.te - from.te).norm() + sweep.tool.reach() * (to.ta - from.ta).norm()
 }
 
+/// A sum of ways rounded up: what its roundings and those of the last way take is less than is put on, so that many short
+/// ways are never counted short.
+fn up(sum: f64) -> f64 {
+    sum * (1.0 + 4.0 * f64::EPSILON)
+}
+
 impl Cut {
     /// Puts what has to be looked at on the pile: the whole tree where nothing is known of what is asked.
     pub(crate) fn begin(
@@ -62,21 +76,18 @@ impl Cut {
         root: Patch,
         pile: &mut Patches,
     ) -> Cutting<'_> {
-        let tool = sweep.tool;
-        let asked = Asked {
-            shift: [moved.side, moved.shift],
-            enough,
-            tool: [tool.reach(), tool.widest(), tool.shoulder()],
-        };
+        let solid = sweep.tool.solid().map(|(profile, up)| (*profile, up));
+        let asked = Asked { shift: [moved.side, moved.shift], enough, solid };
         // On an even way and turn nothing is farther from the start than the end.
         let along = way(sweep, &sweep.a, &sweep.b);
         let before = self.last.take().filter(|(same, _)| *same == asked);
         let before = before.map(|(_, at)| way(sweep, &at, &sweep.a));
-        self.way += before.unwrap_or(0.0);
-        let until = self.way + along;
+        let mut until = up(up(self.way + before.unwrap_or(0.0)) + along);
         let mut least = f64::INFINITY;
-        let expired = self.groups.iter().filter(|(_, to)| !(*to >= until)).count();
-        if before.is_some() && expired <= AGAIN && self.groups.len() <= MOST {
+        let far = self.groups.iter().filter(|(_, to)| *to >= until).count();
+        let again = self.groups.len() - far;
+        self.went_on = before.is_some() && again <= AGAIN && self.groups.len() <= MOST;
+        if self.went_on {
             // Those that were the first the last time come first.
             let mut kept = self.groups.len();
             for i in (0..self.groups.len()).rev() {
@@ -93,16 +104,27 @@ impl Cut {
         } else {
             self.groups.clear();
             pile.push(root);
+            until = along;
         }
         self.way = until;
         Cutting { cut: self, asked, along, rest: enough + (least - until) }
     }
+
+    /// Did the last search go on from the one before it?
+    pub(crate) fn went_on(&self) -> bool {
+        self.went_on
+    }
+
+    /// The next search begins at the root.
+    pub(crate) fn forget(&mut self) {
+        self.last = None;
+    }
 }
 
 impl Cutting<'_> {
-    /// Would a group so far from the tool have to be looked at again soon?
-    pub(crate) fn is_short(&self, low: f64) -> bool {
-        !(low >= self.asked.enough + SOON * self.along)
+    /// Is a group so far from the tool that it need not be looked at again soon?
+    pub(crate) fn is_far(&self, low: f64) -> bool {
+        low >= self.asked.enough + SOON * self.along
     }
 
     /// What shows the group to be farther than the first from the tool on its whole way, or is nothing; the second at its end alone.
@@ -114,7 +136,9 @@ impl Cutting<'_> {
 
     /// The group is at least so far at the end of the way.
     pub(crate) fn clear(&mut self, group: &Patch, low: f64) {
-        self.cut.groups.push((group.chart, self.cut.way + (low - self.asked.enough)));
+        // Rounded down, as far as the way is concerned.
+        let way = self.cut.way * (1.0 - 2.0 * f64::EPSILON);
+        self.cut.groups.push((group.chart, way + (low - self.asked.enough)));
     }
 
     /// The group has charts that are too near to tell.
@@ -135,7 +159,7 @@ mod tests {
     use crate::search::{Aim, FOLD, Lead, clearance_from};
     use crate::sheet::{Sheet, Spot, forms};
     use crate::tool::Tool;
-    use aptc_geometry::{Cutter, Profile, Vec3};
+    use aptc_geometry::{Cutter, Vec3};
     use proptest::prelude::*;
 
     /// Places all over the surface, its continuations too.
@@ -175,40 +199,126 @@ mod tests {
 
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(96))]
-        /// On a walk of many vectors no place of the surface is nearer than each search says that goes on from the last.
+        /// On a walk of many vectors no place of the surface is nearer than each search says that goes on from the last, also
+        /// where now and then another tool is held against it, or the surface to its other side.
         #[test]
         fn no_place_is_nearer_on_a_walk(
-            which in 0_usize..9, corner in 0.0_f64..1.0, end: bool, right: bool, shift in -0.2_f64..0.2,
+            which in 0_usize..9, corner in 0.0_f64..1.0, held in 0_usize..3, right: bool, shift in -0.2_f64..0.2,
             te in prop::array::uniform3(-5.0..5.0_f64), short in -0.1_f64..0.5,
-            steps in prop::collection::vec(prop::array::uniform5(-1.0..1.0_f64), 12), turning: bool,
+            steps in prop::collection::vec((prop::array::uniform5(-1.0..1.0_f64), 0_usize..8), 12), turning: bool,
         ) {
             let sheet = Sheet::new(&forms::parametric()[which]).expect("it has charts");
             let profile = Profile::new(&Cutter::mill(2.0, corner, 6.0)).unwrap();
-            let tool = if end { Tool::End } else { Tool::Solid(&profile) };
+            let tools = [Tool::End, Tool::Raised(&profile, 3.0), Tool::Solid(&profile)];
             let side = if right { 1.0 } else { -1.0 };
-            let moved = Moved { sheet: &sheet, side, shift, fold: FOLD };
-            let points: Vec<Vec3> = places(&sheet).iter().map(|spot| moved.place(spot)).collect();
-            let least = |pose: &Pose| {
+            let moved = |side| Moved { sheet: &sheet, side, shift, fold: FOLD };
+            let points = |side| -> Vec<Vec3> {
+                places(&sheet).iter().map(|spot| moved(side).place(spot)).collect()
+            };
+            let points = [side, -side].map(|side| (side, points(side)));
+            let least = |pose: &Pose, tool: &Tool<'_>, points: &[Vec3]| {
                 points.iter().map(|p| tool.near(pose, *p).0).fold(f64::INFINITY, f64::min)
             };
             let mut pose = Pose { te: Vec3::from(te), ta: Vec3::z() };
-            let enough = least(&pose) - short;
-            let (mut lead, mut went_on) = (Lead::default(), 0);
-            for [x, y, z, p, q] in steps {
+            let mut lead = Lead::default();
+            for ([x, y, z, p, q], other) in steps {
                 let [way, turn] = if turning { [0.02, 0.06] } else { [0.2, 0.0] };
                 let ta = (pose.ta + Vec3::new(p, q, 0.0) * turn).normalize();
                 let to = Pose { te: pose.te + Vec3::new(x, y, 0.2 * z) * way, ta };
-                let sweep = Sweep::new(&tool, pose, to, angle(pose.ta, to.ta));
-                went_on += usize::from(!lead.cut.groups.is_empty());
-                let found = clearance_from(&sweep, &moved, enough, Aim::Clear, &mut lead);
+                let tool = &tools[if other == 0 { (held + 1) % 3 } else { held }];
+                let (side, points) = &points[usize::from(other == 1)];
+                let enough = least(&Pose { te: Vec3::from(te), ta: Vec3::z() }, tool, points) - short;
+                let sweep = Sweep::new(tool, pose, to, angle(pose.ta, to.ta));
+                let found = clearance_from(&sweep, &moved(*side), enough, Aim::Clear, &mut lead);
                 // What falls short is not searched to its end.
                 for i in (0..=3).filter(|_| found.least >= enough) {
                     let at = between_poses(&pose, &to, f64::from(i) / 3.0);
-                    let near = least(&at);
-                    prop_assert!(near >= found.least - 1e-9, "{near} {found:?} after {went_on}");
+                    let near = least(&at, tool, points);
+                    prop_assert!(near >= found.least - 1e-9, "{near} {found:?} {}", lead.cut.went_on);
                 }
                 pose = to;
             }
         }
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(48))]
+        /// A tool that comes straight to the surface, turning or not, is not told to be clear of it when it is no more: no
+        /// group comes nearer sooner than its way says.
+        #[test]
+        fn a_tool_that_comes_to_the_surface_is_told_in_time(
+            which in 0_usize..9, corner in 0.0_f64..1.0, end: bool, shift in -0.2_f64..0.2, steps in 3_i32..40,
+            te in prop::array::uniform3(-9.0..9.0_f64), enough in -0.1_f64..0.3, lean in prop::array::uniform2(-0.5..0.5_f64),
+        ) {
+            let sheet = Sheet::new(&forms::parametric()[which]).expect("it has charts");
+            let profile = Profile::new(&Cutter::mill(0.5, 0.25 * corner, 3.0)).unwrap();
+            let tool = if end { Tool::End } else { Tool::Solid(&profile) };
+            let moved = Moved { sheet: &sheet, side: 1.0, shift, fold: FOLD };
+            let points: Vec<Vec3> = places(&sheet).iter().map(|spot| moved.place(spot)).collect();
+            let near = |pose: &Pose| {
+                let all = points.iter().map(|p| (tool.near(pose, *p).0, *p));
+                all.min_by(|a, b| a.0.total_cmp(&b.0)).expect("places")
+            };
+            let from = Pose { te: Vec3::from(te), ta: Vec3::z() };
+            let to = Vec3::new(lean[0], lean[1], 1.0).normalize();
+            let to = Pose { te: near(&from).1, ta: if te[0] > 0.0 { to } else { from.ta } };
+            let turn = angle(from.ta, to.ta) / f64::from(steps);
+            let mut lead = Lead::default();
+            for i in 0..steps {
+                let [a, b] = [i, i + 1]
+                    .map(|i| between_poses(&from, &to, f64::from(i) / f64::from(steps)));
+                let sweep = Sweep::new(&tool, a, b, turn);
+                let found = clearance_from(&sweep, &moved, enough, Aim::Clear, &mut lead);
+                // What falls short is not searched to its end.
+                for at in [a, b].iter().filter(|_| found.least >= enough) {
+                    prop_assert!(near(at).0 >= found.least - 1e-9, "{i} {found:?} {}", lead.cut.went_on);
+                }
+            }
+        }
+    }
+
+    /// A cut is kept from one vector to the next for as long as the same is asked, and for nothing else.
+    #[test]
+    fn a_cut_serves_what_it_was_made_for() {
+        let sheet = Sheet::new(&forms::parametric()[7]).expect("it has charts");
+        let [ball, flat] = [1.0, 0.2].map(|r| Profile::new(&Cutter::mill(2.0, r, 6.0)).unwrap());
+        let [tool, high] = [Tool::Solid(&ball), Tool::Raised(&ball, 1.0)];
+        let moved = Moved { sheet: &sheet, side: 1.0, shift: 0.1, fold: FOLD };
+        let at = |x: f64| Pose { te: Vec3::new(x, 0.3, 1.5), ta: Vec3::z() };
+        let search = |lead: &mut Lead, tool: &Tool<'_>, moved: &Moved<'_>, enough: f64, x: f64| {
+            let sweep = Sweep::new(tool, at(x), at(x + 0.01), 0.0);
+            let found = clearance_from(&sweep, moved, enough, Aim::Clear, lead);
+            assert!(found.least >= enough, "{found:?}");
+            found.least
+        };
+        let mut lead = Lead::default();
+        search(&mut lead, &tool, &moved, 0.1, 0.0);
+        assert!(!lead.cut.went_on);
+        search(&mut lead, &tool, &moved, 0.1, 0.01);
+        assert!(lead.cut.went_on, "the next vector goes on");
+        search(&mut lead.clone(), &tool, &moved, 0.1, 0.05);
+        assert!(lead.cut.went_on, "also beyond a gap");
+        let others = [
+            (&Tool::Solid(&flat), moved, 0.1),
+            (&high, moved, 0.1),
+            (&Tool::End, moved, 0.1),
+            (&tool, Moved { side: -1.0, ..moved }, 0.1),
+            (&tool, Moved { shift: 0.2, ..moved }, 0.1),
+            (&tool, moved, 0.05),
+        ];
+        for (tool, moved, enough) in others {
+            let mut kept = lead.clone();
+            let mut fresh = Lead { direction: lead.direction, ..Lead::default() };
+            let [a, b] =
+                [&mut kept, &mut fresh].map(|l| search(l, tool, &moved, enough, 0.02).to_bits());
+            assert!(!kept.cut.went_on && a == b, "{tool:?} {moved:?} {enough}: {a} {b}");
+        }
+        // A search that broke off leaves nothing: the axis turns too far for any piece, whatever its size.
+        let over = Pose { te: at(0.02).te, ta: Vec3::x() };
+        let sweep = Sweep::new(&tool, at(0.02), over, angle(Vec3::z(), Vec3::x()));
+        let found = clearance_from(&sweep, &moved, 0.1, Aim::Clear, &mut lead);
+        assert!(found.least < 0.1 && lead.cut.last.is_none(), "{found:?}");
+        search(&mut lead, &tool, &moved, 0.1, 0.02);
+        assert!(!lead.cut.went_on);
     }
 }

@@ -47,7 +47,7 @@ impl Moved<'_> {
     }
 }
 
-/// What the search of the vector before leaves to the next of the same tool along the same surface.
+/// What the search of the vector before leaves to the next along the same surface.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Lead {
     /// The direction that separated the tool from the piece next to it. About a tool that stands against a crest it is the
@@ -83,11 +83,12 @@ pub(crate) fn clearance_from(
 ) -> Clearance {
     let direction = lead.direction;
     let found = search(sweep, moved, enough, aim, lead);
-    if found.least >= enough || aim != Aim::Clear || moved.sheet.tree().is_none() {
+    if found.least >= enough || !lead.cut.went_on() {
         return found;
     }
     // What the cut leaves may hide the direction that shows all: once more from the root of the tree.
-    *lead = Lead { direction, ..Lead::default() };
+    lead.direction = direction;
+    lead.cut.forget();
     search(sweep, moved, enough, aim, lead)
 }
 
@@ -139,7 +140,7 @@ fn search(
             let (mut low, middle) =
                 hinted.as_ref().map_or((f64::NEG_INFINITY, f64::NEG_INFINITY), held);
             let mut at_end = low;
-            if let Some(cutting) = cutting.as_ref().filter(|c| c.is_short(low)) {
+            if let Some(cutting) = cutting.as_ref().filter(|c| !c.is_far(low)) {
                 let [whole, end] = cutting.at_end(sweep, node, shift);
                 (low, at_end) = (low.max(whole), low.max(end));
             }

@@ -49,7 +49,7 @@ impl Change {
 impl<'a> Tool<'a> {
     /// The solid and how high above the tool end it begins; `None` of the tool end alone.
     #[inline]
-    fn solid(&self) -> Option<(&'a Profile, f64)> {
+    pub(crate) fn solid(&self) -> Option<(&'a Profile, f64)> {
         match *self {
             Self::Solid(profile) => Some((profile, 0.0)),
             Self::Raised(profile, up) => Some((profile, up)),
