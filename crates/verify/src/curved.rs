@@ -1,17 +1,20 @@
 //! One cut vector against a surface with charts.
 
-use aptc_cldata::Position;
-use aptc_geometry::Vec3;
+mod side;
+mod sunk;
 
-use crate::deep::{deepest, on_faces};
-use crate::demand::{Verdict, angle, between_poses, bulge};
+use aptc_cldata::Position;
+
+use crate::between::{angle, between_poses};
+use crate::deep::deepest;
+use crate::demand::Verdict;
 use crate::pile::Pile;
-use crate::search::{Aim, FINE_FOLD, FOLD, Moved, clearance, clearance_from};
+use crate::search::{Aim, FINE_FOLD, FOLD, Lead, Moved, clearance, clearance_from};
 use crate::sheet::{Sheet, Spot};
 use crate::sweep::Sweep;
-use crate::tool::{Pose, Tool, carry};
+use crate::tool::{Pose, Tool};
 use crate::upright::distances;
-use crate::witness::{Excess, descend, excess};
+use crate::witness::{Excess, Near, excess};
 
 /// Halvings of a vector whose axis turns.
 const DEPTH: u32 = 22;
@@ -19,8 +22,6 @@ const DEPTH: u32 = 22;
 const TURNED: f64 = 20.0;
 /// Halvings of a vector along which the surface was not searched to the end.
 const LONG: u32 = 5;
-/// Times that a search for the nearest place is made eight times as wide.
-const WIDER: u32 = 24;
 /// Stretches of one vector that are looked at.
 const MOST: u32 = 2000;
 
@@ -36,13 +37,12 @@ pub(crate) struct Curved<'s> {
     pub(crate) most: f64,
 }
 
-/// What a vector found, where the next along the same surface is best begun. A bad beginning costs time.
-#[derive(Clone, Copy, Debug, Default)]
+/// What a vector found, where the next of the same tool along the same surface is best begun. A bad beginning costs time.
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Warm {
-    /// The direction that separated the tool from the piece next to it.
-    pub(crate) direction: Option<Vec3>,
+    pub(crate) lead: Lead,
     /// The places of the surface next to the tool where it began and where it ended.
-    near: Option<[Spot; 2]>,
+    near: Option<[Near; 2]>,
     /// That it is nowhere too far was shown by points of the tool alone.
     sunk: bool,
 }
@@ -136,7 +136,7 @@ impl Curved<'_> {
         warm: &mut Warm,
     ) -> Option<[f64; 2]> {
         let curve = self.sheet.curve()?;
-        let near = warm.near?[1];
+        let near = warm.near?[1].spot;
         // How far the tool reaches sideways where its axis leans by rounding.
         let leans = [a, b].map(|pose| tool.reach() * pose.ta.xy().norm());
         if self.on || leans[0].max(leans[1]) > 0.5 * pad {
@@ -146,7 +146,7 @@ impl Curved<'_> {
         let limits = [widest + self.least - pad, widest + self.most + pad];
         let ([low, high], near) =
             distances(curve, self.side, [a.te.xy(), b.te.xy()], limits, &near)?;
-        warm.near = Some(near);
+        warm.near = Some(near.map(|spot| Near { spot, touch: None }));
         Some([low - widest, high - widest])
     }
 
@@ -234,7 +234,7 @@ impl Curved<'_> {
             let bend = turn * (t1 - t0);
             let sweep = Sweep::new(tool, pose(t0), pose(t1), bend);
             let turned = sweep.pad + 0.25 * sweep.turn * (sweep.b.te - sweep.a.te).norm();
-            let found = clearance_from(&sweep, &moved, enough, Aim::Clear, &mut warm.direction);
+            let found = clearance_from(&sweep, &moved, enough, Aim::Clear, &mut warm.lead);
             let shown = found.least - thin;
             if found.least >= enough {
                 low = low.min(least + shown);
@@ -288,7 +288,7 @@ impl Curved<'_> {
             let first = if tool.is_thin() {
                 self.lies(inner, near)
             } else {
-                warm.near.map_or(0.0, |near| self.faces(tool, &start, &near[0]))
+                warm.near.map_or(0.0, |near| Self::faces(tool, &start, &near[0].jet(self.sheet)))
             };
             let then = if first == 0.0 { self.stands(tool, &start) } else { first };
             if then == 0.0 { self.lies(inner, near) } else { then }
@@ -300,68 +300,6 @@ impl Curved<'_> {
             Half::Broken(0.0, -self.beyond(inner, near.max(tool.reach())).0)
         } else {
             Half::Open(0.0, f64::INFINITY)
-        }
-    }
-
-    /// Distance of a point from the surface, which is farther than `near`, and the place.
-    fn beyond(&self, p: Vec3, near: f64) -> (f64, Option<Spot>) {
-        let mut enough = 4.0 * near;
-        for _ in 0..WIDER {
-            if let found @ (_, Some(_)) = self.nearest(p, enough) {
-                return found;
-            }
-            enough *= 8.0;
-        }
-        (enough, None)
-    }
-
-    /// On which side of the surface a point lies that is farther than `near`; 0 beside a border.
-    fn lies(&self, p: Vec3, near: f64) -> f64 {
-        let (far, Some(spot)) = self.beyond(p, near) else { return 0.0 };
-        let jet = self.sheet.jet(&spot);
-        let off = (p - jet.p).dot(&jet.n);
-        if off.abs() > 0.5 * far { off.signum() } else { 0.0 }
-    }
-
-    /// On which side of the surface the tool stands that does not pass through it: that of its point nearest
-    /// to the surface; 0 where that does not tell.
-    fn stands(&self, tool: &Tool<'_>, pose: &Pose) -> f64 {
-        let sweep = Sweep::still(tool, *pose);
-        let moved = Moved { sheet: self.sheet, side: 1.0, shift: 0.0, fold: FOLD };
-        let band = [self.least, self.most].into_iter().filter(|x| x.is_finite());
-        let near = 4.0 * band.fold(1e-6 * tool.reach(), |m, x| m.max(x.abs()));
-        let mut enough = near.max(f64::MIN_POSITIVE);
-        for _ in 0..WIDER {
-            if let Some((distance, _, spot)) =
-                clearance(&sweep, &moved, enough, Aim::Nearest).nearest
-                && distance < enough
-            {
-                return self.facing(tool, pose, &spot);
-            }
-            enough = (8.0 * enough).max(tool.reach());
-        }
-        0.0
-    }
-
-    /// The side of the surface at the place next to `spot` on which the tool stands: that to which it reaches farther
-    /// along the normal. An edge of the tool that is in the surface by its tolerance does not tell: what is next to a
-    /// place inside of it may be its other face. 0 where the tool lies beside the place.
-    fn facing(&self, tool: &Tool<'_>, pose: &Pose, spot: &Spot) -> f64 {
-        let (_, spot, _) = descend(tool, pose, self.sheet, *spot);
-        self.faces(tool, pose, &spot)
-    }
-
-    /// The same at a place itself.
-    fn faces(&self, tool: &Tool<'_>, pose: &Pose, spot: &Spot) -> f64 {
-        let jet = self.sheet.jet(spot);
-        let reach = |n: Vec3| tool.height(pose, n) - n.dot(&jet.p);
-        let (right, left) = (reach(jet.n), reach(-jet.n));
-        if right > 2.0 * left {
-            1.0
-        } else if left > 2.0 * right {
-            -1.0
-        } else {
-            0.0
         }
     }
 
@@ -402,26 +340,6 @@ impl Curved<'_> {
         (gap < least - pad).then_some(gap)
     }
 
-    /// Distance of a point from the surface and the place; not more than somewhat above `enough`.
-    fn nearest(&self, p: Vec3, enough: f64) -> (f64, Option<Spot>) {
-        let pose = Pose { te: p, ta: Vec3::z() };
-        let sweep = Sweep::still(&Tool::End, pose);
-        let moved = Moved { sheet: self.sheet, side: 1.0, shift: 0.0, fold: FOLD };
-        let (mut far, mut place) = (enough, None);
-        let mut within = enough;
-        for _ in 0..5 {
-            match clearance(&sweep, &moved, within, Aim::Nearest).nearest {
-                Some((d, _, spot)) if d < within => (far, place) = (d, Some(spot)),
-                _ => break,
-            }
-            within = far * (1.0 - 1e-6);
-        }
-        let Some(spot) = place else { return (far, None) };
-        // The last digits, which a search would come to slowly.
-        let (d, spot, _) = descend(&Tool::End, &pose, self.sheet, spot);
-        (far.min(d), Some(spot))
-    }
-
     /// The greatest gap along the vector. Where that is in the band, the places that are met show the direction
     /// that parts tool and surface.
     fn excess(
@@ -438,10 +356,10 @@ impl Curved<'_> {
         let most = self.most + pad;
         let found = excess(tool, self.sheet, self.side, pose, turn, most, &mut warm.near);
         if let Some(near) = &warm.near {
-            let [a, b] = [0, 1].map(|i| self.sheet.jet(&near[i]));
+            let [a, b] = near.map(|near| near.jet(self.sheet));
             if let Some(m) = (a.n + b.n).try_normalize(1e-3) {
                 let sweep = Sweep::new(tool, pose(0.0), pose(1.0), turn);
-                warm.direction = Some(sweep.level(m * -self.side, a.p)[1].m);
+                warm.lead.direction = Some(sweep.level(m * -self.side, a.p)[1].m);
             }
         }
         found
@@ -472,109 +390,6 @@ impl Curved<'_> {
                 sunk.unwrap_or(Half::Open(t, gap - self.most))
             }
         }
-    }
-
-    /// That some point of the tool is nowhere less deep than the greatest gap allows: one for each stretch.
-    fn sunk(
-        &self,
-        tool: &Tool<'_>,
-        pose: &dyn Fn(f64) -> Pose,
-        turn: f64,
-        pad: f64,
-    ) -> Option<Half> {
-        /// Stretches that are looked at at most.
-        const STRETCHES: u32 = 40;
-        let Tool::Solid(_) = tool else { return None };
-        let sweep = Sweep::still(tool, pose(0.0));
-        let moved = Moved { sheet: self.sheet, side: self.side, shift: 0.0, fold: FOLD };
-        let any = || clearance(&sweep, &moved, self.most + tool.reach(), Aim::Any).nearest;
-        let mut spot = match self.within(tool, &pose(0.0)) {
-            Some(spot) => spot,
-            None => any()?.2,
-        };
-        let mut stack = Pile::<(f64, f64, u32), 32>::new();
-        stack.push((0.0, 1.0, 0));
-        let (mut seen, mut high) = (0, f64::NEG_INFINITY);
-        while let Some((t0, t1, depth)) = stack.pop() {
-            seen += 1;
-            if seen > STRETCHES || depth > DEPTH {
-                return None;
-            }
-            let (a, b) = (pose(t0), pose(t1));
-            let middle = 0.5 * (t0 + t1);
-            let mut held = None;
-            for t in [middle, t0, t1] {
-                let at = pose(t);
-                let most = self.most + pad;
-                let mut deep = deepest(tool, &at, self.sheet, self.side, spot, most);
-                if deep.gap > most
-                    && let Some(spot) = self.within(tool, &at)
-                {
-                    deep = deepest(tool, &at, self.sheet, self.side, spot, most);
-                }
-                if deep.gap > most {
-                    deep = on_faces(tool, &at, self.sheet, self.side, deep, most);
-                }
-                spot = deep.spot;
-                let above = deep.gap - self.most;
-                if above > pad {
-                    return self.afloat(tool, &at, above, pad).map(|gap| Half::Broken(t, gap));
-                }
-                // The point goes along a chord but for its bulge.
-                let off = bulge((deep.p - at.te).norm(), turn * (t1 - t0));
-                let [p, q] = [a, b].map(|to| carry(&at, &to, deep.p));
-                let way = |s: f64| Pose { te: p + (q - p) * s, ta: Vec3::z() };
-                let least = -self.most + off;
-                let warm = &mut Warm::default();
-                match self.not_below(&Tool::End, -self.side, least, &way, 0.0, pad, warm) {
-                    Half::Holds(g) => {
-                        held = Some(off - g);
-                        break;
-                    }
-                    // A search that comes to no end does so again.
-                    Half::Open(_, f64::INFINITY) => return None,
-                    Half::Open(..) | Half::Broken(..) => {}
-                }
-            }
-            match held {
-                Some(g) => high = high.max(g),
-                None => {
-                    stack.push((middle, t1, depth + 1));
-                    stack.push((t0, middle, depth + 1));
-                }
-            }
-        }
-        Some(Half::Holds(high))
-    }
-
-    /// A place of the surface that lies in the tool when it is moved by the greatest gap: as deep the tool is there.
-    fn within(&self, tool: &Tool<'_>, at: &Pose) -> Option<Spot> {
-        let moved = Moved { sheet: self.sheet, side: self.side, shift: self.most, fold: FOLD };
-        let found = clearance(&Sweep::still(tool, *at), &moved, 0.0, Aim::Nearest).nearest?;
-        (found.0 < 0.0).then_some(found.2)
-    }
-
-    /// A gap beyond the greatest that no point of the tool is deeper than, at most `above` beyond it.
-    fn afloat(&self, tool: &Tool<'_>, at: &Pose, above: f64, pad: f64) -> Option<f64> {
-        /// Shares of it that are tried.
-        const SHARES: [f64; 7] = [0.97, 0.9, 0.6, 0.25, 0.06, 0.015, 0.004];
-        let pose = |_: f64| *at;
-        for share in SHARES {
-            let beyond = share * above;
-            if beyond <= pad {
-                break;
-            }
-            let least = self.most + beyond;
-            match self.not_below(tool, self.side, least, &pose, 0.0, pad, &mut Warm::default()) {
-                // What holds is short of that by what rounding may take.
-                Half::Holds(low) if low > self.most => return Some(low),
-                Half::Holds(_) => break,
-                // A search that comes to no end does so again.
-                Half::Open(_, f64::INFINITY) => break,
-                Half::Open(..) | Half::Broken(..) => {}
-            }
-        }
-        None
     }
 }
 

@@ -7,7 +7,7 @@ use crate::demand::Demand;
 use crate::sheet::tests::quadrics;
 use crate::sheets::Sheets;
 use aptc_cldata::{Controlled, Position, Relation};
-use aptc_geometry::{Cutter, Form, Profile, trig};
+use aptc_geometry::{Cutter, Form, Profile, Vec3, trig};
 use proptest::prelude::*;
 use std::sync::Arc;
 

@@ -21,8 +21,8 @@ pub(crate) struct Deep {
 
 /// The signed distance of a point from the surface, by the place that is found from `spot` on.
 fn depth(sheet: &Sheet, side: f64, p: Vec3, spot: Spot) -> Deep {
-    let (far, spot, q) = descend(&Tool::End, &Pose { te: p, ta: Vec3::z() }, sheet, spot);
-    let gap = far.copysign(side * (p - q).dot(&sheet.jet(&spot).n));
+    let (far, spot, jet) = descend(&Tool::End, &Pose { te: p, ta: Vec3::z() }, sheet, spot);
+    let gap = far.copysign(side * (p - jet.p).dot(&jet.n));
     Deep { gap, p, spot }
 }
 

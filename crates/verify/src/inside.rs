@@ -9,8 +9,8 @@
 
 use aptc_geometry::{Vec2, Vec3, trig};
 
+use crate::between::{bulge, parabola};
 use crate::bound::{Bound, CLOSE, Touch};
-use crate::demand::{bulge, parabola};
 use crate::pile::Pile;
 use crate::solid::{Solid, any_across};
 use crate::tool::{Pose, Tool, carry, rise};

@@ -5,9 +5,11 @@
 //! each cut vector is *proved*, *refuted* with place and depth, or *not decided*.
 
 mod batch;
+mod between;
 mod bound;
 mod certificate;
 mod curved;
+mod cut;
 mod deep;
 mod demand;
 mod deviation;

@@ -6,9 +6,10 @@ use aptc_cldata::milling::{Milled, Milling, Plain, Raised};
 use aptc_cldata::{NameRef, Position};
 use aptc_geometry::{Form, Profile};
 
+use crate::between::{angle, between_poses};
 use crate::certificate::{Fault, SurfaceBound};
 use crate::curved::{Curved, Half, Warm, worst};
-use crate::demand::{Demand, Verdict, angle, between_poses};
+use crate::demand::{Demand, Verdict};
 use crate::pile::Pile;
 use crate::scallop::{Cusps, Left};
 use crate::search::{Aim, FOLD, Moved, clearance_from};
@@ -339,7 +340,7 @@ fn keeps_off(
     while let Some((t0, t1, depth)) = stack.pop() {
         seen += 1;
         let sweep = Sweep::new(tool, pose(t0), pose(t1), turn * (t1 - t0));
-        let found = clearance_from(&sweep, &moved, least, Aim::Clear, &mut warm.direction);
+        let found = clearance_from(&sweep, &moved, least, Aim::Clear, &mut warm.lead);
         if found.least >= least {
             low = low.min(found.least);
             continue;

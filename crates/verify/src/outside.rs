@@ -9,8 +9,8 @@
 
 use aptc_geometry::Vec3;
 
+use crate::between::{angle, bulge, parabola};
 use crate::bound::{Bound, Touch};
-use crate::demand::{angle, bulge, parabola};
 use crate::solid::{Solid, unit_or};
 use crate::tool::{Pose, Tool, carry, turned};
 

@@ -7,6 +7,7 @@
 
 use aptc_geometry::Vec3;
 
+use crate::cut::Cut;
 use crate::sheet::{Patches, Sheet, Spot, Tile};
 use crate::sweep::{Meeting, Slack, Sweep};
 
@@ -46,6 +47,15 @@ impl Moved<'_> {
     }
 }
 
+/// What the search of the vector before leaves to the next along the same surface.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Lead {
+    /// The direction that separated the tool from the piece next to it. About a tool that stands against a crest it is the
+    /// only one.
+    pub(crate) direction: Option<Vec3>,
+    pub(crate) cut: Cut,
+}
+
 /// What a search is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Aim {
@@ -60,31 +70,54 @@ pub(crate) enum Aim {
 /// Bounds the distance between the moved surface and the tool on its way. The search ends where `enough` is
 /// shown.
 pub(crate) fn clearance(sweep: &Sweep<'_>, moved: &Moved<'_>, enough: f64, aim: Aim) -> Clearance {
-    clearance_from(sweep, moved, enough, aim, &mut None)
+    clearance_from(sweep, moved, enough, aim, &mut Lead::default())
 }
 
-/// The same with a direction that may separate the surface from the tool, as that of the vector before; it becomes
-/// the one that separated the nearest piece. About a tool that stands against a crest it is the only one.
+/// The same with what the vector before leaves, which becomes what this one does.
 pub(crate) fn clearance_from(
     sweep: &Sweep<'_>,
     moved: &Moved<'_>,
     enough: f64,
     aim: Aim,
-    hint: &mut Option<Vec3>,
+    lead: &mut Lead,
+) -> Clearance {
+    let direction = lead.direction;
+    let found = search(sweep, moved, enough, aim, lead);
+    if found.least >= enough || !lead.cut.went_on() {
+        return found;
+    }
+    // What the cut leaves may hide the direction that shows all: once more from the root of the tree.
+    lead.direction = direction;
+    lead.cut.forget();
+    search(sweep, moved, enough, aim, lead)
+}
+
+fn search(
+    sweep: &Sweep<'_>,
+    moved: &Moved<'_>,
+    enough: f64,
+    aim: Aim,
+    lead: &mut Lead,
 ) -> Clearance {
     let (center, radius) = sweep.sphere();
     let mut pile = Patches::new();
     let mut out = Clearance { least: f64::INFINITY, nearest: None };
     // What is farther than `enough` need not be looked at, and the rest of the surface is.
     let within = radius + moved.shift.abs() + enough.abs();
-    if !moved.sheet.roots(center, within, &mut pile) {
-        return Clearance { least: f64::NEG_INFINITY, nearest: None };
+    let mut cutting = match moved.sheet.tree().filter(|_| aim == Aim::Clear) {
+        Some(root) => Some(lead.cut.begin(sweep, moved, enough, root, &mut pile)),
+        None if moved.sheet.roots(center, within, &mut pile) => None,
+        None => return Clearance { least: f64::NEG_INFINITY, nearest: None },
+    };
+    if let Some(cutting) = &cutting {
+        out.least = cutting.rest;
     }
     let found = |out: &Clearance| out.nearest.is_some_and(|n| n.0 < enough);
     let mut seen = 0;
     // How far the piece was of which the hint is.
     let mut closest = f64::INFINITY;
-    let mut hinted = hint.map(|m| sweep.along(m));
+    let mut hinted = lead.direction.map(|m| sweep.along(m));
+    let mut whole = true;
     while let Some(patch) = pile.pop() {
         seen += 1;
         if found(&out) {
@@ -92,6 +125,7 @@ pub(crate) fn clearance_from(
         }
         if seen > MOST {
             out.least = f64::NEG_INFINITY;
+            whole = false;
             break;
         }
         let known = known(&out, enough);
@@ -105,27 +139,35 @@ pub(crate) fn clearance_from(
             };
             let (mut low, middle) =
                 hinted.as_ref().map_or((f64::NEG_INFINITY, f64::NEG_INFINITY), held);
-            if low >= known {
-                out.least = out.least.min(low);
-                continue;
+            let mut at_end = low;
+            if let Some(cutting) = cutting.as_ref().filter(|c| !c.is_far(low)) {
+                let [whole, end] = cutting.at_end(sweep, node, shift);
+                (low, at_end) = (low.max(whole), low.max(end));
             }
-            let far = (node.center - center).norm() - node.radius - within;
-            if far >= 0.0 {
-                out.least = out.least.min(enough.max(far));
-                continue;
-            }
-            // What is far enough in its middle by the hint is far enough in parts by it, most likely.
-            if low < known && middle < known {
-                low = low.max(held(&sweep.meet(node.center)).0);
-            }
-            if low >= known {
-                out.least = out.least.min(low);
-            } else {
-                let below = moved.sheet.below(&patch, center);
-                if !below.into_iter().flatten().all(|p| pile.push(p)) {
-                    out.least = f64::NEG_INFINITY;
-                    break;
+            if low < known {
+                let far = (node.center - center).norm() - node.radius - within;
+                if far >= 0.0 {
+                    low = enough.max(far);
+                } else if middle < known {
+                    // What is far enough in its middle by the hint is far enough in parts by it, most likely.
+                    low = low.max(held(&sweep.meet(node.center)).0);
                 }
+            }
+            if low >= known {
+                out.least = out.least.min(low);
+                if let Some(cutting) = &mut cutting {
+                    cutting.clear(&patch, low.max(at_end));
+                }
+                continue;
+            }
+            let below = moved.sheet.below(&patch, center);
+            if let (Some(cutting), [None, _]) = (&mut cutting, &below) {
+                cutting.near(&patch);
+            }
+            if !below.into_iter().flatten().all(|p| pile.push(p)) {
+                out.least = f64::NEG_INFINITY;
+                whole = false;
+                break;
             }
             continue;
         }
@@ -162,6 +204,7 @@ pub(crate) fn clearance_from(
                         out.nearest = Some((meeting.distance, meeting.t, patch.spot()));
                         if aim == Aim::Any && meeting.distance < enough {
                             out.least = f64::NEG_INFINITY;
+                            whole = false;
                             break;
                         }
                     }
@@ -190,6 +233,7 @@ pub(crate) fn clearance_from(
         if slack[0] + slack[1] <= rise {
             // Smaller pieces do not help, a shorter way does.
             out.least = out.least.min(low);
+            whole = false;
             break;
         }
         if tile.radius() <= moved.fold * moved.shift.abs() {
@@ -209,7 +253,10 @@ pub(crate) fn clearance_from(
             out.least = out.least.min(low);
         }
     }
-    *hint = hinted.map(|h| h.m);
+    if let Some(cutting) = cutting.filter(|_| whole) {
+        cutting.done(sweep);
+    }
+    lead.direction = hinted.map(|h| h.m);
     out.least = out.least.min(enough.max(out.nearest.map_or(enough, |n| n.0)));
     out
 }

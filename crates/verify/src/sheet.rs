@@ -49,6 +49,8 @@ pub(crate) struct Patch {
     pub(crate) half: [f64; 2],
     /// Is `chart` the number of a group of charts?
     pub(crate) group: bool,
+    /// Is it all of a chart whose tile is kept?
+    pub(crate) whole: bool,
 }
 
 /// A place of the surface by its parameters.
@@ -125,7 +127,14 @@ impl Sheet {
 
     fn of(patched: Patched) -> Self {
         let axes = [Vec3::x(), Vec3::y(), Vec3::z()];
-        Self { axes, origin: Vec3::zeros(), kind: Kind::Patched(Box::new(patched)) }
+        let mut new = Self { axes, origin: Vec3::zeros(), kind: Kind::Patched(Box::new(patched)) };
+        if let Kind::Patched(p) = &new.kind {
+            let tiles = p.charts().map(|chart| new.made(&chart)).collect();
+            if let Kind::Patched(p) = &mut new.kind {
+                p.keep(tiles);
+            }
+        }
+        new
     }
 
     /// A position in the surface's own system.
@@ -159,6 +168,14 @@ impl Sheet {
             Kind::Quadric(q) => q.roots(center, radius, out),
             Kind::Tabcyl(t) => t.roots(center, radius, out),
             Kind::Patched(p) => out.push(p.root()),
+        }
+    }
+
+    /// The group of all charts, of surfaces that have them in a tree.
+    pub(crate) fn tree(&self) -> Option<Patch> {
+        match &self.kind {
+            Kind::Patched(p) => Some(p.root()),
+            Kind::Quadric(_) | Kind::Tabcyl(_) => None,
         }
     }
 
@@ -197,7 +214,7 @@ impl Sheet {
     /// The same with the second derivatives: uu, uv, vv. What goes on straight along a bent border counts as bent
     /// as the border.
     pub(crate) fn bent(&self, spot: &Spot) -> (Jet, [Vec3; 3]) {
-        let place = Patch { chart: spot.chart, at: spot.at, half: [0.0; 2], group: false };
+        let place = Patch { chart: spot.chart, at: spot.at, ..Patch::default() };
         match &self.kind {
             Kind::Quadric(q) => (q.jet(spot), q.bend(&place).0),
             Kind::Tabcyl(t) => (t.jet(spot), t.bend(&place).0),
@@ -215,6 +232,13 @@ impl Sheet {
     }
 
     pub(crate) fn tile(&self, patch: &Patch) -> Tile {
+        match &self.kind {
+            Kind::Patched(p) if patch.whole => *p.tile(patch.chart),
+            _ => self.made(patch),
+        }
+    }
+
+    fn made(&self, patch: &Patch) -> Tile {
         let with = |jet: Jet, (bend, vary)| (jet, bend, vary);
         let (jet, bend, vary) = match &self.kind {
             Kind::Quadric(q) => with(q.jet(&patch.spot()), q.bend(patch)),
@@ -257,7 +281,7 @@ impl Sheet {
         }
         let half = [0, 1].map(|i| 0.5 * (b.at[i] - a.at[i]).abs());
         let at = [0, 1].map(|i| 0.5 * (b.at[i] + a.at[i]));
-        let [uu, uv, vv] = self.second(&Patch { chart: a.chart, at, half, group: false });
+        let [uu, uv, vv] = self.second(&Patch { chart: a.chart, at, half, ..Patch::default() });
         let [hu, hv] = half;
         0.5 * (uu * hu * hu + 2.0 * uv * hu * hv + vv * hv * hv)
     }
@@ -288,12 +312,17 @@ fn fall(slope: f64, bend: f64) -> f64 {
 }
 
 impl Patch {
+    /// The group of charts with a number.
+    pub(crate) fn group(number: usize) -> Self {
+        Self { chart: number, group: true, ..Self::default() }
+    }
+
     /// Both halves across parameter `i`.
     pub(crate) fn halves(&self, i: usize) -> [Self; 2] {
         let h = 0.5 * self.half[i];
         [-h, h].map(|shift| {
             let mut p = *self;
-            p.half[i] = h;
+            (p.half[i], p.whole) = (h, false);
             p.at[i] += shift;
             p
         })

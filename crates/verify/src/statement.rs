@@ -72,7 +72,7 @@ pub(crate) enum Outcome {
 }
 
 /// Bounds of the gap to a surface along several vectors.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Seen {
     pub(crate) low: f64,
     pub(crate) high: f64,

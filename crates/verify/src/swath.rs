@@ -2,7 +2,7 @@
 
 use aptc_geometry::{Profile, Vec3};
 
-use crate::demand::{angle, between_poses, bulge};
+use crate::between::{angle, between_poses, bulge};
 use crate::sweep::Sweep;
 use crate::tool::{Pose, Tool};
 

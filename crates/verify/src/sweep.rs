@@ -2,7 +2,7 @@
 
 use aptc_geometry::Vec3;
 
-use crate::demand::{bulge, parabola};
+use crate::between::{bulge, parabola};
 use crate::tool::{Pose, Tool, turned};
 
 /// Looks for the nearest meeting, and the sine at which it is square to the way.

@@ -2,7 +2,7 @@
 
 use aptc_geometry::{Profile, Vec3, trig};
 
-use crate::demand::parabola;
+use crate::between::parabola;
 use crate::solid::{any_across, unit_or};
 
 /// Tool end and unit tool axis.
@@ -49,7 +49,7 @@ impl Change {
 impl<'a> Tool<'a> {
     /// The solid and how high above the tool end it begins; `None` of the tool end alone.
     #[inline]
-    fn solid(&self) -> Option<(&'a Profile, f64)> {
+    pub(crate) fn solid(&self) -> Option<(&'a Profile, f64)> {
         match *self {
             Self::Solid(profile) => Some((profile, 0.0)),
             Self::Raised(profile, up) => Some((profile, up)),
@@ -254,10 +254,10 @@ mod tests {
             let up = |x: f64, y: f64| Vec3::new(x, y, 1.0).normalize();
             let a = Pose { te: Vec3::zeros(), ta: up(lean[0], lean[1]) };
             let b = Pose { te: Vec3::from(v), ta: up(lean[2], lean[3]) };
-            let (n, turn) = (Vec3::from(n), crate::demand::angle(a.ta, b.ta));
+            let (n, turn) = (Vec3::from(n), crate::between::angle(a.ta, b.ta));
             let most = tool.height_turning(&a, &b, n, turn);
             for i in 0..=40 {
-                let at = crate::demand::between_poses(&a, &b, f64::from(i) / 40.0);
+                let at = crate::between::between_poses(&a, &b, f64::from(i) / 40.0);
                 prop_assert!(tool.height(&at, n) <= most + 1e-9, "{i}");
             }
         }

@@ -8,8 +8,8 @@ use std::cell::Cell;
 
 use aptc_geometry::Vec3;
 
+use crate::between::parabola;
 use crate::deep::slide;
-use crate::demand::parabola;
 use crate::pile::Pile;
 use crate::search::{Aim, Clearance, FOLD, Moved, clearance};
 use crate::sheet::{Jet, Sheet, Spot};
@@ -44,12 +44,26 @@ pub(crate) enum Excess {
 
 /// A place of the surface with its distance from the tool at a position.
 #[derive(Clone, Copy, Debug)]
-struct Touch {
+pub(crate) struct Touch {
     t: f64,
     pose: Pose,
     gap: f64,
     spot: Spot,
-    p: Vec3,
+    pub(crate) jet: Jet,
+}
+
+/// A place of the surface next to the tool.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Near {
+    pub(crate) spot: Spot,
+    /// What was met there, when it was looked at.
+    pub(crate) touch: Option<Touch>,
+}
+
+impl Near {
+    pub(crate) fn jet(&self, sheet: &Sheet) -> Jet {
+        self.touch.map_or_else(|| sheet.jet(&self.spot), |touch| touch.jet)
+    }
 }
 
 /// Judges that the gap is at most `most`; `pose` gives positions in the surface's own system, `turn` is the angle by
@@ -63,12 +77,12 @@ pub(crate) fn excess(
     pose: &dyn Fn(f64) -> Pose,
     turn: f64,
     most: f64,
-    near: &mut Option<[Spot; 2]>,
+    near: &mut Option<[Near; 2]>,
 ) -> Excess {
     let touch = |t: f64, from: Spot| {
         let pose = pose(t);
-        let (gap, spot, p) = meet(tool, &pose, sheet, side, from, most);
-        Touch { t, pose, gap, spot, p }
+        let (gap, spot, jet) = meet(tool, &pose, sheet, side, from, most);
+        Touch { t, pose, gap, spot, jet }
     };
     let globally = |t: f64, enough: f64| {
         let sweep = Sweep::still(tool, pose(t));
@@ -117,7 +131,12 @@ pub(crate) fn excess(
         }
         (now, None)
     };
-    let known = near.take().map(|n| touch(0.0, n[1])).filter(|t| t.gap <= most);
+    // Where the vector before ended this one begins.
+    let again = |near: Near| match near.touch.filter(|touch| touch.pose == pose(0.0)) {
+        Some(touch) => Touch { t: 0.0, ..touch },
+        None => touch(0.0, near.spot),
+    };
+    let known = near.take().map(|n| again(n[1])).filter(|t| t.gap <= most);
     let first = match known.map_or_else(|| somewhere(0.0), Ok) {
         Ok(touch) => touch,
         Err(open) => return open,
@@ -138,7 +157,7 @@ pub(crate) fn excess(
     match [first, last].into_iter().find(|end| end.gap > most) {
         Some(end) if top.is_none() => return Excess::Open(end.t, end.gap),
         Some(_) => {}
-        None => *near = Some([first.spot, last.spot]),
+        None => *near = Some([first, last].map(|t| Near { spot: t.spot, touch: Some(t) })),
     }
     let mut worst = f64::NEG_INFINITY;
     let stretch = |a: Touch, b: Touch, depth| {
@@ -185,8 +204,8 @@ pub(crate) fn excess(
 /// Greatest gap between two positions.
 fn between(tool: &Tool<'_>, sheet: &Sheet, a: &Touch, b: &Touch, turn: f64) -> f64 {
     let angle = turn * (b.t - a.t);
-    let lever = (a.p - a.pose.te).norm().max((b.p - b.pose.te).norm());
-    let drift = ((b.p - a.p) - (b.pose.te - a.pose.te)).norm();
+    let lever = (a.jet.p - a.pose.te).norm().max((b.jet.p - b.pose.te).norm());
+    let drift = ((b.jet.p - a.jet.p) - (b.pose.te - a.pose.te)).norm();
     let bend = (angle * angle * lever + 2.0 * angle * drift) / 8.0;
     let moving = parabola(a.gap, b.gap, sheet.sag(&a.spot, &b.spot) + bend);
     // One point for all of the stretch.
@@ -195,7 +214,7 @@ fn between(tool: &Tool<'_>, sheet: &Sheet, a: &Touch, b: &Touch, turn: f64) -> f
         let drift = (b.pose.te - a.pose.te).norm();
         parabola(g0, g1, (angle * angle * lever + 2.0 * angle * drift) / 8.0)
     };
-    moving.min(fixed(a.p)).min(fixed(b.p))
+    moving.min(fixed(a.jet.p)).min(fixed(b.jet.p))
 }
 
 /// A place of the surface not farther than `most` from the tool, or the nearest that is found from `spot` on.
@@ -206,7 +225,7 @@ fn meet(
     side: f64,
     spot: Spot,
     most: f64,
-) -> (f64, Spot, Vec3) {
+) -> (f64, Spot, Jet) {
     /// Times that the way along an edge and that down take turns.
     const TURNS: u32 = 4;
     let mut now = descend(tool, pose, sheet, spot);
@@ -214,7 +233,7 @@ fn meet(
         if now.0 <= most {
             break;
         }
-        let p = now.2 - tool.near(pose, now.2).1 * now.0;
+        let p = now.2.p - tool.near(pose, now.2.p).1 * now.0;
         let Some(deep) = slide(pose, sheet, side, p, now.1) else { break };
         let next = descend(tool, pose, sheet, deep.spot);
         if next.0 >= now.0 {
@@ -225,14 +244,9 @@ fn meet(
     now
 }
 
-/// The place of the surface nearest to the tool, going down from `spot`: distance, place, point. Newton's
+/// The place of the surface nearest to the tool, going down from `spot`: distance, place, what is there. Newton's
 /// method; any result is true, the lowest is the sharpest.
-pub(crate) fn descend(
-    tool: &Tool<'_>,
-    pose: &Pose,
-    sheet: &Sheet,
-    spot: Spot,
-) -> (f64, Spot, Vec3) {
+pub(crate) fn descend(tool: &Tool<'_>, pose: &Pose, sheet: &Sheet, spot: Spot) -> (f64, Spot, Jet) {
     let slopes = |m: Vec3, jet: &Jet| [m.dot(&jet.d[0]), m.dot(&jet.d[1])];
     let look = |spot: &Spot| {
         let (jet, second) = sheet.bent(spot);
@@ -240,7 +254,7 @@ pub(crate) fn descend(
         let bend = |i: usize, x: Vec3, y: Vec3| m.dot(&second[i]) + change.along(x, y);
         let [u, v] = jet.d;
         let hessian = [bend(0, u, u), bend(1, u, v), bend(2, v, v)];
-        Look { f, g: slopes(m, &jet), hessian, sharp: change.sharpness(), d: jet.d, p: jet.p }
+        Look { f, g: slopes(m, &jet), hessian, sharp: change.sharpness(), jet }
     };
     let slope = |spot: &Spot| {
         let jet = sheet.jet(spot);
@@ -253,7 +267,7 @@ pub(crate) fn descend(
         if round == ROUNDS {
             way = Way::Fine;
         }
-        let Look { f, g, d, p, .. } = now;
+        let Look { f, g, jet: Jet { d, p, .. }, .. } = now;
         let size = [d[0].norm().max(1e-300), d[1].norm().max(1e-300)];
         if g[0].abs() <= 1e-15 * size[0] && g[1].abs() <= 1e-15 * size[1] {
             break;
@@ -317,19 +331,18 @@ pub(crate) fn descend(
             };
         }
     }
-    (now.f, spot, now.p)
+    (now.f, spot, now.jet)
 }
 
 /// A place on the way down: distance, its slopes and second derivatives by the parameters, the greatest curvature
-/// of the tool's distance, the tangents and the point.
+/// of the tool's distance, and what is there.
 #[derive(Clone, Copy, Debug)]
 struct Look {
     f: f64,
     g: [f64; 2],
     hessian: [f64; 3],
     sharp: f64,
-    d: [Vec3; 2],
-    p: Vec3,
+    jet: Jet,
 }
 
 /// Where the second derivatives come from: the closed form, which serves but next to edges of the tool; differences

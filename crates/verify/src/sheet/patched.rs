@@ -9,7 +9,7 @@ use super::bow::Frame;
 use super::polyconic::Sections;
 use super::ruled::Rulings;
 use super::sculpted::Sculpted;
-use super::{Jet, Patch, Spot, fall};
+use super::{Jet, Patch, Spot, Tile, fall};
 
 /// Evaluation of the cells of a grid.
 pub(crate) trait Cells {
@@ -52,6 +52,8 @@ pub(crate) struct Patched {
     grid: Grid,
     /// Columns first.
     charts: Vec<Chart>,
+    /// What holds each of them.
+    tiles: Vec<Tile>,
     nodes: Vec<Node>,
 }
 
@@ -126,7 +128,7 @@ impl Side {
 impl Patched {
     pub(crate) fn new(kind: Kind, grid: Grid) -> Option<Self> {
         let [us, vs] = [0, 1].map(|k| grid.sides[k].ranges());
-        let mut new = Self { kind, grid, charts: Vec::new(), nodes: Vec::new() };
+        let mut new = Self { kind, grid, charts: Vec::new(), tiles: Vec::new(), nodes: Vec::new() };
         for &(v, j) in &vs {
             for &(u, i) in &us {
                 new.charts.push(new.chart([u, v], [i, j]));
@@ -198,7 +200,22 @@ impl Patched {
         let range = &self.charts[chart].range;
         let at = [0, 1].map(|k| 0.5 * (range[k][0] + range[k][1]));
         let half = [0, 1].map(|k| 0.5 * (range[k][1] - range[k][0]));
-        Patch { chart, at, half, group: false }
+        Patch { chart, at, half, whole: true, ..Patch::default() }
+    }
+
+    /// All charts.
+    pub(super) fn charts(&self) -> impl Iterator<Item = Patch> {
+        (0..self.charts.len()).map(|chart| self.patch(chart))
+    }
+
+    /// Keeps what holds each of the charts.
+    pub(super) fn keep(&mut self, tiles: Vec<Tile>) {
+        self.tiles = tiles;
+    }
+
+    /// What holds a chart.
+    pub(super) fn tile(&self, chart: usize) -> &Tile {
+        &self.tiles[chart]
     }
 
     /// A tree over the leaves, halved along the longest side of their box; its root comes last.
@@ -257,7 +274,7 @@ impl Patched {
     pub(crate) fn pieces(&self, range: &[[f64; 2]; 2]) -> Vec<Patch> {
         let mut out = Vec::new();
         for (i, chart) in self.charts.iter().enumerate() {
-            let mut patch = self.patch(i);
+            let mut patch = Patch { whole: false, ..self.patch(i) };
             let mut empty = false;
             for (k, [from, to]) in range.iter().enumerate() {
                 let (lo, hi) = (chart.range[k][0].max(*from), chart.range[k][1].min(*to));
@@ -273,7 +290,7 @@ impl Patched {
 
     /// The root of the tree.
     pub(crate) fn root(&self) -> Patch {
-        Patch { chart: self.nodes.len() - 1, group: true, ..Patch::default() }
+        Patch::group(self.nodes.len() - 1)
     }
 
     pub(crate) fn node(&self, index: usize) -> &Node {
@@ -282,7 +299,7 @@ impl Patched {
 
     /// What is in a node: two nodes, the one nearer to `x` last, or a chart.
     pub(crate) fn below(&self, index: usize, x: Vec3) -> [Option<Patch>; 2] {
-        let node = |index: usize| Some(Patch { chart: index, group: true, ..Patch::default() });
+        let node = |index: usize| Some(Patch::group(index));
         match self.nodes[index].below {
             Below::Chart(chart) => [None, Some(self.patch(chart))],
             Below::Nodes([a, b]) => {

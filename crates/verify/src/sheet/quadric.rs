@@ -118,7 +118,7 @@ impl Quadric {
     pub(crate) fn roots(&self, center: Vec3, radius: f64, out: &mut Patches) -> bool {
         const PI: f64 = std::f64::consts::PI;
         let mut push = |chart: usize, at: [f64; 2], half: [f64; 2]| {
-            out.push(Patch { chart, at, half, group: false })
+            out.push(Patch { chart, at, half, ..Patch::default() })
         };
         let (c, r) = (center, radius);
         match self.shape {

@@ -88,8 +88,12 @@ impl Tabcyl {
             }
             for (i, s) in self.spans.iter().enumerate().skip(g * GROUP).take(GROUP) {
                 let half = 0.5 * s.flat.length;
-                let patch =
-                    Patch { chart: i, at: [half, center.z], half: [half, radius], group: false };
+                let patch = Patch {
+                    chart: i,
+                    at: [half, center.z],
+                    half: [half, radius],
+                    ..Patch::default()
+                };
                 if !far(&s.disk) && !out.push(patch) {
                     return false;
                 }

@@ -1,0 +1,48 @@
+//! Positions between two, the axis turning evenly, and what that makes of points and distances.
+
+use aptc_geometry::{Vec3, trig};
+
+use crate::tool::Pose;
+
+/// How far a point of the tool at distance `lever` from the tool end leaves the chord of its way at most, when
+/// the axis turns by `turn`; at the share t of the way the part 4 t (1 - t) of it.
+pub(crate) fn bulge(lever: f64, turn: f64) -> f64 {
+    lever * turn * turn / 8.0
+}
+
+/// Greatest value of the line from `f0` to `f1` and a parabola over it of height `rise`.
+pub(crate) fn parabola(f0: f64, f1: f64, rise: f64) -> f64 {
+    let top = f0.max(f1);
+    let difference = (f1 - f0).abs();
+    if 4.0 * rise <= difference || !rise.is_finite() {
+        return if rise.is_finite() { top } else { f64::INFINITY };
+    }
+    let lean = difference / (4.0 * rise);
+    0.5 * (f0 + f1) + rise * (1.0 + lean * lean)
+}
+
+pub(crate) fn angle(a: Vec3, b: Vec3) -> f64 {
+    if a == b {
+        return 0.0;
+    }
+    trig::angle_between(a, b)
+}
+
+/// Tool end on the straight line, tool axis turning evenly.
+pub(crate) fn between_poses(a: &Pose, b: &Pose, t: f64) -> Pose {
+    if t >= 1.0 {
+        return *b;
+    }
+    let te = a.te + t * (b.te - a.te);
+    let turn = angle(a.ta, b.ta);
+    if turn <= 1e-15 {
+        return Pose { te, ta: a.ta };
+    }
+    let s = trig::sin(turn);
+    let ta = if s > 1e-9 {
+        a.ta * (trig::sin((1.0 - t) * turn) / s) + b.ta * (trig::sin(t * turn) / s)
+    } else {
+        a.ta + t * (b.ta - a.ta)
+    };
+    Pose { te, ta: ta.normalize() }
+}

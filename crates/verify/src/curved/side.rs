@@ -1,0 +1,96 @@
+//! The place of the surface next to a point, and the side of it on which a point or the tool stands.
+
+use aptc_geometry::Vec3;
+
+use super::Curved;
+use crate::search::{Aim, FOLD, Moved, clearance};
+use crate::sheet::{Jet, Spot};
+use crate::sweep::Sweep;
+use crate::tool::{Pose, Tool};
+use crate::witness::descend;
+
+/// Times that a search for the nearest place is made eight times as wide.
+const WIDER: u32 = 24;
+
+impl Curved<'_> {
+    /// Distance of a point from the surface, which is farther than `near`, and the place.
+    pub(super) fn beyond(&self, p: Vec3, near: f64) -> (f64, Option<Spot>) {
+        let mut enough = 4.0 * near;
+        for _ in 0..WIDER {
+            if let found @ (_, Some(_)) = self.nearest(p, enough) {
+                return found;
+            }
+            enough *= 8.0;
+        }
+        (enough, None)
+    }
+
+    /// On which side of the surface a point lies that is farther than `near`; 0 beside a border.
+    pub(super) fn lies(&self, p: Vec3, near: f64) -> f64 {
+        let (far, Some(spot)) = self.beyond(p, near) else { return 0.0 };
+        let jet = self.sheet.jet(&spot);
+        let off = (p - jet.p).dot(&jet.n);
+        if off.abs() > 0.5 * far { off.signum() } else { 0.0 }
+    }
+
+    /// On which side of the surface the tool stands that does not pass through it: that of its point nearest
+    /// to the surface; 0 where that does not tell.
+    pub(super) fn stands(&self, tool: &Tool<'_>, pose: &Pose) -> f64 {
+        let sweep = Sweep::still(tool, *pose);
+        let moved = Moved { sheet: self.sheet, side: 1.0, shift: 0.0, fold: FOLD };
+        let band = [self.least, self.most].into_iter().filter(|x| x.is_finite());
+        let near = 4.0 * band.fold(1e-6 * tool.reach(), |m, x| m.max(x.abs()));
+        let mut enough = near.max(f64::MIN_POSITIVE);
+        for _ in 0..WIDER {
+            if let Some((distance, _, spot)) =
+                clearance(&sweep, &moved, enough, Aim::Nearest).nearest
+                && distance < enough
+            {
+                return self.facing(tool, pose, &spot);
+            }
+            enough = (8.0 * enough).max(tool.reach());
+        }
+        0.0
+    }
+
+    /// The side of the surface at the place next to `spot` on which the tool stands: that to which it reaches farther
+    /// along the normal. An edge of the tool that is in the surface by its tolerance does not tell: what is next to a
+    /// place inside of it may be its other face. 0 where the tool lies beside the place.
+    pub(super) fn facing(&self, tool: &Tool<'_>, pose: &Pose, spot: &Spot) -> f64 {
+        let (.., jet) = descend(tool, pose, self.sheet, *spot);
+        Self::faces(tool, pose, &jet)
+    }
+
+    /// The same at a place itself.
+    pub(super) fn faces(tool: &Tool<'_>, pose: &Pose, jet: &Jet) -> f64 {
+        let reach = |n: Vec3| tool.height(pose, n) - n.dot(&jet.p);
+        let (right, left) = (reach(jet.n), reach(-jet.n));
+        if right > 2.0 * left {
+            1.0
+        } else if left > 2.0 * right {
+            -1.0
+        } else {
+            0.0
+        }
+    }
+
+    /// Distance of a point from the surface and the place; not more than somewhat above `enough`.
+    pub(super) fn nearest(&self, p: Vec3, enough: f64) -> (f64, Option<Spot>) {
+        let pose = Pose { te: p, ta: Vec3::z() };
+        let sweep = Sweep::still(&Tool::End, pose);
+        let moved = Moved { sheet: self.sheet, side: 1.0, shift: 0.0, fold: FOLD };
+        let (mut far, mut place) = (enough, None);
+        let mut within = enough;
+        for _ in 0..5 {
+            match clearance(&sweep, &moved, within, Aim::Nearest).nearest {
+                Some((d, _, spot)) if d < within => (far, place) = (d, Some(spot)),
+                _ => break,
+            }
+            within = far * (1.0 - 1e-6);
+        }
+        let Some(spot) = place else { return (far, None) };
+        // The last digits, which a search would come to slowly.
+        let (d, spot, _) = descend(&Tool::End, &pose, self.sheet, spot);
+        (far.min(d), Some(spot))
+    }
+}

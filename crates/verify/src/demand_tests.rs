@@ -1,0 +1,166 @@
+//! Closed forms against brute force.
+
+use super::*;
+use aptc_geometry::{Cone, Cutter, Cylinder, Sphere, trig};
+use proptest::prelude::*;
+
+fn cutters() -> [Cutter; 4] {
+    let cone = Cutter { e: 1.0, alpha_deg: 0.0, beta_deg: 15.0, ..Cutter::mill(4.0, 0.0, 12.0) };
+    let cone = Cutter { e: 2.0, ..cone };
+    [
+        Cutter::mill(10.0, 5.0, 30.0),
+        Cutter::mill(12.0, 2.0, 30.0),
+        Cutter::mill(8.0, 0.0, 25.0),
+        cone,
+    ]
+}
+
+fn forms() -> [Form; 4] {
+    let t = Vec3::new(2.0, -1.0, 2.0) / 3.0;
+    [
+        Form::Plane(Plane { n: t, d: 1.0 }),
+        Form::Sphere(Sphere { center: Vec3::new(3.0, 1.0, -20.0), radius: 20.0 }),
+        Form::Cylinder(Cylinder { point: Vec3::new(0.0, 2.0, -15.0), axis: t, radius: 12.0 }),
+        Form::Cone(Cone { vertex: Vec3::new(0.0, 0.0, 5.0), axis: -Vec3::z(), cos_half: 0.8 }),
+    ]
+}
+
+/// Points all over the outside of the tool, its faces included.
+fn skin(profile: &Profile) -> Vec<(f64, f64)> {
+    let corner = |i: i32| {
+        let (s, c) = trig::sin_cos(f64::from(i) * std::f64::consts::PI / 80.0);
+        let [x, z] = profile.support(s, -c).point;
+        (x, z)
+    };
+    let mut out = vec![(0.0, corner(0).1), (0.0, corner(80).1)];
+    for i in 0..80 {
+        let (a, b) = (corner(i), corner(i + 1));
+        let n = if (a.0 - b.0).abs() + (a.1 - b.1).abs() > 1.0 { 60 } else { 1 };
+        out.extend((0..n).map(|k| {
+            let t = f64::from(k) / f64::from(n);
+            (a.0 + t * (b.0 - a.0), a.1 + t * (b.1 - a.1))
+        }));
+    }
+    let rim = corner(0);
+    out.extend((1..60).map(|k| (rim.0 * f64::from(k) / 60.0, rim.1)));
+    out
+}
+
+/// How far apart the samples are, at most, with a diagonal.
+const COARSE: f64 = 0.08;
+
+/// The gap by brute force, and how far apart the points are.
+fn brute(profile: &Profile, solid: &Solid, pose: &Pose, within: bool) -> f64 {
+    let u = crate::solid::any_across(pose.ta);
+    let w = pose.ta.cross(&u);
+    let mut least = f64::INFINITY;
+    for (x, z) in skin(profile) {
+        for i in 0..240 {
+            let (s, c) = trig::sin_cos(f64::from(i) * std::f64::consts::TAU / 240.0);
+            let d = solid.distance(pose.te + z * pose.ta + x * (c * u + s * w));
+            least = least.min(if within { -d } else { d });
+        }
+    }
+    least
+}
+
+fn check(
+    cutter: &Cutter,
+    form: &Form,
+    within: bool,
+    a: &Position,
+    b: &Position,
+) -> Result<(), TestCaseError> {
+    let profile = Profile::new(cutter).unwrap();
+    let solid = Solid::new(form).unwrap();
+    if within && matches!(solid, Solid::Half(_)) {
+        return Ok(());
+    }
+    let (least, most) = (f64::NEG_INFINITY, f64::INFINITY);
+    let demand =
+        Demand { body: Body::Solid(solid), side: 1.0, within, open: false, on: false, least, most };
+    let Verdict::Proved { low, high } = demand.judge(&profile, a, b, 0.0) else {
+        return Err(TestCaseError::fail("an open band is always proved"));
+    };
+    let mut seen = (f64::INFINITY, f64::NEG_INFINITY);
+    let mut deep_seen = (f64::INFINITY, f64::NEG_INFINITY);
+    for i in 0..=8 {
+        let pose = between(a, b, f64::from(i) / 8.0);
+        let g = brute(&profile, &solid, &pose, within);
+        // A tool sunk beyond its corner is refuted whatever its exact depth, which is then a matter of
+        // definition.
+        if g < -1.0 {
+            return Ok(());
+        }
+        // The depth of a cut is the way back out. Where the vertex of a cone is in the tool, the tool's
+        // points are nearer to the flank than the vertex is to the tool, by the sine of the half angle.
+        let deep = |g: f64| match solid {
+            Solid::Nappe(.., sin) if g < 0.0 && !within => g / sin,
+            _ => g,
+        };
+        seen = (seen.0.min(g), seen.1.max(g));
+        deep_seen = (deep_seen.0.min(deep(g - COARSE)), deep_seen.1.max(deep(g - COARSE)));
+        let exact = demand.gap(&Tool::Solid(&profile), &pose, Convex::Solid(&solid));
+        prop_assert!(exact <= g + 1e-9, "gap {exact} sampled {g} {solid:?}");
+        prop_assert!(exact >= deep(g - COARSE), "gap {exact} sampled {g} {solid:?} {cutter:?}");
+    }
+    prop_assert!(low <= seen.0 + 1e-9, "{low} {seen:?} {solid:?}");
+    prop_assert!(high >= deep_seen.1, "{high} {seen:?} {solid:?}");
+    if a.ta == b.ta {
+        // Without turning the bounds are the gap itself.
+        prop_assert!(low >= deep_seen.0 - 0.1, "loose {low} {seen:?} {solid:?} {cutter:?}");
+        prop_assert!(high <= seen.1 + 0.1, "loose {high} {seen:?} {solid:?} {cutter:?}");
+    }
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(48))]
+    #[test]
+    fn bounds_hold_what_sampling_finds(
+        te in prop::array::uniform3(-6.0..6.0_f64), v in prop::array::uniform3(-3.0..3.0_f64),
+        lean in prop::array::uniform2(-0.3..0.3_f64), turn in prop::array::uniform2(-0.1..0.1_f64),
+        c in 0_usize..4, f in 0_usize..4, within: bool,
+    ) {
+        let up = |x: f64, y: f64| Vec3::new(x, y, 1.0).normalize();
+        let (te, v) = (Vec3::from(te), Vec3::from(v));
+        let a = Position { te, ta: up(lean[0], lean[1]) };
+        let still = Position { te: te + v, ta: a.ta };
+        let turned = Position { te: te + v, ta: up(lean[0] + turn[0], lean[1] + turn[1]) };
+        check(&cutters()[c], &forms()[f], within, &a, &still)?;
+        check(&cutters()[c], &forms()[f], within, &a, &turned)?;
+    }
+}
+
+#[test]
+fn a_chord_across_a_cylinder_gouges_by_its_sagitta() {
+    // Ball centre on a path of radius 5 about a cylinder of radius 4: chord of angle .2.
+    let rod = Form::Cylinder(Cylinder { point: Vec3::zeros(), axis: Vec3::z(), radius: 4.0 });
+    let profile = Profile::new(&Cutter::mill(2.0, 1.0, 10.0)).unwrap();
+    let solid = Solid::new(&rod).unwrap();
+    let at = |angle: f64| {
+        let (s, c) = trig::sin_cos(angle);
+        Position::upright(5.0 * Vec3::new(c, s, 0.0))
+    };
+    let sagitta = 0.024_979_173_6;
+    let demand = |least| Demand {
+        body: Body::Solid(solid),
+        side: 1.0,
+        within: false,
+        open: false,
+        on: false,
+        least,
+        most: 1e-9,
+    };
+    let judge = |d: Demand| d.judge(&profile, &at(0.0), &at(0.2), 1e-12);
+    match judge(demand(-sagitta - 1e-9)) {
+        Verdict::Proved { low, high } => {
+            assert!((low + sagitta).abs() < 1e-9 && high.abs() < 1e-12, "{low} {high}");
+        }
+        v => panic!("{v:?}"),
+    }
+    match judge(demand(-sagitta + 1e-8)) {
+        Verdict::Refuted { gap, .. } => assert!((gap + sagitta).abs() < 1e-9),
+        v => panic!("{v:?}"),
+    }
+}
