@@ -13,6 +13,9 @@ use crate::failure::Failure;
 use crate::scene::{Check, Limits, Scene, Stance, Start, Wall};
 use crate::state::{Band, Part, Role, Tool, plane_ref, unit};
 
+/// Part of the cutter's reach by which a thickness may pass its radius: what rounding makes of equal numbers.
+const SAME: f64 = 1e-12;
+
 impl Arelem {
     pub(crate) fn start_scene(&mut self, go: &protap::Go, tool: Tool) -> Result<Start, Failure> {
         let roles = [Role::Drive, Role::Part, Role::Check];
@@ -166,6 +169,11 @@ impl Arelem {
             None => return Err(Failure::NoCutter { surface: surface.clone() }),
         };
         let thick = if on { 0.0 } else { s.thick(role) };
+        // Deeper than its radius the cutter would be past the surface. Of a cutter that is not given nothing is known.
+        let radius = profile.widest();
+        if s.profile(role).is_some() && -thick > radius + SAME * profile.reach() {
+            return Err(Failure::ThickBeyond { surface: surface.clone(), thick, radius });
+        }
         let disk = s.disk(role).map(|(r, h)| [r, h]);
         let mut fitted = self.fitted.of(&surface.form);
         let mut reversed = false;

@@ -63,6 +63,8 @@ pub(crate) enum Failure {
     NoPlace { surfaces: Vec<SurfaceRef>, place: Vec3 },
     /// CUTTER that is no solid.
     BadCutter { why: String },
+    /// A negative thickness greater than the cutter's greatest radius: the cutter would be past the surface.
+    ThickBeyond { surface: SurfaceRef, thick: f64, radius: f64 },
     /// POCKET with numbers or points that make none.
     Pocket { why: String },
     /// A surface that is not done yet.
@@ -278,6 +280,17 @@ impl Failure {
                 codes::CUTTER_NO_SOLID,
                 format!("the cutter is no solid: {why}"),
                 "check CUTTER/d,r,e,f,alpha,beta,h".into(),
+            ),
+            Self::ThickBeyond { surface, thick, radius } => (
+                codes::THICK_BEYOND_CUTTER,
+                format!(
+                    "the thickness {} on {} is negative by more than the radius {} of the cutter",
+                    number(*thick),
+                    called(surface),
+                    number(*radius)
+                ),
+                "give THICK at least minus the radius, or ON where the tool end shall follow the surface"
+                    .into(),
             ),
             Self::Pocket { why } => (
                 codes::POCKET,

@@ -289,6 +289,22 @@ fn thickness_of_drive_check_and_part_surface() {
 }
 
 #[test]
+fn a_negative_thickness_is_at_most_the_radius_of_the_cutter() {
+    let start = |thick: &str| format!("INTOL/.01\nOUTTOL/.01\nFROM/0,-2,5\nTHICK/{thick}\n");
+    let go = "GO/TO,LX,TO,PL";
+    both(&format!("CUTTER/1\n{}{go}", start("0,-.5")), [0.0, 0.0, 0.0]);
+    for (thick, of) in [("0,-.501", "LX"), ("-.501,0", "PL"), ("-20", "LX")] {
+        let text = format!("CUTTER/1\n{}{go}", start(thick));
+        let ran = run(&forms(), &text);
+        assert_eq!(ran.code(), 2027, "{text}");
+        assert!(ran.diagnostics[0].message.contains(of), "{text}");
+    }
+    // Neither where the tool end is ON the surface nor of a cutter that is not given.
+    both(&format!("CUTTER/1\n{}GO/ON,LX,TO,PL", start("0,-20")), [0.0, 0.0, 0.0]);
+    both(&format!("{}GO/ON,LX,TO,PL", start("-3,0")), [0.0, 0.0, -3.0]);
+}
+
+#[test]
 fn start_ups_to_one_two_and_three_surfaces() {
     let start = "CUTTER/1\nINTOL/0\nOUTTOL/1E-12\nFROM/4,-3,5\n";
     both(&format!("{start}NOPS\nGO/TO,LX"), [4.0, -0.5, 5.0]);

@@ -11,6 +11,11 @@ const AROUND: u32 = 24;
 
 /// Least signed distance of the cutter's points from the surface, `sign` +1 or -1 for the side.
 pub(crate) fn least(profile: &Profile, te: Vec3, ta: Vec3, surface: &Surface, sign: f64) -> f64 {
+    lowest(profile, te, ta, |p| sign * surface.distance(p))
+}
+
+/// The least value of a function that is smooth but for a few edges at the cutter's points.
+pub(crate) fn lowest(profile: &Profile, te: Vec3, ta: Vec3, of: impl Fn(Vec3) -> f64) -> f64 {
     let [u, v] = aptc_geometry::surface::frame_about(ta);
     let outline = Outline::new(profile);
     let top = f64::from(outline.length());
@@ -19,7 +24,7 @@ pub(crate) fn least(profile: &Profile, te: Vec3, ta: Vec3, surface: &Surface, si
         let (s, angle) = if s < 0.0 { (-s, angle + std::f64::consts::PI) } else { (s, angle) };
         let [rho, z] = outline.at(s.min(top));
         let (sin, cos) = trig::sin_cos(angle);
-        sign * surface.distance(te + (u * cos + v * sin) * rho + ta * z)
+        of(te + (u * cos + v * sin) * rho + ta * z)
     };
     let turn = std::f64::consts::TAU / f64::from(AROUND);
     let mut found: Vec<(f64, f64, f64)> = Vec::new();
