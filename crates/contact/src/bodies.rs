@@ -1,6 +1,6 @@
-//! Convex bodies that patches are held against: a tool, a tool on its way, and one whose axis turns.
+//! Convex bodies that patches are held against: a tool, and a tool on its way.
 
-use aptc_geometry::{Profile, Tool, Vec3, trig};
+use aptc_geometry::{Tool, Vec3};
 
 use crate::under::{Cell, Low, under};
 
@@ -156,57 +156,10 @@ fn meet(a: &Place, b: &Place) -> f64 {
     (1.0 - share) * (a.1 - a.3 * a.0) + share * (b.1 - b.3 * b.0)
 }
 
-/// A tool that moves straight while its axis turns evenly: the way with the axis of its middle, and how far
-/// the tool may stand off that.
-#[derive(Clone, Copy, Debug)]
-pub struct Turned<'a> {
-    swept: Swept<'a>,
-    /// Where the tool end starts, about which the axis turns.
-    pivot: Vec3,
-    /// Chord of half the angle, for the length 1.
-    turn: f64,
-}
-
-impl<'a> Turned<'a> {
-    /// From tool end and axis to tool end and axis, of a solid whose lower end is `up` above the tool end;
-    /// angles up to half a turn.
-    pub fn new(profile: &'a Profile, up: f64, [a, b]: [(Vec3, Vec3); 2]) -> Self {
-        let middle = (a.1 + b.1).try_normalize(1e-9).unwrap_or(a.1);
-        let half = 0.5 * trig::acos_clamped(a.1.dot(&b.1));
-        let tool = Tool { profile, te: a.0 + middle * up, ta: middle };
-        let swept = Swept { tool, by: b.0 - a.0 };
-        Self { swept, pivot: a.0, turn: 2.0 * trig::sin(0.5 * half) }
-    }
-}
-
-impl Convex for Turned<'_> {
-    fn near(&self, q: Vec3) -> (f64, Vec3, f64) {
-        self.swept.near(q)
-    }
-
-    fn near_enough(&self, q: Vec3, enough: f64) -> (f64, Vec3, f64) {
-        self.swept.near_enough(q, enough)
-    }
-
-    fn misses(&self, q: Vec3, reach: f64) -> bool {
-        self.swept.misses(q, reach)
-    }
-
-    fn under(&self, cell: &Cell, aim: f64) -> Option<Low> {
-        self.swept.under(cell, aim)
-    }
-
-    fn slack(&self, q: Vec3, radius: f64) -> f64 {
-        let from = q - self.pivot;
-        let far = from.norm().max((from - self.swept.by).norm());
-        self.turn * (far + radius)
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use aptc_geometry::Cutter;
+    use aptc_geometry::{Cutter, Profile, trig};
 
     fn places() -> impl Iterator<Item = Vec3> {
         (0..60).map(|k| {
@@ -243,25 +196,6 @@ mod tests {
                     assert!(d + n.dot(&(p - q)) <= least[j] + 1e-9, "{k} {j}");
                 }
             }
-        }
-    }
-
-    #[test]
-    fn a_turning_tool_stays_within_its_slack() {
-        let profile = Profile::new(&Cutter::mill(12.0, 2.0, 40.0)).unwrap();
-        let (from, to) = (Vec3::new(1.0, 2.0, 3.0), Vec3::new(4.0, 1.0, 2.0));
-        let axis = |deg: f64| Vec3::new(trig::sin_deg(deg), 0.0, trig::cos_deg(deg));
-        let body = Turned::new(&profile, 0.0, [(from, axis(3.0)), (to, axis(9.0))]);
-        for q in places() {
-            let least = (0..=2000)
-                .map(|i| {
-                    let t = f64::from(i) / 2000.0;
-                    let ta = axis(3.0 + 6.0 * t);
-                    Tool { profile: &profile, te: from + (to - from) * t, ta }.distance(q)
-                })
-                .fold(f64::INFINITY, f64::min);
-            let (d, ..) = body.near(q);
-            assert!((d - least).abs() <= body.slack(q, 0.0) + 2e-3, "{d} {least}");
         }
     }
 }

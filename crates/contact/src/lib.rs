@@ -33,10 +33,12 @@ mod rings;
 mod search;
 mod stations;
 mod tangents;
+mod turned;
+mod turning;
 mod under;
 
 pub use aptc_geometry::{Place, Reason, Tool};
-pub use bodies::{Convex, Swept, Turned};
+pub use bodies::{Convex, Swept};
 pub use chord::{Chord, Exact, Extreme, chord};
 pub use curvature::second;
 pub use gap::{
@@ -45,4 +47,5 @@ pub use gap::{
 pub use guide::{ClosedGuide, End, Guide, Reading};
 pub use patches::{Clear, PatchPlace, PatchTree};
 pub use point::PointGuide;
+pub use turned::{Turned, axis_between, bulge};
 pub use under::{Cell, Low};

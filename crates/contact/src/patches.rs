@@ -9,9 +9,9 @@
 use std::collections::BinaryHeap;
 
 use aptc_geometry::sculpt::{Bends, Patch};
-use aptc_geometry::{Ball, Below, Profile, Sculptured, Vec3, balls, trig};
+use aptc_geometry::{Ball, Below, Sculptured, Vec3, balls};
 
-use crate::bodies::{Convex, Turned};
+use crate::bodies::Convex;
 use crate::under::Cell;
 
 /// A place of a surface.
@@ -39,10 +39,7 @@ pub enum Clear {
 }
 
 /// Pieces that one question looks at, at most.
-const PIECES: usize = 400_000;
-/// Halvings of a way with a turning axis, and stretches of it, at most.
-const HALVINGS: u32 = 14;
-const STRETCHES: u32 = 4000;
+pub(crate) const PIECES: usize = 400_000;
 /// Patches in a leaf.
 const LEAF: usize = 4;
 /// Times that a patch is divided beforehand, so that most pieces need no evaluation, and the pieces that may be kept in
@@ -88,29 +85,29 @@ struct Level {
 }
 
 /// What a look at a piece tells.
-struct Look {
+pub(crate) struct Look {
     /// Its middle.
-    place: PatchPlace,
+    pub(crate) place: PatchPlace,
     /// No point of it is nearer to the body.
-    bound: f64,
+    pub(crate) bound: f64,
     /// Where that bound is, about, in half widths from the middle.
-    low: [f64; 2],
+    pub(crate) low: [f64; 2],
     /// The parameter to halve.
-    split: usize,
+    pub(crate) split: usize,
     /// No point of it is farther from the middle.
-    reach: f64,
+    pub(crate) reach: f64,
 }
 
 /// A piece of a patch: middle and half widths of its parameters.
 #[derive(Clone, Copy, Debug)]
-struct Piece {
-    leaf: usize,
+pub(crate) struct Piece {
+    pub(crate) leaf: usize,
     /// Its level and place among the pieces that are kept, if it is one.
-    kept: Option<(usize, usize)>,
-    mid: [f64; 2],
-    half: [f64; 2],
+    pub(crate) kept: Option<(usize, usize)>,
+    pub(crate) mid: [f64; 2],
+    pub(crate) half: [f64; 2],
     /// No point of it is nearer to the body.
-    bound: f64,
+    pub(crate) bound: f64,
 }
 
 impl PartialEq for Piece {
@@ -189,7 +186,7 @@ impl PatchTree {
     }
 
     /// Leaves that may come nearer to the body than `limit`, with a bound each.
-    fn suspects(&self, body: &impl Convex, limit: f64) -> Vec<Piece> {
+    pub(crate) fn suspects(&self, body: &impl Convex, limit: f64) -> Vec<Piece> {
         let mut found = Vec::with_capacity(96);
         let mut stack: Vec<usize> = if self.nodes.is_empty() { Vec::new() } else { vec![0] };
         while let Some(i) = stack.pop() {
@@ -233,17 +230,13 @@ impl PatchTree {
         let mut looked = 0;
         while let Some(piece) = stack.pop() {
             looked += 1;
-            let Look { mut place, bound, low, split, reach } = self.look(body, &piece, limit);
-            let slack = body.slack(place.point, 0.0);
-            if place.distance - slack < limit {
+            let Look { mut place, bound, low, split, .. } = self.look(body, &piece, limit);
+            if place.distance < limit {
                 // The look tells no more than what the distance is at least.
                 place.distance = body.near(place.point).0;
             }
-            if place.distance + slack < limit {
+            if place.distance < limit {
                 return Clear::No(place);
-            }
-            if place.distance - slack < limit && reach < slack {
-                return Clear::Unknown(place);
             }
             if deepest.is_none_or(|d| place.distance < d.distance) {
                 deepest = Some(place);
@@ -255,45 +248,10 @@ impl PatchTree {
                 return Clear::Unknown(deepest.unwrap_or(place));
             }
             // Is it as deep as it seems? Then it need not be halved until a middle happens to be so.
-            if piece.kept.is_none() && low.iter().any(|x| x.abs() > 0.0) {
-                let uv = [0, 1].map(|k| piece.mid[k] + low[k] * piece.half[k]);
-                let point = self.leaves[piece.leaf].patch.tangents(uv[0], uv[1]).0;
-                let distance = body.near(point).0;
-                if distance + body.slack(point, 0.0) < limit {
-                    return Clear::No(PatchPlace { uv, point, distance, ..place });
-                }
+            if let Some(deep) = self.as_deep(body, &piece, low, limit) {
+                return Clear::No(deep);
             }
             self.parts(piece, split, &mut |p| stack.push(p));
-        }
-        Clear::Yes
-    }
-
-    /// Is no point of the surfaces deeper than `allowed` in a tool that moves straight from one place and axis
-    /// to the other, while its axis turns evenly in the plane of both? The way is halved until every stretch
-    /// is proved with the axis of its middle. The lower end of the profile is `up` above the tool end.
-    pub fn clear_turning(
-        &self,
-        (profile, up): (&Profile, f64),
-        [a, b]: [(Vec3, Vec3); 2],
-        allowed: f64,
-    ) -> Clear {
-        let mut stack = vec![(0.0, 1.0, 0_u32)];
-        let mut stretches = 0;
-        while let Some((from, to, halvings)) = stack.pop() {
-            stretches += 1;
-            let ends = [from, to].map(|t| (a.0 + (b.0 - a.0) * t, between(a.1, b.1, t)));
-            match self.clear(&Turned::new(profile, up, ends), allowed) {
-                Clear::Yes => {}
-                Clear::No(place) => return Clear::No(place),
-                Clear::Unknown(place) => {
-                    if halvings >= HALVINGS || stretches > STRETCHES {
-                        return Clear::Unknown(place);
-                    }
-                    let mid = 0.5 * (from + to);
-                    stack.push((mid, to, halvings + 1));
-                    stack.push((from, mid, halvings + 1));
-                }
-            }
         }
         Clear::Yes
     }
@@ -355,7 +313,7 @@ impl PatchTree {
 
     /// The middle of a piece, a bound below all its distances, and the parameter to halve. Below `aim` the
     /// bound is tried for twice where the body is not rounded.
-    fn look(&self, body: &impl Convex, piece: &Piece, aim: f64) -> Look {
+    pub(crate) fn look(&self, body: &impl Convex, piece: &Piece, aim: f64) -> Look {
         let leaf = &self.leaves[piece.leaf];
         let made;
         let cell = match piece.kept {
@@ -365,8 +323,7 @@ impl PatchTree {
                 &made
             }
         };
-        let reach = cell.far;
-        let unsure = body.slack(cell.point, reach);
+        let unsure = body.slack(cell.point, cell.far);
         let aim = aim + unsure;
         let tangents = || tangents(body, cell, &leaf.bends, piece.half, aim);
         let (distance, bound, at) = match body.under(cell, aim) {
@@ -391,11 +348,34 @@ impl PatchTree {
                 > a.norm_squared() + p.norm_squared() + s * s,
         );
         let place = PatchPlace { patch: leaf.number, uv: piece.mid, point: cell.point, distance };
-        Look { place, bound: bound - unsure, low: at, split, reach }
+        Look { place, bound: bound - unsure, low: at, split, reach: cell.far }
+    }
+
+    /// The place of a piece where its bound is, about, if it is nearer than `limit`.
+    pub(crate) fn as_deep(
+        &self,
+        body: &impl Convex,
+        piece: &Piece,
+        low: [f64; 2],
+        limit: f64,
+    ) -> Option<PatchPlace> {
+        if piece.kept.is_some() || low == [0.0; 2] {
+            return None;
+        }
+        let uv = [0, 1].map(|k| piece.mid[k] + low[k] * piece.half[k]);
+        let leaf = &self.leaves[piece.leaf];
+        let point = leaf.patch.tangents(uv[0], uv[1]).0;
+        let distance = body.near(point).0;
+        (distance + body.slack(point, 0.0) < limit).then_some(PatchPlace {
+            patch: leaf.number,
+            uv,
+            point,
+            distance,
+        })
     }
 
     /// The parts of a piece: those that are kept of one that is, else its halves across the parameter `k`.
-    fn parts(&self, piece: Piece, k: usize, put: &mut impl FnMut(Piece)) {
+    pub(crate) fn parts(&self, piece: Piece, k: usize, put: &mut impl FnMut(Piece)) {
         let leaf = &self.leaves[piece.leaf];
         if let Some((level, _)) = piece.kept.filter(|(level, _)| *level < leaf.depth) {
             let [here, next] = [leaf.levels[level], leaf.levels[level + 1]];
@@ -497,16 +477,6 @@ fn lowest(slopes: [f64; 2], rises: [f64; 2]) -> f64 {
     of(0) + of(1)
 }
 
-/// The axis at the share `t` of the turn from `a` to `b`.
-fn between(a: Vec3, b: Vec3, t: f64) -> Vec3 {
-    let angle = trig::acos_clamped(a.dot(&b));
-    let s = trig::sin(angle);
-    if s < 1e-9 {
-        return (a * (1.0 - t) + b * t).try_normalize(1e-9).unwrap_or(a);
-    }
-    (a * trig::sin(angle * (1.0 - t)) + b * trig::sin(angle * t)) / s
-}
-
 impl Leaf {
     fn new(number: usize, patch: &Patch) -> Self {
         let [lo, hi] = patch.bounds();
@@ -572,7 +542,8 @@ impl Level {
 mod tests {
     use super::*;
     use aptc_geometry::sculpt::Vec4;
-    use aptc_geometry::{Cutter, Tool};
+    use aptc_geometry::trig;
+    use aptc_geometry::{Cutter, Profile, Tool};
     use proptest::prelude::*;
 
     fn patch(z: [f64; 16], w: f64) -> Sculptured {

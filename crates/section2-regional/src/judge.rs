@@ -1,6 +1,6 @@
 //! A chord between two positions held against the part surface.
 
-use aptc_contact::{Clear, Swept, Tool};
+use aptc_contact::{Clear, Swept, Tool, axis_between, bulge};
 use aptc_geometry::{Vec3, trig};
 
 use crate::drive::Course;
@@ -156,7 +156,7 @@ impl Setup<'_> {
     /// it is proved not to.
     ///
     /// The distance of a tool that moves straight from a point is convex: over a stretch of the chord it is
-    /// greatest at an end. So one place of the surface answers for the stretch around it, and where it does not
+    /// greatest at an end, but for what a turn adds. So one place of the surface answers for the stretch around it, and where it does not
     /// suffice a further one is taken between: the place between two contacts, which is as good as a contact
     /// unless the contact jumps there.
     fn off(&self, chord: &Chord<'_>, touched: &[Beside]) -> Option<f64> {
@@ -164,21 +164,22 @@ impl Setup<'_> {
         let most = self.thick() + self.band.outtol;
         let turn = trig::acos_clamped(a.ta.dot(&b.ta));
         let v = chord.by();
-        let distance = |s: f64, q: Vec3, share: f64| {
-            let te = a.te + v * s;
-            let ta = (a.ta * (1.0 - s) + b.ta * s).try_normalize(1e-9).unwrap_or(a.ta);
-            let tool = Tool { profile: self.profile, te, ta };
-            tool.distance(q) + turn * share * (q - te).norm()
+        let distance = |s: f64, q: Vec3| {
+            let (te, ta) = (a.te + v * s, axis_between(a.ta, b.ta, s));
+            Tool { profile: self.profile, te, ta }.distance(q)
+        };
+        let over = |from: f64, to: f64, q: Vec3| {
+            let far = [from, to].map(|s| (q - a.te - v * s).norm());
+            let share = (to - from).abs();
+            let more = bulge(turn * share, far[0].max(far[1]), v.norm() * share);
+            distance(from, q).max(distance(to, q)) + more - most
         };
         let mut stack: Vec<(Beside, Beside, u32)> =
             touched.windows(2).map(|w| (w[0], w[1], 0)).collect();
         while let Some((p, q, halvings)) = stack.pop() {
             let mid = 0.5 * (p.s + q.s);
             let share = 0.5 * (q.s - p.s).abs();
-            let over = [(p.s, p), (mid, p), (mid, q), (q.s, q)]
-                .into_iter()
-                .map(|(s, at)| distance(s, at.contact, share) - most)
-                .fold(f64::NEG_INFINITY, f64::max);
+            let over = over(p.s, mid, p.contact).max(over(mid, q.s, q.contact));
             if over <= 0.0 {
                 continue;
             }
