@@ -138,14 +138,14 @@ fn digit_values(n: u64) -> u64 {
 fn scaled(x: f64, places: usize) -> Option<u64> {
     let (x, unit) = (x.abs(), POW10[places]);
     let scaled = x * unit;
-    if !(scaled < 9e15) {
+    if scaled.is_nan() || scaled >= 9e15 {
         return None;
     }
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 <= it < 9e15")]
     let whole = scaled as u64;
     let rest = scaled - whole as f64;
     // Half of a unit may be what rounding has made of a product that is less.
-    let up = rest > 0.5 || rest == 0.5 && x.mul_add(unit, -scaled) >= 0.0;
+    let up = rest >= 0.5 && (rest > 0.5 || x.mul_add(unit, -scaled) >= 0.0);
     Some(whole + u64::from(up))
 }
 

@@ -359,7 +359,7 @@ impl PatchTree {
         low: [f64; 2],
         limit: f64,
     ) -> Option<PatchPlace> {
-        if piece.kept.is_some() || low == [0.0; 2] {
+        if piece.kept.is_some() || !low.iter().any(|x| x.abs() > 0.0) {
             return None;
         }
         let uv = [0, 1].map(|k| piece.mid[k] + low[k] * piece.half[k]);

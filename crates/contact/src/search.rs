@@ -125,7 +125,9 @@ pub(crate) fn elsewhere(
         return (None, f64::INFINITY);
     }
     let arc = round(tool, surface, side, None);
-    let size = tool.profile.widest().max(0.1 * tool.profile.reach());
+    let (wide, reach) = (tool.profile.widest(), tool.profile.reach());
+    // A line alone has no other measure than its length.
+    let size = if wide > 0.0 { wide.max(0.1 * reach) } else { reach };
     let apart = |rival: f64, gap: f64| 0.5 * (rival - gap).max(0.0);
     let until = |rival: f64, gap: f64| (LOOK * size).min(apart(rival, gap));
     if hollow(surface, side) && (arc.is_none() || has_side(tool)) {
@@ -157,7 +159,7 @@ pub(crate) fn elsewhere(
     if let Some(through) = pierced(tool, surface, side) {
         return (Some(through), 0.0);
     }
-    let seen = SEEN * if tool.profile.widest() > 0.0 { tool.profile.widest() } else { size };
+    let seen = SEEN * if wide > 0.0 { wide } else { size };
     let (mut deepest, mut room) = (*known, seen);
     let mut stations = Stations { lower: arc.is_none(), flank: true };
     if arc.is_none()

@@ -81,7 +81,11 @@ pub(crate) fn seeds(
         let (value, q) = at(0.0, profile.bottom(), 0);
         offer(false, value, q);
     }
-    let mut ring = |[rho, z]: [f64; 2]| -> Row { std::array::from_fn(|turn| at(rho, z, turn)) };
+    // On the axis all of them are one.
+    let mut ring = |[rho, z]: [f64; 2]| -> Row {
+        let first = at(rho, z, 0);
+        std::array::from_fn(|turn| if turn == 0 || rho == 0.0 { first } else { at(rho, z, turn) })
+    };
     let mut rings = [None; 5];
     for (i, station) in stations.iter().enumerate() {
         if !stations[..i].contains(station) {

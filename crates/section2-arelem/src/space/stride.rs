@@ -373,7 +373,11 @@ impl Track {
                             // Once more with the vertex where it ought to be.
                             (bends, plan) = (Some(fit.bends), better);
                             let share = fit.ratio.clamp(LOST, 1.0 / LOST);
-                            let next = if lost { s.min(TOO_FAR * plan.length) } else { s * share };
+                            let next = match lost {
+                                true if self.axis.turns() => s.min(TOO_FAR * plan.length),
+                                true => s,
+                                false => s * share,
+                            };
                             s = (next * (1.0 - 0.25 * long_enough)).min(plan.most);
                             (good, bad, before) = (None, f64::INFINITY, None);
                             last = tried.ok().or(last);
