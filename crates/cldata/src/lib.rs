@@ -25,7 +25,7 @@ pub use clfile::{ClfileReader, ClfileWriter};
 pub use dialect::Dialect;
 pub use json::{JsonReader, JsonWriter};
 pub use number::Decimals;
-pub use read::{Reader, TextReader, detect};
+pub use read::{Reader, TextReader, detect, source};
 pub use record::{
     Arc, Arg, Clprnt, Control, Controlled, Course, Edit, Kind, Motion, MotionKind, NameRef, Output,
     Position, Record, Relation, Units,

@@ -18,6 +18,7 @@ mod nx;
 mod reader;
 mod report;
 mod scan;
+pub mod source;
 mod spline;
 mod state;
 mod text_reader;

@@ -35,7 +35,6 @@ fn statements_that_cannot_be_read_are_kept_and_told_with_their_line() {
         ("UNITS/MM\nGOTO/0,0,0\nARC/CLW,10,0,20,0\nGOTO/20,0,0\n", "APT3001", "line 3"),
         ("UNITS/MM\nTLON,GOFWD/(CIRCLE/1,2,3,4),ON,(LINE/1\n", "APT3001", "line 2"),
         ("UNITS/MM\nGODLTA/1,2,3\n", "APT3001", "line 2"),
-        ("UNITS/MM\nGOTO/1,2,3\nGOTO/1,2,3,0,0,0\n", "APT3003", "line 3"),
         ("UNITS/MM\nZZTOP/1\nGOTO/1,2,3\nZZTOP/2\n", "APT3002", "ZZTOP is not known, 2 times"),
         ("GOTO/1,2,3\n", "APT3006", "inches"),
     ] {
@@ -48,6 +47,79 @@ fn statements_that_cannot_be_read_are_kept_and_told_with_their_line() {
         }
         let kept = records.iter().filter(|r| matches!(r.kind, Kind::Unread(_))).count();
         assert!(code != "APT3001" || kept > 0, "{text}");
+    }
+}
+
+/// What should have moved the tool, or said how fast, must not be lost with a warning.
+#[test]
+fn a_motion_in_another_form_is_an_error() {
+    for line in [
+        "GOTO50,0,-1",
+        "GOTO(50,0,-1)",
+        "GOTO=50,0,-1",
+        "GOTO: 50,0,-1",
+        "GOTO\\50,0,-1",
+        "GOTO X50 Y0 Z-1",
+        "GOTO50/0,-1",
+        "10) GOTO/50,0,-1",
+        "CIRCLE 1,2,3,4",
+        "INDIRV 1,0,0",
+        "INDIRV/1,0",
+        "RAPID 5",
+        "RAPID GOTO/1,2,3",
+        "FEDRAT 50",
+        "CYCLE DRILL,5",
+        "CW 1,2,3",
+    ] {
+        let (_, said) = read(format!("UNITS/MM\nGOTO/1,2,3\n{line}\n").as_bytes(), None);
+        assert!(said.iter().any(|s| s.starts_with("APT3001 line 3: ")), "{line}: {said:?}");
+        assert_eq!(said.len(), 1, "{line}: {said:?}");
+    }
+    for line in ["RAPID", "CW", "CYCLE81/5", "RAPID_RATE/5", "FROMAGE 5", "GOTO,5,0,-1"] {
+        let (_, said) = read(format!("UNITS/MM\nGOTO/1,2,3\n{line}\n").as_bytes(), None);
+        assert!(said.iter().all(|s| !s.starts_with("APT3001")), "{line}: {said:?}");
+    }
+}
+
+#[test]
+fn a_statement_of_a_part_program_is_an_error() {
+    for line in [
+        "INCLUDE/GEOM",
+        "GO/TO,L1,TO,PL",
+        "GORGT/L1,PAST,L3",
+        "TLLFT,GOLFT/L1",
+        "GOFWD/L1,TO,L2",
+        "TLON,GOFWD/L1,TO,L2",
+        "GOBACK/L1",
+        "GOUP/L1",
+        "GODOWN/L1",
+        "TLRGT",
+        "GO,TO/P",
+        "10) L1=LINE/XAXIS",
+        "PL = PLANE/0,0,1,5",
+    ] {
+        let text = format!("UNITS/MM\nGOTO/1,2,3\n{line}\n{line}\n");
+        let (_, said) = read(text.as_bytes(), None);
+        let told = "APT3001 this is a part program, compile it: a statement that CL data have not, \
+                    2 times, first in line 3";
+        assert_eq!(said, [told], "{line}");
+    }
+    // Of text words all is text, also what goes on with them.
+    for line in ["PPRINTP1=POINT/HOLE 3", "REMARK surfaces $\nA=PLANE/1,2", "TLON"] {
+        let (_, said) = read(format!("UNITS/MM\n{line}\nGOTO/1,2,3\n").as_bytes(), None);
+        assert!(said.iter().all(|s| !s.starts_with("APT3001")), "{line}: {said:?}");
+    }
+    let (_, said) = read(b"UNITS/MM\nREMARK $\nGOTO/1,2,3\nA=PLANE/1,2\n", None);
+    assert!(said.iter().any(|s| s.starts_with("APT3001")), "{said:?}");
+}
+
+/// No CAM system is known to write 0,0,0 for an axis: which way the tool stands is not known.
+#[test]
+fn an_axis_of_no_length_is_an_error() {
+    for text in ["GOTO/1,2,3,0,0,0\n", "MULTAX/ON\nGOTO/1,2,3,0,0,1\nGODLTA/0,0,5,0,0,-0.\n"] {
+        let (_, said) = read(format!("UNITS/MM\n{text}").as_bytes(), None);
+        assert_eq!(said.len(), 1, "{text}: {said:?}");
+        assert!(said[0].starts_with("APT3001 a tool axis of no length"), "{text}: {said:?}");
     }
 }
 
@@ -157,7 +229,13 @@ fn a_statement_past_the_end_is_told() {
     for (text, told) in [
         ("UNITS/MM\nGOTO/1,2,3,$\n", true),
         ("UNITS/MM\nGOTO/1,2,3,$", true),
+        ("UNITS/MM\nGOTO/1,2,3,$\n\n", true),
+        ("UNITS/MM\nGOTO/1,2,3,$\r\n  \r\n\x1a", true),
+        ("UNITS/MM\nGOTO/1,2,3,$\n\nFINI\n", false),
         ("UNITS/MM\nGOTO/1,2,3,$\n0,0,1\n", false),
+        ("UNITS/MM\nFINI $", false),
+        ("UNITS/MM\nfini$\n\n", false),
+        ("UNITS/MM\n$\n", false),
         ("UNITS/MM\nGOTO/1,2,3", false),
         ("UNITS/MM\nGOTO/1,2,3\n$$ end $", false),
     ] {

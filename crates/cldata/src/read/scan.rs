@@ -164,7 +164,7 @@ impl<R: Read> Scanner<R> {
         loop {
             if self.peek()?.is_none() {
                 self.statement = Text::Joined;
-                self.cut_off = n_lines > 0;
+                self.end_statement();
                 return Ok(n_lines > 0);
             }
             let Some((range, _)) = self.peeked.clone() else { return Ok(n_lines > 0) };
@@ -190,14 +190,35 @@ impl<R: Read> Scanner<R> {
                 self.advance();
                 return Ok(true);
             }
+            let blank = n_lines > 0 && !cut.goes_on && self.buf[range].trim_ascii().is_empty();
             self.joined.extend_from_slice(&self.buf[body]);
             n_lines += 1;
             self.advance();
+            if blank && self.is_rest_blank()? {
+                self.end_statement();
+            }
             if !cut.goes_on || self.joined.len() > LONGEST_STATEMENT {
                 self.statement = Text::Joined;
                 return Ok(true);
             }
         }
+    }
+
+    /// The file ends where a statement goes on: what is missing may be of a motion, unless FINI or nothing is there.
+    fn end_statement(&mut self) {
+        let text = self.joined.trim_ascii();
+        self.cut_off = !text.is_empty() && !text.eq_ignore_ascii_case(b"FINI");
+    }
+
+    /// Goes past blank lines; is there nothing behind them?
+    fn is_rest_blank(&mut self) -> io::Result<bool> {
+        while let Some(line) = self.peek()? {
+            if !line.trim_ascii().is_empty() {
+                return Ok(false);
+            }
+            self.advance();
+        }
+        Ok(true)
     }
 
     /// Text of the statement, without comment and continuation marks.

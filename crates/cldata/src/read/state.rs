@@ -52,6 +52,8 @@ pub(super) struct State {
     pub(super) in_goto: bool,
     /// Is this such a line?
     pub(super) bare: bool,
+    /// The line of a text that ends with `$`, which no reader of texts joins.
+    pub(super) text_going_on: Option<u64>,
     /// Between DEFSUB and ENDSUB, and after CALSUB, the place of the tool is not known here: GODLTA stays a
     /// word that the editor makes into motion. The position before DEFSUB.
     pub(super) subprogram: Option<Option<Vec3>>,
@@ -116,6 +118,7 @@ impl State {
             queue: VecDeque::new(),
             in_goto: false,
             bare: false,
+            text_going_on: None,
             subprogram: None,
             called: false,
             bottoms: None,
@@ -203,8 +206,9 @@ impl State {
         if let Some(v) = given {
             let norm = v.norm();
             if !(norm > 0.0 && norm.is_finite()) {
-                let what = "a tool axis without direction; the last one is kept";
-                self.report.note(self.at, codes::CL_VALUE, Severity::Warning, what);
+                // No CAM system is known to write it for an upright tool; they leave the axis out, or write 0,0,1.
+                let what = "a tool axis of no length";
+                self.report.note(self.at, codes::UNREADABLE_CL, Severity::Error, what);
                 return (self.ta, true);
             }
             // Printed axes are unit vectors to their last decimal; their digits are kept.

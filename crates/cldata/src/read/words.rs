@@ -1,5 +1,6 @@
 //! Statements by their major word: what every dialect shares.
 
+use aptc_diagnostics::{Severity, codes};
 use aptc_geometry::{Circle, Cutter, Vec3};
 use smol_str::SmolStr;
 
@@ -7,7 +8,7 @@ use super::args::{self, Numbers};
 use super::edit::{copy, index, matrix, tracut};
 use super::motion::{COORDINATES, circle, godlta, goto, indir, motion, points};
 use super::state::State;
-use super::{catia, comments, couplets, fusion, nx};
+use super::{catia, comments, couplets, fusion, nx, source};
 use crate::{Arg, Clprnt, Dialect, Kind, Output, Units, restore};
 
 /// Words whose statement is text to its end.
@@ -23,7 +24,7 @@ pub(super) fn is_verbatim(line: &[u8]) -> bool {
 }
 
 /// The text word at the head and the rest of the line.
-fn text_word(line: &[u8]) -> Option<(&'static str, &[u8])> {
+pub(super) fn text_word(line: &[u8]) -> Option<(&'static str, &[u8])> {
     let line = line.trim_ascii_start();
     let head = line.get(..6)?;
     let word = TEXT_WORDS.iter().find(|w| head.eq_ignore_ascii_case(w.as_slice()))?;
@@ -117,14 +118,14 @@ fn joined(state: &mut State, text: &[u8], head: &[u8], rest: &[u8]) {
     }
     let words: Option<Vec<SmolStr>> = head.split(|b| *b == b',').map(major).collect();
     let Some(words) = words.filter(|w| w.len() > 1) else {
-        if is_motion_without_slash(text) {
-            state.pending = None;
-            return wrong(state, text, "a motion without its slash", COORDINATES);
-        }
         return unread(state, text);
     };
-    if words.last().is_some_and(|w| matches!(w.as_str(), "GOFWD" | "GF")) {
+    let arc = words.last().is_some_and(|w| matches!(w.as_str(), "GOFWD" | "GF"));
+    if arc && rest.contains(&b'(') {
         return catia::circular_move(state, text, rest);
+    }
+    if words.iter().any(|w| w != "TLON" && source::is_word(w)) {
+        return of_source(state, Kind::Unread(args::text(text).into()));
     }
     let slash = memchr::memchr(b'/', text).is_some();
     for (i, word) in words.iter().enumerate() {
@@ -136,16 +137,6 @@ fn joined(state: &mut State, text: &[u8], head: &[u8], rest: &[u8]) {
             word_statement(state, word.as_bytes(), word, b"");
         }
     }
-}
-
-/// `GOTO 1,2,3`: what it lacks must not lose the motion with a warning.
-fn is_motion_without_slash(text: &[u8]) -> bool {
-    let motions: [&[u8]; 3] = [b"GOTO", b"FROM", b"GODLTA"];
-    let behind = |w: &&[u8]| {
-        let head = text.get(..w.len()).filter(|head| head.eq_ignore_ascii_case(w))?;
-        text[head.len()..].trim_ascii_start().first().copied()
-    };
-    motions.iter().find_map(behind).is_some_and(|b| matches!(b, b'0'..=b'9' | b'-' | b'+' | b'.'))
 }
 
 /// `CHANNEL,1`, `NEXTTL, 4` and `OPNAME 'text'`: a word whose arguments follow without a slash.
@@ -203,6 +194,12 @@ fn word_statement(state: &mut State, text: &[u8], word: &SmolStr, rest: &[u8]) {
         "ORIGIN" if state.dialect == Dialect::Catia && catia::origin(state, rest) => {}
         "MCS" if couplets::mcs(state, rest) => {}
         "FINI" => fini(state),
+        _ if source::is_word(word) => {
+            of_source(state, Kind::Post { word: word.clone(), args: list(rest) });
+        }
+        _ if !is_known(word) && source::motion_word(word.as_bytes()).is_some() => {
+            unread(state, text);
+        }
         _ if state.dialect == Dialect::Nx && nx::statement(state, text, word, rest) => {}
         _ => post(state, word, rest),
     }
@@ -217,6 +214,7 @@ fn fixed_field(state: &mut State, word: &str, rest: &[u8]) {
         None => (false, rest),
     };
     let body = body.trim_ascii_end();
+    state.text_going_on = body.ends_with(b"$").then_some(state.at.line);
     if word == "REMARK" && super::creo::structured(state, body) {
         return;
     }
@@ -230,14 +228,35 @@ fn fixed_field(state: &mut State, word: &str, rest: &[u8]) {
     state.emit(Kind::Text { word: word.into(), text: args::text(body).into() });
 }
 
-/// A statement that is kept as it stands.
+/// A statement that is kept as it stands; an error where it should have moved the tool or is one of a part program.
 pub(super) fn unread(state: &mut State, text: &[u8]) {
     state.in_goto = false;
+    if let Some(word) = source::motion_word(text) {
+        state.pending = None;
+        let point = matches!(word, "GOTO" | "FROM" | "GODLTA");
+        if point && !text.contains(&b'/') {
+            return wrong(state, text, "a motion without its slash", COORDINATES);
+        }
+        let help = format!("write {word}, a slash, and what belongs to it");
+        return wrong(state, text, &format!("{word} in a form that is not known"), &help);
+    }
+    // A text may go on in this line and look like a definition.
+    let in_text = state.text_going_on.is_some_and(|line| line + 1 == state.at.line);
+    if !in_text && source::is_definition(text) {
+        return of_source(state, Kind::Unread(args::text(text).into()));
+    }
     let text = args::text(text);
     let end = text.find(|c: char| c == '/' || c == '=' || c.is_whitespace()).unwrap_or(text.len());
     let word: String = text[..end].chars().take(24).collect();
     state.report.unknown(state.at, &word);
     state.emit(Kind::Unread(text.into()));
+}
+
+/// A statement of a part program: what it would do there is missing here.
+fn of_source(state: &mut State, kind: Kind) {
+    state.in_goto = false;
+    state.report.note(state.at, codes::UNREADABLE_CL, Severity::Error, source::TOLD);
+    state.emit(kind);
 }
 
 /// A statement that should have been understood: kept, and an error.
