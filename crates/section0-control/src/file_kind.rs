@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use aptc_vocabulary::{Class, find};
+use aptc_cldata::source;
 
 /// Bytes at the head of a file that are looked at.
 const HEAD: usize = 64 * 1024;
@@ -60,7 +60,14 @@ impl FileKind {
         if is_machine_code(lines.clone()) {
             return Some(Self::MachineCode);
         }
-        lines.any(is_definition).then_some(Self::PartProgram)
+        // A text may look like a definition, also where it goes on in further lines.
+        let mut in_text = false;
+        let definition = lines.any(|line| {
+            let text = in_text || source::is_text(line.as_bytes());
+            in_text = text && line.ends_with('$');
+            !text && source::is_definition(line.as_bytes())
+        });
+        definition.then_some(Self::PartProgram)
     }
 }
 
@@ -78,10 +85,10 @@ impl fmt::Display for FileKind {
     }
 }
 
-/// Are most of the first lines blocks, and three of them with a G or M word?
-fn is_machine_code<'a>(lines: impl Iterator<Item = &'a str>) -> bool {
+/// Are most of the first lines blocks, three of them with a G or M word, and none a statement?
+fn is_machine_code<'a>(lines: impl Iterator<Item = &'a str> + Clone) -> bool {
     let comment = |line: &&str| line.starts_with([';', '(', '%', ':']);
-    let (mut seen, mut blocks, mut coded) = (0, 0, 0);
+    let (mut all, mut seen, mut blocks, mut coded) = (lines.clone(), 0, 0, 0);
     for line in lines.filter(|line| !comment(line)).take(LINES) {
         let unnumbered = line.trim_start_matches(|c: char| c.is_ascii_digit()).trim_start();
         if seen == 0 && unnumbered.starts_with("BEGIN PGM ") {
@@ -93,10 +100,21 @@ fn is_machine_code<'a>(lines: impl Iterator<Item = &'a str>) -> bool {
             coded += usize::from(codes > 0);
         }
     }
-    coded >= 3 && 2 * blocks > seen
+    coded >= 3 && 2 * blocks > seen && !all.any(is_statement)
+}
+
+/// A statement with which part programs and CL data begin or end, and which no control takes.
+fn is_statement(line: &str) -> bool {
+    let line = source::unlabelled(line.as_bytes());
+    let slashed: [&[u8]; 3] = [b"UNITS", b"FROM", b"CUTTER"];
+    let behind = |word: &&[u8]| line.strip_prefix(*word).map(<[u8]>::trim_ascii_start);
+    line.starts_with(b"PARTNO")
+        || line == b"FINI"
+        || slashed.iter().find_map(behind).is_some_and(|rest| rest.starts_with(b"/"))
 }
 
 /// How many G and M words stand in a block, `None` where the line is none: addresses of one letter with a number each.
+/// `G=4` is no code but a variable.
 fn codes(line: &str) -> Option<usize> {
     let line = line.split([';', '(']).next().unwrap_or(line);
     let mut rest = line.trim_start_matches('/').trim();
@@ -107,28 +125,14 @@ fn codes(line: &str) -> Option<usize> {
         let end = number
             .find(|c: char| !matches!(c, '0'..='9' | '.' | '+' | '-'))
             .unwrap_or(number.len());
-        if end == 0 {
+        let code = matches!(letter, 'G' | 'M');
+        if end == 0 || (code && rest[1..rest.len() - number.len()].contains('=')) {
             return None;
         }
-        codes += usize::from(matches!(letter, 'G' | 'M'));
+        codes += usize::from(code);
         rest = number[end..].trim_start();
     }
     Some(codes)
-}
-
-/// `NAME = WORD/..`, also with a subscript.
-fn is_definition(line: &str) -> bool {
-    let Some((name, value)) = line.split_once('=') else { return false };
-    let name = name.trim_end();
-    let name = match name.strip_suffix(')').and_then(|n| n.split_once('(')) {
-        Some((name, _)) => name.trim_end(),
-        None => name,
-    };
-    let word = value.split_once('/').map(|(word, _)| word.trim());
-    let plain = |text: &str| text.bytes().all(|b| b.is_ascii_alphanumeric());
-    let is_name = name.starts_with(|c: char| c.is_ascii_alphabetic()) && plain(name);
-    let geometry = |w: &str| find(w).is_some_and(|w| w.is(Class::Geometry));
-    is_name && word.is_some_and(geometry)
 }
 
 #[cfg(test)]
@@ -156,6 +160,32 @@ mod tests {
         let wide: Vec<u8> =
             "\u{feff}P = POINT/1,2\n".encode_utf16().flat_map(u16::to_le_bytes).collect();
         assert_eq!(FileKind::of(&wide), Some(FileKind::PartProgram));
+    }
+
+    /// Scalars of one letter are no codes, and a line that no control takes decides.
+    #[test]
+    fn part_programs_are_no_machine_code() {
+        assert_eq!(of("PARTNO X\nG=1\nG=2\nG=3\nFINI\n"), None);
+        assert_eq!(of("A=1\nB=2\nC=3\nG=4\nM = 5\nG=6\nA1\n"), None);
+        for line in ["PARTNO X", "UNITS/MM", "FROM /0,0,0", "G1 ) FROM/0,0,0", "CUTTER/5", "FINI"] {
+            assert_eq!(of(&format!("G1 X1\nG4\nM3\nM30\nG7\n{line}\n")), None, "{line}");
+        }
+        assert_eq!(of("G1 X=1\nG4\nM3\nM30\nG7\n"), Some(FileKind::MachineCode));
+    }
+
+    /// A text word heads a text, with or without a blank behind it, and what goes on with it.
+    #[test]
+    fn texts_hold_no_definitions() {
+        for text in [
+            "PPRINTP1=POINT/HOLE 3\n",
+            "REMARK surfaces $\nA=PLANE/1,2\n",
+            "INSERT A $\r\nB=LINE/1,$\r\nC=LINE/2\r\n",
+        ] {
+            assert_eq!(of(&format!("PARTNO A\n{text}GOTO/1,2,3\n")), None, "{text}");
+            let more = format!("PARTNO A\n{text}GOTO/1,2,3\nA=PLANE/0,0,1,2\n");
+            assert_eq!(of(&more), Some(FileKind::PartProgram), "{text}");
+        }
+        assert_eq!(of("PARTNO A\n10) L1=LINE/XAXIS\n"), Some(FileKind::PartProgram));
     }
 
     /// What no kind has to itself stays untold: CL data, programs of points alone, words of one letter and a number.
