@@ -58,6 +58,8 @@ const MISTAKES: &[Mistake] = &[
     ("LX=LINE/XAXIS", "LX=LIEN/XAXIS", 1050, "LIEN", "did you mean LINE?"),
     ("LX=LINE/XAXIS", "LX=LINE/X-AXIS", 1050, "X", "define X"),
     ("LOADTL/2", "LOADTL/1E3", 1050, "1E3", "has a point: 1.E3"),
+    ("LOADTL/2", "LOADTL/15E-300", 1050, "15E", "has a point: 15.E-300"),
+    ("LOADTL/2", "LOADTL/1E+2,3", 1050, "1E", "has a point: 1.E+2"),
     ("GO/TO,LX,ON,TOP", "GO/TO,LX,ON,TOPP", 1050, "TOPP", "did you mean TOP?"),
     ("GORGT/LY,PAST,L3,250", "GORGT,LY,PAST,L3", 1304, "GORGT", "write GORGT/ and its arguments"),
     ("TLRGT,GORGT/LX,TO,LY", "GORGT,TLRGT/LX,TO,LY", 1304, "GORGT", "after all other words"),

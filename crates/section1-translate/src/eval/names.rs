@@ -75,7 +75,7 @@ impl Interpreter<'_> {
                         .filter(|_| behind.trim_start_matches(' ').starts_with('/'));
                     message = message.help(if let Some(major) = major {
                         format!("did you mean {major}?")
-                    } else if let Some((figures, power)) = exponential(&text) {
+                    } else if let Some((figures, power)) = exponential(&text, behind) {
                         format!("a number with an exponent has a point: {figures}.E{power}")
                     } else if pieces.len() > 1 {
                         // Blanks have no meaning, but people set them where they mean something.
@@ -197,11 +197,21 @@ fn slips(a: &str, b: &str) -> usize {
     last[b.len()]
 }
 
-/// Both parts of `1E3`, which is a name in APT: a number with an exponent has a point.
-fn exponential(text: &str) -> Option<(&str, &str)> {
+/// Both parts of `1E3`, which is a name in APT, and of `1E-3`, which is one less three: a number with an exponent
+/// has a point. `behind` is what follows the name.
+fn exponential<'a>(text: &'a str, behind: &'a str) -> Option<(&'a str, &'a str)> {
     let (figures, power) = text.split_once('E')?;
-    let plain = |part: &str| !part.is_empty() && part.bytes().all(|b| b.is_ascii_digit());
-    (plain(figures) && plain(power)).then_some((figures, power))
+    let digits = |part: &str| part.bytes().take_while(u8::is_ascii_digit).count();
+    let is_number = |part: &str| !part.is_empty() && digits(part) == part.len();
+    if !is_number(figures) {
+        return None;
+    }
+    if !power.is_empty() {
+        return is_number(power).then_some((figures, power));
+    }
+    let behind = behind.trim_start_matches(' ');
+    let end = 1 + digits(behind.strip_prefix(['+', '-'])?);
+    (end > 1).then(|| (figures, &behind[..end]))
 }
 
 #[cfg(test)]
