@@ -146,7 +146,7 @@ pub(crate) struct CodeArgs {
     #[arg(short, long, value_name = "NAME")]
     pub(crate) machine: Option<String>,
     /// Work offset instead of the machine's own, for example G55
-    #[arg(long, value_name = "CODE", value_parser = one_line)]
+    #[arg(long, value_name = "CODE", value_parser = one_code)]
     pub(crate) work_offset: Option<String>,
     /// Block of material for the check of rapid motion, when the program has no STOCK
     #[arg(long, value_name = "X1,Y1,Z1,X2,Y2,Z2", value_parser = corners, allow_hyphen_values = true)]
@@ -394,10 +394,13 @@ pub(crate) enum VerifyHow {
     Off,
 }
 
-/// Text that stands in one block.
-fn one_line(text: &str) -> Result<String, String> {
-    let plain = !text.trim().is_empty() && !text.chars().any(char::is_control);
-    if plain { Ok(text.to_owned()) } else { Err("one code on one line is expected".to_owned()) }
+/// A code that stands in a block without bringing anything else into it.
+fn one_code(text: &str) -> Result<String, String> {
+    let plain = |b: u8| b.is_ascii_alphanumeric() || b == b'.';
+    if !text.is_empty() && text.bytes().all(plain) {
+        return Ok(text.to_owned());
+    }
+    Err("one code of letters, digits and point is expected, as G55 or G54.1P2".to_owned())
 }
 
 /// Six numbers with commas between.

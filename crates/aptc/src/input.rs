@@ -94,6 +94,28 @@ fn is_near(a: &str, b: &str) -> bool {
         || matches!((a, b), ([x, y], [v, w]) if x == w && y == v)
 }
 
+/// Files that are read, each with what it is, and that no result may take the place of.
+pub(crate) struct Inputs<'a>(Vec<(&'a Path, &'static str)>);
+
+impl<'a> Inputs<'a> {
+    /// These and the machine's file where it has one.
+    pub(crate) fn new(
+        files: impl IntoIterator<Item = (&'a Path, &'static str)>,
+        machine: Option<&'a str>,
+    ) -> Self {
+        let ending =
+            |path: &&Path| path.extension().is_some_and(|e| e.eq_ignore_ascii_case("toml"));
+        let machine = machine.map(Path::new).filter(ending);
+        let machine = machine.map(|path| (path, "the file of the machine"));
+        Self(files.into_iter().chain(machine).collect())
+    }
+
+    /// What the file at `path` is, where a result may not be written.
+    pub(crate) fn what_is(&self, path: &Path) -> Option<&'static str> {
+        self.0.iter().find(|(input, _)| is_same(path, input)).map(|(_, what)| *what)
+    }
+}
+
 /// Are both the same file? A result may not take the place of what it is made of.
 pub(crate) fn is_same(a: &Path, b: &Path) -> bool {
     a == b || matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b)

@@ -103,6 +103,86 @@ fn no_result_takes_the_place_of_what_it_is_made_of() {
     assert!(!dir.path().join("p.cl").exists());
 }
 
+/// All names are asked, those of further programs, sheets and other inputs too, before the first is written.
+#[test]
+fn no_result_is_written_where_another_would_be_in_the_way() {
+    let dir = folder();
+    let file = |name: &str| dir.path().join(name);
+    fs::write(file("mine.toml"), aptc(dir.path(), "machines haas-vf").stdout).expect("written");
+    fs::write(file("w.2.nc"), [CL, CL].concat()).expect("it is written");
+    let made = aptc(dir.path(), "convert x.cl --to json -o a.nc.map.json");
+    assert_eq!(made.status.code(), Some(0), "{}", said(&made));
+    fs::copy(file("p.apt"), file("p.lst")).expect("it is copied");
+    fs::write(file("b.apt"), PART.replace("GOTO/50,0,-1", "GOTO/NONE")).expect("it is written");
+    fs::write(file("b.partial.cl"), PART).expect("it is written");
+    fs::write(file("i.apt"), PART.replace("RAPID", "INCLUD/'i.nc'")).expect("it is written");
+    fs::write(file("i.nc"), "RAPID\n").expect("it is written");
+    let all = || {
+        let list = fs::read_dir(dir.path()).expect("it is there");
+        let mut all: Vec<_> = list.map(|f| f.expect("it is there").path()).collect();
+        all.sort();
+        all.into_iter().map(|p| (fs::read(&p).expect("it is read"), p)).collect::<Vec<_>>()
+    };
+    let before = all();
+    for (line, words) in [
+        ("post x.cl -m mine.toml -o mine.toml", "mine.toml is the file of the machine"),
+        ("post w.2.nc -o w.nc", "w.2.nc is what is posted"),
+        ("post a.nc.map.json -o a.nc --map", "a.nc.map.json is what is posted"),
+        ("b.apt b.partial.cl --keep-going", "b.partial.cl: it is a part program of this run"),
+        ("p.lst", "cannot write ./p.lst: it is what was compiled"),
+        ("i.apt", "cannot write ./i.nc: it is included in the program"),
+    ] {
+        let run = aptc(dir.path(), line);
+        assert_eq!(run.status.code(), Some(2), "{line}: {}", said(&run));
+        assert!(said(&run).contains(words), "{line}: {}", said(&run));
+        assert!(all() == before, "{line}");
+    }
+}
+
+#[test]
+fn a_program_named_twice_is_compiled_once() {
+    let dir = folder();
+    for line in ["p.apt p.apt", "p.apt ./p.apt"] {
+        let run = aptc(dir.path(), line);
+        assert_eq!(run.status.code(), Some(0), "{line}: {}", said(&run));
+        let shown = String::from_utf8_lossy(&run.stdout).into_owned();
+        assert_eq!(shown.matches("wrote").count(), 1, "{line}: {shown}");
+    }
+}
+
+/// What stands in the code as it is given brings nothing else into it.
+#[test]
+fn a_work_offset_is_one_code() {
+    let dir = folder();
+    for (code, good) in [("G55", true), ("G54.1P2", true), ("G54 M3", false), ("", false)] {
+        let line = ["post", "x.cl", "-m", "linuxcnc-mill", "-o", "-", "--work-offset", code];
+        let mut run = Command::new(env!("CARGO_BIN_EXE_aptc"));
+        let run = run.args(line).current_dir(dir.path()).output().expect("the program starts");
+        assert_eq!(run.status.success(), good, "{code}: {}", said(&run));
+        assert_eq!(String::from_utf8_lossy(&run.stdout).contains(code) && !code.is_empty(), good);
+    }
+}
+
+/// What is cut along surfaces is not in the machine code of a part program that is taken for CL data.
+#[test]
+fn a_part_program_without_definitions_is_not_posted() {
+    let dir = folder();
+    let part =
+        |line: &str| PART.replace("L1=LINE/XAXIS", line).replace("GODLTA", "GORGT/L1\nGODLTA");
+    fs::write(dir.path().join("inc.apt"), part("INCLUDE/GEOM")).expect("it is written");
+    fs::write(dir.path().join("lab.apt"), part("10) L1=LINE/XAXIS")).expect("it is written");
+    for (line, code, words) in [
+        ("post inc.apt", 1, "this is a part program, compile it"),
+        ("post lab.apt", 2, "it is a part program, no CL data"),
+        ("stats inc.apt", 1, "this is a part program, compile it"),
+    ] {
+        let run = aptc(dir.path(), line);
+        assert_eq!(run.status.code(), Some(code), "{line}: {}", said(&run));
+        assert!(said(&run).contains(words), "{line}: {}", said(&run));
+    }
+    assert!(!dir.path().join("inc.nc").exists() && !dir.path().join("lab.nc").exists());
+}
+
 #[test]
 fn what_is_wrong_with_a_machine_file_is_shown_in_it_and_nothing_is_compiled() {
     let dir = folder();

@@ -69,12 +69,19 @@ impl fmt::Display for WorldError {
 pub struct Disk {
     folders: Vec<PathBuf>,
     limit: u64,
+    /// The files that were included, links resolved.
+    found: Vec<PathBuf>,
 }
 
 impl Disk {
     /// Reads from `folders` in their order, files of at most `limit` bytes.
     pub fn new(folders: Vec<PathBuf>, limit: u64) -> Self {
-        Self { folders, limit }
+        Self { folders, limit, found: Vec::new() }
+    }
+
+    /// The files that were included so far, links resolved.
+    pub fn included(&self) -> &[PathBuf] {
+        &self.found
     }
 
     /// Reads a file that the user named himself on the command line.
@@ -112,6 +119,7 @@ impl World for Disk {
                 continue;
             }
             let text = read_limited(&found, self.limit)?;
+            self.found.push(found);
             return Ok(Source { name: name.into(), text });
         }
         if outside {
@@ -217,6 +225,7 @@ mod tests {
         }
         fs::write(inside.join("long"), vec![b'A'; 101]).unwrap();
         assert_eq!(disk.include("long"), Err(WorldError::TooLarge { limit: 100 }));
+        assert_eq!(disk.included(), [inside.join("STRTUP").canonicalize().unwrap()]);
     }
 
     #[test]

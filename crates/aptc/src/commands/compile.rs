@@ -11,7 +11,7 @@ use std::sync::Arc;
 use aptc_control::{Artifact, CodeOptions, Compiled, Disk, Options, Verify};
 
 use crate::cli::{CodeArgs, Common, CompileArgs, Emit, SourceArgs, SourceDialect, VerifyHow};
-use crate::input::{is_same, part_program};
+use crate::input::{Inputs, is_same, part_program};
 use crate::output::write_whole;
 use crate::plain::plain;
 use crate::progress::Progress;
@@ -27,7 +27,14 @@ pub(crate) fn compile(args: &CompileArgs, common: &Common) -> io::Result<ExitCod
         Ok(c) => c,
         Err(done) => return Ok(done),
     };
-    if let Some((a, b, stem)) = twice(&args.parts) {
+    // A program that is named twice, also in two ways, is compiled once.
+    let mut parts: Vec<&Path> = Vec::new();
+    for part in &args.parts {
+        if !parts.iter().any(|other| is_same(other, part)) {
+            parts.push(part);
+        }
+    }
+    if let Some((a, b, stem)) = twice(&parts) {
         return report::complain(&format!(
             "{} and {} would both be written to {}; give each a folder of its own by -o",
             a.display(),
@@ -39,7 +46,7 @@ pub(crate) fn compile(args: &CompileArgs, common: &Common) -> io::Result<ExitCod
     code.unasked = ![Emit::Nc, Emit::Setup, Emit::Map].iter().any(|kind| args.emit.contains(kind));
     code.by_default = args.emit == [Emit::Cl, Emit::Nc, Emit::Lst, Emit::Svg];
     let mut worst = 0;
-    for part in &args.parts {
+    for part in parts {
         let code = compile_one(part, &folder, args, common, code.clone())?;
         worst = worst.max(code);
     }
@@ -80,7 +87,7 @@ fn compile_one(
     };
     drop(progress);
     report::messages(&mut io::stderr().lock(), &compiled, common)?;
-    let written = match write_artifacts(part, folder, args, &compiled) {
+    let written = match write_artifacts(part, folder, args, &compiled, world.included()) {
         Ok(w) => w,
         Err((path, e)) => {
             report::complain(&format!("cannot write {}: {e}", path.display()))?;
@@ -148,11 +155,11 @@ pub(crate) fn folders(part: &Path, source: &SourceArgs) -> Vec<PathBuf> {
 }
 
 /// The first two part programs whose results would have the same names, and those names' stem.
-fn twice(parts: &[PathBuf]) -> Option<(&Path, &Path, &OsStr)> {
+fn twice<'a>(parts: &[&'a Path]) -> Option<(&'a Path, &'a Path, &'a OsStr)> {
     let mut seen: BTreeMap<&OsStr, &Path> = BTreeMap::new();
     parts.iter().find_map(|part| {
         let stem = part.file_stem()?;
-        seen.insert(stem, part).map(|first| (first, part.as_path(), stem))
+        seen.insert(stem, part).map(|first| (first, *part, stem))
     })
 }
 
@@ -173,18 +180,20 @@ pub(crate) fn code_options(
     }))
 }
 
-/// Writes what was asked for and can be made. An error leaves what was there before.
+/// Writes what was asked for and can be made. An error leaves what was there before; a file that was read stays,
+/// and nothing is written where a result would have its name.
 fn write_artifacts(
     part: &Path,
     folder: &Path,
     args: &CompileArgs,
     compiled: &Compiled,
+    included: &[PathBuf],
 ) -> Result<Vec<PathBuf>, (PathBuf, io::Error)> {
     let mut emit = args.emit.clone();
     emit.sort_unstable();
     emit.dedup();
     let stem = part.file_stem().unwrap_or(part.as_os_str());
-    let mut written = Vec::new();
+    let mut all = Vec::new();
     for kind in emit {
         let artifact = match kind {
             Emit::Protap => Artifact::Protap,
@@ -202,14 +211,21 @@ fn write_artifacts(
         };
         let files = compiled.files(artifact, args.keep_going).map_err(|e| (part.into(), e))?;
         for file in files {
-            let path = folder.join(with_ending(stem.to_owned(), &file.ending));
-            if is_same(&path, part) {
-                let why = "it is what was compiled; name another folder by -o";
-                return Err((path, io::Error::other(why)));
-            }
-            write_whole(&path, &file, artifact).map_err(|e| (path.clone(), e))?;
-            written.push(path);
+            all.push((folder.join(with_ending(stem.to_owned(), &file.ending)), artifact, file));
         }
+    }
+    let others = args.parts.iter().map(|part| (&**part, "a part program of this run"));
+    let others = others.chain(included.iter().map(|file| (&**file, "included in the program")));
+    let files = std::iter::once((part, "what was compiled")).chain(others);
+    let inputs = Inputs::new(files, args.code.machine.as_deref());
+    if let Some((path, what)) = all.iter().find_map(|(p, ..)| inputs.what_is(p).map(|w| (p, w))) {
+        let why = format!("it is {what}; name another folder by -o");
+        return Err((path.clone(), io::Error::other(why)));
+    }
+    let mut written = Vec::new();
+    for (path, artifact, file) in all {
+        write_whole(&path, &file, artifact).map_err(|e| (path.clone(), e))?;
+        written.push(path);
     }
     Ok(written)
 }

@@ -2,7 +2,7 @@
 
 use std::fs::File;
 use std::io::{self, Read, Write as _};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use aptc_control::{Artifact, ClOptions, PostedCl, post_cl};
@@ -10,7 +10,7 @@ use aptc_control::{Artifact, ClOptions, PostedCl, post_cl};
 use super::cl::dialect;
 use super::compile::{code_options, exit_code};
 use crate::cli::{Common, PostArgs};
-use crate::input::{cl_fault, is_same};
+use crate::input::{Inputs, cl_fault};
 use crate::output::{Aside, write_whole};
 use crate::{exit, report};
 
@@ -37,11 +37,13 @@ pub(crate) fn post(args: &PostArgs, common: &Common) -> io::Result<ExitCode> {
     if let Some(e) = cl_fault(&args.file, dialect) {
         return report::complain(&e);
     }
-    if !show && is_same(&path, &args.file) {
-        return report::complain(&format!(
-            "{} is what is posted; name another file by -o",
-            path.display()
-        ));
+    let inputs = Inputs::new([(&*args.file, "what is posted")], args.code.machine.as_deref());
+    let taken = |path: &Path| {
+        let what = inputs.what_is(path).filter(|_| !show)?;
+        Some(format!("{} is {what}; name another file by -o", path.display()))
+    };
+    if let Some(e) = taken(&path) {
+        return report::complain(&e);
     }
     let name = args.file.display().to_string();
     let mut open = || Ok(Box::new(File::open(&args.file)?) as Box<dyn Read>);
@@ -58,29 +60,37 @@ pub(crate) fn post(args: &PostArgs, common: &Common) -> io::Result<ExitCode> {
         let why = "it has no motion and no word that a machine obeys";
         return report::complain(&format!("no machine code comes of {name}: {why}"));
     }
-    let texts = compiled.nc().map(|(stem, _)| format!("{stem}nc")).zip(texts);
-    for (ending, text) in texts.filter(|_| whole) {
+    // The first text has the name that was asked for, further ones `2.nc` and so on.
+    let named = |ending: String| {
+        if ending == "nc" { path.clone() } else { path.with_extension(ending) }
+    };
+    let texts = compiled.nc().map(|(stem, _)| named(format!("{stem}nc"))).zip(texts);
+    let texts: Vec<(PathBuf, Aside)> = texts.filter(|_| whole).collect();
+    let mut sheets = Vec::new();
+    let kinds =
+        [(args.setup, Artifact::Setup), (args.map, Artifact::Map)].into_iter().filter(|k| k.0);
+    for (_, kind) in kinds.filter(|_| !show) {
+        for file in compiled.files(kind, false)? {
+            sheets.push((path.with_extension(&file.ending), kind, file));
+        }
+    }
+    // All names are asked before the first is written.
+    let paths = texts.iter().map(|(path, _)| path).chain(sheets.iter().map(|(path, ..)| path));
+    if let Some(e) = paths.into_iter().find_map(|path| taken(path)) {
+        return report::complain(&e);
+    }
+    for (path, text) in texts {
         if show {
             text.copy_to(&mut io::stdout().lock())?;
             continue;
         }
-        // The first text has the name that was asked for, further ones `2.nc` and so on.
-        let path = if ending == "nc" { path.clone() } else { path.with_extension(ending) };
         if let Some(done) = wrote(&path, text.keep(&path), common)? {
             return Ok(done);
         }
     }
-    if show {
-        return Ok(exit);
-    }
-    let kinds =
-        [(args.setup, Artifact::Setup), (args.map, Artifact::Map)].into_iter().filter(|k| k.0);
-    for (_, kind) in kinds {
-        for file in compiled.files(kind, false)? {
-            let path = path.with_extension(&file.ending);
-            if let Some(done) = wrote(&path, write_whole(&path, &file, kind), common)? {
-                return Ok(done);
-            }
+    for (path, kind, file) in sheets {
+        if let Some(done) = wrote(&path, write_whole(&path, &file, kind), common)? {
+            return Ok(done);
         }
     }
     Ok(exit)
