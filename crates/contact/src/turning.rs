@@ -12,6 +12,8 @@ use crate::turned::{Turned, axis_between};
 const HALVINGS: u32 = 16;
 /// The way is divided so that the axis turns by no more on a part, radians.
 const TURN: f64 = 0.1;
+/// More than make half a turn.
+const MOST: i32 = 32;
 
 /// A part of the way.
 struct Part<'a> {
@@ -92,7 +94,7 @@ impl<'a> Parts<'a> {
     fn divided(&mut self) -> usize {
         let [a, b] = self.ends;
         let angle = aptc_geometry::trig::angle_between(a.1, b.1);
-        let count = (1..).find(|n| f64::from(*n) * TURN >= angle).unwrap_or(1);
+        let count = (1..=MOST).find(|n| f64::from(*n) * TURN >= angle).unwrap_or(MOST);
         for k in 0..count {
             let range = [k, k + 1].map(|k| f64::from(k) / f64::from(count));
             self.put(range, 0);
