@@ -47,5 +47,5 @@ pub use gap::{
 pub use guide::{ClosedGuide, End, Guide, Reading};
 pub use patches::{Clear, PatchPlace, PatchTree};
 pub use point::PointGuide;
-pub use turned::{Turned, axis_between, bulge};
+pub use turned::{axis_between, bulge};
 pub use under::{Cell, Low};

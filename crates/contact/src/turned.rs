@@ -12,7 +12,7 @@ use crate::under::{Cell, Low};
 
 /// A tool that moves straight while its axis turns evenly in the plane of both.
 #[derive(Clone, Copy, Debug)]
-pub struct Turned<'a> {
+pub(crate) struct Turned<'a> {
     profile: &'a Profile,
     /// The lower end of the solid from the tool end.
     up: Vec3,
@@ -32,9 +32,9 @@ pub struct Turned<'a> {
 impl<'a> Turned<'a> {
     /// From tool end and axis to tool end and axis, of a solid whose lower end is `up` above the tool end. Of axes that point
     /// against each other nothing is known.
-    pub fn new(profile: &'a Profile, up: f64, [a, b]: [(Vec3, Vec3); 2]) -> Self {
+    pub(crate) fn new(profile: &'a Profile, up: f64, [a, b]: [(Vec3, Vec3); 2]) -> Self {
         let across = a.1.cross(&b.1);
-        let angle = trig::atan2(across.norm(), a.1.dot(&b.1));
+        let angle = trig::angle_between(a.1, b.1);
         let about = across.try_normalize(0.0).unwrap_or_else(Vec3::zeros);
         let (sin, cos) = trig::sin_cos(0.5 * angle);
         let middle = (a.1 + b.1).try_normalize(1e-9);

@@ -162,7 +162,7 @@ impl Setup<'_> {
     fn off(&self, chord: &Chord<'_>, touched: &[Beside]) -> Option<f64> {
         let [a, b] = chord.ends;
         let most = self.thick() + self.band.outtol;
-        let turn = trig::acos_clamped(a.ta.dot(&b.ta));
+        let turn = trig::angle_between(a.ta, b.ta);
         let v = chord.by();
         let distance = |s: f64, q: Vec3| {
             let (te, ta) = (a.te + v * s, axis_between(a.ta, b.ta, s));
