@@ -82,7 +82,7 @@ impl Cut {
     fn draw(&self, svg: &mut String, top: f64) {
         let Some(part) = &self.milling.part else { return };
         let surface: &Sculptured = &part.surface;
-        let swath = Swath::new(&self.profile, self.milling.on, self.ways.clone());
+        let swath = Swath::new(&self.profile, self.milling.on, &self.ways, f64::INFINITY);
         let [nu, nv] = surface.spans();
         let at = |i: usize, j: usize| {
             let share = [i as f64 / CELLS[0] as f64, j as f64 / CELLS[1] as f64];

@@ -21,6 +21,7 @@ mod judged;
 mod milled;
 mod outline;
 mod outside;
+mod passes;
 mod pile;
 mod scallop;
 mod search;

@@ -28,6 +28,8 @@ const MOST: u32 = 2000;
 /// As for a surface that guides the tool.
 const TURNED: f64 = 20.0;
 const LONG: u32 = 5;
+/// Share of what may be left by which points seen from a tool that turns may leave their chords.
+const FINE: f64 = 0.3;
 
 /// The surfaces of a statement of regional milling.
 #[derive(Debug)]
@@ -119,8 +121,8 @@ impl Region {
         }
         let cusps = milling.scallop.as_ref().zip(milling.part.as_ref());
         let cusps = cusps.and_then(|(scallop, part)| {
-            let height = part.thick + scallop.height + milling.outtol;
-            Some(Cusps::new(surfaces.first()?.sheet()?, part.side, height, scallop))
+            let sheet = surfaces.first()?.sheet()?;
+            Some(Cusps::new(sheet, part.side, part.thick, milling.outtol, scallop))
         });
         let plain = |p| MilledSurface::plain(p, milling, sheets, (profile, from));
         surfaces.extend(milling.plain.iter().map(plain));
@@ -165,8 +167,9 @@ impl Region {
     /// What is left at one of [`PLACES`] parts of the region; `None` where nothing is asked.
     pub(crate) fn between(&self, s: &Statement, part: usize) -> Option<Left> {
         let cusps = self.cusps.as_ref()?;
-        let swath =
-            self.swath.get_or_init(|| Swath::new(&s.profile, false, ways(&s.start, &s.points)));
+        let swath = self.swath.get_or_init(|| {
+            Swath::new(&s.profile, false, &ways(&s.start, &s.points), FINE * cusps.room)
+        });
         Some(cusps.judge(swath, s.pad, part, PLACES))
     }
 }

@@ -5,18 +5,22 @@
 //! parallelogram made thicker by how its normal turns; what a tool sweeps without turning is convex, so that
 //! it holds the piece when it holds the corners by that thickness.
 
+use std::cmp::Ordering;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicUsize, Ordering as Memory};
 
 use aptc_cldata::milling::{Extent, Scallop};
 use aptc_geometry::Vec3;
 
 use crate::outline::{Outline, Share};
+use crate::passes::{List, Passes};
 use crate::sheet::{Patch, Sheet, Spot};
-use crate::swath::Swath;
+use crate::swath::{Piece, Swath};
 
 /// Pieces that are looked at in one part of a region.
 const MOST: u32 = 500_000;
+/// The same beside a place that is not decided.
+const MORE: u32 = 10_000;
 /// Pieces that a region is cut into at least, so that its parts have equal work.
 const PIECES: usize = 256;
 /// Halvings of what is left at a place.
@@ -29,6 +33,8 @@ pub(crate) struct Cusps {
     side: f64,
     /// Allowed height over the surface, thickness and tolerance included.
     pub(crate) height: f64,
+    /// What of it is scallop and tolerance.
+    pub(crate) room: f64,
     /// The reason where the region is not known.
     pieces: Result<Vec<Patch>, &'static str>,
     /// What of the pieces counts, where that is not all of them.
@@ -51,7 +57,15 @@ pub(crate) enum Left {
 }
 
 impl Cusps {
-    pub(crate) fn new(sheet: &Arc<Sheet>, side: f64, height: f64, asked: &Scallop) -> Self {
+    /// Over a surface with a thickness, what may be left with the tolerance.
+    pub(crate) fn new(
+        sheet: &Arc<Sheet>,
+        side: f64,
+        thick: f64,
+        outtol: f64,
+        asked: &Scallop,
+    ) -> Self {
+        let room = asked.height + outtol;
         let (range, outline, linked) = match &asked.extent {
             Extent::Box(range) => (Ok(*range), None, true),
             Extent::Outline { corners, linked } => {
@@ -76,7 +90,7 @@ impl Cusps {
             (false, true) => None,
         };
         let (sheet, first) = (Arc::clone(sheet), AtomicUsize::new(usize::MAX));
-        Self { sheet, side, height, pieces, outline, excused, first }
+        Self { sheet, side, height: thick + room, room, pieces, outline, excused, first }
     }
 
     /// Judges what the ways leave in part `part` of `n`; `pad` covers rounding. Behind a part where something is left
@@ -86,50 +100,54 @@ impl Cusps {
             Ok(pieces) => pieces,
             Err(why) => return Left::Open(0, Some(why)),
         };
-        if part > self.first.load(Ordering::Relaxed) {
+        if part > self.first.load(Memory::Relaxed) {
             return Left::Proved;
         }
         let border = |i: usize| pieces.len() * i / n;
-        let left = self.part(swath, pad, &pieces[border(part)..border(part + 1)]);
+        let left = match self.part(swath, pad, &pieces[border(part)..border(part + 1)]) {
+            Left::Higher(height, i) => Left::Higher(height, swath.whole(i)),
+            Left::Open(i, why) => Left::Open(swath.whole(i), why),
+            Left::Proved => Left::Proved,
+        };
         if left != Left::Proved {
-            self.first.fetch_min(part, Ordering::Relaxed);
+            self.first.fetch_min(part, Memory::Relaxed);
         }
         left
     }
 
     fn part(&self, swath: &Swath, pad: f64, pieces: &[Patch]) -> Left {
-        let mut stack: Vec<Patch> = pieces.iter().rev().copied().collect();
+        let mut passes = Passes::new(swath, pad);
+        let mut stack: Vec<(Patch, Option<List>)> =
+            pieces.iter().rev().map(|p| (*p, None)).collect();
         let mut hint = 0;
-        let mut seen = 0;
-        while let Some(patch) = stack.pop() {
+        let (mut seen, mut most) = (0, MOST);
+        let mut open = None;
+        while let Some((patch, mut list)) = stack.pop() {
             let counts = self.outline.as_ref().map_or(Share::All, |o| o.share(&patch));
             if counts == Share::None {
                 continue;
             }
             seen += 1;
             let tile = self.sheet.tile(&patch);
-            let x = tile.c + tile.n * (self.side * self.height);
-            let slop =
-                tile.stray[0] + tile.stray[1] + self.height.abs() * (tile.turn[0] + tile.turn[1]);
-            let mut best = (f64::INFINITY, hint);
-            let mut covered = false;
-            let mut look = |i: usize| {
-                let (d, t) = swath.distance(i, x);
-                if d < best.0 {
-                    best = (d, i);
-                }
-                covered = d <= pad - slop && swath.farthest(i, x, tile.side, t) <= pad - slop;
-                covered
+            let high = self.height.abs();
+            let loose = [0, 1].map(|i| tile.stray[i] + high * tile.turn[i]);
+            let piece = Piece {
+                x: tile.c + tile.n * (self.side * self.height),
+                sides: tile.side,
+                slop: loose[0] + loose[1],
             };
             // Neighbouring pieces are mostly held by the same way.
-            if !look(hint) {
-                swath.around(x, pad, look);
+            let mut best = passes.look(hint, &piece);
+            if !best.held {
+                let own = passes.near(&piece, list);
+                passes.nearest(&piece, own, &mut best);
+                list = Some(own);
             }
-            hint = best.1;
-            if covered {
+            hint = best.way;
+            if best.held {
                 continue;
             }
-            if best.0 > pad {
+            if best.distance > pad {
                 // Where the middle is beside the region a place of its outline tells.
                 let (c, n, near) = match counts {
                     Share::Rest(at) => {
@@ -140,17 +158,30 @@ impl Cusps {
                     _ => (tile.c, tile.n, None),
                 };
                 if near.is_none_or(|(d, _)| d > pad) {
-                    let (height, way) = self.height_at(swath, c, n, best.1);
+                    let (height, way) = self.height_at(swath, c, n, best.way);
                     return Left::Higher(height, way);
                 }
             }
             let sides = [0, 1].map(|i| tile.side[i].norm() + tile.stray[i]);
-            if seen > MOST || sides[0] + sides[1] <= pad {
-                return Left::Open(best.1, None);
+            if seen >= most {
+                return open.unwrap_or(Left::Open(best.way, None));
             }
-            stack.extend(patch.halves(usize::from(sides[1] > sides[0])));
+            if sides[0] + sides[1] <= pad {
+                // The tip of what stands higher is narrow; where it is wider that is seen.
+                most = most.min(seen + MORE);
+                open.get_or_insert(Left::Open(best.way, None));
+                continue;
+            }
+            // Across what makes its ends farther than its middle: what is left of a ridge is narrow and long.
+            let gain = [0, 1].map(|i| best.ends[i] + loose[i]);
+            let across = match gain[1].total_cmp(&gain[0]) {
+                _ if sides[0].min(sides[1]) <= 0.5 * pad => sides[1] > sides[0],
+                Ordering::Equal => sides[1] > sides[0],
+                order => order.is_gt(),
+            };
+            stack.extend(patch.halves(usize::from(across)).map(|half| (half, list)));
         }
-        Left::Proved
+        open.unwrap_or(Left::Proved)
     }
 
     /// How high the material stands over a place where it is higher than allowed.
@@ -179,3 +210,7 @@ impl Cusps {
         (high, way)
     }
 }
+
+#[cfg(test)]
+#[path = "scallop_tests.rs"]
+mod tests;

@@ -3,11 +3,13 @@
 use aptc_geometry::{Profile, Vec3};
 
 use crate::between::{angle, between_poses, bulge};
-use crate::sweep::Sweep;
+use crate::sweep::{Slack, Sweep};
 use crate::tool::{Pose, Tool};
 
 /// Ways in a leaf.
 const LEAF: usize = 4;
+/// Parts of a way.
+const MOST: f64 = 64.0;
 
 /// The ways of a tool.
 #[derive(Debug)]
@@ -15,10 +17,37 @@ pub(crate) struct Swath {
     profile: Profile,
     /// Does the tool end alone count?
     on: bool,
+    /// Ways, those on which the tool turns in parts.
     ways: Vec<[Pose; 2]>,
-    /// Numbers of the ways, those of a leaf beside each other.
+    /// The number of the way each of them is of.
+    whole: Vec<usize>,
+    /// Numbers of the parts, those of a leaf beside each other.
     order: Vec<usize>,
     nodes: Vec<Node>,
+}
+
+/// What lies within `slop` of the parallelogram `x +- sides[0] +- sides[1]`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Piece {
+    pub(crate) x: Vec3,
+    pub(crate) sides: [Vec3; 2],
+    pub(crate) slop: f64,
+}
+
+/// Bounds of distances from the tool on a way: no less than this is that of the middle of a piece, and of all of it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Bound {
+    pub(crate) middle: f64,
+    pub(crate) all: f64,
+}
+
+/// Distances of a parallelogram from the tool on a way.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Hold {
+    /// No point of it is farther.
+    pub(crate) most: f64,
+    /// Those of the ends by parameter, the farther one, between their corners.
+    pub(crate) ends: [f64; 2],
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -35,11 +64,18 @@ enum Below {
 }
 
 impl Swath {
-    pub(crate) fn new(profile: &Profile, on: bool, ways: Vec<[Pose; 2]>) -> Self {
+    /// Of the ways; where the tool turns, in parts on which points seen from it leave their chords by no more than
+    /// `fine` near the tool end.
+    pub(crate) fn new(profile: &Profile, on: bool, all: &[[Pose; 2]], fine: f64) -> Self {
+        let (mut ways, mut whole) = (Vec::with_capacity(all.len()), Vec::with_capacity(all.len()));
+        for (i, way) in all.iter().enumerate() {
+            ways.extend(parts(profile, way, fine));
+            whole.resize(ways.len(), i);
+        }
         let n = ways.len();
         let boxes: Vec<[Vec3; 2]> = ways.iter().map(|w| hull(profile, w)).collect();
         let order = (0..n).collect();
-        let mut new = Self { profile: *profile, on, ways, order, nodes: Vec::new() };
+        let mut new = Self { profile: *profile, on, ways, whole, order, nodes: Vec::new() };
         if n > 0 {
             new.grow(&boxes, 0, n);
         }
@@ -48,6 +84,11 @@ impl Swath {
 
     fn tool(&self) -> Tool<'_> {
         if self.on { Tool::End } else { Tool::Solid(&self.profile) }
+    }
+
+    /// The number of the way that part `i` is of.
+    pub(crate) fn whole(&self, i: usize) -> usize {
+        self.whole.get(i).copied().unwrap_or(i)
     }
 
     fn grow(&mut self, boxes: &[[Vec3; 2]], from: usize, to: usize) -> usize {
@@ -92,6 +133,21 @@ impl Swath {
         }
     }
 
+    /// What bounds the distances of a piece from way `i` below; see [`Bound`]. A look at both ends.
+    pub(crate) fn bound(&self, i: usize, piece: &Piece) -> Bound {
+        let [a, b] = self.ways[i];
+        let tool = self.tool();
+        let sweep = Sweep::new(&tool, a, b, angle(a.ta, b.ta));
+        let meeting = sweep.glance(piece.x);
+        let slack =
+            |m: Vec3| m.dot(&piece.sides[0]).abs() + m.dot(&piece.sides[1]).abs() + piece.slop;
+        let least = |all: &dyn Fn(Vec3) -> f64| {
+            let slack = |m: Vec3| Slack { by: [0.0; 2], all: all(m) };
+            sweep.proved(&meeting, piece.x, piece.radius(), slack).0
+        };
+        Bound { middle: least(&|_| 0.0), all: least(&slack) }
+    }
+
     /// Signed distance of a point from the tool at its nearest on a way, and the share of the way; never less
     /// than it is.
     pub(crate) fn distance(&self, i: usize, x: Vec3) -> (f64, f64) {
@@ -104,24 +160,41 @@ impl Swath {
         (self.tool().near(&between_poses(&a, &b, meeting.t), x).0, meeting.t)
     }
 
-    /// The same for a parallelogram `x +- a +- b`: no point of it is farther.
-    pub(crate) fn farthest(&self, i: usize, x: Vec3, sides: [Vec3; 2], t: f64) -> f64 {
+    /// How far the parallelogram of a piece is from a way.
+    pub(crate) fn hold(&self, i: usize, piece: &Piece) -> Hold {
         let [a, b] = self.ways[i];
-        let turns = angle(a.ta, b.ta) > 1e-15;
-        let still = between_poses(&a, &b, t);
+        let turn = angle(a.ta, b.ta);
         let signs = [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)];
-        let corners = signs.map(|(s, t)| x + sides[0] * s + sides[1] * t);
-        // What a tool sweeps is convex where it does not turn; else it is held still.
-        let of = |p: Vec3| {
-            if turns { self.tool().near(&still, p).0 } else { self.distance(i, p).0 }
+        let corners =
+            signs.map(|(s, t)| self.distance(i, piece.x + piece.sides[0] * s + piece.sides[1] * t));
+        let most = corners.iter().map(|c| c.0).fold(f64::NEG_INFINITY, f64::max);
+        let (first, last) = corners
+            .iter()
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |r, c| (r.0.min(c.1), r.1.max(c.1)));
+        // What a tool sweeps is convex where it does not turn. Else a point between the corners, seen from the tool at
+        // the share of the way between theirs, is between what they are but for second derivatives of that view.
+        let spread = last - first;
+        let bent = if turn > 1e-15 && spread > 0.0 {
+            let way = (b.te - a.te).norm();
+            let lever = (piece.x - a.te).norm() + piece.radius() + way;
+            let way = turn * turn * lever + 2.0 * turn * way;
+            spread * (0.125 * way * spread + 0.5 * turn * piece.radius())
+        } else {
+            0.0
         };
-        corners.into_iter().map(of).fold(f64::NEG_INFINITY, f64::max)
+        let mean = |i: usize, j: usize| 0.5 * (corners[i].0 + corners[j].0);
+        let ends = [mean(0, 1).max(mean(2, 3)), mean(0, 2).max(mean(1, 3))];
+        Hold { most: most + bent, ends }
     }
 
-    /// The least distance of a point from any way that comes within `margin`, with its number.
+    /// The least distance of a point from any way that comes within `margin`, with the number of its part.
     pub(crate) fn least(&self, x: Vec3, margin: f64) -> Option<(f64, usize)> {
         let mut best: Option<(f64, usize)> = None;
+        let point = Piece { x, sides: [Vec3::zeros(); 2], slop: 0.0 };
         self.around(x, margin, |i| {
+            if best.is_some_and(|b| self.bound(i, &point).middle > b.0) {
+                return false;
+            }
             let (d, _) = self.distance(i, x);
             if best.is_none_or(|b| d < b.0 || d <= b.0 && i < b.1) {
                 best = Some((d, i));
@@ -130,6 +203,25 @@ impl Swath {
         });
         best
     }
+}
+
+impl Piece {
+    /// Radius of the sphere about the middle that holds the parallelogram.
+    pub(crate) fn radius(&self) -> f64 {
+        self.sides[0].norm() + self.sides[1].norm()
+    }
+}
+
+/// A way in parts.
+fn parts(profile: &Profile, way: &[Pose; 2], fine: f64) -> impl Iterator<Item = [Pose; 2]> {
+    let [a, b] = *way;
+    let turn = angle(a.ta, b.ta);
+    let bent = 0.25 * turn * (b.te - a.te).norm() + bulge(profile.widest(), turn);
+    let n = if bent > fine { (bent / fine).sqrt().ceil().min(MOST) } else { 1.0 };
+    let at = move |k: f64| between_poses(&a, &b, k / n);
+    std::iter::successors(Some(0.0), |k| Some(k + 1.0))
+        .take_while(move |k| *k < n)
+        .map(move |k| [if k > 0.0 { at(k) } else { a }, at(k + 1.0)])
 }
 
 /// A box about all of the tool on its way.
@@ -145,3 +237,7 @@ fn hull(profile: &Profile, way: &[Pose; 2]) -> [Vec3; 2] {
     }
     out
 }
+
+#[cfg(test)]
+#[path = "swath_tests.rs"]
+mod tests;
