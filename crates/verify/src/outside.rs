@@ -240,7 +240,7 @@ pub(crate) fn bound_turning(
 ) -> Bound {
     let at = |pose: &Pose, known: Option<Touch>| known.unwrap_or_else(|| touch(tool, pose, solid));
     let (first, last) = (at(a, ends[0]), at(b, ends[1]));
-    let hull = |d: Vec3| -tool.height_turning(a, b, -d, turn) - solid.support(d);
+    let hull = |d: Vec3| -tool.height_turning(a, b, -d, turn).0 - solid.support(d);
     let mut low = f64::NEG_INFINITY;
     let middle = first.m + last.m;
     for d in [first.m, last.m, solid.bounded_direction(middle)] {

@@ -177,7 +177,12 @@ impl Sweep<'_> {
 
     /// A direction at the middle of the way, as the axis stands at the first position.
     fn own(&self, m: Vec3) -> Vec3 {
-        if self.turns() { turned((self.a.ta + self.b.ta).normalize(), self.a.ta, m) } else { m }
+        if self.turns() { turned(self.middle(), self.a.ta, m) } else { m }
+    }
+
+    /// The axis in the middle of the way.
+    fn middle(&self) -> Vec3 {
+        (self.a.ta + self.b.ta).normalize()
     }
 
     /// What a meeting proves of the distance of a piece about `x` that lies within `radius` of it: not less than
@@ -209,7 +214,13 @@ impl Sweep<'_> {
         let drift = (self.b.te - self.a.te).norm();
         let rise = bulge(lever, self.turn) + 0.25 * self.turn * drift;
         // What is lost at the end that is nearer counts: at the other there is room for it.
-        (-parabola(-a, -b, rise), if a <= b { slack_a } else { slack_b }, rise)
+        let turning = (-parabola(-a, -b, rise), if a <= b { slack_a } else { slack_b }, rise);
+        // A direction that stands still, as it is in the middle of the way: beside a piece square to it the better one.
+        let middle = turned(self.a.ta, self.middle(), m);
+        let slack = slack(middle);
+        let (height, rise) = self.tool.height_turning(&self.a, &self.b, middle, self.turn);
+        let standing = (middle.dot(&x) - height - slack.all, slack, rise);
+        if standing.0 > turning.0 { standing } else { turning }
     }
 }
 

@@ -86,15 +86,16 @@ impl<'a> Tool<'a> {
     }
 
     /// Greatest `n . p` at most over the tool on its way from one position to another, the axis turning evenly
-    /// by `turn`.
-    pub(crate) fn height_turning(&self, from: &Pose, to: &Pose, n: Vec3, turn: f64) -> f64 {
+    /// by `turn`, and what the turn makes of it.
+    pub(crate) fn height_turning(&self, from: &Pose, to: &Pose, n: Vec3, turn: f64) -> (f64, f64) {
         let k = unit_or(from.ta.cross(&to.ta), Vec3::zeros());
         let across = n - k * n.dot(&k);
         let ends = [self.height(from, n), self.height(to, n)];
         let own = |pose: &Pose, n: Vec3, height: f64| height - n.dot(&pose.te);
         let apart = own(from, n, ends[0]) - own(to, n, ends[1]);
         let reach = |pose: &Pose| own(pose, across, self.height(pose, across));
-        parabola(ends[0], ends[1], rise(reach(from).max(reach(to)), apart.abs(), turn))
+        let rise = rise(reach(from).max(reach(to)), apart.abs(), turn);
+        (parabola(ends[0], ends[1], rise), rise)
     }
 
     /// How far the tool's ends are from its tool end, along the axis.
@@ -255,7 +256,7 @@ mod tests {
             let a = Pose { te: Vec3::zeros(), ta: up(lean[0], lean[1]) };
             let b = Pose { te: Vec3::from(v), ta: up(lean[2], lean[3]) };
             let (n, turn) = (Vec3::from(n), crate::between::angle(a.ta, b.ta));
-            let most = tool.height_turning(&a, &b, n, turn);
+            let (most, _) = tool.height_turning(&a, &b, n, turn);
             for i in 0..=40 {
                 let at = crate::between::between_poses(&a, &b, f64::from(i) / 40.0);
                 prop_assert!(tool.height(&at, n) <= most + 1e-9, "{i}");
