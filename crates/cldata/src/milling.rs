@@ -52,9 +52,8 @@ pub struct Milled {
     pub thick: f64,
 }
 
-/// A surface that is not sculptured. To planes, spheres, cylinders and cones cutter and holder keep on one side, that on
-/// which the cutter's lower end stands before the statement: the place of its axis as far up as it is wide, half way up at
-/// most. Inside of a hollow out of which they reach there it is open along the axis.
+/// A surface that is not sculptured. Where it has sides cutter and holder keep to one of them, by the rule of
+/// [`aptc_geometry::surface::kept`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plain {
     /// Its name.

@@ -3,7 +3,7 @@
 use aptc_geometry::profile::Segment;
 use aptc_geometry::{Reason, Spot, Surface, Tool, Vec3};
 
-use crate::{closed, descent, open, rings, search, tangents};
+use crate::{closed, descent, rings, search, tangents};
 
 /// The side of a surface on which the tool is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -14,7 +14,7 @@ pub enum Side {
     Negative,
     /// The other side of a hollow that counts as open along the tool axis: whatever lies above the hollow,
     /// seen along the axis, is no material. So a cutter works inside of a sphere or a lying cylinder that it
-    /// is taller than. For sphere, cylinder, cone and convex quadrics; see [`opens`].
+    /// is taller than. For sphere, cylinder, cone and convex quadrics; see [`aptc_geometry::surface::kept::opens`].
     Open,
 }
 
@@ -130,12 +130,6 @@ pub fn gap_at(
 ) -> Result<Gap, Reason> {
     let gap = descent::local(tool, surface, side, q)?;
     Ok(Gap { g: gap.raw - thick, ..gap })
-}
-
-/// May the hollow of the surface count as open along the axis `ta`? That of a sphere or ellipsoid may, and that of a
-/// cylinder or cone that lies: one that stands is a bore; a paraboloid about the axis is open as it is.
-pub fn opens(surface: &Surface, ta: Vec3) -> bool {
-    open::opens(surface, ta)
 }
 
 /// Does the surface go all round a tool on that side, as the inside of an ellipsoid? A search that starts at the

@@ -37,13 +37,12 @@ mod turned;
 mod turning;
 mod under;
 
+pub use aptc_geometry::surface::kept::opens;
 pub use aptc_geometry::{Place, Reason, Tool};
 pub use bodies::{Convex, Swept};
 pub use chord::{Chord, Exact, Extreme, chord};
 pub use curvature::second;
-pub use gap::{
-    Condition, Gap, Side, distance, elsewhere, gap, gap_at, gap_near, on, opens, surrounds,
-};
+pub use gap::{Condition, Gap, Side, distance, elsewhere, gap, gap_at, gap_near, on, surrounds};
 pub use guide::{ClosedGuide, End, Guide, Reading};
 pub use patches::{Clear, PatchPlace, PatchTree};
 pub use point::PointGuide;

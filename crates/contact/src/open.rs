@@ -10,18 +10,6 @@ use aptc_geometry::{Cone, Cylinder, Foot, Shape, Spot, Surface, Vec3};
 /// Cosine with the axis below which a normal counts as square to it.
 const LEVEL: f64 = 1e-12;
 
-/// Is the hollow a bowl or a trough?
-pub(crate) fn opens(surface: &Surface, ta: Vec3) -> bool {
-    let lies = |axis: Vec3| axis.dot(&ta).abs() <= std::f64::consts::FRAC_1_SQRT_2;
-    match surface {
-        Surface::Sphere(_) => true,
-        Surface::Cylinder(s) => lies(s.axis),
-        Surface::Cone(s) => lies(s.axis) && outline(s, ta).is_some(),
-        Surface::Quadric(s) => s.generator().is_none_or(lies) && s.opened(ta).is_some(),
-        _ => false,
-    }
-}
-
 /// The nearest place of the opened hollow's wall.
 pub(crate) fn cylinder(s: &Cylinder, ta: Vec3, p: Vec3) -> Foot {
     let foot = s.foot(p);

@@ -19,7 +19,7 @@ use aptc_cldata::milling::{Milled, Milling, Plain, Raised};
 use aptc_cldata::{Control, Controlled, Kind, Motion, MotionKind, Position, Record, Relation};
 use aptc_control::{Disk, Options, Source, Verify, compile};
 use aptc_diagnostics::{Diagnostic, Origin};
-use aptc_geometry::surface::continued;
+use aptc_geometry::surface::{continued, kept};
 use aptc_geometry::{Cutter, Form, Profile, Sculptured, Surface, Vec3, trig};
 use aptc_verify::{Certificate, Effort, Verifier};
 use support::{brute, scene};
@@ -391,15 +391,18 @@ impl Beside {
         let up = cutter.widest().min(0.5 * cutter.height());
         let sign = 1.0_f64.copysign(surface.distance(from.te + from.ta * up));
         let mut new = Self { surface, sign, open: false, intol };
-        // The inside of a cone and of a cylinder that stands in between is left to the tests of the proof.
+        if sign > 0.0 || matches!(new.surface, Plane(_)) {
+            return Some(new);
+        }
+        // A bowl or a trough is open above. The inside of a cone, and of a cylinder that may open or not as the tool leans,
+        // is left to the tests of the proof.
         let stands = match &new.surface {
             Cylinder(s) => s.axis.dot(&from.ta).abs(),
-            Cone(_) => 1.0,
+            Cone(_) => return None,
             _ => 0.0,
         };
-        let sticks_out = sign < 0.0 && round && new.excess(solids, from) > 0.0;
-        new.open = sticks_out && stands < 0.6;
-        (!sticks_out || new.open).then_some(new)
+        new.open = stands < 0.6;
+        (new.open || stands > 0.8).then_some(new)
     }
 
     /// How far a point is from it, positive on the side of the tool.
@@ -441,7 +444,7 @@ struct Brute {
     along: Vec<Asked>,
     nets: Vec<Net>,
     check: Option<Asked>,
-    /// Cutter and holder, and the surfaces that both keep off.
+    /// Cutter, holder and the axis between them, and the surfaces that all keep off.
     solids: Vec<Raised>,
     beside: Vec<Beside>,
     /// The nets that the holder keeps off too.
@@ -460,7 +463,12 @@ impl Brute {
         let profile = Profile::new(cutter).ok()?;
         let milling = || control.milling.iter();
         let holder = milling().flat_map(|m| m.holder.iter().copied());
-        let solids: Vec<_> = std::iter::once(Raised { profile, up: 0.0 }).chain(holder).collect();
+        let mut solids: Vec<_> =
+            std::iter::once(Raised { profile, up: 0.0 }).chain(holder).collect();
+        let above: Vec<_> = solids[1..].iter().map(|s| (s.profile, s.up)).collect();
+        let allowed = milling().map(|m| m.intol).next().unwrap_or(0.0);
+        let rod = kept::between(&profile, &above, allowed);
+        solids.extend(rod.map(|(profile, up)| Raised { profile, up }));
         let beside = milling()
             .flat_map(|m| m.plain.iter().map(|p| Beside::new(p, m.intol, &solids, from)))
             .collect::<Option<_>>()?;

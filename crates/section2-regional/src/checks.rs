@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use aptc_geometry::{Form, Surface};
+use aptc_geometry::Form;
 use aptc_protap::Arg;
 
 use crate::area::PartArea;
@@ -51,10 +51,9 @@ impl Regional {
             }
             self.plain.retain(|p| !same_form(&p.form, form));
             if on {
-                let surface = Surface::from_form(form)
+                let plain = Plain::new(label, form)
                     .ok_or(Failure::Undone { what: "CHKSRF of a surface of this kind" })?;
-                let (form, surface) = (Arc::clone(form), Arc::new(surface));
-                self.plain.push(Plain { name: label, form, surface, side: None });
+                self.plain.push(plain);
             }
         }
         Ok(())
@@ -139,8 +138,9 @@ impl Regional {
         let intol = self.settings.band().intol;
         let (holder, report, plain) = (self.holder.clone(), self.report, self.plain.clone());
         let mut guard = Guard { surfaces, plain, intol, thick, holder, report };
-        let stand = self.stand.map(|s| (s.te, s.ta));
-        guard.come_from(self.settings.profile.as_ref(), stand);
+        if let (Some(cutter), Some(came)) = (&self.settings.profile, self.came) {
+            guard.come_from(cutter, came);
+        }
         (!guard.is_empty()).then_some(guard)
     }
 }

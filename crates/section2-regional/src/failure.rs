@@ -3,7 +3,7 @@
 use aptc_diagnostics::{Code, Diagnostic, Origin, codes};
 use aptc_geometry::Vec3;
 
-use crate::guard::Gouge;
+use crate::guard::{Gouge, Solid};
 
 /// Why a statement of regional milling fails.
 #[derive(Clone, Debug, PartialEq)]
@@ -87,19 +87,19 @@ impl Failure {
     /// The words, at the statement.
     pub(crate) fn explain(&self, origin: &Origin) -> Diagnostic {
         let (code, text, help) = self.words();
-        let told = Diagnostic::error(code, origin.span, text).within(origin.trace.clone());
-        let told = match self {
-            Self::Gouge(deep) if deep.gouge.entered => told.note(format!(
-                "the tool came from outside of {0}, which counts as solid; as a bowl {0} counts where the tool stands in it before the statement",
-                deep.gouge.surface
-            )),
-            _ => told,
-        };
-        told.help(help)
+        Diagnostic::error(code, origin.span, text).within(origin.trace.clone()).help(help)
     }
 
     fn words(&self) -> (Code, String, String) {
         match self {
+            Self::Gouge(deep)
+            | Self::PickFeed(deep)
+            | Self::Skipped(deep)
+            | Self::Approach(deep)
+                if let Some((text, help)) = deep.entered() =>
+            {
+                (codes::INTERFERENCE, text, help)
+            }
             Self::Unfit { name, why } => (
                 codes::UNFIT_SURFACE,
                 format!("{name} cannot be fitted: {why}"),
@@ -180,7 +180,7 @@ impl Failure {
             ),
             Self::Gouge(deep) => (
                 codes::INTERFERENCE,
-                deep.said("the cutter is", "the holder is"),
+                deep.said(""),
                 if deep.avoids {
                     "widen RANGE or LIMIT of AVCTRL, or use a smaller cutter".into()
                 } else {
@@ -189,15 +189,12 @@ impl Failure {
             ),
             Self::PickFeed(deep) => (
                 codes::BETWEEN_PASSES,
-                deep.said("on the way to the next pass the cutter is", "the holder is"),
+                deep.said("on the way to the next pass "),
                 "give SCON/FEED a plane that the tool clears from one pass to the next".into(),
             ),
             Self::Skipped(deep) => (
                 codes::BETWEEN_PASSES,
-                deep.said(
-                    "the first point is left out, and on the way to the second the cutter is",
-                    "the first point is left out, and on the way to the second the holder is",
-                ),
+                deep.said("the first point is left out, and on the way to the second "),
                 "bring the tool to the first point before, or leave the last number away".into(),
             ),
             Self::Stopped { done, all } => (
@@ -227,10 +224,7 @@ impl Failure {
             ),
             Self::Approach(deep) => (
                 codes::BETWEEN_PASSES,
-                deep.said(
-                    "on the way to the first projected position the cutter is",
-                    "on the way to the first projected position the holder is",
-                ),
+                deep.said("on the way to the first projected position "),
                 "bring the tool over that position before TLPROJ".into(),
             ),
             Self::NotCut { why } => (
@@ -248,14 +242,34 @@ impl Failure {
 }
 
 impl Deep {
-    fn said(&self, cutter: &str, holder: &str) -> String {
-        let Gouge { surface, span, depth, holder: by_holder, .. } = &self.gouge;
-        let who = if *by_holder { holder } else { cutter };
+    fn said(&self, way: &str) -> String {
+        let Gouge { surface, span, depth, by, .. } = &self.gouge;
+        let who = match by {
+            Solid::Cutter => "the cutter",
+            Solid::Holder => "the holder",
+            Solid::Between => "the axis between cutter and holder",
+        };
         let depth =
             if depth.is_finite() { format!("{} deep", short(*depth)) } else { "perhaps".into() };
         let (te, ta) = (point(self.te), point(self.ta));
         let place = placed(*span);
-        format!("at the tool end {te} with axis {ta} {who} {depth} in {surface}{place}")
+        format!("at the tool end {te} with axis {ta} {way}{who} is {depth} in {surface}{place}")
+    }
+}
+
+impl Deep {
+    /// What is said of a tool that came from outside of a solid which could be a bowl, and what to do.
+    fn entered(&self) -> Option<(String, String)> {
+        let Gouge { surface, entered, .. } = &self.gouge;
+        let from = point((*entered)?);
+        let (te, ta) = (point(self.te), point(self.ta));
+        let text = format!(
+            "the tool came from {from}, outside of {surface}, which counts as solid; here, at the tool end {te} with axis {ta}, it stands inside"
+        );
+        let help = format!(
+            "where {surface} is a bowl, bring the tool into it before CHKSRF: by FROM, or a motion to a place inside"
+        );
+        Some((text, help))
     }
 }
 

@@ -155,7 +155,6 @@ impl Regional {
         let drive = own_drive(&part);
         let guard = self.guarded(Some(&part));
         let mut setup = self.line_setup(&drive, &part, side)?;
-        setup.guard = guard.as_ref().map(|g| (g, self.avoid));
         setup.maxdp = wish.longest;
         if let Some(c) = wish.chord {
             setup.band = crate::settings::Band { intol: setup.band.intol.min(c), outtol: c };
@@ -175,7 +174,11 @@ impl Regional {
         let mut milled = Milled::default();
         let stretch = line.stretch(&wish)?;
         let (Stretch::At(t) | Stretch::From([t, _])) = stretch;
-        let unchosen = chosen_counts(origin, &setup, (at_line(course, fixed, t), course, sense))?;
+        let start = at_line(course, fixed, t);
+        let unchosen = chosen_counts(origin, &setup, (start, course, sense))?;
+        let guard = guard.map(|g| setup.coming(g, self.avoid, start, (course, sense)));
+        setup.guard = guard.as_ref().map(|g| (g, self.avoid));
+        let line = Line::Surface(Box::new(setup), course, fixed, sense);
         match stretch {
             Stretch::At(t) => {
                 let s = line.stop(t)?;

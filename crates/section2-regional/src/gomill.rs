@@ -93,6 +93,13 @@ impl Regional {
         self.diagnostics.extend(unchosen);
         let guard = self.guarded(Some(&part));
         let mut setup = self.line_setup(&drive, &part, 1.0)?;
+        // The first place within REGION is not known yet.
+        let guard = match guard {
+            Some(g) if !self.outlines.is_active() => {
+                Some(setup.coming(g, self.avoid, start_uv, (course, sense)))
+            }
+            other => other,
+        };
         setup.guard = guard.as_ref().map(|g| (g, self.avoid));
         let over = if wish.step.is_some_and(|s| s < 0.0) { -1.0 } else { 1.0 };
         setup.over = over;

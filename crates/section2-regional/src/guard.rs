@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use aptc_contact::{Clear, PatchPlace, PatchTree, Swept, Tool};
+use aptc_geometry::surface::kept;
 use aptc_geometry::{Profile, Sculptured, Vec3};
 
 use crate::plain::Plain;
@@ -40,10 +41,20 @@ pub(crate) struct Gouge {
     pub(crate) span: Option<(usize, [f64; 2])>,
     /// How deep, the thickness counted.
     pub(crate) depth: f64,
-    /// Is it the shank or the holder that is in the surface?
-    pub(crate) holder: bool,
-    /// Does the tool, which came from outside, stand in the solid so that it could be a bowl?
-    pub(crate) entered: bool,
+    /// What is in the surface.
+    pub(crate) by: Solid,
+    /// From where the tool came to stand in a solid that could be a bowl, if it came from outside.
+    pub(crate) entered: Option<Vec3>,
+}
+
+/// A solid of the tool.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Solid {
+    Cutter,
+    /// Shank or holder.
+    Holder,
+    /// The axis between them.
+    Between,
 }
 
 impl Guard {
@@ -59,12 +70,24 @@ impl Guard {
         alone && self.surfaces.iter().all(part) && thick >= self.thick && intol <= self.intol
     }
 
-    /// Sides by where the tool stands before the statement; where that is not known each solid has its own.
-    pub(crate) fn come_from(&mut self, cutter: Option<&Profile>, stand: Option<(Vec3, Vec3)>) {
-        let (Some(cutter), Some(stand)) = (cutter, stand) else { return };
+    /// The tool comes to the statement from there. Where that is not known each way has the side of its first place.
+    pub(crate) fn come_from(&mut self, cutter: &Profile, at: (Vec3, Vec3)) {
         for p in &mut self.plain {
-            p.come_from(cutter, &self.holder, stand, self.intol);
+            p.come_from(cutter, at, self.intol);
         }
+    }
+
+    /// Is it not known from where the tool comes, and does that matter?
+    pub(crate) fn asks(&self) -> bool {
+        self.plain.iter().any(|p| p.from.is_none())
+    }
+
+    /// Cutter, holder and the axis between them, with the heights above the tool end at which they begin.
+    fn solids(&self, cutter: &Profile) -> impl Iterator<Item = (Solid, (Profile, f64))> {
+        let rod = kept::between(cutter, &self.holder, self.intol);
+        std::iter::once((Solid::Cutter, (*cutter, 0.0)))
+            .chain(self.holder.iter().map(|h| (Solid::Holder, *h)))
+            .chain(rod.map(|rod| (Solid::Between, rod)))
     }
 
     /// Is the tool clear at `te`?
@@ -75,58 +98,54 @@ impl Guard {
     /// The same gouge with the deepest place of its surface in a tool that stands still, to tell of it.
     pub(crate) fn deepest(&self, profile: &Profile, te: Vec3, ta: Vec3, gouge: Gouge) -> Gouge {
         let Some(s) = self.surfaces.iter().find(|s| s.name == gouge.surface) else { return gouge };
-        let solids =
-            std::iter::once(&(*profile, 0.0)).chain(&self.holder).copied().collect::<Vec<_>>();
-        let found = solids.iter().zip(0..).filter(|(_, k)| (*k > 0) == gouge.holder).filter_map(
-            |((profile, up), _)| {
-                let tool = Tool { profile, te: te + ta * *up, ta };
+        let found = self.solids(profile).filter(|(by, _)| *by == gouge.by).filter_map(
+            |(_, (profile, up))| {
+                let tool = Tool { profile: &profile, te: te + ta * up, ta };
                 s.tree.deepest(&tool, 1e-3 * self.intol.max(1e-6 * profile.reach()))
             },
         );
         let least = found.map(|(p, _)| p).min_by(|a, b| a.distance.total_cmp(&b.distance));
         match least {
             Some(place) => {
-                let told = self.told(s, place, gouge.holder);
+                let told = self.told(s, place, gouge.by);
                 if told.depth > gouge.depth { told } else { gouge }
             }
             None => gouge,
         }
     }
 
-    fn told(&self, s: &Checked, place: PatchPlace, holder: bool) -> Gouge {
+    fn told(&self, s: &Checked, place: PatchPlace, by: Solid) -> Gouge {
         let [u, v] = s.surface.global(place.patch, place.uv[0], place.uv[1]);
         let thick = if s.part { self.thick } else { 0.0 };
         let (span, depth) = (Some(s.surface.span_of(u, v)), thick - place.distance);
-        Gouge { surface: s.name.clone(), span, depth, holder, entered: false }
+        Gouge { surface: s.name.clone(), span, depth, by, entered: None }
     }
 
     /// Is the tool with its holder clear all the way from one tool end and axis to the other? An axis that
     /// turns is proved stretch by stretch.
-    pub(crate) fn way(&self, profile: &Profile, ends: [(Vec3, Vec3); 2]) -> Result<(), Gouge> {
-        let cutter = (*profile, 0.0);
-        for (k, (profile, up)) in std::iter::once(&cutter).chain(&self.holder).enumerate() {
+    pub(crate) fn way(&self, cutter: &Profile, ends: [(Vec3, Vec3); 2]) -> Result<(), Gouge> {
+        for (by, (profile, up)) in self.solids(cutter) {
             let [a, b] = ends;
             for s in &self.surfaces {
                 let thick = if s.part { self.thick } else { 0.0 };
                 let allowed = self.intol - thick;
-                let tool = Tool { profile, te: a.0 + a.1 * *up, ta: a.1 };
+                let tool = Tool { profile: &profile, te: a.0 + a.1 * up, ta: a.1 };
                 let found = if a == b {
                     s.tree.clear(&tool, allowed)
                 } else if (a.1 - b.1).norm() <= 1e-12 {
                     s.tree.clear(&Swept { tool, by: b.0 - a.0 }, allowed)
                 } else {
-                    s.tree.clear_turning((profile, *up), ends, allowed)
+                    s.tree.clear_turning((&profile, up), ends, allowed)
                 };
                 // What cannot be proved clear is not taken for clear.
                 if let Clear::No(place) | Clear::Unknown(place) = found {
-                    return Err(self.told(s, place, k > 0));
+                    return Err(self.told(s, place, by));
                 }
             }
             for p in &self.plain {
-                if let Some((depth, _)) = p.deep((profile, *up), ends, self.intol) {
-                    let surface = p.name.clone();
-                    let entered = p.is_entered(&cutter.0, ends[1]);
-                    return Err(Gouge { surface, span: None, depth, holder: k > 0, entered });
+                if let Some((depth, _)) = p.deep(cutter, (&profile, up), ends, self.intol) {
+                    let (surface, entered) = (p.name.clone(), p.entered(cutter, ends[1]));
+                    return Err(Gouge { surface, span: None, depth, by, entered });
                 }
             }
         }

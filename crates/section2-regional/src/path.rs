@@ -4,7 +4,7 @@ use aptc_contact::Tool;
 use aptc_geometry::Vec3;
 
 use crate::area::Guide;
-use crate::avoid::Case;
+use crate::avoid::{Avoid, Case};
 use crate::drive::Course;
 use crate::failure::Failure;
 use crate::guard::Guard;
@@ -89,6 +89,30 @@ impl Setup<'_> {
             (here, memory, clear) = (next, kept, proved);
         }
         Ok(points)
+    }
+
+    /// A guard that knows from where the tool comes: where nothing was put out before, from the first place of the path.
+    pub(crate) fn coming(
+        &self,
+        mut guard: Guard,
+        avoid: Avoid,
+        from: [f64; 2],
+        (course, sense): (Course, f64),
+    ) -> Guard {
+        if !guard.asks() {
+            return guard;
+        }
+        let place = || {
+            let setup = Setup { guard: Some((&guard, avoid)), ..*self };
+            let (here, memory) = setup.settled(from, course, sense, None, setup.at_end()).ok()?;
+            let mut path = Path::default();
+            setup.guarded(&mut path, here, (course, sense), memory, false).ok()?;
+            path.points.first().map(|p| (p.te, p.ta))
+        };
+        if let Some(place) = place() {
+            guard.come_from(self.profile, place);
+        }
+        guard
     }
 
     /// The end of a path along a border of the drive that runs together in a point, where the tool stands still: the

@@ -55,6 +55,8 @@ pub struct Regional {
     pub(crate) feet: Vec<(Arc<Sculptured>, Arc<ParametricSurface>)>,
     /// Where the tool stands, if that is known.
     pub(crate) stand: Option<Stand>,
+    /// Where the last motion ended that was put out: from there the tool comes to the next statement.
+    pub(crate) came: Option<(Vec3, Vec3)>,
     /// HOLDER: solids with their height above the tool end.
     pub(crate) holder: Vec<(Profile, f64)>,
     /// PRINT/AVPRT.
@@ -126,6 +128,7 @@ impl Regional {
             self.follow(&record.kind);
             return Ok(None);
         };
+        let known = out.len();
         let done = match word.as_str() {
             "SCON" => self.scon(args).map(|()| None),
             "SMIL" => self.smil(&record.origin, args, crew, out),
@@ -146,11 +149,9 @@ impl Regional {
             }
             _ => Ok(None),
         };
+        self.went(out.get(known..).unwrap_or_default());
         match &done {
-            Ok(Some(stand)) => {
-                self.stand = Some(*stand);
-                self.watch_from(stand.te, stand.ta);
-            }
+            Ok(Some(stand)) => self.stand = Some(*stand),
             Ok(None) => {}
             Err(_) => self.stand = None,
         }

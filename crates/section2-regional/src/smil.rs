@@ -66,10 +66,8 @@ impl Regional {
                 let (puts, odd, away) = self.point(from, &mut w)?;
                 Done { puts, odd, away, ..Done::default() }
             }
-            "PATH" => self.line(from, &mut w, guard.as_ref())?,
-            "ZIGZAG" | "PICKFD" => {
-                self.area(word == "PICKFD", from, &mut w, guard.as_ref(), crew)?
-            }
+            "PATH" => self.line(from, &mut w, guard)?,
+            "ZIGZAG" | "PICKFD" => self.area(word == "PICKFD", from, &mut w, guard, crew)?,
             _ => return Err(Failure::Undone { what: "this form of SMIL" }),
         };
         if done.joined {
@@ -150,12 +148,13 @@ impl Regional {
         &self,
         from: [f64; 2],
         w: &mut Words<'_>,
-        guard: Option<&Guard>,
+        guard: Option<Guard>,
     ) -> Result<Done, Failure> {
         let mut setup = self.setup()?;
-        setup.guard = guard.map(|g| (g, self.avoid));
         let from = self.checked(from)?;
         let (course, sense) = self.course(w)?;
+        let guard = guard.map(|g| setup.coming(g, self.avoid, from, (course, sense)));
+        setup.guard = guard.as_ref().map(|g| (g, self.avoid));
         let skip = w.number().is_some_and(|s| s > 0.0);
         let to = setup.drive.limits(course)[usize::from(sense > 0.0)];
         let (Path { points, notes, .. }, broken) = match setup.run(from, to, course, sense) {
@@ -176,16 +175,17 @@ impl Regional {
         pick: bool,
         from: [f64; 2],
         w: &mut Words<'_>,
-        guard: Option<&Guard>,
+        guard: Option<Guard>,
         crew: &dyn Crew,
     ) -> Result<Done, Failure> {
         let mut setup = self.setup()?;
-        setup.guard = guard.map(|g| (g, self.avoid));
         let from = self.checked(from)?;
         let (course, along) = self.course(w)?;
         w.take("STEPOV");
         let over = w.sign();
         setup.over = over;
+        let guard = guard.map(|g| setup.coming(g, self.avoid, from, (course, along)));
+        setup.guard = guard.as_ref().map(|g| (g, self.avoid));
         let skip = w.number().is_some_and(|s| s > 0.0);
         let a = &self.areas;
         let (Some(feeds), Some(stepover)) = (a.feeds, a.stepover) else {

@@ -65,6 +65,18 @@ impl Regional {
         records: &mut Vec<cl::Record>,
         from: usize,
     ) -> Result<Option<Stand>, Failed> {
+        // Each motion comes from the one before; as they are watched next, that begins before the first.
+        let came = self.came;
+        let done = self.project_all(records, from);
+        self.came = came;
+        done
+    }
+
+    fn project_all(
+        &mut self,
+        records: &mut Vec<cl::Record>,
+        from: usize,
+    ) -> Result<Option<Stand>, Failed> {
         let Some(mut projecting) = self.projecting else { return Ok(None) };
         if projecting.direction.is_none() && records.len() > from {
             self.prepare_feet();
@@ -74,6 +86,7 @@ impl Regional {
             let record = &mut records[i];
             let cl::Kind::Motion(motion) = &mut record.kind else { continue };
             if motion.kind == cl::MotionKind::From {
+                self.put_out(motion);
                 projecting.last = None;
                 self.projecting = Some(projecting);
                 continue;
@@ -85,6 +98,9 @@ impl Regional {
             motion.points = points.iter().map(|p| cl::Position { te: p.te, ta: p.ta }).collect();
             motion.arc = None;
             motion.kind = cl::MotionKind::Continuous;
+            if !self.is_recording() {
+                self.put_out(motion);
+            }
             let joined = projecting.last.is_some();
             let part = self.areas.part.as_ref();
             motion.control = part.map(|part| self.milling_control(part, None, joined));
@@ -158,6 +174,7 @@ impl Regional {
         };
         let guard = self.guard();
         let mut setup = Setup::new(&self.settings, &drive, part, axis).map_err(failed)?;
+        let guard = guard.map(|g| setup.coming(g, self.avoid, [0.0; 2], (Course::U, 1.0)));
         setup.guard = guard.as_ref().map(|g| (g, self.avoid));
         // Every motion begins where the one before ended.
         setup.joins = true;

@@ -11,6 +11,7 @@ use crate::regional::{Failed, Regional};
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Watch {
     profile: Option<Profile>,
+    /// Where the way to the next point begins.
     last: Option<(Vec3, Vec3)>,
 }
 
@@ -23,18 +24,24 @@ impl Regional {
     /// A motion gouges; see [`Regional::take_diagnostics`]. Where the tool stands is then unknown.
     pub fn watch(&mut self, records: &mut Vec<cl::Record>, from: usize) -> Result<(), Failed> {
         let mut cut = None;
+        let came = self.came;
         for (i, record) in records.iter_mut().enumerate().skip(from) {
             match &mut record.kind {
                 cl::Kind::Cutter(c) => self.watch.profile = Profile::new(c).ok(),
                 cl::Kind::Motion(motion) => {
-                    if let Err((k, failure)) = self.watched(motion) {
+                    let (found, recorded) = (self.watched(motion, came), self.is_recording());
+                    if let Err((k, failure)) = found {
                         motion.points.truncate(k);
+                        self.put_out(motion);
                         self.diagnostics.push(failure.explain(&record.origin));
                         cut = Some(if k == 0 { i } else { i + 1 });
                         break;
                     }
-                    let last = motion.points.last().map(|p| (p.te, p.ta));
-                    self.watch.last = last.or(self.watch.last);
+                    if !recorded {
+                        self.put_out(motion);
+                        let last = motion.points.last().map(|p| (p.te, p.ta));
+                        self.watch.last = last.or(self.watch.last);
+                    }
                 }
                 _ => {}
             }
@@ -45,16 +52,37 @@ impl Regional {
         Err(Failed)
     }
 
-    /// The tool stands there after a motion that is not watched.
-    pub(crate) fn watch_from(&mut self, te: Vec3, ta: Vec3) {
-        self.watch.last = Some((te, ta));
+    /// Motions of regional milling were put out, which are not watched; what is only recorded was not.
+    pub(crate) fn went(&mut self, records: &[cl::Record]) {
+        if self.is_recording() {
+            return;
+        }
+        for record in records {
+            if let cl::Kind::Motion(motion) = &record.kind {
+                self.put_out(motion);
+                self.watch.last = self.came;
+            }
+        }
     }
 
-    /// The first point whose way gouges.
-    fn watched(&mut self, motion: &cl::Motion) -> Result<(), (usize, Failure)> {
+    /// From its end the tool comes to the next statement.
+    pub(crate) fn put_out(&mut self, motion: &cl::Motion) {
+        self.came = motion.points.last().map(|p| (p.te, p.ta)).or(self.came);
+    }
+
+    /// The first point whose way gouges; the tool came to the statement from `came`.
+    fn watched(
+        &mut self,
+        motion: &cl::Motion,
+        came: Option<(Vec3, Vec3)>,
+    ) -> Result<(), (usize, Failure)> {
         let moves = motion.kind != cl::MotionKind::From && !self.is_recording();
         let (Some(profile), true) = (self.watch.profile, moves) else { return Ok(()) };
-        let Some(guard) = self.motion_guard(motion).map_err(|f| (0, f))? else { return Ok(()) };
+        let first = motion.points.first().map(|p| (p.te, p.ta));
+        let Some(mut guard) = self.motion_guard(motion).map_err(|f| (0, f))? else { return Ok(()) };
+        if let Some(from) = came.or(first) {
+            guard.come_from(&profile, from);
+        }
         let mut here = self.watch.last;
         for (k, p) in motion.points.iter().enumerate() {
             let to = (p.te, p.ta);
@@ -87,8 +115,7 @@ impl Regional {
         // A tool that just touches is not in.
         let intol = band.intol.max(0.01 * (band.intol + band.outtol));
         let (holder, report, plain) = (self.holder.clone(), false, self.plain.clone());
-        let mut guard = Guard { surfaces, plain, intol, thick, holder, report };
-        guard.come_from(self.watch.profile.as_ref(), self.watch.last);
+        let guard = Guard { surfaces, plain, intol, thick, holder, report };
         Ok((!guard.is_empty()).then_some(guard))
     }
 }

@@ -1,5 +1,6 @@
 //! What was proved.
 
+use std::borrow::Cow;
 use std::fmt;
 
 use aptc_diagnostics::Origin;
@@ -81,7 +82,7 @@ pub struct Fault {
     pub gouge: bool,
     /// Why it is not decided, where that is known.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub why: Option<&'static str>,
+    pub why: Option<Cow<'static, str>>,
 }
 
 /// A length for a message: small ones keep their digits.

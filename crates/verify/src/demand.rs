@@ -126,6 +126,13 @@ impl Demand {
         Some(Self { body, side, within, open: open && within, on: false, least, most })
     }
 
+    /// The same inside of a convex quadric that is open along the tool axis; `None` of others.
+    pub(crate) fn hollow(quadric: &QuadricSurface, depth: f64) -> Option<Self> {
+        let body = Body::Hollow(Hollow::new(quadric)?);
+        let (least, most) = (-depth, f64::INFINITY);
+        Some(Self { body, side: -1.0, within: true, open: true, on: false, least, most })
+    }
+
     /// Judges the cut vector from `a` to `b`; `pad` covers rounding. Of what is refuted the deepest place is
     /// given, to a tenth of its depth.
     pub(crate) fn judge(&self, profile: &Profile, a: &Position, b: &Position, pad: f64) -> Verdict {

@@ -18,6 +18,7 @@ mod free;
 mod hollow;
 mod inside;
 mod judged;
+mod kept;
 mod milled;
 mod outline;
 mod outside;

@@ -4,18 +4,19 @@ use std::sync::{Arc, OnceLock};
 
 use aptc_cldata::milling::{Milled, Milling, Plain, Raised};
 use aptc_cldata::{NameRef, Position};
+use aptc_geometry::surface::kept::between;
 use aptc_geometry::{Form, Profile};
 
 use crate::between::{angle, between_poses};
 use crate::certificate::{Fault, SurfaceBound};
 use crate::curved::{Curved, Half, Warm, worst};
-use crate::demand::{Demand, Verdict};
+use crate::demand::Verdict;
+use crate::kept::Kept;
 use crate::pile::Pile;
 use crate::scallop::{Cusps, Left};
 use crate::search::{Aim, FOLD, Moved, clearance_from};
 use crate::sheet::Sheet;
 use crate::sheets::Sheets;
-use crate::solid::{Solid, unit_or};
 use crate::statement::{PLACES, Seen, Statement};
 use crate::swath::Swath;
 use crate::sweep::Sweep;
@@ -46,8 +47,10 @@ pub(crate) struct MilledSurface {
     body: Body,
     name: String,
     role: &'static str,
-    /// What keeps clear of it beside the cutter itself: of shank and holder one solid.
+    /// What keeps clear of it beside the cutter itself: of shank and holder one solid, or the axis below them.
     holder: Option<Raised>,
+    /// Is that the axis between cutter and holder?
+    between: bool,
     /// Is the tool end held to it? Else the cutter stays away from it.
     on: bool,
     side: f64,
@@ -60,46 +63,10 @@ pub(crate) struct MilledSurface {
 enum Body {
     /// It has charts.
     Sheet(Arc<Sheet>),
-    /// It has a closed form: what is asked on the side from which the tool comes.
-    Closed(Solid, Box<Kept>),
+    /// It has sides: what is asked on the one from which the tool comes.
+    Sided(Box<Kept>),
     /// Nothing that could be proved against.
     Unknown,
-}
-
-/// What is asked of cutter and holder beside a surface with a closed form.
-#[derive(Clone, Debug)]
-struct Kept {
-    demand: Demand,
-    /// The same of the hollow open along the axis, out of which the tool reaches.
-    opened: Option<Demand>,
-}
-
-impl Kept {
-    /// The side is that of the cutter's lower end where the tool comes from, for cutter and holder: the place of the axis as
-    /// far up as the cutter is wide, half way up at most.
-    fn new(
-        form: &Form,
-        solid: &Solid,
-        milling: &Milling,
-        (cutter, at): (&Profile, &Position),
-    ) -> Option<Self> {
-        let end = at.te + at.ta * cutter.widest().min(0.5 * cutter.height());
-        let side = if solid.distance(end) < 0.0 { -1.0 } else { 1.0 };
-        let demand = Demand::clear(form, side, false, milling.intol)?;
-        let held = milling.holder.iter().map(|h| Tool::Raised(&h.profile, h.up));
-        let sticks_out =
-            |tool: Tool<'_>| demand.gap_of(&tool, at).is_some_and(|g| g < demand.least);
-        let opens = side < 0.0 && solid.may_open(at.ta);
-        let opens = opens && std::iter::once(Tool::Solid(cutter)).chain(held).any(sticks_out);
-        let opened = if opens { Demand::clear(form, side, true, milling.intol) } else { None };
-        Some(Self { demand, opened })
-    }
-
-    /// Along a vector from `a` to `b`: a trough along which the tool comes to stand is a bore.
-    fn along(&self, solid: &Solid, a: &Position, b: &Position) -> &Demand {
-        let middle = unit_or(a.ta + b.ta, a.ta);
-        self.opened.as_ref().filter(|_| solid.may_open(middle)).unwrap_or(&self.demand)
-    }
 }
 
 impl Region {
@@ -128,9 +95,18 @@ impl Region {
         surfaces.extend(milling.plain.iter().map(plain));
         // Shank and holder keep clear of what is checked, the part surface only where it is.
         let kept = |s: &&MilledSurface| s.role != "part" || milling.guarded;
-        let held = milling.holder.iter().flat_map(|h| {
-            surfaces.iter().filter(kept).map(|s| MilledSurface { holder: Some(*h), ..s.clone() })
-        });
+        let above: Vec<_> = milling.holder.iter().map(|h| (h.profile, h.up)).collect();
+        let rod = between(profile, &above, milling.intol);
+        let rod = rod.map(|(profile, up)| (Raised { profile, up }, true));
+        let held =
+            milling.holder.iter().map(|h| (*h, false)).chain(rod).flat_map(|(h, between)| {
+                let held = move |s: &MilledSurface| MilledSurface {
+                    holder: Some(h),
+                    between,
+                    ..s.clone()
+                };
+                surfaces.iter().filter(kept).map(held)
+            });
         let held: Vec<_> = held.collect();
         surfaces.extend(held);
         Some(Self { surfaces, cusps, swath: OnceLock::new() })
@@ -192,6 +168,7 @@ impl MilledSurface {
             name: name_of(&of.name),
             role,
             holder: None,
+            between: false,
             on,
             side: of.side,
             band: [least, if on { most } else { f64::INFINITY }],
@@ -200,19 +177,17 @@ impl MilledSurface {
 
     /// A surface that is not sculptured. Its straight continuations belong to it.
     fn plain(of: &Plain, milling: &Milling, sheets: &Sheets, from: (&Profile, &Position)) -> Self {
-        let closed = || {
-            let solid = Solid::new(&of.form)?;
-            let kept = Kept::new(&of.form, &solid, milling, from)?;
-            Some(Body::Closed(solid, Box::new(kept)))
-        };
+        let sided =
+            || Some(Body::Sided(Box::new(Kept::new(&of.form, milling.intol, sheets, from)?)));
         // The working surface of a POLCON with a thickness is another one.
         let thick = matches!(of.form.shape(), Form::Polyconic(p) if p.thickness != 0.0);
         let sheet = || sheets.of_form(&of.form).filter(|_| !thick).map(Body::Sheet);
         Self {
-            body: closed().or_else(sheet).unwrap_or(Body::Unknown),
+            body: sided().or_else(sheet).unwrap_or(Body::Unknown),
             name: name_of(&of.name),
             role: "checked",
             holder: None,
+            between: false,
             on: false,
             side: 1.0,
             band: [-milling.intol, f64::INFINITY],
@@ -222,7 +197,7 @@ impl MilledSurface {
     fn sheet(&self) -> Option<&Arc<Sheet>> {
         match &self.body {
             Body::Sheet(sheet) => Some(sheet),
-            Body::Closed(..) | Body::Unknown => None,
+            Body::Sided(_) | Body::Unknown => None,
         }
     }
 
@@ -247,11 +222,15 @@ impl MilledSurface {
                 let curved = Curved { sheet, side: self.side, on: true, least: from, most };
                 curved.judge(&Tool::End, a, b, pad, warm)
             }
-            Body::Sheet(sheet) => self.clear(sheet, &tool, a, b, pad, warm),
-            Body::Closed(solid, kept) => kept.along(solid, a, b).judge_tool(&tool, a, b, pad, warm),
+            Body::Sheet(sheet) => clear(sheet, &tool, [a, b], from - pad, warm),
+            Body::Sided(kept) => kept.judge(&tool, a, b, pad, warm),
             Body::Unknown => Verdict::Undecided { at_most: f64::INFINITY, te: a.te },
         };
-        let with = if self.holder.is_some() { " with the holder" } else { "" };
+        let with = match (&self.holder, self.between) {
+            (None, _) => "",
+            (Some(_), false) => " with the holder",
+            (Some(_), true) => " with the axis between cutter and holder",
+        };
         let surface = || format!("{} surface {}{with}", self.role, self.name);
         match verdict {
             Verdict::Proved { low, high } => {
@@ -261,6 +240,10 @@ impl MilledSurface {
             Verdict::Refuted { gap, te } => {
                 let gouge = gap < from;
                 let depth = if gouge { from - gap } else { gap - self.band[1] };
+                let why = match &self.body {
+                    Body::Sided(kept) => kept.entered(profile, te, [a, b]),
+                    _ => None,
+                };
                 let te = te.into();
                 Some(Fault {
                     refuted: true,
@@ -269,7 +252,7 @@ impl MilledSurface {
                     te,
                     depth,
                     gouge,
-                    why: None,
+                    why: why.map(Into::into),
                 })
             }
             Verdict::Undecided { at_most, te } => Some(Fault {
@@ -281,30 +264,6 @@ impl MilledSurface {
                 gouge: true,
                 why: None,
             }),
-        }
-    }
-
-    /// That no point of the surface is nearer to the tool than the least.
-    fn clear(
-        &self,
-        sheet: &Sheet,
-        tool: &Tool<'_>,
-        a: &Position,
-        b: &Position,
-        pad: f64,
-        warm: &mut Warm,
-    ) -> Verdict {
-        let ends = [Pose { te: a.te, ta: a.ta }, Pose { te: b.te, ta: b.ta }];
-        let pose = |t: f64| between_poses(&ends[0], &ends[1], t);
-        let own = |t: f64| sheet.local(&pose(t));
-        let turn = angle(a.ta, b.ta);
-        let least = self.band[0] - pad;
-        let first = keeps_off(tool, sheet, &own, turn, least, warm);
-        let deeper = |least: f64| keeps_off(tool, sheet, &own, turn, least, &mut Warm::default());
-        match worst(first, least, deeper) {
-            Half::Holds(low) => Verdict::Proved { low, high: f64::INFINITY },
-            Half::Broken(t, gap) => Verdict::Refuted { gap, te: pose(t).te },
-            Half::Open(t, at_most) => Verdict::Undecided { at_most, te: pose(t).te },
         }
     }
 
@@ -323,6 +282,27 @@ impl MilledSurface {
 
 pub(crate) fn name_of(n: &NameRef) -> String {
     if n.subscript > 0 { format!("{}({})", n.name, n.subscript) } else { n.name.to_string() }
+}
+
+/// The same along a vector, at its deepest place where it is not so.
+pub(crate) fn clear(
+    sheet: &Sheet,
+    tool: &Tool<'_>,
+    [a, b]: [&Position; 2],
+    least: f64,
+    warm: &mut Warm,
+) -> Verdict {
+    let ends = [Pose { te: a.te, ta: a.ta }, Pose { te: b.te, ta: b.ta }];
+    let pose = |t: f64| between_poses(&ends[0], &ends[1], t);
+    let own = |t: f64| sheet.local(&pose(t));
+    let turn = angle(a.ta, b.ta);
+    let first = keeps_off(tool, sheet, &own, turn, least, warm);
+    let deeper = |least: f64| keeps_off(tool, sheet, &own, turn, least, &mut Warm::default());
+    match worst(first, least, deeper) {
+        Half::Holds(low) => Verdict::Proved { low, high: f64::INFINITY },
+        Half::Broken(t, gap) => Verdict::Refuted { gap, te: pose(t).te },
+        Half::Open(t, at_most) => Verdict::Undecided { at_most, te: pose(t).te },
+    }
 }
 
 /// That no point of the surface is nearer to the tool than `least`, negative in the tool.

@@ -5,6 +5,8 @@ use std::sync::atomic::{AtomicU32, Ordering};
 use super::*;
 use crate::sheet::forms::parametric;
 use crate::sheet::tests::quadrics;
+use crate::solid::Solid;
+use aptc_geometry::surface::kept;
 use aptc_geometry::{Cone, Cutter, Cylinder, Plane, Sphere, Surface, Tabcyl, Vec2, Vec3, trig};
 use proptest::prelude::*;
 
@@ -116,6 +118,33 @@ fn beyond(surface: &Surface, solid: &aptc_geometry::Tool<'_>, middle: Vec3) -> f
     least
 }
 
+/// The same of the inside of a convex solid together with all that lies above it: how far a point is from that is
+/// least among the places below the point.
+fn beyond_open(inside: &Surface, solid: &aptc_geometry::Tool<'_>) -> f64 {
+    const FAR: f64 = 40.0;
+    let far = |p: Vec3| {
+        let below = |s: f64| inside.distance(p - solid.ta * s);
+        let (mut from, mut to) = (0.0, FAR);
+        for _ in 0..60 {
+            let (a, b) = (from + (to - from) / 3.0, to - (to - from) / 3.0);
+            if below(a) <= below(b) { to = b } else { from = a }
+        }
+        below(0.5 * (from + to)).min(below(0.0))
+    };
+    let [u, w] = aptc_geometry::surface::frame_about(solid.ta);
+    let mut most = f64::NEG_INFINITY;
+    for i in 0..=30 {
+        let (s, c) = trig::sin_cos(f64::from(i) * std::f64::consts::PI / 30.0);
+        let [x, z] = solid.profile.support(s, -c).point;
+        for j in 0..30 {
+            let (s, c) = trig::sin_cos(f64::from(j) * std::f64::consts::TAU / 30.0);
+            most = most.max(far(solid.te + z * solid.ta + x * (c * u + s * w)));
+        }
+    }
+    // Within it nothing is told.
+    if most > 0.0 { -most } else { f64::INFINITY }
+}
+
 /// Motions that were not decided, of all that are tried.
 static UNDECIDED: AtomicU32 = AtomicU32::new(0);
 
@@ -144,16 +173,26 @@ proptest! {
             let at = between_poses(&ends[0], &ends[1], t);
             aptc_geometry::Tool { profile: &profile, te: at.te + at.ta * up, ta: at.ta }
         };
-        let sampled = (0..=3).map(|i| deepest(&surface, &solid(f64::from(i) / 3.0)));
+        let middle = solid(0.0).te + a.ta * (0.5 * (profile.bottom() + profile.height()));
+        let inside = kept::with_inside(&surface).filter(|s| s.distance(middle) < 0.0);
+        let open = inside.filter(|s| kept::opens(s, (a.ta + ta).normalize()));
+        let found = |t: f64| match &open {
+            Some(inside) => beyond_open(inside, &solid(t)),
+            None => deepest(&surface, &solid(t)),
+        };
+        let sampled = (0..=3).map(|i| found(f64::from(i) / 3.0));
         let depth = -sampled.fold(f64::INFINITY, f64::min);
         // Now more, now less than what is found.
         let intol = if depth > 0.0 { depth * share } else { 0.01 * share };
+        // A middle that is on the surface, as far as is allowed, would be where the axis leads.
+        if kept::with_inside(&surface).is_some() && surface.distance(middle).abs() <= intol {
+            return Ok(());
+        }
         let plain = Plain { name: NameRef::default(), form: Arc::new(form.clone()) };
         // The cutter itself is far away where the holder is judged.
         let cutter = Profile::new(&Cutter::mill(0.1, 0.0, 0.1)).unwrap();
         // The middle of the solid tells the side: a tool without size that comes from there.
         let point = Profile::new(&Cutter::mill(0.0, 0.0, 0.0)).unwrap();
-        let middle = solid(0.0).te + a.ta * (0.5 * (profile.bottom() + profile.height()));
         let from = Position { te: middle, ta: a.ta };
         let milling = milling(intol);
         let asked = MilledSurface::plain(&plain, &milling, &Sheets::default(), (&point, &from));
@@ -175,9 +214,9 @@ proptest! {
                 let told = -intol - fault.depth;
                 // The places between are as far as a step of the way, and samples are not everywhere.
                 let room = 2e-3 + 0.02 * fault.depth;
-                let found = deepest(&surface, &there);
+                let found = found(t);
                 let closed = Solid::new(form).is_some();
-                let found = if closed { found.min(beyond(&surface, &there, middle)) } else { found };
+                let found = if closed && open.is_none() { found.min(beyond(&surface, &there, middle)) } else { found };
                 let sharp = if closed { 0.5 * fault.depth } else { 0.0 };
                 prop_assert!(found <= told + room + sharp, "{form:?}: {found} told {told}");
             }
@@ -188,4 +227,100 @@ proptest! {
             }
         }
     }
+}
+
+/// What is told of cutter, holder and the axis between them on a way at the height 0, the tool coming from `from`.
+fn told(form: Form, from: Option<Vec3>) -> Vec<(bool, f64)> {
+    let profile = Profile::new(&Cutter::mill(10.0, 5.0, 40.0)).unwrap();
+    let chuck = Raised { profile: Profile::new(&Cutter::mill(16.0, 0.0, 20.0)).unwrap(), up: 50.0 };
+    let plain = vec![Plain { name: NameRef::default(), form: Arc::new(form) }];
+    let milling = Milling { plain, holder: vec![chuck], ..milling(0.01) };
+    let at = |x: f64| Position { te: Vec3::x() * x, ta: Vec3::z() };
+    let (a, b) = (at(-1.0), at(1.0));
+    let from = from.map_or(a, |te| Position { te, ..a });
+    let region = Region::new(&milling, &Sheets::default(), &profile, &from).unwrap();
+    let judged = region.surfaces().iter().map(|s| {
+        let fault = s.vector(&profile, &a, &b, 1e-10, 1, &mut Seen::default());
+        fault
+            .map_or((false, 0.0), |f| (f.why.is_some(), if f.refuted { f.depth } else { f64::NAN }))
+    });
+    judged.collect()
+}
+
+/// The depths beyond what is allowed, to a tenth of them.
+fn near(form: Form, from: Option<Vec3>, wanted: [f64; 3]) {
+    let found = told(form.clone(), from);
+    let off = found.iter().zip(wanted).map(|((_, d), w)| (d - w).abs() - 0.1 * w - 0.02);
+    assert!(
+        found.len() == 3 && off.clone().all(|x| x <= 0.0),
+        "{form:?}: {found:?}, not {wanted:?}"
+    );
+}
+
+const ABOVE: Option<Vec3> = Some(Vec3::new(0.0, 0.0, 90.0));
+const INSIDE: Option<Vec3> = Some(Vec3::new(0.0, 0.0, 1.0));
+
+fn sphere(center: Vec3, radius: f64) -> [Form; 2] {
+    let c = center * -1.0;
+    let last = center.norm_squared() - radius * radius;
+    let c = [1.0, 1.0, 1.0, last, 0.0, 0.0, 0.0, c.x, c.y, c.z];
+    let kind = aptc_geometry::QuadricKind::Qadric;
+    [Form::Sphere(Sphere { center, radius }), Form::Quadric(aptc_geometry::Quadric { kind, c })]
+}
+
+#[test]
+fn the_side_is_that_from_which_the_tool_comes() {
+    let plane = |n: Vec3, z: f64| Form::Plane(Plane { n, d: z * n.z });
+    for n in [Vec3::z(), -Vec3::z()] {
+        near(plane(n, 45.0), INSIDE, [0.0, 25.0, 5.0]);
+        near(plane(n, 45.0), ABOVE, [45.0, 0.0, 5.0]);
+        near(plane(n, -3.0), ABOVE, [0.0; 3]);
+        near(plane(n, 75.0), INSIDE, [0.0; 3]);
+        near(plane(n, 45.0), None, [0.0, 25.0, 5.0]);
+    }
+}
+
+#[test]
+fn a_bowl_is_open_above_and_solid_for_who_comes_from_outside() {
+    let center = Vec3::new(0.0, 0.0, 6.0);
+    for from in [INSIDE, None] {
+        for radius in [9.0, 8.5, 90.0] {
+            for form in sphere(center, radius) {
+                near(form, from, [0.0, f64::max(9.0 - radius, 0.0), 0.0]);
+            }
+        }
+        // A roof over a tool that had room below it does not count.
+        for form in sphere(Vec3::new(0.0, 0.0, 30.0), 50.0) {
+            near(form, from, [0.0; 3]);
+        }
+    }
+    let [ball, own] = sphere(center, 9.5);
+    near(ball.clone(), ABOVE, [14.5, 0.0, 0.0]);
+    let [ball, own] = [ball, own].map(|form| told(form, ABOVE)[0]);
+    assert!(ball.0 && own.0 && own.1 > 0.0, "{ball:?} {own:?}");
+    // Far below the shell, which no part of the tool touches.
+    for form in sphere(center, 400.0) {
+        let all = told(form, Some(Vec3::z() * 900.0));
+        assert!(all.iter().all(|(why, depth)| *why && *depth > 300.0), "{all:?}");
+    }
+}
+
+#[test]
+fn the_axis_between_cutter_and_holder_meets_what_stands_there() {
+    for form in sphere(Vec3::new(0.0, 0.0, 45.0), 2.0) {
+        let found = told(form, ABOVE);
+        assert!(found[0].1 == 0.0 && found[1].1 == 0.0 && found[2].1 > 0.0, "{found:?}");
+    }
+    for form in sphere(Vec3::new(0.0, 2.5, 45.0), 2.0) {
+        near(form, ABOVE, [0.0; 3]);
+    }
+    // z = 45 + xy / 10 and z = -9 + xy / 10, which have no sides.
+    let kind = aptc_geometry::QuadricKind::Qadric;
+    let saddle = |z: f64| {
+        let c = [0.0, 0.0, 0.0, z, 0.0, 0.0, 0.05, 0.0, 0.0, -0.5];
+        Form::Quadric(aptc_geometry::Quadric { kind, c })
+    };
+    let found = told(saddle(45.0), ABOVE);
+    assert!(found[0].1 == 0.0 && found[1].1 == 0.0 && found[2].1 > 0.0, "{found:?}");
+    near(saddle(-9.0), ABOVE, [0.0; 3]);
 }

@@ -56,21 +56,6 @@ impl Solid {
         }
     }
 
-    /// May its inside count as open along the unit direction `up`, what stands above it being no material? A ball may,
-    /// and a rod or a nappe that lies, that is, is askew to `up` by 45 degrees or more and holds no ray along it.
-    pub(crate) fn may_open(&self, up: Vec3) -> bool {
-        let most = match self {
-            Self::Half(_) => return false,
-            Self::Ball(..) => return true,
-            Self::Rod(..) => std::f64::consts::FRAC_1_SQRT_2,
-            Self::Nappe(_, _, cos, _) => cos.min(std::f64::consts::FRAC_1_SQRT_2),
-        };
-        match self {
-            Self::Rod(_, t, _) | Self::Nappe(_, t, ..) => t.dot(&up).abs() <= most,
-            Self::Half(_) | Self::Ball(..) => true,
-        }
-    }
-
     /// Support function `max over C of m . q`; infinite for directions in which C is unbounded.
     pub(crate) fn support(&self, m: Vec3) -> f64 {
         /// Largest sine by which a direction may miss the bounded ones and still count as rounding.

@@ -265,7 +265,15 @@ impl Statement {
         let te = at.te.into();
         keep(
             &mut proof.fault,
-            Some(Fault { refuted, surface, vector, te, depth, gouge: false, why }),
+            Some(Fault {
+                refuted,
+                surface,
+                vector,
+                te,
+                depth,
+                gouge: false,
+                why: why.map(Into::into),
+            }),
         );
     }
 

@@ -51,6 +51,10 @@ pub struct Verifier {
     effort: Effort,
     profile: Option<Profile>,
     last: Option<Position>,
+    /// The end of the last motion, whatever the machine does after it: from there the tool comes to a statement.
+    came: Option<Position>,
+    /// The statement of that motion, with its last motion along surfaces, and from where the tool came to it.
+    statement: (Origin, Option<Arc<Control>>, Option<Position>),
     /// The motion along surfaces that came last; the next record may go on with it.
     open: Option<Open>,
     /// RAPID was said for the next motion.
@@ -94,6 +98,8 @@ impl Verifier {
             effort,
             profile: None,
             last: None,
+            came: None,
+            statement: (Origin::default(), None, None),
             open: None,
             rapid: false,
             clearance: None,
@@ -126,8 +132,10 @@ impl Verifier {
                 _ => {}
             },
             Kind::Motion(motion) => {
+                self.comes(motion, &record.origin);
                 self.motion(motion, &record.origin);
                 self.last = motion.points.last().copied().or(self.last);
+                self.came = motion.points.last().copied().or(self.came);
             }
             _ => {}
         }
@@ -244,12 +252,25 @@ impl Verifier {
                     startup,
                     origin: origin.clone(),
                     start,
-                    before: self.last,
+                    before: self.statement.2,
                     points: motion.points.clone(),
                     profile,
                 });
             }
         }
+    }
+
+    /// Keeps from where the tool comes to the statement of a motion; the extra motions of GCLEAR belong to it.
+    fn comes(&mut self, motion: &Motion, origin: &Origin) {
+        let (before, along, came) = &mut self.statement;
+        let again = match (&motion.control, &*along) {
+            (Some(new), Some(old)) => !Arc::ptr_eq(new, old),
+            _ => false,
+        };
+        if before != origin || again {
+            (*before, *along, *came) = (origin.clone(), None, self.came);
+        }
+        *along = motion.control.clone().or(along.take());
     }
 
     /// Cut vectors along surfaces that the records do not tell, as those of regional milling: nothing is known
@@ -336,12 +357,13 @@ impl Verifier {
                 length(f.depth),
                 f.place()
             );
-            Diagnostic::error(codes::REFUTED, proof.origin.span, message)
+            let d = Diagnostic::error(codes::REFUTED, proof.origin.span, message);
+            f.why.iter().fold(d, |d, why| d.note(why.to_string()))
         } else {
             let message =
                 format!("cut vector {} against {} could not be proved", f.vector, f.surface);
             let d = Diagnostic::warning(codes::UNPROVED, proof.origin.span, message);
-            let d = f.why.map_or(d.clone(), |why| d.note(why.to_owned()));
+            let d = f.why.iter().fold(d, |d, why| d.note(why.to_string()));
             if f.depth.is_finite() {
                 d.note(format!("it leaves the band by {} at most, {}", length(f.depth), f.place()))
             } else {

@@ -5,6 +5,7 @@
 
 mod cone;
 mod cylinder;
+pub mod kept;
 mod opened;
 mod parametric;
 mod plane;

@@ -1,0 +1,142 @@
+//! Sides and depths against closed forms.
+
+use super::*;
+use aptc_geometry::{Cutter, Cylinder, Plane, Quadric, QuadricKind, Sphere};
+
+fn plain(surface: Surface) -> Plain {
+    let form = Arc::new(Form::Point(Vec3::zeros()));
+    Plain { name: "K".into(), form, surface: Arc::new(surface), from: None }
+}
+
+#[test]
+fn planes_and_spheres_are_kept_clear_of() {
+    let profile = Profile::new(&Cutter::mill(10.0, 5.0, 40.0)).unwrap();
+    let up = Vec3::z();
+    let floor = plain(Surface::Plane(Plane { n: Vec3::z(), d: 0.0 }));
+    let deep =
+        |p: &Plain, a: Vec3, b: Vec3| p.deep(&profile, (&profile, 0.0), [(a, up), (b, up)], 0.01);
+    assert!(deep(&floor, Vec3::z() * 0.5, Vec3::new(30.0, 0.0, 0.0)).is_none());
+    let (d, _) = deep(&floor, Vec3::z() * 0.5, Vec3::new(30.0, 0.0, -0.25)).unwrap();
+    assert!((d - 0.25).abs() < 1e-3, "{d}");
+    // Past a sphere whose top is met half way only.
+    let ball = Sphere { center: Vec3::new(20.0, 0.0, -3.0), radius: 4.0 };
+    let dome = plain(Surface::Sphere(ball));
+    let (d, _) = deep(&dome, Vec3::zeros(), Vec3::x() * 40.0).unwrap();
+    assert!((d - 1.0).abs() < 1e-2, "{d}");
+    assert!(deep(&dome, Vec3::zeros(), Vec3::new(0.0, 40.0, 0.0)).is_none());
+    // Turning about a tool end that stays clear, the side comes down on the plane.
+    let lying = Vec3::new(1.0, 0.0, 0.02).normalize();
+    let ends = [(Vec3::z() * 6.0, up), (Vec3::z() * 3.0, lying)];
+    assert!(floor.deep(&profile, (&profile, 0.0), ends, 0.01).is_some());
+}
+
+/// How deep cutter, holder and the axis between them are on a way at the height 0 along x, the tool coming from `from`.
+fn deep(surface: Surface, from: Option<Vec3>) -> [f64; 3] {
+    let cutter = Profile::new(&Cutter::mill(10.0, 5.0, 40.0)).unwrap();
+    let holder = [(Profile::new(&Cutter::mill(16.0, 0.0, 20.0)).unwrap(), 50.0)];
+    let (rod, top) = kept::between(&cutter, &holder, 0.01).unwrap();
+    let up = Vec3::z();
+    let mut p = plain(surface);
+    if let Some(from) = from {
+        p.come_from(&cutter, (from, up), 0.01);
+    }
+    let ends = [(Vec3::new(-1.0, 0.0, 0.0), up), (Vec3::new(1.0, 0.0, 0.0), up)];
+    [(cutter, 0.0), holder[0], (rod, top)]
+        .map(|(profile, up)| p.deep(&cutter, (&profile, up), ends, 0.01).map_or(0.0, |d| d.0))
+}
+
+fn near(found: [f64; 3], wanted: [f64; 3]) {
+    let off = found.iter().zip(wanted).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    assert!(off < 2e-2, "{found:?}, not {wanted:?}");
+}
+
+const ABOVE: Option<Vec3> = Some(Vec3::new(0.0, 0.0, 90.0));
+const INSIDE: Option<Vec3> = Some(Vec3::new(0.0, 0.0, 1.0));
+
+#[test]
+fn cutter_and_holder_keep_to_the_side_that_the_tool_comes_from() {
+    let plane = |z: f64| Surface::Plane(Plane { n: Vec3::z(), d: z });
+    near(deep(plane(45.0), INSIDE), [0.0, 25.0, 5.0]);
+    near(deep(plane(45.0), ABOVE), [45.0, 0.0, 5.0]);
+    near(deep(plane(-3.0), ABOVE), [0.0; 3]);
+    near(deep(plane(75.0), INSIDE), [0.0; 3]);
+    // Where nothing was put out before the first place of the way tells.
+    near(deep(plane(45.0), None), [0.0, 25.0, 5.0]);
+    near(deep(plane(-3.0), None), [0.0; 3]);
+}
+
+#[test]
+fn bowls_and_troughs_are_open_above() {
+    let ball = |radius: f64| Surface::Sphere(Sphere { center: Vec3::new(0.0, 0.0, 6.0), radius });
+    let point = Vec3::new(0.0, 0.0, 6.0);
+    let bar = |radius: f64| Surface::Cylinder(Cylinder { point, axis: Vec3::y(), radius });
+    let own = |radius: f64| {
+        // The same ball, and with the other sign.
+        let c = [1.0, 1.0, 1.0, 36.0 - radius * radius, 0.0, 0.0, 0.0, 0.0, 0.0, -6.0];
+        [c, c.map(|x| -x)].map(|c| {
+            let form = Form::Quadric(Quadric { kind: QuadricKind::Qadric, c });
+            let made = Plain::new("K".into(), &Arc::new(form)).unwrap();
+            Surface::clone(&made.surface)
+        })
+    };
+    // Solid for who comes from above: a ball about the height 6 in the cutter up to its middle and the axis.
+    near(deep(ball(9.5), ABOVE), [14.5, 0.0, 0.0]);
+    near(deep(bar(9.5), ABOVE), [14.5, 0.0, 0.0]);
+    for from in [INSIDE, None] {
+        for radius in [9.0, 8.5, 90.0] {
+            // The holder, of radius 8, goes as far as 9; one that has room in a ball does not ask how high it is.
+            let wanted = [0.0, f64::max(9.0 - radius, 0.0), 0.0];
+            near(deep(ball(radius), from), wanted);
+            near(deep(bar(radius), from), wanted);
+            for own in own(radius) {
+                near(deep(own, from), wanted);
+            }
+        }
+        // The cutter's middle is 1 below that of the hollow and goes 1 to the side.
+        near(deep(ball(5.5), from), [2.0_f64.sqrt() + 5.0 - 5.5, 3.5, 0.0]);
+    }
+    // Tool and holder in a ball of radius 50 about the height 30 reach to 70: its roof at 80 does not count, nor one at 60.
+    for radius in [50.0, 30.5] {
+        let large = Surface::Sphere(Sphere { center: Vec3::new(0.0, 0.0, 30.0), radius });
+        near(deep(large, INSIDE), [0.0; 3]);
+    }
+}
+
+#[test]
+fn what_stands_between_cutter_and_holder_is_met_by_the_axis() {
+    // A ball of radius 2 about the axis at the height 45, and bars through it: neither cutter nor holder touches them.
+    let center = Vec3::new(0.0, 0.0, 45.0);
+    near(deep(Surface::Sphere(Sphere { center, radius: 2.0 }), ABOVE), [0.0, 0.0, 2.02]);
+    let bar = Cylinder { point: center, axis: Vec3::y(), radius: 2.0 };
+    near(deep(Surface::Cylinder(bar), ABOVE), [0.0, 0.0, 2.02]);
+    let past = Vec3::new(0.0, 2.5, 45.0);
+    let bar = Cylinder { point: past, axis: Vec3::x(), radius: 2.0 };
+    near(deep(Surface::Cylinder(bar), ABOVE), [0.0; 3]);
+    // z = 45 + xy / 10 has no sides.
+    let c = [0.0, 0.0, 0.0, 45.0, 0.0, 0.0, 0.05, 0.0, 0.0, -0.5];
+    let saddle = |c: [f64; 10]| {
+        let form = Form::Quadric(Quadric { kind: QuadricKind::Qadric, c });
+        Surface::from_form(&form).unwrap()
+    };
+    let found = deep(saddle(c.map(|x| -x)), ABOVE);
+    assert!(found[0] == 0.0 && found[1] == 0.0 && found[2] > 4.0, "{found:?}");
+    let below = [0.0, 0.0, 0.0, -9.0, 0.0, 0.0, 0.05, 0.0, 0.0, -0.5];
+    near(deep(saddle(below), ABOVE), [0.0; 3]);
+}
+
+#[test]
+fn who_comes_from_outside_is_told() {
+    let cutter = Profile::new(&Cutter::mill(10.0, 5.0, 40.0)).unwrap();
+    let (inside, above) = (Vec3::new(0.0, 0.0, 1.0), Vec3::new(0.0, 0.0, 90.0));
+    let entered = |surface: Surface, from: Vec3| {
+        let mut p = plain(surface);
+        p.come_from(&cutter, (from, Vec3::z()), 0.01);
+        p.entered(&cutter, (inside, Vec3::z()))
+    };
+    let ball = || Surface::Sphere(Sphere { center: Vec3::new(0.0, 0.0, 6.0), radius: 20.0 });
+    assert_eq!((entered(ball(), above), entered(ball(), inside)), (Some(above), None));
+    // What stands could not be a bowl.
+    let (point, axis) = (Vec3::zeros(), Vec3::z());
+    let post = Surface::Cylinder(Cylinder { point, axis, radius: 20.0 });
+    assert_eq!(entered(post, Vec3::new(90.0, 0.0, 0.0)), None);
+}
