@@ -324,3 +324,52 @@ fn the_axis_between_cutter_and_holder_meets_what_stands_there() {
     assert!(found[0].1 == 0.0 && found[1].1 == 0.0 && found[2].1 > 0.0, "{found:?}");
     near(saddle(-9.0), ABOVE, [0.0; 3]);
 }
+
+/// How deep beyond what is allowed a way at the height 0 is told to be beside a plane at the height 45, behind these records.
+fn told_after(before: Vec<aptc_cldata::Kind>) -> f64 {
+    use aptc_cldata::{Control, Kind, Motion, MotionKind, Record};
+    let plain = Form::Plane(Plane { n: Vec3::z(), d: 45.0 });
+    let plain = vec![Plain { name: NameRef::default(), form: Arc::new(plain) }];
+    let control =
+        Control { milling: Some(Milling { plain, ..milling(0.01) }), ..Control::default() };
+    let at = |x: f64| Position { te: Vec3::x() * x, ta: Vec3::z() };
+    let cut = Kind::Motion(Motion {
+        kind: MotionKind::Continuous,
+        points: vec![at(-1.0), at(1.0)],
+        control: Some(Arc::new(control)),
+        ..Motion::default()
+    });
+    let cutter = Kind::Cutter(Cutter::mill(10.0, 5.0, 50.0));
+    let mut verifier = crate::Verifier::new(crate::Effort::Full);
+    for kind in std::iter::once(cutter).chain(before).chain([cut]) {
+        let isn = u32::from(matches!(&kind, Kind::Motion(m) if m.control.is_some()));
+        let origin = aptc_diagnostics::Origin { isn, ..Default::default() };
+        verifier.push(&Record { origin, kind });
+    }
+    let fault = verifier.finish().0.statements.pop().and_then(|s| s.fault);
+    fault.map_or(0.0, |f| if f.refuted { f.depth } else { f64::NAN })
+}
+
+#[test]
+fn only_the_last_motion_before_a_statement_tells_its_side() {
+    use aptc_cldata::{Kind, Motion, MotionKind};
+    let motion = |kind, z: f64| {
+        let points = vec![Position { te: Vec3::z() * z, ta: Vec3::z() }];
+        Kind::Motion(Motion { kind, points, ..Motion::default() })
+    };
+    let from = || motion(MotionKind::From, 90.0);
+    let word = |word: &str| Kind::Post { word: word.into(), args: Vec::new() };
+    let near = |before, wanted: f64| {
+        let found = told_after(before);
+        assert!((found - wanted).abs() < 0.1 * wanted + 0.02, "{found}, not {wanted}");
+    };
+    // The cutter, 50 high, stands by 5 above the plane, or it comes from above.
+    near(vec![from(), motion(MotionKind::Goto, 2.0)], 5.0);
+    near(vec![from()], 45.0);
+    near(vec![motion(MotionKind::Goto, 2.0), motion(MotionKind::Goto, 90.0)], 45.0);
+    for post in ["CYCLE", "LOADTL", "RETRCT", "GOHOME"] {
+        near(vec![from(), word(post)], 45.0);
+    }
+    // Nothing was put out before: the first place.
+    near(Vec::new(), 5.0);
+}
