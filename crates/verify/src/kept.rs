@@ -31,7 +31,7 @@ pub(crate) struct Kept {
 /// What is asked of a tool wherever that does not count.
 #[derive(Clone, Debug)]
 enum Beside {
-    Solid(Demand),
+    Solid(Box<Demand>),
     /// That nothing of the surface is in the tool, which is on its side then if a point of it is.
     Sheet(Arc<Sheet>),
 }
@@ -51,7 +51,7 @@ impl Kept {
             (Beside::Sheet(sheets.of_form(form)?), opened)
         } else {
             let opened = if side < 0.0 { Demand::clear(form, side, true, intol) } else { None };
-            (Beside::Solid(Demand::clear(form, side, false, intol)?), opened)
+            (Beside::Solid(Box::new(Demand::clear(form, side, false, intol)?)), opened)
         };
         Some(Self { surface, from: at.te, side, beside, opened, least: -intol })
     }

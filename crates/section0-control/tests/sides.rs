@@ -1,0 +1,93 @@
+//! The side of a checked surface from a part program: what the path keeps to is what the proof asks.
+
+use aptc_control::{Disk, Options, Source, Verify, compile};
+
+/// The floor of a basin milled inside of it; `before` stands before CHKSRF, `close` behind it.
+fn program(basin: &str, before: &str, close: &str) -> String {
+    format!(
+        "PARTNO SIDES
+UNITS/MM
+FLOOR=SSURF/SMESH,XYZ,SPLINE,(-18,-15,0),(0,-15,1),(18,-15,0),$
+ SPLINE,(-18,15,0),(0,15,1),(18,15,0)
+K1={basin}
+UP=VECTOR/0,0,1
+CUTTER/10,5,0,5,0,0,30
+HOLDER/14,45,30,95
+INTOL/.01
+OUTTOL/.01
+{before}
+SCON/DS,FLOOR,PARAM,0,2,0,1,AT,UP
+SCON/PS,TO,FLOOR,PLUS,0
+SCON/AXIS,UP
+CHKSRF/K1,ON
+{close}
+SMIL/PATH,DS,PARAM,.2,.5,TANSPL,PLUS
+END
+FINI
+"
+    )
+}
+
+/// The codes of what is wrong with path or proof.
+fn faults(text: String, verify: Verify) -> Vec<String> {
+    let options = Options { verify, post: false, ..Options::default() };
+    let source = Source { name: "sides".into(), text: text.into() };
+    let compiled = compile(source, &mut Disk::new(Vec::new(), 0), &options);
+    let codes = compiled.diagnostics.iter().map(|d| d.code.to_string());
+    codes.filter(|c| c.starts_with("APT2") || c.starts_with("APT5")).collect()
+}
+
+const BALL: &str = "SPHERE/0,0,30,50";
+/// The same, x^2 + y^2 + z^2 - 60 z - 1600.
+const QUADRIC: &str = "QADRIC/1,1,1,0,0,0,0,0,-30,-1600";
+
+#[test]
+fn who_stands_in_a_basin_mills_it() {
+    let recorded = "CLDAT/START,1,UVPPS\nGOTO/0,0,200\nCLDAT/NOMORE,1";
+    for basin in [BALL, QUADRIC] {
+        for (before, close) in [
+            ("FROM/0,0,10", ""),
+            ("FROM/0,0,200\nGOTO/0,0,10", ""),
+            ("FROM/0,0,10", recorded),
+            ("FROM/0,0,10", "CYCLE/DRILL,DEPTH,5,MMPM,100,CLEAR,2\nCYCLE/OFF"),
+            ("FROM/0,0,10", "LOADTL/2"),
+            ("FROM/0,0,10", "RETRCT"),
+            ("", ""),
+            ("", recorded),
+        ] {
+            let text = program(basin, before, close);
+            assert_eq!(faults(text.clone(), Verify::Full), Vec::<String>::new(), "{text}");
+        }
+    }
+}
+
+#[test]
+fn who_comes_from_outside_does_not_get_in() {
+    let recorded = "CLDAT/START,1,UVPPS\nGOTO/0,0,10\nCLDAT/NOMORE,1";
+    for basin in [BALL, QUADRIC] {
+        for close in ["", recorded, "CYCLE/OFF", "LOADTL/2", "RETRCT"] {
+            for verify in [Verify::Full, Verify::Off] {
+                let text = program(basin, "FROM/0,0,200", close);
+                assert_eq!(faults(text.clone(), verify), ["APT2046"], "{text}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_sheet_between_cutter_and_holder_is_met() {
+    // Over the path at the height 37, and beside it.
+    let tabcyl = |y: f64| {
+        format!(
+            "TABCYL/NOX,SPLINE,(POINT/0,{},39),(POINT/0,{y},37),(POINT/0,{},39)",
+            y - 3.0,
+            y + 3.0
+        )
+    };
+    for (y, wanted) in [(0.0, vec!["APT2046"]), (90.0, Vec::new())] {
+        for verify in [Verify::Full, Verify::Off] {
+            let text = program(&tabcyl(y), "FROM/0,0,10", "");
+            assert_eq!(faults(text.clone(), verify), wanted, "{text}");
+        }
+    }
+}
