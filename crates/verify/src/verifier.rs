@@ -263,11 +263,12 @@ impl Verifier {
     /// Keeps from where the tool comes to the statement of a motion; the extra motions of GCLEAR belong to it.
     fn comes(&mut self, motion: &Motion, origin: &Origin) {
         let (before, along, came) = &mut self.statement;
-        let again = match (&motion.control, &*along) {
-            (Some(new), Some(old)) => !Arc::ptr_eq(new, old),
-            _ => false,
+        // Of records of which nothing tells the statement each motion is one, but for those under one control.
+        let goes_on = match (&motion.control, &*along) {
+            (Some(new), Some(old)) => Arc::ptr_eq(new, old),
+            _ => before == origin && *origin != Origin::default(),
         };
-        if before != origin || again {
+        if !goes_on {
             (*before, *along, *came) = (origin.clone(), None, self.came);
         }
         *along = motion.control.clone().or(along.take());
