@@ -258,6 +258,7 @@ impl<'w> Interpreter<'w> {
         let file = self.sources.add(name, Arc::clone(&text));
         let options = aptc_syntax::Options {
             free_form: self.options.free_form,
+            percent_comments: self.options.language == Language::Ncl,
             max_bracket_depth: self.options.limits.bracket_depth,
             max_elements: self.options.limits.elements,
             ..aptc_syntax::Options::default()

@@ -229,9 +229,13 @@ impl Failure {
             Self::Misses { surface, closest } => (
                 codes::DIRECTION_MISSES,
                 format!(
-                    "the tool does not come to {} in the given direction, {} away at the nearest",
+                    "the tool does not come to {} in the given direction{}",
                     called(surface),
-                    number(*closest)
+                    // A distance that would be read as none says nothing: the tool meets the surface and is wrong there.
+                    match number(*closest).as_str() {
+                        "0" => ": it meets it, but not as TO, ON, PAST or TANTO asks".into(),
+                        far => format!(", {far} away at the nearest"),
+                    }
                 ),
                 "give another INDIRV or INDIRP, or leave it out for the shortest way".into(),
             ),

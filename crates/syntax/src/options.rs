@@ -9,6 +9,8 @@ use crate::tree::Program;
 pub struct Options {
     /// Lines of any length are statement text; without it only columns 1 to 72 are.
     pub free_form: bool,
+    /// Cards that begin with `%` are comments, as in the dialect NCL; without it they are told.
+    pub percent_comments: bool,
     /// Statement number of the first card.
     pub first_isn: u32,
     /// Brackets within each other.
@@ -19,7 +21,13 @@ pub struct Options {
 
 impl Default for Options {
     fn default() -> Self {
-        Self { free_form: false, first_isn: 1, max_bracket_depth: 64, max_elements: 100_000 }
+        Self {
+            free_form: false,
+            percent_comments: false,
+            first_isn: 1,
+            max_bracket_depth: 64,
+            max_elements: 100_000,
+        }
     }
 }
 

@@ -75,7 +75,9 @@ pub fn parse(file: FileId, text: &str, interner: &mut Interner, options: &Option
     let mut parsed = run.parsed;
     parsed.program.n_cards = scanner.n_numbered;
     parsed.diagnostics.extend(identification::check(file, text, &scanner.tails));
-    parsed.diagnostics.extend(other_dialect(file, &scanner.percents));
+    if !options.percent_comments {
+        parsed.diagnostics.extend(other_dialect(file, &scanner.percents));
+    }
     parsed.diagnostics.sort_by_key(|d| d.span.start);
     parsed
 }

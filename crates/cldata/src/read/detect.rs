@@ -56,7 +56,7 @@ fn by_line(line: &[u8]) -> Option<Dialect> {
     if has(b"PRO/CLFILE") || starts(b"$$->") || starts(b"REMARK ->") {
         return Some(Dialect::Creo);
     }
-    if starts(b"TOOL PATH/") || starts(b"TOOL PATH /") || starts(b"TLDATA/") || starts(b"PAINT/") {
+    if is_tool_path(line) || starts(b"TLDATA/") || starts(b"PAINT/") {
         return Some(Dialect::Nx);
     }
     if starts(b"CSI_SET_") || starts(b"TRNTYP/") || starts(b"CYCLE/INIT") {
@@ -69,6 +69,17 @@ fn by_line(line: &[u8]) -> Option<Dialect> {
         return Some(Dialect::Ncl);
     }
     None
+}
+
+/// `TOOL PATH/` with blanks or tabs between.
+fn is_tool_path(line: &[u8]) -> bool {
+    let path = line.strip_prefix(b"TOOL").filter(|rest| rest.first().is_some_and(is_blank));
+    let slash = path.and_then(|rest| rest.trim_ascii_start().strip_prefix(b"PATH"));
+    slash.is_some_and(|rest| rest.trim_ascii_start().starts_with(b"/"))
+}
+
+fn is_blank(byte: &u8) -> bool {
+    byte.is_ascii_whitespace()
 }
 
 /// Is there a mark of the source's lines?
@@ -161,6 +172,9 @@ mod tests {
             ("$$*          Pro/CLfile  Version 11.0\n", Dialect::Creo),
             ("PARTNO / M\nREMARK -> MFGNO / M\n", Dialect::Creo),
             ("TOOL PATH/A,TOOL,B\n", Dialect::Nx),
+            ("TOOL\tPATH/A,TOOL,B\n", Dialect::Nx),
+            ("TOOL \t PATH\t/A,TOOL,B\n", Dialect::Nx),
+            ("TOOLPATH/A\n", Dialect::Iso),
             ("PARTNO/1\nUNIT/MM\nCSI_SET_FLUTE_LENGTH/4.\n", Dialect::Camworks),
             ("PARTNO/ 'x'\nOPNAME 'y'\n", Dialect::Dmg),
             ("MODE/MILL\nPARTNO/'1001'\n", Dialect::Fusion),

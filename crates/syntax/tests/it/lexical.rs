@@ -218,4 +218,7 @@ fn ncl_comments_give_one_message() {
     assert_eq!(shown, ["A=1"]);
     assert_eq!(parsed.diagnostics.len(), 1);
     assert_eq!(parsed.diagnostics[0].code, codes::NCL_COMMENT);
+    let ncl = Options { percent_comments: true, ..Options::default() };
+    let (shown, parsed, _) = read_with("% one\nA=1\n  % two\n%\n", &ncl);
+    assert_eq!((shown.as_slice(), parsed.diagnostics.len()), (["A=1".to_owned()].as_slice(), 0));
 }
