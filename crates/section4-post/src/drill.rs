@@ -1,18 +1,16 @@
 //! Drilling cycles: what CYCLE means, as a cycle of the control or as single motions.
 
 use aptc_cldata::Position;
-use aptc_diagnostics::{Origin, codes};
+use aptc_diagnostics::{Code, Origin, codes};
 use aptc_geometry::Vec3;
 use smol_str::SmolStr;
 
 use crate::emit::{FeedMode, FeedWord, MotionCode, NativeCycle};
 use crate::machine::CycleWord;
 use crate::motion::ALL;
+use crate::pecks::{MOST_PECKS, is_pecked};
 use crate::post::Post;
 use crate::state::Feedrate;
-
-/// Pecks of one expanded hole; more are refused.
-const MOST_PECKS: u32 = 10_000;
 
 /// CYCLE with its values, lengths in CL units until used.
 #[derive(Clone, Debug, PartialEq)]
@@ -41,8 +39,8 @@ pub(crate) struct DrillCycle {
     pub(crate) dwell: Option<f64>,
     /// Revolutions of the spindle instead.
     pub(crate) dwell_rev: Option<f64>,
-    /// Has it been told that no clearance is given? That is a fault of the cycle, not of each hole.
-    pub(crate) without_clearance: bool,
+    /// Has a fault of it been told, that no clearance is given or no step? It is one of the cycle, not of each hole.
+    pub(crate) told: bool,
 }
 
 /// Heights of a cycle above the point, CL units, each under the word that gave it.
@@ -118,7 +116,15 @@ impl Post {
             self.error(codes::COMPENSATION, origin, message, "write CUTCOM/OFF before CYCLE");
             return;
         }
-        let Some(hole) = self.heights(&cycle, at, p.ta, origin) else { return };
+        // Of the few digits of CL data an axis is not quite of length 1: heights along it would grow from hole to hole.
+        let ta = p.ta.normalize();
+        let Some(hole) = self.heights(&cycle, at, ta, origin) else { return };
+        if is_pecked(&cycle.kind) && self.pecks(&cycle).is_none() {
+            let message = format!("CYCLE/{} has no step", cycle.kind);
+            let help = "add STEP,s to the cycle, not less than the control can be told";
+            self.fault_of_cycle(codes::CYCLE_INCOMPLETE, message, help, origin);
+            return;
+        }
         let feed = match cycle.feed {
             Some(feed) => self.feed_of(feed, origin),
             None => {
@@ -146,13 +152,13 @@ impl Post {
             }
         }
         let along_z = self.tool_along() == 2 && self.along_tool(hole.ta);
-        match self.native(&cycle, dwell, feed).filter(|_| along_z) {
+        match self.native(&cycle, &hole, dwell, feed).filter(|_| along_z) {
             Some(native) => self.drill_native(native, &cycle, dwell, &hole, origin),
             None => self.drill_expanded(&cycle, &hole, dwell, feed, origin),
         }
         self.count_hole(&hole, feed, origin);
         self.st.pos = Some(hole.point(hole.retract));
-        self.st.ta = p.ta;
+        self.st.ta = ta;
     }
 
     /// To the retract height over a hole with another tool axis. What lies between is not known: the axes turn at
@@ -190,11 +196,10 @@ impl Post {
             (None, plane) => {
                 let message = format!("CYCLE/{} has no clearance above the hole", cycle.kind);
                 let help = "add CLEAR,c to the cycle, or write CLRSRF before it";
-                if plane.is_some() || !cycle.without_clearance {
+                if plane.is_some() {
                     self.error(codes::CYCLE_INCOMPLETE, origin, message, help);
-                }
-                if let Some(cycle) = &mut self.st.cycle {
-                    cycle.without_clearance |= plane.is_none();
+                } else {
+                    self.fault_of_cycle(codes::CYCLE_INCOMPLETE, message, help, origin);
                 }
                 return None;
             }
@@ -207,6 +212,14 @@ impl Post {
             retract = retract.max((p - at).dot(&ta));
         }
         Some(Hole { at, ta, bottom, clearance, retract: retract.max(clearance) })
+    }
+
+    /// Tells what is wrong with the cycle at its first hole alone.
+    fn fault_of_cycle(&mut self, code: Code, message: String, help: &str, origin: &Origin) {
+        let told = self.st.cycle.as_mut().is_some_and(|c| std::mem::replace(&mut c.told, true));
+        if !told {
+            self.error(code, origin, message, help);
+        }
     }
 
     /// Height of the clearance plane over a point along the tool axis, in output units.
@@ -223,6 +236,7 @@ impl Post {
     fn native(
         &self,
         cycle: &DrillCycle,
+        hole: &Hole,
         dwell: Option<f64>,
         feed: FeedWord,
     ) -> Option<NativeCycle> {
@@ -259,10 +273,9 @@ impl Post {
         for word in &entry.words {
             match word {
                 CycleWord::Step => {
-                    words.push((
-                        m.cycle.step as u8,
-                        cycle.step.or(cycle.first_step)? * self.st.scale,
-                    ));
+                    let letter = m.cycle.step as u8;
+                    let way = hole.clearance - hole.bottom;
+                    words.push((letter, self.told_pecks(cycle, way, letter)?.step));
                 }
                 CycleWord::Dwell | CycleWord::MaybeDwell => {
                     let seconds = dwell.unwrap_or(0.0);
@@ -306,7 +319,8 @@ impl Post {
         self.way_to_hole(hole, origin);
         let at = self.at_rest(hole.at);
         let (bottom, clearance) = (at.z + hole.bottom, at.z + hole.clearance);
-        let done = self.blocks.hole(&native, [at.x, at.y], bottom, clearance);
+        let heights = [bottom, clearance, at.z + hole.retract];
+        let done = self.blocks.hole(&native, [at.x, at.y], heights);
         self.check(done, origin);
         // The lines before it have stopped the spindle, whatever comes after the last hole.
         self.st.spindle_again |= !native.before.is_empty();
@@ -377,18 +391,24 @@ impl Post {
             String::from_utf8(out).unwrap_or_default()
         };
         let z = |value: f64| written(&self.blocks, b'Z', value);
-        let scale = self.st.scale;
-        let step = cycle.step.or(cycle.first_step).map_or(-hole.bottom, |s| s * scale);
-        let first = cycle.first_step.or(cycle.step).map_or(-hole.bottom, |s| s * scale);
+        // Heights above the surface and those of the machine must come out the same when both are rounded, and each hole
+        // as deep as the others, or a control would make one more peck of the last step.
+        let number = self.blocks.number(b'Z');
+        let exact = |value: f64| number.round(value).map_or(value, |q| number.value(q));
+        let surface = exact(at.z + hole.bottom) - exact(hole.bottom);
+        let above = |height: f64| exact(at.z + height) - surface;
+        // Their pecks count from the surface.
+        let pecks = self.told_pecks(cycle, -hole.bottom, b'Z');
+        let (step, first) = pecks.map_or((-hole.bottom, -hole.bottom), |p| (p.step, p.first));
         let (speed, pitch) = (self.st.spindle.speed, self.pitch(native.feed));
         let values = [
-            ("surface", z(at.z)),
+            ("surface", z(surface)),
             ("bottom", z(at.z + hole.bottom)),
             ("clearance", z(at.z + hole.clearance)),
             ("retract", z(at.z + hole.retract)),
-            ("depth", z(hole.bottom)),
-            ("clear", z(hole.clearance)),
-            ("back", z(hole.retract)),
+            ("depth", z(above(hole.bottom))),
+            ("clear", z(above(hole.clearance))),
+            ("back", z(above(hole.retract))),
             ("step", z(step)),
             ("first", z(first)),
             ("dwell", crate::post::trimmed(dwell.unwrap_or(0.0), 3)),
@@ -398,8 +418,8 @@ impl Post {
         ];
         let vars: Vec<(&str, &str)> = values.iter().map(|(n, v)| (*n, v.as_str())).collect();
         native.lines = native.lines.iter().filter_map(|l| crate::emit::render(l, &vars)).collect();
-        let done =
-            self.blocks.hole(&native, [at.x, at.y], at.z + hole.bottom, at.z + hole.clearance);
+        let heights = [hole.bottom, hole.clearance, hole.retract].map(|h| at.z + h);
+        let done = self.blocks.hole(&native, [at.x, at.y], heights);
         self.check(done, origin);
         if self.machine.cycle.off.is_empty() {
             self.st.pos = Some(hole.point(hole.retract));
@@ -452,7 +472,7 @@ impl Post {
         let kind = cycle.kind.as_str();
         let pecks = match kind {
             "DRILL" | "FACE" | "CSINK" | "REAM" | "BORE" | "SPOT" => false,
-            "DEEP" | "BRKCHP" => true,
+            kind if is_pecked(kind) => true,
             _ => {
                 let mut message = format!("{} has no cycle for CYCLE/{kind}", self.machine.name);
                 if self.machine.cycles.contains_key(kind) {
@@ -465,17 +485,10 @@ impl Post {
                 }
                 let help =
                     "write the motions of the hole instead, or choose a machine with the cycle";
-                self.error(codes::WORD_LACKING, origin, message, help);
+                self.fault_of_cycle(codes::WORD_LACKING, message, help, origin);
                 return;
             }
         };
-        let step = cycle.step.or(cycle.first_step).map(|s| s * self.st.scale);
-        let first = cycle.first_step.or(cycle.step).map(|s| s * self.st.scale);
-        if pecks && (step.is_none_or(|s| s <= 0.0) || first.is_none_or(|s| s <= 0.0)) {
-            let message = format!("CYCLE/{kind} has no step");
-            self.error(codes::CYCLE_INCOMPLETE, origin, message, "add STEP,s to the cycle");
-            return;
-        }
         self.reach_level(hole, hole.clearance.max(hole.retract), false, origin);
         let ta = hole.ta;
         let z = |h: f64| hole.point(h);
@@ -483,34 +496,22 @@ impl Post {
         self.go_to(z(here), ta, true, origin);
         self.go_to(z(hole.clearance), ta, true, origin);
         let back = self.machine.cycle.peck_back / self.st.out_mm();
-        if pecks {
-            let (step, first) = (step.unwrap_or(1.0), first.unwrap_or(1.0));
-            let mut depth = 0.0_f64;
-            let mut n = 0;
-            loop {
-                let next = (depth - if n == 0 { first } else { step }).max(hole.bottom);
-                if n > 0 {
-                    let up = if kind == "DEEP" {
-                        hole.clearance
-                    } else {
-                        (depth + back).min(hole.clearance)
-                    };
-                    self.go_to(z(up), ta, true, origin);
+        if let Some(pecks) = self.pecks(cycle).filter(|_| pecks) {
+            let Some(depths) = pecks.depths(hole.clearance, hole.bottom) else {
+                let message = format!("more than {MOST_PECKS} pecks for one hole");
+                self.fault_of_cycle(codes::CYCLE_INCOMPLETE, message, "give a larger STEP", origin);
+                return;
+            };
+            let mut before = None;
+            for depth in depths {
+                if let Some(last) = before.replace(depth) {
+                    let above = (last + back).min(hole.clearance);
                     if kind == "DEEP" {
-                        self.go_to(z((depth + back).min(hole.clearance)), ta, true, origin);
+                        self.go_to(z(hole.clearance), ta, true, origin);
                     }
+                    self.go_to(z(above), ta, true, origin);
                 }
-                self.cut(z(next), feed, origin);
-                depth = next;
-                n += 1;
-                if depth <= hole.bottom {
-                    break;
-                }
-                if n > MOST_PECKS {
-                    let message = format!("more than {MOST_PECKS} pecks for one hole");
-                    self.error(codes::CYCLE_INCOMPLETE, origin, message, "give a larger STEP");
-                    return;
-                }
+                self.cut(z(depth), feed, origin);
             }
         } else {
             self.cut(z(hole.bottom), feed, origin);

@@ -96,6 +96,8 @@ pub(crate) struct Blocks {
     /// Rotary axes that are written within one turn.
     modulo: [bool; 2],
     cycle: Option<NativeCycle>,
+    /// Z where the last hole of that cycle has left the tool.
+    stands: Option<i64>,
     /// The plane of the program is tilted: the control itself places the rotary axes.
     pub(crate) tilted: bool,
     /// OPSKIP is on.
@@ -135,6 +137,7 @@ impl Blocks {
             factor,
             modulo,
             cycle: None,
+            stands: None,
             tilted: false,
             skip: false,
             numbered,
@@ -168,6 +171,13 @@ impl Blocks {
         let lathe = self.machine.kind == MachineKind::Lathe;
         self.plane = Some(if lathe { ArcPlane::Zx } else { ArcPlane::Xy });
         self.feed_mode = Some(FeedMode::PerMinute);
+    }
+
+    /// Lines of the machine file have moved the axes: the modes are as those lines say, else as they were.
+    pub(crate) fn forget_after_lines(&mut self) {
+        let (plane, feed_mode) = (self.plane, self.feed_mode);
+        self.forget();
+        (self.plane, self.feed_mode) = (plane, feed_mode);
     }
 
     /// Format of an address; that of X for a letter without one.
@@ -355,6 +365,7 @@ impl Blocks {
             self.push(line);
             self.end();
             (self.numbered, self.skip) = (numbered, skip);
+            self.take_modes(line);
         }
     }
 

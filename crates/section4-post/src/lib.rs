@@ -43,6 +43,7 @@ mod motion;
 mod multiaxis;
 mod nc_reader;
 mod number;
+mod pecks;
 mod post;
 mod readback;
 mod report;

@@ -13,6 +13,7 @@ pub(crate) const ALL: [bool; 5] = [true; 5];
 impl Post {
     pub(crate) fn motion(&mut self, m: &Motion, origin: &Origin) {
         let Some(last) = m.points.last() else { return };
+        self.n_motions += 1;
         if self.machine.kind == MachineKind::Lathe && !self.lathe_takes(m, origin) {
             return;
         }
@@ -32,6 +33,7 @@ impl Post {
         if self.st.cycle.is_some() {
             if m.kind == MotionKind::Goto && !rapid && m.arc.is_none() {
                 for p in &m.points {
+                    self.n_motions += 1;
                     self.hole(p, origin);
                 }
                 return;
@@ -49,6 +51,7 @@ impl Post {
             }
         }
         for p in &m.points {
+            self.n_motions += 1;
             self.go(p, rapid, origin);
         }
     }
@@ -102,7 +105,7 @@ impl Post {
 
     /// After lines of the machine file that brought it home.
     pub(crate) fn left_for_home(&mut self) {
-        self.blocks.forget_after_start();
+        self.blocks.forget_after_lines();
         self.st.away = true;
         self.st.centered = false;
         if self.machine.compensation.retract_ends_length {

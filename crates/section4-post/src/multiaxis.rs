@@ -53,29 +53,28 @@ impl Post {
         Some(joints)
     }
 
-    /// Told once where no axis but one is possible, else once a statement.
+    /// Told once with how many positions have such an axis.
     fn out_of_reach(&mut self, ta: Vec3, why: NoSolution, origin: &Origin) {
-        let place = if self.machine.rotary.is_empty() { (0, 0) } else { (origin.isn, origin.line) };
-        if self.axis_told.replace(place) == Some(place) {
-            return;
-        }
         let axis = [ta.x, ta.y, ta.z].map(|c| trimmed(c, 6)).join(",");
         let name = &self.machine.name;
-        let (message, help) = match (why, self.machine.rotary.len()) {
+        let (what, message, help) = match (why, self.machine.rotary.len()) {
             (NoSolution::Direction, 0) => (
+                "upright alone",
                 format!("tool axis {axis} on {name}, whose tool axis is 0,0,1"),
                 "choose a machine with rotary axes: `aptc machines` lists them",
             ),
             (NoSolution::Direction, _) => (
+                "no angles",
                 format!("tool axis {axis}: no angles of {name} give it"),
                 "choose a machine with other rotary axes: `aptc machines` lists them",
             ),
             (NoSolution::Limits, _) => (
+                "limits",
                 format!("tool axis {axis}: the angles are beyond the limits of {name}"),
                 "lay the part otherwise, or choose a machine that turns farther",
             ),
         };
-        self.error(codes::AXIS_OUT_OF_REACH, origin, message, help);
+        self.error_counted(codes::AXIS_OUT_OF_REACH, what, origin, message, help);
     }
 
     /// The chain with the present tool; `None` after a refusal.
@@ -97,6 +96,15 @@ impl Post {
                 self.error(codes::TOOL_LENGTH, origin, message, help);
                 return None;
             }
+            if let (true, None, None, Some(length)) = (needs, said, self.st.tool, length) {
+                let message = format!(
+                    "no tool is loaded whose length is known: {} of {} is taken",
+                    trimmed(length, 4),
+                    self.machine.name
+                );
+                let help = "write LOADTL/n,LENGTH,l before the first motion";
+                self.warn(codes::TOOL_LENGTH, origin, message, help);
+            }
             let mut chain = Chain::new(&self.machine, unit, length.unwrap_or(0.0));
             chain.plane = self.st.plane;
             if self.st.across == Some(true) {
@@ -117,6 +125,9 @@ impl Post {
         match self.chain(origin)?.angles(te, ta, from) {
             Ok(angles) => {
                 let angles = self.blocks.round_angles(angles);
+                if self.lacks_length(angles, origin) {
+                    return None;
+                }
                 let mut pose = self.placed(te, ta, angles);
                 if self.machine.is_milling() {
                     if !self.reaches_side(te, pose.xyz.y, origin) {
@@ -131,6 +142,31 @@ impl Post {
                 None
             }
         }
+    }
+
+    /// Beside turned axes the control keeps the tool end on its path by the length of the tool. Where that comes by a
+    /// number and no tool is loaded, no code can be written; where it comes with the tool, the code is right for the one
+    /// that happens to be in the spindle.
+    fn lacks_length(&mut self, angles: [f64; 2], origin: &Origin) -> bool {
+        let m = &self.machine.multiaxis;
+        if self.st.offset.is_some() || !m.tool_center || self.st.plane.is_some() {
+            return false;
+        }
+        let turned = angles.iter().any(|a| (a / 360.0 - (a / 360.0).round()).abs() > 1e-12);
+        if !turned {
+            return false;
+        }
+        let by_number = m.tool_center_on.contains("{offset}");
+        let name = &self.machine.name;
+        let help = "write LOADTL/n before the first motion";
+        let message =
+            format!("{name} turns axes and needs the length of the tool, and no tool is loaded");
+        if by_number {
+            self.error_counted(codes::TOOL_LENGTH, "no length", origin, message, help);
+        } else if !std::mem::replace(&mut self.st.length_told, true) {
+            self.warn(codes::TOOL_LENGTH, origin, message, help);
+        }
+        by_number
     }
 
     fn placed(&self, te: Vec3, ta: Vec3, angles: [f64; 2]) -> Pose {
@@ -241,7 +277,8 @@ impl Post {
             if middle.norm() < 1e-3 {
                 let message = "the tool axis turns over between two positions".to_string();
                 let help = "put positions between them that say which way it turns";
-                self.error(codes::AXIS_OUT_OF_REACH, origin, message, help);
+                let code = codes::AXIS_OUT_OF_REACH;
+                self.error_counted(code, "turns over", origin, message, help);
                 return;
             }
             let te = (from.te + to.te) / 2.0;
@@ -497,7 +534,7 @@ impl Post {
         let cut = FeedWord { mode: FeedMode::PerMinute, value: feed };
         let up = self.placed(from.te + from.ta * retract, from.ta, from.angles);
         let over = self.placed(to.te + to.ta * retract, to.ta, to.angles);
-        for (pose, rapid) in [(up, false), (over, true), (*to, rapid)] {
+        for (pose, rapid) in [(up, rapid), (over, true), (*to, rapid)] {
             let joints = pose.joints();
             self.reach(&joints, origin);
             let done = if rapid {

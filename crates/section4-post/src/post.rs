@@ -10,6 +10,7 @@ use aptc_cldata::{Kind, MotionKind, Record, Units};
 use aptc_diagnostics::{Diagnostic, Origin, Severity, codes};
 use smol_str::SmolStr;
 
+use self::messages::Counted;
 pub use self::tools::ToolScan;
 use crate::args::Statement;
 use crate::emit::{AptText, Blocks};
@@ -86,8 +87,10 @@ pub struct Post {
     pub(crate) stock: Option<Box<Stock>>,
     /// The statement whose rapid motion through the stock was reported last.
     pub(crate) hit_told: Option<(u32, u32)>,
-    /// Where a tool axis was reported that the machine cannot take.
-    pub(crate) axis_told: Option<(u32, u32)>,
+    /// Messages that stand for many.
+    pub(crate) counted: Vec<Counted>,
+    /// Positions of motion so far.
+    pub(crate) n_motions: u64,
     /// A position off the plane of turning was reported.
     pub(crate) off_plane_told: bool,
     /// Cuts that may become arcs.
@@ -124,7 +127,8 @@ impl Post {
             checker,
             stock: None,
             hit_told: None,
-            axis_told: None,
+            counted: Vec::new(),
+            n_motions: 0,
             off_plane_told: false,
             waiting: Waiting::default(),
             apt,
@@ -231,6 +235,7 @@ impl Post {
         self.summary.part = std::mem::take(&mut self.st.partno);
         self.summary.extent = self.st.extent;
         self.summary.axes = self.axes_used();
+        self.count_messages();
         let proof = self.checker.map(|c| c.proof);
         Posted { diagnostics: self.diagnostics, summary: self.summary, map: self.map, proof }
     }

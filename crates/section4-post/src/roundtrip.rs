@@ -56,6 +56,8 @@ struct Hole {
     clearance: f64,
     retract: f64,
     deepest: f64,
+    /// CLRSRF, above which nothing stands.
+    plane: Option<aptc_geometry::Plane>,
 }
 
 /// The tool stands on the line through `at` along `ta`.

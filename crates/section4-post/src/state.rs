@@ -157,6 +157,8 @@ pub(crate) struct State {
     /// Which ends of X, Y and Z have been reported as exceeded.
     pub(crate) limits_told: [[bool; 2]; 3],
     pub(crate) multax: bool,
+    /// It was told that no tool is loaded where its length counts.
+    pub(crate) length_told: bool,
     /// The note about blocks in which the tool turns where it stands is written.
     pub(crate) turn_noted: bool,
 }
@@ -233,6 +235,7 @@ impl State {
             reach: [[f64::INFINITY, f64::NEG_INFINITY]; 5],
             limits_told: [[false; 2]; 3],
             multax: false,
+            length_told: false,
             turn_noted: false,
         }
     }

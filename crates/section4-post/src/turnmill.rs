@@ -66,7 +66,8 @@ impl Post {
                     self.machine.name
                 );
                 let help = "choose a machine with another rotary axis: `aptc machines` lists them";
-                self.error(codes::AXIS_OUT_OF_REACH, origin, message, help);
+                let code = codes::AXIS_OUT_OF_REACH;
+                self.error_counted(code, "aslant", origin, message, help);
                 return false;
             };
             match self.st.across {
@@ -83,7 +84,8 @@ impl Post {
                         how(across)
                     );
                     let help = "load another tool before it: TURRET/n or LOADTL/n";
-                    self.error(codes::AXIS_OUT_OF_REACH, origin, message, help);
+                    let code = codes::AXIS_OUT_OF_REACH;
+                    self.error_counted(code, "another tool", origin, message, help);
                     return false;
                 }
                 Some(_) => {}

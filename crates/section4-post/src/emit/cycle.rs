@@ -21,23 +21,42 @@ pub(crate) struct NativeCycle {
 }
 
 impl Blocks {
-    /// One hole: `bottom` and `clearance` along Z. The cycle stays modal until any other block.
+    /// One hole: `bottom`, `clearance` and where the tool ends, along Z. The cycle stays modal until any other block.
     pub(crate) fn hole(
         &mut self,
         cycle: &NativeCycle,
         xy: [f64; 2],
-        bottom: f64,
-        clearance: f64,
+        [bottom, clearance, end]: [f64; 3],
     ) -> Result<(), TooGreat> {
         let round = |b: &Self, letter: u8, value: f64| {
             b.number(letter).round(value).ok_or(TooGreat { letter: char::from(letter), value })
         };
         let (x, y) = (round(self, b'X', xy[0])?, round(self, b'Y', xy[1])?);
-        let (z, r) = (round(self, b'Z', bottom)?, round(self, b'R', clearance)?);
-        let same = self.cycle.as_ref() == Some(cycle);
+        let z = round(self, b'Z', bottom)?;
+        // Each hole as deep as the others below its clearance, or a control would make one more peck of the last step.
+        let clearance = self.number(b'Z').value(z) + clearance - bottom;
+        let r = round(self, b'R', clearance)?;
+        let from = if self.cycle.is_some() { self.stands } else { self.known[idx(b'Z')] };
+        let (level, end) = (round(self, b'Z', clearance)?, round(self, b'Z', end)?);
+        // The angles of a turned part are rounded: a hole that is as high as the last may come out a step above it.
+        // A cycle must not begin below its clearance, so the tool goes up before.
+        let below = from.is_some_and(|z| z < level);
+        let same = self.cycle.as_ref() == Some(cycle) && !below;
         if !same {
             self.end_cycle();
         }
+        if below {
+            self.rise(level)?;
+        }
+        self.stands = if !cycle.lines.is_empty() {
+            Some(end)
+        } else if cycle.retract == self.machine.cycle.to_clearance {
+            Some(level)
+        } else if same {
+            self.stands
+        } else {
+            from.map(|z| z.max(level))
+        };
         // A cycle goes along the normal of the plane that the last arc may have left behind.
         let plane = self.plane.is_some_and(|p| p != ArcPlane::Xy);
         if plane && self.machine.dialect != Dialect::Heidenhain {
@@ -83,6 +102,19 @@ impl Blocks {
         Ok(())
     }
 
+    /// Up along Z alone, at rapid.
+    fn rise(&mut self, z: i64) -> Result<(), TooGreat> {
+        if self.machine.dialect == Dialect::Heidenhain {
+            let along = [false, false, true, false, false];
+            return self.tnc_straight(MotionCode::Rapid, &[0, 0, z, 0, 0], along, None);
+        }
+        self.begin();
+        self.motion_word(MotionCode::Rapid);
+        self.coordinate(b'Z', z);
+        self.end();
+        Ok(())
+    }
+
     /// A hole that one block taps, down to `bottom` and up again with the spindle; the tool stands at the
     /// clearance over it.
     pub(crate) fn tap(
@@ -116,6 +148,12 @@ impl Blocks {
         [x, y]: [i64; 2],
     ) -> Result<(), TooGreat> {
         if !same {
+            // The lines give the feed as a number alone.
+            if self.machine.dialect != Dialect::Heidenhain {
+                self.begin();
+                self.feed_mode_word(Some(cycle.feed));
+                self.end();
+            }
             for line in &cycle.lines {
                 self.begin();
                 self.push(line);

@@ -1,6 +1,9 @@
 //! Comments and templates.
 
-use super::Blocks;
+use std::sync::Arc;
+
+use super::{Blocks, FeedMode};
+use crate::machine::{ArcPlane, Dialect};
 
 impl Blocks {
     /// A comment of the control; long ones go on in further lines.
@@ -54,6 +57,29 @@ impl Blocks {
         self.skip = skip;
     }
 
+    /// The plane and the kind of feed that a line selects.
+    pub(super) fn take_modes(&mut self, line: &str) {
+        if self.machine.dialect == Dialect::Heidenhain {
+            return;
+        }
+        let machine = Arc::clone(&self.machine);
+        let feed = &machine.feed;
+        let words = line.split(['(', ';', '"']).next().unwrap_or_default();
+        for code in codes(words) {
+            match code {
+                "G17" => self.plane = Some(ArcPlane::Xy),
+                "G18" => self.plane = Some(ArcPlane::Zx),
+                "G19" => self.plane = Some(ArcPlane::Yz),
+                code if code == feed.per_minute => self.feed_mode = Some(FeedMode::PerMinute),
+                code if code == feed.per_revolution => {
+                    self.feed_mode = Some(FeedMode::PerRevolution);
+                }
+                code if code == feed.inverse_time => self.feed_mode = Some(FeedMode::InverseTime),
+                _ => {}
+            }
+        }
+    }
+
     /// Lines of the machine file.
     pub(crate) fn template(&mut self, lines: &[String], vars: &[(&str, &str)]) {
         for line in lines {
@@ -70,6 +96,17 @@ impl Blocks {
 /// Is it the mark of a tape's begin and end, or a program's number: `%`, `O0001`?
 fn is_mark(line: &str) -> bool {
     line.strip_prefix(['%', 'O']).is_some_and(|rest| rest.bytes().all(|b| b.is_ascii_digit()))
+}
+
+/// The G words of a block, also where no blank stands between them: `G17G40`.
+fn codes(block: &str) -> impl Iterator<Item = &str> {
+    block.match_indices('G').filter_map(|(at, _)| {
+        let rest = &block[at..];
+        let digits = |c: char| c.is_ascii_digit() || c == '.';
+        let end = rest[1..].find(|c| !digits(c)).map_or(rest.len(), |n| n + 1);
+        let alone = !block[..at].ends_with(|c: char| c.is_ascii_alphabetic());
+        (end > 1 && alone).then_some(&rest[..end])
+    })
 }
 
 /// The template with its `{names}` replaced; `None` when one of them is empty or unknown.
@@ -93,6 +130,13 @@ pub(crate) fn render(template: &str, vars: &[(&str, &str)]) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn words_of_a_block_are_found_without_blanks() {
+        let list = |b| codes(b).collect::<Vec<_>>();
+        assert_eq!(list("N10 G0 G17G40 G91.1 X1 M5"), ["G0", "G17", "G40", "G91.1"]);
+        assert!(list("MSG G X").is_empty() && list("PGM94").is_empty());
+    }
 
     #[test]
     fn a_line_without_its_value_is_left_out() {

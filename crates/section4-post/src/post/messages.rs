@@ -8,7 +8,51 @@ use crate::emit::TooGreat;
 /// Messages of one program; after that many one message says that there are more.
 const MOST_MESSAGES: usize = 500;
 
+/// Something that is told at its first place, with how often it came.
+#[derive(Debug)]
+pub(crate) struct Counted {
+    /// The same word for the same thing, whatever numbers the message has.
+    what: &'static str,
+    /// Where it stands in the list of messages.
+    at: usize,
+    times: u64,
+    /// The motion that was counted last.
+    motion: u64,
+}
+
 impl Post {
+    /// An error that is told once for all motions that have it: `what` tells which it is.
+    pub(crate) fn error_counted(
+        &mut self,
+        code: Code,
+        what: &'static str,
+        origin: &Origin,
+        message: String,
+        help: &str,
+    ) {
+        let motion = self.n_motions;
+        if let Some(known) = self.counted.iter_mut().find(|c| c.what == what) {
+            if std::mem::replace(&mut known.motion, motion) != motion {
+                known.times += 1;
+            }
+            return;
+        }
+        let at = self.diagnostics.len();
+        self.error(code, origin, message, help);
+        if self.diagnostics.len() > at {
+            self.counted.push(Counted { what, at, times: 1, motion });
+        }
+    }
+
+    /// Says how often each came.
+    pub(super) fn count_messages(&mut self) {
+        for Counted { at, times, .. } in self.counted.drain(..).filter(|c| c.times > 1) {
+            if let Some(d) = self.diagnostics.get_mut(at) {
+                d.message = format!("{}, the first of {times} positions", d.message);
+            }
+        }
+    }
+
     pub(crate) fn error(&mut self, code: Code, origin: &Origin, message: String, help: &str) {
         self.say(Diagnostic::error(code, origin.span, message), origin, help);
     }

@@ -13,6 +13,9 @@ pub(super) struct Sticky {
     initial: Option<f64>,
 }
 
+/// What is left of a hole is none when it is less than any control can be told, millimetres.
+pub(super) const NOTHING_LEFT: f64 = 1e-6;
+
 /// How far above the last depth a peck comes back, millimetres.
 const BACK: f64 = 0.254;
 
@@ -105,7 +108,10 @@ impl Control {
                         }
                         self.step(&z(back), true, feed, steps);
                     }
-                    depth = (depth - if n == 0 { first } else { step }).max(bottom);
+                    depth -= if n == 0 { first } else { step };
+                    if depth <= bottom + NOTHING_LEFT {
+                        depth = bottom;
+                    }
                     self.step(&z(depth), false, feed, steps);
                     if depth <= bottom {
                         break;

@@ -6,7 +6,7 @@ use aptc_geometry::trig;
 
 use super::Fault;
 use super::control::{ArcStep, Frame, Place, Step};
-use super::cycles::{Kind, MOST_PECKS};
+use super::cycles::{Kind, MOST_PECKS, NOTHING_LEFT};
 use crate::angles::about;
 use crate::machine::{Machine, Wrap};
 
@@ -404,7 +404,10 @@ impl Tnc {
                         }
                         z((depth + 0.2).min(cycle.clear), true);
                     }
-                    depth = (depth - if n == 0 { first } else { step }).max(cycle.bottom);
+                    depth -= if n == 0 { first } else { step };
+                    if depth <= cycle.bottom + NOTHING_LEFT {
+                        depth = cycle.bottom;
+                    }
                     z(depth, false);
                     if depth <= cycle.bottom {
                         break;

@@ -236,6 +236,7 @@ impl Checker {
             retract = retract.max((p - at).dot(&ta));
         }
         let bottom = -cycle.depth * mm;
-        Some(Hole { at, ta, bottom, clearance, retract: retract.max(clearance), deepest: f64::MAX })
+        let (retract, plane) = (retract.max(clearance), self.clearance);
+        Some(Hole { at, ta, bottom, clearance, retract, deepest: f64::MAX, plane })
     }
 }

@@ -520,9 +520,14 @@ impl Checker {
         let (h, from) = (height(end), begin.map(|b| b.0));
         if aside(end) > tol || from.is_some_and(|b| aside(b) > tol) {
             // On the way to the hole: only rapid, and only up or at a height that is clear.
-            let low = from.is_some_and(|b| {
-                height(b) < hole.clearance - tol && aside(b) > tol && aside(end) <= tol
-            });
+            // From another axis it comes along the clearance plane, at a height that in the frame of this hole means nothing.
+            let above = |p: Vec3| hole.plane.is_some_and(|c| c.n.dot(&p) >= c.d - tol);
+            let turns = begin.is_some_and(|(_, ta)| (ta - hole.ta).norm() > self.angular);
+            let free = turns && above(end) && from.is_some_and(above);
+            let low = !free
+                && from.is_some_and(|b| {
+                    height(b) < hole.clearance - tol && aside(b) > tol && aside(end) <= tol
+                });
             let across =
                 from.is_some_and(|b| (end - b - hole.ta * (end - b).dot(&hole.ta)).norm() > tol);
             let turning = !self.machine.rotary.is_empty();

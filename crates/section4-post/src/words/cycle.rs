@@ -157,7 +157,7 @@ pub(crate) fn again(
         step: v.step.or(v.first_step).or(last.step),
         dwell: v.dwell.or(last.dwell),
         dwell_rev: v.dwell_rev.or(last.dwell_rev),
-        without_clearance: false,
+        told: false,
     };
     checked(s, cycle).map(Some)
 }
@@ -264,7 +264,7 @@ fn values(s: &Statement<'_>, kind: &str, from: usize) -> Result<DrillCycle, Refu
         step: step.or(v.first_step),
         dwell: v.dwell,
         dwell_rev: v.dwell_rev,
-        without_clearance: false,
+        told: false,
     };
     checked(s, cycle)
 }

@@ -95,7 +95,7 @@ fn change(post: &mut Post, s: &Statement<'_>, at: usize) {
     let line = post.blocks.lines + 1;
     post.blocks.template(&machine.program.tool_change, &vars);
     post.blocks.skip = skip;
-    post.blocks.forget_after_start();
+    post.blocks.forget_after_lines();
     post.st.offset = Some(offset);
     post.length_words();
     post.st.chain = None;

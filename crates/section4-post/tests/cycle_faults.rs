@@ -1,0 +1,91 @@
+//! Cycles that random CL data have shown to come out wrong, and messages that came more than once.
+
+mod common;
+
+use common::{good, post};
+
+const READY: &str = "UNITS/MM\nLOADTL/1\nSPINDL/1000,CLW\nCOOLNT/ON\nFEDRAT/100\n";
+
+fn told(machine: &str, text: &str) -> Vec<String> {
+    let diagnostics = post(machine, text).1.diagnostics;
+    diagnostics.iter().map(|d| format!("{} {}", d.code, d.message)).collect()
+}
+
+#[test]
+fn a_cycle_without_a_step_is_told_once() {
+    for (machine, step) in [("linuxcnc-mill", ""), ("siemens-840d-mill", ",STEP,0")] {
+        let holes = "GOTO/0,0,0\nGOTO/9,0,0\nGOTO/18,0,0\nCYCLE/OFF\nFINI";
+        let cycle = format!("CYCLE/DEEP,DEPTH,5,CLEAR,1{step}\n");
+        let list = told(machine, &format!("{READY}RAPID\nGOTO/0,0,50\n{cycle}{holes}"));
+        assert_eq!(list, ["APT4005 CYCLE/DEEP has no step"], "{machine}");
+    }
+}
+
+#[test]
+fn axes_out_of_reach_are_counted() {
+    let text =
+        format!("{READY}GOTO/0,0,9\nGOTO/1,0,9,1,0,1\nGOTO/2,0,9,1,0,1\nGOTO/3,0,9,0,1,1\nFINI");
+    let list = told("linuxcnc-mill", &text);
+    assert_eq!(list.len(), 1, "{list:?}");
+    assert!(list[0].ends_with("the first of 3 positions"), "{list:?}");
+    let list = told("linuxcnc-4axis", &text);
+    assert!(list.iter().filter(|m| m.starts_with("APT4004")).count() == 1, "{list:?}");
+}
+
+#[test]
+fn turned_axes_without_a_tool_want_its_length() {
+    let text = "UNITS/MM\nSPINDL/1000,CLW\nCOOLNT/ON\nFEDRAT/100\nRAPID\nGOTO/0,0,50,0,1,1\nGOTO/0,0,9,0,1,1\nFINI";
+    for machine in ["fanuc-31i-5axis", "siemens-840d-5axis", "linuxcnc-5axis-head"] {
+        let list = told(machine, text);
+        assert_eq!(list.iter().filter(|m| m.starts_with("APT4022")).count(), 1, "{list:?}");
+        assert!(!list.iter().any(|m| m.starts_with("APT5401")), "{list:?}");
+        let loaded = format!("LOADTL/1\n{}", text);
+        assert!(!told(machine, &loaded).iter().any(|m| m.starts_with("APT4022")), "{machine}");
+    }
+}
+
+/// The lines that bring the tool home leave inverse time on.
+#[test]
+fn a_cycle_after_inverse_time_and_home_has_its_feed_per_minute() {
+    for (machine, home) in [("linuxcnc-5axis", "GOHOME"), ("linuxcnc-mill", "RETRCT")] {
+        let cut = "FEDRAT/INVERS,AUTO\nGOTO/0,0,9\nGOTO/5,0,8\nFEDRAT/INVERS,OFF\n";
+        let text =
+            format!("{READY}{cut}{home}\nCYCLE/DRILL,DEPTH,5,CLEAR,2\nGOTO/1,1,0\nCYCLE/OFF\nFINI");
+        let nc = good(machine, &text);
+        let cycle = nc.lines().find(|l| l.contains("G81")).unwrap_or_default();
+        assert!(cycle.starts_with("G94 "), "{nc}");
+    }
+    let text = format!(
+        "{READY}FEDRAT/INVERS,AUTO\nGOTO/0,0,9\nGOTO/5,0,8\nCYCLE/DRILL,DEPTH,5,CLEAR,2\nGOTO/1,1,0\nCYCLE/OFF\nFINI"
+    );
+    let nc = good("siemens-840d-5axis", &text);
+    assert!(nc.find("G94\n").is_none_or(|at| at < nc.find("MCALL CYCLE81").unwrap_or(0)), "{nc}");
+}
+
+#[test]
+fn even_pecks_leave_no_sliver() {
+    let cycle = "CYCLE/DEEP,DEPTH,10,CLEAR,2,STEP,1.3333\nGOTO/0,0,0\nCYCLE/OFF\nFINI";
+    let nc = good("fanuc-0i-mill", &format!("{READY}RAPID\nGOTO/0,0,50\n{cycle}"));
+    assert!(nc.contains("Q1.334"), "{nc}");
+    // Expanded: nine ways down at feed, none longer than a thousandth over the step.
+    let nc = good(
+        "grbl",
+        &format!("UNITS/MM\nSPINDL/1000,CLW\nCOOLNT/ON\nFEDRAT/100\nRAPID\nGOTO/0,0,50\n{cycle}"),
+    );
+    assert_eq!(nc.matches("G1 Z").count(), 9, "{nc}");
+}
+
+/// Rounded angles set holes of one height some steps apart: the control is brought up before, and reads back well.
+#[test]
+fn holes_of_one_tilted_plane_begin_at_their_clearance() {
+    let (s, c) = (0.574_533, 0.818_483);
+    let holes: String = (0..24)
+        .map(|i| f64::from(i) * 7.3 - 80.0)
+        .map(|x| format!("GOTO/{x},{},{},0,{s},{c}\n", 40.0 * c, -40.0 * s))
+        .collect();
+    let head = format!("{READY}MULTAX\nRAPID\nGOTO/0,90,90,0,{s},{c}\n");
+    for machine in ["linuxcnc-5axis", "linuxcnc-5axis-nutated", "fanuc-31i-5axis"] {
+        let text = format!("{head}CYCLE/DEEP,DEPTH,7,CLEAR,2,STEP,3\n{holes}CYCLE/OFF\nFINI");
+        good(machine, &text);
+    }
+}
