@@ -96,7 +96,7 @@ pub(crate) struct Blocks {
     /// Rotary axes that are written within one turn.
     modulo: [bool; 2],
     cycle: Option<NativeCycle>,
-    /// Z where the last hole of that cycle has left the tool.
+    /// Z where the last hole of a cycle has left the tool; it counts until another motion.
     stands: Option<i64>,
     /// The plane of the program is tilted: the control itself places the rotary axes.
     pub(crate) tilted: bool,
@@ -159,6 +159,7 @@ impl Blocks {
     /// The control may be in any state: every word is written again.
     pub(crate) fn forget(&mut self) {
         self.known = [None; 26];
+        self.stands = None;
         self.motion = None;
         self.plane = None;
         self.feed_mode = None;
@@ -378,6 +379,9 @@ impl Blocks {
     pub(crate) fn forget_axis(&mut self, i: usize) {
         if self.axes[i] != b' ' {
             self.known[idx(self.axes[i])] = None;
+        }
+        if self.axes[i] == b'Z' {
+            self.stands = None;
         }
     }
 

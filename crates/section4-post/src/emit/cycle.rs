@@ -36,7 +36,8 @@ impl Blocks {
         // Each hole as deep as the others below its clearance, or a control would make one more peck of the last step.
         let clearance = self.number(b'Z').value(z) + clearance - bottom;
         let r = round(self, b'R', clearance)?;
-        let from = if self.cycle.is_some() { self.stands } else { self.known[idx(b'Z')] };
+        let moved = self.known[idx(b'Z')].filter(|_| self.cycle.is_none());
+        let from = moved.or(self.stands);
         let (level, end) = (round(self, b'Z', clearance)?, round(self, b'Z', end)?);
         // The angles of a turned part are rounded: a hole that is as high as the last may come out a step above it.
         // A cycle must not begin below its clearance, so the tool goes up before.
