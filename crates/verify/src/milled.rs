@@ -142,7 +142,8 @@ impl Region {
 
     /// What is left at one of [`PLACES`] parts of the region; `None` where nothing is asked.
     pub(crate) fn between(&self, s: &Statement, part: usize) -> Option<Left> {
-        let cusps = self.cusps.as_ref()?;
+        // What has put out nothing has nothing between its passes.
+        let cusps = self.cusps.as_ref().filter(|_| !s.points.is_empty())?;
         let swath = self.swath.get_or_init(|| {
             Swath::new(&s.profile, false, &ways(&s.start, &s.points), FINE * cusps.room)
         });

@@ -300,6 +300,9 @@ fn what_is_left_between_passes_is_bounded() {
         // The first place that is found need not be the highest.
         assert!(proved || depth.is_some_and(|d| 0.0 < d && d < over + 1e-9), "{depth:?} {said:?}");
     }
+    // A statement that has put out nothing claims nothing.
+    let (c, said) = judge(milling(&flat, Some(0.1)), Vec::new());
+    assert_eq!((c.refuted, c.undecided, said.len()), (0, 0, 0));
     // Where the region is not known that is said.
     let mut unknown = milling(&flat, Some(0.1));
     unknown.scallop.as_mut().expect("set").extent = Extent::Unknown("the tool end is led");
