@@ -59,7 +59,9 @@ fn a_cycle_after_inverse_time_and_home_has_its_feed_per_minute() {
         "{READY}FEDRAT/INVERS,AUTO\nGOTO/0,0,9\nGOTO/5,0,8\nCYCLE/DRILL,DEPTH,5,CLEAR,2\nGOTO/1,1,0\nCYCLE/OFF\nFINI"
     );
     let nc = good("siemens-840d-5axis", &text);
-    assert!(nc.find("G94\n").is_none_or(|at| at < nc.find("MCALL CYCLE81").unwrap_or(0)), "{nc}");
+    let [feed, cycle] = ["G94\n", "MCALL CYCLE81"].map(|word| nc.rfind(word));
+    let inverse = nc.find("G93").expect("inverse time");
+    assert!(feed.is_some_and(|at| inverse < at) && feed < cycle, "{nc}");
 }
 
 #[test]
@@ -78,14 +80,19 @@ fn even_pecks_leave_no_sliver() {
 /// Rounded angles set holes of one height some steps apart: the control is brought up before, and reads back well.
 #[test]
 fn holes_of_one_tilted_plane_begin_at_their_clearance() {
-    let (s, c) = (0.574_533, 0.818_483);
-    let holes: String = (0..24)
-        .map(|i| f64::from(i) * 7.3 - 80.0)
-        .map(|x| format!("GOTO/{x},{},{},0,{s},{c}\n", 40.0 * c, -40.0 * s))
-        .collect();
-    let head = format!("{READY}MULTAX\nRAPID\nGOTO/0,90,90,0,{s},{c}\n");
-    for machine in ["linuxcnc-5axis", "linuxcnc-5axis-nutated", "fanuc-31i-5axis"] {
-        let text = format!("{head}CYCLE/DEEP,DEPTH,7,CLEAR,2,STEP,3\n{holes}CYCLE/OFF\nFINI");
-        good(machine, &text);
+    for k in 1..12_u32 {
+        let angle = 0.11 * f64::from(k) + 0.003;
+        let (s, c) = aptc_geometry::trig::sin_cos(angle);
+        let holes: String = (0..24)
+            .map(|i| (f64::from(i) * 37.3 - 400.0, f64::from((i * 7) % 24) * 29.1 - 300.0))
+            .map(|(x, y)| format!("GOTO/{x:.4},{:.4},{:.4},0,{s:.6},{c:.6}\n", y * c, -y * s))
+            .collect();
+        let head = format!("{READY}MULTAX\nRAPID\nGOTO/0,90,90,0,{s:.6},{c:.6}\n");
+        for machine in ["linuxcnc-5axis", "linuxcnc-5axis-nutated", "fanuc-31i-5axis"] {
+            good(
+                machine,
+                &format!("{head}CYCLE/DEEP,DEPTH,7,CLEAR,2,STEP,3\n{holes}CYCLE/OFF\nFINI"),
+            );
+        }
     }
 }

@@ -137,23 +137,20 @@ impl Sweep<'_> {
         reaching(best)
     }
 
-    /// A meeting told from both ends alone, and the lesser of their distances: seldom the nearest, but where the tool
-    /// does not turn its direction bounds the way as the tangents there do.
+    /// A direction told from both ends alone: where the tool does not turn it bounds the way as the tangents there do.
     pub(crate) fn glance(&self, x: Vec3) -> Meeting {
-        let seen = self.seen(x);
-        let v = seen[1] - seen[0];
+        let [from, to] = self.seen(x);
+        let way = to - from;
         let still = Pose { te: Vec3::zeros(), ta: self.a.ta };
-        let [a, b] = seen.map(|q| self.tool.near(&still, q));
-        let (f0, f1) = (a.1.dot(&v), b.1.dot(&v));
-        let (t, distance) = if b.0 < a.0 { (1.0, b.0) } else { (0.0, a.0) };
-        let m = if f0 >= 0.0 {
-            a.1
-        } else if f1 <= 0.0 {
-            b.1
+        let [a, b] = [from, to].map(|q| self.tool.near(&still, q).1);
+        let (falls, rises) = (a.dot(&way), b.dot(&way));
+        self.along(if falls >= 0.0 {
+            a
+        } else if rises <= 0.0 {
+            b
         } else {
-            (a.1 * f1 - b.1 * f0).try_normalize(0.0).unwrap_or(a.1)
-        };
-        Meeting { t, distance, m, reach: self.reach(m) }
+            (a * rises - b * falls).try_normalize(0.0).unwrap_or(a)
+        })
     }
 
     /// Meetings with a given direction in the middle of the way and with that square to the way of `x`.

@@ -521,9 +521,14 @@ impl Checker {
         if aside(end) > tol || from.is_some_and(|b| aside(b) > tol) {
             // On the way to the hole: only rapid, and only up or at a height that is clear.
             // From another axis it comes along the clearance plane, at a height that in the frame of this hole means nothing.
-            let above = |p: Vec3| hole.plane.is_some_and(|c| c.n.dot(&p) >= c.d - tol);
-            let turns = begin.is_some_and(|(_, ta)| (ta - hole.ta).norm() > self.angular);
-            let free = turns && above(end) && from.is_some_and(above);
+            // Which side of the plane is above both tool axes tell; its normal may point either way.
+            let above = |p: Vec3, ta: Vec3| {
+                hole.plane.is_some_and(|c| (c.n.dot(&p) - c.d) * c.n.dot(&ta).signum() >= -tol)
+            };
+            let free = begin.is_some_and(|(b, ta)| {
+                (ta - hole.ta).norm() > self.angular
+                    && [end, b].iter().all(|p| above(*p, ta) && above(*p, hole.ta))
+            });
             let low = !free
                 && from.is_some_and(|b| {
                     height(b) < hole.clearance - tol && aside(b) > tol && aside(end) <= tol
