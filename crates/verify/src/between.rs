@@ -30,19 +30,44 @@ pub(crate) fn angle(a: Vec3, b: Vec3) -> f64 {
 
 /// Tool end on the straight line, tool axis turning evenly.
 pub(crate) fn between_poses(a: &Pose, b: &Pose, t: f64) -> Pose {
-    if t >= 1.0 {
-        return *b;
+    Way::new(*a, *b).at(t)
+}
+
+/// Angle between two axes that counts as none.
+pub(crate) const NO_TURN: f64 = 1e-15;
+
+/// The way from one position to another.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Way {
+    a: Pose,
+    b: Pose,
+    /// Angle between the axes, and its sine.
+    pub(crate) turn: f64,
+    sine: f64,
+}
+
+impl Way {
+    pub(crate) fn new(a: Pose, b: Pose) -> Self {
+        let turn = angle(a.ta, b.ta);
+        let sine = if turn > NO_TURN { trig::sin(turn) } else { 0.0 };
+        Self { a, b, turn, sine }
     }
-    let te = a.te + t * (b.te - a.te);
-    let turn = angle(a.ta, b.ta);
-    if turn <= 1e-15 {
-        return Pose { te, ta: a.ta };
+
+    /// The position at a share of the way.
+    pub(crate) fn at(&self, t: f64) -> Pose {
+        let Self { a, b, turn, sine } = self;
+        if t >= 1.0 {
+            return *b;
+        }
+        let te = a.te + t * (b.te - a.te);
+        if t <= 0.0 || *turn <= NO_TURN {
+            return Pose { te, ta: a.ta };
+        }
+        let ta = if *sine > 1e-9 {
+            (a.ta * trig::sin((1.0 - t) * turn) + b.ta * trig::sin(t * turn)) / *sine
+        } else {
+            a.ta + t * (b.ta - a.ta)
+        };
+        Pose { te, ta: ta.normalize() }
     }
-    let s = trig::sin(turn);
-    let ta = if s > 1e-9 {
-        a.ta * (trig::sin((1.0 - t) * turn) / s) + b.ta * (trig::sin(t * turn) / s)
-    } else {
-        a.ta + t * (b.ta - a.ta)
-    };
-    Pose { te, ta: ta.normalize() }
 }

@@ -6,7 +6,7 @@ use aptc_cldata::{Controlled, Position, Relation};
 use aptc_geometry::surface::QuadricSurface;
 use aptc_geometry::{Form, Plane, Profile, Quadric, Vec3};
 
-use crate::between::{angle, between_poses};
+use crate::between::{NO_TURN, Way, between_poses};
 use crate::bound::{Bound, Touch};
 use crate::curved::{Curved, Warm};
 use crate::hollow::Hollow;
@@ -16,7 +16,7 @@ use crate::pile::Pile;
 use crate::sheet::Sheet;
 use crate::sheets::Sheets;
 use crate::solid::Solid;
-use crate::tool::{Pose, Tool};
+use crate::tool::{Pose, Tool, Turn};
 
 /// Stretches of a vector that wait, from, to and how often halved: never more than one a halving.
 type Stack = Pile<(Stop, Stop, u32), 32>;
@@ -172,10 +172,10 @@ impl Demand {
             Body::Unknown => return Verdict::Undecided { at_most: f64::INFINITY, te: a.te },
         };
         let (least, most) = (self.least - pad, self.most + pad);
-        let turns = angle(a.ta, b.ta) > NO_TURN;
+        let way = Way::new(Pose { te: a.te, ta: a.ta }, Pose { te: b.te, ta: b.ta });
         let stop = |t: f64| {
-            let pose = between(a, b, t);
-            let touch = if turns { self.touch(tool, &pose, convex) } else { None };
+            let pose = way.at(t);
+            let touch = if way.turn > NO_TURN { self.touch(tool, &pose, convex) } else { None };
             Stop { t, pose, touch }
         };
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
@@ -186,7 +186,7 @@ impl Demand {
         let mut seen = 0;
         while let Some((from, to, depth)) = stack.pop() {
             seen += 1;
-            let bound = self.bound(tool, &from, &to, convex);
+            let bound = self.bound(tool, &from, &to, way.turn * (to.t - from.t), convex);
             let excess = (least - bound.low).max(bound.high - most);
             if excess <= 0.0 {
                 (low, high) = (low.min(bound.low), high.max(bound.high));
@@ -273,23 +273,29 @@ impl Demand {
         }
     }
 
-    fn bound(&self, tool: &Tool<'_>, from: &Stop, to: &Stop, convex: Convex<'_>) -> Bound {
+    /// Bounds of a stretch on which the axis turns by `turn`.
+    fn bound(
+        &self,
+        tool: &Tool<'_>,
+        from: &Stop,
+        to: &Stop,
+        turn: f64,
+        convex: Convex<'_>,
+    ) -> Bound {
         let (p, q) = (&from.pose, &to.pose);
-        let turn = angle(p.ta, q.ta);
         let ends = [from.touch, to.touch];
         match convex {
             Convex::Solid(solid) if self.within => {
                 within(tool, [p, q], solid, self.open, turn, ends)
             }
             Convex::Solid(solid) if turn <= NO_TURN => outside::bound(tool, p, q, solid),
-            Convex::Solid(solid) => outside::bound_turning(tool, [p, q], solid, turn, ends),
+            Convex::Solid(solid) => {
+                outside::bound_turning(tool, [p, q], solid, &Turn::new(turn), ends)
+            }
             Convex::Hollow(hollow) => within(tool, [p, q], hollow, true, turn, ends),
         }
     }
 }
-
-/// Angle between two axes that counts as none.
-const NO_TURN: f64 = 1e-15;
 
 fn within(
     tool: &Tool<'_>,
@@ -302,7 +308,7 @@ fn within(
     if turn <= NO_TURN {
         inside::bound(tool, p, q, walls, open)
     } else {
-        inside::bound_turning(tool, [p, q], walls, open, turn, ends)
+        inside::bound_turning(tool, [p, q], walls, open, &Turn::new(turn), ends)
     }
 }
 
@@ -314,10 +320,6 @@ fn opened(c: &Controlled) -> Option<Hollow> {
     let c = if c.side < 0 { q.c } else { q.c.map(|x| -x) };
     let surface = QuadricSurface::new(&Quadric { kind: q.kind, c }).filter(|_| touches)?;
     Hollow::new(&surface)
-}
-
-fn between(a: &Position, b: &Position, t: f64) -> Pose {
-    between_poses(&Pose { te: a.te, ta: a.ta }, &Pose { te: b.te, ta: b.ta }, t)
 }
 
 #[cfg(test)]

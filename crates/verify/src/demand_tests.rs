@@ -85,7 +85,8 @@ fn check(
     let mut seen = (f64::INFINITY, f64::NEG_INFINITY);
     let mut deep_seen = (f64::INFINITY, f64::NEG_INFINITY);
     for i in 0..=8 {
-        let pose = between(a, b, f64::from(i) / 8.0);
+        let way = Way::new(Pose { te: a.te, ta: a.ta }, Pose { te: b.te, ta: b.ta });
+        let pose = way.at(f64::from(i) / 8.0);
         let g = brute(&profile, &solid, &pose, within);
         // A tool sunk beyond its corner is refuted whatever its exact depth, which is then a matter of
         // definition.

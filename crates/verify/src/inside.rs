@@ -13,7 +13,7 @@ use crate::between::{bulge, parabola};
 use crate::bound::{Bound, CLOSE, Touch};
 use crate::pile::Pile;
 use crate::solid::{Solid, any_across};
-use crate::tool::{Pose, Tool, carry, rise};
+use crate::tool::{Pose, Tool, Turn, carry};
 
 /// A direction may look up the axis by so much and still count as square to it.
 const LEVEL: f64 = 1e-12;
@@ -133,13 +133,16 @@ fn around(
     if cap <= out + close && whole {
         return (radius + kept - cap, radius + kept - out, normal(off));
     }
+    // All around the sectors begin at the side on which the tool stands: about there it reaches farthest.
     let border = |i: u32| {
+        if whole {
+            let side = Vec2::new(-off.y, off.x);
+            return [off, side, -off, -side][i as usize % 4];
+        }
         let angle = from + f64::from(i) * (turn / f64::from(SECTORS));
         let (s, c) = trig::sin_cos(angle);
         Vec2::new(c, s)
     };
-    let quarter = |i: u32| [Vec2::x(), Vec2::y(), -Vec2::x(), -Vec2::y()][i as usize % 4];
-    let border = |i: u32| if whole { quarter(i) } else { border(i) };
     let mut stack = Pile::<_, 72>::new();
     let mut a = border(0);
     let mut ha = lifted(a);
@@ -264,7 +267,7 @@ pub(crate) fn bound_turning(
     [a, b]: [&Pose; 2],
     solid: &impl Walls,
     open: bool,
-    turn: f64,
+    turn: &Turn,
     ends: [Option<Touch>; 2],
 ) -> Bound {
     // What does not look up the axis on the way looks up it at either end by no more than its turn.
@@ -276,12 +279,12 @@ pub(crate) fn bound_turning(
     let (first, last) = (at(a, ends[0]), at(b, ends[1]));
     let steep = solid.steepest(a.ta).max(solid.steepest(b.ta));
     let lever = (tool.widest() + steep * tool.tallest()).min(tool.reach());
-    let low = -parabola(-first.0, -last.0, rise(lever, turn * tool.reach(), turn));
+    let low = -parabola(-first.0, -last.0, turn.rise(lever, turn.angle * tool.reach()));
     let low_at = if first.0 <= last.0 { 0.0 } else { 1.0 };
     let carried = |from: &Pose, to: &Pose, m: Vec3| {
         let p = tool.farthest(from, m);
         let ends = [-m.dot(&p), -m.dot(&carry(from, to, p))];
-        solid.support(m) + parabola(ends[0], ends[1], bulge((p - from.te).norm(), turn))
+        solid.support(m) + parabola(ends[0], ends[1], bulge((p - from.te).norm(), turn.angle))
     };
     let mut high = f64::INFINITY;
     // A direction level with the tool at one end looks up its axis at the other: it is laid down.
@@ -342,8 +345,8 @@ mod tests {
                 let x = 0.7 * f64::from(k);
                 let a = Pose { te: Vec3::new(x, 0.5, -20.0), ta: up(0.01 * x) };
                 let b = Pose { te: Vec3::new(x + 0.6, 0.3, -20.4), ta: up(0.01 * x + 0.02) };
-                let turn = (a.ta.cross(&b.ta)).norm();
-                let bound = bound_turning(&tool, [&a, &b], &solid, true, turn, [None; 2]);
+                let turn = Turn::new((a.ta.cross(&b.ta)).norm());
+                let bound = bound_turning(&tool, [&a, &b], &solid, true, &turn, [None; 2]);
                 for i in 0..=20 {
                     let t = f64::from(i) / 20.0;
                     let ta = (a.ta + t * (b.ta - a.ta)).normalize();

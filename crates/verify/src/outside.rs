@@ -12,7 +12,7 @@ use aptc_geometry::Vec3;
 use crate::between::{angle, bulge, parabola};
 use crate::bound::{Bound, Touch};
 use crate::solid::{Solid, unit_or};
-use crate::tool::{Pose, Tool, carry, turned};
+use crate::tool::{Pose, Tool, Turn, carry, turned};
 
 /// Rounds of the searches for the best direction; reaching them costs tightness, not truth.
 const ROUNDS: usize = 60;
@@ -235,7 +235,7 @@ pub(crate) fn bound_turning(
     tool: &Tool<'_>,
     [a, b]: [&Pose; 2],
     solid: &Solid,
-    turn: f64,
+    turn: &Turn,
     ends: [Option<Touch>; 2],
 ) -> Bound {
     let at = |pose: &Pose, known: Option<Touch>| known.unwrap_or_else(|| touch(tool, pose, solid));
@@ -246,11 +246,11 @@ pub(crate) fn bound_turning(
     for d in [first.m, last.m, solid.bounded_direction(middle)] {
         low = low.max(hull(d));
     }
-    low = low.max(turning(tool, a, b, solid, [first.m, last.m], turn));
+    low = low.max(turning(tool, a, b, solid, [first.m, last.m], turn.angle));
     // The distance is convex along the chord.
     let carried = |from: &Pose, to: &Pose, p: Vec3| {
         let ends = [solid.distance(p), solid.distance(carry(from, to, p))];
-        parabola(ends[0], ends[1], bulge((p - from.te).norm(), turn))
+        parabola(ends[0], ends[1], bulge((p - from.te).norm(), turn.angle))
     };
     let high = carried(a, b, first.p).min(carried(b, a, last.p));
     let (least, low_at) = if first.low <= last.low { (first.low, 0.0) } else { (last.low, 1.0) };

@@ -3,7 +3,7 @@
 use aptc_geometry::Vec3;
 
 use crate::between::{bulge, parabola};
-use crate::tool::{Pose, Tool, turned};
+use crate::tool::{Pose, Tool, Turn, turned};
 
 /// Looks for the nearest meeting, and the sine at which it is square to the way.
 const LOOKS: u32 = 18;
@@ -215,7 +215,8 @@ impl Sweep<'_> {
         // A direction that stands still, as it is in the middle of the way: beside a piece square to it the better one.
         let middle = turned(self.a.ta, self.middle(), m);
         let slack = slack(middle);
-        let (height, rise) = self.tool.height_turning(&self.a, &self.b, middle, self.turn);
+        let (height, rise) =
+            self.tool.height_turning(&self.a, &self.b, middle, &Turn::new(self.turn));
         let standing = (middle.dot(&x) - height - slack.all, slack, rise);
         if standing.0 > turning.0 { standing } else { turning }
     }

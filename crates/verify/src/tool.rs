@@ -87,14 +87,20 @@ impl<'a> Tool<'a> {
 
     /// Greatest `n . p` at most over the tool on its way from one position to another, the axis turning evenly
     /// by `turn`, and what the turn makes of it.
-    pub(crate) fn height_turning(&self, from: &Pose, to: &Pose, n: Vec3, turn: f64) -> (f64, f64) {
+    pub(crate) fn height_turning(
+        &self,
+        from: &Pose,
+        to: &Pose,
+        n: Vec3,
+        turn: &Turn,
+    ) -> (f64, f64) {
         let k = unit_or(from.ta.cross(&to.ta), Vec3::zeros());
         let across = n - k * n.dot(&k);
         let ends = [self.height(from, n), self.height(to, n)];
         let own = |pose: &Pose, n: Vec3, height: f64| height - n.dot(&pose.te);
         let apart = own(from, n, ends[0]) - own(to, n, ends[1]);
         let reach = |pose: &Pose| own(pose, across, self.height(pose, across));
-        let rise = rise(reach(from).max(reach(to)), apart.abs(), turn);
+        let rise = turn.rise(reach(from).max(reach(to)), apart.abs());
         (parabola(ends[0], ends[1], rise), rise)
     }
 
@@ -221,21 +227,37 @@ pub(crate) fn turned(from: Vec3, to: Vec3, x: Vec3) -> Vec3 {
     x * c + k.cross(&x) + k * (k.dot(&x) / (1.0 + c))
 }
 
-/// By how much the height h of a turning tool over its tool end along a direction n is more than evenly between its
-/// values at the ends, which are `apart`; at the share t of the way the part 4 t (1 - t) of it. `across` is the greater
-/// height along the part of n square to the axis k of the rotation.
-///
-/// Seen from the tool that part turns evenly: `n(t) = (1 - s) n(0) + s n(1) + (l - 1) c` with c between its values at
-/// the ends, `l = cos((t - 1/2) turn) / cos(turn / 2)` and `s - 1/2 = tan((t - 1/2) turn) / (2 tan(turn / 2))`; h is convex
-/// and grows with the length of n. `l - 1 <= 4 t (1 - t) (1 / cos(turn / 2) - 1)`, for cos(sqrt) is convex, and
-/// `|s - t| <= t (1 - t) (turn / sin(turn) - 1)`, as the series of the tangent has no negative term.
-pub(crate) fn rise(across: f64, apart: f64, turn: f64) -> f64 {
-    let longer = 1.0 / trig::cos(0.5 * turn) - 1.0;
-    let uneven = turn / trig::sin(turn) - 1.0;
-    if !(longer >= 0.0 && uneven.is_finite()) {
-        return f64::INFINITY;
+/// The angle by which an axis turns evenly, with what it makes of heights.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Turn {
+    pub(crate) angle: f64,
+    /// Of `l - 1` and `s - t` below the greatest part of `4 t (1 - t)`.
+    longer: f64,
+    uneven: f64,
+}
+
+impl Turn {
+    pub(crate) fn new(angle: f64) -> Self {
+        let longer = 1.0 / trig::cos(0.5 * angle) - 1.0;
+        let uneven = 0.25 * (angle / trig::sin(angle) - 1.0).max(0.0);
+        let uneven = if angle > 0.0 { uneven } else { 0.0 };
+        Self { angle, longer, uneven }
     }
-    longer * across.max(0.0) + 0.25 * apart * uneven.max(0.0)
+
+    /// By how much the height h of a turning tool over its tool end along a direction n is more than evenly between its
+    /// values at the ends, which are `apart`; at the share t of the way the part 4 t (1 - t) of it. `across` is the
+    /// greater height along the part of n square to the axis k of the rotation.
+    ///
+    /// Seen from the tool that part turns evenly: `n(t) = (1 - s) n(0) + s n(1) + (l - 1) c` with c between its values at
+    /// the ends, `l = cos((t - 1/2) turn) / cos(turn / 2)` and `s - 1/2 = tan((t - 1/2) turn) / (2 tan(turn / 2))`; h is
+    /// convex and grows with the length of n. `l - 1 <= 4 t (1 - t) (1 / cos(turn / 2) - 1)`, for cos(sqrt) is convex, and
+    /// `|s - t| <= t (1 - t) (turn / sin(turn) - 1)`, as the series of the tangent has no negative term.
+    pub(crate) fn rise(&self, across: f64, apart: f64) -> f64 {
+        if !(self.longer >= 0.0 && self.uneven.is_finite()) {
+            return f64::INFINITY;
+        }
+        self.longer * across.max(0.0) + apart * self.uneven
+    }
 }
 
 #[cfg(test)]
@@ -255,8 +277,8 @@ mod tests {
             let up = |x: f64, y: f64| Vec3::new(x, y, 1.0).normalize();
             let a = Pose { te: Vec3::zeros(), ta: up(lean[0], lean[1]) };
             let b = Pose { te: Vec3::from(v), ta: up(lean[2], lean[3]) };
-            let (n, turn) = (Vec3::from(n), crate::between::angle(a.ta, b.ta));
-            let (most, _) = tool.height_turning(&a, &b, n, turn);
+            let (n, turn) = (Vec3::from(n), Turn::new(crate::between::angle(a.ta, b.ta)));
+            let (most, _) = tool.height_turning(&a, &b, n, &turn);
             for i in 0..=40 {
                 let at = crate::between::between_poses(&a, &b, f64::from(i) / 40.0);
                 prop_assert!(tool.height(&at, n) <= most + 1e-9, "{i}");
