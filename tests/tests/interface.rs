@@ -315,5 +315,7 @@ fn exit_codes_are_as_documented() {
     assert_eq!(code(&["good.apt", "--no-such-flag"]), Some(2));
     assert_eq!(code(&["good.apt", "-o", "good.apt/in/a/file"]), Some(2));
     assert_eq!(code(&["good.apt", "--machine", "none.toml"]), Some(2));
+    assert_eq!(code(&["good.apt", "-I", "nowhere"]), Some(2));
+    assert_eq!(code(&["good.apt", "-I", "."]), Some(0));
     assert_eq!(code(&["machines"]), Some(0));
 }

@@ -90,7 +90,7 @@ pub(crate) enum SourceDialect {
 #[derive(Args, Clone, Debug)]
 pub(crate) struct SourceArgs {
     /// Folder of macros and included files; the program's own folder comes first
-    #[arg(short = 'I', long = "include", value_name = "DIR")]
+    #[arg(short = 'I', long = "include", value_name = "DIR", value_parser = existing_folder)]
     pub(crate) include: Vec<PathBuf>,
     /// Lines of any length: no card columns
     #[arg(long)]
@@ -392,6 +392,12 @@ pub(crate) enum VerifyHow {
     Sample,
     /// None
     Off,
+}
+
+/// A folder that is there: one misspelt would be passed over in silence.
+fn existing_folder(text: &str) -> Result<PathBuf, String> {
+    let path = PathBuf::from(text);
+    if path.is_dir() { Ok(path) } else { Err("there is no such folder".to_owned()) }
 }
 
 /// A code that stands in a block without bringing anything else into it.

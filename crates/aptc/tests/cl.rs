@@ -185,3 +185,23 @@ fn only_cl_data_needs_no_machine() {
         assert!(messages.contains("APT4001"), "{messages}");
     }
 }
+
+/// A file that was cut short moves the tool less far than it should.
+#[test]
+fn a_file_without_its_end_is_told() {
+    let dir = tempfile::tempdir().unwrap();
+    let whole = format!("{HEAD}FROM/0,0,50\nGOTO/1,2,30\nGOTO/1,2,3\n");
+    for (cl, told) in [
+        (whole.clone(), true),
+        (whole.clone() + "$$ a remark\nSPINDL/OFF\n", true),
+        (whole.clone() + "FINI\n", false),
+        (whole.clone() + "FINI\n$$ what follows says nothing\n", false),
+        (whole.clone() + "FINI\n" + &whole, true),
+        (format!("TOOL PATH/A,TOOL,B\n{whole}END-OF-PATH\n"), false),
+        (whole + "END\n", false),
+    ] {
+        fs::write(dir.path().join("part.cl"), &cl).unwrap();
+        let run = aptc(dir.path(), &["post", "part.cl", "--machine", "linuxcnc-mill"]);
+        assert_eq!(text(&run.stderr).contains("APT3007"), told, "{cl}{}", text(&run.stderr));
+    }
+}

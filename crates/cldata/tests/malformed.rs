@@ -25,6 +25,7 @@ fn statements_that_cannot_be_read_are_kept_and_told_with_their_line() {
         ("UNITS/MM\nGOTO/1,NAN,3\n", "APT3001", "line 2"),
         ("UNITS/MM\nGOTO/1,1e999,3\n", "APT3001", "line 2"),
         ("UNITS/MM\nGOTO/inf,2,3\n", "APT3001", "line 2"),
+        ("UNITS/MM\nGOTO/1,2,", "APT3001", "line 2"),
         ("UNITS/MM\n\nGOTO/X,Y,Z\n", "APT3001", "line 3"),
         ("UNITS/MM\nGOTO/1,2,3,\nCIRCLE/1,2\nGOTO/4,5,6\n", "APT3001", "line 3"),
         ("UNITS/MM\nCIRCLE/1,2,3,0,0,1,5,1,1,1\n", "APT3001", "line 2"),

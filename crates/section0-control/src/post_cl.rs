@@ -4,7 +4,7 @@ use std::io::{self, Read, Write};
 use std::mem;
 
 use aptc_cldata::{Dialect, Kind, Reader, Record, RecordReader as _, RecordWriter};
-use aptc_diagnostics::{Diagnostic, FileId, SourceMap};
+use aptc_diagnostics::{Diagnostic, FileId, SourceMap, Span, codes};
 use aptc_edit::{Editor, Subprograms};
 
 use crate::cl_edit::{Edited, spool};
@@ -184,6 +184,8 @@ struct Parts<'a, W> {
     parts: Vec<Part>,
     texts: Vec<W>,
     diagnostics: Vec<Diagnostic>,
+    /// The last motion, if nothing has told since that the program is at its end.
+    open: Option<Span>,
 }
 
 impl<'a, W: Write> Parts<'a, W> {
@@ -193,7 +195,8 @@ impl<'a, W: Write> Parts<'a, W> {
         create: &'a mut dyn FnMut() -> io::Result<W>,
     ) -> Self {
         let (parts, texts, diagnostics) = (Vec::new(), Vec::new(), Vec::new());
-        Self { heads: heads.iter(), code, create, present: None, parts, texts, diagnostics }
+        let (heads, present, open) = (heads.iter(), None, None);
+        Self { heads, code, create, present, parts, texts, diagnostics, open }
     }
 
     fn end_part(&mut self) -> io::Result<()> {
@@ -222,6 +225,11 @@ impl<W: Write> RecordWriter for Parts<'_, W> {
             let poster = Poster::new(head, self.code, self.create)?;
             self.present = Some((poster, Summary::default()));
         }
+        if matches!(record.kind, Kind::Motion(_)) {
+            self.open = Some(record.origin.span);
+        } else if ends(&record.kind) {
+            self.open = None;
+        }
         if let Some((poster, summary)) = &mut self.present {
             summary.push(record);
             poster.push(record)?;
@@ -230,6 +238,25 @@ impl<W: Write> RecordWriter for Parts<'_, W> {
     }
 
     fn finish(&mut self) -> io::Result<()> {
-        self.end_part()
+        self.end_part()?;
+        if let Some(last) = self.open {
+            let message = "the CL data end after a motion, without FINI";
+            let d = Diagnostic::warning(codes::CL_UNENDED, last, message);
+            let help =
+                "see whether the file is whole; what is missing is missing in the machine code";
+            self.diagnostics.push(d.help(help));
+        }
+        Ok(())
+    }
+}
+
+/// Does it tell that the program is at its end, in any dialect?
+fn ends(kind: &Kind) -> bool {
+    match kind {
+        Kind::Fini => true,
+        // NX.
+        Kind::Comment(text) => text.trim_start().starts_with("END-OF-PATH"),
+        Kind::Post { word, .. } => matches!(word.as_str(), "END" | "REWIND"),
+        _ => false,
     }
 }

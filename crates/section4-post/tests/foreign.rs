@@ -127,6 +127,14 @@ fn words_of_cam_systems_that_say_nothing_to_the_machine() {
     assert_eq!(said(&posted, "APT4006").len(), 1);
 }
 
+#[test]
+fn a_call_of_a_subprogram_that_is_not_there_is_an_error() {
+    let (_, posted) = post("haas-vf", &format!("{HEAD}GOTO/0,0,3\nCALSUB/ABC\nFINI"));
+    let said = said(&posted, "APT3108");
+    assert!(said.len() == 1 && said[0].contains("CALSUB/ABC"), "{said:?}");
+    assert!(posted.diagnostics.iter().any(|d| d.is_error()));
+}
+
 /// Fusion goes on from each hole at rapid to where the cycle left the tool, and may end there.
 #[test]
 fn a_rapid_motion_to_where_the_cycle_ended() {

@@ -12,8 +12,12 @@ use super::{fusion, nx};
 use crate::{Arg, Dialect};
 
 pub(super) fn motion(state: &mut State, text: &[u8], rest: &[u8], from: bool) {
+    // `GOTO/1,2,` had a third coordinate, which is not 0 because it is lost.
+    let lost = rest.trim_ascii_end().ends_with(b",");
     match args::all_numbers(rest) {
-        Some(numbers) if numbers.get().len() >= 2 => goto(state, numbers.get(), from),
+        Some(numbers) if numbers.get().len() >= 2 + usize::from(lost) => {
+            goto(state, numbers.get(), from)
+        }
         _ => {
             // A feed rate or a word may follow the numbers.
             let numbers = leading_numbers(rest);

@@ -10,6 +10,7 @@ codes! {
     ARC_OFF_CIRCLE = 3004, "an arc whose start or end is not on its circle";
     CL_LINE_TOO_LONG = 3005, "a line of a CL file that is too long";
     CL_UNIT = 3006, "a CL file that does not state its unit";
+    CL_UNENDED = 3007, "a CL file that ends without FINI";
     NO_INDEX = 3101, "a COPY or NOMORE without its INDEX";
     INDEX_TWICE = 3102, "an INDEX number that stands twice";
     NESTED_TOO_DEEP = 3103, "too many ranges of INDEX within one another";
@@ -17,6 +18,6 @@ codes! {
     INDEX_UNUSED = 3105, "an INDEX that nothing closes or copies";
     CL_NOT_CARRIED = 3106, "something that TRACUT or COPY cannot carry properly";
     VTLAXS_REFUSED = 3107, "a path that VTLAXS cannot tilt";
-    SUBPROGRAM = 3108, "a DEFSUB without its end, or called within itself";
+    SUBPROGRAM = 3108, "a DEFSUB without its end, called within itself, or not there";
     COPY_OVERLAP = 3109, "ranges of COPY that overlap";
 }

@@ -36,6 +36,16 @@ fn one(post: &mut Post, s: &Statement<'_>, line: &str) {
     post.st.coolant_perhaps |= post.st.coolant.is_some();
 }
 
+/// `CALSUB/n` that nothing has carried out: there is no such subprogram before it.
+pub(super) fn calsub(post: &mut Post, s: &Statement<'_>) {
+    let message = format!(
+        "{}: no DEFSUB before it has that name, so that its motions are missing",
+        s.written()
+    );
+    let help = "put DEFSUB/n .. ENDSUB before the first call";
+    post.error(codes::SUBPROGRAM, s.origin, message, help);
+}
+
 /// `END`.
 pub(super) fn end(post: &mut Post, s: &Statement<'_>) {
     post.end_of_program(s.origin);

@@ -58,6 +58,7 @@ static TABLE: &[(&str, Entry)] = &[
     ("ARCSLP", Do(arcslp::arcslp)),
     ("AUXFUN", Do(program::auxfun)),
     ("BREAK", Ignore(TAPE)),
+    ("CALSUB", Do(program::calsub)),
     ("CAMERA", Silent(SHOWN)),
     ("CHANNEL", Do(program::channel)),
     ("CHECK", Ignore("limits stand in the machine file")),
