@@ -131,6 +131,8 @@ pub(crate) struct Doubt {
     pub(crate) names: bool,
     /// A file that is missing: any macro may have been defined.
     pub(crate) macros: bool,
+    /// A SCON since the last INIT: SMIL perhaps lacks what it would have set.
+    pub(crate) milling: bool,
 }
 
 impl<'w> Interpreter<'w> {

@@ -222,13 +222,27 @@ pub(super) fn shapes(word: Word) -> &'static [Shape] {
 
 impl Interpreter<'_> {
     /// SCON, SMIL, GOLOFT and their kin.
+    ///
+    /// SMIL says nothing of its own where a SCON before it was refused: what it misses was told there.
     pub(super) fn regional(&mut self, word: Word, clause: &Clause) -> Known<()> {
+        let known = self.regional_args(word, clause);
+        let first = known.as_ref().ok().and_then(|args| args.first()?.word());
+        match word {
+            word::SCON if known.is_err() => self.state.doubt.milling = true,
+            word::SCON if first == Some(word::INIT) => self.state.doubt.milling = false,
+            word::SMIL if self.state.doubt.milling => return Err(Poisoned),
+            _ => {}
+        }
+        let args = self.handed_on(known?)?;
+        self.emit(Kind::Regional { word: word.text().into(), args });
+        Ok(())
+    }
+
+    fn regional_args(&mut self, word: Word, clause: &Clause) -> Known<Vec<Arg>> {
         let args = self.args(clause, Names::Defined)?;
         self.shaped(word, shapes(word), clause, &args)?;
         self.rising(word, &args)?;
-        let args = self.handed_on(args)?;
-        self.emit(Kind::Regional { word: word.text().into(), args });
-        Ok(())
+        Ok(args)
     }
 
     /// The limits of a drive curve or surface go upwards, and numbers of areas and scallops are not
