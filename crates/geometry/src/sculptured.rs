@@ -278,7 +278,7 @@ pub enum PatchKind {
 /// A patch with the side of its normal.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Patch {
-    /// MINUS: the normal is turned round.
+    /// MINUS was written. It changes nothing: parameters and normal are those of PLUS, as in SSV3.
     #[serde(default)]
     pub minus: bool,
     /// The sixteen items as written.

@@ -114,6 +114,14 @@ fn a_stretch_of_a_circle_ends_where_its_bounds_cut_it() {
     let c = curve("LX=LINE/XAXIS\nK=CIRCLE/0,0,5\nL2=LINE/9,0,9,1\nC=SCURV/SEG,LX,K,NEGX,L2");
     let CurveShape::Stretch { ends } = c.shape else { panic!("a line") };
     assert!((ends[0] + Vec3::x() * 5.0).norm() < 1e-12 && (ends[1].x - 9.0).abs() < 1e-12);
+    // XSMALL is NEGX, and so are its like.
+    let of = |low: &str, high: &str| {
+        curve(&format!(
+            "LX=LINE/XAXIS\nK=CIRCLE/0,0,5\nL=LINE/YAXIS\nC=SCURV/SEG,K,LX,{low},L,{high}"
+        ))
+    };
+    assert_eq!(of("XSMALL", "YLARGE"), of("NEGX", "POSY"));
+    assert_eq!(of("XLARGE", "YSMALL"), of("POSX", "NEGY"));
 }
 
 #[test]
@@ -341,6 +349,22 @@ fn points_and_vectors_of_a_circle() {
     assert!((v - Vec3::new(0.0, 1.0, 0.5)).norm() < 1e-12, "{v:?}");
 }
 
+/// A curve goes straight on beyond its ends, as SSV3 gives it.
+#[test]
+fn a_curve_goes_on_straight() {
+    let c = "P5=POINT/0,0,0\nP6=POINT/1,1,.2\nP7=POINT/2.1,.1,.3\nP8=POINT/3,1,.1\nC=SCURV/SPLINE,P5,P6,P7,P8\n";
+    for (of, wanted) in [
+        ("POINT/INTOF,C,PARAM,-.3", [-0.245_893_366, -0.507_159_574, -0.064_854_646]),
+        ("POINT/INTOF,C,PARAM,3.4", [3.316_811_983, 1.584_269_414, -0.016_464_776]),
+        ("POINT/INTOF,C,PARAM,1.2,1", [1.187_595_895, 0.964_731_127, 0.233_901_565]),
+        ("POINT/INTOF,C,PARAM,-.2,2", [0.745_110_698, 1.047_920_337, 0.153_937_445]),
+        ("VECTOR/INTOF,C,PARAM,3.4,TANSPL", [0.792_029_958, 1.460_673_536, -0.291_161_940]),
+    ] {
+        let got = vec3(&format!("{c}X={of}"), "X");
+        assert!((got - Vec3::from(wanted)).norm() < 2e-9, "{of}: {got}");
+    }
+}
+
 #[test]
 fn places_that_are_not_there_are_told() {
     let told = |text: &str| {
@@ -348,7 +372,8 @@ fn places_that_are_not_there_are_told() {
         assert_eq!(ran.diagnostics.len(), 1, "{text}\n{}", ran.messages());
         ran.diagnostics[0].code.number()
     };
-    assert_eq!(told("POINT/INTOF,C,PARAM,1.5"), 1208);
+    assert_eq!(told("POINT/INTOF,C,PARAM,.5,2"), 1214);
+    assert_eq!(told("POINT/INTOF,C,FLOW,.5,2"), 1214);
     assert_eq!(told("POINT/INTOF,S,0,0,5"), 1214);
     assert_eq!(told("VECTOR/INTOF,C,PARAM,0,CRSSPL"), 1207);
     assert_eq!(told("VECTOR/INTOF,S,0,0,TANSPL,LENGTH"), 1200);

@@ -34,8 +34,9 @@ pub fn line_arc(a: Vec3, b: Vec3) -> CubicArc {
     CubicArc::line(a, b)
 }
 
-/// The arc from the first to the last point. Three conditions give a circle, four the conic without mixed
-/// term along the frame's axis in its plane, five any conic.
+/// The arc from the first to the last point. Three conditions give a circle, five any conic. Four give, of the conics
+/// x x + b y y + c x y + d x + e y = 0 with x along the chord, the ellipse b = 1 + c c / 2, else the parabola b = c c / 4, as SSV3 does; a tangent
+/// at an end may lean less than a right angle from the chord.
 ///
 /// Of the weights the ends' ratio is that of the tangents' lengths to where they meet, so that the
 /// parameter starts and ends equally fast.
@@ -98,10 +99,23 @@ impl Frame {
         let straight = normal.norm() < 1e-10;
         let z =
             normal.try_normalize(1e-10).unwrap_or_else(|| crate::surface::frame_about(chord)[0]);
-        // The frame's own axis that is least along the normal, laid into the plane.
-        let axis = if z.x.abs() <= 0.9 { Vec3::x() } else { Vec3::y() };
-        let x = (axis - z * z.dot(&axis)).normalize();
-        let frame = Self { origin, x, y: z.cross(&x), unit, straight };
+        let y = z.cross(&chord);
+        // The arc lies where y is positive: that is told by points inside, else by the tangents at the ends.
+        let side = |i: usize, c: &ConicCondition| {
+            let inside = y.dot(&(c.point - origin));
+            let way = c.tangent.or_else(|| c.normal.map(|n| n.cross(&z)));
+            let lean = way.map_or(0.0, |t| y.dot(&t) * chord.dot(&t).signum());
+            if inside.abs() > 1e-9 * unit {
+                inside
+            } else if i == 0 {
+                lean
+            } else {
+                -lean
+            }
+        };
+        let most = given.iter().enumerate().map(|(i, c)| side(i, c));
+        let most = most.fold(0.0_f64, |m, s| if s.abs() > m.abs() { s } else { m });
+        let frame = Self { origin, x: chord, y: y * most.signum(), unit, straight };
         let off = |v: Vec3, s: f64| z.dot(&v).abs() > 1e-6 * s;
         let out = given
             .iter()
@@ -123,6 +137,9 @@ impl Frame {
 
     /// Coefficients of x x, x y, y y, x, y, 1.
     fn conic(&self, given: &[ConicCondition], count: usize) -> Result<Vector6<f64>, ConicFault> {
+        if count == 4 {
+            return self.four(given).ok_or(ConicFault::NoArc);
+        }
         let mut m = Matrix6::zeros();
         let mut row = 0;
         let mut put = |r: [f64; 6]| {
@@ -140,8 +157,6 @@ impl Frame {
         }
         if count < 5 {
             put([0.0, 1.0, 0.0, 0.0, 0.0, 0.0]);
-        }
-        if count < 4 {
             put([1.0, 0.0, -1.0, 0.0, 0.0, 0.0]);
         }
         let svd = m.svd(false, true);
@@ -153,6 +168,46 @@ impl Frame {
             return Err(ConicFault::NoArc);
         }
         Ok(v.row(least).transpose())
+    }
+
+    /// The conic of four conditions: two besides the ends, each linear in b, c and e.
+    fn four(&self, given: &[ConicCondition]) -> Option<Vector6<f64>> {
+        let d = -self.flat(given[given.len() - 1].point).x;
+        let last = given.len() - 1;
+        let mut rows = Vec::new();
+        for c in given {
+            let p = self.flat(c.point);
+            let normal = || c.normal.map(|n| self.turned(n)).map(|n| Vec2::new(-n.y, n.x));
+            let Some(t) = c.tangent.map(|t| self.turned(t)).or_else(normal) else { continue };
+            rows.push([2.0 * p.y * t.y, p.x * t.y + p.y * t.x, t.y, (2.0 * p.x + d) * t.x]);
+        }
+        let only_tangents = rows.len() == 2;
+        for c in &given[1..last] {
+            let p = self.flat(c.point);
+            rows.push([p.y * p.y, p.x * p.y, p.y, (p.x + d) * p.x]);
+        }
+        let [one, other] = rows.as_slice() else { return None };
+        // Without e.
+        let [b, c, r] = [0, 1, 3].map(|k| one[k] * other[2] - other[k] * one[2]);
+        let whole = |square: f64, mid: f64| {
+            let from = if one[2].abs() > other[2].abs() { one } else { other };
+            let fits = move |c: f64| {
+                let b = mid + square * c * c;
+                let e = -(from[0] * b + from[1] * c + from[3]) / from[2];
+                // Both end tangents lean less than a right angle.
+                (only_tangents || d * e < 0.0 && d * (e - c * d) < 0.0)
+                    .then(|| Vector6::new(1.0, c, b, d, e, 0.0))
+            };
+            let (q, p) = (square * b, r + mid * b);
+            if q.abs() <= 1e-10 {
+                return fits(-p / c);
+            }
+            let under = c * c - 4.0 * q * p;
+            let root = under.max(0.0).sqrt();
+            (under >= 0.0)
+                .then(|| fits((-c - root) / (2.0 * q)).or_else(|| fits((root - c) / (2.0 * q))))?
+        };
+        whole(0.5, 1.0).or_else(|| whole(0.25, 0.0))
     }
 }
 
@@ -228,6 +283,43 @@ mod tests {
         let normal = ConicCondition { normal: Some(Vec3::x()), ..p(20.0) };
         let c4 = conic_arc(&[p(0.0), normal]).unwrap();
         printed(&c4, [[6.7647, 15.4412], [13.75, 12.5], [18.5294, 6.6176]]);
+    }
+
+    /// Four conditions as SSV3 takes them.
+    #[test]
+    fn four_conditions() {
+        let with = |x, y, t: [f64; 2]| ConicCondition {
+            tangent: Some(Vec3::new(t[0], t[1], 0.0)),
+            ..at(x, y)
+        };
+        for (given, x, y) in [
+            (
+                vec![at(0.0, 0.0), at(1.0, 1.0), at(3.0, 2.0), at(5.0, 1.0)],
+                2.522_514_152,
+                1.905_387_395,
+            ),
+            (
+                vec![with(0.0, 0.0, [1.0, 2.0]), with(5.0, 1.0, [1.0, -0.5])],
+                2.230_120_224,
+                1.485_030_795,
+            ),
+        ] {
+            let p = conic_arc(&given).unwrap().at(0.5).point;
+            assert!((p - Vec3::new(x, y, 0.0)).norm() < 1e-7, "{p}");
+            // The other way round it is the same curve, and so is its mirror image.
+            let back: Vec<_> = given.iter().rev().copied().collect();
+            assert!((conic_arc(&back).unwrap().at(0.5).point - p).norm() < 1e-9);
+            let over = |v: Vec3| Vec3::new(v.x, -v.y, v.z);
+            let mirrored: Vec<_> = given
+                .iter()
+                .map(|c| ConicCondition {
+                    point: over(c.point),
+                    tangent: c.tangent.map(over),
+                    ..*c
+                })
+                .collect();
+            assert!((over(conic_arc(&mirrored).unwrap().at(0.5).point) - p).norm() < 1e-9);
+        }
     }
 
     #[test]

@@ -64,24 +64,29 @@ impl SpaceCurve {
         self.at(t).rated(rate, rate2)
     }
 
-    /// Point and derivatives as a statement asks for them; `None` for an arc or segment that is not there
-    /// or a parameter beyond the end.
+    /// Point and derivatives as a statement asks for them; beyond its ends the curve, its arc or its segment goes straight on. `None` for an arc or
+    /// segment that is not there.
     pub fn place(&self, t: f64, how: CurveAt) -> Option<ArcPoint> {
-        const ROOM: f64 = 1e-9;
-        let within = |t: f64, span: f64| (-ROOM..=span + ROOM).contains(&t);
-        match how {
-            CurveAt::Param(None) => within(t, self.span()).then(|| self.at(t)),
+        let straight = |span: f64, at: &dyn Fn(f64) -> ArcPoint| {
+            let end = at(t.clamp(0.0, span));
+            let over = t - t.clamp(0.0, span);
+            if over == 0.0 {
+                return end;
+            }
+            ArcPoint { point: end.point + end.first * over, second: Vec3::zeros(), ..end }
+        };
+        Some(match how {
+            CurveAt::Param(None) => straight(self.span(), &|t| self.at(t)),
             CurveAt::Param(Some(n)) => {
                 let arc = self.arcs.get(n.checked_sub(1)?)?;
-                within(t, 1.0).then(|| arc.at(t))
+                straight(1.0, &|t| arc.at(t))
             }
-            CurveAt::Flow(None) => within(t, self.flow_span()).then(|| self.at_flow(t)),
+            CurveAt::Flow(None) => straight(self.flow_span(), &|s| self.at_flow(s)),
             CurveAt::Flow(Some(n)) => {
-                let from = n.checked_sub(1)? as f64;
-                let fits = within(t, 1.0) && from < self.flow_span();
-                fits.then(|| self.at_flow(from + t))
+                let i = n.checked_sub(1).filter(|i| *i < self.segments())?;
+                straight(1.0, &|s| self.at_flow(i as f64 + s))
             }
-        }
+        })
     }
 
     /// Where the curve begins.
@@ -155,7 +160,13 @@ mod tests {
         .unwrap();
         assert!((c.at(1.5).point - Vec3::new(2.0, 0.5, 0.0)).norm() < 1e-15);
         assert_eq!(c.place(0.5, CurveAt::Param(Some(2))).unwrap().point, c.at(1.5).point);
-        assert!(c.place(2.5, CurveAt::Param(None)).is_none());
+        let beyond = c.place(2.5, CurveAt::Param(None)).unwrap();
+        assert_eq!(beyond.point, c.end() + c.at(2.0).first * 0.5);
+        assert_eq!(
+            c.place(-0.5, CurveAt::Flow(Some(2))).unwrap().point,
+            c.at(1.0).point - c.at(1.0).first * 0.5
+        );
+        assert!(c.place(0.5, CurveAt::Flow(Some(3))).is_none());
         assert!(c.place(0.5, CurveAt::Param(Some(0))).is_none());
     }
 }

@@ -113,7 +113,7 @@ impl core::fmt::Display for FitFault {
             }
             Self::NoLength => "the ends coincide",
             Self::NoJoint => "FLOW or SEG names a span that the curve has not",
-            Self::NoPivot => "ANGLE needs a point, CHORD a vector or two points",
+            Self::NoPivot => "ANGLE needs a point; what CHORD runs along has no length",
             Self::Bspline(b) => return b.fmt(f),
             Self::Canonical => "the array of CANON is not understood",
             Self::TooDeep => "definitions are nested too deep",
@@ -178,7 +178,7 @@ fn curve(d: &CurveDefinition, depth: usize) -> Result<SpaceCurve, FitFault> {
         }
         CurveShape::Canonical(e) => canon::curve(e).ok_or(FitFault::Canonical)?,
     };
-    c.flow = flow_of(d, c.arcs.len())?;
+    c.flow = flow_of(d, &c)?;
     Ok(match &d.map {
         Some(m) => carried(c, m),
         None => c,
@@ -232,14 +232,16 @@ fn joints([a, b]: [f64; 2], arcs: usize) -> Result<[usize; 2], FitFault> {
     }
 }
 
-fn flow_of(d: &CurveDefinition, arcs: usize) -> Result<Option<Flow>, FitFault> {
+fn flow_of(d: &CurveDefinition, c: &SpaceCurve) -> Result<Option<Flow>, FitFault> {
     if d.flow.is_empty() && d.segments.is_empty() {
         return Ok(None);
     }
+    let arcs = c.arcs.len();
     let mut spans = Vec::with_capacity(d.flow.len());
     for s in &d.flow {
         let [from, to] = joints(s.range, arcs)?;
-        spans.push(flow::FlowSpan { kind: law(s)?, from, to });
+        let ends = [c.arcs[from].start(), c.arcs[to - 1].end()];
+        spans.push(flow::FlowSpan { kind: law(s, ends)?, from, to });
     }
     if d.segments.is_empty() {
         return Ok(Some(Flow::by_arcs(spans, arcs)));
@@ -253,7 +255,7 @@ fn flow_of(d: &CurveDefinition, arcs: usize) -> Result<Option<Flow>, FitFault> {
     Ok(Some(Flow { spans, segments }))
 }
 
-fn law(s: &FlowSpan) -> Result<FlowKind, FitFault> {
+fn law(s: &FlowSpan, ends: [Vec3; 2]) -> Result<FlowKind, FitFault> {
     Ok(match s.law {
         FlowLaw::Parameter => FlowKind::Param,
         FlowLaw::Arc => FlowKind::Arc,
@@ -262,7 +264,8 @@ fn law(s: &FlowSpan) -> Result<FlowKind, FitFault> {
             let along = match (s.vector, s.points.as_slice()) {
                 (Some(v), _) => v,
                 (None, [a, b, ..]) => b - a,
-                _ => return Err(FitFault::NoPivot),
+                // From the beginning of the span to its end.
+                _ => ends[1] - ends[0],
             };
             FlowKind::Chord(along.try_normalize(0.0).ok_or(FitFault::NoPivot)?)
         }
@@ -329,13 +332,11 @@ fn patch_list(
     kind: PatchKind,
     patches: &[crate::sculptured::Patch],
 ) -> Result<Sculptured, FitFault> {
-    let made = patches.iter().map(|p| {
-        let patch = match kind {
-            PatchKind::Pntvec => from_vectors(p.items),
-            PatchKind::Polygn => from_polygon(filled(p.items)),
-            PatchKind::Pntson => from_points(filled(p.items)),
-        };
-        if p.minus { turned(&patch) } else { patch }
+    // PLUS or MINUS leaves parameters and normals as they are, as in SSV3, which keeps the sign and never asks for it.
+    let made = patches.iter().map(|p| match kind {
+        PatchKind::Pntvec => from_vectors(p.items),
+        PatchKind::Polygn => from_polygon(filled(p.items)),
+        PatchKind::Pntson => from_points(p.items),
     });
     Ok(Sculptured::loose(made.collect())?)
 }
@@ -350,17 +351,6 @@ fn facet(t: &[Vec3; 3]) -> Patch {
         [c - a, c - b, a - b, a - b],
         [c - a, c - b, a - b, a - b],
     ])
-}
-
-/// The patch with u and v exchanged, so that its normal points to the other side.
-fn turned(p: &Patch) -> Patch {
-    let mut net = p.net;
-    for (j, row) in net.iter_mut().enumerate() {
-        for (i, h) in row.iter_mut().enumerate() {
-            *h = p.net[i][j];
-        }
-    }
-    Patch { net, rational: p.rational }
 }
 
 #[cfg(test)]
@@ -391,6 +381,12 @@ mod tests {
         let c = fit_curve(&d.then(&Transform::rotation(Vec3::z(), 90.0))).unwrap();
         assert_eq!(c.segments(), 2);
         assert!((c.at_flow(1.25).point.y - 1.5).abs() < 1e-12);
+        // Without a vector CHORD runs from the beginning of the span to its end.
+        let way = |d: &CurveDefinition| fit_curve(d).unwrap().at_flow(1.25).point;
+        d.flow = vec![span(FlowLaw::Chord, None)];
+        let open = way(&d);
+        d.flow = vec![span(FlowLaw::Chord, Some(Vec3::new(3.0, 1.0, 0.0)))];
+        assert_eq!(open, way(&d));
         d.flow = vec![span(FlowLaw::Angle, None)];
         assert_eq!(fit_curve(&d), Err(FitFault::NoPivot));
         d.flow[0].range = [0.0, 3.0];
@@ -422,8 +418,7 @@ mod tests {
             assert!((sum - area).abs() < 0.005, "{kind:?} {sum} {area}");
         }
         let minus = crate::sculptured::Patch { minus: true, items };
-        let turned = patch_list(PatchKind::Pntson, &[minus]).unwrap().at(0.4, 0.6);
-        let plain = patch_list(PatchKind::Pntson, &[patch]).unwrap().at(0.6, 0.4);
-        assert!((turned.normal().unwrap() + plain.normal().unwrap()).norm() < 1e-14);
+        let of = |p| patch_list(PatchKind::Pntson, &[p]).unwrap().at(0.4, 0.6);
+        assert_eq!(of(minus).normal(), of(patch).normal());
     }
 }

@@ -25,7 +25,8 @@ pub enum MeshFault {
 /// The surface through the rows: u runs along a row, v from row to row.
 ///
 /// Weights smooth the rows first, each for itself, as SSV3 does. TANSPL holds the direction along a row, CRSSPL across, NORMAL both. Tangents
-/// are as long as chords, twists are zero. With RULED the lines across are straight.
+/// are as long as chords, twists are zero. With RULED the lines across are straight; so they are between two rows without CRSSPL and NORMAL,
+/// and the rows themselves where they have two points each without TANSPL and NORMAL.
 ///
 /// XYPLAN, YZPLAN and ZXPLAN: seen along the axis square to that plane every patch is the bilinear one of its
 /// corners; only the coordinate along that axis is curved, its tangents those of the unit tangents in space
@@ -33,7 +34,6 @@ pub enum MeshFault {
 /// degrees, 29 % at 45. Found from TEST01 of SSV3 (normals, curvatures and 21 numbers a patch), whose meshes
 /// are rectangles in the plane; elsewhere each span has its own chord.
 pub fn mesh(rows: &[Vec<SplinePoint>], spacing: MeshSpacing) -> Result<Sculptured, MeshFault> {
-    let ruled = spacing == MeshSpacing::Ruled;
     let columns = rows.first().map_or(0, Vec::len);
     if rows.len() < 2 {
         return Err(MeshFault::TooFew);
@@ -41,6 +41,10 @@ pub fn mesh(rows: &[Vec<SplinePoint>], spacing: MeshSpacing) -> Result<Sculpture
     if let Some(i) = rows.iter().position(|r| r.len() != columns) {
         return Err(MeshFault::Uneven(i));
     }
+    let free = |held: fn(&SplinePoint) -> bool| !rows.iter().flatten().any(held);
+    let ruled = spacing == MeshSpacing::Ruled
+        || rows.len() == 2 && free(|p| p.cross.is_some() || p.normal.is_some());
+    let straight = columns == 2 && free(|p| p.tangent.is_some() || p.normal.is_some());
     let mut rows = rows.to_vec();
     for row in &mut rows {
         smooth(row);
@@ -49,7 +53,7 @@ pub fn mesh(rows: &[Vec<SplinePoint>], spacing: MeshSpacing) -> Result<Sculpture
     for (i, row) in rows.iter().enumerate() {
         along.push(tangents(row).map_err(|f| MeshFault::Spline(i, f))?);
     }
-    let across = columns_tangents(&rows, columns, ruled)?;
+    let across = columns_tangents(&rows, columns)?;
     let height = match spacing {
         MeshSpacing::Xyplan => Some(2),
         MeshSpacing::Yzplan => Some(0),
@@ -57,7 +61,7 @@ pub fn mesh(rows: &[Vec<SplinePoint>], spacing: MeshSpacing) -> Result<Sculpture
         MeshSpacing::Xyz | MeshSpacing::Ruled => None,
     };
     if let Some(axis) = height {
-        let patches = over_plane(&rows, &along, &across, axis);
+        let patches = over_plane(&rows, &along, &across, axis, [straight, ruled]);
         return Sculptured::grid(patches, columns - 1, rows.len() - 1).map_err(MeshFault::Surface);
     }
     let lu = lengths(rows.len(), columns, |j, i| rows[j][i].point);
@@ -70,21 +74,26 @@ pub fn mesh(rows: &[Vec<SplinePoint>], spacing: MeshSpacing) -> Result<Sculpture
             let v = |a: usize, b: usize| {
                 if ruled { p(a, 1) - p(a, 0) } else { across[i + a][j + b] * lv[i + a][j][b] }
             };
-            let twist = |a: usize| if ruled { u(a, 1) - u(a, 0) } else { Vec3::zeros() };
+            let twist = |a: usize, b: usize| match (straight, ruled) {
+                (true, _) => v(1, b) - v(0, b),
+                (_, true) => u(a, 1) - u(a, 0),
+                _ => Vec3::zeros(),
+            };
             let row = |b: usize| [p(0, b), p(1, b), u(0, b), u(1, b)];
-            let side = |b: usize| [v(0, b), v(1, b), twist(0), twist(1)];
+            let side = |b: usize| [v(0, b), v(1, b), twist(0, b), twist(1, b)];
             patches.push(Patch::hermite([row(0), row(1), side(0), side(1)]));
         }
     }
     Sculptured::grid(patches, columns - 1, rows.len() - 1).map_err(MeshFault::Surface)
 }
 
-/// Patches that are bilinear but for the coordinate of the number `axis`.
+/// Patches that are bilinear but for the coordinate of the number `axis`; `straight` along and across.
 fn over_plane(
     rows: &[Vec<SplinePoint>],
     along: &[Vec<Vec3>],
     across: &[Vec<Vec3>],
     axis: usize,
+    straight: [bool; 2],
 ) -> Vec<Patch> {
     // The way from one point to the next, with the height that the unit tangent has on a way so long.
     let leaned = |chord: Vec3, tangent: Vec3| {
@@ -100,33 +109,40 @@ fn over_plane(
             let p = |a: usize, b: usize| rows[j + b][i + a].point;
             let u = |a: usize, b: usize| leaned(p(1, b) - p(0, b), along[j + b][i + a]);
             let v = |a: usize, b: usize| leaned(p(a, 1) - p(a, 0), across[i + a][j + b]);
-            let mut twist = p(1, 1) - p(1, 0) - p(0, 1) + p(0, 0);
-            twist[axis] = 0.0;
+            let flat = p(1, 1) - p(1, 0) - p(0, 1) + p(0, 0);
+            let twist = |a: usize, b: usize| {
+                let mut t = flat;
+                t[axis] = match straight {
+                    [true, _] => v(1, b)[axis] - v(0, b)[axis],
+                    [_, true] => u(a, 1)[axis] - u(a, 0)[axis],
+                    _ => 0.0,
+                };
+                t
+            };
             let row = |b: usize| [p(0, b), p(1, b), u(0, b), u(1, b)];
-            let side = |b: usize| [v(0, b), v(1, b), twist, twist];
+            let side = |b: usize| [v(0, b), v(1, b), twist(0, b), twist(1, b)];
             patches.push(Patch::hermite([row(0), row(1), side(0), side(1)]));
         }
     }
     patches
 }
 
-/// Spans of one direction whose chords differ by more than this factor are not given one length. By the
-/// printed surfaces of SSV3 it lies between 1.07 and 1.33.
-const EVEN: f64 = 1.2;
+/// How far below and above their mean the chords of a span may lie that are given one length, by SSV3.
+const EVEN: [f64; 2] = [0.95, 1.06];
 
 /// Lengths of the tangents at both ends of each span of each line: `lengths[line][span]`.
 ///
-/// Where the chords of every span are about equal over the lines, both are their mean. Else each line has
-/// its own chord, at a joint the lesser of the two that meet.
+/// Where the chords of every span are about equal over the lines, both are their mean. Else, and on lines
+/// of one span, each line has its own chord, at a joint the lesser of the two that meet.
 fn lengths(lines: usize, points: usize, at: impl Fn(usize, usize) -> Vec3) -> Vec<Vec<[f64; 2]>> {
     let chord = |l: usize, k: usize| (at(l, k + 1) - at(l, k)).norm();
     let spans = points - 1;
-    let range = |k: usize| {
-        let all = (0..lines).map(|l| chord(l, k));
-        all.fold((f64::INFINITY, 0.0_f64), |(lo, hi), c| (lo.min(c), hi.max(c)))
+    let mean = |k: usize| (0..lines).map(|l| chord(l, k)).sum::<f64>() / lines as f64;
+    let even = |k: usize| {
+        let m = mean(k);
+        (0..lines).all(|l| (EVEN[0] * m..=EVEN[1] * m).contains(&chord(l, k)))
     };
-    if (0..spans).all(|k| range(k).1 <= EVEN * range(k).0) {
-        let mean = |k: usize| (0..lines).map(|l| chord(l, k)).sum::<f64>() / lines as f64;
+    if spans > 1 && (0..spans).all(even) {
         return vec![(0..spans).map(|k| [mean(k); 2]).collect(); lines];
     }
     let own = |l: usize| {
@@ -145,11 +161,7 @@ fn lengths(lines: usize, points: usize, at: impl Fn(usize, usize) -> Vec3) -> Ve
 fn columns_tangents(
     rows: &[Vec<SplinePoint>],
     columns: usize,
-    ruled: bool,
 ) -> Result<Vec<Vec<Vec3>>, MeshFault> {
-    if ruled {
-        return Ok(Vec::new());
-    }
     (0..columns)
         .map(|i| {
             let column: Vec<SplinePoint> =
@@ -326,6 +338,67 @@ mod tests {
             .collect();
         let t = mesh(&moved, MeshSpacing::Zxplan).unwrap();
         assert!((t.at(0.3, 1.6).point - turned(s.at(0.3, 1.6).point)).norm() < 1e-14);
+    }
+
+    /// Tangents across columns of uneven chords, as SSV3 gives them: each column has its own chords.
+    #[test]
+    fn columns_of_uneven_chords_keep_them() {
+        let r = rows(&[
+            [
+                [-0.114798, -0.084757, 0.191832],
+                [1.141447, 0.071584, 0.254471],
+                [2.222867, 0.030811, 0.282864],
+            ],
+            [
+                [0.085433, 1.254559, 0.162312],
+                [1.019008, 1.203676, 0.292805],
+                [2.303148, 1.248816, 0.388302],
+            ],
+            [
+                [0.060165, 2.465285, 0.158457],
+                [1.161788, 2.293737, 0.406451],
+                [2.265578, 2.49088, 0.564607],
+            ],
+        ]);
+        let s = mesh(&r, MeshSpacing::Xyz).unwrap();
+        for (v, t) in [
+            (0.0, [0.317_376_764, 1.316_134_104, -0.042_358_489]),
+            (1.0, [0.071_416_772, 1.208_800_583, -0.014_545_621]),
+            (2.0, [-0.120_337_269, 1.204_983_338, 0.006_698_944]),
+        ] {
+            assert!((s.at(0.0, v).v - Vec3::from(t)).norm() < 2e-9, "{v}");
+        }
+        let p = Vec3::new(0.540_498_034, 0.628_084_226, 0.224_226_037);
+        assert!((s.at(0.5, 0.5).point - p).norm() < 2e-9);
+    }
+
+    /// Two rows without CRSSPL and NORMAL, as SSV3 gives them, and rows of two points: straight from one to the other.
+    #[test]
+    fn two_rows_are_ruled() {
+        let a = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.2], [2.1, 0.1, 0.3]];
+        let b = [[0.0, 1.0, 0.1], [1.3, 1.2, -0.1], [2.6, 1.5, 0.1]];
+        let r = rows(&[a, b]);
+        let s = mesh(&r, MeshSpacing::Xyz).unwrap();
+        let p = Vec3::new(0.534_311_942, 0.263_536_957, 0.072_597_697);
+        assert!((s.at(0.5, 0.25).point - p).norm() < 2e-9);
+        let columns: Vec<Vec<SplinePoint>> = (0..3).map(|i| vec![r[0][i], r[1][i]]).collect();
+        for m in [&r, &columns] {
+            let s = mesh(m, MeshSpacing::Xyz).unwrap();
+            let across = |t: f64| if m.len() == 2 { s.at(0.7, t) } else { s.at(t, 0.7) };
+            let line = across(0.0).point.lerp(&across(1.0).point, 0.3);
+            assert!((across(0.3).point - line).norm() < 1e-14);
+        }
+        // Over a plane the tangents along run evenly from row to row.
+        let s = mesh(&r, MeshSpacing::Xyplan).unwrap();
+        let slope = s.at(1.0, 0.0).u.lerp(&s.at(1.0, 1.0).u, 0.3);
+        assert!((s.at(1.0, 0.3).u - slope).norm() < 1e-14);
+        // A direction across takes the straightness away.
+        let mut held = r.clone();
+        held[0][1].cross = Some(Vec3::new(0.3, 1.0, 0.5));
+        let s = mesh(&held, MeshSpacing::Xyz).unwrap();
+        assert!(
+            (s.at(1.0, 0.3).point - Vec3::from(a[1]).lerp(&Vec3::from(b[1]), 0.3)).norm() > 0.01
+        );
     }
 
     #[test]

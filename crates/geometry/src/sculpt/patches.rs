@@ -1,6 +1,8 @@
 //! PATCH: single patches by sixteen items each.
 
-use super::arc::{CubicArc, weighted};
+use nalgebra::{Matrix4, Matrix4x3, RowVector4};
+
+use super::arc::weighted;
 use super::patch::Patch;
 use crate::Vec3;
 
@@ -18,23 +20,74 @@ pub fn from_polygon(items: [Vec3; 16]) -> Patch {
     Patch::new([row(0), row(4), row(8), row(12)])
 }
 
-/// PNTSON: four rows of four points that the patch passes at the thirds of its parameters.
+/// PNTSON: four rows of four points. The sides of the patch pass their inner points at the parameters that these have along the chord
+/// of the side; the twists are those with which the patch passes the four points inside, each at the mean of its places along
+/// the chords of opposite sides.
+///
+/// Where two of the four coincide there is no twist; where the two rows inside are one point the patch is straight between the outer ones.
+/// APT: `PNTSON`, `PARMPT`, `COMPTW`. Source: APT4 SSV3.
 pub fn from_points(items: [Vec3; 16]) -> Patch {
-    let h = items.map(|p| weighted(p, 1.0));
-    let mut net = [[h[0]; 4]; 4];
-    for (j, row) in net.iter_mut().enumerate() {
-        *row = through([h[4 * j], h[4 * j + 1], h[4 * j + 2], h[4 * j + 3]]).b;
+    let at = |j: usize, i: usize| items[4 * j + i];
+    let row = |j: usize| side(core::array::from_fn(|i| at(j, i)));
+    let column = |i: usize| side(core::array::from_fn(|j| at(j, i)));
+    let (u0, u1) = (row(0), row(3));
+    let ends = |j: usize, u: [Vec3; 2]| [at(j, 0), at(j, 3), u[0], u[1]];
+    let straight = (5..12).all(|k| items[k] == items[4]);
+    if straight {
+        let across = [at(3, 0) - at(0, 0), at(3, 3) - at(0, 3), u1[0] - u0[0], u1[1] - u0[1]];
+        return Patch::hermite([ends(0, u0), ends(3, u1), across, across]);
     }
-    for i in 0..4 {
-        let along = through([net[0][i], net[1][i], net[2][i], net[3][i]]).b;
-        for (row, b) in net.iter_mut().zip(along) {
-            row[i] = b;
-        }
+    let (v0, v1) = (column(0), column(3));
+    let twisted = |t: [Vec3; 4]| {
+        let across = |k: usize| [v0[k], v1[k], t[2 * k], t[2 * k + 1]];
+        Patch::hermite([ends(0, u0), ends(3, u1), across(0), across(1)])
+    };
+    let bare = twisted([Vec3::zeros(); 4]);
+    let inside = [at(1, 1), at(1, 2), at(2, 1), at(2, 2)];
+    if (1..4).any(|k| inside[..k].contains(&inside[k])) {
+        return bare;
     }
-    Patch::new(net)
+    let mut system = Matrix4::zeros();
+    let mut wanted = Matrix4x3::zeros();
+    for (k, p) in inside.into_iter().enumerate() {
+        let mean = |a: [Vec3; 2], b: [Vec3; 2]| 0.5 * (along(a, p) + along(b, p));
+        let u = mean([at(0, 0), at(0, 3)], [at(3, 0), at(3, 3)]);
+        let v = mean([at(0, 0), at(3, 0)], [at(0, 3), at(3, 3)]);
+        let bend = |t: f64| [t * (1.0 - t) * (1.0 - t), t * t * (t - 1.0)];
+        let (f, g) = (bend(u), bend(v));
+        system.set_row(k, &RowVector4::new(f[0] * g[0], f[1] * g[0], f[0] * g[1], f[1] * g[1]));
+        wanted.set_row(k, &(p - bare.point(u, v)).transpose());
+    }
+    match system.lu().solve(&wanted) {
+        Some(t) => twisted(core::array::from_fn(|k| t.row(k).transpose())),
+        None => bare,
+    }
 }
 
-/// POLYGN and PNTSON whose inner items are all zero: the two rows inside, when wholly zero, lie straight
+/// Where `p` lies along the chord from `a` to `b`: 0 at `a`, 1 at `b`.
+fn along([a, b]: [Vec3; 2], p: Vec3) -> f64 {
+    let d = b - a;
+    let square = d.norm_squared();
+    if square > 0.0 { (p - a).dot(&d) / square } else { 0.5 }
+}
+
+/// The tangents at both ends of the cubic that passes its inner points where they lie along the chord.
+fn side(p: [Vec3; 4]) -> [Vec3; 2] {
+    let d = p[3] - p[0];
+    let [b, c] = [along([p[0], p[3]], p[1]), along([p[0], p[3]], p[2])];
+    let off = |t: f64, q: Vec3| q - p[0] - d * (t * t * (3.0 - 2.0 * t));
+    let bend = |t: f64| [t * (1.0 - t) * (1.0 - t), t * t * (t - 1.0)];
+    let solved = |b: f64, c: f64| {
+        let ([b0, b1], [c0, c1]) = (bend(b), bend(c));
+        let det = b0 * c1 - b1 * c0;
+        let (x, y) = (off(b, p[1]), off(c, p[2]));
+        (det.abs() > 1e-12).then(|| [(x * c1 - y * b1) / det, (y * b0 - x * c0) / det])
+    };
+    // Points that coincide, or turn back on the chord, say nothing of the parameter: thirds.
+    solved(b, c).or_else(|| solved(1.0 / 3.0, 2.0 / 3.0)).unwrap_or([d; 2])
+}
+
+/// POLYGN whose inner items are all zero: the two rows inside, when wholly zero, lie straight
 /// between the outer ones; the four items inside alone are those of the bilinear blend of the border.
 pub fn filled(mut items: [Vec3; 16]) -> [Vec3; 16] {
     let zero = |k: usize| items[k] == Vec3::zeros();
@@ -60,14 +113,6 @@ pub fn filled(mut items: [Vec3; 16]) -> [Vec3; 16] {
     items
 }
 
-/// The arc through four points at its thirds.
-fn through(p: [super::arc::Vec4; 4]) -> CubicArc {
-    let [a, b, c, d] = p;
-    let second = (a * -5.0 + b * 18.0 - c * 9.0 + d * 2.0) / 6.0;
-    let third = (a * 2.0 - b * 9.0 + c * 18.0 - d * 5.0) / 6.0;
-    CubicArc { b: [a, second, third, d] }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -81,10 +126,39 @@ mod tests {
 
     #[test]
     fn a_patch_passes_its_points() {
-        let p = from_points(items());
-        for (k, q) in items().iter().enumerate() {
-            let (u, v) = ((k % 4) as f64 / 3.0, (k / 4) as f64 / 3.0);
-            assert!((p.point(u, v) - q).norm() < 1e-13);
+        let given = items();
+        let p = from_points(given);
+        let at = |j: usize, i: usize| given[4 * j + i];
+        for (k, q) in given.into_iter().enumerate() {
+            let (i, j) = (k % 4, k / 4);
+            let on = |a: Vec3, b: Vec3| along([a, b], q);
+            let u = match j {
+                0 | 3 => on(at(j, 0), at(j, 3)),
+                _ if i % 3 == 0 => (i / 3) as f64,
+                _ => 0.5 * (on(at(0, 0), at(0, 3)) + on(at(3, 0), at(3, 3))),
+            };
+            let v = match i {
+                0 | 3 => on(at(0, i), at(3, i)),
+                _ if j % 3 == 0 => (j / 3) as f64,
+                _ => 0.5 * (on(at(0, 0), at(3, 0)) + on(at(0, 3), at(3, 3))),
+            };
+            assert!((p.point(u, v) - q).norm() < 1e-13, "{k}");
+        }
+    }
+
+    /// Sides of a patch as SSV3 gives them.
+    #[test]
+    fn sides_pass_their_points_along_the_chord() {
+        let p = from_points(core::array::from_fn(|k| {
+            let (i, j) = ((k % 4) as f64, (k / 4) as f64);
+            Vec3::new(i + 0.1 * j * j, 1.3 * j, 0.1 * i * i - 0.2 * i * j + 0.05 * j * j * j)
+        }));
+        for (u, v, q) in [
+            (0.3, 0.0, [0.953_703_240, 0.0, 0.090_989_201]),
+            (0.4, 0.0, [1.260_389_665, 0.0, 0.158_701_116]),
+            (0.0, 0.7, [0.496_907_486, 2.898_068_279, 0.548_197_760]),
+        ] {
+            assert!((p.point(u, v) - Vec3::from(q)).norm() < 1e-9, "{u} {v}");
         }
     }
 

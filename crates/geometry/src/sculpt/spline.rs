@@ -40,10 +40,10 @@ pub enum SplineFault {
 
 /// Unit tangents of the twice differentiable cubic over the chords of `points`.
 ///
-/// A tangent that is given splits the spline there. A free end beside two chords takes the direction of
-/// the parabola through three points whose middle parameter is the middle point's place along the chord
-/// of the outer two; beside one chord the mirror of the other end's tangent, and the chord itself when
-/// both ends are free. A normal holds the chord of the neighbours, or the given tangent, laid square to
+/// A tangent that is given splits the spline there, and is turned round where it points against the chord of the neighbours. A free end
+/// takes the direction of the parabola through three points whose middle parameter is the middle point's place along the chord
+/// of the outer two; beside a given tangent, or beside one chord, the mirror of the other end's tangent, and the chord itself when
+/// both ends are free. A normal holds the tangent there of that parabola, at an end the chord, or the given tangent, laid square to
 /// itself. Points that close on themselves are run through without a joint. Null spans take the direction
 /// of their neighbours.
 pub fn tangents(points: &[SplinePoint]) -> Result<Vec<Vec3>, SplineFault> {
@@ -57,13 +57,29 @@ pub fn tangents(points: &[SplinePoint]) -> Result<Vec<Vec3>, SplineFault> {
         if p.normal.is_some() && normal.is_none() {
             return Err(SplineFault::NoDirection(i));
         }
-        let chord = || points[(i + 1).min(n - 1)].point - points[i.saturating_sub(1)].point;
-        let wanted = p.tangent.or_else(|| normal.map(|_| chord()));
-        let Some(t) = wanted else { continue };
+        let at = |k: usize| points[k].point;
+        let chord = at((i + 1).min(n - 1)) - at(i.saturating_sub(1));
+        let inside = i > 0 && i + 1 < n;
+        let free = || match inside {
+            true => parabola([at(i - 1), at(i), at(i + 1)], 1),
+            false => chord,
+        };
+        let given = p.tangent.map(|t| if t.dot(&chord) < 0.0 { -t } else { t });
+        let Some(t) = given.or_else(|| normal.map(|_| free())) else { continue };
         // Where a normal is given too, the normal has the last word.
         let t = normal.map_or(t, |n| t - n * n.dot(&t));
         fixed[i] = Some(t.try_normalize(0.0).ok_or(SplineFault::NoDirection(i))?);
     }
+    // A normal beside an end does not hold the end.
+    let at = |k: usize| points[k].point;
+    let by_normal = |k: usize| n > 2 && fixed[k].is_some() && points[k].tangent.is_none();
+    let ends = [
+        (fixed[0].is_none() && by_normal(1.min(n - 1))).then(|| parabola([at(0), at(1), at(2)], 0)),
+        (fixed[n - 1].is_none() && by_normal(n - 2))
+            .then(|| parabola([at(n - 3), at(n - 2), at(n - 1)], 2)),
+    ];
+    fixed[0] = fixed[0].or(ends[0]);
+    fixed[n - 1] = fixed[n - 1].or(ends[1]);
     let mut all = vec![Vec3::zeros(); n];
     let mut from = 0;
     if fixed.iter().all(Option::is_none) {
@@ -150,13 +166,13 @@ fn distinct_piece(p: &[Vec3], first: Option<Vec3>, last: Option<Vec3>) -> Vec<Ve
         let b = last.or_else(|| first.map(mirrored)).unwrap_or(c);
         return vec![a, b];
     }
-    let a = first.unwrap_or_else(|| end_direction(p[0], p[1], p[2]));
-    let b = last.unwrap_or_else(|| -end_direction(p[n - 1], p[n - 2], p[n - 3]));
+    let a = first.unwrap_or_else(|| parabola([p[0], p[1], p[2]], 0));
+    let b = last.unwrap_or_else(|| parabola([p[n - 3], p[n - 2], p[n - 1]], 2));
     inner(p, a, b)
 }
 
-/// Direction at `p0` of the parabola through three points.
-fn end_direction(p0: Vec3, p1: Vec3, p2: Vec3) -> Vec3 {
+/// Direction of the parabola through three points at the one of the number `k`.
+fn parabola([p0, p1, p2]: [Vec3; 3], k: usize) -> Vec3 {
     let (whole, step) = (p2 - p0, p1 - p0);
     let square = whole.norm_squared();
     let t = if square > 0.0 { step.dot(&whole) / square } else { 0.0 };
@@ -167,7 +183,9 @@ fn end_direction(p0: Vec3, p1: Vec3, p2: Vec3) -> Vec3 {
         let (a, b) = (step.norm(), (p2 - p1).norm());
         a / (a + b)
     };
-    ((step - whole * (t * t)) / (t - t * t)).try_normalize(0.0).unwrap_or_else(Vec3::zeros)
+    let first = (step - whole * (t * t)) / (t - t * t);
+    let along = first + (whole - first) * (2.0 * [0.0, t, 1.0][k]);
+    along.try_normalize(0.0).unwrap_or_else(Vec3::zeros)
 }
 
 /// The system of a twice differentiable cubic over chords with unit tangents at both ends.
@@ -277,6 +295,29 @@ mod tests {
         for (p, t) in p.iter().zip(tangents(&p).unwrap()) {
             assert!((Vec3::z().cross(&p.point) - t).norm() < 1e-12);
         }
+    }
+
+    /// A normal at a point inside, beside the first: two points of the curve as SSV3 gives them.
+    #[test]
+    fn a_normal_holds_the_tangent_of_the_parabola() {
+        let mut p = plain(&[[0.0, 0.0, 0.0], [1.0, 1.0, 0.0], [3.0, 2.0, 0.0], [2.0, 3.0, 1.0]]);
+        p[1].normal = Some(Vec3::new(-0.2, 0.9, 0.3));
+        let arcs = spline(&p).unwrap();
+        for (arc, q) in [
+            (0, [0.487_549_081, 0.623_271_964, 0.020_240_876]),
+            (1, [2.352_297_925, 1.471_342_124, -0.133_184_162]),
+        ] {
+            assert!((arcs[arc].at(0.5).point - Vec3::from(q)).norm() < 2e-9, "{arc}");
+        }
+    }
+
+    #[test]
+    fn a_tangent_against_the_chord_is_turned_round() {
+        let mut p = plain(&[[0.0, 0.0, 0.0], [1.0, 1.0, 0.0], [3.0, 2.0, 0.0]]);
+        p[1].tangent = Some(-Vec3::x());
+        let arcs = spline(&p).unwrap();
+        assert!((arcs[0].at(0.5).point - Vec3::new(0.3125, 0.6875, 0.0)).norm() < 1e-12);
+        assert!(arcs[0].at(1.0).first.x > 0.0);
     }
 
     #[test]

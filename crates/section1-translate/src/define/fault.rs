@@ -103,10 +103,8 @@ pub enum Fault {
     TooDeep { limit: usize },
     /// A sculptured form that cannot be fitted.
     NotFitted { at: usize, why: String },
-    /// A parameter beyond the end of a curve.
-    Beyond { at: usize, value: f64, last: f64 },
-    /// A surface without that patch.
-    NoSuchPatch { at: usize, value: f64, n: usize },
+    /// A surface without that patch, a curve without that arc or segment.
+    NoSuchPart { at: usize, value: f64, n: usize, whole: &'static str },
     /// A vector that the curve or surface does not have here.
     NoVector { at: usize },
     /// Something else than what a list may hold.

@@ -381,15 +381,10 @@ impl Words<'_> {
                 let name = self.name(*at);
                 self.error(codes::NO_FIT, *at, format!("{name} cannot be fitted: {why}"))
             }
-            Fault::Beyond { at, value, last } => self.error(
-                codes::OUT_OF_RANGE,
-                *at,
-                format!("the parameter runs from 0 to {}, not to {}", short(*last), short(*value)),
-            ),
-            Fault::NoSuchPatch { at, value, n } => self.error(
+            Fault::NoSuchPart { at, value, n, whole } => self.error(
                 codes::NO_SUCH_POINT,
                 *at,
-                format!("the surface has patches 1 to {n}, none is {}", short(*value)),
+                format!("{whole} 1 to {n}, none is {}", short(*value)),
             ),
             Fault::NoVector { at } => self
                 .error(

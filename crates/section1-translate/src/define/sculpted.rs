@@ -117,12 +117,11 @@ fn on_curve(a: &Args<'_>) -> Result<(Place, usize), Fault> {
     let n = if a.is_number(4) { part(a, 4)? } else { None };
     let how = if a.is(2, word::FLOW) { CurveAt::Flow(n) } else { CurveAt::Param(n) };
     let Some(at) = c.place(t, how) else {
-        let last = match (how, n) {
-            (_, Some(_)) => 1.0,
-            (CurveAt::Flow(_), None) => c.flow_span(),
-            _ => c.span(),
+        let (whole, n) = match how {
+            CurveAt::Flow(_) => ("the curve has segments", c.segments()),
+            CurveAt::Param(_) => ("the curve has arcs", c.arcs.len()),
         };
-        return Err(Fault::Beyond { at: 3, value: t, last });
+        return Err(Fault::NoSuchPart { at: 4, value: a.number(4)?, n, whole });
     };
     let whole = match (how, n) {
         (CurveAt::Flow(_), _) => None,
@@ -204,10 +203,11 @@ fn on_surface(a: &Args<'_>) -> Result<(Place, usize), Fault> {
         }
         let d = match part(a, at + 2)? {
             None => s.at(u, v),
-            Some(n) => s.at_span(n, u, v).ok_or(Fault::NoSuchPatch {
+            Some(n) => s.at_span(n, u, v).ok_or(Fault::NoSuchPart {
                 at: at + 2,
                 value: a.number(at + 2)?,
                 n: s.patches.len(),
+                whole: "the surface has patches",
             })?,
         };
         return Ok((Place::Surface(d), at + 3));

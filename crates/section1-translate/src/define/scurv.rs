@@ -6,7 +6,7 @@ use aptc_geometry::sculptured::{
     CurveDefinition, CurveShape, FlowLaw, FlowSpan, SegmentSpan, Smoothing,
 };
 use aptc_geometry::{Form, Vec2, Vec3};
-use aptc_vocabulary::word;
+use aptc_vocabulary::{Word, word};
 
 use super::cursor::{Cursor, apart, bounded, plain};
 use super::fault::Fault;
@@ -21,6 +21,18 @@ pub(super) const FORMATS: &[Format] = &[
     row(&[W(word::SPLINE), Rest("points, each with TANSPL, NORMAL, WEIGHT ..")], spline),
     row(&[W(word::COMBIN), SC, Tail("curves, FLOW or TRFORM")], combined),
     row(&[W(word::SEG), LC, LC, TAIL], stretch),
+];
+
+/// Words that pick one of two intersections behind a bound of SEG: POSX is XLARGE and so on.
+const CHOICES: &[Word] = &[
+    word::POSX,
+    word::POSY,
+    word::NEGX,
+    word::NEGY,
+    word::XLARGE,
+    word::YLARGE,
+    word::XSMALL,
+    word::YSMALL,
 ];
 
 /// Slack in the spans of FLOW and SEG.
@@ -91,7 +103,7 @@ fn stretch(a: &Args<'_>) -> Result<Form, Fault> {
         }
         c.at += 1;
         let choice = c.at;
-        let chosen = c.take(&[word::POSX, word::POSY, word::NEGX, word::NEGY]).map(|_| choice);
+        let chosen = c.take(CHOICES).map(|_| choice);
         ends[i] = a.context.lift(meeting(a, bound, chosen)?);
         bounds[i] = bound;
     }

@@ -253,7 +253,7 @@ fn as_grid(surface: &Sculptured) -> Option<Sculptured> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sculpt::from_points;
+    use crate::sculpt::from_vectors;
 
     /// The rounded foot of a wall round three sides of a yard: at the bottom, z = 0, it goes on level, and would come
     /// out on the other side.
@@ -268,12 +268,21 @@ mod tests {
             3 => (Vec3::new(-1.0, 10.0, 0.0), Vec3::new(-sin(right * a), cos(right * a), 0.0)),
             _ => (Vec3::new(-1.0, 10.0 - 10.0 * a, 0.0), -Vec3::x()),
         };
+        let at = |k: usize, a: f64, b: f64| {
+            let (from, out) = place(k, a);
+            from + out * cos(right * b) + Vec3::z() * (1.0 - sin(right * b))
+        };
+        // Along u and v the derivatives at the corners, by differences.
         let patch = |k: usize| {
-            from_points(core::array::from_fn(|i| {
-                let (a, b) = ((i % 4) as f64 / 3.0, (i / 4) as f64 / 3.0);
-                let (from, out) = place(k, a);
-                from + out * cos(right * b) + Vec3::z() * (1.0 - sin(right * b))
-            }))
+            const H: f64 = 1e-4;
+            let slope = |f: &dyn Fn(f64) -> Vec3, t: f64| (f(t + H) - f(t - H)) / (2.0 * H);
+            let u = |a: f64, b: f64| slope(&|a| at(k, a, b), a);
+            let v = |a: f64, b: f64| slope(&|b| at(k, a, b), b);
+            let uv = |a: f64, b: f64| slope(&|a| v(a, b), a);
+            let row = |b: f64| [at(k, 0.0, b), at(k, 1.0, b), u(0.0, b), u(1.0, b)];
+            let side = |b: f64| [v(0.0, b), v(1.0, b), uv(0.0, b), uv(1.0, b)];
+            let rows = [row(0.0), row(1.0), side(0.0), side(1.0)];
+            from_vectors(core::array::from_fn(|i| rows[i / 4][i % 4]))
         };
         Sculptured::grid((0..5).map(patch).collect(), 5, 1).unwrap()
     }
