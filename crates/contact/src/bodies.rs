@@ -22,9 +22,14 @@ pub trait Convex {
     /// are only tangents.
     fn under(&self, cell: &Cell, aim: f64) -> Option<Low>;
 
-    /// By how much distances of points within `radius` of `q` may differ from what `near` says.
+    /// By how much distances of points within `radius` of `q` may differ from what `near` says at `q`.
     fn slack(&self, _q: Vec3, _radius: f64) -> f64 {
         0.0
+    }
+
+    /// The same of the points of a piece about its middle, and by how much more from what it says at another of them.
+    fn slacks(&self, _cell: &Cell) -> [f64; 2] {
+        [0.0; 2]
     }
 }
 

@@ -94,8 +94,8 @@ pub(crate) struct Look {
     pub(crate) low: [f64; 2],
     /// The parameter to halve.
     pub(crate) split: usize,
-    /// No point of it is farther from the middle.
-    pub(crate) reach: f64,
+    /// What was taken off the bound as the body turns.
+    pub(crate) unsure: f64,
 }
 
 /// A piece of a patch: middle and half widths of its parameters.
@@ -323,7 +323,7 @@ impl PatchTree {
                 &made
             }
         };
-        let unsure = body.slack(cell.point, cell.far);
+        let [unsure, _] = body.slacks(cell);
         let aim = aim + unsure;
         let tangents = || tangents(body, cell, &leaf.bends, piece.half, aim);
         let (distance, bound, at) = match body.under(cell, aim) {
@@ -348,7 +348,7 @@ impl PatchTree {
                 > a.norm_squared() + p.norm_squared() + s * s,
         );
         let place = PatchPlace { patch: leaf.number, uv: piece.mid, point: cell.point, distance };
-        Look { place, bound: bound - unsure, low: at, split, reach: cell.far }
+        Look { place, bound: bound - unsure, low: at, split, unsure }
     }
 
     /// The place of a piece where its bound is, about, if it is nearer than `limit`.
@@ -463,7 +463,8 @@ fn tangents(
     let w = -(a * s + b * t);
     let (e, m, _) = body.near(cell.point - w);
     let slopes = [m.dot(&a), m.dot(&b)];
-    (distance, bound.max(e + m.dot(&w) + lowest(slopes, bends.rises(m, half))))
+    let beside = e + m.dot(&w) + lowest(slopes, bends.rises(m, half));
+    (distance, bound.max(beside - body.slacks(cell)[1]))
 }
 
 /// How far a piece may lie below its middle along a vector by which its sides have these slopes and rises: the least of

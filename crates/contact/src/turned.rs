@@ -82,14 +82,25 @@ impl Convex for Turned<'_> {
         self.seen(cell.point).under(cell, aim)
     }
 
-    /// For places within `radius` of `q`, and tangents at places within that: they are no more than twice that apart.
+    /// A place turns about `q` by its distance from the axis of the turn at most.
     fn slack(&self, q: Vec3, radius: f64) -> f64 {
         if self.turn.is_infinite() {
             return f64::INFINITY;
         }
         let [from, to] = self.ends.map(|te| (q - te).norm());
         let far = from.max(to) + radius;
-        bulge(self.angle, far, self.way) + 2.0 * self.turn * radius
+        bulge(self.angle, far, self.way) + self.turn * radius
+    }
+
+    /// How far a piece reaches along what it turns about does not count. Two places of it are no more than twice as far apart.
+    fn slacks(&self, cell: &Cell) -> [f64; 2] {
+        if self.turn.is_infinite() {
+            return [f64::INFINITY; 2];
+        }
+        let across = [self.axis, self.about.0.cross(&self.axis)].map(|d| cell.extent(d));
+        let across = trig::hypot(across[0], across[1]).min(cell.far);
+        let beside = self.turn * across;
+        [self.slack(cell.point, 0.0) + 0.125 * self.angle * self.angle * cell.far + beside, beside]
     }
 }
 
@@ -147,6 +158,14 @@ mod tests {
             let (d, n, _) = body.near(q);
             prop_assert!((d - least).abs() <= body.slack(q, 0.0) + steps, "{} {}", d, least);
             prop_assert!(d + n.dot(&w) <= beside + body.slack(q, w.norm()) + 1e-9, "{} {}", d, beside);
+            // Of a place beside another about the same middle.
+            let z = Vec3::zeros();
+            let cell = Cell { point: q, first: [w, z], second: [z; 3], rests: [0.0; 2], far: w.norm() };
+            let [own, other] = body.slacks(&cell);
+            prop_assert!(own <= body.slack(q, w.norm()) + 1e-12);
+            prop_assert!(d + n.dot(&w) <= beside + own + 1e-9, "{} {}", d, beside);
+            let (e, m, _) = body.near(q - w);
+            prop_assert!(e + m.dot(&(w * 2.0)) <= beside + own + other + 1e-9, "{} {}", e, beside);
             prop_assert!(!body.misses(q, least + body.slack(q, 0.0) + 1e-9));
         }
     }

@@ -54,7 +54,7 @@ impl PatchTree {
         while let Some((piece, part)) = heap.pop() {
             looked += 1;
             let body = parts.all[part].body;
-            let Look { mut place, bound, low, split, reach } = self.look(&body, &piece, limit);
+            let Look { mut place, bound, low, split, unsure } = self.look(&body, &piece, limit);
             let bulge = body.slack(place.point, 0.0);
             if place.distance - bulge < limit {
                 // The look tells no more than what the distance is at least.
@@ -77,7 +77,7 @@ impl PatchTree {
                 return Clear::No(deep);
             }
             // While the middle itself is in doubt halves of the piece are, too.
-            let unsure = body.slack(place.point, reach) - bulge;
+            let unsure = unsure - bulge;
             if place.distance - bulge < limit || bulge > unsure && bound + bulge + unsure >= limit {
                 let Some(halves) = parts.halves(part) else { return Clear::Unknown(place) };
                 heap.extend(halves.map(|half| (Piece { bound, ..piece }, half)));

@@ -45,7 +45,7 @@ const CLOSE: f64 = 1e-2;
 impl Cell {
     /// No point of it is farther from its middle along the vector, times the vector's length.
     #[inline]
-    fn extent(&self, v: Vec3) -> f64 {
+    pub(crate) fn extent(&self, v: Vec3) -> f64 {
         let [a, b] = self.first.map(|d| d.dot(&v).abs());
         let [p, q, r] = self.second.map(|d| d.dot(&v).abs());
         a + b + p + q + r + (self.rests[0] + self.rests[1]) * v.norm()

@@ -4,6 +4,7 @@ use aptc_geometry::{Profile, Transform, Vec3};
 
 use crate::guard::Guard;
 use crate::position::{Position, tool_end};
+use crate::region::Retract;
 
 /// How a gouge is avoided.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -44,6 +45,16 @@ pub(crate) struct Case<'a> {
     pub(crate) forward: Vec3,
     /// Unit direction of the step-over, or across the path.
     pub(crate) over: Vec3,
+    /// How the tool is led from where it touches to where it is put out; there it is to be clear.
+    pub(crate) away: Option<Retract>,
+}
+
+impl Case<'_> {
+    /// Is a tool that touches with this end and axis clear where it is put out?
+    fn is_clear(&self, te: Vec3, ta: Vec3) -> bool {
+        let (te, ta) = self.away.map_or((te, ta), |r| r.above((te, ta)));
+        self.guard.position(self.profile, te, ta).is_ok()
+    }
 }
 
 impl Avoid {
@@ -69,7 +80,7 @@ impl Avoid {
             let turn = deg.to_radians().abs();
             let reach = (p.te - p.contact).norm() + case.profile.widest();
             let turns = (te - p.te).norm() <= 2.0 * reach * turn + 1e-9 * reach;
-            (turns && case.guard.position(case.profile, te, ta).is_ok()).then_some((te, ta))
+            (turns && case.is_clear(te, ta)).then_some((te, ta))
         };
         // Turning about these moves the axis towards forward and towards the step-over.
         let axes = [p.ta.cross(&case.forward), p.ta.cross(&case.over)];
@@ -111,7 +122,7 @@ impl Avoid {
         let along = if self.along_normal { p.normal } else { p.ta };
         let reach = case.profile.reach();
         let most = self.limit.unwrap_or(f64::INFINITY).min(1e3 * reach);
-        let clear = |d: f64| case.guard.position(case.profile, p.te + along * d, p.ta).is_ok();
+        let clear = |d: f64| case.is_clear(p.te + along * d, p.ta);
         let (mut low, mut high) = (0.0, (1e-3 * reach).min(most));
         while !clear(high) {
             if high >= most {
@@ -184,6 +195,7 @@ mod tests {
             outtol: 1e-3,
             forward: Vec3::x(),
             over: Vec3::y(),
+            away: None,
         };
         let tilt = |range: [f64; 3], limit| Avoid {
             on: true,

@@ -190,7 +190,8 @@ impl Failure {
             Self::PickFeed(deep) => (
                 codes::BETWEEN_PASSES,
                 deep.said("on the way to the next pass "),
-                "give SCON/FEED a plane that the tool clears from one pass to the next".into(),
+                "give SCON/FEED a plane, or GOMILL a RETR, that the tool clears from one pass to the next"
+                    .into(),
             ),
             Self::Skipped(deep) => (
                 codes::BETWEEN_PASSES,

@@ -12,6 +12,7 @@ use crate::area::{DriveArea, Guide, Hold, PartArea, Projection};
 use crate::drive::Course;
 use crate::failure::{self, Failure};
 use crate::gclear::Spot;
+use crate::guard::Guard;
 use crate::path::{Broken, Path};
 use crate::position::{Chosen, Position};
 use crate::regional::{Regional, Stand};
@@ -102,6 +103,15 @@ struct Milled {
     why: Option<Failure>,
 }
 
+impl Milled {
+    fn take(&mut self, path: Path) {
+        let spot = |p: &Position| Spot { te: p.te, ta: p.ta, normal: p.normal };
+        self.through |= path.points.iter().any(|p| p.normal.dot(&p.ta) < -1e-6);
+        self.stretches.push(path.points.iter().map(spot).collect());
+        self.notes.extend(path.notes);
+    }
+}
+
 impl Regional {
     /// Mills the line; the positions go to `out`, one motion for each stretch that REGION leaves of it.
     ///
@@ -180,10 +190,9 @@ impl Regional {
         setup.guard = guard.as_ref().map(|g| (g, self.avoid));
         let line = Line::Surface(Box::new(setup), course, fixed, sense);
         match stretch {
-            Stretch::At(t) => {
-                let s = line.stop(t)?;
-                milled.through = s.normal.dot(&s.ta) < -1e-6;
-                milled.stretches.push(vec![s.spot()]);
+            Stretch::At(_) => {
+                let (p, _) = setup.position(start, course, sense, None, Take::Nothing)?;
+                milled.take(setup.alone(p, (course, sense), None)?);
             }
             Stretch::From(ends) => {
                 let mut all = self.outlines.clip(form, course.index(), fixed, ends);
@@ -204,7 +213,8 @@ impl Regional {
         }
         self.diagnostics.extend(unchosen);
         self.diagnostics.extend(reports(origin, &milled.notes));
-        let stand = self.put_line(origin, name, &milled.stretches, Some(control), out)?;
+        let on = Some((control, &part));
+        let stand = self.put_line(origin, name, &milled.stretches, on, out)?;
         milled.why.map_or(Ok(stand), Err)
     }
 
@@ -338,18 +348,31 @@ impl Regional {
         Ok(wish)
     }
 
-    /// The stretches with what GCLEAR adds to them, as motions.
+    /// The stretches with what GCLEAR adds to them, as motions. The line itself was checked along its surface, which is `on`; what is
+    /// added, and a curve, which no surface governs, are motion from point to point that CHKSRF watches here.
     pub(crate) fn put_line(
         &self,
         origin: &Origin,
         name: &NameRef,
         stretches: &[Vec<Spot>],
-        control: Option<Arc<cl::Control>>,
+        on: Option<(Arc<cl::Control>, &PartArea)>,
         out: &mut Vec<cl::Record>,
     ) -> Result<Option<Stand>, Failure> {
         let all = self.clears.around(stretches)?;
+        let guard = self.guarded(on.as_ref().map(|on| on.1)).filter(|_| !self.is_recording());
+        let control = on.as_ref().map(|on| &on.0);
         let mut stand = None;
-        for leg in all {
+        let mut here = self.watch.last;
+        for mut leg in all {
+            let extra = leg.extra || control.is_none();
+            // How the tool comes to the line from elsewhere is not known here, between its stretches it is.
+            let free = if extra { leg.points.len() } else { usize::from(stand.is_some()) };
+            let blocked = guard.as_ref().and_then(|g| self.blocked(g, here, &leg.points, free));
+            here = leg.points.last().copied().or(here);
+            let why = blocked.map(|(k, why)| {
+                leg.points.truncate(k);
+                why
+            });
             if self.settings.cut != Some(false)
                 && let Some(args) = leg.feed.args(&self.feed)
             {
@@ -357,15 +380,15 @@ impl Regional {
                 out.push(cl::Record { origin: origin.clone(), kind });
             }
             let along = match leg.points.as_slice() {
-                [] => continue,
-                [_] => Vec3::zeros(),
                 [.., before, last] => last.0 - before.0,
+                _ => Vec3::zeros(),
             };
-            stand = leg.points.last().map(|&(te, ta)| Stand { te, ta, along });
-            if self.settings.cut == Some(false) {
+            stand = leg.points.last().map(|&(te, ta)| Stand { te, ta, along }).or(stand);
+            if self.settings.cut == Some(false) || leg.points.is_empty() {
+                why.map_or(Ok(()), Err)?;
                 continue;
             }
-            let on_line = if leg.extra { None } else { control.as_ref() };
+            let on_line = if leg.extra { None } else { control };
             let kind =
                 if on_line.is_some() { cl::MotionKind::Continuous } else { cl::MotionKind::Goto };
             let motion = cl::Motion {
@@ -377,8 +400,33 @@ impl Regional {
                 control: on_line.map(Arc::clone),
             };
             out.push(cl::Record { origin: origin.clone(), kind: cl::Kind::Motion(motion) });
+            why.map_or(Ok(()), Err)?;
         }
         Ok(stand)
+    }
+
+    /// The first of so many points the way to which gouges, the tool coming from `here`.
+    pub(crate) fn blocked(
+        &self,
+        guard: &Guard,
+        mut here: Option<(Vec3, Vec3)>,
+        points: &[(Vec3, Vec3)],
+        free: usize,
+    ) -> Option<(usize, Failure)> {
+        let profile = self.settings.profile.as_ref()?;
+        let mut guard = guard.clone();
+        if guard.asks()
+            && let Some(&first) = points.first()
+        {
+            guard.come_from(profile, here.unwrap_or(first));
+        }
+        for (k, &to) in points.iter().take(free).enumerate() {
+            if let Err(gouge) = guard.way(profile, [here.unwrap_or(to), to]) {
+                return Some((k, Failure::gouge(gouge, to.0, to.1, false)));
+            }
+            here = Some(to);
+        }
+        None
     }
 }
 
@@ -454,18 +502,14 @@ impl Line<'_> {
             }
             setup.every = Some((b - a) / n);
         }
-        let (Path { points, notes, .. }, why) =
-            match setup.run(at_line(*course, *fixed, from), to, *course, *sense) {
-                Ok(path) => (path, None),
-                Err(broken) => {
-                    let Broken { done, why } = *broken;
-                    (done, Some(why))
-                }
-            };
-        let spot = |p: &Position| Spot { te: p.te, ta: p.ta, normal: p.normal };
-        out.through |= points.iter().any(|p| p.normal.dot(&p.ta) < -1e-6);
-        out.stretches.push(points.iter().map(spot).collect());
-        out.notes.extend(notes);
+        let (path, why) = match setup.run(at_line(*course, *fixed, from), to, *course, *sense) {
+            Ok(path) => (path, None),
+            Err(broken) => {
+                let Broken { done, why } = *broken;
+                (done, Some(why))
+            }
+        };
+        out.take(path);
         out.why = why;
     }
 

@@ -13,6 +13,7 @@ use crate::crew::Crew;
 use crate::drive::Course;
 use crate::failure::Failure;
 use crate::goloft::{CurveWish, at_line, chosen_counts, own_drive};
+use crate::path::Path;
 use crate::region::{Put, Region, Retract};
 use crate::regional::{Regional, Stand};
 use crate::report::reports;
@@ -130,9 +131,11 @@ impl Regional {
                     what: "GOMILL with AT while REGION limits the lines",
                 });
             }
-            let puts = touched(&region, (course, first, at), wish.retract)?;
+            let done = touched(&region, (course, first, at), wish.retract);
             let control = self.milling_control(&part, None, false);
-            return Ok(self.put(origin, (name, guide), puts, Some(&control), out));
+            self.diagnostics.extend(reports(origin, &done.notes));
+            let stand = self.put(origin, (name, guide), done.puts, Some(&control), out);
+            return done.why.map_or(Ok(stand), Err);
         }
         let from = start_uv;
         if self.outlines.is_active() {
@@ -186,6 +189,13 @@ impl Regional {
         if let (Some(_), Some(r), Some(&here)) = (at, &given.retract, points.first()) {
             points = vec![r.above(here), here, r.above(here)];
         }
+        let guard = self.guarded(None).filter(|_| !self.is_recording());
+        let all = points.len();
+        let why = guard.and_then(|g| self.blocked(&g, self.watch.last, &points, all));
+        let why = why.map(|(k, why)| {
+            points.truncate(k);
+            why
+        });
         let index = out.len();
         let stand = self.put(origin, (name, None), vec![Put::Move(points)], None, out);
         // No surface governs it: it counts as motion from point to point.
@@ -194,7 +204,7 @@ impl Regional {
                 motion.kind = cl::MotionKind::Goto;
             }
         }
-        Ok(stand)
+        why.map_or(Ok(stand), Err)
     }
 
     /// What REGION leaves of the lines, in the order and the sense in which they are milled.
@@ -227,28 +237,43 @@ impl Regional {
     }
 }
 
-/// One place on each line, and back from it.
+/// One place on each line, and back from it. Each is checked as the first place of a path is, and the ways between them as
+/// those between passes are.
 fn touched(
     region: &Region<'_>,
     (course, first, at): (Course, f64, f64),
     retract: Option<Retract>,
-) -> Result<Vec<Put>, Failure> {
-    let lines = region.lines(at_line(course, first, at));
+) -> within::Done {
+    let mut done = within::Done::default();
     let mut points: Vec<(Vec3, Vec3)> = Vec::new();
-    for uv in lines {
+    for uv in region.lines(at_line(course, first, at)) {
         let mut uv = uv;
         uv[course.index()] = at;
-        let (p, _) = region.setup.settled(uv, course, 1.0, None, Take::Band)?;
-        let here = (p.te, p.ta);
-        if let Some(r) = &retract {
-            points.push(r.above(here));
-            points.push(here);
-            points.push(r.above(here));
-        } else {
-            points.push(here);
+        let found = region.setup.settled(uv, course, 1.0, None, Take::Band);
+        let path = found.and_then(|(p, _)| region.setup.alone(p, (course, 1.0), None));
+        let Path { points: stood, notes, .. } = match path {
+            Ok(path) => path,
+            Err(why) => {
+                done.why = Some(why);
+                break;
+            }
+        };
+        done.notes.extend(notes);
+        let Some(here) = stood.first().map(|p| (p.te, p.ta)) else { continue };
+        let way = match &retract {
+            Some(r) => vec![r.above(here), here, r.above(here)],
+            None => vec![here],
+        };
+        // How the tool comes to the first place is not known here.
+        let from = points.last().copied().unwrap_or(way[0]);
+        if let Err(blocked) = region.clear(from, &way) {
+            done.why = Some(blocked);
+            break;
         }
+        points.extend(way);
     }
-    Ok(vec![Put::Move(points)])
+    done.puts.push(Put::Move(points));
+    done
 }
 
 fn wish(w: &mut Words<'_>) -> Result<Wish, Failure> {

@@ -4,12 +4,13 @@ use aptc_contact::Tool;
 use aptc_geometry::Vec3;
 
 use crate::area::Guide;
-use crate::avoid::{Avoid, Case};
+use crate::avoid::{Avoid, Avoided, Case};
 use crate::drive::Course;
 use crate::failure::Failure;
 use crate::guard::Guard;
 use crate::judge::{Judged, Way};
 use crate::position::Position;
+use crate::region::Retract;
 use crate::report::Note;
 use crate::solve::{CLOSE, LOOSE, Memory, Setup, Take};
 
@@ -177,29 +178,7 @@ impl Setup<'_> {
         let mut stack = vec![next];
         let mut left = DIVISIONS;
         while let Some(mut p) = stack.pop() {
-            if let Err(gouge) = guard.position(self.profile, p.te, p.ta) {
-                let (te, ta) = (p.te, p.ta);
-                let gouge = || guard.deepest(self.profile, te, ta, gouge);
-                let place = self.drive.place(p.drive_uv, course);
-                let unit = |v: Vec3| v.try_normalize(0.0).unwrap_or_else(Vec3::zeros);
-                let case = Case {
-                    profile: self.profile,
-                    guard,
-                    clearance: self.thick() + p.shift,
-                    outtol: self.band.outtol,
-                    forward: unit(place.along * sense),
-                    over: unit(place.across * self.over),
-                };
-                let Some(how) = avoid.around(&p, &case) else {
-                    return Err(Failure::gouge(gouge(), te, ta, avoid.on));
-                };
-                p.lift = how.lift.map_or_else(Vec3::zeros, |_| how.te - te);
-                (p.te, p.ta) = (how.te, how.ta);
-                path.avoided = true;
-                if guard.report {
-                    path.notes.push(Note { gouge: gouge(), te, ta, how });
-                }
-            }
+            self.cleared(path, &mut p, (course, sense), None)?;
             let Some(last) = path.points.last() else {
                 path.points.push(p);
                 continue;
@@ -233,6 +212,57 @@ impl Setup<'_> {
                     stack.push(mid);
                 }
             }
+        }
+        Ok(())
+    }
+
+    /// A position that stands alone, led away to where it is put out: CHKSRF holds of it there as of a path.
+    pub(crate) fn alone(
+        &self,
+        mut p: Position,
+        (course, sense): (Course, f64),
+        away: Option<Retract>,
+    ) -> Result<Path, Failure> {
+        let mut path = Path::default();
+        self.cleared(&mut path, &mut p, (course, sense), away)?;
+        path.points.push(p);
+        Ok(path)
+    }
+
+    /// Moves a position that gouges where it is put out to where avoidance leads it; an error without.
+    fn cleared(
+        &self,
+        path: &mut Path,
+        p: &mut Position,
+        (course, sense): (Course, f64),
+        away: Option<Retract>,
+    ) -> Result<(), Failure> {
+        let Some((guard, avoid)) = self.guard else { return Ok(()) };
+        let out = |p: &Position| away.map_or((p.te, p.ta), |r| r.above((p.te, p.ta)));
+        let (te, ta) = out(p);
+        let Err(gouge) = guard.position(self.profile, te, ta) else { return Ok(()) };
+        let gouge = || guard.deepest(self.profile, te, ta, gouge);
+        let place = self.drive.place(p.drive_uv, course);
+        let unit = |v: Vec3| v.try_normalize(0.0).unwrap_or_else(Vec3::zeros);
+        let case = Case {
+            profile: self.profile,
+            guard,
+            clearance: self.thick() + p.shift,
+            outtol: self.band.outtol,
+            forward: unit(place.along * sense),
+            over: unit(place.across * self.over),
+            away,
+        };
+        let Some(how) = avoid.around(p, &case) else {
+            return Err(Failure::gouge(gouge(), te, ta, avoid.on));
+        };
+        p.lift = how.lift.map_or_else(Vec3::zeros, |_| how.te - p.te);
+        (p.te, p.ta) = (how.te, how.ta);
+        path.avoided = true;
+        if guard.report {
+            let ends = out(p);
+            let how = Avoided { te: ends.0, ta: ends.1, ..how };
+            path.notes.push(Note { gouge: gouge(), te, ta, how });
         }
         Ok(())
     }

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use aptc_contact::{Condition, Side, Tool, chord, gap};
+use aptc_contact::{Condition, Side, Tool, axis_between, bulge, chord, gap};
 use aptc_geometry::surface::kept;
 use aptc_geometry::{Form, Profile, Surface, Vec3, trig};
 
@@ -26,7 +26,7 @@ pub(crate) struct Came {
 }
 
 /// Halvings of a way with a turning axis.
-const HALVINGS: u32 = 14;
+const HALVINGS: u32 = 22;
 /// Stretches of it.
 const STRETCHES: u32 = 4000;
 /// Part of what is allowed to which the least gap of a way is found.
@@ -58,7 +58,10 @@ impl Plain {
     }
 
     /// How deep a solid whose lower end is `up` above the tool end gets into the surface on its way, and where,
-    /// if that is deeper than `allowed`. What cannot be computed is not taken for clear.
+    /// if that is deeper than `allowed`. What cannot be computed is not taken for clear: its depth is infinite.
+    ///
+    /// A stretch of the way is held against the surface with the axis of its middle, which is off by first order in the
+    /// turn, and by what its ends bound, off by second order ([`Plain::between`]).
     pub(crate) fn deep(
         &self,
         cutter: &Profile,
@@ -67,7 +70,11 @@ impl Plain {
         allowed: f64,
     ) -> Option<(f64, Vec3)> {
         let reach = profile.reach();
-        let axis = |t: f64| (a.1 * (1.0 - t) + b.1 * t).try_normalize(1e-9).unwrap_or(a.1);
+        let axis = |t: f64| match t {
+            0.0 => a.1,
+            1.0 => b.1,
+            _ => axis_between(a.1, b.1, t),
+        };
         // Of a tool that comes from nowhere its first place tells.
         let kept = self.from.map_or_else(|| self.side(cutter, a, allowed), |from| from.side);
         let side = match kept {
@@ -92,36 +99,124 @@ impl Plain {
             }
         }
         let fine = FINE * allowed.abs().max(1e-6 * reach);
-        let place = |t: f64| (a.0 + (b.0 - a.0) * t, axis(t));
-        let mut stack = vec![(0.0, 1.0, 0_u32)];
+        let turns = (a.1 - b.1).norm() > 1e-12;
+        let at = |(te, ta): (Vec3, Vec3)| Tool { profile, te: te + ta * up, ta };
+        let here = |t: f64| {
+            let (te, ta) = (a.0 + (b.0 - a.0) * t, axis(t));
+            let g = gap(&at((te, ta)), &self.surface, side, 0.0).ok()?.g;
+            Some(Stood { t, te, ta, g })
+        };
+        let unknown = || Some((f64::INFINITY, a.0));
+        let (Some(first), Some(last)) = (here(0.0), here(1.0)) else { return unknown() };
+        let mut stack = vec![(first, last, 0_u32)];
         let mut stretches = 0;
-        while let Some((from, to, halvings)) = stack.pop() {
+        while let Some((p, q, halvings)) = stack.pop() {
             stretches += 1;
-            let ends = [place(from), place(to)];
-            let mid = axis(0.5 * (from + to));
-            let turn = trig::sin(0.25 * trig::acos_clamped(ends[0].1.dot(&ends[1].1))) * 2.0;
-            let slack = turn * (up + 2.0 * reach);
-            let at = |te: Vec3| Tool { profile, te: te + mid * up, ta: mid };
-            let tool = at(ends[0].0);
-            let low = if ends[0].0 == ends[1].0 {
-                gap(&tool, &self.surface, side, 0.0).map(|g| g.g)
+            let deeper = if p.g < q.g { &p } else { &q };
+            if turns && deeper.g < -allowed {
+                return Some((-deeper.g, deeper.te));
+            }
+            if turns && self.between(side, (profile, up), [&p, &q]) >= -allowed {
+                continue;
+            }
+            let half = 0.5 * (p.t + q.t);
+            let mid = axis(half);
+            let turn = trig::sin(0.25 * trig::angle_between(p.ta, q.ta)) * 2.0;
+            let slack = if turns { turn * (up + 2.0 * reach) } else { 0.0 };
+            let low = if p.te == q.te {
+                gap(&at((p.te, mid)), &self.surface, side, 0.0).map(|g| (g.g, p.te))
             } else {
-                let end = at(ends[1].0);
+                let (from, to) = (at((p.te, mid)), at((q.te, mid)));
                 let touch = Condition::Touch;
-                chord(&tool, &end, &self.surface, touch, side, 0.0, None, fine).map(|c| c.low.g)
+                let found = chord(&from, &to, &self.surface, touch, side, 0.0, None, fine);
+                found.map(|c| (c.low.g, p.te + (q.te - p.te) * c.low.t))
             };
-            let Ok(low) = low else { return Some((f64::INFINITY, ends[0].0)) };
+            let Ok((low, te)) = low else { return unknown() };
             if low - slack >= -allowed {
                 continue;
             }
-            if low + slack < -allowed || halvings >= HALVINGS || stretches > STRETCHES {
-                return Some((-low, ends[1].0));
+            if low + slack < -allowed {
+                return Some((-low, te));
             }
-            let half = 0.5 * (from + to);
-            stack.push((half, to, halvings + 1));
-            stack.push((from, half, halvings + 1));
+            if halvings >= HALVINGS || stretches > STRETCHES {
+                return Some((f64::INFINITY, te));
+            }
+            let Some(m) = here(half) else { return unknown() };
+            stack.push((m, q, halvings + 1));
+            stack.push((p, m, halvings + 1));
         }
         None
+    }
+
+    /// What the gap does not fall below between two places of a tool that turns, from those at the places; negative infinity
+    /// of surfaces and sides of which nothing is known.
+    ///
+    /// A point of the tool, at most `far` from the tool end, leaves its chord by no more than `turn^2 far / 8` in the middle
+    /// and by the part 4 t (1 - t) of it elsewhere. Along the chord its distance from the wall of a convex hollow, or from a plane, is
+    /// concave. From a solid that is made of balls of a radius R the distance less R is that from a convex set, whose second derivative along a
+    /// line is at most one over the distance; between ends at `d` and a length `l` apart that is `sqrt(d^2 - l^2 / 4)` at
+    /// least. A bowl that is open along the axis moves without turning as the tool sees it, so far as its middle does.
+    fn between(&self, side: Side, (profile, up): (&Profile, f64), [p, q]: [&Stood; 2]) -> f64 {
+        let surface = &*self.surface;
+        let turn = trig::angle_between(p.ta, q.ta);
+        let (way, far) = ((q.te - p.te).norm(), up.abs() + profile.reach());
+        let rise = match (side, surface) {
+            (Side::Open, Surface::Sphere(s)) => {
+                let away = (s.center - p.te).norm().max((s.center - q.te).norm());
+                bulge(turn, away, way)
+            }
+            (Side::Open, _) => f64::INFINITY,
+            (Side::Negative, _) if surface.convex() => bulge(turn, far, 0.0),
+            (Side::Positive, _) if surface.concave() => bulge(turn, far, 0.0),
+            (Side::Positive, _) => {
+                let length = way + 2.0 * trig::sin(0.5 * turn) * far;
+                let end = (roundness(surface) + p.g.min(q.g)).max(0.0);
+                let least = (end * end - 0.25 * length * length).max(0.0).sqrt();
+                bulge(turn, far, 0.0) + length * length / (8.0 * least)
+            }
+            (Side::Negative, _) => f64::INFINITY,
+        };
+        if !rise.is_finite() {
+            return f64::NEG_INFINITY;
+        }
+        // The line between both less a parabola.
+        let (low, apart) = (p.g.min(q.g), (q.g - p.g).abs());
+        if 4.0 * rise <= apart {
+            return low;
+        }
+        let lean = apart / (4.0 * rise);
+        0.5 * (p.g + q.g) - rise * (1.0 + lean * lean)
+    }
+}
+
+/// A place of a way with the gap there.
+#[derive(Clone, Copy, Debug)]
+struct Stood {
+    /// Share of the way.
+    t: f64,
+    te: Vec3,
+    ta: Vec3,
+    g: f64,
+}
+
+/// The radius of balls of which the solid on the negative side is made: its least radius of curvature. 0 where it has
+/// edges, or is not known.
+fn roundness(surface: &Surface) -> f64 {
+    match surface {
+        Surface::Sphere(s) => s.radius,
+        Surface::Cylinder(s) => s.radius,
+        Surface::Quadric(s) if s.convexity() > 0 => {
+            let (_, lambda, beta, constant) = s.principal();
+            let turned = if lambda.x < 0.0 { -1.0 } else { 1.0 };
+            if lambda.iter().any(|l| l * turned <= 0.0) {
+                return 0.0;
+            }
+            // Of an ellipsoid, the square of the least half axis over the greatest.
+            let size = beta.component_mul(&beta).component_div(&lambda).sum() - constant;
+            let squares = lambda.map(|l| size / l);
+            if squares.min() > 0.0 { squares.min() / squares.max().sqrt() } else { 0.0 }
+        }
+        _ => 0.0,
     }
 }
 

@@ -140,3 +140,121 @@ fn who_comes_from_outside_is_told() {
     let post = Surface::Cylinder(Cylinder { point, axis, radius: 20.0 });
     assert_eq!(entered(post, Vec3::new(90.0, 0.0, 0.0)), None);
 }
+
+/// Random ways with a turning axis beside solids, against small steps of them: what is told is as deep as a place of the
+/// way, and what is clear is so; the bound from the ends is below all steps and falls short by second order.
+#[test]
+fn a_turning_way_is_as_deep_as_its_deepest_place() {
+    let mut state = 7_u64;
+    let mut random = |from: f64, to: f64| {
+        state =
+            state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        from + (to - from) * (state >> 40) as f64 / f64::from(1 << 24)
+    };
+    let (mut told, mut bounded) = ([0; 2], 0);
+    for k in 0..600 {
+        let corner = [0.0, 1.5, 5.0][k % 3];
+        let profile = Profile::new(&Cutter::mill(10.0, corner, 40.0)).unwrap();
+        let mut v =
+            |size: f64| Vec3::new(random(-size, size), random(-size, size), random(-size, size));
+        let (center, way, turn, tilt) = (v(3.0), v(4.0), v(0.2), v(0.3));
+        let (te, other, up) = (v(2.0), v(1.0), random(0.0, 6.0));
+        let axes = [tilt, tilt + turn].map(|a| (a + Vec3::z()).normalize());
+        let point = center - Vec3::z() * 22.0;
+        let (surface, side) = match k / 3 % 7 {
+            0 => (Surface::Plane(Plane { n: (Vec3::z() + other * 0.2).normalize(), d: -2.0 }), 1.0),
+            1 => (Surface::Sphere(Sphere { center: point, radius: 20.0 }), 1.0),
+            2 => {
+                let axis = (Vec3::y() + other * 0.2).normalize();
+                (Surface::Cylinder(Cylinder { point, axis, radius: 20.0 }), 1.0)
+            }
+            3 => {
+                (Surface::Sphere(Sphere { center: center + Vec3::z() * 30.0, radius: 33.0 }), -1.0)
+            }
+            4 => {
+                let cylinder = Cylinder { point: center, axis: axes[0], radius: 9.0 };
+                (Surface::Cylinder(cylinder), -1.0)
+            }
+            5 => {
+                // Half axes of 30, 20 and 24.
+                let [p, q, r] = [1.0 / 900.0, 1.0 / 400.0, 1.0 / 576.0];
+                let c = [p, q, r, 484.0 * r - 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 22.0 * r];
+                let form = Form::Quadric(Quadric { kind: QuadricKind::Qadric, c });
+                (kept::with_inside(&Surface::from_form(&form).unwrap()).unwrap(), 1.0)
+            }
+            _ => {
+                (Surface::Cylinder(Cylinder { point: center, axis: Vec3::y(), radius: 30.0 }), -1.0)
+            }
+        };
+        let mut p = plain(surface);
+        p.from = Some(Came { te, side: Some(side) });
+        let ends = [(te, axes[0]), (te + way, axes[1])];
+        let opened = kept::opens(&p.surface, axis_between(axes[0], axes[1], 0.5));
+        let kind = if side > 0.0 {
+            Side::Positive
+        } else if opened {
+            Side::Open
+        } else {
+            Side::Negative
+        };
+        let at = |t: f64| {
+            let ta = axis_between(axes[0], axes[1], t);
+            let tool = Tool { profile: &profile, te: te + way * t + ta * up, ta };
+            let g = gap(&tool, &p.surface, kind, 0.0).unwrap().g;
+            Stood { t, te: te + way * t, ta, g }
+        };
+        let least = |from: f64, to: f64| {
+            let of = |i: u32| at(from + (to - from) * f64::from(i) / 300.0).g;
+            (0..=300).map(of).fold(f64::INFINITY, f64::min)
+        };
+        let true_least = least(0.0, 1.0);
+        let deep = |allowed: f64| p.deep(&profile, (&profile, up), ends, allowed);
+        // Just above the greatest depth it is clear, but for what falls between the steps; just below it is told truly.
+        if true_least < -0.02 {
+            assert_eq!(deep(-true_least * 1.001 + 2e-4), None, "{k}");
+            let (depth, _) = deep(-true_least * 0.99 - 1e-4).unwrap();
+            assert!(
+                depth <= -true_least * 1.001 + 2e-4 && depth > -true_least * 0.99 - 1e-4,
+                "{k}"
+            );
+            told[0] += 1;
+        } else if true_least > 0.0 {
+            assert_eq!(deep(1e-6), None, "{k}");
+            told[1] += 1;
+        }
+        let mut lost = [0.0; 2];
+        for (i, length) in [0.1, 0.05].into_iter().enumerate() {
+            let (a, b) = (at(0.4), at(0.4 + length));
+            let bound = p.between(kind, (&profile, up), [&a, &b]);
+            let least = least(0.4, 0.4 + length);
+            assert!(bound <= least + 1e-9, "{k} {bound} {least}");
+            lost[i] = least - bound;
+        }
+        if lost[0].is_finite() && lost[0] > 1e-7 {
+            // Half of the way, a quarter of what is lost, about.
+            assert!(lost[1] < 0.45 * lost[0], "{k} {lost:?}");
+            bounded += 1;
+        }
+    }
+    assert!(told[0] > 100 && told[1] > 50 && bounded > 15, "{told:?} {bounded}");
+}
+
+/// A flat end that rolls over its edge on a plane, deeper than its ends but for less than is allowed.
+#[test]
+fn a_tool_that_rolls_within_the_tolerance_is_clear() {
+    let profile = Profile::new(&Cutter::mill(10.0, 0.0, 400.0)).unwrap();
+    let mut floor = plain(Surface::Plane(Plane { n: Vec3::z(), d: 0.0 }));
+    floor.from = Some(Came { te: Vec3::z(), side: Some(1.0) });
+    let place = |deg: f64, depth: f64| {
+        let (sin, cos) = (trig::sin_deg(deg), trig::cos_deg(deg));
+        // The edge that leads is so deep.
+        (Vec3::new(0.0, 0.0, 5.0 * sin - depth), Vec3::new(sin, 0.0, cos))
+    };
+    for (allowed, turn) in [(0.01, 1.0), (1e-4, 0.1)] {
+        let ends = [place(20.0, allowed * (1.0 - 1e-7)), place(20.0 + turn, 0.5 * allowed)];
+        assert_eq!(floor.deep(&profile, (&profile, 0.0), ends, allowed), None);
+        let ends = [place(20.0, 0.5 * allowed), place(20.0 + turn, allowed * (1.0 + 1e-7))];
+        let (depth, _) = floor.deep(&profile, (&profile, 0.0), ends, allowed).unwrap();
+        assert!(depth > allowed && depth < 1.001 * allowed, "{depth}");
+    }
+}

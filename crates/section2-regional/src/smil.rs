@@ -14,7 +14,7 @@ use crate::drive::Course;
 use crate::failure::{Deep, Failure, put_out, touches_with};
 use crate::guard::{Checked, Guard};
 use crate::path::{Broken, Path};
-use crate::position::Odd;
+use crate::position::{Odd, Position};
 use crate::region::{Along, Put, Region, Retract};
 use crate::regional::{Regional, Stand};
 use crate::report::{Note, reports};
@@ -62,10 +62,7 @@ impl Regional {
         let from = [w.number().unwrap_or(0.0), w.number().unwrap_or(0.0)];
         let guard = self.guard();
         let mut done = match word {
-            "POSN" => {
-                let (puts, odd, away) = self.point(from, &mut w)?;
-                Done { puts, odd, away, ..Done::default() }
-            }
+            "POSN" => self.point(from, &mut w, guard)?,
             "PATH" => self.line(from, &mut w, guard)?,
             "ZIGZAG" | "PICKFD" => self.area(word == "PICKFD", from, &mut w, guard, crew)?,
             _ => return Err(Failure::Undone { what: "this form of SMIL" }),
@@ -115,25 +112,41 @@ impl Regional {
         Ok(if drive.is_curve() { [from[0], 0.0] } else { from })
     }
 
-    /// The position, and whether it is led away from the surface.
-    fn point(&self, from: [f64; 2], w: &mut Words<'_>) -> Result<(Vec<Put>, Odd, bool), Failure> {
-        let setup = self.setup()?;
+    /// The position, led away from the surface where that is asked for. CHKSRF holds where it is put out.
+    fn point(
+        &self,
+        from: [f64; 2],
+        w: &mut Words<'_>,
+        guard: Option<Guard>,
+    ) -> Result<Done, Failure> {
+        let mut setup = self.setup()?;
         let from = self.checked(from)?;
         let (p, _) = setup.settled(from, Course::U, 1.0, None, Take::Band)?;
         w.take("INCR");
-        let te = if let Some(back) = w.number() {
+        let away = if let Some(back) = w.number() {
             let d = setup.drive.place(from, Course::U).direction.unwrap_or_else(Vec3::zeros);
-            p.te - d * back
+            Some(Retract::By(-d * back))
         } else if let Some(v) = w.vector() {
-            p.te + v
+            Some(Retract::By(v))
         } else {
             match w.form().map(|(_, f)| f.shape().clone()) {
-                Some(Form::Plane(plane)) => p.te - plane.n * plane.distance(p.te),
-                _ => p.te,
+                Some(Form::Plane(plane)) => Some(Retract::Plane(plane)),
+                _ => None,
             }
         };
-        let along = Along { at: (te, p.ta), uv: p.drive_uv };
-        Ok((vec![Put::Path(vec![along])], Odd::of(&[p]), te != p.te))
+        let led = |p: &Position| away.map_or((p.te, p.ta), |r| r.above((p.te, p.ta)));
+        let guard = guard.map(|mut g| {
+            if g.asks() {
+                g.come_from(setup.profile, led(&p));
+            }
+            g
+        });
+        setup.guard = guard.as_ref().map(|g| (g, self.avoid));
+        let Path { points, notes, .. } = setup.alone(p, (Course::U, 1.0), away)?;
+        let along = |p: &Position| Along { at: led(p), uv: p.drive_uv };
+        let moved = points.iter().any(|p| led(p).0 != p.te);
+        let (puts, odd) = (vec![Put::Path(points.iter().map(along).collect())], Odd::of(&points));
+        Ok(Done { puts, notes, odd, away: moved, ..Done::default() })
     }
 
     fn course(&self, w: &mut Words<'_>) -> Result<(Course, f64), Failure> {

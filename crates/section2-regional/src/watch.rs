@@ -12,7 +12,7 @@ use crate::regional::{Failed, Regional};
 pub(crate) struct Watch {
     profile: Option<Profile>,
     /// Where the way to the next point begins.
-    last: Option<(Vec3, Vec3)>,
+    pub(crate) last: Option<(Vec3, Vec3)>,
 }
 
 impl Regional {

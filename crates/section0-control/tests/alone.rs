@@ -1,0 +1,98 @@
+//! What CHKSRF asks of single places of regional milling, and of what is added to its lines: the path is held to it without the proof.
+
+use aptc_control::{Disk, Options, Source, Verify, compile};
+
+/// A floor with a wall that stands beside it at x = 45, over y up to 20, and something above.
+fn program(close: &str, work: &str) -> String {
+    format!(
+        "PARTNO ALONE
+UNITS/MM
+FLOOR=SSURF/SMESH,XYZ,SPLINE,(0,0,0),(20,0,2),(40,0,2),(60,0,0),$
+ SPLINE,(0,30,1),(20,30,3),(40,30,3),(60,30,1)
+EDGE=SCURV/SPLINE,(0,15,30),(30,15,31),(60,15,30)
+WALL=SSURF/SMESH,RULED,SPLINE,(45,-20,-10),(45,20,-10),$
+ SPLINE,(45,-20,40),(45,20,40)
+CEIL=PLANE/0,0,1,100
+UP=VECTOR/0,0,1
+SAFE=PLANE/0,0,1,44
+CUTTER/12,6,0,6,0,0,30
+HOLDER/20,45,40,80
+INTOL/.01
+OUTTOL/.01
+MULTAX/ON
+TLAXIS/0,0,1
+FROM/20,15,9
+SCON/DS,FLOOR,PARAM,0,3,0,1,AT,UP
+SCON/PS,TO,FLOOR,PLUS,0
+SCON/AXIS,UP
+SCON/FEED,0,0,0,0
+{close}
+{work}
+END
+FINI
+"
+    )
+}
+
+/// The codes of all messages, and the number of positions.
+fn run(text: &str, verify: Verify) -> (Vec<String>, usize) {
+    let options = Options { verify, post: false, ..Options::default() };
+    let source = Source { name: "alone".into(), text: text.into() };
+    let compiled = compile(source, &mut Disk::new(Vec::new(), 0), &options);
+    let codes = compiled.diagnostics.iter().map(|d| d.code.to_string()).collect();
+    let mut points = 0;
+    for part in &compiled.parts {
+        let count = |r: &aptc_cldata::Record| {
+            if let aptc_cldata::Kind::Motion(m) = &r.kind {
+                points += m.points.len();
+            }
+        };
+        part.computed.for_each(count).expect("they can be read");
+    }
+    (codes, points)
+}
+
+const AVOID: &str = "AVCTRL/CUTANG,CONST,1,RANGE,-70,70,NORMPS";
+
+/// Statements, the code that tells of a gouge, and whether AVCTRL gets out of its way.
+const GOUGES: [(&str, &str, &str, bool); 9] = [
+    ("CHKSRF/WALL,ON", "SMIL/POSN,DS,PARAM,2.1,.3,INCR,0", "APT2046", true),
+    ("CHKSRF/WALL,ON", "SMIL/POSN,DS,PARAM,2.1,.3,INCR,-5", "APT2046", true),
+    ("CHKSRF/CEIL,ON", "SMIL/POSN,DS,PARAM,1,.5,INCR,-25", "APT2046", false),
+    ("CHKSRF/CEIL,ON", "SMIL/POSN,DS,PARAM,1,.5,INCR,(VECTOR/0,0,25)", "APT2046", false),
+    ("CHKSRF/WALL,ON", "GOLOFT/FLOOR,VCONST,.3,AT,2.1", "APT2046", true),
+    ("CHKSRF/WALL,ON", "GOMILL/FLOOR,VCONST,.1,STEPOV,.2,AT,2.1,RETR,50", "APT2046", true),
+    // The first lines are clear of the wall; what is led over is not.
+    ("CHKSRF/WALL,CEIL,ON", "GOMILL/FLOOR,UCONST,1.9,STEPOV,1,AT,.3,RETR,25", "APT2049", false),
+    ("CHKSRF/CEIL,ON\nGCLEAR/THRU,NORMAL,25", "GOLOFT/FLOOR,VCONST,.3", "APT2046", false),
+    ("CHKSRF/WALL,ON", "GOLOFT/EDGE,CHORD,.1", "APT2046", false),
+];
+
+#[test]
+fn a_single_place_that_gouges_is_told_without_the_proof() {
+    for (close, work, code, _) in GOUGES {
+        for verify in [Verify::Full, Verify::Off] {
+            let text = program(close, work);
+            assert_eq!(run(&text, verify).0, [code], "{text}");
+        }
+    }
+}
+
+#[test]
+fn a_single_place_gets_out_of_the_way() {
+    for (close, work, ..) in GOUGES.into_iter().filter(|g| g.3) {
+        let text = program(&format!("{close}\n{AVOID}"), work);
+        let (codes, points) = run(&text, Verify::Full);
+        assert!(codes.is_empty() && points > 1, "{codes:?} {text}");
+    }
+}
+
+#[test]
+fn a_single_place_that_is_clear_stays_as_it_is() {
+    for (close, work, ..) in GOUGES {
+        let far = close.replace("WALL,", "").replace("CEIL,", "").replace("CHKSRF/ON", "");
+        let text = program(&format!("{far}\nCHKSRF/PS,ON"), work);
+        let far = run(&text, Verify::Full);
+        assert!(far.0.is_empty() && far.1 > 1, "{far:?} {text}");
+    }
+}
