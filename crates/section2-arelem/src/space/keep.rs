@@ -104,12 +104,18 @@ impl Keep {
     }
 
     /// The gap, when a place of contact deeper than `known` by more than `exact` was missed, and the way for
-    /// which there is none.
-    pub(crate) fn deeper(&self, pose: &Pose, known: &Gap, exact: f64) -> (Option<Gap>, f64) {
+    /// which there is none, with an axis that `stands` or may turn.
+    pub(crate) fn deeper(
+        &self,
+        pose: &Pose,
+        known: &Gap,
+        exact: f64,
+        stands: bool,
+    ) -> (Option<Gap>, f64) {
         if self.condition == Condition::On || self.profile.reach() == 0.0 {
             return (None, f64::INFINITY);
         }
-        let (deeper, room) = elsewhere(&self.tool(pose), &self.surface, self.side, known);
+        let (deeper, room) = elsewhere(&self.tool(pose), &self.surface, self.side, known, stands);
         (deeper.filter(|g| g.g < known.g - exact), room)
     }
 

@@ -643,7 +643,7 @@ impl Solver<'_> {
         let mut any = false;
         for (aim, gap) in self.aims.iter().zip(gaps) {
             let exact = self.alike(pose, &aim.keep);
-            if let Some(deeper) = aim.keep.deeper(pose, gap, exact).0 {
+            if let Some(deeper) = aim.keep.deeper(pose, gap, exact, true).0 {
                 *gap = deeper;
                 any = true;
             }

@@ -255,7 +255,7 @@ impl Watch {
         // Beyond the end of a surface the cutter changes its side without touching; and another place of it may lie much deeper
         // in the check surface.
         let beyond = met.g > self.loose && keep.goes_round_an_end(&met);
-        let deeper = || keep.deeper(&node.pose, &met, self.loose).0.is_some();
+        let deeper = || keep.deeper(&node.pose, &met, self.loose, true).0.is_some();
         if crosses && (met.g < -self.loose || beyond || deeper()) {
             return Ok(None);
         }
