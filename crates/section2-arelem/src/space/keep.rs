@@ -103,6 +103,14 @@ impl Keep {
         self.gap(pose, None).is_ok_and(|g| g.g >= -2.0 * self.width())
     }
 
+    /// Is the gap on a side less than `-least`? No gap is greater than the distance of a point of the cutter; here that of
+    /// the middle of its axis.
+    pub(crate) fn deep(&self, pose: &Pose, side: Side, least: f64) -> bool {
+        let middle = pose.te + pose.ta * (0.5 * self.profile.height());
+        let touches = self.condition == Condition::Touch && side != Side::Open;
+        touches && side.sign() * self.surface.distance(middle) - self.thick < -least
+    }
+
     /// The gap, when a place of contact deeper than `known` by more than `exact` was missed, and the way for
     /// which there is none, with an axis that `stands` or may turn.
     pub(crate) fn deeper(

@@ -261,9 +261,11 @@ fn aim(
                 Side::Positive => Side::Negative,
                 Side::Negative | Side::Open => Side::Positive,
             });
-            let tie = other.gap(pose, None).is_ok_and(|g| {
-                (g.g - gap).abs() <= 1e-3 * keep.width() && keep.profile.widest() > 0.0
-            });
+            let tie = !(gap >= 0.0 && keep.deep(pose, other.side, 1e-3 * keep.width()));
+            let tie = tie
+                && other.gap(pose, None).is_ok_and(|g| {
+                    (g.g - gap).abs() <= 1e-3 * keep.width() && keep.profile.widest() > 0.0
+                });
             if tie { Side::Negative } else { side }
         }
     };

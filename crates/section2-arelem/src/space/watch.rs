@@ -402,6 +402,10 @@ impl Gauge {
 pub(crate) fn clearance(keep: &Keep, pose: &Pose) -> Result<(f64, Side), Reason> {
     let mut best: Result<(f64, Side), Reason> = Err(Reason::NoHit);
     for side in keep.sides(pose) {
+        // A side on which it fits is taken as it is.
+        if best.as_ref().is_ok_and(|(gap, _)| *gap >= 0.0) {
+            break;
+        }
         match (keep.on_side(side).gap(pose, None), &best) {
             (Ok(gap), Ok((most, _))) if gap.g > *most && *most < 0.0 => best = Ok((gap.g, side)),
             (Ok(gap), Err(_)) => best = Ok((gap.g, side)),
