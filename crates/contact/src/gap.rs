@@ -139,14 +139,16 @@ pub fn surrounds(surface: &Surface, side: Side) -> bool {
 }
 
 /// Of a tool with the `known` gap a deeper one, if there is one, and the way that the tool can go (the way of
-/// its top when it turns) until a place of contact far from the known one may be the deepest.
+/// its top when it turns, which it does not where it `stands`) until a place of contact far from the known one may be the
+/// deepest.
 pub fn elsewhere(
     tool: &Tool<'_>,
     surface: &Surface,
     side: Side,
     known: &Gap,
+    stands: bool,
 ) -> (Option<Gap>, f64) {
-    let (deeper, room) = search::elsewhere(tool, surface, side, known);
+    let (deeper, room) = search::elsewhere(tool, surface, side, known, stands);
     let thick = known.raw - known.g;
     (deeper.map(|gap| Gap { g: gap.raw - thick, ..gap }), room)
 }

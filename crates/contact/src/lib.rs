@@ -16,6 +16,7 @@
 //! assert_eq!(gap.normal, Vec3::z());
 //! ```
 
+mod alone;
 mod bodies;
 mod centred;
 mod chord;

@@ -3,6 +3,7 @@
 use aptc_geometry::profile::Segment;
 use aptc_geometry::{Foot, Reason, Spot, Surface, Tool, Vec3};
 
+use crate::alone::alone;
 use crate::closed::{along_axis, is_axis};
 use crate::descent::local;
 use crate::gap::{Gap, Side};
@@ -48,9 +49,16 @@ pub(crate) fn general(
         return rings::within(tool, foot, |p| foot(p).distance);
     }
     if let Some(gap) = round
-        && !has_side(tool)
+        && (!has_side(tool) || alone(tool, surface, side, &gap, 0.0).is_some())
     {
         // Nothing but the arc can touch.
+        return Ok(gap);
+    }
+    if round.is_none()
+        && matches!(surface, Surface::Parametric(_))
+        && let Ok(gap) = local(tool, surface, side, surface.foot(middle(tool)).spot())
+        && alone(tool, surface, side, &gap, 0.0).is_some()
+    {
         return Ok(gap);
     }
     let stations = Stations { lower: round.is_none(), flank: true };
@@ -119,15 +127,24 @@ pub(crate) fn elsewhere(
     surface: &Surface,
     side: Side,
     known: &Gap,
+    stands: bool,
 ) -> (Option<Gap>, f64) {
     // An opened hollow is looked at as a whole each time.
     if side == Side::Open || !several(tool, surface, side) {
         return (None, f64::INFINITY);
     }
-    let arc = round(tool, surface, side, None);
     let (wide, reach) = (tool.profile.widest(), tool.profile.reach());
     // A line alone has no other measure than its length.
     let size = if wide > 0.0 { wide.max(0.1 * reach) } else { reach };
+    for most in ALONE.map(|share| share * wide) {
+        if stands
+            && let Some(way) = alone(tool, surface, side, known, most)
+            && way >= WORTH * wide
+        {
+            return (None, way);
+        }
+    }
+    let arc = round(tool, surface, side, None);
     let apart = |rival: f64, gap: f64| 0.5 * (rival - gap).max(0.0);
     let until = |rival: f64, gap: f64| (LOOK * size).min(apart(rival, gap));
     if hollow(surface, side) && (arc.is_none() || has_side(tool)) {
@@ -255,6 +272,11 @@ const FLANK: usize = 8;
 
 /// Share of the cutter's size after which its contact is looked for anew in any case.
 const LOOK: f64 = 0.25;
+
+/// Shares of the cutter's radius for which its contact may be shown to be the only one.
+const ALONE: [f64; 3] = [0.4, 0.15, 0.05];
+/// Share of it from which that is worth more than a look.
+const WORTH: f64 = 0.02;
 
 /// The same where a dip that is not there yet may come up: share of the cutter's radius, which below a long shank is several
 /// times less.

@@ -19,7 +19,7 @@ use std::sync::Arc;
 
 pub use cone::vertex_side;
 pub use opened::OpenedQuadric;
-pub use parametric::{Continued, ParametricSurface, continued};
+pub use parametric::{Continued, ParametricSurface, Part, continued};
 pub use probe::{Aimed, ajundo, ccurv, control, radar};
 pub use quadric::QuadricSurface;
 pub use shape::{Frame, Shape, frame_about};
@@ -200,6 +200,14 @@ impl Surface {
         match self {
             Self::Parametric(s) => s.rival(p, limit),
             _ => 0.0,
+        }
+    }
+
+    /// How the surface turns and bends within balls about a place with parameters: see [`ParametricSurface::part`].
+    pub fn part(&self, balls: &[(Vec3, f64)], from: (Vec3, f64), near: Spot) -> Option<Part> {
+        match (self, near.at) {
+            (Self::Parametric(s), Some(at)) => s.part(balls, from, at),
+            _ => None,
         }
     }
 

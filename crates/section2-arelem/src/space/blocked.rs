@@ -40,7 +40,7 @@ pub(super) fn cause(track: &Track, node: &Node) -> Cause {
             let te = node.pose.te + node.course.along * (step * size(keep));
             let pose = Pose { te, ..node.pose };
             if let Ok(gap) = keep.gap(&pose, Some(node.gaps[i].spot()))
-                && let (Some(deeper), _) = keep.deeper(&pose, &gap, keep.width())
+                && let (Some(deeper), _) = keep.deeper(&pose, &gap, keep.width(), true)
             {
                 return Cause::Again(i, deeper.surface_point);
             }

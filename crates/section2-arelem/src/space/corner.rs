@@ -113,7 +113,7 @@ impl Track {
         let deepest = self.keeps[i].gap(&pose, None).ok()?.g;
         let least = (old.g.min(new.g) - 4.0 * self.exact).max(self.keeps[i].limits().low);
         let free = deepest >= least;
-        if !free || self.keeps[1 - i].deeper(&pose, &other, 4.0 * self.exact).0.is_some() {
+        if !free || self.keeps[1 - i].deeper(&pose, &other, 4.0 * self.exact, true).0.is_some() {
             return None;
         }
         let leave = self.leaving(pose, i, [old, new, other])?;

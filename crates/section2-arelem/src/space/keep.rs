@@ -103,13 +103,27 @@ impl Keep {
         self.gap(pose, None).is_ok_and(|g| g.g >= -2.0 * self.width())
     }
 
+    /// Is the gap on a side less than `-least`? No gap is greater than the distance of a point of the cutter; here that of
+    /// the middle of its axis.
+    pub(crate) fn deep(&self, pose: &Pose, side: Side, least: f64) -> bool {
+        let middle = pose.te + pose.ta * (0.5 * self.profile.height());
+        let touches = self.condition == Condition::Touch && side != Side::Open;
+        touches && side.sign() * self.surface.distance(middle) - self.thick < -least
+    }
+
     /// The gap, when a place of contact deeper than `known` by more than `exact` was missed, and the way for
-    /// which there is none.
-    pub(crate) fn deeper(&self, pose: &Pose, known: &Gap, exact: f64) -> (Option<Gap>, f64) {
+    /// which there is none, with an axis that `stands` or may turn.
+    pub(crate) fn deeper(
+        &self,
+        pose: &Pose,
+        known: &Gap,
+        exact: f64,
+        stands: bool,
+    ) -> (Option<Gap>, f64) {
         if self.condition == Condition::On || self.profile.reach() == 0.0 {
             return (None, f64::INFINITY);
         }
-        let (deeper, room) = elsewhere(&self.tool(pose), &self.surface, self.side, known);
+        let (deeper, room) = elsewhere(&self.tool(pose), &self.surface, self.side, known, stands);
         (deeper.filter(|g| g.g < known.g - exact), room)
     }
 

@@ -24,7 +24,7 @@ impl Track {
             while step > 0.0 && s < stride.length {
                 let pose = between(&from.pose, &stride.to.pose, s / stride.length);
                 near = keep.gap(&pose, Some(near.spot())).ok()?;
-                let (deeper, _) = keep.deeper(&pose, &near, 0.0);
+                let (deeper, _) = keep.deeper(&pose, &near, 0.0, true);
                 let least = deeper.map_or(near.g, |d| d.g);
                 if least < keep.limits().low - 1e-6 * keep.width() {
                     return Some(BEFORE * s);

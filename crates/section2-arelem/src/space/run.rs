@@ -438,8 +438,18 @@ fn nearer(keep: &Keep, pose: &Pose) -> Option<Side> {
             b.0.g.abs() < a.0.g.abs()
         }
     };
-    let sides = keep.sides(pose).filter_map(gap);
-    sides.reduce(|best, next| if better(&best, &next) { next } else { best }).map(|(_, side)| side)
+    let mut best: Option<(Gap, Side)> = None;
+    for side in keep.sides(pose) {
+        // A tool in place on one side is not nearer to another one that it is deep in.
+        if best.as_ref().is_some_and(|b| at(b) && keep.deep(pose, side, 2.0 * keep.width())) {
+            continue;
+        }
+        best = match (best, gap(side)) {
+            (Some(best), Some(next)) if better(&best, &next) => Some(next),
+            (best, next) => best.or(next),
+        };
+    }
+    best.map(|(_, side)| side)
 }
 
 /// How many bands the tool is from its place: up to one it is in the band.

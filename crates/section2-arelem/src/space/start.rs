@@ -261,9 +261,11 @@ fn aim(
                 Side::Positive => Side::Negative,
                 Side::Negative | Side::Open => Side::Positive,
             });
-            let tie = other.gap(pose, None).is_ok_and(|g| {
-                (g.g - gap).abs() <= 1e-3 * keep.width() && keep.profile.widest() > 0.0
-            });
+            let tie = !(gap >= 0.0 && keep.deep(pose, other.side, 1e-3 * keep.width()));
+            let tie = tie
+                && other.gap(pose, None).is_ok_and(|g| {
+                    (g.g - gap).abs() <= 1e-3 * keep.width() && keep.profile.widest() > 0.0
+                });
             if tie { Side::Negative } else { side }
         }
     };
@@ -643,7 +645,7 @@ impl Solver<'_> {
         let mut any = false;
         for (aim, gap) in self.aims.iter().zip(gaps) {
             let exact = self.alike(pose, &aim.keep);
-            if let Some(deeper) = aim.keep.deeper(pose, gap, exact).0 {
+            if let Some(deeper) = aim.keep.deeper(pose, gap, exact, true).0 {
                 *gap = deeper;
                 any = true;
             }

@@ -119,7 +119,8 @@ impl Track {
     /// Gaps at places of contact that are deeper than those of a node, if there are any, and the way for which
     /// there are none.
     pub(crate) fn deeper(&self, pose: &Pose, gaps: &[Gap; 2]) -> ([Option<Gap>; 2], f64) {
-        let look = |i: usize| self.keeps[i].deeper(pose, &gaps[i], 4.0 * self.exact);
+        let look =
+            |i: usize| self.keeps[i].deeper(pose, &gaps[i], 4.0 * self.exact, !self.axis.turns());
         let ((a, to_a), (b, to_b)) = (look(0), look(1));
         ([a, b], to_a.min(to_b))
     }

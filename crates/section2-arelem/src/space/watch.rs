@@ -255,7 +255,7 @@ impl Watch {
         // Beyond the end of a surface the cutter changes its side without touching; and another place of it may lie much deeper
         // in the check surface.
         let beyond = met.g > self.loose && keep.goes_round_an_end(&met);
-        let deeper = || keep.deeper(&node.pose, &met, self.loose).0.is_some();
+        let deeper = || keep.deeper(&node.pose, &met, self.loose, true).0.is_some();
         if crosses && (met.g < -self.loose || beyond || deeper()) {
             return Ok(None);
         }
@@ -402,6 +402,10 @@ impl Gauge {
 pub(crate) fn clearance(keep: &Keep, pose: &Pose) -> Result<(f64, Side), Reason> {
     let mut best: Result<(f64, Side), Reason> = Err(Reason::NoHit);
     for side in keep.sides(pose) {
+        // A side on which it fits is taken as it is.
+        if best.as_ref().is_ok_and(|(gap, _)| *gap >= 0.0) {
+            break;
+        }
         match (keep.on_side(side).gap(pose, None), &best) {
             (Ok(gap), Ok((most, _))) if gap.g > *most && *most < 0.0 => best = Ok((gap.g, side)),
             (Ok(gap), Err(_)) => best = Ok((gap.g, side)),

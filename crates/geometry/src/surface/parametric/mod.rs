@@ -5,6 +5,7 @@
 mod cells;
 mod polyconic;
 mod rail;
+mod region;
 mod ruled;
 mod sculptured;
 #[cfg(test)]
@@ -15,6 +16,8 @@ use std::sync::Arc;
 use crate::surface::{EPS_LEN, Foot, Shape, Spot, frame_about};
 use crate::{Place, Polyconic, Reason, RuledSurface, Vec2, Vec3};
 use polyconic::Sections;
+pub use region::Part;
+use region::Strips;
 use ruled::Rulings;
 use sculptured::Spans;
 pub use sculptured::{Continued, continued};
@@ -47,6 +50,8 @@ pub struct ParametricSurface {
     apart: Vec<f64>,
     /// Of a ruled surface the sampled rulings: start, whole way and one over its square.
     columns: Vec<(Vec3, Vec3, f64)>,
+    /// Of a smooth ruled surface how it bends between them.
+    strips: Option<Strips>,
     extent: f64,
 }
 
@@ -130,7 +135,7 @@ impl ParametricSurface {
         let extent = points.map(|[u, v]| spans.jet(u, v).s.norm()).fold(0.0, f64::max);
         let patch = Patch::Sculptured(Box::new(spans));
         let (us, vs, grid) = (Vec::new(), Vec::new(), Vec::new());
-        Self { patch, us, vs, grid, apart: Vec::new(), columns: Vec::new(), extent }
+        Self { patch, us, vs, grid, apart: Vec::new(), columns: Vec::new(), strips: None, extent }
     }
 
     /// Samples at the parameters `us` and `vs`; the ends of the domain across are put in.
@@ -161,7 +166,11 @@ impl ParametricSurface {
         };
         let ruled = matches!(patch, Patch::Ruled(_));
         let columns = grid.chunks_exact(n).filter(|_| ruled).map(column).collect();
-        Some(Self { patch, us, vs, grid, apart, columns, extent })
+        let strips = match &patch {
+            Patch::Ruled(rulings) => Strips::new(rulings),
+            _ => None,
+        };
+        Some(Self { patch, us, vs, grid, apart, columns, strips, extent })
     }
 
     /// Greatest distance of its points from the origin, between its ends.

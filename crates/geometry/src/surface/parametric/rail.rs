@@ -80,6 +80,52 @@ impl Pieces {
         let c = self.pieces[first + j as usize].as_ref()?;
         Some(evaluate(c, t, f64::from(self.n * n)))
     }
+
+    /// Bounds of first and second derivative between two places in [0, 1]; `None` where the function itself is to be asked.
+    pub(super) fn slopes(&self, [a, b]: [f64; 2]) -> Option<[[f64; 2]; 2]> {
+        let mut all = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
+        let (from, (mut to, rest)) = (place(a, self.n).0, place(b, self.n));
+        if rest <= 0.0 && to > from {
+            to -= 1;
+        }
+        for (first, n) in &self.cells[from as usize..=to as usize] {
+            let inverse = f64::from(self.n * n);
+            for piece in &self.pieces[*first..*first + *n as usize] {
+                let [_, d, e, p, q, r] = *piece.as_ref()?;
+                let once = range([d, 2.0 * e, 3.0 * p, 4.0 * q, 5.0 * r]);
+                let twice = range([2.0 * e, 6.0 * p, 12.0 * q, 20.0 * r]);
+                for (all, (found, scale)) in
+                    all.iter_mut().zip([(once, inverse), (twice, inverse * inverse)])
+                {
+                    *all = [all[0].min(found[0] * scale), all[1].max(found[1] * scale)];
+                }
+            }
+        }
+        Some(all)
+    }
+}
+
+/// Least and greatest coefficient of a polynomial by Bernstein's polynomials, between which its values over 0 to 1 lie.
+fn range<const N: usize>(c: [f64; N]) -> [f64; 2] {
+    let mut all = [f64::INFINITY, f64::NEG_INFINITY];
+    let mut row = c;
+    // The coefficient of t^j is spread over the later ones by C(i, j) / C(n, j).
+    let n = N - 1;
+    let mut over = 1.0;
+    for (j, x) in row.iter_mut().enumerate() {
+        *x /= over;
+        over *= (n - j) as f64 / (j + 1) as f64;
+    }
+    for i in 0..N {
+        let mut choose = 1.0;
+        let mut sum = 0.0;
+        for (j, x) in row[..=i].iter().enumerate() {
+            sum += choose * x;
+            choose *= (i - j) as f64 / (j + 1) as f64;
+        }
+        all = [all[0].min(sum), all[1].max(sum)];
+    }
+    all
 }
 
 /// Which of `n` equal parts of [0, 1] holds `u`, and where in it.

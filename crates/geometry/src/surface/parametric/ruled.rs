@@ -110,6 +110,32 @@ impl Rulings {
         Domain { u: [-0.5, 1.5], v: [-REACH, far] }
     }
 
+    /// Base line and direction of both curves; those of an apex are none. `None` with a steep end.
+    pub(super) fn rails(&self) -> Option<[[Vec3; 2]; 2]> {
+        let of = |c: &Curve| [c.base, c.toward];
+        let second = match &self.second {
+            Far::Curve(c) => of(c),
+            Far::Apex(_) => [Vec3::zeros(); 2],
+        };
+        (self.steep == [false; 2]).then_some([of(&self.first), second])
+    }
+
+    /// First and second derivative of the height of a curve between two parameters, least and greatest; `None` at a joint.
+    pub(super) fn slopes(&self, curve: usize, ends: &[f64]) -> Option<[[f64; 2]; 2]> {
+        let curve = match (curve, &self.second) {
+            (0, _) => &self.first,
+            (_, Far::Curve(c)) => c,
+            (_, Far::Apex(_)) => return Some([[0.0; 2]; 2]),
+        };
+        let [a, b] = [ends[0], ends[1]];
+        let mut found = curve.heights.as_ref()?.slopes([a.clamp(0.0, 1.0), b.clamp(0.0, 1.0)])?;
+        if a < 0.0 || b > 1.0 {
+            // Straight on beyond the ends.
+            found[1] = [found[1][0].min(0.0), found[1][1].max(0.0)];
+        }
+        Some(found)
+    }
+
     /// Fraction of the base line at `u` in [0, 1] with its derivatives: slow where a curve is steep, which
     /// makes the square root in it smooth.
     fn fraction(&self, u: f64) -> [f64; 3] {

@@ -174,3 +174,47 @@ fn a_sculptured_surface_has_feet_and_goes_on_straight() {
     let hit = s.directed_distance(out + Vec3::z(), -Vec3::z(), crate::Fiop::Ahead).unwrap();
     assert!((hit.distance - 1.0).abs() < 1e-9);
 }
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(300))]
+    #[test]
+    fn a_part_turns_and_bends_no_more_than_is_told(
+        radii in prop::array::uniform2(50.0_f64..200.0), lift in -30.0_f64..30.0,
+        center in prop::array::uniform3(-1.0_f64..1.0), radius in 2.0_f64..15.0, up in -8.0_f64..8.0,
+        places in prop::collection::vec(prop::array::uniform2(-1.0_f64..1.0), 40),
+    ) {
+        let over = |y: f64, lift: f64, radius: f64| {
+            let center = Vec3::new(0.0, y, lift - radius);
+            let circle = Circle { center, axis: Vec3::y(), radius };
+            let z = lift + ((radius - 45.0) * (radius + 45.0)).sqrt() - radius;
+            let end = |x: f64| Vec3::new(x, y, z);
+            Rail { surface: Arc::new(Form::Circle(circle)), start: end(-45.0), end: end(45.0), toward: Vec3::z() }
+        };
+        let Surface::Parametric(surface) =
+            surface(over(-40.0, 0.0, radii[0]), Second::Rail(over(40.0, lift, radii[1]))) else { unreachable!("ruled") };
+        let middle = Vec3::new(40.0 * center[0], 30.0 * center[1], 0.0);
+        let foot = surface.foot(middle);
+        let at = foot.at.expect("two parameters");
+        let ball = (foot.point + foot.normal * up, radius);
+        let from = (foot.point + foot.normal * 4.0, 2.0);
+        let Some(part) = surface.part(&[ball], from, at) else { return Ok(()) };
+        let mut within = Vec::new();
+        for [du, dv] in places {
+            let (u, v) = (at[0] + 0.4 * du, at[1] + 0.4 * dv);
+            let place = surface.place([u, v]);
+            if (place.point - ball.0).norm() <= ball.1 {
+                prop_assert!((place.normal - foot.normal).norm() <= part.turn + 1e-9);
+                let [most, least] = place.shape.principal();
+                prop_assert!(part.curvature[0] <= least + 1e-9 && most <= part.curvature[1] + 1e-9);
+                within.push([u, v]);
+            }
+        }
+        // From wherever in the part, downhill leads to one place.
+        let p = from.0 + Vec3::new(center[1], center[2], center[0]) * (from.1 / 3.0_f64.sqrt());
+        let nearest = surface.foot(p);
+        for at in within {
+            let found = surface.foot_from(p, at);
+            prop_assert!((found.point - nearest.point).norm() < 1e-6, "{found:?} {nearest:?}");
+        }
+    }
+}

@@ -1,0 +1,186 @@
+//! Where a cutter can have one place of contact only: over a part of a surface that bends little against it.
+//!
+//! The corner touches where the circle of its middles is nearest to the surface. Let N(x) be the part across the tool axis of
+//! the gradient of the distance at a point x of the circle's disk, H the mean second derivative between two such points. At
+//! a least distance N = -a e, a >= 0, with e the way out from the axis; at a flat end that touches N = 0. Two of them give
+//! `rho (a + b) |e - f|^2 / 2 = -rho^2 (e - f) H (e - f)`, so that there is one only where every a is greater than rho
+//! times the least curvature of a hollow; where the tool has moved by w, N and x are those of before but for w.
+
+use aptc_geometry::profile::Segment;
+use aptc_geometry::{Surface, Tool};
+
+use crate::gap::{Gap, Side};
+
+/// Share of a corner's own curvature that a hollow may use up.
+const ROOM: f64 = 0.9;
+/// Greatest product of a curvature and a distance at which the surface is followed along its normals.
+const BEND: f64 = 0.3;
+/// Sine of the tilt from which the corner is to touch, if no flat end does.
+const TILT: f64 = 1e-7;
+
+/// A way that the tool can go, its axis standing, no longer than `most`, on which no place of it touches but that of the
+/// corner with the `known` gap, wherever this goes; `None` where that is not seen.
+pub(crate) fn alone(
+    tool: &Tool<'_>,
+    surface: &Surface,
+    side: Side,
+    known: &Gap,
+    most: f64,
+) -> Option<f64> {
+    let profile = tool.profile;
+    let arc = |out: f64, up: f64| profile.support(out, up).segment == Segment::Arc;
+    if side == Side::Open || known.segment != Some(Segment::Arc) || !arc(TILT, -1.0) {
+        return None;
+    }
+    let n = known.normal;
+    let upright = n.dot(&tool.ta);
+    let across = (n - tool.ta * upright).norm();
+    let ([rho, high], away) = (profile.corner(), known.raw + profile.corner_radius());
+    // What lies outside of the first balls is farther from the tool than the known place, wherever both have moved. From the
+    // known place the nearest ones of the circle's disk lie no farther than its points do, but for how the surface bends.
+    let (low, top, wide) = (profile.bottom(), profile.height(), profile.widest());
+    let joint = (low + 2.0 * wide).min(top);
+    let clear = known.raw.max(0.0) + 2.0 * most;
+    let around = |low: f64, top: f64| {
+        let radius = aptc_geometry::trig::hypot(0.5 * (top - low), wide);
+        (tool.te + tool.ta * (0.5 * (top + low)), radius + clear)
+    };
+    let center = tool.te + tool.ta * high;
+    let deepest = away.abs() + 2.0 * rho + most;
+    let below = (known.surface_point, (2.0 * rho + most) / (1.0 - BEND));
+    let balls = [around(low, joint), around(joint, top), below];
+    let part = surface.part(&balls, (center, rho + most), known.spot())?;
+    // All normals there face the corner, or a flat end.
+    let turned = 0.5 * part.turn * part.turn;
+    let (cos, sin) = (1.0 - turned, (turned * (2.0 - turned)).sqrt());
+    let (out, up) = (across * cos + upright * sin, across * sin - upright * cos);
+    if out < 0.0 || !arc(out, up) {
+        return None;
+    }
+    let [least, greatest] = part.curvature;
+    let [hollow, round] = match side {
+        Side::Positive => [-least, greatest],
+        Side::Negative | Side::Open => [greatest, -least],
+    };
+    let (hollow, round) = (hollow.max(0.0), round.max(0.0));
+    if deepest * hollow >= BEND {
+        return None;
+    }
+    // The second derivatives at the distance d are k / (1 + d k). No point of the disk is much deeper than the known one, for
+    // N leads up from there.
+    let hollow = hollow / (1.0 - deepest * hollow);
+    let deep = (most + 2.0 * rho * rho * hollow - away).max(0.0) * round;
+    if deep >= BEND {
+        return None;
+    }
+    if rho <= 0.0 {
+        return Some(most);
+    }
+    let bend = hollow.max(round / (1.0 - deep));
+    // A place of contact after the way w lies within y w of this one: by the same products,
+    // y^2 <= alpha (1 + y) + beta (1 + y)^2.
+    let (alpha, beta) = (2.0 * rho * bend / across, 2.0 * rho * hollow / across);
+    (beta < ROOM).then_some(())?;
+    let (p, q) = (alpha + 2.0 * beta, alpha + beta);
+    let y = (p + (p * p + 4.0 * (1.0 - beta) * q).sqrt()) / (2.0 * (1.0 - beta));
+    let way = (across - rho * hollow) / (bend * (1.0 + y));
+    Some(way.min(most))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::gap::{gap, gap_near};
+    use aptc_geometry::{Circle, Cutter, Form, Profile, Rail, RuledSurface, Second, Vec3, trig};
+    use proptest::prelude::*;
+    use proptest::test_runner::{Config, TestRunner};
+
+    /// Rulings along y between arcs over x from -45 to 45, domes or hollows.
+    fn surface(radii: [f64; 2], lift: f64) -> Surface {
+        let rail = |y: f64, lift: f64, radius: f64| {
+            let (sign, radius) = (radius.signum(), radius.abs());
+            let center = Vec3::new(0.0, y, lift - sign * radius);
+            let circle = Circle { center, axis: Vec3::y(), radius };
+            let z = lift + sign * (((radius - 45.0) * (radius + 45.0)).sqrt() - radius);
+            let end = |x: f64| Vec3::new(x, y, z);
+            let surface = Arc::new(Form::Circle(circle));
+            Rail { surface, start: end(-45.0), end: end(45.0), toward: Vec3::z() * sign }
+        };
+        let second = Second::Rail(rail(40.0, lift, radii[1]));
+        let first = rail(-40.0, 0.0, radii[0]);
+        Surface::from_form(&Form::Ruled(Arc::new(RuledSurface { first, second }))).unwrap()
+    }
+
+    /// The least distance of points of the tool from the surface.
+    fn least(tool: &Tool<'_>, surface: &Surface, side: Side) -> f64 {
+        let [[rl, zl], [ru, zu]] = tool.profile.joints();
+        let (radius, [rho, high]) = (tool.profile.corner_radius(), tool.profile.corner());
+        let (wide, top) = (tool.profile.widest(), tool.profile.height());
+        let arc = [5.0, 15.0, 30.0, 50.0, 70.0, 85.0].map(|tilt: f64| {
+            [rho + radius * trig::sin_deg(tilt), high - radius * trig::cos_deg(tilt)]
+        });
+        let level = [0.0, 0.35, 0.7].map(|share| [share * rl, zl]);
+        let flank = [0.1, 0.3, 0.6].map(|share| [wide, zu + share * (top - zu)]);
+        let places = level.into_iter().chain([[rl, zl], [ru, zu], [wide, top]]);
+        let mut found = f64::INFINITY;
+        for [r, z] in places.chain(arc).chain(flank) {
+            for turn in 0..16 {
+                let (sin, cos) =
+                    (trig::sin_deg(22.5 * f64::from(turn)), trig::cos_deg(22.5 * f64::from(turn)));
+                let [a, b] = aptc_geometry::surface::frame_about(tool.ta);
+                let p = tool.te + (a * cos + b * sin) * r + tool.ta * z;
+                found = found.min(side.sign() * surface.distance(p));
+            }
+        }
+        found
+    }
+
+    #[test]
+    fn no_point_of_the_tool_is_deeper_on_the_way() {
+        let shown = std::cell::Cell::new([0_u32; 2]);
+        let one = || -1.0_f64..1.0;
+        let all = (
+            (prop::array::uniform2(50.0_f64..150.0), [one(), one()], -25.0_f64..25.0),
+            (0_usize..3, [one(), one(), one()], [one(), one()]),
+            ([one(), one(), one()], 0.02_f64..0.5, any::<bool>()),
+        );
+        let mut runner = TestRunner::new(Config::with_cases(1500));
+        let check =
+            runner.run(&all, |((radii, bends, lift), (kind, te, lean), (way, share, below))| {
+                let sign = |x: f64| if x < -0.4 { -1.0 } else { 1.0 };
+                let surface = surface([radii[0] * sign(bends[0]), radii[1] * sign(bends[1])], lift);
+                let corner = [5.0, 2.0, 0.3][kind];
+                let profile = Profile::new(&Cutter::mill(10.0, corner, 40.0)).unwrap();
+                let side = if below { Side::Negative } else { Side::Positive };
+                let up = side.sign() * surface.foot(Vec3::zeros()).normal.z.signum();
+                let ta = Vec3::new(0.2 * lean[0], 0.2 * lean[1], up).normalize();
+                let place = Vec3::new(25.0 * te[0], 20.0 * te[1], 20.0 * up);
+                let tool = Tool { profile: &profile, te: place, ta };
+                let Ok(high) = gap(&tool, &surface, side, 0.0) else { return Ok(()) };
+                // Down to the surface, or near it.
+                let tool = tool.at(place - high.normal * (high.raw - te[2]));
+                let Ok(known) = gap(&tool, &surface, side, 0.0) else { return Ok(()) };
+                let most = share * profile.widest();
+                let found = alone(&tool, &surface, side, &known, most);
+                let [yes, no] = shown.get();
+                let Some(free) = found.filter(|w| *w > 0.0) else {
+                    shown.set([yes, no + 1]);
+                    return Ok(());
+                };
+                shown.set([yes + 1, no]);
+                prop_assert!(free <= most);
+                prop_assert!(least(&tool, &surface, side) >= known.raw - 1e-7, "{known:?}");
+                let moved = tool.at(tool.te + Vec3::from(way).normalize() * free);
+                let next = gap_near(&moved, &surface, side, 0.0, Some(known.spot()));
+                let next = next.map_err(|r| TestCaseError::fail(format!("{r:?}")))?;
+                let deepest = least(&moved, &surface, side);
+                prop_assert!(deepest >= next.raw - 1e-7, "{deepest} {known:?} {next:?}");
+                Ok(())
+            });
+        check.unwrap();
+        let [yes, no] = shown.get();
+        assert!(yes > no / 4, "{yes} {no}");
+    }
+}

@@ -1,0 +1,205 @@
+//! How a ruled surface turns and bends near a tool: bounds over a rectangle of its parameters that holds all of it there.
+
+use super::ruled::Rulings;
+use super::{ParametricSurface, Patch, steps};
+use crate::Vec3;
+
+/// Least singular value of the derivatives as unit vectors from which a part is bounded.
+const SQUARE: f64 = 0.1;
+/// Greatest turn of the normals, as a vector.
+const MOST_TURN: f64 = 1.0;
+
+/// Bounds over a part of a surface.
+#[derive(Clone, Copy, Debug)]
+pub struct Part {
+    /// By how much normals differ, as vectors, from that of the place that was asked for.
+    pub turn: f64,
+    /// Least and greatest curvature, positive where the surface bends away from its normal.
+    pub curvature: [f64; 2],
+}
+
+/// Parameters before the first ruling at which the straight continuation is cut into strips; the same behind the last one.
+const BEFORE: [f64; 6] = [-0.5, -0.3, -0.18, -0.1, -0.05, -0.02];
+
+/// Rulings next to each other and what lies between them.
+#[derive(Clone, Debug)]
+pub(super) struct Strips {
+    us: Vec<f64>,
+    rulings: Vec<Ruling>,
+    /// Base line and direction of both curves, whose height is along that.
+    curves: [[Vec3; 2]; 2],
+    /// Of each strip and curve the first and second derivatives of the height, least and greatest.
+    heights: Vec<[[[f64; 2]; 2]; 2]>,
+}
+
+/// One of them, with the halves of the strips beside it.
+#[derive(Clone, Copy, Debug)]
+struct Ruling {
+    /// Its place at `v` 0, its derivative by `v` and one over the square of that.
+    start: Vec3,
+    way: Vec3,
+    inverse: f64,
+    /// No place of these halves is farther from that of the ruling with the same `v` than at `v` 0 and 1 (as convex as it
+    /// is in `v`), and by how much more that is for each unit of `v`.
+    wide: [f64; 2],
+    wider: f64,
+}
+
+/// A ball of vectors: its middle and radius.
+type Vectors = (Vec3, f64);
+
+impl Strips {
+    /// Those of rulings in `pieces`; `None` where a curve is steep or has joints.
+    pub(super) fn new(surface: &Rulings) -> Option<Self> {
+        let curves = surface.rails()?;
+        let mut us = BEFORE.to_vec();
+        us.extend(steps(surface.pieces()));
+        us.extend(BEFORE.iter().rev().map(|u| 1.0 - u));
+        let strip = |ends: &[f64]| Some([surface.slopes(0, ends)?, surface.slopes(1, ends)?]);
+        let heights: Option<Vec<_>> = us.windows(2).map(strip).collect();
+        let mut new = Self { us, rulings: Vec::new(), curves, heights: heights? };
+        new.rulings = (0..new.us.len()).map(|i| new.ruling(surface, i)).collect();
+        Some(new)
+    }
+
+    fn ruling(&self, surface: &Rulings, i: usize) -> Ruling {
+        let jet = surface.jet(self.us[i], 0.0);
+        let (mut wide, mut wider) = ([0.0_f64; 2], 0.0_f64);
+        for strip in i.saturating_sub(1)..(i + 1).min(self.heights.len()) {
+            let half = 0.5 * (self.us[strip + 1] - self.us[strip]);
+            let [(a, ra), (b, rb)] = self.first(&self.heights[strip]);
+            wide = [wide[0].max(half * (a.norm() + ra)), wide[1].max(half * (b.norm() + rb))];
+            wider = wider.max(half * ((b - a).norm() + ra + rb));
+        }
+        Ruling { start: jet.s, way: jet.sv, inverse: 1.0 / jet.sv.norm_squared(), wide, wider }
+    }
+
+    /// Least and greatest derivatives of the heights over some strips.
+    fn over(&self, from: usize, to: usize) -> [[[f64; 2]; 2]; 2] {
+        let both = |a: [f64; 2], b: [f64; 2]| [a[0].min(b[0]), a[1].max(b[1])];
+        self.heights[from..to].iter().copied().fold(self.heights[from], |mut all, strip| {
+            for (all, strip) in all.iter_mut().zip(strip) {
+                *all = [both(all[0], strip[0]), both(all[1], strip[1])];
+            }
+            all
+        })
+    }
+
+    /// Derivatives by `u` of both curves, where those of their heights are so.
+    fn first(&self, heights: &[[[f64; 2]; 2]; 2]) -> [Vectors; 2] {
+        [0, 1].map(|i| {
+            let ([base, up], (mid, half)) = (self.curves[i], middle(heights[i][0]));
+            (base + up * mid, half)
+        })
+    }
+
+    /// Least and greatest `u` and `v` of the surface within the balls; `None` at a border.
+    fn rectangle(&self, balls: &[(Vec3, f64)], domain: [f64; 2]) -> Option<[[f64; 2]; 2]> {
+        let (mut across, mut v) = ([usize::MAX, 0], [f64::INFINITY, f64::NEG_INFINITY]);
+        for (i, r) in self.rulings.iter().enumerate() {
+            for (center, radius) in balls {
+                let away = center - r.start;
+                let at = away.dot(&r.way) * r.inverse;
+                let off = (away - r.way * at).norm_squared();
+                let reach = radius + (1.0 - at).abs() * r.wide[0] + at.abs() * r.wide[1];
+                // Along the ruling by x, in units of v, the strip is as wide as `reach + wider x`: where the square of that is
+                // less than that of the distance nothing is within the ball.
+                let k = r.wider * r.wider * r.inverse;
+                let square = reach * reach - (1.0 - k) * off;
+                if k >= 0.5 {
+                    return None;
+                }
+                if square >= 0.0 {
+                    let half =
+                        (reach * r.wider * r.inverse + (square * r.inverse).sqrt()) / (1.0 - k);
+                    across = [across[0].min(i), across[1].max(i)];
+                    v = [v[0].min(at - half), v[1].max(at + half)];
+                }
+            }
+        }
+        let [first, last] = across;
+        let inside = first > 0 && first <= last && last + 1 < self.us.len();
+        let half = |i: usize| 0.5 * (self.us[i] + self.us[i + 1]);
+        let kept = inside && v[0] > domain[0] && v[1] < domain[1];
+        kept.then(|| [[half(first - 1), half(last)], v])
+    }
+}
+
+/// Middle and half width.
+fn middle(range: [f64; 2]) -> (f64, f64) {
+    (0.5 * (range[0] + range[1]), 0.5 * (range[1] - range[0]))
+}
+
+impl ParametricSurface {
+    /// Bounds over a part that holds the place with the parameters `near` and all of the surface within the balls, and that
+    /// has one nearest place to each point of the ball `from`: the square of the distance is convex over the parameters.
+    ///
+    /// `None` where that is not seen: at a border, at joints, where the normals turn far, and of other surfaces than ruled
+    /// ones.
+    pub fn part(&self, balls: &[(Vec3, f64)], from: (Vec3, f64), near: [f64; 2]) -> Option<Part> {
+        let (strips, Patch::Ruled(rulings)) = (self.strips.as_ref()?, &self.patch) else {
+            return None;
+        };
+        let [u, v] = strips.rectangle(balls, rulings.domain().v)?;
+        let wider = |ends: [f64; 2], x: f64| [ends[0].min(x), ends[1].max(x)];
+        let (u, v) = (wider(u, near[0]), wider(v, near[1]));
+        let first = strips.us.iter().rposition(|x| *x <= u[0])?;
+        let last = strips.us.iter().position(|x| *x >= u[1])?;
+        let heights = strips.over(first, last);
+        let ((um, hu), (vm, hv)) = (middle(u), middle(v));
+        let most = |f: fn(f64) -> f64| f(v[0]).abs().max(f(v[1]).abs());
+        let [to_first, to_second] = [most(|v| 1.0 - v), most(|v| v)];
+        let [(a, ra), (b, rb)] = strips.first(&heights);
+        let (twist, rt) = (b - a, ra + rb);
+        let across = a + twist * vm;
+        let r_across = to_first * ra + to_second * rb + hv * twist.norm();
+        let place = rulings.jet(um, vm);
+        let (along, r_along) = (place.sv, hu * (twist.norm() + rt));
+        let [(x, rx), (y, ry)] = [0, 1].map(|i| {
+            let (mid, half) = middle(heights[i][1]);
+            (strips.curves[i][1] * mid, half)
+        });
+        let (bend, r_bend) =
+            (x + (y - x) * vm, to_first * rx + to_second * ry + hv * (y - x).norm());
+        // With both derivatives as unit vectors in the middle: least and greatest singular value of the pair.
+        let (lu, lv) = (across.norm(), along.norm());
+        let cos = (across.dot(&along) / (lu * lv)).abs().min(1.0);
+        let off = crate::trig::hypot(r_across / lu, r_along / lv);
+        let (least, most) = ((1.0 - cos).sqrt() - off, (1.0 + cos).sqrt() + off);
+        (least > SQUARE).then_some(())?;
+        let square = least * least;
+        // The second derivatives of half the square of the distance are the products of the first ones and w S_ij, with w from
+        // the point to the place; along a direction w is no longer than its parts.
+        let round = most * crate::trig::hypot(lu * hu, lv * hv);
+        let w = place.s - from.0;
+        let farthest = w.norm() + from.1 + round;
+        let extent = |d: Vec3| {
+            let [u, v] = [across.dot(&d), along.dot(&d)].map(f64::abs);
+            from.1 * d.norm() + hu * (u + r_across * d.norm()) + hv * (v + r_along * d.norm())
+        };
+        let uu = (w.dot(&bend) - extent(bend)).min(0.0) - farthest * r_bend;
+        let uv = w.dot(&twist).abs() + extent(twist) + farthest * rt;
+        let (x, y) = (0.5 * uu / (lu * lu), uv / (lu * lv));
+        if square + x - (x * x + y * y).sqrt() <= 0.0 {
+            return None;
+        }
+        let l = (bend.norm() + r_bend) / (lu * lu);
+        let m = (twist.norm() + rt) / (lu * lv);
+        let second = (l * l + 2.0 * m * m).sqrt();
+        // The normal turns along with the derivatives across it: by the second derivatives over the least singular value.
+        let far = |ends: [f64; 2], x: f64| (x - ends[0]).max(ends[1] - x);
+        let way = crate::trig::hypot(lu * far(u, near[0]), lv * far(v, near[1]));
+        let turn = second / least * way;
+        (turn <= MOST_TURN).then_some(())?;
+        let here = rulings.jet(near[0], near[1]);
+        let n = here.su.cross(&here.sv).try_normalize(0.0)?;
+        // Second fundamental form l xx + 2 m xy, whose eigenvalues rise with l.
+        let around = |v: Vec3, r: f64| (-n.dot(&v), turn * v.norm() + r);
+        let ((l, rl), (m, rm)) = (around(bend, r_bend), around(twist, rt));
+        let [low, high] = [l - rl, l + rl].map(|l| 0.5 * l / (lu * lu));
+        let m = (m.abs() + rm) / (lu * lv);
+        let root = |l: f64| (l * l + m * m).sqrt();
+        let curvature = [(low - root(low)) / square, (high + root(high)) / square];
+        Some(Part { turn, curvature })
+    }
+}
