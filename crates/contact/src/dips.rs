@@ -115,10 +115,11 @@ pub(crate) fn single<P: Copy>(
         if bend <= 0.0 {
             return Ok(None);
         }
-        // Twice what is left to the extreme of a parabola.
-        let left = s * s / bend;
-        if left <= resolution {
-            return Ok(Some(Extreme { t: at.t, g: sign * (value(&at) - left) }));
+        // What is left to the extreme of a parabola, which is so near that nothing else is: where it ends is the same one round
+        // sooner or later.
+        let left = 0.5 * s * s / bend;
+        if 2.0 * left <= resolution {
+            return Ok(Some(Extreme { t: at.t - s / bend, g: sign * (value(&at) - left) }));
         }
         t = at.t - s / bend;
         *(if s < 0.0 { &mut low } else { &mut high }) = (found, at);

@@ -80,6 +80,18 @@ impl Gap {
     }
 }
 
+/// Share of a tool's reach and place by which one gap must be less than another to count as deeper.
+const TIE: f64 = 1e-12;
+
+/// Is the first of two gaps of a tool the less by more than rounding?
+///
+/// Two places of a cutter may touch at once, by symmetry of the scene or because one point belongs to two parts of the cutter. Then
+/// the first one that is met is taken, and not the one that rounding makes the deeper.
+#[inline]
+pub(crate) fn deeper(tool: &Tool<'_>, one: f64, other: f64) -> bool {
+    one < other - TIE * (tool.profile.reach() + tool.te.norm())
+}
+
 /// Gap between the tool and the surface, the tool being on `side` of it, less `thick` of stock.
 ///
 /// APT: `AMIND`, `DISDS`, `TLNORM`. Source: B70-18 ch. D; closed forms for plane, sphere, cylinder and cone,

@@ -5,7 +5,7 @@ use aptc_geometry::profile::Segment;
 use aptc_geometry::surface::frame_about;
 use aptc_geometry::{Foot, Profile, Reason, Tool, Vec3};
 
-use crate::gap::Gap;
+use crate::gap::{Gap, deeper};
 
 /// Cosines of the multiples of 22.5 degrees, to spread samples around an axis.
 pub(crate) const COS16: [f64; 16] = {
@@ -107,7 +107,7 @@ fn nearest(
             let real =
                 ring.segment != Segment::Arc || tool.support(-normal).segment == Segment::Arc;
             let raw = at.value - ring.r;
-            if real && best.is_none_or(|b| raw < b.raw) {
+            if real && best.is_none_or(|b| deeper(tool, raw, b.raw)) {
                 best = Some(Gap {
                     g: raw,
                     raw,
@@ -192,6 +192,19 @@ fn descend(tool: &Tool<'_>, ring: &Ring, place: &impl Fn(Vec3) -> At, start: At)
 mod tests {
     use super::*;
     use aptc_geometry::{Cutter, Sphere, Surface, trig};
+
+    #[test]
+    fn a_ball_above_the_bottom_of_a_hollow_touches_with_its_arc_in_any_size() {
+        for k in 1..200 {
+            let s = 0.013 * f64::from(k);
+            let ball = Surface::Sphere(Sphere { center: Vec3::z() * (9.0 * s), radius: 9.0 * s });
+            let profile = Profile::new(&Cutter::mill(4.7 * s, 2.35 * s, 12.7 * s)).unwrap();
+            let tool = Tool { profile: &profile, te: Vec3::z() * (0.7 * s), ta: Vec3::z() };
+            let foot = |p| ball.foot(p);
+            let gap = within(&tool, foot, |p| foot(p).distance).unwrap();
+            assert_eq!(gap.segment, Some(Segment::Arc), "{s}");
+        }
+    }
 
     #[test]
     fn no_place_apart_from_the_nearest_is_nearer_than_its_rival() {

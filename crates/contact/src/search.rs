@@ -6,7 +6,7 @@ use aptc_geometry::{Foot, Reason, Spot, Surface, Tool, Vec3};
 use crate::alone::alone;
 use crate::closed::{along_axis, is_axis};
 use crate::descent::local;
-use crate::gap::{Gap, Side};
+use crate::gap::{Gap, Side, deeper};
 use crate::stations::{Seeds, Stations, seeds};
 use crate::{ring, rings};
 
@@ -67,7 +67,7 @@ pub(crate) fn general(
     let mut failure = Reason::NoHit;
     for q in seeds.into_iter().flatten() {
         match local(tool, surface, side, q) {
-            Ok(gap) if best.is_none_or(|b| gap.raw < b.raw) => best = Some(gap),
+            Ok(gap) if best.is_none_or(|b| deeper(tool, gap.raw, b.raw)) => best = Some(gap),
             Ok(_) => {}
             Err(reason) => failure = reason,
         }
@@ -145,13 +145,14 @@ pub(crate) fn elsewhere(
         }
     }
     let arc = round(tool, surface, side, None);
+    let below = |gap: Gap| deeper(tool, gap.raw, known.raw).then_some(gap);
     let apart = |rival: f64, gap: f64| 0.5 * (rival - gap).max(0.0);
     let until = |rival: f64, gap: f64| (LOOK * size).min(apart(rival, gap));
     if hollow(surface, side) && (arc.is_none() || has_side(tool)) {
         let foot = |p| turned(surface.foot(p), side);
         let found = rings::with_rival(tool, foot, 0.1 * size);
         let Ok((gap, rival)) = found else { return (None, LOOK * size) };
-        return ((gap.raw < known.raw).then_some(gap), until(rival, gap.raw));
+        return (below(gap), until(rival, gap.raw));
     }
     if let Some(gap) = arc {
         let flank = match has_side(tool) {
@@ -170,7 +171,7 @@ pub(crate) fn elsewhere(
                 _ => f64::INFINITY,
             };
             let room = until(rival, gap.raw).min(until(flank, known.raw));
-            return ((gap.raw < known.raw).then_some(gap), room);
+            return (below(gap), room);
         }
     }
     if let Some(through) = pierced(tool, surface, side) {
@@ -193,14 +194,14 @@ pub(crate) fn elsewhere(
         if (gap.tool_point - known.tool_point).norm() > 1e-6 * size {
             room = room.min(0.5 * (gap.raw - known.raw).max(0.0));
         }
-        if gap.raw < deepest.raw {
+        if deeper(tool, gap.raw, deepest.raw) {
             deepest = gap;
         }
     }
     if let Some(through) = drowned(tool, surface, side, &deepest, lowest) {
         return (Some(through), 0.0);
     }
-    ((deepest.raw < known.raw).then_some(deepest), room)
+    (below(deepest), room)
 }
 
 /// Where the axis of the shank goes through a surface with ends: what lies behind its edge has no place of contact of its

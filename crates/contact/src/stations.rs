@@ -2,7 +2,7 @@
 
 use aptc_geometry::{Spot, Surface, Tool, Vec3};
 
-use crate::gap::{Gap, Side};
+use crate::gap::{Gap, Side, deeper};
 
 /// Stations around the tool from which a search without a start sets out.
 const AROUND: usize = 12;
@@ -70,11 +70,11 @@ pub(crate) fn seeds(
     };
     let mut found: [Option<(bool, f64, Spot)>; SEEDS] = [None; SEEDS];
     let mut offer = |beside: bool, value: f64, q: Spot| {
-        let mut new = Some((beside, value, q));
-        for slot in &mut found {
-            if new.is_some_and(|n| slot.is_none_or(|s| (n.0, n.1) < (s.0, s.1))) {
-                std::mem::swap(slot, &mut new);
-            }
+        let before =
+            |s: &(bool, f64, Spot)| !beside && s.0 || beside == s.0 && deeper(tool, value, s.1);
+        if let Some(i) = found.iter().position(|s| s.as_ref().is_none_or(before)) {
+            found[i..].rotate_right(1);
+            found[i] = Some((beside, value, q));
         }
     };
     if of.lower {

@@ -81,7 +81,7 @@ impl Track {
         let leave = self.leaving(here.0, i, here.1)?;
         // The way on tells how the surface bends along it, and so where in the band it would best begin. Where the
         // hollow becomes tighter than the cutter on the way, the old place may end before.
-        let best = within(keep.target(leave.course.bends[i], 1.0));
+        let best = within(keep.onwards(&leave.pose, leave.course.bends[i]));
         let there = self.touched(i, here, [kept[0], best, kept[2]], far);
         let found = there.and_then(|at| self.corner_at(from, i, at));
         found.or_else(|| self.corner_at(from, i, here))

@@ -134,11 +134,11 @@ impl Track {
         let keep = &self.keeps[i];
         let limits = keep.limits();
         // The chord aims a little inside the band, so that it fits when it comes out a little longer.
-        let [aim, found, own] = match self.axis.turns() {
-            true => [AIM_TURNING, 2.0 * RESOLUTION_TURNING, OWN_TURNING],
-            false => [keep.searched().unwrap_or(AIM), RESOLUTION, RESOLUTION],
+        let [found, own] = match self.axis.turns() {
+            true => [2.0 * RESOLUTION_TURNING, OWN_TURNING],
+            false => [RESOLUTION, RESOLUTION],
         };
-        let aim = aim * keep.width();
+        let aim = self.aim(i) * keep.width();
         let e = ends.map(|g| (g - limits.low - aim).max(0.0));
         let f = ends.map(|g| (limits.high - aim - g).max(0.0));
         let dips = [ends[0] - low, ends[1] - low].map(|d| d.max(0.0));
@@ -162,6 +162,12 @@ impl Track {
             ratio = ratio.min(grow(f, rises, -depth));
         }
         (fits, ratio)
+    }
+
+    /// Share of the band of surface `i` by which a chord aims inside of it.
+    #[inline]
+    pub(super) fn aim(&self, i: usize) -> f64 {
+        if self.axis.turns() { AIM_TURNING } else { self.keeps[i].searched().unwrap_or(AIM) }
     }
 
     /// Does the cutter touch at different places of it at both ends?

@@ -37,6 +37,8 @@ const EDGE: f64 = 1e-7;
 /// The same against surfaces whose nearest point is found by iteration, and that by which chords over them aim inside of it:
 /// what is met on a chord tells the rest of it to less.
 const EDGE_SEARCHED: f64 = 5e-5;
+/// A gap that bends by less than this over the size of the scene does so by rounding.
+const STRAIGHT: f64 = 1e-9;
 
 impl Keep {
     pub(crate) fn tool(&self, pose: &Pose) -> Tool<'_> {
@@ -179,6 +181,13 @@ impl Keep {
         };
         // A band may begin at the surface itself.
         at.max(least).min(most)
+    }
+
+    /// Where in the band the tool stops that goes on along a way on which the gap bends by `bend`: at the edge that leaves the
+    /// whole band, and touching where the bend is rounding alone, as on the ruling of a cylinder.
+    pub(crate) fn onwards(&self, pose: &Pose, bend: f64) -> f64 {
+        let size = pose.te.norm() + self.profile.reach() + self.surface.extent();
+        if bend.abs() * size <= STRAIGHT { self.level() } else { self.target(bend, 1.0) }
     }
 
     /// Where it lies when the gap does not bend: touching, but a little inside of a band that begins there.

@@ -31,6 +31,8 @@ const MOST_SHORTENED: u32 = 20;
 const BESIDE: f64 = 0.1;
 /// Cut vectors before a corner that one may stand for.
 const MERGED: usize = 8;
+/// How far a tool goes from its start, in sizes of the scene: what it has not met there it never does.
+const FAR: f64 = 1e3;
 /// Cut vectors of one motion when NUMPTS does not say.
 const MOST_VECTORS: u32 = 20_000;
 
@@ -82,6 +84,7 @@ fn follow(scene: &Scene, begin: &Begin) -> Result<Path, Failure> {
     let mut trail: VecDeque<Node> = VecDeque::with_capacity(MERGED);
     // Is it at a corner?
     let mut cornered = true;
+    let far = FAR * scene.checks.iter().map(|c| extent(&c.wall)).fold(track.size, f64::max);
     while vectors < most {
         // Most of a path is far from all check surfaces.
         let free = watches.iter().map(Watch::free).fold(f64::INFINITY, f64::min);
@@ -205,6 +208,10 @@ fn follow(scene: &Scene, begin: &Begin) -> Result<Path, Failure> {
             continue;
         }
         points.push(position(&stride.to.pose));
+        if (stride.to.pose.te - begin.node.pose.te).norm() > far {
+            spent = None;
+            break;
+        }
         let met: u32 = watches.iter().map(|w| w.account().0).sum();
         if straight || loops.closed(node.pose.te, stride.to.pose.te, stride.to.course.along, met) {
             spent = None;
@@ -219,6 +226,10 @@ fn position(p: &Pose) -> Position {
     Position { te: p.te, ta: p.ta }
 }
 
+fn extent(wall: &Wall) -> f64 {
+    wall.fitted.as_ref().map_or(0.0, Surface::extent)
+}
+
 /// Greatest length of a cut vector, and whether the track is one straight line.
 fn longest(scene: &Scene, begin: &Begin, watches: &[Watch]) -> (f64, bool) {
     let track = &begin.track;
@@ -226,7 +237,6 @@ fn longest(scene: &Scene, begin: &Begin, watches: &[Watch]) -> (f64, bool) {
         return (scene.limits.step, false);
     }
     // Far enough to pass whatever the check surfaces have on the line.
-    let extent = |w: &Wall| w.fitted.as_ref().map_or(0.0, Surface::extent);
     let size = scene.checks.iter().map(|c| extent(&c.wall)).fold(scene.tool.te.norm(), f64::max);
     let planes = watches.iter().map(|w| w.ahead(&begin.node)).fold(0.0, f64::max);
     (8.0 * (size + track.keeps[0].profile.reach()) + 2.0 * planes, true)

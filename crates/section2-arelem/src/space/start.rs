@@ -17,6 +17,10 @@ use crate::scene::{Path, Start, Wall};
 const ROUNDS: usize = 200;
 /// The same for an axis that turns with the place.
 const TURNS: usize = 30;
+/// Rounds of an axis at one place after which its turn must become less each time.
+const SETTLED: usize = 5;
+/// Steps, however short, that may lead no nearer.
+const MOST_STUCK: u32 = 3;
 
 /// A surface with the gap that the tool is to have.
 struct Aim<'a> {
@@ -442,7 +446,7 @@ impl Solver<'_> {
                 } else {
                     a.keep.bend(pose, &gaps[i], t.normalize())
                 };
-                a.keep.target(bend, 1.0)
+                a.keep.onwards(pose, bend)
             })
             .collect()
     }
@@ -496,6 +500,8 @@ impl Solver<'_> {
         let mut factor: f64 = 1.0;
         let mut closest = (f64::INFINITY, from, gaps.clone());
         let pinned = self.nearest_of_all(from.ta);
+        // With an axis that turns the gaps asked for keep so far from the edge.
+        let strict = !self.axis.turns();
         let band = self.aims.iter().map(|a| a.keep.width()).fold(f64::INFINITY, f64::min);
         let mut targets = self.targets(&pose, &gaps);
         for _ in 0..ROUNDS {
@@ -524,14 +530,16 @@ impl Solver<'_> {
             }
             let scale = self.size(&pose) + size;
             if size <= 1e-13 * scale && turn <= 1e-11 && off <= 1e-13 * scale {
-                if !self.deeper(&pose, &mut gaps) {
+                if !self.deeper(&pose, &mut gaps, strict) {
                     return Ok(pose);
                 }
                 (best_step, factor) = (f64::INFINITY, 1.0);
             }
         }
         // The least way is not known to the last digit; the place on the surfaces shall be.
-        self.settle(pose, gaps)
+        let strictly = strict.then(|| self.settle(pose, gaps.clone(), true)).flatten();
+        strictly
+            .or_else(|| self.settle(pose, gaps, false))
             .or_else(|| self.axis.turns().then(|| self.settle_turning(pose)).flatten())
             .or_else(|| self.near_enough(&closest))
             .ok_or_else(|| self.impossible(home, &closest))
@@ -542,23 +550,24 @@ impl Solver<'_> {
     fn near_enough(&self, (off, pose, gaps): &(f64, Pose, Vec<Gap>)) -> Option<Pose> {
         let least = self.aims.iter().map(|a| a.keep.width()).fold(f64::INFINITY, f64::min);
         let inside = |(a, g): (&Aim<'_>, &Gap)| {
-            let limits = a.keep.limits();
-            (limits.low..=limits.high).contains(&g.g)
+            // Another place of it may be deeper by as much as counts as one.
+            let (limits, alike) = (a.keep.limits(), self.alike(pose, &a.keep));
+            (limits.low + alike..=limits.high).contains(&g.g)
         };
         let there = *off <= 0.1 * least && self.aims.iter().zip(gaps).all(inside);
         let there = self.axis.turns() && there;
-        (there && !self.deeper(pose, &mut gaps.clone())).then_some(*pose)
+        (there && !self.deeper(pose, &mut gaps.clone(), false)).then_some(*pose)
     }
 
     /// The nearest place on all surfaces, by Newton's method with steps of least length.
-    fn settle(&self, mut pose: Pose, mut gaps: Vec<Gap>) -> Option<Pose> {
+    fn settle(&self, mut pose: Pose, mut gaps: Vec<Gap>, strict: bool) -> Option<Pose> {
         // Where a surface bends otherwise on the other side of an edge, gaps that are asked for anew each round
         // would never come to rest; these lie within the band too.
         let targets = self.targets(&pose, &gaps);
         for _ in 0..ROUNDS {
             let off = gaps.iter().zip(&targets).map(|(g, t)| (g.g - t).abs()).fold(0.0, f64::max);
             let enough = 1e-13 * self.size(&pose) + 1e-9 * self.aims[0].keep.width();
-            if off <= enough && !self.deeper(&pose, &mut gaps) {
+            if off <= enough && !self.deeper(&pose, &mut gaps, strict) {
                 return Some(pose);
             }
             let te = self.least(pose.te, &pose, &gaps, &targets)?;
@@ -577,9 +586,10 @@ impl Solver<'_> {
             gaps.iter().zip(&targets).map(|(g, t)| (g.g - t).abs()).fold(0.0, f64::max)
         };
         let enough = 1e-13 * self.size(&from) + 1e-9 * self.aims[0].keep.width();
+        let mut stuck = 0;
         for _ in 0..TURNS {
             let worst = off(&gaps);
-            if worst <= enough && !self.deeper(&pose, &mut gaps) {
+            if worst <= enough && !self.deeper(&pose, &mut gaps, false) {
                 return Some(pose);
             }
             let mut slopes = vec![Vec3::zeros(); gaps.len()];
@@ -603,13 +613,21 @@ impl Solver<'_> {
             let rows: Vec<(Vec3, f64)> = rows?.into_iter().chain(held).collect();
             let by = least(&rows)?;
             let mut share = 1.0;
-            (pose, gaps) = loop {
+            let next = loop {
                 let next = self.with_axis(Pose { te: pose.te + by * share, ..pose })?;
-                if off(&next.1) < worst || share < 1e-3 {
+                if off(&next.1) < worst {
+                    break next;
+                }
+                if share < 1e-3 {
+                    stuck += 1;
                     break next;
                 }
                 share *= 0.5;
             };
+            if stuck > MOST_STUCK {
+                return None;
+            }
+            (pose, gaps) = next;
         }
         None
     }
@@ -617,14 +635,17 @@ impl Solver<'_> {
     /// The tool at its place with the axis that belongs there.
     fn with_axis(&self, mut pose: Pose) -> Option<(Pose, Vec<Gap>)> {
         let mut gaps = self.gaps(&pose, None).ok()?;
-        for _ in 0..TURNS {
+        let mut last = f64::INFINITY;
+        for round in 0..TURNS {
             let ta = self.turned(&pose, &gaps);
             let turn = (ta - pose.ta).norm();
             pose.ta = ta;
             gaps = self.gaps(&pose, Some(&gaps)).ok()?;
-            if turn <= 1e-12 {
+            // Where the place of contact goes to and fro no axis belongs to the place.
+            if turn <= 1e-12 || round >= SETTLED && turn > 0.9 * last {
                 break;
             }
+            last = turn;
         }
         Some((pose, gaps))
     }
@@ -640,11 +661,13 @@ impl Solver<'_> {
         1e-10 * self.size(pose) + 1e-8 * keep.width()
     }
 
-    /// Replaces gaps where the cutter touches elsewhere first.
-    fn deeper(&self, pose: &Pose, gaps: &mut [Gap]) -> bool {
+    /// Replaces gaps where the cutter touches elsewhere first; if `strict` also where what counts as one is beyond the band.
+    fn deeper(&self, pose: &Pose, gaps: &mut [Gap], strict: bool) -> bool {
         let mut any = false;
         for (aim, gap) in self.aims.iter().zip(gaps) {
-            let exact = self.alike(pose, &aim.keep);
+            let alike = self.alike(pose, &aim.keep);
+            let room = (gap.g - aim.keep.limits().low).max(1e-13 * self.size(pose));
+            let exact = if strict { alike.min(room) } else { alike };
             if let Some(deeper) = aim.keep.deeper(pose, gap, exact, true).0 {
                 *gap = deeper;
                 any = true;

@@ -16,11 +16,19 @@ use super::track::{Course, Node, Track, Trouble};
 
 /// Trials of one cut vector; two or three are usual.
 const TRIALS: usize = 40;
+/// Trials in which most lengths are found.
+const EASY: usize = 5;
+/// Share of what is long enough to which others are found.
+const FINE: f64 = 1e-3;
 /// A chord that could be longer by less than this ratio is taken: a longer one would save no cut vector in
 /// a hundred thousand.
 const LONG_ENOUGH: f64 = 1e-5;
 /// The same where the axis turns, whose chords aim a thousandth inside of the band.
 const LONG_ENOUGH_TURNING: f64 = 0.5 * AIM_TURNING;
+/// Share of the lengths that are long enough along which a chord goes over to that of another trial.
+const RAMP: f64 = 0.1;
+/// Share of the way by which chords aim inside of the band, by which one may be too long.
+const TOO_LONG: f64 = 0.1;
 /// Share of the band by which a vertex may lie off its target: half of it is the share of a length that it costs.
 const OFF_TARGET: f64 = 1e-2;
 /// Share of a bend by which it may change until where the vertex ought to lie does.
@@ -353,8 +361,13 @@ impl Track {
         let mut before: Option<(f64, f64)> = None;
         let mut learnt = 0;
         // A chord that does not fit though its ratio says so is shortened more each time.
-        let mut back = long_enough;
-        for _ in 0..TRIALS {
+        let mut back: f64 = 0.0;
+        // Does the first chord go on to another length?
+        let mut over = false;
+        for trial in 0..TRIALS {
+            // A length that does not come at once, as over a crest, depends on all trials unless it is found to the last digits.
+            let easy = !T::FINAL || trial < EASY;
+            let fine = if easy { 1.0 } else { FINE };
             let tried = trials.reach(s, plan.length, bends, last.as_ref());
             let fit = tried.as_ref().map_err(|t| *t).and_then(|t| trials.fit(&t.to));
             let targets = tried.as_ref().map_or(gaps, |t| t.targets);
@@ -363,7 +376,7 @@ impl Track {
                     // With a turning axis only the chord tells how the gaps bend along it; and where the bend
                     // grows from nothing on the way, a vertex may lie where no chord of any length fits.
                     let lost = !fit.fits && fit.ratio < LOST;
-                    if learnt < LESSONS && (lost || self.axis.turns()) {
+                    if learnt < LESSONS && !over && (lost || self.axis.turns()) {
                         learnt += 1;
                         let better = self.plan(from, Some(fit.bends), cap);
                         let aim = self.aims(gaps, fit.bends, better.length);
@@ -386,7 +399,22 @@ impl Track {
                     }
                     if fit.fits {
                         let rest = before.and_then(|before| rest(s, fit.ratio, before));
-                        if rest.unwrap_or(fit.ratio - 1.0) <= long_enough || s >= plan.most {
+                        let rest = rest.unwrap_or(fit.ratio - 1.0);
+                        let enough = match easy {
+                            true => rest <= long_enough,
+                            false => (rest - 0.25 * long_enough).abs() <= FINE * long_enough,
+                        };
+                        let enough = enough || s >= plan.most;
+                        let first = before.is_none() && bad.is_infinite() && !over;
+                        if enough && first && s < plan.most {
+                            let on = self.another(fit.ratio, long_enough);
+                            if on != 0.0 {
+                                (s, good, over) =
+                                    ((s * (1.0 + on)).min(plan.most), tried.ok(), true);
+                                continue;
+                            }
+                        }
+                        if enough {
                             let rest = if fit.ratio <= 1.0 + long_enough { fit.ratio } else { 1.0 };
                             pace.learn(s, rest, plan.length);
                             if self.axis.turns() {
@@ -395,12 +423,14 @@ impl Track {
                             return tried;
                         }
                         good = tried.ok();
+                    } else if over {
+                        break;
                     } else {
                         bad = bad.min(s);
                     }
                     let ratio = if fit.fits { fit.ratio } else { fit.ratio.min(1.0 - back) };
                     if !fit.fits && good.is_none() {
-                        back = (4.0 * back).min(0.5);
+                        back = (4.0 * back).clamp(long_enough, 0.5);
                     }
                     let next = lengthen(s, ratio, before) * (1.0 - 0.25 * long_enough);
                     before = Some((s, ratio));
@@ -415,7 +445,7 @@ impl Track {
             };
             last = tried.ok().or(last);
             let low = good.as_ref().map_or(0.0, |g| g.length);
-            if bad - low <= long_enough * low || s <= self.exact {
+            if bad - low <= fine * long_enough * low || s <= self.exact {
                 break;
             }
             s = next.min(plan.most);
@@ -511,6 +541,23 @@ impl Track {
             if self.axis.turns() { self.keeps[i].inside(target, AIM_TURNING) } else { target }
         };
         [target(0), target(1)]
+    }
+
+    /// By what share of its length a first chord goes on that is long enough: at the edges of what is taken at once all of the way
+    /// to the length that a second trial would have, and none of it in between.
+    ///
+    /// Else whether a ratio lies before or beyond an edge would make the vertex jump by as much, and rounding says so now and then.
+    #[inline]
+    fn another(&self, ratio: f64, long_enough: f64) -> f64 {
+        let ramp = RAMP * long_enough;
+        let short_enough = TOO_LONG * self.aim(0).min(self.aim(1));
+        let (over, under) = (ratio - 1.0 - long_enough + ramp, 1.0 - ratio - short_enough + ramp);
+        if under > 2.0 * (ramp + short_enough) {
+            // An end at the very edge of the band, from where no chord is as long as it aims.
+            return 0.0;
+        }
+        let share = (over.max(under) / ramp).clamp(0.0, 1.0);
+        share * (ratio * (1.0 - 0.25 * long_enough) - 1.0)
     }
 
     /// The length foretold from how the gaps bend, and the greatest allowed.

@@ -246,6 +246,15 @@ impl Track {
             if worst <= self.exact && turned <= 1e-11 {
                 let deeper = if look { self.deeper(&pose, &gaps).0 } else { [None, None] };
                 if deeper.iter().all(Option::is_none) {
+                    // The last step goes without a look: whether what is left counts as nothing is no matter then.
+                    let step = solve(&gaps, across, [off[0], off[1], out]).unwrap_or_default();
+                    let moved = |i: usize| Gap {
+                        g: gaps[i].g + gaps[i].normal.dot(&step),
+                        raw: gaps[i].raw + gaps[i].normal.dot(&step),
+                        tool_point: gaps[i].tool_point + step,
+                        ..gaps[i]
+                    };
+                    let (pose, gaps) = (Pose { te: pose.te + step, ..pose }, [moved(0), moved(1)]);
                     return self.finish(pose, gaps, self.onward(&pose, &gaps, hint));
                 }
                 // The cutter touches elsewhere first: on from there.

@@ -320,7 +320,7 @@ fn in_band(way: &Way<'_>, keep: &Keep, node: &Node, mut at: Sample) -> Option<f6
     if keep.is_plane() || next.norm() <= 1e-3 {
         return None;
     }
-    let target = keep.target(keep.bend(&node.pose, &at.gap, next.normalize()), 1.0);
+    let target = keep.onwards(&node.pose, keep.bend(&node.pose, &at.gap, next.normalize()));
     for _ in 0..8 {
         if (at.gap.g - target).abs() <= way.track.exact {
             return Some(at.s);
