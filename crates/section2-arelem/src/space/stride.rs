@@ -17,7 +17,7 @@ use super::track::{Course, Node, Track, Trouble};
 /// Trials of one cut vector; two or three are usual.
 const TRIALS: usize = 40;
 /// Trials in which most lengths are found.
-const EASY: usize = 5;
+const EASY: usize = 10;
 /// Share of what is long enough to which others are found.
 const FINE: f64 = 1e-3;
 /// A chord that could be longer by less than this ratio is taken: a longer one would save no cut vector in
