@@ -96,3 +96,27 @@ fn a_single_place_that_is_clear_stays_as_it_is() {
         assert!(far.0.is_empty() && far.1 > 1, "{far:?} {text}");
     }
 }
+
+/// With the tool end led on its part surface what leads it away and back is free, and all of it on the surface is proved, also
+/// where the first point is left out and the tool stands elsewhere.
+#[test]
+fn an_end_led_on_the_surface_is_free_where_it_is_led_away() {
+    // From above, and from behind.
+    let program = |(lift, along): (&str, &str), work: &str| {
+        let set = format!(
+            "SCON/DS,FLOOR,PARAM,0,3,0,1,ON,{along}\nSCON/PS,ON,FLOOR,PLUS,0\nSCON/STEPOV,0,6,{lift},0\nSCON/FEED,SAFE"
+        );
+        program(&set, work)
+    };
+    for lift in [("0", "UP"), ("0", "(VECTOR/0,0,-1)"), ("1", "(VECTOR/0,0,-1)")] {
+        for work in [
+            "SMIL/PICKFD,DS,PARAM,0,0,TANSPL,PLUS,STEPOV,PLUS",
+            "SMIL/ZIGZAG,DS,PARAM,0,0,TANSPL,PLUS,STEPOV,PLUS",
+            "SMIL/ZIGZAG,DS,PARAM,0,0,CRSSPL,PLUS,STEPOV,PLUS,1",
+        ] {
+            let text = program(lift, work);
+            let (codes, points) = run(&text, Verify::Full);
+            assert!(codes.is_empty() && points > 20, "{codes:?} {text}");
+        }
+    }
+}

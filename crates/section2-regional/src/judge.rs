@@ -10,6 +10,10 @@ use crate::solve::{Memory, Setup, Take};
 
 /// Places between the ends at which a chord is judged first, the most telling before the others.
 const JUDGED: [usize; 3] = [2, 1, 3];
+/// The same where the tool end is led on the part surface, and how much of the room the sag may take at them: between them it is
+/// no more by a parabola.
+const LED: [usize; 7] = [4, 2, 6, 1, 3, 5, 7];
+const KEEPS: f64 = 0.97;
 /// Halvings of the stretch that one contact answers for.
 const HALVINGS: u32 = 7;
 
@@ -100,18 +104,26 @@ impl Setup<'_> {
         let mut touched = [start; JUDGED.len() + 2];
         touched[JUDGED.len() + 1] = end;
         let v = chord.by();
-        for i in JUDGED {
-            let f = i as f64 / (JUDGED.len() + 1) as f64;
+        // Where the tool end is led nothing else bounds the chord.
+        let (judged, parts, keeps): (&[usize], _, _) = if self.part.touches {
+            (&JUDGED, JUDGED.len() + 1, 1.0)
+        } else {
+            (&LED, LED.len() + 1, KEEPS)
+        };
+        for &i in judged {
+            let f = i as f64 / parts as f64;
             let p = self.between(&chord, f)?;
             let s = chord.beside(p.te);
-            touched[i] = Beside { f, s, contact: p.contact, part_uv: p.part_uv };
+            if self.part.touches {
+                touched[i] = Beside { f, s, contact: p.contact, part_uv: p.part_uv };
+            }
             let apart = a.te + v * s - p.te;
             let off = apart.dot(&p.normal);
             let shift = a.shift * (1.0 - s) + b.shift * s;
             let sag = off - shift;
             let room = if sag < 0.0 { shift + intol } else { outtol - shift };
             let lateral = (apart - p.normal * off).norm() / self.lateral;
-            let used = (sag.abs() / room).max(lateral);
+            let used = (sag.abs() / (keeps * room)).max(lateral);
             if used > worst.used {
                 worst = Judged { used, deviation: off.abs(), part_uv: p.part_uv, ..worst };
             }

@@ -63,7 +63,21 @@ pub struct Shot<'a> {
     pub probe: Probe<'a>,
 }
 
+impl Met {
+    /// The same of the line in the other direction.
+    #[must_use]
+    pub fn turned(self) -> Self {
+        Self { way: -self.way, ..self }
+    }
+}
+
 impl Shot<'_> {
+    /// The line in the other direction.
+    #[must_use]
+    pub fn turned(&self) -> Self {
+        Self { along: -self.along, ..*self }
+    }
+
     /// The first of the meetings that searches from `start` reach: of cutter and slope, and of a flat bottom and
     /// a summit below it.
     pub fn near(&self, start: [f64; 2]) -> Option<Met> {

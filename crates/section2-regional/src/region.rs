@@ -29,6 +29,8 @@ pub(crate) enum Put {
     Move(Vec<(Vec3, Vec3)>),
     /// Positions of a path, with the parameters of the drive.
     Path(Vec<Along>),
+    /// The same of one that is lifted off the surface.
+    Lifted(Vec<Along>),
 }
 
 /// A position that belongs to a place of the drive.
@@ -365,7 +367,8 @@ impl Region<'_> {
             (First::Left, _) => true,
             (First::After(stand), Some(start)) => self.joined(setup, stand, start)?,
         };
-        out.puts.push(Put::Path(Along::each(&points, skip)));
+        let along = Along::each(&points, skip);
+        out.puts.push(if setup.lift > 0.0 { Put::Lifted(along) } else { Put::Path(along) });
         out.notes.extend(notes);
         out.avoided |= avoided;
         out.odd = out.odd.or(Odd::of(&points));

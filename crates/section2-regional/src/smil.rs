@@ -71,6 +71,11 @@ impl Regional {
             self.join(origin, &mut done)?;
             // Where a statement before failed nothing is known of the way to the second point.
             done.joined &= self.stand.is_some();
+            // How the tool comes to a surface on which its end is led is not known either.
+            let near = 2.0 * (self.settings.band().intol + self.settings.band().outtol);
+            let stands =
+                self.stand.zip(done.first).is_some_and(|(s, f)| (s.te - f.0).norm() <= near);
+            done.joined &= stands || self.areas.part.as_ref().is_none_or(|p| p.touches);
         }
         self.diagnostics.extend(reports(origin, &done.notes));
         self.odd(origin, done.odd);
@@ -247,7 +252,7 @@ impl Regional {
     fn join(&mut self, origin: &Origin, done: &mut Done) -> Result<(), Failure> {
         let second = done.puts.iter().find_map(|p| match p {
             Put::Move(points) => points.first().copied(),
-            Put::Path(points) => points.first().map(|p| p.at),
+            Put::Path(points) | Put::Lifted(points) => points.first().map(|p| p.at),
             Put::Feed(_) => None,
         });
         let (Some(stand), Some(first), Some(second)) = (self.stand, done.first, second) else {
@@ -378,7 +383,18 @@ impl Regional {
     ) -> Option<Stand> {
         let mut stand = None;
         let mut before: Option<Vec3> = None;
+        let freed = control.and_then(freed);
+        let mut control = control;
         for put in puts {
+            // A tool end that is led on its part surface is free where it is led away, and on it again behind.
+            let away = matches!(put, Put::Move(_) | Put::Lifted(_));
+            let held = match &freed {
+                Some([free, back]) if away => {
+                    control = Some(back);
+                    Some(free)
+                }
+                _ => control,
+            };
             let (points, uvs) = match put {
                 Put::Feed(f) if f != 0.0 => {
                     let kind =
@@ -388,7 +404,9 @@ impl Regional {
                 }
                 Put::Feed(_) => continue,
                 Put::Move(points) => (points, Vec::new()),
-                Put::Path(points) => points.into_iter().map(|p| (p.at, p.uv)).unzip(),
+                Put::Path(points) | Put::Lifted(points) => {
+                    points.into_iter().map(|p| (p.at, p.uv)).unzip()
+                }
             };
             for (te, ta) in &points {
                 let along = before.map_or_else(Vec3::zeros, |b| te - b);
@@ -396,7 +414,7 @@ impl Regional {
                 before = Some(*te);
             }
             let index = out.len();
-            self.motion(origin, name, points, control, out);
+            self.motion(origin, name, points, held, out);
             if out.len() > index
                 && let Some(guide) = guide
             {
@@ -427,6 +445,16 @@ impl Regional {
         };
         out.push(cl::Record { origin: origin.clone(), kind: cl::Kind::Motion(motion) });
     }
+}
+
+/// What a tool keeps to that is led away from a part surface on which its end is led, and behind that on it again; `None`
+/// where it is not led so.
+fn freed(control: &Arc<cl::Control>) -> Option<[Arc<cl::Control>; 2]> {
+    let milling = control.milling.as_ref().filter(|m| m.on && m.part.is_some())?;
+    let again = Milling { scallop: None, joined: true, ..milling.clone() };
+    let free = Milling { part: None, ..again.clone() };
+    let of = |milling| Arc::new(cl::Control { milling: Some(milling), ..cl::Control::default() });
+    Some([of(free), of(again)])
 }
 
 fn missing(areas: &[(&'static str, bool)]) -> Vec<&'static str> {

@@ -208,8 +208,20 @@ impl Setup<'_> {
         let foot = p.foot.map(|f| [f[0] * spans[0], f[1] * spans[1]]);
         // A point goes to its foot and no other place of the line; a cutter to what it meets first.
         let start = if self.leads() { start.or(foot) } else { foot.or(start) };
-        let near = start.and_then(|s| shot.near(s)).or_else(|| shot.touch(tree));
-        near.or_else(|| shot.first(tree)).or_else(|| shot.fall(tree)).ok_or_else(|| {
+        // A point comes to the surface from behind as well, where it does not from the front.
+        let back = matches!(shot.probe, Probe::Ball(r) if r == 0.0).then(|| shot.turned());
+        let behind = |uv: [f64; 2]| {
+            let n = surface.normal_at(uv[0], uv[1]).map(|n| n * self.part.side);
+            n.is_some_and(|n| n.dot(&direction) > 0.0)
+        };
+        let from_behind = back.zip(start).filter(|(_, s)| behind(*s));
+        let near = from_behind.and_then(|(back, s)| back.near(s)).map(Met::turned);
+        let near = near.or_else(|| start.and_then(|s| shot.near(s)));
+        let first = |shot: &Shot<'_>| {
+            shot.touch(tree).or_else(|| shot.first(tree)).or_else(|| shot.fall(tree))
+        };
+        let met = near.or_else(|| first(&shot));
+        met.or_else(|| back.as_ref().and_then(first).map(Met::turned)).ok_or_else(|| {
             Failure::NotMet { part: self.part.name.name.as_str().into(), uv: p.uv, place: p.point }
         })
     }

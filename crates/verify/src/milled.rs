@@ -298,7 +298,12 @@ pub(crate) fn clear(
     let own = |t: f64| sheet.local(&pose(t));
     let turn = angle(a.ta, b.ta);
     let first = keeps_off(tool, sheet, &own, turn, least, warm);
-    let deeper = |least: f64| keeps_off(tool, sheet, &own, turn, least, &mut Warm::default());
+    // How deep it is is told as it is found; that all the rest is less deep need not be shown.
+    let deeper = |least: f64| {
+        let mut warm = Warm::default();
+        warm.lead.known = true;
+        keeps_off(tool, sheet, &own, turn, least, &mut warm)
+    };
     match worst(first, least, deeper) {
         Half::Holds(low) => Verdict::Proved { low, high: f64::INFINITY },
         Half::Broken(t, gap) => Verdict::Refuted { gap, te: pose(t).te },

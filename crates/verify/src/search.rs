@@ -13,6 +13,8 @@ use crate::sweep::{Meeting, Slack, Sweep};
 
 /// Pieces that one search looks at; beyond it the answer is open.
 const MOST: u32 = 20_000;
+/// The same where a place that is too near is known, and it is asked whether another is nearer still.
+const FEW: u32 = 2_000;
 /// Pieces that a search looks at for a still nearer place when it has found one that is too near.
 const MORE: u32 = 400;
 
@@ -54,6 +56,8 @@ pub(crate) struct Lead {
     /// only one.
     pub(crate) direction: Option<Vec3>,
     pub(crate) cut: Cut,
+    /// Is a place known that is too near, so that only how near it is hangs on this search?
+    pub(crate) known: bool,
 }
 
 /// What a search is for.
@@ -113,6 +117,7 @@ fn search(
         out.least = cutting.rest;
     }
     let found = |out: &Clearance| out.nearest.is_some_and(|n| n.0 < enough);
+    let most = if lead.known { FEW } else { MOST };
     let mut seen = 0;
     // How far the piece was of which the hint is.
     let mut closest = f64::INFINITY;
@@ -121,9 +126,9 @@ fn search(
     while let Some(patch) = pile.pop() {
         seen += 1;
         if found(&out) {
-            seen = seen.max(MOST - MORE);
+            seen = seen.max(most - MORE);
         }
-        if seen > MOST {
+        if seen > most {
             out.least = f64::NEG_INFINITY;
             whole = false;
             break;
@@ -240,7 +245,7 @@ fn search(
             // What is left is the normal, which turns by as much however small the piece: the moved surface
             // has a fold or a tip here.
             out.least = out.least.min(low);
-            seen = seen.max(MOST - MORE);
+            seen = seen.max(most - MORE);
             continue;
         }
         let i = usize::from(slack[1] > slack[0]);
