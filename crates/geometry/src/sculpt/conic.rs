@@ -25,6 +25,8 @@ pub enum ConicFault {
     TooMany,
     /// The conditions do not lie in one plane.
     NotPlane,
+    /// Points and tangents do not turn one way in their order.
+    Turns,
     /// No conic arc of less than half a turn meets the conditions.
     NoArc,
 }
@@ -59,6 +61,9 @@ pub fn conic_arc(given: &[ConicCondition]) -> Result<CubicArc, ConicFault> {
     let frame = Frame::of(given, size)?;
     if frame.straight {
         return Ok(CubicArc::line(first.point, last.point));
+    }
+    if !frame.turns_one_way(given) {
+        return Err(ConicFault::Turns);
     }
     let conic = frame.conic(given, count)?;
     let (a, b) = (frame.flat(first.point), frame.flat(last.point));
@@ -168,6 +173,21 @@ impl Frame {
             return Err(ConicFault::NoArc);
         }
         Ok(v.row(least).transpose())
+    }
+
+    /// Does the way over the points turn right at each, with all of them on one side of each tangent?
+    fn turns_one_way(&self, given: &[ConicCondition]) -> bool {
+        let cross = |a: Vec2, b: Vec2| a.x * b.y - a.y * b.x;
+        let at: Vec<Vec2> = given.iter().map(|c| self.flat(c.point)).collect();
+        let right = at.windows(3).all(|w| cross(w[1] - w[0], w[2] - w[1]) < 0.0);
+        right
+            && given.iter().zip(&at).all(|(c, p)| {
+                let Some(t) = c.tangent.map(|t| self.turned(t)) else { return true };
+                let sides = at.iter().filter(|q| *q != p).map(|q| cross(t, q - p));
+                let (mut left, mut right) = (false, false);
+                sides.for_each(|s| if s > 0.0 { left = true } else { right = true });
+                !(left && right)
+            })
     }
 
     /// The conic of four conditions: two besides the ends, each linear in b, c and e.
@@ -333,6 +353,10 @@ mod tests {
         .unwrap();
         assert!((arc.at(0.3).point.norm() - 1.0).abs() < 1e-9);
         assert_eq!(conic_arc(&[at(1.0, 0.0)]), Err(ConicFault::TooFew));
+        let zigzag = [at(0.0, 0.0), at(3.0, 1.0), at(1.0, 1.0), at(4.0, 0.0)];
+        assert_eq!(conic_arc(&zigzag), Err(ConicFault::Turns));
+        let through = ConicCondition { tangent: Some(Vec3::y()), ..at(1.0, 1.0) };
+        assert_eq!(conic_arc(&[at(0.0, 0.0), through, at(4.0, 0.0)]), Err(ConicFault::Turns));
     }
 
     #[test]

@@ -38,6 +38,8 @@ pub enum FitFault {
     NoJoint,
     /// CHORD without a direction or two points, or ANGLE without a point.
     NoPivot,
+    /// CHORD of FLOW along nothing.
+    NoChord,
     /// A B-spline surface is none.
     Bspline(BsplineFault),
     /// The array of CANON is not understood.
@@ -108,12 +110,16 @@ impl core::fmt::Display for FitFault {
             Self::Conic(ConicFault::TooFew) => "an arc needs two different ends",
             Self::Conic(ConicFault::TooMany) => "an arc has at most five conditions",
             Self::Conic(ConicFault::NotPlane) => "the conditions do not lie in one plane",
+            Self::Conic(ConicFault::Turns) => {
+                "its points and tangents do not turn one way in the order given"
+            }
             Self::Conic(ConicFault::NoArc) => {
                 "no conic arc of less than half a turn meets the conditions"
             }
             Self::NoLength => "the ends coincide",
             Self::NoJoint => "FLOW or SEG names a span that the curve has not",
-            Self::NoPivot => "ANGLE needs a point; what CHORD runs along has no length",
+            Self::NoPivot => "ANGLE needs a point from which it is seen, PIVOT,point",
+            Self::NoChord => "what CHORD runs along has no length",
             Self::Bspline(b) => return b.fmt(f),
             Self::Canonical => "the array of CANON is not understood",
             Self::TooDeep => "definitions are nested too deep",
@@ -267,7 +273,7 @@ fn law(s: &FlowSpan, ends: [Vec3; 2]) -> Result<FlowKind, FitFault> {
                 // From the beginning of the span to its end.
                 _ => ends[1] - ends[0],
             };
-            FlowKind::Chord(along.try_normalize(0.0).ok_or(FitFault::NoPivot)?)
+            FlowKind::Chord(along.try_normalize(0.0).ok_or(FitFault::NoChord)?)
         }
     })
 }
