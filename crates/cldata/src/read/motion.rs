@@ -16,7 +16,7 @@ pub(super) fn motion(state: &mut State, text: &[u8], rest: &[u8], from: bool) {
     let lost = rest.trim_ascii_end().ends_with(b",");
     match args::all_numbers(rest) {
         Some(numbers) if numbers.get().len() >= 2 + usize::from(lost) => {
-            goto(state, numbers.get(), from)
+            goto(state, numbers.get(), from);
         }
         _ => {
             // A feed rate or a word may follow the numbers.
