@@ -223,3 +223,50 @@ impl Keep {
         self.intol + self.outtol
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use aptc_geometry::{Cutter, Cylinder, Plane, Sphere, Vec3, trig};
+
+    #[test]
+    fn what_lies_deep_has_a_gap_as_deep() {
+        let (point, axis) = (Vec3::new(1.0, -2.0, -20.0), Vec3::new(2.0, 1.0, 2.0) / 3.0);
+        let surfaces = [
+            Surface::Plane(Plane { n: axis, d: 1.0 }),
+            Surface::Sphere(Sphere { center: point, radius: 25.0 }),
+            Surface::Cylinder(Cylinder { point, axis, radius: 22.0 }),
+        ];
+        let (mut told, mut all) = (0, 0);
+        for (k, surface) in (0..1200_u32).zip(surfaces.iter().cycle()) {
+            let f = f64::from(k);
+            let corner = [0.0, 2.0, 5.0][k as usize / 3 % 3];
+            let keep = Keep {
+                profile: Profile::new(&Cutter::mill(10.0, corner, 30.0)).expect("a mill"),
+                surface: surface.clone(),
+                condition: Condition::Touch,
+                side: Side::Positive,
+                thick: 0.1 * f64::from(k % 5),
+                intol: 0.01,
+                outtol: 0.01,
+            };
+            let lean = Vec3::new(trig::sin(f), trig::sin(1.7 * f), 2.0).normalize();
+            let te = Vec3::new(
+                30.0 * trig::sin(2.3 * f),
+                30.0 * trig::sin(3.1 * f),
+                20.0 * trig::sin(0.7 * f),
+            );
+            let pose = Pose { te, ta: lean };
+            for side in [Side::Positive, Side::Negative] {
+                let Ok(gap) = keep.on_side(side).gap(&pose, None) else { continue };
+                all += 1;
+                for least in [0.0, 0.5, 8.0] {
+                    let deep = keep.deep(&pose, side, least);
+                    assert!(!deep || gap.g < -least + 1e-9, "{k} {side:?} {least} {gap:?}");
+                    told += u32::from(deep);
+                }
+            }
+        }
+        assert!(told > 400 && all > 2000, "{told} of {all}");
+    }
+}
