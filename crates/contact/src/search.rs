@@ -136,11 +136,9 @@ pub(crate) fn elsewhere(
     let (wide, reach) = (tool.profile.widest(), tool.profile.reach());
     // A line alone has no other measure than its length.
     let size = if wide > 0.0 { wide.max(0.1 * reach) } else { reach };
-    for most in ALONE.map(|share| share * wide) {
-        if stands
-            && let Some(way) = alone(tool, surface, side, known, most)
-            && way >= WORTH * wide
-        {
+    if stands && matches!(surface, Surface::Parametric(_)) {
+        let free = |share: &f64| alone(tool, surface, side, known, share * wide);
+        if let Some(way) = ALONE.iter().filter_map(free).find(|way| *way >= WORTH * wide) {
             return (None, way);
         }
     }

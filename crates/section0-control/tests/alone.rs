@@ -120,3 +120,30 @@ fn an_end_led_on_the_surface_is_free_where_it_is_led_away() {
         }
     }
 }
+
+/// A point along a curve on a floor, nothing of which is to be cut in by (INTOL/0).
+#[test]
+fn a_tool_that_just_touches_is_not_in() {
+    let text = |curve: &str| {
+        format!(
+            "UNITS/MM
+INTOL/0
+OUTTOL/.01
+CUTTER/0
+FLOOR=PLANE/.3,.1,1,.7
+P1=POINT/INTOF,FLOOR,(PLANE/1,0,0,0),(PLANE/0,1,0,0)
+P2=POINT/INTOF,FLOOR,(PLANE/1,0,0,20),(PLANE/0,1,0,10)
+P3=POINT/INTOF,FLOOR,(PLANE/1,0,0,40),(PLANE/0,1,0,0)
+{curve}
+CHKSRF/FLOOR,ON
+FROM/0,0,50
+GOLOFT/S1,START,0,THRU,2
+FINI
+"
+        )
+    };
+    let (codes, points) = run(&text("S1=SCURV/SPLINE,P1,P2,P3"), Verify::Off);
+    assert!(codes.is_empty() && points > 20, "{codes:?} {points}");
+    let below = "M1=MATRIX/TRANSL,0,0,-.02\nS1=SCURV/SPLINE,P1,P2,P3,TRFORM,M1";
+    assert_eq!(run(&text(below), Verify::Off).0, ["APT2046"]);
+}

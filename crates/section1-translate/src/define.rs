@@ -40,9 +40,10 @@ mod tests;
 use aptc_geometry::Form;
 use aptc_vocabulary::{Word, word};
 
+pub(crate) use arg::short;
 pub use arg::{Arg, Value};
 pub use canon::canonical;
-pub use context::{Context, Found};
+pub use context::{Beyond, Context, Found};
 pub use fault::{DefineError, Fault};
 use format::Format;
 pub(crate) use format::Item;

@@ -118,6 +118,8 @@ pub(crate) struct State {
     pub(crate) matrix_said: bool,
     /// Was said in which order two maps are carried out?
     pub(crate) product_said: bool,
+    /// Parameters beyond an end that were pointed out.
+    pub(crate) beyond_said: HashSet<Span>,
     /// Was a statement of this program executed?
     pub(crate) begun: bool,
 }

@@ -12,7 +12,6 @@ use crate::area::{DriveArea, Guide, Hold, PartArea, Projection};
 use crate::drive::Course;
 use crate::failure::{self, Failure};
 use crate::gclear::Spot;
-use crate::guard::Guard;
 use crate::path::{Broken, Path};
 use crate::position::{Chosen, Position};
 use crate::regional::{Regional, Stand};
@@ -367,7 +366,8 @@ impl Regional {
             let extra = leg.extra || control.is_none();
             // How the tool comes to the line from elsewhere is not known here, between its stretches it is.
             let free = if extra { leg.points.len() } else { usize::from(stand.is_some()) };
-            let blocked = guard.as_ref().and_then(|g| self.blocked(g, here, &leg.points, free));
+            let free = &leg.points[..free.min(leg.points.len())];
+            let blocked = guard.as_ref().and_then(|g| self.blocked(g, here, free));
             here = leg.points.last().copied().or(here);
             let why = blocked.map(|(k, why)| {
                 leg.points.truncate(k);
@@ -403,30 +403,6 @@ impl Regional {
             why.map_or(Ok(()), Err)?;
         }
         Ok(stand)
-    }
-
-    /// The first of so many points the way to which gouges, the tool coming from `here`.
-    pub(crate) fn blocked(
-        &self,
-        guard: &Guard,
-        mut here: Option<(Vec3, Vec3)>,
-        points: &[(Vec3, Vec3)],
-        free: usize,
-    ) -> Option<(usize, Failure)> {
-        let profile = self.settings.profile.as_ref()?;
-        let mut guard = guard.clone();
-        if guard.asks()
-            && let Some(&first) = points.first()
-        {
-            guard.come_from(profile, here.unwrap_or(first));
-        }
-        for (k, &to) in points.iter().take(free).enumerate() {
-            if let Err(gouge) = guard.way(profile, [here.unwrap_or(to), to]) {
-                return Some((k, Failure::gouge(gouge, to.0, to.1, false)));
-            }
-            here = Some(to);
-        }
-        None
     }
 }
 

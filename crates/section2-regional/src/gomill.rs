@@ -190,8 +190,7 @@ impl Regional {
             points = vec![r.above(here), here, r.above(here)];
         }
         let guard = self.guarded(None).filter(|_| !self.is_recording());
-        let all = points.len();
-        let why = guard.and_then(|g| self.blocked(&g, self.watch.last, &points, all));
+        let why = guard.and_then(|g| self.blocked(&g, self.watch.last, &points));
         let why = why.map(|(k, why)| {
             points.truncate(k);
             why

@@ -83,15 +83,30 @@ impl Regional {
         if let Some(from) = came.or(first) {
             guard.come_from(&profile, from);
         }
-        let mut here = self.watch.last;
-        for (k, p) in motion.points.iter().enumerate() {
-            let to = (p.te, p.ta);
-            guard
-                .way(&profile, [here.unwrap_or(to), to])
-                .map_err(|gouge| (k, Failure::gouge(gouge, p.te, p.ta, false)))?;
-            here = Some(to);
+        let points = motion.points.iter().map(|p| (p.te, p.ta));
+        first_gouge(&guard, &profile, self.watch.last, points).map_or(Ok(()), Err)
+    }
+
+    /// The first of some points that regional milling goes to from point to point the way to which gouges, the tool coming
+    /// from `here`.
+    pub(crate) fn blocked(
+        &self,
+        guard: &Guard,
+        here: Option<(Vec3, Vec3)>,
+        points: &[(Vec3, Vec3)],
+    ) -> Option<(usize, Failure)> {
+        let (profile, first) = (self.settings.profile.as_ref()?, points.first()?);
+        let mut guard = Guard { intol: self.touching(), ..guard.clone() };
+        if guard.asks() {
+            guard.come_from(profile, here.unwrap_or(*first));
         }
-        Ok(())
+        first_gouge(&guard, profile, here, points.iter().copied())
+    }
+
+    /// How deep a tool that just touches may be in: INTOL, or a little where that is nothing.
+    fn touching(&self) -> f64 {
+        let band = self.settings.band();
+        band.intol.max(0.01 * (band.intol + band.outtol))
     }
 
     fn motion_guard(&mut self, motion: &cl::Motion) -> Result<Option<Guard>, Failure> {
@@ -111,11 +126,25 @@ impl Regional {
             surfaces.push(Checked { name, surface, tree, part: true });
             thick = part.thick;
         }
-        let band = self.settings.band();
-        // A tool that just touches is not in.
-        let intol = band.intol.max(0.01 * (band.intol + band.outtol));
+        let intol = self.touching();
         let (holder, report, plain) = (self.holder.clone(), false, self.plain.clone());
         let guard = Guard { surfaces, plain, intol, thick, holder, report };
         Ok((!guard.is_empty()).then_some(guard))
     }
+}
+
+/// The first point the way to which gouges, from the one before; the tool comes to the first from `here`, if that is known.
+fn first_gouge(
+    guard: &Guard,
+    profile: &Profile,
+    mut here: Option<(Vec3, Vec3)>,
+    points: impl Iterator<Item = (Vec3, Vec3)>,
+) -> Option<(usize, Failure)> {
+    for (k, to) in points.enumerate() {
+        if let Err(gouge) = guard.way(profile, [here.unwrap_or(to), to]) {
+            return Some((k, Failure::gouge(gouge, to.0, to.1, false)));
+        }
+        here = Some(to);
+    }
+    None
 }

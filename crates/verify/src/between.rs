@@ -36,6 +36,9 @@ pub(crate) fn between_poses(a: &Pose, b: &Pose, t: f64) -> Pose {
 /// Angle between two axes that counts as none.
 pub(crate) const NO_TURN: f64 = 1e-15;
 
+/// Sine of the angle between two axes from which the axis turns evenly from one to the other.
+const EVEN: f64 = 1e-9;
+
 /// The way from one position to another.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Way {
@@ -53,6 +56,12 @@ impl Way {
         Self { a, b, turn, sine }
     }
 
+    /// By how much the axis turns on a part of the way, so long a share of it.
+    pub(crate) fn turn_between(&self, from: &Pose, to: &Pose, share: f64) -> f64 {
+        // Between axes that are nearly opposite it does not turn evenly.
+        if self.sine > EVEN { self.turn * share } else { angle(from.ta, to.ta) }
+    }
+
     /// The position at a share of the way.
     pub(crate) fn at(&self, t: f64) -> Pose {
         let Self { a, b, turn, sine } = self;
@@ -63,7 +72,7 @@ impl Way {
         if t <= 0.0 || *turn <= NO_TURN {
             return Pose { te, ta: a.ta };
         }
-        let ta = if *sine > 1e-9 {
+        let ta = if *sine > EVEN {
             (a.ta * trig::sin((1.0 - t) * turn) + b.ta * trig::sin(t * turn)) / *sine
         } else {
             a.ta + t * (b.ta - a.ta)

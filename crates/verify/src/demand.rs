@@ -186,7 +186,8 @@ impl Demand {
         let mut seen = 0;
         while let Some((from, to, depth)) = stack.pop() {
             seen += 1;
-            let bound = self.bound(tool, &from, &to, way.turn * (to.t - from.t), convex);
+            let turn = way.turn_between(&from.pose, &to.pose, to.t - from.t);
+            let bound = self.bound(tool, &from, &to, turn, convex);
             let excess = (least - bound.low).max(bound.high - most);
             if excess <= 0.0 {
                 (low, high) = (low.min(bound.low), high.max(bound.high));

@@ -90,6 +90,8 @@ codes! {
     MATRIX_IN_SYSTEM = 1222, "a MATRIX by places within REFSYS";
     MATRIX_ORDER = 1223, "the order of two maps of a MATRIX";
     INNER_SLOPE = 1224, "a slope within a SPLINE";
+    PATCH_SIDE = 1225, "MINUS of a patch";
+    BEYOND_END = 1226, "a place beyond the end of a sculptured form";
     NO_STATEMENT = 1300, "a word that begins no statement";
     UNKNOWN_POST_WORD = 1301, "a word that is in no table";
     OTHER_DIALECT = 1302, "a word of another dialect";

@@ -117,7 +117,7 @@ pub(super) fn list(numbers: &[f64]) -> String {
 }
 
 /// A number as short as six figures allow.
-pub(super) fn short(x: f64) -> String {
+pub(crate) fn short(x: f64) -> String {
     let rounded: f64 = format!("{x:.5e}").parse().unwrap_or(x);
     // A zero with a sign tells the user nothing.
     let rounded = rounded + 0.0;

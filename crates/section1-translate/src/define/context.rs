@@ -1,6 +1,6 @@
 //! What stands around a definition: ZSURF, REFSYS and limits.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::sync::Arc;
 
 use aptc_geometry::sculpt::SpaceCurve;
@@ -25,6 +25,19 @@ pub struct Context {
     pub tabcyl_end: f64,
     /// What the definition found on a curve or surface, for PARMF.
     pub found: RefCell<Option<Found>>,
+    /// A parameter beyond the end of a curve or surface that was taken.
+    pub beyond: Cell<Option<Beyond>>,
+}
+
+/// A parameter beyond the end of a sculptured form.
+#[derive(Clone, Copy, Debug)]
+pub struct Beyond {
+    /// Number of the argument.
+    pub at: usize,
+    /// What it is.
+    pub value: f64,
+    /// The last one of the curve or surface; the first is 0.
+    pub last: f64,
 }
 
 /// The place on a curve or surface that a POINT or VECTOR found.
@@ -57,6 +70,7 @@ impl Default for Context {
             max_points: 100_000,
             tabcyl_end: 10.0,
             found: RefCell::default(),
+            beyond: Cell::default(),
         }
     }
 }

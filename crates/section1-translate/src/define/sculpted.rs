@@ -11,10 +11,10 @@ use aptc_geometry::sculpt::{
 use aptc_geometry::{Form, Plane, Vec3, polynomial};
 use aptc_vocabulary::{Word, word};
 
-use super::Found;
 use super::fault::Fault;
 use super::format::Item::{self, N, Of, P, PL, SC, SS, Tail, V, W};
 use super::format::{Args, Format, row};
+use super::{Beyond, Found};
 use crate::eval::found_on;
 
 const MEASURE: Item = Of(&[word::PARAM, word::FLOW]);
@@ -96,6 +96,15 @@ fn vector(a: &Args<'_>) -> Result<Form, Fault> {
     Ok(Form::Vector(if unit { v.try_normalize(0.0).ok_or(none)? } else { v }))
 }
 
+/// Notes a parameter that is not between 0 and the last one: the form goes straight on there.
+fn note_beyond(a: &Args<'_>, at: usize, value: f64, last: f64) {
+    /// Rounding of a parameter that was computed.
+    const ROOM: f64 = 1e-9;
+    if !(-ROOM..=last + ROOM).contains(&value) {
+        a.context.beyond.set(Some(Beyond { at, value, last }));
+    }
+}
+
 /// The place that the arguments behind INTOF name, and where the arguments behind it begin.
 fn place(a: &Args<'_>) -> Result<(Place, usize), Fault> {
     match (a.form(1)?, a.form(2)) {
@@ -123,6 +132,12 @@ fn on_curve(a: &Args<'_>) -> Result<(Place, usize), Fault> {
         };
         return Err(Fault::NoSuchPart { at: 4, value: a.number(4)?, n, whole });
     };
+    let last = match how {
+        CurveAt::Flow(Some(_)) | CurveAt::Param(Some(_)) => 1.0,
+        CurveAt::Flow(None) => c.flow_span(),
+        CurveAt::Param(None) => c.span(),
+    };
+    note_beyond(a, 3, t, last);
     let whole = match (how, n) {
         (CurveAt::Flow(_), _) => None,
         (_, Some(n)) => Some(t + count(n) - 1.0),
@@ -198,6 +213,9 @@ fn on_surface(a: &Args<'_>) -> Result<(Place, usize), Fault> {
     let at = if a.list.get(2).is_some_and(|x| MEASURE.takes(x)) { 3 } else { 2 };
     if a.is_number(at) {
         let [u, v] = a.numbers(at)?;
+        let lasts = if a.is_number(at + 2) { [1.0; 2] } else { s.spans() };
+        note_beyond(a, at, u, lasts[0]);
+        note_beyond(a, at + 1, v, lasts[1]);
         if !a.is_number(at + 2) {
             return Ok((Place::Surface(s.at(u, v)), at + 2));
         }

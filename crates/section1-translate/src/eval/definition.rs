@@ -1,6 +1,6 @@
 //! Geometric definitions: names and nesting here, formats and solutions in [`crate::define`].
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::sync::Arc;
 
 use aptc_diagnostics::{Diagnostic, Span, codes};
@@ -117,6 +117,7 @@ impl Interpreter<'_> {
             max_points: self.options.limits.points,
             tabcyl_end: self.prolongation(),
             found: RefCell::default(),
+            beyond: Cell::default(),
         };
         self.matrix_within(head, span, &args);
         let canon = define::Value::Word(word::CANON);
@@ -139,6 +140,10 @@ impl Interpreter<'_> {
             Ok(form) => {
                 self.product_in_order(head, span, args, &form, &context);
                 self.inner_slope(head, args);
+                self.patch_side(head, args);
+                if let Some(beyond) = context.beyond.take() {
+                    self.beyond_end(args[beyond.at].span, beyond);
+                }
                 // Numbers at the edge of what can be written leave no form behind.
                 if let Some(why) = fault_of_form(&form) {
                     self.error(Diagnostic::error(
@@ -244,6 +249,37 @@ impl Interpreter<'_> {
             )
             .note("its slopes there are those with which the curvature is continuous, as in APT-360")
             .help("take TWOPT, whose slopes hold at every point, or end one SPLINE there and begin another"),
+        );
+    }
+
+    /// Says once a statement that MINUS of a patch changes nothing.
+    fn patch_side(&mut self, head: Word, args: &[define::Arg]) {
+        let is = |a: &define::Arg, w: Word| a.value == define::Value::Word(w);
+        if head != word::SSURF || !args.first().is_some_and(|a| is(a, word::PATCH)) {
+            return;
+        }
+        let Some(minus) = args.iter().find(|a| is(a, word::MINUS)) else { return };
+        self.error(
+            Diagnostic::warning(codes::PATCH_SIDE, minus.span, "MINUS of a patch changes nothing")
+                .note("its parameters and its normal are those of PLUS, as in APT4")
+                .help("exchange rows and columns of its items where the other normal is meant"),
+        );
+    }
+
+    /// Says once a statement that a place is beyond the end of a sculptured form.
+    fn beyond_end(&mut self, span: Span, define::Beyond { value, last, .. }: define::Beyond) {
+        if !self.state.beyond_said.insert(span) {
+            return;
+        }
+        let (value, last) = (define::short(value), define::short(last));
+        self.error(
+            Diagnostic::warning(
+                codes::BEYOND_END,
+                span,
+                format!("the parameter {value} is not between 0 and {last}"),
+            )
+            .note("the place is on what goes straight on beyond the end, as in APT4")
+            .help("a curve counts its arcs, a surface its patches"),
         );
     }
 

@@ -4,7 +4,7 @@
 //! Source of the tables: APT4 SSV3.
 
 use aptc_diagnostics::{Diagnostic, codes};
-use aptc_protap::Kind;
+use aptc_protap::{self as protap, Kind};
 use aptc_syntax::tree::Clause;
 use aptc_vocabulary::{Word, word};
 
@@ -226,23 +226,22 @@ impl Interpreter<'_> {
     /// SMIL says nothing of its own where a SCON before it was refused: what it misses was told there.
     pub(super) fn regional(&mut self, word: Word, clause: &Clause) -> Known<()> {
         let known = self.regional_args(word, clause);
-        let first = known.as_ref().ok().and_then(|args| args.first()?.word());
-        match word {
-            word::SCON if known.is_err() => self.state.doubt.milling = true,
-            word::SCON if first == Some(word::INIT) => self.state.doubt.milling = false,
-            word::SMIL if self.state.doubt.milling => return Err(Poisoned),
+        let is_init = |args: &Vec<protap::Arg>| matches!(args.first(), Some(protap::Arg::Word(w)) if w == "INIT");
+        match (word, &known) {
+            (word::SCON, Err(Poisoned)) => self.state.doubt.milling = true,
+            (word::SCON, Ok(args)) if is_init(args) => self.state.doubt.milling = false,
+            (word::SMIL, _) if self.state.doubt.milling => return Err(Poisoned),
             _ => {}
         }
-        let args = self.handed_on(known?)?;
-        self.emit(Kind::Regional { word: word.text().into(), args });
+        self.emit(Kind::Regional { word: word.text().into(), args: known? });
         Ok(())
     }
 
-    fn regional_args(&mut self, word: Word, clause: &Clause) -> Known<Vec<Arg>> {
+    fn regional_args(&mut self, word: Word, clause: &Clause) -> Known<Vec<protap::Arg>> {
         let args = self.args(clause, Names::Defined)?;
         self.shaped(word, shapes(word), clause, &args)?;
         self.rising(word, &args)?;
-        Ok(args)
+        self.handed_on(args)
     }
 
     /// The limits of a drive curve or surface go upwards, and numbers of areas and scallops are not

@@ -265,11 +265,11 @@ fn aim(
                 Side::Positive => Side::Negative,
                 Side::Negative | Side::Open => Side::Positive,
             });
-            let tie = !(gap >= 0.0 && keep.deep(pose, other.side, 1e-3 * keep.width()));
-            let tie = tie
-                && other.gap(pose, None).is_ok_and(|g| {
-                    (g.g - gap).abs() <= 1e-3 * keep.width() && keep.profile.widest() > 0.0
-                });
+            let near = 1e-3 * keep.width();
+            let alike = |g: Gap| (g.g - gap).abs() <= near;
+            let beside =
+                keep.profile.widest() > 0.0 && !(gap >= 0.0 && keep.deep(pose, other.side, near));
+            let tie = beside && other.gap(pose, None).is_ok_and(alike);
             if tie { Side::Negative } else { side }
         }
     };

@@ -407,7 +407,7 @@ pub(crate) fn clearance(keep: &Keep, pose: &Pose) -> Result<(f64, Side), Reason>
             break;
         }
         match (keep.on_side(side).gap(pose, None), &best) {
-            (Ok(gap), Ok((most, _))) if gap.g > *most && *most < 0.0 => best = Ok((gap.g, side)),
+            (Ok(gap), Ok((most, _))) if gap.g > *most => best = Ok((gap.g, side)),
             (Ok(gap), Err(_)) => best = Ok((gap.g, side)),
             (Err(reason), Err(_)) => best = Err(reason),
             _ => {}
