@@ -8,6 +8,7 @@ mod keep;
 mod nearest;
 mod overlooked;
 mod run;
+mod settle;
 mod start;
 mod stride;
 mod track;

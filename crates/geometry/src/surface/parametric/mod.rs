@@ -3,9 +3,9 @@
 //! Beyond their ends they go on straight, as a TABCYL does, so that a cutter can come to an end.
 
 mod cells;
+mod part;
 mod polyconic;
 mod rail;
-mod region;
 mod ruled;
 mod sculptured;
 #[cfg(test)]
@@ -15,9 +15,9 @@ use std::sync::Arc;
 
 use crate::surface::{EPS_LEN, Foot, Shape, Spot, frame_about};
 use crate::{Place, Polyconic, Reason, RuledSurface, Vec2, Vec3};
+pub use part::Part;
+use part::Strips;
 use polyconic::Sections;
-pub use region::Part;
-use region::Strips;
 use ruled::Rulings;
 use sculptured::Spans;
 pub use sculptured::{Continued, continued};
