@@ -21,8 +21,14 @@ fn free(text: &str) -> Ran {
 }
 
 fn defined(text: &str, name: &str) -> Form {
+    defined_with(text, name, &[])
+}
+
+/// What `name` stands for, with these messages and no other.
+fn defined_with(text: &str, name: &str, codes: &[u16]) -> Form {
     let ran = free(text);
-    assert!(ran.diagnostics.is_empty(), "{text}\n{}", ran.messages());
+    let told: Vec<u16> = ran.told().iter().map(|(code, _)| *code).collect();
+    assert_eq!(told, codes, "{text}\n{}", ran.messages());
     let found = ran.records.iter().rev().find_map(|r| match &r.kind {
         Kind::Define { name: n, form } if n.name == name => Some((**form).clone()),
         _ => None,
@@ -42,7 +48,11 @@ fn curve(text: &str) -> CurveDefinition {
 }
 
 fn surface(text: &str) -> SurfaceDefinition {
-    match defined(text, "S") {
+    surface_of(defined(text, "S"))
+}
+
+fn surface_of(form: Form) -> SurfaceDefinition {
+    match form {
         Form::Ssurf(s) => (*s).clone(),
         other => panic!("{other:?} is no surface"),
     }
@@ -160,7 +170,8 @@ fn patches_have_sixteen_items() {
     let net = "P1,P2,P3,P4,(0,0,1),(1,1,1),(3,1,1),(4,0,1),(0,0,2),(1,1,2),(3,1,2),(4,0,2),\
                (0,0,3),(1,1,3),(3,1,3),(4,0,3)";
     for (word, kind) in [("POLYGN", PatchKind::Polygn), ("PNTSON", PatchKind::Pntson)] {
-        let s = surface(&format!("S=SSURF/PATCH,{word},PLUS,{net},MINUS,{net}"));
+        let text = format!("S=SSURF/PATCH,{word},PLUS,{net},MINUS,{net}");
+        let s = surface_of(defined_with(&text, "S", &[1225]));
         let SurfaceShape::Patches { kind: found, patches } = s.shape else { panic!("patches") };
         assert_eq!((found, patches.len(), patches[1].minus), (kind, 2, true));
         assert_eq!(patches[0].items[15], Vec3::new(4.0, 0.0, 3.0));
@@ -274,7 +285,11 @@ fn definitions_within_each_other_are_bounded() {
 }
 
 fn vec3(text: &str, name: &str) -> Vec3 {
-    match defined(text, name) {
+    vec3_of(defined(text, name))
+}
+
+fn vec3_of(form: Form) -> Vec3 {
+    match form {
         Form::Point(v) | Form::Vector(v) => v,
         other => panic!("{other:?}"),
     }
@@ -360,7 +375,7 @@ fn a_curve_goes_on_straight() {
         ("POINT/INTOF,C,PARAM,-.2,2", [0.745_110_698, 1.047_920_337, 0.153_937_445]),
         ("VECTOR/INTOF,C,PARAM,3.4,TANSPL", [0.792_029_958, 1.460_673_536, -0.291_161_940]),
     ] {
-        let got = vec3(&format!("{c}X={of}"), "X");
+        let got = vec3_of(defined_with(&format!("{c}X={of}"), "X", &[1226]));
         assert!((got - Vec3::from(wanted)).norm() < 2e-9, "{of}: {got}");
     }
 }

@@ -213,13 +213,14 @@ fn on_surface(a: &Args<'_>) -> Result<(Place, usize), Fault> {
     let at = if a.list.get(2).is_some_and(|x| MEASURE.takes(x)) { 3 } else { 2 };
     if a.is_number(at) {
         let [u, v] = a.numbers(at)?;
-        let lasts = if a.is_number(at + 2) { [1.0; 2] } else { s.spans() };
+        let n = if a.is_number(at + 2) { part(a, at + 2)? } else { None };
+        let lasts = if n.is_some() { [1.0; 2] } else { s.spans() };
         note_beyond(a, at, u, lasts[0]);
         note_beyond(a, at + 1, v, lasts[1]);
         if !a.is_number(at + 2) {
             return Ok((Place::Surface(s.at(u, v)), at + 2));
         }
-        let d = match part(a, at + 2)? {
+        let d = match n {
             None => s.at(u, v),
             Some(n) => s.at_span(n, u, v).ok_or(Fault::NoSuchPart {
                 at: at + 2,

@@ -279,7 +279,7 @@ impl Interpreter<'_> {
                 format!("the parameter {value} is not between 0 and {last}"),
             )
             .note("the place is on what goes straight on beyond the end, as in APT4")
-            .help("a curve counts its arcs, a surface its patches"),
+            .help("a curve counts its arcs, a surface its patches; in one of them it goes from 0 to 1"),
         );
     }
 
