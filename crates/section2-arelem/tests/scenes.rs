@@ -183,3 +183,25 @@ fn a_tool_that_has_passed_its_check_surface_gives_up_far_from_the_scene() {
     let notes = format!("{:?}", ran.diagnostics[0].notes);
     assert!(notes.contains("of travel") && !notes.contains("given up"), "{notes}");
 }
+
+#[test]
+fn a_disk_that_came_from_below_goes_on_below() {
+    let s = wide(712_042, 1.0).expect("a scene");
+    let ran = run(&s.forms, &s.setup);
+    let sides: Vec<i8> =
+        ran.motions().filter_map(|(_, m)| Some(m.control.as_ref()?.part.as_ref()?.side)).collect();
+    // The normal of the polyconic points down.
+    assert_eq!(sides, [1, 1], "{:?}", ran.diagnostics);
+}
+
+#[test]
+fn a_check_surface_just_behind_the_end_of_a_cut_vector_is_met_within_its_band() {
+    let s = wide(826_051, 1.0).expect("a scene");
+    let ran = run(&s.forms, &s.setup);
+    let (_, motion) = ran.motions().last().expect("a motion");
+    let check = &motion.control.as_ref().expect("surfaces").checks[0];
+    let gap = Surface::from_form(&check.form)
+        .expect("a surface")
+        .distance(motion.points.last().expect("a place").te);
+    assert!((-check.intol - 1e-12..=check.outtol + 1e-12).contains(&gap), "{gap} {check:?}");
+}

@@ -434,16 +434,17 @@ fn upright(scene: &Scene, part: &Keep) -> Pose {
 }
 
 /// The side on which the tool is nearer to touching. A disk touches from below as well as from above within the band:
-/// it is that side towards which the rest of the cutter stands on it, and for a needle beside a wall that in whose band
-/// it is.
+/// it is that side towards which the rest of the cutter stands on it; where it is in one band alone, as a needle beside a
+/// wall or a disk that came from below, the side of that band.
 fn nearer(keep: &Keep, pose: &Pose) -> Option<Side> {
     let gap = |side: Side| keep.on_side(side).gap(pose, None).ok().map(|g| (g, side));
     let at = |(g, _): &(Gap, Side)| g.g.abs() <= 2.0 * keep.width();
     let better = |a: &(Gap, Side), b: &(Gap, Side)| {
         if at(a) && at(b) {
             let lean = (b.0.normal - a.0.normal).dot(&pose.ta);
-            let nearer = placed(keep, &b.0) < placed(keep, &a.0);
-            if lean.abs() > 1e-3 { lean > 0.0 } else { nearer }
+            let off = [a, b].map(|(gap, _)| placed(keep, gap));
+            let alike = (off[0] <= 1.0) == (off[1] <= 1.0);
+            if alike && lean.abs() > 1e-3 { lean > 0.0 } else { off[1] < off[0] }
         } else {
             b.0.g.abs() < a.0.g.abs()
         }

@@ -85,12 +85,20 @@ fn sunk(keep: &Keep, node: &Node) -> Option<Gap> {
 
 impl Way<'_> {
     fn node(&self, s: f64) -> Result<Node, Trouble> {
-        self.track.walk(self.from, s, self.stride.targets, false)
+        self.track.walk(self.from, s, self.targets(s), false)
+    }
+
+    /// The gaps asked for at `s`: those of the end, but close behind the node those between, for a way without a jump.
+    fn targets(&self, s: f64) -> [f64; 2] {
+        let near: f64 = self.track.keeps.iter().map(Keep::width).sum();
+        let share = if s < near { s / near } else { 1.0 };
+        let [a, b] = [0, 1].map(|i| (self.from.gaps[i].g, self.stride.targets[i]));
+        [a, b].map(|(from, to)| if share < 1.0 { from + (to - from) * share } else { to })
     }
 
     /// The same where the motion may end: no other place of contact is deeper.
     pub(super) fn settled(&self, s: f64) -> Result<Node, Trouble> {
-        self.track.walk(self.from, s, self.stride.targets, true)
+        self.track.walk(self.from, s, self.targets(s), true)
     }
 
     /// The place near `s`, with its node, where the gap is `wanted`, as far as it does not only graze the surface.
