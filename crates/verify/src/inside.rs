@@ -107,7 +107,7 @@ fn around(
     /// Divisions of a sector at most, and of all of them: a tool that stands nearly along the axis in the middle is
     /// nearly as far from the wall all around.
     const DEPTH: u32 = 60;
-    const MOST: u32 = 400;
+    const MOST: u32 = 4_000;
     let e1 = any_across(axis);
     let e2 = axis.cross(&e1);
     let (origin, tilt, flat, radius) = match solid {
@@ -354,6 +354,26 @@ mod tests {
                     assert!(g.1 >= bound.low - 1e-9 && g.0 <= bound.high + 1e-9, "{k} {t}");
                 }
             }
+        }
+    }
+
+    #[test]
+    fn a_tall_tool_that_leans_deep_in_a_cone_is_told_to_the_last_digits() {
+        let (diameter, corner_radius, e) = (6.6, 1.0, 2.3);
+        let f = corner_radius;
+        let cutter =
+            Cutter { diameter, corner_radius, e, f, alpha_deg: 0.0, beta_deg: 0.0, height: 20.0 };
+        let profile = Profile::new(&cutter).unwrap();
+        let (tool, half) = (Tool::Solid(&profile), 0.5_f64.sqrt());
+        let cone = Solid::Nappe(Vec3::zeros(), Vec3::z(), half, half);
+        for i in 0..40 {
+            let lean = 0.012 * f64::from(i);
+            let pose = Pose {
+                te: Vec3::new(0.12, 0.52, 3.17),
+                ta: Vec3::new(0.05 * lean, -lean, 1.0).normalize(),
+            };
+            let (low, high, _) = gap(&tool, &pose, &cone, false);
+            assert!(low <= high && high - low < 1e-11, "{lean} {low} {high}");
         }
     }
 
