@@ -29,6 +29,8 @@ pub(crate) enum Failure {
         gone: f64,
         /// The cut vectors after which it was given up, if that is why.
         spent: Option<u32>,
+        /// TO was asked for, and the cutter stands in the surface at the start.
+        within: bool,
     },
     /// The track ends before its check surface is met.
     Blocked(Box<Blocked>),
@@ -343,13 +345,20 @@ impl Failure {
                 let (check, closest, gone) = (called(&b.check), number(b.closest), number(b.gone));
                 vec![format!("{closest} from {check} at the nearest, after {gone} of travel")]
             }
-            Self::NotReached { closest, place, gone, spent, .. } => {
+            Self::NotReached { surface, closest, place, gone, spent, within, .. } => {
                 let (place, closest, gone) = (coordinates(*place), number(*closest), number(*gone));
                 let near = format!("closest at {place}, {closest} from it, after {gone} of travel");
                 let limit = spent.map(|n| {
                     format!("given up after {n} cut vectors; NUMPTS with a number allows more")
                 });
-                std::iter::once(near).chain(limit).collect()
+                let within = within.then(|| {
+                    let check = called(surface);
+                    format!(
+                        "the cutter stands in {check} at the start: TO waits for one that comes from outside, \
+                         PAST ends where it has left {check}"
+                    )
+                });
+                within.into_iter().chain([near]).chain(limit).collect()
             }
             _ => Vec::new(),
         }

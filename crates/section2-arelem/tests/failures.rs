@@ -77,6 +77,24 @@ fn a_tool_on_the_other_side_stays_there_with_a_warning() {
     }
 }
 
+#[test]
+fn a_cutter_that_stands_in_its_check_surface_is_told_so() {
+    for (calc, x, told) in [
+        ("2DCALC", "0", true),
+        ("3DCALC", "0", true),
+        ("2DCALC", "2", false),
+        ("3DCALC", "2", false),
+    ] {
+        let text = format!(
+            "{calc}\nCUTTER/1\nFROM/{x},-5,0\nGO/TO,LX\nINDIRV/1,0,0\nTLRGT,GOFWD/LX,TO,LY"
+        );
+        let ran = run(&forms(), &text);
+        assert_eq!(ran.code(), 2008, "{text}");
+        let notes = format!("{:?}", ran.diagnostics[0].notes);
+        assert_eq!(notes.contains("stands in LY at the start"), told, "{text} {notes}");
+    }
+}
+
 /// As APT-360: along an upright plane, without THICK; a circle and a leaning plane are refused.
 #[test]
 fn a_tool_on_an_upright_plane_stays_on_it_with_a_warning() {

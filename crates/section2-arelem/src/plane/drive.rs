@@ -209,7 +209,7 @@ fn first_stop(scene: &Scene, plan: &Plan, course: &Course) -> Result<(f64, usize
     best.ok_or_else(|| {
         let place = |q: Vec2| plan.frame.space(q, plan.floor.height(&plan.frame, q));
         match (stops.first(), scene.checks.first()) {
-            (Some(Stop::Never { met, closest, at }), Some(check)) => Failure::NotReached {
+            (Some(Stop::Never { met, closest, at, within }), Some(check)) => Failure::NotReached {
                 surface: check.wall.surface.clone(),
                 nth: check.nth,
                 met: *met,
@@ -217,6 +217,7 @@ fn first_stop(scene: &Scene, plan: &Plan, course: &Course) -> Result<(f64, usize
                 place: place(course.at(*at)),
                 gone: course.length(*at),
                 spent: None,
+                within: *within,
             },
             (Some(Stop::NotTangent { closest }), Some(check)) => Failure::NoTangency {
                 surface: scene.drive.surface.clone(),

@@ -25,8 +25,8 @@ pub(crate) struct Target {
 pub(crate) enum Stop {
     /// At this parameter.
     At(f64),
-    /// Met too few times; the closest approach and its parameter.
-    Never { met: u32, closest: f64, at: f64 },
+    /// Met too few times; the closest approach and its parameter, and whether TO was asked of a cutter that stood in it.
+    Never { met: u32, closest: f64, at: f64, within: bool },
     /// Nowhere tangent; the least gap where the courses run alike.
     NotTangent { closest: f64 },
 }
@@ -107,7 +107,8 @@ fn nth(course: &Course, target: &Target, levels: &[f64], wanted: impl Fn(usize) 
             closest = (g, s);
         }
     }
-    Stop::Never { met, closest: closest.0, at: closest.1 }
+    let within = target.relation == Relation::To && leaves(course, target, levels) < -target.near;
+    Stop::Never { met, closest: closest.0, at: closest.1, within }
 }
 
 /// Does the contact at the start last until there?

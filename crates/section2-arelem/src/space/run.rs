@@ -581,6 +581,7 @@ fn not_reached(
     if let Some((gap, place)) = nearer.filter(|n| n.0 < closest.abs()) {
         (closest, pose) = (gap, place);
     }
+    let within = check.relation == Relation::To && watch.stands_in(&start);
     Failure::NotReached {
         surface: check.wall.surface.clone(),
         nth: check.nth,
@@ -589,6 +590,7 @@ fn not_reached(
         place: pose.te,
         gone,
         spent,
+        within,
     }
 }
 

@@ -131,6 +131,11 @@ impl Watch {
         (self.met, self.closest.0, self.closest.1)
     }
 
+    /// Does the cutter stand in the surface, whichever side of it is taken?
+    pub(crate) fn stands_in(&self, pose: &Pose) -> bool {
+        self.gauges.iter().all(|g| g.keep.gap(pose, None).is_ok_and(|gap| gap.g < -self.near))
+    }
+
     /// Way of a tool that keeps its axis for which the check surface cannot be met, as the last readings tell; tangencies
     /// are looked for everywhere.
     pub(crate) fn free(&self) -> f64 {
