@@ -13,7 +13,7 @@ use crate::gap::{Gap, Side};
 const MAX_STEPS: usize = 60;
 /// A normal pair is accepted when the normals differ by less than this sine. The gap is then exact to its
 /// square.
-const FACING: f64 = 1e-10;
+const FACING: f64 = 1e-12;
 /// The same on a straight line of the cutter: along a ruling the gap falls by so much of its length to the end.
 const FACING_ON_LINE: f64 = 1e-12;
 /// Sine up to which the normals may differ where rounding stops a search.

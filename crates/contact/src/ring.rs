@@ -20,7 +20,7 @@ use crate::search::{hollow, several};
 const STEPS: usize = 8;
 /// Share of the cutter's radius across the normal by which both points may fail to face each other. The gap is exact to its
 /// square.
-const FACING: f64 = 1e-9;
+const FACING: f64 = 1e-12;
 /// Sine between normal and tool axis below which the corner is left.
 const FLAT: f64 = 1e-6;
 /// Slope towards the upper line from which it may touch as well: its far end comes down with the next step, where nothing is
