@@ -21,6 +21,7 @@ mod bodies;
 mod centred;
 mod chord;
 mod closed;
+mod crests;
 mod curvature;
 mod descent;
 mod dips;

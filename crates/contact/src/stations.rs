@@ -2,12 +2,13 @@
 
 use aptc_geometry::{Spot, Surface, Tool, Vec3};
 
+use crate::crests;
 use crate::gap::{Gap, Side, deeper};
 
 /// Stations around the tool from which a search without a start sets out.
 const AROUND: usize = 12;
 /// Greatest number of seeds that are searched from.
-const SEEDS: usize = 4;
+pub(crate) const SEEDS: usize = 4;
 
 /// Share of the cutter's radius from which a station is far from a place of contact: nearer ones the contact goes over to, and
 /// is followed.
@@ -26,9 +27,10 @@ pub(crate) struct Stations {
 type Row = [(f64, Spot); AROUND];
 
 /// What the stations around a tool tell.
+#[derive(Clone, Copy)]
 pub(crate) struct Seeds {
-    /// Surface points below the lowest: the local minima over the stations, the lowest of them.
-    pub(crate) found: [Option<Spot>; SEEDS],
+    /// Surface points below the lowest: the local minima over the stations, the lowest of them, and the nearest crests.
+    pub(crate) found: [Option<Spot>; 2 * SEEDS],
     /// The deepest station, and by how much.
     pub(crate) deepest: (f64, Vec3),
     /// The least way after which a station far from the known place of contact may be as deep: its normal and the known one
@@ -44,6 +46,13 @@ pub(crate) fn seeds(
     of: Stations,
     known: Option<&Gap>,
 ) -> Seeds {
+    let crests = match surface {
+        Surface::Tabcyl(s) => crests::seeds(tool, s, side, known),
+        _ => None,
+    };
+    if let Some(all) = crests.filter(|_| known.is_some()) {
+        return all;
+    }
     let profile = tool.profile;
     let [[rl, zl], [ru, zu]] = profile.joints();
     let mid = |a: [f64; 2], b: [f64; 2]| [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])];
@@ -107,7 +116,9 @@ pub(crate) fn seeds(
             }
         }
     }
-    Seeds { found: found.map(|f| f.map(|f| f.2)), deepest, way: way.max(0.0) }
+    let crests = crests.map_or([None; 2 * SEEDS], |c| c.found);
+    let both = |i: usize| if i < SEEDS { found[i].map(|f| f.2) } else { crests[i - SEEDS] };
+    Seeds { found: std::array::from_fn(both), deepest, way: way.max(0.0) }
 }
 
 /// Cosines of the multiples of 30 degrees.

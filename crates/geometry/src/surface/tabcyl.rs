@@ -189,6 +189,25 @@ impl TabcylSurface {
         self.shape(left(tangent), k)
     }
 
+    /// The spans that may come nearer than `reach` to the straight way from `a` to `b`, in their order, with the
+    /// lengths of their chords.
+    pub fn spans_near(&self, a: Vec3, b: Vec3, reach: f64) -> impl Iterator<Item = (usize, f64)> {
+        let [u, v, _] = self.axes;
+        let [a, b] = [a, b].map(|p| Vec2::new(u.dot(&p), v.dot(&p)));
+        let way = b - a;
+        let size = way.norm_squared().max(f64::MIN_POSITIVE);
+        let near = move |disk: &Disk| {
+            let t = ((disk.center - a).dot(&way) / size).clamp(0.0, 1.0);
+            (disk.center - a - way * t).norm() <= disk.radius + reach
+        };
+        let groups = self.groups.iter().enumerate().filter(move |(_, g)| near(g));
+        let of = |g: usize| self.spans.iter().enumerate().skip(g * GROUP).take(GROUP);
+        groups
+            .flat_map(move |(g, _)| of(g))
+            .filter(move |(_, s)| near(&s.disk))
+            .map(|(i, s)| (i, s.span.length))
+    }
+
     /// The span that a parameter names.
     #[inline]
     fn span(&self, at: f64) -> usize {

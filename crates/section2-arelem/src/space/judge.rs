@@ -16,13 +16,11 @@ const RESOLUTION_TURNING: f64 = 0.01 * AIM_TURNING;
 /// By this share of it they may be beyond those at its ends, which may lie at the edge of the band: what looks are unsure of.
 const OWN_TURNING: f64 = 0.3 * RESOLUTION_TURNING;
 /// Shares of a chord at which it is looked at as a whole where its contact goes over from one place to another.
-const BETWEEN: [f64; 7] = [0.02, 0.1, 0.3, 0.5, 0.7, 0.9, 0.98];
+pub(super) const BETWEEN: [f64; 7] = [0.02, 0.1, 0.3, 0.5, 0.7, 0.9, 0.98];
 /// Places of contact that are farther apart than this share of the cutter's radius are two.
-const ANOTHER: f64 = 0.1;
+pub(super) const ANOTHER: f64 = 0.1;
 /// Share of the band by which two places that touch at once may differ.
 const BOTH: f64 = 1e-2;
-/// Halvings in the search for the place where the contact goes over from one to the other.
-const CREST: usize = 40;
 /// Extreme gaps on a chord are found to this share of the band.
 pub(super) const RESOLUTION: f64 = 2e-7;
 
@@ -105,15 +103,17 @@ impl Track {
             // A turning axis may bring another place of the cutter down between two vertices at which it is free; and where
             // the contact goes over from one place to another the gap has an edge on the way.
             let apart = (turning || whole) && self.apart(i, from, to);
-            let places: &[f64] = match (apart, turning) {
-                (true, _) => &BETWEEN,
+            let places: &[f64] = match turning {
                 // Along a surface of rulings a flank lies nearly, and its gap goes by more than cubics.
-                (false, true) if matches!(keep.surface, Surface::Parametric(_)) => &BETWEEN,
-                (false, true) => &[0.5],
-                (false, false) => &[],
+                true if matches!(keep.surface, Surface::Parametric(_)) => &BETWEEN,
+                true => &[0.5],
+                false => &[],
             };
             let look = |t: f64| Ok(keep.gap(&between(&from.pose, &to.pose, t), None)?.g);
-            let [least, most] = extremes(places, gaps, look)?;
+            let [least, most] = match apart {
+                true => self.over_kinks(i, from, to)?,
+                false => extremes(places, gaps, look)?,
+            };
             (low, high) = (low.min(least), high.max(most));
         }
         let begin = ends[0].g.min(top);
@@ -185,27 +185,6 @@ impl Track {
         }
         let other = keep.gap(&from.pose, Some(there.spot())).ok()?;
         ((other.g - here.g).abs() <= BOTH * keep.width()).then_some(other)
-    }
-
-    /// Where along a cut vector, as a share of it, the places of contact of both ends are as near as each other, and the gap
-    /// there: the first is nearer at the start, the second at the end.
-    fn crest(&self, i: usize, from: &Node, to: &Node) -> Result<(f64, f64), Trouble> {
-        let keep = &self.keeps[i];
-        let (mut low, mut high, mut found) = (0.0, 1.0, (1.0, to.gaps[i].g));
-        let mut spots = [from.gaps[i].spot(), to.gaps[i].spot()];
-        for _ in 0..CREST {
-            let t = 0.5 * (low + high);
-            let pose = between(&from.pose, &to.pose, t);
-            let [a, b] = spots.map(|spot| keep.gap_at(&pose, spot));
-            let (a, b) = (a?, b?);
-            spots = [a.spot(), b.spot()];
-            found = (t, a.g.max(b.g));
-            if (a.g - b.g).abs() <= 0.5 * AIM * keep.width() {
-                break;
-            }
-            *(if a.g < b.g { &mut low } else { &mut high }) = t;
-        }
-        Ok(found)
     }
 }
 

@@ -5,6 +5,7 @@ mod corner;
 mod guided;
 mod judge;
 mod keep;
+mod kinks;
 mod nearest;
 mod overlooked;
 mod run;

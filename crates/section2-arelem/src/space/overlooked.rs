@@ -5,8 +5,9 @@ use super::keep::Keep;
 use super::stride::Stride;
 use super::track::{Node, Track};
 
-/// Share of the cutter's radius between two looks.
+/// Share of the cutter's radius between two looks at most, and at least where another place of contact is about as near.
 const APART: f64 = 0.15;
+const CLOSE: f64 = 0.03;
 /// Looks along one cut vector at most.
 const MOST: f64 = 256.0;
 /// Share of the way to a place where the cutter cuts in that is tried next.
@@ -16,20 +17,21 @@ impl Track {
     /// A length at which the cutter does not yet cut in elsewhere than where it is known to touch, when it does so on the way
     /// of a cut vector beyond the `room` for which nothing could.
     pub(super) fn overlooked(&self, from: &Node, stride: &Stride, room: f64) -> Option<f64> {
-        let step = |keep: &Keep| (APART * keep.profile.widest()).max(stride.length / MOST);
+        let least = stride.length / MOST;
+        let steps = |keep: &Keep| [CLOSE, APART].map(|s| (s * keep.profile.widest()).max(least));
         for (i, keep) in self.keeps.iter().enumerate().filter(|(_, k)| k.is_mixed()) {
-            let step = step(keep);
-            let mut s = room.max(0.0) + step;
+            let [close, apart] = steps(keep);
+            let mut s = room.max(0.0) + close;
             let mut near = from.gaps[i];
-            while step > 0.0 && s < stride.length {
+            while close > 0.0 && s < stride.length {
                 let pose = between(&from.pose, &stride.to.pose, s / stride.length);
                 near = keep.gap(&pose, Some(near.spot())).ok()?;
-                let (deeper, _) = keep.deeper(&pose, &near, 0.0, true);
+                let (deeper, free) = keep.deeper(&pose, &near, 0.0, true);
                 let least = deeper.map_or(near.g, |d| d.g);
                 if least < keep.limits().low - 1e-6 * keep.width() {
                     return Some(BEFORE * s);
                 }
-                s += step;
+                s += free.clamp(close, apart);
             }
         }
         None

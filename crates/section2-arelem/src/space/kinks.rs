@@ -1,0 +1,97 @@
+//! The gap along a chord on which the contact goes over from one place of the cutter to another, and back.
+
+use aptc_contact::Gap;
+
+use super::judge::{ANOTHER, BETWEEN, between};
+use super::track::{Node, Track, Trouble};
+
+/// Halvings in the search for the place where the contact goes over from one to the other.
+const HALVINGS: usize = 40;
+/// Looks between those at first, for each place where the contact goes over may show another one.
+const MORE: usize = 8;
+/// Share of the band by which the gaps of both places may differ where it does.
+const EVEN: f64 = 5e-7;
+
+/// What is seen on a chord, as a share of it.
+#[derive(Clone, Copy)]
+struct Look {
+    t: f64,
+    gap: Gap,
+}
+
+impl Track {
+    /// Least and greatest gap to surface `i`, by looks on the way and where the contact goes over between two of them: there
+    /// the gap has an edge, which no look beside it tells.
+    pub(super) fn over_kinks(&self, i: usize, from: &Node, to: &Node) -> Result<[f64; 2], Trouble> {
+        let keep = &self.keeps[i];
+        let look = |t: f64| -> Result<Look, Trouble> {
+            Ok(Look { t, gap: keep.gap(&between(&from.pose, &to.pose, t), None)? })
+        };
+        let mut seen = [Look { t: 1.0, gap: to.gaps[i] }; BETWEEN.len() + MORE + 2];
+        seen[0] = Look { t: 0.0, gap: from.gaps[i] };
+        for (place, t) in seen[1..].iter_mut().zip(BETWEEN) {
+            *place = look(t)?;
+        }
+        let mut n = BETWEEN.len() + 2;
+        let gaps = || seen[..n].iter().map(|l| l.gap.g);
+        let mut found =
+            [gaps().fold(f64::INFINITY, f64::min), gaps().fold(f64::NEG_INFINITY, f64::max)];
+        let mut k = 0;
+        while k + 1 < n {
+            let (a, b) = (seen[k], seen[k + 1]);
+            k += 1;
+            if !self.goes_over(i, [from, to], &a, &b) {
+                continue;
+            }
+            let Ok((t, _)) = self.even(i, [from, to], [&a, &b]) else { continue };
+            let there = look(t)?;
+            found = [found[0].min(there.gap.g), found[1].max(there.gap.g)];
+            let third = [&a, &b].iter().all(|l| self.goes_over(i, [from, to], l, &there));
+            if third && n < seen.len() {
+                seen[k..=n].rotate_right(1);
+                seen[k] = there;
+                n += 1;
+                k -= 1;
+            }
+        }
+        Ok(found)
+    }
+
+    /// Does the cutter touch at different places of it?
+    fn goes_over(&self, i: usize, [from, to]: [&Node; 2], a: &Look, b: &Look) -> bool {
+        let place = |l: &Look| l.gap.tool_point - between(&from.pose, &to.pose, l.t).te;
+        (place(a) - place(b)).norm() > ANOTHER * self.keeps[i].profile.widest()
+    }
+
+    /// Where along a cut vector, as a share of it, the places of contact of both ends are as near as each other, and the gap
+    /// there: the first is nearer at the start, the second at the end.
+    pub(super) fn crest(&self, i: usize, from: &Node, to: &Node) -> Result<(f64, f64), Trouble> {
+        let ends = [Look { t: 0.0, gap: from.gaps[i] }, Look { t: 1.0, gap: to.gaps[i] }];
+        self.even(i, [from, to], ends.each_ref())
+    }
+
+    /// The same between two looks.
+    fn even(
+        &self,
+        i: usize,
+        [from, to]: [&Node; 2],
+        [a, b]: [&Look; 2],
+    ) -> Result<(f64, f64), Trouble> {
+        let keep = &self.keeps[i];
+        let (mut low, mut high, mut found) = (a.t, b.t, (b.t, b.gap.g));
+        let mut spots = [a.gap.spot(), b.gap.spot()];
+        for _ in 0..HALVINGS {
+            let t = 0.5 * (low + high);
+            let pose = between(&from.pose, &to.pose, t);
+            let [a, b] = spots.map(|spot| keep.gap_at(&pose, spot));
+            let (a, b) = (a?, b?);
+            spots = [a.spot(), b.spot()];
+            found = (t, a.g.max(b.g));
+            if (a.g - b.g).abs() <= EVEN * keep.width() {
+                break;
+            }
+            *(if a.g < b.g { &mut low } else { &mut high }) = t;
+        }
+        Ok(found)
+    }
+}
