@@ -1,0 +1,77 @@
+//! Sculptured walls as check surfaces: a wall that is a part of a cylinder is met where the cylinder is, from near and from far.
+
+use aptc_control::{Disk, Options, Source, Verify, compile};
+
+/// The codes of all messages, and where the last motion ends.
+fn run(text: &str) -> (Vec<String>, [f64; 3]) {
+    let options = Options { verify: Verify::Off, post: false, ..Options::default() };
+    let source = Source { name: "walls".into(), text: text.into() };
+    let compiled = compile(source, &mut Disk::new(Vec::new(), 0), &options);
+    let codes = compiled.diagnostics.iter().map(|d| d.code.to_string()).collect();
+    let mut end = [f64::NAN; 3];
+    for part in &compiled.parts {
+        let last = |r: &aptc_cldata::Record| {
+            if let aptc_cldata::Kind::Motion(m) = &r.kind
+                && let Some(p) = m.points.last()
+            {
+                end = p.te.into();
+            }
+        };
+        part.computed.for_each(last).expect("they can be read");
+    }
+    (codes, end)
+}
+
+/// A part of a cylinder of radius 30 about x = `middle`, upright, round to where the tool comes from or open to it, and the tool
+/// on its way along y = `beside`.
+fn program(middle: f64, open: bool, beside: f64, floor: &str, work: &str) -> String {
+    let (crest, ends) =
+        if open { (middle + 30.0, middle + 18.0) } else { (middle - 30.0, middle - 18.0) };
+    format!(
+        "UNITS/MM
+ARC=SCURV/CURSEG,(POINT/{ends},-24,-20),(POINT/{crest},0,-20),$
+(POINT/{ends},24,-20)
+TOP=SCURV/CURSEG,(POINT/{ends},-24,40),(POINT/{crest},0,40),$
+(POINT/{ends},24,40)
+WALL=SSURF/GENCUR,ARC,TOP
+FLOOR={floor}
+WAY=PLANE/0,1,0,{beside}
+CUTTER/10,2,3,2,0,0,15
+INTOL/.001
+OUTTOL/.001
+FROM/0,{beside},9
+GO/ON,WAY,TO,FLOOR
+INDIRV/1,0,0
+TLON,GOFWD/WAY,{work}
+FINI
+"
+    )
+}
+
+#[test]
+fn a_sculptured_wall_is_met_where_its_cylinder_is() {
+    let straight = "PLANE/0,0,1,0";
+    // A floor that bends away from the tool makes many cut vectors of the way.
+    let bent = "CYLNDR/0,0,-4000,0,1,0,4000";
+    for floor in [straight, bent] {
+        for (middle, open) in [(45.0, false), (15.0, true), (80.0, false), (60.0, true)] {
+            for beside in [0.0, -9.0] {
+                // Where the circle of a radius about the middle crosses the way.
+                let crossing = |radius: f64| {
+                    let across = (radius * radius - beside * beside).sqrt();
+                    if open { middle + across } else { middle - across }
+                };
+                // Inside of the wall the tool has less room, outside more.
+                let (first, second) = if open { (25.0, 35.0) } else { (35.0, 25.0) };
+                for (work, radius) in [("TO,WALL", first), ("ON,WALL", 30.0), ("PAST,WALL", second)]
+                {
+                    let text = program(middle, open, beside, floor, work);
+                    let (codes, end) = run(&text);
+                    assert!(codes.is_empty(), "{codes:?} {text}");
+                    let off = (end[0] - crossing(radius)).abs();
+                    assert!(off < 0.005, "{end:?} for {} {text}", crossing(radius));
+                }
+            }
+        }
+    }
+}
