@@ -1,10 +1,11 @@
-//! Sculptured walls as check surfaces: a wall that is a part of a cylinder is met where the cylinder is, from near and from far.
+//! Sculptured walls: one that is a part of a cylinder is met where the cylinder is, from near and from far; along a twisted one a
+//! ball with its shank goes on where the place of contact leaps along the flank.
 
 use aptc_control::{Disk, Options, Source, Verify, compile};
 
 /// The codes of all messages, and where the last motion ends.
-fn run(text: &str) -> (Vec<String>, [f64; 3]) {
-    let options = Options { verify: Verify::Off, post: false, ..Options::default() };
+fn run(text: &str, verify: Verify) -> (Vec<String>, [f64; 3]) {
+    let options = Options { verify, post: false, ..Options::default() };
     let source = Source { name: "walls".into(), text: text.into() };
     let compiled = compile(source, &mut Disk::new(Vec::new(), 0), &options);
     let codes = compiled.diagnostics.iter().map(|d| d.code.to_string()).collect();
@@ -66,10 +67,55 @@ fn a_sculptured_wall_is_met_where_its_cylinder_is() {
                 for (work, radius) in [("TO,WALL", first), ("ON,WALL", 30.0), ("PAST,WALL", second)]
                 {
                     let text = program(middle, open, beside, floor, work);
-                    let (codes, end) = run(&text);
+                    let (codes, end) = run(&text, Verify::Off);
                     assert!(codes.is_empty(), "{codes:?} {text}");
                     let off = (end[0] - crossing(radius)).abs();
                     assert!(off < 0.005, "{end:?} for {} {text}", crossing(radius));
+                }
+            }
+        }
+    }
+}
+
+/// A ruled wall that twists along x, bent by `bend` and leaning by `lean`, and a ball with its shank along it.
+fn twisted([bend, lean, twist]: [f64; 3], radius: f64, right: bool, axis: &str) -> String {
+    let y = |x: f64, z: f64| bend * (x - 4.0) * (x - 6.0) + lean * z + twist * x * z;
+    let row = |z: f64| {
+        let at = |x: f64| format!(",$\n({x},{:.6},{z})", y(x, z));
+        [-2.0, 1.5, 5.0, 8.5, 12.0].map(at).concat()
+    };
+    let (side, word) = if right { (-3.0, "TLRGT") } else { (3.0, "TLLFT") };
+    format!(
+        "UNITS/INCHES
+WALL=SSURF/SMESH,XYZ,SPLINE{},SPLINE{}
+FLOOR=PLANE/-.03,.05,1,0
+CUTTER/{},{radius},0,{radius},0,0,1
+INTOL/.001
+OUTTOL/.001
+MULTAX
+FROM/0,{side},4
+TLAXIS/{axis}
+GO/TO,WALL,TO,FLOOR,ON,(PLANE/1,0,0,.7)
+INDIRV/1,0,0
+{word},GOFWD/WALL,ON,(PLANE/1,0,0,7)
+FINI
+",
+        row(-3.0),
+        row(5.0),
+        2.0 * radius
+    )
+}
+
+#[test]
+fn a_ball_goes_along_a_twisted_wall_where_its_contact_leaps() {
+    for shape in [[0.02, 0.1, 0.02], [-0.02, -0.15, 0.015], [0.03, 0.0, -0.02], [0.0, 0.2, 0.01]] {
+        for radius in [0.25, 0.4] {
+            for right in [false, true] {
+                for axis in ["PARLEL,2", "0,0,1"] {
+                    let text = twisted(shape, radius, right, axis);
+                    let (codes, end) = run(&text, Verify::Full);
+                    assert!(codes.is_empty(), "{codes:?} {text}");
+                    assert!((end[0] - 7.0).abs() < 0.01, "{end:?} {text}");
                 }
             }
         }
