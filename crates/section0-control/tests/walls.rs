@@ -121,3 +121,35 @@ fn a_ball_goes_along_a_twisted_wall_where_its_contact_leaps() {
         }
     }
 }
+
+/// The way on ends where the straight continuation of the wall does: nothing behind the start is come to.
+#[test]
+fn a_tool_end_on_a_wall_does_not_turn_round_at_its_end() {
+    let rows = [
+        (-3, [0.459086, 0.230026, 0.200592, 0.470838, 0.73744, 0.701978]),
+        (1, [0.014509, -0.274417, -0.363717, -0.153336, 0.0534, -0.041927]),
+        (5, [-0.430069, -0.77886, -0.928025, -0.77751, -0.630639, -0.785833]),
+    ];
+    let row = |(z, y): (i32, [f64; 6])| {
+        let x = [-2.0, 0.6, 3.2, 5.8, 8.4, 11.0];
+        let points = x.iter().zip(y).map(|(x, y)| format!(",$\n({x},{y},{z})"));
+        format!(",SPLINE{}", points.collect::<String>())
+    };
+    let text = format!(
+        "UNITS/MM
+WALL=SSURF/SMESH,XYZ{}
+FLOOR=PLANE/0,0,1,0
+CUTTER/.8,.12,.28,.12,0,0,1.5
+INTOL/.0025
+OUTTOL/.005
+FROM/0,-1.6,4
+GO/ON,WALL,TO,FLOOR,ON,(PLANE/1,0,0,.862277)
+INDIRV/1,0,0
+TLON,TLOFPS,GOFWD/WALL,ON,(PLANE/1,0,0,-9)
+FINI
+",
+        rows.map(row).concat()
+    );
+    let (codes, end) = run(&text, Verify::Off);
+    assert_eq!(codes, ["APT2021"], "{end:?} {text}");
+}
