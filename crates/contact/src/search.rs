@@ -28,7 +28,10 @@ pub(crate) fn general(
     if let Some(gap) = round
         && (far_is_convex || start.is_some())
     {
-        return Ok(gap);
+        // A search that begins beside the flank is not to end at the arc where the flank is the deeper.
+        let flank = start.filter(|q| !far_is_convex && beside_flank(tool, q.point));
+        let flank = flank.and_then(|q| local(tool, surface, side, q).ok());
+        return Ok(flank.filter(|f| deeper(tool, f.raw, gap.raw)).unwrap_or(gap));
     }
     if let Some(gap) = start.and_then(|q| ring::beside(tool, surface, side, q)) {
         return Ok(gap);
@@ -327,6 +330,14 @@ fn round(tool: &Tool<'_>, surface: &Surface, side: Side, start: Option<Spot>) ->
         segment: Some(Segment::Arc),
         residual: 0.0,
     })
+}
+
+/// Is a point higher than the joint of arc and upper line, so that it is the flank that passes it?
+fn beside_flank(tool: &Tool<'_>, q: Vec3) -> bool {
+    /// Share of the cutter's size by which it has to be.
+    const ABOVE: f64 = 1e-3;
+    let [_, [_, joint]] = tool.profile.joints();
+    has_side(tool) && (q - tool.te).dot(&tool.ta) > joint + ABOVE * tool.profile.reach()
 }
 
 /// Has the cutter an upper line of any length?

@@ -34,12 +34,19 @@ const TILTS: u32 = 90;
 /// Halvings towards the least tilt and the least lift that clear.
 const HALVINGS: u32 = 24;
 
+/// Doublings of a way up that is looked for.
+const DOUBLINGS: u32 = 20;
+/// Share of the band by which a tilted tool is clearer than it has to be.
+const ROOM: f64 = 0.25;
+
 /// What a position is judged with.
 pub(crate) struct Case<'a> {
     pub(crate) profile: &'a Profile,
     pub(crate) guard: &'a Guard,
     /// Thickness and what the position takes of the tolerance.
     pub(crate) clearance: f64,
+    /// The same in the middle of the band.
+    pub(crate) middle: f64,
     pub(crate) outtol: f64,
     /// Unit direction of the motion.
     pub(crate) forward: Vec3,
@@ -50,10 +57,10 @@ pub(crate) struct Case<'a> {
 }
 
 impl Case<'_> {
-    /// Is a tool that touches with this end and axis clear where it is put out?
-    fn is_clear(&self, te: Vec3, ta: Vec3) -> bool {
-        let (te, ta) = self.away.map_or((te, ta), |r| r.above((te, ta)));
-        self.guard.position(self.profile, te, ta).is_ok()
+    /// Is a tool that touches with this end and axis clear where it is put out, by so much more than it has to be?
+    fn is_clear(&self, te: Vec3, ta: Vec3, room: f64) -> bool {
+        let at = self.away.map_or((te, ta), |r| r.above((te, ta)));
+        self.guard.way_within(self.profile, [at, at], self.guard.intol - room).is_ok()
     }
 }
 
@@ -66,21 +73,33 @@ impl Avoid {
         if !self.on {
             return None;
         }
-        self.tilted(p, case).or_else(|| self.lifted(p, case))
+        // Two neighbours that are just clear have a way between them that is not: from the middle of the band there is room.
+        let room = ROOM * (case.guard.intol + case.outtol);
+        let roomy = case.clearance.max(case.middle);
+        let tilted = self.tilted(p, case, (roomy, room));
+        tilted
+            .or_else(|| self.tilted(p, case, (case.clearance, 0.0)))
+            .or_else(|| self.lifted(p, case))
     }
 
     /// The least tilt that clears, by pitch or roll, with the technological angle added in its direction
-    /// and held within the range.
-    fn tilted(&self, p: &Position, case: &Case<'_>) -> Option<Avoided> {
+    /// and held within the range. The tool touches with that clearance, and nothing else of it comes nearer than `room`
+    /// to what is allowed.
+    fn tilted(
+        &self,
+        p: &Position,
+        case: &Case<'_>,
+        (clearance, room): (f64, f64),
+    ) -> Option<Avoided> {
         let [constant, low, high] = self.tilt?;
         let place = |axis: Vec3, deg: f64| {
             let ta = Transform::rotation(axis, deg).vector(p.ta).normalize();
-            let te = tool_end(case.profile, ta, p.contact, p.normal, case.clearance, -case.forward);
+            let te = tool_end(case.profile, ta, p.contact, p.normal, clearance, -case.forward);
             // About the contact, not over to the other side of a flat bottom.
             let turn = deg.to_radians().abs();
             let reach = (p.te - p.contact).norm() + case.profile.widest();
             let turns = (te - p.te).norm() <= 2.0 * reach * turn + 1e-9 * reach;
-            (turns && case.is_clear(te, ta)).then_some((te, ta))
+            (turns && case.is_clear(te, ta, room)).then_some((te, ta))
         };
         // Turning about these moves the axis towards forward and towards the step-over.
         let axes = [p.ta.cross(&case.forward), p.ta.cross(&case.over)];
@@ -117,12 +136,43 @@ impl Avoid {
         tilted(more).or_else(|| tilted(deg))
     }
 
+    /// Tool ends above two places close to each other between whose axes the answers jump, as from a tilt forward to one
+    /// across, or that a lift leads to while the axis turns: straight up from the one, over, and down to the other, `to`, all
+    /// clear and within LIMIT.
+    pub(crate) fn over(
+        &self,
+        profile: &Profile,
+        guard: &Guard,
+        [a, b]: [(Vec3, Vec3); 2],
+        to: &Position,
+    ) -> Option<[Vec3; 2]> {
+        if !self.on {
+            return None;
+        }
+        let along = |axis: Vec3| if self.along_normal { to.normal } else { axis };
+        let clear = |p, q| guard.way(profile, [p, q]).is_ok();
+        let most = self.limit.map_or(1e3 * profile.reach(), |limit| limit - to.lift.norm());
+        let mut high = 1e-3 * profile.reach();
+        for _ in 0..DOUBLINGS {
+            if high > most {
+                break;
+            }
+            let (up, down) = (a.0 + along(a.1) * high, b.0 + along(b.1) * high);
+            let [above, below] = [(up, a.1), (down, b.1)];
+            if clear(a, above) && clear(above, below) && clear(below, b) {
+                return Some([up, down]);
+            }
+            high *= 2.0;
+        }
+        None
+    }
+
     /// The least lift that clears.
     fn lifted(&self, p: &Position, case: &Case<'_>) -> Option<Avoided> {
         let along = if self.along_normal { p.normal } else { p.ta };
         let reach = case.profile.reach();
         let most = self.limit.unwrap_or(f64::INFINITY).min(1e3 * reach);
-        let clear = |d: f64| case.is_clear(p.te + along * d, p.ta);
+        let clear = |d: f64| case.is_clear(p.te + along * d, p.ta, 0.0);
         let (mut low, mut high) = (0.0, (1e-3 * reach).min(most));
         while !clear(high) {
             if high >= most {
@@ -192,6 +242,7 @@ mod tests {
             profile: &profile,
             guard: &guard,
             clearance: 0.0,
+            middle: 0.0,
             outtol: 1e-3,
             forward: Vec3::x(),
             over: Vec3::y(),

@@ -66,10 +66,13 @@ pub(crate) fn of_line(axis: Option<&ToolAxis>, side: f64, last: Vec3) -> Result<
         }
         Some(ToolAxis::Angle(a)) => {
             let alpha = a.angle_deg.to_radians();
-            let beta = a.cutting_deg.unwrap_or(0.0).to_radians();
+            let lead_deg = a.cutting_deg.unwrap_or(0.0);
             match a.reference.and_then(|v| v.try_normalize(0.0)) {
-                None => AxisArea::Angle { part: true, alpha, beta },
-                Some(_) if beta != 0.0 => {
+                None => {
+                    let alpha = beside(a.angle_deg, lead_deg)?;
+                    AxisArea::Angle { part: true, alpha, beta: lead_deg.to_radians() }
+                }
+                Some(_) if lead_deg != 0.0 => {
                     let what = "GOLOFT with ATANGL square to a vector and CUTANG";
                     return Err(Failure::Undone { what });
                 }
@@ -80,6 +83,25 @@ pub(crate) fn of_line(axis: Option<&ToolAxis>, side: f64, last: Vec3) -> Result<
             return Err(Failure::Undone { what: "GOLOFT behind TLAXIS/LAST with no axis before" });
         }
     })
+}
+
+/// The lean across the motion, radians, of an axis that makes the angle `alpha_deg` with the normal and leans by `beta_deg` along
+/// the motion, as TLAXIS has it; SCON gives both leans.
+fn beside(alpha_deg: f64, beta_deg: f64) -> Result<f64, Failure> {
+    /// By which rounding may make the lean greater than the angle.
+    const ROUNDING: f64 = 1e-9;
+    if beta_deg.abs() > alpha_deg.abs() + ROUNDING {
+        return Err(Failure::Value {
+            what: "CUTANG of TLAXIS/ATANGL",
+            value: beta_deg,
+            need: "no more than the angle to the normal, of which it is a part".into(),
+        });
+    }
+    let cos = trig::cos_deg(beta_deg);
+    // Along the motion itself nothing is left for across.
+    let across =
+        if cos > ROUNDING { trig::acos_clamped(trig::cos_deg(alpha_deg) / cos) } else { 0.0 };
+    Ok(across.copysign(alpha_deg))
 }
 
 /// The axis at a contact with the part surface whose unit normal `n` points to the tool.
@@ -104,6 +126,7 @@ fn square(v: Vec3, n: Vec3) -> Option<Vec3> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use aptc_protap::{AxisAngle, OptionSurface};
 
     fn place(across: Vec3) -> DrivePoint {
         DrivePoint {
@@ -130,6 +153,37 @@ mod tests {
         assert!((tilt(30.0, Vec3::new(1.0, 0.0, 1.0)) - Vec3::new(s, 0.0, c)).norm() < 1e-15);
         let area = AxisArea::Angle { part: false, alpha: 0.3, beta: 0.0 };
         assert!(at_drive(&area, &place(Vec3::zeros()), Vec3::y()).is_none());
+    }
+
+    #[test]
+    fn the_axis_of_a_line_has_both_angles() {
+        let angles = |alpha: f64, beta: f64| {
+            let axis = ToolAxis::Angle(AxisAngle {
+                surface: OptionSurface::Part,
+                angle_deg: alpha,
+                reference: None,
+                cutting_deg: Some(beta),
+                radius: None,
+                height: None,
+            });
+            of_line(Some(&axis), 1.0, Vec3::z())
+        };
+        let n = Vec3::new(0.1, -0.2, 1.0).normalize();
+        for (alpha, beta) in [(20.0, 15.0), (20.0, -20.0), (-30.0, 5.0), (40.0, 0.0), (90.0, 30.0)]
+        {
+            let Ok(AxisArea::Angle { part: true, alpha: across, beta: along }) =
+                angles(alpha, beta)
+            else {
+                unreachable!("a rule of two angles");
+            };
+            let a = at_part(across, along, n, Vec3::x(), Vec3::y()).unwrap();
+            let ahead = square(Vec3::x(), n).unwrap();
+            assert!((a.dot(&n) - trig::cos_deg(alpha)).abs() < 1e-12, "{alpha} {beta}");
+            assert!((a.dot(&ahead) - trig::sin_deg(beta)).abs() < 1e-12, "{alpha} {beta}");
+            let lean = a - n * a.dot(&n) - ahead * a.dot(&ahead);
+            assert!(lean.norm() < 1e-7 || (lean.y > 0.0) == (alpha > 0.0), "{alpha} {beta}");
+        }
+        assert!(angles(10.0, 15.0).is_err() && angles(0.0, 1.0).is_err());
     }
 
     #[test]

@@ -124,11 +124,21 @@ impl Guard {
     /// Is the tool with its holder clear all the way from one tool end and axis to the other? An axis that
     /// turns is proved stretch by stretch.
     pub(crate) fn way(&self, cutter: &Profile, ends: [(Vec3, Vec3); 2]) -> Result<(), Gouge> {
+        self.way_within(cutter, ends, self.intol)
+    }
+
+    /// The same with nothing deeper than `intol`.
+    pub(crate) fn way_within(
+        &self,
+        cutter: &Profile,
+        ends: [(Vec3, Vec3); 2],
+        intol: f64,
+    ) -> Result<(), Gouge> {
         for (by, (profile, up)) in self.solids(cutter) {
             let [a, b] = ends;
             for s in &self.surfaces {
                 let thick = if s.part { self.thick } else { 0.0 };
-                let allowed = self.intol - thick;
+                let allowed = intol - thick;
                 let tool = Tool { profile: &profile, te: a.0 + a.1 * up, ta: a.1 };
                 let found = if a == b {
                     s.tree.clear(&tool, allowed)
@@ -143,7 +153,7 @@ impl Guard {
                 }
             }
             for p in &self.plain {
-                if let Some((depth, _)) = p.deep(cutter, (&profile, up), ends, self.intol) {
+                if let Some((depth, _)) = p.deep(cutter, (&profile, up), ends, intol) {
                     let (surface, entered) = (p.name.clone(), p.entered(cutter, ends[1]));
                     return Err(Gouge { surface, span: None, depth, by, entered });
                 }

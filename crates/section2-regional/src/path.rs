@@ -195,6 +195,16 @@ impl Setup<'_> {
                 path.points.push(p);
                 continue;
             }
+            if way.is_err()
+                && close
+                && let Some([up, down]) =
+                    avoid.over(self.profile, guard, [(last.te, last.ta), (p.te, p.ta)], &p)
+            {
+                let up = Position { te: up, ..*last };
+                path.points.extend([up, Position { te: down, ..p }, p]);
+                path.avoided = true;
+                continue;
+            }
             let stands_off =
                 !close && left > 0 && self.stands_off(last, &p, (course, sense), memory);
             match way {
@@ -248,6 +258,7 @@ impl Setup<'_> {
             profile: self.profile,
             guard,
             clearance: self.thick() + p.shift,
+            middle: self.thick() + 0.5 * (self.band.outtol - self.band.intol),
             outtol: self.band.outtol,
             forward: unit(place.along * sense),
             over: unit(place.across * self.over),

@@ -153,6 +153,16 @@ enum First {
     After((Vec3, Vec3)),
 }
 
+/// How the tool comes from where it stands to the first place of a path.
+enum Joint {
+    /// It is there.
+    There,
+    /// By a cut vector.
+    Way,
+    /// Over these, as the way there gouges and is avoided.
+    Over([(Vec3, Vec3); 2]),
+}
+
 /// Places of the tool, and axes, so near to each other for the size of the numbers are the same.
 const SAME: f64 = 1e-9;
 /// A region has at most so many paths.
@@ -362,10 +372,18 @@ impl Region<'_> {
             }
         };
         let start = points.first().map(|p| (p.te, p.ta));
-        let skip = match (first, start) {
+        let skip = match (first, points.first()) {
             (First::Out, _) | (First::After(_), None) => false,
             (First::Left, _) => true,
-            (First::After(stand), Some(start)) => self.joined(setup, stand, start)?,
+            (First::After(stand), Some(start)) => match self.joined(setup, stand, start)? {
+                Joint::There => true,
+                Joint::Way => false,
+                Joint::Over(way) => {
+                    out.puts.push(Put::Move(way.to_vec()));
+                    out.avoided = true;
+                    false
+                }
+            },
         };
         let along = Along::each(&points, skip);
         out.puts.push(if setup.lift > 0.0 { Put::Lifted(along) } else { Put::Path(along) });
@@ -410,21 +428,24 @@ impl Region<'_> {
     }
 
     /// Does the tool stand already where a path begins? If not, as the axis turns with the direction of the
-    /// path, the way there keeps out of what is checked.
+    /// path, the way there keeps out of what is checked, over it where that is avoided.
     fn joined(
         &self,
         setup: &Setup<'_>,
         stand: (Vec3, Vec3),
-        start: (Vec3, Vec3),
-    ) -> Result<bool, Failure> {
+        first: &Position,
+    ) -> Result<Joint, Failure> {
+        let start = (first.te, first.ta);
         let near = SAME * (setup.part.extent + setup.profile.reach());
         if (stand.0 - start.0).norm() <= near && (stand.1 - start.1).norm() <= SAME {
-            return Ok(true);
+            return Ok(Joint::There);
         }
-        let Some((guard, avoid)) = setup.guard else { return Ok(false) };
-        let way = guard.way(setup.profile, [stand, start]);
-        way.map_err(|gouge| Failure::gouge(gouge, start.0, start.1, avoid.on))?;
-        Ok(false)
+        let Some((guard, avoid)) = setup.guard else { return Ok(Joint::Way) };
+        let Err(gouge) = guard.way(setup.profile, [stand, start]) else { return Ok(Joint::Way) };
+        match avoid.over(setup.profile, guard, [stand, start], first) {
+            Some([up, down]) => Ok(Joint::Over([(up, stand.1), (down, start.1)])),
+            None => Err(Failure::gouge(gouge, start.0, start.1, avoid.on)),
+        }
     }
 
     /// Up to the clearance plane, back over the first point of the path, and down.

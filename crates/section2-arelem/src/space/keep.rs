@@ -151,6 +151,11 @@ impl Keep {
         self.condition == Condition::Touch && self.surface.ends_at(gap.at)
     }
 
+    /// Is the tool end on the surface, at its edge or beyond?
+    pub(crate) fn ends_below(&self, gap: &Gap) -> bool {
+        self.condition == Condition::On && self.surface.ends_at(gap.at)
+    }
+
     pub(crate) fn is_plane(&self) -> bool {
         matches!(self.surface, Surface::Plane(_))
     }

@@ -181,7 +181,12 @@ fn follow(scene: &Scene, begin: &Begin) -> Result<Path, Failure> {
             });
         }
         let way = stride.to.pose.te - node.pose.te;
-        back += u32::from(way.dot(&last) < 0.0 && leave.is_none());
+        let returns = way.dot(&last) < 0.0 && leave.is_none();
+        // A tool end on a surface that ends finds no way on there, only the one that it came.
+        if returns && (0..2).any(|i| track.keeps[i].ends_below(&node.gaps[i])) {
+            return Err(blocked(scene, begin, &watches, &node, gone, Trouble::Contact));
+        }
+        back += u32::from(returns);
         last = if leave.is_none() { way } else { Vec3::zeros() };
         if back >= MOST_BACK {
             return Err(blocked(scene, begin, &watches, &node, gone, Trouble::Stuck));

@@ -13,7 +13,7 @@ use super::stride::Stride;
 use super::track::{Node, Track, Trouble};
 use super::way::{
     Crossing, GRAZING, HALVINGS, RATE, ROUNDS, Sample, Way, crossings, in_limits, read, simple,
-    tangencies,
+    sunk, tangencies,
 };
 
 /// How often a long cut vector over a surface of mixed curvature is halved at most.
@@ -355,7 +355,8 @@ impl Gauge {
         let known = self.last;
         let at = |keep: &Keep, node: &Node, s: f64, last: Option<Gap>| {
             let gap = keep.gap_from(&node.pose, last.as_ref());
-            let gap = gap.or_else(|_| keep.gap_from(&node.pose, known.as_ref())).ok()?;
+            let gap = gap.or_else(|_| keep.gap_from(&node.pose, known.as_ref())).ok();
+            let gap = gap.or_else(|| sunk(keep, node))?;
             Some(Sample { s, gap, slope: way.slope(node, &gap) })
         };
         let to = &way.stride.to;

@@ -69,7 +69,7 @@ const LEVEL: f64 = 1e-10;
 ///
 /// On the way through a small ellipsoid a cutter is there for a while. The gap is at most that of any point of the cutter,
 /// so that it is negative with the bound; where it is zero there is a pair.
-fn sunk(keep: &Keep, node: &Node) -> Option<Gap> {
+pub(super) fn sunk(keep: &Keep, node: &Node) -> Option<Gap> {
     if keep.condition == Condition::On || keep.side == Side::Open {
         return None;
     }

@@ -1,0 +1,119 @@
+//! AVCTRL over waves tighter than the cutter: each way between a tilted or lifted place and the next is found, few are cut
+//! into pieces, and all of it is proved.
+
+use std::fmt::Write;
+
+use aptc_control::{Disk, Options, Source, compile};
+use aptc_geometry::trig;
+
+/// The codes of all messages, and the number of positions.
+fn run(text: &str) -> (Vec<String>, usize) {
+    let options = Options { post: false, ..Options::default() };
+    let source = Source { name: "avoided".into(), text: text.into() };
+    let compiled = compile(source, &mut Disk::new(Vec::new(), 0), &options);
+    let codes = compiled.diagnostics.iter().map(|d| d.code.to_string()).collect();
+    let mut points = 0;
+    for part in &compiled.parts {
+        let count = |r: &aptc_cldata::Record| {
+            if let aptc_cldata::Kind::Motion(m) = &r.kind {
+                points += m.points.len();
+            }
+        };
+        part.computed.for_each(count).expect("they can be read");
+    }
+    (codes, points)
+}
+
+/// Waves along x of that number a unit, height and place, less high ones along y.
+fn waves([often, high, place]: [f64; 3]) -> String {
+    let mut out = String::from("FORM=SSURF/SMESH,XYZ");
+    for y in [0.0, 3.0, 6.0, 9.0_f64] {
+        out.push_str(",SPLINE");
+        for x in [0.0, 3.0, 6.0, 9.0, 12.0_f64] {
+            let z = high * (trig::sin(often * x + place) + 0.4 * trig::sin(0.6 * y));
+            write!(out, ",$\n({x},{y},{z:.6})").expect("text");
+        }
+    }
+    out
+}
+
+/// Waves, diameter, corner, tolerance, axis, AVCTRL, start and step-over.
+type Scene = ([f64; 3], [f64; 3], &'static str, &'static str, [f64; 3]);
+
+const SCENES: [Scene; 6] = [
+    // A tilt that is just enough at two places is not between them.
+    (
+        [0.8742, 0.4632, 3.4837],
+        [1.0, 0.15, 0.002],
+        "UP",
+        "CUTANG,CONST,0,RANGE,-20,20,AXIS,LIMIT,3",
+        [0.755, 0.416, 1.783],
+    ),
+    (
+        [0.8693, 0.4945, 3.4482],
+        [1.0, 0.15, 0.01],
+        "UP",
+        "CUTANG,CONST,0,RANGE,-20,20,AXIS,LIMIT,1",
+        [0.359, 0.363, 2.678],
+    ),
+    (
+        [0.6701, 0.3520, 2.3777],
+        [1.0, 0.05, 0.002],
+        "NORMDS",
+        "CUTANG,CONST,0,RANGE,-20,20,AXIS,LIMIT,1",
+        [0.298, 0.678, 1.720],
+    ),
+    // Where a pass and the step to the next meet the one tilts otherwise than the other.
+    (
+        [0.6953, 0.6116, 5.5955],
+        [3.0, 0.45, 0.002],
+        "NORMDS",
+        "CUTANG,CONST,0,RANGE,-20,20,AXIS,LIMIT,3",
+        [0.515, 0.478, 2.749],
+    ),
+    (
+        [0.8803, 0.6227, 1.3004],
+        [3.0, 0.05, 0.005],
+        "NORMDS",
+        "CUTANG,CONST,2,RANGE,-30,30,NORMPS,LIMIT,1",
+        [0.986, 0.462, 1.469],
+    ),
+    // A lift while the axis turns.
+    (
+        [0.6766, 0.5249, 1.2894],
+        [3.0, 0.45, 0.002],
+        "NORMDS",
+        "NORMPS,LIMIT,3",
+        [0.303, 0.503, 1.528],
+    ),
+];
+
+#[test]
+fn tilts_and_lifts_lead_on_to_each_other() {
+    for (form, [d, r, band], axis, avoid, [u, v, over]) in SCENES {
+        let text = format!(
+            "{}
+UP=VECTOR/0,0,1
+CUTTER/{d},{r},{},{r},0,0,3
+INTOL/{band}
+OUTTOL/{band}
+MULTAX
+FROM/0,0,6
+SCON/DS,FORM,PARAM,0,4,0,3,AT,UP
+SCON/PS,TO,FORM,PLUS,0
+SCON/AXIS,{axis}
+SCON/FEED,10,20,30,40
+SCON/STEPOV,0,{over},0,0
+CHKSRF/PS,ON
+AVCTRL/{avoid}
+SMIL/ZIGZAG,DS,PARAM,{u},{v},TANSPL,PLUS,STEPOV,PLUS
+FINI
+",
+            waves(form),
+            0.5 * d - r
+        );
+        let (codes, points) = run(&text);
+        assert!(codes.is_empty(), "{codes:?} {text}");
+        assert!((100..700).contains(&points), "{points} {text}");
+    }
+}

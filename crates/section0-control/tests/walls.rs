@@ -1,0 +1,155 @@
+//! Sculptured walls: one that is a part of a cylinder is met where the cylinder is, from near and from far; along a twisted one a
+//! ball with its shank goes on where the place of contact leaps along the flank.
+
+use aptc_control::{Disk, Options, Source, Verify, compile};
+
+/// The codes of all messages, and where the last motion ends.
+fn run(text: &str, verify: Verify) -> (Vec<String>, [f64; 3]) {
+    let options = Options { verify, post: false, ..Options::default() };
+    let source = Source { name: "walls".into(), text: text.into() };
+    let compiled = compile(source, &mut Disk::new(Vec::new(), 0), &options);
+    let codes = compiled.diagnostics.iter().map(|d| d.code.to_string()).collect();
+    let mut end = [f64::NAN; 3];
+    for part in &compiled.parts {
+        let last = |r: &aptc_cldata::Record| {
+            if let aptc_cldata::Kind::Motion(m) = &r.kind
+                && let Some(p) = m.points.last()
+            {
+                end = p.te.into();
+            }
+        };
+        part.computed.for_each(last).expect("they can be read");
+    }
+    (codes, end)
+}
+
+/// A part of a cylinder of radius 30 about x = `middle`, upright, round to where the tool comes from or open to it, and the tool
+/// on its way along y = `beside`.
+fn program(middle: f64, open: bool, beside: f64, floor: &str, work: &str) -> String {
+    let (crest, ends) =
+        if open { (middle + 30.0, middle + 18.0) } else { (middle - 30.0, middle - 18.0) };
+    format!(
+        "UNITS/MM
+ARC=SCURV/CURSEG,(POINT/{ends},-24,-20),(POINT/{crest},0,-20),$
+(POINT/{ends},24,-20)
+TOP=SCURV/CURSEG,(POINT/{ends},-24,40),(POINT/{crest},0,40),$
+(POINT/{ends},24,40)
+WALL=SSURF/GENCUR,ARC,TOP
+FLOOR={floor}
+WAY=PLANE/0,1,0,{beside}
+CUTTER/10,2,3,2,0,0,15
+INTOL/.001
+OUTTOL/.001
+FROM/0,{beside},9
+GO/ON,WAY,TO,FLOOR
+INDIRV/1,0,0
+TLON,GOFWD/WAY,{work}
+FINI
+"
+    )
+}
+
+#[test]
+fn a_sculptured_wall_is_met_where_its_cylinder_is() {
+    let straight = "PLANE/0,0,1,0";
+    // A floor that bends away from the tool makes many cut vectors of the way.
+    let bent = "CYLNDR/0,0,-4000,0,1,0,4000";
+    for floor in [straight, bent] {
+        for (middle, open) in [(45.0, false), (15.0, true), (80.0, false), (60.0, true)] {
+            for beside in [0.0, -9.0] {
+                // Where the circle of a radius about the middle crosses the way.
+                let crossing = |radius: f64| {
+                    let across = (radius * radius - beside * beside).sqrt();
+                    if open { middle + across } else { middle - across }
+                };
+                // Inside of the wall the tool has less room, outside more.
+                let (first, second) = if open { (25.0, 35.0) } else { (35.0, 25.0) };
+                for (work, radius) in [("TO,WALL", first), ("ON,WALL", 30.0), ("PAST,WALL", second)]
+                {
+                    let text = program(middle, open, beside, floor, work);
+                    let (codes, end) = run(&text, Verify::Off);
+                    assert!(codes.is_empty(), "{codes:?} {text}");
+                    let off = (end[0] - crossing(radius)).abs();
+                    assert!(off < 0.005, "{end:?} for {} {text}", crossing(radius));
+                }
+            }
+        }
+    }
+}
+
+/// A ruled wall that twists along x, bent by `bend` and leaning by `lean`, and a ball with its shank along it.
+fn twisted([bend, lean, twist]: [f64; 3], radius: f64, right: bool, axis: &str) -> String {
+    let y = |x: f64, z: f64| bend * (x - 4.0) * (x - 6.0) + lean * z + twist * x * z;
+    let row = |z: f64| {
+        let at = |x: f64| format!(",$\n({x},{:.6},{z})", y(x, z));
+        [-2.0, 1.5, 5.0, 8.5, 12.0].map(at).concat()
+    };
+    let (side, word) = if right { (-3.0, "TLRGT") } else { (3.0, "TLLFT") };
+    format!(
+        "UNITS/INCHES
+WALL=SSURF/SMESH,XYZ,SPLINE{},SPLINE{}
+FLOOR=PLANE/-.03,.05,1,0
+CUTTER/{},{radius},0,{radius},0,0,1
+INTOL/.001
+OUTTOL/.001
+MULTAX
+FROM/0,{side},4
+TLAXIS/{axis}
+GO/TO,WALL,TO,FLOOR,ON,(PLANE/1,0,0,.7)
+INDIRV/1,0,0
+{word},GOFWD/WALL,ON,(PLANE/1,0,0,7)
+FINI
+",
+        row(-3.0),
+        row(5.0),
+        2.0 * radius
+    )
+}
+
+#[test]
+fn a_ball_goes_along_a_twisted_wall_where_its_contact_leaps() {
+    for shape in [[0.02, 0.1, 0.02], [-0.02, -0.15, 0.015], [0.03, 0.0, -0.02], [0.0, 0.2, 0.01]] {
+        for radius in [0.25, 0.4] {
+            for right in [false, true] {
+                for axis in ["PARLEL,2", "0,0,1"] {
+                    let text = twisted(shape, radius, right, axis);
+                    let (codes, end) = run(&text, Verify::Full);
+                    assert!(codes.is_empty(), "{codes:?} {text}");
+                    assert!((end[0] - 7.0).abs() < 0.01, "{end:?} {text}");
+                }
+            }
+        }
+    }
+}
+
+/// The way on ends where the straight continuation of the wall does: nothing behind the start is come to.
+#[test]
+fn a_tool_end_on_a_wall_does_not_turn_round_at_its_end() {
+    let rows = [
+        (-3, [0.459086, 0.230026, 0.200592, 0.470838, 0.73744, 0.701978]),
+        (1, [0.014509, -0.274417, -0.363717, -0.153336, 0.0534, -0.041927]),
+        (5, [-0.430069, -0.77886, -0.928025, -0.77751, -0.630639, -0.785833]),
+    ];
+    let row = |(z, y): (i32, [f64; 6])| {
+        let x = [-2.0, 0.6, 3.2, 5.8, 8.4, 11.0];
+        let points = x.iter().zip(y).map(|(x, y)| format!(",$\n({x},{y},{z})"));
+        format!(",SPLINE{}", points.collect::<String>())
+    };
+    let text = format!(
+        "UNITS/MM
+WALL=SSURF/SMESH,XYZ{}
+FLOOR=PLANE/0,0,1,0
+CUTTER/.8,.12,.28,.12,0,0,1.5
+INTOL/.0025
+OUTTOL/.005
+FROM/0,-1.6,4
+GO/ON,WALL,TO,FLOOR,ON,(PLANE/1,0,0,.862277)
+INDIRV/1,0,0
+TLON,TLOFPS,GOFWD/WALL,ON,(PLANE/1,0,0,-9)
+FINI
+",
+        rows.map(row).concat()
+    );
+    let (codes, end) = run(&text, Verify::Off);
+    assert_eq!(codes, ["APT2021"], "{end:?} {text}");
+}
