@@ -31,6 +31,15 @@ pub(crate) enum Put {
     Path(Vec<Along>),
     /// The same of one that is lifted off the surface.
     Lifted(Vec<Along>),
+    /// The same of one that got out of the way of something.
+    Risen(Vec<Along>),
+}
+
+impl Put {
+    /// A path that got out of the way or did not.
+    pub(crate) fn path(along: Vec<Along>, avoided: bool) -> Self {
+        if avoided { Self::Risen(along) } else { Self::Path(along) }
+    }
 }
 
 /// A position that belongs to a place of the drive.
@@ -151,6 +160,8 @@ enum First {
     Left,
     /// It is put out unless the tool, which stands here, is there already.
     After((Vec3, Vec3)),
+    /// It is put out, and the tool comes from here.
+    From((Vec3, Vec3)),
 }
 
 /// Places of the tool, and axes, so near to each other for the size of the numbers are the same.
@@ -169,6 +180,11 @@ impl Region<'_> {
     ///
     /// APT: `CUTREG`. The number of paths counts the side steps too, as it did.
     pub(crate) fn mill(&self, from: [f64; 2], crew: &dyn Crew) -> Done {
+        // What cannot begin needs no lines.
+        let joins = Setup { joins: true, ..self.setup };
+        if let Err(why) = joins.settled(from, self.course, self.senses[0], None, joins.at_end()) {
+            return Done { why: Some(why), ..Done::default() };
+        }
         let lanes = self.lanes(from);
         let n = lanes.len();
         let slots: Vec<OnceLock<Pass>> = (0..n).map(|_| OnceLock::new()).collect();
@@ -363,12 +379,17 @@ impl Region<'_> {
         };
         let start = points.first().map(|p| (p.te, p.ta));
         let skip = match (first, start) {
-            (First::Out, _) | (First::After(_), None) => false,
+            (First::Out, _) | (First::After(_) | First::From(_), None) => false,
             (First::Left, _) => true,
             (First::After(stand), Some(start)) => self.joined(setup, stand, start)?,
+            (First::From(stand), Some(start)) => {
+                self.joined(setup, stand, start)?;
+                false
+            }
         };
         let along = Along::each(&points, skip);
-        out.puts.push(if setup.lift > 0.0 { Put::Lifted(along) } else { Put::Path(along) });
+        let lifted = setup.lift > 0.0;
+        out.puts.push(if lifted { Put::Lifted(along) } else { Put::path(along, avoided) });
         out.notes.extend(notes);
         out.avoided |= avoided;
         out.odd = out.odd.or(Odd::of(&points));
@@ -388,13 +409,17 @@ impl Region<'_> {
         let lift = self.stepover.lift;
         let setup = Setup { lift, joins: true, ..self.setup };
         out.puts.push(Put::Feed(self.feeds[1]));
-        let first = stand.filter(|_| lift <= 0.0).map_or(First::Out, First::After);
-        self.run(&setup, from, (target, across, self.senses[1]), first, out)?;
+        let first = stand.map_or(First::Out, if lift > 0.0 { First::From } else { First::After });
+        let points = self.run(&setup, from, (target, across, self.senses[1]), first, out)?;
         let mut uv = from;
         uv[across.index()] = target;
         if lift > 0.0 {
+            let corner = self.corner(uv)?;
+            if let Some(last) = points.last() {
+                self.joined(&setup, (last.te, last.ta), corner)?;
+            }
             out.puts.push(Put::Feed(self.feeds[2]));
-            out.puts.push(Put::Move(vec![self.corner(uv)?]));
+            out.puts.push(Put::Move(vec![corner]));
         }
         Ok(())
     }

@@ -84,12 +84,15 @@ impl Region {
             .map(|p| (p, "part"))
             .chain(milling.checked.iter().map(|c| (c, "checked")))
         {
-            surfaces.push(MilledSurface::new(of, role, milling, sheets.of(&of.surface)?));
+            // A tool end goes over a border straight on, as the surface is followed.
+            let on = role == "part" && milling.on;
+            let sheet = if on { sheets.on(&of.surface) } else { sheets.of(&of.surface) };
+            surfaces.push(MilledSurface::new(of, role, milling, sheet?));
         }
         let cusps = milling.scallop.as_ref().zip(milling.part.as_ref());
         let cusps = cusps.and_then(|(scallop, part)| {
-            let sheet = surfaces.first()?.sheet()?;
-            Some(Cusps::new(sheet, part.side, part.thick, milling.outtol, scallop))
+            let thick = if milling.on { 0.0 } else { part.thick };
+            Some(Cusps::new(&sheets.of(&part.surface)?, part.side, thick, milling.outtol, scallop))
         });
         let plain = |p| MilledSurface::plain(p, milling, sheets, (profile, from));
         surfaces.extend(milling.plain.iter().map(plain));
@@ -172,7 +175,7 @@ impl MilledSurface {
             between: false,
             on,
             side: of.side,
-            band: [least, if on { most } else { f64::INFINITY }],
+            band: [least, if on && !milling.risen { most } else { f64::INFINITY }],
         }
     }
 
@@ -192,13 +195,6 @@ impl MilledSurface {
             on: false,
             side: 1.0,
             band: [-milling.intol, f64::INFINITY],
-        }
-    }
-
-    fn sheet(&self) -> Option<&Arc<Sheet>> {
-        match &self.body {
-            Body::Sheet(sheet) => Some(sheet),
-            Body::Sided(_) | Body::Unknown => None,
         }
     }
 
