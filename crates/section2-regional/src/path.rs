@@ -394,8 +394,12 @@ impl Setup<'_> {
         let tool = Tool { profile: self.profile, te: p.te, ta: p.ta };
         let radius = tool.support(-p.normal).radii[0];
         let part = || self.part.name.name.as_str().into();
-        (self.part.touches && radius < -thick)
-            .then(|| Failure::ThickBeyond { part: part(), uv: p.drive_uv, thick, radius })
+        (self.part.touches && radius < -thick).then(|| Failure::ThickBeyond {
+            part: part(),
+            uv: p.drive_uv,
+            thick,
+            radius,
+        })
     }
 }
 

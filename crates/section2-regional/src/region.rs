@@ -300,6 +300,7 @@ impl Region<'_> {
         for _ in 0..ROUNDS {
             let narrow = width(0.5 * step).min(width(step));
             if narrow >= step * (1.0 - 1e-3) {
+                step = step.min(narrow);
                 break;
             }
             // Not below what a change of speed at a joint asks for, in few rounds.
