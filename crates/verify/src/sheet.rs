@@ -297,6 +297,7 @@ impl Sheet {
 impl Tile {
     /// By how much a linear function with the unit gradient `m` may be less on the piece than in its middle: by its
     /// slope, and by its bend where that goes down; where it goes up it makes good for the slope.
+    #[inline]
     pub(crate) fn dip(&self, m: Vec3) -> f64 {
         let cross = m.dot(&self.bend[1]).abs() + self.vary[1];
         let along = |i: usize| {
