@@ -106,11 +106,11 @@ SMIL/ZIGZAG,DS,PARAM,.2,.2,CRSSPL,PLUS,STEPOV,PLUS";
 fn what_lies_between_passes() {
     let work = |ps: &str, most: u32, smil: &str| {
         format!(
-            "SCON/DS,DOME,PARAM,0,2,0,2,AT,UP
+            "SCON/DS,DOME,PARAM,.5,.9,.5,.9,AT,UP
 SCON/PS,{ps},DOME,PLUS,0
 SCON/AXIS,UP
 SCON/STEPOV,.05,4,0,{most}
-SMIL/{smil},DS,PARAM,0,0,TANSPL,PLUS,STEPOV,PLUS"
+SMIL/{smil},DS,PARAM,.5,.5,TANSPL,PLUS,STEPOV,PLUS"
         )
     };
     for cutter in [BALL, FLAT] {
@@ -130,5 +130,7 @@ SCON/PS,TO,DOME,PLUS,-.1
 SCON/AXIS,UP
 SMIL/PATH,DS,PARAM,0,.5,TANSPL,PLUS";
     assert_eq!(faults(FLAT, work), ["APT2027"]);
-    assert_eq!(faults("8,1,3,1,0,0,30", work), Vec::<String>::new());
+    let work = work.replace("SCON/AXIS,UP", "SCON/AXIS,NORMDS");
+    assert_eq!(faults(FLAT, &work), ["APT2027"]);
+    assert_eq!(faults("8,1,3,1,0,0,30", &work), Vec::<String>::new());
 }

@@ -393,6 +393,8 @@ impl Setup<'_> {
         let thick = self.thick();
         let tool = Tool { profile: self.profile, te: p.te, ta: p.ta };
         let radius = tool.support(-p.normal).radii[0];
+        // Beside a face that lies on the surface its edge touches next.
+        let radius = if radius.is_finite() { radius } else { self.profile.corner_radius() };
         let part = || self.part.name.name.as_str().into();
         (self.part.touches && radius < -thick).then(|| Failure::ThickBeyond {
             part: part(),
