@@ -13,6 +13,8 @@ pub struct Milling {
     pub part: Option<Milled>,
     /// Does the tool end lie on the part surface (ON)? Else the cutter touches it.
     pub on: bool,
+    /// May the tool end stand above the part surface on which it lies? It got out of the way of something (AVCTRL).
+    pub risen: bool,
     /// Further sculptured surfaces that are checked (CHKSRF).
     pub checked: Vec<Milled>,
     /// Checked surfaces of other kinds.

@@ -48,6 +48,8 @@ pub(crate) struct Case<'a> {
     /// The same in the middle of the band.
     pub(crate) middle: f64,
     pub(crate) outtol: f64,
+    /// Is the tool end on the part surface? There it stays when the tool is tilted.
+    pub(crate) on: bool,
     /// Unit direction of the motion.
     pub(crate) forward: Vec3,
     /// Unit direction of the step-over, or across the path.
@@ -83,18 +85,25 @@ impl Avoid {
     }
 
     /// The least tilt that clears, by pitch or roll, with the technological angle added in its direction
-    /// and held within the range. The tool touches with that clearance, and nothing else of it comes nearer than `room`
-    /// to what is allowed.
+    /// and held within the range. Where that does not hold 0 the least is at one of its ends. The tool touches with that
+    /// clearance, and nothing else of it comes nearer than `room` to what is allowed.
     fn tilted(
         &self,
         p: &Position,
         case: &Case<'_>,
         (clearance, room): (f64, f64),
     ) -> Option<Avoided> {
-        let [constant, low, high] = self.tilt?;
+        let [constant, a, b] = self.tilt?;
+        let (low, high) = (a.min(b), a.max(b));
+        // The tilt of the range next to none, from which the others are tried.
+        let start = 0.0_f64.clamp(low, high);
         let place = |axis: Vec3, deg: f64| {
             let ta = Transform::rotation(axis, deg).vector(p.ta).normalize();
-            let te = tool_end(case.profile, ta, p.contact, p.normal, clearance, -case.forward);
+            let te = if case.on {
+                p.te
+            } else {
+                tool_end(case.profile, ta, p.contact, p.normal, clearance, -case.forward)
+            };
             // About the contact, not over to the other side of a flat bottom.
             let turn = deg.to_radians().abs();
             let reach = (p.te - p.contact).norm() + case.profile.widest();
@@ -107,9 +116,10 @@ impl Avoid {
         for (rolls, axis) in [false, true].into_iter().zip(axes) {
             let Some(axis) = axis.try_normalize(1e-9) else { continue };
             for end in [low, high] {
-                let (mut clear, mut failed) = (None, 0.0);
-                for k in 1..=TILTS {
-                    let deg = end * f64::from(k) / f64::from(TILTS);
+                let (mut clear, mut failed) = (None, start);
+                // No tilt is known to gouge; any other that the range begins with is looked at too.
+                for k in u32::from(start == 0.0)..=TILTS {
+                    let deg = start + (end - start) * f64::from(k) / f64::from(TILTS);
                     if best.is_some_and(|(b, ..)| deg.abs() >= b.abs()) {
                         break;
                     }
@@ -128,7 +138,7 @@ impl Avoid {
             }
         }
         let (deg, axis, rolls) = best?;
-        let more = (deg + constant.abs().copysign(deg)).clamp(low.min(high), low.max(high));
+        let more = (deg + constant.abs().copysign(deg)).clamp(low, high);
         let tilted = |deg: f64| {
             let (te, ta) = place(axis, deg)?;
             Some(Avoided { te, ta, tilt: Some((deg, rolls)), lift: None })
@@ -244,6 +254,7 @@ mod tests {
             clearance: 0.0,
             middle: 0.0,
             outtol: 1e-3,
+            on: false,
             forward: Vec3::x(),
             over: Vec3::y(),
             away: None,
@@ -271,6 +282,19 @@ mod tests {
         assert!(ta == p.ta && te.z > 5.0, "{te}");
         assert!(guard.position(&profile, te, ta).is_ok());
         assert!(tilt([0.0, -2.0, 2.0], Some(1.0)).around(&p, &case).is_none());
+        // A range that does not hold 0: no tilt outside of it, and its nearest end where that suffices.
+        let by = |range| tilt(range, Some(1.0)).around(&p, &case).and_then(|a| a.tilt);
+        let (least, _) = by([0.0, -60.0, 60.0]).unwrap();
+        for range in [[0.0, -60.0, least - 5.0], [0.0, least - 5.0, -60.0]] {
+            let (deg, _) = by(range).unwrap();
+            assert!((deg - (least - 5.0)).abs() < 1e-9, "{deg}");
+        }
+        let (deg, _) = by([0.0, -60.0, least + 5.0]).unwrap();
+        assert!((deg - least).abs() < 1e-4, "{deg}");
+        assert!(by([0.0, 3.0, 20.0]).is_none_or(|(deg, _)| (3.0..=20.0).contains(&deg)));
+        // A tool end that lies on the surface stays there.
+        let on = tilt([0.0, -60.0, 60.0], None).around(&p, &Case { on: true, ..case }).unwrap();
+        assert!(on.te == p.te && on.lift.is_none());
         assert!(Avoid::default().around(&p, &case).is_none());
     }
 }

@@ -24,6 +24,8 @@ pub(crate) enum Failure {
     NoAxis { uv: [f64; 2] },
     /// No chord keeps the tolerance.
     NoStep { uv: [f64; 2], part_uv: [f64; 2], deviation: f64, allowed: f64 },
+    /// The cutter is to go into the surface by more than it is round where it touches.
+    ThickBeyond { part: Box<str>, uv: [f64; 2], thick: f64, radius: f64 },
     /// More points than NUMPTS.
     TooMany { limit: usize, uv: [f64; 2] },
     /// Longer than MAXDP lets a path be.
@@ -144,6 +146,18 @@ impl Failure {
                 ),
                 "the normal vanishes there, or the path runs along the direction of projection"
                     .into(),
+            ),
+            Self::ThickBeyond { part, uv, thick, radius } => (
+                codes::THICK_BEYOND_CUTTER,
+                format!(
+                    "the thickness {} on {part} is negative by more than the radius {} with which the \
+                     cutter touches it, at the drive point u {}, v {}",
+                    short(*thick),
+                    short(*radius),
+                    short(uv[0]),
+                    short(uv[1])
+                ),
+                "give a thickness of at least minus the corner radius".into(),
             ),
             Self::NoStep { uv, part_uv, deviation, allowed } => (
                 codes::NO_CHORD,

@@ -149,7 +149,8 @@ impl Regional {
         let done = region.mill(from, crew);
         let (height, avoided) = (wish.scallop, done.avoided);
         let extent = || along_lines(&done.touched, &part.surface);
-        let asked = height > 0.0 && done.why.is_none();
+        // Beside a single line nothing lies between.
+        let asked = height > 0.0 && done.why.is_none() && done.touched.len() > 1;
         let scallop = asked.then(|| Scallop { height, extent: extent(), avoided });
         let control = self.milling_control(&part, scallop, false);
         self.diagnostics.extend(reports(origin, &done.notes));

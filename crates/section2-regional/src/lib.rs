@@ -33,6 +33,7 @@ mod project;
 mod region;
 mod regional;
 mod report;
+mod ridge;
 mod scon;
 mod settings;
 mod smil;

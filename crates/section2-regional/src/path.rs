@@ -260,6 +260,7 @@ impl Setup<'_> {
             clearance: self.thick() + p.shift,
             middle: self.thick() + 0.5 * (self.band.outtol - self.band.intol),
             outtol: self.band.outtol,
+            on: !self.part.touches,
             forward: unit(place.along * sense),
             over: unit(place.across * self.over),
             away,
@@ -389,11 +390,28 @@ impl Setup<'_> {
             worst = judged.unwrap_or(worst);
             length *= (AIM / used.sqrt()).clamp(0.1, 0.95);
         }
-        Err(Failure::NoStep {
+        Err(self.sharp(here).unwrap_or(Failure::NoStep {
             uv: here.drive_uv,
             part_uv: worst.part_uv,
             deviation: worst.deviation,
             allowed: self.band.intol.max(self.band.outtol),
+        }))
+    }
+
+    /// Why no chord keeps to a surface that the cutter is to be in by more than it is round where it touches: turned
+    /// about its edge it is less deep.
+    fn sharp(&self, p: &Position) -> Option<Failure> {
+        let thick = self.thick();
+        let tool = Tool { profile: self.profile, te: p.te, ta: p.ta };
+        let radius = tool.support(-p.normal).radii[0];
+        // Beside a face that lies on the surface its edge touches next.
+        let radius = if radius.is_finite() { radius } else { self.profile.corner_radius() };
+        let part = || self.part.name.name.as_str().into();
+        (self.part.touches && radius < -thick).then(|| Failure::ThickBeyond {
+            part: part(),
+            uv: p.drive_uv,
+            thick,
+            radius,
         })
     }
 }

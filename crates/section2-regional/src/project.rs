@@ -239,18 +239,23 @@ impl Shot<'_> {
         let Probe::Cutter { profile, ta, thick } = self.probe else { return None };
         let size = self.extent + self.from.norm() + profile.reach();
         let mut way = -4.0 * size;
+        let mut gap = size;
         for _ in 0..FALLS {
             let tool = Tool { profile, te: self.from + self.along * way, ta };
-            let (place, _) = tree.deepest(&tool, 1e-11 * size)?;
-            let gap = place.distance - thick;
-            if gap <= 1e-10 * size {
+            // From afar no more is asked than what the next step needs.
+            let eps = (1e-3 * gap).max(1e-11 * size);
+            let (place, _) = tree.deepest(&tool, eps)?;
+            let sure = eps <= 1e-11 * size;
+            gap = place.distance - thick;
+            if gap <= 1e-10 * size && sure {
                 let [u, v] = place.uv;
                 let uv = self.surface.global(place.patch, u, v);
                 let at = self.surface.at(uv[0], uv[1]);
                 let normal = at.normal()? * self.side;
                 return (normal.dot(&self.along) < 0.0).then_some(Met { uv, at, normal, way });
             }
-            way += gap;
+            // The nearest place is nearer by what was not asked for at most.
+            way += (gap - eps).max(0.0);
         }
         None
     }

@@ -31,6 +31,15 @@ pub(crate) enum Put {
     Path(Vec<Along>),
     /// The same of one that is lifted off the surface.
     Lifted(Vec<Along>),
+    /// The same of one that got out of the way of something.
+    Risen(Vec<Along>),
+}
+
+impl Put {
+    /// A path that got out of the way or did not.
+    pub(crate) fn path(along: Vec<Along>, avoided: bool) -> Self {
+        if avoided { Self::Risen(along) } else { Self::Path(along) }
+    }
 }
 
 /// A position that belongs to a place of the drive.
@@ -151,6 +160,8 @@ enum First {
     Left,
     /// It is put out unless the tool, which stands here, is there already.
     After((Vec3, Vec3)),
+    /// It is put out, and the tool comes from here.
+    From((Vec3, Vec3)),
 }
 
 /// How the tool comes from where it stands to the first place of a path.
@@ -179,6 +190,11 @@ impl Region<'_> {
     ///
     /// APT: `CUTREG`. The number of paths counts the side steps too, as it did.
     pub(crate) fn mill(&self, from: [f64; 2], crew: &dyn Crew) -> Done {
+        // What cannot begin needs no lines.
+        let joins = Setup { joins: true, ..self.setup };
+        if let Err(why) = joins.settled(from, self.course, self.senses[0], None, joins.at_end()) {
+            return Done { why: Some(why), ..Done::default() };
+        }
         let lanes = self.lanes(from);
         let n = lanes.len();
         let slots: Vec<OnceLock<Pass>> = (0..n).map(|_| OnceLock::new()).collect();
@@ -294,6 +310,7 @@ impl Region<'_> {
         for _ in 0..ROUNDS {
             let narrow = width(0.5 * step).min(width(step));
             if narrow >= step * (1.0 - 1e-3) {
+                step = step.min(narrow);
                 break;
             }
             // Not below what a change of speed at a joint asks for, in few rounds.
@@ -373,20 +390,23 @@ impl Region<'_> {
         };
         let start = points.first().map(|p| (p.te, p.ta));
         let skip = match (first, points.first()) {
-            (First::Out, _) | (First::After(_), None) => false,
+            (First::Out, _) | (First::After(_) | First::From(_), None) => false,
             (First::Left, _) => true,
-            (First::After(stand), Some(start)) => match self.joined(setup, stand, start)? {
-                Joint::There => true,
-                Joint::Way => false,
-                Joint::Over(way) => {
-                    out.puts.push(Put::Move(way.to_vec()));
-                    out.avoided = true;
-                    false
+            (First::After(stand) | First::From(stand), Some(start)) => {
+                match self.joined(setup, stand, start)? {
+                    Joint::There => matches!(first, First::After(_)),
+                    Joint::Way => false,
+                    Joint::Over(way) => {
+                        out.puts.push(Put::Move(way.to_vec()));
+                        out.avoided = true;
+                        false
+                    }
                 }
-            },
+            }
         };
         let along = Along::each(&points, skip);
-        out.puts.push(if setup.lift > 0.0 { Put::Lifted(along) } else { Put::Path(along) });
+        let lifted = setup.lift > 0.0;
+        out.puts.push(if lifted { Put::Lifted(along) } else { Put::path(along, avoided) });
         out.notes.extend(notes);
         out.avoided |= avoided;
         out.odd = out.odd.or(Odd::of(&points));
@@ -406,13 +426,18 @@ impl Region<'_> {
         let lift = self.stepover.lift;
         let setup = Setup { lift, joins: true, ..self.setup };
         out.puts.push(Put::Feed(self.feeds[1]));
-        let first = stand.filter(|_| lift <= 0.0).map_or(First::Out, First::After);
-        self.run(&setup, from, (target, across, self.senses[1]), first, out)?;
+        let first = stand.map_or(First::Out, if lift > 0.0 { First::From } else { First::After });
+        let points = self.run(&setup, from, (target, across, self.senses[1]), first, out)?;
         let mut uv = from;
         uv[across.index()] = target;
         if lift > 0.0 {
+            let corner = self.corner(uv)?;
+            if let (Some(last), Some((guard, avoid))) = (points.last(), setup.guard) {
+                let way = guard.way(setup.profile, [(last.te, last.ta), corner]);
+                way.map_err(|gouge| Failure::gouge(gouge, corner.0, corner.1, avoid.on))?;
+            }
             out.puts.push(Put::Feed(self.feeds[2]));
-            out.puts.push(Put::Move(vec![self.corner(uv)?]));
+            out.puts.push(Put::Move(vec![corner]));
         }
         Ok(())
     }

@@ -147,10 +147,11 @@ impl Regional {
             g
         });
         setup.guard = guard.as_ref().map(|g| (g, self.avoid));
-        let Path { points, notes, .. } = setup.alone(p, (Course::U, 1.0), away)?;
+        let Path { points, notes, avoided } = setup.alone(p, (Course::U, 1.0), away)?;
         let along = |p: &Position| Along { at: led(p), uv: p.drive_uv };
         let moved = points.iter().any(|p| led(p).0 != p.te);
-        let (puts, odd) = (vec![Put::Path(points.iter().map(along).collect())], Odd::of(&points));
+        let put = Put::path(points.iter().map(along).collect(), avoided);
+        let (puts, odd) = (vec![put], Odd::of(&points));
         Ok(Done { puts, notes, odd, away: moved, ..Done::default() })
     }
 
@@ -175,7 +176,7 @@ impl Regional {
         setup.guard = guard.as_ref().map(|g| (g, self.avoid));
         let skip = w.number().is_some_and(|s| s > 0.0);
         let to = setup.drive.limits(course)[usize::from(sense > 0.0)];
-        let (Path { points, notes, .. }, broken) = match setup.run(from, to, course, sense) {
+        let (Path { points, notes, avoided }, broken) = match setup.run(from, to, course, sense) {
             Ok(path) => (path, None),
             Err(broken) => {
                 let Broken { done, why } = *broken;
@@ -184,7 +185,7 @@ impl Regional {
         };
         let moves = Along::each(&points, skip);
         let first = points.first().map(|p| (p.te, p.ta));
-        let (puts, odd) = (vec![Put::Path(moves)], Odd::of(&points));
+        let (puts, odd) = (vec![Put::path(moves, avoided)], Odd::of(&points));
         Ok(Done { puts, notes, odd, first, why: broken, joined: skip, ..Done::default() })
     }
 
@@ -228,18 +229,20 @@ impl Regional {
         let (height, avoided) = (stepover.scallop, done.avoided);
         let part = &region.setup.part;
         let extent = || {
-            if !part.touches {
-                Extent::Unknown("the tool end is led on its part surface")
+            if !part.touches && (pick || stepover.lift > 0.0 || done.avoided) {
+                // What lies between is then judged in pieces.
+                Extent::Unknown("the tool end is led on its part surface, and away from it")
             } else if same {
                 along_lines(&done.touched, &part.surface)
-            } else if region.setup.drive.hold == Hold::At {
+            } else if region.setup.drive.hold == Hold::At || !part.touches {
                 led(&done.touched, &part.surface, !pick)
             } else {
                 // What the cutter does not come to lies between too.
                 Extent::Unknown("the tool end is led over another surface")
             }
         };
-        let asked = height > 0.0 && done.why.is_none();
+        // Beside a single pass nothing lies between.
+        let asked = height > 0.0 && done.why.is_none() && done.touched.len() > 1;
         let scallop = asked.then(|| Scallop { height, extent: extent(), avoided });
         let crate::region::Done { puts, notes, odd, first, why, .. } = done;
         let (joined, picks) = (skip, pick);
@@ -252,7 +255,9 @@ impl Regional {
     fn join(&mut self, origin: &Origin, done: &mut Done) -> Result<(), Failure> {
         let second = done.puts.iter().find_map(|p| match p {
             Put::Move(points) => points.first().copied(),
-            Put::Path(points) | Put::Lifted(points) => points.first().map(|p| p.at),
+            Put::Path(points) | Put::Lifted(points) | Put::Risen(points) => {
+                points.first().map(|p| p.at)
+            }
             Put::Feed(_) => None,
         });
         let (Some(stand), Some(first), Some(second)) = (self.stand, done.first, second) else {
@@ -360,6 +365,7 @@ impl Regional {
         let milling = Milling {
             part: Some(own),
             on: !part.touches,
+            risen: false,
             checked: checked.collect(),
             plain: plain.collect(),
             holder: holder.collect(),
@@ -385,16 +391,31 @@ impl Regional {
         let mut before: Option<Vec3> = None;
         let freed = control.and_then(freed);
         let mut control = control;
+        let (mut first, mut risen) = (true, false);
         for put in puts {
-            // A tool end that is led on its part surface is free where it is led away, and on it again behind.
-            let away = matches!(put, Put::Move(_) | Put::Lifted(_));
-            let held = match &freed {
-                Some([free, back]) if away => {
-                    control = Some(back);
-                    Some(free)
+            // A tool end that is led on its part surface is free where it is led away, and on it again behind. Where it
+            // got out of the way it may stand above, and on what goes on from there.
+            let held = match (&freed, &put) {
+                (Some(freed), Put::Move(_) | Put::Lifted(_)) => {
+                    (control, risen) = (Some(&freed.back), false);
+                    Some(&freed.free)
+                }
+                (Some(freed), Put::Path(_) | Put::Risen(_)) => {
+                    let up = matches!(put, Put::Risen(_));
+                    let held = match (up || risen, first) {
+                        (true, true) => Some(&freed.first),
+                        (true, false) => Some(&freed.risen),
+                        (false, _) => control,
+                    };
+                    if up || risen {
+                        control = Some(&freed.back);
+                    }
+                    risen = up;
+                    held
                 }
                 _ => control,
             };
+            first &= matches!(put, Put::Feed(_));
             let (points, uvs) = match put {
                 Put::Feed(f) if f != 0.0 => {
                     let kind =
@@ -404,7 +425,7 @@ impl Regional {
                 }
                 Put::Feed(_) => continue,
                 Put::Move(points) => (points, Vec::new()),
-                Put::Path(points) | Put::Lifted(points) => {
+                Put::Path(points) | Put::Lifted(points) | Put::Risen(points) => {
                     points.into_iter().map(|p| (p.at, p.uv)).unzip()
                 }
             };
@@ -447,14 +468,26 @@ impl Regional {
     }
 }
 
-/// What a tool keeps to that is led away from a part surface on which its end is led, and behind that on it again; `None`
-/// where it is not led so.
-fn freed(control: &Arc<cl::Control>) -> Option<[Arc<cl::Control>; 2]> {
+/// What a tool keeps to whose end is led on a part surface.
+struct Freed {
+    /// Where it is led away.
+    free: Arc<cl::Control>,
+    /// Behind that, on the surface again.
+    back: Arc<cl::Control>,
+    /// Where it got out of the way, on the first path and on others.
+    first: Arc<cl::Control>,
+    risen: Arc<cl::Control>,
+}
+
+/// `None` where the tool end is not led so.
+fn freed(control: &Arc<cl::Control>) -> Option<Freed> {
     let milling = control.milling.as_ref().filter(|m| m.on && m.part.is_some())?;
-    let again = Milling { scallop: None, joined: true, ..milling.clone() };
-    let free = Milling { part: None, ..again.clone() };
+    let back = Milling { scallop: None, joined: true, ..milling.clone() };
+    let free = Milling { part: None, ..back.clone() };
+    let risen = Milling { risen: true, ..back.clone() };
+    let first = Milling { risen: true, ..milling.clone() };
     let of = |milling| Arc::new(cl::Control { milling: Some(milling), ..cl::Control::default() });
-    Some([of(free), of(again)])
+    Some(Freed { free: of(free), back: of(back), first: of(first), risen: of(risen) })
 }
 
 fn missing(areas: &[(&'static str, bool)]) -> Vec<&'static str> {

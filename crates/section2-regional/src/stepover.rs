@@ -5,6 +5,8 @@ use aptc_geometry::{Profile, Vec3};
 use crate::area::{Hold, StepoverArea};
 use crate::drive::Course;
 use crate::position::Position;
+use crate::ridge::Pass;
+use crate::settings::Band;
 use crate::solve::Setup;
 
 /// A cutter that nearly fills a hollow moves its contact so many times as fast as itself, at most the inverse.
@@ -74,15 +76,39 @@ pub(crate) fn parameter_step(
             continue;
         }
         let mut width = if by_parameter || area.most == 0.0 { f64::INFINITY } else { area.most };
-        let allowed = scallop_width(radius, area.scallop, k);
+        let height = kept(area.scallop, setup);
+        let allowed = scallop_width(radius, height, k);
         if allowed > 0.0 {
             width = width.min(allowed);
+        }
+        // A ball is as round everywhere, so that the formula tells it all.
+        if height > 0.0 && !profile.is_round() {
+            let thick = if setup.part.touches { setup.thick() } else { 0.0 };
+            let along = path_direction(points, i);
+            let strip = Pass { profile, at: p, along, side, curvature: k }.strip(thick + height);
+            // Its chords may leave the lines sideways.
+            let strip = strip - 2.0 * setup.lateral;
+            if strip > 0.0 {
+                width = width.min(strip);
+            }
         }
         if width.is_finite() && width > 0.0 {
             step = step.min(width / speed);
         }
     }
     if step.is_finite() { step } else { 1.0 }.min(area.parameter.unwrap_or(f64::INFINITY))
+}
+
+/// The height that the passes are laid for: less than the scallop by a part of the band, for what a circle does not tell of
+/// cutter and surface between two passes, and for rounding.
+fn kept(scallop: f64, setup: &Setup<'_>) -> f64 {
+    /// Parts of the band, of which the chords leave the rest to the height besides, and of the scallop, for places
+    /// between those that are looked at.
+    const PARTS: [f64; 2] = [0.02, 0.002];
+    /// Part of the scallop, at most.
+    const MOST: f64 = 0.1;
+    let Band { intol, outtol } = setup.band;
+    scallop - (PARTS[0] * (intol + outtol) + PARTS[1] * scallop).min(MOST * scallop)
 }
 
 /// A step of the drive as the tool takes it: projected along the line of projection on the plane that touches

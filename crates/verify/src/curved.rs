@@ -9,7 +9,7 @@ use crate::between::{angle, between_poses};
 use crate::deep::deepest;
 use crate::demand::Verdict;
 use crate::pile::Pile;
-use crate::search::{Aim, FINE_FOLD, FOLD, Lead, Moved, clearance, clearance_from};
+use crate::search::{Aim, FINE_FOLD, FOLD, Lead, Moved, TURNED, clearance, clearance_from};
 use crate::sheet::{Sheet, Spot};
 use crate::sweep::Sweep;
 use crate::tool::{Pose, Tool};
@@ -18,8 +18,6 @@ use crate::witness::{Excess, Near, excess};
 
 /// Halvings of a vector whose axis turns.
 const DEPTH: u32 = 22;
-/// A bound may miss the truth by so many times what is allowed for the turn of the axis.
-const TURNED: f64 = 20.0;
 /// Halvings of a vector along which the surface was not searched to the end.
 const LONG: u32 = 5;
 /// Stretches of one vector that are looked at.
@@ -45,6 +43,8 @@ pub(crate) struct Warm {
     near: Option<[Near; 2]>,
     /// That it is nowhere too far was shown by points of the tool alone.
     sunk: bool,
+    /// What may be allowed for the turn of the axis on one stretch.
+    pub(crate) stretch: Option<f64>,
 }
 
 /// What came of one bound.
@@ -233,7 +233,7 @@ impl Curved<'_> {
             seen += 1;
             let bend = turn * (t1 - t0);
             let sweep = Sweep::new(tool, pose(t0), pose(t1), bend);
-            let turned = sweep.pad + 0.25 * sweep.turn * (sweep.b.te - sweep.a.te).norm();
+            let turned = sweep.turned();
             let found = clearance_from(&sweep, &moved, enough, Aim::Clear, &mut warm.lead);
             let shown = found.least - thin;
             if found.least >= enough {

@@ -14,7 +14,7 @@ use crate::demand::Verdict;
 use crate::kept::Kept;
 use crate::pile::Pile;
 use crate::scallop::{Cusps, Left};
-use crate::search::{Aim, FOLD, Moved, clearance_from};
+use crate::search::{Aim, FOLD, Moved, TURNED, clearance_from};
 use crate::sheet::Sheet;
 use crate::sheets::Sheets;
 use crate::statement::{PLACES, Seen, Statement};
@@ -27,8 +27,12 @@ use crate::witness::descend;
 const DEPTH: u32 = 22;
 const MOST: u32 = 2000;
 /// As for a surface that guides the tool.
-const TURNED: f64 = 20.0;
 const LONG: u32 = 5;
+/// Halvings that a vector begins with at most, as the ones before it needed; what may be allowed for the turn on a stretch
+/// falls to this part of one that was too long, and rises by that after a vector of which none was.
+const AHEAD: u32 = 5;
+const FALLS: f64 = 0.6;
+const RISES: f64 = 1.4;
 /// Share of what may be left by which points seen from a tool that turns may leave their chords.
 const FINE: f64 = 0.3;
 
@@ -84,12 +88,15 @@ impl Region {
             .map(|p| (p, "part"))
             .chain(milling.checked.iter().map(|c| (c, "checked")))
         {
-            surfaces.push(MilledSurface::new(of, role, milling, sheets.of(&of.surface)?));
+            // A tool end goes over a border straight on, as the surface is followed.
+            let on = role == "part" && milling.on;
+            let sheet = if on { sheets.on(&of.surface) } else { sheets.of(&of.surface) };
+            surfaces.push(MilledSurface::new(of, role, milling, sheet?));
         }
         let cusps = milling.scallop.as_ref().zip(milling.part.as_ref());
         let cusps = cusps.and_then(|(scallop, part)| {
-            let sheet = surfaces.first()?.sheet()?;
-            Some(Cusps::new(sheet, part.side, part.thick, milling.outtol, scallop))
+            let thick = if milling.on { 0.0 } else { part.thick };
+            Some(Cusps::new(&sheets.of(&part.surface)?, part.side, thick, milling.outtol, scallop))
         });
         let plain = |p| MilledSurface::plain(p, milling, sheets, (profile, from));
         surfaces.extend(milling.plain.iter().map(plain));
@@ -172,7 +179,7 @@ impl MilledSurface {
             between: false,
             on,
             side: of.side,
-            band: [least, if on { most } else { f64::INFINITY }],
+            band: [least, if on && !milling.risen { most } else { f64::INFINITY }],
         }
     }
 
@@ -192,13 +199,6 @@ impl MilledSurface {
             on: false,
             side: 1.0,
             band: [-milling.intol, f64::INFINITY],
-        }
-    }
-
-    fn sheet(&self) -> Option<&Arc<Sheet>> {
-        match &self.body {
-            Body::Sheet(sheet) => Some(sheet),
-            Body::Sided(_) | Body::Unknown => None,
         }
     }
 
@@ -323,8 +323,22 @@ fn keeps_off(
     let moved = Moved { sheet, side: 1.0, shift: 0.0, fold: FOLD };
     let mut low = f64::INFINITY;
     let mut open = (0.0, 0.0);
-    let mut stack = Pile::<(f64, f64, u32), 32>::new();
-    stack.push((0.0, 1.0, 0));
+    // Room for those stretches and for one more at each halving.
+    let mut stack = Pile::<(f64, f64, u32), 64>::new();
+    // Stretches as long as those that served along the vector before: what is allowed for the turn falls by four with
+    // their length.
+    let whole = Sweep::new(tool, pose(0.0), pose(1.0), turn).turned();
+    let longest = warm.stretch.unwrap_or(f64::INFINITY);
+    let (mut ahead, mut allowed) = (0, whole);
+    while ahead < AHEAD && allowed > longest {
+        (ahead, allowed) = (ahead + 1, 0.25 * allowed);
+    }
+    let parts = 1_u32 << ahead;
+    for i in (0..parts).rev() {
+        let [t0, t1] = [i, i + 1].map(|i| f64::from(i) / f64::from(parts));
+        stack.push((t0, t1, ahead));
+    }
+    let mut halved = false;
     let mut seen = 0;
     while let Some((t0, t1, depth)) = stack.pop() {
         seen += 1;
@@ -342,19 +356,26 @@ fn keeps_off(
             }
         }
         let short = least - found.least;
-        let turned = sweep.pad + 0.25 * sweep.turn * (sweep.b.te - sweep.a.te).norm();
+        let turned = sweep.turned();
         let helps = if short == f64::INFINITY {
             depth < LONG
         } else {
             sweep.turn > 0.0 && short <= TURNED * turned && depth < DEPTH
         };
         if helps && seen < MOST {
+            if turned > 0.0 && short < f64::INFINITY {
+                halved = true;
+                warm.stretch = Some(warm.stretch.unwrap_or(f64::INFINITY).min(FALLS * turned));
+            }
             let m = 0.5 * (t0 + t1);
             stack.push((m, t1, depth + 1));
             stack.push((t0, m, depth + 1));
         } else if short > open.1 {
             open = (t0, short);
         }
+    }
+    if !halved {
+        warm.stretch = warm.stretch.map(|s| s * RISES);
     }
     if open.1 > 0.0 { Half::Open(open.0, open.1) } else { Half::Holds(low) }
 }

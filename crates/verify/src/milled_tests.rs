@@ -53,6 +53,7 @@ fn milling(intol: f64) -> Milling {
     Milling {
         part: None,
         on: false,
+        risen: false,
         checked: Vec::new(),
         plain: Vec::new(),
         holder: Vec::new(),

@@ -18,6 +18,9 @@ const FEW: u32 = 2_000;
 /// Pieces that a search looks at for a still nearer place when it has found one that is too near.
 const MORE: u32 = 400;
 
+/// A bound may miss the truth by so many times what is allowed for the turn of the axis, and a shorter way still helps.
+pub(crate) const TURNED: f64 = 20.0;
+
 /// Share of the shift below which a piece that is too near is not cut further, as a rule and where that decides nothing.
 pub(crate) const FOLD: f64 = 1e-4;
 pub(crate) const FINE_FOLD: f64 = 1e-6;
@@ -29,6 +32,8 @@ pub(crate) struct Clearance {
     pub(crate) least: f64,
     /// The nearest that was met: distance, share of the way, place of the surface.
     pub(crate) nearest: Option<(f64, f64, Spot)>,
+    /// Did the search end where only a shorter way helps, as the axis turns?
+    pub(crate) turned: bool,
 }
 
 /// The surface moved by `shift` along its normals to the side `side`.
@@ -87,7 +92,9 @@ pub(crate) fn clearance_from(
 ) -> Clearance {
     let direction = lead.direction;
     let found = search(sweep, moved, enough, aim, lead);
-    if found.least >= enough || !lead.cut.went_on() {
+    // Where the axis turns too far for the way to be shown at once a shorter one is looked at next.
+    let shorter = found.turned && enough - found.least <= TURNED * sweep.turned();
+    if found.least >= enough || !lead.cut.went_on() || shorter {
         return found;
     }
     // What the cut leaves may hide the direction that shows all: once more from the root of the tree.
@@ -105,13 +112,13 @@ fn search(
 ) -> Clearance {
     let (center, radius) = sweep.sphere();
     let mut pile = Patches::new();
-    let mut out = Clearance { least: f64::INFINITY, nearest: None };
+    let mut out = Clearance { least: f64::INFINITY, nearest: None, turned: false };
     // What is farther than `enough` need not be looked at, and the rest of the surface is.
     let within = radius + moved.shift.abs() + enough.abs();
     let mut cutting = match moved.sheet.tree().filter(|_| aim == Aim::Clear) {
         Some(root) => Some(lead.cut.begin(sweep, moved, enough, root, &mut pile)),
         None if moved.sheet.roots(center, within, &mut pile) => None,
-        None => return Clearance { least: f64::NEG_INFINITY, nearest: None },
+        None => return Clearance { least: f64::NEG_INFINITY, ..out },
     };
     if let Some(cutting) = &cutting {
         out.least = cutting.rest;
@@ -121,7 +128,7 @@ fn search(
     let mut seen = 0;
     // How far the piece was of which the hint is.
     let mut closest = f64::INFINITY;
-    let mut hinted = lead.direction.map(|m| sweep.along(m));
+    let mut hinted = lead.direction.map(|m| sweep.kept(sweep.along(m)));
     let mut whole = true;
     while let Some(patch) = pile.pop() {
         seen += 1;
@@ -139,7 +146,7 @@ fn search(
             let radius = node.radius + shift;
             let held = |meeting: &Meeting| {
                 let slack = |m| Slack { by: [radius, 0.0], all: node.extent(m) + shift };
-                let (low, slack, _) = sweep.proved(meeting, node.center, radius, slack);
+                let (low, slack, _) = sweep.proved(meeting, node.center, radius, known, slack);
                 (low, low + slack.all)
             };
             let (mut low, middle) =
@@ -186,7 +193,7 @@ fn search(
         let within_tile = tile.radius() + 2.0 * moved.shift.abs();
         let bound = |meeting: Meeting| {
             let slack = |m| slack(&tile, m, moved.shift.abs());
-            let (low, slack, rise) = sweep.proved(&meeting, x, within_tile, slack);
+            let (low, slack, rise) = sweep.proved(&meeting, x, within_tile, known, slack);
             Shown { low, meeting, slack, rise }
         };
         let by_hint = hinted.filter(|_| aim != Aim::Nearest).map(bound);
@@ -196,8 +203,14 @@ fn search(
             _ => {
                 // Along the normal the piece has no extent: next to a place that is touched that direction shows
                 // most.
-                let [first, square] = sweep.level(tile.n * -moved.side, x).map(bound);
-                let level = Shown::better(first, square);
+                let [first, square] = sweep.level(tile.n * -moved.side, x);
+                let first = bound(first);
+                // Where the first shows it the other need not be asked.
+                let level = if aim != Aim::Nearest && first.low >= known {
+                    first
+                } else {
+                    Shown::better(first, bound(square))
+                };
                 let level = by_hint.map_or(level, |shown| Shown::better(shown, level));
                 if aim != Aim::Nearest
                     && (level.low >= known || level.halves_show(known, &tile, moved))
@@ -230,7 +243,7 @@ fn search(
         let known = self::known(&out, enough);
         if low >= known {
             if low < closest {
-                (closest, hinted) = (low, Some(meeting));
+                (closest, hinted) = (low, Some(sweep.kept(meeting)));
             }
             out.least = out.least.min(low);
             continue;
@@ -238,7 +251,7 @@ fn search(
         if slack[0] + slack[1] <= rise {
             // Smaller pieces do not help, a shorter way does.
             out.least = out.least.min(low);
-            whole = false;
+            (whole, out.turned) = (false, true);
             break;
         }
         if tile.radius() <= moved.fold * moved.shift.abs() {
@@ -298,6 +311,7 @@ fn known(out: &Clearance, enough: f64) -> f64 {
 }
 
 /// By how much the distance may be less on the piece than in its middle.
+#[inline]
 fn slack(tile: &Tile, m: Vec3, shift: f64) -> Slack {
     let along = m.dot(&tile.n);
     let across = (m - tile.n * along).norm();

@@ -14,6 +14,7 @@ mod ruled;
 mod sculpted;
 mod tabcyl;
 
+use aptc_geometry::surface::continued_of;
 use aptc_geometry::{Form, Sculptured, Vec3};
 
 use crate::pile::Pile;
@@ -122,6 +123,12 @@ impl Sheet {
     /// A sculptured surface without its continuation.
     pub(crate) fn bare(surface: &Sculptured) -> Option<Self> {
         let (cells, grid) = sculpted::Sculpted::new(surface);
+        Some(Self::of(Patched::new(patched::Kind::Sculpted(cells), grid)?))
+    }
+
+    /// A sculptured surface with its continuation.
+    pub(crate) fn reaching(surface: &Sculptured) -> Option<Self> {
+        let (cells, grid) = sculpted::Sculpted::reaching(&continued_of(surface)?);
         Some(Self::of(Patched::new(patched::Kind::Sculpted(cells), grid)?))
     }
 
@@ -290,6 +297,7 @@ impl Sheet {
 impl Tile {
     /// By how much a linear function with the unit gradient `m` may be less on the piece than in its middle: by its
     /// slope, and by its bend where that goes down; where it goes up it makes good for the slope.
+    #[inline]
     pub(crate) fn dip(&self, m: Vec3) -> f64 {
         let cross = m.dot(&self.bend[1]).abs() + self.vary[1];
         let along = |i: usize| {

@@ -10,6 +10,8 @@ use crate::sheet::Sheet;
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Sheets {
     milled: Arc<Mutex<Vec<Known<Sculptured>>>>,
+    /// The same with their continuation.
+    led: Arc<Mutex<Vec<Known<Sculptured>>>>,
     /// Those that guide the tool, the last [`FORMS`].
     forms: Arc<Mutex<Vec<Known<Form>>>>,
 }
@@ -23,13 +25,12 @@ const FORMS: usize = 64;
 impl Sheets {
     /// The surface with charts; `None` where it has none.
     pub(crate) fn of(&self, surface: &Arc<Sculptured>) -> Option<Arc<Sheet>> {
-        let mut known = self.milled.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some((_, sheet)) = known.iter().find(|(s, _)| Arc::ptr_eq(s, surface)) {
-            return Some(Arc::clone(sheet));
-        }
-        let sheet = Arc::new(Sheet::bare(surface)?);
-        known.push((Arc::clone(surface), Arc::clone(&sheet)));
-        Some(sheet)
+        known(&self.milled, surface, Sheet::bare)
+    }
+
+    /// The surface with charts of itself and of what goes straight on beyond its borders, along which a tool end is led.
+    pub(crate) fn on(&self, surface: &Arc<Sculptured>) -> Option<Arc<Sheet>> {
+        known(&self.led, surface, |s| Sheet::reaching(s).or_else(|| Sheet::bare(s)))
     }
 
     /// The charts of a form; `None` for those without.
@@ -45,4 +46,18 @@ impl Sheets {
         known.push((Arc::clone(form), Arc::clone(&sheet)));
         Some(sheet)
     }
+}
+
+fn known(
+    kept: &Mutex<Vec<Known<Sculptured>>>,
+    surface: &Arc<Sculptured>,
+    make: impl Fn(&Sculptured) -> Option<Sheet>,
+) -> Option<Arc<Sheet>> {
+    let mut known = kept.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some((_, sheet)) = known.iter().find(|(s, _)| Arc::ptr_eq(s, surface)) {
+        return Some(Arc::clone(sheet));
+    }
+    let sheet = Arc::new(make(surface)?);
+    known.push((Arc::clone(surface), Arc::clone(&sheet)));
+    Some(sheet)
 }

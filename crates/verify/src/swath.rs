@@ -143,7 +143,7 @@ impl Swath {
             |m: Vec3| m.dot(&piece.sides[0]).abs() + m.dot(&piece.sides[1]).abs() + piece.slop;
         let least = |all: &dyn Fn(Vec3) -> f64| {
             let slack = |m: Vec3| Slack { by: [0.0; 2], all: all(m) };
-            sweep.proved(&meeting, piece.x, piece.radius(), slack).0
+            sweep.proved(&meeting, piece.x, piece.radius(), f64::INFINITY, slack).0
         };
         Bound { middle: least(&|_| 0.0), all: least(&slack) }
     }

@@ -3,7 +3,8 @@
 use aptc_geometry::Vec3;
 
 use crate::between::{bulge, parabola};
-use crate::tool::{Pose, Tool, Turn, turned};
+use crate::solid::unit_or;
+use crate::tool::{Pose, Tool, Turn};
 
 /// Looks for the nearest meeting, and the sine at which it is square to the way.
 const LOOKS: u32 = 18;
@@ -20,13 +21,79 @@ pub(crate) struct Sweep<'a> {
     pub(crate) turn: f64,
     /// Arc less chord of the farthest point of the tool, when the axis turns.
     pub(crate) pad: f64,
+    /// How it turns, when it does.
+    spin: Option<Spin>,
+}
+
+/// Part of what a turn takes by which a piece may be larger before a shorter way is tried: it takes so much more time to cut
+/// pieces than ways.
+const SEEN: f64 = 0.1;
+
+/// How the axis turns, once for all pieces.
+#[derive(Clone, Copy, Debug)]
+struct Spin {
+    turn: Turn,
+    /// Unit axis of the turn.
+    k: Vec3,
+    /// Sine and cosine of half of it and of all of it.
+    to_middle: [f64; 2],
+    to_last: [f64; 2],
+    /// The way of the tool end, where it is in the middle, and its length.
+    way: Vec3,
+    half: Vec3,
+    drift: f64,
+}
+
+impl Spin {
+    /// A vector turned about the axis of the turn by an angle, by its sine and cosine, the sine below 0 for the way back.
+    #[inline]
+    fn turned(&self, x: Vec3, [sin, cos]: [f64; 2]) -> Vec3 {
+        if self.k == Vec3::zeros() {
+            return x;
+        }
+        x * cos + self.k.cross(&x) * sin + self.k * (self.k.dot(&x) * (1.0 - cos))
+    }
+
+    /// By how much `m . (p - te)` may be less along the way than evenly between its values at the ends, for all points p within
+    /// `radius` of `x`, the direction turning with the tool from `m` in the middle of the way: the part `4 t (1 - t)` of it.
+    ///
+    /// With `w = x - te` the second derivative is `-turn^2 m_k . w - 2 turn (k x m) . v`, `m_k` being the part of m square to the
+    /// axis of the turn, and the third `turn^3 lever + 3 turn^2 |v|` at most. So a tool that rolls over a crest comes nearer
+    /// to a place by what it is seen to, and one that rolls through a hollow by nothing.
+    fn rise(&self, m: Vec3, x: Vec3, lever: f64, radius: f64) -> [f64; 2] {
+        let (k, turn) = (self.k, self.turn.angle);
+        if self.k == Vec3::zeros() {
+            return [bulge(lever, turn) + 0.25 * turn * self.drift; 2];
+        }
+        let w = x - self.half;
+        let middle = -turn * turn * (m.dot(&w) - k.dot(&m) * k.dot(&w))
+            - 2.0 * turn * k.cross(&m).dot(&self.way);
+        let third = turn * turn * (turn * lever + 3.0 * self.drift);
+        let lost = 0.125 * (0.5 * third + turn * turn * radius);
+        let rise = (0.125 * middle + lost).max(0.0);
+        [rise, lost.min(rise).max(SEEN * rise)]
+    }
 }
 
 impl<'a> Sweep<'a> {
     /// From one position to another, the axis turning by `turn`; angles of rounding count as none.
     pub(crate) fn new(tool: &'a Tool<'a>, a: Pose, b: Pose, turn: f64) -> Self {
         let turn = if turn <= 1e-15 { 0.0 } else { turn };
-        Self { tool, a, b, turn, pad: bulge(tool.reach(), turn) }
+        let pad = bulge(tool.reach(), turn);
+        let spin = (pad != 0.0).then(|| {
+            let k = unit_or(a.ta.cross(&b.ta), Vec3::zeros());
+            let by = |to: Vec3| [k.dot(&a.ta.cross(&to)), a.ta.dot(&to)];
+            Spin {
+                turn: Turn::new(turn),
+                k,
+                to_middle: by(unit_or(a.ta + b.ta, a.ta)),
+                to_last: by(b.ta),
+                way: b.te - a.te,
+                half: 0.5 * (a.te + b.te),
+                drift: (b.te - a.te).norm(),
+            }
+        });
+        Self { tool, a, b, turn, pad, spin }
     }
 
     /// Standing at a position.
@@ -46,6 +113,18 @@ pub(crate) struct Meeting {
     pub(crate) m: Vec3,
     /// How far the tool reaches in that direction from its end.
     reach: f64,
+    /// What else does not hang on what is met, when the axis turns.
+    spun: Option<Spun>,
+}
+
+/// A direction while the axis turns.
+#[derive(Clone, Copy, Debug)]
+struct Spun {
+    /// As it is in the middle of the way and at its end when it turns along.
+    middle: Vec3,
+    last: Vec3,
+    /// How high the tool comes on its way along the middle one, and what the turn makes of it, where that is kept.
+    height: Option<(f64, f64)>,
 }
 
 /// By how much a piece may be nearer in a direction than its middle.
@@ -58,6 +137,11 @@ pub(crate) struct Slack {
 }
 
 impl Sweep<'_> {
+    /// What is allowed for the turn of the axis near the tool.
+    pub(crate) fn turned(&self) -> f64 {
+        self.spin.map_or(0.0, |spin| self.pad + 0.25 * self.turn * spin.drift)
+    }
+
     /// The middle of a sphere that holds all of the way, and its radius.
     pub(crate) fn sphere(&self) -> (Vec3, f64) {
         let (up, radius) = self.tool.middle();
@@ -68,7 +152,25 @@ impl Sweep<'_> {
 
     /// Any unit direction, wherever on the way.
     pub(crate) fn along(&self, m: Vec3) -> Meeting {
-        Meeting { t: 0.5, distance: f64::INFINITY, m, reach: self.reach(m) }
+        Meeting { t: 0.5, distance: f64::INFINITY, m, reach: self.reach(m), spun: self.spun(m) }
+    }
+
+    fn spun(&self, m: Vec3) -> Option<Spun> {
+        let spin = self.spin.as_ref()?;
+        let (middle, last) = (spin.turned(m, spin.to_middle), spin.turned(m, spin.to_last));
+        Some(Spun { middle, last, height: None })
+    }
+
+    /// The same meeting for many pieces: what does not hang on them is made once.
+    pub(crate) fn kept(&self, mut meeting: Meeting) -> Meeting {
+        if let (Some(spin), Some(spun)) = (&self.spin, &mut meeting.spun) {
+            spun.height.get_or_insert_with(|| self.standing(spin, spun.middle));
+        }
+        meeting
+    }
+
+    fn standing(&self, spin: &Spin, m: Vec3) -> (f64, f64) {
+        self.tool.height_about(&self.a, &self.b, m, &spin.turn, spin.k)
     }
 
     /// How far the tool reaches in a direction from its end, as the axis stands at the first position.
@@ -79,11 +181,8 @@ impl Sweep<'_> {
     /// The point seen from the tool at both ends, as the axis stands at the first.
     fn seen(&self, x: Vec3) -> [Vec3; 2] {
         let last = x - self.b.te;
-        [x - self.a.te, if self.turns() { turned(self.b.ta, self.a.ta, last) } else { last }]
-    }
-
-    fn turns(&self) -> bool {
-        self.pad != 0.0
+        let back = |spin: Spin| spin.turned(last, [-spin.to_last[0], spin.to_last[1]]);
+        [x - self.a.te, self.spin.map_or(last, back)]
     }
 
     /// The nearest meeting, found by few looks: an inexact one makes a bound weaker and not wrong. Where the axis
@@ -94,9 +193,10 @@ impl Sweep<'_> {
         let still = Pose { te: Vec3::zeros(), ta: self.a.ta };
         let at = |t: f64| {
             let (distance, m) = self.tool.near(&still, from + v * t);
-            (Meeting { t, distance, m, reach: 0.0 }, m.dot(&v))
+            (Meeting { t, distance, m, reach: 0.0, spun: None }, m.dot(&v))
         };
-        let reaching = |best: Meeting| Meeting { reach: self.reach(best.m), ..best };
+        let reaching =
+            |best: Meeting| Meeting { reach: self.reach(best.m), spun: self.spun(best.m), ..best };
         let (first, mut f0) = at(0.0);
         if f0 >= 0.0 {
             return reaching(first);
@@ -174,31 +274,28 @@ impl Sweep<'_> {
 
     /// A direction at the middle of the way, as the axis stands at the first position.
     fn own(&self, m: Vec3) -> Vec3 {
-        if self.turns() { turned(self.middle(), self.a.ta, m) } else { m }
-    }
-
-    /// The axis in the middle of the way.
-    fn middle(&self) -> Vec3 {
-        (self.a.ta + self.b.ta).normalize()
+        self.spin.map_or(m, |spin| spin.turned(m, [-spin.to_middle[0], spin.to_middle[1]]))
     }
 
     /// What a meeting proves of the distance of a piece about `x` that lies within `radius` of it: not less than
     /// the first number, with the slack of both ends taken off; that of the nearer end is told. The last one is the part
-    /// of it that is due to the turn. `slack` tells how much the piece may be nearer in a direction.
+    /// of it that is due to the turn. `slack` tells how much the piece may be nearer in a direction; when `enough` is proved no more is
+    /// looked for.
     pub(crate) fn proved(
         &self,
         meeting: &Meeting,
         x: Vec3,
         radius: f64,
+        enough: f64,
         slack: impl Fn(Vec3) -> Slack,
     ) -> (f64, Slack, f64) {
         let m = meeting.m;
-        if !self.turns() {
+        let (Some(spin), Some(spun)) = (&self.spin, &meeting.spun) else {
             let first = meeting.reach + m.dot(&self.a.te);
             let height = first.max(first + m.dot(&(self.b.te - self.a.te)));
             let slack = slack(m);
             return (m.dot(&x) - height - slack.all, slack, 0.0);
-        }
+        };
         // The direction turns with the tool, whose support in it stays the same.
         let own = meeting.reach;
         let end = |at: &Pose, m: Vec3| {
@@ -206,18 +303,18 @@ impl Sweep<'_> {
             (m.dot(&(x - at.te)) - own - slack.all, slack)
         };
         let (a, slack_a) = end(&self.a, m);
-        let (b, slack_b) = end(&self.b, turned(self.a.ta, self.b.ta, m));
+        let (b, slack_b) = end(&self.b, spun.last);
         let lever = (x - self.a.te).norm().max((x - self.b.te).norm()) + radius;
-        let drift = (self.b.te - self.a.te).norm();
-        let rise = bulge(lever, self.turn) + 0.25 * self.turn * drift;
+        let [rise, lost] = spin.rise(spun.middle, x, lever, radius);
         // What is lost at the end that is nearer counts: at the other there is room for it.
-        let turning = (-parabola(-a, -b, rise), if a <= b { slack_a } else { slack_b }, rise);
+        let turning = (-parabola(-a, -b, rise), if a <= b { slack_a } else { slack_b }, lost);
+        if turning.0 >= enough {
+            return turning;
+        }
         // A direction that stands still, as it is in the middle of the way: beside a piece square to it the better one.
-        let middle = turned(self.a.ta, self.middle(), m);
-        let slack = slack(middle);
-        let (height, rise) =
-            self.tool.height_turning(&self.a, &self.b, middle, &Turn::new(self.turn));
-        let standing = (middle.dot(&x) - height - slack.all, slack, rise);
+        let slack = slack(spun.middle);
+        let (height, rise) = spun.height.unwrap_or_else(|| self.standing(spin, spun.middle));
+        let standing = (spun.middle.dot(&x) - height - slack.all, slack, rise);
         if standing.0 > turning.0 { standing } else { turning }
     }
 }
@@ -226,4 +323,45 @@ impl Sweep<'_> {
 fn square(m: Vec3, v: Vec3) -> Option<Vec3> {
     let square = m - v * (m.dot(&v) / v.norm_squared());
     (square.norm() > 0.5).then(|| square.normalize())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::between::{angle, between_poses};
+    use aptc_geometry::{Cutter, Profile};
+    use proptest::prelude::*;
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(2000))]
+        /// No point of a piece is nearer to a tool that turns than what any direction proves.
+        #[test]
+        fn what_is_proved_holds_all_the_way(
+            x in prop::array::uniform3(-12.0..12.0_f64), m in prop::array::uniform3(-1.0..1.0_f64),
+            v in prop::array::uniform3(-6.0..6.0_f64), lean in prop::array::uniform4(-1.0..1.0_f64),
+            side in prop::array::uniform3(-2.0..2.0_f64), small in 0.0..1.0_f64, corner in 0.0..4.0_f64,
+        ) {
+            let profile = Profile::new(&Cutter::mill(8.0, corner, 30.0)).unwrap();
+            let tool = Tool::Solid(&profile);
+            let up = |x: f64, y: f64| Vec3::new(x, y, 1.0).normalize();
+            let a = Pose { te: Vec3::new(1.0, -2.0, 0.5), ta: up(lean[0], lean[1]) };
+            let ta = up(lean[0] + small * lean[2], lean[1] + small * lean[3]);
+            let b = Pose { te: a.te + Vec3::from(v), ta };
+            let sweep = Sweep::new(&tool, a, b, angle(a.ta, b.ta));
+            let (x, side) = (Vec3::from(x), Vec3::from(side));
+            let Some(m) = Vec3::from(m).try_normalize(1e-3) else { return Ok(()) };
+            let slack = |m: Vec3| Slack { by: [0.0; 2], all: m.dot(&side).abs() };
+            let meetings = [sweep.along(m), sweep.meet(x), sweep.level(m, x)[1]];
+            for meeting in meetings {
+                let low = sweep.proved(&meeting, x, side.norm(), f64::INFINITY, slack).0;
+                for i in 0..=40 {
+                    let at = between_poses(&a, &b, f64::from(i) / 40.0);
+                    for s in [-1.0, -0.5, 0.0, 0.5, 1.0] {
+                        let far = tool.near(&at, x + side * s).0;
+                        prop_assert!(far >= low - 1e-9, "{i} {s} {far} {low}");
+                    }
+                }
+            }
+        }
+    }
 }

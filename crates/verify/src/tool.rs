@@ -72,6 +72,7 @@ impl<'a> Tool<'a> {
     }
 
     /// Support function: greatest `n . p` over the tool.
+    #[inline]
     pub(crate) fn height(&self, pose: &Pose, n: Vec3) -> f64 {
         let base = n.dot(&pose.te);
         let Some((profile, lift)) = self.solid() else { return base };
@@ -94,7 +95,18 @@ impl<'a> Tool<'a> {
         n: Vec3,
         turn: &Turn,
     ) -> (f64, f64) {
-        let k = unit_or(from.ta.cross(&to.ta), Vec3::zeros());
+        self.height_about(from, to, n, turn, unit_or(from.ta.cross(&to.ta), Vec3::zeros()))
+    }
+
+    /// The same about the unit axis of the turn.
+    pub(crate) fn height_about(
+        &self,
+        from: &Pose,
+        to: &Pose,
+        n: Vec3,
+        turn: &Turn,
+        k: Vec3,
+    ) -> (f64, f64) {
         let across = n - k * n.dot(&k);
         let ends = [self.height(from, n), self.height(to, n)];
         let own = |pose: &Pose, n: Vec3, height: f64| height - n.dot(&pose.te);

@@ -115,7 +115,7 @@ pub(crate) fn excess(
                 break;
             }
             let enough = most + share * (now.gap - most);
-            let Clearance { least, nearest } = globally(now.t, enough);
+            let Clearance { least, nearest, .. } = globally(now.t, enough);
             if least > most {
                 return (now, Some(least));
             }

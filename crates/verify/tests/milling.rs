@@ -30,6 +30,7 @@ fn milling(surface: &Arc<Sculptured>, scallop: Option<f64>) -> Milling {
     Milling {
         part: Some(milled("FLOOR", surface, 0.0)),
         on: false,
+        risen: false,
         checked: Vec::new(),
         plain: Vec::new(),
         holder: Vec::new(),

@@ -192,6 +192,7 @@ fn snap(
     }
     // Shift x with nl.x = dl - r where tangent below, nu.x = du - r where tangent above.
     let (gl, gu) = (dl - r, du - r);
+    let given = c;
     let c = match (tan_l, tan_u) {
         (true, true) => {
             let det = cross(nl, nu);
@@ -201,8 +202,15 @@ fn snap(
         (false, true) => c + nu * gu,
         (false, false) => c,
     };
-    // A centre within rounding of the axis is on it: the cutter is round.
-    let c = if c.x.abs() <= 1e-14 * (r + meet.x) { Vec2::new(0.0, c.y) } else { c };
+    // A centre that is given on the axis, or comes within rounding of it, is on it: the cutter is round. Along the
+    // lower line the shift onto the upper one has moved it, which begins where the arc ends anyway.
+    let c = if given.x == 0.0 && tan_l && tan_u {
+        Vec2::new(0.0, -r / nl.y)
+    } else if c.x.abs() <= 1e-14 * (r + meet.x) {
+        Vec2::new(0.0, c.y)
+    } else {
+        c
+    };
     let (dl, du) = inside(c);
     let join = |tangent: bool, d: f64| if tangent { Join::Tangent } else { Join::Edge(d) };
     Ok((c, join(tan_l, dl), join(tan_u, du)))
@@ -273,6 +281,29 @@ mod tests {
         ] {
             assert_eq!(Profile::new(&cutter(v)), Err(reason), "{v:?}");
         }
+    }
+
+    /// A tapered ball whose diameter has nine digits, rounded up or down, is round.
+    #[test]
+    fn a_tapered_ball_with_rounded_numbers_is_round() {
+        for off in [-3e-6, -1e-9, 0.0, 1e-9, 3e-6] {
+            let (s, c) = (trig::sin_deg(12.0), trig::cos_deg(12.0));
+            let d = 2.0 * (1.8 / c - 1.8 * s / c) + off;
+            let p = Profile::new(&cutter([d, 1.8, 0.0, 1.8, 0.0, 12.0, 40.0])).unwrap();
+            assert!(p.is_round(), "{off}");
+            assert_eq!(p.corner(), [0.0, 1.8]);
+            assert!((p.top_radius() - (0.5 * d + 40.0 * s / c)).abs() < 1e-5);
+        }
+        // With a lower line the arc is tangent to that too.
+        let (sa, ca) = (trig::sin_deg(20.0), trig::cos_deg(20.0));
+        let (sb, cb) = (trig::sin_deg(5.0), trig::cos_deg(5.0));
+        let f = 3.0 / ca;
+        let side = 3.0 * cb - (f - 3.0 * sb) * sb / cb;
+        let d = 2.0 * side / (1.0 - sa / ca * sb / cb);
+        let p = Profile::new(&cutter([d - 1e-9, 3.0, 0.0, f, 20.0, 5.0, 40.0])).unwrap();
+        assert!(p.is_round());
+        let [[x, z], _] = p.joints();
+        assert!((x - 3.0 * sa).abs() < 1e-9 && (z - x * sa / ca).abs() < 1e-9, "{x} {z}");
     }
 
     #[test]

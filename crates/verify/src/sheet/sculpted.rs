@@ -3,7 +3,7 @@
 use aptc_geometry::Sculptured;
 use aptc_geometry::sculpt::{Derivatives, Layout, Patch};
 use aptc_geometry::sculptured::SurfaceDefinition;
-use aptc_geometry::surface::continued;
+use aptc_geometry::surface::{Continued, continued};
 
 use super::bend::{Bend, of_patch};
 use super::patched::{Cells, Grid, Side};
@@ -25,7 +25,11 @@ pub(crate) struct Sculpted {
 impl Sculpted {
     /// The surface of a definition with its straight continuation, over 0 to 1.
     pub(crate) fn with_continuation(definition: &SurfaceDefinition) -> Option<(Self, Grid)> {
-        let whole = continued(definition)?;
+        Some(Self::reaching(&continued(definition)?))
+    }
+
+    /// A surface with its straight continuation.
+    pub(crate) fn reaching(whole: &Continued) -> (Self, Grid) {
         let spans = whole.surface.spans();
         let (cells, mut grid) = Self::new(&whole.surface);
         // There the parameters run from 0 to 1.
@@ -34,7 +38,7 @@ impl Sculpted {
             side.before = (range[0] < 0.0).then(|| range[0] * spans[k]);
             side.behind = (range[1] > 1.0).then(|| range[1] * spans[k]);
         }
-        Some((cells, grid))
+        (cells, grid)
     }
 
     /// The surface alone.

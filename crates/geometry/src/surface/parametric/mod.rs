@@ -20,7 +20,7 @@ use part::Strips;
 use polyconic::Sections;
 use ruled::Rulings;
 use sculptured::Spans;
-pub use sculptured::{Continued, continued};
+pub use sculptured::{Continued, continued, continued_of};
 
 /// Bound of one search; Newton's method takes some six steps.
 const MAX_STEPS: usize = 60;

@@ -54,6 +54,12 @@ pub fn continued(definition: &SurfaceDefinition) -> Option<Continued> {
     Some(Continued { surface, u: domain.u, v: domain.v })
 }
 
+/// The same of a surface that is fitted; `None` where a point of it is not finite.
+pub fn continued_of(surface: &Sculptured) -> Option<Continued> {
+    let Spans { surface, domain, .. } = Spans::of_surface(surface.clone())?;
+    Some(Continued { surface, u: domain.u, v: domain.v })
+}
+
 impl Spans {
     /// `None` when the definition cannot be fitted.
     pub(super) fn new(definition: &SurfaceDefinition) -> Option<Self> {
