@@ -45,6 +45,15 @@ pub(crate) struct Warm {
     near: Option<[Near; 2]>,
     /// That it is nowhere too far was shown by points of the tool alone.
     sunk: bool,
+    /// The least gap that was told before, if any: beside a convex solid no greater one is told closer.
+    pub(crate) told: Option<f64>,
+}
+
+impl Warm {
+    /// Of a vector of which no bound is told.
+    pub(crate) fn silent() -> Self {
+        Self { told: Some(f64::NEG_INFINITY), ..Self::default() }
+    }
 }
 
 /// What came of one bound.
