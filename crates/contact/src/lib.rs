@@ -24,6 +24,7 @@ mod closed;
 mod curvature;
 mod descent;
 mod dips;
+mod disk;
 mod gap;
 mod guide;
 mod open;

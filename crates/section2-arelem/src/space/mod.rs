@@ -5,6 +5,7 @@ mod corner;
 mod guided;
 mod judge;
 mod keep;
+mod lengths;
 mod nearest;
 mod overlooked;
 mod run;
