@@ -243,10 +243,14 @@ pub(crate) fn bound_turning(
     let at = |pose: &Pose, known: Option<Touch>| known.unwrap_or_else(|| touch(tool, pose, solid));
     let (first, last) = (at(a, ends[0]), at(b, ends[1]));
     let hull = |d: Vec3| -tool.height_turning(a, b, -d, turn).0 - solid.support(d);
-    let mut low = turning(tool, a, b, solid, [first.m, last.m], turn.angle);
+    // The direction between both shows most as a rule, and for the rest it is asked only where that is not enough.
+    let middle = solid.bounded_direction(first.m + last.m);
+    let mut low = hull(middle);
     if low < enough {
-        let middle = first.m + last.m;
-        for d in [first.m, last.m, solid.bounded_direction(middle)] {
+        low = low.max(turning(tool, a, b, solid, [first.m, last.m], turn.angle));
+    }
+    for d in [first.m, last.m] {
+        if low < enough {
             low = low.max(hull(d));
         }
     }

@@ -18,8 +18,9 @@ use super::track::{Course, Node, Track, Trouble};
 
 /// Trials of one cut vector; two or three are usual.
 const TRIALS: usize = 40;
-/// Trials in which most lengths are found.
+/// Trials in which most lengths are found, with a fixed axis and with one that turns, whose vertices are moved between them.
 const EASY: usize = 4;
+const EASY_TURNING: usize = 10;
 /// Share of what is long enough to which others are found.
 const FINE: f64 = 1e-4;
 /// A chord that could be longer by less than this ratio is taken: a longer one would save no cut vector in
@@ -393,9 +394,10 @@ impl Track {
         let mut back: f64 = 0.0;
         // Does the first chord go on to another length?
         let mut over = false;
+        let most_easy = if self.axis.turns() { EASY_TURNING } else { EASY };
         for trial in 0..TRIALS {
             // A length that does not come at once, as over a crest, depends on all trials unless it is found to the last digits.
-            let easy = !T::FINAL || trial < EASY;
+            let easy = !T::FINAL || trial < most_easy;
             let fine = if easy { 1.0 } else { FINE };
             let tried = trials.reach(s, plan.length, bends, last.as_ref());
             let fit = tried.as_ref().map_err(|t| *t).and_then(|t| trials.fit(&t.to));
