@@ -23,6 +23,7 @@ const EASY: usize = 4;
 const EASY_TURNING: usize = 10;
 /// Share of what is long enough to which others are found.
 const FINE: f64 = 1e-4;
+const FINE_TURNING: f64 = 1e-3;
 /// A chord that could be longer by less than this ratio is taken: a longer one would save no cut vector in
 /// a hundred thousand.
 const LONG_ENOUGH: f64 = 1e-5;
@@ -394,11 +395,13 @@ impl Track {
         let mut back: f64 = 0.0;
         // Does the first chord go on to another length?
         let mut over = false;
-        let most_easy = if self.axis.turns() { EASY_TURNING } else { EASY };
+        // With an axis that turns trials also move the vertices, and do not fall evenly.
+        let secants = !self.axis.turns();
+        let (most_easy, close) = if secants { (EASY, FINE) } else { (EASY_TURNING, FINE_TURNING) };
         for trial in 0..TRIALS {
             // A length that does not come at once, as over a crest, depends on all trials unless it is found to the last digits.
             let easy = !T::FINAL || trial < most_easy;
-            let fine = if easy { 1.0 } else { FINE };
+            let fine = if easy { 1.0 } else { close };
             let tried = trials.reach(s, plan.length, bends, last.as_ref());
             let fit = tried.as_ref().map_err(|t| *t).and_then(|t| trials.fit(&t.to));
             let targets = tried.as_ref().map_or(gaps, |t| t.targets);
@@ -431,12 +434,13 @@ impl Track {
                     }
                     if fit.fits {
                         let aim = if easy { 0.0 } else { 0.25 * long_enough };
-                        let more = before.and_then(|before| rest(s, fit.ratio, before, aim));
-                        let more = more.unwrap_or(fit.ratio - 1.0 - aim);
-                        let enough = if easy {
-                            more <= long_enough
-                        } else {
-                            more.abs() <= FINE * long_enough
+                        let inside = if secants { aim } else { 0.0 };
+                        let more = before.and_then(|before| rest(s, fit.ratio, before, inside));
+                        let more = more.unwrap_or(fit.ratio - 1.0 - inside);
+                        let enough = match (easy, secants) {
+                            (true, _) => more <= long_enough,
+                            (false, true) => more.abs() <= close * long_enough,
+                            (false, false) => (more - aim).abs() <= close * long_enough,
                         };
                         let enough = enough || s >= plan.most;
                         let first = before.is_none() && bad.is_infinite() && !over;
@@ -449,7 +453,7 @@ impl Track {
                             }
                         }
                         // Of lengths found to the last digits one may be too long that fits yet.
-                        let too_long = !easy && fit.ratio < 1.0 + aim;
+                        let too_long = secants && !easy && fit.ratio < 1.0 + aim;
                         if enough {
                             let rest = if fit.ratio <= 1.0 + long_enough { fit.ratio } else { 1.0 };
                             pace.learn(s, rest, plan.length);
@@ -483,6 +487,7 @@ impl Track {
                     between.take(s, 1.0 / ratio - (1.0 - 0.25 * long_enough));
                     let next = beyond.take().or_else(|| between.next(usual));
                     let next = next
+                        .filter(|_| secants)
                         .unwrap_or_else(|| lengthen(s, ratio, before) * (1.0 - 0.25 * long_enough));
                     before = Some((s, ratio));
                     next
