@@ -18,18 +18,20 @@ const BEND: f64 = 0.3;
 /// Sine of the tilt from which the corner is to touch, if no flat end does.
 const TILT: f64 = 1e-7;
 
-/// A way that the tool can go, its axis standing, no longer than `most`, on which no place of it touches but that of the
-/// corner with the `known` gap, wherever this goes; `None` where that is not seen.
-pub(crate) fn alone(
-    tool: &Tool<'_>,
-    surface: &Surface,
-    side: Side,
-    known: &Gap,
-    most: f64,
-) -> Option<f64> {
+/// How a part of a surface bends that alone can touch a tool, and this with its corner or flat end only.
+struct Faced {
+    /// Greatest curvatures of the distance on the way, of hollow and of round places.
+    hollow: f64,
+    bend: f64,
+}
+
+/// The part of a surface that a tool with the `known` gap can touch while it goes by `most`, its axis standing; `None` where
+/// it is not seen that all normals there face its corner or flat end.
+fn faced(tool: &Tool<'_>, surface: &Surface, side: Side, known: &Gap, most: f64) -> Option<Faced> {
     let profile = tool.profile;
     let arc = |out: f64, up: f64| profile.support(out, up).segment == Segment::Arc;
-    if side == Side::Open || known.segment != Some(Segment::Arc) || !arc(TILT, -1.0) {
+    let lower = matches!(known.segment, Some(Segment::Arc | Segment::LowerLine));
+    if side == Side::Open || !lower || !arc(TILT, -1.0) {
         return None;
     }
     let n = known.normal;
@@ -70,13 +72,39 @@ pub(crate) fn alone(
     // N leads up from there.
     let hollow = hollow / (1.0 - deepest * hollow);
     let deep = (most + 2.0 * rho * rho * hollow - away).max(0.0) * round;
-    if deep >= BEND {
+    (deep < BEND).then(|| Faced { hollow, bend: hollow.max(round / (1.0 - deep)) })
+}
+
+/// Can nothing of a tool with the `known` gap touch but its corner and its flat end, while it goes by `most`, its axis
+/// standing, and has each point of the disk of its corner's middles one nearest place?
+pub(crate) fn lower_only(
+    tool: &Tool<'_>,
+    surface: &Surface,
+    side: Side,
+    known: &Gap,
+    most: f64,
+) -> bool {
+    faced(tool, surface, side, known, most).is_some()
+}
+
+/// A way that the tool can go, its axis standing, no longer than `most`, on which no place of it touches but that of the
+/// corner with the `known` gap, wherever this goes; `None` where that is not seen.
+pub(crate) fn alone(
+    tool: &Tool<'_>,
+    surface: &Surface,
+    side: Side,
+    known: &Gap,
+    most: f64,
+) -> Option<f64> {
+    if known.segment != Some(Segment::Arc) {
         return None;
     }
+    let Faced { hollow, bend } = faced(tool, surface, side, known, most)?;
+    let (n, [rho, _]) = (known.normal, tool.profile.corner());
     if rho <= 0.0 {
         return Some(most);
     }
-    let bend = hollow.max(round / (1.0 - deep));
+    let across = (n - tool.ta * n.dot(&tool.ta)).norm();
     // A place of contact after the way w lies within y w of this one: by the same products,
     // y^2 <= alpha (1 + y) + beta (1 + y)^2.
     let (alpha, beta) = (2.0 * rho * bend / across, 2.0 * rho * hollow / across);

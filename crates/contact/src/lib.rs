@@ -25,6 +25,7 @@ mod crests;
 mod curvature;
 mod descent;
 mod dips;
+mod disk;
 mod gap;
 mod guide;
 mod open;

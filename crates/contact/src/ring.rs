@@ -108,7 +108,7 @@ impl Ring {
     ) -> Option<Reading<Spot, PointBends>> {
         let middle = te + self.up;
         let enough = FACING * self.profile.widest();
-        let (mut foot, mut sides): (Foot, _) = (surface.place(near), None);
+        let (mut foot, mut sides): (Foot, _) = surface.place_with_sides(near);
         for _ in 0..STEPS {
             let normal = foot.normal * self.sign;
             let shape = if self.sign > 0.0 { foot.shape } else { foot.shape.reversed() };

@@ -3,12 +3,12 @@
 use aptc_geometry::profile::Segment;
 use aptc_geometry::{Foot, Reason, Spot, Surface, Tool, Vec3};
 
-use crate::alone::alone;
+use crate::alone::{alone, lower_only};
 use crate::closed::{along_axis, is_axis};
 use crate::descent::local;
 use crate::gap::{Gap, Side, deeper};
 use crate::stations::{Seeds, Stations, seeds};
-use crate::{ring, rings};
+use crate::{disk, ring, rings};
 
 /// Gap to a surface without closed form.
 pub(crate) fn general(
@@ -33,7 +33,10 @@ pub(crate) fn general(
         let flank = flank.and_then(|q| local(tool, surface, side, q).ok());
         return Ok(flank.filter(|f| deeper(tool, f.raw, gap.raw)).unwrap_or(gap));
     }
-    if let Some(gap) = start.and_then(|q| ring::beside(tool, surface, side, q)) {
+    let corner = |q| ring::beside(tool, surface, side, q);
+    if let Some(gap) =
+        start.and_then(|q| corner(q).or_else(|| disk::beside(tool, surface, side, q)))
+    {
         return Ok(gap);
     }
     if far_is_convex {
@@ -59,17 +62,23 @@ pub(crate) fn general(
     }
     if round.is_none()
         && matches!(surface, Surface::Parametric(_))
-        && let Ok(gap) = local(tool, surface, side, surface.foot(middle(tool)).spot())
-        && alone(tool, surface, side, &gap, 0.0).is_some()
+        && let Ok(gap) = disk::below(tool, surface, side, surface.foot(middle(tool)).spot())
     {
-        return Ok(gap);
+        if alone(tool, surface, side, &gap, 0.0).is_some() {
+            return Ok(gap);
+        }
+        if let Some((found, _)) = dips(tool, surface, side, &gap, 0.0) {
+            // Of places that are as deep by symmetry the first station tells, and not the way down from the middle.
+            let deepest = found.reduce(|a, b| if deeper(tool, b.raw, a.raw) { b } else { a });
+            return Ok(deepest.filter(|d| !deeper(tool, gap.raw, d.raw)).unwrap_or(gap));
+        }
     }
-    let stations = Stations { lower: round.is_none(), flank: true };
+    let stations = Stations { lower: round.is_none(), flank: true, disk: None };
     let Seeds { found: seeds, deepest, .. } = seeds(tool, surface, side, stations, None);
     let mut best: Option<Gap> = round;
     let mut failure = Reason::NoHit;
     for q in seeds.into_iter().flatten() {
-        match local(tool, surface, side, q) {
+        match disk::below(tool, surface, side, q) {
             Ok(gap) if best.is_none_or(|b| deeper(tool, gap.raw, b.raw)) => best = Some(gap),
             Ok(_) => {}
             Err(reason) => failure = reason,
@@ -144,6 +153,9 @@ pub(crate) fn elsewhere(
         if let Some(way) = ALONE.iter().filter_map(free).find(|way| *way >= WORTH * wide) {
             return (None, way);
         }
+        if let Some(found) = lower(tool, surface, side, known, SEEN * wide) {
+            return found;
+        }
     }
     let arc = round(tool, surface, side, None);
     let below = |gap: Gap| deeper(tool, gap.raw, known.raw).then_some(gap);
@@ -180,7 +192,7 @@ pub(crate) fn elsewhere(
     }
     let seen = SEEN * if wide > 0.0 { wide } else { size };
     let (mut deepest, mut room) = (*known, seen);
-    let mut stations = Stations { lower: arc.is_none(), flank: true };
+    let mut stations = Stations { lower: arc.is_none(), flank: true, disk: None };
     if arc.is_none()
         && let Some(flank) = flank(tool, surface, side, 0.25, known.raw)
     {
@@ -190,19 +202,59 @@ pub(crate) fn elsewhere(
     let Seeds { found: seeds, deepest: lowest, way } =
         seeds(tool, surface, side, stations, Some(known));
     room = room.min(0.5 * way);
-    let found = seeds.into_iter().flatten().filter_map(|q| local(tool, surface, side, q).ok());
+    let found =
+        seeds.into_iter().flatten().filter_map(|q| disk::below(tool, surface, side, q).ok());
     for gap in found.chain(arc) {
-        if (gap.tool_point - known.tool_point).norm() > 1e-6 * size {
-            room = room.min(0.5 * (gap.raw - known.raw).max(0.0));
-        }
-        if deeper(tool, gap.raw, deepest.raw) {
-            deepest = gap;
-        }
+        rival(tool, known, &gap, &mut deepest, &mut room);
     }
     if let Some(through) = drowned(tool, surface, side, &deepest, lowest) {
         return (Some(through), 0.0);
     }
     (below(deepest), room)
+}
+
+/// The same where nothing but corner and flat end can touch on the way of `most`; `None` where that is not seen.
+fn lower(
+    tool: &Tool<'_>,
+    surface: &Surface,
+    side: Side,
+    known: &Gap,
+    most: f64,
+) -> Option<(Option<Gap>, f64)> {
+    let (found, way) = dips(tool, surface, side, known, most)?;
+    let (mut deepest, mut room) = (*known, most.min(0.5 * way));
+    for gap in found {
+        rival(tool, known, &gap, &mut deepest, &mut room);
+    }
+    Some((deeper(tool, deepest.raw, known.raw).then_some(deepest), room))
+}
+
+/// The places of contact of corner and flat end where nothing else can touch on the way of `most`, and the way after which
+/// another may be as deep; `None` where that is not seen.
+fn dips<'t>(
+    tool: &'t Tool<'_>,
+    surface: &'t Surface,
+    side: Side,
+    known: &Gap,
+    most: f64,
+) -> Option<(impl Iterator<Item = Gap> + 't, f64)> {
+    lower_only(tool, surface, side, known, most).then_some(())?;
+    let stations = Stations { lower: true, flank: false, disk: Some(known.spot()) };
+    let Seeds { found, way, .. } = seeds(tool, surface, side, stations, Some(known));
+    let dip = move |q| disk::below(tool, surface, side, q).ok();
+    Some((found.into_iter().flatten().filter_map(dip), way))
+}
+
+/// Takes another place of contact than the `known` one: it may be the deepest, or become it on a way.
+fn rival(tool: &Tool<'_>, known: &Gap, gap: &Gap, deepest: &mut Gap, room: &mut f64) {
+    let (wide, reach) = (tool.profile.widest(), tool.profile.reach());
+    let size = if wide > 0.0 { wide.max(0.1 * reach) } else { reach };
+    if (gap.tool_point - known.tool_point).norm() > 1e-6 * size {
+        *room = room.min(0.5 * (gap.raw - known.raw).max(0.0));
+    }
+    if deeper(tool, gap.raw, deepest.raw) {
+        *deepest = *gap;
+    }
 }
 
 /// Where the axis of the shank goes through a surface with ends: what lies behind its edge has no place of contact of its

@@ -21,6 +21,9 @@ pub(crate) struct Stations {
     pub(crate) lower: bool,
     /// Those of the upper line beyond its lower end.
     pub(crate) flank: bool,
+    /// Instead of all of them those of the disk of the corner's middles, each point of which has one nearest place: those
+    /// are followed from this one.
+    pub(crate) disk: Option<Spot>,
 }
 
 /// Values and places below the stations of one ring.
@@ -58,16 +61,35 @@ pub(crate) fn seeds(
     let mid = |a: [f64; 2], b: [f64; 2]| [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])];
     let (lower, upper) = ([rl, zl], [ru, zu]);
     let rim = [profile.top_radius(), profile.height()];
-    let stations = [rim, mid(upper, rim), upper, lower, mid(lower, [0.0, profile.bottom()])];
-    let stations = &stations[if of.flank { 0 } else { 2 }..if of.lower { 5 } else { 2 }];
+    let (whole, half) = (lower, mid(lower, [0.0, profile.bottom()]));
+    let (mut stations, mut range) = ([rim, mid(upper, rim), upper, whole, half], 0..5);
+    if !of.flank {
+        range.start = 2;
+    }
+    if !of.lower {
+        range.end = 2;
+    }
+    let [rho, high] = profile.corner();
+    // The corner of the disk is nearer by its radius.
+    let (mut end, mut radius) = (profile.bottom(), 0.0);
+    if of.disk.is_some() {
+        (stations[3], stations[4], range) = ([rho, high], [0.5 * rho, high], 3..5);
+        (end, radius) = (high, profile.corner_radius());
+    }
+    let stations = &stations[range];
     let [a, b] = aptc_geometry::surface::frame_about(tool.ta);
     let (mut deepest, mut way) = ((f64::INFINITY, tool.te), f64::INFINITY);
     let far = FAR * profile.widest();
+    let mut last = of.disk;
     let mut at = |rho: f64, z: f64, turn: usize| {
         let out = a * COS12[turn] + b * COS12[(turn + 9) % AROUND];
         let p = tool.te + out * rho + tool.ta * z;
-        let foot = surface.foot(p);
-        let value = side.sign() * foot.distance;
+        let foot = match last {
+            Some(near) => surface.foot_from(p, near),
+            None => surface.foot(p),
+        };
+        last = last.map(|_| foot.spot());
+        let value = side.sign() * foot.distance - radius;
         if value < deepest.0 {
             deepest = (value, p);
         }
@@ -87,7 +109,7 @@ pub(crate) fn seeds(
         }
     };
     if of.lower {
-        let (value, q) = at(0.0, profile.bottom(), 0);
+        let (value, q) = at(0.0, end, 0);
         offer(false, value, q);
     }
     // On the axis all of them are one.

@@ -45,6 +45,15 @@ pub(crate) struct Warm {
     sunk: bool,
     /// What may be allowed for the turn of the axis on one stretch.
     pub(crate) stretch: Option<f64>,
+    /// The least gap that was told before, if any: beside a convex solid no greater one is told closer.
+    pub(crate) told: Option<f64>,
+}
+
+impl Warm {
+    /// Of a vector of which no bound is told.
+    pub(crate) fn silent() -> Self {
+        Self { told: Some(f64::NEG_INFINITY), ..Self::default() }
+    }
 }
 
 /// What came of one bound.

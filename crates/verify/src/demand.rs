@@ -135,11 +135,13 @@ impl Demand {
 
     /// Judges the cut vector from `a` to `b`; `pad` covers rounding. Of what is refuted the deepest place is
     /// given, to a tenth of its depth.
+    #[cfg(test)]
     pub(crate) fn judge(&self, profile: &Profile, a: &Position, b: &Position, pad: f64) -> Verdict {
         self.judge_next(profile, a, b, pad, &mut Warm::default())
     }
 
-    /// The same behind a vector along the same surface.
+    /// The same behind a vector along the same surface. Of a vector that is proved the lesser bound is told no closer than
+    /// that it is not below what `warm` says.
     pub(crate) fn judge_next(
         &self,
         profile: &Profile,
@@ -178,6 +180,7 @@ impl Demand {
             let touch = if way.turn > NO_TURN { self.touch(tool, &pose, convex) } else { None };
             Stop { t, pose, touch }
         };
+        let told = warm.told.unwrap_or(f64::INFINITY);
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
         let mut open: (f64, Vec3) = (0.0, a.te);
         let mut worst: Option<(f64, f64, Vec3)> = None;
@@ -187,7 +190,9 @@ impl Demand {
         while let Some((from, to, depth)) = stack.pop() {
             seen += 1;
             let turn = way.turn_between(&from.pose, &to.pose, to.t - from.t);
-            let bound = self.bound(tool, &from, &to, turn, convex);
+            // How much more a stretch has does not tell beside what was told of others.
+            let enough = least.max(low.min(told));
+            let bound = self.bound(tool, &from, &to, turn, convex, enough);
             let excess = (least - bound.low).max(bound.high - most);
             if excess <= 0.0 {
                 (low, high) = (low.min(bound.low), high.max(bound.high));
@@ -274,7 +279,7 @@ impl Demand {
         }
     }
 
-    /// Bounds of a stretch on which the axis turns by `turn`.
+    /// Bounds of a stretch on which the axis turns by `turn`, from below no closer than to `enough`.
     fn bound(
         &self,
         tool: &Tool<'_>,
@@ -282,6 +287,7 @@ impl Demand {
         to: &Stop,
         turn: f64,
         convex: Convex<'_>,
+        enough: f64,
     ) -> Bound {
         let (p, q) = (&from.pose, &to.pose);
         let ends = [from.touch, to.touch];
@@ -291,7 +297,7 @@ impl Demand {
             }
             Convex::Solid(solid) if turn <= NO_TURN => outside::bound(tool, p, q, solid),
             Convex::Solid(solid) => {
-                outside::bound_turning(tool, [p, q], solid, &Turn::new(turn), ends)
+                outside::bound_turning(tool, [p, q], solid, &Turn::new(turn), ends, enough)
             }
             Convex::Hollow(hollow) => within(tool, [p, q], hollow, true, turn, ends),
         }

@@ -12,6 +12,7 @@ use aptc_geometry::{Vec2, Vec3, trig};
 use crate::between::{bulge, parabola};
 use crate::bound::{Bound, CLOSE, Touch};
 use crate::pile::Pile;
+use crate::rings;
 use crate::solid::{Solid, any_across};
 use crate::tool::{Pose, Tool, Turn, carry};
 
@@ -118,6 +119,15 @@ fn around(
     let normal = |to: Vec2| flat * (to.x * e1 + to.y * e2) + tilt;
     let from_axis = |m: Vec3| tool.height(pose, m) - m.dot(&origin);
     let w = pose.te - origin;
+    if let (Solid::Rod(q, t, r), None) = (solid, up)
+        && let Some((far, m)) = rings::reach(tool, pose, *q, *t)
+    {
+        // The whole of a corner's circle may reach farther than the tool.
+        let found = from_axis(m);
+        if far - found <= 1e-13 * (w.norm() + tool.reach()) {
+            return (r - far.max(found), r - found, m);
+        }
+    }
     let Some((from, turn)) = allowed(flat * e1, flat * e2, tilt, pose.ta, up) else {
         return (f64::INFINITY, f64::INFINITY, -pose.ta);
     };

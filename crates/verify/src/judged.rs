@@ -4,6 +4,7 @@ use aptc_cldata::{Controlled, Position, Relation};
 use aptc_geometry::Profile;
 
 use crate::certificate::{Fault, SurfaceBound};
+use crate::curved::Warm;
 use crate::demand::{Demand, Verdict};
 use crate::sheets::Sheets;
 use crate::statement::Seen;
@@ -99,6 +100,7 @@ impl Judged {
         seen: &mut Seen,
     ) -> Option<Fault> {
         let profile = self.disk.as_ref().unwrap_or(profile);
+        seen.warm.told = (seen.low <= seen.high).then_some(seen.low);
         let verdict = self.demand.judge_next(profile, from, to, pad, &mut seen.warm);
         if let Verdict::Proved { low, high } = verdict {
             seen.take(low, high, None);
@@ -118,7 +120,9 @@ impl Judged {
         self.disk?;
         let mut demand = self.demand.clone();
         demand.most = f64::INFINITY;
-        self.fault(demand.judge(profile, from, to, pad), vector).filter(|f| f.refuted)
+        // Of what is proved nothing is told.
+        let verdict = demand.judge_next(profile, from, to, pad, &mut Warm::silent());
+        self.fault(verdict, vector).filter(|f| f.refuted)
     }
 
     fn fault(&self, verdict: Verdict, vector: u64) -> Option<Fault> {

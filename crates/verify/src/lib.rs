@@ -24,6 +24,7 @@ mod outline;
 mod outside;
 mod passes;
 mod pile;
+mod rings;
 mod scallop;
 mod search;
 mod sheet;

@@ -230,23 +230,30 @@ fn turning(tool: &Tool<'_>, a: &Pose, b: &Pose, solid: &Solid, d: [Vec3; 2], the
 }
 
 /// Bounds along the vector from `a` to `b` when the axis turns by `turn`: each point fixed in the tool keeps to
-/// the chord of its way but for its bulge, which vanishes at the ends. `ends` is what is known at both ends.
+/// the chord of its way but for its bulge, which vanishes at the ends. `ends` is what is known at both ends. From below no more
+/// is asked than `enough`.
 pub(crate) fn bound_turning(
     tool: &Tool<'_>,
     [a, b]: [&Pose; 2],
     solid: &Solid,
     turn: &Turn,
     ends: [Option<Touch>; 2],
+    enough: f64,
 ) -> Bound {
     let at = |pose: &Pose, known: Option<Touch>| known.unwrap_or_else(|| touch(tool, pose, solid));
     let (first, last) = (at(a, ends[0]), at(b, ends[1]));
     let hull = |d: Vec3| -tool.height_turning(a, b, -d, turn).0 - solid.support(d);
-    let mut low = f64::NEG_INFINITY;
-    let middle = first.m + last.m;
-    for d in [first.m, last.m, solid.bounded_direction(middle)] {
-        low = low.max(hull(d));
+    // The direction between both shows most as a rule, and for the rest it is asked only where that is not enough.
+    let middle = solid.bounded_direction(first.m + last.m);
+    let mut low = hull(middle);
+    if low < enough {
+        low = low.max(turning(tool, a, b, solid, [first.m, last.m], turn.angle));
     }
-    low = low.max(turning(tool, a, b, solid, [first.m, last.m], turn.angle));
+    for d in [first.m, last.m] {
+        if low < enough {
+            low = low.max(hull(d));
+        }
+    }
     // The distance is convex along the chord.
     let carried = |from: &Pose, to: &Pose, p: Vec3| {
         let ends = [solid.distance(p), solid.distance(carry(from, to, p))];

@@ -222,6 +222,18 @@ impl Surface {
         }
     }
 
+    /// As [`Surface::place`], with its derivatives by its parameters, of a surface by two.
+    #[inline]
+    pub fn place_with_sides(&self, spot: Spot) -> (Foot, Option<[Vec3; 2]>) {
+        match (self, spot.at) {
+            (Self::Parametric(s), Some(at)) => {
+                let (foot, sides) = s.place_with_sides(at);
+                (foot, Some(sides))
+            }
+            _ => (self.place(spot), None),
+        }
+    }
+
     /// The place of the surface that lies beside `near` by the tangent `by`, to first order: any place will do that
     /// comes nearer to it as `by` falls. `None` where there is no simple one, and beside a border. With it, of a surface by
     /// two parameters, the derivatives by them there; `sides` are those at `near`, when they are known.

@@ -142,6 +142,15 @@ impl<G: Guide> Trials for Guided<'_, G> {
         }
         Ok(all)
     }
+
+    fn below(&self, _: &Self::Place) -> Option<f64> {
+        None
+    }
+
+    #[inline(always)]
+    fn course<'p>(&self, to: &'p Self::Place) -> &'p Course {
+        &to.course
+    }
 }
 
 impl<G: Guide> Guided<'_, G> {

@@ -6,6 +6,7 @@ mod guided;
 mod judge;
 mod keep;
 mod kinks;
+mod lengths;
 mod nearest;
 mod overlooked;
 mod run;

@@ -6,20 +6,24 @@
 //! chord to the one just tried is known from the lowest gap on it, and the search for the length takes two
 //! or three trials. The same holds for the high limit over hollow surfaces.
 
-use aptc_contact::Guide;
+use aptc_contact::{Gap, Guide};
 use aptc_geometry::Vec3;
+use aptc_geometry::profile::Segment;
 
 use super::guided::{Guided, Guides, Place};
 use super::judge::{AIM_TURNING, Fit};
-use super::keep::{Keep, Limits};
+use super::keep::{Keep, Limits, Pose};
+use super::lengths::{Lengths, lengthen, rest};
 use super::track::{Course, Node, Track, Trouble};
 
 /// Trials of one cut vector; two or three are usual.
 const TRIALS: usize = 40;
-/// Trials in which most lengths are found.
-const EASY: usize = 10;
+/// Trials in which most lengths are found, with a fixed axis and with one that turns, whose vertices are moved between them.
+const EASY: usize = 4;
+const EASY_TURNING: usize = 10;
 /// Share of what is long enough to which others are found.
-const FINE: f64 = 1e-3;
+const FINE: f64 = 1e-4;
+const FINE_TURNING: f64 = 1e-3;
 /// A chord that could be longer by less than this ratio is taken: a longer one would save no cut vector in
 /// a hundred thousand.
 const LONG_ENOUGH: f64 = 1e-5;
@@ -43,8 +47,10 @@ const TOO_FAR: f64 = 2.0;
 const FARTHER: f64 = 16.0;
 /// Share of a length up to which another trial begins at the one before.
 const BESIDE: f64 = 0.25;
-/// Share of a length within which another tells how the ratios go on.
-const NEAR: f64 = 1e-2;
+/// Share of the length that is foretold from a bend by which a chord goes beyond what a flat end touched below it.
+const BEYOND: f64 = 0.5;
+/// Sine of the angle to a flat end up to which a track goes along it.
+const LEVEL: f64 = 0.1;
 /// How often one cut vector may learn from its chord how its gaps bend.
 const LESSONS: u32 = 3;
 /// A chord to be shortened to less than this has its vertex in the wrong place.
@@ -92,6 +98,12 @@ pub(super) trait Trials {
 
     /// How the chord to it lies in both bands, and how much longer it could be.
     fn fit(&self, to: &Self::Place) -> Result<Fit, Trouble>;
+
+    /// How far the track goes on with what the flat end touches there below it; `None` where it touches otherwise.
+    fn below(&self, to: &Self::Place) -> Option<f64>;
+
+    /// How the track goes on there.
+    fn course<'p>(&self, to: &'p Self::Place) -> &'p Course;
 }
 
 /// Trials by contacts; with `look` none that is deeper may be elsewhere, with `between` chords on which the contact goes
@@ -124,6 +136,22 @@ impl Trials for Contacts<'_> {
 
     fn fit(&self, to: &Node) -> Result<Fit, Trouble> {
         self.track.fit(self.from, to, self.between)
+    }
+
+    fn below(&self, to: &Node) -> Option<f64> {
+        let Pose { te, ta } = to.pose;
+        let flat = |(keep, gap): (&Keep, &Gap)| {
+            let from_axis = (gap.tool_point - te).dot(&to.course.along);
+            let [[radius, _], _] = keep.profile.joints();
+            let touches =
+                gap.segment == Some(Segment::LowerLine) && to.course.along.dot(&ta).abs() < LEVEL;
+            touches.then_some(radius + from_axis)
+        };
+        self.track.keeps.iter().zip(&to.gaps).filter_map(flat).min_by(f64::total_cmp)
+    }
+
+    fn course<'p>(&self, to: &'p Node) -> &'p Course {
+        &to.course
     }
 }
 
@@ -359,15 +387,21 @@ impl Track {
         let mut last: Option<Stride<T::Place>> = None;
         let mut trouble = Trouble::Stuck;
         let mut before: Option<(f64, f64)> = None;
+        // The least length that is foretold from a bend.
+        let mut usual = if plan.length < plan.most { plan.length } else { pace.length };
+        let (mut between, mut beyond) = (Lengths::default(), None);
         let mut learnt = 0;
         // A chord that does not fit though its ratio says so is shortened more each time.
         let mut back: f64 = 0.0;
         // Does the first chord go on to another length?
         let mut over = false;
+        // With an axis that turns trials also move the vertices, and do not fall evenly.
+        let secants = !self.axis.turns();
+        let (most_easy, close) = if secants { (EASY, FINE) } else { (EASY_TURNING, FINE_TURNING) };
         for trial in 0..TRIALS {
             // A length that does not come at once, as over a crest, depends on all trials unless it is found to the last digits.
-            let easy = !T::FINAL || trial < EASY;
-            let fine = if easy { 1.0 } else { FINE };
+            let easy = !T::FINAL || trial < most_easy;
+            let fine = if easy { 1.0 } else { close };
             let tried = trials.reach(s, plan.length, bends, last.as_ref());
             let fit = tried.as_ref().map_err(|t| *t).and_then(|t| trials.fit(&t.to));
             let targets = tried.as_ref().map_or(gaps, |t| t.targets);
@@ -393,16 +427,20 @@ impl Track {
                             };
                             s = (next * (1.0 - 0.25 * long_enough)).min(plan.most);
                             (good, bad, before) = (None, f64::INFINITY, None);
+                            between = Lengths::default();
                             last = tried.ok().or(last);
                             continue;
                         }
                     }
                     if fit.fits {
-                        let rest = before.and_then(|before| rest(s, fit.ratio, before));
-                        let rest = rest.unwrap_or(fit.ratio - 1.0);
-                        let enough = match easy {
-                            true => rest <= long_enough,
-                            false => (rest - 0.25 * long_enough).abs() <= FINE * long_enough,
+                        let aim = if easy { 0.0 } else { 0.25 * long_enough };
+                        let inside = if secants { aim } else { 0.0 };
+                        let more = before.and_then(|before| rest(s, fit.ratio, before, inside));
+                        let more = more.unwrap_or(fit.ratio - 1.0 - inside);
+                        let enough = match (easy, secants) {
+                            (true, _) => more <= long_enough,
+                            (false, true) => more.abs() <= close * long_enough,
+                            (false, false) => (more - aim).abs() <= close * long_enough,
                         };
                         let enough = enough || s >= plan.most;
                         let first = before.is_none() && bad.is_infinite() && !over;
@@ -414,6 +452,8 @@ impl Track {
                                 continue;
                             }
                         }
+                        // Of lengths found to the last digits one may be too long that fits yet.
+                        let too_long = secants && !easy && fit.ratio < 1.0 + aim;
                         if enough {
                             let rest = if fit.ratio <= 1.0 + long_enough { fit.ratio } else { 1.0 };
                             pace.learn(s, rest, plan.length);
@@ -422,7 +462,12 @@ impl Track {
                             }
                             return tried;
                         }
-                        good = tried.ok();
+                        if too_long {
+                            bad = bad.min(s);
+                        }
+                        if !too_long || good.is_none() {
+                            good = tried.ok();
+                        }
                     } else if over {
                         break;
                     } else {
@@ -432,7 +477,18 @@ impl Track {
                     if !fit.fits && good.is_none() {
                         back = (4.0 * back).clamp(long_enough, 0.5);
                     }
-                    let next = lengthen(s, ratio, before) * (1.0 - 0.25 * long_enough);
+                    if let Ok(end) = &tried {
+                        let foretold = self.plan(trials.course(&end.to), None, cap);
+                        usual = usual.min(foretold.length);
+                        // A flat end keeps touching what it has below it, and leaves it with the next bend.
+                        let below = if bad.is_infinite() { trials.below(&end.to) } else { None };
+                        beyond = below.map(|on| s + on + BEYOND * usual);
+                    }
+                    between.take(s, 1.0 / ratio - (1.0 - 0.25 * long_enough));
+                    let next = beyond.take().or_else(|| between.next(usual));
+                    let next = next
+                        .filter(|_| secants)
+                        .unwrap_or_else(|| lengthen(s, ratio, before) * (1.0 - 0.25 * long_enough));
                     before = Some((s, ratio));
                     next
                 }
@@ -572,24 +628,6 @@ impl Track {
         }
         Plan { length, most }
     }
-}
-
-/// The share of a length by which a chord beside it could be longer, by the secant of the ratios: where the contact goes over
-/// to another place on the way these fall many times as fast as the length grows.
-fn rest(s: f64, ratio: f64, (s0, r0): (f64, f64)) -> Option<f64> {
-    let slope = (ratio - r0) / (s - s0);
-    ((s - s0).abs() <= NEAR * s && slope < -1.0 / s).then(|| (1.0 - ratio) / (slope * s))
-}
-
-/// The next length to try: by the ratio, and from the second trial on by the secant of the ratios, which
-/// also sees how the targets and the curvature change with the length.
-fn lengthen(s: f64, ratio: f64, before: Option<(f64, f64)>) -> f64 {
-    let simple = s * ratio.clamp(0.1, 4.0);
-    let Some((s0, r0)) = before else { return simple };
-    let slope = (ratio - r0) / (s - s0);
-    let secant = s - (ratio - 1.0) / slope;
-    // The ratio falls with the length; where rounding or a kink says otherwise the simple step holds.
-    if slope < 0.0 && secant > 0.25 * s && secant < 4.0 * s { secant } else { simple }
 }
 
 struct Plan {

@@ -297,9 +297,14 @@ impl ParametricSurface {
     }
 
     /// The foot of the place with the parameters `at`.
-    pub fn place(&self, [u, v]: [f64; 2]) -> Foot {
+    pub fn place(&self, at: [f64; 2]) -> Foot {
+        self.place_with_sides(at).0
+    }
+
+    /// The same with the derivatives by both parameters.
+    pub fn place_with_sides(&self, [u, v]: [f64; 2]) -> (Foot, [Vec3; 2]) {
         let place = Placed::new(&self.patch, u, v);
-        self.foot_at(place.jet.s, &place)
+        (self.foot_at(place.jet.s, &place), [place.jet.su, place.jet.sv])
     }
 
     /// The place beside that with the parameters `at` by the tangent `by`, with its derivatives by both parameters;
@@ -350,8 +355,9 @@ impl ParametricSurface {
     fn normal_at(&self, u: f64, v: f64, jet: &Jet) -> Vec3 {
         let cross = |jet: &Jet| {
             let n = jet.su.cross(&jet.sv);
-            let flat = n.norm() <= 1e-9 * jet.su.norm() * jet.sv.norm();
-            if flat { None } else { n.try_normalize(0.0) }
+            let square = n.norm_squared();
+            let flat = square <= 1e-18 * jet.su.norm_squared() * jet.sv.norm_squared();
+            (!flat).then(|| n / square.sqrt())
         };
         // Where one derivative vanishes the normal of a place beside it.
         let beside = |x: f64| x + (0.5 - x) * 1e-5;

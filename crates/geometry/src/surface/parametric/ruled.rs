@@ -197,7 +197,28 @@ impl Rulings {
         Line { p: p + d * beyond, d, dd }
     }
 
+    #[inline]
     pub(super) fn jet(&self, u: f64, v: f64) -> Jet {
+        self.between(u, v).unwrap_or_else(|| self.anywhere(u, v))
+    }
+
+    /// The same between the ends of two curves whose heights are known there.
+    #[inline]
+    fn between(&self, u: f64, v: f64) -> Option<Jet> {
+        let Far::Curve(second) = &self.second else { return None };
+        if self.steep != [false; 2] || !(0.0..=1.0).contains(&u) {
+            return None;
+        }
+        let line = |c: &Curve| {
+            let [h, dh, ddh] = c.heights.as_ref()?.at(u)?;
+            let p = c.start + c.base * u + c.toward * h;
+            Some(Line { p, d: c.base + c.toward * dh, dd: c.toward * ddh })
+        };
+        let (a, b) = (line(&self.first)?, line(second)?);
+        Some(Jet::ruling(&a, &b, v))
+    }
+
+    fn anywhere(&self, u: f64, v: f64) -> Jet {
         let at = u.clamp(0.0, 1.0);
         // At a steep end the curve itself is asked: its derivatives there are those of a place beside it.
         let end = self.steep[0] && at < STEEP || self.steep[1] && at > 1.0 - STEEP;
@@ -207,12 +228,21 @@ impl Rulings {
             Far::Curve(c) => self.line(c, &over),
             Far::Apex(p) => Line { p: *p, d: Vec3::zeros(), dd: Vec3::zeros() },
         };
-        Jet {
-            s: a.p + (b.p - a.p) * v,
-            su: a.d + (b.d - a.d) * v,
-            sv: b.p - a.p,
+        Jet::ruling(&a, &b, v)
+    }
+}
+
+impl Jet {
+    /// At the share `v` of the way between two lines.
+    #[inline]
+    fn ruling(a: &Line, b: &Line, v: f64) -> Self {
+        let (sv, suv) = (b.p - a.p, b.d - a.d);
+        Self {
+            s: a.p + sv * v,
+            su: a.d + suv * v,
+            sv,
             suu: a.dd + (b.dd - a.dd) * v,
-            suv: b.d - a.d,
+            suv,
             svv: Vec3::zeros(),
         }
     }

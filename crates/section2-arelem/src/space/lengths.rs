@@ -1,0 +1,121 @@
+//! The length of a cut vector that uses the whole of a band, from what trials use of it.
+
+/// Share of a length within which another tells how the ratios go on.
+const NEAR: f64 = 1e-2;
+/// What more than the whole of a band one counts for at most: farther out it says little.
+const MOST: f64 = 2.0;
+
+/// Lengths that are too short and too long, with what each uses of the band: one over its ratio, less one. Along a parabola
+/// that grows evenly with the length, and over a crest, where the ratio falls fast, nearly so.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Lengths {
+    short: Option<(f64, f64)>,
+    long: Option<(f64, f64)>,
+    /// The last one, and the one before.
+    last: [Option<(f64, f64)>; 2],
+    /// How far both ends were apart at the last trials.
+    apart: [Option<f64>; 2],
+}
+
+impl Lengths {
+    /// One that uses so much.
+    pub(super) fn take(&mut self, s: f64, uses: f64) {
+        let here = (s, uses.min(MOST));
+        let (same, other) = match uses <= 0.0 {
+            true => (&mut self.short, &mut self.long),
+            false => (&mut self.long, &mut self.short),
+        };
+        // The end that stays counts half each time: else the secant comes from one side only.
+        if self.last[0].is_some()
+            && self.last[0] == *same
+            && let Some(other) = other
+        {
+            other.1 *= 0.5;
+        }
+        *same = Some(here);
+        self.last = [Some(here), self.last[0]];
+    }
+
+    /// Where the whole of the band is used, by the secant of the last two while it comes nearer, else by that of both ends;
+    /// `None` where that is not seen. Along a chord longer than `usual`, the length foretold from a bend, it falls no slower
+    /// than along the parabola of that length.
+    pub(super) fn next(&mut self, usual: f64) -> Option<f64> {
+        let secant = |(s, f): (f64, f64), (t, g): (f64, f64)| {
+            let next = t - g * (t - s) / (g - f);
+            ((g - f) * (t - s) > 0.0).then_some(next)
+        };
+        let (Some(short), Some(long)) = (self.short, self.long) else {
+            let (s, uses) = self.short?;
+            return (s > 2.0 * usual && uses > -0.5).then_some(s - uses * usual);
+        };
+        let least = long.0 - long.1 * usual;
+        let inside = |x: &f64| *x > short.0 && *x < long.0;
+        let nearer = |a: (f64, f64), b: (f64, f64)| b.1.abs() <= 0.5 * a.1.abs();
+        let near = match self.last {
+            [Some(b), Some(a)] if nearer(a, b) || a.1 > 0.0 && b.1 > 0.0 => secant(a, b),
+            _ => None,
+        };
+        let apart = long.0 - short.0;
+        let [last, before] = self.apart;
+        self.apart = [Some(apart), last];
+        let near = near.map(|x| x.max(least)).filter(inside);
+        let stays = near.is_none() && before.is_some_and(|b| apart > 0.5 * b);
+        let both = || secant(short, long).map(|x| x.max(least)).filter(inside);
+        let halves = 0.5 * (short.0 + long.0);
+        near.or_else(|| if stays { Some(halves) } else { both() })
+    }
+}
+
+/// The next length to try: by the ratio, and from the second trial on by the secant of the ratios, which
+/// also sees how the targets and the curvature change with the length.
+pub(super) fn lengthen(s: f64, ratio: f64, before: Option<(f64, f64)>) -> f64 {
+    let simple = s * ratio.clamp(0.1, 4.0);
+    let Some((s0, r0)) = before else { return simple };
+    let slope = (ratio - r0) / (s - s0);
+    let secant = s - (ratio - 1.0) / slope;
+    // The ratio falls with the length; where rounding or a kink says otherwise the simple step holds.
+    if slope < 0.0 && secant > 0.25 * s && secant < 4.0 * s { secant } else { simple }
+}
+
+/// The share of a length by which a chord beside it could be longer until its ratio is more than 1 by `aim`, by the secant of
+/// the ratios: where the contact goes over to another place on the way these fall many times as fast as the length grows.
+pub(super) fn rest(s: f64, ratio: f64, (s0, r0): (f64, f64), aim: f64) -> Option<f64> {
+    let slope = (ratio - r0) / (s - s0);
+    ((s - s0).abs() <= NEAR * s && slope < -1.0 / s).then(|| (1.0 + aim - ratio) / (slope * s))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Trials until a length is found to a millionth.
+    fn trials(uses: impl Fn(f64) -> f64, first: f64, usual: f64) -> usize {
+        let (mut lengths, mut s, mut before) = (Lengths::default(), first, None);
+        for k in 1..40 {
+            let at = uses(s) - 1.0;
+            if at.abs() <= 1e-6 {
+                return k;
+            }
+            lengths.take(s, at);
+            let ratio = 1.0 / (at + 1.0);
+            let next = lengths.next(usual).unwrap_or_else(|| lengthen(s, ratio, before));
+            (before, s) = (Some((s, ratio)), next);
+        }
+        40
+    }
+
+    #[test]
+    fn the_length_along_a_parabola_comes_with_the_second_trial() {
+        assert_eq!(trials(|s| s / 0.35, 0.3, 0.35), 2);
+    }
+
+    #[test]
+    fn a_length_over_a_crest_comes_soon() {
+        // Nothing bends up to 6; then it uses as much as two parabolas do.
+        for (first, usual) in [(6.2, 0.34), (6.02, 0.34), (6.01, 0.03), (6.05, 0.03)] {
+            let crest = |s: f64| 0.4_f64.max(0.4 + 1.8 * (s - 6.0) / usual);
+            let found = trials(crest, first, usual);
+            assert!(found <= 9, "{first} {usual}: {found}");
+        }
+    }
+}
