@@ -149,7 +149,7 @@ fn follow(scene: &Scene, begin: &Begin) -> Result<Path, Failure> {
             // A place that the cut vector before ended at needs no other. The last one ends where the gaps were to be farther on;
             // where the surface changes its bend on the way that does not fit, and a cut vector made for that length does.
             let here = halt.s <= track.exact && !points.is_empty();
-            if !here && !track.fits(&node, &halt.node) {
+            if !here && (halt.beside || !track.fits(&node, &halt.node)) {
                 let shorter = track.stride(&node, halt.s, &mut pace);
                 let again = shorter.and_then(|s| watches[i].again(track, &node, &s, &halt));
                 match again.ok().filter(|h| track.fits(&node, &h.node)) {

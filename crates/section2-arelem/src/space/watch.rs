@@ -60,6 +60,9 @@ pub(crate) struct Halt {
     gauge: usize,
     reading: f64,
     crosses: bool,
+    /// Is that beyond what counts as met? Drive or part surface is touched elsewhere there than at the start of the cut
+    /// vector, which leads beside the check surface then.
+    pub(crate) beside: bool,
 }
 
 /// What a watch has seen until now.
@@ -265,7 +268,8 @@ impl Watch {
             return Ok(None);
         }
         let (side, reading) = (keep.side, met.g);
-        Ok(Some(Halt { s, node, side, gauge: i, reading, crosses }))
+        let beside = crosses && !in_limits(keep, met.g, exact);
+        Ok(Some(Halt { s, node, side, gauge: i, reading, crosses, beside }))
     }
 
     /// The same halt on the way of another cut vector from the same node.
@@ -286,7 +290,7 @@ impl Watch {
         if halt.crosses && !in_limits(keep, read(keep, &node, None)?.g, track.exact) {
             return Err(Trouble::Check);
         }
-        Ok(Halt { s, node, ..*halt })
+        Ok(Halt { s, node, beside: false, ..*halt })
     }
 }
 
