@@ -123,7 +123,7 @@ impl Part {
             }
             return;
         }
-        if !(a_ahead && !b_ahead) {
+        if !a_ahead || b_ahead {
             return;
         }
         let (mut low, mut high, mut nearest) = (*low, *high, *b);

@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use aptc_control::{Disk, Options, Source, Verify, compile};
+use aptc_geometry::trig;
 
 /// A wave along x, or along z where it is a wall, that repeats itself but for its last digits, with the tool on its way across.
 fn program(k: u32, wall: bool) -> String {
@@ -14,7 +15,7 @@ fn program(k: u32, wall: bool) -> String {
     let mut x = -70.0;
     while x < 70.0 {
         let turn = std::f64::consts::TAU * (x / length + share(3));
-        let bend = height * (turn.sin() + 0.15 * (3.7 * turn).sin());
+        let bend = height * (trig::sin(turn) + 0.15 * trig::sin(3.7 * turn));
         let (z, x_of) = if wall { (x, bend) } else { (bend, x) };
         write!(points, ",$\n{z:.4},{x_of:.5}").unwrap_or_default();
         x += step;
