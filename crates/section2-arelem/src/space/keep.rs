@@ -108,7 +108,8 @@ impl Keep {
     /// Is the gap on a side less than `-least`? No gap is greater than the distance of a point of the cutter; here that of
     /// the middle of its axis.
     pub(crate) fn deep(&self, pose: &Pose, side: Side, least: f64) -> bool {
-        let middle = pose.te + pose.ta * (0.5 * self.profile.height());
+        let profile = self.profile;
+        let middle = pose.te + pose.ta * (0.5 * (profile.bottom() + profile.height()));
         let touches = self.condition == Condition::Touch && side != Side::Open;
         touches && side.sign() * self.surface.distance(middle) - self.thick < -least
     }
