@@ -1,6 +1,7 @@
 //! How a chord lies in the bands, and how much longer it could be (APT: `GOUGCK`).
 
 use aptc_contact::{Condition, Exact, Gap, chord};
+use aptc_geometry::profile::Segment;
 use aptc_geometry::{Surface, Vec3};
 
 use super::keep::Pose;
@@ -174,6 +175,19 @@ impl Track {
     pub(super) fn apart(&self, i: usize, from: &Node, to: &Node) -> bool {
         let place = |node: &Node| node.gaps[i].tool_point - node.pose.te;
         (place(from) - place(to)).norm() > ANOTHER * self.keeps[i].profile.widest()
+            || self.crests(i, from, to)
+    }
+
+    /// Does its flat end lie on two crests of a TABCYL? One would stay where it is.
+    fn crests(&self, i: usize, from: &Node, to: &Node) -> bool {
+        /// Spans between two crests at least.
+        const APART: f64 = 1.5;
+        let on = |node: &Node| {
+            let gap = &node.gaps[i];
+            gap.at.filter(|_| gap.segment == Some(Segment::LowerLine)).map(|[span, _]| span)
+        };
+        matches!(self.keeps[i].surface, Surface::Tabcyl(_))
+            && on(from).zip(on(to)).is_some_and(|(a, b)| (a - b).abs() > APART)
     }
 
     /// The gap at the start of a cut vector at the place of contact of its end, where both touch at once: at the
