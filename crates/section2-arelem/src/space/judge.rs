@@ -19,7 +19,7 @@ const OWN_TURNING: f64 = 0.3 * RESOLUTION_TURNING;
 /// Shares of a chord at which it is looked at as a whole where its contact goes over from one place to another.
 pub(super) const BETWEEN: [f64; 7] = [0.02, 0.1, 0.3, 0.5, 0.7, 0.9, 0.98];
 /// Places of contact that are farther apart than this share of the cutter's radius are two.
-pub(super) const ANOTHER: f64 = 0.1;
+const ANOTHER: f64 = 0.1;
 /// Share of the band by which two places that touch at once may differ.
 const BOTH: f64 = 1e-2;
 /// Extreme gaps on a chord are found to this share of the band.
@@ -173,21 +173,23 @@ impl Track {
 
     /// Does the cutter touch at different places of it at both ends?
     pub(super) fn apart(&self, i: usize, from: &Node, to: &Node) -> bool {
-        let place = |node: &Node| node.gaps[i].tool_point - node.pose.te;
-        (place(from) - place(to)).norm() > ANOTHER * self.keeps[i].profile.widest()
-            || self.crests(i, from, to)
+        let [a, b] = [from, to].map(|node| (&node.gaps[i], node.pose.te));
+        self.touches_elsewhere(i, a, b)
     }
 
-    /// Does its flat end lie on two crests of a TABCYL? One would stay where it is.
-    fn crests(&self, i: usize, from: &Node, to: &Node) -> bool {
+    /// Does a cutter touch at different places of it with the tool end here and there? A flat end that lies on two crests of a
+    /// TABCYL does, for one crest stays where it is.
+    pub(super) fn touches_elsewhere(&self, i: usize, a: (&Gap, Vec3), b: (&Gap, Vec3)) -> bool {
         /// Spans between two crests at least.
-        const APART: f64 = 1.5;
-        let on = |node: &Node| {
-            let gap = &node.gaps[i];
+        const CRESTS: f64 = 1.5;
+        let keep = &self.keeps[i];
+        let [p, q] = [a, b].map(|(gap, te)| gap.tool_point - te);
+        let flat = |gap: &Gap| {
             gap.at.filter(|_| gap.segment == Some(Segment::LowerLine)).map(|[span, _]| span)
         };
-        matches!(self.keeps[i].surface, Surface::Tabcyl(_))
-            && on(from).zip(on(to)).is_some_and(|(a, b)| (a - b).abs() > APART)
+        (p - q).norm() > ANOTHER * keep.profile.widest()
+            || matches!(keep.surface, Surface::Tabcyl(_))
+                && flat(a.0).zip(flat(b.0)).is_some_and(|(a, b)| (a - b).abs() > CRESTS)
     }
 
     /// The gap at the start of a cut vector at the place of contact of its end, where both touch at once: at the

@@ -2,7 +2,7 @@
 
 use aptc_contact::Gap;
 
-use super::judge::{ANOTHER, BETWEEN, between};
+use super::judge::{BETWEEN, between};
 use super::track::{Node, Track, Trouble};
 
 /// Halvings in the search for the place where the contact goes over from one to the other.
@@ -59,8 +59,8 @@ impl Track {
 
     /// Does the cutter touch at different places of it?
     fn goes_over(&self, i: usize, [from, to]: [&Node; 2], a: &Look, b: &Look) -> bool {
-        let place = |l: &Look| l.gap.tool_point - between(&from.pose, &to.pose, l.t).te;
-        (place(a) - place(b)).norm() > ANOTHER * self.keeps[i].profile.widest()
+        let te = |l: &Look| from.pose.te + (to.pose.te - from.pose.te) * l.t;
+        self.touches_elsewhere(i, (&a.gap, te(a)), (&b.gap, te(b)))
     }
 
     /// Where along a cut vector, as a share of it, the places of contact of both ends are as near as each other, and the gap
