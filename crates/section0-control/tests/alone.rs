@@ -1,6 +1,9 @@
 //! What CHKSRF asks of single places of regional milling, and of what is added to its lines: the path is held to it without the proof.
 
-use aptc_control::{Disk, Options, Source, Verify, compile};
+#[path = "support/run.rs"]
+mod run;
+
+use aptc_control::Verify;
 
 /// A floor with a wall that stands beside it at x = 45, over y up to 20, and something above.
 fn program(close: &str, work: &str) -> String {
@@ -36,20 +39,8 @@ FINI
 
 /// The codes of all messages, and the number of positions.
 fn run(text: &str, verify: Verify) -> (Vec<String>, usize) {
-    let options = Options { verify, post: false, ..Options::default() };
-    let source = Source { name: "alone".into(), text: text.into() };
-    let compiled = compile(source, &mut Disk::new(Vec::new(), 0), &options);
-    let codes = compiled.diagnostics.iter().map(|d| d.code.to_string()).collect();
-    let mut points = 0;
-    for part in &compiled.parts {
-        let count = |r: &aptc_cldata::Record| {
-            if let aptc_cldata::Kind::Motion(m) = &r.kind {
-                points += m.points.len();
-            }
-        };
-        part.computed.for_each(count).expect("they can be read");
-    }
-    (codes, points)
+    let ran = run::run(text, verify);
+    (ran.codes(), ran.places.len())
 }
 
 const AVOID: &str = "AVCTRL/CUTANG,CONST,1,RANGE,-70,70,NORMPS";

@@ -1,27 +1,18 @@
 //! AVCTRL over waves tighter than the cutter: each way between a tilted or lifted place and the next is found, few are cut
 //! into pieces, and all of it is proved.
 
+#[path = "support/run.rs"]
+mod run;
+
 use std::fmt::Write;
 
-use aptc_control::{Disk, Options, Source, compile};
+use aptc_control::Verify;
 use aptc_geometry::trig;
 
 /// The codes of all messages, and the number of positions.
 fn run(text: &str) -> (Vec<String>, usize) {
-    let options = Options { post: false, ..Options::default() };
-    let source = Source { name: "avoided".into(), text: text.into() };
-    let compiled = compile(source, &mut Disk::new(Vec::new(), 0), &options);
-    let codes = compiled.diagnostics.iter().map(|d| d.code.to_string()).collect();
-    let mut points = 0;
-    for part in &compiled.parts {
-        let count = |r: &aptc_cldata::Record| {
-            if let aptc_cldata::Kind::Motion(m) = &r.kind {
-                points += m.points.len();
-            }
-        };
-        part.computed.for_each(count).expect("they can be read");
-    }
-    (codes, points)
+    let ran = run::run(text, Verify::Full);
+    (ran.codes(), ran.places.len())
 }
 
 /// Waves along x of that number a unit, height and place, less high ones along y.

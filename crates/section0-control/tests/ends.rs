@@ -1,7 +1,10 @@
 //! Regional milling at its ends: a tool end led over a border, out of the way and back, a single pass, an edge that
 //! is to go in.
 
-use aptc_control::{Disk, Options, Source, Verify, compile};
+#[path = "support/run.rs"]
+mod run;
+
+use aptc_control::Verify;
 
 /// Statements after those that define a dome of 60 by 60, a flat sheet above and a wall over the dome.
 fn program(cutter: &str, work: &str) -> String {
@@ -39,11 +42,7 @@ fn faults(cutter: &str, work: &str) -> Vec<String> {
 }
 
 fn told(text: String) -> Vec<String> {
-    let options = Options { verify: Verify::Full, post: false, ..Options::default() };
-    let source = Source { name: "ends".into(), text: text.into() };
-    let compiled = compile(source, &mut Disk::new(Vec::new(), 0), &options);
-    let codes = compiled.diagnostics.iter().map(|d| d.code.to_string());
-    codes.filter(|c| c.starts_with("APT2") || c.starts_with("APT5")).collect()
+    run::run(&text, Verify::Full).faults()
 }
 
 const BALL: &str = "6,3,0,3,0,0,30";

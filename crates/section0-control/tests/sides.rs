@@ -1,6 +1,9 @@
 //! The side of a checked surface from a part program: what the path keeps to is what the proof asks.
 
-use aptc_control::{Disk, Options, Source, Verify, compile};
+#[path = "support/run.rs"]
+mod run;
+
+use aptc_control::Verify;
 
 /// The floor of a basin milled inside of it; `before` stands before CHKSRF, `close` behind it.
 fn program(basin: &str, before: &str, close: &str) -> String {
@@ -30,11 +33,7 @@ FINI
 
 /// The codes of what is wrong with path or proof.
 fn faults(text: String, verify: Verify) -> Vec<String> {
-    let options = Options { verify, post: false, ..Options::default() };
-    let source = Source { name: "sides".into(), text: text.into() };
-    let compiled = compile(source, &mut Disk::new(Vec::new(), 0), &options);
-    let codes = compiled.diagnostics.iter().map(|d| d.code.to_string());
-    codes.filter(|c| c.starts_with("APT2") || c.starts_with("APT5")).collect()
+    run::run(&text, verify).faults()
 }
 
 const BALL: &str = "SPHERE/0,0,30,50";

@@ -1,26 +1,15 @@
 //! Sculptured walls: one that is a part of a cylinder is met where the cylinder is, from near and from far; along a twisted one a
 //! ball with its shank goes on where the place of contact leaps along the flank.
 
-use aptc_control::{Disk, Options, Source, Verify, compile};
+#[path = "support/run.rs"]
+mod run;
+
+use aptc_control::Verify;
 
 /// The codes of all messages, and where the last motion ends.
 fn run(text: &str, verify: Verify) -> (Vec<String>, [f64; 3]) {
-    let options = Options { verify, post: false, ..Options::default() };
-    let source = Source { name: "walls".into(), text: text.into() };
-    let compiled = compile(source, &mut Disk::new(Vec::new(), 0), &options);
-    let codes = compiled.diagnostics.iter().map(|d| d.code.to_string()).collect();
-    let mut end = [f64::NAN; 3];
-    for part in &compiled.parts {
-        let last = |r: &aptc_cldata::Record| {
-            if let aptc_cldata::Kind::Motion(m) = &r.kind
-                && let Some(p) = m.points.last()
-            {
-                end = p.te.into();
-            }
-        };
-        part.computed.for_each(last).expect("they can be read");
-    }
-    (codes, end)
+    let ran = run::run(text, verify);
+    (ran.codes(), ran.places.last().copied().unwrap_or([f64::NAN; 3]))
 }
 
 /// A part of a cylinder of radius 30 about x = `middle`, upright, round to where the tool comes from or open to it, and the tool
