@@ -122,7 +122,7 @@ pub fn gap_near(
         Surface::Cone(s) => tangents::cone(tool, s, side)?,
         Surface::Quadric(s) if side == Side::Open => {
             let open = s.opened(tool.ta).ok_or(Reason::NoHit)?;
-            rings::within(tool, |p| open.foot(p), |p| open.foot(p).distance)?
+            rings::within(tool, |p| open.foot(p))?
         }
         _ if side == Side::Open => return Err(Reason::NoHit),
         _ => search::general(tool, surface, side, start)?,

@@ -18,6 +18,34 @@ const MAX_STEPS: usize = 60;
 /// After a step of Newton's method of no more than this, radians, rounding alone is left: it converges quadratically.
 const LAST: f64 = 1e-9;
 
+/// The wall of a hollow that is convex.
+pub(crate) trait Wall {
+    /// The nearest place of it.
+    fn foot(&self, p: Vec3) -> Foot;
+
+    /// The signed distance of a point alone, negative inside.
+    fn distance(&self, p: Vec3) -> f64 {
+        self.foot(p).distance
+    }
+
+    /// The signed distances of sixteen places of the circle about `center` with these two spokes.
+    fn around(&self, center: Vec3, spokes: [Vec3; 2]) -> [f64; 16] {
+        std::array::from_fn(|k| self.distance(center + at16(spokes, k)))
+    }
+}
+
+impl<F: Fn(Vec3) -> Foot> Wall for F {
+    fn foot(&self, p: Vec3) -> Foot {
+        self(p)
+    }
+}
+
+/// The `k`th of sixteen places of a circle with these two spokes.
+#[inline]
+pub(crate) fn at16([a, b]: [Vec3; 2], k: usize) -> Vec3 {
+    a * COS16[k] + b * COS16[(k + 12) % 16]
+}
+
 /// A circle of the cutter about its axis, thickened by r.
 #[derive(Clone, Copy)]
 struct Ring {
@@ -56,28 +84,23 @@ struct At {
     slope: f64,
 }
 
-/// Gap of a tool on the negative side of a surface whose negative side is convex, its nearest points
-/// given by `foot`, and their signed distances, which may be had for less, by `distance`.
+/// Gap of a tool inside a hollow.
 ///
 /// On each circle the distance from the wall is smooth and has at most two dips, on opposite sides, which
 /// sixteen samples tell apart.
-pub(crate) fn within(
-    tool: &Tool<'_>,
-    foot: impl Fn(Vec3) -> Foot,
-    distance: impl Fn(Vec3) -> f64,
-) -> Result<Gap, Reason> {
-    nearest(tool, foot, distance, None)
+pub(crate) fn within(tool: &Tool<'_>, wall: impl Wall) -> Result<Gap, Reason> {
+    nearest(tool, wall, None)
 }
 
 /// As [`within`], and a gap (before THICK) below which no other place of the tool is: one that is `apart` from the
 /// nearest. Every sample counts, for where a dip becomes two there is no second one before.
 pub(crate) fn with_rival(
     tool: &Tool<'_>,
-    foot: impl Fn(Vec3) -> Foot,
+    wall: impl Wall,
     apart: f64,
 ) -> Result<(Gap, f64), Reason> {
     let mut seen: Seen = [None; 5];
-    let gap = nearest(tool, &foot, |p| foot(p).distance, Some(&mut seen))?;
+    let gap = nearest(tool, wall, Some(&mut seen))?;
     let others = seen.iter().flatten().flatten();
     let others = others.filter(|d| (d.0 - gap.tool_point).norm() > apart);
     Ok((gap, others.map(|d| d.1).fold(f64::INFINITY, f64::min)))
@@ -86,19 +109,21 @@ pub(crate) fn with_rival(
 /// The samples of the circles: a point of the tool and a gap that is not greater than the one there.
 type Seen = [Option<[(Vec3, f64); 16]>; 5];
 
-fn nearest(
-    tool: &Tool<'_>,
-    foot: impl Fn(Vec3) -> Foot,
-    distance: impl Fn(Vec3) -> f64,
-    mut seen: Option<&mut Seen>,
-) -> Result<Gap, Reason> {
+fn nearest(tool: &Tool<'_>, wall: impl Wall, mut seen: Option<&mut Seen>) -> Result<Gap, Reason> {
     let [a, b] = frame_about(tool.ta);
     let mut best: Option<Gap> = None;
-    for (k, ring) in rings(tool.profile).iter().enumerate() {
-        let Some(ring) = ring else { continue };
+    let rings = rings(tool.profile);
+    let middles = rings.map(|ring| ring.map(|r| -wall.distance(tool.te + tool.ta * r.z)));
+    let reach = reachable(&rings, &middles);
+    for (k, (ring, middle)) in rings.iter().zip(middles).enumerate() {
+        let (Some(ring), Some(middle)) = (ring, middle) else { continue };
+        // Within its radius of its middle all of a circle lies.
+        if seen.is_none() && deeper(tool, reach, middle - ring.rho - ring.r) {
+            continue;
+        }
         let center = tool.te + tool.ta * ring.z;
         let at = |out: Vec3| {
-            let foot = foot(center + out * ring.rho);
+            let foot = wall.foot(center + out * ring.rho);
             let slope = -foot.normal.dot(&tool.ta.cross(&out)) * ring.rho;
             At { out, foot, value: -foot.distance, slope }
         };
@@ -125,13 +150,9 @@ fn nearest(
             offer(&at(a));
             continue;
         }
-        let out = |k: usize| a * COS16[k] + b * COS16[(k + 12) % 16];
         let point = |at: &At| center + at.out * ring.rho + at.foot.normal * ring.r;
-        let mut all = [0.0; 16];
-        for (k, value) in all.iter_mut().enumerate() {
-            *value = -distance(center + out(k) * ring.rho);
-        }
-        let sample = |i: usize| (point(&at(out(i))), all[i] - ring.r);
+        let all = wall.around(center, [a * ring.rho, b * ring.rho]).map(|d| -d);
+        let sample = |i: usize| (point(&at(at16([a, b], i))), all[i] - ring.r);
         let mut samples =
             seen.as_deref_mut().map(|seen| seen[k].insert(std::array::from_fn(sample)));
         let mut least = f64::INFINITY;
@@ -147,7 +168,7 @@ fn nearest(
                 samples[i].1 = bound;
             }
             if bound <= least {
-                let lowest = descend(tool, ring, &at, at(out(i)));
+                let lowest = descend(tool, ring, &at, at(at16([a, b], i)));
                 least = least.min(offer(&lowest));
                 if let Some(samples) = &mut samples {
                     samples[i] = (point(&lowest), lowest.value - ring.r);
@@ -156,6 +177,16 @@ fn nearest(
         }
     }
     best.ok_or(Reason::NoHit)
+}
+
+/// A gap that the deepest place of the circles does not exceed, from the distances of their middles: the distance from the
+/// wall of a hollow is concave, so that somewhere on a circle it is no greater than in its middle.
+fn reachable(rings: &[Option<Ring>; 5], middles: &[Option<f64>; 5]) -> f64 {
+    let sharp = rings.iter().zip(middles).filter_map(|(ring, middle)| {
+        // Only a part of the arc's circle may belong to the cutter.
+        ring.filter(|r| r.segment != Segment::Arc).and(*middle)
+    });
+    sharp.fold(f64::INFINITY, f64::min)
 }
 
 /// Newton's method downhill on a circle, with steps no longer than the sampling.
@@ -201,7 +232,7 @@ mod tests {
             let profile = Profile::new(&Cutter::mill(4.7 * s, 2.35 * s, 12.7 * s)).unwrap();
             let tool = Tool { profile: &profile, te: Vec3::z() * (0.7 * s), ta: Vec3::z() };
             let foot = |p| ball.foot(p);
-            let gap = within(&tool, foot, |p| foot(p).distance).unwrap();
+            let gap = within(&tool, foot).unwrap();
             assert_eq!(gap.segment, Some(Segment::Arc), "{s}");
         }
     }

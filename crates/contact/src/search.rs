@@ -52,7 +52,7 @@ pub(crate) fn general(
     }
     if hollow(surface, side) {
         let foot = |p| turned(surface.foot(p), side);
-        return rings::within(tool, foot, |p| foot(p).distance);
+        return rings::within(tool, foot);
     }
     if let Some(gap) = round
         && (!has_side(tool) || alone(tool, surface, side, &gap, 0.0).is_some())

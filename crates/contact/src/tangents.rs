@@ -5,12 +5,12 @@
 //! these clearances, also when it cuts in. Inside, the wall is nearest to an edge or the arc of the tool.
 
 use aptc_geometry::surface::{frame_about, vertex_side};
-use aptc_geometry::{Cone, Cylinder, Reason, Tool, ToolSupport, Vec3};
+use aptc_geometry::{Cone, Cylinder, Foot, Reason, Tool, ToolSupport, Vec3};
 
 use crate::closed::is_axis;
 use crate::gap::{Gap, Side};
 use crate::open;
-use crate::rings::{self, COS16};
+use crate::rings::{self, COS16, Wall};
 
 /// Bound of each one-parameter search; bisection alone would need 53 steps.
 const MAX_STEPS: usize = 80;
@@ -36,11 +36,49 @@ pub(crate) fn cylinder(tool: &Tool<'_>, s: &Cylinder, side: Side) -> Result<Gap,
     }
     match side {
         Side::Positive => Ok(oblique_outside(tool, s)),
-        Side::Negative => rings::within(tool, |p| s.foot(p), |p| s.radial(p).norm() - s.radius),
-        Side::Open => {
-            let foot = |p| open::cylinder(s, tool.ta, p);
-            rings::within(tool, foot, |p| foot(p).distance)
-        }
+        Side::Negative => rings::within(tool, Bore { s, up: None }),
+        Side::Open => rings::within(tool, Bore::open(s, tool.ta)),
+    }
+}
+
+/// The inside of a cylinder, open upwards or not.
+struct Bore<'a> {
+    s: &'a Cylinder,
+    /// Where it is open, and square to its walls there.
+    up: Option<[Vec3; 2]>,
+}
+
+impl<'a> Bore<'a> {
+    fn open(s: &'a Cylinder, up: Vec3) -> Self {
+        Self { s, up: Some([up, s.axis.cross(&up).normalize()]) }
+    }
+
+    /// The distance of a point that is `w` from the axis.
+    #[inline]
+    fn away(&self, w: Vec3) -> f64 {
+        let away = match self.up {
+            Some([up, side]) if w.dot(&up) > 0.0 => w.dot(&side).abs(),
+            _ => w.norm(),
+        };
+        away - self.s.radius
+    }
+}
+
+impl Wall for Bore<'_> {
+    fn foot(&self, p: Vec3) -> Foot {
+        self.up.map_or_else(|| self.s.foot(p), |[up, _]| open::cylinder(self.s, up, p))
+    }
+
+    fn distance(&self, p: Vec3) -> f64 {
+        self.away(self.s.radial(p))
+    }
+
+    /// Seen along the axis the circle is an ellipse.
+    fn around(&self, center: Vec3, spokes: [Vec3; 2]) -> [f64; 16] {
+        let t = self.s.axis;
+        let middle = self.s.radial(center);
+        let spokes = spokes.map(|v| v - t * t.dot(&v));
+        std::array::from_fn(|k| self.away(middle + rings::at16(spokes, k)))
     }
 }
 
@@ -161,9 +199,9 @@ pub(crate) fn cone(tool: &Tool<'_>, s: &Cone, side: Side) -> Result<Gap, Reason>
         family.greatest()
     } else if side == Side::Open {
         let foot = |p| open::cone(s, tool.ta, p);
-        return rings::within(tool, foot, |p| foot(p).distance);
+        return rings::within(tool, foot);
     } else {
-        return rings::within(tool, |p| s.foot(p), |p| s.foot(p).distance);
+        return rings::within(tool, |p| s.foot(p));
     };
     if side == Side::Positive {
         let w = at.p.point - s.vertex;

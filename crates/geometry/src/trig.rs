@@ -100,7 +100,7 @@ pub fn tanh(x: f64) -> f64 {
 
 /// Sine of `x` degrees, exact at multiples of 30 where the value is rational.
 pub fn sin_deg(x: f64) -> f64 {
-    let r = x % 360.0;
+    let r = within_a_turn(x);
     let r = if r < 0.0 { r + 360.0 } else { r };
     // Fold to [0, 90], where the rational values are tested for.
     let (r, sign) = if r >= 180.0 { (r - 180.0, -1.0) } else { (r, 1.0) };
@@ -115,7 +115,12 @@ pub fn sin_deg(x: f64) -> f64 {
 
 /// Cosine of `x` degrees, exact at multiples of 30 where the value is rational.
 pub fn cos_deg(x: f64) -> f64 {
-    sin_deg(x % 360.0 + 90.0)
+    sin_deg(within_a_turn(x) + 90.0)
+}
+
+/// The remainder of whole turns; most angles have none, and a division of its kind takes its time.
+fn within_a_turn(x: f64) -> f64 {
+    if x.abs() < 360.0 { x } else { x % 360.0 }
 }
 
 #[cfg(test)]

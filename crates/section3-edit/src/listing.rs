@@ -122,9 +122,11 @@ impl Listing {
                 let name = name_of(&m.name);
                 let mut rows = Vec::new();
                 for (i, p) in m.points.iter().enumerate() {
-                    let (line, word, name) =
-                        if i == 0 { (line, word, name.as_str()) } else { ("", "", "") };
-                    position(&mut rows, [line, word, name], p, m.with_axis);
+                    match i {
+                        0 => rows.extend(format!("{line:>6}  {word:<8} {name:<10} ").bytes()),
+                        _ => rows.resize(rows.len() + HEAD, b' '),
+                    }
+                    position(&mut rows, p, m.with_axis);
                 }
                 out.push_str(&String::from_utf8_lossy(&rows));
             }
@@ -132,9 +134,11 @@ impl Listing {
     }
 }
 
-/// Appends the row of a position: line, word and name, the tool end and, where it is programmed, the tool axis.
-fn position(out: &mut Vec<u8>, head: [&str; 3], p: &Position, with_axis: bool) {
-    out.extend(format!("{:>6}  {:<8} {:<10} ", head[0], head[1], head[2]).bytes());
+/// Columns of line, word and name before a position.
+const HEAD: usize = 28;
+
+/// Appends the row of a position: the tool end and, where it is programmed, the tool axis.
+fn position(out: &mut Vec<u8>, p: &Position, with_axis: bool) {
     for (i, x) in [p.te.x, p.te.y, p.te.z].into_iter().enumerate() {
         out.resize(out.len() + usize::from(i > 0), b' ');
         number::put_column(out, x, 6, 13);

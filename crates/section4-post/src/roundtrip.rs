@@ -17,7 +17,6 @@ use aptc_geometry::Vec3;
 
 use crate::drill::DrillCycle;
 use crate::index::Index;
-use crate::kinematics::Chain;
 use crate::machine::Machine;
 use crate::readback::{Fault, Frame, Reader, Step};
 
@@ -96,7 +95,7 @@ impl fmt::Display for Proof {
 /// Compares the text with the CL data.
 pub(crate) struct Checker {
     control: Reader,
-    chain: Option<Chain>,
+    posed: Option<done::Posed>,
     /// The tilted plane in which the text is written.
     frame: Option<Frame>,
     machine: std::sync::Arc<Machine>,
@@ -153,7 +152,7 @@ impl Checker {
     pub(crate) fn new(machine: &std::sync::Arc<Machine>) -> Self {
         Self {
             control: Reader::new(machine),
-            chain: None,
+            posed: None,
             frame: None,
             machine: std::sync::Arc::clone(machine),
             lathe: std::sync::Arc::clone(machine),
@@ -259,7 +258,7 @@ impl Checker {
                 }
                 Some(Expect::Tool { length }) => {
                     self.read_length = *length;
-                    self.chain = None;
+                    self.posed = None;
                     self.away = self.machine.program.start_retracts;
                 }
                 Some(Expect::Home) => {
@@ -270,7 +269,7 @@ impl Checker {
                     let milling = on.then(|| self.lathe.while_milling()).flatten();
                     let lathe = || std::sync::Arc::clone(&self.lathe);
                     self.machine = milling.map_or_else(lathe, std::sync::Arc::new);
-                    self.chain = None;
+                    self.posed = None;
                     self.lintol = self.machine.multiaxis.lintol;
                     (self.at, self.away) = (None, true);
                 }

@@ -20,6 +20,8 @@ const OWN_TURNING: f64 = 0.3 * RESOLUTION_TURNING;
 pub(super) const BETWEEN: [f64; 7] = [0.02, 0.1, 0.3, 0.5, 0.7, 0.9, 0.98];
 /// Places of contact that are farther apart than this share of the cutter's radius are two.
 const ANOTHER: f64 = 0.1;
+/// Share of the way of the contact around the cutter by which it may be beside the middle of it halfway.
+const MIDWAY: f64 = 0.1;
 /// Share of the band by which two places that touch at once may differ.
 const BOTH: f64 = 1e-2;
 /// Extreme gaps on a chord are found to this share of the band.
@@ -103,7 +105,8 @@ impl Track {
         if keep.condition == Condition::Touch && turning || keep.is_mixed() {
             // A turning axis may bring another place of the cutter down between two vertices at which it is free; and where
             // the contact goes over from one place to another the gap has an edge on the way.
-            let apart = (turning || whole) && self.apart(i, from, to);
+            let apart =
+                (turning || whole) && self.apart(i, from, to) && !self.goes_round(i, from, to)?;
             let places: &[f64] = match turning {
                 // Along a surface of rulings a flank lies nearly, and its gap goes by more than cubics.
                 true if matches!(keep.surface, Surface::Parametric(_)) => &BETWEEN,
@@ -190,6 +193,20 @@ impl Track {
         (p - q).norm() > ANOTHER * keep.profile.widest()
             || matches!(keep.surface, Surface::Tabcyl(_))
                 && flat(a.0).zip(flat(b.0)).is_some_and(|(a, b)| (a - b).abs() > CRESTS)
+    }
+
+    /// Does the place of contact go round the cutter evenly, as with a chord along a small circle? At surfaces that have two
+    /// places to touch at most it is midway halfway then, and where it goes over from one to the other it is at one of them.
+    fn goes_round(&self, i: usize, from: &Node, to: &Node) -> Result<bool, Trouble> {
+        let keep = &self.keeps[i];
+        if !matches!(keep.surface, Surface::Sphere(_) | Surface::Cylinder(_) | Surface::Cone(_)) {
+            return Ok(false);
+        }
+        let middle = between(&from.pose, &to.pose, 0.5);
+        let at = |gap: &Gap, te: Vec3| gap.tool_point - te;
+        let [a, b] = [from, to].map(|node| at(&node.gaps[i], node.pose.te));
+        let there = at(&keep.gap(&middle, None)?, middle.te);
+        Ok((there - (a + b) * 0.5).norm() <= MIDWAY * (b - a).norm())
     }
 
     /// The gap at the start of a cut vector at the place of contact of its end, where both touch at once: at the

@@ -4,12 +4,32 @@ use aptc_geometry::{Vec3, trig};
 
 use super::{Checker, Expect, Hole, Over, shown};
 use crate::approach::goes_up;
+use crate::emit::Joints;
 use crate::kinematics::Chain;
 use crate::machine::{Carries, MachineKind, RapidPath};
 use crate::readback::{ArcStep, Frame, Place, Step};
 
 /// Rapid motions up to this have no length, millimetres.
 const NOWHERE_MM: f64 = 1e-6;
+
+/// The chain of the machine, and the last two positions of its axes that were asked for: each block begins where the
+/// one before it ended, and is asked for both several times.
+pub(super) struct Posed {
+    chain: Chain,
+    known: [Option<(Joints, (Vec3, Vec3))>; 2],
+}
+
+impl Posed {
+    fn pose(&mut self, joints: &Joints) -> (Vec3, Vec3) {
+        let same = |at: &&(Joints, _)| at.0.map(f64::to_bits) == joints.map(f64::to_bits);
+        if let Some((_, pose)) = self.known.iter().flatten().find(same) {
+            return *pose;
+        }
+        let pose = self.chain.forward(joints);
+        self.known = [Some((*joints, pose)), self.known[0]];
+        pose
+    }
+}
 
 impl Checker {
     fn pose(&mut self, place: &Place) -> Option<(Vec3, Vec3)> {
@@ -21,7 +41,7 @@ impl Checker {
         if !self.means_the_part(place) {
             return None;
         }
-        Some(self.chain().forward(&joints))
+        Some(self.posed().pose(&joints))
     }
 
     /// Are the numbers of the linear axes positions of the part? Beside turned axes only a tilted plane or
@@ -31,7 +51,7 @@ impl Checker {
         !self.machine.multiaxis.tool_center || self.centered || self.frame.is_some() || !turned
     }
 
-    fn chain(&mut self) -> &Chain {
+    fn posed(&mut self) -> &mut Posed {
         if self.machine.is_milling()
             && let Some(
                 Expect::Point { ta, .. } | Expect::Hole(Hole { ta, .. }) | Expect::From { ta, .. },
@@ -39,13 +59,13 @@ impl Checker {
         {
             let across = ta.z.abs() < 0.5;
             if across != self.across {
-                (self.across, self.chain) = (across, None);
+                (self.across, self.posed) = (across, None);
             }
         }
         let across = self.across;
         let length = self.read_length.or(self.machine.multiaxis.tool_length).unwrap_or(0.0);
         let (machine, frame) = (&self.machine, self.frame.as_ref());
-        self.chain.get_or_insert_with(|| {
+        self.posed.get_or_insert_with(|| {
             let mut chain = Chain::new(machine, 1.0, length);
             if across && machine.is_milling() {
                 chain.stand_across();
@@ -54,7 +74,7 @@ impl Checker {
                 Frame::Plane(q) => q.transpose(),
                 Frame::Table(angles) => chain.table(*angles),
             });
-            chain
+            Posed { chain, known: [None; 2] }
         })
     }
 
@@ -68,7 +88,7 @@ impl Checker {
             }
             Step::Frame(frame) => {
                 self.frame = *frame;
-                self.chain = None;
+                self.posed = None;
             }
             Step::Center(on) => self.centered = *on,
             Step::Line { from, to, rapid, .. } => self.line(from, to, *rapid),
@@ -248,7 +268,7 @@ impl Checker {
     fn is_split(&mut self, from: &Place, to: &Place, te: Vec3) -> bool {
         let angles = [to[3].unwrap_or(0.0), to[4].unwrap_or(0.0)];
         let goal =
-            if self.machine.rotary.is_empty() { te } else { self.chain().linear(te, angles) };
+            if self.machine.rotary.is_empty() { te } else { self.posed().chain.linear(te, angles) };
         let tol = 2.0 * self.linear;
         let is = |i: usize, v: f64| to[i].is_some_and(|x| (x - v).abs() <= tol);
         let stays = |i: usize| from[i].is_some_and(|v| is(i, v));
@@ -404,19 +424,15 @@ impl Checker {
             return 0.0;
         }
         let (Some((a, _)), Some((b, _))) = (self.pose(from), self.pose(to)) else { return 0.0 };
-        let mut most: f64 = 0.0;
-        for part in [0.25, 0.5, 0.75] {
-            let mut place = *to;
-            for i in 0..5 {
-                if let (Some(x), Some(y)) = (from[i], to[i]) {
-                    place[i] = Some(x + (y - x) * part);
-                }
-            }
-            if let Some((p, _)) = self.pose(&place) {
-                most = most.max(segment(p, a, b).0);
-            }
-        }
-        most
+        let end: Joints = to.map(|v| v.unwrap_or(0.0));
+        let start: Joints =
+            std::array::from_fn(|i| from[i].filter(|_| to[i].is_some()).unwrap_or(end[i]));
+        let chain = &self.posed().chain;
+        let off = [0.25, 0.5, 0.75].map(|part| {
+            let between = std::array::from_fn(|i| start[i] + (end[i] - start[i]) * part);
+            segment(chain.forward(&between).0, a, b).0
+        });
+        off.into_iter().fold(0.0, f64::max)
     }
 
     pub(super) fn band(&self) -> f64 {
