@@ -16,6 +16,7 @@ mod checks;
 mod crew;
 mod cut_vectors;
 mod drive;
+mod ease;
 mod failure;
 mod gclear;
 mod goloft;
