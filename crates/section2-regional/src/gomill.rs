@@ -11,7 +11,7 @@ use aptc_protap::{Arg, NameRef};
 use crate::area::StepoverArea;
 use crate::crew::Crew;
 use crate::drive::Course;
-use crate::failure::Failure;
+use crate::failure::{Failure, left_standing};
 use crate::goloft::{CurveWish, at_line, chosen_counts, own_drive};
 use crate::path::Path;
 use crate::region::{Put, Region, Retract};
@@ -154,6 +154,8 @@ impl Regional {
         let scallop = asked.then(|| Scallop { height, extent: extent(), avoided });
         let control = self.milling_control(&part, scallop, false);
         self.diagnostics.extend(reports(origin, &done.notes));
+        let left = done.stands.map(|s| left_standing(origin, &name.name, &s));
+        self.diagnostics.extend(left);
         let stand = self.put(origin, (name, guide), done.puts, Some(&control), out);
         done.why.map_or(Ok(stand), Err)
     }

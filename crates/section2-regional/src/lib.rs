@@ -25,6 +25,7 @@ mod guard;
 mod holder;
 mod intsec;
 mod judge;
+mod jump;
 mod outline;
 mod path;
 mod plain;
