@@ -80,7 +80,7 @@ fn region(
 /// How far places of the inner part, so high over the surface, are from what the cutter sweeps: the farthest.
 fn farthest(part: &SurfaceDefinition, cutter: &Cutter, path: &[Vec3], high: f64) -> f64 {
     let surface = fit_surface(part, 10.0).expect("a mesh");
-    let profile = Profile::new(cutter).unwrap();
+    let profile = Profile::new(cutter).expect("a cutter");
     let grid = || (0..=80).map(|i| 1.1 + 1.8 * f64::from(i) / 80.0);
     let mut farthest = f64::NEG_INFINITY;
     for [u, v] in grid().flat_map(|u| grid().map(move |v| [u, v])) {
@@ -95,11 +95,7 @@ fn farthest(part: &SurfaceDefinition, cutter: &Cutter, path: &[Vec3], high: f64)
             let tool = Tool { profile: &profile, te: w[0], ta: Vec3::z() };
             Swept { tool, by: w[1] - w[0] }.near(x).0
         });
-        let far = far.fold(f64::INFINITY, f64::min);
-        if far > farthest && far > 0.0 {
-            eprintln!("FAR {far} at {u} {v} {:?}", d.point);
-        }
-        farthest = farthest.max(far);
+        farthest = farthest.max(far.fold(f64::INFINITY, f64::min));
     }
     farthest
 }
