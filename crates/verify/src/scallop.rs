@@ -7,6 +7,7 @@
 
 use std::cmp::Ordering;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering as Memory};
 
 use aptc_cldata::milling::{Extent, Scallop};
 use aptc_geometry::Vec3;
@@ -44,6 +45,8 @@ pub(crate) struct Cusps {
     outline: Option<Outline>,
     /// Why more may stand somewhere, if it may.
     pub(crate) excused: Option<&'static str>,
+    /// The first part that is not decided; those behind it do not count.
+    first: AtomicUsize,
 }
 
 /// The answer.
@@ -59,12 +62,13 @@ pub(crate) enum Left {
 }
 
 impl Left {
-    /// The one of two that tells more: the highest of what stands too high, then what is not known; the first of equals.
-    pub(crate) fn worse(self, other: Self) -> Self {
-        match (self, other) {
-            (Self::Higher(a, _), Self::Higher(b, _)) if b > a => other,
-            (Self::Higher(..), _) | (Self::Open(..), Self::Open(..) | Self::Proved) => self,
-            (_, other) => other,
+    /// What is known of parts and of the next in their order: the highest of what stands too high, the first of equals. What
+    /// comes behind a part that is not decided does not count, and what stood higher before it does.
+    pub(crate) fn then(self, next: Self) -> Self {
+        match (self, next) {
+            (Self::Higher(a, _), Self::Higher(b, _)) if b > a => next,
+            (Self::Proved, _) => next,
+            _ => self,
         }
     }
 }
@@ -102,20 +106,27 @@ impl Cusps {
             (false, false) => Some("the tool does not go from the end of a pass to the next"),
             (false, true) => None,
         };
-        let sheet = Arc::clone(sheet);
-        Self { sheet, side, height: thick + room, room, pieces, outline, excused }
+        let (sheet, first) = (Arc::clone(sheet), AtomicUsize::new(usize::MAX));
+        Self { sheet, side, height: thick + room, room, pieces, outline, excused, first }
     }
 
-    /// Judges what the ways leave in part `part` of `n`; `pad` covers rounding.
+    /// Judges what the ways leave in part `part` of `n`; `pad` covers rounding. Behind a part that is not decided any answer is
+    /// given.
     pub(crate) fn judge(&self, swath: &Swath, pad: f64, part: usize, n: usize) -> Left {
         let pieces = match &self.pieces {
             Ok(pieces) => pieces,
             Err(why) => return Left::Open(0, Some(why)),
         };
+        if part > self.first.load(Memory::Relaxed) {
+            return Left::Proved;
+        }
         let border = |i: usize| pieces.len() * i / n;
         match self.part(swath, pad, &pieces[border(part)..border(part + 1)]) {
             Left::Higher(height, i) => Left::Higher(height, swath.whole(i)),
-            Left::Open(i, why) => Left::Open(swath.whole(i), why),
+            Left::Open(i, why) => {
+                self.first.fetch_min(part, Memory::Relaxed);
+                Left::Open(swath.whole(i), why)
+            }
             Left::Proved => Left::Proved,
         }
     }
