@@ -37,8 +37,8 @@ struct Wish {
 }
 
 impl Regional {
-    /// GOMILL/surface,UCONST|VCONST,c,STEPOV,s[,PICKFD|ZIGZAG][,SCALOP,h][,MAXSTP,m][,RETR,d|vector|plane]
-    /// [,START,a][,THRU,b][,INVERS][,AT,x]: lines from the one named on, by steps of the parameter of at most
+    /// `GOMILL/surface,UCONST|VCONST,c,STEPOV,s[,PICKFD|ZIGZAG][,SCALOP,h][,MAXSTP,m][,RETR,d|vector|plane]`
+    /// `[,START,a][,THRU,b][,INVERS][,AT,x]`: lines from the one named on, by steps of the parameter of at most
     /// |s| towards its sign, narrower where SCALOP or MAXSTP ask for it, up to the border; back and forth, or
     /// with PICKFD in one direction, led back by RETR. Of the lines only what REGION leaves is milled, with RETR
     /// between. AT touches each line at one place and leaves it by RETR.
@@ -160,7 +160,7 @@ impl Regional {
         done.why.map_or(Ok(stand), Err)
     }
 
-    /// GOMILL/curve,VCONST,0[,START,a][,THRU,b][,INVERS][,AT,x[,RETR,d]]: the tool end along the curve, its chords
+    /// `GOMILL/curve,VCONST,0[,START,a][,THRU,b][,INVERS][,AT,x[,RETR,d]]`: the tool end along the curve, its chords
     /// within the tolerance of the drive surface; GOMILL/curve,UCONST,c: at its place c alone. AT and UCONST are led
     /// to and from the place by RETR. A curve is a line of constant v, 0, the only one, whose u is its parameter:
     /// no step leads to another.
