@@ -4,6 +4,7 @@ use aptc_diagnostics::{Code, Diagnostic, Origin, codes};
 use aptc_geometry::Vec3;
 
 use crate::guard::{Gouge, Solid};
+use crate::jump::Stands;
 
 /// Why a statement of regional milling fails.
 #[derive(Clone, Debug, PartialEq)]
@@ -313,6 +314,22 @@ pub(crate) fn through(origin: &Origin, surface: &str) -> Diagnostic {
     Diagnostic::warning(codes::SIDE_FOULS, origin.span, text)
         .within(origin.trace.clone())
         .help("write MIRROR to mill the other side")
+}
+
+/// Passes a fixed distance apart leave something where the contact jumps across the bottom of the cutter.
+pub(crate) fn left_standing(origin: &Origin, surface: &str, left: &Stands) -> Diagnostic {
+    let what = if left.height < f64::INFINITY {
+        format!("{} stands", short(left.height))
+    } else {
+        "all of the material stands".to_owned()
+    };
+    let text = format!(
+        "{what} on {surface} between two passes over {}, where the contact jumps across the bottom of the cutter",
+        point(left.place)
+    );
+    Diagnostic::warning(codes::LEFT_STANDING, origin.span, text)
+        .within(origin.trace.clone())
+        .help("a scallop height in STEPOV lays the passes as close there as it asks for")
 }
 
 fn join(words: &[&str]) -> String {

@@ -11,7 +11,7 @@ use aptc_protap::{Arg, NameRef};
 use crate::area::StepoverArea;
 use crate::crew::Crew;
 use crate::drive::Course;
-use crate::failure::Failure;
+use crate::failure::{Failure, left_standing};
 use crate::goloft::{CurveWish, at_line, chosen_counts, own_drive};
 use crate::path::Path;
 use crate::region::{Put, Region, Retract};
@@ -37,8 +37,8 @@ struct Wish {
 }
 
 impl Regional {
-    /// GOMILL/surface,UCONST|VCONST,c,STEPOV,s[,PICKFD|ZIGZAG][,SCALOP,h][,MAXSTP,m][,RETR,d|vector|plane]
-    /// [,START,a][,THRU,b][,INVERS][,AT,x]: lines from the one named on, by steps of the parameter of at most
+    /// `GOMILL/surface,UCONST|VCONST,c,STEPOV,s[,PICKFD|ZIGZAG][,SCALOP,h][,MAXSTP,m][,RETR,d|vector|plane]`
+    /// `[,START,a][,THRU,b][,INVERS][,AT,x]`: lines from the one named on, by steps of the parameter of at most
     /// |s| towards its sign, narrower where SCALOP or MAXSTP ask for it, up to the border; back and forth, or
     /// with PICKFD in one direction, led back by RETR. Of the lines only what REGION leaves is milled, with RETR
     /// between. AT touches each line at one place and leaves it by RETR.
@@ -154,11 +154,13 @@ impl Regional {
         let scallop = asked.then(|| Scallop { height, extent: extent(), avoided });
         let control = self.milling_control(&part, scallop, false);
         self.diagnostics.extend(reports(origin, &done.notes));
+        let left = done.stands.map(|s| left_standing(origin, &name.name, &s));
+        self.diagnostics.extend(left);
         let stand = self.put(origin, (name, guide), done.puts, Some(&control), out);
         done.why.map_or(Ok(stand), Err)
     }
 
-    /// GOMILL/curve,VCONST,0[,START,a][,THRU,b][,INVERS][,AT,x[,RETR,d]]: the tool end along the curve, its chords
+    /// `GOMILL/curve,VCONST,0[,START,a][,THRU,b][,INVERS][,AT,x[,RETR,d]]`: the tool end along the curve, its chords
     /// within the tolerance of the drive surface; GOMILL/curve,UCONST,c: at its place c alone. AT and UCONST are led
     /// to and from the place by RETR. A curve is a line of constant v, 0, the only one, whose u is its parameter:
     /// no step leads to another.

@@ -368,6 +368,14 @@ impl Setup<'_> {
                 self.judge([here, next], (course, sense), [memory, kept], clear)
             };
             let mut judged = judge(&next, kept);
+            // It may be deeper beside its contact than there.
+            if judged.is_some_and(|j| j.way == Way::End) {
+                let eased = self.eased(next);
+                if eased.te != next.te {
+                    next = eased;
+                    judged = judge(&next, kept);
+                }
+            }
             // The search from the last contact may have missed one that comes before. Where the way is proved and
             // the position lies low in the band, that would be in the tool.
             let known = judged.filter(|j| j.used <= 1.0).map(|j| j.way);

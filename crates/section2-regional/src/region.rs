@@ -13,10 +13,11 @@ use crate::crew::Crew;
 use crate::drive::Course;
 use crate::failure::{Deep, Failure};
 use crate::guard::Guard;
+use crate::jump::Stands;
 use crate::path::{Broken, Path};
 use crate::position::{Odd, Position};
 use crate::report::Note;
-use crate::solve::{Setup, Take};
+use crate::solve::{Memory, Setup, Take};
 use crate::stepover::parameter_step;
 use crate::touched::Touched;
 
@@ -39,6 +40,17 @@ impl Put {
     /// A path that got out of the way or did not.
     pub(crate) fn path(along: Vec<Along>, avoided: bool) -> Self {
         if avoided { Self::Risen(along) } else { Self::Path(along) }
+    }
+
+    /// The places of the tool.
+    fn places(&self) -> Vec<(Vec3, Vec3)> {
+        match self {
+            Self::Feed(_) => Vec::new(),
+            Self::Move(points) => points.clone(),
+            Self::Path(along) | Self::Lifted(along) | Self::Risen(along) => {
+                along.iter().map(|a| a.at).collect()
+            }
+        }
     }
 }
 
@@ -124,19 +136,21 @@ pub(crate) struct Done {
     pub(crate) first: Option<(Vec3, Vec3)>,
     /// What each pass touches of the part surface.
     pub(crate) touched: Vec<Touched>,
+    /// What is left where the contact jumps, if no scallop is asked for.
+    pub(crate) stands: Option<Stands>,
     pub(crate) why: Option<Failure>,
 }
 
 /// A pass before it is milled.
 #[derive(Clone, Copy, Debug)]
-struct Lane {
-    from: [f64; 2],
-    to: f64,
-    sense: f64,
+pub(crate) struct Lane {
+    pub(crate) from: [f64; 2],
+    pub(crate) to: f64,
+    pub(crate) sense: f64,
     /// Is it the first of all?
     leads: bool,
     /// The other parameter of the next pass; none behind the last.
-    next: Option<f64>,
+    pub(crate) next: Option<f64>,
 }
 
 /// A pass that is milled.
@@ -215,12 +229,21 @@ impl Region<'_> {
         });
         let mut done = Done::default();
         let mut touched = Vec::with_capacity(n);
+        let asked = self.stepover.scallop > 0.0;
+        let mut ways = Vec::new();
         for (i, slot) in slots.into_iter().enumerate() {
             let Some(pass) = slot.into_inner() else {
                 done.why = Some(Failure::Stopped { done: i, all: n });
                 break;
             };
             touched.push(pass.touched);
+            if !asked {
+                // From where the one before ends.
+                let before = ways.last().and_then(|way: &Vec<_>| way.last().copied());
+                ways.push(
+                    before.into_iter().chain(pass.puts.iter().flat_map(Put::places)).collect(),
+                );
+            }
             done.puts.extend(pass.puts);
             done.notes.extend(pass.notes);
             done.avoided |= pass.avoided;
@@ -232,6 +255,10 @@ impl Region<'_> {
             }
         }
         done.touched = touched;
+        if !asked && done.why.is_none() {
+            let band = self.setup.band.intol + self.setup.band.outtol;
+            done.stands = self.stands(&lanes, &ways).filter(|s| s.height > band);
+        }
         done
     }
 
@@ -316,7 +343,7 @@ impl Region<'_> {
             // Not below what a change of speed at a joint asks for, in few rounds.
             step = narrow.max(0.25 * step);
         }
-        step
+        if self.stepover.scallop > 0.0 { self.closed(lane, step) } else { step }
     }
 
     /// The step of the parameter that the places along a line allow.
@@ -329,21 +356,49 @@ impl Region<'_> {
             n = 1.0;
         }
         let mut points = Vec::new();
-        let mut memory = None;
+        let at = |t: f64, memory: Option<Memory>| {
+            let mut uv = lane.from;
+            uv[k] = t;
+            self.setup.position(uv, self.course, lane.sense, memory, Take::Nothing).ok()
+        };
+        let mut before: Option<(Position, Memory)> = None;
         let mut i = 0.0;
         while i <= n {
-            let mut uv = lane.from;
-            uv[k] += length * (i / n);
             // What cannot be reached the pass will tell.
-            if let Ok((p, m)) =
-                self.setup.position(uv, self.course, lane.sense, memory, Take::Nothing)
-            {
-                points.push(p);
-                memory = Some(m);
+            if let Some(now) = at(lane.from[k] + length * (i / n), before.map(|b| b.1)) {
+                if let Some(last) = before {
+                    points.extend(self.abreast([last, now], &at));
+                }
+                points.push(now.0);
+                before = Some(now);
             }
             i += 1.0;
         }
         parameter_step(&self.stepover, &self.setup, &points, self.course).max(1e-6)
+    }
+
+    /// The place between two of a pass at which the tool stands square beside its contact: over a crest across the pass the bottom
+    /// goes from behind the contact to before it, and reaches least to the side there.
+    fn abreast(
+        &self,
+        [mut a, mut b]: [(Position, Memory); 2],
+        at: &impl Fn(f64, Option<Memory>) -> Option<(Position, Memory)>,
+    ) -> Option<Position> {
+        /// Halvings.
+        const TIMES: u32 = 10;
+        let k = self.course.index();
+        let ahead = |p: &Position| {
+            (p.te - p.contact).dot(&self.setup.drive.place(p.drive_uv, self.course).along)
+        };
+        if self.setup.profile.corner()[0] <= 0.0 || ahead(&a.0) * ahead(&b.0) >= 0.0 {
+            return None;
+        }
+        for _ in 0..TIMES {
+            let mid = at(0.5 * (a.0.drive_uv[k] + b.0.drive_uv[k]), Some(a.1))?;
+            let same = ahead(&mid.0) * ahead(&a.0) > 0.0;
+            *(if same { &mut a } else { &mut b }) = mid;
+        }
+        Some(a.0)
     }
 
     /// A pass with the way to the next.

@@ -11,8 +11,9 @@ use aptc_protap::{Arg, NameRef};
 use crate::area::{AxisArea, DriveArea, Guide, Hold, PartArea};
 use crate::crew::Crew;
 use crate::drive::Course;
-use crate::failure::{Deep, Failure, put_out, touches_with};
+use crate::failure::{Deep, Failure, left_standing, put_out, touches_with};
 use crate::guard::{Checked, Guard};
+use crate::jump::Stands;
 use crate::path::{Broken, Path};
 use crate::position::{Odd, Position};
 use crate::region::{Along, Put, Region, Retract};
@@ -38,6 +39,8 @@ struct Done {
     why: Option<Failure>,
     /// What is left between its passes.
     scallop: Option<Scallop>,
+    /// The same where the contact jumps and no scallop is asked for.
+    stands: Option<Stands>,
     /// Is its first point not put out, as the tool stands there?
     joined: bool,
     /// Was the tool end led away from where it stands on the surface?
@@ -79,6 +82,9 @@ impl Regional {
         }
         self.diagnostics.extend(reports(origin, &done.notes));
         self.odd(origin, done.odd);
+        let part = self.areas.part.as_ref().map_or("", |p| &p.name.name);
+        let left = done.stands.map(|s| left_standing(origin, part, &s));
+        self.diagnostics.extend(left);
         let control = self.control(&done);
         let drive = self.areas.drive.as_ref();
         let name = drive.map(|d| d.name.clone()).unwrap_or_default();
@@ -244,9 +250,9 @@ impl Regional {
         // Beside a single pass nothing lies between.
         let asked = height > 0.0 && done.why.is_none() && done.touched.len() > 1;
         let scallop = asked.then(|| Scallop { height, extent: extent(), avoided });
-        let crate::region::Done { puts, notes, odd, first, why, .. } = done;
+        let crate::region::Done { puts, notes, odd, first, why, stands, .. } = done;
         let (joined, picks) = (skip, pick);
-        Ok(Done { puts, notes, odd, first, picks, why, scallop, joined, away: false })
+        Ok(Done { puts, notes, odd, first, picks, why, scallop, stands, joined, away: false })
     }
 
     /// The first point of the statement is left out, as the tool is to stand there. Where it does not, and the

@@ -145,6 +145,11 @@ impl Setup<'_> {
         }
     }
 
+    /// The most of the band by which a position is above its contact.
+    pub(crate) fn highest(&self) -> f64 {
+        self.compensation(f64::NEG_INFINITY)
+    }
+
     /// The position for a place of the drive.
     pub(crate) fn position(
         &self,
@@ -298,7 +303,8 @@ impl Setup<'_> {
         Ok((position, Memory { part_uv: met.uv, toward }))
     }
 
-    /// As [`Setup::position`], and where the tool end stays on the line of projection the first contact on it.
+    /// As [`Setup::position`], and where the tool end stays on the line of projection the first contact on it; elsewhere
+    /// [eased](Setup::eased).
     pub(crate) fn settled(
         &self,
         uv: [f64; 2],
@@ -308,7 +314,8 @@ impl Setup<'_> {
         take: Take,
     ) -> Result<(Position, Memory), Failure> {
         let found = self.position(uv, course, sense, memory, take)?;
-        Ok(self.earliest(found, course, sense, (take, CLOSE)))
+        let (p, kept) = self.earliest(found, course, sense, (take, CLOSE));
+        Ok((self.eased(p), kept))
     }
 
     /// Is the tool end led along the line of projection, to the first contact on it?

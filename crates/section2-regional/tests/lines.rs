@@ -10,7 +10,7 @@ use aptc_geometry::sculptured::{
     CurveDefinition, CurveShape, Knot, MeshKind, MeshSpacing, MeshSpline, Smoothing,
     SurfaceDefinition, SurfaceShape,
 };
-use aptc_geometry::{Cutter, Form, Vec3};
+use aptc_geometry::{Cutter, Form, Profile, Tool, Vec3};
 use aptc_protap::{Arg, AxisAngle, Kind, NameRef, OptionSurface, Record, ToolAxis, Units};
 use aptc_regional::Regional;
 
@@ -258,4 +258,42 @@ fn the_region_of_passes_that_another_surface_leads() {
         }
     }
     assert!(matches!(region(false, "ON"), Extent::Unknown(_)));
+}
+
+/// In a hollow the rim of a flat end that stands square to the line comes deeper than its contact: it is lowered less there, or
+/// raised, and keeps the band all over.
+#[test]
+fn the_rim_of_a_flat_end_keeps_the_band_in_a_hollow() {
+    let profile = Profile::new(&Cutter::mill(10.0, 0.0, 50.0)).unwrap();
+    for hollow in [0.0002, 0.0004, 0.0006] {
+        let place = |i: i32, j: i32| {
+            let [x, y] = [i, j].map(|i| 15.0 * f64::from(i));
+            Vec3::new(x, y, hollow * ((x - 30.0) * (x - 30.0) + (y - 30.0) * (y - 30.0)))
+        };
+        let bowl: Vec<Vec<_>> = (0..5).map(|j| (0..5).map(|i| place(i, j)).collect()).collect();
+        let bowl = rows(MeshSpacing::Xyz, &bowl);
+        let axis = ToolAxis::NormPs;
+        let mut all = prepared(Cutter::mill(10.0, 0.0, 50.0), axis);
+        let line = vec![of(Form::Ssurf(Arc::new(bowl.clone()))), word("UCONST"), Arg::Number(2.3)];
+        let ends = [word("START"), Arg::Number(0.6), word("THRU"), Arg::Number(3.4)];
+        all.push(regional("GOLOFT", [line, ends.to_vec()].concat()));
+        let (stops, told) = run(all);
+        assert!(told.is_empty() && stops.len() > 4, "{told:?}");
+        let surface = aptc_geometry::sculpt::fit_surface(&bowl, 10.0).expect("a mesh");
+        let grid = |n: i32| (0..=n).map(move |i| 4.0 * f64::from(i) / f64::from(n));
+        let places = grid(160).flat_map(|u| grid(160).map(move |v| [u, v]));
+        let places: Vec<Vec3> = places.map(|[u, v]| surface.at(u, v).point).collect();
+        let mut deepest = 0.0_f64;
+        for ends in stops.windows(2) {
+            for t in [0.0, 0.25, 0.5, 0.75, 1.0] {
+                let [te, ta] = [ends[0].0.lerp(&ends[1].0, t), ends[0].1.lerp(&ends[1].1, t)];
+                let tool = Tool { profile: &profile, te, ta: ta.normalize() };
+                let near = places.iter().filter(|p| (*p - te).norm() < 6.0);
+                deepest = near.fold(deepest, |d, p| d.max(-tool.distance(*p)));
+                let foot = aptc_geometry::sculpt::nearest_on(&surface, te);
+                assert!(foot.distance <= TOL + 1e-6, "{hollow}: stands off by {}", foot.distance);
+            }
+        }
+        assert!((0.3 * TOL..=TOL + 1e-6).contains(&deepest), "{hollow}: {deepest}");
+    }
 }

@@ -6,6 +6,8 @@ use super::*;
 use crate::sheet::forms::parametric;
 use crate::sheet::tests::quadrics;
 use crate::solid::Solid;
+use aptc_geometry::sculpt::{SplinePoint, mesh};
+use aptc_geometry::sculptured::MeshSpacing;
 use aptc_geometry::surface::kept;
 use aptc_geometry::{Cone, Cutter, Cylinder, Plane, Sphere, Surface, Tabcyl, Vec2, Vec3, trig};
 use proptest::prelude::*;
@@ -373,4 +375,40 @@ fn only_the_last_motion_before_a_statement_tells_its_side() {
     }
     // Nothing was put out before: the first place.
     near(Vec::new(), 5.0);
+}
+
+/// Places that pass the rim of a leaning flat end within, from its side to its bottom, are in no tool as deep as in all that it
+/// sweeps, and are proved as they are in each.
+#[test]
+fn a_leading_rim_is_proved_as_deep_as_it_is_in_each_tool() {
+    let at = |i: i32, j: i32| {
+        let (x, y) = (4.0 * f64::from(i), 4.0 * f64::from(j));
+        SplinePoint::plain(Vec3::new(x, y, 0.0))
+    };
+    let rows: Vec<Vec<_>> = (0..5).map(|j| (0..5).map(|i| at(i, j)).collect()).collect();
+    let sheet = Sheet::bare(&mesh(&rows, MeshSpacing::Xyz).expect("a plane")).unwrap();
+    let profile = Profile::new(&Cutter::mill(6.0, 0.0, 20.0)).unwrap();
+    let tool = Tool::Solid(&profile);
+    let (lean, rim) = (0.12, 0.0054);
+    let pose = |x: f64, turned: f64| {
+        let (s, c) = trig::sin_cos(lean + turned);
+        // The rim ahead stands below the plane.
+        Position { te: Vec3::new(x - 3.0 * c, 8.0, 3.0 * s - rim), ta: Vec3::new(s, 0.0, c) }
+    };
+    for turned in [0.0, 0.02, -0.02] {
+        let [a, b] = [pose(6.0, 0.0), pose(9.0, turned)];
+        let ends = [a, b].map(|p| Pose { te: p.te, ta: p.ta });
+        let places = (0..=6000).map(|i| Vec3::new(4.0 + 0.001 * f64::from(i), 8.0, 0.0));
+        let depth = places.fold(0.0, |deepest: f64, x| {
+            let in_each = (0..=100)
+                .map(|i| tool.near(&between_poses(&ends[0], &ends[1], 0.01 * f64::from(i)), x).0);
+            deepest.max(-in_each.fold(f64::INFINITY, f64::min))
+        });
+        assert!(depth < 0.95 * rim, "{turned}: {depth}");
+        let judged = |least: f64| clear(&sheet, &tool, [&a, &b], least, &mut Warm::default());
+        let told = judged(-depth - 2e-4);
+        assert!(matches!(told, Verdict::Proved { .. }), "{turned}: {depth} {told:?}");
+        let told = judged(-depth + 1e-4);
+        assert!(matches!(told, Verdict::Refuted { .. }), "{turned}: {depth} {told:?}");
+    }
 }

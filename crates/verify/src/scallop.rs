@@ -21,6 +21,10 @@ use crate::swath::{Piece, Swath};
 const MOST: u32 = 500_000;
 /// The same beside a place that is not decided.
 const MORE: u32 = 10_000;
+/// The same once something is known to stand higher than allowed and the highest is looked for; by this part of its height a
+/// higher place is to stand higher still.
+const HIGHER: u32 = 20_000;
+const BY: f64 = 0.05;
 /// Pieces that a region is cut into at least, so that its parts have equal work.
 const PIECES: usize = 256;
 /// Halvings of what is left at a place.
@@ -41,7 +45,7 @@ pub(crate) struct Cusps {
     outline: Option<Outline>,
     /// Why more may stand somewhere, if it may.
     pub(crate) excused: Option<&'static str>,
-    /// The first part in which something is left; those behind it do not count.
+    /// The first part that is not decided; those behind it do not count.
     first: AtomicUsize,
 }
 
@@ -50,10 +54,23 @@ pub(crate) struct Cusps {
 pub(crate) enum Left {
     /// Nothing stands higher.
     Proved,
-    /// Something does: its height, and the number of the nearest way.
+    /// Something does: the height of the highest, to a twentieth of it as far as [`HIGHER`] pieces tell, and the number of
+    /// the nearest way.
     Higher(f64, usize),
     /// It is not known near this way, and why where that is known.
     Open(usize, Option<&'static str>),
+}
+
+impl Left {
+    /// What is known of parts and of the next in their order: the highest of what stands too high, the first of equals. What
+    /// comes behind a part that is not decided does not count, and what stood higher before it does.
+    pub(crate) fn then(self, next: Self) -> Self {
+        match (self, next) {
+            (Self::Higher(a, _), Self::Higher(b, _)) if b > a => next,
+            (Self::Proved, _) => next,
+            _ => self,
+        }
+    }
 }
 
 impl Cusps {
@@ -93,8 +110,8 @@ impl Cusps {
         Self { sheet, side, height: thick + room, room, pieces, outline, excused, first }
     }
 
-    /// Judges what the ways leave in part `part` of `n`; `pad` covers rounding. Behind a part where something is left
-    /// any answer is given.
+    /// Judges what the ways leave in part `part` of `n`; `pad` covers rounding. Behind a part that is not decided any answer is
+    /// given.
     pub(crate) fn judge(&self, swath: &Swath, pad: f64, part: usize, n: usize) -> Left {
         let pieces = match &self.pieces {
             Ok(pieces) => pieces,
@@ -104,15 +121,14 @@ impl Cusps {
             return Left::Proved;
         }
         let border = |i: usize| pieces.len() * i / n;
-        let left = match self.part(swath, pad, &pieces[border(part)..border(part + 1)]) {
+        match self.part(swath, pad, &pieces[border(part)..border(part + 1)]) {
             Left::Higher(height, i) => Left::Higher(height, swath.whole(i)),
-            Left::Open(i, why) => Left::Open(swath.whole(i), why),
+            Left::Open(i, why) => {
+                self.first.fetch_min(part, Memory::Relaxed);
+                Left::Open(swath.whole(i), why)
+            }
             Left::Proved => Left::Proved,
-        };
-        if left != Left::Proved {
-            self.first.fetch_min(part, Memory::Relaxed);
         }
-        left
     }
 
     fn part(&self, swath: &Swath, pad: f64, pieces: &[Patch]) -> Left {
@@ -122,6 +138,9 @@ impl Cusps {
         let mut hint = 0;
         let (mut seen, mut most) = (0, MOST);
         let mut open = None;
+        // What was found that is too high; what is lower does not count from then on.
+        let mut highest: Option<(f64, usize)> = None;
+        let mut asked = self.height;
         while let Some((patch, mut list)) = stack.pop() {
             let counts = self.outline.as_ref().map_or(Share::All, |o| o.share(&patch));
             if counts == Share::None {
@@ -129,10 +148,10 @@ impl Cusps {
             }
             seen += 1;
             let tile = self.sheet.tile(&patch);
-            let high = self.height.abs();
+            let high = asked.abs();
             let loose = [0, 1].map(|i| tile.stray[i] + high * tile.turn[i]);
             let piece = Piece {
-                x: tile.c + tile.n * (self.side * self.height),
+                x: tile.c + tile.n * (self.side * asked),
                 sides: tile.side,
                 slop: loose[0] + loose[1],
             };
@@ -153,18 +172,28 @@ impl Cusps {
                     Share::Rest(at) => {
                         let jet =
                             self.sheet.jet(&self.sheet.settle(Spot { chart: patch.chart, at }));
-                        (jet.p, jet.n, swath.least(jet.p + jet.n * (self.side * self.height), pad))
+                        (jet.p, jet.n, swath.least(jet.p + jet.n * (self.side * asked), pad))
                     }
                     _ => (tile.c, tile.n, None),
                 };
                 if near.is_none_or(|(d, _)| d > pad) {
-                    let (height, way) = self.height_at(swath, c, n, best.way);
-                    return Left::Higher(height, way);
+                    let (height, way) = self.height_at(swath, asked, c, n, best.way);
+                    highest = Some((height, way));
+                    if height == f64::INFINITY {
+                        break;
+                    }
+                    asked = height + BY * (height - self.height + self.room);
+                    most = most.min(seen + HIGHER);
+                    // Other ways may hold what is higher.
+                    stack.push((patch, None));
+                    stack.iter_mut().for_each(|(_, list)| *list = None);
+                    continue;
                 }
             }
             let sides = [0, 1].map(|i| tile.side[i].norm() + tile.stray[i]);
             if seen >= most {
-                return open.unwrap_or(Left::Open(best.way, None));
+                open.get_or_insert(Left::Open(best.way, None));
+                break;
             }
             if sides[0] + sides[1] <= pad {
                 // The tip of what stands higher is narrow; where it is wider that is seen.
@@ -181,16 +210,19 @@ impl Cusps {
             };
             stack.extend(patch.halves(usize::from(across)).map(|half| (half, list)));
         }
-        open.unwrap_or(Left::Proved)
+        match highest {
+            Some((height, way)) => Left::Higher(height, way),
+            None => open.unwrap_or(Left::Proved),
+        }
     }
 
-    /// How high the material stands over a place where it is higher than allowed.
-    fn height_at(&self, swath: &Swath, c: Vec3, n: Vec3, near: usize) -> (f64, usize) {
+    /// How high the material stands over a place where it is higher than `asked`.
+    fn height_at(&self, swath: &Swath, asked: f64, c: Vec3, n: Vec3, near: usize) -> (f64, usize) {
         let free = |h: f64| {
             let x = c + n * (self.side * h);
             swath.least(x, 0.0).filter(|b| b.0 <= 0.0).map(|b| b.1)
         };
-        let (mut low, mut high) = (self.height, 2.0 * self.height.abs());
+        let (mut low, mut high) = (asked, 2.0 * asked.abs());
         let mut way = None;
         for _ in 0..20 {
             way = free(high);

@@ -217,7 +217,7 @@ fn search(
                 {
                     level
                 } else {
-                    let meeting = sweep.meet(x);
+                    let (meeting, within) = sweep.meet_within(x);
                     if out.nearest.is_none_or(|n| meeting.distance < n.0) {
                         out.nearest = Some((meeting.distance, meeting.t, patch.spot()));
                         if aim == Aim::Any && meeting.distance < enough {
@@ -234,7 +234,16 @@ fn search(
                     {
                         best = edge.map(bound).into_iter().fold(best, Shown::better);
                     }
-                    Shown { low: best.low, meeting: best.meeting, ..met }
+                    // What is lost of the two faces by whose edge it passes hangs on them alone.
+                    let met = match within.filter(|_| best.low < known) {
+                        Some(within) => {
+                            let slack = |m| slack(&tile, m, moved.shift.abs());
+                            let (low, slack, rise) = sweep.turning(&within, x, within_tile, &slack);
+                            Shown { low, slack, rise, meeting }
+                        }
+                        None => met,
+                    };
+                    Shown { low: best.low.max(met.low), meeting: best.meeting, ..met }
                 }
             }
         };

@@ -191,16 +191,17 @@ impl Statement {
         let mut vectors = Vec::with_capacity(self.points.len());
         let (mut fault, mut real) = (None, None);
         let mut seen: Vec<Seen> = Vec::new();
-        let mut left = None;
+        let mut left: Option<Left> = None;
+        let mut open = false;
         for (share, answer) in answers {
             vectors.extend_from_slice(&answer.vectors);
             keep(&mut fault, answer.fault.clone());
             keep(&mut real, answer.real.clone());
             seen.resize(seen.len().max(answer.seen.len()), Seen::default());
             seen.iter_mut().zip(&answer.seen).for_each(|(s, a)| s.take(a.low, a.high, a.at));
-            // What the first place shows counts.
-            if let (Share::Between(_), None | Some(Left::Proved)) = (share, left) {
-                left = answer.left.or(left);
+            if let (Share::Between(_), Some(more), false) = (share, answer.left, open) {
+                left = Some(left.map_or(more, |left| left.then(more)));
+                open = matches!(more, Left::Open(..));
             }
         }
         let mut proof = StatementProof {

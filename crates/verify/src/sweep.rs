@@ -9,6 +9,8 @@ use crate::tool::{Pose, Tool, Turn};
 /// Looks for the nearest meeting, and the sine at which it is square to the way.
 const LOOKS: u32 = 18;
 const SQUARE: f64 = 1e-9;
+/// Cosine of directions that show the same but for a little.
+const SAME: f64 = 0.9999;
 
 /// A tool and its way. Every tool on the way lies in the hull of those at the ends, enlarged by `pad`. Seen
 /// from the tool a point of space goes along its chord but for a bulge, second order in the turn.
@@ -188,6 +190,14 @@ impl Sweep<'_> {
     /// The nearest meeting, found by few looks: an inexact one makes a bound weaker and not wrong. Where the axis
     /// turns the way of the point counts as its chord.
     pub(crate) fn meet(&self, x: Vec3) -> Meeting {
+        self.meet_within(x).0
+    }
+
+    /// The same, and where the point passes an edge of the tool within, from one face to another, what [`Sweep::turning`] takes for
+    /// both together. With `d >= a . q - h(a)` and the same of b the distance is no less than the mean of both by any weights, and
+    /// that is less than what the unit direction between them shows: how deep the point is in all that the tool sweeps, and in
+    /// each tool on its way it is less deep.
+    pub(crate) fn meet_within(&self, x: Vec3) -> (Meeting, Option<Meeting>) {
         let [from, to] = self.seen(x);
         let v = to - from;
         let still = Pose { te: Vec3::zeros(), ta: self.a.ta };
@@ -199,11 +209,11 @@ impl Sweep<'_> {
             |best: Meeting| Meeting { reach: self.reach(best.m), spun: self.spun(best.m), ..best };
         let (first, mut f0) = at(0.0);
         if f0 >= 0.0 {
-            return reaching(first);
+            return (reaching(first), None);
         }
         let (last, mut f1) = at(1.0);
         if f1 <= 0.0 {
-            return reaching(last);
+            return (reaching(last), None);
         }
         let mut best = if last.distance < first.distance { last } else { first };
         let small = SQUARE * v.norm();
@@ -233,8 +243,15 @@ impl Sweep<'_> {
         }
         // Between both directions there is the one that is square to the way, and bounds all of it alike; on a face
         // and about an edge of the tool it is none the worse.
-        best.m = (near.0.m * far.1 - far.0.m * near.1).try_normalize(0.0).unwrap_or(best.m);
-        reaching(best)
+        let between = near.0.m * far.1 - far.0.m * near.1;
+        best.m = between.try_normalize(0.0).unwrap_or(best.m);
+        let within = (best.distance < 0.0 && near.0.m.dot(&far.0.m) < SAME).then(|| {
+            let all = far.1 - near.1;
+            let reach = (self.reach(near.0.m) * far.1 - self.reach(far.0.m) * near.1) / all;
+            let m = between / all;
+            Meeting { m, reach, spun: self.spun(m), ..best }
+        });
+        (reaching(best), within)
     }
 
     /// A direction told from both ends alone: where the tool does not turn it bounds the way as the tangents there do.
@@ -289,25 +306,8 @@ impl Sweep<'_> {
         enough: f64,
         slack: impl Fn(Vec3) -> Slack,
     ) -> (f64, Slack, f64) {
-        let m = meeting.m;
-        let (Some(spin), Some(spun)) = (&self.spin, &meeting.spun) else {
-            let first = meeting.reach + m.dot(&self.a.te);
-            let height = first.max(first + m.dot(&(self.b.te - self.a.te)));
-            let slack = slack(m);
-            return (m.dot(&x) - height - slack.all, slack, 0.0);
-        };
-        // The direction turns with the tool, whose support in it stays the same.
-        let own = meeting.reach;
-        let end = |at: &Pose, m: Vec3| {
-            let slack = slack(m);
-            (m.dot(&(x - at.te)) - own - slack.all, slack)
-        };
-        let (a, slack_a) = end(&self.a, m);
-        let (b, slack_b) = end(&self.b, spun.last);
-        let lever = (x - self.a.te).norm().max((x - self.b.te).norm()) + radius;
-        let [rise, lost] = spin.rise(spun.middle, x, lever, radius);
-        // What is lost at the end that is nearer counts: at the other there is room for it.
-        let turning = (-parabola(-a, -b, rise), if a <= b { slack_a } else { slack_b }, lost);
+        let turning = self.turning(meeting, x, radius, &slack);
+        let (Some(spin), Some(spun)) = (&self.spin, &meeting.spun) else { return turning };
         if turning.0 >= enough {
             return turning;
         }
@@ -316,6 +316,33 @@ impl Sweep<'_> {
         let (height, rise) = spun.height.unwrap_or_else(|| self.standing(spin, spun.middle));
         let standing = (spun.middle.dot(&x) - height - slack.all, slack, rise);
         if standing.0 > turning.0 { standing } else { turning }
+    }
+
+    /// The same by the direction alone that turns with the tool, whose support in it stays the same.
+    pub(crate) fn turning(
+        &self,
+        meeting: &Meeting,
+        x: Vec3,
+        radius: f64,
+        slack: &impl Fn(Vec3) -> Slack,
+    ) -> (f64, Slack, f64) {
+        let m = meeting.m;
+        let (Some(spin), Some(spun)) = (&self.spin, &meeting.spun) else {
+            let first = meeting.reach + m.dot(&self.a.te);
+            let height = first.max(first + m.dot(&(self.b.te - self.a.te)));
+            let slack = slack(m);
+            return (m.dot(&x) - height - slack.all, slack, 0.0);
+        };
+        let end = |at: &Pose, m: Vec3| {
+            let slack = slack(m);
+            (m.dot(&(x - at.te)) - meeting.reach - slack.all, slack)
+        };
+        let (a, slack_a) = end(&self.a, m);
+        let (b, slack_b) = end(&self.b, spun.last);
+        let lever = (x - self.a.te).norm().max((x - self.b.te).norm()) + radius;
+        let [rise, lost] = spin.rise(spun.middle, x, lever, radius);
+        // What is lost at the end that is nearer counts: at the other there is room for it.
+        (-parabola(-a, -b, rise), if a <= b { slack_a } else { slack_b }, lost)
     }
 }
 
@@ -352,8 +379,10 @@ mod tests {
             let Some(m) = Vec3::from(m).try_normalize(1e-3) else { return Ok(()) };
             let slack = |m: Vec3| Slack { by: [0.0; 2], all: m.dot(&side).abs() };
             let meetings = [sweep.along(m), sweep.meet(x), sweep.level(m, x)[1]];
-            for meeting in meetings {
-                let low = sweep.proved(&meeting, x, side.norm(), f64::INFINITY, slack).0;
+            let lows = meetings.map(|m| sweep.proved(&m, x, side.norm(), f64::INFINITY, slack).0);
+            let within = sweep.meet_within(x).1;
+            let within = within.map(|m| sweep.turning(&m, x, side.norm(), &slack).0);
+            for low in lows.into_iter().chain(within) {
                 for i in 0..=40 {
                     let at = between_poses(&a, &b, f64::from(i) / 40.0);
                     for s in [-1.0, -0.5, 0.0, 0.5, 1.0] {

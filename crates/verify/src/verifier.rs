@@ -351,13 +351,13 @@ impl Verifier {
         let Some(f) = &proof.fault else { return };
         let d = if f.refuted {
             let what = if f.gouge { "cuts into" } else { "leaves material on" };
-            let message = format!(
-                "cut vector {} {what} {} by {} beyond tolerance {}",
-                f.vector,
-                f.surface,
-                length(f.depth),
-                f.place()
-            );
+            // What no cutter came over has no height.
+            let by = if f.depth < f64::INFINITY {
+                format!("{} by {} beyond tolerance", f.surface, length(f.depth))
+            } else {
+                format!("{}, over which it never comes,", f.surface)
+            };
+            let message = format!("cut vector {} {what} {by} {}", f.vector, f.place());
             let d = Diagnostic::error(codes::REFUTED, proof.origin.span, message);
             f.why.iter().fold(d, |d, why| d.note(why.to_string()))
         } else {

@@ -44,4 +44,5 @@ codes! {
     ODD_CONTACT = 2050, "a cutter that touches with its tip or the rim of its top";
     NO_MEETING = 2051, "surfaces of INTSEC whose curves are not found";
     MEETING = 2052, "the curves that INTSEC found";
+    LEFT_STANDING = 2053, "passes that leave material where the contact jumps";
 }

@@ -1,0 +1,48 @@
+//! A position raised within the band where the cutter beside its contact would be too deep.
+
+use aptc_contact::{Clear, Tool};
+
+use crate::position::Position;
+use crate::settings::Band;
+use crate::solve::Setup;
+
+/// Times that a position is raised.
+const TIMES: usize = 4;
+/// Part of the band by which it is raised more than it has to be, for the chords beside it.
+const MORE: f64 = 0.02;
+/// How exactly the deepest place is asked for, in parts of the band.
+const FINE: f64 = 1e-3;
+
+impl Setup<'_> {
+    /// The position for chords beside which the whole cutter keeps the band of the part surface: lowered less, or raised, where its
+    /// bottom or rim comes deeper into a hollow than the contact. Where all of the band does not suffice for it the cutter
+    /// touches and is not lowered.
+    pub(crate) fn eased(&self, p: Position) -> Position {
+        if self.leads() || !self.part.touches {
+            return p;
+        }
+        let Band { intol, outtol } = self.band;
+        let band = intol + outtol;
+        let (tree, allowed) = (&self.part.tree, intol - self.part.thick);
+        let highest = self.highest();
+        let raised = |p: &Position, by: f64| Position {
+            te: p.te + p.normal * by,
+            shift: p.shift + by,
+            ..*p
+        };
+        let mut now = p;
+        for _ in 0..TIMES {
+            let tool = Tool { profile: self.profile, te: now.te, ta: now.ta };
+            if tree.clear(&tool, allowed) == Clear::Yes {
+                return now;
+            }
+            let Some((place, _)) = tree.deepest(&tool, FINE * band) else { break };
+            let by = (-place.distance - allowed).max(0.0) + MORE * band;
+            if now.shift + by > highest {
+                break;
+            }
+            now = raised(&now, by);
+        }
+        if p.shift < 0.0 { raised(&p, -p.shift) } else { p }
+    }
+}
