@@ -150,7 +150,9 @@ pub(crate) fn elsewhere(
     let size = if wide > 0.0 { wide.max(0.1 * reach) } else { reach };
     if stands && matches!(surface, Surface::Parametric(_)) {
         let free = |share: &f64| alone(tool, surface, side, known, share * wide);
-        if let Some(way) = ALONE.iter().find_map(free).filter(|way| *way >= WORTH * wide) {
+        // A corner about a circle is not shown to be the only one for the first of them.
+        let shares = &ALONE[usize::from(tool.profile.corner()[0] > 0.0)..];
+        if let Some(way) = shares.iter().find_map(free).filter(|way| *way >= WORTH * wide) {
             return (None, way);
         }
         if let Some(found) = lower(tool, surface, side, known, SEEN * wide) {
@@ -342,7 +344,7 @@ const FLANK: usize = 8;
 const LOOK: f64 = 0.25;
 
 /// Shares of the cutter's radius for which its contact may be shown to be the only one.
-const ALONE: [f64; 3] = [1.0, 0.4, 0.1];
+const ALONE: [f64; 4] = [1.0, 0.5, 0.2, 0.05];
 /// Share of it from which that is worth more than a look.
 const WORTH: f64 = 0.02;
 

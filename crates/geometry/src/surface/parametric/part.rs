@@ -9,7 +9,7 @@ const SQUARE: f64 = 0.1;
 /// Greatest turn of the normals, as a vector.
 const MOST_TURN: f64 = 1.0;
 /// Parts across the rulings in which normals are bounded, and curvatures.
-const WHOLE: u32 = 2;
+const WHOLE: u32 = 3;
 const FINE: u32 = 3;
 
 /// Bounds over a part of a surface.
@@ -48,13 +48,15 @@ struct Ruling {
     /// is in `v`), and by how much more that is for each unit of `v`.
     wide: [f64; 2],
     wider: f64,
+    /// What is left of 1 without the square of that, as a share of the ruling's length.
+    left: f64,
 }
 
 /// A ball of vectors: its middle and radius.
 type Vectors = (Vec3, f64);
 
 impl Strips {
-    /// Those of rulings in `pieces`; `None` where a curve is steep or has joints.
+    /// Those of rulings in `pieces`; `None` where a curve is steep or has joints, and where rulings turn far from one to the next.
     pub(super) fn new(surface: &Rulings) -> Option<Self> {
         let curves = surface.rails()?;
         let mut us = BEFORE.to_vec();
@@ -64,7 +66,8 @@ impl Strips {
         let heights: Option<Vec<_>> = us.windows(2).map(strip).collect();
         let mut new = Self { us, rulings: Vec::new(), curves, heights: heights? };
         new.rulings = (0..new.us.len()).map(|i| new.ruling(surface, i)).collect();
-        Some(new)
+        let narrow = new.rulings.iter().all(|r| r.left > 0.5);
+        narrow.then_some(new)
     }
 
     fn ruling(&self, surface: &Rulings, i: usize) -> Ruling {
@@ -76,7 +79,9 @@ impl Strips {
             wide = [wide[0].max(half * (a.norm() + ra)), wide[1].max(half * (b.norm() + rb))];
             wider = wider.max(half * ((b - a).norm() + ra + rb));
         }
-        Ruling { start: jet.s, way: jet.sv, inverse: 1.0 / jet.sv.norm_squared(), wide, wider }
+        let inverse = 1.0 / jet.sv.norm_squared();
+        let left = 1.0 - wider * wider * inverse;
+        Ruling { start: jet.s, way: jet.sv, inverse, wide, wider, left }
     }
 
     /// Least and greatest derivatives of the heights over some strips.
@@ -110,14 +115,9 @@ impl Strips {
                 let reach = radius + (1.0 - at).abs() * r.wide[0] + at.abs() * r.wide[1];
                 // Along the ruling by x, in units of v, the strip is as wide as `reach + wider x`: where the square of that is
                 // less than that of the distance nothing is within the ball.
-                let k = r.wider * r.wider * r.inverse;
-                let square = reach * reach - (1.0 - k) * off;
-                if k >= 0.5 {
-                    return None;
-                }
+                let square = reach * reach - r.left * off;
                 if square >= 0.0 {
-                    let half =
-                        (reach * r.wider * r.inverse + (square * r.inverse).sqrt()) / (1.0 - k);
+                    let half = (reach * r.wider * r.inverse + (square * r.inverse).sqrt()) / r.left;
                     let put = |(across, v): &mut ([usize; 2], [f64; 2])| {
                         *across = [across[0].min(i), across[1].max(i)];
                         *v = [v[0].min(at - half), v[1].max(at + half)];
