@@ -224,34 +224,40 @@ fn lower(
     most: f64,
 ) -> Option<(Option<Gap>, f64)> {
     let (found, way) = dips(tool, surface, side, known, most)?;
-    let (mut deepest, mut room) = (*known, most.min(0.5 * way));
-    for gap in found {
+    let (mut deepest, mut room) = (*known, way.map_or(most, |way| most.min(0.5 * way)));
+    // All of a ridge along which the cutter lies has one normal, and comes as near on the way.
+    let size = tool.profile.reach();
+    let line = |gap: &Gap| {
+        let turned = (gap.normal - known.normal).norm();
+        way.is_none() && turned <= LINE && (gap.raw - known.raw).abs() <= LINE * LINE * size
+    };
+    for gap in found.filter(|gap| !line(gap)) {
         rival(tool, known, &gap, &mut deepest, &mut room);
     }
     Some((deeper(tool, deepest.raw, known.raw).then_some(deepest), room))
 }
 
 /// The places of contact of corner and flat end where nothing else can touch on the way of `most`, and the way after which
-/// another may be as deep; `None` where that is not seen.
+/// another may be as deep, none where all of them lie on one ridge; `None` where that is not seen.
 fn dips<'t>(
     tool: &'t Tool<'_>,
     surface: &'t Surface,
     side: Side,
     known: &Gap,
     most: f64,
-) -> Option<(impl Iterator<Item = Gap> + 't, f64)> {
+) -> Option<(impl Iterator<Item = Gap> + 't, Option<f64>)> {
     let Faced { ridge, .. } = faced(tool, surface, side, known, most)?;
     let ends = if ridge { ridge::ends(tool, surface, side, known) } else { None };
     let (found, way) = match ends {
         Some([a, b]) => {
             let mut found = [None; 2 * SEEDS];
             (found[0], found[1]) = (a, b);
-            (found, f64::INFINITY)
+            (found, None)
         }
         None => {
             let stations = Stations { lower: true, flank: false, disk: Some(known.spot()) };
             let Seeds { found, way, .. } = seeds(tool, surface, side, stations, Some(known));
-            (found, way)
+            (found, Some(way))
         }
     };
     let dip = move |q| disk::below(tool, surface, side, q).ok();
@@ -262,10 +268,7 @@ fn dips<'t>(
 fn rival(tool: &Tool<'_>, known: &Gap, gap: &Gap, deepest: &mut Gap, room: &mut f64) {
     let (wide, reach) = (tool.profile.widest(), tool.profile.reach());
     let size = if wide > 0.0 { wide.max(0.1 * reach) } else { reach };
-    // All of a line along which the cutter lies has one normal, and comes as near on the way.
-    let line = (gap.normal - known.normal).norm() <= LINE
-        && (gap.raw - known.raw).abs() <= LINE * LINE * size;
-    if !line && (gap.tool_point - known.tool_point).norm() > 1e-6 * size {
+    if (gap.tool_point - known.tool_point).norm() > 1e-6 * size {
         *room = room.min(0.5 * (gap.raw - known.raw).max(0.0));
     }
     if deeper(tool, gap.raw, deepest.raw) {
@@ -349,7 +352,7 @@ const ALONE: [f64; 4] = [1.0, 0.5, 0.2, 0.05];
 const WORTH: f64 = 0.02;
 
 /// Length of the difference of the normals at two places of a line of contact at most, and the root of the share of the cutter's
-/// size by which they are as deep.
+/// reach by which they are as deep.
 const LINE: f64 = 1e-6;
 
 /// The same where a dip that is not there yet may come up: share of the cutter's radius, which below a long shank is several
