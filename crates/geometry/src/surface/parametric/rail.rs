@@ -1,12 +1,13 @@
 //! A rail of a ruled surface as polynomials: each evaluation of the curve itself meets a surface with a line.
 //!
 //! Over every piece the height above the base line is the polynomial of the fifth degree that has its value
-//! and both derivatives at the ends. A piece is halved until its middle is met to rounding; where that takes
+//! and both derivatives at the ends. A piece is halved until its middle is met, far closer than any band asks; where that takes
 //! too many halvings (at a joint of a TABCYL) the curve itself is asked.
 
 /// How often a piece is halved.
 const HALVINGS: u32 = 6;
-/// Share of the curve's size that counts as rounding, of the height and of its first two derivatives.
+/// Share of the curve's size to which it is met, of the height and of its first two derivatives: one near rounding takes twice
+/// the pieces.
 const EXACT: [f64; 3] = [1e-13, 1e-10, 1e-7];
 
 /// A function over 0 to 1 in pieces.
