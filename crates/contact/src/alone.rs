@@ -14,20 +14,32 @@ use crate::gap::{Gap, Side};
 /// Share of a corner's own curvature that a hollow may use up.
 const ROOM: f64 = 0.9;
 /// Greatest product of a curvature and a distance at which the surface is followed along its normals.
-const BEND: f64 = 0.3;
+const BEND: f64 = 0.2;
 /// Sine of the tilt from which the corner is to touch, if no flat end does.
 const TILT: f64 = 1e-7;
 
 /// How a part of a surface bends that alone can touch a tool, and this with its corner or flat end only.
-struct Faced {
+pub(crate) struct Faced {
     /// Greatest curvatures of the distance on the way, of hollow and of round places.
     hollow: f64,
     bend: f64,
+    /// Does it bend one way all over, and much less another?
+    pub(crate) ridge: bool,
 }
 
-/// The part of a surface that a tool with the `known` gap can touch while it goes by `most`, its axis standing; `None` where
-/// it is not seen that all normals there face its corner or flat end.
-fn faced(tool: &Tool<'_>, surface: &Surface, side: Side, known: &Gap, most: f64) -> Option<Faced> {
+/// Share of the curvature of a ridge that the hollow along it may have.
+const THIN: f64 = 0.1;
+
+/// The part of a surface that a tool with the `known` gap can touch while it goes by `most`, its axis standing, where nothing
+/// of it can but its corner and its flat end, and each point of the disk of the corner's middles has one nearest place; `None`
+/// where it is not seen that all normals there face those.
+pub(crate) fn faced(
+    tool: &Tool<'_>,
+    surface: &Surface,
+    side: Side,
+    known: &Gap,
+    most: f64,
+) -> Option<Faced> {
     let profile = tool.profile;
     let arc = |out: f64, up: f64| profile.support(out, up).segment == Segment::Arc;
     let lower = matches!(known.segment, Some(Segment::Arc | Segment::LowerLine));
@@ -38,8 +50,8 @@ fn faced(tool: &Tool<'_>, surface: &Surface, side: Side, known: &Gap, most: f64)
     let upright = n.dot(&tool.ta);
     let across = (n - tool.ta * upright).norm();
     let ([rho, high], away) = (profile.corner(), known.raw + profile.corner_radius());
-    // What lies outside of the first balls is farther from the tool than the known place, wherever both have moved. From the
-    // known place the nearest ones of the circle's disk lie no farther than its points do, but for how the surface bends.
+    // What lies outside of the first balls is farther from the tool than the known place, wherever both have moved. From that of
+    // the disk's middle the nearest places of its points lie no farther than they do, but for how the surface bends.
     let (low, top, wide) = (profile.bottom(), profile.height(), profile.widest());
     let joint = (low + 2.0 * wide).min(top);
     let clear = known.raw.max(0.0) + 2.0 * most;
@@ -48,8 +60,9 @@ fn faced(tool: &Tool<'_>, surface: &Surface, side: Side, known: &Gap, most: f64)
         (tool.te + tool.ta * (0.5 * (top + low)), radius + clear)
     };
     let center = tool.te + tool.ta * high;
-    let deepest = away.abs() + 2.0 * rho + most;
-    let below = (known.surface_point, (2.0 * rho + most) / (1.0 - BEND));
+    let foot = surface.foot_from(center, known.spot());
+    let deepest = foot.distance.abs() + rho + most;
+    let below = (foot.point, (rho + most) / (1.0 - BEND));
     let balls = [around(low, joint), around(joint, top), below];
     let part = surface.part(&balls, (center, rho + most), known.spot())?;
     // All normals there face the corner, or a flat end.
@@ -64,7 +77,12 @@ fn faced(tool: &Tool<'_>, surface: &Surface, side: Side, known: &Gap, most: f64)
         Side::Positive => [-least, greatest],
         Side::Negative | Side::Open => [greatest, -least],
     };
+    let across = match side {
+        Side::Positive => part.across[0],
+        Side::Negative | Side::Open => -part.across[1],
+    };
     let (hollow, round) = (hollow.max(0.0), round.max(0.0));
+    let ridge = hollow < THIN * across;
     if deepest * hollow >= BEND {
         return None;
     }
@@ -72,19 +90,7 @@ fn faced(tool: &Tool<'_>, surface: &Surface, side: Side, known: &Gap, most: f64)
     // N leads up from there.
     let hollow = hollow / (1.0 - deepest * hollow);
     let deep = (most + 2.0 * rho * rho * hollow - away).max(0.0) * round;
-    (deep < BEND).then(|| Faced { hollow, bend: hollow.max(round / (1.0 - deep)) })
-}
-
-/// Can nothing of a tool with the `known` gap touch but its corner and its flat end, while it goes by `most`, its axis
-/// standing, and has each point of the disk of its corner's middles one nearest place?
-pub(crate) fn lower_only(
-    tool: &Tool<'_>,
-    surface: &Surface,
-    side: Side,
-    known: &Gap,
-    most: f64,
-) -> bool {
-    faced(tool, surface, side, known, most).is_some()
+    (deep < BEND).then(|| Faced { hollow, bend: hollow.max(round / (1.0 - deep)), ridge })
 }
 
 /// A way that the tool can go, its axis standing, no longer than `most`, on which no place of it touches but that of the
@@ -99,7 +105,7 @@ pub(crate) fn alone(
     if known.segment != Some(Segment::Arc) {
         return None;
     }
-    let Faced { hollow, bend } = faced(tool, surface, side, known, most)?;
+    let Faced { hollow, bend, .. } = faced(tool, surface, side, known, most)?;
     let (n, [rho, _]) = (known.normal, tool.profile.corner());
     if rho <= 0.0 {
         return Some(most);
@@ -210,5 +216,73 @@ mod tests {
         check.unwrap();
         let [yes, no] = shown.get();
         assert!(yes > no / 4, "{yes} {no}");
+    }
+
+    #[test]
+    fn nothing_is_deeper_than_the_known_place_and_the_ends_of_a_ridge() {
+        let shown = std::cell::Cell::new([0_u32; 3]);
+        let one = || -1.0_f64..1.0;
+        let all = (
+            (prop::array::uniform2(50.0_f64..150.0), -25.0_f64..25.0, one(), any::<bool>()),
+            ([one(), one()], [one(), one()], 0.5_f64..8.0, -0.01_f64..0.3),
+            ([one(), one()], prop::sample::select(vec![0.3, 1.0, 2.0, 4.0])),
+        );
+        let mut runner = TestRunner::new(Config::with_cases(600));
+        let check = runner.run(
+            &all,
+            |((radii, lift, far, below), (te, lean, wide, above), (near, corner))| {
+                let surface = surface(if below { radii.map(|r| -r) } else { radii }, lift);
+                let side = if below { Side::Negative } else { Side::Positive };
+                let profile =
+                    Profile::new(&Cutter::mill(2.0 * (corner + wide), corner, 40.0)).unwrap();
+                // With the axis along a normal, or nearly so, and that place below the tool or beside it.
+                let top = surface.foot(Vec3::new(25.0 * far, 20.0 * te[1], 0.0));
+                let up = top.normal * side.sign();
+                let ta = (up + Vec3::new(0.01 * lean[0], 0.0005 * lean[1], 0.0)).normalize();
+                let place = top.point + Vec3::x() * (1.2 * wide * te[0]) + up * above;
+                let tool = Tool { profile: &profile, te: place, ta };
+                let near = place + Vec3::new(near[0], near[1], 0.0) * (corner + wide);
+                let Some(known) =
+                    crate::disk::beside(&tool, &surface, side, surface.foot(near).spot())
+                else {
+                    return Ok(());
+                };
+                let [few, no, other] = shown.get();
+                let Some(Faced { ridge: true, .. }) =
+                    faced(&tool, &surface, side, &known, 0.05 * wide)
+                else {
+                    shown.set([few, no + 1, other]);
+                    return Ok(());
+                };
+                let Some(ends) = crate::ridge::ends(&tool, &surface, side, &known) else {
+                    return Ok(());
+                };
+                let found = ends
+                    .into_iter()
+                    .flatten()
+                    .filter_map(|q| crate::disk::below(&tool, &surface, side, q).ok());
+                let told = found.map(|g| g.raw).fold(known.raw, f64::min);
+                shown.set([few + 1, no, other + u32::from(told < known.raw - 1e-6)]);
+                // Around the disk of the corner's middles, and within it.
+                let [rho, high] = profile.corner();
+                let [a, b] = aptc_geometry::surface::frame_about(ta);
+                for k in 0..180_u32 {
+                    let (sin, cos) =
+                        (trig::sin_deg(2.0 * f64::from(k)), trig::cos_deg(2.0 * f64::from(k)));
+                    for share in [1.0, 0.98, 0.7, 0.3] {
+                        let p = place + (a * cos + b * sin) * (share * rho) + ta * high;
+                        let deep =
+                            side.sign() * surface.foot_from(p, known.spot()).distance - corner;
+                        prop_assert!(deep >= told - 1e-8, "{deep} {told} {known:?} {k} {share}");
+                    }
+                }
+                let deepest = least(&tool, &surface, side);
+                prop_assert!(deepest >= told - 1e-7, "{deepest} {told} {known:?}");
+                Ok(())
+            },
+        );
+        check.unwrap();
+        let [yes, no, other] = shown.get();
+        assert!(yes > no && other > yes / 50, "{yes} {no} {other}");
     }
 }

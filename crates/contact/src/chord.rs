@@ -238,7 +238,10 @@ impl Run<'_, '_> {
     fn between(&self, a: &Place, b: &Place, t: f64) -> Result<Place, Reason> {
         let [near, far] = if t - a.t <= b.t - t { [a, b] } else { [b, a] };
         let m = self.place(t, Some(near.gap.spot()))?;
-        if self.apart(a, b) <= ANOTHER * self.tool.profile.widest() || self.closed() {
+        // What goes over a crest touches at the same place of this.
+        let alike = ANOTHER * self.tool.profile.widest();
+        let same = (a.gap.surface_point - b.gap.surface_point).norm() <= alike;
+        if same || self.apart(a, b) <= alike || self.closed() {
             return Ok(m);
         }
         let other = self.place(t, Some(far.gap.spot()))?;

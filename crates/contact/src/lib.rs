@@ -31,6 +31,7 @@ mod guide;
 mod open;
 mod patches;
 mod point;
+mod ridge;
 mod ring;
 mod rings;
 mod search;

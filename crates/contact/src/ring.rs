@@ -20,7 +20,9 @@ use crate::search::{hollow, several};
 const STEPS: usize = 8;
 /// Share of the cutter's radius across the normal by which both points may fail to face each other. The gap is exact to its
 /// square.
-const FACING: f64 = 1e-12;
+const FACING: f64 = 1e-10;
+/// Share of it by which a place lies so close by another that this tells where and how it is.
+const CLOSE: f64 = 1e-5;
 /// Sine between normal and tool axis below which the corner is left.
 const FLAT: f64 = 1e-6;
 /// Slope towards the upper line from which it may touch as well: its far end comes down with the next step, where nothing is
@@ -85,10 +87,19 @@ impl Ring {
     /// Do two places of contact lie far from each other on the cutter?
     #[inline]
     pub(crate) fn apart(&self, a: Vec3, b: Vec3) -> bool {
+        let far = ANOTHER * self.profile.widest();
+        // Parts across the axis turn by no more than the normals differ, over the less of them.
+        let square = |n: Vec3| 1.0 - n.dot(&self.ta) * n.dot(&self.ta);
+        let (least, turned) = (square(a).min(square(b)), (a - b).norm_squared());
+        let radius = self.profile.corner_radius();
+        let moved = 2.0 * turned * (self.rho * self.rho + radius * radius * least);
+        if least > FLAT * FLAT && moved < far * far * least {
+            return false;
+        }
         let from =
             |n: Vec3| Some(self.facing(n)?.out * self.rho - n * self.profile.corner_radius());
         let (Some(a), Some(b)) = (from(a), from(b)) else { return true };
-        (a - b).norm() > ANOTHER * self.profile.widest()
+        (a - b).norm() > far
     }
 
     #[inline]
@@ -140,8 +151,15 @@ impl Ring {
             let (x, y) = (rest.dot(&frame[0]), rest.dot(&frame[1]));
             let by = [(q * x - d * k12 * y) / det, (p * y - around * k12 * x) / det];
             let by = frame[0] * by[0] + frame[1] * by[1];
-            if by.norm() > self.profile.widest() {
+            let (way, wide) = (by.norm(), self.profile.widest());
+            if way > wide {
                 return None;
+            }
+            if way <= CLOSE * wide
+                && let Some(there) = surface.close_by(&foot, sides, by)
+            {
+                foot = there;
+                continue;
             }
             (foot, sides) = match surface.beside(foot.spot(), sides, by) {
                 Some(found) => found,

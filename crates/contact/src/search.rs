@@ -3,12 +3,12 @@
 use aptc_geometry::profile::Segment;
 use aptc_geometry::{Foot, Reason, Spot, Surface, Tool, Vec3};
 
-use crate::alone::{alone, lower_only};
+use crate::alone::{Faced, alone, faced};
 use crate::closed::{along_axis, is_axis};
 use crate::descent::local;
 use crate::gap::{Gap, Side, deeper};
-use crate::stations::{Seeds, Stations, seeds};
-use crate::{disk, ring, rings};
+use crate::stations::{SEEDS, Seeds, Stations, seeds};
+use crate::{disk, ridge, ring, rings};
 
 /// Gap to a surface without closed form.
 pub(crate) fn general(
@@ -150,7 +150,9 @@ pub(crate) fn elsewhere(
     let size = if wide > 0.0 { wide.max(0.1 * reach) } else { reach };
     if stands && matches!(surface, Surface::Parametric(_)) {
         let free = |share: &f64| alone(tool, surface, side, known, share * wide);
-        if let Some(way) = ALONE.iter().filter_map(free).find(|way| *way >= WORTH * wide) {
+        // A corner about a circle is not shown to be the only one for the first of them.
+        let shares = &ALONE[usize::from(tool.profile.corner()[0] > 0.0)..];
+        if let Some(way) = shares.iter().find_map(free).filter(|way| *way >= WORTH * wide) {
             return (None, way);
         }
         if let Some(found) = lower(tool, surface, side, known, SEEN * wide) {
@@ -222,25 +224,42 @@ fn lower(
     most: f64,
 ) -> Option<(Option<Gap>, f64)> {
     let (found, way) = dips(tool, surface, side, known, most)?;
-    let (mut deepest, mut room) = (*known, most.min(0.5 * way));
-    for gap in found {
+    let (mut deepest, mut room) = (*known, way.map_or(most, |way| most.min(0.5 * way)));
+    // All of a ridge along which the cutter lies has one normal, and comes as near on the way.
+    let size = tool.profile.reach();
+    let line = |gap: &Gap| {
+        let turned = (gap.normal - known.normal).norm();
+        way.is_none() && turned <= LINE && (gap.raw - known.raw).abs() <= LINE * LINE * size
+    };
+    for gap in found.filter(|gap| !line(gap)) {
         rival(tool, known, &gap, &mut deepest, &mut room);
     }
     Some((deeper(tool, deepest.raw, known.raw).then_some(deepest), room))
 }
 
 /// The places of contact of corner and flat end where nothing else can touch on the way of `most`, and the way after which
-/// another may be as deep; `None` where that is not seen.
+/// another may be as deep, none where all of them lie on one ridge; `None` where that is not seen.
 fn dips<'t>(
     tool: &'t Tool<'_>,
     surface: &'t Surface,
     side: Side,
     known: &Gap,
     most: f64,
-) -> Option<(impl Iterator<Item = Gap> + 't, f64)> {
-    lower_only(tool, surface, side, known, most).then_some(())?;
-    let stations = Stations { lower: true, flank: false, disk: Some(known.spot()) };
-    let Seeds { found, way, .. } = seeds(tool, surface, side, stations, Some(known));
+) -> Option<(impl Iterator<Item = Gap> + 't, Option<f64>)> {
+    let Faced { ridge, .. } = faced(tool, surface, side, known, most)?;
+    let ends = if ridge { ridge::ends(tool, surface, side, known) } else { None };
+    let (found, way) = match ends {
+        Some([a, b]) => {
+            let mut found = [None; 2 * SEEDS];
+            (found[0], found[1]) = (a, b);
+            (found, None)
+        }
+        None => {
+            let stations = Stations { lower: true, flank: false, disk: Some(known.spot()) };
+            let Seeds { found, way, .. } = seeds(tool, surface, side, stations, Some(known));
+            (found, Some(way))
+        }
+    };
     let dip = move |q| disk::below(tool, surface, side, q).ok();
     Some((found.into_iter().flatten().filter_map(dip), way))
 }
@@ -328,9 +347,13 @@ const FLANK: usize = 8;
 const LOOK: f64 = 0.25;
 
 /// Shares of the cutter's radius for which its contact may be shown to be the only one.
-const ALONE: [f64; 3] = [0.4, 0.15, 0.05];
+const ALONE: [f64; 4] = [1.0, 0.5, 0.2, 0.05];
 /// Share of it from which that is worth more than a look.
 const WORTH: f64 = 0.02;
+
+/// Length of the difference of the normals at two places of a line of contact at most, and the root of the share of the cutter's
+/// reach by which they are as deep.
+const LINE: f64 = 1e-6;
 
 /// The same where a dip that is not there yet may come up: share of the cutter's radius, which below a long shank is several
 /// times less.

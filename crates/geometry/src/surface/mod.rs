@@ -77,6 +77,20 @@ impl Foot {
     }
 }
 
+impl Foot {
+    /// The place beside this one by the tangent `by`, where the curvature changes little on the way.
+    #[inline]
+    fn close_by(&self, by: Vec3) -> Self {
+        let turned = self.shape.apply(by);
+        let normal = self.normal + turned;
+        let normal = normal / normal.norm();
+        let [a, b] = self.shape.frame;
+        let frame = [a - self.normal * turned.dot(&a), b - self.normal * turned.dot(&b)];
+        let point = self.point + by - self.normal * (0.5 * turned.dot(&by));
+        Self { point, normal, shape: Shape { frame, ..self.shape }, ..*self }
+    }
+}
+
 impl From<Vec3> for Spot {
     fn from(point: Vec3) -> Self {
         Self { point, at: None }
@@ -250,6 +264,16 @@ impl Surface {
                 Some((foot, Some(sides)))
             }
             (Self::Quadric(s), _) => Some((s.beside(near.point, by)?, None)),
+            _ => None,
+        }
+    }
+
+    /// What [`Surface::beside`] finds of a smooth surface for a way that is short, from a foot that is a place of it; `None` of
+    /// others. What it is off falls with the third power of that, and the normal with the square.
+    #[inline]
+    pub fn close_by(&self, foot: &Foot, sides: Option<[Vec3; 2]>, by: Vec3) -> Option<Foot> {
+        match self {
+            Self::Parametric(s) => s.close_by(foot, sides?, by),
             _ => None,
         }
     }

@@ -180,8 +180,9 @@ impl Track {
         self.touches_elsewhere(i, a, b)
     }
 
-    /// Does a cutter touch at different places of it with the tool end here and there? A flat end that lies on two crests of a
-    /// TABCYL does, for one crest stays where it is.
+    /// Does a cutter touch at different places of it with the tool end here and there, and at different ones of the surface? What
+    /// goes over one crest touches at the same place of that. A flat end that goes from one crest of a TABCYL to another is
+    /// told by their spans.
     pub(super) fn touches_elsewhere(&self, i: usize, a: (&Gap, Vec3), b: (&Gap, Vec3)) -> bool {
         /// Spans between two crests at least.
         const CRESTS: f64 = 1.5;
@@ -190,7 +191,8 @@ impl Track {
         let flat = |gap: &Gap| {
             gap.at.filter(|_| gap.segment == Some(Segment::LowerLine)).map(|[span, _]| span)
         };
-        (p - q).norm() > ANOTHER * keep.profile.widest()
+        let far = |a: Vec3, b: Vec3| (a - b).norm() > ANOTHER * keep.profile.widest();
+        far(p, q) && far(a.0.surface_point, b.0.surface_point)
             || matches!(keep.surface, Surface::Tabcyl(_))
                 && flat(a.0).zip(flat(b.0)).is_some_and(|(a, b)| (a - b).abs() > CRESTS)
     }

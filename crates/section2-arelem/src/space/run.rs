@@ -312,10 +312,13 @@ fn begin(scene: &Scene) -> Result<Begin, Failure> {
     let pose = upright(scene, &part);
     let mut drive = keep(&scene.drive, Side::Positive)?;
     let apart = |w: &Wall| Failure::NoContact { surface: w.surface.clone() };
-    if !scene.part.on {
-        part.side = nearer(&part, &pose).ok_or_else(|| apart(&scene.part))?;
-    }
-    let part_gap = part.gap(&pose, None).map_err(|_| apart(&scene.part))?;
+    let part_gap = if scene.part.on {
+        part.gap(&pose, None).map_err(|_| apart(&scene.part))?
+    } else {
+        let (gap, side) = nearer(&part, &pose).ok_or_else(|| apart(&scene.part))?;
+        part.side = side;
+        gap
+    };
     // The direction of the track from the normals as they are; the side of the drive surface does not
     // change it.
     let probe = drive.surface.foot(pose.te).normal;
@@ -332,7 +335,7 @@ fn begin(scene: &Scene) -> Result<Begin, Failure> {
         let lean = probe.dot(&left);
         let wanted = lean * scene.stance.left();
         drive.side = if wanted.abs() < 1e-3 || scene.stance == Stance::AsItStands {
-            nearer(&drive, &pose).ok_or_else(|| apart(&scene.drive))?
+            nearer(&drive, &pose).ok_or_else(|| apart(&scene.drive))?.1
         } else if wanted > 0.0 {
             Side::Positive
         } else {
@@ -363,7 +366,9 @@ fn begin(scene: &Scene) -> Result<Begin, Failure> {
     let axis = sided(scene, &keeps, &around);
     let guides = Guides::new(&keeps, &axis, &pose);
     let track = Track { keeps, axis, guides, exact, size };
-    let node = track.node(pose, heading).map_err(|t| trouble_at(scene, &pose, t))?;
+    let node = track
+        .finish(pose, [drive_gap, part_gap], heading)
+        .map_err(|t| trouble_at(scene, &pose, t))?;
     if off_drive <= 1.0 && off_part <= 1.0 {
         let turned = turn(&track, &node, scene.limits.step);
         let node = turned.unwrap_or(node);
@@ -441,7 +446,7 @@ fn upright(scene: &Scene, part: &Keep) -> Pose {
 /// The side on which the tool is nearer to touching. A disk touches from below as well as from above within the band:
 /// it is that side towards which the rest of the cutter stands on it; where it is in one band alone, as a needle beside a
 /// wall or a disk that came from below, the side of that band.
-fn nearer(keep: &Keep, pose: &Pose) -> Option<Side> {
+fn nearer(keep: &Keep, pose: &Pose) -> Option<(Gap, Side)> {
     let gap = |side: Side| keep.on_side(side).gap(pose, None).ok().map(|g| (g, side));
     let at = |(g, _): &(Gap, Side)| g.g.abs() <= 2.0 * keep.width();
     let better = |a: &(Gap, Side), b: &(Gap, Side)| {
@@ -465,7 +470,7 @@ fn nearer(keep: &Keep, pose: &Pose) -> Option<Side> {
             (best, next) => best.or(next),
         };
     }
-    best.map(|(_, side)| side)
+    best
 }
 
 /// How many bands the tool is from its place: up to one it is in the band.

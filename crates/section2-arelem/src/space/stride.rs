@@ -163,8 +163,9 @@ pub(crate) struct Pace {
     trend: f64,
     /// The length of the last one.
     length: f64,
-    /// Way for which no other place of contact can become the deepest.
+    /// Way for which no other place of contact can become the deepest, and whether that was looked for where it is now.
     room: f64,
+    looked: bool,
     /// Cut vectors yet of which every trial looks for other places of contact.
     careful: u32,
     /// How the gaps bend along the last cut vector when the axis turns, which the curvatures do not tell, and by how much
@@ -180,6 +181,7 @@ impl Pace {
             trend: 0.0,
             length: 0.0,
             room: 0.0,
+            looked: false,
             careful: 0,
             bends: None,
             grown: [0.0; 2],
@@ -226,21 +228,23 @@ impl Track {
         let mut cap = cap;
         for _ in 0..CUT_SHORT {
             let before = *pace;
-            let stride = self.stride_to(from, cap, pace)?;
-            let Some(s) = self.overlooked(from, &stride, before.room) else { return Ok(stride) };
+            let (stride, room) = self.stride_to(from, cap, pace)?;
+            let Some(s) = self.overlooked(from, &stride, room) else { return Ok(stride) };
             (*pace, cap) = (before, s);
         }
         Err(Trouble::Contact)
     }
 
-    /// The same, of which nobody has looked on the way.
-    fn stride_to(&self, from: &Node, cap: f64, pace: &mut Pace) -> Result<Stride, Trouble> {
+    /// The same, of which nobody has looked on the way, and the way from its start for which nothing else could touch.
+    fn stride_to(&self, from: &Node, cap: f64, pace: &mut Pace) -> Result<(Stride, f64), Trouble> {
+        let looked = std::mem::take(&mut pace.looked);
+        let mut free = pace.room;
         if pace.careful == 0 {
             let guided = self.guided(from, cap, pace);
             if let Some(stride) = guided
                 && !self.several()
             {
-                return Ok(stride);
+                return Ok((stride, free));
             }
             let stride = match guided {
                 Some(stride) => Ok(stride),
@@ -251,19 +255,31 @@ impl Track {
                 let reach = self.keeps[0].profile.reach().max(self.keeps[1].profile.reach());
                 pace.room -= stride.length + turn * reach;
                 if pace.room > 0.0 {
-                    return Ok(stride);
+                    return Ok((stride, free));
+                }
+                let none = |deeper: &[Option<Gap>; 2]| deeper.iter().all(Option::is_none);
+                // One look from its start is worth those on the way and at its end.
+                if !looked && !self.axis.turns() {
+                    let (deeper, room) = self.deeper(&from.pose, &from.gaps);
+                    if none(&deeper) {
+                        free = free.max(room);
+                    }
+                    if free > stride.length {
+                        pace.room = free - stride.length;
+                        return Ok((stride, free));
+                    }
                 }
                 let (deeper, room) = self.deeper(&stride.to.pose, &stride.to.gaps);
-                if deeper.iter().all(Option::is_none) {
-                    pace.room = room;
-                    return Ok(stride);
+                if none(&deeper) {
+                    (pace.room, pace.looked) = (room, true);
+                    return Ok((stride, free));
                 }
             }
             pace.careful = CAREFUL;
         }
         pace.careful -= 1;
         pace.room = 0.0;
-        self.by_contacts(from, cap, pace, true)
+        Ok((self.by_contacts(from, cap, pace, true)?, free))
     }
 
     /// The same by contacts. Chords on which the contact goes over to another place are looked at as a whole once one is found;
@@ -355,7 +371,7 @@ impl Track {
                     if length < free && take([at.te, to.te], to.course.along) =>
                 {
                     free -= length;
-                    pace.room -= length;
+                    (pace.room, pace.looked) = (pace.room - length, false);
                     (at, gone) = (to, true);
                 }
                 _ => {

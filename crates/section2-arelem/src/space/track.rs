@@ -125,12 +125,6 @@ impl Track {
         ([a, b], to_a.min(to_b))
     }
 
-    /// The node at a pose as it stands, going with `heading`.
-    pub(crate) fn node(&self, pose: Pose, heading: Vec3) -> Result<Node, Trouble> {
-        let gaps = self.gaps(&pose, None)?;
-        self.finish(pose, gaps, heading)
-    }
-
     /// The node at a pose with known gaps, going with `heading`.
     pub(crate) fn finish(
         &self,

@@ -28,6 +28,8 @@ const MAX_STEPS: usize = 60;
 const NOISE: f64 = 1e-14;
 /// Share of the surface's size below which the square of a step of Newton's method is rounding.
 const NEAR: f64 = 1e-9;
+/// The same of a step at whose end a smooth surface is as its derivatives at the start tell.
+const BESIDE: f64 = 3e-7;
 /// Share of the surface's size by which two places lie apart.
 const SAME: f64 = 1e-6;
 /// Samples along each side of a sculptured surface that tell how large its numbers are.
@@ -335,6 +337,20 @@ impl ParametricSurface {
         Some((self.foot_at(place.jet.s, &place), [place.jet.su, place.jet.sv]))
     }
 
+    /// What [`Self::beside`] finds of a smooth surface for a short way, from a foot that is a place of it.
+    pub fn close_by(&self, foot: &Foot, [su, sv]: [Vec3; 2], by: Vec3) -> Option<Foot> {
+        self.strips.as_ref()?;
+        let [u, v] = foot.at?;
+        let (e, f, g) = (su.norm_squared(), su.dot(&sv), sv.norm_squared());
+        let det = e * g - f * f;
+        if det <= 1e-12 * e * g {
+            return None;
+        }
+        let (a, b) = (by.dot(&su), by.dot(&sv));
+        let (u, v) = (u + (g * a - f * b) / det, v + (e * b - f * a) / det);
+        (!self.patch.domain().border(u, v)).then(|| Foot { at: Some([u, v]), ..foot.close_by(by) })
+    }
+
     fn foot_at(&self, p: Vec3, place: &Placed) -> Foot {
         let Placed { u, v, jet } = *place;
         let at = Some([u, v]);
@@ -502,6 +518,14 @@ impl ParametricSurface {
             if moved <= tiny {
                 break;
             }
+            if moved <= BESIDE * self.extent && self.strips.is_some() {
+                let to = (u + du, v + dv);
+                if !domain.border(to.0, to.1) {
+                    ((u, v), jet) = (to, jet.beside(du, dv));
+                    square = (jet.s - p).norm_squared();
+                    break;
+                }
+            }
             let mut factor = (0.5 / du.abs().max(1e-300)).min(1.0);
             let mut better = None;
             for _ in 0..30 {
@@ -665,6 +689,17 @@ impl Placed {
 }
 
 impl Jet {
+    /// A place beside it where it is smooth, to second order.
+    fn beside(&self, a: f64, b: f64) -> Self {
+        let (su, sv) = (self.suu * a + self.suv * b, self.suv * a + self.svv * b);
+        Self {
+            s: self.s + (self.su + su * 0.5) * a + (self.sv + sv * 0.5) * b,
+            su: self.su + su,
+            sv: self.sv + sv,
+            ..*self
+        }
+    }
+
     /// A place beyond the ends by `a` and `b`, from the jet at the end itself.
     fn beyond(&self, a: f64, b: f64) -> Self {
         let zero = Vec3::zeros();

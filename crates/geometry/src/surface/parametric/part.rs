@@ -8,6 +8,9 @@ use crate::Vec3;
 const SQUARE: f64 = 0.1;
 /// Greatest turn of the normals, as a vector.
 const MOST_TURN: f64 = 1.0;
+/// Parts across the rulings in which normals are bounded, and curvatures.
+const WHOLE: u32 = 3;
+const FINE: u32 = 3;
 
 /// Bounds over a part of a surface.
 #[derive(Clone, Copy, Debug)]
@@ -16,6 +19,8 @@ pub struct Part {
     pub turn: f64,
     /// Least and greatest curvature, positive where the surface bends away from its normal.
     pub curvature: [f64; 2],
+    /// The same of those across the rulings, of which one principal curvature is no less and one no greater.
+    pub across: [f64; 2],
 }
 
 /// Parameters before the first ruling at which the straight continuation is cut into strips; the same behind the last one.
@@ -43,13 +48,15 @@ struct Ruling {
     /// is in `v`), and by how much more that is for each unit of `v`.
     wide: [f64; 2],
     wider: f64,
+    /// What is left of 1 without the square of that, as a share of the ruling's length.
+    left: f64,
 }
 
 /// A ball of vectors: its middle and radius.
 type Vectors = (Vec3, f64);
 
 impl Strips {
-    /// Those of rulings in `pieces`; `None` where a curve is steep or has joints.
+    /// Those of rulings in `pieces`; `None` where a curve is steep or has joints, and where rulings turn far from one to the next.
     pub(super) fn new(surface: &Rulings) -> Option<Self> {
         let curves = surface.rails()?;
         let mut us = BEFORE.to_vec();
@@ -59,7 +66,8 @@ impl Strips {
         let heights: Option<Vec<_>> = us.windows(2).map(strip).collect();
         let mut new = Self { us, rulings: Vec::new(), curves, heights: heights? };
         new.rulings = (0..new.us.len()).map(|i| new.ruling(surface, i)).collect();
-        Some(new)
+        let narrow = new.rulings.iter().all(|r| r.left > 0.5);
+        narrow.then_some(new)
     }
 
     fn ruling(&self, surface: &Rulings, i: usize) -> Ruling {
@@ -71,7 +79,9 @@ impl Strips {
             wide = [wide[0].max(half * (a.norm() + ra)), wide[1].max(half * (b.norm() + rb))];
             wider = wider.max(half * ((b - a).norm() + ra + rb));
         }
-        Ruling { start: jet.s, way: jet.sv, inverse: 1.0 / jet.sv.norm_squared(), wide, wider }
+        let inverse = 1.0 / jet.sv.norm_squared();
+        let left = 1.0 - wider * wider * inverse;
+        Ruling { start: jet.s, way: jet.sv, inverse, wide, wider, left }
     }
 
     /// Least and greatest derivatives of the heights over some strips.
@@ -93,35 +103,39 @@ impl Strips {
         })
     }
 
-    /// Least and greatest `u` and `v` of the surface within the balls; `None` at a border.
-    fn rectangle(&self, balls: &[(Vec3, f64)], domain: [f64; 2]) -> Option<[[f64; 2]; 2]> {
-        let (mut across, mut v) = ([usize::MAX, 0], [f64::INFINITY, f64::NEG_INFINITY]);
+    /// Least and greatest `u` and `v` of the surface within the balls, and within the last of them alone; `None` at a border.
+    fn rectangles(&self, balls: &[(Vec3, f64)], domain: [f64; 2]) -> Option<[[[f64; 2]; 2]; 2]> {
+        let none = ([usize::MAX, 0], [f64::INFINITY, f64::NEG_INFINITY]);
+        let (mut all, mut alone) = (none, none);
         for (i, r) in self.rulings.iter().enumerate() {
-            for (center, radius) in balls {
+            for (n, (center, radius)) in balls.iter().enumerate() {
                 let away = center - r.start;
                 let at = away.dot(&r.way) * r.inverse;
                 let off = (away - r.way * at).norm_squared();
                 let reach = radius + (1.0 - at).abs() * r.wide[0] + at.abs() * r.wide[1];
                 // Along the ruling by x, in units of v, the strip is as wide as `reach + wider x`: where the square of that is
                 // less than that of the distance nothing is within the ball.
-                let k = r.wider * r.wider * r.inverse;
-                let square = reach * reach - (1.0 - k) * off;
-                if k >= 0.5 {
-                    return None;
-                }
+                let square = reach * reach - r.left * off;
                 if square >= 0.0 {
-                    let half =
-                        (reach * r.wider * r.inverse + (square * r.inverse).sqrt()) / (1.0 - k);
-                    across = [across[0].min(i), across[1].max(i)];
-                    v = [v[0].min(at - half), v[1].max(at + half)];
+                    let half = (reach * r.wider * r.inverse + (square * r.inverse).sqrt()) / r.left;
+                    let put = |(across, v): &mut ([usize; 2], [f64; 2])| {
+                        *across = [across[0].min(i), across[1].max(i)];
+                        *v = [v[0].min(at - half), v[1].max(at + half)];
+                    };
+                    put(&mut all);
+                    if n + 1 == balls.len() {
+                        put(&mut alone);
+                    }
                 }
             }
         }
-        let [first, last] = across;
-        let inside = first > 0 && first <= last && last + 1 < self.us.len();
         let half = |i: usize| 0.5 * (self.us[i] + self.us[i + 1]);
-        let kept = inside && v[0] > domain[0] && v[1] < domain[1];
-        kept.then(|| [[half(first - 1), half(last)], v])
+        let kept = |([first, last], v): ([usize; 2], [f64; 2])| {
+            let inside = first > 0 && first <= last && last + 1 < self.us.len();
+            let kept = inside && v[0] > domain[0] && v[1] < domain[1];
+            kept.then(|| [[half(first - 1), half(last)], v])
+        };
+        Some([kept(all)?, kept(alone)?])
     }
 }
 
@@ -130,19 +144,29 @@ fn middle(range: [f64; 2]) -> (f64, f64) {
     (0.5 * (range[0] + range[1]), 0.5 * (range[1] - range[0]))
 }
 
-impl ParametricSurface {
-    /// Bounds over a part that holds the place with the parameters `near` and all of the surface within the balls, and that
-    /// has one nearest place to each point of the ball `from`: the square of the distance is convex over the parameters.
-    ///
-    /// `None` where that is not seen: at a border, at joints, where the normals turn far, and of other surfaces than ruled
-    /// ones.
-    pub fn part(&self, balls: &[(Vec3, f64)], from: (Vec3, f64), near: [f64; 2]) -> Option<Part> {
-        let (strips, Patch::Ruled(rulings)) = (self.strips.as_ref()?, &self.patch) else {
-            return None;
-        };
-        let [u, v] = strips.rectangle(balls, rulings.domain().v)?;
-        let wider = |ends: [f64; 2], x: f64| [ends[0].min(x), ends[1].max(x)];
-        let (u, v) = (wider(u, near[0]), wider(v, near[1]));
+/// Bounds over a rectangle of the parameters about its middle.
+struct Bounds {
+    /// The normal there, and by how much the others differ from it, as vectors.
+    normal: Vec3,
+    turn: f64,
+    /// Length of its derivatives, which bound the second fundamental form, and the least singular value of the pair as unit vectors.
+    sides: [f64; 2],
+    least: f64,
+    /// Greatest square of the first one's length, as a share of that in the middle.
+    longest: f64,
+    bend: Vectors,
+    twist: Vectors,
+    /// Is the square of the distance of each point asked for convex over it?
+    convex: bool,
+}
+
+impl Bounds {
+    /// Those between `u` and `v`, the square of the distance from the points of the ball `from`; `None` where they tell nothing.
+    fn new(
+        (strips, rulings): (&Strips, &Rulings),
+        [u, v]: [[f64; 2]; 2],
+        from: (Vec3, f64),
+    ) -> Option<Self> {
         let first = strips.us.iter().rposition(|x| *x <= u[0])?;
         let last = strips.us.iter().position(|x| *x >= u[1])?;
         let heights = strips.over(first, last);
@@ -167,7 +191,6 @@ impl ParametricSurface {
         let off = crate::trig::hypot(r_across / lu, r_along / lv);
         let (least, most) = ((1.0 - cos).sqrt() - off, (1.0 + cos).sqrt() + off);
         (least > SQUARE).then_some(())?;
-        let square = least * least;
         // The second derivatives of half the square of the distance are the products of the first ones and w S_ij, with w from
         // the point to the place; along a direction w is no longer than its parts.
         let round = most * crate::trig::hypot(lu * hu, lv * hv);
@@ -180,26 +203,75 @@ impl ParametricSurface {
         let uu = (w.dot(&bend) - extent(bend)).min(0.0) - farthest * r_bend;
         let uv = w.dot(&twist).abs() + extent(twist) + farthest * rt;
         let (x, y) = (0.5 * uu / (lu * lu), uv / (lu * lv));
-        if square + x - (x * x + y * y).sqrt() <= 0.0 {
-            return None;
-        }
+        let convex = least * least + x - (x * x + y * y).sqrt() > 0.0;
+        // The normal turns along with the derivatives across it: by the second derivatives over the least singular value.
         let l = (bend.norm() + r_bend) / (lu * lu);
         let m = (twist.norm() + rt) / (lu * lv);
-        let second = (l * l + 2.0 * m * m).sqrt();
-        // The normal turns along with the derivatives across it: by the second derivatives over the least singular value.
-        let far = |ends: [f64; 2], x: f64| (x - ends[0]).max(ends[1] - x);
-        let way = crate::trig::hypot(lu * far(u, near[0]), lv * far(v, near[1]));
-        let turn = second / least * way;
-        (turn <= MOST_TURN).then_some(())?;
-        let here = rulings.jet(near[0], near[1]);
-        let n = here.su.cross(&here.sv).try_normalize(0.0)?;
+        let (x, y) = (lu * hu, lv * hv);
+        let turn = crate::trig::hypot(l * x + m * y, m * x) / least;
+        let normal = place.su.cross(&place.sv).try_normalize(0.0)?;
+        let (sides, bend, twist) = ([lu, lv], (bend, r_bend), (twist, rt));
+        let longest = 1.0 + r_across / lu;
+        let longest = longest * longest;
+        Some(Self { normal, turn, sides, least, longest, bend, twist, convex })
+    }
+
+    /// Least and greatest curvature, positive where the surface bends away from its normal, and those across the rulings.
+    fn curvature(&self) -> [[f64; 2]; 2] {
+        let (n, [lu, lv]) = (self.normal, self.sides);
         // Second fundamental form l xx + 2 m xy, whose eigenvalues rise with l.
-        let around = |v: Vec3, r: f64| (-n.dot(&v), turn * v.norm() + r);
-        let ((l, rl), (m, rm)) = (around(bend, r_bend), around(twist, rt));
-        let [low, high] = [l - rl, l + rl].map(|l| 0.5 * l / (lu * lu));
+        let around = |(v, r): Vectors| (-n.dot(&v), self.turn * v.norm() + r);
+        let ((l, rl), (m, rm)) = (around(self.bend), around(self.twist));
+        let across = [l - rl, l + rl].map(|l| l / (lu * lu));
+        let [low, high] = across.map(|l| 0.5 * l);
         let m = (m.abs() + rm) / (lu * lv);
         let root = |l: f64| (l * l + m * m).sqrt();
-        let curvature = [(low - root(low)) / square, (high + root(high)) / square];
-        Some(Part { turn, curvature })
+        let square = self.least * self.least;
+        let least = |l: f64| if l < 0.0 { l / square } else { l / self.longest };
+        let across = [least(across[0]), -least(-across[1])];
+        [[(low - root(low)) / square, (high + root(high)) / square], across]
+    }
+}
+
+/// Equal parts of an interval.
+fn parts([a, b]: [f64; 2], n: u32) -> impl Iterator<Item = [f64; 2]> {
+    let at = move |i: u32| if i == n { b } else { a + (b - a) * f64::from(i) / f64::from(n) };
+    (0..n).map(move |i| [at(i), at(i + 1)])
+}
+
+impl ParametricSurface {
+    /// Bounds over a part that holds the place with the parameters `near` and all of the surface within the balls, and that
+    /// has one nearest place to each point of the ball `from`: the square of the distance is convex over the parameters. The
+    /// curvatures are those within the last one of the balls.
+    ///
+    /// `None` where that is not seen: at a border, at joints, where the normals turn far, and of other surfaces than ruled
+    /// ones.
+    pub fn part(&self, balls: &[(Vec3, f64)], from: (Vec3, f64), near: [f64; 2]) -> Option<Part> {
+        let (strips, Patch::Ruled(rulings)) = (self.strips.as_ref()?, &self.patch) else {
+            return None;
+        };
+        let surface = (strips, rulings.as_ref());
+        let [all, within] = strips.rectangles(balls, rulings.domain().v)?;
+        let wider = |ends: [f64; 2], x: f64| [ends[0].min(x), ends[1].max(x)];
+        let [all, within] = [all, within].map(|[u, v]| [wider(u, near[0]), wider(v, near[1])]);
+        let here = rulings.jet(near[0], near[1]);
+        let n = here.su.cross(&here.sv).try_normalize(0.0)?;
+        let mut turn = 0.0_f64;
+        for u in parts(all[0], WHOLE) {
+            let bounds = Bounds::new(surface, [u, all[1]], from)?;
+            turn = turn.max((bounds.normal - n).norm() + bounds.turn);
+            if !bounds.convex || turn > MOST_TURN {
+                return None;
+            }
+        }
+        let mut found = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
+        for u in parts(within[0], FINE) {
+            let part = Bounds::new(surface, [u, within[1]], from)?.curvature();
+            for (all, [least, most]) in found.iter_mut().zip(part) {
+                *all = [all[0].min(least), all[1].max(most)];
+            }
+        }
+        let [curvature, across] = found;
+        Some(Part { turn, curvature, across })
     }
 }

@@ -1,13 +1,14 @@
 //! A rail of a ruled surface as polynomials: each evaluation of the curve itself meets a surface with a line.
 //!
 //! Over every piece the height above the base line is the polynomial of the fifth degree that has its value
-//! and both derivatives at the ends. A piece is halved until its middle is met to rounding; where that takes
+//! and both derivatives at the ends. A piece is halved until its middle is met, far closer than any band asks; where that takes
 //! too many halvings (at a joint of a TABCYL) the curve itself is asked.
 
 /// How often a piece is halved.
 const HALVINGS: u32 = 6;
-/// Share of the curve's size that counts as rounding, of the height and of its first two derivatives.
-const EXACT: [f64; 3] = [2e-15, 1e-11, 1e-8];
+/// Share of the curve's size to which it is met, of the height and of its first two derivatives: one near rounding takes twice
+/// the pieces.
+const EXACT: [f64; 3] = [1e-13, 1e-10, 1e-7];
 
 /// A function over 0 to 1 in pieces.
 #[derive(Clone, Debug)]
@@ -72,7 +73,7 @@ impl Pieces {
     }
 
     /// Value and derivatives at `u` in [0, 1]; `None` where the function itself is to be asked.
-    #[inline]
+    #[inline(always)]
     pub(super) fn at(&self, u: f64) -> Option<Jet3> {
         let (i, s) = place(u, self.n);
         let (first, n) = self.cells[i as usize];
@@ -129,7 +130,7 @@ fn range<const N: usize>(c: [f64; N]) -> [f64; 2] {
 }
 
 /// Which of `n` equal parts of [0, 1] holds `u`, and where in it.
-#[inline]
+#[inline(always)]
 fn place(u: f64, n: u32) -> (u32, f64) {
     let x = u * f64::from(n);
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to n")]
@@ -154,7 +155,7 @@ fn quintic(a: Jet3, b: Jet3, h: f64) -> [f64; 6] {
 }
 
 /// Value and derivatives at `t`; `inverse` is one over the length.
-#[inline]
+#[inline(always)]
 fn evaluate(c: &[f64; 6], t: f64, inverse: f64) -> Jet3 {
     let [f, d, e, p, q, r] = *c;
     let value = f + t * (d + t * (e + t * (p + t * (q + t * r))));

@@ -209,12 +209,7 @@ impl Rulings {
         if self.steep != [false; 2] || !(0.0..=1.0).contains(&u) {
             return None;
         }
-        let line = |c: &Curve| {
-            let [h, dh, ddh] = c.heights.as_ref()?.at(u)?;
-            let p = c.start + c.base * u + c.toward * h;
-            Some(Line { p, d: c.base + c.toward * dh, dd: c.toward * ddh })
-        };
-        let (a, b) = (line(&self.first)?, line(second)?);
+        let (a, b) = (self.first.between(u)?, second.between(u)?);
         Some(Jet::ruling(&a, &b, v))
     }
 
@@ -264,6 +259,14 @@ impl Curve {
             spans,
             heights: None,
         })
+    }
+
+    /// Value and derivatives at `u` in [0, 1] of a curve that is not steep, where its height is known.
+    #[inline(always)]
+    fn between(&self, u: f64) -> Option<Line> {
+        let [h, dh, ddh] = self.heights.as_ref()?.at(u)?;
+        let p = self.start + self.base * u + self.toward * h;
+        Some(Line { p, d: self.base + self.toward * dh, dd: self.toward * ddh })
     }
 
     /// As [`Rail::point`], with the surface prepared.

@@ -79,6 +79,24 @@ proptest! {
     }
 
     #[test]
+    fn what_lies_close_by_is_told_by_a_place(
+        a in 20.0_f64..70.0, z in 0.5_f64..4.5, way in prop::array::uniform2(-1.0_f64..1.0),
+    ) {
+        let ruled = surface(arc(2.0, 0.0, 0.0, 90.0), Second::Rail(arc(4.0, 5.0, 10.0, 80.0)));
+        let (place, sides) = ruled.place_with_sides(ruled.foot(polar(2.0 + 0.4 * z, a, z)).spot());
+        for size in [1e-3, 1e-5] {
+            let by = (place.shape.frame[0] * way[0] + place.shape.frame[1] * way[1]) * size;
+            let told = ruled.close_by(&place, sides, by).expect("a smooth surface");
+            let is = ruled.place(told.spot());
+            prop_assert!((told.point - is.point).norm() < 3.0 * size.powi(2), "{told:?} {is:?}");
+            // Across the surface to the third power.
+            let across = (told.point - is.point).dot(&is.normal);
+            prop_assert!(across.abs() < 2.0 * size.powi(3) + 1e-13, "{across} {told:?} {is:?}");
+            prop_assert!((told.normal - is.normal).norm() < 2.0 * size.powi(2) + 1e-11);
+        }
+    }
+
+    #[test]
     fn half_a_cylinder_is_smooth_up_to_its_ends(
         r in 0.5_f64..6.0, a in 0.5_f64..179.5, z in 0.0_f64..5.0,
     ) {
