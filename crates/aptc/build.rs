@@ -16,8 +16,21 @@ fn main() {
     {
         println!("cargo::rerun-if-changed={log}");
     }
+    if at_fixed_addresses() {
+        println!("cargo::rustc-link-arg-bins=-no-pie");
+    }
     let commit = git(&root, &["rev-parse", "--short", "HEAD"]).unwrap_or_default();
     println!("cargo::rustc-env=APTC_COMMIT={commit}");
+}
+
+/// Is the program linked to addresses of its own? Nothing is left to put right at each start then, which is a seventh of
+/// it; as in the package, where the whole of it stands in one file.
+fn at_fixed_addresses() -> bool {
+    let is = |name: &str, value: &str| env::var(name).is_ok_and(|v| v == value);
+    is("PROFILE", "release")
+        && is("CARGO_CFG_TARGET_ARCH", "x86_64")
+        && is("CARGO_CFG_TARGET_OS", "linux")
+        && is("CARGO_CFG_TARGET_ENV", "gnu")
 }
 
 /// What git prints; `None` where there is no git or no repository.
