@@ -21,6 +21,8 @@ const STEPS: usize = 14;
 const FACING: f64 = 1e-12;
 /// The same where steps no longer become shorter: rounding alone is left.
 const ROUNDED: f64 = 1e-9;
+/// Share of the cutter's radius up to which a step is gone to the nearest place, where no simple one lies beside.
+const CLOSE: f64 = 0.02;
 /// Cosine between normal and tool axis below which it is left to other searches.
 const UPRIGHT: f64 = 0.5;
 /// Sine of the tilt from which the corner is to touch, if the flat end does not.
@@ -106,7 +108,11 @@ pub(crate) fn beside(tool: &Tool<'_>, surface: &Surface, side: Side, near: Spot)
         let by = a * by.x + b * by.y;
         let (next, known) = match surface.beside(foot.spot(), sides, by) {
             Some(found) => found,
-            None => (surface.foot_from(foot.point + by, foot.spot()), None),
+            // Along a TABCYL a longer step may lead over a crest to another one.
+            None if by.norm() <= CLOSE * tool.profile.widest() => {
+                (surface.foot_from(foot.point + by, foot.spot()), None)
+            }
+            None => return None,
         };
         (foot, sides, x) = (next, known, to);
     }
