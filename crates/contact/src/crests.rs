@@ -1,11 +1,13 @@
-//! All places of contact on a tabulated cylinder, by a look along its directrix.
+//! All places of contact on a tabulated cylinder, by a look along its directrix, and on a ruled surface whose curves are waves, by
+//! a look from ruling to ruling.
 //!
 //! At a place of the directrix let p be the point of the cutter that is farthest in along the surface normal. Where it lies
 //! ahead of the place before, and behind it afterwards, the cutter touches in between, on a crest as in a hollow; where the
-//! opposite happens it is farthest away. The cutter may span many crests, which stations around it would miss.
+//! opposite happens it is farthest away. The cutter may span many crests, which stations around it would miss. Of a ruling the
+//! place counts that p lies beside.
 
-use aptc_geometry::surface::TabcylSurface;
-use aptc_geometry::{Spot, Tool, Vec3};
+use aptc_geometry::surface::{ParametricSurface, TabcylSurface};
+use aptc_geometry::{Spot, Surface, Tool, Vec3};
 
 use crate::gap::{Gap, Side};
 use crate::stations::{SEEDS, Seeds};
@@ -16,77 +18,31 @@ const PARTS: u32 = 4;
 const LEVELS: u32 = 3;
 /// Halvings between two looks.
 const HALVINGS: u32 = 10;
+/// Rounds to the place of a ruling that the cutter's point lies beside, and from the next one on it.
+const ROUNDS: u32 = 4;
 
-/// Places of contact beside the tool, the deepest first; `None` where there are none, as far from the surface.
+/// Places of contact beside the tool, the deepest first; `None` where there are none, as far from the surface, and on other
+/// surfaces.
 pub(crate) fn seeds(
     tool: &Tool<'_>,
-    surface: &TabcylSurface,
+    surface: &Surface,
     side: Side,
     known: Option<&Gap>,
 ) -> Option<Seeds> {
     let wide = tool.profile.widest();
-    let found = within(tool, surface, side, known, (1.0 + MARGIN) * wide)?;
+    let within = |reach: f64| {
+        let mut all = Crests::new(tool, surface, side);
+        match surface {
+            Surface::Tabcyl(s) => all.along_directrix(s, reach),
+            Surface::Parametric(s) if s.has_waves() => all.over_rulings(s, reach),
+            _ => {}
+        }
+        all.seeds(known)
+    };
+    let found = within((1.0 + MARGIN) * wide)?;
     // What is nearer than the deepest may lie farther beside a tool that is not at the surface.
     let depth = found.deepest.0;
-    if depth > MARGIN * wide {
-        return within(tool, surface, side, known, wide + (1.0 + BEHIND) * depth);
-    }
-    Some(found)
-}
-
-/// The same of the spans not farther than `reach` from the tool axis.
-fn within(
-    tool: &Tool<'_>,
-    surface: &TabcylSurface,
-    side: Side,
-    known: Option<&Gap>,
-    reach: f64,
-) -> Option<Seeds> {
-    let top = tool.te + tool.ta * tool.profile.height();
-    let behind = BEHIND * tool.profile.widest();
-    let mut found: [Option<(f64, Spot)>; SEEDS] = [None; SEEDS];
-    let (mut deepest, mut next) = ((f64::INFINITY, tool.te), f64::INFINITY);
-    let mut offer = |l: Look| {
-        // The far side of a closed curve, or of a fold, is not cut into from behind: neither is the cutter's point behind the
-        // surface there, nor the place in the cutter.
-        let w = surface.generator();
-        let apart = |p: Vec3| tool.distance(l.spot.point + w * w.dot(&(p - l.spot.point)));
-        let outside = || [l.tool_point, tool.te, top].into_iter().all(|p| apart(p) > behind);
-        let before = || side.sign() * surface.foot(l.tool_point).distance > 0.5 * l.depth;
-        if l.depth < 0.0 && outside() && before() {
-            return;
-        }
-        if l.depth < deepest.0 {
-            deepest = (l.depth, l.tool_point);
-        }
-        let mut last = Some((l.depth, l.spot));
-        if let Some(i) = found.iter().position(|f| f.is_none_or(|f| l.depth < f.0)) {
-            found[i..].rotate_right(1);
-            std::mem::swap(&mut found[i], &mut last);
-        }
-        next = last.map_or(next, |l| next.min(l.0));
-    };
-    let look = |span: usize, s: f64| Look::at(tool, surface, side, span, s);
-    let mut before: Option<(usize, Look)> = None;
-    for (span, length) in surface.spans_near(tool.te, top, reach) {
-        let first = look(span, 0.0);
-        // A corner between two spans.
-        if let Some((last, l)) = before
-            && last + 1 == span
-            && l.ahead > 0.0
-            && first.ahead <= 0.0
-        {
-            offer(first);
-        }
-        let last = look(span, length);
-        let part = Part { span, from: (0.0, first), to: (length, last) };
-        part.contacts(&look, &mut offer, LEVELS);
-        before = Some((span, last));
-    }
-    found[0]?;
-    let way = known.map_or(f64::INFINITY, |k| (next - k.raw).max(0.0));
-    let spot = |i: usize| found.get(i).copied().flatten().map(|f| f.1);
-    Some(Seeds { found: std::array::from_fn(spot), deepest, way })
+    if depth > MARGIN * wide { within(wide + (1.0 + BEHIND) * depth) } else { Some(found) }
 }
 
 /// Share of the cutter's radius by which a span may be beside the cutter.
@@ -94,31 +50,120 @@ const MARGIN: f64 = 0.5;
 /// The same by which a place that the cutter seems to cut into may be outside of it.
 const BEHIND: f64 = 1e-3;
 
-/// A part of a span between two looks.
+/// Places of contact of a tool.
+struct Crests<'a> {
+    tool: &'a Tool<'a>,
+    surface: &'a Surface,
+    side: Side,
+    top: Vec3,
+    /// The deepest ones.
+    found: [Option<(f64, Spot)>; SEEDS],
+    deepest: (f64, Vec3),
+    /// The depth of the deepest that is not among them.
+    next: f64,
+}
+
+impl<'a> Crests<'a> {
+    fn new(tool: &'a Tool<'a>, surface: &'a Surface, side: Side) -> Self {
+        let top = tool.te + tool.ta * tool.profile.height();
+        let deepest = (f64::INFINITY, tool.te);
+        Self { tool, surface, side, top, found: [None; SEEDS], deepest, next: f64::INFINITY }
+    }
+
+    fn offer(&mut self, l: &Look) {
+        // The far side of a closed curve, or of a fold, is not cut into from behind: neither is the cutter's point behind the
+        // surface there, nor the place in the cutter.
+        let behind = BEHIND * self.tool.profile.widest();
+        let w = l.ruling;
+        let apart = |p: Vec3| self.tool.distance(l.spot.point + w * w.dot(&(p - l.spot.point)));
+        let outside =
+            || [l.tool_point, self.tool.te, self.top].into_iter().all(|p| apart(p) > behind);
+        let before = || self.side.sign() * self.surface.foot(l.tool_point).distance > 0.5 * l.depth;
+        if l.depth < 0.0 && outside() && before() {
+            return;
+        }
+        // A little beside a crest the normal leans, and the edge of a flat end lies lower along it by that of its radius: how near
+        // the place itself is tells which crests are the deepest, to second order.
+        let value = self.tool.distance(l.spot.point);
+        if value < self.deepest.0 {
+            self.deepest = (value, l.tool_point);
+        }
+        let mut last = Some((value, l.spot));
+        if let Some(i) = self.found.iter().position(|f| f.is_none_or(|f| value < f.0)) {
+            self.found[i..].rotate_right(1);
+            std::mem::swap(&mut self.found[i], &mut last);
+        }
+        self.next = last.map_or(self.next, |l| self.next.min(l.0));
+    }
+
+    /// Those of the spans not farther than `reach` from the tool axis.
+    fn along_directrix(&mut self, surface: &TabcylSurface, reach: f64) {
+        let (tool, side) = (self.tool, self.side);
+        let mut before: Option<(usize, Look)> = None;
+        for (span, length) in surface.spans_near(tool.te, self.top, reach) {
+            let look = |s: f64| Look::at(tool, surface, side, span, s);
+            let first = look(0.0);
+            // A corner between two spans.
+            if let Some((last, l)) = before
+                && last + 1 == span
+                && l.ahead > 0.0
+                && first.ahead <= 0.0
+            {
+                self.offer(&first);
+            }
+            let last = look(length);
+            let part = Part { from: (0.0, first), to: (length, last), scale: 1.0 };
+            part.contacts(&look, &mut |l| self.offer(l), LEVELS);
+            before = Some((span, last));
+        }
+    }
+
+    /// Those between sampled rulings not farther than `reach` from the tool axis.
+    fn over_rulings(&mut self, surface: &ParametricSurface, reach: f64) {
+        let (tool, side) = (self.tool, self.side);
+        let middle = tool.te + tool.ta * tool.profile.corner()[1];
+        let look = |u: f64| Look::on_ruling(tool, surface, side, u, middle);
+        let mut before: Option<(f64, Look)> = None;
+        for [low, high] in surface.rulings_near(tool.te, self.top, reach) {
+            #[expect(clippy::float_cmp, reason = "the same ruling")]
+            let first = before.filter(|b| b.0 == low).map_or_else(|| look(low), |b| b.1);
+            let last = look(high);
+            let scale = first.rate;
+            let part = Part { from: (low, first), to: (high, last), scale };
+            part.contacts(&look, &mut |l| self.offer(l), LEVELS - 1);
+            before = Some((high, last));
+        }
+    }
+
+    fn seeds(&self, known: Option<&Gap>) -> Option<Seeds> {
+        self.found[0]?;
+        let way = known.map_or(f64::INFINITY, |k| (self.next - k.raw).max(0.0));
+        let spot = |i: usize| self.found.get(i).copied().flatten().map(|f| f.1);
+        Some(Seeds { found: std::array::from_fn(spot), deepest: self.deepest, way })
+    }
+}
+
+/// A part of a span, or of the way from a ruling to the next, between two looks.
 struct Part {
-    span: usize,
     from: (f64, Look),
     to: (f64, Look),
+    /// The length of a unit of the parameter.
+    scale: f64,
 }
 
 impl Part {
     /// Offers its places of contact. Where the cutter is ahead at both ends, or behind, by less than the length of the part
     /// it may touch in between.
-    fn contacts(
-        &self,
-        look: &impl Fn(usize, f64) -> Look,
-        offer: &mut impl FnMut(Look),
-        levels: u32,
-    ) {
-        let Self { span, from: (low, a), to: (high, b) } = self;
+    fn contacts(&self, look: &impl Fn(f64) -> Look, offer: &mut impl FnMut(&Look), levels: u32) {
+        let Self { from: (low, a), to: (high, b), scale } = self;
         let (a_ahead, b_ahead) = (a.ahead > 0.0, b.ahead > 0.0);
-        let near = a.ahead.abs().min(b.ahead.abs()) < high - low;
+        let near = a.ahead.abs().min(b.ahead.abs()) < (high - low) * scale;
         if levels == LEVELS || levels > 0 && a_ahead == b_ahead && near {
             let mut from = self.from;
             for part in 1..=PARTS {
                 let s = low + (high - low) * (f64::from(part) / f64::from(PARTS));
-                let to = if part == PARTS { self.to } else { (s, look(*span, s)) };
-                Part { span: *span, from, to }.contacts(look, offer, levels - 1);
+                let to = if part == PARTS { self.to } else { (s, look(s)) };
+                Part { from, to, scale: *scale }.contacts(look, offer, levels - 1);
                 from = to;
             }
             return;
@@ -129,21 +174,24 @@ impl Part {
         let (mut low, mut high, mut nearest) = (*low, *high, *b);
         for _ in 0..HALVINGS {
             let middle = 0.5 * (low + high);
-            nearest = look(*span, middle);
+            nearest = look(middle);
             *(if nearest.ahead > 0.0 { &mut low } else { &mut high }) = middle;
         }
-        offer(nearest);
+        offer(&nearest);
     }
 }
 
-/// What is seen at a place of the directrix.
+/// What is seen at a place of the directrix, or of a ruling.
 #[derive(Clone, Copy)]
 struct Look {
     spot: Spot,
     tool_point: Vec3,
-    /// How far the cutter's farthest point in is before the tangent plane, and how far ahead along the directrix.
+    /// How far the cutter's farthest point in is before the tangent plane, and how far ahead across the rulings.
     depth: f64,
     ahead: f64,
+    /// Unit direction of the ruling, and how fast the surface goes by across it.
+    ruling: Vec3,
+    rate: f64,
 }
 
 impl Look {
@@ -153,10 +201,132 @@ impl Look {
         let normal = place.normal * side.sign();
         let tool_point = tool.support(-normal).point;
         let away = tool_point - place.point;
+        let ruling = surface.generator();
         // The directrix runs with its normal on its left.
-        let along = place.normal.cross(&surface.generator());
+        let along = place.normal.cross(&ruling);
         let mut spot = place.spot();
-        spot.point += surface.generator() * surface.generator().dot(&away);
-        Self { spot, tool_point, depth: normal.dot(&away), ahead: along.dot(&away) }
+        spot.point += ruling * ruling.dot(&away);
+        Self {
+            spot,
+            tool_point,
+            depth: normal.dot(&away),
+            ahead: along.dot(&away),
+            ruling,
+            rate: 1.0,
+        }
+    }
+
+    /// On a ruling, where the cutter's point lies beside it: the normal turns from one place of it to the next. Begun at the
+    /// place next to `near`.
+    fn on_ruling(
+        tool: &Tool<'_>,
+        surface: &ParametricSurface,
+        side: Side,
+        u: f64,
+        near: Vec3,
+    ) -> Self {
+        let (start, [_, way]) = surface.place_with_sides([u, 0.0]);
+        let (length, ruling) = (way.norm(), way.normalize());
+        let mut v = ruling.dot(&(near - start.point)) / length;
+        let mut look = Self::beside(tool, surface, side, [u, v], ruling);
+        for _ in 0..ROUNDS {
+            v += ruling.dot(&(look.tool_point - look.spot.point)) / length;
+            look = Self::beside(tool, surface, side, [u, v], ruling);
+        }
+        look
+    }
+
+    fn beside(
+        tool: &Tool<'_>,
+        surface: &ParametricSurface,
+        side: Side,
+        at: [f64; 2],
+        ruling: Vec3,
+    ) -> Self {
+        let (place, [across, _]) = surface.place_with_sides(at);
+        let normal = place.normal * side.sign();
+        let tool_point = tool.support(-normal).point;
+        let away = tool_point - place.point;
+        let across = across - ruling * ruling.dot(&across);
+        let (rate, depth) = (across.norm(), normal.dot(&away));
+        let ahead = across.dot(&away) / rate;
+        Self { spot: place.spot(), tool_point, depth, ahead, ruling, rate }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::gap::gap;
+    use aptc_geometry::{
+        Cutter, Fit, Form, Knot, Profile, Rail, RuledSurface, Second, Tabcyl, Vec2, trig,
+    };
+    use nalgebra::Matrix3;
+    use proptest::prelude::*;
+
+    /// A wave along x, of this height and length, that repeats itself but for its last digits.
+    fn wave([height, length, phase]: [f64; 3], lift: f64) -> Form {
+        let knot = |i: i32| {
+            let x = f64::from(i) * length / 8.0;
+            let turn = std::f64::consts::TAU * (x / length + phase);
+            let z = lift + height * (trig::sin(turn) + 0.15 * trig::sin(3.7 * turn));
+            Knot { point: Vec2::new(x, z), tangent: None }
+        };
+        // Over x from -55 to 55 with the shortest waves.
+        let knots: Vec<Knot> = (-88..=88).map(knot).collect();
+        let rows = [Vec3::x(), Vec3::z(), -Vec3::y()].map(|v| v.transpose());
+        let axes = Matrix3::from_rows(&rows);
+        Form::Tabcyl(Arc::new(Tabcyl::fit(&knots, Fit::Spline, axes, 10.0).unwrap()))
+    }
+
+    fn rulings(waves: [[f64; 3]; 2], lift: f64) -> Form {
+        let rail = |i: usize| {
+            let (y, lift) = ([-30.0, 30.0][i], lift * [0.0, 1.0][i]);
+            let end = |x: f64| Vec3::new(x, y, lift);
+            let surface = Arc::new(wave(waves[i], lift));
+            Rail { surface, start: end(-50.0), end: end(50.0), toward: Vec3::z() }
+        };
+        Form::Ruled(Arc::new(RuledSurface { first: rail(0), second: Second::Rail(rail(1)) }))
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(16))]
+        /// No place of a grid is nearer than the place of contact that is found, which is not below the nearest of them.
+        #[test]
+        fn no_crest_is_missed(
+            ruled: bool, height in prop::array::uniform2(0.05_f64..0.3), length in 5.0_f64..12.0,
+            [phase, lean, y] in prop::array::uniform3(-1.0_f64..1.0), x in -15.0_f64..-10.0,
+            corner in 0_usize..3, lift in -2.0_f64..2.0,
+        ) {
+            let waves = [0, 1].map(|i| [height[i], length * [1.0, 1.0 + 0.1 * lean][i], phase]);
+            let form = if ruled { rulings(waves, lift) } else { wave(waves[0], 0.0) };
+            let surface = Surface::from_form(&form).unwrap();
+            let side = Side::of(Vec3::z() * 40.0, &surface);
+            let corner = [0.0, 0.5, 2.0][corner];
+            let profile = Profile::new(&Cutter::mill(20.0, corner, 60.0)).unwrap();
+            let ta = Vec3::new(0.03 * lean * f64::from(u8::from(lean > 0.0)), 0.0, 1.0).normalize();
+            // Base lines and rulings are even over x and y.
+            let on = |p: Vec3| match &surface {
+                Surface::Parametric(s) => s.place([(p.x + 50.0) / 100.0, (p.y + 30.0) / 60.0]).point,
+                s => s.foot(p).point,
+            };
+            let rows = if ruled { 4 } else { 0 };
+            for step in 0..16 {
+                let te = Vec3::new(x + 1.7 * f64::from(step), 5.0 * y, 2.5);
+                let tool = Tool { profile: &profile, te, ta };
+                let found = gap(&tool, &surface, side, 0.0).unwrap();
+                let mut least = f64::INFINITY;
+                for i in -300..=300 {
+                    for k in -rows..=rows {
+                        let beside = Vec3::new(f64::from(i) * 0.04, f64::from(k) * 2.5, -te.z);
+                        least = least.min(tool.distance(on(te + beside)));
+                    }
+                }
+                prop_assert!(found.raw <= least + 1e-9, "{least} {found:?}");
+                prop_assert!(found.raw >= least - 0.1, "{least} {found:?}");
+            }
+        }
     }
 }

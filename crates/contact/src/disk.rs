@@ -18,7 +18,11 @@ use crate::gap::{Gap, Side};
 const STEPS: usize = 14;
 /// Share of the cutter's radius by which both points may fail to face each other, or to lie where the gap is least. The gap
 /// is exact to its square.
-const FACING: f64 = 1e-9;
+const FACING: f64 = 1e-12;
+/// The same where steps no longer become shorter: rounding alone is left.
+const ROUNDED: f64 = 1e-9;
+/// Share of the cutter's radius up to which a step is gone to the nearest place, where no simple one lies beside.
+const CLOSE: f64 = 0.02;
 /// Cosine between normal and tool axis below which it is left to other searches.
 const UPRIGHT: f64 = 0.5;
 /// Sine of the tilt from which the corner is to touch, if the flat end does not.
@@ -48,7 +52,8 @@ pub(crate) fn below(
 pub(crate) fn beside(tool: &Tool<'_>, surface: &Surface, side: Side, near: Spot) -> Option<Gap> {
     let disk = Disk::of(tool, side)?;
     let radius = tool.profile.corner_radius();
-    let enough = FACING * tool.profile.widest();
+    let [enough, rounded] = [FACING, ROUNDED].map(|share| share * tool.profile.widest());
+    let mut last = f64::INFINITY;
     let (mut foot, mut sides): (Foot, _) = surface.place_with_sides(near);
     let mut x = disk.above(foot.point, foot.normal * disk.sign)?;
     let begin = (disk.point(x) - foot.point).norm();
@@ -78,14 +83,15 @@ pub(crate) fn beside(tool: &Tool<'_>, surface: &Surface, side: Side, near: Spot)
         let bend = [disk.e[0], disk.e[1]].map(|e| disk.across(turned(foot_by(e))));
         let to = disk.least(x, slope, bend, ALIKE * tool.profile.widest())?;
         let go = disk.point(to) - disk.point(x);
-        if off.norm_squared() + go.norm_squared() <= enough * enough {
+        let left = (off.norm_squared() + go.norm_squared()).sqrt();
+        if left <= enough || left <= rounded && left > 0.5 * last {
             let raw = d - radius;
             let (out, up) = (disk.across(normal).norm(), normal.dot(&tool.ta));
             let segment = tool.profile.support(out, -up).segment;
             // Also at its edge, where all of a ruling lies along it.
-            let flat = out <= TILT || x.norm() < disk.rho * (1.0 - FACING);
+            let flat = out <= TILT || x.norm() < disk.rho * (1.0 - ROUNDED);
             let touches = matches!(segment, Segment::Arc | Segment::LowerLine);
-            let lower = d <= begin + enough && !surface.ends_at(foot.at);
+            let lower = d <= begin + rounded && !surface.ends_at(foot.at);
             return (touches && lower).then(|| Gap {
                 g: raw,
                 raw,
@@ -98,7 +104,16 @@ pub(crate) fn beside(tool: &Tool<'_>, surface: &Surface, side: Side, near: Spot)
             });
         }
         let by = foot_by(off + go - normal * go.dot(&normal));
-        let (next, known) = surface.beside(foot.spot(), sides, a * by.x + b * by.y)?;
+        last = left;
+        let by = a * by.x + b * by.y;
+        let (next, known) = match surface.beside(foot.spot(), sides, by) {
+            Some(found) => found,
+            // Along a TABCYL a longer step may lead over a crest to another one.
+            None if by.norm() <= CLOSE * tool.profile.widest() => {
+                (surface.foot_from(foot.point + by, foot.spot()), None)
+            }
+            None => return None,
+        };
         (foot, sides, x) = (next, known, to);
     }
     None

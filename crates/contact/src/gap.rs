@@ -3,7 +3,7 @@
 use aptc_geometry::profile::Segment;
 use aptc_geometry::{Reason, Spot, Surface, Tool, Vec3};
 
-use crate::{closed, descent, rings, search, tangents};
+use crate::{closed, disk, rings, search, tangents};
 
 /// The side of a surface on which the tool is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -140,7 +140,7 @@ pub fn gap_at(
     thick: f64,
     q: Spot,
 ) -> Result<Gap, Reason> {
-    let gap = descent::local(tool, surface, side, q)?;
+    let gap = disk::below(tool, surface, side, q)?;
     Ok(Gap { g: gap.raw - thick, ..gap })
 }
 

@@ -49,11 +49,8 @@ pub(crate) fn seeds(
     of: Stations,
     known: Option<&Gap>,
 ) -> Seeds {
-    let crests = match surface {
-        Surface::Tabcyl(s) => crests::seeds(tool, s, side, known),
-        _ => None,
-    };
-    if let Some(all) = crests.filter(|_| known.is_some()) {
+    let crests = crests::seeds(tool, surface, side, known);
+    if let Some(all) = crests.filter(|_| known.is_some() && matches!(surface, Surface::Tabcyl(_))) {
         return all;
     }
     let profile = tool.profile;
@@ -78,7 +75,8 @@ pub(crate) fn seeds(
     }
     let stations = &stations[range];
     let [a, b] = aptc_geometry::surface::frame_about(tool.ta);
-    let (mut deepest, mut way) = ((f64::INFINITY, tool.te), f64::INFINITY);
+    let (mut deepest, mut way) =
+        ((f64::INFINITY, tool.te), crests.map_or(f64::INFINITY, |c| c.way));
     let far = FAR * profile.widest();
     let mut last = of.disk;
     let mut at = |rho: f64, z: f64, turn: usize| {

@@ -331,3 +331,22 @@ proptest! {
         }
     }
 }
+
+/// The deepest point of a flat end that slides over a dome stays where the dome is highest, and goes from one place of the end to
+/// another: no point of the tool is as deep all along.
+#[test]
+fn a_flat_end_that_slides_over_a_dome_is_proved_to_the_edge_of_its_band() {
+    let c = [0.015, 0.033, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.5];
+    let kind = aptc_geometry::QuadricKind::Qadric;
+    let form = Form::Quadric(aptc_geometry::Quadric { kind, c });
+    let profile = Profile::new(&Cutter::mill(5.3, 0.0, 20.0)).unwrap();
+    let at = |x: f64, y: f64| Position { te: Vec3::new(x, y, -0.0457), ta: Vec3::z() };
+    let (from, to) = (at(0.5, 0.3), at(-1.5, 1.2));
+    let mut demand = Demand::new(&controlled(&form, 1), &Sheets::default());
+    demand.least = f64::NEG_INFINITY;
+    for (above, proved) in [(1e-9, true), (-1e-7, false)] {
+        demand.most = -0.0457 + above;
+        let verdict = demand.judge(&profile, &from, &to, 1e-10);
+        assert_eq!(matches!(verdict, Verdict::Proved { .. }), proved, "{above:e} {verdict:?}");
+    }
+}

@@ -19,11 +19,11 @@ pub(crate) struct Deep {
     pub(crate) spot: Spot,
 }
 
-/// The signed distance of a point from the surface, by the place that is found from `spot` on.
+/// The signed distance of a point from the surface, by the place that is found from `spot` on. Where that is at the border of its
+/// chart, and the point lies beside it, how far it is along the normal: not as deep as it is far.
 fn depth(sheet: &Sheet, side: f64, p: Vec3, spot: Spot) -> Deep {
-    let (far, spot, jet) = descend(&Tool::End, &Pose { te: p, ta: Vec3::z() }, sheet, spot);
-    let gap = far.copysign(side * (p - jet.p).dot(&jet.n));
-    Deep { gap, p, spot }
+    let (_, spot, jet) = descend(&Tool::End, &Pose { te: p, ta: Vec3::z() }, sheet, spot);
+    Deep { gap: side * (p - jet.p).dot(&jet.n), p, spot }
 }
 
 /// The point of the tool that is deepest in the surface, as found from `spot` on; where it is not as deep as `most`,
@@ -70,7 +70,7 @@ pub(crate) fn deepest(
         && tool.is_thin()
         && let Some(disk) = Disk::of(tool, pose)
     {
-        let over = glide(sheet, side, &disk, Vec2::zeros(), first.spot);
+        let over = over_end(pose, sheet, side, &disk, first.spot);
         first = if over.gap < first.gap { over } else { first };
     }
     if first.gap <= most {
@@ -100,7 +100,7 @@ pub(crate) fn on_faces(
     let deeper = |a: Deep, b: Deep| if b.gap < a.gap { b } else { a };
     let mut best = first;
     if let Some(end) = Disk::of(tool, pose) {
-        best = deeper(best, glide(sheet, side, &end, Vec2::zeros(), first.spot));
+        best = deeper(best, over_end(pose, sheet, side, &end, first.spot));
     }
     if let Some(flank) = Flank::of(tool, pose).filter(|_| best.gap > most) {
         best = deeper(best, glide(sheet, side, &flank, flank.beside(best.p), best.spot));
@@ -261,6 +261,13 @@ impl Face for Flank {
     fn size(&self) -> f64 {
         self.radius
     }
+}
+
+/// The deepest point of a flat end: found from its middle on, and where that leads to its edge along it.
+fn over_end(pose: &Pose, sheet: &Sheet, side: f64, end: &Disk, spot: Spot) -> Deep {
+    let inside = glide(sheet, side, end, Vec2::zeros(), spot);
+    let edge = slide(pose, sheet, side, inside.p, inside.spot);
+    edge.filter(|e| e.gap < inside.gap).unwrap_or(inside)
 }
 
 /// The deepest point of a face, found from its place `start` on: Newton's method with differences of the slope.

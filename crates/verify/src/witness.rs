@@ -6,7 +6,7 @@
 
 use std::cell::Cell;
 
-use aptc_geometry::Vec3;
+use aptc_geometry::{Vec3, trig};
 
 use crate::between::parabola;
 use crate::deep::slide;
@@ -275,7 +275,7 @@ pub(crate) fn descend(tool: &Tool<'_>, pose: &Pose, sheet: &Sheet, spot: Spot) -
         // Differences over a small share of the tool, or of the distance.
         let scene = (tool.reach() + (p - pose.te).norm()).max(1e-300);
         let coarse = 1e-5 * scene;
-        let [mut a, b, c] = if way == Way::Exact && now.sharp * coarse < 1.0 {
+        let [a, b, c] = if way == Way::Exact && now.sharp * coarse < 1.0 {
             now.hessian
         } else {
             let fine = (0.1 * f.abs()).clamp(1e-8 * scene, coarse);
@@ -290,18 +290,14 @@ pub(crate) fn descend(tool: &Tool<'_>, pose: &Pose, sheet: &Sheet, spot: Spot) -
             let cross = 0.5 * ((gu[1] - g[1]) * per[0] + (gv[0] - g[0]) * per[1]);
             [(gu[0] - g[0]) * per[0], cross, (gv[1] - g[1]) * per[1]]
         };
-        // Enough is added to the Hessian that it goes down.
-        let mut d = c;
         let scale = (size[0] * size[0] + size[1] * size[1]) / scene;
         let floor = 1e-9 * scale;
-        let det = a * d - b * b;
-        if !(a > floor * 1e-3 || d > floor * 1e-3) || det <= 0.0 {
-            let lift = (a.abs() + d.abs() + 2.0 * b.abs()).max(floor);
-            a += lift;
-            d += lift;
-        }
-        let det = a * d - b * b;
-        let mut step = [-(d * g[0] - b * g[1]) / det, -(a * g[1] - b * g[0]) / det];
+        let det = a * c - b * b;
+        let mut step = if (a > floor * 1e-3 || c > floor * 1e-3) && det > 0.0 {
+            [-(c * g[0] - b * g[1]) / det, -(a * g[1] - b * g[0]) / det]
+        } else {
+            downhill(g, [a, b, c], size, scene)
+        };
         if !(step[0].is_finite() && step[1].is_finite()) {
             step = [
                 -g[0] / (size[0] * size[0]) * 0.1 * scene,
@@ -332,6 +328,30 @@ pub(crate) fn descend(tool: &Tool<'_>, pose: &Pose, sheet: &Sheet, spot: Spot) -
         }
     }
     (now.f, spot, now.jet)
+}
+
+/// The step where the second derivatives `h` are not those of a dip: along either axis of them by Newton's method with the sign
+/// that leads down, and no longer than a share of the scene. Beside a flank that lies nearly along a ruling the distance falls
+/// evenly, by little, all the way to its end. `size` are the lengths of the derivatives by both parameters.
+fn downhill(g: [f64; 2], [a, b, c]: [f64; 3], size: [f64; 2], scene: f64) -> [f64; 2] {
+    /// Share of the scene that is a longest step, and least curvature over it that counts.
+    const LONGEST: f64 = 0.5;
+    const STRAIGHT: f64 = 1e-9;
+    let [g0, g1] = [g[0] / size[0], g[1] / size[1]];
+    let [a, b, c] = [a / (size[0] * size[0]), b / (size[0] * size[1]), c / (size[1] * size[1])];
+    let (mean, half) = (0.5 * (a + c), 0.5 * (a - c));
+    let root = trig::hypot(half, b);
+    // The axis of the greater one.
+    let (p, q) = if half >= 0.0 { (half + root, b) } else { (b, root - half) };
+    let length = trig::hypot(p, q);
+    let (p, q) = if length > 0.0 { (p / length, q / length) } else { (1.0, 0.0) };
+    let (most, least) = (mean + root, mean - root);
+    let floor = STRAIGHT / scene;
+    let along = |slope: f64, bend: f64| {
+        (-slope / bend.abs().max(floor)).clamp(-LONGEST * scene, LONGEST * scene)
+    };
+    let (x, y) = (along(p * g0 + q * g1, most), along(p * g1 - q * g0, least));
+    [(p * x - q * y) / size[0], (q * x + p * y) / size[1]]
 }
 
 /// A place on the way down: distance, its slopes and second derivatives by the parameters, the greatest curvature

@@ -7,7 +7,7 @@
 use aptc_contact::{ClosedGuide, End, Gap, Guide, PointGuide, Reading};
 use aptc_geometry::Vec3;
 
-use super::judge::{Fit, RESOLUTION};
+use super::judge::{Fit, RESOLUTION, loses_slope};
 use super::keep::{Keep, Pose};
 use super::stride::{Stride, Trials};
 use super::track::{Course, Node, Track, Trouble, solve_normals};
@@ -135,6 +135,10 @@ impl<G: Guide> Trials for Guided<'_, G> {
                 guide.chord(&keep.surface, from.te, v, [here, there], RESOLUTION * keep.width());
             let [low, high] = chord.ok_or(Trouble::Contact)?;
             let bow = there.normal.dot(&v) - here.normal.dot(&v);
+            let bends = [from.course.bends[i], to.course.bends[i]];
+            if guide.several() && loses_slope(bow, bends, v.norm_squared()) {
+                return Err(Trouble::Contact);
+            }
             let (fits, ratio) = track.judge(i, [here.g, there.g], [low, high], bow);
             all.fits &= fits;
             all.ratio = all.ratio.min(ratio);

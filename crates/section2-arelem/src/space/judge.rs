@@ -22,6 +22,8 @@ pub(super) const BETWEEN: [f64; 7] = [0.02, 0.1, 0.3, 0.5, 0.7, 0.9, 0.98];
 const ANOTHER: f64 = 0.1;
 /// Share of the way of the contact around the cutter by which it may be beside the middle of it halfway.
 const MIDWAY: f64 = 0.1;
+/// Share of what the bends at both ends of a way say of the rise of the slope by which it falls short where there is an edge.
+const LOST_SLOPE: f64 = 0.3;
 /// Share of the band by which two places that touch at once may differ.
 const BOTH: f64 = 1e-2;
 /// Extreme gaps on a chord are found to this share of the band.
@@ -177,24 +179,41 @@ impl Track {
     /// Does the cutter touch at different places of it at both ends?
     pub(super) fn apart(&self, i: usize, from: &Node, to: &Node) -> bool {
         let [a, b] = [from, to].map(|node| (&node.gaps[i], node.pose.te));
-        self.touches_elsewhere(i, a, b)
+        let bends = [from, to].map(|node| node.course.bends[i]);
+        self.touches_elsewhere(i, a, b) || self.has_edge(i, [a, b], bends)
+    }
+
+    /// Has the gap an edge on the way between two places at which it bends so?
+    pub(super) fn has_edge(
+        &self,
+        i: usize,
+        [(a, from), (b, to)]: [(&Gap, Vec3); 2],
+        bends: [f64; 2],
+    ) -> bool {
+        if self.axis.turns() || !self.keeps[i].is_mixed() {
+            return false;
+        }
+        let way = to - from;
+        loses_slope((b.normal - a.normal).dot(&way), bends, way.norm_squared())
     }
 
     /// Does a cutter touch at different places of it with the tool end here and there, and at different ones of the surface? What
-    /// goes over one crest touches at the same place of that. A flat end that goes from one crest of a TABCYL to another is
-    /// told by their spans.
+    /// goes over one crest touches at the same place of that. A flat end that goes from one crest of a TABCYL or a ruled surface
+    /// to another is told by their spans.
     pub(super) fn touches_elsewhere(&self, i: usize, a: (&Gap, Vec3), b: (&Gap, Vec3)) -> bool {
         /// Spans between two crests at least.
         const CRESTS: f64 = 1.5;
         let keep = &self.keeps[i];
         let [p, q] = [a, b].map(|(gap, te)| gap.tool_point - te);
-        let flat = |gap: &Gap| {
-            gap.at.filter(|_| gap.segment == Some(Segment::LowerLine)).map(|[span, _]| span)
+        let flat = |gap: &Gap| gap.at.filter(|_| gap.segment == Some(Segment::LowerLine));
+        let spans = || match (&keep.surface, flat(a.0)?, flat(b.0)?) {
+            (Surface::Tabcyl(_), a, b) => Some((a[0] - b[0]).abs()),
+            (Surface::Parametric(s), a, b) => s.spans_between(a, b),
+            _ => None,
         };
         let far = |a: Vec3, b: Vec3| (a - b).norm() > ANOTHER * keep.profile.widest();
         far(p, q) && far(a.0.surface_point, b.0.surface_point)
-            || matches!(keep.surface, Surface::Tabcyl(_))
-                && flat(a.0).zip(flat(b.0)).is_some_and(|(a, b)| (a - b).abs() > CRESTS)
+            || spans().is_some_and(|n| n > CRESTS)
     }
 
     /// Does the place of contact go round the cutter evenly, as with a chord along a small circle? At surfaces that have two
@@ -221,6 +240,14 @@ impl Track {
         let other = keep.gap(&from.pose, Some(there.spot())).ok()?;
         ((other.g - here.g).abs() <= BOTH * keep.width()).then_some(other)
     }
+}
+
+/// Does the slope of a gap that bends so at both ends of a way, the square of which is `square`, rise on it by less than that?
+/// Where the contact goes over from one place to another the slope falls, also where both lie side by side.
+#[inline]
+pub(super) fn loses_slope(rise: f64, bends: [f64; 2], square: f64) -> bool {
+    let lost = 0.5 * (bends[0] + bends[1]) * square - rise;
+    lost > LOST_SLOPE * bends[0].abs().max(bends[1].abs()) * square
 }
 
 /// Least and greatest gap at the ends of a chord and at these shares of it, and between those where a parabola has its own.

@@ -59,8 +59,14 @@ impl Track {
 
     /// Does the cutter touch at different places of it?
     fn goes_over(&self, i: usize, [from, to]: [&Node; 2], a: &Look, b: &Look) -> bool {
-        let te = |l: &Look| from.pose.te + (to.pose.te - from.pose.te) * l.t;
-        self.touches_elsewhere(i, (&a.gap, te(a)), (&b.gap, te(b)))
+        let way = to.pose.te - from.pose.te;
+        let te = |l: &Look| from.pose.te + way * l.t;
+        let ends = [(&a.gap, te(a)), (&b.gap, te(b))];
+        let bend = |l: &Look| {
+            let pose = between(&from.pose, &to.pose, l.t);
+            way.try_normalize(0.0).map_or(0.0, |along| self.keeps[i].bend(&pose, &l.gap, along))
+        };
+        self.touches_elsewhere(i, ends[0], ends[1]) || self.has_edge(i, ends, [bend(a), bend(b)])
     }
 
     /// Where along a cut vector, as a share of it, the places of contact of both ends are as near as each other, and the gap

@@ -4,7 +4,7 @@ use aptc_geometry::Vec3;
 
 use super::{Curved, DEPTH, Half, Warm};
 use crate::between::bulge;
-use crate::deep::{deepest, on_faces};
+use crate::deep::{Deep, deepest, on_faces};
 use crate::pile::Pile;
 use crate::search::{Aim, FOLD, Moved, clearance};
 use crate::sheet::Spot;
@@ -12,7 +12,8 @@ use crate::sweep::Sweep;
 use crate::tool::{Pose, Tool, carry};
 
 impl Curved<'_> {
-    /// That some point of the tool is nowhere less deep than the greatest gap allows: one for each stretch.
+    /// That some point of the tool is nowhere less deep than the greatest gap allows: one for each stretch, which stays where it
+    /// is in the tool or goes evenly from one place of it to another, as over a dome below a flat end.
     pub(super) fn sunk(
         &self,
         tool: &Tool<'_>,
@@ -40,27 +41,29 @@ impl Curved<'_> {
             }
             let (a, b) = (pose(t0), pose(t1));
             let middle = 0.5 * (t0 + t1);
+            let bend = turn * (t1 - t0);
             let mut held = None;
-            for t in [middle, t0, t1] {
-                let at = pose(t);
-                let most = self.most + pad;
-                let mut deep = deepest(tool, &at, self.sheet, self.side, spot, most);
-                if deep.gap > most
-                    && let Some(spot) = self.within(tool, &at)
-                {
-                    deep = deepest(tool, &at, self.sheet, self.side, spot, most);
-                }
-                if deep.gap > most {
-                    deep = on_faces(tool, &at, self.sheet, self.side, deep, most);
-                }
-                spot = deep.spot;
-                let above = deep.gap - self.most;
-                if above > pad {
-                    return self.afloat(tool, &at, above, pad).map(|gap| Half::Broken(t, gap));
-                }
-                // The point goes along a chord but for its bulge.
-                let off = bulge((deep.p - at.te).norm(), turn * (t1 - t0));
-                let [p, q] = [a, b].map(|to| carry(&at, &to, deep.p));
+            for seen in [Some(middle), None, Some(t0), Some(t1)] {
+                let (ends, off) = if let Some(t) = seen {
+                    let at = pose(t);
+                    let deep = self.deep(tool, &at, spot, pad);
+                    spot = deep.spot;
+                    let above = deep.gap - self.most;
+                    if above > pad {
+                        return self.afloat(tool, &at, above, pad).map(|gap| Half::Broken(t, gap));
+                    }
+                    // The point goes along a chord but for its bulge.
+                    let off = bulge((deep.p - at.te).norm(), bend);
+                    ([a, b].map(|to| carry(&at, &to, deep.p)), off)
+                } else {
+                    // From the deepest of one end to that of the other: all between two points of the tool is of the tool.
+                    let ends = [a, b].map(|at| (at.te, self.deep(tool, &at, spot, pad).p));
+                    let lever = ends.map(|(te, p)| (p - te).norm());
+                    let drift = (carry(&b, &a, ends[1].1) - ends[0].1).norm();
+                    let off = bulge(lever[0].max(lever[1]), bend) + 0.25 * bend * drift;
+                    (ends.map(|(_, p)| p), off)
+                };
+                let [p, q] = ends;
                 let way = |s: f64| Pose { te: p + (q - p) * s, ta: Vec3::z() };
                 let least = -self.most + off;
                 let warm = &mut Warm::default();
@@ -83,6 +86,21 @@ impl Curved<'_> {
             }
         }
         Some(Half::Holds(high))
+    }
+
+    /// The deepest point of the tool that is found.
+    fn deep(&self, tool: &Tool<'_>, at: &Pose, spot: Spot, pad: f64) -> Deep {
+        let most = self.most + pad;
+        let mut deep = deepest(tool, at, self.sheet, self.side, spot, most);
+        if deep.gap > most
+            && let Some(spot) = self.within(tool, at)
+        {
+            deep = deepest(tool, at, self.sheet, self.side, spot, most);
+        }
+        if deep.gap > most {
+            deep = on_faces(tool, at, self.sheet, self.side, deep, most);
+        }
+        deep
     }
 
     /// A place of the surface that lies in the tool when it is moved by the greatest gap: as deep the tool is there.

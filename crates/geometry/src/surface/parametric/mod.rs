@@ -10,6 +10,7 @@ mod ruled;
 mod sculptured;
 #[cfg(test)]
 mod tests;
+mod waves;
 
 use std::sync::Arc;
 
@@ -54,6 +55,8 @@ pub struct ParametricSurface {
     columns: Vec<(Vec3, Vec3, f64)>,
     /// Of a smooth ruled surface how it bends between them.
     strips: Option<Strips>,
+    /// Of a ruled surface whether a curve bends to both sides.
+    waves: bool,
     extent: f64,
 }
 
@@ -137,7 +140,17 @@ impl ParametricSurface {
         let extent = points.map(|[u, v]| spans.jet(u, v).s.norm()).fold(0.0, f64::max);
         let patch = Patch::Sculptured(Box::new(spans));
         let (us, vs, grid) = (Vec::new(), Vec::new(), Vec::new());
-        Self { patch, us, vs, grid, apart: Vec::new(), columns: Vec::new(), strips: None, extent }
+        Self {
+            patch,
+            us,
+            vs,
+            grid,
+            apart: Vec::new(),
+            columns: Vec::new(),
+            strips: None,
+            waves: false,
+            extent,
+        }
     }
 
     /// Samples at the parameters `us` and `vs`; the ends of the domain across are put in.
@@ -168,11 +181,11 @@ impl ParametricSurface {
         };
         let ruled = matches!(patch, Patch::Ruled(_));
         let columns = grid.chunks_exact(n).filter(|_| ruled).map(column).collect();
-        let strips = match &patch {
-            Patch::Ruled(rulings) => Strips::new(rulings),
-            _ => None,
+        let (strips, waves) = match &patch {
+            Patch::Ruled(rulings) => (Strips::new(rulings), rulings.waves()),
+            _ => (None, false),
         };
-        Some(Self { patch, us, vs, grid, apart, columns, strips, extent })
+        Some(Self { patch, us, vs, grid, apart, columns, strips, waves, extent })
     }
 
     /// Greatest distance of its points from the origin, between its ends.

@@ -1,7 +1,7 @@
 //! Rulings between two plane curves, as a function of two parameters.
 
 use crate::surface::Surface;
-use crate::{Fiop, Form, Rail, Reason, RuledSurface, Second, Vec3};
+use crate::{Fiop, Form, Rail, Reason, RuledSurface, Second, Vec2, Vec3};
 
 use super::rail::Pieces;
 use super::{Domain, Jet};
@@ -12,6 +12,8 @@ const PIECES: u32 = 32;
 const INSET: f64 = 1e-6;
 /// Share of the curve at a steep end that is not laid down as polynomials.
 const STEEP: f64 = 0.1;
+/// Sine of the turn from one sample to the next up to which a curve is straight there.
+const STRAIGHT: f64 = 1e-9;
 /// How far rulings go beyond the curves, in lengths of a ruling; the manual advises against more than two.
 const REACH: f64 = 10.0;
 
@@ -100,6 +102,31 @@ impl Rulings {
     /// Into how many pieces the curves are cut for samples.
     pub(super) fn pieces(&self) -> u32 {
         self.curves().map(|c| c.spans).max().unwrap_or(PIECES)
+    }
+
+    /// Does a curve bend to both sides of its base line?
+    pub(super) fn waves(&self) -> bool {
+        self.curves().any(|curve| {
+            let n = f64::from(curve.spans);
+            let up = |i: u32| {
+                let u = f64::from(i) / n;
+                let over = Over { u, at: u, fraction: self.fraction(u), end: false };
+                let p = self.line(curve, &over).p - curve.start;
+                Vec2::new(over.fraction[0] * curve.base.norm(), p.dot(&curve.toward))
+            };
+            let (mut before, mut way) = (up(0), None::<Vec2>);
+            let mut bends = [false; 2];
+            for i in 1..=curve.spans {
+                let here = up(i);
+                let next = here - before;
+                let turn = way.map_or(0.0, |w| w.perp(&next) / (w.norm() * next.norm()));
+                if turn.abs() > STRAIGHT {
+                    bends[usize::from(turn > 0.0)] = true;
+                }
+                (before, way) = (here, Some(next));
+            }
+            bends == [true; 2]
+        })
     }
 
     pub(super) fn domain(&self) -> Domain {
