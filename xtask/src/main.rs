@@ -39,6 +39,10 @@ cargo xtask <chore>
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    if words.iter().any(|w| ["help", "--help", "-h"].contains(w)) {
+        println!("{}", USAGE.trim_end());
+        return ExitCode::SUCCESS;
+    }
     let outcome = match words.as_slice() {
         ["test"] => test::run(),
         ["ci"] => ci::run(),

@@ -84,9 +84,10 @@ fn cases() -> Cases {
         let (name, text) = (format!("milled {seed}"), milled::program(seed));
         let source = Source { name: name.as_str().into(), text: text.into() };
         let messages = compiled(&name, source, &mut Disk::new(Vec::new(), 0), &mut out);
-        // The tool gets into something where it does not get out of the way. A statement that is not understood would
-        // leave the rest without what is to be looked at.
-        let strange = messages.iter().find(|d| d.code.to_string() != "APT2046");
+        // The tool gets into something where it does not get out of the way, and passes leave what they leave. A statement that
+        // is not understood would leave the rest without what is to be looked at.
+        let strange =
+            messages.iter().find(|d| !["APT2046", "APT2053"].contains(&&*d.code.to_string()));
         assert!(strange.is_none(), "{name}: {strange:?}");
     }
     // The corpus has few paths along RLDSRF, cones and quadrics, and none along POLCON.
