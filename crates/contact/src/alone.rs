@@ -7,7 +7,7 @@
 //! times the least curvature of a hollow; where the tool has moved by w, N and x are those of before but for w.
 
 use aptc_geometry::profile::Segment;
-use aptc_geometry::{Surface, Tool};
+use aptc_geometry::{Surface, Tool, Vec3};
 
 use crate::gap::{Gap, Side};
 
@@ -23,6 +23,11 @@ pub(crate) struct Faced {
     /// Greatest curvatures of the distance on the way, of hollow and of round places.
     hollow: f64,
     bend: f64,
+    /// Direction of the ruling of the known place, by how much others differ from it, and greatest second derivative by a ruling's
+    /// direction and another.
+    ruling: Vec3,
+    lean: f64,
+    twist: f64,
     /// Does it bend one way all over, and much less another?
     pub(crate) ridge: bool,
 }
@@ -90,7 +95,10 @@ pub(crate) fn faced(
     // N leads up from there.
     let hollow = hollow / (1.0 - deepest * hollow);
     let deep = (most + 2.0 * rho * rho * hollow - away).max(0.0) * round;
-    (deep < BEND).then(|| Faced { hollow, bend: hollow.max(round / (1.0 - deep)), ridge })
+    let (ruling, lean) = (part.ruling, part.lean);
+    let twist = part.twist * (1.0 + deepest * hollow).max(1.0 / (1.0 - deep));
+    let bend = hollow.max(round / (1.0 - deep));
+    (deep < BEND).then_some(Faced { hollow, bend, ruling, lean, twist, ridge })
 }
 
 /// A way that the tool can go, its axis standing, no longer than `most`, on which no place of it touches but that of the
@@ -105,7 +113,7 @@ pub(crate) fn alone(
     if known.segment != Some(Segment::Arc) {
         return None;
     }
-    let Faced { hollow, bend, .. } = faced(tool, surface, side, known, most)?;
+    let Faced { hollow, bend, ruling, lean, twist, .. } = faced(tool, surface, side, known, most)?;
     let (n, [rho, _]) = (known.normal, tool.profile.corner());
     if rho <= 0.0 {
         return Some(most);
@@ -118,7 +126,30 @@ pub(crate) fn alone(
     let (p, q) = (alpha + 2.0 * beta, alpha + beta);
     let y = (p + (p * p + 4.0 * (1.0 - beta) * q).sqrt()) / (2.0 * (1.0 - beta));
     let way = (across - rho * hollow) / (bend * (1.0 + y));
-    Some(way.min(most))
+    // No second derivative by the direction of the corner's circle and another is greater there.
+    let around = tool.ta.cross(&n) / across;
+    let beside = (around - ruling).norm().min((around + ruling).norm());
+    let kept = followed([across, rho], [bend, hollow, bend * (beside + lean) + twist]);
+    Some(way.max(kept).min(most))
+}
+
+/// The way on which the place of contact of a corner is the only one wherever it goes around the circle of the `rho`: with the
+/// greatest second derivative, that of a hollow, and that by the direction of the circle at the known place and another.
+///
+/// While `a > 2 rho hollow` there is no other. By the derivative of `N = -a e` along the way `e` turns by no more than
+/// `side / c`, and `a` falls by no more than `bend + rho side^2 / c`, with `c = a - rho hollow`. As `e` turns `side` grows with
+/// `bend`, so that it is no more than `c0 / c` times that at the start.
+fn followed([a, rho]: [f64; 2], [bend, hollow, side]: [f64; 3]) -> f64 {
+    let least = rho * hollow;
+    let c = a - least;
+    if c <= least {
+        return 0.0;
+    }
+    // The way is the integral of `1 - g^3 / (c^3 + g^3)` over `bend`, from `rho hollow` to that at the start.
+    let cube = rho * side * side * c * c / bend;
+    let g = cube.cbrt().clamp(least, c);
+    let lost = if g > 0.0 { g - least + 0.5 * cube * (1.0 / (g * g) - 1.0 / (c * c)) } else { 0.0 };
+    (c - least - lost).max(0.0) / bend
 }
 
 #[cfg(test)]
@@ -127,7 +158,7 @@ mod tests {
 
     use super::*;
     use crate::gap::{gap, gap_near};
-    use aptc_geometry::{Circle, Cutter, Form, Profile, Rail, RuledSurface, Second, Vec3, trig};
+    use aptc_geometry::{Circle, Cutter, Form, Profile, Rail, RuledSurface, Second, trig};
     use proptest::prelude::*;
     use proptest::test_runner::{Config, TestRunner};
 

@@ -149,10 +149,11 @@ pub(crate) fn elsewhere(
     // A line alone has no other measure than its length.
     let size = if wide > 0.0 { wide.max(0.1 * reach) } else { reach };
     if stands && matches!(surface, Surface::Parametric(_)) {
-        let free = |share: &f64| alone(tool, surface, side, known, share * wide);
-        // A corner about a circle is not shown to be the only one for the first of them.
-        let shares = &ALONE[usize::from(tool.profile.corner()[0] > 0.0)..];
-        if let Some(way) = shares.iter().find_map(free).filter(|way| *way >= WORTH * wide) {
+        let free = |share: f64| alone(tool, surface, side, known, share * wide);
+        let first = likely(tool, surface, known);
+        let less = ALONE.into_iter().filter(|share| *share <= LESS * first);
+        let mut shares = std::iter::once(first).chain(less);
+        if let Some(way) = shares.find_map(free).filter(|way| *way >= WORTH * wide) {
             return (None, way);
         }
         if let Some(found) = lower(tool, surface, side, known, SEEN * wide) {
@@ -213,6 +214,19 @@ pub(crate) fn elsewhere(
         return (Some(through), 0.0);
     }
     (below(deepest), room)
+}
+
+/// The share of the cutter's radius for which its contact is likely to be shown to be the only one.
+fn likely(tool: &Tool<'_>, surface: &Surface, known: &Gap) -> f64 {
+    if tool.profile.corner()[0] <= 0.0 {
+        return ALONE[0];
+    }
+    // With a corner about a circle some of the way after which it does not touch.
+    let upright = known.normal.dot(&tool.ta);
+    let across = (1.0 - upright * upright).max(0.0).sqrt();
+    let [a, b, c] = surface.place(known.spot()).shape.k;
+    let bend = a.abs().max(c.abs()) + b.abs();
+    (TOWARDS * across / (bend * tool.profile.widest())).max(ALONE[3]).min(MOST_ALONE)
 }
 
 /// The same where nothing but corner and flat end can touch on the way of `most`; `None` where that is not seen.
@@ -348,6 +362,11 @@ const LOOK: f64 = 0.25;
 
 /// Shares of the cutter's radius for which its contact may be shown to be the only one.
 const ALONE: [f64; 4] = [1.0, 0.5, 0.2, 0.05];
+/// Share of the way to where a corner about a circle does not touch for which that may be, and the greatest.
+const TOWARDS: f64 = 0.4;
+const MOST_ALONE: f64 = 0.8;
+/// Share of what is not shown to which it is tried again.
+const LESS: f64 = 0.7;
 /// Share of it from which that is worth more than a look.
 const WORTH: f64 = 0.02;
 

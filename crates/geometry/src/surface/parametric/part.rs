@@ -21,6 +21,11 @@ pub struct Part {
     pub curvature: [f64; 2],
     /// The same of those across the rulings, of which one principal curvature is no less and one no greater.
     pub across: [f64; 2],
+    /// Direction of the ruling of that place, and by how much the others differ from it, as vectors.
+    pub ruling: Vec3,
+    pub lean: f64,
+    /// By how much the normal turns along a ruling, in each unit of its length.
+    pub twist: f64,
 }
 
 /// Parameters before the first ruling at which the straight continuation is cut into strips; the same behind the last one.
@@ -31,11 +36,16 @@ const BEFORE: [f64; 6] = [-0.5, -0.3, -0.18, -0.1, -0.05, -0.02];
 pub(super) struct Strips {
     us: Vec<f64>,
     rulings: Vec<Ruling>,
+    /// The same of some at a time, which are far from most of what is asked for.
+    groups: Vec<Ruling>,
     /// Base line and direction of both curves, whose height is along that.
     curves: [[Vec3; 2]; 2],
     /// Of each strip and curve the first and second derivatives of the height, least and greatest.
     heights: Vec<[[[f64; 2]; 2]; 2]>,
 }
+
+/// Rulings of a group.
+const GROUP: usize = 5;
 
 /// One of them, with the halves of the strips beside it.
 #[derive(Clone, Copy, Debug)]
@@ -64,17 +74,33 @@ impl Strips {
         us.extend(BEFORE.iter().rev().map(|u| 1.0 - u));
         let strip = |ends: &[f64]| Some([surface.slopes(0, ends)?, surface.slopes(1, ends)?]);
         let heights: Option<Vec<_>> = us.windows(2).map(strip).collect();
-        let mut new = Self { us, rulings: Vec::new(), curves, heights: heights? };
-        new.rulings = (0..new.us.len()).map(|i| new.ruling(surface, i)).collect();
+        let (rulings, groups) = (Vec::new(), Vec::new());
+        let mut new = Self { us, rulings, groups, curves, heights: heights? };
+        let n = new.us.len();
+        new.rulings = (0..n).map(|i| new.ruling(surface, i, 0.5, [i, i + 1])).collect();
+        let group = |first: usize| {
+            let end = (first + GROUP).min(n);
+            new.ruling(surface, (first + end) / 2, 1.0, [first, end])
+        };
+        new.groups = (0..n).step_by(GROUP).map(group).collect();
         let narrow = new.rulings.iter().all(|r| r.left > 0.5);
         narrow.then_some(new)
     }
 
-    fn ruling(&self, surface: &Rulings, i: usize) -> Ruling {
+    /// That of number `i`, with the `share` of the strips beside those from `first` up to `end`.
+    fn ruling(&self, surface: &Rulings, i: usize, share: f64, [first, end]: [usize; 2]) -> Ruling {
         let jet = surface.jet(self.us[i], 0.0);
+        let strips = first.saturating_sub(1)..end.min(self.heights.len());
+        let away = |u: f64| share * (u - self.us[i]).abs();
+        let far = away(self.us[strips.start]).max(away(self.us[strips.end]));
         let (mut wide, mut wider) = ([0.0_f64; 2], 0.0_f64);
-        for strip in i.saturating_sub(1)..(i + 1).min(self.heights.len()) {
-            let half = 0.5 * (self.us[strip + 1] - self.us[strip]);
+        for strip in strips {
+            // Beside a ruling of its own each strip counts by its own width.
+            let half = if end - first == 1 {
+                away(self.us[strip]) + away(self.us[strip + 1])
+            } else {
+                far
+            };
             let [(a, ra), (b, rb)] = self.first(&self.heights[strip]);
             wide = [wide[0].max(half * (a.norm() + ra)), wide[1].max(half * (b.norm() + rb))];
             wider = wider.max(half * ((b - a).norm() + ra + rb));
@@ -107,20 +133,18 @@ impl Strips {
     fn rectangles(&self, balls: &[(Vec3, f64)], domain: [f64; 2]) -> Option<[[[f64; 2]; 2]; 2]> {
         let none = ([usize::MAX, 0], [f64::INFINITY, f64::NEG_INFINITY]);
         let (mut all, mut alone) = (none, none);
-        for (i, r) in self.rulings.iter().enumerate() {
-            for (n, (center, radius)) in balls.iter().enumerate() {
-                let away = center - r.start;
-                let at = away.dot(&r.way) * r.inverse;
-                let off = (away - r.way * at).norm_squared();
-                let reach = radius + (1.0 - at).abs() * r.wide[0] + at.abs() * r.wide[1];
-                // Along the ruling by x, in units of v, the strip is as wide as `reach + wider x`: where the square of that is
-                // less than that of the distance nothing is within the ball.
-                let square = reach * reach - r.left * off;
-                if square >= 0.0 {
-                    let half = (reach * r.wider * r.inverse + (square * r.inverse).sqrt()) / r.left;
+        let chunks = (0..).step_by(GROUP).zip(self.rulings.chunks(GROUP));
+        for (group, (first, rulings)) in self.groups.iter().zip(chunks) {
+            for (n, ball) in balls.iter().enumerate() {
+                if !group.near(*ball) {
+                    continue;
+                }
+                for (k, r) in rulings.iter().enumerate() {
+                    let Some([least, most]) = r.within(*ball) else { continue };
+                    let i = first + k;
                     let put = |(across, v): &mut ([usize; 2], [f64; 2])| {
                         *across = [across[0].min(i), across[1].max(i)];
-                        *v = [v[0].min(at - half), v[1].max(at + half)];
+                        *v = [v[0].min(least), v[1].max(most)];
                     };
                     put(&mut all);
                     if n + 1 == balls.len() {
@@ -137,6 +161,42 @@ impl Strips {
         };
         Some([kept(all)?, kept(alone)?])
     }
+}
+
+impl Ruling {
+    /// Where on the ruling it is nearest to a ball, the distance there that is left of its strips, and a measure of what of them
+    /// is within the ball: none where that is less than zero.
+    #[inline(always)]
+    fn reach(&self, (center, radius): (Vec3, f64)) -> [f64; 3] {
+        let away = center - self.start;
+        let at = away.dot(&self.way) * self.inverse;
+        let off = (away - self.way * at).norm_squared();
+        let reach = radius + (1.0 - at).abs() * self.wide[0] + at.abs() * self.wide[1];
+        // Along the ruling by x, in units of v, the strip is as wide as `reach + wider x`: where the square of that is
+        // less than that of the distance nothing is within the ball.
+        [at, reach, reach * reach - self.left * off]
+    }
+
+    /// May any of its strips be within the ball?
+    fn near(&self, ball: (Vec3, f64)) -> bool {
+        let [_, _, square] = self.reach(ball);
+        self.left <= 0.0 || square >= 0.0
+    }
+
+    /// Least and greatest `v` of what is within the ball.
+    fn within(&self, ball: (Vec3, f64)) -> Option<[f64; 2]> {
+        let [at, reach, square] = self.reach(ball);
+        (square >= 0.0).then(|| {
+            let half = reach * self.wider * self.inverse + (square * self.inverse).sqrt();
+            let half = half / self.left;
+            [at - half, at + half]
+        })
+    }
+}
+
+/// Length of a vector of two.
+fn length(x: f64, y: f64) -> f64 {
+    (x * x + y * y).sqrt()
 }
 
 /// Middle and half width.
@@ -156,6 +216,8 @@ struct Bounds {
     longest: f64,
     bend: Vectors,
     twist: Vectors,
+    /// The derivative along the rulings.
+    along: Vectors,
     /// Is the square of the distance of each point asked for convex over it?
     convex: bool,
 }
@@ -188,12 +250,12 @@ impl Bounds {
         // With both derivatives as unit vectors in the middle: least and greatest singular value of the pair.
         let (lu, lv) = (across.norm(), along.norm());
         let cos = (across.dot(&along) / (lu * lv)).abs().min(1.0);
-        let off = crate::trig::hypot(r_across / lu, r_along / lv);
+        let off = length(r_across / lu, r_along / lv);
         let (least, most) = ((1.0 - cos).sqrt() - off, (1.0 + cos).sqrt() + off);
         (least > SQUARE).then_some(())?;
         // The second derivatives of half the square of the distance are the products of the first ones and w S_ij, with w from
         // the point to the place; along a direction w is no longer than its parts.
-        let round = most * crate::trig::hypot(lu * hu, lv * hv);
+        let round = most * length(lu * hu, lv * hv);
         let w = place.s - from.0;
         let farthest = w.norm() + from.1 + round;
         let extent = |d: Vec3| {
@@ -208,12 +270,13 @@ impl Bounds {
         let l = (bend.norm() + r_bend) / (lu * lu);
         let m = (twist.norm() + rt) / (lu * lv);
         let (x, y) = (lu * hu, lv * hv);
-        let turn = crate::trig::hypot(l * x + m * y, m * x) / least;
+        let turn = length(l * x + m * y, m * x) / least;
         let normal = place.su.cross(&place.sv).try_normalize(0.0)?;
         let (sides, bend, twist) = ([lu, lv], (bend, r_bend), (twist, rt));
         let longest = 1.0 + r_across / lu;
         let longest = longest * longest;
-        Some(Self { normal, turn, sides, least, longest, bend, twist, convex })
+        let along = (along, r_along);
+        Some(Self { normal, turn, sides, least, longest, bend, twist, along, convex })
     }
 
     /// Least and greatest curvature, positive where the surface bends away from its normal, and those across the rulings.
@@ -230,6 +293,17 @@ impl Bounds {
         let least = |l: f64| if l < 0.0 { l / square } else { l / self.longest };
         let across = [least(across[0]), -least(-across[1])];
         [[(low - root(low)) / square, (high + root(high)) / square], across]
+    }
+
+    /// By how much directions of rulings differ from this one, as vectors, and by how much the normal turns along one.
+    fn rulings(&self, direction: Vec3) -> [f64; 2] {
+        let (along, off) = self.along;
+        let [lu, lv] = self.sides;
+        let lean = (along / lv - direction).norm() + off / (lv - 0.5 * off);
+        // No normal turns about a ruling: what is left of its second fundamental form is that with the other direction.
+        let (v, r) = self.twist;
+        let twist = self.normal.dot(&v).abs() + self.turn * v.norm() + r;
+        [lean, twist / (lu * lv * self.least * self.least)]
     }
 }
 
@@ -265,13 +339,16 @@ impl ParametricSurface {
             }
         }
         let mut found = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
+        let (ruling, [mut lean, mut twist]) = (here.sv.normalize(), [0.0_f64; 2]);
         for u in parts(within[0], FINE) {
-            let part = Bounds::new(surface, [u, within[1]], from)?.curvature();
+            let bounds = Bounds::new(surface, [u, within[1]], from)?;
+            let (part, [leans, twists]) = (bounds.curvature(), bounds.rulings(ruling));
+            (lean, twist) = (lean.max(leans), twist.max(twists));
             for (all, [least, most]) in found.iter_mut().zip(part) {
                 *all = [all[0].min(least), all[1].max(most)];
             }
         }
         let [curvature, across] = found;
-        Some(Part { turn, curvature, across })
+        Some(Part { turn, curvature, across, ruling, lean, twist })
     }
 }
