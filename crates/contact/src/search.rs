@@ -34,9 +34,13 @@ pub(crate) fn general(
         return Ok(flank.filter(|f| deeper(tool, f.raw, gap.raw)).unwrap_or(gap));
     }
     let corner = |q| ring::beside(tool, surface, side, q);
-    if let Some(gap) =
-        start.and_then(|q| corner(q).or_else(|| disk::beside(tool, surface, side, q)))
-    {
+    let lower = |q| disk::beside(tool, surface, side, q);
+    // What lies below the flat end is more likely to touch that.
+    let found = start.and_then(|q| match below_flat(tool, q.point) {
+        true => lower(q).or_else(|| corner(q)),
+        false => corner(q).or_else(|| lower(q)),
+    });
+    if let Some(gap) = found {
         return Ok(gap);
     }
     if far_is_convex {
@@ -85,6 +89,12 @@ pub(crate) fn general(
         }
     }
     best.map(|gap| drowned(tool, surface, side, &gap, deepest).unwrap_or(gap)).ok_or(failure)
+}
+
+/// Is a point nearer to the axis than the corner?
+fn below_flat(tool: &Tool<'_>, p: Vec3) -> bool {
+    let (away, [rho, _]) = (p - tool.te, tool.profile.corner());
+    (away - tool.ta * away.dot(&tool.ta)).norm_squared() < rho * rho
 }
 
 /// What a point of the tool tells that is deeper than a place of contact: where a shank goes through a sheet of a quadric

@@ -125,10 +125,12 @@ impl Arelem {
             return false;
         };
         let at = aptc_contact::Tool { profile: &wall.profile, te: tool.te, ta: tool.ta };
-        let gaps = [Side::Positive, Side::Negative].map(|side| gap(&at, &form, side, 0.0));
-        let [Ok(a), Ok(b)] = gaps else { return false };
         let near = 1e-3 * (wall.band.intol + wall.band.outtol);
-        wall.profile.widest() > 0.0 && a.g < 0.0 && (a.g - b.g).abs() <= near
+        let on = |side: Side| gap(&at, &form, side, 0.0);
+        wall.profile.widest() > 0.0
+            && on(Side::Positive).is_ok_and(|a| {
+                a.g < 0.0 && on(Side::Negative).is_ok_and(|b| (a.g - b.g).abs() <= near)
+            })
     }
 
     /// Does the cutter touch the part surface, to within the width of its band?

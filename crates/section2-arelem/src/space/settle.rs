@@ -99,10 +99,10 @@ impl Solver<'_> {
     /// the hollow first.
     pub(super) fn let_down(&self, pose: Pose) -> Pose {
         let above = |a: &&Aim<'_>| {
-            let gap = a.keep.gap(&pose, None);
+            let beside = |g: Gap| g.normal.dot(&pose.ta).abs() <= 1e-9;
             a.keep.side == Side::Open
                 && a.along.is_none()
-                && gap.is_ok_and(|g| g.normal.dot(&pose.ta).abs() <= 1e-9)
+                && a.keep.gap(&pose, None).is_ok_and(beside)
         };
         let aim = self.aims.iter().find(above);
         aim.and_then(|aim| self.run(aim, pose, -pose.ta)).unwrap_or(pose)

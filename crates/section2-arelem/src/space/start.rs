@@ -239,17 +239,22 @@ fn aim(
     if wall.on {
         return Ok(keep);
     }
+    // What is asked for more than once.
+    let outside = to_past.is_none().then(|| keep.on_side(Side::Positive).gap(pose, None).ok());
+    let outside = outside.flatten();
     let near = match to_past {
         Some(v) => {
             let n = keep.surface.foot(pose.te).normal;
             if n.dot(&v) > 0.0 { keep.inner(pose) } else { Side::Positive }
         }
-        None if let Some(side) = rests_on(&keep, pose, rules) => side,
+        None if let Some(side) = rests_on(&keep, pose, outside.as_ref(), rules) => side,
         None if both(&keep, pose, 1.0) => Side::Positive,
         None if both(&keep, pose, -1.0) => keep.inner(pose),
         None => {
             let apart = || Failure::NoContact { surface: wall.surface.clone() };
-            let (gap, side) = clearance(&keep, pose)
+            let fits = outside.filter(|g| g.g >= 0.0).map(|g| (g.g, Side::Positive));
+            let (gap, side) = fits
+                .map_or_else(|| clearance(&keep, pose), Ok)
                 .or_else(|_| clearance(&flattened(&keep, pose), pose))
                 .map_err(|_| apart())?;
             let other = keep.on_side(match side {
@@ -282,14 +287,13 @@ fn both(keep: &Keep, pose: &Pose, sign: f64) -> bool {
 
 /// The side towards which a point or a thin disk stands that is within the band on both, or anywhere when it is a point
 /// whose axis follows the surface.
-fn rests_on(keep: &Keep, pose: &Pose, rules: bool) -> Option<Side> {
+fn rests_on(keep: &Keep, pose: &Pose, outside: Option<&Gap>, rules: bool) -> Option<Side> {
     let inner = keep.inner(pose);
     let anywhere = rules && keep.profile.reach() == 0.0;
-    let lean = |side: Side| {
-        let gap = keep.on_side(side).gap(pose, None).ok()?;
-        (anywhere || gap.g.abs() <= keep.width()).then(|| gap.normal.dot(&pose.ta))
-    };
-    let (outside, inside) = (lean(Side::Positive)?, lean(inner)?);
+    let lean =
+        |gap: &Gap| (anywhere || gap.g.abs() <= keep.width()).then(|| gap.normal.dot(&pose.ta));
+    let outside = lean(outside?)?;
+    let inside = lean(&keep.on_side(inner).gap(pose, None).ok()?)?;
     ((outside - inside).abs() > 0.1).then_some(if outside > inside {
         Side::Positive
     } else {

@@ -226,18 +226,20 @@ impl Rulings {
 
     #[inline]
     pub(super) fn jet(&self, u: f64, v: f64) -> Jet {
-        self.between(u, v).unwrap_or_else(|| self.anywhere(u, v))
+        match self.between(u) {
+            Some([a, b]) => Jet::ruling(&a, &b, v),
+            None => self.anywhere(u, v),
+        }
     }
 
-    /// The same between the ends of two curves whose heights are known there.
-    #[inline]
-    fn between(&self, u: f64, v: f64) -> Option<Jet> {
+    /// Both curves between their ends, where their heights are known there.
+    #[inline(always)]
+    fn between(&self, u: f64) -> Option<[Line; 2]> {
         let Far::Curve(second) = &self.second else { return None };
         if self.steep != [false; 2] || !(0.0..=1.0).contains(&u) {
             return None;
         }
-        let (a, b) = (self.first.between(u)?, second.between(u)?);
-        Some(Jet::ruling(&a, &b, v))
+        Some([self.first.between(u)?, second.between(u)?])
     }
 
     fn anywhere(&self, u: f64, v: f64) -> Jet {
