@@ -7,7 +7,7 @@
 //! times the least curvature of a hollow; where the tool has moved by w, N and x are those of before but for w.
 
 use aptc_geometry::profile::Segment;
-use aptc_geometry::{Surface, Tool, Vec3};
+use aptc_geometry::{Surface, Tool, Vec3, trig};
 
 use crate::gap::{Gap, Side};
 
@@ -61,7 +61,7 @@ pub(crate) fn faced(
     let joint = (low + 2.0 * wide).min(top);
     let clear = known.raw.max(0.0) + 2.0 * most;
     let around = |low: f64, top: f64| {
-        let radius = aptc_geometry::trig::hypot(0.5 * (top - low), wide);
+        let radius = trig::hypot(0.5 * (top - low), wide);
         (tool.te + tool.ta * (0.5 * (top + low)), radius + clear)
     };
     let center = tool.te + tool.ta * high;
@@ -147,7 +147,7 @@ fn followed([a, rho]: [f64; 2], [bend, hollow, side]: [f64; 3]) -> f64 {
     }
     // The way is the integral of `1 - g^3 / (c^3 + g^3)` over `bend`, from `rho hollow` to that at the start.
     let cube = rho * side * side * c * c / bend;
-    let g = cube.cbrt().clamp(least, c);
+    let g = trig::cbrt(cube).clamp(least, c);
     let lost = if g > 0.0 { g - least + 0.5 * cube * (1.0 / (g * g) - 1.0 / (c * c)) } else { 0.0 };
     (c - least - lost).max(0.0) / bend
 }

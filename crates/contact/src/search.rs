@@ -236,7 +236,8 @@ fn likely(tool: &Tool<'_>, surface: &Surface, known: &Gap) -> f64 {
     let across = (1.0 - upright * upright).max(0.0).sqrt();
     let [a, b, c] = surface.place(known.spot()).shape.k;
     let bend = a.abs().max(c.abs()) + b.abs();
-    (TOWARDS * across / (bend * tool.profile.widest())).max(ALONE[3]).min(MOST_ALONE)
+    let share = TOWARDS * across / (bend * tool.profile.widest());
+    if share > ALONE[3] { share.min(MOST_ALONE) } else { ALONE[3] }
 }
 
 /// The same where nothing but corner and flat end can touch on the way of `most`; `None` where that is not seen.

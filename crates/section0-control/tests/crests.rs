@@ -62,9 +62,9 @@ fn ruled(k: u32) -> String {
             write!(points, ",$\n{:.4},{x:.5}", lift + bend).unwrap_or_default();
             x += step;
         }
-        write!(rails, "W{name}=TABCYL/NOY,SPLINE{points}\n").unwrap_or_default();
+        writeln!(rails, "W{name}=TABCYL/NOY,SPLINE{points}").unwrap_or_default();
         for (p, x, z) in [("1", -60, lift), ("2", 60, lift), ("3", 0, lift + 5.0)] {
-            write!(rails, "{name}{p}=POINT/{x},{y},{z}\n").unwrap_or_default();
+            writeln!(rails, "{name}{p}=POINT/{x},{y},{z}").unwrap_or_default();
         }
     }
     let (diameter, corner) = (16.0 + 9.0 * share(4), [0.0, 0.5, 2.0][(k % 3) as usize]);

@@ -21,8 +21,9 @@ pub struct Part {
     pub curvature: [f64; 2],
     /// The same of those across the rulings, of which one principal curvature is no less and one no greater.
     pub across: [f64; 2],
-    /// Direction of the ruling of that place, and by how much the others differ from it, as vectors.
+    /// Direction of the ruling of that place.
     pub ruling: Vec3,
+    /// By how much those of the others differ from it, as vectors.
     pub lean: f64,
     /// By how much the normal turns along a ruling, in each unit of its length.
     pub twist: f64,
