@@ -7,7 +7,7 @@ use crate::gap::{Gap, Side};
 use crate::open;
 
 /// Second derivatives of the gap when the tool moves without turning, at a gap found by
-/// [`crate::gap`] or [`crate::on`]: `g(te + v) = g + n.v + second(v)/2 + ...`.
+/// [`crate::gap()`] or [`crate::on()`]: `g(te + v) = g + n.v + second(v)/2 + ...`.
 ///
 /// The tool ends at which the gap has one value make a surface whose radii of curvature are those of the
 /// surface, of the tool and the gap added up as 2x2 matrices: its inverse is returned. Positive on domes,

@@ -65,7 +65,7 @@ pub trait Guide: Sized {
     /// The gap in full at a place where this was read.
     fn gap(&self, te: Vec3, read: &End<Self::At>) -> Gap;
 
-    /// Least and greatest gap while the tool end moves by `v` from `te`, as of [`crate::chord`]; `ends` are what is read at
+    /// Least and greatest gap while the tool end moves by `v` from `te`, as of [`crate::chord()`]; `ends` are what is read at
     /// both ends. `None` where nothing is at the first, and where more than one dip or bump may be on the way.
     fn chord(
         &self,

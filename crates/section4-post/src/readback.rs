@@ -1,7 +1,7 @@
 //! Reading back: machine director text as a control would read it.
 //!
 //! Nothing of the writer is used here, so that a mistake there cannot hide behind the same mistake here. A
-//! [`Control`] takes lines and gives [`Step`]s: what the axes do. What it does not know it refuses.
+//! `Control` takes lines and gives [`Step`]s: what the axes do. What it does not know it refuses.
 
 mod control;
 mod cycles;

@@ -22,7 +22,7 @@ use crate::{Symbol, climb};
 /// The tokens of a statement as the parser library sees them.
 pub(crate) type Tokens<'t> = MappedInput<'t, Token, SimpleSpan<u32>, &'t [Spanned]>;
 
-/// What an error must be able to do: [`EmptyErr`] and [`Rich`] can.
+/// What an error must be able to do: `EmptyErr` and `Rich` can.
 pub(crate) trait Fault<'t>:
     Error<'t, Tokens<'t>> + LabelError<'t, Tokens<'t>, &'static str> + 't
 {

@@ -33,7 +33,7 @@ pub(super) const FINE: usize = 8;
 /// tangents as long as the mean chord of their span at the joints.
 ///
 /// Curves with flow, and more than two curves, are followed by bicubic patches, eight a span and one
-/// more at every joint of an arc. Curves across make a net of them: see [`network`](super::network).
+/// more at every joint of an arc. Curves across make a net of them: see `network`.
 pub fn loft(curves: &[SpaceCurve], cross: &[SpaceCurve]) -> Result<Sculptured, LoftFault> {
     let Some(first) = curves.first() else { return Err(LoftFault::TooFew) };
     if curves.len() < 2 {

@@ -5,7 +5,7 @@
 //! | vector, or i,j,k | is fixed along it |
 //! | 1 | stays as it is now |
 //! | NORMPS, NORMDS | stands square to the part or drive surface |
-//! | PARLEL,s[,radius,height] | lies along the rulings of surface s |
+//! | `PARLEL,s[,radius,height]` | lies along the rulings of surface s |
 //! | ATANGL,s,a | makes the angle a with the normal of surface s |
 //! | ATANGL,s,a,vector | and stays in the plane square to the vector |
 //! | ATANGL,s,a,CUTANG,b | and leans by b along the motion, LEAD or LAG |

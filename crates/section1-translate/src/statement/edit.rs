@@ -11,7 +11,7 @@ use crate::Interpreter;
 use crate::eval::{Known, Names, Poisoned};
 
 impl Interpreter<'_> {
-    /// INDEX/n[,NOMORE], COPY/n,..., TRACUT/matrix or NOMORE.
+    /// `INDEX/n[,NOMORE]`, COPY/n,..., TRACUT/matrix or NOMORE.
     pub(super) fn edit(&mut self, word: Word, clause: &Clause) -> Known<()> {
         let args = self.args(clause, Names::Defined)?;
         let mut reader = Reader::new(word, clause, &args);

@@ -2,7 +2,7 @@
 //!
 //! | statement | arguments |
 //! | --- | --- |
-//! | FROM, GOTO | point, or x,y[,z]; then a vector or i,j,k; then a feed rate |
+//! | FROM, GOTO | point, or `x,y[,z]`; then a vector or i,j,k; then a feed rate |
 //! | GOTO | pattern with modifiers: `pattern.rs` |
 //! | GODLTA | vector, dx,dy,dz, or one number along the tool axis; then a feed rate |
 

@@ -16,7 +16,7 @@ use crate::eval::{ArgKind, Known, Names};
 use crate::program::Unit;
 
 impl Interpreter<'_> {
-    /// GO/[rel,]DS[,[rel,]PS[,[rel,]CS]][,feed], and OFFSET.
+    /// `GO/[rel,]DS[,[rel,]PS[,[rel,]CS]][,feed]`, and OFFSET.
     pub(super) fn go(&mut self, word: Word, clause: &Clause, _: &Arc<Unit>) -> Known<()> {
         let args = self.args(clause, Names::Defined)?;
         let mut reader = Reader::new(word, clause, &args);

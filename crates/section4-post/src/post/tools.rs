@@ -4,7 +4,7 @@ use aptc_cldata::{Arg, Kind, Record};
 
 use crate::args::whole;
 
-/// The tools of LOADTL in order, for [`PostOptions::tools`].
+/// The tools of LOADTL in order, for `PostOptions::tools`.
 #[derive(Clone, Debug, Default)]
 pub struct ToolScan {
     tools: Vec<u32>,

@@ -3,7 +3,7 @@
 //! Pairs of cells of the patches whose hulls overlap are halved until the surfaces cross in them at an angle,
 //! and Newton's method finds a place there ([`cells`]). From it the curve is followed to the borders of both
 //! patches or round to itself ([`trace`]), in chords that keep a tolerance. The pieces are put together where
-//! they meet ([`join`]).
+//! they meet ([`join()`]).
 
 mod cells;
 mod join;
