@@ -75,9 +75,7 @@ impl Foot {
     pub fn spot(&self) -> Spot {
         Spot { point: self.point, at: self.at }
     }
-}
 
-impl Foot {
     /// The place beside this one by the tangent `by`, where the curvature changes little on the way.
     #[inline]
     fn close_by(&self, by: Vec3) -> Self {

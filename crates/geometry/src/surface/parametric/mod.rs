@@ -334,13 +334,8 @@ impl ParametricSurface {
             let jet = self.patch.jet(u, v);
             [jet.su, jet.sv]
         });
-        let (e, f, g) = (su.norm_squared(), su.dot(&sv), sv.norm_squared());
-        let det = e * g - f * f;
-        if det <= 1e-12 * e * g {
-            return None;
-        }
-        let (a, b) = (by.dot(&su), by.dot(&sv));
-        let (u, v) = (u + (g * a - f * b) / det, v + (e * b - f * a) / det);
+        let (du, dv) = by_sides([su, sv], by)?;
+        let (u, v) = (u + du, v + dv);
         let inside = |x: f64, ends: [f64; 2]| x > ends[0] && x < ends[1];
         let domain = self.patch.domain();
         if !(inside(u, domain.u) && inside(v, domain.v)) {
@@ -354,13 +349,8 @@ impl ParametricSurface {
     pub fn close_by(&self, foot: &Foot, [su, sv]: [Vec3; 2], by: Vec3) -> Option<Foot> {
         self.strips.as_ref()?;
         let [u, v] = foot.at?;
-        let (e, f, g) = (su.norm_squared(), su.dot(&sv), sv.norm_squared());
-        let det = e * g - f * f;
-        if det <= 1e-12 * e * g {
-            return None;
-        }
-        let (a, b) = (by.dot(&su), by.dot(&sv));
-        let (u, v) = (u + (g * a - f * b) / det, v + (e * b - f * a) / det);
+        let (du, dv) = by_sides([su, sv], by)?;
+        let (u, v) = (u + du, v + dv);
         (!self.patch.domain().border(u, v)).then(|| Foot { at: Some([u, v]), ..foot.close_by(by) })
     }
 
@@ -693,6 +683,18 @@ impl Patch {
             Self::Sculptured(s) => s.jet(u, v),
         }
     }
+}
+
+/// The tangent `by` in these derivatives by both parameters; `None` where they have no area.
+#[inline]
+fn by_sides([su, sv]: [Vec3; 2], by: Vec3) -> Option<(f64, f64)> {
+    let (e, f, g) = (su.norm_squared(), su.dot(&sv), sv.norm_squared());
+    let det = e * g - f * f;
+    if det <= 1e-12 * e * g {
+        return None;
+    }
+    let (a, b) = (by.dot(&su), by.dot(&sv));
+    Some(((g * a - f * b) / det, (e * b - f * a) / det))
 }
 
 impl Placed {
