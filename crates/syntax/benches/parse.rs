@@ -7,10 +7,6 @@ use aptc_diagnostics::FileId;
 use aptc_syntax::{Interner, Options, parse};
 use aptc_testkit::{bench, shared};
 
-/// The allocator of the program.
-#[global_allocator]
-static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
-
 /// Bytes of source for each figure.
 const SIZE: usize = 4 << 20;
 
