@@ -49,13 +49,20 @@ pub struct Chord {
 pub struct Exact {
     resolution: f64,
     limits: Option<[f64; 2]>,
+    looks: &'static [f64],
 }
 
 impl Exact {
     /// To `resolution` near `limits` of the gap; elsewhere to a share of how far it is from them, which is enough to tell how
     /// much longer or shorter a chord has to be.
     pub fn beside(resolution: f64, limits: [f64; 2]) -> Self {
-        Self { resolution, limits: Some(limits) }
+        Self { resolution, limits: Some(limits), looks: &[] }
+    }
+
+    /// The whole cutter is looked at at these shares of a chord with a turning axis, in their order: a place of it that touches
+    /// at neither end may dip on the way, as a flank that lies nearly along rulings does with its other end.
+    pub fn looking(self, looks: &'static [f64]) -> Self {
+        Self { looks, ..self }
     }
 
     /// At least and greatest gaps like these.
@@ -67,7 +74,7 @@ impl Exact {
 
 impl From<f64> for Exact {
     fn from(resolution: f64) -> Self {
-        Self { resolution, limits: None }
+        Self { resolution, limits: None, looks: &[] }
     }
 }
 
@@ -117,10 +124,12 @@ pub fn chord(
     let extreme = |p: &Place| Extreme { t: p.t, g: p.gap.g };
     if turn.is_some() {
         let [a, b] = run.governed(a, b, resolution)?;
-        return match run.single(a, b, resolution)? {
-            Some(chord) => Ok(chord),
-            None => run.mixed(a, b, exact),
-        };
+        if exact.looks.is_empty()
+            && let Some(chord) = run.single(a, b, resolution)?
+        {
+            return Ok(chord);
+        }
+        return run.mixed(a, b, exact);
     }
     let bow = b.slope - a.slope;
     if let Surface::Plane(_) = surface {
@@ -248,6 +257,16 @@ impl Run<'_, '_> {
         Ok(if other.gap.g < m.gap.g { other } else { m })
     }
 
+    /// The whole cutter at a place, which may be nearer at the places of contact before and behind than where looks begin.
+    fn looked(&self, t: f64, beside: [&Place; 2]) -> Result<Place, Reason> {
+        let mut here = self.place(t, None)?;
+        for place in beside {
+            let there = self.place(t, Some(place.gap.spot()))?;
+            here = if there.gap.g < here.gap.g { there } else { here };
+        }
+        Ok(here)
+    }
+
     /// Where the contact goes over from one place to another on a piece, the gap is the less of two and has an edge: about where
     /// both tangents meet. Over a crest both gaps bend up from them; that counts as a share of how steep they are, which is an
     /// estimate and falls away as pieces are halved.
@@ -312,9 +331,18 @@ impl Run<'_, '_> {
         let at = |p: &Place| Extreme { t: p.t, g: p.gap.g };
         let (mut low, mut high) =
             if a.gap.g < b.gap.g { (at(&a), at(&b)) } else { (at(&b), at(&a)) };
-        let (mut floor, mut roof) = (low, high);
         let bow = b.slope - a.slope;
-        let mut todo: Vec<(Place, Place)> = vec![(a, b)];
+        let mut todo: Vec<(Place, Place)> = Vec::with_capacity(exact.looks.len() + 1);
+        let mut last = a;
+        for t in exact.looks {
+            let here = self.looked(*t, [&last, &b])?;
+            low = if here.gap.g < low.g { at(&here) } else { low };
+            high = if here.gap.g > high.g { at(&here) } else { high };
+            todo.push((last, here));
+            last = here;
+        }
+        todo.push((last, b));
+        let (mut floor, mut roof) = (low, high);
         let mut pieces = 0;
         while let Some((a, b)) = todo.pop() {
             pieces += 1;

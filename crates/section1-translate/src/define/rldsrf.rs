@@ -18,6 +18,10 @@ pub(super) const FORMATS: &[Format] = &[
     row(&[S, P, P, V, P], to_point),
 ];
 
+/// Sine of the angle to the line between the ends up to which a vector leads along it, as APT-360 has it (702): the curve is
+/// looked for along the vector, and rulings would lean into each other.
+const ALONG: f64 = 0.1;
+
 /// The curve whose surface stands at `at`, its ends and the third point or vector after it.
 fn rail(a: &Args<'_>, at: usize) -> Result<Rail, Fault> {
     let surface = match a.list.get(at).map(|arg| &arg.value) {
@@ -42,6 +46,11 @@ fn rail(a: &Args<'_>, at: usize) -> Result<Rail, Fault> {
     if across.norm() <= meet::PARALLEL * toward.norm() || toward.norm() <= 1e-12 * size {
         let places = vec![at + 1, at + 2, at + 3];
         return Err(Fault::Dependent { places, what: "they give no cutting plane" });
+    }
+    if !from_point && across.norm() <= ALONG * toward.norm() {
+        let places = vec![at + 1, at + 2, at + 3];
+        let what = "the vector leads along the line between the points; give one that leads from it to the curve";
+        return Err(Fault::Dependent { places, what });
     }
     // A third point only tells the side; a vector is the direction itself.
     let toward = if from_point { across.normalize() } else { toward.normalize() };

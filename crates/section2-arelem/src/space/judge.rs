@@ -85,6 +85,11 @@ impl Track {
         let ends = [other.as_ref().unwrap_or(&from.gaps[i]), &to.gaps[i]];
         let resolution = if self.axis.turns() { RESOLUTION_TURNING } else { RESOLUTION };
         let limits = keep.limits();
+        // Along a surface of rulings a flank lies nearly, and its gap goes by more than cubics.
+        let looks: &[f64] = match keep.surface {
+            Surface::Parametric(_) if turning && keep.condition == Condition::Touch => &BETWEEN,
+            _ => &[],
+        };
         let c = chord(
             &keep.tool(&from.pose),
             &keep.tool(&to.pose),
@@ -93,7 +98,7 @@ impl Track {
             keep.side,
             keep.thick,
             Some([*ends[0], *ends[1]]),
-            Exact::beside(resolution * keep.width(), [limits.low, limits.high]),
+            Exact::beside(resolution * keep.width(), [limits.low, limits.high]).looking(looks),
         )?;
         let gaps = [from.gaps[i].g, to.gaps[i].g];
         let (mut low, mut high) = (c.low.g, c.high.g);
@@ -104,21 +109,15 @@ impl Track {
             let beyond = if c.high.t < t { gaps[1] } else { high };
             high = beyond.max(crest);
         }
-        if keep.condition == Condition::Touch && turning || keep.is_mixed() {
+        if looks.is_empty() && (keep.condition == Condition::Touch && turning || keep.is_mixed()) {
             // A turning axis may bring another place of the cutter down between two vertices at which it is free; and where
             // the contact goes over from one place to another the gap has an edge on the way.
             let apart =
                 (turning || whole) && self.apart(i, from, to) && !self.goes_round(i, from, to)?;
-            let places: &[f64] = match turning {
-                // Along a surface of rulings a flank lies nearly, and its gap goes by more than cubics.
-                true if matches!(keep.surface, Surface::Parametric(_)) => &BETWEEN,
-                true => &[0.5],
-                false => &[],
-            };
-            let look = |t: f64| Ok(keep.gap(&between(&from.pose, &to.pose, t), None)?.g);
             let [least, most] = match apart {
                 true => self.over_kinks(i, from, to)?,
-                false => extremes(places, gaps, look)?,
+                false if turning => [keep.gap(&between(&from.pose, &to.pose, 0.5), None)?.g; 2],
+                false => gaps,
             };
             (low, high) = (low.min(least), high.max(most));
         }
@@ -248,47 +247,6 @@ impl Track {
 pub(super) fn loses_slope(rise: f64, bends: [f64; 2], square: f64) -> bool {
     let lost = 0.5 * (bends[0] + bends[1]) * square - rise;
     lost > LOST_SLOPE * bends[0].abs().max(bends[1].abs()) * square
-}
-
-/// Least and greatest gap at the ends of a chord and at these shares of it, and between those where a parabola has its own.
-fn extremes(
-    places: &[f64],
-    ends: [f64; 2],
-    look: impl Fn(f64) -> Result<f64, Trouble>,
-) -> Result<[f64; 2], Trouble> {
-    let mut seen = [(1.0, ends[1]); BETWEEN.len() + 2];
-    seen[0] = (0.0, ends[0]);
-    for (place, t) in seen[1..].iter_mut().zip(places) {
-        *place = (*t, look(*t)?);
-    }
-    let seen = &seen[..places.len() + 2];
-    let mut found = [ends[0].min(ends[1]), ends[0].max(ends[1])];
-    for (sign, found) in [1.0, -1.0].into_iter().zip(&mut found) {
-        let lower =
-            |a: &&[(f64, f64)], b: &&[(f64, f64)]| (sign * a[1].1).total_cmp(&(sign * b[1].1));
-        let Some(three) = seen.windows(3).min_by(lower) else { continue };
-        let beyond = |g: f64, than: f64| sign * g < sign * than;
-        if !beyond(three[1].1, *found) {
-            continue;
-        }
-        *found = three[1].1;
-        // One look alone tells too little for another.
-        if places.len() > 1
-            && let Some(t) = vertex(three)
-        {
-            let there = look(t)?;
-            *found = if beyond(there, *found) { there } else { *found };
-        }
-    }
-    Ok(found)
-}
-
-/// Where the parabola through three places turns, when that is between the outer two.
-fn vertex(three: &[(f64, f64)]) -> Option<f64> {
-    let [a, b, c] = three else { return None };
-    let ((x, p), (y, q)) = ((b.0 - a.0, b.1 - a.1), (b.0 - c.0, b.1 - c.1));
-    let t = b.0 - 0.5 * (x * x * q - y * y * p) / (x * q - y * p);
-    (t > a.0 && t < c.0).then_some(t)
 }
 
 /// Ratio of the longest chord to this one: `room` between the ends and the limit, `dips` between the ends
