@@ -151,6 +151,23 @@ fn what_rounding_once_decided_is_the_same_in_any_size() {
         (820_080, 1e-3),
         // Newton's method comes to an end as soon as what is left counts as nothing.
         (300_010, 1e-3),
+        // A vertex at the edge that a chord aims at leaves it no room.
+        (300_052, 25.4),
+        (820_047, 1e-3),
+        (930_056, 25.4),
+        (930_427, 1e-3),
+        (930_483, 25.4),
+        (960_345, 1e-3),
+        (960_406, 25.4),
+        // The extreme gap of a chord is that of an end of it.
+        (820_011, 32.0),
+        (930_348, 25.4),
+        (960_288, 25.4),
+        (960_296, 1e-3),
+        (960_471, 2.0),
+        // Two trials one after another are of the same length.
+        (820_199, 1e-3),
+        (990_338, 25.4),
     ];
     let different: Vec<String> =
         decided.into_iter().filter_map(|(seed, scale)| differs(seed, scale, wide, 1e-9)).collect();

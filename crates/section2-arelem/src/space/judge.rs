@@ -26,6 +26,8 @@ const MIDWAY: f64 = 0.1;
 const LOST_SLOPE: f64 = 0.3;
 /// Share of the band by which two places that touch at once may differ.
 const BOTH: f64 = 1e-2;
+/// Share of the band that is no room for a chord.
+const NO_ROOM: f64 = 1e-8;
 /// Extreme gaps on a chord are found to this share of the band.
 pub(super) const RESOLUTION: f64 = 2e-7;
 
@@ -144,14 +146,18 @@ impl Track {
             false => [RESOLUTION, RESOLUTION],
         };
         let aim = self.aim(i) * keep.width();
-        let e = ends.map(|g| (g - limits.low - aim).max(0.0));
-        let f = ends.map(|g| (limits.high - aim - g).max(0.0));
-        let dips = [ends[0] - low, ends[1] - low].map(|d| d.max(0.0));
-        let rises = [high - ends[0], high - ends[1]].map(|d| d.max(0.0));
         let depth = 0.5 * bow;
         // Vertices of the motion before may lie at the very edge; they are no fault of this chord.
         let slack = |share: f64| 1e-14 * self.size + share * keep.width();
         let (own, inside) = (slack(own), slack(found));
+        // The ratio goes by the root of the room, which is not to be that of rounding: a vertex at the edge of what the chord
+        // aims at leaves none.
+        let none = slack(NO_ROOM);
+        let room = |d: f64| if d > none { d } else { 0.0 };
+        let e = ends.map(|g| room(g - limits.low - aim));
+        let f = ends.map(|g| room(limits.high - aim - g));
+        let dips = [ends[0] - low, ends[1] - low].map(|d| d.max(0.0));
+        let rises = [high - ends[0], high - ends[1]].map(|d| d.max(0.0));
         // What looks are unsure of reaches to the edge, and beyond it only from an end that lies there.
         let [under, over] = [ends[0].min(ends[1]), ends[0].max(ends[1])];
         let own =
@@ -161,10 +167,10 @@ impl Track {
         let fits = low >= least && high <= most;
         let mut ratio = f64::INFINITY;
         if depth > 0.0 || dips[0].min(dips[1]) > aim {
-            ratio = ratio.min(grow(e, dips, depth));
+            ratio = ratio.min(grow(e, dips, depth, inside));
         }
         if depth < 0.0 || rises[0].min(rises[1]) > aim {
-            ratio = ratio.min(grow(f, rises, -depth));
+            ratio = ratio.min(grow(f, rises, -depth, inside));
         }
         (fits, ratio)
     }
@@ -250,11 +256,15 @@ pub(super) fn loses_slope(rise: f64, bends: [f64; 2], square: f64) -> bool {
 }
 
 /// Ratio of the longest chord to this one: `room` between the ends and the limit, `dips` between the ends
-/// and the extreme place, `depth` of the parabola where the chord has no inner extreme.
-fn grow(room: [f64; 2], dips: [f64; 2], depth: f64) -> f64 {
+/// and the extreme place, `depth` of the parabola where the chord has no inner extreme. One that is beyond an end by no more
+/// than looks are `unsure` of is that end: its root would be that of rounding, and along a straight chord mean nothing.
+fn grow(room: [f64; 2], dips: [f64; 2], depth: f64, unsure: f64) -> f64 {
     let allowed = room[0].sqrt() + room[1].sqrt();
-    let used = if dips[0].min(dips[1]) > 0.0 {
-        dips[0].sqrt() + dips[1].sqrt()
+    let (least, most) = (dips[0].min(dips[1]), dips[0].max(dips[1]));
+    let used = if least > unsure {
+        least.sqrt() + most.sqrt()
+    } else if least > 0.0 {
+        depth.max(0.0).min(most).sqrt()
     } else {
         depth.max(0.0).sqrt()
     };

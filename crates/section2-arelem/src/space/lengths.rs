@@ -2,6 +2,8 @@
 
 /// Share of a length within which another tells how the ratios go on.
 const NEAR: f64 = 1e-2;
+/// Share of a length within which another is the same: their ratios differ by rounding.
+const SAME: f64 = 1e-7;
 /// What more than the whole of a band one counts for at most: farther out it says little.
 const MOST: f64 = 2.0;
 
@@ -33,7 +35,7 @@ impl Lengths {
             other.1 *= 0.5;
         }
         *same = Some(here);
-        self.last = [Some(here), self.last[0]];
+        self.last = [Some(here), older(s, self.last[0], self.last[1])];
     }
 
     /// Where the whole of the band is used, by the secant of the last two while it comes nearer, else by that of both ends;
@@ -73,15 +75,31 @@ pub(super) fn lengthen(s: f64, ratio: f64, before: Option<(f64, f64)>) -> f64 {
     let Some((s0, r0)) = before else { return simple };
     let slope = (ratio - r0) / (s - s0);
     let secant = s - (ratio - 1.0) / slope;
-    // The ratio falls with the length; where rounding or a kink says otherwise the simple step holds.
-    if slope < 0.0 && secant > 0.25 * s && secant < 4.0 * s { secant } else { simple }
+    // The ratio falls with the length; where rounding or a kink says otherwise, or nothing bent along the one before, the simple
+    // step holds.
+    if slope < 0.0 && slope.is_finite() && secant > 0.25 * s && secant < 4.0 * s {
+        secant
+    } else {
+        simple
+    }
 }
 
-/// The share of a length by which a chord beside it could be longer until its ratio is more than 1 by `aim`, by the secant of
-/// the ratios: where the contact goes over to another place on the way these fall many times as fast as the length grows.
-pub(super) fn rest(s: f64, ratio: f64, (s0, r0): (f64, f64), aim: f64) -> Option<f64> {
+/// The trial with which one of length `s` tells a slope: the last one, or the one `before` where that is so near that the slope
+/// would be that of rounding.
+pub(super) fn older(
+    s: f64,
+    last: Option<(f64, f64)>,
+    before: Option<(f64, f64)>,
+) -> Option<(f64, f64)> {
+    let near = last.is_some_and(|(t, _)| (t - s).abs() <= SAME * s);
+    if near { before.or(last) } else { last }
+}
+
+/// The share of a length by which a chord beside it could be longer, by the secant of the ratios: where the contact goes over to
+/// another place on the way these fall many times as fast as the length grows.
+pub(super) fn rest(s: f64, ratio: f64, (s0, r0): (f64, f64)) -> Option<f64> {
     let slope = (ratio - r0) / (s - s0);
-    ((s - s0).abs() <= NEAR * s && slope < -1.0 / s).then(|| (1.0 + aim - ratio) / (slope * s))
+    ((s - s0).abs() <= NEAR * s && slope < -1.0 / s).then(|| (1.0 - ratio) / (slope * s))
 }
 
 #[cfg(test)]
@@ -107,6 +125,19 @@ mod tests {
     #[test]
     fn the_length_along_a_parabola_comes_with_the_second_trial() {
         assert_eq!(trials(|s| s / 0.35, 0.3, 0.35), 2);
+    }
+
+    #[test]
+    fn a_chord_along_which_nothing_bends_tells_no_slope() {
+        assert_eq!(lengthen(2.0, 1.5, Some((1.0, f64::INFINITY))), 3.0);
+    }
+
+    #[test]
+    fn two_trials_of_one_length_tell_no_slope() {
+        let (old, last) = (Some((1.0, 1.25)), Some((1.2, 1.0 + 1e-9)));
+        assert_eq!(older(1.2 * (1.0 + 1e-9), last, old), old);
+        assert_eq!(older(1.2 * (1.0 + 1e-9), last, None), last);
+        assert_eq!(older(1.21, last, old), last);
     }
 
     #[test]

@@ -13,7 +13,7 @@ use aptc_geometry::profile::Segment;
 use super::guided::{Guided, Guides, Place};
 use super::judge::{AIM_TURNING, Fit};
 use super::keep::{Keep, Limits, Pose};
-use super::lengths::{Lengths, lengthen, rest};
+use super::lengths::{Lengths, lengthen, older, rest};
 use super::track::{Course, Node, Track, Trouble};
 
 /// Trials of one cut vector; two or three are usual.
@@ -391,10 +391,12 @@ impl Track {
     ) -> Result<Stride<T::Place>, Trouble> {
         let (gaps, from) = trials.start();
         let long_enough = if self.axis.turns() { LONG_ENOUGH_TURNING } else { LONG_ENOUGH };
+        // Share by which a length is foretold shorter than the band allows.
+        let aim = 0.25 * long_enough;
         let mut bends = pace.expected_bends();
         let mut bent = None;
         let mut plan = self.plan(from, bends, cap);
-        let mut s = (plan.length * pace.expected() * (1.0 - 0.25 * long_enough)).min(plan.most);
+        let mut s = (plan.length * pace.expected() * (1.0 - aim)).min(plan.most);
         if plan.length >= plan.most && pace.length > 0.0 {
             // Nothing bends here, which may end soon.
             s = s.min(FARTHER * pace.length);
@@ -418,6 +420,10 @@ impl Track {
             // A length that does not come at once, as over a crest, depends on all trials unless it is found to the last digits.
             let easy = !T::FINAL || trial < most_easy;
             let fine = if easy { 1.0 } else { close };
+            let longer = |ratio: f64, before: Option<(f64, f64)>| match easy {
+                true => lengthen(s, ratio, before) * (1.0 - aim),
+                false => lengthen(s, ratio - aim, before.map(|(s, ratio)| (s, ratio - aim))),
+            };
             let tried = trials.reach(s, plan.length, bends, last.as_ref());
             let fit = tried.as_ref().map_err(|t| *t).and_then(|t| trials.fit(&t.to));
             let targets = tried.as_ref().map_or(gaps, |t| t.targets);
@@ -429,10 +435,10 @@ impl Track {
                     if learnt < LESSONS && !over && (lost || self.axis.turns()) {
                         learnt += 1;
                         let better = self.plan(from, Some(fit.bends), cap);
-                        let aim = self.aims(gaps, fit.bends, better.length);
+                        let targeted = self.aims(gaps, fit.bends, better.length);
                         bent = Some(fit.bends);
                         let least = if lost { EDGES_APART } else { OFF_TARGET };
-                        if self.differ(aim, targets, least) {
+                        if self.differ(targeted, targets, least) {
                             // Once more with the vertex where it ought to be.
                             (bends, plan) = (Some(fit.bends), better);
                             let share = fit.ratio.clamp(LOST, 1.0 / LOST);
@@ -441,7 +447,7 @@ impl Track {
                                 true => s,
                                 false => s * share,
                             };
-                            s = (next * (1.0 - 0.25 * long_enough)).min(plan.most);
+                            s = (next * (1.0 - aim)).min(plan.most);
                             (good, bad, before) = (None, f64::INFINITY, None);
                             between = Lengths::default();
                             last = tried.ok().or(last);
@@ -449,14 +455,12 @@ impl Track {
                         }
                     }
                     if fit.fits {
-                        let aim = if easy { 0.0 } else { 0.25 * long_enough };
-                        let inside = if secants { aim } else { 0.0 };
-                        let more = before.and_then(|before| rest(s, fit.ratio, before, inside));
-                        let more = more.unwrap_or(fit.ratio - 1.0 - inside);
-                        let enough = match (easy, secants) {
-                            (true, _) => more <= long_enough,
-                            (false, true) => more.abs() <= close * long_enough,
-                            (false, false) => (more - aim).abs() <= close * long_enough,
+                        let enough = if easy {
+                            let more = before.and_then(|before| rest(s, fit.ratio, before));
+                            more.unwrap_or(fit.ratio - 1.0) <= long_enough
+                        } else {
+                            // What the next trial would be is what this one lacks.
+                            (longer(fit.ratio, before) / s - 1.0).abs() <= close * long_enough
                         };
                         let enough = enough || s >= plan.most;
                         let first = before.is_none() && bad.is_infinite() && !over;
@@ -500,12 +504,10 @@ impl Track {
                         let below = if bad.is_infinite() { trials.below(&end.to) } else { None };
                         beyond = below.map(|on| s + on + BEYOND * usual);
                     }
-                    between.take(s, 1.0 / ratio - (1.0 - 0.25 * long_enough));
+                    between.take(s, 1.0 / ratio - (1.0 - aim));
                     let next = beyond.take().or_else(|| between.next(usual));
-                    let next = next
-                        .filter(|_| secants)
-                        .unwrap_or_else(|| lengthen(s, ratio, before) * (1.0 - 0.25 * long_enough));
-                    before = Some((s, ratio));
+                    let next = next.filter(|_| secants).unwrap_or_else(|| longer(ratio, before));
+                    before = older(next, Some((s, ratio)), before);
                     next
                 }
                 Err(t) if !T::FINAL => return Err(t),
@@ -521,8 +523,12 @@ impl Track {
                 break;
             }
             s = next.min(plan.most);
+            if s <= low && bad.is_infinite() {
+                // No longer one is foretold than the one that fits.
+                break;
+            }
             if s <= low || s >= bad {
-                s = if bad.is_finite() { 0.5 * (low + bad) } else { plan.most };
+                s = 0.5 * (low + bad);
             }
         }
         let stride = good.ok_or(trouble)?;
