@@ -185,8 +185,6 @@ fn editing_and_listing() {
             ("CLPRNT/OFF", "Clprnt"),
             ("NOPOST", "Nopost"),
             ("NOPLOT,CUTTER/1", "Noplot Cutter"),
-            ("PTONLY/1", "Ptonly"),
-            ("PTONLY/3,40", "Ptonly"),
             ("TITLES A HEADING", ""),
             ("PRINT/3,ALL", ""),
             ("PRINT/ON", ""),
