@@ -42,7 +42,7 @@ pub(crate) enum Command {
     Test(TestArgs),
     /// Explain an error code or a word of the language
     Explain {
-        /// The code or the word, for example APT1042 or CIRCLE; all codes are listed without one
+        /// The code or the word, for example APT1050 or CIRCLE; all codes are listed without one
         code: Option<String>,
     },
     /// List the machines, print the file of one, or check one's own

@@ -18,7 +18,12 @@ impl Aside {
             return NamedTempFile::new().map(Self);
         }
         let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
-        tempfile::Builder::new().prefix(".aptc-").tempfile_in(folder).map(Self)
+        if !folder.is_dir() {
+            return Err(io::Error::new(io::ErrorKind::NotFound, "there is no such folder"));
+        }
+        // The name of what is written aside says nothing to who wants a result.
+        let begun = tempfile::Builder::new().prefix(".aptc-").tempfile_in(folder);
+        begun.map(Self).map_err(|e| e.kind().into())
     }
 
     /// Gives it its name when it is on the disk: what was there stays until all is written, also when the power fails.

@@ -128,7 +128,7 @@ fn what_cannot_be_read_or_written_is_told() {
         ("post none.cl", "no such file"),
         ("post .", "no file"),
         ("post a.cl --from sanskrit", "no CL dialect"),
-        ("convert a.cl -o no/such/x.cl", "cannot write"),
+        ("convert a.cl -o no/such/x.cl", "cannot write no/such/x.cl: there is no such folder\n"),
         ("convert a.cl --to nx -o x.cls", "only read"),
         ("cldiff a.cl none.cl", "cannot read"),
     ] {
@@ -159,6 +159,21 @@ fn machine_code_is_compared_as_what_the_axes_do() {
         let run = aptc(dir.path(), &command.split(' ').collect::<Vec<_>>());
         assert_eq!(run.status.code(), Some(exit), "{command}: {}", text(&run.stderr));
         assert!(text(&run.stdout).contains(shown), "{command}: {}", text(&run.stdout));
+    }
+    // What could not be read does not agree.
+    let run = aptc(dir.path(), &["cldiff", "bad.nc", "bad.nc"]);
+    let said = text(&run.stdout);
+    assert_eq!(run.status.code(), Some(1), "{said}");
+    assert!(!said.contains("agree") && said.contains("bad.nc cannot be read"), "{said}");
+    // Heidenhain's plain language is known by its first line, whatever the name ends in.
+    let plain = "0 BEGIN PGM A MM\n1 TOOL CALL 1 Z S1000\n2 L X+0 Y+0 Z+5 R0 FMAX M3\n\
+                 3 L X+10 F100\n4 END PGM A MM\n";
+    fs::write(dir.path().join("plain.nc"), plain).unwrap();
+    fs::write(dir.path().join("other.nc"), plain.replace("+10", "+11")).unwrap();
+    for (other, exit, shown) in [("plain.nc", 0, "agree"), ("other.nc", 1, "deviation: 1.0")] {
+        let run = aptc(dir.path(), &["cldiff", "plain.nc", other]);
+        assert_eq!(run.status.code(), Some(exit), "{}", text(&run.stderr));
+        assert!(text(&run.stdout).contains(shown), "{}", text(&run.stdout));
     }
     let run = aptc(dir.path(), &["cldiff", "a.nc", "far.nc", "--json"]);
     let found: serde_json::Value = serde_json::from_slice(&run.stdout).unwrap();

@@ -281,3 +281,15 @@ fn pictures_that_there_are_not_are_told() {
     assert!(said.contains("none, for nothing was milled by regions"), "{said}");
     assert!(!said.contains("wrote"), "{said}");
 }
+
+/// What PRINT lists stands with the line of its statement, as the source and the messages do.
+#[test]
+fn the_listing_counts_lines() {
+    let part = "PARTNO X\n$$ a remark\nA=$\n1\n\nB=2\nPRINT/3,B\nFINI\n";
+    let dir = folder_with(&[("x.apt", part)]);
+    let run = aptc(dir.path(), &["x.apt", "--emit", "lst"]);
+    assert_eq!(run.status.code(), Some(0), "{}", text(&run.stderr));
+    let listing = fs::read_to_string(dir.path().join("x.lst")).expect("it was made");
+    assert!(listing.contains("     7  PRINT/3,B"), "{listing}");
+    assert!(listing.contains("     7  B           SCALAR"), "{listing}");
+}

@@ -135,3 +135,22 @@ fn inputs_too_large_for_a_page_give_their_codes() {
         assert_eq!(told, 1, "{code}: {:?}", messages.iter().take(5).collect::<Vec<_>>());
     }
 }
+
+/// What the first pages and the help name exists.
+#[test]
+fn named_codes_are_codes() {
+    let help = Command::new(env!("CARGO_BIN_EXE_aptc")).args(["explain", "--help"]).output();
+    let mut texts = vec![String::from_utf8(help.expect("it starts").stdout).expect("it is text")];
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    for page in ["README.md", "CONTRIBUTING.md", "docs/errors.md"] {
+        texts.push(fs::read_to_string(root.join(page)).expect("it is there"));
+    }
+    for text in &texts {
+        for code in text.split(|c: char| !c.is_ascii_alphanumeric()) {
+            let digits = code.strip_prefix("APT").unwrap_or_default();
+            if digits.len() == 4 && digits.bytes().all(|b| b.is_ascii_digit()) {
+                assert!(Code::parse(code).is_some(), "{code}");
+            }
+        }
+    }
+}

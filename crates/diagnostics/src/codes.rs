@@ -38,7 +38,7 @@ impl Code {
         all().find(|(c, _)| *c == self).map_or("", |(_, t)| t)
     }
 
-    /// The code written `APT1042`, if the registry has it.
+    /// The code written `APT1050`, if the registry has it.
     pub fn parse(text: &str) -> Option<Self> {
         let number = text.strip_prefix("APT").or_else(|| text.strip_prefix("apt")).unwrap_or(text);
         let number = number.parse().ok()?;

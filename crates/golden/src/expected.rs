@@ -1,6 +1,6 @@
 //! Messages that a program says it expects.
 //!
-//! A comment `$$ ERROR APT1042 12-15 words of the message` stands above the line that it speaks of; several
+//! A comment `$$ ERROR APT1050 12-15 words of the message` stands above the line that it speaks of; several
 //! may stand above one line. `WARNING` and `NOTE` are told from `ERROR`. The columns (first and last, from 1)
 //! and the words (any part of the message) may be left out.
 

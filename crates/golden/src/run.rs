@@ -46,7 +46,7 @@ impl Stage {
 pub struct Message {
     /// `error`, `warning` or `note`.
     pub severity: &'static str,
-    /// `APT1042`.
+    /// `APT1050`.
     pub code: String,
     /// Line, from 1; 0 for a message about no line of the program.
     pub line: u32,

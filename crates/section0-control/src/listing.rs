@@ -1,4 +1,4 @@
-//! The listing, X.lst: source with statement numbers, what PRINT printed, the CL data where CLPRNT asked for
+//! The listing, X.lst: source with line numbers, what PRINT printed, the CL data where CLPRNT asked for
 //! it, and what was found.
 
 use std::fmt::Write as _;
@@ -84,29 +84,29 @@ fn printed(out: &mut String, entries: &[Entry]) {
     }
     out.push_str("\nPRINTED\n\n");
     for entry in entries {
-        let isn = entry.origin.isn;
+        let at = entry.origin.line;
         match &entry.kind {
             EntryKind::Page => out.push('\n'),
             EntryKind::Title { text, right } => {
                 let width = if *right { 60 } else { 0 };
-                line(out, isn, &format!("{:width$}{text}", ""));
+                line(out, at, &format!("{:width$}{text}", ""));
             }
             EntryKind::Scalar { name, value } => {
-                line(out, isn, &format!("{:<12}{:<8}{}", label(name), "SCALAR", number(*value)));
+                line(out, at, &format!("{:<12}{:<8}{}", label(name), "SCALAR", number(*value)));
             }
             EntryKind::Form { name, word, elements } => {
-                form(out, isn, &label(name), word, elements);
+                form(out, at, &label(name), word, elements);
             }
             EntryKind::Bits { name, word, elements } => {
                 let name = label(&Some(name.clone()));
                 let bits: Vec<_> =
                     elements.iter().map(|x| format!("{:016X}", x.to_bits())).collect();
-                line(out, isn, &format!("{name:<12}{word:<8}{}", bits.join(" ")));
+                line(out, at, &format!("{name:<12}{word:<8}{}", bits.join(" ")));
             }
             EntryKind::Undefined { name } => {
-                line(out, isn, &format!("{:<12}UNDEFINED", label(&Some(name.clone()))));
+                line(out, at, &format!("{:<12}UNDEFINED", label(&Some(name.clone()))));
             }
-            EntryKind::Remark(text) => line(out, isn, &format!("$$ {text}")),
+            EntryKind::Remark(text) => line(out, at, &format!("$$ {text}")),
         }
     }
 }
@@ -129,23 +129,23 @@ fn messages(out: &mut String, diagnostics: &[Diagnostic], sources: &SourceMap) {
     }
 }
 
-fn line(out: &mut String, isn: u32, text: &str) {
-    writeln!(out, "{isn:>6}  {}", text.trim_end()).expect("strings take all");
+fn line(out: &mut String, at: u32, text: &str) {
+    writeln!(out, "{at:>6}  {}", text.trim_end()).expect("strings take all");
 }
 
-fn form(out: &mut String, isn: u32, name: &str, word: &str, elements: &[f64]) {
+fn form(out: &mut String, at: u32, name: &str, word: &str, elements: &[f64]) {
     /// Elements on a line.
     const ROW: usize = 4;
     for (i, row) in elements.chunks(ROW).enumerate() {
         let row: String = row.iter().map(|x| format!("{:>18}", number(*x))).collect();
         if i == 0 {
-            line(out, isn, &format!("{name:<12}{word:<8}{row}"));
+            line(out, at, &format!("{name:<12}{word:<8}{row}"));
         } else {
-            line(out, isn, &format!("{:20}{row}", ""));
+            line(out, at, &format!("{:20}{row}", ""));
         }
     }
     if elements.is_empty() {
-        line(out, isn, &format!("{name:<12}{word:<8}"));
+        line(out, at, &format!("{name:<12}{word:<8}"));
     }
 }
 

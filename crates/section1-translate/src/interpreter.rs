@@ -13,7 +13,7 @@ use aptc_geometry::{Form, Plane, Transform};
 use aptc_protap::{CutVectors, Kind, NameRef, Outcome, Record, Units};
 use aptc_syntax::tree::{Body, Statement};
 use aptc_syntax::{Interner, Symbol};
-use aptc_vocabulary::word;
+use aptc_vocabulary::{Word, word};
 use smol_str::SmolStr;
 
 use crate::define::Found;
@@ -114,6 +114,10 @@ pub(crate) struct State {
     pub(crate) cut_vectors: Vec<CutVectors>,
     /// Is this a program of APT4?
     pub(crate) sculptured: bool,
+    /// Words without effect that were told of.
+    pub(crate) ignored_said: Vec<Word>,
+    /// Was said that this part program stands behind a FINI and has no PARTNO?
+    pub(crate) behind_fini: bool,
     /// Was said how a MATRIX in a reference system is taken?
     pub(crate) matrix_said: bool,
     /// Was said in which order two maps are carried out?
@@ -301,7 +305,26 @@ impl<'w> Interpreter<'w> {
         }
         let plan = self.plan(&unit, start);
         let range = (plan.start(), plan.end());
+        if start > 0 {
+            self.look_behind_fini(&unit.program.statements[start as usize..plan.end() as usize]);
+        }
         self.levels = vec![Level::new(unit, plan, range, LevelKind::Program, None)];
+    }
+
+    /// Tells of statements behind FINI that no PARTNO heads: often FINI stands too early, or what follows is a remark.
+    fn look_behind_fini(&mut self, rest: &[Statement]) {
+        let heads = |s: &Statement| matches!(s.body, Body::Text { word: word::PARTNO, .. });
+        let Some(first) = rest.iter().find(|s| !matches!(s.body, Body::Empty)) else { return };
+        self.state.behind_fini = !rest.iter().any(heads);
+        if self.state.behind_fini {
+            let line = first.line;
+            let message =
+                format!("what follows FINI (line {line}) is taken as a further part program");
+            self.push(
+                Diagnostic::warning(codes::BEHIND_FINI, first.span, message)
+                    .help("put FINI at the end, or head the further part program with PARTNO"),
+            );
+        }
     }
 
     /// Ends the part program and stands before the next one of the file.
@@ -389,7 +412,8 @@ impl<'w> Interpreter<'w> {
                 let cut_short = level.unit.text.trim_end().ends_with('$');
                 // The last statement may be a FINI that could not be read.
                 let unread = self.reports.has_error_in(span);
-                if !level.plan.swallowed() && !cut_short && !unread {
+                let told = self.state.behind_fini;
+                if !level.plan.swallowed() && !cut_short && !unread && !told {
                     self.push(
                         Diagnostic::warning(codes::NO_FINI, span, "the program ends without FINI")
                             .help("end the part program with FINI"),

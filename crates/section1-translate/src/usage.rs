@@ -86,6 +86,72 @@ pub(crate) fn usage(word: Word) -> &'static [&'static str] {
             "CYCLE/DRILL|FACE|DEEP|BRKCHP|TAP|BORE|REAM|CSINK,DEPTH,d,MMPM|MMPR,f,CLEAR,c[,STEP,s][,DWELL,t]",
             "CYCLE/OFF",
         ],
+        word::TANTO | word::DSTAN | word::PSTAN => {
+            &["GOFWD/drive surface,TANTO|DSTAN|PSTAN,[n,INTOF,]check surface"]
+        }
+        word::TLNDON => &["TLNDON,GOLFT/.."],
+        word::NOPS => &["NOPS"],
+        word::AUTOPS => &["AUTOPS"],
+        word::NUMPTS => &["NUMPTS/n"],
+        word::SRFVCT => &[
+            "SRFVCT/vector for the drive surface[,vector for the part surface[,for the check surface]]",
+            "SRFVCT/i,j,k[,i,j,k[,i,j,k]]",
+        ],
+        word::DNTCUT | word::CUT => &["DNTCUT  ..  CUT"],
+        word::W2DCALC => &["2DCALC"],
+        word::W3DCALC => &["3DCALC"],
+        word::NDTEST => &["NDTEST"],
+        word::CLPRNT => &["CLPRNT", "CLPRNT/ON  ..  CLPRNT/OFF", "CLPRNT/OPTION  ..  CLPRNT/OFF"],
+        word::GOUGCK => &["GOUGCK[/ON|OFF]"],
+        word::PTONLY => &["PTONLY/n"],
+        word::FINI => &["FINI"],
         _ => &[],
     }
+}
+
+/// What a word does, where its forms do not show it.
+pub(crate) fn sentence(word: Word) -> Option<&'static str> {
+    Some(match word {
+        word::TANTO | word::DSTAN => {
+            "The motion ends where the cutter is tangent to the check surface, which is tangent to the drive surface."
+        }
+        word::PSTAN => {
+            "The motion ends where the cutter is tangent to the check surface, which is tangent to the part surface."
+        }
+        word::OFFSET => {
+            "Brings the tool to its surfaces as GO does, but to the nearest place, without a direction of its own."
+        }
+        word::NOPS => {
+            "A GO that names the drive surface alone does without a part surface, up to PSIS, AUTOPS or a GO that names one."
+        }
+        word::AUTOPS => {
+            "The part surface is the plane through the tool end square to the tool axis, as they are here."
+        }
+        word::NUMPTS => "A motion ends with an error when it has more than n cut vectors.",
+        word::SRFVCT => {
+            "For the next start: vectors from the TO side to the PAST side of each surface, where the tool stands on it."
+        }
+        word::DNTCUT => {
+            "The tool moves on, but its motions are not put out; CUT puts out again, from where the tool is then."
+        }
+        word::CUT => "Motions are put out again after DNTCUT.",
+        word::W2DCALC | word::NDTEST => {
+            "Motion square to the tool axis is computed in the plane where the surfaces allow it; this holds from the start."
+        }
+        word::W3DCALC => {
+            "Motion is computed in space, also where the plane would do; 2DCALC ends it."
+        }
+        word::CLPRNT => {
+            "Puts the CL data in the listing: all of them, or those from ON to OFF; OPTION those before COPY and TRACUT."
+        }
+        word::GOUGCK => {
+            "Passed on in the CL data and of no effect else: every cut vector is checked for gouges here, with OFF too."
+        }
+        word::TLNDON => "The tool end stays on the drive surface, as with TLON.",
+        word::PTONLY => {
+            "Sections after the n-th do not run: 1 leaves motions out, 2 edited CL data, 3 machine code."
+        }
+        word::FINI => "Ends the part program; what follows in the file is a further one.",
+        _ => return None,
+    })
 }

@@ -6,7 +6,7 @@ use aptc_vocabulary::{Class, Dialect, Word, closest, find};
 
 use crate::define;
 use crate::statement::{fate, statement_shapes};
-use crate::usage::usage;
+use crate::usage::{sentence, usage};
 
 /// A page about a word in Markdown; `None` for what is no word.
 ///
@@ -20,6 +20,9 @@ pub fn about(text: &str) -> Option<String> {
     let _ = write!(page, "\nIn the tables of {}.\n", tables.join(", "));
     if let Some((what, reason)) = fate(word) {
         let _ = write!(page, "\n{what}: {reason}.\n");
+    }
+    if let Some(sentence) = sentence(word) {
+        let _ = write!(page, "\n{sentence}\n");
     }
     let mut formats = define::formats(word);
     formats.extend(statement_shapes(word));
@@ -80,6 +83,11 @@ mod tests {
         assert!(page("VTLAXS").contains("VTLAXS/OFF,LEFT|RIGHT,number\n"));
         assert!(page("DMILL").contains("Refused: its processor was never published."));
         assert!(page("TUNEUP").contains("Ignored: "));
+        for (word, form) in [("PTONLY", "PTONLY/n"), ("TANTO", "TANTO|DSTAN"), ("2DCALC", "2DCALC")]
+        {
+            let page = page(word);
+            assert!(page.contains(form) && page.lines().filter(|l| l.ends_with('.')).count() >= 3);
+        }
         assert_eq!(near_word("CIRCEL"), Some("CIRCLE"));
     }
 }

@@ -3,7 +3,8 @@
 
 mod support;
 
-use support::{Ran, clean};
+use aptc_diagnostics::Severity;
+use support::{Ran, clean, run};
 
 /// Kinds of the records in order: the name before the first bracket.
 fn kinds(ran: &Ran) -> Vec<String> {
@@ -16,7 +17,10 @@ fn kinds(ran: &Ran) -> Vec<String> {
 /// Each line is a statement and what it becomes, in order; `-` for nothing.
 fn becomes(scene: &str, table: &[(&str, &str)]) {
     for (statement, wanted) in table {
-        let ran = clean(&format!("{scene}{statement}\nFINI\n"));
+        let ran = run(&format!("{scene}{statement}\nFINI\n"));
+        // What does nothing here is noted.
+        let noted = ran.diagnostics.iter().all(|d| d.severity == Severity::Note);
+        assert!(noted, "{statement}\n{}", ran.messages());
         let before = clean(&format!("{scene}FINI\n")).kinds().len();
         let found = kinds(&ran)[before..].join(" ");
         assert_eq!(found, wanted.replace('-', ""), "{statement}");
@@ -181,12 +185,12 @@ fn editing_and_listing() {
                 "VTLAXS/ON,LEFT,10,2,0,RIGHT,ZSMALL\nWCORN/LEFT,5,RIGHT,6,1\nVTLAXS/OFF,LEFT,1",
                 "Post Post Post",
             ),
+            ("PTONLY/1", "Ptonly"),
+            ("PTONLY/3,40", "Ptonly"),
             ("CLPRNT", "Clprnt"),
             ("CLPRNT/OFF", "Clprnt"),
             ("NOPOST", "Nopost"),
             ("NOPLOT,CUTTER/1", "Noplot Cutter"),
-            ("PTONLY/1", "Ptonly"),
-            ("PTONLY/3,40", "Ptonly"),
             ("TITLES A HEADING", ""),
             ("PRINT/3,ALL", ""),
             ("PRINT/ON", ""),

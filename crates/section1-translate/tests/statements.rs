@@ -237,7 +237,6 @@ fn words_that_stand_alone() {
         ("CLPRNT/OPTION", Kind::Clprnt(Clprnt::Option)),
         ("NOPOST", Kind::Nopost),
         ("NOPLOT", Kind::Noplot),
-        ("PTONLY/3,12", Kind::Ptonly(3)),
         ("NUMPTS/900", Kind::Numpts(900)),
         ("UNITS/MM", Kind::Units(Units::Mm)),
         ("UNITS/CM", Kind::Units(Units::Cm)),
@@ -461,4 +460,33 @@ fn definitions_come_with_their_names() {
         .collect();
     let named = |n: &str, i, w| (n.to_owned(), i, w);
     assert_eq!(names, [named("Q", 2, "POINT"), named("P", 0, "POINT"), named("L", 0, "LINE")]);
+}
+
+/// A word that labels a statement is a label behind its check surface, and a relation stays one.
+#[test]
+fn a_word_may_be_a_label() {
+    let text = format!(
+        "{FORMS}FROM/0,0,0\nGOFWD/L1,TO,L2,UP,PAST,L3,NXT\nUP) GOTO/1,1,1\nNXT) GOTO/2,2,2\nFINI\n"
+    );
+    let kinds = clean(&text).kinds().into_iter().cloned().collect::<Vec<_>>();
+    let drive = kinds.iter().find_map(|k| match k {
+        Kind::Drive(d) => Some(d),
+        _ => None,
+    });
+    let checks = &drive.expect("a motion").checks;
+    assert_eq!(checks.len(), 2);
+    assert!(checks.iter().all(|c| c.branch));
+    assert_eq!(checks[1].relation, Relation::Past);
+}
+
+/// The second number is a record of an earlier run; what does not run is told.
+#[test]
+fn ptonly_says_what_it_leaves_out() {
+    for (statement, n, told) in [("PTONLY/1", 1, "no motions"), ("PTONLY/3,12", 3, "Section 4")] {
+        let ran = run(&format!("{statement}\nFINI\n"));
+        assert_eq!(ran.kinds(), [&Kind::Ptonly(n)]);
+        assert_eq!(ran.diagnostics.len(), 1);
+        let d = &ran.diagnostics[0];
+        assert!(!d.is_error() && d.message.contains(told), "{}", d.message);
+    }
 }

@@ -148,7 +148,7 @@ impl Arelem {
         }
         let sculptured = |s: &&SurfaceRef| s.form.kind() == FormKind::Ssurf;
         if let Some(surface) = surfaces.into_iter().find(sculptured) {
-            self.settings.set_cutter(Cutter::mill(0.0, 0.0, 0.0));
+            self.settings.set_cutter(Cutter::mill(0.0, 0.0, 0.0), 0);
             self.diagnostics.push(failure::point_taken(origin, surface));
         }
     }

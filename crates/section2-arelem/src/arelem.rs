@@ -7,7 +7,7 @@ use aptc_protap as protap;
 use aptc_protap::{Direction, DriveSide, Kind, Outcome, PartSide, Relation, Sense, ToolAxis};
 
 use crate::diagram::Situation;
-use crate::failure::Failure;
+use crate::failure::{Failure, no_band};
 use crate::feed::Feed;
 use crate::fitted::Fitted;
 use crate::forward::forward;
@@ -158,6 +158,9 @@ impl Arelem {
         ) {
             self.settings.started = None;
         }
+        if matches!(record.kind, Kind::Go(_) | Kind::Drive(_)) {
+            self.tell_no_band(origin);
+        }
         match &record.kind {
             Kind::From(p) => self.place(origin, p, cl::MotionKind::From, out),
             Kind::Goto(p) => self.place(origin, p, cl::MotionKind::Goto, out),
@@ -187,18 +190,25 @@ impl Arelem {
                 Outcome::None
             }
             kind => {
-                self.set(kind);
+                self.set(kind, origin.line);
                 Outcome::None
             }
         }
     }
 
-    /// Modal words.
-    fn set(&mut self, kind: &Kind) {
+    /// Says once for each pair of INTOL and OUTTOL that leave no band which one is taken.
+    fn tell_no_band(&mut self, origin: &Origin) {
+        if let Some(least) = self.settings.untold_least() {
+            self.diagnostics.push(no_band(origin, least));
+        }
+    }
+
+    /// Modal words of a statement of that line.
+    fn set(&mut self, kind: &Kind, line: u32) {
         let s = &mut self.settings;
         match kind {
             Kind::Units(u) => s.units = *u,
-            Kind::Cutter(c) => s.set_cutter(*c),
+            Kind::Cutter(c) => s.set_cutter(*c, line),
             Kind::CutterOption { surface, disk } => s.set_disk(*surface, *disk),
             Kind::Intol(t) => s.set_intol(*t),
             Kind::Outtol(t) => s.set_outtol(*t),

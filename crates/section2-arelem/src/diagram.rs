@@ -146,7 +146,7 @@ impl Situation {
             let r = p.widest() * scale;
             let _ = writeln!(
                 out,
-                "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"{r:.1}\" fill=\"#0002\" stroke=\"black\"/>"
+                "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"{r:.1}\" fill=\"black\" fill-opacity=\".13\" stroke=\"black\"/>"
             );
             return;
         }
@@ -160,8 +160,10 @@ impl Situation {
         let corner = |[r, z]: [f64; 2]| format!("{:.1},{:.1} ", x + r * scale, y - z * scale);
         let left: String = half.iter().rev().map(|[r, z]| corner([-r, *z])).collect();
         let right: String = half.iter().map(|q| corner(*q)).collect();
-        let _ =
-            writeln!(out, "<polygon points=\"{left}{right}\" fill=\"#0002\" stroke=\"black\"/>");
+        let _ = writeln!(
+            out,
+            "<polygon points=\"{left}{right}\" fill=\"black\" fill-opacity=\".13\" stroke=\"black\"/>"
+        );
     }
 }
 

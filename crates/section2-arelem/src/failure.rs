@@ -174,8 +174,9 @@ impl Failure {
                 if *met == 0 || *nth <= 1 {
                     format!("the check surface {} is not reached", called(surface))
                 } else {
+                    let times = if *met == 1 { "once".to_owned() } else { format!("{met} times") };
                     format!(
-                        "the check surface {} is met {met} times, not {nth} times",
+                        "the check surface {} is met {times}, not {nth} times",
                         called(surface)
                     )
                 },
@@ -285,7 +286,8 @@ impl Failure {
             Self::BadCutter { why } => (
                 codes::CUTTER_NO_SOLID,
                 format!("the cutter is no solid: {why}"),
-                "check CUTTER/d,r,e,f,alpha,beta,h".into(),
+                "correct that CUTTER/d,r,e,f,alpha,beta,h; e and f may be 0, then the corner touches both lines"
+                    .into(),
             ),
             Self::ThickBeyond { surface, thick, radius } => (
                 codes::THICK_BEYOND_CUTTER,
@@ -401,6 +403,17 @@ pub(crate) fn assumed_direction(origin: &Origin, word: Direction) -> Diagnostic 
     Diagnostic::warning(codes::ASSUMED_DIRECTION, origin.span, text)
         .within(origin.trace.clone())
         .help("give INDIRV or INDIRP after FROM")
+}
+
+/// INTOL and OUTTOL that leave no band.
+pub(crate) fn no_band(origin: &Origin, least: f64) -> Diagnostic {
+    let text = format!(
+        "INTOL and OUTTOL are both 0 here, in which no chord of a curve lies; a band of {} is taken",
+        number(least)
+    );
+    Diagnostic::warning(codes::BAD_TOLERANCE, origin.span, text)
+        .within(origin.trace.clone())
+        .help("give TOLER or OUTTOL the tolerance of the part: the smaller, the more cut vectors")
 }
 
 /// The tool stays on the other side of the drive surface than the word says (APT-360: warning 1601).

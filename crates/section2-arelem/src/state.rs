@@ -52,6 +52,8 @@ pub(crate) struct Settings {
     profile: Option<Result<Profile, String>>,
     intol: [f64; 4],
     outtol: Option<[f64; 4]>,
+    /// Was said which band is taken where these leave none?
+    least_said: bool,
     maxdp: Option<f64>,
     pub(crate) numpts: Option<u32>,
     pub(crate) calc: Dimension,
@@ -105,6 +107,7 @@ impl Default for Settings {
             drive_disk: None,
             profile: None,
             intol: [0.0; 4],
+            least_said: false,
             maxdp: None,
             numpts: None,
             calc: Dimension::Two,
@@ -131,13 +134,16 @@ impl Default for Settings {
 impl Settings {
     pub(crate) fn set_intol(&mut self, t: [f64; 4]) {
         self.intol = t;
+        self.least_said = false;
     }
 
     pub(crate) fn set_outtol(&mut self, t: [f64; 4]) {
         self.outtol = Some(t);
+        self.least_said = false;
     }
 
-    pub(crate) fn set_cutter(&mut self, cutter: Cutter) {
+    /// CUTTER of that line.
+    pub(crate) fn set_cutter(&mut self, cutter: Cutter, line: u32) {
         self.cutter = Some(cutter);
         // CUTTER/0 is a point: without width and without a height of its own nothing but its end can touch.
         let [diameter, corner, e, _, alpha, beta, height] = cutter.values();
@@ -145,7 +151,11 @@ impl Settings {
         let usual = HEIGHT_MM / self.units.mm();
         let point = none && (height == 0.0 || (height - usual).abs() <= 1e-9 * usual);
         let profile = if point { Profile::disk(0.0, 0.0) } else { Profile::new(&cutter) };
-        self.profile = Some(profile.map_err(why));
+        let given = || {
+            let values: Vec<_> = cutter.values().iter().map(f64::to_string).collect();
+            format!("CUTTER/{} of line {line}", values.join(","))
+        };
+        self.profile = Some(profile.map_err(|bad| format!("{} ({})", why(bad), given())));
     }
 
     /// The disk that stands for the cutter against the surface of that role.
@@ -160,7 +170,7 @@ impl Settings {
     /// What touches the surface of that role; `None` before any CUTTER.
     pub(crate) fn profile(&self, role: Role) -> Option<Result<Profile, String>> {
         match self.disk(role) {
-            Some((r, h)) => Some(Profile::disk(r, h).map_err(why)),
+            Some((r, h)) => Some(Profile::disk(r, h).map_err(|bad| why(bad).to_owned())),
             None => self.profile.clone(),
         }
     }
@@ -214,6 +224,19 @@ impl Settings {
         self.nops = false;
     }
 
+    /// The band that is taken for one of no width on part, drive or check surface, unless it was said.
+    pub(crate) fn untold_least(&mut self) -> Option<f64> {
+        let outtol = self.outtol?;
+        let none = (0..3).any(|i| outtol[i].max(0.0) + self.intol[i].max(0.0) == 0.0);
+        let untold = none && !self.least_said;
+        self.least_said |= untold;
+        untold.then(|| self.least())
+    }
+
+    fn least(&self) -> f64 {
+        OUTTOL_MM / self.units.mm() * 1e-4
+    }
+
     /// Tolerance band on the surface of that role; never of no width.
     pub(crate) fn band(&self, role: Role) -> Band {
         let default = OUTTOL_MM / self.units.mm();
@@ -223,7 +246,7 @@ impl Settings {
         if outtol + intol > 0.0 {
             Band { intol, outtol }
         } else {
-            Band { intol, outtol: default * 1e-4 }
+            Band { intol, outtol: self.least() }
         }
     }
 
@@ -233,7 +256,7 @@ impl Settings {
 }
 
 /// Why a cutter is none.
-fn why(bad: BadCutter) -> String {
+fn why(bad: BadCutter) -> &'static str {
     match bad {
         BadCutter::NegativeDiameter => "negative diameter",
         BadCutter::NegativeHeight => "negative height",
@@ -243,7 +266,6 @@ fn why(bad: BadCutter) -> String {
         BadCutter::NegativeCornerRadius => "negative corner radius",
         _ => "its lines and its corner do not close",
     }
-    .into()
 }
 
 /// The unit vector; none for one without a length.

@@ -284,3 +284,24 @@ fn a_start_between_surfaces_that_nearly_touch_holds_both_bands() {
     let end = start(".001", "TO,CN,TO,LX").clean().end();
     assert!((end.x - 5.0).abs() < 1e-12 && (end.y + 0.5).abs() < 1e-12, "{end:?}");
 }
+
+/// The motion says which CUTTER it is, and its values.
+#[test]
+fn a_cutter_that_is_no_solid_is_named() {
+    let ran = run(&forms(), "FROM/0,-5,0\nCUTTER/1,0,0,0,60,40,5\nGO/TO,LX");
+    let said = ran.diagnostics[0].message.clone();
+    assert_eq!(ran.code(), 2022);
+    assert!(said.contains("(CUTTER/1,0,0,0,60,40,5 of line "), "{said}");
+}
+
+#[test]
+fn tolerances_that_leave_no_band_are_told_once() {
+    let told = |tolerances: &str| {
+        let text = format!("CUTTER/1\n{tolerances}\nFROM/-5,-5,0\nGO/TO,LX\nTLRGT,GORGT/LX,ON,LY");
+        let ran = run(&forms(), &text);
+        ran.diagnostics.iter().map(|d| (d.code.number(), d.is_error())).collect::<Vec<_>>()
+    };
+    assert_eq!(told("INTOL/0\nOUTTOL/0"), [(1307, false)]);
+    assert_eq!(told("OUTTOL/0\nINTOL/.001"), []);
+    assert_eq!(told("INTOL/0"), []);
+}

@@ -61,6 +61,19 @@ pub(crate) fn touches_with(origin: &Origin, place: &str, at: Vec3) -> Diagnostic
         .help("lean the tool axis, so that the corner or the side cuts")
 }
 
+/// Passes that are to run out of the region from its border.
+pub(crate) fn leads_out(origin: &Origin, [u, v]: [f64; 2], sense: f64) -> Diagnostic {
+    let [out, into] = if sense > 0.0 { ["PLUS", "MINUS"] } else { ["MINUS", "PLUS"] };
+    let text = format!(
+        "the passes have no length: from {},{} {out} leads out of the limits of DS",
+        short(u),
+        short(v)
+    );
+    Diagnostic::warning(codes::REGION_VALUE, origin.span, text)
+        .within(origin.trace.clone())
+        .help(format!("write {into} behind TANSPL or CRSSPL, which leads into the region"))
+}
+
 /// The first point of a path, which was to be left out, is put out.
 pub(crate) fn put_out(origin: &Origin, at: Vec3) -> Diagnostic {
     let text = format!(

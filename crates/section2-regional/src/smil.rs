@@ -11,7 +11,7 @@ use aptc_protap::{Arg, NameRef};
 use crate::area::{AxisArea, DriveArea, Guide, Hold, PartArea};
 use crate::crew::Crew;
 use crate::drive::Course;
-use crate::failure::{Deep, Failure, left_standing, put_out, touches_with};
+use crate::failure::{Deep, Failure, leads_out, left_standing, put_out, touches_with};
 use crate::guard::{Checked, Guard};
 use crate::jump::Stands;
 use crate::path::{Broken, Path};
@@ -45,6 +45,8 @@ struct Done {
     joined: bool,
     /// Was the tool end led away from where it stands on the surface?
     away: bool,
+    /// Does the way of its passes lead out of the limits at once? The start and the sense.
+    outward: Option<([f64; 2], f64)>,
 }
 
 impl Regional {
@@ -82,6 +84,7 @@ impl Regional {
         }
         self.diagnostics.extend(reports(origin, &done.notes));
         self.odd(origin, done.odd);
+        self.diagnostics.extend(done.outward.map(|(from, sense)| leads_out(origin, from, sense)));
         let part = self.areas.part.as_ref().map_or("", |p| &p.name.name);
         let left = done.stands.map(|s| left_standing(origin, part, &s));
         self.diagnostics.extend(left);
@@ -182,6 +185,7 @@ impl Regional {
         setup.guard = guard.as_ref().map(|g| (g, self.avoid));
         let skip = w.number().is_some_and(|s| s > 0.0);
         let to = setup.drive.limits(course)[usize::from(sense > 0.0)];
+        let outward = is_at(from, course, to).then_some((from, sense));
         let (Path { points, notes, avoided }, broken) = match setup.run(from, to, course, sense) {
             Ok(path) => (path, None),
             Err(broken) => {
@@ -192,7 +196,7 @@ impl Regional {
         let moves = Along::each(&points, skip);
         let first = points.first().map(|p| (p.te, p.ta));
         let (puts, odd) = (vec![Put::path(moves, avoided)], Odd::of(&points));
-        Ok(Done { puts, notes, odd, first, why: broken, joined: skip, ..Done::default() })
+        Ok(Done { puts, notes, odd, first, why: broken, joined: skip, outward, ..Done::default() })
     }
 
     fn area(
@@ -227,6 +231,8 @@ impl Regional {
             return Err(Failure::Undone { what: "a region along a curve" });
         }
         let senses = [along, over];
+        let to = setup.drive.limits(course)[usize::from(along > 0.0)];
+        let outward = is_at(from, course, to).then_some((from, along));
         let same =
             matches!(&setup.drive.guide, Guide::Surface(s) if Arc::ptr_eq(s, &setup.part.surface));
         let ways = &self.ways();
@@ -252,7 +258,8 @@ impl Regional {
         let scallop = asked.then(|| Scallop { height, extent: extent(), avoided });
         let crate::region::Done { puts, notes, odd, first, why, stands, .. } = done;
         let (joined, picks) = (skip, pick);
-        Ok(Done { puts, notes, odd, first, picks, why, scallop, stands, joined, away: false })
+        let away = false;
+        Ok(Done { puts, notes, odd, first, picks, why, scallop, stands, joined, away, outward })
     }
 
     /// The first point of the statement is left out, as the tool is to stand there. Where it does not, and the
@@ -483,6 +490,15 @@ struct Freed {
     /// Where it got out of the way, on the first path and on others.
     first: Arc<cl::Control>,
     risen: Arc<cl::Control>,
+}
+
+/// Does a start stand where its passes would end?
+fn is_at(from: [f64; 2], course: Course, to: f64) -> bool {
+    let start = match course {
+        Course::U => from[0],
+        Course::V => from[1],
+    };
+    (to - start).abs() <= 1e-9
 }
 
 /// `None` where the tool end is not led so.

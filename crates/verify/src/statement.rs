@@ -262,7 +262,7 @@ impl Statement {
             *outcome = if refuted { Outcome::Refuted } else { Outcome::Undecided };
         }
         let vector = way as u64 + 1;
-        let surface = format!("between the passes the part surface {name}");
+        let surface = format!("the part surface {name} between the passes");
         let te = at.te.into();
         keep(
             &mut proof.fault,

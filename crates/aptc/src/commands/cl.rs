@@ -1,7 +1,7 @@
 //! `aptc convert`, `aptc cldiff` and `aptc stats`: CL files of any dialect.
 
 use std::fs::File;
-use std::io::{self, BufReader, Write};
+use std::io::{self, BufRead as _, BufReader, Read as _, Write};
 use std::path::Path;
 use std::process::ExitCode;
 
@@ -81,20 +81,27 @@ pub(crate) fn cldiff(args: &CldiffArgs, common: &Common) -> io::Result<ExitCode>
         return report::complain("one of the files is machine code, the other CL data");
     }
     let difference = diff::diff(a.reader(), b.reader(), args.tolerance)?;
-    let mut out = io::stdout().lock();
-    if args.json {
-        writeln!(out, "{}", serde_json::to_string_pretty(&difference)?)?;
-    } else {
-        out.write_all(difference.text().as_bytes())?;
-    }
-    let mut good = difference.is_same();
+    let mut unread = Vec::new();
     for (compared, path) in [(a, &args.first), (b, &args.second)] {
         // Units and words that no table has are no matter of a comparison.
         let mut found = compared.into_diagnostics();
         found.retain(Diagnostic::is_error);
-        good &= found.is_empty();
         tell(&found, path, common)?;
+        if !found.is_empty() {
+            unread.push(path.display().to_string());
+        }
     }
+    let mut out = io::stdout().lock();
+    if args.json {
+        writeln!(out, "{}", serde_json::to_string_pretty(&difference)?)?;
+    } else if unread.is_empty() {
+        out.write_all(difference.text().as_bytes())?;
+    } else {
+        // What was read of them tells nothing of the rest.
+        let files = unread.join(" and ");
+        writeln!(out, "nothing is said of the ways: {files} cannot be read in whole")?;
+    }
+    let good = difference.is_same() && unread.is_empty();
     Ok(if good { exit::GOOD } else { ExitCode::from(exit::ERRORS) })
 }
 
@@ -109,6 +116,9 @@ impl Compared {
     fn open(path: &Path, machine: Option<&str>) -> Result<Self, String> {
         let ending = path.extension().map(|e| e.to_string_lossy().to_lowercase());
         let usual = match ending.as_deref() {
+            Some("nc" | "ngc" | "cnc" | "gcode" | "tap" | "eia" | "iso") if is_plain(path) => {
+                Some("heidenhain-tnc")
+            }
             Some("nc" | "ngc" | "cnc" | "gcode" | "tap" | "eia" | "iso") => Some("linuxcnc-mill"),
             Some("mpf" | "spf") => Some("siemens-840d-mill"),
             Some("h") => Some("heidenhain-tnc"),
@@ -145,6 +155,15 @@ impl Compared {
             Self::Code(r) => r.into_diagnostics(),
         }
     }
+}
+
+/// Is it in the plain language of Heidenhain, whatever its name? Its first line says so.
+fn is_plain(path: &Path) -> bool {
+    let Ok(file) = File::open(path) else { return false };
+    let mut head = String::new();
+    let read = BufReader::new(file.take(200)).read_line(&mut head);
+    let line = head.trim_start_matches(|c: char| c.is_ascii_digit() || c.is_whitespace());
+    read.is_ok() && line.to_ascii_uppercase().starts_with("BEGIN PGM ")
 }
 
 /// Prints the figures of a CL file.

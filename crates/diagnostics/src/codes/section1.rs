@@ -53,6 +53,7 @@ codes! {
     SPECIAL_PROGRAM = 1094, "a program of the old installation";
     NOT_READ = 1095, "a file that is not read";
     NO_FINI = 1096, "a program without FINI";
+    BEHIND_FINI = 1097, "statements behind FINI";
     TOO_MANY_STATEMENTS = 1100, "more statements executed than the limit";
     TOO_MANY_CALLS = 1101, "more macro calls within each other than the limit";
     TOO_MANY_FILES = 1102, "more files within each other than the limit";
@@ -103,4 +104,5 @@ codes! {
     BAD_AXIS = 1308, "a tool axis that is none";
     BAD_POCKET = 1309, "a POCKET that is none";
     UNITS_CHANGED = 1310, "a unit that changes between definitions";
+    CUT_SHORT = 1311, "a program whose later Sections do not run";
 }

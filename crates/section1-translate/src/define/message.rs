@@ -76,6 +76,10 @@ impl Words<'_> {
         self.args.get(at).map_or_else(|| "nothing".to_owned(), Arg::describe)
     }
 
+    fn is_number(&self, at: usize) -> bool {
+        matches!(self.args.get(at).map(|a| &a.value), Some(Value::Number(_)))
+    }
+
     fn is_named(&self, at: usize) -> bool {
         matches!(self.args.get(at).map(|a| &a.value), Some(Value::Form { name, .. }) if !name.name.is_empty())
     }
@@ -231,6 +235,10 @@ impl Words<'_> {
                 };
                 d.help("another radius, or IN for OUT, or the other side of the line")
             }
+            Fault::Coincide { a, b } if self.is_number(*a) && self.is_number(*b) => self
+                .error(codes::COINCIDE, *b, format!("two points of this {head} fall together"))
+                .label("the second begins here")
+                .also(self.span(*a), "the first begins here"),
             Fault::Coincide { a, b } => {
                 let (x, y) = (self.name(*a), self.name(*b));
                 self.both(codes::COINCIDE, *a, *b, format!("{x} and {y} fall together"))
@@ -445,7 +453,14 @@ impl Words<'_> {
             Fault::NoNormal { at } => self.error(
                 codes::CANON_ELEMENTS,
                 *at,
-                "the direction among these canonical elements has no length".to_owned(),
+                match head {
+                    word::PLANE | word::LINE => format!(
+                        "the normal of this {head} has no length: the numbers that give it are all 0"
+                    ),
+                    _ => format!(
+                        "the axis of this {head} has no length: the numbers that give it are all 0"
+                    ),
+                },
             ),
         }
     }

@@ -33,6 +33,12 @@ pub(crate) struct Poisoned;
 /// A value, unless a mistake spoilt it.
 pub(crate) type Known<T> = Result<T, Poisoned>;
 
+/// The whole number that `n` is, but for the last digits of a computation.
+pub(crate) fn whole(n: f64) -> Option<f64> {
+    let near = n.round();
+    ((n - near).abs() <= 1e-9 * near.abs().max(1.0)).then_some(near)
+}
+
 impl Interpreter<'_> {
     /// The number that `expr` gives.
     pub(crate) fn number(&mut self, expr: &Expr) -> Known<f64> {

@@ -205,6 +205,13 @@ impl Interpreter<'_> {
         goal
     }
 
+    /// Does what stands at `span` label a statement that the present one can go to?
+    pub(crate) fn is_label(&self, unit: &Unit, span: Span) -> bool {
+        let Some(level) = self.levels.last() else { return false };
+        let label = self.interner.find(&unit.spelling(span));
+        label.is_some_and(|label| level.plan.goal(level.last, label).is_some())
+    }
+
     /// The names that PRINT, OBTAIN and the like take.
     pub(crate) fn as_name(kind: &ExprKind) -> Option<Name> {
         match kind {

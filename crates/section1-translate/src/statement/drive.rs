@@ -100,6 +100,12 @@ impl Interpreter<'_> {
             Some(Arg { kind: ArgKind::Number(_), span }) if place_of_label => {
                 unit.digits(&self.interner, *span).map(|_| *span)
             }
+            // So may a word that says nothing of a check surface.
+            Some(Arg { kind: ArgKind::Word(w), span })
+                if place_of_label && !RELATIONS.contains(w) && self.is_label(unit, *span) =>
+            {
+                Some(*span)
+            }
             _ => None,
         };
         if label.is_some() {

@@ -8,7 +8,7 @@ use aptc_vocabulary::{Word, word};
 
 use super::reader::Reader;
 use crate::Interpreter;
-use crate::eval::{Known, Names, Poisoned};
+use crate::eval::{Known, Names, Poisoned, whole};
 
 impl Interpreter<'_> {
     /// `INDEX/n[,NOMORE]`, COPY/n,..., TRACUT/matrix or NOMORE.
@@ -95,10 +95,10 @@ impl Interpreter<'_> {
         Ok(Edit::Copy { n, step, count })
     }
 
-    /// How many copies: truncated, as subscripts are.
+    /// How many copies: a whole number, which what was computed may miss in its last digits.
     fn copies(&mut self, reader: &mut Reader<'_>) -> Known<u32> {
-        let number = reader.peek().and_then(|a| a.number()).map(f64::trunc);
-        if let Some(n) = number.filter(|n| (1.0..=1e9).contains(n)) {
+        let number = reader.peek().and_then(|a| a.number());
+        if let Some(n) = number.and_then(whole).filter(|n| (1.0..=1e9).contains(n)) {
             reader.skip(1);
             #[expect(
                 clippy::cast_possible_truncation,

@@ -6,12 +6,11 @@ use aptc_vocabulary::{Word, word};
 
 use crate::Interpreter;
 use crate::eval::{Known, Poisoned};
-use crate::listing::EntryKind;
 
 /// What happens to such a word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Fate {
-    /// It says nothing about the part: the listing notes it.
+    /// It says nothing about the part: a note.
     Ignored,
     /// Leaving it out would change the part: an error.
     Refused,
@@ -72,7 +71,13 @@ impl Interpreter<'_> {
         let (_, fate, reason) = TABLE.iter().find(|(w, ..)| *w == word)?;
         Some(match fate {
             Ignored => {
-                self.list(EntryKind::Remark(format!("{word} has no effect: {reason}")));
+                // Old programs have some of them on every page: each word is told of once.
+                if self.state.ignored_said.contains(&word) {
+                    return Some(Ok(()));
+                }
+                self.state.ignored_said.push(word);
+                let message = format!("{word} has no effect here: {reason}");
+                self.error(Diagnostic::note_at(codes::WITHOUT_EFFECT, clause.head.span, message));
                 Ok(())
             }
             Refused => {
@@ -158,7 +163,8 @@ mod tests {
 
     #[test]
     fn ignored_words_are_noted_and_refused_ones_are_errors() {
-        assert!(told("TUNEUP/1000,2000,3000\nDEBUG/ON\nFINI\n").is_empty());
+        let none = codes::WITHOUT_EFFECT;
+        assert_eq!(told("TUNEUP/1000,2000,3000\nDEBUG/ON\nDEBUG/OFF\nFINI\n"), [none, none]);
         assert_eq!(told("BEVELS/1\nFINI\n"), [codes::REFUSED_WORD]);
         assert_eq!(told("S=MESH/1,2\nFINI\n"), [codes::REFUSED_WORD]);
         assert_eq!(told("S=PARSRF/1,2\nFINI\n"), [codes::REFUSED_WORD]);

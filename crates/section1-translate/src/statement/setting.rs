@@ -7,7 +7,7 @@ use aptc_vocabulary::{Word, word};
 
 use super::reader::Reader;
 use crate::Interpreter;
-use crate::eval::{Known, Names, Poisoned};
+use crate::eval::{Arg, Known, Names, Poisoned};
 use crate::memory::{Place, Value};
 
 impl Interpreter<'_> {
@@ -29,7 +29,12 @@ impl Interpreter<'_> {
         match word {
             word::UNITS => return self.units(&mut reader, clause),
             word::MAXDP => {
+                let alone = reader.left() == 1;
+                if alone && reader.peek().and_then(Arg::number).is_some_and(|n| n <= 0.0) {
+                    return Err(self.expect(&reader, "a greatest step above 0"));
+                }
                 let step = self.one(&mut reader, "the greatest step")?;
+                // With a length behind it a number below 0 is a switch of APT4's tests.
                 let length = reader.number();
                 self.at_end(&reader)?;
                 self.emit(Kind::Maxdp { step, length });
@@ -42,6 +47,9 @@ impl Interpreter<'_> {
                     reader.number();
                 }
                 self.at_end(&reader)?;
+                if word == word::PTONLY {
+                    self.cut_short(n, clause);
+                }
                 self.emit(if word == word::NUMPTS { Kind::Numpts(n) } else { Kind::Ptonly(n) });
                 return Ok(());
             }
@@ -59,6 +67,21 @@ impl Interpreter<'_> {
             }
         }
         Ok(())
+    }
+
+    /// Says what PTONLY leaves out.
+    fn cut_short(&mut self, n: u32, clause: &Clause) {
+        let left_out = match n {
+            1 => "Sections 2 to 4 do not run: there are no motions, no CL data and no machine code",
+            2 => "Sections 3 and 4 do not run: there are no edited CL data and no machine code",
+            3 => "Section 4 does not run: there is no machine code",
+            _ => return,
+        };
+        let message = format!("PTONLY/{n}: {left_out}");
+        self.error(
+            Diagnostic::note_at(codes::CUT_SHORT, clause.span, message)
+                .help("take PTONLY away when the part is to be made"),
+        );
     }
 
     /// One to four numbers for part, drive, check and second check surface; the last holds for the rest.

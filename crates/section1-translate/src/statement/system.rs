@@ -8,7 +8,7 @@ use aptc_vocabulary::{Word, word};
 use super::reader::Reader;
 use crate::Interpreter;
 use crate::define::Context;
-use crate::eval::{Known, Names, Poisoned};
+use crate::eval::{Known, Names, Poisoned, whole};
 use crate::memory::Value;
 
 impl Interpreter<'_> {
@@ -146,17 +146,17 @@ impl Interpreter<'_> {
             );
             return Err(Poisoned);
         }
-        if n.trunc() < 1.0 {
+        let Some(n) = whole(n).filter(|n| *n >= 1.0) else {
             self.memory.set(place, Value::Poison, name.span);
             return Err(self.bad_reserve(size, &format!("{n} elements are no array")));
-        }
+        };
         let limit = self.options.limits.array_elements;
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
             reason = "saturates, and is compared with the limit"
         )]
-        let n_elements = n.trunc() as usize;
+        let n_elements = n as usize;
         if n_elements.saturating_add(self.memory.n_elements()) > limit {
             self.memory.set(place, Value::Poison, name.span);
             self.error(

@@ -162,12 +162,14 @@ fn within(post: &mut Post, s: &Statement<'_>, speed: f64) -> bool {
     let max = post.st.max_rpm.map_or(max, |m| if max > 0.0 { max.min(m) } else { m });
     if !(speed > 0.0 && speed.is_finite()) || speed < min || (max > 0.0 && speed > max) {
         let limits = if max > 0.0 {
-            format!("{} to {}", trimmed(min, 1), trimmed(max, 1))
+            format!("within {} to {}", trimmed(min, 1), trimmed(max, 1))
+        } else if min > 0.0 {
+            format!("at least {}", trimmed(min, 1))
         } else {
             "above 0".into()
         };
         let message = format!(
-            "{}: spindle speed {} is not within {limits} of {}",
+            "{}: spindle speed {} is not {limits}, as {} has it",
             s.written(),
             trimmed(speed, 1),
             post.machine.name
