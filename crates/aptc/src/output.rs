@@ -23,7 +23,9 @@ impl Aside {
         }
         // The name of what is written aside says nothing to who wants a result.
         let begun = tempfile::Builder::new().prefix(".aptc-").tempfile_in(folder);
-        begun.map(Self).map_err(|e| e.kind().into())
+        begun.map(Self).map_err(|e| {
+            io::Error::new(e.kind(), format!("{} takes no file: {}", folder.display(), e.kind()))
+        })
     }
 
     /// Gives it its name when it is on the disk: what was there stays until all is written, also when the power fails.
