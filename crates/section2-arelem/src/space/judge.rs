@@ -83,15 +83,16 @@ impl Track {
             return Err(Trouble::Contact);
         }
         let v = to.pose.te - from.pose.te;
-        let other = self.governs(i, from, to);
-        let ends = [other.as_ref().unwrap_or(&from.gaps[i]), &to.gaps[i]];
-        let resolution = if self.axis.turns() { RESOLUTION_TURNING } else { RESOLUTION };
-        let limits = keep.limits();
         // Along a surface of rulings a flank lies nearly, and its gap goes by more than cubics.
         let looks: &[f64] = match keep.surface {
             Surface::Parametric(_) if turning && keep.condition == Condition::Touch => &BETWEEN,
             _ => &[],
         };
+        // Looks see by themselves where the contact goes over.
+        let other = if looks.is_empty() { self.governs(i, from, to) } else { None };
+        let ends = [other.as_ref().unwrap_or(&from.gaps[i]), &to.gaps[i]];
+        let resolution = if self.axis.turns() { RESOLUTION_TURNING } else { RESOLUTION };
+        let limits = keep.limits();
         let c = chord(
             &keep.tool(&from.pose),
             &keep.tool(&to.pose),
