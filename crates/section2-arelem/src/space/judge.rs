@@ -88,8 +88,10 @@ impl Track {
             Surface::Parametric(_) if turning && keep.condition == Condition::Touch => &BETWEEN,
             _ => &[],
         };
-        // Looks see by themselves where the contact goes over.
-        let other = if looks.is_empty() { self.governs(i, from, to) } else { None };
+        // Until the contact goes over the first place governs: a gap of the other beyond the band does not count there. Looks see
+        // by themselves where it does.
+        let top = from.gaps[i].g.max(keep.limits().high);
+        let other = self.governs(i, from, to).filter(|o| looks.is_empty() || o.g <= top);
         let ends = [other.as_ref().unwrap_or(&from.gaps[i]), &to.gaps[i]];
         let resolution = if self.axis.turns() { RESOLUTION_TURNING } else { RESOLUTION };
         let limits = keep.limits();
@@ -105,8 +107,6 @@ impl Track {
         )?;
         let gaps = [from.gaps[i].g, to.gaps[i].g];
         let (mut low, mut high) = (c.low.g, c.high.g);
-        // Until the contact goes over the first place governs: a gap of the other beyond the band does not count there.
-        let top = gaps[0].max(keep.limits().high);
         if other.is_some_and(|o| o.g > top) {
             let (t, crest) = self.crest(i, from, to)?;
             let beyond = if c.high.t < t { gaps[1] } else { high };
