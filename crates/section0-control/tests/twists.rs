@@ -28,7 +28,7 @@ fn program(k: u32) -> String {
         writeln!(rails, "{name}V=VECTOR/{:.4},{:.4},0", -bow * sin, bow * cos).unwrap_or_default();
     }
     let (diameter, corner) = (4.0 + 6.0 * share(6), if k % 2 == 1 { 0.5 } else { 0.0 });
-    let (side, word) = if k % 3 > 0 { (1.0, "TLRGT") } else { (-1.0, "TLLFT") };
+    let (side, word) = if !k.is_multiple_of(3) { (1.0, "TLRGT") } else { (-1.0, "TLLFT") };
     format!(
         "UNITS/MM\n{rails}BLADE=RLDSRF/HC,HE0,HE2,HV,SC,SE0,SE2,SV\nFLOOR=PLANE/0,0,1,-2\n\
          END=PLANE/1,0,0,{:.4}\nTOLER/{:.4}\n\
