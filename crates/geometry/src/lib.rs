@@ -25,6 +25,7 @@ pub mod surface;
 mod tabcyl;
 mod tabcyl_fit;
 mod tabcyl_meet;
+mod tabcyl_spline;
 mod tool;
 mod transform;
 mod transformed;

@@ -7,6 +7,7 @@
 use nalgebra::Matrix3;
 
 use crate::tabcyl::left;
+use crate::tabcyl_spline::spline;
 use crate::{Tabcyl, TabcylSpan, Vec2, trig};
 
 /// How the curve runs through its points.
@@ -53,11 +54,8 @@ pub enum FitError {
     },
 }
 
-/// Steps of Newton's method; each doubles the figures once it is near, and it begins near.
-const MAX_STEPS: u32 = 80;
-
 /// Angle against the chord in radians beyond which a cubic over the chord is no sensible curve.
-const STEEPEST: f64 = 85.0 / 180.0 * std::f64::consts::PI;
+pub(crate) const STEEPEST: f64 = 85.0 / 180.0 * std::f64::consts::PI;
 
 impl Tabcyl {
     /// The TABCYL through `knots` in the plane of the rows u and v of `axes`, prolonged straight by
@@ -113,11 +111,11 @@ fn free_within(knots: &[Knot]) -> Vec<Knot> {
 }
 
 /// One chord.
-struct Chord {
-    length: f64,
+pub(crate) struct Chord {
+    pub(crate) length: f64,
     unit: Vec2,
     /// Angle against u in radians, counted on from chord to chord without jumps.
-    angle: f64,
+    pub(crate) angle: f64,
 }
 
 fn chords(knots: &[Knot]) -> Result<Vec<Chord>, FitError> {
@@ -176,7 +174,7 @@ pub(crate) fn span(start: Vec2, a: f64, b: f64, length: f64) -> TabcylSpan {
 }
 
 /// Slopes against the chords at both ends of each, from the angles of the tangents at the points.
-fn between_tangents(chords: &[Chord], angles: &[f64]) -> Vec<[f64; 2]> {
+pub(crate) fn between_tangents(chords: &[Chord], angles: &[f64]) -> Vec<[f64; 2]> {
     let slope = |i: usize, c: &Chord| bounded_tan(angles[i] - c.angle);
     chords.iter().enumerate().map(|(i, c)| [slope(i, c), slope(i + 1, c)]).collect()
 }
@@ -212,7 +210,7 @@ fn circle_angle(chords: &[Chord], i: usize) -> Option<f64> {
     Some(before.angle + trig::atan2(sine, cosine + after.length / before.length))
 }
 
-fn two_point(knots: &[Knot], chords: &[Chord]) -> Vec<f64> {
+pub(crate) fn two_point(knots: &[Knot], chords: &[Chord]) -> Vec<f64> {
     let n = knots.len();
     let mut angles: Vec<Option<f64>> = (0..n).map(|i| start_angle(knots, chords, i)).collect();
     for (end, next, chord) in [(0, 1, 0), (n - 1, n - 2, n - 2)] {
@@ -225,112 +223,6 @@ fn two_point(knots: &[Knot], chords: &[Chord]) -> Vec<f64> {
         }
     }
     angles.into_iter().flatten().collect()
-}
-
-/// Newton's method on the angles of the tangents, the step halved while it makes things worse.
-fn spline(knots: &[Knot], chords: &[Chord]) -> Result<Vec<f64>, FitError> {
-    let mut angles = two_point(knots, chords);
-    let mut system = System::at(knots, chords, &angles);
-    for _ in 0..MAX_STEPS {
-        if system.residual <= 1e-14 {
-            return Ok(angles);
-        }
-        let step = system.solve();
-        let mut share = 1.0;
-        let mut better = None;
-        for _ in 0..30 {
-            let trial: Vec<f64> = angles.iter().zip(&step).map(|(a, s)| a - share * s).collect();
-            let next = System::at(knots, chords, &trial);
-            if next.residual < system.residual {
-                better = Some((trial, next));
-                break;
-            }
-            share *= 0.5;
-        }
-        match better {
-            Some((trial, next)) => (angles, system) = (trial, next),
-            // Rounding alone is left, or it is stuck.
-            None if system.residual <= 1e-10 => return Ok(angles),
-            None => break,
-        }
-    }
-    if system.residual <= 1e-10 {
-        return Ok(angles);
-    }
-    let inner = 1..knots.len() - 1;
-    let off = |i: &usize| system.rows[*i][3].abs();
-    let at = inner.max_by(|a, b| off(a).total_cmp(&off(b))).unwrap_or(0);
-    let turn = if at > 0 { chords[at].angle - chords[at - 1].angle } else { 0.0 };
-    let (turn_deg, residual) = (turn.to_degrees().abs(), system.residual);
-    Err(FitError::NotConverged { at, turn_deg, residual })
-}
-
-/// The conditions at all points, linearised: three diagonals and a right side.
-struct System {
-    rows: Vec<[f64; 4]>,
-    residual: f64,
-}
-
-impl System {
-    fn at(knots: &[Knot], chords: &[Chord], angles: &[f64]) -> Self {
-        let slopes = between_tangents(chords, angles);
-        let last = knots.len() - 1;
-        let row = |i: usize| -> [f64; 4] {
-            if knots[i].tangent.is_some() {
-                return [0.0, 1.0, 0.0, 0.0];
-            }
-            if i == 0 || i == last {
-                let chord = chords[if i == 0 { 0 } else { last - 1 }].angle;
-                let (end, next) = if i == 0 { (0, 1) } else { (last, last - 1) };
-                let value = angles[end] + angles[next] - 2.0 * chord;
-                return if i == 0 {
-                    // A single chord without slopes: both conditions are one, the straight line.
-                    let other = if last == 1 { 0.0 } else { 1.0 };
-                    let value = if last == 1 { angles[0] - chord } else { value };
-                    [0.0, 1.0, other, value]
-                } else {
-                    let other = if last == 1 && knots[0].tangent.is_none() { 0.0 } else { 1.0 };
-                    let value = if other > 0.0 { value } else { angles[1] - chord };
-                    [other, 1.0, 0.0, value]
-                };
-            }
-            // Curvature at the end of the chord before less that at the start of the one after, times
-            // the mean of their lengths.
-            let ([m0, m1], [n0, n1]) = (slopes[i - 1], slopes[i]);
-            let (l, k) = (chords[i - 1].length, chords[i].length);
-            let mean = 0.5 * (l + k);
-            let (q0, q1, r0, r1) = (1.0 + m0 * m0, 1.0 + m1 * m1, 1.0 + n0 * n0, 1.0 + n1 * n1);
-            let (q, r) = (q1 * q1.sqrt(), r0 * r0.sqrt());
-            let (x, y) = (m0 + 2.0 * m1, 2.0 * n0 + n1);
-            let value = 2.0 * x / (l * q) + 2.0 * y / (k * r);
-            let at_before = 2.0 * q0 / (l * q);
-            let at_here = 2.0 * (2.0 * q1 - 3.0 * m1 * x) / (l * q)
-                + 2.0 * (2.0 * r0 - 3.0 * n0 * y) / (k * r);
-            let at_after = 2.0 * r1 / (k * r);
-            [at_before * mean, at_here * mean, at_after * mean, value * mean]
-        };
-        let rows: Vec<[f64; 4]> = (0..=last).map(row).collect();
-        let largest = rows.iter().fold(0.0_f64, |m, r| m.max(r[3].abs()));
-        // A slope beyond all bounds makes the rows undefined, and `max` would pass over that.
-        let sound = rows.iter().flatten().all(|x| x.is_finite());
-        Self { rows, residual: if sound { largest } else { f64::INFINITY } }
-    }
-
-    /// The step that takes the linearised conditions to zero, by elimination.
-    fn solve(&self) -> Vec<f64> {
-        let n = self.rows.len();
-        let (mut upper, mut right) = (vec![0.0; n], vec![0.0; n]);
-        for (i, [before, here, after, value]) in self.rows.iter().enumerate() {
-            let (u, r) = if i > 0 { (upper[i - 1], right[i - 1]) } else { (0.0, 0.0) };
-            let pivot = here - before * u;
-            upper[i] = after / pivot;
-            right[i] = (value - before * r) / pivot;
-        }
-        for i in (0..n - 1).rev() {
-            right[i] -= upper[i] * right[i + 1];
-        }
-        right
-    }
 }
 
 /// Slopes of the cubic `s (s - L) (a s + c)` over each chord that meets the points next to the chord.
