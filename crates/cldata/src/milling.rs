@@ -4,7 +4,7 @@ use std::sync::Arc as Shared;
 
 use aptc_geometry::{Form, Profile, Sculptured};
 
-use crate::NameRef;
+use crate::{NameRef, Position};
 
 /// What the motions of a statement of regional milling keep to, for the proof.
 #[derive(Clone, Debug, PartialEq)]
@@ -82,6 +82,9 @@ pub struct Scallop {
     pub extent: Extent,
     /// Did the tool get out of the way somewhere (AVCTRL)? What stands there then was not to be cut.
     pub avoided: bool,
+    /// From each end of a pass to the same end of the next. What a tool on these ways would take stands at the ends, where
+    /// it goes over them at one end in two (ZIGZAG) or at none (PICKFD).
+    pub links: Vec<[Position; 2]>,
 }
 
 /// A region of the part surface, by its parameters u and v, between the contacts of the first and the last pass.
@@ -91,12 +94,7 @@ pub enum Extent {
     Box([[f64; 2]; 2]),
     /// What a closed outline of straight lines holds that does not cross itself, by its corners: the contacts of the
     /// first and the last pass, and the ends of those between.
-    Outline {
-        /// Its corners, one after the other.
-        corners: Vec<[f64; 2]>,
-        /// Does the tool go from the end of a pass to the next along the outline? If not, more may stand there.
-        linked: bool,
-    },
+    Outline(Vec<[f64; 2]>),
     /// It is not known, for this reason.
     Unknown(&'static str),
 }

@@ -19,7 +19,7 @@ use crate::regional::{Regional, Stand};
 use crate::report::reports;
 use crate::scon::Words;
 use crate::solve::Take;
-use crate::touched::along_lines;
+use crate::touched::{along_lines, links};
 use crate::within::{self, Stretch};
 
 /// What the statement says besides surface and first line.
@@ -151,7 +151,12 @@ impl Regional {
         let extent = || along_lines(&done.touched, &part.surface);
         // Beside a single line nothing lies between.
         let asked = height > 0.0 && done.why.is_none() && done.touched.len() > 1;
-        let scallop = asked.then(|| Scallop { height, extent: extent(), avoided });
+        let scallop = asked.then(|| Scallop {
+            height,
+            extent: extent(),
+            avoided,
+            links: links(&done.touched),
+        });
         let control = self.milling_control(&part, scallop, false);
         self.diagnostics.extend(reports(origin, &done.notes));
         let left = done.stands.map(|s| left_standing(origin, &name.name, &s));

@@ -412,7 +412,9 @@ impl Region<'_> {
         let course = (lane.to, self.course, lane.sense);
         let points = self.run(&setup, lane.from, course, first, out)?;
         // Of passes that go to and fro the contacts are kept in one direction.
-        out.touched = Touched::by(points.iter().map(|p| p.part_uv), lane.sense < 0.0);
+        let ends = points.first().zip(points.last());
+        let ends = ends.map(|(a, b)| [a, b].map(|p| aptc_cldata::Position { te: p.te, ta: p.ta }));
+        out.touched = Touched::by(points.iter().map(|p| p.part_uv), ends, lane.sense < 0.0);
         let Some(target) = lane.next else { return Ok(()) };
         let mut from = lane.from;
         let stand = if self.clearance.is_some() {

@@ -22,7 +22,7 @@ use crate::report::{Note, reports};
 use crate::scon::Words;
 use crate::settings::Band;
 use crate::solve::{Setup, Take};
-use crate::touched::{along_lines, led};
+use crate::touched::{along_lines, led, links};
 
 /// What a statement gives.
 #[derive(Default)]
@@ -247,7 +247,7 @@ impl Regional {
             } else if same {
                 along_lines(&done.touched, &part.surface)
             } else if region.setup.drive.hold == Hold::At || !part.touches {
-                led(&done.touched, &part.surface, !pick)
+                led(&done.touched, &part.surface)
             } else {
                 // What the cutter does not come to lies between too.
                 Extent::Unknown("the tool end is led over another surface")
@@ -255,7 +255,12 @@ impl Regional {
         };
         // Beside a single pass nothing lies between.
         let asked = height > 0.0 && done.why.is_none() && done.touched.len() > 1;
-        let scallop = asked.then(|| Scallop { height, extent: extent(), avoided });
+        let scallop = asked.then(|| Scallop {
+            height,
+            extent: extent(),
+            avoided,
+            links: links(&done.touched),
+        });
         let crate::region::Done { puts, notes, odd, first, why, stands, .. } = done;
         let (joined, picks) = (skip, pick);
         let away = false;

@@ -1,5 +1,6 @@
 //! What the passes of a region touch of the part surface, and the region between them.
 
+use aptc_cldata::Position;
 use aptc_cldata::milling::Extent;
 use aptc_geometry::Sculptured;
 use aptc_geometry::sculpt::Layout;
@@ -10,21 +11,34 @@ pub(crate) struct Touched {
     line: Vec<[f64; 2]>,
     /// Least and greatest u and v.
     range: [[f64; 2]; 2],
+    /// Where the tool stands at its ends.
+    ends: Option<[Position; 2]>,
 }
 
 impl Touched {
-    /// `back`: the pass goes the other way.
-    pub(crate) fn by(contacts: impl Iterator<Item = [f64; 2]>, back: bool) -> Self {
+    /// The contacts of a pass and where the tool stands at its ends; `back`: the pass goes the other way.
+    pub(crate) fn by(
+        contacts: impl Iterator<Item = [f64; 2]>,
+        mut ends: Option<[Position; 2]>,
+        back: bool,
+    ) -> Self {
         let mut line: Vec<[f64; 2]> = contacts.collect();
         if back {
             line.reverse();
+            ends = ends.map(|[a, b]| [b, a]);
         }
         let range = [0, 1].map(|k| {
             let all = line.iter().map(|uv| uv[k]);
             all.fold([f64::INFINITY, f64::NEG_INFINITY], |r, x| [r[0].min(x), r[1].max(x)])
         });
-        Self { line, range }
+        Self { line, range, ends }
     }
+}
+
+/// From each end of a pass to the same end of the next.
+pub(crate) fn links(touched: &[Touched]) -> Vec<[Position; 2]> {
+    let pairs = touched.windows(2).filter_map(|pair| Some([pair[0].ends?, pair[1].ends?]));
+    pairs.flat_map(|[a, b]| [[a[0], b[0]], [a[1], b[1]]]).collect()
 }
 
 /// The region of passes along lines of the part surface itself.
@@ -34,11 +48,9 @@ pub(crate) fn along_lines(touched: &[Touched], surface: &Sculptured) -> Extent {
         .map_or(Extent::Unknown("no box of parameters lies between its passes"), Extent::Box)
 }
 
-/// The region of passes that another surface leads: where they run along neither parameter its outline. `linked`: the tool
-/// goes from the end of each to the next.
-pub(crate) fn led(touched: &[Touched], surface: &Sculptured, linked: bool) -> Extent {
-    outline(touched, surface)
-        .map_or_else(Extent::Unknown, |corners| Extent::Outline { corners, linked })
+/// The region of passes that another surface leads: where they run along neither parameter its outline.
+pub(crate) fn led(touched: &[Touched], surface: &Sculptured) -> Extent {
+    outline(touched, surface).map_or_else(Extent::Unknown, Extent::Outline)
 }
 
 /// The box of the part surface's parameters that lies between the first and the last pass, from the least and greatest
@@ -174,11 +186,11 @@ mod tests {
             if back {
                 way.reverse();
             }
-            Touched::by(way.into_iter(), back)
+            Touched::by(way.into_iter(), None, back)
         };
         let passes: Vec<_> = (0..4).map(pass).collect();
         let s = flat();
-        let Extent::Outline { corners, linked: true } = led(&passes, &s, true) else {
+        let Extent::Outline(corners) = led(&passes, &s) else {
             panic!("an outline");
         };
         assert_eq!(corners.len(), 10);
@@ -186,15 +198,15 @@ mod tests {
         let area: f64 = edges(&corners).map(|[a, b]| a[0] * b[1] - a[1] * b[0]).sum();
         assert!((0.5 * area.abs() - 0.24).abs() < 1e-12, "{area}");
         // Passes that cross, one pass, and contacts that jump have none.
-        let line = |points: &[[f64; 2]]| Touched::by(points.iter().copied(), false);
+        let line = |points: &[[f64; 2]]| Touched::by(points.iter().copied(), None, false);
         let cross = [line(&[[0.0, 0.0], [1.0, 1.0]]), line(&[[0.0, 1.0], [1.0, 0.0]])];
-        assert!(matches!(led(&cross, &s, true), Extent::Unknown(_)));
+        assert!(matches!(led(&cross, &s), Extent::Unknown(_)));
         // The same made longer in either parameter, and lines that only come near each other.
         for [x, y] in [[1.0, 0.1], [0.1, 1.0]] {
             let bow = |to: f64| [[0.0, 0.0], [x, y], [x, 0.0], [0.0, to]];
             assert!(crosses(&bow(y)) && !crosses(&[[0.0, 0.0], [x, 0.0], [x, y], [0.0, y]]));
         }
-        assert!(matches!(led(&passes[..1], &s, true), Extent::Unknown(_)));
-        assert!(matches!(led(&[passes[0].clone(), line(&[])], &s, true), Extent::Unknown(_)));
+        assert!(matches!(led(&passes[..1], &s), Extent::Unknown(_)));
+        assert!(matches!(led(&[passes[0].clone(), line(&[])], &s), Extent::Unknown(_)));
     }
 }

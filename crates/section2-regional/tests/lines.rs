@@ -239,7 +239,7 @@ fn the_region_of_passes_that_another_surface_leads() {
     };
     for turned in [false, true] {
         // Nothing but the rectangle that the lid casts.
-        let Extent::Outline { corners, linked: true } = region(turned, "AT") else {
+        let Extent::Outline(corners) = region(turned, "AT") else {
             panic!("a region");
         };
         let mut range = [0, 1].map(|k| {

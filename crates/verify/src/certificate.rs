@@ -80,6 +80,9 @@ pub struct Fault {
     pub depth: f64,
     /// Is it material that is cut (else material that is left)?
     pub gouge: bool,
+    /// Does it stand between the ends of passes alone, where the tool does not step from one to the next?
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub ends: bool,
     /// Why it is not decided, where that is known.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub why: Option<Cow<'static, str>>,

@@ -139,6 +139,7 @@ impl Judged {
                     te: te.into(),
                     depth,
                     gouge,
+                    ends: false,
                     why: None,
                 })
             }
@@ -149,6 +150,7 @@ impl Judged {
                 te: te.into(),
                 depth: at_most,
                 gouge: false,
+                ends: false,
                 why: None,
             }),
         }

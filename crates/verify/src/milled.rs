@@ -43,6 +43,8 @@ pub(crate) struct Region {
     surfaces: Vec<MilledSurface>,
     cusps: Option<Cusps>,
     swath: OnceLock<Swath>,
+    /// The same with ways from the ends of passes to those of the next.
+    linked: OnceLock<Swath>,
 }
 
 /// One of them, with what is held against it.
@@ -116,7 +118,7 @@ impl Region {
             });
         let held: Vec<_> = held.collect();
         surfaces.extend(held);
-        Some(Self { surfaces, cusps, swath: OnceLock::new() })
+        Some(Self { surfaces, cusps, swath: OnceLock::new(), linked: OnceLock::new() })
     }
 
     pub(crate) fn surfaces(&self) -> &[MilledSurface] {
@@ -151,10 +153,13 @@ impl Region {
     pub(crate) fn between(&self, s: &Statement, part: usize) -> Option<Left> {
         // What has put out nothing has nothing between its passes.
         let cusps = self.cusps.as_ref().filter(|_| !s.points.is_empty())?;
-        let swath = self.swath.get_or_init(|| {
-            Swath::new(&s.profile, false, &ways(&s.start, &s.points), FINE * cusps.room)
-        });
-        Some(cusps.judge(swath, s.pad, part, PLACES))
+        let new = |links: &[[Pose; 2]]| {
+            let ways = [&ways(&s.start, &s.points), links].concat();
+            Swath::new(&s.profile, false, &ways, FINE * cusps.room)
+        };
+        let swath = self.swath.get_or_init(|| new(&[]));
+        let linked = || self.linked.get_or_init(|| new(&cusps.links));
+        Some(cusps.judge(swath, linked, s.pad, part, PLACES))
     }
 }
 
@@ -253,6 +258,7 @@ impl MilledSurface {
                     te,
                     depth,
                     gouge,
+                    ends: false,
                     why: why.map(Into::into),
                 })
             }
@@ -263,6 +269,7 @@ impl MilledSurface {
                 te: te.into(),
                 depth: at_most,
                 gouge: true,
+                ends: false,
                 why: None,
             }),
         }

@@ -9,6 +9,7 @@ use std::cmp::Ordering;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering as Memory};
 
+use aptc_cldata::Position;
 use aptc_cldata::milling::{Extent, Scallop};
 use aptc_geometry::Vec3;
 
@@ -16,6 +17,7 @@ use crate::outline::{Outline, Share};
 use crate::passes::{List, Passes};
 use crate::sheet::{Patch, Sheet, Spot};
 use crate::swath::{Piece, Swath};
+use crate::tool::Pose;
 
 /// Pieces that are looked at in one part of a region.
 const MOST: u32 = 500_000;
@@ -45,6 +47,8 @@ pub(crate) struct Cusps {
     outline: Option<Outline>,
     /// Why more may stand somewhere, if it may.
     pub(crate) excused: Option<&'static str>,
+    /// From each end of a pass to the same end of the next.
+    pub(crate) links: Vec<[Pose; 2]>,
     /// The first part that is not decided; those behind it do not count.
     first: AtomicUsize,
 }
@@ -54,6 +58,8 @@ pub(crate) struct Cusps {
 pub(crate) enum Left {
     /// Nothing stands higher.
     Proved,
+    /// Something does, but where passes end and the tool does not step to the next, and nowhere else: as below.
+    Ends(f64, usize),
     /// Something does: the height of the highest, to a twentieth of it as far as [`HIGHER`] pieces tell, and the number of
     /// the nearest way.
     Higher(f64, usize),
@@ -62,12 +68,13 @@ pub(crate) enum Left {
 }
 
 impl Left {
-    /// What is known of parts and of the next in their order: the highest of what stands too high, the first of equals. What
-    /// comes behind a part that is not decided does not count, and what stood higher before it does.
+    /// What is known of parts and of the next in their order: the highest of what stands too high, the first of equals, and what
+    /// stands elsewhere before what stands at ends. What comes behind a part that is not decided does not count, and what stood higher before it does.
     pub(crate) fn then(self, next: Self) -> Self {
         match (self, next) {
             (Self::Higher(a, _), Self::Higher(b, _)) if b > a => next,
-            (Self::Proved, _) => next,
+            (Self::Ends(a, _), Self::Ends(b, _)) if b > a => next,
+            (Self::Ends(..), Self::Higher(..) | Self::Open(..)) | (Self::Proved, _) => next,
             _ => self,
         }
     }
@@ -83,13 +90,13 @@ impl Cusps {
         asked: &Scallop,
     ) -> Self {
         let room = asked.height + outtol;
-        let (range, outline, linked) = match &asked.extent {
-            Extent::Box(range) => (Ok(*range), None, true),
-            Extent::Outline { corners, linked } => {
+        let (range, outline) = match &asked.extent {
+            Extent::Box(range) => (Ok(*range), None),
+            Extent::Outline(corners) => {
                 let outline = Outline::new(corners);
-                (Ok(outline.range()), Some(outline), *linked)
+                (Ok(outline.range()), Some(outline))
             }
-            Extent::Unknown(why) => (Err(*why), None, true),
+            Extent::Unknown(why) => (Err(*why), None),
         };
         let pieces = range.map(|range| {
             let mut pieces = sheet.pieces(&range);
@@ -101,18 +108,23 @@ impl Cusps {
             pieces.reverse();
             pieces
         });
-        let excused = match (asked.avoided, linked) {
-            (true, _) => Some("the tool got out of the way"),
-            (false, false) => Some("the tool does not go from the end of a pass to the next"),
-            (false, true) => None,
-        };
+        let excused = asked.avoided.then_some("the tool got out of the way");
+        let pose = |p: &Position| Pose { te: p.te, ta: p.ta };
+        let links = asked.links.iter().map(|[a, b]| [pose(a), pose(b)]).collect();
         let (sheet, first) = (Arc::clone(sheet), AtomicUsize::new(usize::MAX));
-        Self { sheet, side, height: thick + room, room, pieces, outline, excused, first }
+        Self { sheet, side, height: thick + room, room, pieces, outline, excused, links, first }
     }
 
     /// Judges what the ways leave in part `part` of `n`; `pad` covers rounding. Behind a part that is not decided any answer is
-    /// given.
-    pub(crate) fn judge(&self, swath: &Swath, pad: f64, part: usize, n: usize) -> Left {
+    /// given. Where something stands it is looked at again with the ways `linked`, which are followed by the links.
+    pub(crate) fn judge<'a>(
+        &self,
+        swath: &Swath,
+        linked: impl FnOnce() -> &'a Swath,
+        pad: f64,
+        part: usize,
+        n: usize,
+    ) -> Left {
         let pieces = match &self.pieces {
             Ok(pieces) => pieces,
             Err(why) => return Left::Open(0, Some(why)),
@@ -121,13 +133,20 @@ impl Cusps {
             return Left::Proved;
         }
         let border = |i: usize| pieces.len() * i / n;
-        match self.part(swath, pad, &pieces[border(part)..border(part + 1)]) {
-            Left::Higher(height, i) => Left::Higher(height, swath.whole(i)),
+        let pieces = &pieces[border(part)..border(part + 1)];
+        match self.part(swath, pad, pieces) {
+            Left::Higher(height, i) => {
+                let way = swath.whole(i);
+                match self.part(linked(), pad, pieces) {
+                    Left::Proved if self.excused.is_none() => Left::Ends(height, way),
+                    _ => Left::Higher(height, way),
+                }
+            }
             Left::Open(i, why) => {
                 self.first.fetch_min(part, Memory::Relaxed);
                 Left::Open(swath.whole(i), why)
             }
-            Left::Proved => Left::Proved,
+            left => left,
         }
     }
 

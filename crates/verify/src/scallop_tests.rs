@@ -69,10 +69,10 @@ proptest! {
         let ways: Vec<[Pose; 2]> = poses.windows(2).map(|w| [w[0], w[1]]).collect();
         let sheet = Arc::new(Sheet::bare(&surface).unwrap());
         let left = |height: f64| {
-            let asked = Scallop { height, extent: Extent::Box([[0.0, 4.0]; 2]), avoided: false };
+            let asked = Scallop { height, extent: Extent::Box([[0.0, 4.0]; 2]), avoided: false, links: Vec::new() };
             let cusps = Cusps::new(&sheet, 1.0, 0.0, 1e-3, &asked);
             let swath = Swath::new(&profile, false, &ways, 0.3 * cusps.room);
-            cusps.judge(&swath, 1e-9, 0, 1)
+            cusps.judge(&swath, || &swath, 1e-9, 0, 1)
         };
         // Between what is proved and what is refuted.
         let (mut low, mut high) = (0.0, 1.0);
@@ -84,7 +84,7 @@ proptest! {
                     prop_assert!(height > middle && way < ways.len());
                     low = middle;
                 }
-                Left::Open(..) => {
+                Left::Open(..) | Left::Ends(..) => {
                     prop_assert!(high - low < 1e-2, "not decided from {low} to {high}");
                     low = middle;
                 }

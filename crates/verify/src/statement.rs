@@ -243,6 +243,7 @@ impl Statement {
         vectors: &mut [Outcome],
     ) {
         let (name, height) = region.allowed();
+        let ends = matches!(left, Left::Ends(..));
         let (way, depth, refuted, why) = match left {
             Left::Proved => {
                 let (least, band) = (0.0, [0.0, height]);
@@ -250,6 +251,7 @@ impl Statement {
                 proof.surfaces.push(SurfaceBound { name, role, least, most, band, at: None });
                 return;
             }
+            Left::Ends(stands, way) => (way, stands - height, false, None),
             // Where the tool got out of the way what it left was not to be cut.
             Left::Higher(stands, way) => {
                 let why = region.excused();
@@ -273,6 +275,7 @@ impl Statement {
                 te,
                 depth,
                 gouge: false,
+                ends,
                 why: why.map(Into::into),
             }),
         );
@@ -287,6 +290,7 @@ impl Statement {
             te: self.points.first().map_or(Vec3::zeros(), |p| p.te).into(),
             depth: f64::INFINITY,
             gouge: false,
+            ends: false,
             why: None,
         }
     }

@@ -293,6 +293,7 @@ impl Verifier {
             te: p.te.into(),
             depth: f64::INFINITY,
             gouge: false,
+            ends: false,
             why: None,
         });
         let (origin, surfaces) = (origin.clone(), Vec::new());
@@ -360,6 +361,21 @@ impl Verifier {
             let message = format!("cut vector {} {what} {by} {}", f.vector, f.place());
             let d = Diagnostic::error(codes::REFUTED, proof.origin.span, message);
             f.why.iter().fold(d, |d, why| d.note(why.to_string()))
+        } else if f.ends {
+            let high = if f.depth < f64::INFINITY {
+                format!("by {} beyond tolerance", length(f.depth))
+            } else {
+                "with all that is over them".to_owned()
+            };
+            let message = format!(
+                "corners stand on {} where passes end, {high}, near cut vector {} {}",
+                f.surface,
+                f.vector,
+                f.place()
+            );
+            Diagnostic::warning(codes::CORNERS, proof.origin.span, message).help(
+                "let the passes run on beyond what is to be clean, or trim the ends along them",
+            )
         } else {
             let message =
                 format!("cut vector {} against {} could not be proved", f.vector, f.surface);

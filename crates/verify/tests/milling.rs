@@ -39,7 +39,7 @@ fn milling(surface: &Arc<Sculptured>, scallop: Option<f64>) -> Milling {
         outtol: BAND,
         scallop: scallop.map(|height| {
             let extent = Extent::Box([[0.0, 4.0]; 2]);
-            Scallop { height, extent, avoided: false }
+            Scallop { height, extent, avoided: false, links: Vec::new() }
         }),
         joined: false,
     }
@@ -332,30 +332,43 @@ fn what_is_left_between_askew_passes_is_bounded_within_their_outline() {
         };
         (0..=n).flat_map(pass).collect::<Vec<_>>()
     };
-    let outline = |size: f64, linked: bool| {
+    let outline = |size: f64, along: f64| {
         let ends = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
         let uv = |p: Vec3| [p.x / 5.0, p.y / 5.0];
-        let corners = ends.map(|(s, t)| uv(place(s * size, t * size))).to_vec();
-        Extent::Outline { corners, linked }
+        let corners = ends.map(|(s, t)| uv(place(s * along, t * size))).to_vec();
+        Extent::Outline(corners)
     };
     let asked = |height: f64, extent: Extent| Milling {
-        scallop: Some(Scallop { height, extent, avoided: false }),
+        scallop: Some(Scallop { height, extent, avoided: false, links: Vec::new() }),
         ..milling(&flat, None)
     };
     for (step, n) in [(2.0_f64, 4), (4.0, 2)] {
         let ridge = 5.0 - (25.0 - 0.25 * step * step).sqrt();
-        let (c, said) = judge(asked(ridge - BAND + 1e-4, outline(4.0, true)), way(step, n));
+        let (c, said) = judge(asked(ridge - BAND + 1e-4, outline(4.0, 4.0)), way(step, n));
         assert!(c.is_proved(), "{step} {said:?}");
         assert!(c.statements[0].surfaces.iter().any(|s| s.role == "scallop"));
-        let (c, _) = judge(asked(ridge - BAND - 1e-4, outline(4.0, true)), way(step, n));
+        let (c, _) = judge(asked(ridge - BAND - 1e-4, outline(4.0, 4.0)), way(step, n));
         let fault = c.statements[0].fault.clone().expect("a ridge");
         assert!(!fault.gouge && c.refuted == 1 && fault.depth < 1.1e-4, "{fault:?}");
-        // Beyond the passes nothing was cut; where the ends are not linked that is not refuted.
-        let (c, _) = judge(asked(ridge, outline(6.0, true)), way(step, n));
+        // Beyond the passes nothing was cut.
+        let (c, _) = judge(asked(ridge, outline(6.0, 6.0)), way(step, n));
         assert!(c.refuted > 0, "{step}");
-        let (c, said) = judge(asked(ridge, outline(6.0, false)), way(step, n));
-        assert_eq!((c.refuted, c.undecided, said[0].code), (0, 1, codes::UNPROVED));
-        assert!(said[0].notes.iter().any(|n| n.contains("end of a pass")), "{said:?}");
+        // A little beyond their ends the ridge is cleared where the tool steps across, and stands where it does not.
+        let link = |i: i32, s: f64| {
+            [i, i + 1].map(|i| Position::upright(place(s, step * f64::from(i) - 4.0)))
+        };
+        let links: Vec<_> = (0..n).flat_map(|i| [link(i, -4.0), link(i, 4.0)]).collect();
+        let mut beyond = asked(ridge - BAND + 1e-4, outline(4.0, 4.1));
+        let (c, _) = judge(beyond.clone(), way(step, n));
+        assert!(c.refuted > 0, "{step}");
+        beyond.scallop.as_mut().expect("asked").links = links;
+        let (c, said) = judge(beyond.clone(), way(step, n));
+        assert_eq!((c.refuted, c.undecided, said[0].code), (0, 1, codes::CORNERS));
+        // What stands between passes is no corner.
+        let mut torn = way(step, n);
+        torn[2] = torn[3];
+        let (c, _) = judge(beyond, torn);
+        assert!(c.refuted > 0, "{step}");
     }
 }
 
