@@ -7,6 +7,8 @@ use aptc_geometry::surface::ParametricSurface;
 use aptc_geometry::{Plane, Sculptured, SpaceCurve, Vec3};
 use aptc_protap::NameRef;
 
+use crate::failure::Failure;
+
 /// What guides the tool.
 #[derive(Clone, Debug)]
 pub(crate) enum Guide {
@@ -122,4 +124,27 @@ pub(crate) struct Areas {
     pub(crate) stepover: Option<StepoverArea>,
     /// The clearance plane; INIT leaves it.
     pub(crate) clearance: Option<Plane>,
+    /// Those whose last statement failed, or that were told to be missing.
+    pub(crate) failed: Vec<&'static str>,
+}
+
+impl Areas {
+    /// Forgets what is set by a word of SCON.
+    pub(crate) fn clear(&mut self, word: &str) {
+        match word {
+            "DS" => self.drive = None,
+            "PS" => self.part = None,
+            "AXIS" => self.axis = None,
+            "FEED" => self.feeds = None,
+            "STEPOV" => self.stepover = None,
+            _ => {}
+        }
+        self.failed.retain(|w| *w != word);
+    }
+
+    /// Why a statement ends that needs these areas; what is missing as its own statement failed was told there.
+    pub(crate) fn missing(&self, areas: &[(&'static str, bool)]) -> Failure {
+        let gone = areas.iter().filter(|a| a.1).map(|a| a.0);
+        Failure::NotSet { areas: gone.filter(|a| !self.failed.contains(a)).collect() }
+    }
 }

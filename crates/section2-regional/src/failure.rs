@@ -11,7 +11,7 @@ use crate::jump::Stands;
 pub(crate) enum Failure {
     /// A curve or surface that cannot be fitted.
     Unfit { name: Box<str>, why: Box<str> },
-    /// Areas that SMIL needs are not set.
+    /// Areas that a statement needs are not set; none where their own statements failed, which was told there.
     NotSet { areas: Vec<&'static str> },
     /// A number that is out of its range.
     Value { what: &'static str, value: f64, need: Box<str> },
@@ -100,10 +100,14 @@ impl Failure {
         Self::Gouge(Box::new(Deep { gouge, te, ta, avoids }))
     }
 
-    /// The words, at the statement.
-    pub(crate) fn explain(&self, origin: &Origin) -> Diagnostic {
+    /// The words, at the statement; `None` where it was told before.
+    pub(crate) fn explain(&self, origin: &Origin) -> Option<Diagnostic> {
+        if matches!(self, Self::NotSet { areas } if areas.is_empty()) {
+            return None;
+        }
         let (code, text, help) = self.words();
-        Diagnostic::error(code, origin.span, text).within(origin.trace.clone()).help(help)
+        let said = Diagnostic::error(code, origin.span, text).within(origin.trace.clone());
+        Some(said.help(help))
     }
 
     fn words(&self) -> (Code, String, String) {

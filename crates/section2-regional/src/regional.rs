@@ -14,6 +14,7 @@ use crate::avoid::Avoid;
 use crate::crew::{Alone, Crew};
 use crate::cut_vectors::Recording;
 use crate::drive::Course;
+use crate::failure::Failure;
 use crate::gclear::{Clears, post_arg};
 use crate::guard::Checked;
 use crate::outline::Outlines;
@@ -156,7 +157,11 @@ impl Regional {
             Err(_) => self.stand = None,
         }
         done.map_err(|failure| {
-            self.diagnostics.push(failure.explain(&record.origin));
+            self.diagnostics.extend(failure.explain(&record.origin));
+            if let Failure::NotSet { areas } = failure {
+                // What is missing is told once.
+                self.areas.failed.extend(areas);
+            }
             Failed
         })
     }

@@ -108,43 +108,50 @@ fn need(x: Option<f64>, what: &'static str) -> Result<f64, Failure> {
     })
 }
 
+/// The words of SCON that set an area.
+const AREAS: [&str; 5] = ["DS", "PS", "AXIS", "FEED", "STEPOV"];
+
 impl Regional {
     /// Sets or clears areas.
     ///
     /// APT: `SCON`.
     pub(crate) fn scon(&mut self, args: &[Arg]) -> Result<(), Failure> {
         let mut w = Words(args);
-        match w.word() {
-            Some("INIT") => self.init(w),
-            Some("DS") => self.areas.drive = Some(self.drive_area(&mut w)?),
-            Some("PS") => self.areas.part = Some(self.part_area(&mut w)?),
-            Some("AXIS") => self.areas.axis = Some(axis_area(&mut w)?),
-            Some("FEED") => self.feed_area(&mut w)?,
-            Some("STEPOV") => self.areas.stepover = Some(stepover_area(&mut w)?),
-            _ => return Err(Failure::Undone { what: "this form of SCON" }),
+        let word = w.word().unwrap_or("");
+        if word == "INIT" {
+            self.init(w);
+            return Ok(());
+        }
+        let Some(area) = AREAS.into_iter().find(|a| *a == word) else {
+            return Err(Failure::Undone { what: "this form of SCON" });
+        };
+        let done = self.set_area(area, &mut w);
+        let areas = &mut self.areas;
+        if done.is_err() {
+            // What was set before is not what the program goes on with.
+            areas.clear(area);
+            areas.failed.push(area);
+        } else {
+            areas.failed.retain(|a| *a != area);
+        }
+        done
+    }
+
+    fn set_area(&mut self, area: &str, w: &mut Words<'_>) -> Result<(), Failure> {
+        match area {
+            "DS" => self.areas.drive = Some(self.drive_area(w)?),
+            "PS" => self.areas.part = Some(self.part_area(w)?),
+            "AXIS" => self.areas.axis = Some(axis_area(w)?),
+            "FEED" => self.feed_area(w)?,
+            _ => self.areas.stepover = Some(stepover_area(w)?),
         }
         Ok(())
     }
 
     fn init(&mut self, mut w: Words<'_>) {
         while let Some(word) = w.word() {
-            let a = &mut self.areas;
             let all = word == "ALL";
-            if all || word == "DS" {
-                a.drive = None;
-            }
-            if all || word == "PS" {
-                a.part = None;
-            }
-            if all || word == "AXIS" {
-                a.axis = None;
-            }
-            if all || word == "FEED" {
-                a.feeds = None;
-            }
-            if all || word == "STEPOV" {
-                a.stepover = None;
-            }
+            AREAS.iter().filter(|a| all || **a == word).for_each(|a| self.areas.clear(a));
         }
     }
 

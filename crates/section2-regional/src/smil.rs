@@ -104,7 +104,7 @@ impl Regional {
         }
         let areas =
             [("DS", a.drive.is_none()), ("PS", a.part.is_none()), ("AXIS", a.axis.is_none())];
-        Err(Failure::NotSet { areas: missing(&areas) })
+        Err(a.missing(&areas))
     }
 
     fn setup(&self) -> Result<Setup<'_>, Failure> {
@@ -219,7 +219,7 @@ impl Regional {
         let a = &self.areas;
         let (Some(feeds), Some(stepover)) = (a.feeds, a.stepover) else {
             let areas = [("FEED", a.feeds.is_none()), ("STEPOV", a.stepover.is_none())];
-            return Err(Failure::NotSet { areas: missing(&areas) });
+            return Err(a.missing(&areas));
         };
         let clearance = if pick {
             let plane = a.clearance.ok_or(Failure::NotSet { areas: vec!["FEED,plane"] })?;
@@ -515,8 +515,4 @@ fn freed(control: &Arc<cl::Control>) -> Option<Freed> {
     let first = Milling { risen: true, ..milling.clone() };
     let of = |milling| Arc::new(cl::Control { milling: Some(milling), ..cl::Control::default() });
     Some(Freed { free: of(free), back: of(back), first: of(first), risen: of(risen) })
-}
-
-fn missing(areas: &[(&'static str, bool)]) -> Vec<&'static str> {
-    areas.iter().filter(|a| a.1).map(|a| a.0).collect()
 }

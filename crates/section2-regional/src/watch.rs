@@ -33,7 +33,7 @@ impl Regional {
                     if let Err((k, failure)) = found {
                         motion.points.truncate(k);
                         self.put_out(motion);
-                        self.diagnostics.push(failure.explain(&record.origin));
+                        self.diagnostics.extend(failure.explain(&record.origin));
                         cut = Some(if k == 0 { i } else { i + 1 });
                         break;
                     }
