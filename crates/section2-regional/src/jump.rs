@@ -22,6 +22,8 @@ const BETWEEN: u32 = 12;
 /// A step at which something is left is made shorter so many times, by this factor.
 const CLOSER: u32 = 32;
 const SHORTER: f64 = 0.75;
+/// Summits between a pass and the next that are gone to.
+const SUMMITS: u32 = 3;
 /// Halvings of a height.
 const HEIGHT: u32 = 30;
 
@@ -36,10 +38,10 @@ pub(crate) struct Stands {
 
 /// Places of two passes beside each other.
 #[derive(Clone, Copy)]
-struct Pair {
+pub(crate) struct Pair {
     /// Parameter along the passes.
-    t: f64,
-    both: [(Position, Memory); 2],
+    pub(crate) t: f64,
+    pub(crate) both: [(Position, Memory); 2],
 }
 
 impl Pair {
@@ -54,17 +56,22 @@ impl Pair {
 }
 
 impl Region<'_> {
-    /// The step across, shorter where the contact jumps and something higher than the scallop would be left.
+    /// The step across, shorter where the contact jumps and something higher than the scallop would be left: to a summit
+    /// between the two, or less.
     pub(crate) fn closed(&self, lane: &Lane, mut step: f64) -> f64 {
         let high = self.setup.thick() + self.stepover.scallop;
+        let mut summits = 0;
         for _ in 0..CLOSER {
-            let clear = self.jumps(lane, step, &mut |pair| {
-                self.places(pair).all(|place| self.clears(pair, place, high))
+            let mut stands = None;
+            self.jumps(lane, step, &mut |pair| {
+                let clear = self.places(pair).all(|place| self.clears(pair, place, high));
+                stands = (!clear).then_some(*pair);
+                clear
             });
-            if clear {
-                break;
-            }
-            step *= SHORTER;
+            let Some(pair) = stands else { break };
+            let summit = (summits < SUMMITS).then(|| self.summit(lane, step, &pair)).flatten();
+            summits += u32::from(summit.is_some());
+            step = summit.unwrap_or(SHORTER * step);
         }
         step
     }
@@ -140,7 +147,7 @@ impl Region<'_> {
     }
 
     /// Places of both passes at a parameter; `None` where one of them cannot be reached.
-    fn pair(&self, lane: &Lane, step: f64, t: f64, near: Option<&Pair>) -> Option<Pair> {
+    pub(crate) fn pair(&self, lane: &Lane, step: f64, t: f64, near: Option<&Pair>) -> Option<Pair> {
         let across = self.course.across();
         let [low, high] = self.setup.drive.limits(across);
         let over = self.senses[1];

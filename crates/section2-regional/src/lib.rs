@@ -41,6 +41,7 @@ mod settings;
 mod smil;
 mod solve;
 mod stepover;
+mod summit;
 mod tlproj;
 mod touched;
 mod watch;

@@ -208,10 +208,12 @@ fn side_of(points: &[Position], i: usize) -> Vec3 {
     across.try_normalize(0.0).unwrap_or_else(Vec3::zeros)
 }
 
+/// Along the surface there: between neighbours at unlike distances the chord would rise or fall.
 fn path_direction(points: &[Position], i: usize) -> Vec3 {
     let a = &points[i.saturating_sub(1)];
     let b = &points[(i + 1).min(points.len() - 1)];
-    (b.contact - a.contact).try_normalize(0.0).unwrap_or_else(Vec3::zeros)
+    let (way, n) = (b.contact - a.contact, points[i].normal);
+    (way - n * n.dot(&way)).try_normalize(0.0).unwrap_or_else(Vec3::zeros)
 }
 
 #[cfg(test)]

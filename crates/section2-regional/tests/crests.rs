@@ -124,6 +124,21 @@ fn passes_are_closer_where_the_contact_jumps() {
     }
 }
 
+/// A dome whose summit lies between the lines: a pass goes over the summit itself, where those beside it swing round it, and on
+/// the flanks passes are as close as the rim's saw teeth ask for.
+#[test]
+fn a_pass_goes_over_a_summit() {
+    let dome = |x: f64, y: f64| 12.0 - ((x - 31.3) * (x - 31.3) + (y - 28.6) * (y - 28.6)) / 150.0;
+    let part = mesh(dome);
+    for (corner, word) in [(0.0, "ZIGZAG"), (0.5, "PICKFD")] {
+        let cutter = Cutter::mill(10.0, corner, 40.0);
+        let (path, told) = region(&part, cutter, [0.03, 0.0], word);
+        assert!(told.is_empty(), "{told:?}");
+        let far = farthest(&part, &cutter, &path, 0.03 + TOL);
+        assert!(far <= 1e-6, "{word} {cutter:?}: {far}");
+    }
+}
+
 /// Passes a fixed distance apart leave what they leave there, and that is told with place and height.
 #[test]
 fn what_a_fixed_step_leaves_over_a_crest_is_told() {
