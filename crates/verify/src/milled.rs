@@ -1,5 +1,6 @@
 //! Regional milling: no point of a surface deeper in the cutter than allowed, along each cut vector.
 
+use std::borrow::Cow;
 use std::sync::{Arc, OnceLock};
 
 use aptc_cldata::milling::{Milled, Milling, Plain, Raised};
@@ -36,6 +37,10 @@ const RISES: f64 = 1.4;
 /// Share of what may be left by which points seen from a tool that turns may leave their chords.
 const FINE: f64 = 0.3;
 
+/// Why a cutter that is led along a surface can be deep in it.
+const LED: &str = "it is held to the one place that the path leads along; CHKSRF/PS holds it to all of the surface, and AVCTRL takes it out \
+    where it does not fit";
+
 /// The surfaces of a statement of regional milling.
 #[derive(Debug)]
 pub(crate) struct Region {
@@ -60,6 +65,8 @@ pub(crate) struct MilledSurface {
     /// Is the tool end held to it? Else the cutter stays away from it.
     on: bool,
     side: f64,
+    /// Is it led along without being checked?
+    led: bool,
     /// Least and greatest distance asked for.
     band: [f64; 2],
 }
@@ -184,6 +191,7 @@ impl MilledSurface {
             between: false,
             on,
             side: of.side,
+            led: role == "part" && !on && !milling.guarded,
             band: [least, if on && !milling.risen { most } else { f64::INFINITY }],
         }
     }
@@ -203,6 +211,7 @@ impl MilledSurface {
             between: false,
             on: false,
             side: 1.0,
+            led: false,
             band: [-milling.intol, f64::INFINITY],
         }
     }
@@ -247,8 +256,8 @@ impl MilledSurface {
                 let gouge = gap < from;
                 let depth = if gouge { from - gap } else { gap - self.band[1] };
                 let why = match &self.body {
-                    Body::Sided(kept) => kept.entered(profile, te, [a, b]),
-                    _ => None,
+                    Body::Sided(kept) => kept.entered(profile, te, [a, b]).map(Cow::Owned),
+                    _ => (gouge && self.led).then_some(Cow::Borrowed(LED)),
                 };
                 let te = te.into();
                 Some(Fault {
@@ -259,7 +268,7 @@ impl MilledSurface {
                     depth,
                     gouge,
                     ends: false,
-                    why: why.map(Into::into),
+                    why,
                 })
             }
             Verdict::Undecided { at_most, te } => Some(Fault {

@@ -137,8 +137,17 @@ impl Cusps {
         match self.part(swath, pad, pieces) {
             Left::Higher(height, i) => {
                 let way = swath.whole(i);
-                match self.part(linked(), pad, pieces) {
-                    Left::Proved if self.excused.is_none() => Left::Ends(height, way),
+                if self.links.is_empty() || self.excused.is_some() {
+                    return Left::Higher(height, way);
+                }
+                let linked = linked();
+                match self.part(linked, pad, pieces) {
+                    Left::Proved => Left::Ends(height, way),
+                    // What is left elsewhere. The links stand behind the ways.
+                    Left::Higher(height, i) => {
+                        let nearest = Some(linked.whole(i)).filter(|i| *i < swath.count());
+                        Left::Higher(height, nearest.unwrap_or(way))
+                    }
                     _ => Left::Higher(height, way),
                 }
             }

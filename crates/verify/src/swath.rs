@@ -91,6 +91,11 @@ impl Swath {
         self.whole.get(i).copied().unwrap_or(i)
     }
 
+    /// Ways, not parts.
+    pub(crate) fn count(&self) -> usize {
+        self.whole.last().map_or(0, |i| i + 1)
+    }
+
     fn grow(&mut self, boxes: &[[Vec3; 2]], from: usize, to: usize) -> usize {
         let all = self.order[from..to].iter();
         let far = f64::INFINITY;
