@@ -20,6 +20,8 @@ const RETRIES: usize = 60;
 const LEAST: f64 = 1e-11;
 /// Cut vectors into which avoidance may divide one.
 const DIVISIONS: usize = 4000;
+/// A tool end that moves so many times as far as the contact swings about it.
+const SWING: f64 = 4.0;
 /// A chord aims at this part of what the tolerance leaves.
 const AIM: f64 = 0.98;
 
@@ -73,7 +75,16 @@ impl Setup<'_> {
             let stop = self.stop(from[k], here.drive_uv[k], to, sense);
             let from = (&here, clear);
             let step = self.step(from, [stop, to], course, sense, memory, &mut guess);
-            let Step { next, kept, proved } = step.map_err(|why| broken(&mut points, why))?;
+            let mut step = step.map_err(|why| broken(&mut points, why))?;
+            if self.swings(&here, &step.next) {
+                // Straight across, if that goes on farther.
+                let free = Setup { lateral: f64::INFINITY, ..*self };
+                let mut guess = span;
+                let across = free.step(from, [to, to], course, sense, memory, &mut guess).ok();
+                let on = |s: &Step| s.next.drive_uv[k] * sense;
+                step = across.filter(|a| on(a) > on(&step)).unwrap_or(step);
+            }
+            let Step { next, kept, proved } = step;
             gone += (next.te - here.te).norm();
             let uv = here.drive_uv;
             if points.points.len() >= self.numpts {
@@ -318,6 +329,12 @@ impl Setup<'_> {
         [a.te + fall, b.te + rise].into_iter().find(through)
     }
 
+    /// Does a flat bottom swing about its contact from one position to the next, as it does beside a summit?
+    fn swings(&self, here: &Position, next: &Position) -> bool {
+        self.profile.corner()[0] > 0.0
+            && (next.te - here.te).norm() > SWING * (next.contact - here.contact).norm()
+    }
+
     /// The next parameter at which a position is put out in any case.
     fn stop(&self, start: f64, here: f64, to: f64, sense: f64) -> f64 {
         let Some(every) = self.every else { return to };
@@ -339,7 +356,8 @@ impl Setup<'_> {
     ) -> Result<Step, Failure> {
         let k = course.index();
         let t = here.drive_uv[k];
-        let joint = next_joint(t, sense);
+        // What goes across a swing needs none of the places on it.
+        let joint = if self.lateral.is_finite() { next_joint(t, sense) } else { to };
         let most = ((to - t) * sense).min((joint - t) * sense);
         let last = if (to - joint) * sense < 0.0 { to } else { joint };
         let mut length = guess.min(most);
