@@ -38,7 +38,7 @@ const RISES: f64 = 1.4;
 const FINE: f64 = 0.3;
 
 /// Why a cutter that is led along a surface can be deep in it.
-const LED: &str = "it is held to the one place that the path leads along; CHKSRF/PS holds it to all of the surface, and AVCTRL takes it out \
+const LED: &str = "it is held to the one place that the path leads along; CHKSRF/PS,ON holds it to all of the surface, and AVCTRL takes it out \
     where it does not fit";
 
 /// The surfaces of a statement of regional milling.
