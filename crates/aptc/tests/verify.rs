@@ -65,6 +65,42 @@ fn a_cl_file_is_held_against_the_program() {
 }
 
 #[test]
+fn a_cl_file_of_another_program_gives_one_error() {
+    let dir = folder_with("box.apt", PART);
+    // The lines of another program have the same numbers; its numbers do not fit.
+    let other = PART.replace("60,", "460,").replace("-70", "-270").replace("-20,-20", "-400,-90");
+    for (file, part) in [("same", "PARTNO BOX"), ("other", "PARTNO LID"), ("none", "REMARK")] {
+        fs::write(dir.path().join("other.apt"), other.replace("PARTNO BOX", part)).unwrap();
+        aptc(dir.path(), &["compile", "other.apt", "--emit", "cl", "--quiet"]);
+        let cl = fs::read_to_string(dir.path().join("other.cl")).unwrap();
+        let bare: String =
+            cl.lines().filter(|l| !l.starts_with("$$")).map(|l| format!("{l}\n")).collect();
+        for cl in [&cl, &bare] {
+            fs::write(dir.path().join("given.cl"), cl).unwrap();
+            let options = ["verify", "box.apt", "--cl", "given.cl", "--message-format", "json"];
+            let run = aptc(dir.path(), &options);
+            assert_eq!(run.status.code(), Some(3), "{file}: {}", text(&run.stderr));
+            let said = text(&run.stderr);
+            assert_eq!(said.lines().count(), 1, "{said}");
+            assert!(said.contains("APT5003") && said.contains("\"line\":14"), "{said}");
+            assert_eq!(said.contains("its part is LID, not BOX"), file == "other", "{said}");
+            assert_eq!(text(&run.stdout), "");
+        }
+    }
+    // The file of this program before lines were put into it, and one whose UNITS were lost.
+    aptc(dir.path(), &["compile", "box.apt", "--emit", "cl", "--quiet"]);
+    fs::write(dir.path().join("box.apt"), PART.replace("CUTTER", "REMARK ONE\nREMARK\nCUTTER"))
+        .unwrap();
+    let run = aptc(dir.path(), &["verify", "box.apt", "--cl", "box.cl"]);
+    assert_eq!(run.status.code(), Some(0), "{}", text(&run.stderr));
+    let cl = fs::read_to_string(dir.path().join("box.cl")).unwrap();
+    fs::write(dir.path().join("lost.cl"), cl.replace("UNITS/MM", "UNITS/INCHES")).unwrap();
+    let run = aptc(dir.path(), &["verify", "box.apt", "--cl", "lost.cl"]);
+    assert_eq!(run.status.code(), Some(3), "{}", text(&run.stderr));
+    assert!(text(&run.stderr).contains("25.400 times as large"), "{}", text(&run.stderr));
+}
+
+#[test]
 fn how_much_is_proved_can_be_chosen() {
     let dir = folder_with("box.apt", PART);
     for (how, said) in [("full", "all"), ("sample", "left out"), ("off", "")] {
