@@ -116,9 +116,8 @@ fn of_another(name: &str, found: &Matched, computed: &[Record], records: &[Recor
     }
     let times = times_as_large(computed, records);
     if [25.4, 1.0 / 25.4].iter().any(|inch| (times / inch - 1.0).abs() < 0.01) {
-        error = error.help(format!(
-            "its path is {times:.3} times as large: it lacks UNITS, or has another"
-        ));
+        error = error
+            .help(format!("its path is {times:.3} times as large: it lacks UNITS, or has another"));
     }
     error
 }

@@ -544,6 +544,14 @@ impl<'w> Interpreter<'w> {
         self.push(message.within(trace));
     }
 
+    /// Does `work` without telling what is amiss: it follows from what was told.
+    pub(crate) fn muted<T>(&mut self, work: impl FnOnce(&mut Self) -> T) -> T {
+        let before = std::mem::replace(&mut self.reports.muted, true);
+        let done = work(self);
+        self.reports.muted = before;
+        done
+    }
+
     fn push(&mut self, message: Diagnostic) {
         self.reports.push(message, self.options.limits.messages);
     }

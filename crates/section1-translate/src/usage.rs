@@ -103,7 +103,6 @@ pub(crate) fn usage(word: Word) -> &'static [&'static str] {
         word::NDTEST => &["NDTEST"],
         word::CLPRNT => &["CLPRNT", "CLPRNT/ON  ..  CLPRNT/OFF", "CLPRNT/OPTION  ..  CLPRNT/OFF"],
         word::GOUGCK => &["GOUGCK[/ON|OFF]"],
-        word::PTONLY => &["PTONLY/n"],
         word::FINI => &["FINI"],
         _ => &[],
     }
@@ -148,9 +147,6 @@ pub(crate) fn sentence(word: Word) -> Option<&'static str> {
             "Passed on in the CL data and of no effect else: every cut vector is checked for gouges here, with OFF too."
         }
         word::TLNDON => "The tool end stays on the drive surface, as with TLON.",
-        word::PTONLY => {
-            "Sections after the n-th do not run: 1 leaves motions out, 2 edited CL data, 3 machine code."
-        }
         word::FINI => "Ends the part program; what follows in the file is a further one.",
         _ => return None,
     })

@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 use aptc_geometry::{Profile, Surface, Vec3};
 use aptc_protap::SurfaceRef;
 
-use crate::failure::{called, number};
+use crate::failure::{number, with_role};
 use crate::plane::Frame;
 use crate::state::Tool;
 
@@ -78,13 +78,7 @@ impl Situation {
         let mut y = SIDE + 75.0;
         for (role, surface) in &self.surfaces {
             let role = (*role).min(3);
-            text(
-                &mut out,
-                10.0,
-                y,
-                COLOURS[role],
-                &format!("{} surface {}", ROLES[role], called(surface)),
-            );
+            text(&mut out, 10.0, y, COLOURS[role], &with_role(ROLES[role], surface));
             y += 17.0;
         }
         out.push_str("</svg>\n");

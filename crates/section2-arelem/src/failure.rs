@@ -147,8 +147,8 @@ impl Failure {
             Self::OffPart { surface, off, allowed, outside } => (
                 codes::OFF_PART_SURFACE,
                 format!(
-                    "the tool is not within tolerance of the part surface {}: {} {}, allowed {}",
-                    called(surface),
+                    "the tool is not within tolerance of {}: {} {}, allowed {}",
+                    with_role("part", surface),
                     number(off.abs()),
                     if *outside { "off it" } else { "in it" },
                     number(*allowed)
@@ -522,6 +522,14 @@ pub(crate) fn called(s: &SurfaceRef) -> String {
     } else {
         format!("{}({})", s.name.name, s.name.subscript)
     }
+}
+
+/// The same with its role, which one that no statement gives has in its name.
+pub(crate) fn with_role(role: &str, s: &SurfaceRef) -> String {
+    if s.name.name.contains(' ') {
+        return s.name.name.to_string();
+    }
+    format!("the {role} surface {}", called(s))
 }
 
 /// The APT word.

@@ -117,7 +117,7 @@ impl Default for Settings {
             axis: ToolAxis::Fixed(Vec3::z()),
             axis_before: ToolAxis::Fixed(Vec3::z()),
             contact_chosen: false,
-            part: Part::Surface(plane_ref(Vec3::z(), 0.0)),
+            part: Part::Surface(part_plane(DEFAULT_PART, Vec3::z(), 0.0)),
             nops: false,
             drive_side: None,
             part_side: None,
@@ -274,9 +274,19 @@ pub(crate) fn unit(v: Vec3) -> Option<Vec3> {
     (l > 0.0 && l.is_finite()).then(|| v / l)
 }
 
-/// A plane without a name.
-pub(crate) fn plane_ref(n: Vec3, d: f64) -> SurfaceRef {
-    SurfaceRef { name: NameRef::default(), form: Arc::new(Form::Plane(Plane { n, d })) }
+/// What messages call the part surface of a program that gives none.
+const DEFAULT_PART: &str = "the part surface z=0 (no PSIS is given)";
+/// What messages call that of AUTOPS.
+const AUTO_PART: &str = "the part surface of AUTOPS";
+
+fn part_plane(called: &str, n: Vec3, d: f64) -> SurfaceRef {
+    let name = NameRef { name: called.into(), subscript: 0 };
+    SurfaceRef { name, form: Arc::new(Form::Plane(Plane { n, d })) }
+}
+
+/// The plane of AUTOPS: through the tool end, across the tool axis.
+pub(crate) fn auto_part(te: Vec3, ta: Vec3) -> SurfaceRef {
+    part_plane(AUTO_PART, ta, ta.dot(&te))
 }
 
 impl Tool {

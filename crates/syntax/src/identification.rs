@@ -104,7 +104,8 @@ impl Behind {
         let (first, last) = (&cards.first()?.0, &cards.last()?.0);
         let from = self.strange.partition_point(|t| (t.start as usize) < first.text.start);
         let tail = self.strange.get(from).filter(|t| t.end as usize <= last.end)?;
-        let (text, tail) = source[first.text.start..].split_at(tail.start as usize - first.text.start);
+        let (text, tail) =
+            source[first.text.start..].split_at(tail.start as usize - first.text.start);
         let blanks = |text: &str, rest: &str| text.len() - rest.len();
         let gap = blanks(text, text.trim_end()) + blanks(tail, tail.trim_start());
         Some(if gap <= GAP { Tail::Adjoining } else { Tail::Apart })

@@ -13,8 +13,8 @@ use chumsky::span::SimpleSpan;
 use crate::fixed::{FixedText, printable};
 use crate::form::{Form, form, is_assignment};
 use crate::grammar::{Beside, Grammar};
-use crate::lex::{Lexed, Lexer};
 use crate::identification::{Behind, Tail};
+use crate::lex::{Lexed, Lexer};
 use crate::message::Failed;
 use crate::scan::{Flat, Scanned, Scanner, place};
 use crate::shape::{self, Heads, Level};
@@ -139,7 +139,8 @@ impl Run<'_> {
                 open = false;
                 break;
             };
-            let tail = self.behind.of(self.source, &scanner.pieces).filter(|_| scanned.fixed.is_none());
+            let tail =
+                self.behind.of(self.source, &scanner.pieces).filter(|_| scanned.fixed.is_none());
             pending.push(self.prepare(scanned, tail, flat, lists));
         }
         let Lists { tokens, texts, fixed, shelves } = &*lists;

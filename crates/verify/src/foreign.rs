@@ -121,9 +121,8 @@ fn matched_by(program: &[Record], file: &[Record], marks: Marks) -> Result<Match
 
 /// How many times as large as the program's path that of the file is.
 pub fn times_as_large(program: &[Record], file: &[Record]) -> f64 {
-    let size = |records: &[Record]| {
-        positions(records).iter().map(|p| p.at.te.norm()).fold(0.0, f64::max)
-    };
+    let size =
+        |records: &[Record]| positions(records).iter().map(|p| p.at.te.norm()).fold(0.0, f64::max);
     size(file) / size(program)
 }
 

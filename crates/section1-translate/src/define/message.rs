@@ -239,6 +239,10 @@ impl Words<'_> {
                 .error(codes::COINCIDE, *b, format!("two points of this {head} fall together"))
                 .label("the second begins here")
                 .also(self.span(*a), "the first begins here"),
+            Fault::Coincide { a, b } if self.is_named(*a) && self.name(*a) == self.name(*b) => self
+                .error(codes::COINCIDE, *b, format!("{} is given twice", self.name(*b)))
+                .label("here again")
+                .also(self.span(*a), "here"),
             Fault::Coincide { a, b } => {
                 let (x, y) = (self.name(*a), self.name(*b));
                 self.both(codes::COINCIDE, *a, *b, format!("{x} and {y} fall together"))

@@ -161,7 +161,6 @@ impl Interpreter<'_> {
             | word::THICK
             | word::MAXDP
             | word::NUMPTS
-            | word::PTONLY
             | word::UNITS => self.setting(word, clause),
             word::TLAXIS => self.tool_axis(clause),
             word::POCKET => self.pocket(clause),

@@ -236,7 +236,10 @@ fn a_statement_that_goes_on_behind_column_72_gives_one_error() {
     let text = card("L1=LINE/PONE,P", "TWO") + &remark;
     let (_, parsed, _) = read_with(&text, &Options::default());
     let found: Vec<_> = parsed.diagnostics.iter().map(|d| d.message.as_str()).collect();
-    assert_eq!(found, ["text behind column 72 of 2 cards is not read, and a statement is cut off there"]);
+    assert_eq!(
+        found,
+        ["text behind column 72 of 2 cards is not read, and a statement is cut off there"]
+    );
 }
 
 #[test]
