@@ -114,6 +114,8 @@ pub(crate) struct State {
     pub(crate) cut_vectors: Vec<CutVectors>,
     /// Is this a program of APT4?
     pub(crate) sculptured: bool,
+    /// The word of the post-processor whose arguments are read.
+    pub(crate) arguments_of: Option<Word>,
     /// Words without effect that were told of.
     pub(crate) ignored_said: Vec<Word>,
     /// Was said that this part program stands behind a FINI and has no PARTNO?

@@ -159,6 +159,13 @@ const MISTAKES: &[Mistake] = &[
     ("LOADTL/2", "MAXDP/0", 1304, "0", ""),
     ("LOADTL/2", "MAXDP/-1", 1304, "-1", ""),
     ("LOADTL/2", "PTONLY/1", 1305, "PTONLY", ""),
+    // Words of the post-processor misspelt: the part would be cut without what they say.
+    ("LOADTL/2", "COOLANT/ON", 1301, "COOLANT", "did you mean COOLNT?"),
+    ("LOADTL/2", "LODTL/2", 1301, "LODTL", "did you mean LOADTL?"),
+    ("LOADTL/2", "STOPP", 1301, "STOPP", "did you mean STOP?"),
+    ("LOADTL/2", "COOLNT/WATER", 1050, "WATER", "write COOLNT/ON|FLOOD|MIST|OFF"),
+    ("LOADTL/2", "COOLNT,ON", 1304, "COOLNT,ON", "write COOLNT/ON"),
+    ("LOADTL/2", "CUTTER=12", 1304, "CUTTER", "write CUTTER/.."),
     ("LOADTL/2", "HH=HEX/1A2B", 1303, "HEX", ""),
     ("LOADTL/2", "HH=SSURF/HEX,1A2B", 1303, "HEX", ""),
     ("LOADTL/2", "HH=SSURF/FETCH,WING", 1303, "FETCH", ""),
@@ -295,4 +302,14 @@ fn mistakes_in_every_statement_stay_apart() {
     let text = GOOD.replacen("LOADTL/2", &wrong.join("\n"), 1);
     let ran = run(&text);
     assert_eq!(ran.diagnostics.len(), wrong.len(), "{}", ran.messages());
+}
+
+/// A word that is like no other may be one of an installation; one that is like another is misspelt.
+#[test]
+fn a_word_of_an_installation_is_handed_on() {
+    let ran = run("HYDRAU/ON\nFINI\n");
+    assert_eq!(ran.told(), [(1301, 1)]);
+    assert!(!ran.diagnostics[0].is_error());
+    let ran = run("RAPPID\nFINI\n");
+    assert!(ran.diagnostics[0].is_error(), "{}", ran.messages());
 }

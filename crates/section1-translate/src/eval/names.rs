@@ -8,6 +8,7 @@ use aptc_vocabulary::{Class, Word, closest};
 use super::{Known, Poisoned};
 use crate::Interpreter;
 use crate::memory::{Place, Value};
+use crate::usage::usage;
 
 impl Interpreter<'_> {
     /// What `name` stands for: a value, or the vocabulary word of that spelling.
@@ -80,6 +81,8 @@ impl Interpreter<'_> {
                     } else if pieces.len() > 1 {
                         // Blanks have no meaning, but people set them where they mean something.
                         format!("put a `,` in between if it is {}", pieces.join(" and "))
+                    } else if let Some(form) = self.form_of_post() {
+                        format!("write {form}, or define {text} in a statement before this one")
                     } else {
                         format!("define {text} in a statement before this one")
                     });
@@ -89,6 +92,11 @@ impl Interpreter<'_> {
         }
         self.memory.set(place, Value::Poison, name.span);
         Poisoned
+    }
+
+    /// The form that the statement of the post-processor has whose arguments are read.
+    fn form_of_post(&self) -> Option<&'static str> {
+        self.state.arguments_of.and_then(|word| usage(word).first().copied())
     }
 
     /// The name with a value, or the word, that `text` was perhaps meant to be.
