@@ -135,7 +135,7 @@ fn machine_code_is_held_against_a_cl_file() {
     let good = check("box.nc");
     assert!(good.status.success(), "{}", text(&good.stderr));
     assert!(
-        text(&good.stdout).starts_with("box.nc does what box.cl says"),
+        text(&good.stdout).starts_with("box.nc goes where box.cl says"),
         "{}",
         text(&good.stdout)
     );
@@ -146,6 +146,27 @@ fn machine_code_is_held_against_a_cl_file() {
     let bad = check("bad.nc");
     assert_eq!(bad.status.code(), Some(3), "{}", text(&bad.stderr));
     assert!(text(&bad.stderr).contains("APT5401") && text(&bad.stderr).contains("line "));
+    assert!(text(&bad.stdout).starts_with("bad.nc does not go where box.cl says"));
+    assert!(!text(&bad.stdout).contains("within"), "{}", text(&bad.stdout));
+    // Of another part, for another control, none at all: one message, and no word of agreement.
+    let program = |text: &str| fs::write(dir.path().join("bad.nc"), text).expect("it is written");
+    for other in [nc.replace('X', "X9"), nc.replace('G', "%")] {
+        program(&other);
+        let bad = check("bad.nc");
+        assert_eq!(bad.status.code(), Some(3), "{}", text(&bad.stderr));
+        assert_eq!(text(&bad.stderr).matches("[APT").count(), 1, "{}", text(&bad.stderr));
+        assert!(text(&bad.stderr).contains("of another part"), "{}", text(&bad.stderr));
+    }
+    program("");
+    assert_eq!(check("bad.nc").status.code(), Some(2));
+    assert_eq!(check("box.apt").status.code(), Some(2));
+    // CL data that cannot be read are the fault of the CL data, and are named with their file.
+    let cl = fs::read_to_string(dir.path().join("box.cl")).expect("it was written");
+    fs::write(dir.path().join("box.cl"), cl.replacen("GOTO/", "GOTO/Q,", 1))
+        .expect("it is written");
+    let bad = check("box.nc");
+    assert_eq!(bad.status.code(), Some(1), "{}", text(&bad.stderr));
+    assert!(text(&bad.stderr).contains("box.cl:"), "{}", text(&bad.stderr));
     // Both the machine and the CL data have to be named.
     assert_eq!(aptc(dir.path(), &["verify", "--nc", "box.nc"]).status.code(), Some(2));
 }

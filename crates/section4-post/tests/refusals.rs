@@ -199,6 +199,16 @@ fn a_rapid_through_the_stock_is_refused_with_place_and_depth() {
     assert!(list[0].message.contains("3 deep at"), "{}", list[0].message);
 }
 
+/// What a rapid motion has gone through is gone: the way out of it is no mistake of its own.
+#[test]
+fn the_way_back_from_a_rapid_into_the_stock_is_told_with_it() {
+    let text =
+        format!("{BLOCK}RAPID\nGOTO/50,30,10\nRAPID\nGOTO/50,30,-3\nRAPID\nGOTO/50,30,10\nFINI");
+    assert_eq!(errors("linuxcnc-mill", &text), ["APT4024"]);
+    let aside = text.replace("RAPID\nGOTO/50,30,10\nFINI", "RAPID\nGOTO/90,30,-3\nFINI");
+    assert_eq!(errors("linuxcnc-mill", &aside), ["APT4024"; 2]);
+}
+
 #[test]
 fn a_rapid_through_what_was_cut_away_is_free() {
     // A slot, an arc and a hole; each is left the way it was cut.
