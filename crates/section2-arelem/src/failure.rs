@@ -31,6 +31,8 @@ pub(crate) enum Failure {
         spent: Option<u32>,
         /// TO was asked for, and the cutter stands in the surface at the start.
         within: bool,
+        /// PAST was asked for, and a cutter of this height stands in the surface all the way.
+        stuck: Option<f64>,
     },
     /// The track ends before its check surface is met.
     Blocked(Box<Blocked>),
@@ -347,7 +349,7 @@ impl Failure {
                 let (check, closest, gone) = (called(&b.check), number(b.closest), number(b.gone));
                 vec![format!("{closest} from {check} at the nearest, after {gone} of travel")]
             }
-            Self::NotReached { surface, closest, place, gone, spent, within, .. } => {
+            Self::NotReached { surface, closest, place, gone, spent, within, stuck, .. } => {
                 let (place, closest, gone) = (coordinates(*place), number(*closest), number(*gone));
                 let near = format!("closest at {place}, {closest} from it, after {gone} of travel");
                 let limit = spent.map(|n| {
@@ -360,7 +362,14 @@ impl Failure {
                          PAST ends where it has left {check}"
                     )
                 });
-                within.into_iter().chain([near]).chain(limit).collect()
+                let stuck = stuck.map(|height| {
+                    let (check, height) = (called(surface), number(height));
+                    format!(
+                        "the cutter, {height} high, stands in {check} all the way: PAST ends where none of it does; \
+                         the last of the seven numbers of CUTTER is its height"
+                    )
+                });
+                within.into_iter().chain(stuck).chain([near]).chain(limit).collect()
             }
             _ => Vec::new(),
         }
