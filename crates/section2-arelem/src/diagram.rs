@@ -108,6 +108,11 @@ impl Situation {
         );
         let title = format!("{}; {} wide", view.title, number(2.0 * view.half));
         text(out, x, y + SIDE + 16.0, "#555", &title);
+        // A view of its own: what is beyond the frame is not drawn.
+        let _ = writeln!(
+            out,
+            "<svg x=\"{x}\" y=\"{y}\" width=\"{SIDE}\" height=\"{SIDE}\" viewBox=\"{x} {y} {SIDE} {SIDE}\">"
+        );
         for (role, surface) in &self.surfaces {
             let Some(s) = Surface::from_form(&surface.form) else { continue };
             let colour = COLOURS[(*role).min(3)];
@@ -129,6 +134,7 @@ impl Situation {
                 py - 5.0
             );
         }
+        out.push_str("</svg>\n");
     }
 
     fn cutter(&self, out: &mut String, view: &View, plan: bool) {

@@ -414,6 +414,17 @@ pub(crate) fn assumed_direction(origin: &Origin, word: Direction) -> Diagnostic 
         .help("give INDIRV or INDIRP after FROM")
 }
 
+/// GO with one surface, below a part surface that nobody gave.
+pub(crate) fn lifted(origin: &Origin, z: f64) -> Diagnostic {
+    let text = format!(
+        "no PSIS is given: the tool is lifted from z={} to the part surface z=0",
+        number(z)
+    );
+    Diagnostic::warning(codes::LIFTED_TO_PART, origin.span, text)
+        .within(origin.trace.clone())
+        .help("give PSIS/surface before it, or the part surface with it: GO/TO,drive surface,TO,part surface")
+}
+
 /// INTOL and OUTTOL that leave no band.
 pub(crate) fn no_band(origin: &Origin, least: f64) -> Diagnostic {
     let text = format!(

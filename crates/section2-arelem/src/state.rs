@@ -137,6 +137,22 @@ impl Settings {
         self.least_said = false;
     }
 
+    /// Does GO lift the tool to a part surface that nobody gave? That it goes down to it is usual, and meant.
+    pub(crate) fn lifts(&self, from_z: f64, to_z: f64) -> bool {
+        let default = matches!(&self.part, Part::Surface(s) if s.name.name == DEFAULT_PART);
+        let rise = to_z - from_z;
+        default
+            && !self.nops
+            && from_z < 0.0
+            && rise > 1e-6 * from_z.abs()
+            && rise > self.outtol_of_part()
+    }
+
+    /// Less than this is no other height.
+    fn outtol_of_part(&self) -> f64 {
+        self.outtol.map_or(OUTTOL_MM / self.units.mm(), |t| t[0])
+    }
+
     pub(crate) fn set_outtol(&mut self, t: [f64; 4]) {
         self.outtol = Some(t);
         self.least_said = false;

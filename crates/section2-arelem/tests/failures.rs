@@ -91,6 +91,185 @@ fn a_cutter_that_stands_in_its_check_surface_is_told_so() {
         let ran = run(&forms(), &text);
         assert_eq!(ran.code(), 2008, "{text}");
         let notes = format!("{:?}", ran.diagnostics[0].notes);
+        assert_eq!(notes.contains("stands in LY at the start"), told, "{text} {notes}");
+    }
+}
+
+/// As APT-360: along an upright plane, without THICK; a circle and a leaning plane are refused.
+#[test]
+fn a_tool_on_an_upright_plane_stays_on_it_with_a_warning() {
+    for side in ["TLLFT", "TLRGT"] {
+        for (calc, before) in [("2DCALC", "FROM/-5,-2,3\nGO/ON,LX"), ("3DCALC", "FROM/-5,0,0")] {
+            let text = format!(
+                "{calc}\nCUTTER/1\n{before}\nINDIRV/1,0,0\n{side},GOFWD/LX,TO,LY\nTLON,GOFWD/LX,ON,LY"
+            );
+            let ran = run(&forms(), &text);
+            assert_eq!(ran.code(), 2005, "{text}: {:?}", ran.diagnostics);
+            let ends: Vec<_> =
+                ran.motions().map(|(line, m)| (line, m.points.last().unwrap().te)).collect();
+            let n = ends.len();
+            assert!((ends[n - 2].1 - Vec3::new(-0.5, 0.0, 0.0)).norm() < 1e-3, "{text}: {ends:?}");
+            assert!(ends[n - 1].1.norm() < 1e-3, "{text}: {ends:?}");
+        }
+    }
+    // Beside it, within the width of the band: a needle is where the word wants it.
+    let needle = run(&forms(), "CUTTER/0\nFROM/-5,0,0\nINDIRV/1,0,0\nTLLFT,GOFWD/LX,ON,LY");
+    assert!(needle.diagnostics.is_empty(), "{:?}", needle.diagnostics);
+    let on = "CUTTER/1\nFROM/-5,0,0\nINDIRV/1,0,0\n";
+    assert_eq!(code(&format!("{on}THICK/0,.1\nTLLFT,GOFWD/LX,ON,LY")), 2003);
+    assert_eq!(code("CUTTER/1\nFROM/-5,.3,0\nINDIRV/1,0,0\nTLLFT,GOFWD/LX,ON,LY"), 2003);
+}
+
+#[test]
+fn the_words_of_a_refusal_have_names_and_numbers() {
+    let ran = run(&forms(), "CUTTER/1\nFROM/-5,-1.25,0\nINDIRV/1,0,0\nTLRGT,GOFWD/LX,ON,LY");
+    let text = &ran.diagnostics[0].message;
+    assert!(text.contains("drive surface LX") && text.contains("0.75 off"), "{text}");
+}
+
+#[test]
+fn srfvct_says_which_side_is_to() {
+    let ran = run(&forms(), "CUTTER/1\nFROM/-5,0,0\nSRFVCT/0,1,0\nGO/TO,LX").clean();
+    assert!((ran.end().y + 0.5).abs() < 1e-12);
+    let ran = run(&forms(), "CUTTER/1\nFROM/-5,0,0\nSRFVCT/0,1,0\nGO/PAST,LX").clean();
+    assert!((ran.end().y - 0.5).abs() < 1e-12);
+}
+
+#[test]
+fn cut_after_dntcut_puts_out_the_position_and_cut_alone_does_not() {
+    let ran =
+        run(&forms(), "CUTTER/1\nFROM/-5,-5,0\nCUT\nDNTCUT\nGOTO/1,1,1\nGOTO/2,2,2\nCUT").clean();
+    let lines: Vec<u32> = ran.motions().map(|(l, _)| l).collect();
+    assert_eq!(lines, [2, 7]);
+}
+
+#[test]
+fn the_first_check_surface_met_decides() {
+    let mut arelem = aptc_arelem::Arelem::new(aptc_arelem::Options::default());
+    let text = "CUTTER/1\nFROM/-5,-5,0\nGO/TO,LX\nTLRGT,GORGT/LX,TO,L5,TO,LY";
+    let mut out = Vec::new();
+    let mut last = aptc_protap::Outcome::None;
+    for kind in text.lines().flat_map(|l| support::statement(&forms(), l)) {
+        let record = aptc_protap::Record { origin: Default::default(), kind };
+        last = arelem.execute(&record, &mut out);
+    }
+    let aptc_protap::Outcome::Moved { te, check, .. } = last else { panic!("{last:?}") };
+    assert_eq!(check, 1);
+    assert!((te.x + 0.5).abs() < 1e-12);
+}
+
+#[test]
+fn a_failure_has_a_picture_of_its_surfaces() {
+    let mut arelem = aptc_arelem::Arelem::new(aptc_arelem::Options::default());
+    let text = "CUTTER/1\nFROM/-5,-5,0\nGO/TO,LX\nTLLFT,GOLFT/LX,ON,C1";
+    let mut out = Vec::new();
+    for kind in text.lines().flat_map(|l| support::statement(&forms(), l)) {
+        arelem.execute(&aptc_protap::Record { origin: Default::default(), kind }, &mut out);
+    }
+    let svg = arelem.take_situation().expect("the last motion failed").svg();
+    assert!(svg.starts_with("<svg") && svg.ends_with("</svg>\n"));
+    for word in ["drive surface LX", "check surface C1", "is not reached", "<polygon", "<path"] {
+        assert!(svg.contains(word), "{word}: {svg}");
+    }
+    assert!(arelem.take_situation().is_none());
+}
+
+#[test]
+fn a_start_that_nothing_decides_lists_its_positions_with_their_directions() {
+    let mut f = forms();
+    f.insert("DOME".into(), form("SPHERE", &[0.0, 0.0, 0.0, 5.0]).expect("a sphere"));
+    f.insert("WALL".into(), form("PLANE", &[1.0, 0.0, 0.0, 0.0]).expect("a plane"));
+    for (go, height) in [("GO/TO,C2,ON,LX", 0.0), ("3DCALC\nGO/ON,WALL,TO,DOME,TO,PL1", 2.0)] {
+        let ran = |way: &str| {
+            let from = if go.contains("DOME") { "9,0" } else { "0,9" };
+            run(&f, &format!("CUTTER/1\nFROM/{from},{height}\n{way}\n{go}"))
+        };
+        // In the plane one of them is taken; in space the tie itself has no least way.
+        let tie = ran("");
+        let d = &tie.diagnostics[0];
+        assert_eq!(tie.code(), if d.is_error() { 2011 } else { 2024 }, "{go} {d:?}");
+        assert_eq!(d.is_error(), go.contains("DOME"));
+        let notes: Vec<_> = d.notes.iter().filter(|n| n.contains(" leads to ")).collect();
+        assert_eq!(notes.len(), 2, "{d:?}");
+        for note in notes {
+            // Each direction leads to the position that stands beside it.
+            let (way, to) = note.split_once(" leads to ").expect("a direction and a position");
+            let end = ran(way).clean().end();
+            let at: Vec<f64> = to.split(',').map(|x| x.parse().expect("a number")).collect();
+            for i in 0..3 {
+                assert!((end[i] - at[i]).abs() < 1e-3, "{go}: {note} {end}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_motion_that_cannot_go_on_says_what_is_in_the_way() {
+    let mut f = forms();
+    let mut add = |name: &str, kind: &str, w: &[f64]| {
+        f.insert(name.into(), form(kind, w).expect("a legal form"));
+    };
+    add("BOWL", "SPHERE", &[0.0, 0.0, 9.0, 9.0]);
+    add("TUBE", "CYLNDR", &[0.0, 0.0, 6.0, 1.0, 0.0, 0.0, 6.0]);
+    add("END", "PLANE", &[1.0, 0.0, 0.0, 7.0]);
+    add("FAR", "PLANE", &[0.0, 1.0, 0.0, 3.0]);
+    add("WALL", "PLANE", &[0.0, 1.0, 0.0, 0.0]);
+    add("ACROSS", "PLANE", &[1.0, 0.0, 0.0, 0.0]);
+    let told = |text: &str| {
+        let ran = run(&f, &format!("3DCALC\nINTOL/0\nOUTTOL/.001\n{text}"));
+        let d = &ran.diagnostics[0];
+        (ran.code(), format!("{} {:?}", d.message, d.notes))
+    };
+    // A flat end that leans from the normal where it touches inside of a tube has two such places.
+    let (code, text) = told(
+        "MULTAX\nCUTTER/4,.2\nTLAXIS/ATANGL,1,5\nFROM/0,0,3\nGO/ON,ACROSS,TO,TUBE
+INDIRV/0,1,0\nTLON,GOFWD/ACROSS,ON,FAR",
+    );
+    let parts = ["the motion to FAR ends at 0,", "TUBE", "from FAR at the nearest, after"];
+    assert!(code == 2021 && parts.iter().all(|p| text.contains(p)), "{code} {text}");
+    // A cutter with a wide top goes all round inside of a bowl, and is not sent round again.
+    let (code, text) = told(
+        "CUTTER/2,0,0,0,0,30,6\nFROM/0,0,5\nGO/ON,WALL,TO,BOWL\nINDIRV/1,0,0
+TLON,GOFWD/WALL,ON,END",
+    );
+    assert!(code == 2008 && !text.contains("given up"), "{code} {text}");
+}
+
+/// Below the part surface that nobody gave GO lifts the tool, which is never meant; down to it is.
+#[test]
+fn a_tool_that_is_lifted_to_the_part_surface_is_told() {
+    let told = |text: &str| {
+        let ran = run(&forms(), &format!("CUTTER/1\n{text}"));
+        ran.diagnostics.iter().map(|d| d.code.number()).collect::<Vec<_>>()
+    };
+    assert_eq!(told("FROM/-5,-3,-2\nGO/TO,LX"), [2028]);
+    assert_eq!(told("FROM/-5,-3,2\nGO/TO,LX"), [0_u16; 0]);
+    assert_eq!(told("FROM/-5,-3,-2\nAUTOPS\nGO/TO,LX"), [0_u16; 0]);
+    assert_eq!(told("FROM/-5,-3,-2\nNOPS\nGO/TO,LX"), [0_u16; 0]);
+    assert_eq!(told("FROM/-5,-3,-2\nGO/TO,LX,TO,PL1"), [0_u16; 0]);
+    assert_eq!(told("PSIS/PL1\nFROM/-5,-3,-2\nGO/TO,LX"), [0_u16; 0]);
+}
+
+/// A tool along a cone leans to its axis and reaches every plane through it, if it is long: it never gets past one.
+#[test]
+fn a_long_tool_that_never_leaves_its_check_surface_is_told_its_height() {
+    let mut f = forms();
+    let cone = [0.0, 0.0, 4.0, 0.0, 0.0, -1.0, 0.939_692_620_785_908_4];
+    f.insert("CN".into(), form("CONE", &cone).expect("a cone"));
+    f.insert("ACROSS".into(), form("PLANE", &[1.0, 0.0, 0.0, 0.0]).expect("a plane"));
+    f.insert("BESIDE".into(), form("PLANE", &[0.0, 1.0, 0.0, 0.0]).expect("a plane"));
+    let told = |cutter: &str| {
+        run(
+            &f,
+            &format!(
+                "3DCALC\nINTOL/0\nOUTTOL/.001\nMULTAX\n{cutter}\nFROM/3,0,6\nTLAXIS/PARLEL,2\nINDIRV/-1,0,-2\n\
+                 GO/ON,BESIDE,TO,PL1,TO,CN\nINDIRV/0,1,0\nTLRGT,GOFWD/CN,PAST,ACROSS"
+            ),
+        )
+    };
+    let ran = told("CUTTER/.4");
+    assert_eq!(ran.code(), 2008, "{:?}", ran.diagnostics);
+    let notes = format!("{:?}", ran.diagnostics[0].notes);
     assert!(notes.contains("5 high, stands in ACROSS all the way"), "{notes}");
     let short = told("CUTTER/.4,0,.2,0,0,0,1");
     assert!(short.diagnostics.is_empty(), "{:?}", short.diagnostics);
