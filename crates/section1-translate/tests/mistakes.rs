@@ -159,6 +159,10 @@ const MISTAKES: &[Mistake] = &[
     ("LOADTL/2", "MAXDP/0", 1304, "0", ""),
     ("LOADTL/2", "MAXDP/-1", 1304, "-1", ""),
     ("LOADTL/2", "PTONLY/1", 1305, "PTONLY", ""),
+    ("FROM/SETPT", "FROM/1,2,,3", 1304, "", "extra comma"),
+    ("LOADTL/2", "CUTTER/10 MM", 1050, "10 MM", "it is 10 and MM"),
+    ("C1=CIRCLE/60,20,15", "C1=CIRCLE/CENTER,SETPT,RADI,15", 1050, "RADI", "did you mean RADIUS?"),
+    ("LX=LINE/XAXIS", "LX=LINE(0,0,9,0)", 1056, "LINE(0,0,9,0)", "write LINE/.."),
     // Words of the post-processor misspelt: the part would be cut without what they say.
     ("LOADTL/2", "COOLANT/ON", 1301, "COOLANT", "did you mean COOLNT?"),
     ("LOADTL/2", "LODTL/2", 1301, "LODTL", "did you mean LOADTL?"),

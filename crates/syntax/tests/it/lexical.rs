@@ -244,7 +244,9 @@ fn a_statement_that_goes_on_behind_column_72_gives_one_error() {
 
 #[test]
 fn a_blank_inside_a_number_is_doubtful() {
-    for text in ["GOTO/1 2,3", "A=1. 5", "GOTO/1,2$\n3,4", "A=3 B"] {
+    // A symbol, `3 B`, is told where it has no value.
+    assert!(read_with("A=3 B", &Options::default()).1.diagnostics.is_empty());
+    for text in ["GOTO/1 2,3", "A=1. 5", "GOTO/1,2$\n3,4"] {
         let (_, parsed, _) = read_with(text, &Options::default());
         let found: Vec<_> = parsed.diagnostics.iter().map(|d| (d.code, d.is_error())).collect();
         assert_eq!(found, [(codes::BLANK_IN_NUMBER, false)], "{text}");
