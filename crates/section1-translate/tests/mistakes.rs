@@ -159,6 +159,7 @@ const MISTAKES: &[Mistake] = &[
     ("LOADTL/2", "MAXDP/0", 1304, "0", ""),
     ("LOADTL/2", "MAXDP/-1", 1304, "-1", ""),
     ("LOADTL/2", "PTONLY/1", 1305, "PTONLY", ""),
+    ("GOTO/SETPT", "RAPID/GOTO/SETPT", 1052, "GOTO", "behind a `,`"),
     ("FROM/SETPT", "FROM/1,2,,3", 1304, "", "extra comma"),
     ("LOADTL/2", "CUTTER/10 MM", 1050, "10 MM", "it is 10 and MM"),
     ("C1=CIRCLE/60,20,15", "C1=CIRCLE/CENTER,SETPT,RADI,15", 1050, "RADI", "did you mean RADIUS?"),

@@ -1,10 +1,10 @@
 //! The messages of definitions that fail: one place for all their words.
 
 use aptc_diagnostics::{Code, Diagnostic, Span, codes};
-use aptc_geometry::{Form, NotCarried, Vec3, trig};
+use aptc_geometry::{NotCarried, Vec3, trig};
 use aptc_vocabulary::{Word, word};
 
-use super::arg::{list, short};
+use super::arg::{in_words, short};
 use super::fault::Fault;
 use super::mismatch::Mismatch;
 use super::{Arg, DefineError, Value};
@@ -86,15 +86,11 @@ impl Words<'_> {
 
     /// The argument with its canonical form.
     fn full(&self, at: usize) -> String {
-        let numbers = |form: &Form| {
-            let e = form.canonical();
-            list(&e[..e.len().min(12)])
-        };
         match self.args.get(at) {
             Some(arg) => match arg.form() {
                 // An unnamed form is described by its numbers already.
                 Some(form) if self.is_named(at) => {
-                    format!("{} is {}", arg.describe(), numbers(form))
+                    format!("{} is {}", arg.describe(), in_words(form))
                 }
                 _ => arg.describe(),
             },
