@@ -355,3 +355,37 @@ fn words_that_were_misread_are_done() {
         assert!(nc.trim_end().ends_with("\n%") && nc.contains("\nN100 "), "{machine}\n{nc}");
     }
 }
+
+/// One CUTCOM/OFF is missing: one message, not one for each hole and one for the end.
+#[test]
+fn compensation_that_is_never_ended_is_told_once() {
+    let head = "UNITS/MM\nCUTTER/10\nLOADTL/1\nSPINDL/100,CLW\nCOOLNT/ON\nFEDRAT/100\nFROM/0,0,9\nCUTCOM/LEFT\nGOTO/10,0,9\n";
+    let holes = "CYCLE/DRILL,DEPTH,5,MMPM,50,CLEAR,2\nGOTO/20,20,0\nGOTO/30,20,0\nCYCLE/OFF\nFINI";
+    for rest in [holes, "LOADTL/2\nLOADTL/3\nFINI", "FINI"] {
+        assert_eq!(errors("haas-vf", &format!("{head}{rest}")), ["APT4015"], "{rest}");
+    }
+}
+
+#[test]
+fn a_feed_that_is_so_small_a_minute_is_doubted_once() {
+    let told = |machine: &str, text: &str| {
+        let (_, posted) = post(machine, text);
+        let said = posted.diagnostics.iter().map(|d| d.code.to_string());
+        said.filter(|code| code == "APT4032").count()
+    };
+    let lathe = "UNITS/MM\nTURRET/1\nSPINDL/500,CLW\nCOOLNT/ON\nFEDRAT/.2\nFROM/30,0,9\nGOTO/20,0,9\nFEDRAT/.3\nGOTO/20,0,0\nFINI";
+    assert_eq!(told("linuxcnc-lathe", lathe), 1);
+    assert_eq!(
+        told(
+            "linuxcnc-lathe",
+            &lathe.replace("FEDRAT/.2", "FEDRAT/.2,MMPM").replace(".3", ".3,MMPR")
+        ),
+        0
+    );
+    assert_eq!(told("linuxcnc-lathe", &lathe.replace("FEDRAT/.", "FEDRAT/12.")), 0);
+    assert_eq!(told("linuxcnc-mill", &lathe.replace("TURRET", "LOADTL")), 1);
+    assert_eq!(
+        told("linuxcnc-mill", &lathe.replace("TURRET", "LOADTL").replace("FEDRAT/.", "FEDRAT/2.")),
+        0
+    );
+}
