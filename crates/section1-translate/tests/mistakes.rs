@@ -169,6 +169,7 @@ const MISTAKES: &[Mistake] = &[
     ("LOADTL/2", "LODTL/2", 1301, "LODTL", "did you mean LOADTL?"),
     ("LOADTL/2", "STOPP", 1301, "STOPP", "did you mean STOP?"),
     ("LOADTL/2", "COOLNT/WATER", 1050, "WATER", "write COOLNT/ON|FLOOD|MIST|OFF"),
+    ("LOADTL/2", "CYCLE/BOREE,DEPTH,5", 1050, "BOREE", "did you mean BORE?"),
     ("LOADTL/2", "COOLNT,ON", 1304, "COOLNT,ON", "write COOLNT/ON"),
     ("LOADTL/2", "CUTTER=12", 1304, "CUTTER", "write CUTTER/.."),
     ("LOADTL/2", "HH=HEX/1A2B", 1303, "HEX", ""),

@@ -59,7 +59,8 @@ impl Interpreter<'_> {
                     format!("{text} stands for {shown}, which has no value here")
                 },
             );
-            match self.near(name.symbol, &text) {
+            let near = self.near_in_form(&text).or_else(|| self.near(name.symbol, &text));
+            match near {
                 Some(near) => message = message.help(format!("did you mean {near}?")),
                 None if self.memory.is_local(name.symbol) && shown == text => {
                     message = message.help("give the parameter a value in the CALL");
@@ -92,6 +93,16 @@ impl Interpreter<'_> {
         }
         self.memory.set(place, Value::Poison, name.span);
         Poisoned
+    }
+
+    /// The word of the forms of that statement that `text` was perhaps meant to be: BORE, where others are as near.
+    fn near_in_form(&self, text: &str) -> Option<String> {
+        let forms = usage(self.state.arguments_of?);
+        let is_there = |word: Word| {
+            let words = forms.iter().flat_map(|f| f.split(|c: char| !c.is_ascii_alphanumeric()));
+            words.clone().any(|w| w == word.text())
+        };
+        closest(text, is_there).map(|word| word.text().to_owned())
     }
 
     /// The form that the statement of the post-processor has whose arguments are read.

@@ -248,7 +248,7 @@ impl Checker {
         if off > tol && !self.detour {
             self.say(format!("the tool end leaves its line by {off:.5} mm before {}", shown(end)));
         }
-        let counts = !self.detour && !(rapid && self.machine.is_milling());
+        let counts = !(self.detour || rapid && self.machine.is_milling());
         self.proof.path_mm = self.proof.path_mm.max(if counts { off } else { 0.0 });
         if self.pop_if_at(end, axis) {
             self.detour = false;
