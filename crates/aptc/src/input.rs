@@ -45,6 +45,17 @@ pub(crate) fn cl_fault(path: &Path, dialect: Option<Dialect>) -> Option<String> 
     }
 }
 
+/// Why a file holds no machine code, as far as its first bytes tell.
+pub(crate) fn nc_fault(path: &Path) -> Option<String> {
+    let why = |text: &str| Some(format!("cannot read {}: {text}", path.display()));
+    match head(path).map(|head| FileKind::of(&head)) {
+        Err(text) => why(&text),
+        Ok(None | Some(FileKind::MachineCode)) => None,
+        Ok(Some(FileKind::Empty)) => why("it is empty"),
+        Ok(Some(kind)) => why(&format!("it is {kind}, no machine code")),
+    }
+}
+
 /// The first bytes of a file, or why it cannot be read.
 fn head(path: &Path) -> Result<Vec<u8>, String> {
     // Asked before it is opened: to open a pipe would wait for ever.

@@ -92,6 +92,13 @@ fn cl_data_alone_need_no_feed() {
     assert!(said.contains("warning: ") && said.contains("bare.nc is of an earlier run"), "{said}");
     let run = aptc(dir.path(), &["compile", "bare.apt", "--emit", "cl"]);
     assert!(!text(&run.stderr).contains("earlier run"), "{}", text(&run.stderr));
+    // The same where the program has come to have an error.
+    let bare = fs::read_to_string(dir.path().join("bare.apt")).expect("it is there");
+    fs::write(dir.path().join("bare.apt"), bare.replace("FINI", "GOTO/NOWHER\nFINI"))
+        .expect("it is written");
+    let run = aptc(dir.path(), &["compile", "bare.apt"]);
+    assert!(text(&run.stderr).contains("bare.nc is of an earlier run"), "{}", text(&run.stderr));
+    fs::write(dir.path().join("bare.apt"), bare).expect("it is written");
     fs::remove_file(dir.path().join("bare.nc")).expect("it is there");
     for asked in [
         vec!["compile", "bare.apt", "--emit", "nc"],

@@ -65,6 +65,42 @@ fn a_cl_file_is_held_against_the_program() {
 }
 
 #[test]
+fn a_cl_file_of_another_program_gives_one_error() {
+    let dir = folder_with("box.apt", PART);
+    // The lines of another program have the same numbers; its numbers do not fit.
+    let other = PART.replace("60,", "460,").replace("-70", "-270").replace("-20,-20", "-400,-90");
+    for (file, part) in [("same", "PARTNO BOX"), ("other", "PARTNO LID"), ("none", "REMARK")] {
+        fs::write(dir.path().join("other.apt"), other.replace("PARTNO BOX", part)).unwrap();
+        aptc(dir.path(), &["compile", "other.apt", "--emit", "cl", "--quiet"]);
+        let cl = fs::read_to_string(dir.path().join("other.cl")).unwrap();
+        let bare: String =
+            cl.lines().filter(|l| !l.starts_with("$$")).map(|l| format!("{l}\n")).collect();
+        for cl in [&cl, &bare] {
+            fs::write(dir.path().join("given.cl"), cl).unwrap();
+            let options = ["verify", "box.apt", "--cl", "given.cl", "--message-format", "json"];
+            let run = aptc(dir.path(), &options);
+            assert_eq!(run.status.code(), Some(3), "{file}: {}", text(&run.stderr));
+            let said = text(&run.stderr);
+            assert_eq!(said.lines().count(), 1, "{said}");
+            assert!(said.contains("APT5003") && said.contains("\"line\":14"), "{said}");
+            assert_eq!(said.contains("its part is LID, not BOX"), file == "other", "{said}");
+            assert_eq!(text(&run.stdout), "");
+        }
+    }
+    // The file of this program before lines were put into it, and one whose UNITS were lost.
+    aptc(dir.path(), &["compile", "box.apt", "--emit", "cl", "--quiet"]);
+    fs::write(dir.path().join("box.apt"), PART.replace("CUTTER", "REMARK ONE\nREMARK\nCUTTER"))
+        .unwrap();
+    let run = aptc(dir.path(), &["verify", "box.apt", "--cl", "box.cl"]);
+    assert_eq!(run.status.code(), Some(0), "{}", text(&run.stderr));
+    let cl = fs::read_to_string(dir.path().join("box.cl")).unwrap();
+    fs::write(dir.path().join("lost.cl"), cl.replace("UNITS/MM", "UNITS/INCHES")).unwrap();
+    let run = aptc(dir.path(), &["verify", "box.apt", "--cl", "lost.cl"]);
+    assert_eq!(run.status.code(), Some(3), "{}", text(&run.stderr));
+    assert!(text(&run.stderr).contains("25.400 times as large"), "{}", text(&run.stderr));
+}
+
+#[test]
 fn how_much_is_proved_can_be_chosen() {
     let dir = folder_with("box.apt", PART);
     for (how, said) in [("full", "all"), ("sample", "left out"), ("off", "")] {
@@ -99,7 +135,7 @@ fn machine_code_is_held_against_a_cl_file() {
     let good = check("box.nc");
     assert!(good.status.success(), "{}", text(&good.stderr));
     assert!(
-        text(&good.stdout).starts_with("box.nc does what box.cl says"),
+        text(&good.stdout).starts_with("box.nc goes where box.cl says"),
         "{}",
         text(&good.stdout)
     );
@@ -110,6 +146,27 @@ fn machine_code_is_held_against_a_cl_file() {
     let bad = check("bad.nc");
     assert_eq!(bad.status.code(), Some(3), "{}", text(&bad.stderr));
     assert!(text(&bad.stderr).contains("APT5401") && text(&bad.stderr).contains("line "));
+    assert!(text(&bad.stdout).starts_with("bad.nc does not go where box.cl says"));
+    assert!(!text(&bad.stdout).contains("within"), "{}", text(&bad.stdout));
+    // Of another part, for another control, none at all: one message, and no word of agreement.
+    let program = |text: &str| fs::write(dir.path().join("bad.nc"), text).expect("it is written");
+    for other in [nc.replace('X', "X9"), nc.replace('G', "%")] {
+        program(&other);
+        let bad = check("bad.nc");
+        assert_eq!(bad.status.code(), Some(3), "{}", text(&bad.stderr));
+        assert_eq!(text(&bad.stderr).matches("[APT").count(), 1, "{}", text(&bad.stderr));
+        assert!(text(&bad.stderr).contains("of another part"), "{}", text(&bad.stderr));
+    }
+    program("");
+    assert_eq!(check("bad.nc").status.code(), Some(2));
+    assert_eq!(check("box.apt").status.code(), Some(2));
+    // CL data that cannot be read are the fault of the CL data, and are named with their file.
+    let cl = fs::read_to_string(dir.path().join("box.cl")).expect("it was written");
+    fs::write(dir.path().join("box.cl"), cl.replacen("GOTO/", "GOTO/Q,", 1))
+        .expect("it is written");
+    let bad = check("box.nc");
+    assert_eq!(bad.status.code(), Some(1), "{}", text(&bad.stderr));
+    assert!(text(&bad.stderr).contains("box.cl:"), "{}", text(&bad.stderr));
     // Both the machine and the CL data have to be named.
     assert_eq!(aptc(dir.path(), &["verify", "--nc", "box.nc"]).status.code(), Some(2));
 }

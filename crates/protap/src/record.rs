@@ -139,8 +139,6 @@ pub enum Kind {
     Nopost,
     /// NOPLOT: no plot.
     Noplot,
-    /// PTONLY/1,2,3 with its number: which Sections run.
-    Ptonly(u32),
     /// 14000: end of the part program.
     Fini,
 }

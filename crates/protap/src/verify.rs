@@ -9,7 +9,7 @@
 //! 5. GO has one to three surfaces, and only the third is met at a tangent; an intersection is counted
 //!    from 1; INDIRV, INDIRP and SRFVCT have one to three fields, one of them filled, directions not zero.
 //! 6. Tolerances, diameter, corner radius and height are not negative; NUMPTS and copies are at least 1;
-//!    PTONLY is 1, 2 or 3; POCKET has 3 to 20 vertices and known flags.
+//!    POCKET has 3 to 20 vertices and known flags.
 //! 7. Tool axes are not zero, angles lie between -90 and 90 degrees.
 //! 8. COPY follows an INDEX of its number; INDEX with NOMORE closes an open one.
 //! 9. Nothing stands after the last FINI, and there is one.
@@ -81,7 +81,6 @@ impl Verifier {
             Kind::Thick(t) => numbers(t),
             Kind::Maxdp { step, length } => numbers(&[*step, length.unwrap_or_default()]),
             Kind::Numpts(0) => Some("NUMPTS is 0".to_owned()),
-            Kind::Ptonly(n) if !(1..=3).contains(n) => Some(format!("PTONLY is {n}")),
             Kind::ToolAxis(axis) => tool_axis(axis),
             Kind::PartSurface(s) => surface(s),
             Kind::Sense(Sense::Vector(fields)) | Kind::SurfaceNormals(fields) => {

@@ -176,7 +176,6 @@ fn setting() -> impl Strategy<Value = Kind> {
         four().prop_map(Kind::Thick),
         (number(), option::of(number())).prop_map(|(step, length)| Kind::Maxdp { step, length }),
         any::<u32>().prop_map(Kind::Numpts),
-        any::<u32>().prop_map(Kind::Ptonly),
         prop_oneof![Just(Dimension::Two), Just(Dimension::Three)].prop_map(Kind::Calc),
         any::<bool>().prop_map(Kind::Multax),
         any::<bool>().prop_map(Kind::Gougck),

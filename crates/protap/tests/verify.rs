@@ -113,7 +113,6 @@ fn each_broken_rule_is_told() {
         (Kind::Outtol([-1.0, 0.0, 0.0, 0.0]), "a tolerance is negative"),
         (Kind::Cutter(Cutter::mill(-1.0, 0.0, 5.0)), "a cutter with a size of -1"),
         (Kind::Numpts(0), "NUMPTS is 0"),
-        (Kind::Ptonly(4), "PTONLY is 4"),
         (pocket(2, [0, 0]), "a pocket of 2 vertices"),
         (pocket(3, [2, 0]), "flags 2 and 0 of a pocket"),
         (Kind::ToolAxis(ToolAxis::Fixed(Vec3::zeros())), "a direction of no length"),

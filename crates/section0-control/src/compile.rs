@@ -200,8 +200,6 @@ struct Run<'o> {
     /// Has the present part program any record?
     begun: bool,
     nopost: bool,
-    /// PTONLY/n: Sections after the n-th do not run.
-    last_section: u32,
     /// Does Section 1 ask for the path of the last motion?
     keeps_path: bool,
     /// That path.
@@ -221,7 +219,6 @@ impl<'o> Run<'o> {
             fresh: Vec::new(),
             begun: false,
             nopost: false,
-            last_section: 4,
             keeps_path: false,
             path: None,
         }
@@ -233,11 +230,9 @@ impl<'o> Run<'o> {
         match &record.kind {
             protap::Kind::Nopost => self.nopost = true,
             protap::Kind::Noplot => self.part.noplot = true,
-            protap::Kind::Ptonly(n) => self.last_section = *n,
             _ => {}
         }
-        let runs = self.options.motion && self.last_section >= 2;
-        let outcome = if runs { self.mill(&record) } else { protap::Outcome::None };
+        let outcome = if self.options.motion { self.mill(&record) } else { protap::Outcome::None };
         let fini = matches!(record.kind, protap::Kind::Fini);
         if self.options.keep_protap {
             self.part.protap.push(record);
@@ -322,7 +317,7 @@ impl<'o> Run<'o> {
         self.compiled.parts.push(part);
         self.section2 = Arelem::new(aptc_arelem::Options::default());
         self.regional = Regional::default();
-        (self.begun, self.nopost, self.last_section) = (false, false, 4);
+        (self.begun, self.nopost) = (false, false);
     }
 
     /// The proof of the path of Section 2 against its surfaces, and Sections 3 and 4.
@@ -334,15 +329,12 @@ impl<'o> Run<'o> {
             part.certificate = Some(certificate);
             self.compiled.diagnostics.extend(diagnostics);
         }
-        if self.last_section < 3 {
-            return Ok(());
-        }
         let (edited, diagnostics) = crate::edit::edit(&part.computed, whole)?;
         (part.edited, part.summary) = (edited.records, edited.summary);
         self.compiled.diagnostics.extend(diagnostics);
         let (code, head) = (&self.options.code, &edited.head);
         let wanted = !code.unasked || code.machine.is_some() || head.names_machine();
-        let posts = self.options.post && wanted && !self.nopost && self.last_section >= 4;
+        let posts = self.options.post && wanted && !self.nopost;
         if posts && self.compiled.is_cl_whole() {
             let (nc, diagnostics) = post_part(&part.edited, head, code)?;
             part.nc = nc;

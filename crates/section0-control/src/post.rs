@@ -79,12 +79,17 @@ impl PartHead {
         }
         let Kind::Post { word, args } = &record.kind else { return };
         self.tools.push(record);
-        let (true, Some(Arg::Word(name))) = (word == "MACHIN", args.first()) else { return };
-        match aptc_post::machine_for(name, &args[1..]) {
+        let name = match args.first() {
+            Some(Arg::Word(name)) if word == "MACHIN" => name.clone(),
+            // A name with hyphens.
+            Some(Arg::Text(name)) if word == "MACHIN" => SmolStr::from(name.trim()),
+            _ => return,
+        };
+        match aptc_post::machine_for(&name, &args[1..]) {
             Some(m) if self.machines.iter().any(|f| f.name == m.name) => {}
             Some(m) => self.machines.push(m.clone()),
             None if self.unknown.is_none() => {
-                self.unknown = Some((name.clone(), record.origin.span));
+                self.unknown = Some((name, record.origin.span));
             }
             None => {}
         }

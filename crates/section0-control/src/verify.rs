@@ -4,7 +4,8 @@ use std::io::Cursor;
 
 use aptc_cldata::{Dialect, Kind, Reader, Record, RecordReader as _, detect};
 use aptc_diagnostics::{Diagnostic, SourceMap, Span, codes};
-use aptc_verify::{Marks, Verifier, matched};
+use aptc_geometry::Vec3;
+use aptc_verify::{Astray, Marks, Matched, Verifier, matched, times_as_large};
 
 use crate::compile::no_room;
 use crate::proof::{PathProof, effort, positions};
@@ -50,6 +51,9 @@ pub fn verify(
             }
         };
         match matched(&computed, records, marks) {
+            Ok(found) if found.is_of_another() => {
+                said.push(of_another(&file.name, &found, &computed, records));
+            }
             Ok(found) => {
                 let n = found.records.iter().map(positions).sum();
                 let verifier = Verifier::foreign(effort(n, options.verify));
@@ -82,6 +86,49 @@ pub fn verify(
     }
     compiled.diagnostics.extend(said);
     compiled
+}
+
+/// The one message about a file of another program.
+fn of_another(name: &str, found: &Matched, computed: &[Record], records: &[Record]) -> Diagnostic {
+    let span = found.astray.as_ref().map_or_else(Span::default, |a| a.origin.span);
+    let partno = |records: &[Record]| {
+        records.iter().find_map(|r| match &r.kind {
+            Kind::Text { word, text } if word == "PARTNO" => Some(text.trim().to_owned()),
+            _ => None,
+        })
+    };
+    let [at_home, motions] = found.at_home;
+    let what = match (partno(computed), partno(records)) {
+        (Some(here), Some(there)) if here != there => {
+            format!("{name} is of another program: its part is {there}, not {here}")
+        }
+        _ => format!(
+            "{name} is not of this program: {at_home} of {motions} motions end where it has them"
+        ),
+    };
+    let mut error = Diagnostic::error(codes::UNMATCHED, span, what);
+    if let Some(Astray { origin, here, there }) = &found.astray {
+        let here = place(*here);
+        error = error.within(origin.trace.clone()).label(match there {
+            Some(there) => format!("this ends at {here} and in the file at {}", place(*there)),
+            None => format!("this ends at {here}, where the file does not go"),
+        });
+    }
+    let times = times_as_large(computed, records);
+    if [25.4, 1.0 / 25.4].iter().any(|inch| (times / inch - 1.0).abs() < 0.01) {
+        error = error
+            .help(format!("its path is {times:.3} times as large: it lacks UNITS, or has another"));
+    }
+    error
+}
+
+fn place(p: Vec3) -> String {
+    let number = |x: f64| {
+        let text = format!("{x:.4}");
+        let text = text.trim_end_matches('0').trim_end_matches('.');
+        if text == "-0" { "0".to_owned() } else { text.to_owned() }
+    };
+    format!("{},{},{}", number(p.x), number(p.y), number(p.z))
 }
 
 /// The part programs of the file, and how its records say where they come from.

@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 use std::io::{self, BufRead, Read};
 
 use aptc_cldata::{Dialect, Reader, Record, RecordReader as _, RecordWriter};
-use aptc_diagnostics::Diagnostic;
+use aptc_diagnostics::{Diagnostic, Span, codes};
 use aptc_edit::Subprograms;
 use aptc_post::{Machine, Proof, prove};
 
@@ -35,7 +35,23 @@ pub fn verify_code(
     let mut list: Vec<_> = records.reader.into_diagnostics();
     list.extend(records.subprograms.take_diagnostics());
     list.retain(Diagnostic::is_error);
-    list.extend(found);
+    let unread = !list.is_empty();
+    let mut found = found.into_iter();
+    match found.next() {
+        // Not one position is reached: the rest of the messages says the same again.
+        Some(first) if proof.points == 0 && !unread => {
+            let help = format!(
+                "no position of the CL data is reached: it is of another part, or for another machine than {}",
+                machine.name
+            );
+            list.push(first.help(help));
+        }
+        first => list.extend(first.into_iter().chain(found)),
+    }
+    if list.is_empty() && proof.points == 0 {
+        let message = "the CL data have no position to compare";
+        list.push(Diagnostic::error(codes::NOT_THE_CL, Span::default(), message));
+    }
     Ok((proof, list))
 }
 

@@ -61,6 +61,17 @@ pub fn formats(head: Word) -> Vec<String> {
     rows.chain(sculptured(head)).map(|f| format!("{head}/{}", f.text())).collect()
 }
 
+/// How definitions begin that have this word as their first argument.
+pub(crate) fn begun_with(word: Option<Word>) -> Vec<String> {
+    let Some(word) = word else { return Vec::new() };
+    let begins = |head: &Word| {
+        let rows = table(*head).unwrap_or_default().iter();
+        rows.filter_map(|f| f.items.first()).any(|item| item.is_word(word))
+    };
+    let heads = aptc_vocabulary::all().filter(|w| is_definition(*w));
+    heads.filter(begins).map(|head| format!("{head}/{word},..")).collect()
+}
+
 /// The form that `head/args` defines.
 ///
 /// Symbols stand in the base system; with a reference system in `context` they are carried into it

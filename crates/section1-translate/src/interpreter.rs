@@ -114,6 +114,8 @@ pub(crate) struct State {
     pub(crate) cut_vectors: Vec<CutVectors>,
     /// Is this a program of APT4?
     pub(crate) sculptured: bool,
+    /// The word of the post-processor whose arguments are read.
+    pub(crate) arguments_of: Option<Word>,
     /// Words without effect that were told of.
     pub(crate) ignored_said: Vec<Word>,
     /// Was said that this part program stands behind a FINI and has no PARTNO?
@@ -542,6 +544,14 @@ impl<'w> Interpreter<'w> {
     pub(crate) fn error(&mut self, message: Diagnostic) {
         let trace = self.trace();
         self.push(message.within(trace));
+    }
+
+    /// Does `work` without telling what is amiss: it follows from what was told.
+    pub(crate) fn muted<T>(&mut self, work: impl FnOnce(&mut Self) -> T) -> T {
+        let before = std::mem::replace(&mut self.reports.muted, true);
+        let done = work(self);
+        self.reports.muted = before;
+        done
     }
 
     fn push(&mut self, message: Diagnostic) {

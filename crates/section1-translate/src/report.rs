@@ -14,6 +14,8 @@ pub(crate) struct Reports {
     /// Where the last error is.
     last_error: Option<Span>,
     n_dropped: usize,
+    /// Is what comes left untold, as it follows from what was told?
+    pub(crate) muted: bool,
 }
 
 impl Reports {
@@ -26,6 +28,9 @@ impl Reports {
 
     /// Takes a message in, unless the same fault was told for this place and call already.
     pub(crate) fn push(&mut self, message: Diagnostic, limit: usize) {
+        if self.muted {
+            return;
+        }
         let frames = std::iter::successors(message.trace.as_deref(), |f| f.outer.as_deref());
         let caller = frames.filter(|f| f.kind != FrameKind::Loop).map(|f| f.span).next();
         if !self.seen.insert((message.code.number(), message.span, caller)) {

@@ -103,7 +103,6 @@ pub(crate) fn usage(word: Word) -> &'static [&'static str] {
         word::NDTEST => &["NDTEST"],
         word::CLPRNT => &["CLPRNT", "CLPRNT/ON  ..  CLPRNT/OFF", "CLPRNT/OPTION  ..  CLPRNT/OFF"],
         word::GOUGCK => &["GOUGCK[/ON|OFF]"],
-        word::PTONLY => &["PTONLY/n"],
         word::FINI => &["FINI"],
         _ => &[],
     }
@@ -148,8 +147,13 @@ pub(crate) fn sentence(word: Word) -> Option<&'static str> {
             "Passed on in the CL data and of no effect else: every cut vector is checked for gouges here, with OFF too."
         }
         word::TLNDON => "The tool end stays on the drive surface, as with TLON.",
-        word::PTONLY => {
-            "Sections after the n-th do not run: 1 leaves motions out, 2 edited CL data, 3 machine code."
+        word::SCON => {
+            "Sets what SMIL mills by: DS the region from u1 to u2 and v1 to v2 of a surface, PS the surface that is touched and the \
+             thickness on it, FEED along, between, down and up, STEPOV scallop, greatest step, lift and number of passes."
+        }
+        word::SMIL => {
+            "Mills the region of SCON/DS: POSN one position, PATH one pass, ZIGZAG and PICKFD all; PARAM u,v is where it begins, \
+             TANSPL leads along u and CRSSPL along v, and PLUS or MINUS say which way."
         }
         word::FINI => "Ends the part program; what follows in the file is a further one.",
         _ => return None,

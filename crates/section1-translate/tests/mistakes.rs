@@ -158,7 +158,26 @@ const MISTAKES: &[Mistake] = &[
     ("LOADTL/2", "NUMPTS/0", 1304, "0", ""),
     ("LOADTL/2", "MAXDP/0", 1304, "0", ""),
     ("LOADTL/2", "MAXDP/-1", 1304, "-1", ""),
-    ("LOADTL/2", "PTONLY/1,5", 1311, "PTONLY/1,5", "take PTONLY away"),
+    ("LOADTL/2", "PTONLY/1", 1305, "PTONLY", ""),
+    ("GOTO/SETPT", "RAPID/GOTO/SETPT", 1052, "GOTO", "behind a `,`"),
+    ("FROM/SETPT", "FROM/1,2,,3", 1304, "", "extra comma"),
+    ("LOADTL/2", "CUTTER/10 MM", 1050, "10 MM", "it is 10 and MM"),
+    ("C1=CIRCLE/60,20,15", "C1=CIRCLE/CENTER,SETPT,RADI,15", 1050, "RADI", "did you mean RADIUS?"),
+    ("LX=LINE/XAXIS", "LX=LINE(0,0,9,0)", 1056, "LINE(0,0,9,0)", "write LINE/.."),
+    // Words of the post-processor misspelt: the part would be cut without what they say.
+    ("LOADTL/2", "COOLANT/ON", 1301, "COOLANT", "did you mean COOLNT?"),
+    ("LOADTL/2", "LODTL/2", 1301, "LODTL", "did you mean LOADTL?"),
+    ("LOADTL/2", "STOPP", 1301, "STOPP", "did you mean STOP?"),
+    ("LOADTL/2", "COOLNT/WATER", 1050, "WATER", "write COOLNT/ON|FLOOD|MIST|OFF"),
+    ("LOADTL/2", "CYCLE/BOREE,DEPTH,5", 1050, "BOREE", "did you mean BORE?"),
+    ("LOADTL/2", "COOLNT,ON", 1304, "COOLNT,ON", "write COOLNT/ON"),
+    ("LOADTL/2", "CUTTER=12", 1304, "CUTTER", "write CUTTER/.."),
+    ("LOADTL/2", "HH=HEX/1A2B", 1303, "HEX", ""),
+    ("LOADTL/2", "HH=SSURF/HEX,1A2B", 1303, "HEX", ""),
+    ("LOADTL/2", "HH=SSURF/FETCH,WING", 1303, "FETCH", ""),
+    ("LOADTL/2", "HH=LOFT/QQ1,QQ2", 1303, "LOFT", ""),
+    ("LOADTL/2", "HH=SPLINE/SETPT,LX", 1065, "SPLINE", "SCURV/SPLINE,.."),
+    ("LOADTL/2", "HH=LINE/SETPT,SETPT", 1204, "SETPT", ""),
     ("LOADTL/2", "DEBUG/ON", 1305, "DEBUG", ""),
     ("LOADTL/2", "RAPIDE", 1301, "RAPIDE", "did you mean RAPID?"),
     ("LOADTL/2", "XLARGE/2", 1300, "XLARGE", ""),
@@ -289,4 +308,14 @@ fn mistakes_in_every_statement_stay_apart() {
     let text = GOOD.replacen("LOADTL/2", &wrong.join("\n"), 1);
     let ran = run(&text);
     assert_eq!(ran.diagnostics.len(), wrong.len(), "{}", ran.messages());
+}
+
+/// A word that is like no other may be one of an installation; one that is like another is misspelt.
+#[test]
+fn a_word_of_an_installation_is_handed_on() {
+    let ran = run("HYDRAU/ON\nFINI\n");
+    assert_eq!(ran.told(), [(1301, 1)]);
+    assert!(!ran.diagnostics[0].is_error());
+    let ran = run("RAPPID\nFINI\n");
+    assert!(ran.diagnostics[0].is_error(), "{}", ran.messages());
 }

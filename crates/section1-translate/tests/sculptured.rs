@@ -477,3 +477,35 @@ fn what_does_not_fit_is_told_by_the_formats_of_its_word() {
     let mesh = told("S=SSURF/RULED,SPLINE,P1,P2,SPLINE,P3,P4");
     assert!(mesh.contains("SMESH|GMESH is missing before RULED"), "{mesh}");
 }
+
+/// Surfaces whose curves lie along each other are refused where they are defined, not at a motion.
+#[test]
+fn a_surface_without_area_is_refused() {
+    let head = "A1=POINT/0,0,0\nA2=POINT/10,0,0\nA3=POINT/20,0,0\nQ1=POINT/0,10,0\nQ2=POINT/10,10,5\nQ3=POINT/20,10,0\n\
+                C1=SCURV/SPLINE,A1,A2,A3\nC2=SCURV/SPLINE,Q1,Q2,Q3\n";
+    for definition in [
+        "SMESH,XYZ,SPLINE,A1,A2,A3,SPLINE,A1,A2,A3",
+        "RULED,C1,C1",
+        "RULED,C1,AXIS,(VECTOR/1,0,0)",
+        "REVOLV,C1,AXIS,A1,A2,CLW,0,360",
+        "GENCUR,C1,C1",
+        "TRANSL,C1,CROSS,C1",
+    ] {
+        let ran = free(&format!("{head}S=SSURF/{definition}"));
+        assert_eq!(ran.told(), [(1205, 15)], "{definition}: {}", ran.messages());
+    }
+    for definition in [
+        "SMESH,XYZ,SPLINE,A1,A2,A3,SPLINE,Q1,Q2,Q3",
+        "RULED,C1,C2",
+        "RULED,C1,AXIS,(VECTOR/1,.001,0)",
+        "REVOLV,C1,AXIS,A1,(VECTOR/0,1,0),CLW,0,1",
+        "GENCUR,C1,C2",
+        "TRANSL,C1,CROSS,C2",
+    ] {
+        let ran = free(&format!("{head}S=SSURF/{definition}"));
+        assert_eq!(ran.told(), [], "{definition}: {}", ran.messages());
+    }
+    // Of the formats that begin with the word that is written one is told.
+    let ran = free(&format!("{head}S=SSURF/TRANSL,C1,C2"));
+    assert!(ran.messages().contains("CROSS is missing"), "{}", ran.messages());
+}

@@ -249,8 +249,9 @@ fn words_that_stand_alone() {
 
 #[test]
 fn multax_without_on_holds_to_the_end() {
-    let ran = run("MULTAX\nMULTAX/OFF\nFINI\n");
+    let ran = run("MULTAX\nMULTAX/OFF\nMULTAX/ON\nMULTAX/OFF\nFINI\n");
     assert_eq!(ran.told(), [(1305, 2)]);
+    let ran = run("MULTAX\nMULTAX/OFF\nFINI\n");
     assert_eq!(ran.kinds(), [&Kind::Multax(true)]);
     assert_eq!(
         clean("MULTAX/ON\nMULTAX/OFF\nFINI\n").kinds(),
@@ -477,16 +478,4 @@ fn a_word_may_be_a_label() {
     assert_eq!(checks.len(), 2);
     assert!(checks.iter().all(|c| c.branch));
     assert_eq!(checks[1].relation, Relation::Past);
-}
-
-/// The second number is a record of an earlier run; what does not run is told.
-#[test]
-fn ptonly_says_what_it_leaves_out() {
-    for (statement, n, told) in [("PTONLY/1", 1, "no motions"), ("PTONLY/3,12", 3, "Section 4")] {
-        let ran = run(&format!("{statement}\nFINI\n"));
-        assert_eq!(ran.kinds(), [&Kind::Ptonly(n)]);
-        assert_eq!(ran.diagnostics.len(), 1);
-        let d = &ran.diagnostics[0];
-        assert!(!d.is_error() && d.message.contains(told), "{}", d.message);
-    }
 }

@@ -66,6 +66,11 @@ impl Arelem {
             let taken = Candidate::of(tool.te, end.te);
             self.diagnostics.push(failure::ambiguous(origin, &taken, &path.rivals));
         }
+        if let (1, Some(end)) = (go.surfaces.len(), path.points.last())
+            && self.settings.lifts(tool.te.z, end.te.z)
+        {
+            self.diagnostics.push(failure::lifted(origin, tool.te.z));
+        }
         self.settings.started = None;
         if let Some((relation, surface)) = go.surfaces.get(1) {
             self.settings.start_part(surface, *relation == Relation::On);

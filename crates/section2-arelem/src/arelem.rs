@@ -11,7 +11,7 @@ use crate::failure::{Failure, no_band};
 use crate::feed::Feed;
 use crate::fitted::Fitted;
 use crate::forward::forward;
-use crate::state::{Part, Settings, Tool, plane_ref, unit};
+use crate::state::{Part, Settings, Tool, auto_part, unit};
 
 /// Settings of Section 2 that no part program gives.
 #[derive(Clone, Debug, Default)]
@@ -231,7 +231,7 @@ impl Arelem {
             Kind::Autops => {
                 s.nops = false;
                 s.part = match &self.tool {
-                    Some(t) if !self.poisoned => Part::Surface(plane_ref(t.ta, t.ta.dot(&t.te))),
+                    Some(t) if !self.poisoned => Part::Surface(auto_part(t.te, t.ta)),
                     _ => Part::Auto,
                 };
             }

@@ -11,7 +11,7 @@ use crate::arelem::Arelem;
 use crate::axis::AxisRule;
 use crate::failure::Failure;
 use crate::scene::{Check, Limits, Scene, Stance, Start, Wall};
-use crate::state::{Band, Part, Role, Tool, plane_ref, unit};
+use crate::state::{Band, Part, Role, Tool, auto_part, unit};
 
 /// Part of the cutter's reach by which a thickness may pass its radius: what rounding makes of equal numbers.
 const SAME: f64 = 1e-12;
@@ -153,7 +153,7 @@ impl Arelem {
     pub(crate) fn part(&self, tool: &Tool) -> SurfaceRef {
         match &self.settings.part {
             Part::Surface(s) => s.clone(),
-            Part::Auto => plane_ref(tool.ta, tool.ta.dot(&tool.te)),
+            Part::Auto => auto_part(tool.te, tool.ta),
         }
     }
 

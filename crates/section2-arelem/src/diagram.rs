@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 use aptc_geometry::{Profile, Surface, Vec3};
 use aptc_protap::SurfaceRef;
 
-use crate::failure::{called, number};
+use crate::failure::{number, with_role};
 use crate::plane::Frame;
 use crate::state::Tool;
 
@@ -78,13 +78,7 @@ impl Situation {
         let mut y = SIDE + 75.0;
         for (role, surface) in &self.surfaces {
             let role = (*role).min(3);
-            text(
-                &mut out,
-                10.0,
-                y,
-                COLOURS[role],
-                &format!("{} surface {}", ROLES[role], called(surface)),
-            );
+            text(&mut out, 10.0, y, COLOURS[role], &with_role(ROLES[role], surface));
             y += 17.0;
         }
         out.push_str("</svg>\n");
@@ -114,6 +108,11 @@ impl Situation {
         );
         let title = format!("{}; {} wide", view.title, number(2.0 * view.half));
         text(out, x, y + SIDE + 16.0, "#555", &title);
+        // A view of its own: what is beyond the frame is not drawn.
+        let _ = writeln!(
+            out,
+            "<svg x=\"{x}\" y=\"{y}\" width=\"{SIDE}\" height=\"{SIDE}\" viewBox=\"{x} {y} {SIDE} {SIDE}\">"
+        );
         for (role, surface) in &self.surfaces {
             let Some(s) = Surface::from_form(&surface.form) else { continue };
             let colour = COLOURS[(*role).min(3)];
@@ -135,6 +134,7 @@ impl Situation {
                 py - 5.0
             );
         }
+        out.push_str("</svg>\n");
     }
 
     fn cutter(&self, out: &mut String, view: &View, plan: bool) {

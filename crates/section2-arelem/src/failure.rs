@@ -31,6 +31,8 @@ pub(crate) enum Failure {
         spent: Option<u32>,
         /// TO was asked for, and the cutter stands in the surface at the start.
         within: bool,
+        /// PAST was asked for, and a cutter of this height stands in the surface all the way.
+        stuck: Option<f64>,
     },
     /// The track ends before its check surface is met.
     Blocked(Box<Blocked>),
@@ -147,8 +149,8 @@ impl Failure {
             Self::OffPart { surface, off, allowed, outside } => (
                 codes::OFF_PART_SURFACE,
                 format!(
-                    "the tool is not within tolerance of the part surface {}: {} {}, allowed {}",
-                    called(surface),
+                    "the tool is not within tolerance of {}: {} {}, allowed {}",
+                    with_role("part", surface),
                     number(off.abs()),
                     if *outside { "off it" } else { "in it" },
                     number(*allowed)
@@ -347,7 +349,7 @@ impl Failure {
                 let (check, closest, gone) = (called(&b.check), number(b.closest), number(b.gone));
                 vec![format!("{closest} from {check} at the nearest, after {gone} of travel")]
             }
-            Self::NotReached { surface, closest, place, gone, spent, within, .. } => {
+            Self::NotReached { surface, closest, place, gone, spent, within, stuck, .. } => {
                 let (place, closest, gone) = (coordinates(*place), number(*closest), number(*gone));
                 let near = format!("closest at {place}, {closest} from it, after {gone} of travel");
                 let limit = spent.map(|n| {
@@ -360,7 +362,14 @@ impl Failure {
                          PAST ends where it has left {check}"
                     )
                 });
-                within.into_iter().chain([near]).chain(limit).collect()
+                let stuck = stuck.map(|height| {
+                    let (check, height) = (called(surface), number(height));
+                    format!(
+                        "the cutter, {height} high, stands in {check} all the way: PAST ends where none of it does; \
+                         the last of the seven numbers of CUTTER is its height"
+                    )
+                });
+                within.into_iter().chain(stuck).chain([near]).chain(limit).collect()
             }
             _ => Vec::new(),
         }
@@ -403,6 +412,17 @@ pub(crate) fn assumed_direction(origin: &Origin, word: Direction) -> Diagnostic 
     Diagnostic::warning(codes::ASSUMED_DIRECTION, origin.span, text)
         .within(origin.trace.clone())
         .help("give INDIRV or INDIRP after FROM")
+}
+
+/// GO with one surface, below a part surface that nobody gave.
+pub(crate) fn lifted(origin: &Origin, z: f64) -> Diagnostic {
+    let text = format!(
+        "no PSIS is given: the tool is lifted from z={} to the part surface z=0",
+        number(z)
+    );
+    Diagnostic::warning(codes::LIFTED_TO_PART, origin.span, text)
+        .within(origin.trace.clone())
+        .help("give PSIS/surface before it, or the part surface with it: GO/TO,drive surface,TO,part surface")
 }
 
 /// INTOL and OUTTOL that leave no band.
@@ -522,6 +542,14 @@ pub(crate) fn called(s: &SurfaceRef) -> String {
     } else {
         format!("{}({})", s.name.name, s.name.subscript)
     }
+}
+
+/// The same with its role, which one that no statement gives has in its name.
+pub(crate) fn with_role(role: &str, s: &SurfaceRef) -> String {
+    if s.name.name.contains(' ') {
+        return s.name.name.to_string();
+    }
+    format!("the {role} surface {}", called(s))
 }
 
 /// The APT word.

@@ -117,7 +117,7 @@ impl Default for Settings {
             axis: ToolAxis::Fixed(Vec3::z()),
             axis_before: ToolAxis::Fixed(Vec3::z()),
             contact_chosen: false,
-            part: Part::Surface(plane_ref(Vec3::z(), 0.0)),
+            part: Part::Surface(part_plane(DEFAULT_PART, Vec3::z(), 0.0)),
             nops: false,
             drive_side: None,
             part_side: None,
@@ -135,6 +135,22 @@ impl Settings {
     pub(crate) fn set_intol(&mut self, t: [f64; 4]) {
         self.intol = t;
         self.least_said = false;
+    }
+
+    /// Does GO lift the tool to a part surface that nobody gave? That it goes down to it is usual, and meant.
+    pub(crate) fn lifts(&self, from_z: f64, to_z: f64) -> bool {
+        let default = matches!(&self.part, Part::Surface(s) if s.name.name == DEFAULT_PART);
+        let rise = to_z - from_z;
+        default
+            && !self.nops
+            && from_z < 0.0
+            && rise > 1e-6 * from_z.abs()
+            && rise > self.outtol_of_part()
+    }
+
+    /// Less than this is no other height.
+    fn outtol_of_part(&self) -> f64 {
+        self.outtol.map_or(OUTTOL_MM / self.units.mm(), |t| t[0])
     }
 
     pub(crate) fn set_outtol(&mut self, t: [f64; 4]) {
@@ -274,9 +290,19 @@ pub(crate) fn unit(v: Vec3) -> Option<Vec3> {
     (l > 0.0 && l.is_finite()).then(|| v / l)
 }
 
-/// A plane without a name.
-pub(crate) fn plane_ref(n: Vec3, d: f64) -> SurfaceRef {
-    SurfaceRef { name: NameRef::default(), form: Arc::new(Form::Plane(Plane { n, d })) }
+/// What messages call the part surface of a program that gives none.
+const DEFAULT_PART: &str = "the part surface z=0 (no PSIS is given)";
+/// What messages call that of AUTOPS.
+const AUTO_PART: &str = "the part surface of AUTOPS";
+
+fn part_plane(called: &str, n: Vec3, d: f64) -> SurfaceRef {
+    let name = NameRef { name: called.into(), subscript: 0 };
+    SurfaceRef { name, form: Arc::new(Form::Plane(Plane { n, d })) }
+}
+
+/// The plane of AUTOPS: through the tool end, across the tool axis.
+pub(crate) fn auto_part(te: Vec3, ta: Vec3) -> SurfaceRef {
+    part_plane(AUTO_PART, ta, ta.dot(&te))
 }
 
 impl Tool {

@@ -235,6 +235,46 @@ TLON,GOFWD/WALL,ON,END",
     assert!(code == 2008 && !text.contains("given up"), "{code} {text}");
 }
 
+/// Below the part surface that nobody gave GO lifts the tool, which is never meant; down to it is.
+#[test]
+fn a_tool_that_is_lifted_to_the_part_surface_is_told() {
+    let told = |text: &str| {
+        let ran = run(&forms(), &format!("CUTTER/1\n{text}"));
+        ran.diagnostics.iter().map(|d| d.code.number()).collect::<Vec<_>>()
+    };
+    assert_eq!(told("FROM/-5,-3,-2\nGO/TO,LX"), [2028]);
+    assert_eq!(told("FROM/-5,-3,2\nGO/TO,LX"), [0_u16; 0]);
+    assert_eq!(told("FROM/-5,-3,-2\nAUTOPS\nGO/TO,LX"), [0_u16; 0]);
+    assert_eq!(told("FROM/-5,-3,-2\nNOPS\nGO/TO,LX"), [0_u16; 0]);
+    assert_eq!(told("FROM/-5,-3,-2\nGO/TO,LX,TO,PL1"), [0_u16; 0]);
+    assert_eq!(told("PSIS/PL1\nFROM/-5,-3,-2\nGO/TO,LX"), [0_u16; 0]);
+}
+
+/// A tool along a cone leans to its axis and reaches every plane through it, if it is long: it never gets past one.
+#[test]
+fn a_long_tool_that_never_leaves_its_check_surface_is_told_its_height() {
+    let mut f = forms();
+    let cone = [0.0, 0.0, 4.0, 0.0, 0.0, -1.0, 0.939_692_620_785_908_4];
+    f.insert("CN".into(), form("CONE", &cone).expect("a cone"));
+    f.insert("ACROSS".into(), form("PLANE", &[1.0, 0.0, 0.0, 0.0]).expect("a plane"));
+    f.insert("BESIDE".into(), form("PLANE", &[0.0, 1.0, 0.0, 0.0]).expect("a plane"));
+    let told = |cutter: &str| {
+        run(
+            &f,
+            &format!(
+                "3DCALC\nINTOL/0\nOUTTOL/.001\nMULTAX\n{cutter}\nFROM/3,0,6\nTLAXIS/PARLEL,2\nINDIRV/-1,0,-2\n\
+                 GO/ON,BESIDE,TO,PL1,TO,CN\nINDIRV/0,1,0\nTLRGT,GOFWD/CN,PAST,ACROSS"
+            ),
+        )
+    };
+    let ran = told("CUTTER/.4");
+    assert_eq!(ran.code(), 2008, "{:?}", ran.diagnostics);
+    let notes = format!("{:?}", ran.diagnostics[0].notes);
+    assert!(notes.contains("5 high, stands in ACROSS all the way"), "{notes}");
+    let short = told("CUTTER/.4,0,.2,0,0,0,1");
+    assert!(short.diagnostics.is_empty(), "{:?}", short.diagnostics);
+}
+
 #[test]
 fn failures_in_space_have_their_reasons_and_numbers() {
     let mut f = forms();
@@ -255,6 +295,14 @@ fn failures_in_space_have_their_reasons_and_numbers() {
     // Two spheres that no ball of radius 1 touches at once.
     let (code, text) = told("CUTTER/2,1\nFROM/20,0,0\nGO/TO,BOWL,TO,FAR");
     assert!(code == 2011 && text.contains("off BOWL") && text.contains("off FAR"), "{code} {text}");
+    // The part surface that nobody gave, and that of AUTOPS, are called by what they are.
+    let (code, text) = told("CUTTER/1\nFROM/-5,-.5,2\nINDIRV/1,0,0\nTLRGT,GOFWD/LX,ON,LY");
+    let called = "not within tolerance of the part surface z=0 (no PSIS is given): 2 off";
+    assert!(code == 2004 && text.contains(called), "{code} {text}");
+    let (code, text) =
+        told("CUTTER/1\nFROM/-5,-.5,2\nAUTOPS\nGODLTA/0,0,1\nINDIRV/1,0,0\nTLRGT,GOFWD/LX,ON,LY");
+    let called = "not within tolerance of the part surface of AUTOPS: 1 off";
+    assert!(code == 2004 && text.contains(called), "{code} {text}");
     // Off the drive surface by three quarters.
     let (code, text) = told("CUTTER/1\nFROM/-5,-1.25,0\nINDIRV/1,0,0\nTLRGT,GOFWD/LX,ON,LY");
     assert!(code == 2003 && text.contains("0.75 off it"), "{code} {text}");

@@ -16,7 +16,7 @@ use aptc_diagnostics::{Diagnostic, Origin, codes};
 use aptc_geometry::{Vec3, trig};
 
 use corner::{Corner, wcorn_of};
-use path::Path;
+use path::{Path, WITHOUT_MULTAX};
 
 /// Records held between ON and OFF; what it trades is memory against paths longer than any wall.
 const MOST_HELD: usize = 1_000_000;
@@ -31,6 +31,8 @@ pub(crate) struct Vtlaxs {
     /// The position put out last by a section, to join the next one.
     put: Option<Position>,
     list: Vec<Diagnostic>,
+    /// Was MULTAX missed?
+    multax_said: bool,
 }
 
 /// What becomes of a record.
@@ -124,7 +126,10 @@ impl Vtlaxs {
         let path = match Path::new(&section) {
             Ok(path) => path,
             Err((what, help)) => {
-                self.say(&on, what, help);
+                // The one MULTAX that is missing is wanted by all paths that follow.
+                if what != WITHOUT_MULTAX || !std::mem::replace(&mut self.multax_said, true) {
+                    self.say(&on, what, help);
+                }
                 return section.held;
             }
         };

@@ -345,3 +345,25 @@ fn tracut_and_copy_with_matrices_that_do_not_commute() {
     // By hand: (3,1) turns to (-1,3), shifted to (9,3), turned to (-3,9).
     assert!((p1 - Vec3::new(-3.0, 9.0, 0.0)).norm() < 1e-12, "{p1}");
 }
+
+/// One mistake, one message: MULTAX is missing once, however many paths want it.
+#[test]
+fn a_missing_multax_is_told_once() {
+    let words = |list: &[&str]| -> Vec<Arg> {
+        let arg = |w: &&str| w.parse().map_or_else(|_| Arg::Word((*w).into()), Arg::Number);
+        list.iter().map(arg).collect()
+    };
+    let vtlaxs = |list: &[&str]| Kind::Post { word: "VTLAXS".into(), args: words(list) };
+    let path = || {
+        [
+            goto(0.0, 0.0, 0.0),
+            vtlaxs(&["ON", "LEFT", "5", "10", "2", "LEFT"]),
+            goto(100.0, 0.0, 0.0),
+            vtlaxs(&["OFF", "LEFT", "10"]),
+        ]
+    };
+    let program: Vec<Kind> = path().into_iter().chain(path()).chain([Kind::Fini]).collect();
+    let (_, told) = edit(program);
+    let messages: Vec<&str> = told.iter().map(|d| d.message.as_str()).collect();
+    assert_eq!(messages, ["VTLAXS without MULTAX"]);
+}

@@ -114,6 +114,8 @@ impl Post {
         if self.st.cutcom.is_some() {
             let message = "a cycle while radius compensation is on".to_string();
             self.error(codes::COMPENSATION, origin, message, "write CUTCOM/OFF before CYCLE");
+            // Told: the next hole and the end of the program shall not say the same.
+            self.st.cutcom = None;
             return;
         }
         // Of the few digits of CL data an axis is not quite of length 1: heights along it would grow from hole to hole.

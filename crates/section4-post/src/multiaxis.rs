@@ -8,6 +8,7 @@ use crate::kinematics::{Chain, NoSolution, UPRIGHT};
 use crate::machine::{Carries, RotaryFeed};
 use crate::motion::ALL;
 use crate::post::{Post, trimmed};
+use crate::turnmill::RAPID_BAND_MM;
 
 /// How often a motion may be halved: 4096 blocks of one motion at most.
 const MOST_HALVINGS: u32 = 12;
@@ -230,7 +231,7 @@ impl Post {
         };
         // Halves still to do, the next one last.
         let mut from = start;
-        if self.straight_enough(&from, &end) {
+        if self.straight_enough(&from, &end, rapid) || rapid && self.free_to_turn(pos, te) {
             self.leg(&end, rapid, total, origin);
             return;
         }
@@ -245,7 +246,7 @@ impl Post {
         let mut to_do = vec![(end, 0)];
         let mut turns = 0;
         while let Some((to, halved)) = to_do.pop() {
-            if self.straight_enough(&from, &to) {
+            if self.straight_enough(&from, &to, rapid) {
                 let part = (to.te - from.te).norm();
                 if !self.leg(&to, rapid, part, origin) {
                     return;
@@ -311,7 +312,8 @@ impl Post {
             self.placed(from.te, from.ta, self.blocks.round_angles(angles))
         };
         let mut n: u32 = 1;
-        while n < 1 << MOST_HALVINGS && !self.straight_enough(from, &turned(way / f64::from(n))) {
+        let short = |n: u32| self.straight_enough(from, &turned(way / f64::from(n)), rapid);
+        while n < 1 << MOST_HALVINGS && !short(n) {
             n *= 2;
         }
         let legs: Vec<Pose> = (1..=n).map(|k| turned(way * f64::from(k) / f64::from(n))).collect();
@@ -325,13 +327,16 @@ impl Post {
     }
 
     /// Does the tool follow closely enough when all axes move evenly from one pose to the other?
-    fn straight_enough(&self, from: &Pose, to: &Pose) -> bool {
+    fn straight_enough(&self, from: &Pose, to: &Pose, rapid: bool) -> bool {
         #[expect(clippy::float_cmp, reason = "rounded numbers: the same text")]
         if from.angles == to.angles {
             return true;
         }
         let Some(chain) = &self.st.chain else { return true };
-        let lintol = self.lintol();
+        let lintol = match self.machine.is_milling() && rapid {
+            true => self.lintol().max(RAPID_BAND_MM / self.st.out_mm()),
+            false => self.lintol(),
+        };
         let lean = self.machine.multiaxis.axis_tolerance.to_radians();
         let (a, b) = (from.joints(), to.joints());
         // The tool end is turned by the angles x while the axes move by d: from its second derivative

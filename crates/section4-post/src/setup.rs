@@ -203,7 +203,12 @@ fn cutter(&[d, r, e, f, alpha, beta, h]: &[f64; 7]) -> String {
     } else {
         format!(" R{}", number(r, 4))
     };
-    format!("D{}{corner}, height {}", number(d, 4), number(h, 4))
+    // The five inches that CUTTER takes where it says no height are not those of the tool.
+    let height = match [127.0, 5.0].iter().any(|said| near(h, *said)) {
+        true => String::new(),
+        false => format!(", height {}", number(h, 4)),
+    };
+    format!("D{}{corner}{height}", number(d, 4))
 }
 
 fn travel(s: &Summary) -> Section {
@@ -323,6 +328,13 @@ mod tests {
                 "BULL NOSE"
             ]
         );
+    }
+
+    #[test]
+    fn a_height_that_was_not_said_is_not_told() {
+        assert_eq!(cutter(&[10.0, 0.0, 5.0, 0.0, 0.0, 0.0, 127.0]), "D10");
+        assert_eq!(cutter(&[0.5, 0.25, 0.0, 0.25, 0.0, 0.0, 5.0]), "D0.5 ball");
+        assert_eq!(cutter(&[10.0, 0.0, 5.0, 0.0, 0.0, 0.0, 40.0]), "D10, height 40");
     }
 
     #[test]

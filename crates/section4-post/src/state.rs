@@ -161,6 +161,8 @@ pub(crate) struct State {
     pub(crate) length_told: bool,
     /// The note about blocks in which the tool turns where it stands is written.
     pub(crate) turn_noted: bool,
+    /// Was a feed doubted that is so small a minute?
+    pub(crate) feed_doubted: bool,
 }
 
 impl State {
@@ -237,6 +239,7 @@ impl State {
             multax: false,
             length_told: false,
             turn_noted: false,
+            feed_doubted: false,
         }
     }
 

@@ -7,12 +7,36 @@ use std::sync::Arc;
 
 use aptc_cldata::Motion;
 use aptc_diagnostics::{Origin, codes};
-use aptc_geometry::Vec3;
+use aptc_geometry::{Plane, Vec3};
 
 use crate::post::{Post, trimmed};
 use crate::state::SpindleState;
 
+/// How far a rapid motion in which C turns may leave its line on a lathe, millimetres: far less than the clearance
+/// that is kept, and a few blocks in place of some fifty.
+pub(crate) const RAPID_BAND_MM: f64 = 0.5;
+
+/// Is the place on that side of a clearance plane across the spindle to which its normal points? There C may turn as it
+/// likes: the tool keeps its height above the plane.
+pub(crate) fn is_clear(plane: &Plane, te: Vec3, slack: f64) -> bool {
+    let across = plane.n.xy().norm() <= 1e-9 * plane.n.norm() && plane.n.z > 0.0;
+    across && plane.n.dot(&te) >= plane.d - slack * plane.n.norm()
+}
+
 impl Post {
+    /// May C turn in one block between these places, wherever that leads the tool around the spindle? Above the
+    /// clearance plane, and where it is known above the stock. Elsewhere what stands beside the line might be hit.
+    pub(crate) fn free_to_turn(&self, from: Vec3, to: Vec3) -> bool {
+        let Some(plane) = self.st.clearance().filter(|_| self.machine.is_milling()) else {
+            return false;
+        };
+        let slack = self.blocks.number(b'Z').resolution();
+        let top = self.summary.stock.map(|[_, max]| max[2]);
+        [from, to]
+            .iter()
+            .all(|te| is_clear(&plane, *te, slack) && top.is_none_or(|top| te.z >= top - slack))
+    }
+
     /// MODE/MILL and MODE/TURN on a lathe with such tools.
     pub(crate) fn set_milling(&mut self, on: bool, origin: &Origin) {
         if self.machine.is_milling() == on {

@@ -196,3 +196,27 @@ fn the_spindle_is_stopped_for_milling_after_an_optional_stop() {
         assert!(off.zip(on).is_some_and(|(off, on)| off < on), "{name}\n{nc}");
     }
 }
+
+/// Above the clearance plane C turns in one block; elsewhere a rapid motion keeps near to its line, in few blocks.
+#[test]
+fn a_rapid_motion_over_the_face_is_no_swarm_of_blocks() {
+    let across = |plane: &str| {
+        format!(
+            "{HEAD}{plane}RAPID\nGOTO/16,9,5\nGOTO/16,9,-3\nRAPID\nGOTO/16,9,5\nRAPID\nGOTO/-16,9,5\n\
+             GOTO/-16,9,-3\nRAPID\nGOTO/-16,9,5\nFINI"
+        )
+    };
+    for machine in MACHINES {
+        let turns = |plane: &str| {
+            let (nc, posted) = post(machine, &across(plane));
+            let bad: Vec<_> = posted.diagnostics.iter().filter(|d| d.is_error()).collect();
+            assert!(bad.is_empty(), "{machine} {bad:#?}\n{nc}");
+            // Behind the first place.
+            nc.lines().filter(|l| l.contains('C') && !l.contains('(')).count() - 1
+        };
+        assert_eq!(turns("CLRSRF/0,0,1,4\n"), 1, "{machine}");
+        let below = turns("");
+        assert!((4..=12).contains(&below), "{machine} {below}");
+        assert_eq!(turns("CLRSRF/0,0,1,6\n"), below, "{machine}: both ends lie below the plane");
+    }
+}

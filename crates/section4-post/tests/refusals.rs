@@ -199,6 +199,16 @@ fn a_rapid_through_the_stock_is_refused_with_place_and_depth() {
     assert!(list[0].message.contains("3 deep at"), "{}", list[0].message);
 }
 
+/// What a rapid motion has gone through is gone: the way out of it is no mistake of its own.
+#[test]
+fn the_way_back_from_a_rapid_into_the_stock_is_told_with_it() {
+    let text =
+        format!("{BLOCK}RAPID\nGOTO/50,30,10\nRAPID\nGOTO/50,30,-3\nRAPID\nGOTO/50,30,10\nFINI");
+    assert_eq!(errors("linuxcnc-mill", &text), ["APT4024"]);
+    let aside = text.replace("RAPID\nGOTO/50,30,10\nFINI", "RAPID\nGOTO/90,30,-3\nFINI");
+    assert_eq!(errors("linuxcnc-mill", &aside), ["APT4024"; 2]);
+}
+
 #[test]
 fn a_rapid_through_what_was_cut_away_is_free() {
     // A slot, an arc and a hole; each is left the way it was cut.
@@ -344,4 +354,38 @@ fn words_that_were_misread_are_done() {
         let nc = good(machine, &part("SEQNO/100,INCR,5"));
         assert!(nc.trim_end().ends_with("\n%") && nc.contains("\nN100 "), "{machine}\n{nc}");
     }
+}
+
+/// One CUTCOM/OFF is missing: one message, not one for each hole and one for the end.
+#[test]
+fn compensation_that_is_never_ended_is_told_once() {
+    let head = "UNITS/MM\nCUTTER/10\nLOADTL/1\nSPINDL/100,CLW\nCOOLNT/ON\nFEDRAT/100\nFROM/0,0,9\nCUTCOM/LEFT\nGOTO/10,0,9\n";
+    let holes = "CYCLE/DRILL,DEPTH,5,MMPM,50,CLEAR,2\nGOTO/20,20,0\nGOTO/30,20,0\nCYCLE/OFF\nFINI";
+    for rest in [holes, "LOADTL/2\nLOADTL/3\nFINI", "FINI"] {
+        assert_eq!(errors("haas-vf", &format!("{head}{rest}")), ["APT4015"], "{rest}");
+    }
+}
+
+#[test]
+fn a_feed_that_is_so_small_a_minute_is_doubted_once() {
+    let told = |machine: &str, text: &str| {
+        let (_, posted) = post(machine, text);
+        let said = posted.diagnostics.iter().map(|d| d.code.to_string());
+        said.filter(|code| code == "APT4032").count()
+    };
+    let lathe = "UNITS/MM\nTURRET/1\nSPINDL/500,CLW\nCOOLNT/ON\nFEDRAT/.2\nFROM/30,0,9\nGOTO/20,0,9\nFEDRAT/.3\nGOTO/20,0,0\nFINI";
+    assert_eq!(told("linuxcnc-lathe", lathe), 1);
+    assert_eq!(
+        told(
+            "linuxcnc-lathe",
+            &lathe.replace("FEDRAT/.2", "FEDRAT/.2,MMPM").replace(".3", ".3,MMPR")
+        ),
+        0
+    );
+    assert_eq!(told("linuxcnc-lathe", &lathe.replace("FEDRAT/.", "FEDRAT/12.")), 0);
+    assert_eq!(told("linuxcnc-mill", &lathe.replace("TURRET", "LOADTL")), 1);
+    assert_eq!(
+        told("linuxcnc-mill", &lathe.replace("TURRET", "LOADTL").replace("FEDRAT/.", "FEDRAT/2.")),
+        0
+    );
 }

@@ -173,3 +173,44 @@ fn a_thread_by_its_cycle_is_cut_in_passes_outside_and_in_a_nut() {
         format!("UNITS/MM\nLOADTL/1\nSPINDL/500\nFEDRAT/9\nGOTO/0,0,9\n{cycle}GOTO/0,0,0\nFINI");
     assert_eq!(errors("linuxcnc-mill", &mill), ["APT4006"]);
 }
+
+/// The path is that of the nose centre, so that the control compensates the wear alone: right of a cut towards the chuck
+/// is away from the spindle.
+#[test]
+fn compensation_on_a_lathe_is_of_wear_only() {
+    let cut = "RAPID\nGOTO/15,0,5\nCUTCOM/RIGHT\nGOTO/10,0,2\nGOTO/10,0,-20\nGOTO/14,0,-20\nCUTCOM/OFF\nGOTO/20,0,-20\nFINI";
+    let text = format!("{HEAD}FROM/30,0,50\n{cut}");
+    let nc = good("linuxcnc-lathe", &text);
+    assert!(nc.contains("G42.1 D#<_wear_3>") && nc.contains("NOSE CENTRE"), "{nc}");
+    let drawn = format!(
+        "{HEAD}FROM/50,30,0\nRAPID\nGOTO/5,15,0\nCUTCOM/RIGHT\nGOTO/2,10,0\nGOTO/-20,10,0\nGOTO/-20,14,0\n\
+         CUTCOM/OFF\nGOTO/-20,20,0\nFINI"
+    );
+    assert_eq!(good("linuxcnc-lathe-xy", &drawn), nc);
+    let radii = |nc: &str| {
+        let canon = rs274(nc)?.unwrap_or_else(|e| panic!("{e}\n{nc}"));
+        let ends = common::ends(&canon);
+        let cuts = ends.iter().filter(|(k, p)| k == "STRAIGHT_FEED" && p[2] < -15.0);
+        Some(cuts.map(|(_, p)| p[0]).fold(f64::INFINITY, f64::min))
+    };
+    if let Some(new) = radii(&nc) {
+        assert!((new - 10.0).abs() < 1e-4, "{new}");
+        let worn = radii(&nc.replace("#<_wear_3>=0", "#<_wear_3>=0.2")).unwrap();
+        assert!((worn - 10.1).abs() < 1e-4, "{worn}");
+    }
+    let fanuc = good("fanuc-0i-lathe", &text);
+    assert!(fanuc.contains("G42 G1 X20.") || fanuc.contains("G1 G42 X20."), "{fanuc}");
+    assert!(fanuc.contains("G40") && !fanuc.contains("D3"), "{fanuc}");
+    assert_eq!(
+        errors("fanuc-0i-lathe", &text.replace("CUTCOM/RIGHT", "CUTCOM/RIGHT,7")),
+        ["APT4006"]
+    );
+}
+
+/// A slip of the pen in a speed is told for every machine.
+#[test]
+fn every_machine_has_a_greatest_spindle_speed() {
+    for machine in aptc_post::machines().filter(|m| m.name != "apt") {
+        assert!(machine.spindle.max > 0.0, "{}", machine.name);
+    }
+}

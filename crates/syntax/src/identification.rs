@@ -2,14 +2,16 @@
 //!
 //! An identification is letters and digits, such as `TEST0010` or a number at the right edge. What looks
 //! otherwise, or stands behind column 80, was most likely written without thought of cards, so that a
-//! warning is due. One warning a file; free form has none of this.
+//! message is due: one for each file, an error where a statement is cut off there. A statement that is cut
+//! off is not read, so that nothing else is said of it. Free form has none of this.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-use aptc_diagnostics::{Diagnostic, FileId, Span, codes};
+use aptc_diagnostics::{Diagnostic, FileId, Severity, Span, codes};
 
-use crate::scan::place;
+use crate::cards::{Card, TEXT_COLUMNS};
+use crate::scan::{End, Flat, Scanner, place};
 
 /// Columns 73 to 80.
 const WIDTH: usize = 8;
@@ -17,6 +19,18 @@ const WIDTH: usize = 8;
 const HABIT: usize = 3;
 /// Places shown beside the first.
 const SHOWN: usize = 2;
+
+/// Blanks between column 72 and what goes on behind it.
+const GAP: usize = 1;
+
+/// How text behind column 72 stands to that before.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Tail {
+    /// Right behind it: a statement that goes on.
+    Adjoining,
+    /// With blanks between: perhaps a remark.
+    Apart,
+}
 
 /// Where a field of identification stands and what it begins with: cards of one program agree in this.
 #[derive(PartialEq, Eq, PartialOrd, Ord)]
@@ -58,31 +72,76 @@ impl<'s> Habits<'s> {
     }
 }
 
-/// A warning about the texts behind column 72 that are no identification.
-pub(crate) fn check(file: FileId, source: &str, tails: &[Range<u32>]) -> Option<Diagnostic> {
-    let text = |tail: &Range<u32>| &source[tail.start as usize..tail.end as usize];
-    let habits = Habits::new(source, tails);
-    let mut strange = tails.iter().filter(|t| !habits.is_identification(text(t))).map(|tail| {
-        let text = text(tail);
-        let start = tail.start + place(text.len() - text.trim_start().len());
-        Span::new(file, start, tail.start + place(text.trim_end().len()))
-    });
-    let first = strange.next()?;
-    let shown: Vec<Span> = strange.by_ref().take(SHOWN).collect();
-    let n = 1 + shown.len() + strange.count();
-    let message = match n {
-        1 => "text behind column 72 is not read".to_owned(),
-        _ => format!("text behind column 72 of {n} cards is not read"),
-    };
-    let mut warning = Diagnostic::warning(codes::TEXT_BEHIND_CARD, first, message)
-        .label("a card's text ends with column 72; 73 to 80 are for its identification")
-        .help(
-            "carry the statement on with `$` and a further card, or read the file with --free-form",
-        );
-    for span in shown {
-        warning = warning.also(span, "here too");
+/// The texts behind column 72 of a file that are no identification.
+#[derive(Default)]
+pub(crate) struct Behind {
+    /// Where they stand, in order.
+    strange: Vec<Range<u32>>,
+    /// Statements that they cut off.
+    n_cut: usize,
+}
+
+impl Behind {
+    /// Those of `source`.
+    pub(crate) fn new(source: &str, free_form: bool) -> Self {
+        let long = |line: &str| line.len() > TEXT_COLUMNS;
+        if free_form || !source.lines().any(long) {
+            return Self::default();
+        }
+        let mut scanner = Scanner::new(source, false, 1);
+        let mut flat = Flat::default();
+        while scanner.next(&mut flat).is_some() {}
+        let tails = std::mem::take(&mut scanner.tails);
+        let habits = Habits::new(source, &tails);
+        let identification =
+            |t: &Range<u32>| habits.is_identification(&source[t.start as usize..t.end as usize]);
+        let strange = tails.iter().filter(|t| !identification(t)).cloned().collect();
+        Self { strange, n_cut: 0 }
     }
-    Some(warning)
+
+    /// How the statement on these cards goes on behind column 72, if it does.
+    pub(crate) fn of(&self, source: &str, cards: &[(Card, End)]) -> Option<Tail> {
+        let (first, last) = (&cards.first()?.0, &cards.last()?.0);
+        let from = self.strange.partition_point(|t| (t.start as usize) < first.text.start);
+        let tail = self.strange.get(from).filter(|t| t.end as usize <= last.end)?;
+        let (text, tail) =
+            source[first.text.start..].split_at(tail.start as usize - first.text.start);
+        let blanks = |text: &str, rest: &str| text.len() - rest.len();
+        let gap = blanks(text, text.trim_end()) + blanks(tail, tail.trim_start());
+        Some(if gap <= GAP { Tail::Adjoining } else { Tail::Apart })
+    }
+
+    /// The message about them; those of statements that they cut off are counted later.
+    pub(crate) fn message(&self, file: FileId, source: &str) -> Option<Diagnostic> {
+        let mut spans = self.strange.iter().map(|tail| {
+            let text = &source[tail.start as usize..tail.end as usize];
+            let start = tail.start + place(text.len() - text.trim_start().len());
+            Span::new(file, start, tail.start + place(text.trim_end().len()))
+        });
+        let warning = Diagnostic::warning(codes::TEXT_BEHIND_CARD, spans.next()?, self.words())
+            .label("a card's text ends with column 72; 73 to 80 are for its identification")
+            .help("carry the statement on with `$` and a further card, or read the file with --free-form");
+        Some(spans.take(SHOWN).fold(warning, |warning, span| warning.also(span, "here too")))
+    }
+
+    /// Makes the message an error: one more statement is cut off.
+    pub(crate) fn cut_off(&mut self, message: &mut Diagnostic) {
+        self.n_cut += 1;
+        message.severity = Severity::Error;
+        message.message = self.words();
+    }
+
+    fn words(&self) -> String {
+        let text = match self.strange.len() {
+            1 => "text behind column 72 is not read".to_owned(),
+            n => format!("text behind column 72 of {n} cards is not read"),
+        };
+        match self.n_cut {
+            0 => text,
+            1 => format!("{text}, and a statement is cut off there"),
+            n => format!("{text}, and {n} statements are cut off there"),
+        }
+    }
 }
 
 /// The field's habit when it could be an identification: letters and digits in columns 73 to 80.

@@ -201,14 +201,13 @@ impl Lexer<'_> {
         }
         let text = &flat.text[range.clone()];
         let shown: String = text.chars().take(SHOWN_DIGITS).collect();
-        let what = if text.bytes().any(|b| b.is_ascii_alphabetic()) && !text.contains('.') {
-            "symbol"
-        } else {
-            "number"
-        };
+        if text.bytes().any(|b| b.is_ascii_alphabetic()) && !text.contains('.') {
+            // `10 MM` is a symbol: where it has no value, that is told with its parts.
+            return;
+        }
         let at = span(flat, range);
         let span = Span::new(self.file, at.start, at.end);
-        let message = format!("blanks have no meaning: this is the one {what} {shown}");
+        let message = format!("blanks have no meaning: this is the one number {shown}");
         lexed.warning = Some(
             Diagnostic::warning(codes::BLANK_IN_NUMBER, span, message)
                 .help("put a `,` between two values, or write the number without a blank"),

@@ -13,6 +13,7 @@ use chumsky::span::SimpleSpan;
 use crate::fixed::{FixedText, printable};
 use crate::form::{Form, form, is_assignment};
 use crate::grammar::{Beside, Grammar};
+use crate::identification::{Behind, Tail};
 use crate::lex::{Lexed, Lexer};
 use crate::message::Failed;
 use crate::scan::{Flat, Scanned, Scanner, place};
@@ -20,7 +21,7 @@ use crate::shape::{self, Heads, Level};
 use crate::shelf::Shelves;
 use crate::token::{Spanned, Token};
 use crate::tree::{Body, Name, Statement};
-use crate::{Interner, Options, Parsed, Symbol, identification, separator};
+use crate::{Interner, Options, Parsed, Symbol, separator};
 
 /// Tokens that are kept at a time. The rules are built anew for each batch, which takes microseconds,
 /// and the tokens stay in the cache.
@@ -34,12 +35,16 @@ struct Pending {
     label: Option<Name>,
     content: Content,
     warning: Option<Diagnostic>,
+    /// Does text that is no identification stand behind column 72 of its cards?
+    tail: Option<Tail>,
 }
 
 enum Content {
     Ready(Box<Body>),
     Tokens(Range<usize>, Form),
     Fault(Box<Diagnostic>, Names),
+    /// It goes on behind column 72.
+    CutOff(Names),
 }
 
 /// A statement that ended before it was complete, most likely for want of a `$`.
@@ -63,8 +68,11 @@ pub fn parse(file: FileId, text: &str, interner: &mut Interner, options: &Option
         synonyms: BTreeMap::new(),
         levels: Vec::new(),
         broken: None,
+        behind: Behind::new(text, options.free_form),
         parsed: Parsed::default(),
     };
+    // The first message, whose place is known to `tell`.
+    run.parsed.diagnostics.extend(run.behind.message(file, text));
     let mut scanner = Scanner::new(text, options.free_form, options.first_isn);
     let mut flat = Flat::default();
     let (mut lists, mut pending) = (Lists::default(), Vec::new());
@@ -74,7 +82,6 @@ pub fn parse(file: FileId, text: &str, interner: &mut Interner, options: &Option
     }
     let mut parsed = run.parsed;
     parsed.program.n_cards = scanner.n_numbered;
-    parsed.diagnostics.extend(identification::check(file, text, &scanner.tails));
     if !options.percent_comments {
         parsed.diagnostics.extend(other_dialect(file, &scanner.percents));
     }
@@ -112,6 +119,7 @@ struct Run<'r> {
     synonyms: BTreeMap<Symbol, Word>,
     levels: Vec<Level>,
     broken: Option<Broken>,
+    behind: Behind,
     parsed: Parsed,
 }
 
@@ -131,7 +139,9 @@ impl Run<'_> {
                 open = false;
                 break;
             };
-            pending.push(self.prepare(scanned, flat, lists));
+            let tail =
+                self.behind.of(self.source, &scanner.pieces).filter(|_| scanned.fixed.is_none());
+            pending.push(self.prepare(scanned, tail, flat, lists));
         }
         let Lists { tokens, texts, fixed, shelves } = &*lists;
         let nameless = self.nameless;
@@ -139,10 +149,11 @@ impl Run<'_> {
         let quick: Grammar<'_, EmptyErr> = Grammar::new(beside);
         let mut thorough: Option<Thorough<'_>> = None;
         self.parsed.program.statements.reserve(pending.len());
-        for Pending { isn, line, span, label, content, warning } in pending.drain(..) {
+        for Pending { isn, line, span, label, content, warning, tail } in pending.drain(..) {
             let read = match content {
                 Content::Ready(body) => Ok(*body),
-                Content::Fault(fault, names) => Err((*fault, names)),
+                Content::Fault(fault, names) => Err((Some(*fault), names)),
+                Content::CutOff(names) => Err((None, names)),
                 Content::Tokens(range, form) => {
                     let tokens = &tokens[range];
                     let end = SimpleSpan::from(span.end..span.end);
@@ -158,7 +169,7 @@ impl Run<'_> {
                         }
                     };
                     match (fault, result.into_output()) {
-                        (Some(fault), _) => Err((fault, names(self.file, tokens))),
+                        (Some(fault), _) => Err((Some(fault), names(self.file, tokens))),
                         (None, body) => Ok(body.unwrap_or(Body::Empty)),
                     }
                 }
@@ -169,13 +180,24 @@ impl Run<'_> {
                     body
                 }
                 Err((fault, (defines, within))) => {
-                    self.tell(fault, isn, span);
+                    match fault.filter(|_| tail.is_none()) {
+                        Some(fault) => self.tell(fault, isn, span),
+                        None => self.cut_off(isn),
+                    }
                     Body::Error { defines, within }
                 }
             };
             self.parsed.program.statements.push(Statement { span, line, isn, label, body });
         }
         open
+    }
+
+    /// The message about text behind column 72 tells of this statement too, and of what follows from it.
+    fn cut_off(&mut self, isn: u32) {
+        if let Some(message) = self.parsed.diagnostics.first_mut() {
+            self.behind.cut_off(message);
+            self.broken = Some(Broken { isn, message: 0, comma: false });
+        }
     }
 
     /// Gives the message of a statement in error; but not where the card before broke off, whose message
@@ -234,7 +256,13 @@ impl Run<'_> {
     }
 
     /// Lexes a statement and looks over it.
-    fn prepare(&mut self, scanned: Scanned, flat: &Flat, lists: &mut Lists) -> Pending {
+    fn prepare(
+        &mut self,
+        scanned: Scanned,
+        tail: Option<Tail>,
+        flat: &Flat,
+        lists: &mut Lists,
+    ) -> Pending {
         let Scanned { isn, line, fixed, dangling } = scanned;
         let from = lists.tokens.len();
         let mut lexer = Lexer {
@@ -258,7 +286,7 @@ impl Run<'_> {
             let body = self.text(&text);
             if fault.is_none() && lists.tokens.len() == from {
                 let content = Content::Ready(Box::new(body));
-                return Pending { isn, line, span, label, content, warning: None };
+                return Pending { isn, line, span, label, content, warning: None, tail };
             }
             lists.fixed.push(body);
             let at = SimpleSpan::from(text.word.start..span.end);
@@ -285,7 +313,11 @@ impl Run<'_> {
             let depth = self.options.max_bracket_depth;
             fault = shape::check(self.file, statement, &heads, depth, &mut self.levels);
         }
-        let content = if let Some(fault) = fault {
+        let content = if tail == Some(Tail::Adjoining) {
+            let names = names(self.file, statement);
+            lists.tokens.truncate(from);
+            Content::CutOff(names)
+        } else if let Some(fault) = fault {
             let names = names(self.file, statement);
             lists.tokens.truncate(from);
             Content::Fault(Box::new(fault), names)
@@ -295,7 +327,7 @@ impl Run<'_> {
             self.note_synonyms(&lists.tokens[from..]);
             Content::Tokens(from..lists.tokens.len(), form)
         };
-        Pending { isn, line, span, label, content, warning }
+        Pending { isn, line, span, label, content, warning, tail }
     }
 
     /// The body of a fixed-field statement.

@@ -194,6 +194,8 @@ fn no_target(file: FileId, tokens: &[Spanned], equal: usize) -> Option<Diagnosti
 pub(crate) fn defines(word: Word) -> bool {
     word.class() == Class::Geometry
         && (word.is_major(Dialect::Apt360) || word.is_major(Dialect::Apt4))
+        // APT4 saved forms so, in hexadecimal.
+        || word == word::HEX
 }
 
 fn promote(token: &mut Token) {

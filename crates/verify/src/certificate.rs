@@ -134,6 +134,9 @@ impl fmt::Display for Certificate {
         if self.unmatched > 0 {
             write!(f, ", {} motions not found", self.unmatched)?;
         }
+        if self.extra > 0 {
+            write!(f, ", {} positions of no motion", self.extra)?;
+        }
         if self.free > 0 {
             write!(f, "; {} from point to point", self.free)?;
         }

@@ -35,6 +35,29 @@ pub struct Matched {
     pub missing: Vec<Origin>,
     /// Positions of the file that belong to no motion of the program.
     pub extra: u64,
+    /// How many motions end where the program has them, of how many.
+    pub at_home: [usize; 2],
+    /// The first that does not.
+    pub astray: Option<Astray>,
+}
+
+/// A motion that the file does not have, or that ends elsewhere there.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Astray {
+    /// Its statement.
+    pub origin: Origin,
+    /// Where the program has its end, in the program's unit.
+    pub here: Vec3,
+    /// Where the file has it.
+    pub there: Option<Vec3>,
+}
+
+impl Matched {
+    /// Is the file of another program? One that has gone wrong has most motions where they belong.
+    pub fn is_of_another(&self) -> bool {
+        let [n, of] = self.at_home;
+        2 * n < of
+    }
 }
 
 /// Chords that stand for an arc of which a file gives only the end lie this near to it, in millimetres.
@@ -42,8 +65,17 @@ const ARC_CHORDS: f64 = 1e-5;
 /// The end of a motion is looked for within this share of the size of the path.
 const NEAR: f64 = 0.01;
 
-/// Brings the file's positions to the program's motions; the reason when that is not possible.
+/// Brings the file's positions to the program's motions; the reason when that is not possible. Where the
+/// file's marks are those of another program, or of this one before lines were put in, the places count.
 pub fn matched(program: &[Record], file: &[Record], marks: Marks) -> Result<Matched, String> {
+    let found = matched_by(program, file, marks)?;
+    if marks == Marks::None || !found.is_of_another() {
+        return Ok(found);
+    }
+    Ok(matched_by(program, file, Marks::None).ok().filter(|f| !f.is_of_another()).unwrap_or(found))
+}
+
+fn matched_by(program: &[Record], file: &[Record], marks: Marks) -> Result<Matched, String> {
     let items = unfold(program)?;
     let points = positions(file);
     let motions: Vec<usize> = (0..items.len()).filter(|&i| items[i].motion().is_some()).collect();
@@ -65,7 +97,33 @@ pub fn matched(program: &[Record], file: &[Record], marks: Marks) -> Result<Matc
             }
         }
     }
-    Ok(put_together(&items, &assigned, &points))
+    let mut out = put_together(&items, &assigned, &points);
+    let mut last = None;
+    for &i in &motions {
+        let motion = items[i].motion();
+        let goes = assigned[i].is_some() || motion.is_some_and(|m| !stays(m, last));
+        last = motion.and_then(|m| m.points.last().copied());
+        if !goes {
+            continue;
+        }
+        let there = assigned[i].map(|(_, to)| points[to - 1].at.te);
+        out.at_home[1] += 1;
+        if there.is_some_and(|te| (te - items[i].end_mm()).norm() <= NEAR * size) {
+            out.at_home[0] += 1;
+        } else if out.astray.is_none() {
+            let mm = items[i].units.mm();
+            let (here, there) = (items[i].end_mm() / mm, there.map(|te| te / mm));
+            out.astray = Some(Astray { origin: items[i].record.origin.clone(), here, there });
+        }
+    }
+    Ok(out)
+}
+
+/// How many times as large as the program's path that of the file is.
+pub fn times_as_large(program: &[Record], file: &[Record]) -> f64 {
+    let size =
+        |records: &[Record]| positions(records).iter().map(|p| p.at.te.norm()).fold(0.0, f64::max);
+    size(file) / size(program)
 }
 
 /// A position of the file, in millimetres.

@@ -126,7 +126,11 @@ impl Judged {
     }
 
     fn fault(&self, verdict: Verdict, vector: u64) -> Option<Fault> {
-        let surface = || format!("{} surface {}", self.role, self.name);
+        let surface = || match self.name.as_str() {
+            // One that no statement gives is called by words, with its role.
+            words if words.contains(' ') => words.to_owned(),
+            name => format!("{} surface {name}", self.role),
+        };
         match verdict {
             Verdict::Proved { .. } => None,
             Verdict::Refuted { gap, te } => {

@@ -41,5 +41,5 @@ mod witness;
 pub use batch::Batch;
 pub use certificate::{Certificate, Fault, StatementProof, SurfaceBound};
 pub use deviation::deviation_svg;
-pub use foreign::{Marks, Matched, matched};
+pub use foreign::{Astray, Marks, Matched, matched, times_as_large};
 pub use verifier::{Effort, Verifier};

@@ -12,7 +12,7 @@ const LONGEST: usize = 10;
 /// The one word nearest to `text` among those that `accept` takes; `None` when none is near or several
 /// are equally near.
 ///
-/// Near is a slip (a letter wrong, missing, too many, or two neighbours exchanged), or two in a text of
+/// Where none is, the one word that begins so. Near is a slip (a letter wrong, missing, too many, or two neighbours exchanged), or two in a text of
 /// six letters or more. Case does not count. A `text` that is itself an accepted word is nearest to itself.
 pub fn closest(text: &str, accept: impl Fn(Word) -> bool) -> Option<Word> {
     let text = text.as_bytes();
@@ -36,7 +36,17 @@ pub fn closest(text: &str, accept: impl Fn(Word) -> bool) -> Option<Word> {
             best = None;
         }
     }
-    best
+    best.or_else(|| beginning(text, accept))
+}
+
+/// The one word that `text` is the beginning of: `RAD` is RADIUS cut short.
+fn beginning(text: &[u8], accept: impl Fn(Word) -> bool) -> Option<Word> {
+    let begins = |word: &Word| {
+        let spelled = word.text().as_bytes();
+        spelled.len() > text.len() && spelled[..text.len()].eq_ignore_ascii_case(text)
+    };
+    let mut words = all().filter(begins).filter(|w| accept(*w));
+    words.next().filter(|_| words.next().is_none())
 }
 
 /// The letters, digits and points of a spelling as bits, case aside.
@@ -94,6 +104,9 @@ mod tests {
             ("GORIGTH", "GORGT"),
             ("TERMACC", "TERMAC"),
             ("GOLFT", "GOLFT"),
+            // Cut short.
+            ("RADI", "RADIUS"),
+            ("LENG", "LENGTH"),
         ] {
             assert_eq!(closest(slip, of_apt), find(meant), "{slip}");
         }

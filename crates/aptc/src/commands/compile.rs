@@ -94,7 +94,7 @@ fn compile_one(
             return Ok(exit::FILES);
         }
     };
-    if let Some(old) = stale_code(part, folder, args, &compiled, &written) {
+    if let Some(old) = stale_code(part, folder, args, &written) {
         let left = "is of an earlier run: this one wrote no machine code";
         writeln!(io::stderr(), "aptc: warning: {} {left}", old.display())?;
     }
@@ -230,18 +230,16 @@ fn write_artifacts(
     Ok(written)
 }
 
-/// Machine code of an earlier run beside the new CL data of one that wrote none, though nothing failed.
+/// Machine code of an earlier run where this one wrote none: nobody shall take it for that of the program as it is.
 fn stale_code(
     part: &Path,
     folder: &Path,
     args: &CompileArgs,
-    compiled: &Compiled,
     written: &[PathBuf],
 ) -> Option<PathBuf> {
     let stem = part.file_stem().unwrap_or(part.as_os_str());
     let path = folder.join(with_ending(stem.to_owned(), "nc"));
-    let missing = args.emit.contains(&Emit::Nc) && !compiled.has_errors();
-    (missing && !written.contains(&path) && path.exists()).then_some(path)
+    (args.emit.contains(&Emit::Nc) && !written.contains(&path) && path.exists()).then_some(path)
 }
 
 fn with_ending(mut stem: OsString, ending: &str) -> OsString {

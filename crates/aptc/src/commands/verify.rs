@@ -6,13 +6,13 @@ use std::path::Path;
 use std::process::ExitCode;
 
 use aptc_control::{Certificate, ClFile, Compiled, Disk, Verify};
-use aptc_diagnostics::SourceMap;
+use aptc_diagnostics::{SourceMap, codes};
 use serde_json::json;
 
 use super::cl::dialect;
 use super::compile::{folders, options};
 use crate::cli::{Common, VerifyArgs, VerifyHow};
-use crate::input::{cl_fault, part_program};
+use crate::input::{cl_fault, nc_fault, part_program};
 use crate::{exit, report};
 
 /// Judges every part; exit code 0 only when all of the path is proved.
@@ -73,7 +73,7 @@ pub(crate) fn verify(args: &VerifyArgs, common: &Common) -> io::Result<ExitCode>
     Ok(ExitCode::from(worst))
 }
 
-/// Holds machine code against CL data; exit code 0 only when it does what they say.
+/// Holds machine code against CL data; exit code 0 only when it goes where they do.
 fn verify_nc(nc: &Path, cl: &Path, args: &VerifyArgs, common: &Common) -> io::Result<ExitCode> {
     let machine = match super::machines::choice(args.machine.as_deref(), common)? {
         Ok(Some(choice)) => choice.machine(),
@@ -84,8 +84,12 @@ fn verify_nc(nc: &Path, cl: &Path, args: &VerifyArgs, common: &Common) -> io::Re
         Ok(d) => d,
         Err(e) => return report::complain(&e),
     };
+    if let Some(e) = nc_fault(nc).or_else(|| cl_fault(cl, dialect)) {
+        return report::complain(&e);
+    }
     let mut sources = SourceMap::default();
-    sources.add_unkept(nc.display().to_string());
+    // Places in the machine code stand in the messages themselves.
+    sources.add_unkept(cl.display().to_string());
     let machine = match machine {
         Ok(m) => m,
         Err(list) => {
@@ -119,10 +123,24 @@ fn verify_nc(nc: &Path, cl: &Path, args: &VerifyArgs, common: &Common) -> io::Re
         serde_json::to_writer_pretty(&mut out, &document)?;
         writeln!(out)?;
     } else if !common.quiet {
-        let what = if found.is_empty() { "does what" } else { "does not do what" };
-        writeln!(out, "{} {what} {} says: {proof}", nc.display(), cl.display())?;
+        let (nc, cl) = (nc.display(), cl.display());
+        if found.is_empty() {
+            let rest = "speeds, feeds and coolant are not compared";
+            writeln!(out, "{nc} goes where {cl} says: {proof}; {rest}")?;
+        } else {
+            let n = proof.points;
+            writeln!(
+                out,
+                "{nc} does not go where {cl} says; {n} positions are reached before or between"
+            )?;
+        }
     }
-    Ok(if found.is_empty() { exit::GOOD } else { ExitCode::from(exit::REFUTED) })
+    let unread = found.iter().any(|d| d.code != codes::NOT_THE_CL);
+    Ok(match (found.is_empty(), unread) {
+        (true, _) => exit::GOOD,
+        (false, true) => ExitCode::from(exit::ERRORS),
+        (false, false) => ExitCode::from(exit::REFUTED),
+    })
 }
 
 /// 1 for a program with errors, else 0 where everything is proved and 3 where not; a sample proves what it

@@ -104,5 +104,4 @@ codes! {
     BAD_AXIS = 1308, "a tool axis that is none";
     BAD_POCKET = 1309, "a POCKET that is none";
     UNITS_CHANGED = 1310, "a unit that changes between definitions";
-    CUT_SHORT = 1311, "a program whose later Sections do not run";
 }

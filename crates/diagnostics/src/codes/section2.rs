@@ -31,6 +31,7 @@ codes! {
     CONTACT_NOT_CHOSEN = 2025, "RADIUS or HIGHT of TLAXIS along a surface";
     MATERIAL_LEFT = 2026, "a pocket whose passes leave material";
     THICK_BEYOND_CUTTER = 2027, "a negative thickness greater than the radius of the cutter";
+    LIFTED_TO_PART = 2028, "a start-up that lifts the tool to a part surface that was not given";
     AREA_NOT_SET = 2040, "regional milling before its areas are set";
     REGION_VALUE = 2041, "a number or direction of regional milling out of its range";
     PART_NOT_MET = 2042, "a drive point from which the part surface is not met";

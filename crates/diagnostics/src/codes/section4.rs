@@ -34,5 +34,6 @@ codes! {
     INDEXED = 4029, "a turn of a table or head that cannot be";
     OTHER_FRAME = 4030, "a coordinate system that changes within a file";
     SHARED_OFFSET = 4031, "two tools with one length offset";
+    DOUBTFUL_FEED = 4032, "a feed a minute that is so small";
     STOCK_UNCHECKED = 4025, "motion that cannot be checked against the stock";
 }

@@ -72,6 +72,21 @@ impl Sculptured {
         if sound { Ok(Self { patches, layout }) } else { Err(SculptFault::NotFinite) }
     }
 
+    /// Does it extend both ways anywhere? Curves laid upon each other give one that does not.
+    pub fn has_area(&self) -> bool {
+        /// Below this share of the square of the size a parallelogram of both derivatives is rounding.
+        const NONE: f64 = 1e-12;
+        let [low, high] = self.bounds();
+        let least = NONE * (high - low).norm_squared();
+        let places = [[0.5, 0.5], [0.25, 0.25], [0.75, 0.25], [0.25, 0.75], [0.75, 0.75]];
+        self.patches.iter().any(|p| {
+            places.iter().any(|[u, v]| {
+                let d = p.at(*u, *v);
+                d.u.cross(&d.v).norm() > least
+            })
+        })
+    }
+
     /// How far u and v go; both begin at 0.
     pub fn spans(&self) -> [f64; 2] {
         match &self.layout {

@@ -85,7 +85,7 @@ impl Arg {
                 match (name.name.as_str(), name.subscript) {
                     ("", _) => match form.canonical() {
                         e if e.len() > 12 => format!("this {kind}"),
-                        e => format!("{kind} ({})", list(&e)),
+                        _ => format!("{kind} ({})", in_words(form)),
                     },
                     (symbol, 0) => format!("{kind} {symbol}"),
                     (symbol, i) => format!("{kind} {symbol}({i})"),
@@ -114,6 +114,58 @@ impl Arg {
 /// Numbers as short as six figures allow.
 pub(super) fn list(numbers: &[f64]) -> String {
     numbers.iter().map(|x| short(*x)).collect::<Vec<_>>().join(",")
+}
+
+/// A form as a drawing has it: `y = 50`, `centre 100,60, radius 25`; others by their canonical elements.
+pub(super) fn in_words(form: &Form) -> String {
+    let place = |p: Vec3| list(&[p.x, p.y, p.z]);
+    match form {
+        Form::Line(l) => equation([l.a, l.b, 0.0], l.d),
+        Form::Plane(p) => equation([p.n.x, p.n.y, p.n.z], p.d),
+        Form::Circle(c) if c.axis == Vec3::z() => {
+            format!("centre {}, radius {}", list(&[c.center.x, c.center.y]), short(c.radius))
+        }
+        Form::Sphere(s) => format!("centre {}, radius {}", place(s.center), short(s.radius)),
+        Form::Cylinder(c) => {
+            format!(
+                "through {} along {}, radius {}",
+                place(c.point),
+                place(c.axis),
+                short(c.radius)
+            )
+        }
+        form => {
+            let e = form.canonical();
+            list(&e[..e.len().min(12)])
+        }
+    }
+}
+
+/// `0.6x - 0.8y = 12`, the first number positive.
+fn equation(normal: [f64; 3], d: f64) -> String {
+    /// Less of a unit normal is rounding.
+    const NONE: f64 = 1e-12;
+    let terms = normal.into_iter().zip(['x', 'y', 'z']).filter(|(k, _)| k.abs() > NONE);
+    let mut sense = 0.0;
+    let mut text = String::new();
+    for (k, axis) in terms {
+        let first = sense == 0.0;
+        if first {
+            sense = k.signum();
+        }
+        let k = k * sense;
+        text += match (first, k < 0.0) {
+            (true, _) => "",
+            (false, true) => " - ",
+            (false, false) => " + ",
+        };
+        let size = short(k.abs());
+        if size != "1" {
+            text += &size;
+        }
+        text.push(axis);
+    }
+    format!("{text} = {}", short(d * sense))
 }
 
 /// A number as short as six figures allow.
@@ -146,5 +198,24 @@ impl From<Form> for Value {
 impl From<Vec3> for Value {
     fn from(p: Vec3) -> Self {
         Self::Tuple { x: p.x, y: p.y, z: Some(p.z) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use aptc_geometry::{Circle, Line, Plane};
+
+    #[test]
+    fn forms_are_told_as_a_drawing_has_them() {
+        let line = |a, b, d| in_words(&Form::Line(Line { a, b, d }));
+        assert_eq!(line(0.0, -1.0, -50.0), "y = 50");
+        assert_eq!(line(-0.6, 0.8, 12.0), "0.6x - 0.8y = -12");
+        let plane = Form::Plane(Plane { n: Vec3::new(0.0, 0.6, 0.8), d: -0.0 });
+        assert_eq!(in_words(&plane), "0.6y + 0.8z = 0");
+        let (center, axis) = (Vec3::new(100.0, 60.0, 0.0), Vec3::z());
+        let circle = Form::Circle(Circle { center, axis, radius: 25.0 });
+        assert_eq!(in_words(&circle), "centre 100,60, radius 25");
+        assert_eq!(in_words(&Form::Point(axis)), "0,0,1");
     }
 }

@@ -165,6 +165,15 @@ impl Item {
         }
     }
 
+    /// May it be this word?
+    pub(crate) fn is_word(&self, word: Word) -> bool {
+        match self {
+            Self::W(w) => *w == word,
+            Self::Of(words) => words.contains(&word),
+            _ => false,
+        }
+    }
+
     fn takes_form(&self, form: &Form) -> bool {
         match self {
             Self::P | Self::XY => matches!(form, Form::Point(_)),

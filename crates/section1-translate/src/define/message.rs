@@ -1,10 +1,10 @@
 //! The messages of definitions that fail: one place for all their words.
 
 use aptc_diagnostics::{Code, Diagnostic, Span, codes};
-use aptc_geometry::{Form, NotCarried, Vec3, trig};
+use aptc_geometry::{NotCarried, Vec3, trig};
 use aptc_vocabulary::{Word, word};
 
-use super::arg::{list, short};
+use super::arg::{in_words, short};
 use super::fault::Fault;
 use super::mismatch::Mismatch;
 use super::{Arg, DefineError, Value};
@@ -86,15 +86,11 @@ impl Words<'_> {
 
     /// The argument with its canonical form.
     fn full(&self, at: usize) -> String {
-        let numbers = |form: &Form| {
-            let e = form.canonical();
-            list(&e[..e.len().min(12)])
-        };
         match self.args.get(at) {
             Some(arg) => match arg.form() {
                 // An unnamed form is described by its numbers already.
                 Some(form) if self.is_named(at) => {
-                    format!("{} is {}", arg.describe(), numbers(form))
+                    format!("{} is {}", arg.describe(), in_words(form))
                 }
                 _ => arg.describe(),
             },
@@ -239,6 +235,10 @@ impl Words<'_> {
                 .error(codes::COINCIDE, *b, format!("two points of this {head} fall together"))
                 .label("the second begins here")
                 .also(self.span(*a), "the first begins here"),
+            Fault::Coincide { a, b } if self.is_named(*a) && self.name(*a) == self.name(*b) => self
+                .error(codes::COINCIDE, *b, format!("{} is given twice", self.name(*b)))
+                .label("here again")
+                .also(self.span(*a), "here"),
             Fault::Coincide { a, b } => {
                 let (x, y) = (self.name(*a), self.name(*b));
                 self.both(codes::COINCIDE, *a, *b, format!("{x} and {y} fall together"))

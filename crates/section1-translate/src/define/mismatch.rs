@@ -25,9 +25,18 @@ pub enum Mismatch {
 /// The best explanation, and the formats that it comes from.
 pub(super) fn explain(head: Word, table: &'static [Format], args: &[Arg]) -> DefineError {
     let mut best: Vec<(Mismatch, usize, String)> = Vec::new();
+    // Where the first argument is a word that begins formats, one of those is meant.
+    let begun = |f: &&Format| match (f.items.first(), args.first()) {
+        (Some(item), Some(arg)) => matches!(arg.value, Value::Word(_)) && item.takes(arg),
+        _ => false,
+    };
+    let any_begun = table.iter().any(|f| begun(&f));
     let farthest = table.iter().map(|f| reach_of(f, args)).max().unwrap_or(0);
     for format in table {
         let Some((mismatch, at)) = single(format, args, farthest) else { continue };
+        if any_begun && at == 0 && matches!(mismatch, Mismatch::OtherWord(_)) {
+            continue;
+        }
         best.push((mismatch, at, format.text()));
     }
     // Among equal kinds of change the table's order decides: the usual formats stand first.

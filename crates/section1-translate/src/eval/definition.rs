@@ -4,6 +4,7 @@ use std::cell::{Cell, RefCell};
 use std::sync::Arc;
 
 use aptc_diagnostics::{Diagnostic, Span, codes};
+use aptc_geometry::sculpt::fit_surface;
 use aptc_geometry::{Form, FormKind, Vec3};
 use aptc_protap::{Kind, NameRef, Units, fault_of_form};
 use aptc_syntax::tree::{Definition, ExprKind, Target};
@@ -18,6 +19,8 @@ use crate::statement::refused::no_geometry;
 
 /// How far a TABCYL goes straight on at both ends, inches.
 const TABCYL_END_INCHES: f64 = 10.0;
+/// Surfaces of more points are fitted where they are needed, not where they are defined: it takes time.
+const FEW_POINTS: usize = 400;
 
 impl Interpreter<'_> {
     /// The form of a definition and its name; a name in it gets the form.
@@ -87,6 +90,12 @@ impl Interpreter<'_> {
 
     /// The form of a definition.
     pub(crate) fn define(&mut self, definition: &Definition, span: Span) -> Known<Arc<Form>> {
+        if let Some(told) = self.refused_form(definition) {
+            // Its arguments are of a language that is not read: their names get values, nothing is said of them.
+            self.error(told);
+            let _ = self.muted(|s| s.arguments(&definition.args, Names::Defined));
+            return Err(Poisoned);
+        }
         let args = self.arguments(&definition.args, Names::Defined);
         let Some(head) = self.head_word(&definition.head).filter(|w| define::is_definition(*w))
         else {
@@ -97,18 +106,6 @@ impl Interpreter<'_> {
         if saved && matches!(head, word::POINT | word::VECTOR) {
             // They are told in the base system, as forms are kept.
             return self.saved_form(head, &args, span).map(Arc::new);
-        }
-        let refused = args.first().and_then(|a| match a.value {
-            define::Value::Word(word::FETCH) => Some(
-                "it took a form from a library file of 1977 whose records were never published, and SSV3 \
-                 refuses it too; saved surfaces, and those of JSON, IGES, STEP and STL, are read by READ/1,name",
-            ),
-            _ => None,
-        });
-        if let (Some(reason), Some(first)) = (refused, args.first()) {
-            let message = format!("this form of {head} is not carried out");
-            self.error(Diagnostic::error(codes::REFUSED_WORD, first.span, message).note(reason));
-            return Err(Poisoned);
         }
         let context = Context {
             zsurf: self.state.zsurf,
@@ -141,6 +138,7 @@ impl Interpreter<'_> {
                 self.product_in_order(head, span, args, &form, &context);
                 self.inner_slope(head, args);
                 self.patch_side(head, args);
+                self.area(&form, args, span)?;
                 if let Some(beyond) = context.beyond.take() {
                     self.beyond_end(args[beyond.at].span, beyond);
                 }
@@ -288,24 +286,62 @@ impl Interpreter<'_> {
         TABCYL_END_INCHES * Units::Inches.mm() / self.state.unit.mm()
     }
 
+    /// The message about a form that is not carried out, where `definition` is one.
+    fn refused_form(&self, definition: &Definition) -> Option<Diagnostic> {
+        let head = self.head_word(&definition.head)?;
+        if let Some(reason) = no_geometry(head) {
+            let message = format!("{head} is not carried out");
+            let error = Diagnostic::error(codes::REFUSED_WORD, definition.head.span, message);
+            return Some(error.note(reason));
+        }
+        let first = definition.args.first()?;
+        let ExprKind::Name(name) = &first.kind else { return None };
+        let reason = match self.synonyms.word(name)? {
+            word::FETCH => {
+                "it took a form from a library file of 1977 whose records were never published, and SSV3 \
+                 refuses it too; saved surfaces, and those of JSON, IGES, STEP and STL, are read by READ/1,name"
+            }
+            word::HEX => no_geometry(word::HEX)?,
+            _ => return None,
+        };
+        let message = format!("this form of {head} is not carried out");
+        Some(Diagnostic::error(codes::REFUSED_WORD, first.span, message).note(reason))
+    }
+
+    /// Refuses a SSURF that has no area: its curves fall together, or it was turned by nothing.
+    fn area(&mut self, form: &Form, args: &[define::Arg], span: Span) -> Known<()> {
+        let Form::Ssurf(surface) = form else { return Ok(()) };
+        if surface.extent().points > FEW_POINTS || surface.only_checks() {
+            return Ok(());
+        }
+        let Ok(fitted) = fit_surface(surface, self.prolongation()) else { return Ok(()) };
+        if fitted.has_area() {
+            return Ok(());
+        }
+        let why = match args.first().map(|a| &a.value) {
+            Some(define::Value::Word(word::SMESH | word::GMESH)) => {
+                "its splines lie along each other: give them side by side"
+            }
+            Some(define::Value::Word(word::REVOLV)) => "the curve lies on the axis",
+            Some(define::Value::Word(word::RULED | word::GENCUR)) => {
+                "its curves lie along each other: give two that lie apart"
+            }
+            _ => "what it is made of runs one way only",
+        };
+        let message = "this SSURF has no area".to_owned();
+        self.error(Diagnostic::error(codes::DEPENDENT, span, message).note(why));
+        Err(Poisoned)
+    }
+
     fn no_definition(&mut self, definition: &Definition) -> Poisoned {
         let head = &definition.head;
         let text = self.interner.text(head.symbol).to_owned();
-        let word = self.head_word(head);
-        if let Some((word, reason)) = word.and_then(|w| Some((w, no_geometry(w)?))) {
-            self.error(
-                Diagnostic::error(
-                    codes::REFUSED_WORD,
-                    head.span,
-                    format!("{word} is not carried out"),
-                )
-                .note(reason),
-            );
-            return Poisoned;
-        }
         let mut message =
             Diagnostic::error(codes::NO_GEOMETRY, head.span, format!("{text} defines no geometry"));
-        if let Some(word) = closest(&text, |w| w.class() == Class::Geometry) {
+        let begun = define::begun_with(self.head_word(head));
+        if !begun.is_empty() {
+            message = message.help(format!("it is a modifier: {}", begun.join(", ")));
+        } else if let Some(word) = closest(&text, |w| w.class() == Class::Geometry) {
             message = message.help(format!("did you mean {word}?"));
         } else if !matches!(self.memory.slot(self.memory.place(head.symbol)).value, Value::Unset) {
             message = message.help("a division among arguments stands in brackets: (A/B)");

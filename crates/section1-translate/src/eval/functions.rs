@@ -143,6 +143,10 @@ impl Interpreter<'_> {
                 format!("the function {word} is not available here"),
             )
             .note("it belongs to another dialect")
+        } else if word.class() == Class::Geometry {
+            let message = format!("{word} takes its arguments behind a `/`");
+            Diagnostic::error(codes::FUNCTION_NOT_KNOWN, span, message)
+                .help(format!("write {word}/.., in brackets within a statement: ({word}/..)"))
         } else {
             Diagnostic::error(
                 codes::FUNCTION_NOT_KNOWN,

@@ -56,8 +56,10 @@ impl Interpreter<'_> {
             }
             ExprKind::Binary(op, a, b) if arithmetic::is_arithmetic(*op) => {
                 let x = self.number(a);
-                if x.is_err() && matches!(&b.kind, ExprKind::Name(name) if name.word.is_some()) {
-                    // `LIEN/XAXIS` was no quotient: the word is not what is wrong.
+                // `LIEN/XAXIS` and `RAPID/GOTO/P` were no quotients: what stands right is not wrong.
+                let is_word =
+                    |e: &Expr| matches!(&e.kind, ExprKind::Name(name) if name.word.is_some());
+                if x.is_err() && (is_word(a) || is_word(b)) {
                     return Err(Poisoned);
                 }
                 let y = self.number(b);
@@ -226,11 +228,16 @@ impl Interpreter<'_> {
             Value::Word(word) => format!("the word {word}"),
             Value::Array(_) => "a whole array".to_owned(),
         };
-        self.error(Diagnostic::error(
-            codes::WRONG_KIND,
-            span,
-            format!("{wanted} is expected, but this is {found}"),
-        ));
+        let message = format!("{wanted} is expected, but this is {found}");
+        let mut error = Diagnostic::error(codes::WRONG_KIND, span, message);
+        if let Value::Word(word) = value
+            && word.is(aptc_vocabulary::Class::Motion)
+        {
+            error = error.help(format!(
+                "{word} begins a statement: give it a card of its own, or put it behind a `,` as in RAPID,GOTO/.."
+            ));
+        }
+        self.error(error);
         Poisoned
     }
 

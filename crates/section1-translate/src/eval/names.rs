@@ -8,6 +8,7 @@ use aptc_vocabulary::{Class, Word, closest};
 use super::{Known, Poisoned};
 use crate::Interpreter;
 use crate::memory::{Place, Value};
+use crate::usage::usage;
 
 impl Interpreter<'_> {
     /// What `name` stands for: a value, or the vocabulary word of that spelling.
@@ -58,7 +59,8 @@ impl Interpreter<'_> {
                     format!("{text} stands for {shown}, which has no value here")
                 },
             );
-            match self.near(name.symbol, &text) {
+            let near = self.near_in_form(&text).or_else(|| self.near(name.symbol, &text));
+            match near {
                 Some(near) => message = message.help(format!("did you mean {near}?")),
                 None if self.memory.is_local(name.symbol) && shown == text => {
                     message = message.help("give the parameter a value in the CALL");
@@ -80,6 +82,8 @@ impl Interpreter<'_> {
                     } else if pieces.len() > 1 {
                         // Blanks have no meaning, but people set them where they mean something.
                         format!("put a `,` in between if it is {}", pieces.join(" and "))
+                    } else if let Some(form) = self.form_of_post() {
+                        format!("write {form}, or define {text} in a statement before this one")
                     } else {
                         format!("define {text} in a statement before this one")
                     });
@@ -89,6 +93,21 @@ impl Interpreter<'_> {
         }
         self.memory.set(place, Value::Poison, name.span);
         Poisoned
+    }
+
+    /// The word of the forms of that statement that `text` was perhaps meant to be: BORE, where others are as near.
+    fn near_in_form(&self, text: &str) -> Option<String> {
+        let forms = usage(self.state.arguments_of?);
+        let is_there = |word: Word| {
+            let words = forms.iter().flat_map(|f| f.split(|c: char| !c.is_ascii_alphanumeric()));
+            words.clone().any(|w| w == word.text())
+        };
+        closest(text, is_there).map(|word| word.text().to_owned())
+    }
+
+    /// The form that the statement of the post-processor has whose arguments are read.
+    fn form_of_post(&self) -> Option<&'static str> {
+        self.state.arguments_of.and_then(|word| usage(word).first().copied())
     }
 
     /// The name with a value, or the word, that `text` was perhaps meant to be.

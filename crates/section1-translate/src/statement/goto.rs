@@ -6,6 +6,7 @@
 //! | GOTO | pattern with modifiers: `pattern.rs` |
 //! | GODLTA | vector, dx,dy,dz, or one number along the tool axis; then a feed rate |
 
+use aptc_diagnostics::{Diagnostic, codes};
 use aptc_geometry::{Form, Vec3};
 use aptc_protap::{Arg, Kind, NameRef, Place};
 use aptc_syntax::tree::Clause;
@@ -13,14 +14,33 @@ use aptc_vocabulary::{Word, word};
 
 use super::reader::Reader;
 use crate::Interpreter;
-use crate::eval::{Known, Names};
+use crate::eval::{ArgKind, Known, Names, Poisoned};
 
 impl Interpreter<'_> {
     /// FROM, GOTO, GODLTA.
     pub(super) fn goto(&mut self, word: Word, clause: &Clause) -> Known<()> {
         let args = self.args(clause, Names::Defined)?;
+        if let Some(empty) = args.iter().find(|a| matches!(a.kind, ArgKind::Empty)) {
+            let message = format!("an empty field means nothing in {word}");
+            self.error(
+                Diagnostic::error(codes::BAD_ARGUMENTS, empty.span, message)
+                    .help("write 0 for a coordinate that is zero, or take the extra comma away"),
+            );
+            return Err(Poisoned);
+        }
         let mut reader = Reader::new(word, clause, &args);
         if word == word::GODLTA {
+            if let [d, feed] = args.as_slice()
+                && let (ArgKind::Number(d), ArgKind::Number(feed)) = (&d.kind, &feed.kind)
+            {
+                let message = format!(
+                    "GODLTA with two numbers goes {d} along the tool axis, at feed rate {feed}"
+                );
+                self.error(
+                    Diagnostic::note_at(codes::BAD_ARGUMENTS, clause.span, message)
+                        .help("write GODLTA/dx,dy,0 where two coordinates are meant"),
+                );
+            }
             return self.delta(&mut reader);
         }
         if word == word::GOTO

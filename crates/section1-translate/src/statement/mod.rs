@@ -37,6 +37,26 @@ use crate::eval::{Known, Poisoned};
 use crate::memory::Value;
 use crate::program::Unit;
 
+/// Words that a value is never meant for: without the statement the part is another one.
+const NEVER_NAMES: &[Word] = &[
+    word::CUTTER,
+    word::INTOL,
+    word::OUTTOL,
+    word::TOLER,
+    word::THICK,
+    word::UNITS,
+    word::FEDRAT,
+    word::SPINDL,
+    word::COOLNT,
+    word::LOADTL,
+    word::MACHIN,
+    word::FROM,
+    word::GOTO,
+    word::GODLTA,
+    word::TLAXIS,
+    word::PSIS,
+];
+
 impl Interpreter<'_> {
     /// Carries out a statement that does not change the order of execution by its place.
     pub(crate) fn body(&mut self, unit: &Arc<Unit>, body: &Body) {
@@ -76,6 +96,15 @@ impl Interpreter<'_> {
             let _: Known<_> = self.name_form(target, form, again);
             return;
         }
+        if let Some(word) = self.statement_of(target) {
+            let message = format!("{word} takes its arguments behind a `/`, not a `=`");
+            self.error(
+                Diagnostic::error(codes::BAD_ARGUMENTS, target.span, message)
+                    .help(format!("write {word}/..; a name for a value needs another spelling")),
+            );
+            self.fail();
+            return;
+        }
         let value = self.value(value);
         let Ok(place) = self.target(target) else { return };
         match value {
@@ -87,6 +116,14 @@ impl Interpreter<'_> {
             }
             Err(Poisoned) => self.memory.set(place, Value::Poison, target.span),
         }
+    }
+
+    /// The statement that was meant where a value is given to a word, `CUTTER=10`, which would name it.
+    fn statement_of(&self, target: &Target) -> Option<Word> {
+        let word = self.head_word(&target.name).filter(|w| NEVER_NAMES.contains(w))?;
+        let unset =
+            matches!(self.memory.slot(self.memory.place(target.name.symbol)).value, Value::Unset);
+        (target.subscript.is_none() && unset).then_some(word)
     }
 
     /// Words joined by commas, each carried out in turn.
@@ -107,6 +144,24 @@ impl Interpreter<'_> {
                         Diagnostic::error(codes::BAD_ARGUMENTS, clause.head.span, message).help(
                             format!("write {word}/ and its arguments, after all other words"),
                         ),
+                    );
+                    self.fail();
+                    return;
+                }
+                Some(word)
+                    if i > 0
+                        && clause.args.is_none()
+                        && word.class() == Class::Modifier
+                        && !self.begins_statement(word) =>
+                {
+                    // `COOLNT,ON`
+                    let before = &clauses[i - 1];
+                    let text = self.interner.text(before.head.symbol);
+                    let message = format!("{text} takes its arguments behind a `/`, not a `,`");
+                    let span = before.span.to(clause.span);
+                    self.error(
+                        Diagnostic::error(codes::BAD_ARGUMENTS, span, message)
+                            .help(format!("write {text}/{word}")),
                     );
                     self.fail();
                     return;
@@ -161,7 +216,6 @@ impl Interpreter<'_> {
             | word::THICK
             | word::MAXDP
             | word::NUMPTS
-            | word::PTONLY
             | word::UNITS => self.setting(word, clause),
             word::TLAXIS => self.tool_axis(clause),
             word::POCKET => self.pocket(clause),

@@ -2,7 +2,7 @@
 
 use aptc_diagnostics::{Diagnostic, codes};
 use aptc_protap::{self as protap, Kind};
-use aptc_syntax::tree::{Clause, ExprKind};
+use aptc_syntax::tree::{BinaryOp, Clause, Expr, ExprKind};
 use aptc_vocabulary::{Word, word};
 
 use crate::eval::{Arg, ArgKind, Known, Names, Poisoned};
@@ -15,7 +15,12 @@ impl Interpreter<'_> {
     /// A word of the table.
     pub(super) fn post(&mut self, word: Word, clause: &Clause) -> Known<()> {
         let names = if NAMING.contains(&word) { Names::Free } else { Names::Defined };
-        let mut args = self.args(clause, names)?;
+        let hyphened = self.hyphened(word, clause);
+        let clause = hyphened.as_ref().unwrap_or(clause);
+        self.state.arguments_of = Some(word);
+        let args = self.args(clause, names);
+        self.state.arguments_of = None;
+        let mut args = args?;
         if word == word::MACHIN
             && let (Some(first), Some(expr)) =
                 (args.first_mut(), clause.args.as_deref().and_then(<[_]>::first))
@@ -29,9 +34,31 @@ impl Interpreter<'_> {
         Ok(())
     }
 
-    /// A word that no table has.
+    /// MACHIN with a name that holds hyphens, `MACHIN/HAAS-VF`, which would be read as a subtraction.
+    fn hyphened(&self, word: Word, clause: &Clause) -> Option<Clause> {
+        fn names(expr: &Expr) -> bool {
+            match &expr.kind {
+                ExprKind::Name(_) | ExprKind::Number(_) => true,
+                ExprKind::Binary(BinaryOp::Sub, a, b) => names(a) && names(b),
+                _ => false,
+            }
+        }
+        let first = clause.args.as_deref()?.first()?;
+        if word != word::MACHIN || !matches!(first.kind, ExprKind::Binary(..)) || !names(first) {
+            return None;
+        }
+        let text = &self.levels.last()?.unit.text;
+        let written = text.get(first.span.start as usize..first.span.end as usize)?;
+        let name: String = written.split_whitespace().collect();
+        let mut clause = clause.clone();
+        clause.args.as_mut()?.first_mut()?.kind = ExprKind::Text(name.into());
+        Some(clause)
+    }
+
+    /// A word that no table has. One that is like a word of the tables is that word misspelt: without it the part
+    /// would be cut without coolant, or a rapid at feed. Others may be words of an installation.
     pub(super) fn unknown_post(&mut self, text: &str, near: Option<Word>, clause: &Clause) {
-        let refuse = self.options.unknown_words == UnknownWords::Refuse;
+        let refuse = near.is_some() || self.options.unknown_words == UnknownWords::Refuse;
         let message = format!("{text} is in no table of words");
         let mut message = if refuse {
             Diagnostic::error(codes::UNKNOWN_POST_WORD, clause.head.span, message)

@@ -30,6 +30,11 @@ const TABLE: &[(Word, Fate, &str)] = &[
     (word::DDLIM, Ignored, "surfaces are searched without such a limit"),
     (word::CLTV, Ignored, "it chose another arithmetic element of the installation"),
     (word::LTV, Ignored, "it chose another arithmetic element of the installation"),
+    (
+        word::PTONLY,
+        Ignored,
+        "it took points, or the CL data of an earlier run, in place of computed motion; all motion is computed",
+    ),
     (word::CMIT, Ignored, "it steered an input device of the old system"),
     (word::MIT, Ignored, "it steered an input device of the old system"),
     (word::DAC, Ignored, "it steered a display of the old system"),

@@ -40,17 +40,10 @@ impl Interpreter<'_> {
                 self.emit(Kind::Maxdp { step, length });
                 return Ok(());
             }
-            word::NUMPTS | word::PTONLY => {
+            word::NUMPTS => {
                 let n = self.count(&mut reader)?;
-                if word == word::PTONLY {
-                    // The second number is a record of an earlier run's cutter location file.
-                    reader.number();
-                }
                 self.at_end(&reader)?;
-                if word == word::PTONLY {
-                    self.cut_short(n, clause);
-                }
-                self.emit(if word == word::NUMPTS { Kind::Numpts(n) } else { Kind::Ptonly(n) });
+                self.emit(Kind::Numpts(n));
                 return Ok(());
             }
             _ => {}
@@ -67,21 +60,6 @@ impl Interpreter<'_> {
             }
         }
         Ok(())
-    }
-
-    /// Says what PTONLY leaves out.
-    fn cut_short(&mut self, n: u32, clause: &Clause) {
-        let left_out = match n {
-            1 => "Sections 2 to 4 do not run: there are no motions, no CL data and no machine code",
-            2 => "Sections 3 and 4 do not run: there are no edited CL data and no machine code",
-            3 => "Section 4 does not run: there is no machine code",
-            _ => return,
-        };
-        let message = format!("PTONLY/{n}: {left_out}");
-        self.error(
-            Diagnostic::note_at(codes::CUT_SHORT, clause.span, message)
-                .help("take PTONLY away when the part is to be made"),
-        );
     }
 
     /// One to four numbers for part, drive, check and second check surface; the last holds for the rest.

@@ -38,8 +38,18 @@ impl Shape {
     pub(super) fn text(&self) -> String {
         let join = |items: &[Item]| items.iter().map(Item::text).collect::<Vec<_>>().join(",");
         let mut text = join(self.lead);
+        let mut last = self.lead.last().map(Item::text);
         for group in self.then {
-            text += &format!("[,{}]", join(group));
+            let next = join(group);
+            // The same once more, and again.
+            if last.as_ref() == Some(&next) {
+                if !text.ends_with("[,..]") {
+                    text += "[,..]";
+                }
+                continue;
+            }
+            text += &format!("[,{next}]");
+            last = Some(next);
         }
         text
     }

@@ -70,11 +70,16 @@ impl Interpreter<'_> {
         Ok(())
     }
 
-    /// MULTAX holds to the end of the program; MULTAX/ON up to MULTAX/OFF.
+    /// MULTAX holds to the end of the program; MULTAX/ON up to MULTAX/OFF. That no OFF takes MULTAX back is
+    /// told once: the mistake is that of MULTAX.
     fn multax(&mut self, clause: &Clause) -> Known<()> {
         let on = self.on_off(word::MULTAX, clause)?;
         self.state.multax_for_good |= on.is_none();
         if on == Some(false) && self.state.multax_for_good {
+            if self.state.ignored_said.contains(&word::MULTAX) {
+                return Ok(());
+            }
+            self.state.ignored_said.push(word::MULTAX);
             self.error(
                 Diagnostic::warning(
                     codes::WITHOUT_EFFECT,

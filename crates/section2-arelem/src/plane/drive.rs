@@ -218,6 +218,7 @@ fn first_stop(scene: &Scene, plan: &Plan, course: &Course) -> Result<(f64, usize
                 gone: course.length(*at),
                 spent: None,
                 within: *within,
+                stuck: None,
             },
             (Some(Stop::NotTangent { closest }), Some(check)) => Failure::NoTangency {
                 surface: scene.drive.surface.clone(),

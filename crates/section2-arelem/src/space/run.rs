@@ -592,6 +592,8 @@ fn not_reached(
         (closest, pose) = (gap, place);
     }
     let within = check.relation == Relation::To && watch.stands_in(&start);
+    let always = check.relation == Relation::Past && path.iter().all(|p| watch.stands_in(p));
+    let stuck = always.then(|| check.wall.profile.height());
     Failure::NotReached {
         surface: check.wall.surface.clone(),
         nth: check.nth,
@@ -601,6 +603,7 @@ fn not_reached(
         gone,
         spent,
         within,
+        stuck,
     }
 }
 

@@ -6,6 +6,8 @@ use aptc_geometry::Vec3;
 use super::Section;
 use super::corner::Corner;
 
+pub(super) const WITHOUT_MULTAX: &str = "VTLAXS without MULTAX";
+
 /// The level path: vertices, the way to each, and the record each belongs to.
 pub(super) struct Path {
     vertices: Vec<Vec3>,
@@ -23,7 +25,7 @@ impl Path {
         for (i, record) in section.held.iter().enumerate() {
             let Kind::Motion(m) = &record.kind else { continue };
             if !m.with_axis {
-                return Err(("VTLAXS without MULTAX", "write MULTAX before the motion"));
+                return Err((WITHOUT_MULTAX, "write MULTAX before the motion"));
             }
             for p in flatten::positions(m, Some(last), 1e-3 * section.radius) {
                 let step = (p.te - path.vertices[path.vertices.len() - 1]).norm();

@@ -8,6 +8,7 @@ use crate::emit::Joints;
 use crate::kinematics::Chain;
 use crate::machine::{Carries, MachineKind, RapidPath};
 use crate::readback::{ArcStep, Frame, Place, Step};
+use crate::turnmill::{RAPID_BAND_MM, is_clear};
 
 /// Rapid motions up to this have no length, millimetres.
 const NOWHERE_MM: f64 = 1e-6;
@@ -238,11 +239,17 @@ impl Checker {
             self.say(format!("a cut to {} where the CL data is rapid", shown(end)));
         }
         let tol = self.linear + if off > 0.0 { self.lintol } else { 0.0 };
+        let tol = match rapid && want && self.machine.is_milling() {
+            true if self.clears(here) && self.clears(end) => f64::INFINITY,
+            true => tol.max(self.linear + RAPID_BAND_MM),
+            false => tol,
+        };
         let place = segment(end, start, te).0;
         if off > tol && !self.detour {
             self.say(format!("the tool end leaves its line by {off:.5} mm before {}", shown(end)));
         }
-        self.proof.path_mm = self.proof.path_mm.max(if self.detour { 0.0 } else { off });
+        let counts = !(self.detour || rapid && self.machine.is_milling());
+        self.proof.path_mm = self.proof.path_mm.max(if counts { off } else { 0.0 });
         if self.pop_if_at(end, axis) {
             self.detour = false;
             return;
@@ -262,6 +269,11 @@ impl Checker {
         self.say(format!("a motion to {}, but the CL data goes to {}", shown(end), shown(te)));
         self.queue.pop_front();
         self.at = Some((te, ta));
+    }
+
+    /// Is the place above the clearance plane, in whose height C may turn as it likes?
+    fn clears(&self, te: Vec3) -> bool {
+        self.clearance.is_some_and(|plane| is_clear(&plane, te, self.linear))
     }
 
     /// Is it a rapid motion with Z apart from the other axes, towards `te`?

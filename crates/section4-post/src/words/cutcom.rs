@@ -4,7 +4,7 @@ use aptc_diagnostics::codes;
 
 use crate::args::{Statement, whole};
 use crate::emit::render;
-use crate::machine::{ArcPlane, Dialect};
+use crate::machine::{ArcPlane, Dialect, MachineKind};
 use crate::post::Post;
 use crate::words::{bad_arguments, refuse};
 
@@ -75,18 +75,22 @@ fn on(post: &mut Post, s: &Statement<'_>, left: bool, d: Option<u32>) {
         refuse(post, s, "the control compensates across the tool axis only");
         return;
     }
-    let named = planes.iter().any(|w| s.has(w));
-    if !named && post.machine.arcs.is_some() {
-        post.blocks.select_plane(ArcPlane::Xy);
+    if post.machine.kind == MachineKind::Lathe {
+        // The control knows the one plane alone, however the part is drawn.
+        post.blocks.select_plane(ArcPlane::Zx);
+    } else {
+        select_plane(post, s);
     }
-    for (word, plane) in
-        [("XYPLAN", ArcPlane::Xy), ("ZXPLAN", ArcPlane::Zx), ("YZPLAN", ArcPlane::Yz)]
+    let of_tool = post.st.offset.or(post.st.tool);
+    if let (Some(d), Some(own)) = (d, of_tool)
+        && d != own
+        && !template.contains("{offset}")
     {
-        if s.has(word) {
-            post.blocks.select_plane(plane);
-        }
+        let reason = format!("the control takes the offset of the tool, {own}");
+        refuse(post, s, &reason);
+        return;
     }
-    let Some(d) = d.or(post.st.offset).or(post.st.tool) else {
+    let Some(d) = d.or(of_tool) else {
         let message = format!("{} names no offset, and no tool is loaded to take its", s.written());
         let help = "write CUTCOM/LEFT,d or CUTCOM/RIGHT,d, or LOADTL before it";
         post.error(codes::POST_ARGUMENTS, s.origin, message, help);
@@ -123,6 +127,21 @@ fn on(post: &mut Post, s: &Statement<'_>, left: bool, d: Option<u32>) {
     post.blocks.with_motion = render(template, &vars);
     post.st.cutcom = Some((left, d));
     post.st.last_cutcom = post.st.cutcom;
+}
+
+/// The plane that is named, else that across the tool.
+fn select_plane(post: &mut Post, s: &Statement<'_>) {
+    let named = ["XYPLAN", "ZXPLAN", "YZPLAN"].iter().any(|w| s.has(w));
+    if !named && post.machine.arcs.is_some() {
+        post.blocks.select_plane(ArcPlane::Xy);
+    }
+    for (word, plane) in
+        [("XYPLAN", ArcPlane::Xy), ("ZXPLAN", ArcPlane::Zx), ("YZPLAN", ArcPlane::Yz)]
+    {
+        if s.has(word) {
+            post.blocks.select_plane(plane);
+        }
+    }
 }
 
 fn off(post: &mut Post, s: &Statement<'_>) {

@@ -3,7 +3,10 @@
 use aptc_cldata::Arg;
 use aptc_diagnostics::codes;
 
+use aptc_geometry::Units;
+
 use crate::args::Statement;
+use crate::machine::MachineKind;
 use crate::post::Post;
 use crate::state::{FeedUnit, Feedrate};
 use crate::words::{bad_arguments, refuse};
@@ -77,8 +80,30 @@ pub(super) fn fedrat(post: &mut Post, s: &Statement<'_>) {
         post.error(codes::POST_ARGUMENTS, s.origin, message, "write FEDRAT/f with a positive feed");
         return;
     }
+    if found.is_none() {
+        doubt(post, s, value);
+    }
     post.st.feed = Some(Feedrate { value, unit: found.unwrap_or(FeedUnit::PerMinute) });
     post.st.feed_word = None;
+}
+
+/// Says once that a feed without a unit is one a minute, where it is so small that one a turn is meant.
+fn doubt(post: &mut Post, s: &Statement<'_>, value: f64) {
+    /// Millimetres a minute below which nobody turns, or mills.
+    const LEAST: [f64; 2] = [5.0, 1.0];
+    let mills = post.machine.kind == MachineKind::Mill || post.machine.is_milling();
+    let unit = if post.st.units == Units::Inches { ["IPR", "IPM"] } else { ["MMPR", "MMPM"] };
+    if value * post.st.units.mm() >= LEAST[usize::from(mills)]
+        || std::mem::replace(&mut post.st.feed_doubted, true)
+    {
+        return;
+    }
+    let message = format!("{} without a unit is a feed a minute", s.written());
+    let help = format!(
+        "write FEDRAT/{value},{} where a feed a turn is meant, or {} where not",
+        unit[0], unit[1]
+    );
+    post.warn(codes::DOUBTFUL_FEED, s.origin, message, &help);
 }
 
 fn inverse(post: &mut Post, s: &Statement<'_>) {

@@ -154,6 +154,19 @@ fn by_surface_speed(
     let speed = (value * mm / (PI * diameter * post.st.units.mm())).round();
     // MAXRPM bounds what comes of a surface speed.
     next.speed = post.st.max_rpm.map_or(speed, |most| speed.min(most));
+    let most = post.machine.spindle.max;
+    if most > 0.0 && next.speed > most {
+        let message = format!(
+            "{}: {} turns a minute come of it, and {} has {}",
+            s.written(),
+            trimmed(next.speed, 0),
+            post.machine.name,
+            trimmed(most, 0)
+        );
+        let help = "write MAXRPM,n behind it, or the speed in turns a minute";
+        post.warn(codes::OVER_LIMIT, s.origin, message, help);
+        next.speed = most;
+    }
     within(post, s, next.speed).then_some(next)
 }
 

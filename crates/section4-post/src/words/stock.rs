@@ -61,6 +61,8 @@ impl Post {
         let Some(stock) = &mut self.stock else { return };
         let hits = way.windows(2).filter_map(|w| stock.hit(w[0], w[1], cutter.as_ref()));
         let Some(hit) = hits.max_by(|a, b| a.depth.total_cmp(&b.depth)) else { return };
+        // What it went through is gone: the way back and out of it is no further mistake.
+        way.windows(2).for_each(|w| stock.cut(w[0], w[1], cutter.as_ref()));
         if self.hit_told == Some((origin.isn, origin.line)) {
             return;
         }

@@ -43,6 +43,7 @@ fn change(post: &mut Post, s: &Statement<'_>, at: usize) {
     if post.st.cutcom.is_some() {
         let message = "a tool change while radius compensation is on".to_string();
         post.error(codes::COMPENSATION, s.origin, message, "write CUTCOM/OFF before LOADTL");
+        post.st.cutcom = None;
         return;
     }
     post.leave_cycle();

@@ -15,8 +15,9 @@ fn tabs_are_blanks_and_one_column_each() {
     assert_eq!(one("\tGO\tTO/\tP1\t$$ there"), "GOTO/P1");
     let text = format!("{}GOTO/1{}", "\t".repeat(66), ",2");
     let (shown, parsed, _) = read_with(&text, &Options::default());
-    assert_eq!(shown, ["GOTO/1"]);
+    assert_eq!(shown, ["error "]);
     assert_eq!(parsed.diagnostics[0].code, codes::TEXT_BEHIND_CARD);
+    assert_eq!(parsed.diagnostics[0].span.start, 72);
 }
 
 #[test]
@@ -204,8 +205,48 @@ fn text_behind_the_card_gives_one_warning_a_file() {
 }
 
 #[test]
+fn a_statement_that_goes_on_behind_column_72_gives_one_error() {
+    // Cut off in a bracket, in a name, behind a comma, before a `$`, and where a comma is left to the next card.
+    let card = |text: &str, tail: &str| format!("{text:>72}{tail}\n");
+    let cut = [
+        card("L1=LINE/(POINT/0,0),(POINT/100,", "0)"),
+        card("L1=LINE/PONE,P", "TWO"),
+        card("L1=LINE/PONE", " ,PTWO"),
+        card("L1=LINE/PONE,", "(POINT/100,0)"),
+        card("L1=LINE/P1,LEFT,TANTO,C1,", "$") + "RIGHT,TANTO,C2\n",
+        card("L1=LINE/P1,LEFT,TANTO,C1", "$") + ",RIGHT,TANTO,C2\n",
+    ];
+    let words = "text behind column 72 is not read, and a statement is cut off there";
+    for text in &cut {
+        let text = text.clone() + "GOTO/1,2\n";
+        let (shown, parsed, _) = read_with(&text, &Options::default());
+        let found: Vec<_> = parsed.diagnostics.iter().map(|d| (d.code, d.is_error())).collect();
+        assert_eq!(found, [(codes::TEXT_BEHIND_CARD, true)], "{text}{:?}", parsed.diagnostics);
+        assert_eq!(parsed.diagnostics[0].message, words);
+        // The name that the statement would have given is known as such.
+        assert_eq!(shown.first().map(String::as_str), Some("error L1"), "{text}");
+        assert_eq!(shown.last().map(String::as_str), Some("GOTO/1,2"), "{text}");
+    }
+    // A remark with room before it changes nothing.
+    let remark = format!("{:<70}{:>8}", "GOTO/1,2", "REV A");
+    let (shown, parsed, _) = read_with(&remark, &Options::default());
+    assert_eq!(shown, ["GOTO/1,2"]);
+    assert!(!parsed.diagnostics[0].is_error());
+    // Two cards, one of them cut off.
+    let text = card("L1=LINE/PONE,P", "TWO") + &remark;
+    let (_, parsed, _) = read_with(&text, &Options::default());
+    let found: Vec<_> = parsed.diagnostics.iter().map(|d| d.message.as_str()).collect();
+    assert_eq!(
+        found,
+        ["text behind column 72 of 2 cards is not read, and a statement is cut off there"]
+    );
+}
+
+#[test]
 fn a_blank_inside_a_number_is_doubtful() {
-    for text in ["GOTO/1 2,3", "A=1. 5", "GOTO/1,2$\n3,4", "A=3 B"] {
+    // A symbol, `3 B`, is told where it has no value.
+    assert!(read_with("A=3 B", &Options::default()).1.diagnostics.is_empty());
+    for text in ["GOTO/1 2,3", "A=1. 5", "GOTO/1,2$\n3,4"] {
         let (_, parsed, _) = read_with(text, &Options::default());
         let found: Vec<_> = parsed.diagnostics.iter().map(|d| (d.code, d.is_error())).collect();
         assert_eq!(found, [(codes::BLANK_IN_NUMBER, false)], "{text}");
