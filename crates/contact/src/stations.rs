@@ -50,7 +50,12 @@ pub(crate) fn seeds(
     known: Option<&Gap>,
 ) -> Seeds {
     let crests = crests::seeds(tool, surface, side, known);
-    if let Some(all) = crests.filter(|_| known.is_some() && matches!(surface, Surface::Tabcyl(_))) {
+    let whole = match surface {
+        Surface::Tabcyl(_) => true,
+        Surface::Parametric(s) => s.has_sections(),
+        _ => false,
+    };
+    if let Some(all) = crests.filter(|_| known.is_some() && whole) {
         return all;
     }
     let profile = tool.profile;

@@ -22,6 +22,8 @@ use polyconic::Sections;
 use ruled::Rulings;
 use sculptured::Spans;
 pub use sculptured::{Continued, continued, continued_of};
+use waves::Planes;
+pub use waves::Sample;
 
 /// Bound of one search; Newton's method takes some six steps.
 const MAX_STEPS: usize = 60;
@@ -57,6 +59,8 @@ pub struct ParametricSurface {
     strips: Option<Strips>,
     /// Of a ruled surface whether a curve bends to both sides.
     waves: bool,
+    /// Of a polyconic its sampled sections.
+    planes: Option<Planes>,
     extent: f64,
 }
 
@@ -149,6 +153,7 @@ impl ParametricSurface {
             columns: Vec::new(),
             strips: None,
             waves: false,
+            planes: None,
             extent,
         }
     }
@@ -185,7 +190,9 @@ impl ParametricSurface {
             Patch::Ruled(rulings) => (Strips::new(rulings), rulings.waves()),
             _ => (None, false),
         };
-        Some(Self { patch, us, vs, grid, apart, columns, strips, waves, extent })
+        let planes = None;
+        let new = Self { patch, us, vs, grid, apart, columns, strips, waves, planes, extent };
+        Some(Self { planes: Planes::new(&new), ..new })
     }
 
     /// Greatest distance of its points from the origin, between its ends.
