@@ -11,7 +11,7 @@ use aptc_geometry::{Foot, Spot, Surface, Tool, Vec3};
 
 use crate::gap::{Gap, Side};
 use crate::sections::over_sections;
-use crate::stations::{SEEDS, Seeds};
+use crate::stations::{FAR, SEEDS, Seeds};
 
 /// Parts in which a span is looked at, and those of it where the cutter is near a contact at both ends.
 const PARTS: u32 = 4;
@@ -32,14 +32,14 @@ pub(crate) fn seeds(
 ) -> Option<Seeds> {
     let wide = tool.profile.widest();
     let within = |reach: f64| {
-        let mut all = Crests::new(tool, surface, side);
+        let mut all = Crests::new(tool, surface, side, known);
         match surface {
             Surface::Tabcyl(s) => all.along_directrix(s, reach),
             Surface::Parametric(s) if s.has_waves() => all.over_rulings(s, reach),
             Surface::Parametric(s) if s.has_sections() => over_sections(&mut all, s, reach),
             _ => {}
         }
-        all.seeds(known)
+        all.seeds()
     };
     let found = within((1.0 + MARGIN) * wide)?;
     // What is nearer than the deepest may lie farther beside a tool that is not at the surface.
@@ -63,13 +63,22 @@ pub(crate) struct Crests<'a> {
     deepest: (f64, Vec3),
     /// The depth of the deepest that is not among them.
     next: f64,
+    known: Option<&'a Gap>,
+    /// The least way after which a place that is none of contact yet may be as deep as the known one.
+    way: f64,
 }
 
 impl<'a> Crests<'a> {
-    fn new(tool: &'a Tool<'a>, surface: &'a Surface, side: Side) -> Self {
+    fn new(
+        tool: &'a Tool<'a>,
+        surface: &'a Surface,
+        side: Side,
+        known: Option<&'a Gap>,
+    ) -> Self {
         let top = tool.te + tool.ta * tool.profile.height();
         let deepest = (f64::INFINITY, tool.te);
-        Self { tool, surface, side, top, found: [None; SEEDS], deepest, next: f64::INFINITY }
+        let (found, next, way) = ([None; SEEDS], f64::INFINITY, f64::INFINITY);
+        Self { tool, surface, side, top, found, deepest, next, known, way }
     }
 
     pub(crate) fn offer(&mut self, l: &Look) {
@@ -96,6 +105,18 @@ impl<'a> Crests<'a> {
             std::mem::swap(&mut self.found[i], &mut last);
         }
         self.next = last.map_or(self.next, |l| self.next.min(l.0));
+    }
+
+    /// Takes a place of a section at which the cutter does not touch yet.
+    pub(crate) fn pass(&mut self, l: &Look) {
+        let far = FAR * self.tool.profile.widest();
+        let p = l.spot.point;
+        if let Some(known) = self.known.filter(|k| (k.surface_point - p).norm() > far) {
+            let near = self.tool.near(p);
+            // Both go by their normals times the way.
+            let turned = (near.normal + known.normal).norm();
+            self.way = self.way.min((near.distance - known.raw) / turned.max(1e-9));
+        }
     }
 
     /// Those of the spans not farther than `reach` from the tool axis.
@@ -137,9 +158,10 @@ impl<'a> Crests<'a> {
         }
     }
 
-    fn seeds(&self, known: Option<&Gap>) -> Option<Seeds> {
+    fn seeds(&self) -> Option<Seeds> {
         self.found[0]?;
-        let way = known.map_or(f64::INFINITY, |k| (self.next - k.raw).max(0.0));
+        let next = self.known.map_or(f64::INFINITY, |k| self.next - k.raw);
+        let way = next.min(self.way).max(0.0);
         let spot = |i: usize| self.found.get(i).copied().flatten().map(|f| f.1);
         Some(Seeds { found: std::array::from_fn(spot), deepest: self.deepest, way })
     }

@@ -38,6 +38,9 @@ pub(crate) fn over_sections(all: &mut Crests<'_>, surface: &ParametricSurface, r
             };
             let last = walk.sampled(k, end, &mut several);
             before = Some((k, last));
+            if let Some((_, look)) = &first {
+                all.pass(look);
+            }
             let (Some(first), Some(last)) = (first, last) else { continue };
             let ends = [i, k].map(|i| surface.section(i).first().map_or(0.0, |s| s.at[0]));
             let look = |u: f64| walk.between(u, ends, [first.0, last.0]);

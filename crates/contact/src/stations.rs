@@ -12,7 +12,7 @@ pub(crate) const SEEDS: usize = 4;
 
 /// Share of the cutter's radius from which a station is far from a place of contact: nearer ones the contact goes over to, and
 /// is followed.
-const FAR: f64 = 0.6;
+pub(crate) const FAR: f64 = 0.6;
 
 /// Which stations around the tool are looked at.
 #[derive(Clone, Copy)]
