@@ -212,6 +212,25 @@ impl ParametricSurface {
         (if along { jet.su } else { jet.sv }).try_normalize(0.0)
     }
 
+    /// The direction of the ruling of a ruled surface through the point nearest to `p`, and how it turns with `p`: by the first
+    /// vector times the product with the second. `None` at the border and where that point is not one of a crest alone.
+    pub fn turning_ruling(&self, p: Vec3) -> Option<(Vec3, [Vec3; 2])> {
+        let Patch::Ruled(_) = &self.patch else { return None };
+        let Placed { u, v, jet } = self.nearest(p)?;
+        if self.patch.domain().border(u, v) {
+            return None;
+        }
+        let w = jet.s - p;
+        let (e, g) = (jet.su.norm_squared(), jet.sv.norm_squared());
+        let (huu, huv) = (e + w.dot(&jet.suu), jet.su.dot(&jet.sv) + w.dot(&jet.suv));
+        let det = huu * g - huv * huv;
+        let length = g.sqrt();
+        let along = jet.sv / length;
+        let turn = (jet.suv - along * along.dot(&jet.suv)) / length;
+        let way = (jet.su * g - jet.sv * huv) / det;
+        (det > 1e-6 * e * g).then_some((along, [turn, way]))
+    }
+
     /// Directed distances along the unit direction `d`, rising.
     ///
     /// APT: `ADDSTR`.
