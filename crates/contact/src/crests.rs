@@ -69,12 +69,7 @@ pub(crate) struct Crests<'a> {
 }
 
 impl<'a> Crests<'a> {
-    fn new(
-        tool: &'a Tool<'a>,
-        surface: &'a Surface,
-        side: Side,
-        known: Option<&'a Gap>,
-    ) -> Self {
+    fn new(tool: &'a Tool<'a>, surface: &'a Surface, side: Side, known: Option<&'a Gap>) -> Self {
         let top = tool.te + tool.ta * tool.profile.height();
         let deepest = (f64::INFINITY, tool.te);
         let (found, next, way) = ([None; SEEDS], f64::INFINITY, f64::INFINITY);

@@ -129,7 +129,9 @@ impl Track {
         // Between two places where one end of a flank touches the other end may come down, and bend the gap otherwise.
         let (dip, rise) = (begin.min(gaps[1]) - low, high - begin.max(gaps[1]));
         let bow = match looks.is_empty() {
-            false if dip.max(rise) > c.bow.abs() / 8.0 => 8.0 * if dip > rise { dip } else { -rise },
+            false if dip.max(rise) > c.bow.abs() / 8.0 => {
+                8.0 * if dip > rise { dip } else { -rise }
+            }
             _ => c.bow,
         };
         Ok((fits, ratio, bow / v.norm_squared()))

@@ -51,6 +51,11 @@ impl Planes {
 }
 
 impl ParametricSurface {
+    /// Is it a ruled surface?
+    pub fn is_ruled(&self) -> bool {
+        matches!(self.patch, Patch::Ruled(_))
+    }
+
     /// Is it a ruled surface, and does one of its curves bend to both sides?
     pub fn has_waves(&self) -> bool {
         self.waves
