@@ -215,7 +215,7 @@ pub(crate) fn elsewhere(
     let Seeds { found: seeds, deepest: lowest, way } =
         seeds(tool, surface, side, stations, Some(known));
     room = room.min(0.5 * way);
-    let ends = if stands { [None; 2] } else { flank_ends(tool, surface, known) };
+    let ends = flank_ends(tool, surface, known);
     let found = seeds.into_iter().chain(ends).flatten();
     let found = found.filter_map(|q| disk::below(tool, surface, side, q).ok());
     for gap in found.chain(arc) {
@@ -335,8 +335,8 @@ fn pierced(tool: &Tool<'_>, surface: &Surface, side: Side) -> Option<Gap> {
     })
 }
 
-/// What lies beside both ends of a flank that touches: along rulings that twist, and its axis along them, it touches with one of
-/// them or with the other, and stations all round it may lead past that.
+/// What lies beside both ends of a flank that touches: along rulings that twist it touches with one of them or with the other,
+/// and stations all round it may lead past that.
 fn flank_ends(tool: &Tool<'_>, surface: &Surface, known: &Gap) -> [Option<Spot>; 2] {
     let lean = known.normal.dot(&tool.ta);
     let upright = lean.abs() <= ALONG && has_side(tool);
