@@ -1,5 +1,5 @@
-//! All places of contact on a tabulated cylinder, by a look along its directrix, and on a ruled surface whose curves are waves, by
-//! a look from ruling to ruling.
+//! All places of contact on a tabulated cylinder, by a look along its directrix, on a ruled surface whose curves are waves, by
+//! a look from ruling to ruling, and on a polyconic, from section to section.
 //!
 //! At a place of the directrix let p be the point of the cutter that is farthest in along the surface normal. Where it lies
 //! ahead of the place before, and behind it afterwards, the cutter touches in between, on a crest as in a hollow; where the
@@ -7,15 +7,16 @@
 //! place counts that p lies beside.
 
 use aptc_geometry::surface::{ParametricSurface, TabcylSurface};
-use aptc_geometry::{Spot, Surface, Tool, Vec3};
+use aptc_geometry::{Foot, Spot, Surface, Tool, Vec3};
 
 use crate::gap::{Gap, Side};
-use crate::stations::{SEEDS, Seeds};
+use crate::sections::over_sections;
+use crate::stations::{FAR, SEEDS, Seeds};
 
 /// Parts in which a span is looked at, and those of it where the cutter is near a contact at both ends.
 const PARTS: u32 = 4;
 /// How often parts are divided at most.
-const LEVELS: u32 = 3;
+pub(crate) const LEVELS: u32 = 3;
 /// Halvings between two looks.
 const HALVINGS: u32 = 10;
 /// Rounds to the place of a ruling that the cutter's point lies beside, and from the next one on it.
@@ -31,13 +32,14 @@ pub(crate) fn seeds(
 ) -> Option<Seeds> {
     let wide = tool.profile.widest();
     let within = |reach: f64| {
-        let mut all = Crests::new(tool, surface, side);
+        let mut all = Crests::new(tool, surface, side, known);
         match surface {
             Surface::Tabcyl(s) => all.along_directrix(s, reach),
             Surface::Parametric(s) if s.has_waves() => all.over_rulings(s, reach),
+            Surface::Parametric(s) if s.has_sections() => over_sections(&mut all, s, reach),
             _ => {}
         }
-        all.seeds(known)
+        all.seeds()
     };
     let found = within((1.0 + MARGIN) * wide)?;
     // What is nearer than the deepest may lie farther beside a tool that is not at the surface.
@@ -51,26 +53,30 @@ const MARGIN: f64 = 0.5;
 const BEHIND: f64 = 1e-3;
 
 /// Places of contact of a tool.
-struct Crests<'a> {
-    tool: &'a Tool<'a>,
+pub(crate) struct Crests<'a> {
+    pub(crate) tool: &'a Tool<'a>,
     surface: &'a Surface,
-    side: Side,
-    top: Vec3,
+    pub(crate) side: Side,
+    pub(crate) top: Vec3,
     /// The deepest ones.
     found: [Option<(f64, Spot)>; SEEDS],
     deepest: (f64, Vec3),
     /// The depth of the deepest that is not among them.
     next: f64,
+    known: Option<&'a Gap>,
+    /// The least way after which a place that is none of contact yet may be as deep as the known one.
+    way: f64,
 }
 
 impl<'a> Crests<'a> {
-    fn new(tool: &'a Tool<'a>, surface: &'a Surface, side: Side) -> Self {
+    fn new(tool: &'a Tool<'a>, surface: &'a Surface, side: Side, known: Option<&'a Gap>) -> Self {
         let top = tool.te + tool.ta * tool.profile.height();
         let deepest = (f64::INFINITY, tool.te);
-        Self { tool, surface, side, top, found: [None; SEEDS], deepest, next: f64::INFINITY }
+        let (found, next, way) = ([None; SEEDS], f64::INFINITY, f64::INFINITY);
+        Self { tool, surface, side, top, found, deepest, next, known, way }
     }
 
-    fn offer(&mut self, l: &Look) {
+    pub(crate) fn offer(&mut self, l: &Look) {
         // The far side of a closed curve, or of a fold, is not cut into from behind: neither is the cutter's point behind the
         // surface there, nor the place in the cutter.
         let behind = BEHIND * self.tool.profile.widest();
@@ -94,6 +100,18 @@ impl<'a> Crests<'a> {
             std::mem::swap(&mut self.found[i], &mut last);
         }
         self.next = last.map_or(self.next, |l| self.next.min(l.0));
+    }
+
+    /// Takes a place of a section at which the cutter does not touch yet.
+    pub(crate) fn pass(&mut self, l: &Look) {
+        let far = FAR * self.tool.profile.widest();
+        let p = l.spot.point;
+        if let Some(known) = self.known.filter(|k| (k.surface_point - p).norm() > far) {
+            let near = self.tool.near(p);
+            // Both go by their normals times the way.
+            let turned = (near.normal + known.normal).norm();
+            self.way = self.way.min((near.distance - known.raw) / turned.max(1e-9));
+        }
     }
 
     /// Those of the spans not farther than `reach` from the tool axis.
@@ -135,26 +153,32 @@ impl<'a> Crests<'a> {
         }
     }
 
-    fn seeds(&self, known: Option<&Gap>) -> Option<Seeds> {
+    fn seeds(&self) -> Option<Seeds> {
         self.found[0]?;
-        let way = known.map_or(f64::INFINITY, |k| (self.next - k.raw).max(0.0));
+        let next = self.known.map_or(f64::INFINITY, |k| self.next - k.raw);
+        let way = next.min(self.way).max(0.0);
         let spot = |i: usize| self.found.get(i).copied().flatten().map(|f| f.1);
         Some(Seeds { found: std::array::from_fn(spot), deepest: self.deepest, way })
     }
 }
 
 /// A part of a span, or of the way from a ruling to the next, between two looks.
-struct Part {
-    from: (f64, Look),
-    to: (f64, Look),
+pub(crate) struct Part {
+    pub(crate) from: (f64, Look),
+    pub(crate) to: (f64, Look),
     /// The length of a unit of the parameter.
-    scale: f64,
+    pub(crate) scale: f64,
 }
 
 impl Part {
     /// Offers its places of contact. Where the cutter is ahead at both ends, or behind, by less than the length of the part
     /// it may touch in between.
-    fn contacts(&self, look: &impl Fn(f64) -> Look, offer: &mut impl FnMut(&Look), levels: u32) {
+    pub(crate) fn contacts(
+        &self,
+        look: &impl Fn(f64) -> Look,
+        offer: &mut impl FnMut(&Look),
+        levels: u32,
+    ) {
         let Self { from: (low, a), to: (high, b), scale } = self;
         let (a_ahead, b_ahead) = (a.ahead > 0.0, b.ahead > 0.0);
         let near = a.ahead.abs().min(b.ahead.abs()) < (high - low) * scale;
@@ -181,15 +205,15 @@ impl Part {
     }
 }
 
-/// What is seen at a place of the directrix, or of a ruling.
+/// What is seen at a place of the directrix, of a ruling or of a section.
 #[derive(Clone, Copy)]
-struct Look {
+pub(crate) struct Look {
     spot: Spot,
     tool_point: Vec3,
     /// How far the cutter's farthest point in is before the tangent plane, and how far ahead across the rulings.
     depth: f64,
     ahead: f64,
-    /// Unit direction of the ruling, and how fast the surface goes by across it.
+    /// Unit direction of the ruling, none on a section, and how fast the surface goes by across it.
     ruling: Vec3,
     rate: f64,
 }
@@ -244,6 +268,17 @@ impl Look {
         ruling: Vec3,
     ) -> Self {
         let (place, [across, _]) = surface.place_with_sides(at);
+        Self::at_place(tool, side, &place, across, ruling)
+    }
+
+    /// At a place through which a curve goes with the unit direction `ruling`, and `across` to the next one.
+    pub(crate) fn at_place(
+        tool: &Tool<'_>,
+        side: Side,
+        place: &Foot,
+        across: Vec3,
+        ruling: Vec3,
+    ) -> Self {
         let normal = place.normal * side.sign();
         let tool_point = tool.support(-normal).point;
         let away = tool_point - place.point;
@@ -251,6 +286,15 @@ impl Look {
         let (rate, depth) = (across.norm(), normal.dot(&away));
         let ahead = across.dot(&away) / rate;
         Self { spot: place.spot(), tool_point, depth, ahead, ruling, rate }
+    }
+
+    /// The same of a place that is none of a ruling.
+    pub(crate) fn alone(self) -> Self {
+        Self { ruling: Vec3::zeros(), ..self }
+    }
+
+    pub(crate) fn rate(&self) -> f64 {
+        self.rate
     }
 }
 

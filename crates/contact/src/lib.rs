@@ -35,6 +35,7 @@ mod ridge;
 mod ring;
 mod rings;
 mod search;
+mod sections;
 mod stations;
 mod tangents;
 mod turned;

@@ -215,8 +215,9 @@ pub(crate) fn elsewhere(
     let Seeds { found: seeds, deepest: lowest, way } =
         seeds(tool, surface, side, stations, Some(known));
     room = room.min(0.5 * way);
-    let found =
-        seeds.into_iter().flatten().filter_map(|q| disk::below(tool, surface, side, q).ok());
+    let ends = flank_ends(tool, surface, known);
+    let found = seeds.into_iter().chain(ends).flatten();
+    let found = found.filter_map(|q| disk::below(tool, surface, side, q).ok());
     for gap in found.chain(arc) {
         rival(tool, known, &gap, &mut deepest, &mut room);
     }
@@ -333,6 +334,27 @@ fn pierced(tool: &Tool<'_>, surface: &Surface, side: Side) -> Option<Gap> {
         residual: f64::INFINITY,
     })
 }
+
+/// What lies beside both ends of a flank that touches: along rulings that twist it touches with one of them or with the other,
+/// and stations all round it may lead past that.
+fn flank_ends(tool: &Tool<'_>, surface: &Surface, known: &Gap) -> [Option<Spot>; 2] {
+    let lean = known.normal.dot(&tool.ta);
+    let upright = lean.abs() <= ALONG && has_side(tool);
+    let ruled = matches!(surface, Surface::Parametric(s) if s.is_ruled());
+    if !upright || !ruled {
+        return [None; 2];
+    }
+    let out = -(known.normal - tool.ta * lean).normalize();
+    let profile = tool.profile;
+    let [_, joint] = profile.joints();
+    [joint, [profile.top_radius(), profile.height()]].map(|[rho, z]| {
+        let end = tool.te + out * rho + tool.ta * z;
+        Some(surface.foot(end).spot())
+    })
+}
+
+/// Greatest sine of the angle between a flank and what it touches.
+const ALONG: f64 = 0.3;
 
 /// Halvings in the search for the place where an axis goes through a surface.
 const HALVINGS: u32 = 40;

@@ -12,7 +12,7 @@ pub(crate) const SEEDS: usize = 4;
 
 /// Share of the cutter's radius from which a station is far from a place of contact: nearer ones the contact goes over to, and
 /// is followed.
-const FAR: f64 = 0.6;
+pub(crate) const FAR: f64 = 0.6;
 
 /// Which stations around the tool are looked at.
 #[derive(Clone, Copy)]
@@ -50,7 +50,12 @@ pub(crate) fn seeds(
     known: Option<&Gap>,
 ) -> Seeds {
     let crests = crests::seeds(tool, surface, side, known);
-    if let Some(all) = crests.filter(|_| known.is_some() && matches!(surface, Surface::Tabcyl(_))) {
+    let whole = match surface {
+        Surface::Tabcyl(_) => true,
+        Surface::Parametric(s) => s.has_sections(),
+        _ => false,
+    };
+    if let Some(all) = crests.filter(|_| known.is_some() && whole) {
         return all;
     }
     let profile = tool.profile;

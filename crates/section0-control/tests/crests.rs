@@ -1,4 +1,5 @@
-//! Wide cutters over a wavy TABCYL or RLDSRF, and long flanks beside one: they span many crests, and every cut vector is proved.
+//! Wide cutters over a wavy TABCYL, RLDSRF or POLCON, and long flanks beside one: they span many crests, and every cut vector is
+//! proved.
 
 #[path = "support/run.rs"]
 mod run;
@@ -77,6 +78,58 @@ fn ruled(k: u32) -> String {
     )
 }
 
+/// A polyconic along x whose height is a wave of degree seven, the arch of its sections changing with it; as a wall it stands on
+/// end.
+fn polyconic(k: u32, wall: bool) -> String {
+    let share = |i: u32| share(k, i);
+    let (length, width) = (30.0 + 90.0 * share(1), 25.0 + 35.0 * share(2));
+    // Chebyshev's polynomials of degree 5 to 7 over 0 to 1, shifted powers first.
+    let waves = [
+        [-1.0, 50.0, -400.0, 1120.0, -1280.0, 512.0, 0.0, 0.0],
+        [1.0, -72.0, 840.0, -3584.0, 6912.0, -6144.0, 2048.0, 0.0],
+        [-1.0, 98.0, -1568.0, 9408.0, -26880.0, 39424.0, -28672.0, 8192.0],
+    ];
+    let height = 0.05 + 0.4 * share(3);
+    let sum = |i: usize| {
+        let parts = waves.iter().zip([4, 5, 6]);
+        parts.map(|(wave, of)| wave[i] * height * (share(of) - 0.5)).sum::<f64>()
+    };
+    let rise = (0.2 + 8.0 * share(7)) * if k.is_multiple_of(2) { 1.0 } else { -1.0 };
+    let p = 0.6 + 0.2 * share(8);
+    let mut e = [0.0; 79];
+    e[0] = 1.0;
+    if wall {
+        e[1..13].copy_from_slice(&[-1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0]);
+    }
+    (e[14], e[15]) = (-0.5 * length, length);
+    (e[16], e[32], e[48]) = (-width, -width, width);
+    (e[24], e[25], e[40], e[41]) = (rise, 0.2 * rise, -rise, -0.2 * rise);
+    for i in 0..8 {
+        e[56 + i] = sum(i) - e[24 + i] * (2.0 * p - 1.0);
+    }
+    e[64] = p;
+    let elements: String = e.iter().map(|x| format!(",$\n{x:.8}")).collect();
+    let diameter = 8.0 + 14.0 * share(9);
+    let corner = [0.0, 0.5, 2.0][(k % 3) as usize];
+    let (tolerance, slope) = (0.005 + 0.04 * share(10), 0.8 * share(11) - 0.4);
+    let end = 0.36 * length - 0.3 * diameter;
+    let z = -0.7 * width;
+    let (way, go, from, forward, word) = if wall {
+        let way = format!("PLANE/{:.4},0,1,{z:.4}", 0.2 * slope);
+        let from = format!("{:.4},{:.4},{:.4}\nINDIRV/0,-1,0", -end, 30.0 + diameter, z + 3.0);
+        (way, "TO,WAVE,TO,WAY", from, "WAVE", "TLLFT")
+    } else {
+        let from = format!("{:.4},{:.4},25\nINDIRV/0,0,-1", -end, slope * end);
+        (format!("PLANE/{slope:.4},1,0,0"), "ON,WAY,TO,WAVE", from, "WAY", "TLON")
+    };
+    format!(
+        "UNITS/MM\nWAVE=POLCON/CANON{elements}\nWAY={way}\nEND=PLANE/1,0,0,{end:.4}\nTOLER/{tolerance}\n\
+         CUTTER/{diameter:.4},{corner},{:.6},{corner},0,0,{width:.4}\nFROM/{from}\nGO/{go}\n\
+         INDIRV/1,0,0\n{word},GOFWD/{forward},ON,END\nFINI\n",
+        0.5 * diameter - corner
+    )
+}
+
 /// A wave with an edge beside its crests, the axis leaning, the tool begun at `x`.
 fn leaning(x: f64) -> String {
     format!(
@@ -111,6 +164,12 @@ fn all_crests_below_a_wide_cutter_are_kept() {
 #[test]
 fn all_crests_of_rulings_are_kept() {
     let told = told((0..16).map(ruled));
+    assert!(told.is_empty(), "{told:#?}");
+}
+
+#[test]
+fn all_crests_of_polyconics_are_kept() {
+    let told = told((0..160).map(|k| polyconic(k / 2, k % 2 > 0)));
     assert!(told.is_empty(), "{told:#?}");
 }
 

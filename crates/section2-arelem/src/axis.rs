@@ -63,6 +63,25 @@ impl Came {
     }
 }
 
+/// How an axis turns with the tool end.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Turn {
+    /// By a symmetrical form in the tangent plane.
+    Even(Shape),
+    /// By the first vector, times the product of the way with the second.
+    Alike([Vec3; 2]),
+}
+
+impl Turn {
+    /// How fast the product of the axis with `v` rises with the tool end.
+    pub(crate) fn gradient(&self, v: Vec3) -> Vec3 {
+        match self {
+            Self::Even(shape) => shape.apply(v),
+            Self::Alike([by, way]) => way * by.dot(&v),
+        }
+    }
+}
+
 /// The contacts at a place.
 pub(crate) struct Around<'a> {
     /// The tool end.
@@ -95,14 +114,17 @@ impl AxisRule {
         !matches!(self, Self::Fixed)
     }
 
-    /// The axis that the place of the tool end alone tells, as with NORMPS and NORMDS, and how it changes with it: a
-    /// symmetrical form in the tangent plane. `None` for other rules and where the surface has no curvature.
-    pub(crate) fn by_place(&self, te: Vec3, ta: Vec3, keeps: [&Keep; 2]) -> Option<(Vec3, Shape)> {
+    /// The axis that the place of the tool end alone tells, as with NORMPS and NORMDS and along the rulings of a RLDSRF, and how
+    /// it changes with it. `None` for other rules and where the surface has no curvature.
+    pub(crate) fn by_place(&self, te: Vec3, ta: Vec3, keeps: [&Keep; 2]) -> Option<(Vec3, Turn)> {
         let keep = match self {
-            Self::Normal(OptionSurface::Part) => keeps[1],
-            Self::Normal(OptionSurface::Drive) => keeps[0],
+            Self::Normal(OptionSurface::Part) | Self::Rulings(OptionSurface::Part) => keeps[1],
+            Self::Normal(OptionSurface::Drive) | Self::Rulings(OptionSurface::Drive) => keeps[0],
             _ => return None,
         };
+        if matches!(self, Self::Rulings(_)) {
+            return turning_ruling(keep, te, ta);
+        }
         let foot = keep.surface.foot(te);
         let turned = match keep.condition {
             Condition::On => foot.normal.dot(&ta) < 0.0,
@@ -112,7 +134,9 @@ impl AxisRule {
         if !shape.k.iter().all(|k| k.is_finite()) {
             return None;
         }
-        Some(if turned { (-foot.normal, shape.reversed()) } else { (foot.normal, shape) })
+        let (ta, shape) =
+            if turned { (-foot.normal, shape.reversed()) } else { (foot.normal, shape) };
+        Some((ta, Turn::Even(shape)))
     }
 
     /// The surface that controls an angle, when there is one.
@@ -217,6 +241,25 @@ fn ruling(gap: &Gap, keep: &Keep, around: &Around<'_>) -> Option<Vec3> {
     let [_, [_, upper]] = keep.profile.joints();
     let below = ruling(around.te)?;
     ruling(around.te + below * (0.5 * (upper + keep.profile.height()))).or(Some(below))
+}
+
+/// What [`ruling`] finds beside a ruled surface, and how it turns with the tool end.
+fn turning_ruling(keep: &Keep, te: Vec3, ta: Vec3) -> Option<(Vec3, Turn)> {
+    let Surface::Parametric(surface) = &keep.surface else { return None };
+    if keep.condition == Condition::On {
+        return None;
+    }
+    let at = |p: Vec3| {
+        let (along, [turn, way]) = surface.turning_ruling(p)?;
+        let sign = if along.dot(&ta) < 0.0 { -1.0 } else { 1.0 };
+        Some((along * sign, turn * sign, way))
+    };
+    let [_, [_, upper]] = keep.profile.joints();
+    let middle = 0.5 * (upper + keep.profile.height());
+    let (below, lean, first) = at(te)?;
+    let (along, turn, way) = at(te + below * middle)?;
+    // The place beside the middle of the flank goes as the tool end does, and with the ruling below that.
+    Some((along, Turn::Alike([turn, way + first * (middle * way.dot(&lean))])))
 }
 
 /// The axis at the angle alpha to the normal `n`, positive towards the normal `other` of the surface that

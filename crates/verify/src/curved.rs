@@ -20,6 +20,8 @@ use crate::witness::{Excess, Near, excess};
 const DEPTH: u32 = 22;
 /// Halvings of a vector along which the surface was not searched to the end.
 const LONG: u32 = 5;
+/// The same where the axis turns: what the turn takes falls with the square of the length.
+const LONG_TURNING: u32 = 9;
 /// Stretches of one vector that are looked at.
 const MOST: u32 = 2000;
 
@@ -273,7 +275,7 @@ impl Curved<'_> {
             // Where much more is missing than what the turn takes, shorter stretches do not help; they do where
             // the search came to no end.
             let helps = if shown == f64::NEG_INFINITY {
-                depth < LONG
+                depth < if sweep.turn > 0.0 { LONG_TURNING } else { LONG }
             } else {
                 sweep.turn > 0.0 && -shown <= TURNED * turned && depth < DEPTH
             };

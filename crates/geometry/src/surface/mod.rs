@@ -19,7 +19,7 @@ use std::sync::Arc;
 
 pub use cone::vertex_side;
 pub use opened::OpenedQuadric;
-pub use parametric::{Continued, ParametricSurface, Part, continued, continued_of};
+pub use parametric::{Continued, ParametricSurface, Part, Sample, continued, continued_of};
 pub use probe::{Aimed, ajundo, ccurv, control, radar};
 pub use quadric::QuadricSurface;
 pub use shape::{Frame, Shape, frame_about};

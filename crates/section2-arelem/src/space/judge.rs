@@ -126,7 +126,15 @@ impl Track {
         }
         let begin = ends[0].g.min(top);
         let (fits, ratio) = self.judge(i, [begin, gaps[1]], [low, high], c.bow);
-        Ok((fits, ratio, c.bow / v.norm_squared()))
+        // Between two places where one end of a flank touches the other end may come down, and bend the gap otherwise.
+        let (dip, rise) = (begin.min(gaps[1]) - low, high - begin.max(gaps[1]));
+        let bow = match looks.is_empty() {
+            false if dip.max(rise) > c.bow.abs() / 8.0 => {
+                8.0 * if dip > rise { dip } else { -rise }
+            }
+            _ => c.bow,
+        };
+        Ok((fits, ratio, bow / v.norm_squared()))
     }
 
     /// Does a chord stay in the band of surface `i`, and how much longer could it be? `ends` are the gaps at its ends,

@@ -403,6 +403,8 @@ impl Track {
         }
         let (mut good, mut bad): (Option<Stride<T::Place>>, f64) = (None, f64::INFINITY);
         let mut last: Option<Stride<T::Place>> = None;
+        // One that fits with its vertex elsewhere, where none does that has it in the right place.
+        let mut spare: Option<Stride<T::Place>> = None;
         let mut trouble = Trouble::Stuck;
         let mut before: Option<(f64, f64)> = None;
         // The least length that is foretold from a bend.
@@ -451,6 +453,7 @@ impl Track {
                             (good, bad, before) = (None, f64::INFINITY, None);
                             between = Lengths::default();
                             last = tried.ok().or(last);
+                            spare = if fit.fits { last } else { spare };
                             continue;
                         }
                     }
@@ -507,6 +510,10 @@ impl Track {
                     between.take(s, 1.0 / ratio - (1.0 - aim));
                     let next = beyond.take().or_else(|| between.next(usual));
                     let next = next.filter(|_| secants).unwrap_or_else(|| longer(ratio, before));
+                    // Where the ratio does not tell why it does not fit, halfway to what does.
+                    let halfway = |g: &Stride<T::Place>| 0.5 * (g.length + s);
+                    let blind = !secants && !fit.fits && fit.ratio >= 1.0;
+                    let next = good.as_ref().filter(|_| blind).map_or(next, halfway);
                     before = older(next, Some((s, ratio)), before);
                     next
                 }
@@ -531,7 +538,7 @@ impl Track {
                 s = 0.5 * (low + bad);
             }
         }
-        let stride = good.ok_or(trouble)?;
+        let stride = good.or(spare).ok_or(trouble)?;
         pace.learn(stride.length, 1.0, plan.length);
         if let Some(bends) = bent.filter(|_| self.axis.turns()) {
             pace.learn_bends(bends);

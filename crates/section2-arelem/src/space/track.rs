@@ -6,7 +6,7 @@ use aptc_geometry::{Vec3, trig};
 use super::guided::Guides;
 use super::keep::{Keep, Pose};
 use super::turning::meet;
-use crate::axis::{Around, AxisRule};
+use crate::axis::{Around, AxisRule, Turn};
 
 /// Rounds of Newton's method; three to five are usual with a fixed axis, some ten with a turning one.
 const ROUNDS: usize = 60;
@@ -132,9 +132,23 @@ impl Track {
         gaps: [Gap; 2],
         heading: Vec3,
     ) -> Result<Node, Trouble> {
-        let along = direction(&gaps, heading)?;
+        let along = direction(self.slopes(&pose, &gaps), heading)?;
         let bend = |i: usize| self.keeps[i].bend(&pose, &gaps[i], along);
         Node::new(pose, gaps, along, [bend(0), bend(1)])
+    }
+
+    /// How fast the gaps grow with the tool end: their normals, and beside rulings what the axis brings that turns with it.
+    fn slopes(&self, pose: &Pose, gaps: &[Gap; 2]) -> [Vec3; 2] {
+        let turn = match self.axis {
+            AxisRule::Rulings(_) => {
+                self.axis.by_place(pose.te, pose.ta, self.keeps.each_ref()).map(|(_, turn)| turn)
+            }
+            _ => None,
+        };
+        match turn {
+            Some(turn) => gaps.each_ref().map(|gap| slope(pose, gap, &turn)),
+            None => [gaps[0].normal, gaps[1].normal],
+        }
     }
 
     /// The place in the plane across `across` through the start, with the gaps at their targets.
@@ -150,7 +164,7 @@ impl Track {
         hint: &Node,
         look: bool,
     ) -> Result<Node, Trouble> {
-        if matches!(self.axis, AxisRule::Normal(_))
+        if matches!(self.axis, AxisRule::Normal(_) | AxisRule::Rulings(_))
             && let Ok(found) = self.settle_with_axis(start, across, targets, hint, look)
         {
             return Ok(found);
@@ -162,7 +176,7 @@ impl Track {
     }
 
     /// As [`Track::settle`] where the place of the tool end alone tells the axis: Newton's method knows then how the
-    /// gaps change as the axis turns. Where the flank lies along a surface the place that touches jumps, and it fails.
+    /// gaps change as the axis turns. Where the flank lies along a surface the place that touches jumps, and it may fail.
     fn settle_with_axis(
         &self,
         start: Pose,
@@ -191,11 +205,7 @@ impl Track {
                 continue;
             }
             near = gaps;
-            // A turn by d ta moves the tool point by (ta x d ta) x w, w from the tool end to it.
-            let row = |i: usize| {
-                let (n, w) = (gaps[i].normal, gaps[i].tool_point - pose.te);
-                n + turn.apply(n * ta.dot(&w) - w * n.dot(&ta))
-            };
+            let row = |i: usize| slope(&pose, &gaps[i], &turn);
             pose.te += meet([row(0), row(1), across], off).ok_or(Trouble::SideBySide)?;
         }
         Err(Trouble::Stuck)
@@ -231,7 +241,7 @@ impl Track {
             let mut turned = 0.0;
             let mut ta = pose.ta;
             if turning {
-                let along = direction(&gaps, hint.course.along)?;
+                let along = direction([gaps[0].normal, gaps[1].normal], hint.course.along)?;
                 let around = Around { te: pose.te, ta, part: &gaps[1], drive: &gaps[0], along };
                 ta =
                     self.axis.at(&around, [&self.keeps[0], &self.keeps[1]]).ok_or(Trouble::Axis)?;
@@ -278,7 +288,9 @@ impl Track {
     /// has a corner in a hollow on the way, and leads away from the place of contact before it.
     fn onward(&self, pose: &Pose, gaps: &[Gap; 2], hint: &Node) -> Vec3 {
         let way = (pose.te - hint.pose.te).norm();
-        let Ok(t) = direction(gaps, hint.course.along) else { return hint.course.along };
+        let Ok(t) = direction(self.slopes(pose, gaps), hint.course.along) else {
+            return hint.course.along;
+        };
         let changed = |i: usize| (gaps[i].normal - hint.gaps[i].normal).norm();
         let i = usize::from(changed(1) > changed(0));
         let keep = &self.keeps[i];
@@ -353,9 +365,16 @@ fn moved(known: &Node, across: Vec3, level: f64, targets: [f64; 2]) -> Option<Po
     Some(Pose { te: known.pose.te + step, ta: known.pose.ta })
 }
 
-/// The direction common to both surfaces, on the side of `heading`.
-pub(super) fn direction(gaps: &[Gap; 2], heading: Vec3) -> Result<Vec3, Trouble> {
-    let cross = gaps[0].normal.cross(&gaps[1].normal);
+/// How fast a gap grows with the tool end as the axis turns with it: a turn by d ta moves the tool point by (ta x d ta) x w, w
+/// from the tool end to it.
+fn slope(pose: &Pose, gap: &Gap, turn: &Turn) -> Vec3 {
+    let (n, w) = (gap.normal, gap.tool_point - pose.te);
+    n + turn.gradient(n * pose.ta.dot(&w) - w * n.dot(&pose.ta))
+}
+
+/// The direction along which two gaps with these slopes stay, on the side of `heading`.
+pub(super) fn direction(slopes: [Vec3; 2], heading: Vec3) -> Result<Vec3, Trouble> {
+    let cross = slopes[0].cross(&slopes[1]);
     let l = cross.norm();
     if l <= SIDE_BY_SIDE {
         return Err(Trouble::SideBySide);

@@ -93,7 +93,7 @@ impl Track {
         let mut gaps = self.gaps(&pose, Some(near))?;
         let mut last: Option<(Vec3, Vec3)> = None;
         for _ in 0..TURNS {
-            let along = direction(&gaps, heading)?;
+            let along = direction([gaps[0].normal, gaps[1].normal], heading)?;
             let (te, ta) = (pose.te, pose.ta);
             let around = Around { te, ta, part: &gaps[1], drive: &gaps[0], along };
             let next =

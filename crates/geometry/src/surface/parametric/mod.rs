@@ -22,6 +22,8 @@ use polyconic::Sections;
 use ruled::Rulings;
 use sculptured::Spans;
 pub use sculptured::{Continued, continued, continued_of};
+use waves::Planes;
+pub use waves::Sample;
 
 /// Bound of one search; Newton's method takes some six steps.
 const MAX_STEPS: usize = 60;
@@ -57,6 +59,8 @@ pub struct ParametricSurface {
     strips: Option<Strips>,
     /// Of a ruled surface whether a curve bends to both sides.
     waves: bool,
+    /// Of a polyconic its sampled sections.
+    planes: Option<Planes>,
     extent: f64,
 }
 
@@ -149,6 +153,7 @@ impl ParametricSurface {
             columns: Vec::new(),
             strips: None,
             waves: false,
+            planes: None,
             extent,
         }
     }
@@ -185,7 +190,9 @@ impl ParametricSurface {
             Patch::Ruled(rulings) => (Strips::new(rulings), rulings.waves()),
             _ => (None, false),
         };
-        Some(Self { patch, us, vs, grid, apart, columns, strips, waves, extent })
+        let planes = None;
+        let new = Self { patch, us, vs, grid, apart, columns, strips, waves, planes, extent };
+        Some(Self { planes: Planes::new(&new), ..new })
     }
 
     /// Greatest distance of its points from the origin, between its ends.
@@ -203,6 +210,25 @@ impl ParametricSurface {
         };
         let jet = self.nearest(p)?.jet;
         (if along { jet.su } else { jet.sv }).try_normalize(0.0)
+    }
+
+    /// The direction of the ruling of a ruled surface through the point nearest to `p`, and how it turns with `p`: by the first
+    /// vector times the product with the second. `None` at the border and where that point is not one of a crest alone.
+    pub fn turning_ruling(&self, p: Vec3) -> Option<(Vec3, [Vec3; 2])> {
+        let Patch::Ruled(_) = &self.patch else { return None };
+        let Placed { u, v, jet } = self.nearest(p)?;
+        if self.patch.domain().border(u, v) {
+            return None;
+        }
+        let w = jet.s - p;
+        let (e, g) = (jet.su.norm_squared(), jet.sv.norm_squared());
+        let (huu, huv) = (e + w.dot(&jet.suu), jet.su.dot(&jet.sv) + w.dot(&jet.suv));
+        let det = huu * g - huv * huv;
+        let length = g.sqrt();
+        let along = jet.sv / length;
+        let turn = (jet.suv - along * along.dot(&jet.suv)) / length;
+        let way = (jet.su * g - jet.sv * huv) / det;
+        (det > 1e-6 * e * g).then_some((along, [turn, way]))
     }
 
     /// Directed distances along the unit direction `d`, rising.

@@ -39,6 +39,11 @@ impl Sections {
         self.inner(cu, cv).beyond(u - cu, v - cv)
     }
 
+    /// Unit normal of the planes in which the sections lie.
+    pub(super) fn across(&self) -> Option<Vec3> {
+        self.vector(Vec3::y()).cross(&self.vector(Vec3::z())).try_normalize(0.0)
+    }
+
     /// A control curve by the parameter.
     fn control(&self, c: &ControlCurve, u: f64) -> Along<f64> {
         let d = if self.rooted { u * u } else { u };

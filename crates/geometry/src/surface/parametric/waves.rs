@@ -1,21 +1,98 @@
-//! The rulings of a ruled surface whose curves are waves: a wide cutter may touch at several of them.
+//! The rulings of a ruled surface whose curves are waves, and the sections of a polyconic: a wide cutter may touch at several
+//! of them.
 
-use super::{ParametricSurface, Patch};
+use super::{ParametricSurface, Patch, Placed};
 use crate::Vec3;
 
 /// Samples of a span of a curve.
 const SAMPLES: f64 = 4.0;
+/// Bends of a polyconic along its length at most: the degree of its control curves.
+const BENDS: f64 = 7.0;
+
+/// The sampled sections of a polyconic, which lie in parallel planes.
+#[derive(Clone, Debug)]
+pub(super) struct Planes {
+    /// Unit normal of the planes, and where each of them is along it.
+    normal: Vec3,
+    levels: Vec<f64>,
+    /// All places of the first section first.
+    samples: Vec<Sample>,
+}
+
+/// A place of a section.
+#[derive(Clone, Copy, Debug)]
+pub struct Sample {
+    /// Its parameters along the polyconic and along the section.
+    pub at: [f64; 2],
+    /// The point.
+    pub point: Vec3,
+    /// Unit normal.
+    pub normal: Vec3,
+    /// The derivative along the section.
+    pub along: Vec3,
+}
+
+impl Planes {
+    /// Those of the samples of a polyconic; `None` of other surfaces.
+    pub(super) fn new(surface: &ParametricSurface) -> Option<Self> {
+        let Patch::Polyconic(sections) = &surface.patch else { return None };
+        let sample = |u: f64, v: f64| {
+            let place = Placed::new(&surface.patch, u, v);
+            let normal = surface.normal_at(u, v, &place.jet);
+            Sample { at: [u, v], point: place.jet.s, normal, along: place.jet.sv }
+        };
+        let each = |u: &f64| surface.vs.iter().map(|v| sample(*u, *v)).collect::<Vec<_>>();
+        let samples: Vec<Sample> = surface.us.iter().flat_map(each).collect();
+        let normal = sections.across()?;
+        let level = |section: &[Sample]| section[0].point.dot(&normal);
+        let levels = samples.chunks_exact(surface.vs.len()).map(level).collect();
+        Some(Self { normal, levels, samples })
+    }
+}
 
 impl ParametricSurface {
+    /// Is it a ruled surface?
+    pub fn is_ruled(&self) -> bool {
+        matches!(self.patch, Patch::Ruled(_))
+    }
+
     /// Is it a ruled surface, and does one of its curves bend to both sides?
     pub fn has_waves(&self) -> bool {
         self.waves
     }
 
-    /// How many spans of its curves lie between two places of a ruled surface with waves.
+    /// How many spans of its curves lie between two places of a ruled surface with waves; of a polyconic how often it bends
+    /// between them at most.
     pub fn spans_between(&self, a: [f64; 2], b: [f64; 2]) -> Option<f64> {
-        let Patch::Ruled(rulings) = &self.patch else { return None };
-        self.waves.then(|| (a[0] - b[0]).abs() * f64::from(rulings.pieces()) / SAMPLES)
+        let spans = match &self.patch {
+            Patch::Ruled(rulings) if self.waves => f64::from(rulings.pieces()) / SAMPLES,
+            Patch::Polyconic(_) => BENDS,
+            _ => return None,
+        };
+        Some((a[0] - b[0]).abs() * spans)
+    }
+
+    /// Is it a polyconic, whose sections are sampled?
+    pub fn has_sections(&self) -> bool {
+        self.planes.is_some()
+    }
+
+    /// The sampled sections of a polyconic between which some places may come nearer than `reach` to the straight way from `a`
+    /// to `b`, two and two in their order.
+    pub fn sections_near(&self, a: Vec3, b: Vec3, reach: f64) -> impl Iterator<Item = [usize; 2]> {
+        let levels = self.planes.iter().flat_map(|p| p.levels.windows(2).map(|l| (l, p.normal)));
+        levels.enumerate().filter_map(move |(i, (levels, n))| {
+            let (from, to) = (a.dot(&n), b.dot(&n));
+            let (low, high) = (levels[0].min(levels[1]), levels[0].max(levels[1]));
+            let near = low <= from.max(to) + reach && high >= from.min(to) - reach;
+            near.then_some([i, i + 1])
+        })
+    }
+
+    /// The samples of a section, in their order; none of other surfaces.
+    pub fn section(&self, i: usize) -> &[Sample] {
+        let n = self.vs.len();
+        self.planes.as_ref().and_then(|p| p.samples.get(i * n..(i + 1) * n)).unwrap_or_default()
     }
 
     /// The sampled rulings between which some may come nearer than `reach` to the straight way from `a` to `b`, two and two in
