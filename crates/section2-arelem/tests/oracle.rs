@@ -146,7 +146,13 @@ fn pocket(corners: &[[f64; 3]], numbers: &str) -> Vec<Vec3> {
     let forms: Forms = named.filter_map(|(p, at)| Some((p, form("POINT", &at)?))).collect();
     let points: Vec<String> = (0..corners.len()).map(|i| format!("P{i}")).collect();
     let text = format!("CUTTER/1\nFROM/0,0,2\nPOCKET/.4,.8,{numbers},{}", points.join(","));
-    run(&forms, &text).clean().motions().skip(1).flat_map(|(_, m)| &m.points).map(|p| p.te).collect()
+    run(&forms, &text)
+        .clean()
+        .motions()
+        .skip(1)
+        .flat_map(|(_, m)| &m.points)
+        .map(|p| p.te)
+        .collect()
 }
 
 #[test]
