@@ -6,8 +6,8 @@ use aptc_geometry::Vec3;
 use support::{Forms, Run, expected, form, forms_of, run};
 
 /// Each statement ends where the oracle's does, with at most as many points.
-fn agree(ours: &Run, theirs: &[Vec<aptc_geometry::Vec3>], tolerance: f64, ratio: f64) {
-    let mut ours_by_line: Vec<(u32, Vec<aptc_geometry::Vec3>)> = Vec::new();
+fn agree(ours: &Run, theirs: &[Vec<Vec3>], tolerance: f64, ratio: f64) {
+    let mut ours_by_line: Vec<(u32, Vec<Vec3>)> = Vec::new();
     for (line, m) in ours.motions() {
         let points = m.points.iter().map(|p| p.te);
         match ours_by_line.last_mut() {
