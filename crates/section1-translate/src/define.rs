@@ -43,6 +43,7 @@ use aptc_vocabulary::{Word, word};
 pub(crate) use arg::short;
 pub use arg::{Arg, Value};
 pub use canon::canonical;
+pub(crate) use context::on_zsurf;
 pub use context::{Beyond, Context, Found};
 pub use fault::{DefineError, Fault};
 use format::Format;
@@ -85,7 +86,7 @@ pub fn define(head: Word, args: &[Arg], context: &Context) -> Result<Form, Defin
         return format::solve(head, formats, args, context);
     }
     let Some(inverse) = system.inverse() else { return Err(DefineError::flat_system()) };
-    let local = context.inside(&inverse)?;
+    let local = context.inside();
     let mut moved = args.to_vec();
     for (i, arg) in moved.iter_mut().enumerate() {
         arg.carry(&inverse).map_err(|why| DefineError::not_carried(i, why))?;

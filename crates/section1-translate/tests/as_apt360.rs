@@ -66,3 +66,23 @@ fn heights_scales_and_signs_are_those_of_apt360() {
         assert!(ours.len() == expected.len() && close, "{name}: {ours:?}, not {expected:?}");
     }
 }
+
+/// ZSURF is taken as its own system sees it, and its numbers hold in each system: both old systems answer so.
+#[test]
+fn zsurf_keeps_its_numbers_from_system_to_system() {
+    let z = |text: &str| {
+        let report = clean(&format!("ZS=PLANE/0,.2,1,5\nM=MATRIX/TRANSL,1,2,3\n{text}\nFINI"));
+        [report.form("A")[2], report.form("B")[2]]
+    };
+    let near = |found: [f64; 2], wanted: [f64; 2]| {
+        assert!((0..2).all(|i| (found[i] - wanted[i]).abs() < 1e-9), "{found:?} {wanted:?}");
+    };
+    let inside = "A=POINT/1,1";
+    let outside = "REFSYS/NOMORE\nB=POINT/1,1";
+    near(z(&format!("ZSURF/ZS\nREFSYS/M\n{inside}\n{outside}")), [7.8, 4.8]);
+    near(z(&format!("REFSYS/M\nZSURF/ZS\n{inside}\n{outside}")), [4.4, 1.4]);
+    near(z(&format!("REFSYS/M\nZSURF/(PLANE/0,.2,1,5)\n{inside}\n{outside}")), [7.8, 4.8]);
+    near(z(&format!("REFSYS/M\nZSURF/2\n{inside}\n{outside}")), [5.0, 2.0]);
+    // A plane that stands upright in the new system still gives the height that it gave.
+    near(z(&format!("ZSURF/2\nREFSYS/(R=MATRIX/YZROT,90)\n{inside}\n{outside}")), [1.0, 2.0]);
+}

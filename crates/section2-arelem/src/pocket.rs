@@ -37,10 +37,17 @@ pub(crate) fn passes(p: &Pocket, settings: &Settings, tool: &Tool) -> Result<Pas
     let points = if kind >= 2 { project(&p.vertices, settings, tool)? } else { p.vertices.clone() };
     let mut figure = Figure::new(&points)?;
     if kind % 2 == 1 {
-        figure = figure.inset(cutter).ok_or("the cutter does not fit into the pocket")?;
+        // The walls stand along the tool axis, so over a sloping bottom the way in its plane is longer.
+        let way = |s: &Side| {
+            let wall = tool.ta.cross(&s.along).normalize();
+            cutter / figure.inwards(s).dot(&wall).abs()
+        };
+        figure = figure.inset_by(way).ok_or("the cutter does not fit into the pocket")?;
     }
     let positive = |x: f64| x > 0.0 && x.is_finite();
-    if !positive(p.radius) || !positive(p.cut) || !positive(p.finish) || !positive(cutter) {
+    // A finish cut of 0 goes along the last general pass once more.
+    let finish = p.finish == 0.0 || positive(p.finish);
+    if !positive(p.radius) || !positive(p.cut) || !finish || !positive(cutter) {
         return Err("effective radius, cuts and cutter must be above zero".into());
     }
     let (mut polygons, mut left) = (vec![figure.closed()], 0.0_f64);
@@ -189,9 +196,16 @@ impl Figure {
 
     /// The polygon with all sides moved in; sides that vanish are left out.
     fn inset(&self, by: f64) -> Option<Self> {
-        let inwards = |s: &Side| self.normal.cross(&s.along);
+        self.inset_by(|_| by)
+    }
+
+    /// The same, each side by a way of its own; `None` if one has no way.
+    fn inset_by(&self, by: impl Fn(&Side) -> f64) -> Option<Self> {
+        if !self.sides.iter().all(|s| by(s).is_finite()) {
+            return None;
+        }
         let mut sides: Vec<Side> =
-            self.sides.iter().map(|s| Side { on: s.on + inwards(s) * by, ..*s }).collect();
+            self.sides.iter().map(|s| Side { on: s.on + self.inwards(s) * by(s), ..*s }).collect();
         // Each round drops the sides that run backwards; a convex figure has at most all of them.
         for _ in 0..self.sides.len() {
             if sides.len() < 3 {
@@ -213,6 +227,11 @@ impl Figure {
             sides.remove(worst);
         }
         None
+    }
+
+    /// The direction across a side, into the figure.
+    fn inwards(&self, side: &Side) -> Vec3 {
+        self.normal.cross(&side.along)
     }
 
     /// Greatest distance of an inner point from the sides.
@@ -241,7 +260,7 @@ impl Figure {
 
     /// Distance of the farthest corner from a side.
     fn across(&self, side: &Side) -> f64 {
-        let inwards = self.normal.cross(&side.along);
+        let inwards = self.inwards(side);
         self.corners.iter().map(|p| (p - side.on).dot(&inwards)).fold(0.0, f64::max)
     }
 

@@ -2,11 +2,12 @@
 
 mod support;
 
+use aptc_geometry::Vec3;
 use support::{Forms, Run, expected, form, forms_of, run};
 
 /// Each statement ends where the oracle's does, with at most as many points.
-fn agree(ours: &Run, theirs: &[Vec<aptc_geometry::Vec3>], tolerance: f64, ratio: f64) {
-    let mut ours_by_line: Vec<(u32, Vec<aptc_geometry::Vec3>)> = Vec::new();
+fn agree(ours: &Run, theirs: &[Vec<Vec3>], tolerance: f64, ratio: f64) {
+    let mut ours_by_line: Vec<(u32, Vec<Vec3>)> = Vec::new();
     for (line, m) in ours.motions() {
         let points = m.points.iter().map(|p| p.te);
         match ours_by_line.last_mut() {
@@ -137,6 +138,43 @@ fn passes_of_pockets_lie_where_apt_360_puts_them() {
     ];
     let got = depths(&five, "CUTTER/0.25\nPOCKET/0.1,1.8,0.6,35,30,20,0,0");
     same_passes(&got[..4], &[(4.1674, 2), (4.114, 4), (4.0333, 5), (3.8857, 5)]);
+}
+
+/// The places of a POCKET whose corners are given, from the plunge on.
+fn pocket(corners: &[[f64; 3]], numbers: &str) -> Vec<Vec3> {
+    let named = corners.iter().enumerate().map(|(i, at)| (format!("P{i}"), *at));
+    let forms: Forms = named.filter_map(|(p, at)| Some((p, form("POINT", &at)?))).collect();
+    let points: Vec<String> = (0..corners.len()).map(|i| format!("P{i}")).collect();
+    let text = format!("CUTTER/1\nFROM/0,0,2\nPOCKET/.4,.8,{numbers},{}", points.join(","));
+    run(&forms, &text)
+        .clean()
+        .motions()
+        .skip(1)
+        .flat_map(|(_, m)| &m.points)
+        .map(|p| p.te)
+        .collect()
+}
+
+#[test]
+fn walls_of_a_pocket_with_a_sloping_bottom_stand_along_the_tool_axis() {
+    let corners = [[-2.0, -2.0, 0.6], [2.0, -2.0, -0.6], [2.0, 2.0, -0.6], [-2.0, 2.0, 0.6]];
+    let got = pocket(&corners, ".2,35,30,20,0,1");
+    // As in APT-360.
+    let want = [(-1.5, -1.5, 0.45), (1.5, -1.5, -0.45), (1.5, 1.5, -0.45), (-1.5, 1.5, 0.45)];
+    for (g, w) in got[got.len() - 5..].iter().zip(want) {
+        assert!((g - Vec3::new(w.0, w.1, w.2)).norm() < 1e-9, "{g} for {w:?}");
+    }
+}
+
+#[test]
+fn a_finish_cut_of_nothing_goes_round_once_more() {
+    let corners = [[-2.0, -2.0, 0.0], [2.0, -2.0, 0.0], [2.0, 2.0, 0.0], [-2.0, 2.0, 0.0]];
+    let got = pocket(&corners, "0,35,30,20,1,1");
+    // As in APT-360.
+    let want = [0.3, 0.7, 1.1, 1.5, 1.5];
+    let depths: Vec<f64> = got.chunks(5).map(|pass| pass[2].x).collect();
+    assert_eq!(depths.len(), want.len(), "{got:?}");
+    assert!(depths.iter().zip(want).all(|(d, w)| (d - w).abs() < 1e-9), "{depths:?}");
 }
 
 #[test]

@@ -6,12 +6,10 @@ use std::sync::Arc;
 use aptc_geometry::sculpt::SpaceCurve;
 use aptc_geometry::{Plane, Transform, Vec2, Vec3};
 
-use super::DefineError;
-
 /// State of the interpreter that definitions depend on.
 #[derive(Clone, Debug)]
 pub struct Context {
-    /// ZSURF in the base system; `None`, the plane z = 0 of the system of the definition, after NOMORE.
+    /// ZSURF: an equation whose numbers hold in each system, as in APT-360; `None`, z = 0, after NOMORE.
     pub zsurf: Option<Plane>,
     /// REFSYS: the map from the reference system into the base system.
     pub refsys: Option<Transform>,
@@ -81,9 +79,7 @@ const STEEP: f64 = 1e-9;
 impl Context {
     /// The point over (x, y) on ZSURF.
     pub(super) fn on_zsurf(&self, x: f64, y: f64) -> Vec3 {
-        let z = self.zsurf.map_or(0.0, |s| (s.d - s.n.x * x - s.n.y * y) / s.n.z);
-        // A plane z = 0 must not give the point a negative zero.
-        Vec3::new(x, y, z + 0.0)
+        on_zsurf(self.zsurf, x, y)
     }
 
     /// The point over `p` on ZSURF.
@@ -96,20 +92,15 @@ impl Context {
         plane.n.z.abs() > STEEP
     }
 
-    /// This context seen from the reference system; `inverse` leads there from the base.
-    pub(super) fn inside(&self, inverse: &Transform) -> Result<Self, DefineError> {
-        let zsurf = match self.zsurf {
-            None => None,
-            Some(plane) => {
-                let n = inverse.normal(plane.n).ok_or_else(DefineError::flat_system)?;
-                let moved = Plane::new(n, n.dot(&inverse.point(plane.n * plane.d)));
-                let moved = moved.ok_or_else(DefineError::flat_system)?;
-                if !Self::zsurf_is_usable(&moved) {
-                    return Err(DefineError::steep_zsurf());
-                }
-                Some(moved)
-            }
-        };
-        Ok(Self { zsurf, refsys: None, ..self.clone() })
+    /// This context within its reference system.
+    pub(super) fn inside(&self) -> Self {
+        Self { refsys: None, ..self.clone() }
     }
+}
+
+/// The point over (x, y) on the plane of ZSURF, or at z = 0.
+pub(crate) fn on_zsurf(zsurf: Option<Plane>, x: f64, y: f64) -> Vec3 {
+    let z = zsurf.map_or(0.0, |s| (s.d - s.n.x * x - s.n.y * y) / s.n.z);
+    // A plane z = 0 must not give the point a negative zero.
+    Vec3::new(x, y, z + 0.0)
 }

@@ -41,8 +41,6 @@ pub enum DefineError {
     },
     /// REFSYS flattens space.
     FlatSystem,
-    /// ZSURF stands upright in the reference system.
-    SteepZsurf,
 }
 
 /// Why a matched format has no solution.
@@ -134,10 +132,6 @@ impl DefineError {
 
     pub(super) fn flat_system() -> Self {
         Self::FlatSystem
-    }
-
-    pub(super) fn steep_zsurf() -> Self {
-        Self::SteepZsurf
     }
 
     pub(super) fn not_carried(at: usize, why: NotCarried) -> Self {

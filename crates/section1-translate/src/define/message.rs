@@ -46,12 +46,6 @@ impl DefineError {
                 "the REFSYS matrix flattens space, so nothing can be defined in its system",
             )
             .help("use a REFSYS matrix of rotations, translations and one scale"),
-            Self::SteepZsurf => Diagnostic::error(
-                codes::STEEP_ZSURF,
-                statement,
-                "the ZSURF plane stands upright in the REFSYS system and gives no z",
-            )
-            .help("give ZSURF again after REFSYS, or ZSURF/NOMORE"),
         }
     }
 }

@@ -460,16 +460,7 @@ impl Interpreter<'_> {
 
     /// The point over (x, y) on ZSURF, all in the present reference system.
     pub(crate) fn on_zsurf(&self, x: f64, y: f64) -> Vec3 {
-        let flat = Vec3::new(x, y, 0.0);
-        let Some(plane) = self.state.zsurf else { return flat };
-        let (foot, up) = match &self.state.refsys {
-            Some(m) => (m.point(flat), m.vector(Vec3::z())),
-            None => (flat, Vec3::z()),
-        };
-        let slope = plane.n.dot(&up);
-        let z = if slope == 0.0 { 0.0 } else { -plane.distance(foot) / slope };
-        // A plane z = 0 must not give the point a negative zero.
-        Vec3::new(x, y, z + 0.0)
+        define::on_zsurf(self.state.zsurf, x, y)
     }
 }
 

@@ -36,8 +36,10 @@ impl Interpreter<'_> {
         }
         let [radius, cut, finish, f1, f2, f3, offset, kind] = values;
         let flags = self.flags(&reader, offset, kind)?;
-        for (value, name) in [(radius, names[0]), (cut, names[1]), (finish, names[2])] {
-            if value <= 0.0 {
+        // A finish cut of 0 goes along the last general pass once more.
+        let fits = [radius > 0.0, cut > 0.0, finish >= 0.0];
+        for ((value, name), fits) in values.iter().zip(names).zip(fits) {
+            if !fits {
                 self.error(Diagnostic::error(
                     codes::BAD_POCKET,
                     clause.span,

@@ -14,7 +14,11 @@ use crate::memory::Value;
 impl Interpreter<'_> {
     /// ZSURF/plane, z or NOMORE; REFSYS/matrix or NOMORE.
     pub(super) fn system(&mut self, word: Word, clause: &Clause) -> Known<()> {
-        let args = self.args_in_base(clause, Names::Defined)?;
+        let args = if word == word::ZSURF {
+            self.args(clause, Names::Defined)?
+        } else {
+            self.args_in_base(clause, Names::Defined)?
+        };
         let mut reader = Reader::new(word, clause, &args);
         self.state.carried.clear();
         if reader.is_word(word::NOMORE) {
@@ -32,19 +36,10 @@ impl Interpreter<'_> {
         self.at_end(&reader)
     }
 
-    /// The plane of ZSURF, in the base system.
+    /// The plane of ZSURF, as the present reference system sees it.
     fn z_plane(&mut self, reader: &mut Reader<'_>) -> Known<Plane> {
         let plane = if let Some(z) = reader.number() {
-            let level = Plane { n: Vec3::z(), d: z };
-            let form = Form::Plane(level);
-            let carried = match &self.state.refsys {
-                Some(m) => form.transformed(m).ok(),
-                None => Some(form),
-            };
-            match carried {
-                Some(Form::Plane(plane)) => plane,
-                _ => level,
-            }
+            Plane { n: Vec3::z(), d: z }
         } else if let Some(Form::Plane(plane)) = reader.peek().and_then(|a| a.form()) {
             reader.skip(1);
             *plane
