@@ -2,7 +2,7 @@
 //!
 //! `cargo bench -p aptc --bench peers`. What is wanted is the rate of the peer in the same run, so that the ratio is
 //! ours to theirs. A peer that is not on the search path leaves its column empty: `apt360` (the port "aptos" of IBM's
-//! system), `rs274` (LinuxCNC's interpreter, which only reads what we write and read back), `wc` (a scan for the ends of lines).
+//! system, built without optimisation as it asks to be: else its motions in space fail, soon and fast), `rs274` (LinuxCNC's interpreter, which only reads what we write and read back), `wc` (a scan for the ends of lines).
 
 use std::fmt::Write as _;
 use std::fs::{self, File};
