@@ -66,26 +66,16 @@ impl Lie {
         if last < 2 {
             return angles;
         }
-        let (front, back) = match self {
-            Self::Ends => (true, true),
-            Self::First => (true, false),
-            Self::Last => (false, true),
-            _ => (false, false),
-        };
-        if front {
-            angles[1] = chords[1].angle;
-        }
-        if back {
-            angles[last - 1] = chords[last - 2].angle;
-        }
         for i in 1..last {
             let (before, after) = (chords[i - 1].angle, chords[i].angle);
-            match self {
-                Self::Mean => angles[i] = 0.5 * (before + after),
-                Self::Even => angles[i] = if i % 2 == 0 { before } else { after },
-                Self::Odd => angles[i] = if i % 2 == 0 { after } else { before },
-                _ => {}
-            }
+            angles[i] = match self {
+                Self::First | Self::Ends if i == 1 => after,
+                Self::Last | Self::Ends if i == last - 1 => before,
+                Self::Mean => 0.5 * (before + after),
+                Self::Even => [before, after][i % 2],
+                Self::Odd => [after, before][i % 2],
+                _ => angles[i],
+            };
         }
         if knots[0].tangent.is_none() {
             angles[0] = 2.0 * chords[0].angle - angles[1];

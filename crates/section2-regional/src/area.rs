@@ -142,9 +142,16 @@ impl Areas {
         self.failed.retain(|w| *w != word);
     }
 
-    /// Why a statement ends that needs these areas; what is missing as its own statement failed was told there.
-    pub(crate) fn missing(&self, areas: &[(&'static str, bool)]) -> Failure {
-        let gone = areas.iter().filter(|a| a.1).map(|a| a.0);
-        Failure::NotSet { areas: gone.filter(|a| !self.failed.contains(a)).collect() }
+    /// Why a statement ends that needs those of these areas that are missing.
+    pub(crate) fn missing(areas: &[(&'static str, bool)]) -> Failure {
+        Failure::NotSet { areas: areas.iter().filter(|a| a.1).map(|a| a.0).collect() }
+    }
+
+    /// The failure without the areas of which was told: each is told once, at its own statement where that failed.
+    pub(crate) fn once(&mut self, failure: Failure) -> Failure {
+        let Failure::NotSet { mut areas } = failure else { return failure };
+        areas.retain(|a| !self.failed.contains(a));
+        self.failed.extend(&areas);
+        Failure::NotSet { areas }
     }
 }

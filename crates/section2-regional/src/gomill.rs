@@ -3,7 +3,6 @@
 use std::sync::Arc;
 
 use aptc_cldata as cl;
-use aptc_cldata::milling::Scallop;
 use aptc_diagnostics::Origin;
 use aptc_geometry::{Form, Vec3};
 use aptc_protap::{Arg, NameRef};
@@ -19,7 +18,7 @@ use crate::regional::{Regional, Stand};
 use crate::report::reports;
 use crate::scon::Words;
 use crate::solve::Take;
-use crate::touched::{along_lines, links};
+use crate::touched::along_lines;
 use crate::within::{self, Stretch};
 
 /// What the statement says besides surface and first line.
@@ -147,16 +146,8 @@ impl Regional {
             return done.why.map_or(Ok(stand), Err);
         }
         let done = region.mill(from, crew);
-        let (height, avoided) = (wish.scallop, done.avoided);
         let extent = || along_lines(&done.touched, &part.surface);
-        // Beside a single line nothing lies between.
-        let asked = height > 0.0 && done.why.is_none() && done.touched.len() > 1;
-        let scallop = asked.then(|| Scallop {
-            height,
-            extent: extent(),
-            avoided,
-            links: links(&done.touched),
-        });
+        let scallop = done.scallop(wish.scallop, extent);
         let control = self.milling_control(&part, scallop, false);
         self.diagnostics.extend(reports(origin, &done.notes));
         let left = done.stands.map(|s| left_standing(origin, &name.name, &s));

@@ -6,6 +6,7 @@
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use aptc_cldata::milling::{Extent, Scallop};
 use aptc_geometry::{Plane, Vec3};
 
 use crate::area::StepoverArea;
@@ -19,7 +20,7 @@ use crate::position::{Odd, Position};
 use crate::report::Note;
 use crate::solve::{Memory, Setup, Take};
 use crate::stepover::parameter_step;
-use crate::touched::Touched;
+use crate::touched::{Touched, links};
 
 /// What is put out.
 #[derive(Clone, Debug)]
@@ -139,6 +140,16 @@ pub(crate) struct Done {
     /// What is left where the contact jumps, if no scallop is asked for.
     pub(crate) stands: Option<Stands>,
     pub(crate) why: Option<Failure>,
+}
+
+impl Done {
+    /// What is promised of the places between the passes, where a scallop of this height is asked for.
+    pub(crate) fn scallop(&self, height: f64, extent: impl FnOnce() -> Extent) -> Option<Scallop> {
+        // Beside a single pass nothing lies between.
+        let asked = height > 0.0 && self.why.is_none() && self.touched.len() > 1;
+        let (avoided, links) = (self.avoided, links(&self.touched));
+        asked.then(|| Scallop { height, extent: extent(), avoided, links })
+    }
 }
 
 /// A pass before it is milled.

@@ -14,7 +14,6 @@ use crate::avoid::Avoid;
 use crate::crew::{Alone, Crew};
 use crate::cut_vectors::Recording;
 use crate::drive::Course;
-use crate::failure::Failure;
 use crate::gclear::{Clears, post_arg};
 use crate::guard::Checked;
 use crate::outline::Outlines;
@@ -157,11 +156,8 @@ impl Regional {
             Err(_) => self.stand = None,
         }
         done.map_err(|failure| {
+            let failure = self.areas.once(failure);
             self.diagnostics.extend(failure.explain(&record.origin));
-            if let Failure::NotSet { areas } = failure {
-                // What is missing is told once.
-                self.areas.failed.extend(areas);
-            }
             Failed
         })
     }

@@ -8,7 +8,7 @@ use aptc_diagnostics::Origin;
 use aptc_geometry::{Form, Vec3};
 use aptc_protap::{Arg, NameRef};
 
-use crate::area::{AxisArea, DriveArea, Guide, Hold, PartArea};
+use crate::area::{Areas, AxisArea, DriveArea, Guide, Hold, PartArea};
 use crate::crew::Crew;
 use crate::drive::Course;
 use crate::failure::{Deep, Failure, leads_out, left_standing, put_out, touches_with};
@@ -22,7 +22,7 @@ use crate::report::{Note, reports};
 use crate::scon::Words;
 use crate::settings::Band;
 use crate::solve::{Setup, Take};
-use crate::touched::{along_lines, led, links};
+use crate::touched::{along_lines, led};
 
 /// What a statement gives.
 #[derive(Default)]
@@ -104,7 +104,7 @@ impl Regional {
         }
         let areas =
             [("DS", a.drive.is_none()), ("PS", a.part.is_none()), ("AXIS", a.axis.is_none())];
-        Err(a.missing(&areas))
+        Err(Areas::missing(&areas))
     }
 
     fn setup(&self) -> Result<Setup<'_>, Failure> {
@@ -219,7 +219,7 @@ impl Regional {
         let a = &self.areas;
         let (Some(feeds), Some(stepover)) = (a.feeds, a.stepover) else {
             let areas = [("FEED", a.feeds.is_none()), ("STEPOV", a.stepover.is_none())];
-            return Err(a.missing(&areas));
+            return Err(Areas::missing(&areas));
         };
         let clearance = if pick {
             let plane = a.clearance.ok_or(Failure::NotSet { areas: vec!["FEED,plane"] })?;
@@ -238,7 +238,6 @@ impl Regional {
         let ways = &self.ways();
         let region = Region { setup, stepover, feeds, clearance, ways, course, senses, skip };
         let done = region.mill(from, crew);
-        let (height, avoided) = (stepover.scallop, done.avoided);
         let part = &region.setup.part;
         let extent = || {
             if !part.touches && (pick || stepover.lift > 0.0 || done.avoided) {
@@ -253,14 +252,7 @@ impl Regional {
                 Extent::Unknown("the tool end is led over another surface")
             }
         };
-        // Beside a single pass nothing lies between.
-        let asked = height > 0.0 && done.why.is_none() && done.touched.len() > 1;
-        let scallop = asked.then(|| Scallop {
-            height,
-            extent: extent(),
-            avoided,
-            links: links(&done.touched),
-        });
+        let scallop = done.scallop(stepover.scallop, extent);
         let crate::region::Done { puts, notes, odd, first, why, stands, .. } = done;
         let (joined, picks) = (skip, pick);
         let away = false;

@@ -32,7 +32,7 @@ pub(crate) struct Setup<'a> {
     pub(crate) axis: AxisArea,
     pub(crate) profile: &'a Profile,
     pub(crate) band: Band,
-    /// How far a chord may leave the drive sideways.
+    /// How far a chord may leave the drive sideways; infinite for one that goes straight across a swing, over joints too.
     pub(crate) lateral: f64,
     pub(crate) maxdp: f64,
     pub(crate) numpts: usize,

@@ -111,6 +111,7 @@ impl Regional {
                 self.stand = stand;
             }
             if let Some(why) = why {
+                let why = self.areas.once(why);
                 self.diagnostics.extend(why.explain(&record.origin));
                 records.truncate(if points.is_empty() { i } else { i + 1 });
                 (self.stand, self.projecting) = (None, None);
@@ -143,7 +144,7 @@ impl Regional {
     fn over_part(&self, projecting: &Projecting, motion: &cl::Motion) -> Result<Path, Box<Broken>> {
         let failed = |why| Box::new(Broken { done: Path::default(), why });
         let Some(part) = &self.areas.part else {
-            return Err(failed(self.areas.missing(&[("PS", true)])));
+            return Err(failed(Failure::NotSet { areas: vec!["PS"] }));
         };
         let [first, ..] = motion.points.as_slice() else { return Ok(Path::default()) };
         let turns = motion.points.iter().any(|p| p.ta.dot(&first.ta) < ONE_AXIS);

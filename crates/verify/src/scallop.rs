@@ -68,8 +68,9 @@ pub(crate) enum Left {
 }
 
 impl Left {
-    /// What is known of parts and of the next in their order: the highest of what stands too high, the first of equals, and what
-    /// stands elsewhere before what stands at ends. What comes behind a part that is not decided does not count, and what stood higher before it does.
+    /// What is known of parts and of the next in their order: the highest of what stands too high, the first of equals, and
+    /// what stands elsewhere before what stands at ends. What comes behind a part that is not decided does not count, and what
+    /// stood higher before it does.
     pub(crate) fn then(self, next: Self) -> Self {
         match (self, next) {
             (Self::Higher(a, _), Self::Higher(b, _)) if b > a => next,

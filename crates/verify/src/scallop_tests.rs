@@ -69,7 +69,8 @@ proptest! {
         let ways: Vec<[Pose; 2]> = poses.windows(2).map(|w| [w[0], w[1]]).collect();
         let sheet = Arc::new(Sheet::bare(&surface).unwrap());
         let left = |height: f64| {
-            let asked = Scallop { height, extent: Extent::Box([[0.0, 4.0]; 2]), avoided: false, links: Vec::new() };
+            let extent = Extent::Box([[0.0, 4.0]; 2]);
+            let asked = Scallop { height, extent, avoided: false, links: Vec::new() };
             let cusps = Cusps::new(&sheet, 1.0, 0.0, 1e-3, &asked);
             let swath = Swath::new(&profile, false, &ways, 0.3 * cusps.room);
             cusps.judge(&swath, || &swath, 1e-9, 0, 1)

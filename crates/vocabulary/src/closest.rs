@@ -12,7 +12,8 @@ const LONGEST: usize = 10;
 /// The one word nearest to `text` among those that `accept` takes; `None` when none is near or several
 /// are equally near.
 ///
-/// Where none is, the one word that begins so. Near is a slip (a letter wrong, missing, too many, or two neighbours exchanged), or two in a text of
+/// Where none is, the one word that begins so.
+/// Near is a slip (a letter wrong, missing, too many, or two neighbours exchanged), or two in a text of
 /// six letters or more. Case does not count. A `text` that is itself an accepted word is nearest to itself.
 pub fn closest(text: &str, accept: impl Fn(Word) -> bool) -> Option<Word> {
     let text = text.as_bytes();
