@@ -62,6 +62,9 @@ pub trait Guide: Sized {
     /// Second derivative of the gap that was read when the tool end moves along `v`; see [`crate::second`].
     fn second(read: &Reading<Self::At, Self::Bends>, v: Vec3) -> f64;
 
+    /// By how much its normal turns on a way `v` so short that the bends do not change.
+    fn turn(read: &Reading<Self::At, Self::Bends>, v: Vec3) -> Vec3;
+
     /// The gap in full at a place where this was read.
     fn gap(&self, te: Vec3, read: &End<Self::At>) -> Gap;
 
@@ -134,6 +137,25 @@ impl Bends {
         let (out, aside) = (normal.dot(&v), self.across.dot(&v));
         let rest = v.norm_squared() - out * out - aside * aside;
         self.along * aside * aside + self.aside * rest
+    }
+
+    /// By how much the normal turns along `v`.
+    #[inline]
+    pub(crate) fn turn(&self, normal: Vec3, v: Vec3) -> Vec3 {
+        let aside = self.across * self.across.dot(&v);
+        aside * self.along + (v - normal * normal.dot(&v) - aside) * self.aside
+    }
+}
+
+impl<At: Copy, Bends: Copy> Reading<At, Bends> {
+    /// What is read a way `by` farther, where that is so short that the bends do not change on it; and how much of the gap
+    /// they make.
+    #[inline(always)]
+    pub fn moved<G: Guide<At = At, Bends = Bends>>(&self, by: Vec3) -> (Self, f64) {
+        let End { g, normal, at } = self.end;
+        let bent = 0.5 * G::second(self, by);
+        let end = End { g: g + normal.dot(&by) + bent, normal: normal + G::turn(self, by), at };
+        (Self { end, bends: self.bends }, bent)
     }
 }
 
@@ -225,6 +247,11 @@ impl Guide for ClosedGuide {
     }
 
     #[inline]
+    fn turn(read: &Reading<(), Bends>, v: Vec3) -> Vec3 {
+        read.bends.turn(read.end.normal, v)
+    }
+
+    #[inline]
     fn gap(&self, te: Vec3, &End { g, normal, .. }: &End<()>) -> Gap {
         let raw = g + self.thick;
         let (tool_point, segment) = match (self.touch, &self.form) {
@@ -248,7 +275,7 @@ impl Guide for ClosedGuide {
         Gap { g, raw, tool_point, surface_point, at: None, normal, segment, residual: 0.0 }
     }
 
-    #[inline]
+    #[inline(always)]
     fn chord(
         &self,
         _: &Surface,
@@ -257,34 +284,29 @@ impl Guide for ClosedGuide {
         [begin, end]: [&End<()>; 2],
         resolution: f64,
     ) -> Option<[f64; 2]> {
-        let (low, high) = (begin.g.min(end.g), begin.g.max(end.g));
+        let (low, high) = if begin.g < end.g { (begin.g, end.g) } else { (end.g, begin.g) };
         match &self.form {
             Form::Plane { .. } => Some([low, high]),
-            Form::Round { from, along, sign, up, .. } => {
-                let w = te - from;
-                let w = w - along * w.dot(along);
-                if up.dot(&w) < 0.0 {
+            Form::Round { along, sign, level, up, .. } => {
+                if sign * up.dot(&begin.normal) < 0.0 {
                     return None;
                 }
-                let v = v - along * v.dot(along);
-                let (fall, length) = (-w.dot(&v), v.norm_squared());
+                // The nearest place of the chord, by how far it comes in there.
+                let (away, aside) = (sign * (begin.g - level), along.dot(&v));
+                let fall = -sign * away * begin.normal.dot(&v);
+                let length = v.norm_squared() - aside * aside;
                 if !(fall > 0.0 && fall < length) {
                     return Some([low, high]);
                 }
-                let away = w.norm_squared();
-                let inner = (away - fall * fall / length).max(0.0).sqrt() - away.sqrt();
-                let inner = begin.g + sign * inner;
+                let square = fall * fall / length;
+                let rest = away * away - square;
+                let rest = if rest > 0.0 { rest.sqrt() } else { 0.0 };
+                let inner = begin.g - sign * square / (rest + away);
                 Some(if *sign > 0.0 { [inner, high] } else { [low, inner] })
             }
             Form::Solid { from, along, level } => {
-                let sample = |t: f64, e: &End<()>| Sample { t, g: e.g, slope: e.normal.dot(&v) };
-                let at = |t: f64, (): &()| {
-                    let read = self.solid(te + v * t, [*from, *along], *level);
-                    Ok((sample(t, &read.end), ()))
-                };
-                let (first, last) = (sample(0.0, begin), sample(1.0, end));
-                let found = dip((first, ()), (last, ()), 1.0, resolution, at);
-                Some([found.ok()?.g, high])
+                let least = self.least(te, v, [begin, end], [*from, *along], *level, resolution);
+                Some([least?, high])
             }
         }
     }
@@ -294,6 +316,25 @@ impl ClosedGuide {
     #[inline]
     fn tool(&self, te: Vec3) -> Tool<'_> {
         Tool { profile: &self.profile, te, ta: self.ta }
+    }
+
+    /// The least gap of [`Form::Solid`] along a chord.
+    fn least(
+        &self,
+        te: Vec3,
+        v: Vec3,
+        [begin, end]: [&End<()>; 2],
+        middle: [Vec3; 2],
+        level: f64,
+        resolution: f64,
+    ) -> Option<f64> {
+        let sample = |t: f64, e: &End<()>| Sample { t, g: e.g, slope: e.normal.dot(&v) };
+        let at = |t: f64, (): &()| {
+            let read = self.solid(te + v * t, middle, level);
+            Ok((sample(t, &read.end), ()))
+        };
+        let (first, last) = (sample(0.0, begin), sample(1.0, end));
+        Some(dip((first, ()), (last, ()), 1.0, resolution, at).ok()?.g)
     }
 
     /// What is read of [`Form::Solid`].

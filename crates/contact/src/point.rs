@@ -130,6 +130,14 @@ impl Guide for PointGuide {
     }
 
     #[inline]
+    fn turn(read: &Reading<Spot, PointBends>, v: Vec3) -> Vec3 {
+        match &read.bends {
+            PointBends::Closed(bends) => bends.turn(read.end.normal, v),
+            PointBends::Level(shape) => shape.apply(v),
+        }
+    }
+
+    #[inline]
     fn gap(&self, te: Vec3, read: &End<Spot>) -> Gap {
         match self {
             Self::Closed(guide) => guide.gap(te, &closed(read)),

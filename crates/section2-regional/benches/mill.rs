@@ -27,9 +27,9 @@ fn height(x: f64, y: f64) -> f64 {
         + 4.0 * trig::sin(x * 0.114) * trig::cos(y * 0.09)
 }
 
-/// Hills and hollows without end.
-fn waves(x: f64, y: f64) -> f64 {
-    20.0 + 5.0 * trig::sin(x * 0.114) * trig::cos(y * 0.09)
+/// Hills and hollows without end, alike beside the line at `middle` for a surface of any size.
+fn waves(x: f64, y: f64, middle: f64) -> f64 {
+    20.0 + 5.0 * trig::sin(x * 0.114) * trig::cos((y - middle) * 0.09)
 }
 
 /// Rows of points, `n` by `n` spans over `size` mm from -10 on.
@@ -213,7 +213,7 @@ fn main() {
         let size = 10.0 * f64::from(n);
         let patches = n * n;
         let name = format!("growth, {patches} patches");
-        let bumps = rows(n, size, waves);
+        let bumps = rows(n, size, |x, y| waves(x, y, 0.5 * size - 10.0));
         let s = sculptured(&bumps);
         let mut memory = 0.0;
         let made =

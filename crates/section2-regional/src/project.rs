@@ -81,8 +81,9 @@ impl Shot<'_> {
     /// The first of the meetings that searches from `start` reach: of cutter and slope, and of a flat bottom and
     /// a summit below it.
     pub fn near(&self, start: [f64; 2]) -> Option<Met> {
-        let slope = self.slope(start);
-        match (slope, self.summit(start)) {
+        let [u, v] = start;
+        let there = self.surface.at(u, v);
+        match (self.slope(start, there), self.summit(start, there)) {
             (Some(a), Some(b)) => Some(if b.way < a.way { b } else { a }),
             (a, b) => a.or(b),
         }
@@ -90,7 +91,7 @@ impl Shot<'_> {
 
     /// A place below a flat bottom whose normal is the tool axis, nearest to `start` by Newton's method: there any
     /// place of the bottom may touch.
-    fn summit(&self, start: [f64; 2]) -> Option<Met> {
+    fn summit(&self, start: [f64; 2], mut d: Derivatives) -> Option<Met> {
         let Probe::Cutter { profile, ta, thick } = self.probe else { return None };
         let [wide, height] = profile.joints()[0];
         let lean = self.along.dot(&ta);
@@ -99,7 +100,6 @@ impl Shot<'_> {
         }
         let [mut u, mut v] = start;
         for k in 0..STEPS {
-            let d = self.surface.at(u, v);
             let n = d.normal()? * self.side;
             if k == 0 && n.dot(&ta) < FACING {
                 return None;
@@ -124,6 +124,7 @@ impl Shot<'_> {
             }
             let (du, dv) = ((b * h - c * g) / det, (b * g - a * h) / det);
             [u, v] = self.stepped([u, v], [du, dv]);
+            d = self.surface.at(u, v);
         }
         None
     }
@@ -136,12 +137,11 @@ impl Shot<'_> {
     }
 
     /// The meeting that Newton's method reaches from `start`.
-    fn slope(&self, start: [f64; 2]) -> Option<Met> {
+    fn slope(&self, start: [f64; 2], mut d: Derivatives) -> Option<Met> {
         let [a, b] = aptc_geometry::surface::frame_about(self.along);
         let size = self.extent + self.from.norm();
         let [mut u, mut v] = start;
         for _ in 0..STEPS {
-            let d = self.surface.at(u, v);
             let n = d.normal()? * self.side;
             let reach = self.reach(n);
             let w = d.point + reach.to - self.from;
@@ -161,6 +161,7 @@ impl Shot<'_> {
             }
             let (du, dv) = ((ev * g - gv * e) / det, (gu * e - eu * g) / det);
             [u, v] = self.stepped([u, v], [du, dv]);
+            d = self.surface.at(u, v);
         }
         None
     }

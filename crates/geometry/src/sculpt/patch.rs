@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::arc::{CubicArc, Vec4, bernstein, carry};
+use super::arc::{CubicArc, Vec4, carry};
 use crate::surface::Shape;
 use crate::{Transform, Vec3};
 
@@ -149,19 +149,10 @@ impl Patch {
 
     /// Point and derivatives at (u, v); outside 0 to 1 the same polynomials go on.
     pub fn at(&self, u: f64, v: f64) -> Derivatives {
-        let (bu, bv) = (bernstein(u), bernstein(v));
-        let mut rows = [[Vec4::zeros(); 3]; 4];
-        for (row, net) in rows.iter_mut().zip(&self.net) {
-            for (k, b) in bu.iter().enumerate() {
-                row[k] = net[0] * b[0] + net[1] * b[1] + net[2] * b[2] + net[3] * b[3];
-            }
-        }
-        let of = |k: usize, l: usize| {
-            let b = bv[l];
-            rows[0][k] * b[0] + rows[1][k] * b[1] + rows[2][k] * b[2] + rows[3][k] * b[3]
-        };
-        let (h, hu, hv) = (of(0, 0), of(1, 0), of(0, 1));
-        let (huu, huv, hvv) = (of(2, 0), of(1, 1), of(0, 2));
+        let rows = self.net.each_ref().map(|net| cubic(net.each_ref().map(|h| h.as_ref()), u));
+        let along = |k: usize| cubic([&rows[0][k], &rows[1][k], &rows[2][k], &rows[3][k]], v);
+        let ([h, hv, hvv], [hu, huv, _], [huu, ..]) = (along(0), along(1), along(2));
+        let [h, hu, hv, huu, huv, hvv] = [h, hu, hv, huu, huv, hvv].map(Vec4::from);
         if !self.rational {
             let w = 1.0 / h.w;
             let d = |h: Vec4| h.xyz() * w;
@@ -190,15 +181,10 @@ impl Patch {
 
     /// Point and first derivatives at (u, v), for half the cost of all.
     pub fn tangents(&self, u: f64, v: f64) -> (Vec3, Vec3, Vec3) {
-        let (bu, bv) = (bernstein(u), bernstein(v));
-        let (mut h, mut hu, mut hv) = (Vec4::zeros(), Vec4::zeros(), Vec4::zeros());
-        for (net, (b, d)) in self.net.iter().zip(bv[0].into_iter().zip(bv[1])) {
-            let of = |b: &[f64; 4]| net[0] * b[0] + net[1] * b[1] + net[2] * b[2] + net[3] * b[3];
-            let row = of(&bu[0]);
-            h += row * b;
-            hu += of(&bu[1]) * b;
-            hv += row * d;
-        }
+        let rows = self.net.each_ref().map(|net| cubic(net.each_ref().map(|h| h.as_ref()), u));
+        let along = |k: usize| cubic([&rows[0][k], &rows[1][k], &rows[2][k], &rows[3][k]], v);
+        let ([h, hv, _], [hu, ..]) = (along(0), along(1));
+        let [h, hu, hv] = [h, hu, hv].map(Vec4::from);
         let w = 1.0 / h.w;
         let point = h.xyz() * w;
         if !self.rational {
@@ -242,6 +228,23 @@ impl Patch {
         }
         b
     }
+}
+
+/// Value and first two derivatives at `t` of the cubic with these control points, by de Casteljau's scheme: two coordinates at a
+/// time, with nothing but `t` to keep beside them.
+#[inline(always)]
+fn cubic([a, b, c, d]: [&[f64; 4]; 4], t: f64) -> [[f64; 4]; 3] {
+    let mut all = [[0.0; 4]; 3];
+    for i in 0..4 {
+        // The ways from point to point, twice more from each to the next, and at last the way on which the place lies.
+        let [ab, bc, cd] = [b[i] - a[i], c[i] - b[i], d[i] - c[i]];
+        let [near, far] = [ab + t * (bc - ab), bc + t * (cd - bc)];
+        let way = near + t * (far - near);
+        all[0][i] = a[i] + t * (ab + near + way);
+        all[1][i] = 3.0 * way;
+        all[2][i] = 6.0 * (far - near);
+    }
+    all
 }
 
 #[cfg(test)]

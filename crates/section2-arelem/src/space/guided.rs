@@ -7,10 +7,10 @@
 use aptc_contact::{ClosedGuide, End, Gap, Guide, PointGuide, Reading};
 use aptc_geometry::Vec3;
 
-use super::judge::{Fit, RESOLUTION, loses_slope};
+use super::judge::{Fit, loses_slope};
 use super::keep::{Keep, Pose};
-use super::stride::{Stride, Trials};
-use super::track::{Course, Node, Track, Trouble, solve_normals};
+use super::stride::{Pace, Stride, Trials};
+use super::track::{Course, Node, SIDE_BY_SIDE, Track, Trouble, solve_normals};
 use crate::axis::AxisRule;
 
 /// Rounds of Newton's method; two are usual.
@@ -89,7 +89,6 @@ impl<G: Guide> Trials for Guided<'_, G> {
         (self.from.gaps(), &self.from.course)
     }
 
-    #[inline(always)]
     fn reach(
         &self,
         s: f64,
@@ -97,19 +96,8 @@ impl<G: Guide> Trials for Guided<'_, G> {
         bends: Option<[f64; 2]>,
         _: Option<&Stride<Self::Place>>,
     ) -> Result<Stride<Self::Place>, Trouble> {
-        let (track, from) = (self.track, self.from);
-        let targets = track.aims(from.gaps(), bends.unwrap_or(from.course.bends), usual);
-        let (step, across) = from.course.ahead(s);
-        let start = from.te + step;
-        let to = self.settle(start, start, across, targets, &from.gaps)?;
-        let (to, targets) =
-            match track.other_aims(self.start(), bends, to.course.bends, usual, targets) {
-                Some(aims) => (self.settle(start, to.te, across, aims, &to.gaps)?, aims),
-                None => (to, targets),
-            };
-        if (to.te - from.te).norm() > track.farthest(s) {
-            return Err(Trouble::Stuck);
-        }
+        let mut to = *self.from;
+        let targets = self.go(s, usual, bends, &mut to)?;
         Ok(Stride { length: s, to, targets })
     }
 
@@ -132,14 +120,14 @@ impl<G: Guide> Trials for Guided<'_, G> {
                 return Err(Trouble::Contact);
             }
             let chord =
-                guide.chord(&keep.surface, from.te, v, [here, there], RESOLUTION * keep.width());
+                guide.chord(&keep.surface, from.te, v, [here, there], track.bands[i].resolution);
             let [low, high] = chord.ok_or(Trouble::Contact)?;
             let bow = there.normal.dot(&v) - here.normal.dot(&v);
             let bends = [from.course.bends[i], to.course.bends[i]];
             if guide.several() && loses_slope(bow, bends, v.norm_squared()) {
                 return Err(Trouble::Contact);
             }
-            let (fits, ratio) = track.judge(i, [here.g, there.g], [low, high], bow);
+            let (fits, ratio) = track.bands[i].judge([here.g, there.g], [low, high], bow);
             all.fits &= fits;
             all.ratio = all.ratio.min(ratio);
             all.bends[i] = bow / v.norm_squared();
@@ -158,8 +146,49 @@ impl<G: Guide> Trials for Guided<'_, G> {
 }
 
 impl<G: Guide> Guided<'_, G> {
+    /// The cut vector that is as long as foretold, as most are: what [`Track::longest`] takes with its first trial. Its end comes
+    /// to `to`; gives its length, `None` where other lengths are to be tried.
+    #[inline(always)]
+    pub(super) fn at_once(&self, cap: f64, pace: &mut Pace, to: &mut Place<G::At>) -> Option<f64> {
+        let track = self.track;
+        let (plan, s) = track.foretold(&self.from.course, cap, pace)?;
+        self.go(s, plan, None, to).ok()?;
+        let ratio = self.fit(to).ok().filter(|fit| fit.fits)?.ratio;
+        track.enough_at_once(ratio).then(|| {
+            pace.learn(s, ratio, plan);
+            s
+        })
+    }
+
+    /// To the place at distance `s`, as [`Trials::reach`].
+    #[inline(always)]
+    fn go(
+        &self,
+        s: f64,
+        usual: f64,
+        bends: Option<[f64; 2]>,
+        to: &mut Place<G::At>,
+    ) -> Result<[f64; 2], Trouble> {
+        let (track, from) = (self.track, self.from);
+        let mut targets = track.aims(from.gaps(), bends.unwrap_or(from.course.bends), usual);
+        let (step, across) = from.course.ahead(s);
+        let start = from.te + step;
+        self.settle(start, start, across, targets, [from.gaps[0].at, from.gaps[1].at], to)?;
+        let other = track.other_aims(self.start(), bends, to.course.bends, usual, targets);
+        if let Some(aims) = other {
+            let (begin, near) = (to.te, [to.gaps[0].at, to.gaps[1].at]);
+            self.settle(start, begin, across, aims, near, to)?;
+            targets = aims;
+        }
+        let far = track.farthest(s);
+        if (to.te - from.te).norm_squared() > far * far {
+            return Err(Trouble::Stuck);
+        }
+        Ok(targets)
+    }
+
     /// Newton's method from `begin` to the place in the plane across `across` through `start`, with the gaps at their
-    /// targets, from the places `near` of both surfaces.
+    /// targets, from the places `at` of both surfaces.
     #[inline(always)]
     fn settle(
         &self,
@@ -167,13 +196,13 @@ impl<G: Guide> Guided<'_, G> {
         begin: Vec3,
         across: Vec3,
         targets: [f64; 2],
-        near: &[End<G::At>; 2],
-    ) -> Result<Place<G::At>, Trouble> {
+        mut at: [G::At; 2],
+        to: &mut Place<G::At>,
+    ) -> Result<(), Trouble> {
         let [drive, part] = self.guides;
         let [one, two] = [&self.track.keeps[0].surface, &self.track.keeps[1].surface];
         let exact = self.track.exact;
         let (mut te, mut last) = (begin, f64::INFINITY);
-        let mut at = [near[0].at, near[1].at];
         for _ in 0..ROUNDS {
             let a = drive.read(one, te, at[0]).ok_or(Trouble::Contact)?;
             let b = part.read(two, te, at[1]).ok_or(Trouble::Contact)?;
@@ -181,14 +210,22 @@ impl<G: Guide> Guided<'_, G> {
             let off = [targets[0] - a.end.g, targets[1] - b.end.g, across.dot(&(start - te))];
             let worst = off[0].abs().max(off[1].abs()).max(off[2].abs());
             if worst <= exact {
-                return self.place(te, [&a, &b]);
+                return self.place(te, [&a, &b], to);
             }
             if worst > 0.9 * last && worst > 10.0 * exact {
                 break;
             }
             last = worst;
-            te += solve_normals([a.end.normal, b.end.normal, across], off)
+            let by = solve_normals([a.end.normal, b.end.normal, across], off)
                 .ok_or(Trouble::SideBySide)?;
+            te += by;
+            if by.norm_squared() <= exact * self.track.size {
+                // The place is read so well that another reading would say nothing new.
+                let ((a, in_a), (b, in_b)) = (a.moved::<G>(by), b.moved::<G>(by));
+                if in_a.abs() <= exact && in_b.abs() <= exact {
+                    return self.place(te, [&a, &b], to);
+                }
+            }
         }
         Err(Trouble::Stuck)
     }
@@ -200,23 +237,28 @@ impl<G: Guide> Guided<'_, G> {
         Node { pose: Pose { te: at.te, ta }, gaps: [gap(0), gap(1)], course: at.course }
     }
 
-    /// The end of a trial, going on as its start does.
+    /// The end of a trial comes to `to`, going on as its start does.
     #[inline(always)]
     fn place(
         &self,
         te: Vec3,
         [a, b]: [&Reading<G::At, G::Bends>; 2],
-    ) -> Result<Place<G::At>, Trouble> {
+        to: &mut Place<G::At>,
+    ) -> Result<(), Trouble> {
         let heading = self.from.course.along;
         let normals = [a.end.normal, b.end.normal];
-        let along = normals[0].cross(&normals[1]).try_normalize(1e-7);
-        let along = along.ok_or(Trouble::SideBySide)?;
-        let along = if along.dot(&heading) < 0.0 { -along } else { along };
+        let along = normals[0].cross(&normals[1]);
+        let sine = along.norm();
+        if sine <= SIDE_BY_SIDE {
+            return Err(Trouble::SideBySide);
+        }
+        let along = along * (if along.dot(&heading) < 0.0 { -1.0 } else { 1.0 } / sine);
         if along.dot(&heading) < SHARP {
             return Err(Trouble::Stuck);
         }
         let bends = [G::second(a, along), G::second(b, along)];
-        let course = Course::new(normals, along, bends)?;
-        Ok(Place { te, gaps: [a.end, b.end], course })
+        let course = Course::across(normals, along, bends);
+        *to = Place { te, gaps: [a.end, b.end], course };
+        Ok(())
     }
 }

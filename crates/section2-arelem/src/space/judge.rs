@@ -7,15 +7,6 @@ use aptc_geometry::{Surface, Vec3};
 use super::keep::Pose;
 use super::track::{Node, Track, Trouble};
 
-/// Share of the band by which a chord aims inside of it.
-const AIM: f64 = 1e-6;
-/// The same, and that by which vertices keep from the edge, where the axis turns: the gaps go by more than cubics then, and
-/// are looked at in places. It makes a path longer by half of it.
-pub(crate) const AIM_TURNING: f64 = 1e-3;
-/// Extreme gaps on such a chord are found to this share of the band.
-const RESOLUTION_TURNING: f64 = 0.01 * AIM_TURNING;
-/// By this share of it they may be beyond those at its ends, which may lie at the edge of the band: what looks are unsure of.
-const OWN_TURNING: f64 = 0.3 * RESOLUTION_TURNING;
 /// Shares of a chord at which it is looked at as a whole where its contact goes over from one place to another.
 pub(super) const BETWEEN: [f64; 7] = [0.02, 0.1, 0.3, 0.5, 0.7, 0.9, 0.98];
 /// Places of contact that are farther apart than this share of the cutter's radius are two.
@@ -26,11 +17,6 @@ const MIDWAY: f64 = 0.1;
 const LOST_SLOPE: f64 = 0.3;
 /// Share of the band by which two places that touch at once may differ.
 const BOTH: f64 = 1e-2;
-/// Share of the band that is no room for a chord.
-const NO_ROOM: f64 = 1e-8;
-/// Extreme gaps on a chord are found to this share of the band.
-pub(super) const RESOLUTION: f64 = 2e-7;
-
 /// How a chord lies in the bands: it fits, the ratio by which it could be longer, and second derivatives of the
 /// gaps along it, from the slopes at its ends.
 #[derive(Clone, Copy, Debug)]
@@ -93,8 +79,7 @@ impl Track {
         let top = from.gaps[i].g.max(keep.limits().high);
         let other = self.governs(i, from, to).filter(|o| looks.is_empty() || o.g <= top);
         let ends = [other.as_ref().unwrap_or(&from.gaps[i]), &to.gaps[i]];
-        let resolution = if self.axis.turns() { RESOLUTION_TURNING } else { RESOLUTION };
-        let limits = keep.limits();
+        let (band, limits) = (&self.bands[i], keep.limits());
         let c = chord(
             &keep.tool(&from.pose),
             &keep.tool(&to.pose),
@@ -103,7 +88,7 @@ impl Track {
             keep.side,
             keep.thick,
             Some([*ends[0], *ends[1]]),
-            Exact::beside(resolution * keep.width(), [limits.low, limits.high]).looking(looks),
+            Exact::beside(band.resolution, [limits.low, limits.high]).looking(looks),
         )?;
         let gaps = [from.gaps[i].g, to.gaps[i].g];
         let (mut low, mut high) = (c.low.g, c.high.g);
@@ -125,7 +110,7 @@ impl Track {
             (low, high) = (low.min(least), high.max(most));
         }
         let begin = ends[0].g.min(top);
-        let (fits, ratio) = self.judge(i, [begin, gaps[1]], [low, high], c.bow);
+        let (fits, ratio) = band.judge([begin, gaps[1]], [low, high], c.bow);
         // Between two places where one end of a flank touches the other end may come down, and bend the gap otherwise.
         let (dip, rise) = (begin.min(gaps[1]) - low, high - begin.max(gaps[1]));
         let bow = match looks.is_empty() {
@@ -135,59 +120,6 @@ impl Track {
             _ => c.bow,
         };
         Ok((fits, ratio, bow / v.norm_squared()))
-    }
-
-    /// Does a chord stay in the band of surface `i`, and how much longer could it be? `ends` are the gaps at its ends,
-    /// `bow` by how much the rate of change grows.
-    #[inline]
-    pub(super) fn judge(
-        &self,
-        i: usize,
-        ends: [f64; 2],
-        [low, high]: [f64; 2],
-        bow: f64,
-    ) -> (bool, f64) {
-        let keep = &self.keeps[i];
-        let limits = keep.limits();
-        // The chord aims a little inside the band, so that it fits when it comes out a little longer.
-        let [found, own] = match self.axis.turns() {
-            true => [2.0 * RESOLUTION_TURNING, OWN_TURNING],
-            false => [RESOLUTION, RESOLUTION],
-        };
-        let aim = self.aim(i) * keep.width();
-        let depth = 0.5 * bow;
-        // Vertices of the motion before may lie at the very edge; they are no fault of this chord.
-        let slack = |share: f64| 1e-14 * self.size + share * keep.width();
-        let (own, inside) = (slack(own), slack(found));
-        // The ratio goes by the root of the room, which is not to be that of rounding: a vertex at the edge of what the chord
-        // aims at leaves none.
-        let none = slack(NO_ROOM);
-        let room = |d: f64| if d > none { d } else { 0.0 };
-        let e = ends.map(|g| room(g - limits.low - aim));
-        let f = ends.map(|g| room(limits.high - aim - g));
-        let dips = [ends[0] - low, ends[1] - low].map(|d| d.max(0.0));
-        let rises = [high - ends[0], high - ends[1]].map(|d| d.max(0.0));
-        // What looks are unsure of reaches to the edge, and beyond it only from an end that lies there.
-        let [under, over] = [ends[0].min(ends[1]), ends[0].max(ends[1])];
-        let own =
-            [under - limits.low, limits.high - over].map(|room| own.min(room.max(slack(0.0))));
-        let least = (under - own[0]).min(limits.low + inside);
-        let most = (over + own[1]).max(limits.high - inside);
-        let fits = low >= least && high <= most;
-        let mut ratio = f64::INFINITY;
-        if depth > 0.0 || dips[0].min(dips[1]) > aim {
-            ratio = ratio.min(grow(e, dips, depth, inside));
-        }
-        if depth < 0.0 || rises[0].min(rises[1]) > aim {
-            ratio = ratio.min(grow(f, rises, -depth, inside));
-        }
-        (fits, ratio)
-    }
-
-    /// Share of the band of surface `i` by which a chord aims inside of it.
-    #[inline]
-    pub(super) fn aim(&self, i: usize) -> f64 {
-        if self.axis.turns() { AIM_TURNING } else { self.keeps[i].searched().unwrap_or(AIM) }
     }
 
     /// Does the cutter touch at different places of it at both ends?
@@ -262,22 +194,6 @@ impl Track {
 pub(super) fn loses_slope(rise: f64, bends: [f64; 2], square: f64) -> bool {
     let lost = 0.5 * (bends[0] + bends[1]) * square - rise;
     lost > LOST_SLOPE * bends[0].abs().max(bends[1].abs()) * square
-}
-
-/// Ratio of the longest chord to this one: `room` between the ends and the limit, `dips` between the ends
-/// and the extreme place, `depth` of the parabola where the chord has no inner extreme. One that is beyond an end by no more
-/// than looks are `unsure` of is that end: its root would be that of rounding, and along a straight chord mean nothing.
-fn grow(room: [f64; 2], dips: [f64; 2], depth: f64, unsure: f64) -> f64 {
-    let allowed = room[0].sqrt() + room[1].sqrt();
-    let (least, most) = (dips[0].min(dips[1]), dips[0].max(dips[1]));
-    let used = if least > unsure {
-        least.sqrt() + most.sqrt()
-    } else if least > 0.0 {
-        depth.max(0.0).min(most).sqrt()
-    } else {
-        depth.max(0.0).sqrt()
-    };
-    if used > 0.0 { allowed / used } else { f64::INFINITY }
 }
 
 /// The pose at `t` in [0, 1] of a cut vector: the tool end moves straight, the axis turns evenly.

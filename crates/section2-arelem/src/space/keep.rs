@@ -157,6 +157,12 @@ impl Keep {
         self.condition == Condition::On && self.surface.ends_at(gap.at)
     }
 
+    /// Is the tool end on it?
+    pub(super) fn is_on(&self) -> bool {
+        self.condition == Condition::On
+    }
+
+    #[inline]
     pub(crate) fn is_plane(&self) -> bool {
         matches!(self.surface, Surface::Plane(_))
     }
@@ -202,7 +208,7 @@ impl Keep {
     }
 
     /// How far vertices keep from the edge of the band.
-    fn edge(&self) -> f64 {
+    pub(super) fn edge(&self) -> f64 {
         self.searched().unwrap_or(EDGE) * self.width()
     }
 
@@ -217,7 +223,7 @@ impl Keep {
     /// The gap itself, or the next one that is farther inside of the band than the share `share` of it, for an axis that
     /// turns: not for the tool end, whose gap does not depend on it.
     pub(crate) fn inside(&self, gap: f64, share: f64) -> f64 {
-        if self.condition == Condition::On {
+        if self.is_on() {
             return gap;
         }
         let (limits, room) = (self.limits(), share.min(0.5) * self.width());

@@ -1,5 +1,6 @@
 //! Motion in space (APT: `ARLM3`): any drive, part and check surfaces, any cutter, fixed or turning axis.
 
+mod band;
 mod blocked;
 mod corner;
 mod guided;

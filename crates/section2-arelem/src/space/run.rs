@@ -7,6 +7,7 @@ use aptc_contact::{Condition, Gap, Side};
 use aptc_geometry::{Profile, Surface, Vec3};
 use aptc_protap::{OptionSurface, Relation};
 
+use super::band::Band;
 use super::blocked::{Cause, cause};
 use super::guided::Guides;
 use super::keep::{Keep, Pose};
@@ -365,7 +366,8 @@ fn begin(scene: &Scene) -> Result<Begin, Failure> {
     let around = Around { te, ta, part: &part_gap, drive: &drive_gap, along: heading };
     let axis = sided(scene, &keeps, &around);
     let guides = Guides::new(&keeps, &axis, &pose);
-    let track = Track { keeps, axis, guides, exact, size };
+    let bands = keeps.each_ref().map(|keep| Band::new(keep, size, axis.turns()));
+    let track = Track { keeps, bands, axis, guides, exact, size };
     let node = track
         .finish(pose, [drive_gap, part_gap], heading)
         .map_err(|t| trouble_at(scene, &pose, t))?;

@@ -6,7 +6,7 @@ use aptc_contact::{Condition, Gap, Side, opens};
 use aptc_geometry::{Fiop, Form, Plane, Surface, Vec3};
 use aptc_protap::OptionSurface;
 
-use super::judge::AIM_TURNING;
+use super::band::AIM_TURNING;
 use super::keep::{Keep, Pose};
 use super::start::Aim;
 use crate::axis::{Around, AxisRule, UPRIGHT};

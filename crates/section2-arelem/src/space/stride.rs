@@ -10,9 +10,10 @@ use aptc_contact::{Gap, Guide};
 use aptc_geometry::Vec3;
 use aptc_geometry::profile::Segment;
 
+use super::band::AIM_TURNING;
 use super::guided::{Guided, Guides, Place};
-use super::judge::{AIM_TURNING, Fit};
-use super::keep::{Keep, Limits, Pose};
+use super::judge::Fit;
+use super::keep::{Keep, Pose};
 use super::lengths::{Lengths, lengthen, older, rest};
 use super::track::{Course, Node, Track, Trouble};
 
@@ -57,8 +58,6 @@ const LESSONS: u32 = 3;
 const LOST: f64 = 0.5;
 /// Share of the band by which such a vertex is moved at least.
 const EDGES_APART: f64 = 1e-9;
-/// By how much more than it needs a chord is given, for a bend that changes along it.
-const SPARE: f64 = 1.1;
 /// Cut vectors of which every trial looks for other places of contact once one was found.
 const CAREFUL: u32 = 6;
 /// How often a cut vector is made shorter as the cutter cuts in on its way.
@@ -161,6 +160,8 @@ pub(crate) struct Pace {
     /// The longest length over the foretold one, and by how much more it was than that of the cut vector before.
     ratio: Option<f64>,
     trend: f64,
+    /// By how much more that was than the time before.
+    growth: f64,
     /// The length of the last one.
     length: f64,
     /// Way for which no other place of contact can become the deepest, and whether that was looked for where it is now.
@@ -179,6 +180,7 @@ impl Pace {
         Self {
             ratio: None,
             trend: 0.0,
+            growth: 0.0,
             length: 0.0,
             room: 0.0,
             looked: false,
@@ -188,9 +190,10 @@ impl Pace {
         }
     }
 
-    /// The ratio that is to be expected next: the curvature that changes it does so evenly for a while.
-    fn expected(&self) -> f64 {
-        self.ratio.unwrap_or(1.0) + self.trend
+    /// The ratio that is to be expected next: the curvature that changes it does so evenly for a while. With an axis that `turns`
+    /// ratios scatter, and how the change grows says nothing.
+    fn expected(&self, turns: bool) -> f64 {
+        self.ratio.unwrap_or(1.0) + self.trend + if turns { 0.0 } else { self.growth }
     }
 
     /// How the gaps of the next one are expected to bend.
@@ -210,11 +213,15 @@ impl Pace {
     }
 
     /// A cut vector was this long where `plan` was foretold, and could be longer by the ratio `rest`.
-    fn learn(&mut self, length: f64, rest: f64, plan: f64) {
+    #[inline]
+    pub(super) fn learn(&mut self, length: f64, rest: f64, plan: f64) {
         self.length = length;
         let ratio = (length * rest / plan).clamp(0.2, 2.0);
         let trend = self.ratio.map_or(0.0, |last| ratio - last);
-        self.trend = if trend.abs() <= EVEN { trend } else { 0.0 };
+        let trend = if trend.abs() <= EVEN { trend } else { 0.0 };
+        let growth = trend - self.trend;
+        self.growth = if growth.abs() <= EVEN * EVEN { growth } else { 0.0 };
+        self.trend = trend;
         self.ratio = Some(ratio);
     }
 }
@@ -362,17 +369,21 @@ impl Track {
         mut free: f64,
         mut take: impl FnMut([Vec3; 2], Vec3) -> bool,
     ) -> Option<Node> {
-        let (mut at, mut gone) = (Place::of::<G>(from), false);
+        let mut at = Place::of::<G>(from);
+        let (mut next, mut gone) = (at, false);
         loop {
             let guided = Guided { track: self, guides, from: &at };
             let before = *pace;
-            match self.longest(&guided, cap, pace) {
-                Ok(Stride { length, to, .. })
-                    if length < free && take([at.te, to.te], to.course.along) =>
-                {
+            let length = guided.at_once(cap, pace, &mut next).or_else(|| {
+                let found = self.longest(&guided, cap, pace).ok()?;
+                next = found.to;
+                Some(found.length)
+            });
+            match length {
+                Some(length) if length < free && take([at.te, next.te], next.course.along) => {
                     free -= length;
                     (pace.room, pace.looked) = (pace.room - length, false);
-                    (at, gone) = (to, true);
+                    (at, gone) = (next, true);
                 }
                 _ => {
                     *pace = before;
@@ -382,7 +393,22 @@ impl Track {
         }
     }
 
+    /// What is foretold with a fixed axis: by the bends, and the length that comes of it for a first trial; `None` where that is
+    /// another.
     #[inline(always)]
+    pub(super) fn foretold(&self, from: &Course, cap: f64, pace: &Pace) -> Option<(f64, f64)> {
+        let plan = self.plan(from, None, cap);
+        let s = plan.length * pace.expected(false) * (1.0 - 0.25 * LONG_ENOUGH);
+        (plan.length < plan.most && s < plan.most).then_some((plan.length, s))
+    }
+
+    /// Does a first trial that fits end the search for a length, when it could be longer by this ratio?
+    #[inline(always)]
+    pub(super) fn enough_at_once(&self, ratio: f64) -> bool {
+        ratio - 1.0 <= LONG_ENOUGH && self.another(ratio, LONG_ENOUGH) == 0.0
+    }
+
+    /// The longest cut vector, found by trials.
     fn longest<T: Trials>(
         &self,
         trials: &T,
@@ -396,7 +422,7 @@ impl Track {
         let mut bends = pace.expected_bends();
         let mut bent = None;
         let mut plan = self.plan(from, bends, cap);
-        let mut s = (plan.length * pace.expected() * (1.0 - aim)).min(plan.most);
+        let mut s = (plan.length * pace.expected(self.axis.turns()) * (1.0 - aim)).min(plan.most);
         if plan.length >= plan.most && pace.length > 0.0 {
             // Nothing bends here, which may end soon.
             s = s.min(FARTHER * pace.length);
@@ -595,37 +621,14 @@ impl Track {
 
     /// Are the aims off these targets by more than a share of the band?
     fn differ(&self, aims: [f64; 2], targets: [f64; 2], share: f64) -> bool {
-        (0..2).any(|i| (aims[i] - targets[i]).abs() > share * self.keeps[i].width())
+        (0..2).any(|i| (aims[i] - targets[i]).abs() > share * self.bands[i].width)
     }
 
-    /// Gaps of the next vertex when cut vectors are about `usual` long and the gaps bend so along them: in the
-    /// share of the band that the chords use, and farther out where the vertex before left less room for the
-    /// chord between both.
+    /// Gaps of the next vertex when cut vectors are about `usual` long and the gaps bend so along them.
     #[inline]
     pub(super) fn aims(&self, gaps: [f64; 2], bends: [f64; 2], usual: f64) -> [f64; 2] {
-        let target = |i: usize| {
-            let (keep, bend) = (&self.keeps[i], bends[i]);
-            let share = (bend.abs() * usual * usual / (8.0 * keep.width())).min(1.0);
-            if share < 1e-9 {
-                return keep.level();
-            }
-            let (even, edge) = (keep.target(bend, share), keep.target(bend, 1.0));
-            let Limits { low, high } = keep.limits();
-            let before = gaps[i];
-            let room = if bend > 0.0 { before - low } else { high - before };
-            let depth = 0.5 * bend.abs() * usual * usual;
-            let rest = SPARE * (depth.sqrt() - room.max(0.0).sqrt()).max(0.0).powi(2);
-            if bend > 0.0 {
-                even.max(low + rest).min(edge)
-            } else {
-                even.min(high - rest).max(edge)
-            }
-        };
-        let target = |i: usize| {
-            let target = target(i);
-            if self.axis.turns() { self.keeps[i].inside(target, AIM_TURNING) } else { target }
-        };
-        [target(0), target(1)]
+        let [drive, part] = &self.bands;
+        [drive.vertex(gaps[0], bends[0], usual), part.vertex(gaps[1], bends[1], usual)]
     }
 
     /// By what share of its length a first chord goes on that is long enough: at the edges of what is taken at once all of the way
@@ -635,7 +638,7 @@ impl Track {
     #[inline]
     fn another(&self, ratio: f64, long_enough: f64) -> f64 {
         let ramp = RAMP * long_enough;
-        let short_enough = TOO_LONG * self.aim(0).min(self.aim(1));
+        let short_enough = TOO_LONG * self.bands[0].share.min(self.bands[1].share);
         let (over, under) = (ratio - 1.0 - long_enough + ramp, 1.0 - ratio - short_enough + ramp);
         if under > 2.0 * (ramp + short_enough) {
             // An end at the very edge of the band, from where no chord is as long as it aims.
@@ -650,9 +653,9 @@ impl Track {
         let turn = from.curl.norm();
         let most = if turn * cap > MOST_TURN { MOST_TURN / turn } else { cap };
         let mut length = most;
-        for (keep, bend) in self.keeps.iter().zip(bends.unwrap_or(from.bends)) {
-            if bend.abs() * length * length > 8.0 * keep.width() {
-                length = (8.0 * keep.width() / bend.abs()).sqrt();
+        for (band, bend) in self.bands.iter().zip(bends.unwrap_or(from.bends)) {
+            if bend.abs() * length * length > 8.0 * band.width {
+                length = (8.0 * band.width / bend.abs()).sqrt();
             }
         }
         Plan { length, most }

@@ -3,6 +3,7 @@
 use aptc_contact::{Condition, Gap, Reason};
 use aptc_geometry::{Vec3, trig};
 
+use super::band::Band;
 use super::guided::Guides;
 use super::keep::{Keep, Pose};
 use super::turning::meet;
@@ -15,13 +16,15 @@ const ROUNDS: usize = 60;
 const ROUNDS_WITH_AXIS: usize = 8;
 
 /// Sine between two surfaces below which they run side by side.
-const SIDE_BY_SIDE: f64 = 1e-7;
+pub(super) const SIDE_BY_SIDE: f64 = 1e-7;
 
 /// Drive and part surface with the rule for the axis.
 #[derive(Clone, Debug)]
 pub(crate) struct Track {
     /// Drive surface, part surface.
     pub(crate) keeps: [Keep; 2],
+    /// Their bands.
+    pub(super) bands: [Band; 2],
     pub(crate) axis: AxisRule,
     /// What guides the tool past trials by contacts, when there is something.
     pub(crate) guides: Option<Guides>,
@@ -87,19 +90,39 @@ impl Course {
         Ok(Self { along, bends, curl: curl.ok_or(Trouble::SideBySide)? })
     }
 
+    /// The same with unit vectors for gradients, and `along` square to both.
+    #[inline(always)]
+    pub(super) fn across([a, b]: [Vec3; 2], along: Vec3, [at_a, at_b]: [f64; 2]) -> Self {
+        let lean = a.dot(&b);
+        let square = 1.0 - lean * lean;
+        let curl = (a * (lean * at_b - at_a) + b * (lean * at_a - at_b)) / square;
+        Self { along, bends: [at_a, at_b], curl }
+    }
+
     /// The way by `s` along the track, to second order, and its direction there.
     #[inline]
     pub(super) fn ahead(&self, s: f64) -> (Vec3, Vec3) {
-        let k = self.curl.norm();
-        let turn = k * s;
-        if turn <= 1e-9 {
-            return (self.along * s, self.along);
-        }
-        let (sin, cos) = trig::sin_cos(turn);
-        let inwards = self.curl / k;
-        let step = self.along * (sin / k) + inwards * ((1.0 - cos) / k);
-        (step, self.along * cos + inwards * sin)
+        let turn = self.curl.norm() * s;
+        let (sinc, half) = sinc(turn);
+        let (step, bend) = (s * sinc, s * s * half);
+        let ahead = self.along * step + self.curl * bend;
+        (ahead, self.along * (1.0 - turn * turn * half) + self.curl * step)
     }
+}
+
+/// `sin x / x` and `(1 - cos x) / x^2`.
+#[inline]
+fn sinc(x: f64) -> (f64, f64) {
+    /// Up to here the terms that are left out are less than rounding.
+    const SMALL: f64 = 0.03;
+    let square = x * x;
+    if x < SMALL {
+        let sinc = 1.0 - square / 6.0 * (1.0 - square / 20.0 * (1.0 - square / 42.0));
+        let half = 0.5 - square / 24.0 * (1.0 - square / 30.0 * (1.0 - square / 56.0));
+        return (sinc, half);
+    }
+    let (sin, cos) = trig::sin_cos(x);
+    (sin / x, (1.0 - cos) / square)
 }
 
 impl From<Reason> for Trouble {
@@ -342,7 +365,7 @@ impl Track {
         }
         // A plane across that is turned by much may meet the track behind as well.
         let back = |to: &Node| (from.pose.te - to.pose.te).dot(&from.course.along);
-        if found.as_ref().is_ok_and(|to| back(to) > self.keeps[0].width() + self.keeps[1].width()) {
+        if found.as_ref().is_ok_and(|to| back(to) > self.bands[0].width + self.bands[1].width) {
             return Err(Trouble::Stuck);
         }
         found
@@ -352,7 +375,7 @@ impl Track {
     /// meet the track far away.
     #[inline]
     pub(super) fn farthest(&self, s: f64) -> f64 {
-        2.0 * (s + self.keeps[0].width() + self.keeps[1].width())
+        2.0 * (s + self.bands[0].width + self.bands[1].width)
     }
 }
 
