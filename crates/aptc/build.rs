@@ -16,21 +16,52 @@ fn main() {
     {
         println!("cargo::rerun-if-changed={log}");
     }
-    if at_fixed_addresses() {
+    if is_fast_to_start() {
         println!("cargo::rustc-link-arg-bins=-no-pie");
+        if let Some(folder) = archives(&out) {
+            println!("cargo::rustc-link-arg-bins=-L{}", folder.display());
+            println!("cargo::rustc-link-arg-bins=-static");
+        }
     }
     let commit = git(&root, &["rev-parse", "--short", "HEAD"]).unwrap_or_default();
     println!("cargo::rustc-env=APTC_COMMIT={commit}");
 }
 
-/// Is the program linked to addresses of its own? Nothing is left to put right at each start then, which is a seventh of
-/// it; as in the package, where the whole of it stands in one file.
-fn at_fixed_addresses() -> bool {
+/// Is the program linked to addresses of its own, and without shared libraries where their archives are at hand? Nothing is left
+/// to put right or to look up at each start then, which is a third of it; as in the package, where cargo is told so.
+fn is_fast_to_start() -> bool {
     let is = |name: &str, value: &str| env::var(name).is_ok_and(|v| v == value);
+    let told = env::var("CARGO_CFG_TARGET_FEATURE").is_ok_and(|f| f.contains("crt-static"));
     is("PROFILE", "release")
         && is("CARGO_CFG_TARGET_ARCH", "x86_64")
         && is("CARGO_CFG_TARGET_OS", "linux")
         && is("CARGO_CFG_TARGET_ENV", "gnu")
+        && env::var("HOST") == env::var("TARGET")
+        && !told
+}
+
+/// A folder in which the archives of the C library stand under the names of its shared libraries; `None` where one is missing.
+///
+/// Cargo leaves out shared libraries only where the target is named on its command line. The linker looks into this folder
+/// first, and takes what it is led to.
+fn archives(out: &Path) -> Option<PathBuf> {
+    let names = ["m", "c", "util", "rt", "pthread", "dl"].map(|n| (n, format!("lib{n}.a")));
+    let unwinder = ("gcc_s", "libgcc_eh.a".to_owned());
+    let folder = out.join("archives");
+    fs::create_dir_all(&folder).ok()?;
+    for (name, archive) in names.into_iter().chain([unwinder]) {
+        let lead = format!("INPUT({})\n", archive_at(&archive)?.display());
+        fs::write(folder.join(format!("lib{name}.so")), lead).ok()?;
+    }
+    Some(folder)
+}
+
+/// Where the linker has an archive; `None` where it has none.
+fn archive_at(name: &str) -> Option<PathBuf> {
+    let linker = env::var("RUSTC_LINKER").unwrap_or_else(|_| "cc".to_owned());
+    let output = Command::new(linker).arg(format!("-print-file-name={name}")).output().ok()?;
+    let path = PathBuf::from(String::from_utf8(output.stdout).ok()?.trim());
+    (output.status.success() && path.is_absolute()).then_some(path)
 }
 
 /// What git prints; `None` where there is no git or no repository.
