@@ -98,6 +98,13 @@ pub struct NameRef {
     pub subscript: u32,
 }
 
+impl NameRef {
+    /// Does it say in words what is meant, as of the part surface that no statement gives? Symbols have no blanks.
+    pub fn is_in_words(&self) -> bool {
+        self.name.contains(' ')
+    }
+}
+
 /// Motion of one statement, or a part of it.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Motion {

@@ -186,6 +186,13 @@ pub struct NameRef {
     pub subscript: u32,
 }
 
+impl NameRef {
+    /// Does it say in words what is meant, as of the part surface that no statement gives? Symbols have no blanks.
+    pub fn is_in_words(&self) -> bool {
+        self.name.contains(' ')
+    }
+}
+
 /// 2DCALC or 3DCALC.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]

@@ -546,7 +546,7 @@ pub(crate) fn called(s: &SurfaceRef) -> String {
 
 /// The same with its role, which one that no statement gives has in its name.
 pub(crate) fn with_role(role: &str, s: &SurfaceRef) -> String {
-    if s.name.name.contains(' ') {
+    if s.name.is_in_words() {
         return s.name.name.to_string();
     }
     format!("the {role} surface {}", called(s))

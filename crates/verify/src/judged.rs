@@ -15,6 +15,8 @@ pub(crate) struct Judged {
     /// The disk of CUTTER/OPTION, which is proved as programmed.
     disk: Option<Profile>,
     name: String,
+    /// The same with its role, as messages call it.
+    called: String,
     role: &'static str,
 }
 
@@ -86,7 +88,9 @@ impl Judged {
             (n, i) => format!("{n}({i})"),
         };
         let disk = c.disk.and_then(|[radius, height]| Profile::disk(radius, height).ok());
-        Self { demand, disk, name, role }
+        let called =
+            if c.name.is_in_words() { name.clone() } else { format!("{role} surface {name}") };
+        Self { demand, disk, name, called, role }
     }
 
     /// Judges a cut vector; the fault, if there is one, else `seen` takes its bounds.
@@ -126,11 +130,6 @@ impl Judged {
     }
 
     fn fault(&self, verdict: Verdict, vector: u64) -> Option<Fault> {
-        let surface = || match self.name.as_str() {
-            // One that no statement gives is called by words, with its role.
-            words if words.contains(' ') => words.to_owned(),
-            name => format!("{} surface {name}", self.role),
-        };
         match verdict {
             Verdict::Proved { .. } => None,
             Verdict::Refuted { gap, te } => {
@@ -138,7 +137,7 @@ impl Judged {
                 let depth = if gouge { self.demand.least - gap } else { gap - self.demand.most };
                 Some(Fault {
                     refuted: true,
-                    surface: surface(),
+                    surface: self.called.clone(),
                     vector,
                     te: te.into(),
                     depth,
@@ -149,7 +148,7 @@ impl Judged {
             }
             Verdict::Undecided { at_most, te } => Some(Fault {
                 refuted: false,
-                surface: surface(),
+                surface: self.called.clone(),
                 vector,
                 te: te.into(),
                 depth: at_most,
