@@ -22,6 +22,8 @@ const CUTS: u32 = 3;
 /// Sine of an angle at which the way to a point is taken to stand across the surface: so much of a cell's size the
 /// distance may be wrong.
 const LEVEL: f64 = 1e-12;
+/// Share of a cell within which a place is at its end, and of the slope of a distance that is one.
+const AT_END: f64 = 1e-9;
 /// Where the continuation is divided, in shares of it: it bends the more the farther out.
 const SHARES: [f64; 5] = [0.0, 0.03125, 0.125, 0.375, 1.0];
 
@@ -45,7 +47,12 @@ struct Cell {
     side: [Vec3; 2],
     /// For uu, uv and vv centre and radius of a ball that holds the derivative everywhere, times the half widths.
     bend: [(Vec3, f64); 3],
+    /// At which ends of the parameters does the surface go on without an edge?
+    smooth: Smooth,
 }
+
+/// For each parameter: at its low and at its high end.
+type Smooth = [[bool; 2]; 2];
 
 /// What is known of the nearest place so far.
 struct Search {
@@ -128,7 +135,7 @@ impl Cells {
             let mut parts = vec![(*cell, CUTS)];
             while let Some((cell, left)) = parts.pop() {
                 let st = cell.toward(p);
-                if cell.bound(p, st) >= least {
+                if cell.bound(p, st) >= least || cell.falls_beyond(p) {
                     continue;
                 }
                 if left > 0 && !cell.has_one_dip(p) {
@@ -138,6 +145,7 @@ impl Cells {
                 let (square, place) =
                     descend(Some(cell.patch), cell.parameters(st), &cell.domain());
                 if square < least * least
+                    && !cell.leads_beyond(p, &place)
                     && let Some(square) = dip(place.u, place.v)
                 {
                     least = least.min(square.sqrt());
@@ -249,7 +257,7 @@ impl Search {
         descend: &impl Fn(Option<[usize; 2]>, [f64; 2], &Domain) -> (f64, Placed),
     ) {
         let mut st = cell.toward(self.p);
-        if cell.bound(self.p, st) >= self.least {
+        if cell.bound(self.p, st) >= self.least || cell.falls_beyond(self.p) {
             return;
         }
         if !cell.has_one_dip(self.p) {
@@ -287,9 +295,11 @@ impl Cell {
         patch: [usize; 2],
         [mid, half]: [[f64; 2]; 2],
         bend: [(Vec3, f64); 3],
+        smooth: Smooth,
         jet: &Jet,
     ) -> Self {
-        Self { patch, mid, half, c: jet.s, side: [jet.su * half[0], jet.sv * half[1]], bend }
+        let side = [jet.su * half[0], jet.sv * half[1]];
+        Self { patch, mid, half, c: jet.s, side, bend, smooth }
     }
 
     /// Greatest second derivative.
@@ -376,6 +386,33 @@ impl Cell {
         h11 > 0.0 && h22 > 0.0 && h11 * h22 > h12 * h12
     }
 
+    /// Does the distance from `p` fall all over the cell towards an end at which the surface goes on without an edge? Then no dip
+    /// is in it. The slope of half its square differs from that in the middle by no more than its second derivatives.
+    fn falls_beyond(&self, p: Vec3) -> bool {
+        let w = self.c - p;
+        let far = w.norm() + self.reach();
+        let turns = self.turns();
+        let long = [0, 1].map(|k| self.side[k].norm() + turns[k]);
+        (0..2).any(|k| {
+            let slope = w.dot(&self.side[k]);
+            let change = long[k] * (long[0] + long[1]) + far * turns[k];
+            slope.abs() > change && self.smooth[k][usize::from(slope < 0.0)]
+        })
+    }
+
+    /// Lies the nearest place of the cell at such an end, beyond which the distance from `p` goes on falling?
+    fn leads_beyond(&self, p: Vec3, place: &Placed) -> bool {
+        let Some(st) = self.holds([place.u, place.v]) else { return false };
+        let (w, jet) = (place.jet.s - p, &place.jet);
+        (0..2).any(|k| {
+            let along = if k == 0 { jet.su } else { jet.sv };
+            let slope = w.dot(&along);
+            let end = usize::from(slope < 0.0);
+            let there = st[k] * (2.0 * end as f64 - 1.0) >= 1.0 - AT_END;
+            there && self.smooth[k][end] && slope.abs() > AT_END * w.norm() * along.norm()
+        })
+    }
+
     /// May the line through `p` along `d` meet it?
     fn may_meet(&self, p: Vec3, d: Vec3) -> bool {
         let [a, b] = &self.side;
@@ -401,7 +438,11 @@ impl Cell {
         let bend = self.bend.map(|(m, r)| (m * 0.25, r * 0.25));
         [[-1.0, -1.0], [1.0, -1.0], [-1.0, 1.0], [1.0, 1.0]].map(|sign| {
             let mid = [0, 1].map(|k| self.mid[k] + sign[k] * half[k]);
-            Self::new(self.patch, [mid, half], bend, &jet(self.patch, mid[0], mid[1]))
+            let smooth = [0, 1].map(|k| match sign[k] < 0.0 {
+                true => [self.smooth[k][0], true],
+                false => [true, self.smooth[k][1]],
+            });
+            Self::new(self.patch, [mid, half], bend, smooth, &jet(self.patch, mid[0], mid[1]))
         })
     }
 }
@@ -415,9 +456,32 @@ struct Put<'a> {
 }
 
 impl Put<'_> {
-    fn cell(&mut self, mid: [f64; 2], half: [f64; 2], bend: [(Vec3, f64); 3]) {
+    fn cell(&mut self, mid: [f64; 2], half: [f64; 2], bend: [(Vec3, f64); 3], smooth: Smooth) {
         let jet = self.jet(mid[0], mid[1]);
-        self.cells.push(Cell::new(self.place, [mid, half], bend, &jet));
+        self.cells.push(Cell::new(self.place, [mid, half], bend, smooth, &jet));
+    }
+
+    /// At which borders of the patch its neighbour goes on without an edge, or the straight continuation.
+    fn smooth(&self, patch: &Patch, index: usize, count: [usize; 2], domain: &Domain) -> Smooth {
+        let at = [index % count[0], index / count[0]];
+        let continued = [domain.u, domain.v].map(|ends| [ends[0] < 0.0, ends[1] > 1.0]);
+        let mesh = matches!(self.surface.layout, Layout::Mesh { .. });
+        [0, 1].map(|k| {
+            let step = if k == 0 { 1 } else { count[0] };
+            [0, 1].map(|end| {
+                let last = if end == 0 { at[k] == 0 } else { at[k] + 1 == count[k] };
+                if last || !mesh {
+                    return last && mesh && continued[k][end];
+                }
+                let other = if end == 0 { index - step } else { index + step };
+                let other = &self.surface.patches[other];
+                let [low, high] = if end == 0 { [other, patch] } else { [patch, other] };
+                match k {
+                    0 => goes_on(low, high),
+                    _ => goes_on(&turned(low), &turned(high)),
+                }
+            })
+        })
     }
 
     fn jet(&self, u: f64, v: f64) -> Jet {
@@ -441,6 +505,8 @@ impl Put<'_> {
         let from = [0, 1].map(|k| knots[k][place[k]] / spans[k]);
         let width = [0, 1].map(|k| (knots[k][place[k] + 1] - knots[k][place[k]]) / spans[k]);
         let n = cut as f64;
+        let borders = self.smooth(patch, index, count, domain);
+        let smooth = |k: usize, i: usize| [i > 0 || borders[k][0], i + 1 < cut || borders[k][1]];
         let share = |i: usize| [i as f64 / n, (i + 1) as f64 / n];
         let half = width.map(|w| 0.5 * w / n);
         let middle = |k: usize, i: usize| from[k] + width[k] * (i as f64 + 0.5) / n;
@@ -449,7 +515,7 @@ impl Put<'_> {
                 let part = patch.part(share(i), share(j));
                 let balls = bends(&part).balls();
                 let bend = balls.map(|(m, r)| (m * 0.25, r * 0.25));
-                self.cell([middle(0, i), middle(1, j)], half, bend);
+                self.cell([middle(0, i), middle(1, j)], half, bend, [smooth(0, i), smooth(1, j)]);
             }
         }
         let out = [0, 1].map(|k| {
@@ -472,6 +538,7 @@ impl Put<'_> {
                     };
                     let edge = Edge::of(&part, side);
                     for (mid_out, half_out, far) in stretches(*range) {
+                        let out = outwards(side, *range, far);
                         let rate = 1.0 / width[k];
                         let twist = edge.slope * rate * half_out * 0.5;
                         let along = (edge.twice + far * rate * edge.slope_twice) * 0.25;
@@ -479,28 +546,47 @@ impl Put<'_> {
                         let (twist, along) = ((Vec3::zeros(), twist), (Vec3::zeros(), along));
                         if k == 0 {
                             let mid = [mid_out, middle(1, i)];
-                            self.cell(mid, [half_out, half[1]], [zero, twist, along]);
+                            let smooth = [out, smooth(1, i)];
+                            self.cell(mid, [half_out, half[1]], [zero, twist, along], smooth);
                         } else {
                             let mid = [middle(0, i), mid_out];
-                            self.cell(mid, [half[0], half_out], [along, twist, zero]);
+                            let smooth = [smooth(0, i), out];
+                            self.cell(mid, [half[0], half_out], [along, twist, zero], smooth);
                         }
                     }
                 }
             }
         }
         // Beyond the corners the surface goes on doubly straight.
-        for range_u in out[0].iter().flatten() {
-            for range_v in out[1].iter().flatten() {
-                for (mu, hu, _) in stretches(*range_u) {
-                    for (mv, hv, _) in stretches(*range_v) {
+        let ends = |k: usize| out[k].iter().enumerate().filter_map(|(end, r)| Some((end, (*r)?)));
+        for (end_u, range_u) in ends(0) {
+            for (end_v, range_v) in ends(1) {
+                for (mu, hu, far_u) in stretches(range_u) {
+                    for (mv, hv, far_v) in stretches(range_v) {
                         let twist = self.jet(mu, mv).suv * (hu * hv);
                         let zero = (Vec3::zeros(), 0.0);
-                        self.cell([mu, mv], [hu, hv], [zero, (twist, 0.0), zero]);
+                        let smooth =
+                            [outwards(end_u, range_u, far_u), outwards(end_v, range_v, far_v)];
+                        self.cell([mu, mv], [hu, hv], [zero, (twist, 0.0), zero], smooth);
                     }
                 }
             }
         }
     }
+}
+
+/// Does the second patch go on where the first ends along u, in its direction all along the border?
+fn goes_on(first: &Patch, second: &Patch) -> bool {
+    /// Share of the derivatives by which they may be off that direction.
+    const OFF: f64 = 1e-9;
+    let way = |p: &Patch, i: usize| array::from_fn::<_, 4, _>(|j| p.net[j][i + 1] - p.net[j][i]);
+    let (before, after) = (way(first, 2), way(second, 0));
+    let dot = |a: &[Vec4; 4], b: &[Vec4; 4]| a.iter().zip(b).map(|(a, b)| a.dot(b)).sum::<f64>();
+    let square = dot(&before, &before);
+    let rate = dot(&before, &after) / square;
+    let off = array::from_fn(|j| after[j] - before[j] * rate);
+    let meet = (0..4).map(|j| (second.net[j][0] - first.net[j][3]).norm_squared()).sum::<f64>();
+    rate > 0.0 && dot(&off, &off) <= OFF * OFF * dot(&after, &after) && meet <= OFF * OFF * square
 }
 
 /// Middle, half width and greatest distance from the border of the stretches from a border to an end.
@@ -512,6 +598,13 @@ fn stretches([border, end]: [f64; 2]) -> impl Iterator<Item = (f64, f64, f64)> {
         .collect::<Vec<_>>()
         .into_iter()
         .map(move |[a, b]| (border + 0.5 * (a + b) * way, 0.5 * (b - a) * way.abs(), b * way.abs()))
+}
+
+/// At which ends a stretch that reaches so `far` from the border goes on, beyond the low or the high end of the parameter: at
+/// both, but for the last.
+fn outwards(end: usize, [border, last]: [f64; 2], far: f64) -> [bool; 2] {
+    let goes_on = far < (last - border).abs();
+    if end == 0 { [goes_on, true] } else { [true, goes_on] }
 }
 
 /// The patch with u and v exchanged.
