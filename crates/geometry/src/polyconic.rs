@@ -11,9 +11,10 @@ use crate::{Transform, Vec2, Vec3};
 pub struct Polyconic {
     /// First canonical element: 2 when the control curves have square roots, else 1.
     pub roots: f64,
-    /// Elements 2 to 13 as written; all zero means no transformation.
+    /// Elements 2 to 13 as written: the map from the part into the system of the curves; all zero means none.
     pub matrix: [f64; 12],
-    /// Thickness between the defined surface and the working surface.
+    /// Thickness between the defined surface and the working surface, to the side of the product of section and
+    /// length.
     pub thickness: f64,
     /// Where the curves begin along the polyconic.
     pub origin: f64,
@@ -68,8 +69,34 @@ impl Polyconic {
     }
 
     /// The map from the system of the curves into that of the part; `None` when there is none.
+    ///
+    /// APT: `APLCN`, which carries points by the matrix as it is written before it looks at the curves.
     pub fn transform(&self) -> Option<Transform> {
-        self.matrix.iter().any(|e| *e != 0.0).then(|| Transform::from_rows(&self.matrix))
+        Transform::from_rows(&self.matrix).inverse()
+    }
+
+    /// Is there a matrix that flattens space, or does not keep angles and ratios of lengths to a thousandth? Matrices are
+    /// written with some digits only.
+    pub fn is_skew(&self) -> bool {
+        const MOST: f64 = 1e-3;
+        let Some(m) = self.transform() else { return self.matrix.iter().any(|e| *e != 0.0) };
+        let [x, y, z] = [Vec3::x(), Vec3::y(), Vec3::z()].map(|e| m.vector(e));
+        let size = x.norm_squared();
+        let skew =
+            [x.dot(&y), y.dot(&z), z.dot(&x), y.norm_squared() - size, z.norm_squared() - size];
+        skew.iter().any(|s| s.abs() > MOST * size)
+    }
+
+    /// How far the working surface lies from the one that is defined, in the part, along the product of the directions of
+    /// length and section.
+    ///
+    /// APT: `APLCNA`, where the product is of section and length in the system of the curves.
+    pub fn rise(&self) -> f64 {
+        let scale = self.transform().map_or(1.0, |m| {
+            let size = m.vector(Vec3::x()).norm();
+            if m.mirrors() { -size } else { size }
+        });
+        -self.thickness * scale
     }
 }
 
@@ -137,6 +164,29 @@ mod tests {
         assert!((c.at(4.0) - (4.0 + 1.0 + 12.0 + 16384.0)).abs() < 1e-9);
     }
 
+    /// Points go by the matrix into the system of the curves, as in APT-360: here the part's (-y, x, z) + (4, 5, 6).
+    #[test]
+    fn the_matrix_leads_into_the_system_of_the_curves() {
+        let mut e = [0.0; 79];
+        e[0] = 1.0;
+        (e[13], e[15], e[64]) = (0.5, 10.0, 0.75);
+        (e[24], e[16]) = (1.0, 1.0);
+        assert!((Polyconic::from_canonical(&e).rise() + 0.5).abs() < 1e-15);
+        let plain = Polyconic::from_canonical(&e).point(0.3, 0.4).unwrap();
+        e[1..13].copy_from_slice(&[0.0, -1.0, 0.0, 4.0, 1.0, 0.0, 0.0, 5.0, 0.0, 0.0, 1.0, 6.0]);
+        let turned = Polyconic::from_canonical(&e);
+        let p = turned.point(0.3, 0.4).unwrap();
+        assert!((Vec3::new(4.0 - p.y, p.x + 5.0, p.z + 6.0) - plain).norm() < 1e-14);
+        assert!((turned.rise() + 0.5).abs() < 1e-15 && !turned.is_skew());
+        // A mirror turns the product of length and section, and the side of the thickness stays.
+        e[2] = 1.0;
+        assert!((Polyconic::from_canonical(&e).rise() - 0.5).abs() < 1e-15);
+        e[2] = 1.01;
+        assert!(Polyconic::from_canonical(&e).is_skew());
+        e[2] = 0.0;
+        assert!(Polyconic::from_canonical(&e).is_skew());
+    }
+
     /// A quarter circle of radius 1 + d: fullness where the weight is cos 45.
     #[test]
     fn a_quarter_circle_comes_out_round() {
@@ -157,6 +207,7 @@ mod tests {
                 assert!((q.x - (2.0 + 10.0 * d)).abs() < 1e-14);
             }
         }
+        assert!(p.rise().abs() < 1e-15);
         e[64] = 0.4;
         assert!(Polyconic::from_canonical(&e).section(0.5).is_none());
     }

@@ -80,7 +80,8 @@ impl Form {
             Self::Polyconic(p) => {
                 scale()?;
                 let whole = p.transform().unwrap_or_else(Transform::identity).then(m);
-                Self::Polyconic(Arc::new(Polyconic { matrix: whole.rows(), ..(**p).clone() }))
+                let back = whole.inverse().ok_or(NotCarried::Unequal)?;
+                Self::Polyconic(Arc::new(Polyconic { matrix: back.rows(), ..(**p).clone() }))
             }
             Self::Scurv(c) => Self::Scurv(Arc::new(c.then(m))),
             Self::Ssurf(s) => Self::Ssurf(Arc::new(s.then(m))),

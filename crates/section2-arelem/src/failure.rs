@@ -600,6 +600,9 @@ fn unfit(surface: &SurfaceRef) -> String {
         aptc_geometry::Form::Ssurf(d) => aptc_geometry::sculpt::fit_surface(d, 1.0)
             .err()
             .map_or_else(String::new, |why| format!(": {why}")),
+        aptc_geometry::Form::Polyconic(_) => {
+            ": its length Pb is not above 0, or P leaves the range of 1/2 to 1".into()
+        }
         _ => " yet".into(),
     }
 }

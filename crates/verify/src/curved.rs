@@ -33,6 +33,8 @@ pub(crate) struct Curved<'s> {
     pub(crate) side: f64,
     /// Is the tool end alone concerned?
     pub(crate) on: bool,
+    /// The gap at the working surface: the thickness of a POLCON.
+    pub(crate) moved: f64,
     pub(crate) least: f64,
     pub(crate) most: f64,
 }
@@ -318,7 +320,9 @@ impl Curved<'_> {
     fn back(&self, least: f64, pad: f64) -> f64 {
         let band = self.most - self.least;
         let band = if band.is_finite() { band } else { 0.0 };
-        (4.0 * least.abs()).max(4.0 * band).max(1e3 * pad)
+        // Seen from its other side the surface that is moved lies the other way.
+        let beside = (least - self.moved).abs().min((least + self.moved).abs());
+        (4.0 * beside).max(4.0 * band).max(1e3 * pad)
     }
 
     /// A place of the surface moved by `least` is in the tool by `-inside`. The gap where that means what it

@@ -221,8 +221,9 @@ fn the_thickness_of_a_polyconic_moves_its_surface() {
             Form::Polyconic(Arc::new(aptc_geometry::Polyconic { thickness, ..(*p).clone() }));
         let jet = Sheet::new(&form).expect("conics").jet(&Spot { chart: 40, at: [0.5, 0.5] });
         let side: i8 = if jet.n.y + jet.n.z > 0.0 { 1 } else { -1 };
-        // Centre of the ball at 45 degrees, its distance from the cone 1 more than the thickness.
-        let radius = 1.5 + (1.0 + f64::from(side) * thickness) / lean;
+        // Centre of the ball at 45 degrees. From start to end the section turns with the y axis towards the z axis: its
+        // product with the length, to which the thickness is counted, points outwards.
+        let radius = 1.5 + (1.0 + thickness) / lean;
         let half = radius * std::f64::consts::FRAC_1_SQRT_2;
         let at = Position::upright(Vec3::new(0.0, half, half - 1.0));
         let c = Controlled { intol: 1e-6, outtol: 1e-6, ..controlled(&form, side) };

@@ -42,6 +42,8 @@ pub(crate) struct Demand {
     open: bool,
     /// Is the tool end alone concerned (ON)?
     on: bool,
+    /// The gap at the working surface: the thickness of a POLCON.
+    pub(crate) moved: f64,
     /// Least and greatest gap allowed.
     pub(crate) least: f64,
     pub(crate) most: f64,
@@ -105,13 +107,13 @@ impl Demand {
             (true, false) => (-c.intol, c.outtol),
             (false, _) => (c.thick - c.intol, c.thick + c.outtol),
         };
-        // The working surface of a POLCON lies by its thickness to the positive side of the one that is defined.
+        // The working surface of a POLCON lies beside the one that is defined.
         let moved = match c.form.shape() {
-            Form::Polyconic(p) => side * p.thickness,
+            Form::Polyconic(p) => side * p.rise(),
             _ => 0.0,
         };
         let (least, most) = (least + moved, most + moved);
-        Self { body, side, within, open: c.open, on, least, most }
+        Self { body, side, within, open: c.open, on, moved, least, most }
     }
 
     /// That no point of a tool is deeper than `depth` beyond a surface with a closed form, the tool on the side `side` of
@@ -123,14 +125,15 @@ impl Demand {
         };
         let within = side < 0.0 && !matches!(solid, Solid::Half(_));
         let (body, least, most) = (Body::Solid(solid), -depth, f64::INFINITY);
-        Some(Self { body, side, within, open: open && within, on: false, least, most })
+        Some(Self { body, side, within, open: open && within, on: false, moved: 0.0, least, most })
     }
 
     /// The same inside of a convex quadric that is open along the tool axis; `None` of others.
     pub(crate) fn hollow(quadric: &QuadricSurface, depth: f64) -> Option<Self> {
         let body = Body::Hollow(Hollow::new(quadric)?);
         let (least, most) = (-depth, f64::INFINITY);
-        Some(Self { body, side: -1.0, within: true, open: true, on: false, least, most })
+        let moved = 0.0;
+        Some(Self { body, side: -1.0, within: true, open: true, on: false, moved, least, most })
     }
 
     /// Judges the cut vector from `a` to `b`; `pad` covers rounding. Of what is refuted the deepest place is
@@ -246,7 +249,14 @@ impl Demand {
     }
 
     fn curved<'s>(&self, sheet: &'s Sheet) -> Curved<'s> {
-        Curved { sheet, side: self.side, on: self.on, least: self.least, most: self.most }
+        Curved {
+            sheet,
+            side: self.side,
+            on: self.on,
+            moved: self.moved,
+            least: self.least,
+            most: self.most,
+        }
     }
 
     /// How it is proved.

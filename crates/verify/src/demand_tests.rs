@@ -77,8 +77,16 @@ fn check(
         return Ok(());
     }
     let (least, most) = (f64::NEG_INFINITY, f64::INFINITY);
-    let demand =
-        Demand { body: Body::Solid(solid), side: 1.0, within, open: false, on: false, least, most };
+    let demand = Demand {
+        body: Body::Solid(solid),
+        side: 1.0,
+        within,
+        open: false,
+        on: false,
+        moved: 0.0,
+        least,
+        most,
+    };
     let Verdict::Proved { low, high } = demand.judge(&profile, a, b, 0.0) else {
         return Err(TestCaseError::fail("an open band is always proved"));
     };
@@ -150,6 +158,7 @@ fn a_chord_across_a_cylinder_gouges_by_its_sagitta() {
         within: false,
         open: false,
         on: false,
+        moved: 0.0,
         least,
         most: 1e-9,
     };

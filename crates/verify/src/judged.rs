@@ -49,12 +49,15 @@ impl Judged {
             Relation::To => demand.most = f64::INFINITY,
             Relation::Past => demand.least = f64::NEG_INFINITY,
             Relation::On => {
-                let gap = demand.gap_at(profile, start)?;
+                let gap = demand.gap_at(profile, start)? - demand.moved;
                 if gap.abs() <= 2.0 * band {
                     return None;
                 }
-                (demand.least, demand.most) =
-                    if gap > 0.0 { (-band, f64::INFINITY) } else { (f64::NEG_INFINITY, band) };
+                (demand.least, demand.most) = if gap > 0.0 {
+                    (demand.moved - band, f64::INFINITY)
+                } else {
+                    (f64::NEG_INFINITY, demand.moved + band)
+                };
             }
             Relation::Tanto | Relation::Pstan => return None,
         }
@@ -74,8 +77,9 @@ impl Judged {
         if c.side == 0 {
             // The tool end is on it, the cutter above.
             let above = Position { te: at.te + 1e-3 * profile.reach() * at.ta, ta: at.ta };
-            let gap = Demand::new(&c, sheets).gap_at(profile, &above)?;
-            c.side = if gap < 0.0 { -1 } else { 1 };
+            let demand = Demand::new(&c, sheets);
+            let gap = demand.gap_at(profile, &above)?;
+            c.side = if gap < demand.moved { -1 } else { 1 };
         }
         c.relation = Relation::To;
         Some(Self::with(Demand::new(&c, sheets), &c, "part"))

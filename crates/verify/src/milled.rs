@@ -234,7 +234,8 @@ impl MilledSurface {
         let warm = &mut seen.warm;
         let verdict = match &self.body {
             Body::Sheet(sheet) if self.on && self.holder.is_none() => {
-                let curved = Curved { sheet, side: self.side, on: true, least: from, most };
+                let curved =
+                    Curved { sheet, side: self.side, on: true, moved: 0.0, least: from, most };
                 curved.judge(&Tool::End, a, b, pad, warm)
             }
             Body::Sheet(sheet) => clear(sheet, &tool, [a, b], from - pad, warm),

@@ -105,6 +105,14 @@ impl Profile {
         self.widest
     }
 
+    /// Distance from the axis at which lower and upper line meet, half the diameter of CUTTER: `widest` but for sides that
+    /// lean. The greatest distance where they do not meet.
+    pub fn half_diameter(&self) -> f64 {
+        let det = self.nl.perp(&self.nu);
+        let rho = (self.nl.dot(&self.tip) * self.nu.y - self.nu.dot(&self.pu) * self.nl.y) / det;
+        if rho.is_finite() && rho >= 0.0 { rho } else { self.widest }
+    }
+
     /// Half width of the top.
     ///
     /// APT: `WIDTH`, which is the greatest only for sides that do not lean inwards.

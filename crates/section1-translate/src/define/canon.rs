@@ -165,7 +165,15 @@ fn build(kind: FormKind, e: Vec<f64>) -> Result<Form, Fault> {
         FormKind::Lconic => quadric(QuadricKind::Lconic, &e),
         FormKind::Qadric => quadric(QuadricKind::Qadric, &e),
         FormKind::Matrix => Form::Matrix(Transform::from_rows(&array(&e))),
-        FormKind::Polcon => Form::Polyconic(Arc::new(Polyconic::from_canonical(&array(&e)))),
+        FormKind::Polcon => {
+            let polyconic = Polyconic::from_canonical(&array(&e));
+            if polyconic.is_skew() {
+                let what =
+                    "has a matrix (elements 2 to 13) that flattens space or does not keep angles";
+                return Err(Fault::NoCurve { what });
+            }
+            Form::Polyconic(Arc::new(polyconic))
+        }
         FormKind::Tabcyl => super::tabcyl::from_elements(&e)?,
         FormKind::Scurv | FormKind::Ssurf if e.is_empty() => {
             return Err(Fault::Elements { at: 0, need: 1, found: 0 });

@@ -302,7 +302,9 @@ pub(super) fn normal(a: &Args<'_>, p: usize, at: usize, near: usize) -> Result<L
     let Some(foot) = nearest_foot(&feet, t.inside(near)) else {
         return Err(Fault::NoFoot { p, at, what: "no line through it stands upright on" });
     };
-    Ok(meet::line_at(from, t.along(&foot)))
+    // Its normal does not point down. Source: what APT-360 does.
+    let n = t.along(&foot);
+    Ok(meet::line_at(from, if n.y < 0.0 || n.y == 0.0 && n.x < 0.0 { -n } else { n }))
 }
 
 /// Centre of the circle `TANTO,line,modifier,TABCYL,modifier,point,RADIUS,r`: on the side of the line that

@@ -102,8 +102,8 @@ pub(crate) fn start(go: &Start) -> Option<Result<Path, Failure>> {
     Some(Ok(Path { rivals, ..Path::started(points, forward, control) }))
 }
 
-/// With a thickness, and with a cutter that is a point at a circle, APT-360 starts up in space; that ends elsewhere where a
-/// direction was given or the part surface leans.
+/// With a thickness, with a cutter whose sides lean, and with one that is a point at a circle, APT-360 starts up in space; that
+/// ends elsewhere where a direction was given or the part surface leans.
 fn in_space(
     go: &Start,
     floor: &Option<(Floor, &Wall, Relation)>,
@@ -114,8 +114,9 @@ fn in_space(
         || sides.iter().any(|s| s.along.is_some());
     let point = |w: &Wall| !w.on && w.profile.widest() == 0.0;
     let at_a_circle = sides.iter().any(|s| matches!(s.trace, Curve::Circle { .. }));
-    let touches = || go.surfaces.iter().chain(&go.part).any(|(_, w)| point(w));
-    differs && (go.thick || at_a_circle && touches())
+    let any = |is: &dyn Fn(&Wall) -> bool| go.surfaces.iter().chain(&go.part).any(|(_, w)| is(w));
+    let leans = |w: &Wall| (w.profile.top_radius() - w.profile.half_diameter()).abs() > LEANS;
+    differs && (go.thick || any(&leans) || at_a_circle && any(&point))
 }
 
 /// Signed distance from the curve at which the tool end is to be: TO keeps the tool on its side, PAST

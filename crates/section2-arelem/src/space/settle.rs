@@ -65,7 +65,7 @@ impl Solver<'_> {
     }
 
     /// Where the directions given for the surfaces bring the tool: each pierces its surface from the middle of the
-    /// cutter, and leaves room for its radius and the band. One that misses takes the tool along by three quarters of the
+    /// cutter, and leaves room for its radius, the thickness and the band. One that misses takes the tool along by three quarters of the
     /// gap there. Source: what APT-360 does.
     pub(super) fn approach(&self, pose: Pose) -> Pose {
         let mut te = pose.te;
@@ -75,7 +75,7 @@ impl Solver<'_> {
             let middle = te + pose.ta * (0.5 * keep.profile.height());
             te += v * match keep.surface.directed_distance(middle, v, Fiop::Ahead) {
                 Ok(hit) if aim.wall.on => hit.distance - keep.width(),
-                Ok(hit) => hit.distance - keep.profile.widest() - keep.width(),
+                Ok(hit) => hit.distance - keep.profile.half_diameter() - keep.thick - keep.width(),
                 Err(_) => {
                     let apart = keep.gap(&Pose { te, ..pose }, None);
                     0.75 * apart.map_or_else(|_| keep.surface.distance(te), |g| g.g).abs()
@@ -432,8 +432,10 @@ impl Solver<'_> {
             at = self.run(aim, at, normal).ok_or_else(|| misses(aim.wall))?;
         }
         for aim in &self.aims[1..] {
-            let up = self.run(aim, at, at.ta);
-            at = up.or_else(|| self.run(aim, at, -at.ta)).ok_or_else(|| misses(aim.wall))?;
+            // Up or down, whichever is nearer: a bowl has a place above too.
+            let ways = [at.ta, -at.ta].into_iter().filter_map(|v| self.run(aim, at, v));
+            let far = |p: &Pose| (p.te - at.te).norm();
+            at = ways.min_by(|a, b| far(a).total_cmp(&far(b))).ok_or_else(|| misses(aim.wall))?;
         }
         Ok(at)
     }

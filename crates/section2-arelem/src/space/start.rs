@@ -1,6 +1,6 @@
 //! Start-up in space (APT: `STRTUP`): the nearest position that satisfies one, two or three surfaces.
 
-use aptc_cldata::{Control, Position};
+use aptc_cldata::{Control, Controlled, Position};
 use aptc_contact::{Condition, Gap, Side, opens};
 use aptc_geometry::Vec3;
 use aptc_geometry::surface::frame_about;
@@ -48,11 +48,25 @@ pub(crate) fn start(go: &Start) -> Result<Path, Failure> {
         gap.ok_or_else(|| Failure::NoContact { surface: aim.wall.surface.clone() })?;
     }
     let mut sides = aims.iter().map(|a| a.wall.beside(a.relation, a.keep.side));
-    let (drive, part) = (sides.next(), sides.next());
+    let (mut drive, part) = (sides.next(), sides.next());
+    if go.offset && part.is_some() {
+        drive = drive.and_then(|drive| left_by_offset(drive, &aims[0], &end));
+    }
     let control = Control { drive, part, checks: sides.collect(), milling: None };
     let points = vec![Position { te: end.te, ta: end.ta }];
     let forward = end.te - go.tool.te;
     Ok(Path { rivals, ..Path::started(points, forward, control) })
+}
+
+/// What OFFSET promises of its drive surface once it has gone along the axis to the part surface: not to cut in. It may well
+/// have left a surface that leans.
+fn left_by_offset(drive: Controlled, aim: &Aim<'_>, end: &Pose) -> Option<Controlled> {
+    let gap = aim.keep.gap(end, None).ok()?.g;
+    if gap.abs() <= aim.keep.width() {
+        return Some(drive);
+    }
+    let outtol = drive.outtol.max(gap + aim.keep.width());
+    (!aim.wall.on).then_some(Controlled { outtol, ..drive })
 }
 
 /// The position; where a hollow may count as open, its side is decided.
@@ -250,6 +264,7 @@ fn aim(
         None if let Some(side) = rests_on(&keep, pose, outside.as_ref(), rules) => side,
         None if both(&keep, pose, 1.0) => Side::Positive,
         None if both(&keep, pose, -1.0) => keep.inner(pose),
+        None if let Some(side) = cut_through(&keep, pose, outside.as_ref()) => side,
         None => {
             let apart = || Failure::NoContact { surface: wall.surface.clone() };
             let fits = outside.filter(|g| g.g >= 0.0).map(|g| (g.g, Side::Positive));
@@ -283,6 +298,18 @@ fn both(keep: &Keep, pose: &Pose, sign: f64) -> bool {
     let middle = pose.te + pose.ta * (0.5 * keep.profile.height());
     let there = |p: Vec3| sign * keep.surface.distance(p) > keep.width();
     opens(&keep.surface, pose.ta) && there(pose.te) && there(middle)
+}
+
+/// The side on which the middle of a cutter lies that the surface cuts through, so that neither side is free: a cutter beside
+/// a wall that leans over it. Source: what APT-360 does.
+fn cut_through(keep: &Keep, pose: &Pose, outside: Option<&Gap>) -> Option<Side> {
+    let middle = pose.te + pose.ta * (0.5 * keep.profile.height());
+    let there = keep.surface.distance(middle);
+    let inner = keep.inner(pose);
+    let in_it = |gap: &Gap| gap.g < -keep.width();
+    let through = in_it(outside?) && in_it(&keep.on_side(inner).gap(pose, None).ok()?);
+    let clear = through && !opens(&keep.surface, pose.ta) && there.abs() > keep.width();
+    clear.then_some(if there > 0.0 { Side::Positive } else { inner })
 }
 
 /// The side towards which a point or a thin disk stands that is within the band on both, or anywhere when it is a point

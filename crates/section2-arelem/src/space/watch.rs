@@ -71,7 +71,7 @@ pub(crate) struct Mark {
     met: u32,
     closest: (f64, Pose),
     alike: f64,
-    gauges: [([bool; 2], Option<Gap>); 2],
+    gauges: [([bool; 2], Option<Gap>); 3],
 }
 
 impl Watch {
@@ -80,7 +80,7 @@ impl Watch {
             self.gauges.get(i).map_or(([false; 2], None), |g| ([g.armed, g.along], g.last))
         };
         let Self { met, closest, alike, .. } = *self;
-        Mark { met, closest, alike, gauges: [gauge(0), gauge(1)] }
+        Mark { met, closest, alike, gauges: [gauge(0), gauge(1), gauge(2)] }
     }
 
     /// Forgets what it has seen since.
@@ -99,13 +99,17 @@ impl Watch {
         };
         // A cutter that comes from outside is inside only when all of it is.
         let inner = inner.map(|s| if keep.on_side(s).clears(pose) { s } else { Side::Negative });
+        // A fillet that the cutter is too tall for is tangent to its wall or floor all the same.
+        let tangent = matches!(relation, Relation::Tanto | Relation::Pstan);
+        let open =
+            (tangent && keep.taller(pose) && inner != Some(Side::Open)).then_some(Side::Open);
         let near = keep.intol.max(keep.outtol);
         let piece = 4.0 * keep.profile.widest().max(keep.surface.extent() / 256.0);
         let gauge = |side: Side| {
             let keep = keep.on_side(side);
             Gauge { keep, piece, armed: true, along: false, last: None }
         };
-        let sides = std::iter::once(Side::Positive).chain(inner);
+        let sides = std::iter::once(Side::Positive).chain(inner).chain(open);
         let mut gauges: Vec<Gauge> = sides.map(gauge).collect();
         let mut closest = f64::INFINITY;
         for g in &mut gauges {

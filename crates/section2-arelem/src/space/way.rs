@@ -1,6 +1,9 @@
 //! The gap to a check surface along a cut vector: its zeros, its extreme values, and where it keeps its value.
 
+use std::cmp::Ordering;
+
 use aptc_contact::{Condition, Gap, Side, on};
+use aptc_geometry::Segment;
 
 use super::keep::Keep;
 use super::stride::Stride;
@@ -302,6 +305,29 @@ impl Way<'_> {
         Ok(inside)
     }
 
+    /// Where between two places the tool end is over the place at which a check surface that a flat end lies along is tangent:
+    /// until there they come nearer, from there they part. The stretch itself may go on in the next cut vector.
+    fn below(&self, keep: &Keep, from: f64, to: f64) -> Result<Option<f64>, Trouble> {
+        let parting = |s: f64| -> Result<Option<Ordering>, Trouble> {
+            let node = self.node(s)?;
+            let rate = keep.surface.foot(node.pose.te).normal.dot(&node.course.along);
+            Ok(if rate.abs() <= LEVEL { 0.0 } else { rate }.partial_cmp(&0.0))
+        };
+        let before = parting(from)?;
+        if parting(to)? == before {
+            return Ok(None);
+        }
+        let (mut near, mut far) = (from, to);
+        for _ in 0..ROUNDS {
+            if far - near <= self.track.exact {
+                break;
+            }
+            let mid = 0.5 * (near + far);
+            *(if parting(mid)? == before { &mut near } else { &mut far }) = mid;
+        }
+        Ok(Some(far))
+    }
+
     /// How far the check surface runs along with the way from its beginning, where the tool touches it there; all of the cut
     /// vector where they do not part on it.
     ///
@@ -397,6 +423,13 @@ pub(super) fn tangencies(
     }
     // The way comes to run along with the check surface, as along the straight end of a TABCYL: where that begins.
     let runs = |p: &Sample| p.slope.abs() <= LEVEL && p.gap.g.abs() <= loose;
+    let flat =
+        |p: &Sample| runs(p) && matches!(p.gap.segment, Some(Segment::Tip | Segment::LowerLine));
+    if flat(&a) || flat(&b) {
+        let at = way.below(keep, a.s, b.s)?;
+        out.extend(at.map(|s| Crossing { s, touch: true, falls: a.slope < 0.0 }));
+        return Ok(());
+    }
     if runs(&b) && !runs(&a) {
         out.push(Crossing { s: way.level(keep, &b, &a)?, touch: true, falls: a.slope < 0.0 });
         return Ok(());

@@ -51,7 +51,8 @@ impl Sections {
             behind: Some(1.0 + BEYOND),
             joined: true,
         };
-        (conic && form.length > 0.0).then(|| (new, Grid { sides: CELLS.map(side) }))
+        (conic && form.length > 0.0 && !form.is_skew())
+            .then(|| (new, Grid { sides: CELLS.map(side) }))
     }
 
     fn half(&self) -> f64 {

@@ -6,6 +6,7 @@ mod cells;
 mod part;
 mod polyconic;
 mod rail;
+mod raised;
 mod ruled;
 mod sculptured;
 #[cfg(test)]
@@ -62,6 +63,8 @@ pub struct ParametricSurface {
     /// Of a polyconic its sampled sections.
     planes: Option<Planes>,
     extent: f64,
+    /// How far along its normals the working surface lies from the patch: the thickness of a polyconic.
+    rise: f64,
 }
 
 #[derive(Clone, Debug)]
@@ -120,7 +123,7 @@ impl ParametricSurface {
         )
     }
 
-    /// A polyconic; `None` when its sections are no conics somewhere, or when it has a thickness.
+    /// The working surface of a polyconic; `None` when its sections are no conics somewhere.
     pub fn polyconic(form: &Arc<Polyconic>) -> Option<Self> {
         let sections = Sections::new(form)?;
         let us = halfway(sections.domain().u, 24);
@@ -155,6 +158,7 @@ impl ParametricSurface {
             waves: false,
             planes: None,
             extent,
+            rise: 0.0,
         }
     }
 
@@ -191,7 +195,12 @@ impl ParametricSurface {
             _ => (None, false),
         };
         let planes = None;
-        let new = Self { patch, us, vs, grid, apart, columns, strips, waves, planes, extent };
+        let rise = match &patch {
+            Patch::Polyconic(sections) => sections.rise(),
+            _ => 0.0,
+        };
+        extent += rise.abs();
+        let new = Self { patch, us, vs, grid, apart, columns, strips, waves, planes, extent, rise };
         Some(Self { planes: Planes::new(&new), ..new })
     }
 
@@ -244,7 +253,7 @@ impl ParametricSurface {
             spans.cells().met(p, d, |patch, u, v| spans.jet_of(patch, u, v), &mut put);
         }
         let flat = |s: Vec3| Vec2::new((s - p).dot(&a), (s - p).dot(&b));
-        let points: Vec<Vec2> = self.grid.iter().map(|s| flat(*s)).collect();
+        let points: Vec<Vec2> = self.working_grid().map(flat).collect();
         let n = self.vs.len();
         for i in 0..self.us.len().saturating_sub(1) {
             for j in 0..n - 1 {
@@ -283,13 +292,13 @@ impl ParametricSurface {
         let (mut u, mut v) = (u, v);
         let enough = 1e-13 * (self.extent + p.norm());
         for _ in 0..MAX_STEPS {
-            let jet = self.patch.jet(u, v);
-            let w = jet.s - p;
+            let (s, [su, sv]) = self.working(&Placed::new(&self.patch, u, v));
+            let w = s - p;
             let (x, y) = (w.dot(&a), w.dot(&b));
             if x.abs().max(y.abs()) <= enough {
-                return Some(jet.s);
+                return Some(s);
             }
-            let (xu, xv, yu, yv) = (jet.su.dot(&a), jet.sv.dot(&a), jet.su.dot(&b), jet.sv.dot(&b));
+            let (xu, xv, yu, yv) = (su.dot(&a), sv.dot(&a), su.dot(&b), sv.dot(&b));
             let det = xu * yv - xv * yu;
             let (du, dv) = ((xv * y - yv * x) / det, (yu * x - xu * y) / det);
             if !(du.is_finite() && dv.is_finite()) {
@@ -298,7 +307,7 @@ impl ParametricSurface {
             let shorter = 0.5 / du.abs().max(0.2 * dv.abs()).max(0.5);
             let (nu, nv) = (domain.clamp_u(u + du * shorter), domain.clamp_v(v + dv * shorter));
             if (nu - u).abs() <= 1e-16 && (nv - v).abs() <= 1e-16 * (1.0 + v.abs()) {
-                return (x.abs().max(y.abs()) <= 1e3 * enough).then_some(jet.s);
+                return (x.abs().max(y.abs()) <= 1e3 * enough).then_some(s);
             }
             (u, v) = (nu, nv);
         }
@@ -318,7 +327,7 @@ impl ParametricSurface {
     pub fn shape_at(&self, spot: Spot) -> Shape {
         let Some([u, v]) = spot.at else { return self.foot(spot.point).shape };
         let jet = self.patch.jet(u, v);
-        shape(&jet, self.normal_at(u, v, &jet))
+        self.bend(&jet, self.normal_at(u, v, &jet))
     }
 
     /// Is the place with these parameters on the border?
@@ -345,7 +354,8 @@ impl ParametricSurface {
     /// The same with the derivatives by both parameters.
     pub fn place_with_sides(&self, [u, v]: [f64; 2]) -> (Foot, [Vec3; 2]) {
         let place = Placed::new(&self.patch, u, v);
-        (self.foot_at(place.jet.s, &place), [place.jet.su, place.jet.sv])
+        let (point, sides) = self.working(&place);
+        (self.foot_at(point, &place), sides)
     }
 
     /// The place beside that with the parameters `at` by the tangent `by`, with its derivatives by both parameters;
@@ -356,10 +366,7 @@ impl ParametricSurface {
         sides: Option<[Vec3; 2]>,
         by: Vec3,
     ) -> Option<(Foot, [Vec3; 2])> {
-        let [su, sv] = sides.unwrap_or_else(|| {
-            let jet = self.patch.jet(u, v);
-            [jet.su, jet.sv]
-        });
+        let [su, sv] = sides.unwrap_or_else(|| self.working(&Placed::new(&self.patch, u, v)).1);
         let (du, dv) = by_sides([su, sv], by)?;
         let (u, v) = (u + du, v + dv);
         let inside = |x: f64, ends: [f64; 2]| x > ends[0] && x < ends[1];
@@ -368,7 +375,8 @@ impl ParametricSurface {
             return None;
         }
         let place = Placed::new(&self.patch, u, v);
-        Some((self.foot_at(place.jet.s, &place), [place.jet.su, place.jet.sv]))
+        let (point, sides) = self.working(&place);
+        Some((self.foot_at(point, &place), sides))
     }
 
     /// What [`Self::beside`] finds of a smooth surface for a short way, from a foot that is a place of it.
@@ -384,7 +392,8 @@ impl ParametricSurface {
         let Placed { u, v, jet } = *place;
         let at = Some([u, v]);
         let normal = self.normal_at(u, v, &jet);
-        let away = p - jet.s;
+        let point = self.raised(jet.s, normal);
+        let away = p - point;
         let size = away.norm();
         let distance = normal.dot(&away);
         let across = (away - normal * distance).norm();
@@ -392,9 +401,9 @@ impl ParametricSurface {
             let side = if distance < 0.0 { -1.0 } else { 1.0 };
             let normal = away * (side / size);
             let shape = Shape { frame: frame_about(normal), k: [f64::INFINITY * side, 0.0, 0.0] };
-            return Foot { point: jet.s, normal, distance: side * size, shape, at };
+            return Foot { point, normal, distance: side * size, shape, at };
         }
-        Foot { point: jet.s, normal, distance, shape: shape(&jet, normal), at }
+        Foot { point, normal, distance, shape: self.bend(&jet, normal), at }
     }
 
     fn normal_at(&self, u: f64, v: f64, jet: &Jet) -> Vec3 {
@@ -424,7 +433,8 @@ impl ParametricSurface {
         let places = self.seeds(p).into_iter().flatten();
         let places = places.map(|s| self.descend_free(p, [s.u, s.v]));
         let others = places.filter(|(_, place)| other(place));
-        others.map(|(square, _)| square.sqrt()).fold(limit, f64::min)
+        let distance = |square: f64| (square.sqrt() - self.rise.abs()).max(0.0);
+        others.map(|(square, _)| distance(square)).fold(limit, f64::min)
     }
 
     /// Where the nearest point is looked for from samples.

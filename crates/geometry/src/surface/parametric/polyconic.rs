@@ -9,7 +9,7 @@ use super::{Domain, Jet};
 /// How far it goes on straight beyond its ends, in shares of its length and of its sections.
 const BEYOND: f64 = 0.5;
 
-/// A polyconic whose sections are conics throughout.
+/// A polyconic whose sections are conics throughout, as it is defined: without its thickness.
 #[derive(Clone, Debug)]
 pub(super) struct Sections {
     form: Arc<Polyconic>,
@@ -24,7 +24,7 @@ type Along<T> = [T; 3];
 impl Sections {
     pub(super) fn new(form: &Arc<Polyconic>) -> Option<Self> {
         let conic = (0..=64).all(|i| form.section(f64::from(i) / 64.0).is_some());
-        let finite = form.length > 0.0 && form.thickness == 0.0;
+        let finite = form.length > 0.0 && !form.is_skew();
         let rooted = form.curves.iter().any(|c| c.root != 0.0);
         let transform = form.transform();
         (conic && finite).then(|| Self { form: form.clone(), transform, rooted })
@@ -42,6 +42,11 @@ impl Sections {
     /// Unit normal of the planes in which the sections lie.
     pub(super) fn across(&self) -> Option<Vec3> {
         self.vector(Vec3::y()).cross(&self.vector(Vec3::z())).try_normalize(0.0)
+    }
+
+    /// How far the working surface lies from it, along its normals.
+    pub(super) fn rise(&self) -> f64 {
+        self.form.rise()
     }
 
     /// A control curve by the parameter.

@@ -9,12 +9,12 @@ const SAMPLES: f64 = 4.0;
 /// Bends of a polyconic along its length at most: the degree of its control curves.
 const BENDS: f64 = 7.0;
 
-/// The sampled sections of a polyconic, which lie in parallel planes.
+/// The sampled sections of a polyconic, which lie in parallel planes, or with a thickness near them.
 #[derive(Clone, Debug)]
 pub(super) struct Planes {
-    /// Unit normal of the planes, and where each of them is along it.
+    /// Unit normal of the planes, and from where to where each section is along it.
     normal: Vec3,
-    levels: Vec<f64>,
+    levels: Vec<[f64; 2]>,
     /// All places of the first section first.
     samples: Vec<Sample>,
 }
@@ -39,14 +39,24 @@ impl Planes {
         let sample = |u: f64, v: f64| {
             let place = Placed::new(&surface.patch, u, v);
             let normal = surface.normal_at(u, v, &place.jet);
-            Sample { at: [u, v], point: place.jet.s, normal, along: place.jet.sv }
+            let (point, [_, along]) = surface.working(&place);
+            Sample { at: [u, v], point, normal, along }
         };
         let each = |u: &f64| surface.vs.iter().map(|v| sample(*u, *v)).collect::<Vec<_>>();
         let samples: Vec<Sample> = surface.us.iter().flat_map(each).collect();
         let normal = sections.across()?;
-        let level = |section: &[Sample]| section[0].point.dot(&normal);
+        let level = |section: &[Sample]| {
+            let each = section.iter().map(|s| s.point.dot(&normal));
+            let around = |m: [f64; 2], x: f64| [m[0].min(x), m[1].max(x)];
+            each.fold([f64::INFINITY, f64::NEG_INFINITY], around)
+        };
         let levels = samples.chunks_exact(surface.vs.len()).map(level).collect();
         Some(Self { normal, levels, samples })
+    }
+
+    /// All places of the first section first.
+    pub(super) fn samples(&self) -> &[Sample] {
+        &self.samples
     }
 }
 
@@ -83,7 +93,7 @@ impl ParametricSurface {
         let levels = self.planes.iter().flat_map(|p| p.levels.windows(2).map(|l| (l, p.normal)));
         levels.enumerate().filter_map(move |(i, (levels, n))| {
             let (from, to) = (a.dot(&n), b.dot(&n));
-            let (low, high) = (levels[0].min(levels[1]), levels[0].max(levels[1]));
+            let (low, high) = (levels[0][0].min(levels[1][0]), levels[0][1].max(levels[1][1]));
             let near = low <= from.max(to) + reach && high >= from.min(to) - reach;
             near.then_some([i, i + 1])
         })

@@ -172,7 +172,7 @@ pub(super) fn residuals(head: &str, key: &str, c: &Case<'_>, size: f64) -> Optio
                 size * t.tangent(f.span, f.s).normalize().perp(&n).abs()
             };
             let best = t.meets_line(n, l.d).iter().map(turn).fold(f64::MAX, f64::min);
-            vec![mine(c.p(0)), best]
+            vec![mine(c.p(0)), best, (-n.y).max(0.0)]
         }
         ("LINE", "XAXIS") => vec![mine(Vec3::zeros()), mine(Vec3::x())],
         ("LINE", "YAXIS") => vec![mine(Vec3::zeros()), mine(Vec3::y())],

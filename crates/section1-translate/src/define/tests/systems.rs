@@ -109,9 +109,26 @@ fn elements_out_of_shape_are_kept_as_written() {
 
 #[test]
 fn a_polyconic_comes_from_its_79_elements() {
-    let elements: Vec<Value> = (0..79).map(|i| n(f64::from(i) * 0.01)).collect();
-    let form = canonical(word::POLCON, None, &args(&elements), &Context::default()).unwrap();
-    assert_eq!(form.kind(), FormKind::Polcon);
-    assert_eq!(form.canonical().len(), 79);
+    let with_matrix = |rows: [f64; 12]| {
+        let element = |i: usize| rows.get(i.wrapping_sub(1)).copied().unwrap_or(i as f64 * 0.01);
+        let elements: Vec<Value> = (0..79).map(|i| n(element(i))).collect();
+        canonical(word::POLCON, None, &args(&elements), &Context::default())
+    };
+    let quarter_turn = [0.0, -1.0, 0.0, 4.0, 1.0, 0.0, 0.0, 5.0, 0.0, 0.0, 1.0, 6.0];
+    for rows in [[0.0; 12], quarter_turn] {
+        let form = with_matrix(rows).unwrap();
+        assert_eq!(form.kind(), FormKind::Polcon);
+        assert_eq!(form.canonical().len(), 79);
+        assert_eq!(form.canonical()[1..13], rows);
+    }
+    let one_flat = [1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+    let one_long = [1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 2.0, 0.0];
+    for rows in [one_flat, one_long] {
+        let refused = with_matrix(rows);
+        assert!(matches!(
+            refused,
+            Err(DefineError::NoForm { fault, .. }) if matches!(*fault, Fault::NoCurve { .. })
+        ));
+    }
     assert!(define(word::POLCON, &[n(1.0)]).is_err());
 }

@@ -1,0 +1,67 @@
+//! Start-ups of cutters whose sides lean, and beside walls that lean over the cutter: places that APT-360 gives as well.
+
+#[path = "support/run.rs"]
+mod run;
+
+use aptc_control::Verify;
+
+fn end(text: &str) -> [f64; 3] {
+    let ran = run::run(text, Verify::Full);
+    assert!(ran.codes().is_empty(), "{:?} {text}", ran.told);
+    *ran.places.last().expect("the tool goes")
+}
+
+/// With sides that lean the direction brings the tool so near that it would touch with half its diameter, the width of the band
+/// off; from there it goes to both surfaces by the least way.
+#[test]
+fn a_tapered_cutter_starts_up_in_space() {
+    let (sin, cos) = (0.21265_f64, 0.97713_f64);
+    let text = "CUTTER/.56158,.05515,.23282,.05515,0,7.9774,4.55847\n\
+                INTOL/.0025\nOUTTOL/.0025\nFLOOR=PLANE/0,0,1,.4\n\
+                WALL=PLANE/-.21265,.97713,0,.21601\nFROM/-1.2,-1.16,.78\n\
+                INDIRV/.1,1,0\nGO/TO,WALL,TO,FLOOR\nFINI\n";
+    let p = end(text);
+    let te = [-1.2, -1.16];
+    let size = 1.01_f64.sqrt();
+    let v = [0.1 / size, 1.0 / size];
+    let across = |x: [f64; 2]| cos * x[1] - sin * x[0];
+    let along = |x: [f64; 2]| cos * x[0] + sin * x[1];
+    let way = (0.21601 - across(te)) / across(v) - 0.28079 - 0.005;
+    assert!((along([p[0], p[1]]) - along(te) - along(v) * way).abs() < 1e-5, "{p:?}");
+    assert!((p[2] - 0.4).abs() < 1e-9, "{p:?}");
+}
+
+/// A wall that leans over the tool cuts through it where it stands: the tool stays on the side of its middle.
+#[test]
+fn a_cutter_that_a_wall_cuts_through_stays_where_its_middle_is() {
+    // The wall y = .3 z: at its middle, 1.5 up, the tool is before it from y = .45 on.
+    for (y, before) in [(0.7, true), (0.2, false)] {
+        let text = format!(
+            "CUTTER/.5,0,.25,0,0,0,3\nINTOL/.001\nOUTTOL/.001\nFLOOR=PLANE/0,0,1,0\n\
+             WALL=PLANE/0,1,-.3,0\nFROM/0,{y},0\nGO/TO,WALL,TO,FLOOR\nFINI\n"
+        );
+        let p = end(&text);
+        // With the top's edge from the front, with the bottom's from behind.
+        let touches = if before { 0.9 + 0.25 } else { -0.25 };
+        assert!((p[1] - touches).abs() < 1e-6 && p[2].abs() < 1e-9, "{before} {p:?}");
+    }
+}
+
+/// OFFSET goes along the normal from the drive surface and then along the axis to the part surface: from a wall that leans
+/// away it parts on its way down, and in a bowl it goes down and not to the place above.
+#[test]
+fn offset_goes_down_to_the_nearer_place_of_its_part_surface() {
+    let program = |wall: &str| {
+        format!(
+            "CUTTER/1,.5\nINTOL/.001\nOUTTOL/.001\nBOWL=SPHERE/0,0,20,20\nWALL={wall}\nFROM/0,-3,2\n\
+             INDIRV/0,1,0\nOFFSET/TO,WALL,TO,BOWL\nFINI\n"
+        )
+    };
+    let low = |y: f64| 20.0 - (19.5_f64 * 19.5 - y * y).sqrt() - 0.5;
+    // Upright at y = 0 the centre of the ball is .5 before it.
+    let p = end(&program("PLANE/0,1,0,0"));
+    assert!((p[1] + 0.5).abs() < 1e-6 && (p[2] - low(0.5)).abs() < 0.003, "{p:?}");
+    // From the wall y = -.4 z it parts on its way down.
+    let p = end(&program("PLANE/0,1,.4,0"));
+    assert!(p[1] < -1.0 && (p[2] - low(p[1])).abs() < 0.003, "{p:?}");
+}
