@@ -159,11 +159,11 @@ pub(crate) fn elsewhere(
     // A line alone has no other measure than its length.
     let size = if wide > 0.0 { wide.max(0.1 * reach) } else { reach };
     if stands && matches!(surface, Surface::Parametric(_)) {
-        let free = |share: f64| alone(tool, surface, side, known, share * wide);
-        let first = likely(tool, surface, known);
+        let free = |share: f64| alone(tool, surface, side, known, share * size);
+        let first = likely(tool, surface, known, size);
         let less = ALONE.into_iter().filter(|share| *share <= LESS * first);
         let mut shares = std::iter::once(first).chain(less);
-        if let Some(way) = shares.find_map(free).filter(|way| *way >= WORTH * wide) {
+        if let Some(way) = shares.find_map(free).filter(|way| *way >= WORTH * size) {
             return (None, way);
         }
         if let Some(found) = lower(tool, surface, side, known, SEEN * wide) {
@@ -227,17 +227,18 @@ pub(crate) fn elsewhere(
     (below(deepest), room)
 }
 
-/// The share of the cutter's radius for which its contact is likely to be shown to be the only one.
-fn likely(tool: &Tool<'_>, surface: &Surface, known: &Gap) -> f64 {
-    if tool.profile.corner()[0] <= 0.0 {
-        return ALONE[0];
-    }
-    // With a corner about a circle some of the way after which it does not touch.
+/// The share of the cutter's `size` for which its contact is likely to be shown to be the only one.
+fn likely(tool: &Tool<'_>, surface: &Surface, known: &Gap, size: f64) -> f64 {
     let upright = known.normal.dot(&tool.ta);
     let across = (1.0 - upright * upright).max(0.0).sqrt();
     let [a, b, c] = surface.place(known.spot()).shape.k;
     let bend = a.abs().max(c.abs()) + b.abs();
-    let share = TOWARDS * across / (bend * tool.profile.widest());
+    if tool.profile.corner()[0] <= 0.0 {
+        // Some of the way after which the surface stands up beside it.
+        return (TOWARDS * upright / (bend * size)).clamp(ALONE[0], FAR);
+    }
+    // With a corner about a circle some of that after which it does not touch.
+    let share = TOWARDS * across / (bend * size);
     if share > ALONE[3] { share.min(MOST_ALONE) } else { ALONE[3] }
 }
 
@@ -393,8 +394,9 @@ const FLANK: usize = 8;
 /// Share of the cutter's size after which its contact is looked for anew in any case.
 const LOOK: f64 = 0.25;
 
-/// Shares of the cutter's radius for which its contact may be shown to be the only one.
+/// Shares of the cutter's size for which its contact may be shown to be the only one, and the greatest.
 const ALONE: [f64; 4] = [1.0, 0.5, 0.2, 0.05];
+const FAR: f64 = 32.0;
 /// Share of the way to where a corner about a circle does not touch for which that may be, and the greatest.
 const TOWARDS: f64 = 0.4;
 const MOST_ALONE: f64 = 0.8;

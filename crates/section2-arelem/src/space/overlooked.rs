@@ -1,12 +1,10 @@
 //! Looks along a cut vector that is longer than the way for which nothing else could touch.
 
 use super::judge::between;
-use super::keep::Keep;
 use super::stride::Stride;
 use super::track::{Node, Track};
 
-/// Share of the cutter's radius between two looks at most, and at least where another place of contact is about as near.
-const APART: f64 = 0.15;
+/// Share of the cutter's radius between two looks at least, where another place of contact is about as near.
 const CLOSE: f64 = 0.03;
 /// Looks along one cut vector at most.
 const MOST: f64 = 256.0;
@@ -17,10 +15,8 @@ impl Track {
     /// A length at which the cutter does not yet cut in elsewhere than where it is known to touch, when it does so on the way
     /// of a cut vector beyond the `room` for which nothing could.
     pub(super) fn overlooked(&self, from: &Node, stride: &Stride, room: f64) -> Option<f64> {
-        let least = stride.length / MOST;
-        let steps = |keep: &Keep| [CLOSE, APART].map(|s| (s * keep.profile.widest()).max(least));
         for (i, keep) in self.keeps.iter().enumerate().filter(|(_, k)| k.is_mixed()) {
-            let [close, apart] = steps(keep);
+            let close = (CLOSE * keep.profile.widest()).max(stride.length / MOST);
             let mut s = room.max(0.0) + close;
             let mut near = from.gaps[i];
             while close > 0.0 && s < stride.length {
@@ -31,7 +27,7 @@ impl Track {
                 if least < keep.limits().low - 1e-6 * keep.width() {
                     return Some(BEFORE * s);
                 }
-                s += free.clamp(close, apart);
+                s += free.max(close);
             }
         }
         None
