@@ -14,8 +14,8 @@ const JUDGED: [usize; 3] = [2, 1, 3];
 /// no more by a parabola.
 const LED: [usize; 7] = [4, 2, 6, 1, 3, 5, 7];
 const KEEPS: f64 = 0.97;
-/// Halvings of the stretch that one contact answers for.
-const HALVINGS: u32 = 7;
+/// Halvings of the stretch that one contact answers for: of a sharp edge that touches but little in the band very short ones.
+const HALVINGS: u32 = 11;
 
 /// What a chord does to the tolerance.
 #[derive(Clone, Copy, Debug)]

@@ -1,5 +1,7 @@
 //! One path along the drive.
 
+use std::cell::RefCell;
+
 use aptc_contact::Tool;
 use aptc_geometry::Vec3;
 
@@ -16,6 +18,8 @@ use crate::solve::{CLOSE, LOOSE, Memory, Setup, Take};
 
 /// Halvings of a step before the path gives up.
 const RETRIES: usize = 60;
+/// After so many it is made much shorter each time.
+const TIMID: usize = 10;
 /// Least step of the parameter, for parameters of the size of 1.
 const LEAST: f64 = 1e-11;
 /// Cut vectors into which avoidance may divide one.
@@ -275,6 +279,7 @@ impl Setup<'_> {
             forward: unit(place.along * sense),
             over: unit(place.across * self.over),
             away,
+            seen: RefCell::default(),
         };
         let Some(how) = avoid.around(p, &case) else {
             return Err(Failure::gouge(gouge(), te, ta, avoid.on));
@@ -367,7 +372,9 @@ impl Setup<'_> {
             part_uv: here.part_uv,
             way: Way::Unknown,
         };
-        for _ in 0..RETRIES {
+        for tried in 0..RETRIES {
+            // What is off by little on every chord is not for ever tried a little shorter.
+            let least = if tried < TIMID { 0.95 } else { 0.7 };
             // A place that the drive jumps at is come to in ever smaller steps.
             if length < most && length <= LEAST * (1.0 + t.abs()) {
                 break;
@@ -414,7 +421,7 @@ impl Setup<'_> {
                 return Ok(Step { next, kept, proved });
             }
             worst = judged.unwrap_or(worst);
-            length *= (AIM / used.sqrt()).clamp(0.1, 0.95);
+            length *= (AIM / used.sqrt()).clamp(0.1, least);
         }
         Err(self.sharp(here).unwrap_or(Failure::NoStep {
             uv: here.drive_uv,
