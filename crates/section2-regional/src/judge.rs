@@ -216,7 +216,12 @@ impl Setup<'_> {
 
     /// What is judged, with what is known of the way: deeper in the part surface than allowed it is too long, unless
     /// the tool is so at one of its ends already; the first may be known not to be.
-    fn deep(&self, (a, known): (&Position, bool), b: &Position, judged: Judged) -> Judged {
+    pub(crate) fn deep(
+        &self,
+        (a, known): (&Position, bool),
+        b: &Position,
+        judged: Judged,
+    ) -> Judged {
         let allowed = self.band.intol - self.part.thick;
         let tree = &self.part.tree;
         let tool = |p: &Position| Tool { profile: self.profile, te: p.te, ta: p.ta };

@@ -36,6 +36,7 @@ mod region;
 mod regional;
 mod report;
 mod ridge;
+mod roll;
 mod scon;
 mod settings;
 mod smil;
