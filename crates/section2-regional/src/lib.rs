@@ -23,6 +23,7 @@ mod goloft;
 mod gomill;
 mod guard;
 mod holder;
+mod inside;
 mod intsec;
 mod judge;
 mod jump;
