@@ -17,20 +17,23 @@ pub(crate) enum Inside {
     Unknown,
 }
 
-/// Boxes that are looked at.
-const MOST: usize = 40_000;
+/// Boxes that are looked at: where nothing else tells; where a place of contact tells, or a shorter stretch will; and to see what
+/// is far off.
+pub(crate) const MOST: usize = 20_000;
+pub(crate) const FEW: usize = 1_000;
+pub(crate) const FIRST: usize = 32;
 /// Part of what is allowed, and of the tool's size, to which a depth is told.
 const FINE: f64 = 0.02;
 const LEAST: f64 = 1e-6;
 
 /// Is a place of the surface deeper in the body than `allowed`? The body is known but for `slack`, and lies between the
-/// corners of a box.
+/// corners of a box; `most` boxes are looked at.
 pub(crate) fn inside(
     body: &impl Convex,
     [low, high]: [Vec3; 2],
     surface: &Surface,
-    allowed: f64,
-    slack: f64,
+    (allowed, slack): (f64, f64),
+    most: usize,
 ) -> Inside {
     let size = (high - low).norm();
     let fine = (FINE * allowed).max(LEAST * size);
@@ -41,7 +44,7 @@ pub(crate) fn inside(
     let smallest = fine.max(slack);
     while let Some((centre, half)) = stack.pop() {
         seen += 1;
-        if seen > MOST {
+        if seen > most {
             return Inside::Unknown;
         }
         let radius = half.norm();

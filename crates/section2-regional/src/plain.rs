@@ -6,7 +6,7 @@ use aptc_contact::{Condition, Side, Swept, Tool, axis_between, bulge, chord, gap
 use aptc_geometry::surface::kept;
 use aptc_geometry::{Form, Profile, Surface, Vec3, trig};
 
-use crate::inside::{Inside, hull, inside};
+use crate::inside::{FEW, FIRST, Inside, MOST, hull, inside};
 
 /// Such a surface.
 #[derive(Clone, Debug)]
@@ -29,8 +29,9 @@ pub(crate) struct Came {
 
 /// Halvings of a way with a turning axis.
 const HALVINGS: u32 = 22;
-/// Stretches of it.
+/// Stretches of it, and those on which it is asked what is in the tool.
 const STRETCHES: u32 = 4000;
+const SEARCHES: u32 = 200;
 /// Part of what is allowed to which the least gap of a way is found.
 const FINE: f64 = 1e-3;
 
@@ -108,17 +109,22 @@ impl Plain {
             let g = gap(&at((te, ta)), &self.surface, side, 0.0).ok().map(|gap| gap.g);
             Stood { t, te, ta, g }
         };
-        // What is in the tool on a stretch, whatever faces it.
-        let search = |from: Vec3, to: Vec3, ta: Vec3, slack: f64| {
-            if side == Side::Open {
-                return Inside::Unknown;
-            }
+        // What is in the tool on a stretch, whatever faces it. What lies above a hollow that is open counts for nothing.
+        let search = |from: Vec3, to: Vec3, ta: Vec3, slack: f64, most: usize| {
             let body = Swept { tool: at((from, ta)), by: to - from };
             let about = hull(profile, &body.tool, body.by);
-            inside(&body, about, &self.surface, allowed, slack)
+            match inside(&body, about, &self.surface, (allowed, slack), most) {
+                Inside::Deep(_) if side == Side::Open => Inside::Unknown,
+                found => found,
+            }
         };
+        // Far from what has no sides there is nothing to ask.
+        let (half, far) = (axis(0.5), trig::angle_between(a.1, b.1) * (up.abs() + reach));
+        if kept.is_none() && search(a.0, b.0, half, far, FIRST) == Inside::Nothing {
+            return None;
+        }
         let mut stack = vec![(here(0.0), here(1.0), 0_u32)];
-        let mut stretches = 0;
+        let (mut stretches, mut searches) = (0, 0);
         while let Some((p, q, halvings)) = stack.pop() {
             stretches += 1;
             if let (true, Some(g), Some(other)) = (turns, p.g, q.g) {
@@ -142,20 +148,23 @@ impl Plain {
                 let found = chord(&from, &to, &self.surface, touch, side, 0.0, None, fine);
                 found.map(|c| (c.low.g, p.te + (q.te - p.te) * c.low.t))
             };
-            let mut te = p.te;
+            let (mut te, mut deep) = (p.te, true);
             if let Ok((low, at)) = &low {
                 let low = *low;
                 if low - slack >= -allowed {
                     continue;
                 }
                 te = *at;
-                if kept.is_some() && low + slack < -allowed {
+                deep = low + slack < -allowed;
+                if kept.is_some() && deep {
                     return Some((-low, te));
                 }
             }
             // Of what has no sides the place that faces the tool may be behind it.
-            if low.is_err() || kept.is_none() {
-                match search(p.te, q.te, mid, slack) {
+            if deep {
+                searches += 1;
+                let most = if turns || low.is_ok() { FEW } else { MOST };
+                match search(p.te, q.te, mid, slack, most) {
                     Inside::Nothing => continue,
                     // It is the first place found; what faces the tool may tell of more.
                     Inside::Deep(depth) => {
@@ -164,7 +173,11 @@ impl Plain {
                     Inside::Unknown => {}
                 }
             }
-            if !turns || halvings >= HALVINGS || stretches > STRETCHES {
+            if let (true, false, Ok((low, te))) = (deep, turns, low) {
+                return Some((-low, te));
+            }
+            let tried = halvings >= HALVINGS || stretches > STRETCHES || searches > SEARCHES;
+            if !turns || tried {
                 return Some((f64::INFINITY, te));
             }
             let m = here(half);
