@@ -89,7 +89,7 @@ impl Case<'_> {
         }
         let Err(gouge) = self.guard.way_within(self.profile, [at, at], intol) else { return true };
         seen.truncate(SEEN - 1);
-        seen.splice(0..0, gouge.seen);
+        seen.splice(0..0, gouge.seen.map(|seen| *seen));
         false
     }
 }

@@ -46,7 +46,7 @@ pub(crate) struct Gouge {
     /// From where the tool came to stand in a solid that could be a bowl, if it came from outside.
     pub(crate) entered: Option<Vec3>,
     /// The place of a sculptured surface.
-    pub(crate) seen: Option<Seen>,
+    pub(crate) seen: Option<Box<Seen>>,
 }
 
 /// A place of a sculptured surface that was in a solid of the tool.
@@ -129,7 +129,7 @@ impl Guard {
         let [u, v] = s.surface.global(place.patch, place.uv[0], place.uv[1]);
         let thick = if s.part { self.thick } else { 0.0 };
         let (span, depth) = (Some(s.surface.span_of(u, v)), thick - place.distance);
-        let seen = Some(Seen { place: s.surface.at(u, v).point, by, thick });
+        let seen = Some(Box::new(Seen { place: s.surface.at(u, v).point, by, thick }));
         Gouge { surface: s.name.clone(), span, depth, by, entered: None, seen }
     }
 

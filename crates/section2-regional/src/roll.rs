@@ -29,7 +29,7 @@ impl Setup<'_> {
     /// The parameter at which a pass comes to the joint `t` of the drive: just before it where the drive has an edge there, as
     /// the joint itself belongs to the patch behind it.
     pub(crate) fn joint(&self, uv: [f64; 2], t: f64, (course, sense): (Course, f64)) -> f64 {
-        let ends = t == t.floor() && sense > 0.0;
+        let ends = t.fract() <= 0.0 && sense > 0.0;
         if ends && self.bends(uv, course, [t - BEFORE, t]) { t - BEFORE } else { t }
     }
 
