@@ -1,8 +1,10 @@
 //! AVCTRL: a gouging position tilted or lifted until it is clear.
 
+use std::cell::RefCell;
+
 use aptc_geometry::{Profile, Transform, Vec3};
 
-use crate::guard::Guard;
+use crate::guard::{Guard, Seen};
 use crate::position::{Position, tool_end};
 use crate::region::Retract;
 
@@ -31,8 +33,12 @@ pub(crate) struct Avoided {
 
 /// Tilts that are tried on each side.
 const TILTS: u32 = 90;
-/// Halvings towards the least tilt and the least lift that clear.
+/// Halvings towards the least tilt and the least lift that clear, until the tool is moved by no more than this part of the
+/// room that it is given: nearer to the place where it is just clear each answer takes a longer proof.
 const HALVINGS: u32 = 24;
+const FINE: f64 = 0.1;
+/// Places that are kept of those seen in the tool.
+const SEEN: usize = 8;
 
 /// Doublings of a way up that is looked for.
 const DOUBLINGS: u32 = 20;
@@ -56,13 +62,35 @@ pub(crate) struct Case<'a> {
     pub(crate) over: Vec3,
     /// How the tool is led from where it touches to where it is put out; there it is to be clear.
     pub(crate) away: Option<Retract>,
+    /// Places that were in the tool where it was tried before: most tilts that are not enough are told by one of them,
+    /// without a search.
+    pub(crate) seen: RefCell<Vec<Seen>>,
 }
 
 impl Case<'_> {
+    fn room(&self) -> f64 {
+        ROOM * (self.guard.intol + self.outtol)
+    }
+
+    /// So far from the least that clears a tilt or a lift may move the tool.
+    fn fine(&self) -> f64 {
+        FINE * self.room()
+    }
+
     /// Is a tool that touches with this end and axis clear where it is put out, by so much more than it has to be?
     fn is_clear(&self, te: Vec3, ta: Vec3, room: f64) -> bool {
         let at = self.away.map_or((te, ta), |r| r.above((te, ta)));
-        self.guard.way_within(self.profile, [at, at], self.guard.intol - room).is_ok()
+        let intol = self.guard.intol - room;
+        let mut seen = self.seen.borrow_mut();
+        // The one that told last stands first.
+        if let Some(i) = seen.iter().position(|s| self.guard.holds(self.profile, at, s, intol)) {
+            seen[..=i].rotate_right(1);
+            return false;
+        }
+        let Err(gouge) = self.guard.way_within(self.profile, [at, at], intol) else { return true };
+        seen.truncate(SEEN - 1);
+        seen.splice(0..0, gouge.seen.map(|seen| *seen));
+        false
     }
 }
 
@@ -76,7 +104,7 @@ impl Avoid {
             return None;
         }
         // Two neighbours that are just clear have a way between them that is not: from the middle of the band there is room.
-        let room = ROOM * (case.guard.intol + case.outtol);
+        let room = case.room();
         let roomy = case.clearance.max(case.middle);
         let tilted = self.tilted(p, case, (roomy, room));
         tilted
@@ -97,6 +125,7 @@ impl Avoid {
         let (low, high) = (a.min(b), a.max(b));
         // The tilt of the range next to none, from which the others are tried.
         let start = 0.0_f64.clamp(low, high);
+        let lever = (p.te - p.contact).norm() + case.profile.reach();
         let place = |axis: Vec3, deg: f64| {
             let ta = Transform::rotation(axis, deg).vector(p.ta).normalize();
             let te = if case.on {
@@ -131,6 +160,9 @@ impl Avoid {
                 }
                 let Some(mut found) = clear else { continue };
                 for _ in 0..HALVINGS {
+                    if (found - failed).abs().to_radians() * lever <= case.fine() {
+                        break;
+                    }
                     let mid = 0.5 * (found + failed);
                     if place(axis, mid).is_some() { found = mid } else { failed = mid }
                 }
@@ -192,6 +224,9 @@ impl Avoid {
             high = (2.0 * high).min(most);
         }
         for _ in 0..HALVINGS {
+            if high - low <= case.fine() {
+                break;
+            }
             let mid = 0.5 * (low + high);
             if clear(mid) { high = mid } else { low = mid }
         }
@@ -258,6 +293,7 @@ mod tests {
             forward: Vec3::x(),
             over: Vec3::y(),
             away: None,
+            seen: RefCell::default(),
         };
         let tilt = |range: [f64; 3], limit| Avoid {
             on: true,
@@ -293,8 +329,41 @@ mod tests {
         assert!((deg - least).abs() < 1e-4, "{deg}");
         assert!(by([0.0, 3.0, 20.0]).is_none_or(|(deg, _)| (3.0..=20.0).contains(&deg)));
         // A tool end that lies on the surface stays there.
-        let on = tilt([0.0, -60.0, 60.0], None).around(&p, &Case { on: true, ..case }).unwrap();
+        let on = tilt([0.0, -60.0, 60.0], None)
+            .around(&p, &Case { on: true, seen: RefCell::default(), ..case })
+            .unwrap();
         assert!(on.te == p.te && on.lift.is_none());
         assert!(Avoid::default().around(&p, &case).is_none());
+    }
+
+    /// A place that was in the tool tells only of tilts that a search tells of too.
+    #[test]
+    fn a_place_seen_before_tells_the_truth() {
+        let profile = Profile::new(&Cutter::mill(4.0, 2.0, 30.0)).unwrap();
+        let guard = wall();
+        let p = position(&profile);
+        let case = || Case {
+            profile: &profile,
+            guard: &guard,
+            clearance: 0.0,
+            middle: 0.0,
+            outtol: 1e-3,
+            on: false,
+            forward: Vec3::x(),
+            over: Vec3::y(),
+            away: None,
+            seen: RefCell::default(),
+        };
+        let known = case();
+        let mut told = 0;
+        for k in -60..=60 {
+            let ta = Transform::rotation(Vec3::y(), f64::from(k)).vector(p.ta);
+            let te = tool_end(&profile, ta, p.contact, p.normal, 0.0, -Vec3::x());
+            let before = known.seen.borrow().len();
+            let clear = known.is_clear(te, ta, 0.0);
+            assert_eq!(clear, case().is_clear(te, ta, 0.0), "{k}");
+            told += usize::from(!clear && known.seen.borrow().len() == before);
+        }
+        assert!(told > 5 && known.seen.borrow().len() <= SEEN, "{told}");
     }
 }

@@ -16,7 +16,7 @@ const FINE: f64 = 1e-3;
 impl Setup<'_> {
     /// The position for chords beside which the whole cutter keeps the band of the part surface: lowered less, or raised, where its
     /// bottom or rim comes deeper into a hollow than the contact. Where all of the band does not suffice for it the cutter
-    /// touches and is not lowered.
+    /// touches, or as nearly as OUTTOL lets it, and is not lowered.
     pub(crate) fn eased(&self, p: Position) -> Position {
         if self.leads() || !self.part.touches {
             return p;
@@ -43,6 +43,8 @@ impl Setup<'_> {
             }
             now = raised(&now, by);
         }
-        if p.shift < 0.0 { raised(&p, -p.shift) } else { p }
+        // Without OUTTOL the very top of the band leaves no room for a chord.
+        let touches = highest.min(0.0);
+        if p.shift < touches { raised(&p, touches - p.shift) } else { p }
     }
 }

@@ -45,6 +45,17 @@ pub(crate) struct Gouge {
     pub(crate) by: Solid,
     /// From where the tool came to stand in a solid that could be a bowl, if it came from outside.
     pub(crate) entered: Option<Vec3>,
+    /// The place of a sculptured surface.
+    pub(crate) seen: Option<Box<Seen>>,
+}
+
+/// A place of a sculptured surface that was in a solid of the tool.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Seen {
+    place: Vec3,
+    by: Solid,
+    /// Left on the surface.
+    thick: f64,
 }
 
 /// A solid of the tool.
@@ -118,7 +129,22 @@ impl Guard {
         let [u, v] = s.surface.global(place.patch, place.uv[0], place.uv[1]);
         let thick = if s.part { self.thick } else { 0.0 };
         let (span, depth) = (Some(s.surface.span_of(u, v)), thick - place.distance);
-        Gouge { surface: s.name.clone(), span, depth, by, entered: None }
+        let seen = Some(Box::new(Seen { place: s.surface.at(u, v).point, by, thick }));
+        Gouge { surface: s.name.clone(), span, depth, by, entered: None, seen }
+    }
+
+    /// Is a place that was in the tool somewhere else deeper than `intol` in it here too?
+    pub(crate) fn holds(
+        &self,
+        cutter: &Profile,
+        (te, ta): (Vec3, Vec3),
+        seen: &Seen,
+        intol: f64,
+    ) -> bool {
+        self.solids(cutter).filter(|(by, _)| *by == seen.by).any(|(_, (profile, up))| {
+            let tool = Tool { profile: &profile, te: te + ta * up, ta };
+            tool.distance(seen.place) < seen.thick - intol
+        })
     }
 
     /// Is the tool with its holder clear all the way from one tool end and axis to the other? An axis that
@@ -155,7 +181,7 @@ impl Guard {
             for p in &self.plain {
                 if let Some((depth, _)) = p.deep(cutter, (&profile, up), ends, intol) {
                     let (surface, entered) = (p.name.clone(), p.entered(cutter, ends[1]));
-                    return Err(Gouge { surface, span: None, depth, by, entered });
+                    return Err(Gouge { surface, span: None, depth, by, entered, seen: None });
                 }
             }
         }

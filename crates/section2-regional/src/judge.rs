@@ -14,8 +14,8 @@ const JUDGED: [usize; 3] = [2, 1, 3];
 /// no more by a parabola.
 const LED: [usize; 7] = [4, 2, 6, 1, 3, 5, 7];
 const KEEPS: f64 = 0.97;
-/// Halvings of the stretch that one contact answers for.
-const HALVINGS: u32 = 7;
+/// Halvings of the stretch that one contact answers for: of a sharp edge that touches but little in the band very short ones.
+const HALVINGS: u32 = 11;
 
 /// What a chord does to the tolerance.
 #[derive(Clone, Copy, Debug)]
@@ -216,7 +216,12 @@ impl Setup<'_> {
 
     /// What is judged, with what is known of the way: deeper in the part surface than allowed it is too long, unless
     /// the tool is so at one of its ends already; the first may be known not to be.
-    fn deep(&self, (a, known): (&Position, bool), b: &Position, judged: Judged) -> Judged {
+    pub(crate) fn deep(
+        &self,
+        (a, known): (&Position, bool),
+        b: &Position,
+        judged: Judged,
+    ) -> Judged {
         let allowed = self.band.intol - self.part.thick;
         let tree = &self.part.tree;
         let tool = |p: &Position| Tool { profile: self.profile, te: p.te, ta: p.ta };

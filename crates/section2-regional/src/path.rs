@@ -1,5 +1,7 @@
 //! One path along the drive.
 
+use std::cell::RefCell;
+
 use aptc_contact::Tool;
 use aptc_geometry::Vec3;
 
@@ -16,8 +18,14 @@ use crate::solve::{CLOSE, LOOSE, Memory, Setup, Take};
 
 /// Halvings of a step before the path gives up.
 const RETRIES: usize = 60;
+/// After so many it is made much shorter each time.
+const TIMID: usize = 10;
 /// Least step of the parameter, for parameters of the size of 1.
 const LEAST: f64 = 1e-11;
+/// Where so many steps one after the other move the tool by less than this part of the band the path gives up: chords along what
+/// is round are far longer.
+const CREEPS: u32 = 400;
+const CREEP: f64 = 1.0;
 /// Cut vectors into which avoidance may divide one.
 const DIVISIONS: usize = 4000;
 /// A tool end that moves so many times as far as the contact swings about it.
@@ -68,19 +76,36 @@ impl Setup<'_> {
         let mut gone = 0.0;
         let span = (to - from[k]).abs();
         let room = 1e-10 * span.max(1.0);
-        let mut guess = span;
+        let mut gait = Gait { guess: span, creeps: 0 };
         // Is the last position proved to keep out of the part surface?
         let mut clear = false;
         while (to - here.drive_uv[k]) * sense > room {
             let stop = self.stop(from[k], here.drive_uv[k], to, sense);
             let from = (&here, clear);
-            let step = self.step(from, [stop, to], course, sense, memory, &mut guess);
-            let mut step = step.map_err(|why| broken(&mut points, why))?;
+            let on = self.next(from, [stop, to], (course, sense), memory, &mut gait);
+            let mut step = match on.map_err(|why| broken(&mut points, why))? {
+                Next::Step(step) => step,
+                Next::Over(all, kept) => {
+                    for p in all {
+                        if points.points.len() >= self.numpts {
+                            let uv = here.drive_uv;
+                            let why = Failure::TooMany { limit: self.numpts, uv };
+                            return Err(broken(&mut points, why));
+                        }
+                        gone += (p.te - here.te).norm();
+                        self.guarded(&mut points, p, (course, sense), memory, false)
+                            .map_err(|why| broken(&mut points, why))?;
+                        here = p;
+                    }
+                    (memory, clear, gait.guess) = (kept, false, span);
+                    continue;
+                }
+            };
             if self.swings(&here, &step.next) {
                 // Straight across, if that goes on farther.
                 let free = Setup { lateral: f64::INFINITY, ..*self };
-                let mut guess = span;
-                let across = free.step(from, [to, to], course, sense, memory, &mut guess).ok();
+                let mut gait = Gait { guess: span, creeps: 0 };
+                let across = free.step(from, [to, to], course, sense, memory, &mut gait).ok();
                 let on = |s: &Step| s.next.drive_uv[k] * sense;
                 step = across.filter(|a| on(a) > on(&step)).unwrap_or(step);
             }
@@ -275,6 +300,7 @@ impl Setup<'_> {
             forward: unit(place.along * sense),
             over: unit(place.across * self.over),
             away,
+            seen: RefCell::default(),
         };
         let Some(how) = avoid.around(p, &case) else {
             return Err(Failure::gouge(gouge(), te, ta, avoid.on));
@@ -342,6 +368,28 @@ impl Setup<'_> {
         if (to - next) * sense < 1e-6 * every { to } else { next }
     }
 
+    /// How the path goes on: over an edge just ahead, where it is not come to in ever smaller steps, or else by a step; and over
+    /// an edge of the part surface where there is none.
+    fn next(
+        &self,
+        from: (&Position, bool),
+        [stop, to]: [f64; 2],
+        (course, sense): (Course, f64),
+        memory: Memory,
+        gait: &mut Gait,
+    ) -> Result<Next, Failure> {
+        let over = || {
+            let (all, kept) = self.roll(from.0, to, (course, sense), memory)?;
+            Some(Next::Over(all, kept))
+        };
+        let ahead = self.at_edge(from.0.drive_uv, (course, sense));
+        if let Some(over) = ahead.then(over).flatten() {
+            return Ok(over);
+        }
+        let step = self.step(from, [stop, to], course, sense, memory, gait);
+        step.map(Next::Step).or_else(|why| over().ok_or(why))
+    }
+
     /// The next position: as far on as MAXDP, the next joint of the drive and the tolerance let it, at most to
     /// the first of two parameters; the other is where the path ends. `clear` says that this one is proved to keep out of the
     /// part surface.
@@ -352,7 +400,7 @@ impl Setup<'_> {
         course: Course,
         sense: f64,
         memory: Memory,
-        guess: &mut f64,
+        gait: &mut Gait,
     ) -> Result<Step, Failure> {
         let k = course.index();
         let t = here.drive_uv[k];
@@ -360,14 +408,20 @@ impl Setup<'_> {
         let joint = if self.lateral.is_finite() { next_joint(t, sense) } else { to };
         let most = ((to - t) * sense).min((joint - t) * sense);
         let last = if (to - joint) * sense < 0.0 { to } else { joint };
-        let mut length = guess.min(most);
+        let last = self.joint(here.drive_uv, last, (course, sense));
+        let most = most.min((last - t) * sense);
+        let mut length = gait.guess.min(most);
+        let band = self.band.intol + self.band.outtol;
+        let still = CREEP * band;
         let mut worst = Judged {
             used: f64::INFINITY,
             deviation: 0.0,
             part_uv: here.part_uv,
             way: Way::Unknown,
         };
-        for _ in 0..RETRIES {
+        for tried in 0..RETRIES {
+            // What is off by little on every chord is not for ever tried a little shorter.
+            let least = if tried < TIMID { 0.95 } else { 0.7 };
             // A place that the drive jumps at is come to in ever smaller steps.
             if length < most && length <= LEAST * (1.0 + t.abs()) {
                 break;
@@ -381,6 +435,11 @@ impl Setup<'_> {
             if moved > self.maxdp {
                 length *= (self.maxdp / moved * 0.999).clamp(0.1, 0.95);
                 continue;
+            }
+            // So much of the tool moves at most.
+            let stirs = moved + self.profile.reach() * (next.ta - here.ta).norm();
+            if stirs < still && length < most && gait.creeps >= CREEPS {
+                break;
             }
             let judge = |next: &Position, kept| {
                 self.judge([here, next], (course, sense), [memory, kept], clear)
@@ -409,12 +468,13 @@ impl Setup<'_> {
             let used = judged.map_or(f64::INFINITY, |j| j.used);
             if used <= 1.0 {
                 // Grow towards what the band would bear.
-                *guess = length * (AIM / used.max(1e-4)).sqrt().clamp(1.02, 5.0);
+                gait.guess = length * (AIM / used.max(1e-4)).sqrt().clamp(1.02, 5.0);
+                gait.creeps = if stirs < still { gait.creeps + 1 } else { 0 };
                 let proved = judged.is_some_and(|j| j.way == Way::Clear);
                 return Ok(Step { next, kept, proved });
             }
             worst = judged.unwrap_or(worst);
-            length *= (AIM / used.sqrt()).clamp(0.1, 0.95);
+            length *= (AIM / used.sqrt()).clamp(0.1, least);
         }
         Err(self.sharp(here).unwrap_or(Failure::NoStep {
             uv: here.drive_uv,
@@ -440,6 +500,21 @@ impl Setup<'_> {
             radius,
         })
     }
+}
+
+/// How far a path goes.
+struct Gait {
+    /// The length of step of the parameter that is tried next.
+    guess: f64,
+    /// So many steps one after the other were far shorter than the band is wide.
+    creeps: u32,
+}
+
+/// How a path goes on.
+enum Next {
+    Step(Step),
+    /// By these positions over an edge.
+    Over(Vec<Position>, Memory),
 }
 
 /// A position that the tolerance lets the tool go to.

@@ -2,9 +2,11 @@
 
 use std::sync::Arc;
 
-use aptc_contact::{Condition, Side, Tool, axis_between, bulge, chord, gap};
+use aptc_contact::{Condition, Side, Swept, Tool, axis_between, bulge, chord, gap};
 use aptc_geometry::surface::kept;
 use aptc_geometry::{Form, Profile, Surface, Vec3, trig};
+
+use crate::inside::{FEW, FIRST, Inside, MOST, hull, inside};
 
 /// Such a surface.
 #[derive(Clone, Debug)]
@@ -27,8 +29,9 @@ pub(crate) struct Came {
 
 /// Halvings of a way with a turning axis.
 const HALVINGS: u32 = 22;
-/// Stretches of it.
+/// Stretches of it, and those on which it is asked what is in the tool.
 const STRETCHES: u32 = 4000;
+const SEARCHES: u32 = 200;
 /// Part of what is allowed to which the least gap of a way is found.
 const FINE: f64 = 1e-3;
 
@@ -103,21 +106,35 @@ impl Plain {
         let at = |(te, ta): (Vec3, Vec3)| Tool { profile, te: te + ta * up, ta };
         let here = |t: f64| {
             let (te, ta) = (a.0 + (b.0 - a.0) * t, axis(t));
-            let g = gap(&at((te, ta)), &self.surface, side, 0.0).ok()?.g;
-            Some(Stood { t, te, ta, g })
+            let g = gap(&at((te, ta)), &self.surface, side, 0.0).ok().map(|gap| gap.g);
+            Stood { t, te, ta, g }
         };
-        let unknown = || Some((f64::INFINITY, a.0));
-        let (Some(first), Some(last)) = (here(0.0), here(1.0)) else { return unknown() };
-        let mut stack = vec![(first, last, 0_u32)];
-        let mut stretches = 0;
+        // What is in the tool on a stretch, whatever faces it. What lies above a hollow that is open counts for nothing.
+        let search = |from: Vec3, to: Vec3, ta: Vec3, slack: f64, most: usize| {
+            let body = Swept { tool: at((from, ta)), by: to - from };
+            let about = hull(profile, &body.tool, body.by);
+            match inside(&body, about, &self.surface, (allowed, slack), most) {
+                Inside::Deep(_) if side == Side::Open => Inside::Unknown,
+                found => found,
+            }
+        };
+        // Far from what has no sides there is nothing to ask.
+        let (half, far) = (axis(0.5), trig::angle_between(a.1, b.1) * (up.abs() + reach));
+        if kept.is_none() && search(a.0, b.0, half, far, FIRST) == Inside::Nothing {
+            return None;
+        }
+        let mut stack = vec![(here(0.0), here(1.0), 0_u32)];
+        let (mut stretches, mut searches) = (0, 0);
         while let Some((p, q, halvings)) = stack.pop() {
             stretches += 1;
-            let deeper = if p.g < q.g { &p } else { &q };
-            if turns && deeper.g < -allowed {
-                return Some((-deeper.g, deeper.te));
-            }
-            if turns && self.between(side, (profile, up), [&p, &q]) >= -allowed {
-                continue;
+            if let (true, Some(g), Some(other)) = (turns, p.g, q.g) {
+                let (g, te) = if g < other { (g, p.te) } else { (other, q.te) };
+                if kept.is_some() && g < -allowed {
+                    return Some((-g, te));
+                }
+                if self.between(side, (profile, up), [(p, g), (q, other)]) >= -allowed {
+                    continue;
+                }
             }
             let half = 0.5 * (p.t + q.t);
             let mid = axis(half);
@@ -131,17 +148,39 @@ impl Plain {
                 let found = chord(&from, &to, &self.surface, touch, side, 0.0, None, fine);
                 found.map(|c| (c.low.g, p.te + (q.te - p.te) * c.low.t))
             };
-            let Ok((low, te)) = low else { return unknown() };
-            if low - slack >= -allowed {
-                continue;
+            let (mut te, mut deep) = (p.te, true);
+            if let Ok((low, at)) = &low {
+                let low = *low;
+                if low - slack >= -allowed {
+                    continue;
+                }
+                te = *at;
+                deep = low + slack < -allowed;
+                if kept.is_some() && deep {
+                    return Some((-low, te));
+                }
             }
-            if low + slack < -allowed {
+            // Of what has no sides the place that faces the tool may be behind it.
+            if deep {
+                searches += 1;
+                let most = if turns || low.is_ok() { FEW } else { MOST };
+                match search(p.te, q.te, mid, slack, most) {
+                    Inside::Nothing => continue,
+                    // It is the first place found; what faces the tool may tell of more.
+                    Inside::Deep(depth) => {
+                        return Some((low.map_or(depth, |l| depth.max(-l.0)), te));
+                    }
+                    Inside::Unknown => {}
+                }
+            }
+            if let (true, false, Ok((low, te))) = (deep, turns, low) {
                 return Some((-low, te));
             }
-            if halvings >= HALVINGS || stretches > STRETCHES {
+            let tried = halvings >= HALVINGS || stretches > STRETCHES || searches > SEARCHES;
+            if !turns || tried {
                 return Some((f64::INFINITY, te));
             }
-            let Some(m) = here(half) else { return unknown() };
+            let m = here(half);
             stack.push((m, q, halvings + 1));
             stack.push((p, m, halvings + 1));
         }
@@ -149,14 +188,20 @@ impl Plain {
     }
 
     /// What the gap does not fall below between two places of a tool that turns, from those at the places; negative infinity
-    /// of surfaces and sides of which nothing is known.
+    /// where nothing is known.
     ///
     /// A point of the tool, at most `far` from the tool end, leaves its chord by no more than `turn^2 far / 8` in the middle
     /// and by the part 4 t (1 - t) of it elsewhere. Along the chord its distance from the wall of a convex hollow, or from a plane, is
     /// concave. From a solid that is made of balls of a radius R the distance less R is that from a convex set, whose second derivative along a
-    /// line is at most one over the distance; between ends at `d` and a length `l` apart that is `sqrt(d^2 - l^2 / 4)` at
+    /// line is at most one over the distance, as that from any set is (R being 0); between ends at `d` and a length `l` apart that is `sqrt(d^2 - l^2 / 4)` at
     /// least. A bowl that is open along the axis moves without turning as the tool sees it, so far as its middle does.
-    fn between(&self, side: Side, (profile, up): (&Profile, f64), [p, q]: [&Stood; 2]) -> f64 {
+    fn between(
+        &self,
+        side: Side,
+        (profile, up): (&Profile, f64),
+        [(p, low), (q, high)]: [(Stood, f64); 2],
+    ) -> f64 {
+        let (low, high) = (low.min(high), low.max(high));
         let surface = &*self.surface;
         let turn = trig::angle_between(p.ta, q.ta);
         let (way, far) = ((q.te - p.te).norm(), up.abs() + profile.reach());
@@ -168,24 +213,24 @@ impl Plain {
             (Side::Open, _) => f64::INFINITY,
             (Side::Negative, _) if surface.convex() => bulge(turn, far, 0.0),
             (Side::Positive, _) if surface.concave() => bulge(turn, far, 0.0),
-            (Side::Positive, _) => {
+            (Side::Positive | Side::Negative, _) => {
                 let length = way + 2.0 * trig::sin(0.5 * turn) * far;
-                let end = (roundness(surface) + p.g.min(q.g)).max(0.0);
+                let round = if side == Side::Positive { roundness(surface) } else { 0.0 };
+                let end = (round + low).max(0.0);
                 let least = (end * end - 0.25 * length * length).max(0.0).sqrt();
                 bulge(turn, far, 0.0) + length * length / (8.0 * least)
             }
-            (Side::Negative, _) => f64::INFINITY,
         };
         if !rise.is_finite() {
             return f64::NEG_INFINITY;
         }
         // The line between both less a parabola.
-        let (low, apart) = (p.g.min(q.g), (q.g - p.g).abs());
+        let apart = high - low;
         if 4.0 * rise <= apart {
             return low;
         }
         let lean = apart / (4.0 * rise);
-        0.5 * (p.g + q.g) - rise * (1.0 + lean * lean)
+        0.5 * (low + high) - rise * (1.0 + lean * lean)
     }
 }
 
@@ -196,7 +241,8 @@ struct Stood {
     t: f64,
     te: Vec3,
     ta: Vec3,
-    g: f64,
+    /// `None` where no place of the surface faces the tool.
+    g: Option<f64>,
 }
 
 /// The radius of balls of which the solid on the negative side is made: its least radius of curvature. 0 where it has
