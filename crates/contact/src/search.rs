@@ -367,6 +367,10 @@ fn flank(tool: &Tool<'_>, surface: &Surface, side: Side, from: f64, above: f64) 
     let [_, [ru, zu]] = tool.profile.joints();
     let (rim, top) = (tool.profile.top_radius(), tool.profile.height());
     let wide = ru.max(rim);
+    // Beside the tip of a line, which is no farther than `above`, nothing can be seen.
+    if wide <= 0.0 && from <= 0.0 {
+        return None;
+    }
     let mut low = zu + (top - zu) * from;
     let mut least = f64::INFINITY;
     // From below in pieces, each time as much of what is left as is seen to be clear.
