@@ -3,6 +3,8 @@
 //! Beyond their ends they go on straight, as a TABCYL does, so that a cutter can come to an end.
 
 mod cells;
+#[cfg(test)]
+mod dips_tests;
 mod part;
 mod polyconic;
 mod rail;
