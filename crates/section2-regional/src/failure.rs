@@ -284,8 +284,12 @@ impl Deep {
         };
         let depth =
             if depth.is_finite() { format!("{} deep", short(*depth)) } else { "perhaps".into() };
-        let (te, ta) = (point(self.te), point(self.ta));
-        let place = placed(*span);
+        let (te, ta) = stood.as_ref().map_or((self.te, self.ta), |s| (s.te, s.ta));
+        let (te, ta) = (point(te), point(ta));
+        let place = match (span, stood) {
+            (None, Some(stood)) => format!(" at {}", point(stood.place)),
+            _ => placed(*span),
+        };
         format!("at the tool end {te} with axis {ta} {way}{who} is {depth} in {surface}{place}")
     }
 }
