@@ -10,7 +10,7 @@ use crate::avoid::{Avoid, Avoided, Case};
 use crate::drive::Course;
 use crate::failure::Failure;
 use crate::guard::Guard;
-use crate::judge::{Judged, Way};
+use crate::judge::{Judged, Way, Worst};
 use crate::position::Position;
 use crate::region::Retract;
 use crate::report::Note;
@@ -415,9 +415,10 @@ impl Setup<'_> {
         let mut length = gait.guess.min(most);
         let band = self.band.intol + self.band.outtol;
         let still = CREEP * band;
+        let mut creeps = None;
         let mut worst = Judged {
             used: f64::INFINITY,
-            deviation: 0.0,
+            worst: Worst::UNKNOWN,
             part_uv: here.part_uv,
             way: Way::Unknown,
         };
@@ -441,6 +442,7 @@ impl Setup<'_> {
             // So much of the tool moves at most.
             let stirs = moved + self.profile.reach() * (next.ta - here.ta).norm();
             if stirs < still && length < most && gait.creeps >= CREEPS {
+                creeps = Some(still);
                 break;
             }
             let judge = |next: &Position, kept| {
@@ -481,8 +483,8 @@ impl Setup<'_> {
         Err(self.sharp(here).unwrap_or(Failure::NoStep {
             uv: here.drive_uv,
             part_uv: worst.part_uv,
-            deviation: worst.deviation,
-            allowed: self.band.intol.max(self.band.outtol),
+            worst: worst.worst,
+            creeps,
         }))
     }
 
