@@ -25,8 +25,9 @@ pub(crate) const FIRST: usize = 32;
 /// Part of what is allowed, and of the tool's size, to which a depth is told.
 const FINE: f64 = 0.02;
 const LEAST: f64 = 1e-6;
-/// Steps to the deepest place next to one.
-const STEPS: u32 = 40;
+/// Boxes that are looked at for the deepest place, and steps along the surface to it: a foot on rulings takes milliseconds.
+const TOLD: usize = 250;
+const STEPS: u32 = 60;
 
 /// Is a place of the surface deeper in the body than `allowed`? The body is known but for `slack`, and lies between the
 /// corners of a box; `most` boxes are looked at.
@@ -83,7 +84,7 @@ pub(crate) struct Found {
     pub(crate) t: f64,
 }
 
-/// The deepest place of the surface in a tool that goes by the body's way, as far as [`FEW`] boxes tell: so deep it is at
+/// The deepest place of the surface in a tool that goes by the body's way, as far as [`TOLD`] boxes tell: so deep it is at
 /// least, and no deeper is it told than it is. `None` where no place is found deeper than `allowed`. `real` tells how deep a
 /// place gets in the tool and at which share of the way; the body knows that but for `slack`, and nothing gets deeper than `most`.
 pub(crate) fn deepest(
@@ -98,7 +99,7 @@ pub(crate) fn deepest(
     let whole = (0.5 * (low + high), 0.5 * (high - low));
     let mut stack = vec![(bound(whole.0, whole.1), whole)];
     let smallest = (LEAST * (high - low).norm()).max(slack);
-    for _ in 0..FEW {
+    for _ in 0..TOLD {
         let Some((bounded, (centre, half))) = stack.pop() else { break };
         if bounded <= best.depth * (1.0 + FINE) {
             continue;
@@ -109,7 +110,7 @@ pub(crate) fn deepest(
         }
         let (depth, t) = real(foot.point);
         if depth > best.depth {
-            best = climbed(Found { depth, place: foot.point, t }, body, surface, &real);
+            best = Found { depth, place: foot.point, t };
         }
         if half.norm() <= smallest {
             continue;
@@ -120,7 +121,7 @@ pub(crate) fn deepest(
         halves.sort_by(|a, b| a.0.total_cmp(&b.0));
         stack.extend(halves);
     }
-    (best.depth > allowed).then_some(best)
+    (best.depth > allowed).then(|| climbed(best, body, surface, &real))
 }
 
 /// From a place along the surface to where it is deepest, by steps that are halved where they lead to none deeper.
