@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use aptc_geometry::{Circle, Cutter, Form, Profile, Rail, RuledSurface, Second, Vec3};
+use aptc_geometry::{Circle, Cutter, Form, Profile, Rail, RuledSurface, Second, Vec3, trig};
 
 use crate::guard::{Gouge, Guard};
 use crate::plain::Plain;
@@ -49,7 +49,7 @@ fn a_wall_is_as_deep_in_the_cutter_as_it_is_nearer_than_the_radius() {
         );
         let stood = found.stood.unwrap();
         let place = stood.place;
-        assert!((place.x.hypot(place.y) - 40.0).abs() < 1e-6, "{place}");
+        assert!((trig::hypot(place.x, place.y) - 40.0).abs() < 1e-6, "{place}");
         assert!((stood.te, stood.ta) == at);
     }
     let profile = Profile::new(&Cutter::mill(10.0, 0.0, 50.0)).unwrap();
@@ -91,10 +91,11 @@ fn nothing_is_told_deeper_than_the_tool_is_wide() {
     for i in 0..60 {
         let turn = f64::from(i) * 2.399_963;
         let (rho, lean) = (30.0 + f64::from(i % 7) * 3.0, 0.05 * f64::from(i % 9));
-        let ta = Vec3::new(lean * turn.cos(), lean * turn.sin(), 1.0).normalize();
-        let te = Vec3::new(rho * turn.cos(), rho * turn.sin(), f64::from(i % 5) * 22.0 - 40.0);
+        let ta = Vec3::new(lean * trig::cos(turn), lean * trig::sin(turn), 1.0).normalize();
+        let te =
+            Vec3::new(rho * trig::cos(turn), rho * trig::sin(turn), f64::from(i % 5) * 22.0 - 40.0);
         let profile = Profile::new(&Cutter::mill(10.0, 2.5 * f64::from(i % 3), 50.0)).unwrap();
-        let by = Vec3::new(turn.sin(), 0.3, 0.2) * f64::from(i % 4);
+        let by = Vec3::new(trig::sin(turn), 0.3, 0.2) * f64::from(i % 4);
         if let Some(found) = gouge(&profile, [(te, ta), (te + by, ta)]) {
             assert!(found.depth > 0.01 && found.depth <= 5.0 + 1e-9, "{i}: {}", found.depth);
             told += 1;

@@ -418,7 +418,7 @@ fn a_ruled_wall_is_told_as_deep_as_it_is_nearer_than_the_radius() {
                 "{fault:?}"
             );
             let te = Vec3::from(fault.te);
-            let off = (te.x.hypot(te.y) - 40.0).abs();
+            let off = (trig::hypot(te.x, te.y) - 40.0).abs();
             assert!((5.0 - off - 0.01 - fault.depth).abs() < 1e-4, "{fault:?}");
         }
     }
