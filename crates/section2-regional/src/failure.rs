@@ -4,6 +4,7 @@ use aptc_diagnostics::{Code, Diagnostic, Origin, codes};
 use aptc_geometry::Vec3;
 
 use crate::guard::{Gouge, Solid};
+use crate::judge::{Limit, Worst};
 use crate::jump::Stands;
 
 /// Why a statement of regional milling fails.
@@ -23,8 +24,8 @@ pub(crate) enum Failure {
     NotMet { part: Box<str>, uv: [f64; 2], place: Vec3 },
     /// The tool axis cannot be had.
     NoAxis { uv: [f64; 2] },
-    /// No chord keeps the tolerance.
-    NoStep { uv: [f64; 2], part_uv: [f64; 2], deviation: f64, allowed: f64 },
+    /// No chord keeps the tolerance; or none by which the tool moves so far, and the path does but creep.
+    NoStep { uv: [f64; 2], part_uv: [f64; 2], worst: Worst, creeps: Option<f64> },
     /// The cutter is to go into the surface by more than it is round where it touches.
     ThickBeyond { part: Box<str>, uv: [f64; 2], thick: f64, radius: f64 },
     /// More points than NUMPTS.
@@ -177,19 +178,10 @@ impl Failure {
                 ),
                 "give a thickness of at least minus the corner radius".into(),
             ),
-            Self::NoStep { uv, part_uv, deviation, allowed } => (
+            Self::NoStep { uv, part_uv, worst, creeps } => (
                 codes::NO_CHORD,
-                format!(
-                    "no chord from the drive point u {}, v {} keeps the tolerance {}: it is off by {} \
-                     near u {}, v {} of the part surface",
-                    short(uv[0]),
-                    short(uv[1]),
-                    short(*allowed),
-                    short(*deviation),
-                    short(part_uv[0]),
-                    short(part_uv[1])
-                ),
-                "the cutter does not fit there, or the tolerance is too narrow".into(),
+                no_chord(*uv, *part_uv, worst, *creeps),
+                worst.help().into(),
             ),
             Self::TooMany { limit, uv } => (
                 codes::PATH_TOO_LONG,
@@ -274,9 +266,59 @@ impl Failure {
     }
 }
 
+/// What every chord from a drive point exceeds near a place of the part surface.
+fn no_chord(uv: [f64; 2], part_uv: [f64; 2], worst: &Worst, creeps: Option<f64>) -> String {
+    let [u, v] = uv.map(short);
+    let which = match creeps {
+        Some(still) => {
+            format!(
+                "from the drive point u {u}, v {v} no chord that moves the tool by {} or more",
+                short(still)
+            )
+        }
+        None => format!("no chord from the drive point u {u}, v {v}"),
+    };
+    if let (Limit::Unknown, Some(_)) = (worst.what, creeps) {
+        return format!("{which} is found: the path does but creep");
+    }
+    let [u, v] = part_uv.map(short);
+    let near = format!("near u {u}, v {v} of the part surface");
+    let (much, allowed) = (amount(worst.much, worst.allowed), short(worst.allowed));
+    let why = match worst.what {
+        Limit::Deep => format!("{near} the cutter is {much} deep in it, and INTOL is {allowed}"),
+        Limit::Off => {
+            format!("{near} the cutter stands off it by up to {much}, and OUTTOL is {allowed}")
+        }
+        Limit::Beside => format!(
+            "{near} the tool is {much} beside its path, and sideways, by the tolerance of the drive surface, {allowed} is allowed"
+        ),
+        Limit::Sags => format!(
+            "{near} the tool end is {much} off the line that it is led on, and {allowed} is left of INTOL and OUTTOL"
+        ),
+        Limit::Unknown => format!("{near} no place of the tool is found between its ends"),
+    };
+    format!("{which} keeps the tolerance: {why}")
+}
+
+/// With more digits where six do not tell it from what is allowed.
+fn amount(much: f64, allowed: f64) -> String {
+    if short(much) == short(allowed) { format!("{much:.5e}") } else { short(much) }
+}
+
+impl Worst {
+    fn help(&self) -> &'static str {
+        match self.what {
+            Limit::Deep | Limit::Unknown => "the cutter does not fit there, or INTOL is too narrow",
+            Limit::Off => "the cutter does not reach the surface there, or OUTTOL is too narrow",
+            Limit::Beside => "give OUTTOL a second number, for the drive surface, that is wider",
+            Limit::Sags => "the surface has an edge there, or INTOL and OUTTOL are too narrow",
+        }
+    }
+}
+
 impl Deep {
     fn said(&self, way: &str) -> String {
-        let Gouge { surface, span, depth, by, .. } = &self.gouge;
+        let Gouge { surface, span, depth, by, stood, .. } = &self.gouge;
         let who = match by {
             Solid::Cutter => "the cutter",
             Solid::Holder => "the holder",
@@ -284,8 +326,12 @@ impl Deep {
         };
         let depth =
             if depth.is_finite() { format!("{} deep", short(*depth)) } else { "perhaps".into() };
-        let (te, ta) = (point(self.te), point(self.ta));
-        let place = placed(*span);
+        let (te, ta) = stood.as_ref().map_or((self.te, self.ta), |s| (s.te, s.ta));
+        let (te, ta) = (point(te), point(ta));
+        let place = match (span, stood) {
+            (None, Some(stood)) => format!(" at {}", point(stood.place)),
+            _ => placed(*span),
+        };
         format!("at the tool end {te} with axis {ta} {way}{who} is {depth} in {surface}{place}")
     }
 }
@@ -366,4 +412,39 @@ pub(crate) fn short(x: f64) -> String {
 /// A point as a message shows it.
 pub(crate) fn point(p: Vec3) -> String {
     format!("{}, {}, {}", short(p.x), short(p.y), short(p.z))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_no_chord_keeps_is_told_by_its_own_limit() {
+        let told = |what, much, allowed, creeps| {
+            let worst = Worst { what, much, allowed };
+            no_chord([0.5, 1.0], [0.5, 1.25], &worst, creeps)
+        };
+        let head = "no chord from the drive point u 0.5, v 1 keeps the tolerance: near u 0.5, v 1.25 of the part surface ";
+        for (what, said) in [
+            (Limit::Deep, "the cutter is 0.02 deep in it, and INTOL is 0.01"),
+            (Limit::Off, "the cutter stands off it by up to 0.02, and OUTTOL is 0.01"),
+            (
+                Limit::Beside,
+                "the tool is 0.02 beside its path, and sideways, by the tolerance of the drive surface, 0.01 is allowed",
+            ),
+        ] {
+            assert_eq!(told(what, 0.02, 0.01, None), format!("{head}{said}"));
+        }
+        // What is above the limit by less than is shown is told apart from it.
+        let close = told(Limit::Deep, 0.010_000_2, 0.01, None);
+        assert!(
+            close.ends_with("the cutter is 1.00002e-2 deep in it, and INTOL is 0.01"),
+            "{close}"
+        );
+        let creeps = told(Limit::Unknown, 0.0, 0.0, Some(0.02));
+        assert_eq!(
+            creeps,
+            "from the drive point u 0.5, v 1 no chord that moves the tool by 0.02 or more is found: the path does but creep"
+        );
+    }
 }

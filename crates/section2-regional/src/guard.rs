@@ -47,12 +47,23 @@ pub(crate) struct Gouge {
     pub(crate) entered: Option<Vec3>,
     /// The place of a sculptured surface.
     pub(crate) seen: Option<Box<Seen>>,
+    /// Where the tool is deepest on its way, as [`Guard::deepest`] tells.
+    pub(crate) stood: Option<Box<Stood>>,
+}
+
+/// The tool where a surface is deepest in it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Stood {
+    pub(crate) te: Vec3,
+    pub(crate) ta: Vec3,
+    /// The place of the surface.
+    pub(crate) place: Vec3,
 }
 
 /// A place of a sculptured surface that was in a solid of the tool.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Seen {
-    place: Vec3,
+    pub(crate) place: Vec3,
     by: Solid,
     /// Left on the surface.
     thick: f64,
@@ -94,7 +105,7 @@ impl Guard {
     }
 
     /// Cutter, holder and the axis between them, with the heights above the tool end at which they begin.
-    fn solids(&self, cutter: &Profile) -> impl Iterator<Item = (Solid, (Profile, f64))> {
+    pub(crate) fn solids(&self, cutter: &Profile) -> impl Iterator<Item = (Solid, (Profile, f64))> {
         let rod = kept::between(cutter, &self.holder, self.intol);
         std::iter::once((Solid::Cutter, (*cutter, 0.0)))
             .chain(self.holder.iter().map(|h| (Solid::Holder, *h)))
@@ -106,31 +117,12 @@ impl Guard {
         self.way(profile, [(te, ta), (te, ta)])
     }
 
-    /// The same gouge with the deepest place of its surface in a tool that stands still, to tell of it.
-    pub(crate) fn deepest(&self, profile: &Profile, te: Vec3, ta: Vec3, gouge: Gouge) -> Gouge {
-        let Some(s) = self.surfaces.iter().find(|s| s.name == gouge.surface) else { return gouge };
-        let found = self.solids(profile).filter(|(by, _)| *by == gouge.by).filter_map(
-            |(_, (profile, up))| {
-                let tool = Tool { profile: &profile, te: te + ta * up, ta };
-                s.tree.deepest(&tool, 1e-3 * self.intol.max(1e-6 * profile.reach()))
-            },
-        );
-        let least = found.map(|(p, _)| p).min_by(|a, b| a.distance.total_cmp(&b.distance));
-        match least {
-            Some(place) => {
-                let told = self.told(s, place, gouge.by);
-                if told.depth > gouge.depth { told } else { gouge }
-            }
-            None => gouge,
-        }
-    }
-
-    fn told(&self, s: &Checked, place: PatchPlace, by: Solid) -> Gouge {
+    pub(crate) fn told(&self, s: &Checked, place: PatchPlace, by: Solid) -> Gouge {
         let [u, v] = s.surface.global(place.patch, place.uv[0], place.uv[1]);
         let thick = if s.part { self.thick } else { 0.0 };
         let (span, depth) = (Some(s.surface.span_of(u, v)), thick - place.distance);
         let seen = Some(Box::new(Seen { place: s.surface.at(u, v).point, by, thick }));
-        Gouge { surface: s.name.clone(), span, depth, by, entered: None, seen }
+        Gouge { surface: s.name.clone(), span, depth, by, entered: None, seen, stood: None }
     }
 
     /// Is a place that was in the tool somewhere else deeper than `intol` in it here too?
@@ -181,7 +173,8 @@ impl Guard {
             for p in &self.plain {
                 if let Some((depth, _)) = p.deep(cutter, (&profile, up), ends, intol) {
                     let (surface, entered) = (p.name.clone(), p.entered(cutter, ends[1]));
-                    return Err(Gouge { surface, span: None, depth, by, entered, seen: None });
+                    let (span, seen, stood) = (None, None, None);
+                    return Err(Gouge { surface, span, depth, by, entered, seen, stood });
                 }
             }
         }

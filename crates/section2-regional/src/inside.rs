@@ -25,6 +25,9 @@ pub(crate) const FIRST: usize = 32;
 /// Part of what is allowed, and of the tool's size, to which a depth is told.
 const FINE: f64 = 0.02;
 const LEAST: f64 = 1e-6;
+/// Boxes that are looked at for the deepest place, and steps along the surface to it: a foot on rulings takes milliseconds.
+const TOLD: usize = 250;
+const STEPS: u32 = 60;
 
 /// Is a place of the surface deeper in the body than `allowed`? The body is known but for `slack`, and lies between the
 /// corners of a box; `most` boxes are looked at.
@@ -67,16 +70,88 @@ pub(crate) fn inside(
             unknown = true;
             continue;
         }
-        // Across its longest side.
-        let axis = half.imax();
-        let mut part = half;
-        part[axis] *= 0.5;
-        let mut step = Vec3::zeros();
-        step[axis] = part[axis];
-        stack.push((centre - step, part));
-        stack.push((centre + step, part));
+        stack.extend(halves(centre, half));
     }
     if unknown { Inside::Unknown } else { Inside::Nothing }
+}
+
+/// A place of a surface in a tool on its way.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Found {
+    pub(crate) depth: f64,
+    pub(crate) place: Vec3,
+    /// Share of the way at which it is so deep.
+    pub(crate) t: f64,
+}
+
+/// The deepest place of the surface in a tool that goes by the body's way, as far as [`TOLD`] boxes tell: so deep it is at
+/// least, and no deeper is it told than it is. `None` where no place is found deeper than `allowed`. `real` tells how deep a
+/// place gets in the tool and at which share of the way; the body knows that but for `slack`, and nothing gets deeper than `most`.
+pub(crate) fn deepest(
+    body: &impl Convex,
+    [low, high]: [Vec3; 2],
+    surface: &Surface,
+    (allowed, slack, most): (f64, f64, f64),
+    real: impl Fn(Vec3) -> (f64, f64),
+) -> Option<Found> {
+    let bound = |centre: Vec3, half: Vec3| (-body.near(centre).0 + half.norm() + slack).min(most);
+    let mut best = Found { depth: allowed, place: Vec3::zeros(), t: f64::NAN };
+    let whole = (0.5 * (low + high), 0.5 * (high - low));
+    let mut stack = vec![(bound(whole.0, whole.1), whole)];
+    let smallest = (LEAST * (high - low).norm()).max(slack);
+    for _ in 0..TOLD {
+        let Some((bounded, (centre, half))) = stack.pop() else { break };
+        if bounded <= best.depth * (1.0 + FINE) {
+            continue;
+        }
+        let foot = surface.foot(centre);
+        if foot.distance.abs() > half.norm() {
+            continue;
+        }
+        let (depth, t) = real(foot.point);
+        if depth > best.depth {
+            best = Found { depth, place: foot.point, t };
+        }
+        if half.norm() <= smallest {
+            continue;
+        }
+        let mut halves =
+            halves(centre, half).map(|(centre, half)| (bound(centre, half), (centre, half)));
+        // The deeper one first.
+        halves.sort_by(|a, b| a.0.total_cmp(&b.0));
+        stack.extend(halves);
+    }
+    (best.depth > allowed).then(|| climbed(best, body, surface, &real))
+}
+
+/// From a place along the surface to where it is deepest, by steps that are halved where they lead to none deeper.
+fn climbed(
+    mut best: Found,
+    body: &impl Convex,
+    surface: &Surface,
+    real: &impl Fn(Vec3) -> (f64, f64),
+) -> Found {
+    let mut step = best.depth;
+    for _ in 0..STEPS {
+        let place = surface.foot(best.place - body.near(best.place).1 * step).point;
+        let (depth, t) = real(place);
+        if depth > best.depth {
+            best = Found { depth, place, t };
+        } else {
+            step *= 0.5;
+        }
+    }
+    best
+}
+
+/// Both halves of a box, cut across its longest side.
+fn halves(centre: Vec3, half: Vec3) -> [(Vec3, Vec3); 2] {
+    let axis = half.imax();
+    let mut part = half;
+    part[axis] *= 0.5;
+    let mut step = Vec3::zeros();
+    step[axis] = part[axis];
+    [(centre - step, part), (centre + step, part)]
 }
 
 /// A box about a tool on its way.

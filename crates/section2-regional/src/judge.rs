@@ -22,12 +22,39 @@ const HALVINGS: u32 = 11;
 pub(crate) struct Judged {
     /// Part of the tolerance that is used; above 1 too much.
     pub(crate) used: f64,
-    /// Deviation at the worst place.
-    pub(crate) deviation: f64,
+    /// What uses most of it, at the worst place.
+    pub(crate) worst: Worst,
     /// The place on the part surface.
     pub(crate) part_uv: [f64; 2],
     /// Does the tool keep out of the part surface on the way?
     pub(crate) way: Way,
+}
+
+/// A length of a chord with what is allowed of it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Worst {
+    pub(crate) what: Limit,
+    pub(crate) much: f64,
+    pub(crate) allowed: f64,
+}
+
+/// What limits a chord.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Limit {
+    /// How deep the cutter is in the part surface: INTOL.
+    Deep,
+    /// How far it stands off it: OUTTOL.
+    Off,
+    /// How far it leaves its path sideways.
+    Beside,
+    /// How far the chord of a tool end that is led leaves its path towards the surface or away from it.
+    Sags,
+    /// Nothing is known of it: between its ends no place of the tool is found.
+    Unknown,
+}
+
+impl Worst {
+    pub(crate) const UNKNOWN: Self = Self { what: Limit::Unknown, much: 0.0, allowed: 0.0 };
 }
 
 /// What is known of a tool that goes along a chord.
@@ -98,7 +125,8 @@ impl Setup<'_> {
         let chord = Chord { ends, memories, course, sense };
         let [a, b] = ends;
         let Band { intol, outtol } = self.band;
-        let mut worst = Judged { used: 0.0, deviation: 0.0, part_uv: a.part_uv, way: Way::Unknown };
+        let mut worst =
+            Judged { used: 0.0, worst: Worst::UNKNOWN, part_uv: a.part_uv, way: Way::Unknown };
         let start = Beside { f: 0.0, s: 0.0, contact: a.contact, part_uv: a.part_uv };
         let end = Beside { f: 1.0, s: 1.0, contact: b.contact, part_uv: b.part_uv };
         let mut touched = [start; JUDGED.len() + 2];
@@ -122,10 +150,21 @@ impl Setup<'_> {
             let shift = a.shift * (1.0 - s) + b.shift * s;
             let sag = off - shift;
             let room = if sag < 0.0 { shift + intol } else { outtol - shift };
-            let lateral = (apart - p.normal * off).norm() / self.lateral;
+            let beside = (apart - p.normal * off).norm();
+            let lateral = beside / self.lateral;
             let used = (sag.abs() / (keeps * room)).max(lateral);
             if used > worst.used {
-                worst = Judged { used, deviation: off.abs(), part_uv: p.part_uv, ..worst };
+                let (what, much, allowed) = if lateral >= used {
+                    (Limit::Beside, beside, self.lateral)
+                } else if !self.part.touches {
+                    (Limit::Sags, sag.abs(), keeps * room)
+                } else if sag < 0.0 {
+                    (Limit::Deep, -off, intol)
+                } else {
+                    (Limit::Off, off, outtol)
+                };
+                let most = Worst { what, much, allowed };
+                worst = Judged { used, worst: most, part_uv: p.part_uv, ..worst };
             }
             if used > 1.0 {
                 return Some(worst);
@@ -135,7 +174,8 @@ impl Setup<'_> {
             return Some(worst);
         }
         if let Some(over) = self.off(&chord, &touched) {
-            return Some(Judged { used: 1.0 + over / (intol + outtol), ..worst });
+            let most = Worst { what: Limit::Off, much: outtol + over, allowed: outtol };
+            return Some(Judged { used: 1.0 + over / (intol + outtol), worst: most, ..worst });
         }
         Some(self.deep((a, clear), b, worst))
     }
@@ -240,7 +280,8 @@ impl Setup<'_> {
         let deep = -place.distance + self.part.thick;
         let part_uv = self.part.surface.global(place.patch, place.uv[0], place.uv[1]);
         let used = 1.0 + (deep / self.band.intol.max(1e-9) - 1.0).clamp(0.05, 1.0);
-        Judged { used, deviation: deep, part_uv, way: Way::Unknown }
+        let worst = Worst { what: Limit::Deep, much: deep, allowed: self.band.intol };
+        Judged { used, worst, part_uv, way: Way::Unknown }
     }
 }
 

@@ -15,6 +15,7 @@ mod axis;
 mod checks;
 mod crew;
 mod cut_vectors;
+mod deepest;
 mod drive;
 mod ease;
 mod failure;

@@ -10,7 +10,7 @@ use crate::avoid::{Avoid, Avoided, Case};
 use crate::drive::Course;
 use crate::failure::Failure;
 use crate::guard::Guard;
-use crate::judge::{Judged, Way};
+use crate::judge::{Judged, Way, Worst};
 use crate::position::Position;
 use crate::region::Retract;
 use crate::report::Note;
@@ -250,7 +250,9 @@ impl Setup<'_> {
                     let mut uv = last.drive_uv;
                     uv[k] = 0.5 * (last.drive_uv[k] + p.drive_uv[k]);
                     if left == 0 || (uv[k] - last.drive_uv[k]).abs() < 1e-9 {
-                        blocked.map_err(|gouge| Failure::gouge(gouge, p.te, p.ta, avoid.on))?;
+                        let ends = [(last.te, last.ta), (p.te, p.ta)];
+                        let deepest = |gouge| guard.deepest(self.profile, ends, gouge);
+                        blocked.map_err(|g| Failure::gouge(deepest(g), p.te, p.ta, avoid.on))?;
                     }
                     left -= 1;
                     let (mid, _) = self.settled(uv, course, sense, Some(memory), Take::Band)?;
@@ -287,7 +289,7 @@ impl Setup<'_> {
         let out = |p: &Position| away.map_or((p.te, p.ta), |r| r.above((p.te, p.ta)));
         let (te, ta) = out(p);
         let Err(gouge) = guard.position(self.profile, te, ta) else { return Ok(()) };
-        let gouge = || guard.deepest(self.profile, te, ta, gouge);
+        let gouge = || guard.deepest(self.profile, [(te, ta); 2], gouge);
         let place = self.drive.place(p.drive_uv, course);
         let unit = |v: Vec3| v.try_normalize(0.0).unwrap_or_else(Vec3::zeros);
         let case = Case {
@@ -413,9 +415,10 @@ impl Setup<'_> {
         let mut length = gait.guess.min(most);
         let band = self.band.intol + self.band.outtol;
         let still = CREEP * band;
+        let mut creeps = None;
         let mut worst = Judged {
             used: f64::INFINITY,
-            deviation: 0.0,
+            worst: Worst::UNKNOWN,
             part_uv: here.part_uv,
             way: Way::Unknown,
         };
@@ -439,6 +442,7 @@ impl Setup<'_> {
             // So much of the tool moves at most.
             let stirs = moved + self.profile.reach() * (next.ta - here.ta).norm();
             if stirs < still && length < most && gait.creeps >= CREEPS {
+                creeps = Some(still);
                 break;
             }
             let judge = |next: &Position, kept| {
@@ -479,8 +483,8 @@ impl Setup<'_> {
         Err(self.sharp(here).unwrap_or(Failure::NoStep {
             uv: here.drive_uv,
             part_uv: worst.part_uv,
-            deviation: worst.deviation,
-            allowed: self.band.intol.max(self.band.outtol),
+            worst: worst.worst,
+            creeps,
         }))
     }
 

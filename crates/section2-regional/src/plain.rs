@@ -166,15 +166,18 @@ impl Plain {
                 let most = if turns || low.is_ok() { FEW } else { MOST };
                 match search(p.te, q.te, mid, slack, most) {
                     Inside::Nothing => continue,
-                    // It is the first place found; what faces the tool may tell of more.
-                    Inside::Deep(depth) => {
-                        return Some((low.map_or(depth, |l| depth.max(-l.0)), te));
-                    }
+                    // It is the first place found. What faces the tool may be far off: how deep it is along its normal
+                    // is no depth of the tool.
+                    Inside::Deep(depth) => return Some((depth, te)),
                     Inside::Unknown => {}
                 }
             }
-            if let (true, false, Ok((low, te))) = (deep, turns, low) {
-                return Some((-low, te));
+            if let (true, false, Ok((_, te))) = (deep, turns, low) {
+                // How deep the place that faces the tool really is in it.
+                let tool = at((te, mid));
+                let facing = gap(&tool, &self.surface, side, 0.0).ok();
+                let depth = facing.map_or(0.0, |gap| -tool.distance(gap.surface_point));
+                return Some((if depth > allowed { depth } else { f64::INFINITY }, te));
             }
             let tried = halvings >= HALVINGS || stretches > STRETCHES || searches > SEARCHES;
             if !turns || tried {

@@ -501,8 +501,10 @@ impl Region<'_> {
         if lift > 0.0 {
             let corner = self.corner(uv)?;
             if let (Some(last), Some((guard, avoid))) = (points.last(), setup.guard) {
-                let way = guard.way(setup.profile, [(last.te, last.ta), corner]);
-                way.map_err(|gouge| Failure::gouge(gouge, corner.0, corner.1, avoid.on))?;
+                let ends = [(last.te, last.ta), corner];
+                let deepest = |gouge| guard.deepest(setup.profile, ends, gouge);
+                let way = guard.way(setup.profile, ends);
+                way.map_err(|g| Failure::gouge(deepest(g), corner.0, corner.1, avoid.on))?;
             }
             out.puts.push(Put::Feed(self.feeds[2]));
             out.puts.push(Put::Move(vec![corner]));
@@ -537,7 +539,10 @@ impl Region<'_> {
         let Err(gouge) = guard.way(setup.profile, [stand, start]) else { return Ok(Joint::Way) };
         match avoid.over(setup.profile, guard, [stand, start], first) {
             Some([up, down]) => Ok(Joint::Over([(up, stand.1), (down, start.1)])),
-            None => Err(Failure::gouge(gouge, start.0, start.1, avoid.on)),
+            None => {
+                let gouge = guard.deepest(setup.profile, [stand, start], gouge);
+                Err(Failure::gouge(gouge, start.0, start.1, avoid.on))
+            }
         }
     }
 
@@ -564,6 +569,7 @@ impl Region<'_> {
         for &to in way {
             let found = self.ways.way(self.setup.profile, [here, to]);
             found.map_err(|gouge| {
+                let gouge = self.ways.deepest(self.setup.profile, [here, to], gouge);
                 let (te, ta) = to;
                 Failure::PickFeed(Box::new(Deep { gouge, te, ta, avoids: false }))
             })?;

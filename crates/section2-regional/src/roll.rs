@@ -8,7 +8,7 @@ use aptc_geometry::{Vec3, trig};
 
 use crate::area::Guide;
 use crate::drive::Course;
-use crate::judge::{Judged, Way};
+use crate::judge::{Judged, Way, Worst};
 use crate::position::{Position, tool_end};
 use crate::solve::{Memory, Setup, Take};
 
@@ -141,7 +141,8 @@ impl Setup<'_> {
         if most > self.thick() + self.band.outtol {
             return false;
         }
-        let judged = Judged { used: 0.0, deviation: 0.0, part_uv: a.part_uv, way: Way::Unknown };
+        let worst = Worst::UNKNOWN;
+        let judged = Judged { used: 0.0, worst, part_uv: a.part_uv, way: Way::Unknown };
         self.deep((a, false), b, judged).way != Way::Unknown
     }
 }

@@ -289,6 +289,7 @@ impl Regional {
         let mut steps = std::iter::once(here).chain(way.iter().copied()).zip(&way);
         let blocked = steps.any(|(a, b)| ways.way(profile, [a, *b]).is_err());
         if blocked {
+            let gouge = ways.deepest(profile, [here, second], gouge);
             let (te, ta) = second;
             return Err(Failure::Skipped(Box::new(Deep { gouge, te, ta, avoids: false })));
         }

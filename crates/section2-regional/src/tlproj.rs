@@ -215,6 +215,7 @@ impl Regional {
         let ways = self.ways_of(self.areas.part.as_ref());
         let way = [(stand.te, stand.ta), (to.te, to.ta)];
         ways.way(profile, way).map_err(|gouge| {
+            let gouge = ways.deepest(profile, way, gouge);
             Failure::Approach(Box::new(Deep { gouge, te: to.te, ta: to.ta, avoids: false }))
         })
     }

@@ -141,7 +141,9 @@ fn first_gouge(
     points: impl Iterator<Item = (Vec3, Vec3)>,
 ) -> Option<(usize, Failure)> {
     for (k, to) in points.enumerate() {
-        if let Err(gouge) = guard.way(profile, [here.unwrap_or(to), to]) {
+        let ends = [here.unwrap_or(to), to];
+        if let Err(gouge) = guard.way(profile, ends) {
+            let gouge = guard.deepest(profile, ends, gouge);
             return Some((k, Failure::gouge(gouge, to.0, to.1, false)));
         }
         here = Some(to);

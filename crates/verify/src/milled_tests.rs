@@ -380,6 +380,51 @@ fn only_the_last_motion_before_a_statement_tells_its_side() {
 /// Places that pass the rim of a leaning flat end within, from its side to its bottom, are in no tool as deep as in all that it
 /// sweeps, and are proved as they are in each.
 #[test]
+fn a_ruled_wall_is_told_as_deep_as_it_is_nearer_than_the_radius() {
+    // Upright rulings along a quarter of a circle of radius 40 about the z axis, higher than the cutter of radius 5.
+    let arc = |z: f64| {
+        let center = Vec3::z() * z;
+        let at = |x: f64, y: f64| center + Vec3::new(x, y, 0.0) * 40.0;
+        let circle = aptc_geometry::Circle { center, axis: Vec3::z(), radius: 40.0 };
+        let surface = Arc::new(Form::Circle(circle));
+        let toward = Vec3::new(1.0, 1.0, 0.0);
+        aptc_geometry::Rail { surface, start: at(1.0, 0.0), end: at(0.0, 1.0), toward }
+    };
+    let second = aptc_geometry::Second::Rail(arc(80.0));
+    let ruled = aptc_geometry::RuledSurface { first: arc(-20.0), second };
+    let plain =
+        vec![Plain { name: NameRef::default(), form: Arc::new(Form::Ruled(Arc::new(ruled))) }];
+    let milling = Milling { plain, ..milling(0.01) };
+    let at = |rho: f64, along: f64| {
+        let te = Vec3::new(rho - along, rho + along, 0.0) * 0.5_f64.sqrt();
+        Position { te, ta: Vec3::z() }
+    };
+    for corner in [0.0, 5.0] {
+        let profile = Profile::new(&Cutter::mill(10.0, corner, 50.0)).unwrap();
+        // Straight on along the tangent, straight in, and where it stands.
+        let ways = [
+            ([at(43.0, -9.0), at(43.0, 15.0)], 2.0),
+            ([at(60.0, 0.0), at(42.0, 0.0)], 3.0),
+            ([at(36.0, 0.0); 2], 1.0),
+        ];
+        for ([a, b], deep) in ways {
+            let region = Region::new(&milling, &Sheets::default(), &profile, &a).unwrap();
+            let judge =
+                |s: &MilledSurface| s.vector(&profile, &a, &b, 1e-10, 1, &mut Seen::default());
+            let fault = region.surfaces().iter().find_map(judge).unwrap();
+            let deep = deep - 0.01;
+            assert!(
+                fault.refuted && fault.depth <= deep + 1e-6 && fault.depth > 0.9 * deep,
+                "{fault:?}"
+            );
+            let te = Vec3::from(fault.te);
+            let off = (trig::hypot(te.x, te.y) - 40.0).abs();
+            assert!((5.0 - off - 0.01 - fault.depth).abs() < 1e-4, "{fault:?}");
+        }
+    }
+}
+
+#[test]
 fn a_leading_rim_is_proved_as_deep_as_it_is_in_each_tool() {
     let at = |i: i32, j: i32| {
         let (x, y) = (4.0 * f64::from(i), 4.0 * f64::from(j));
