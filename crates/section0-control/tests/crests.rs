@@ -178,3 +178,68 @@ fn an_edge_of_the_gap_is_seen_where_both_places_lie_side_by_side() {
     let told = told((0..20).map(|i| leaning(-36.5 + 0.13 * f64::from(i))));
     assert!(told.is_empty(), "{told:#?}");
 }
+
+/// A flank beside an upright cylinder, or over a lying one, that comes to stand along its rulings and goes over from one of its ends
+/// to the other: surfaces, cutter, band, check surface, start, the way to both surfaces and the motion.
+const OVER: [[&str; 10]; 4] = [
+    [
+        "0,0,-31.335,-.97249,.23295,0,31.335",
+        "-.155,-6.642,0,0,0,1,8.264",
+        "16,0,8,0,0,0,40",
+        "OUTTOL/0\nINTOL/.00695",
+        ".98482,-.17358,0,1",
+        "23.031,-13.791,30",
+        "NORMDS",
+        "-23.18664,7.14921,0",
+        "-.29465,-.95561,0",
+        "TLLFT,GOFWD/DS,TO,CS",
+    ],
+    [
+        "0,0,-91.125,.59886,-.80085,0,91.125",
+        "12.003,-1.125,0,0,0,1,11.031",
+        "10,0,5,0,0,0,20",
+        "OUTTOL/0\nINTOL/.01263",
+        ".98152,.19134,0,11.566",
+        "-4.967,-13.546,30",
+        "NORMPS",
+        "16.97037,12.42145,0",
+        ".59064,-.80694,0",
+        "TLRGT,GOFWD/DS,ON,CS",
+    ],
+    [
+        "0,0,-42.36,-.9247,-.3807,0,42.36",
+        "6.77,-2.124,0,0,0,1,14.644",
+        "20,10,0,10,0,0,20",
+        "INTOL/0\nOUTTOL/.00157",
+        "-.81897,.57383,0,-6.763",
+        "40.72,-9.019,30",
+        "NORMPS",
+        "-33.95053,6.89469,0",
+        ".19902,.98,0",
+        "TLRGT,GOFWD/DS,PAST,CS",
+    ],
+    [
+        "0,0,-43.962,-.61552,.78812,0,43.962",
+        ".247,-4.815,0,0,0,1,10.51",
+        "12,3,3,3,0,0,40",
+        "INTOL/0\nOUTTOL/.0035",
+        ".97318,.23005,0,-.867",
+        "22.502,-8.195,30",
+        "NORMDS",
+        "-22.25439,3.38017,0",
+        "-.15017,-.98866,0",
+        "TLLFT,GOFWD/DS,ON,CS",
+    ],
+];
+
+#[test]
+fn an_edge_of_the_gap_is_seen_where_a_flank_goes_over_from_end_to_end() {
+    let program = |[ps, ds, cutter, band, cs, from, axis, to, on, go]: [&str; 10]| {
+        format!(
+            "MULTAX\nPS=CYLNDR/{ps}\nDS=CYLNDR/{ds}\nCUTTER/{cutter}\n{band}\nCS=PLANE/{cs}\nFROM/{from}\n\
+             TLAXIS/{axis}\nINDIRV/{to}\nGO/TO,DS,TO,PS\nINDIRV/{on}\n{go}\nFINI\n"
+        )
+    };
+    let told = told(OVER.into_iter().map(program));
+    assert!(told.is_empty(), "{told:#?}");
+}

@@ -201,6 +201,14 @@ pub(crate) fn between(a: &Pose, b: &Pose, t: f64) -> Pose {
     Pose { te: a.te + (b.te - a.te) * t, ta: slerp(a.ta, b.ta, t) }
 }
 
+/// How the axis turns along a cut vector: radians, as a vector.
+pub(super) fn turn(a: &Pose, b: &Pose) -> Vec3 {
+    let across = a.ta.cross(&b.ta);
+    let sin = across.norm();
+    let angle = aptc_geometry::trig::atan2(sin, a.ta.dot(&b.ta));
+    across.try_normalize(1e-15).map_or(Vec3::zeros(), |axis| axis * angle)
+}
+
 fn slerp(a: Vec3, b: Vec3, t: f64) -> Vec3 {
     let cos = a.dot(&b).clamp(-1.0, 1.0);
     let across = b - a * cos;

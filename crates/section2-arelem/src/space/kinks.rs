@@ -2,7 +2,7 @@
 
 use aptc_contact::Gap;
 
-use super::judge::{BETWEEN, between};
+use super::judge::{BETWEEN, between, turn};
 use super::track::{Node, Track, Trouble};
 
 /// Halvings in the search for the place where the contact goes over from one to the other.
@@ -11,6 +11,8 @@ const HALVINGS: usize = 40;
 const MORE: usize = 8;
 /// Share of the band by which the gaps of both places may differ where it does.
 const EVEN: f64 = 5e-7;
+/// Share of the cutter's radius up to which two places found are one.
+const ONE: f64 = 1e-6;
 
 /// What is seen on a chord, as a share of it.
 #[derive(Clone, Copy)]
@@ -76,7 +78,8 @@ impl Track {
         self.even(i, [from, to], ends.each_ref())
     }
 
-    /// The same between two looks.
+    /// The same between two looks. Along a flank the gap has one least place, so that searches from both its ends come to the same
+    /// one, or to none where it goes over: the edge is ahead then as long as the gap grows.
     fn even(
         &self,
         i: usize,
@@ -86,17 +89,30 @@ impl Track {
         let keep = &self.keeps[i];
         let (mut low, mut high, mut found) = (a.t, b.t, (b.t, b.gap.g));
         let mut spots = [a.gap.spot(), b.gap.spot()];
+        let (way, turn) = (to.pose.te - from.pose.te, turn(&from.pose, &to.pose));
+        let one = ONE * keep.profile.widest();
         for _ in 0..HALVINGS {
             let t = 0.5 * (low + high);
             let pose = between(&from.pose, &to.pose, t);
-            let [a, b] = spots.map(|spot| keep.gap_at(&pose, spot));
-            let (a, b) = (a?, b?);
-            spots = [a.spot(), b.spot()];
-            found = (t, a.g.max(b.g));
-            if (a.g - b.g).abs() <= EVEN * keep.width() {
+            let both = spots.map(|spot| keep.gap_at(&pose, spot));
+            let two = |a: &Gap, b: &Gap| (a.tool_point - b.tool_point).norm() > one;
+            let (rises, even) = match both {
+                [Ok(a), Ok(b)] if two(&a, &b) => {
+                    spots = [a.spot(), b.spot()];
+                    found = (t, a.g.max(b.g));
+                    (a.g < b.g, (a.g - b.g).abs())
+                }
+                _ => {
+                    let gap = keep.gap(&pose, None)?;
+                    let slope = gap.normal.dot(&way) + gap.turn_rate(pose.te, turn);
+                    found = (t, gap.g);
+                    (slope > 0.0, slope.abs() * (high - low))
+                }
+            };
+            if even <= EVEN * keep.width() {
                 break;
             }
-            *(if a.g < b.g { &mut low } else { &mut high }) = t;
+            *(if rises { &mut low } else { &mut high }) = t;
         }
         Ok(found)
     }
