@@ -235,7 +235,8 @@ fn likely(tool: &Tool<'_>, surface: &Surface, known: &Gap, size: f64) -> f64 {
     let bend = a.abs().max(c.abs()) + b.abs();
     if tool.profile.corner()[0] <= 0.0 {
         // Some of the way after which the surface stands up beside it.
-        return (TOWARDS * upright / (bend * size)).clamp(ALONE[0], FAR);
+        let turned = (bend * size).max(f64::MIN_POSITIVE);
+        return (TOWARDS * upright / turned).clamp(ALONE[0], FAR);
     }
     // With a corner about a circle some of that after which it does not touch.
     let share = TOWARDS * across / (bend * size);

@@ -194,10 +194,10 @@ impl Plain {
     /// where nothing is known.
     ///
     /// A point of the tool, at most `far` from the tool end, leaves its chord by no more than `turn^2 far / 8` in the middle
-    /// and by the part 4 t (1 - t) of it elsewhere. Along the chord its distance from the wall of a convex hollow, or from a plane, is
-    /// concave. From a solid that is made of balls of a radius R the distance less R is that from a convex set, whose second derivative along a
-    /// line is at most one over the distance, as that from any set is (R being 0); between ends at `d` and a length `l` apart that is `sqrt(d^2 - l^2 / 4)` at
-    /// least. A bowl that is open along the axis moves without turning as the tool sees it, so far as its middle does.
+    /// and by the part 4 t (1 - t) of it elsewhere. Along the chord its distance from the wall of a convex hollow, or from a
+    /// plane, is concave. From a solid that is made of balls of a radius R the distance less R is that from a convex set, whose
+    /// second derivative along a line is at most one over the distance, as that from any set is (R being 0); between ends at
+    /// `d` and a length `l` apart that is `sqrt(d^2 - l^2 / 4)` at least. A bowl that is open along the axis moves without turning as the tool sees it, so far as its middle does.
     fn between(
         &self,
         side: Side,

@@ -377,8 +377,6 @@ fn only_the_last_motion_before_a_statement_tells_its_side() {
     near(Vec::new(), 5.0);
 }
 
-/// Places that pass the rim of a leaning flat end within, from its side to its bottom, are in no tool as deep as in all that it
-/// sweeps, and are proved as they are in each.
 #[test]
 fn a_ruled_wall_is_told_as_deep_as_it_is_nearer_than_the_radius() {
     // Upright rulings along a quarter of a circle of radius 40 about the z axis, higher than the cutter of radius 5.
@@ -424,6 +422,8 @@ fn a_ruled_wall_is_told_as_deep_as_it_is_nearer_than_the_radius() {
     }
 }
 
+/// Places that pass the rim of a leaning flat end within, from its side to its bottom, are in no tool as deep as in all that it
+/// sweeps, and are proved as they are in each.
 #[test]
 fn a_leading_rim_is_proved_as_deep_as_it_is_in_each_tool() {
     let at = |i: i32, j: i32| {

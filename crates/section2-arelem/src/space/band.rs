@@ -1,6 +1,6 @@
 //! The band of a surface as chords and their ends use it: what does not change along a motion is worked out once.
 
-use super::keep::{Keep, Limits};
+use super::keep::{Keep, Limits, target};
 
 /// Share of the band by which a chord aims inside of it.
 const AIM: f64 = 1e-6;
@@ -49,7 +49,7 @@ impl Band {
     /// That of a surface in a scene of this `size`, with an axis that may turn.
     pub(super) fn new(keep: &Keep, size: f64, turns: bool) -> Self {
         let Limits { low, high } = keep.limits();
-        let (width, edge) = (keep.width(), keep.edge());
+        let width = keep.width();
         let rounding = 1e-14 * size;
         let slack = |share: f64| rounding + share * width;
         let (resolution, found, own) = match turns {
@@ -61,7 +61,7 @@ impl Band {
             width,
             low,
             high,
-            vertex: [low + edge, high - edge],
+            vertex: keep.vertices(),
             level: keep.level(),
             share,
             aim: share * width,
@@ -72,14 +72,6 @@ impl Band {
             rounding,
             turning: (turns && !keep.is_on()).then_some(AIM_TURNING * width),
         }
-    }
-
-    /// As [`Keep::target`].
-    #[inline(always)]
-    fn target(&self, bend: f64, share: f64) -> f64 {
-        let [low, high] = self.vertex;
-        let at = if bend > 0.0 { share * most(high, 0.0) } else { share * least(low, 0.0) };
-        least(most(at, low), high)
     }
 
     /// Gap of the next vertex when cut vectors are about `usual` long and the gap bends so along them: in the share of the band
@@ -100,7 +92,7 @@ impl Band {
         if share < EVEN {
             return self.level;
         }
-        let (even, edge) = (self.target(bend, share), self.target(bend, 1.0));
+        let [even, edge] = [share, 1.0].map(|share| target(self.vertex, bend, share));
         let room = if bend > 0.0 { before - self.low } else { self.high - before };
         let lack = most((0.5 * bow).sqrt() - most(room, 0.0).sqrt(), 0.0);
         let rest = SPARE * lack * lack;

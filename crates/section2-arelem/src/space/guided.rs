@@ -257,7 +257,7 @@ impl<G: Guide> Guided<'_, G> {
             return Err(Trouble::Stuck);
         }
         let bends = [G::second(a, along), G::second(b, along)];
-        let course = Course::across(normals, along, bends);
+        let course = Course::across(normals, sine, along, bends);
         *to = Place { te, gaps: [a.end, b.end], course };
         Ok(())
     }

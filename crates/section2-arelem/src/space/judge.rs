@@ -17,6 +17,7 @@ const MIDWAY: f64 = 0.1;
 const LOST_SLOPE: f64 = 0.3;
 /// Share of the band by which two places that touch at once may differ.
 const BOTH: f64 = 1e-2;
+
 /// How a chord lies in the bands: it fits, the ratio by which it could be longer, and second derivatives of the
 /// gaps along it, from the slopes at its ends.
 #[derive(Clone, Copy, Debug)]

@@ -181,18 +181,13 @@ impl Keep {
     /// the share `share` of the band: outside where the surface is round, so that the middle of the cut
     /// vectors may go in, and inside where it is hollow.
     pub(crate) fn target(&self, bend: f64, share: f64) -> f64 {
-        let Limits { low, high } = self.limits();
-        let edge = self.edge();
-        let (least, most) = (low + edge, high - edge);
-        let at = if bend > 0.0 {
-            share * most.max(0.0)
-        } else if bend < 0.0 {
-            share * least.min(0.0)
-        } else {
-            0.0
-        };
-        // A band may begin at the surface itself.
-        at.max(least).min(most)
+        target(self.vertices(), bend, share)
+    }
+
+    /// Where in the band vertices lie at least and at most.
+    pub(super) fn vertices(&self) -> [f64; 2] {
+        let (Limits { low, high }, edge) = (self.limits(), self.edge());
+        [low + edge, high - edge]
     }
 
     /// Where in the band the tool stops that goes on along a way on which the gap bends by `bend`: at the edge that leaves the
@@ -208,7 +203,7 @@ impl Keep {
     }
 
     /// How far vertices keep from the edge of the band.
-    pub(super) fn edge(&self) -> f64 {
+    fn edge(&self) -> f64 {
         self.searched().unwrap_or(EDGE) * self.width()
     }
 
@@ -234,6 +229,20 @@ impl Keep {
     pub(crate) fn width(&self) -> f64 {
         self.intol + self.outtol
     }
+}
+
+/// As [`Keep::target`], where vertices lie between these limits.
+#[inline(always)]
+pub(super) fn target([low, high]: [f64; 2], bend: f64, share: f64) -> f64 {
+    let at = if bend > 0.0 {
+        share * high.max(0.0)
+    } else if bend < 0.0 {
+        share * low.min(0.0)
+    } else {
+        0.0
+    };
+    // A band may begin at the surface itself.
+    at.max(low).min(high)
 }
 
 #[cfg(test)]

@@ -65,8 +65,8 @@ impl Solver<'_> {
     }
 
     /// Where the directions given for the surfaces bring the tool: each pierces its surface from the middle of the
-    /// cutter, and leaves room for its radius, the thickness and the band. One that misses takes the tool along by three quarters of the
-    /// gap there. Source: what APT-360 does.
+    /// cutter, and leaves room for its radius, the thickness and the band. One that misses takes the tool along by three
+    /// quarters of the gap there. Source: what APT-360 does.
     pub(super) fn approach(&self, pose: Pose) -> Pose {
         let mut te = pose.te;
         for aim in self.aims {

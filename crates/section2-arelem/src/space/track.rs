@@ -90,12 +90,16 @@ impl Course {
         Ok(Self { along, bends, curl: curl.ok_or(Trouble::SideBySide)? })
     }
 
-    /// The same with unit vectors for gradients, and `along` square to both.
+    /// The same with unit vectors for gradients, this sine between them, and `along` square to both.
     #[inline(always)]
-    pub(super) fn across([a, b]: [Vec3; 2], along: Vec3, [at_a, at_b]: [f64; 2]) -> Self {
+    pub(super) fn across(
+        [a, b]: [Vec3; 2],
+        sine: f64,
+        along: Vec3,
+        [at_a, at_b]: [f64; 2],
+    ) -> Self {
         let lean = a.dot(&b);
-        let square = 1.0 - lean * lean;
-        let curl = (a * (lean * at_b - at_a) + b * (lean * at_a - at_b)) / square;
+        let curl = (a * (lean * at_b - at_a) + b * (lean * at_a - at_b)) / (sine * sine);
         Self { along, bends: [at_a, at_b], curl }
     }
 
