@@ -8,6 +8,7 @@ use aptc_cldata::Position;
 use crate::between::{angle, between_poses};
 use crate::deep::deepest;
 use crate::demand::Verdict;
+use crate::outside::Stood;
 use crate::pile::Pile;
 use crate::search::{Aim, FINE_FOLD, FOLD, Lead, Moved, TURNED, clearance, clearance_from};
 use crate::sheet::{Sheet, Spot};
@@ -39,7 +40,8 @@ pub(crate) struct Curved<'s> {
     pub(crate) most: f64,
 }
 
-/// What a vector found, where the next of the same tool along the same surface is best begun. A bad beginning costs time.
+/// What a vector found, where the next of the same tool along the same surface is best begun. A bad beginning costs time;
+/// what is known of a position is taken as it stands, so that one of these serves one tool and one surface.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Warm {
     pub(crate) lead: Lead,
@@ -51,6 +53,8 @@ pub(crate) struct Warm {
     pub(crate) stretch: Option<f64>,
     /// The least gap that was told before, if any: beside a convex solid no greater one is told closer.
     pub(crate) told: Option<f64>,
+    /// What is known where the last vector ended, outside of a convex solid.
+    pub(crate) end: Option<Stood>,
 }
 
 impl Warm {

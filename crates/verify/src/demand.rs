@@ -166,26 +166,50 @@ impl Demand {
         pad: f64,
         warm: &mut Warm,
     ) -> Verdict {
-        /// Halvings of a vector at most, and stretches that are looked at. Where the path of a turning tool
-        /// just meets the border of its band the bounds are short of it by the square of the stretch.
-        const DEPTH: u32 = 24;
-        const MOST: u32 = 4000;
+        let ends = [Pose::of(a), Pose::of(b)];
         let convex = match &self.body {
             Body::Solid(solid) => Convex::Solid(solid),
             Body::Hollow(hollow) => Convex::Hollow(hollow),
             Body::Sheet(sheet) => return self.curved(sheet).judge(tool, a, b, pad, warm),
             Body::Unknown => return Verdict::Undecided { at_most: f64::INFINITY, te: a.te },
         };
-        let (least, most) = (self.least - pad, self.most + pad);
-        let way = Way::new(Pose { te: a.te, ta: a.ta }, Pose { te: b.te, ta: b.ta });
+        // How much more there is does not tell beside what was told of others.
+        let (band, told) =
+            ([self.least - pad, self.most + pad], warm.told.unwrap_or(f64::INFINITY));
+        if let Convex::Solid(solid) = convex
+            && !self.within
+            && a.ta == b.ta
+        {
+            let enough = band[0].max(told);
+            let bound = outside::bound(tool, &ends, solid, &mut warm.end, enough);
+            if bound.low >= band[0] && bound.high <= band[1] {
+                return Verdict::Proved { low: bound.low, high: bound.high };
+            }
+        }
+        self.halving(tool, Way::new(ends[0], ends[1]), convex, band, told)
+    }
+
+    /// The same by halving the way: bounds of its stretches are put together.
+    #[inline(never)]
+    fn halving(
+        &self,
+        tool: &Tool<'_>,
+        way: Way,
+        convex: Convex<'_>,
+        [least, most]: [f64; 2],
+        told: f64,
+    ) -> Verdict {
+        /// Halvings of a vector at most, and stretches that are looked at. Where the path of a turning tool
+        /// just meets the border of its band the bounds are short of it by the square of the stretch.
+        const DEPTH: u32 = 24;
+        const MOST: u32 = 4000;
         let stop = |t: f64| {
             let pose = way.at(t);
             let touch = if way.turn > NO_TURN { self.touch(tool, &pose, convex) } else { None };
             Stop { t, pose, touch }
         };
-        let told = warm.told.unwrap_or(f64::INFINITY);
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
-        let mut open: (f64, Vec3) = (0.0, a.te);
+        let mut open: (f64, Vec3) = (0.0, way.at(0.0).te);
         let mut worst: Option<(f64, f64, Vec3)> = None;
         let mut stack = Stack::new();
         stack.push((stop(0.0), stop(1.0), 0));
@@ -193,7 +217,6 @@ impl Demand {
         while let Some((from, to, depth)) = stack.pop() {
             seen += 1;
             let turn = way.turn_between(&from.pose, &to.pose, to.t - from.t);
-            // How much more a stretch has does not tell beside what was told of others.
             let enough = least.max(low.min(told));
             let bound = self.bound(tool, &from, &to, turn, convex, enough);
             let excess = (least - bound.low).max(bound.high - most);
@@ -239,7 +262,7 @@ impl Demand {
 
     /// The same of any tool.
     pub(crate) fn gap_of(&self, tool: &Tool<'_>, at: &Position) -> Option<f64> {
-        let pose = Pose { te: at.te, ta: at.ta };
+        let pose = Pose::of(at);
         match &self.body {
             Body::Solid(solid) => Some(self.gap(tool, &pose, Convex::Solid(solid))),
             Body::Hollow(hollow) => Some(self.gap(tool, &pose, Convex::Hollow(hollow))),
@@ -305,7 +328,9 @@ impl Demand {
             Convex::Solid(solid) if self.within => {
                 within(tool, [p, q], solid, self.open, turn, ends)
             }
-            Convex::Solid(solid) if turn <= NO_TURN => outside::bound(tool, p, q, solid),
+            Convex::Solid(solid) if turn <= NO_TURN => {
+                outside::bound(tool, &[*p, *q], solid, &mut None, enough)
+            }
             Convex::Solid(solid) => {
                 outside::bound_turning(tool, [p, q], solid, &Turn::new(turn), ends, enough)
             }

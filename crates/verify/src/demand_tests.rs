@@ -141,6 +141,41 @@ proptest! {
     }
 }
 
+proptest! {
+    /// What one vector leaves to the next changes no answer: neither the bounds nor where a vector is refuted.
+    #[test]
+    fn a_walk_is_judged_as_each_of_its_vectors(
+        te in prop::array::uniform3(-6.0..6.0_f64), c in 0_usize..4, f in 0_usize..4,
+        ways in prop::collection::vec(prop::array::uniform3(-2.0..2.0_f64), 6), lean in prop::array::uniform2(-0.3..0.3_f64),
+        open: bool, jump in 0_usize..9,
+    ) {
+        let (profile, form) = (Profile::new(&cutters()[c]).unwrap(), &forms()[f]);
+        let mut demand = Demand::clear(form, 1.0, false, 0.5).expect("a closed form");
+        if open {
+            (demand.least, demand.most) = (f64::NEG_INFINITY, f64::INFINITY);
+        }
+        let ta = Vec3::new(lean[0], lean[1], 1.0).normalize();
+        let mut from = Position { te: Vec3::from(te), ta };
+        let mut warm = Warm::default();
+        for (i, way) in ways.iter().enumerate() {
+            if i == jump {
+                from.te += Vec3::new(1.0, -1.0, 0.5);
+            }
+            let to = Position { te: from.te + Vec3::from(*way), ta };
+            let alone = demand.judge(&profile, &from, &to, 1e-9);
+            let next = demand.judge_next(&profile, &from, &to, 1e-9, &mut warm);
+            let same = match (alone, next) {
+                (Verdict::Proved { low, high }, Verdict::Proved { low: l, high: h }) => {
+                    (low - l).abs() < 1e-10 && (high - h).abs() < 1e-10
+                }
+                (alone, next) => alone == next,
+            };
+            prop_assert!(same, "{alone:?} {next:?}");
+            from = to;
+        }
+    }
+}
+
 #[test]
 fn a_chord_across_a_cylinder_gouges_by_its_sagitta() {
     // Ball centre on a path of radius 5 about a cylinder of radius 4: chord of angle .2.

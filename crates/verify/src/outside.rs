@@ -10,7 +10,7 @@
 use aptc_geometry::Vec3;
 
 use crate::between::{angle, bulge, parabola};
-use crate::bound::{Bound, Touch};
+use crate::bound::{Bound, CLOSE, Touch};
 use crate::solid::{Solid, unit_or};
 use crate::tool::{Pose, Tool, Turn, carry, turned};
 
@@ -123,27 +123,43 @@ pub(crate) fn proved(tool: &Tool<'_>, pose: &Pose, v: Vec3, solid: &Solid, d: Ve
     -tool.height(pose, -d) - solid.support(d) + d.dot(&v).min(0.0)
 }
 
-/// Bounds along the vector from `a` to `b`, axis fixed.
-pub(crate) fn bound(tool: &Tool<'_>, a: &Pose, b: &Pose, solid: &Solid) -> Bound {
+/// Bounds along the vector from `a` to `b`, axis fixed, from below no closer than to `enough`. `known` is what is known where
+/// the last vector ended, and then of `b`.
+pub(crate) fn bound(
+    tool: &Tool<'_>,
+    [a, b]: &[Pose; 2],
+    solid: &Solid,
+    known: &mut Option<Stood>,
+    enough: f64,
+) -> Bound {
     let v = b.te - a.te;
-    if let Solid::Half(plane) = solid {
-        // The gap runs evenly from end to end.
-        let first = gap(tool, a, solid).0;
-        let ends = [first, first + plane.n.dot(&v)];
-        let (least, most) = if ends[0] <= ends[1] { (0, 1) } else { (1, 0) };
-        let [low_at, high_at] = [least, most].map(|i| if i == 0 { 0.0 } else { 1.0 });
-        let low = ends[least];
-        return Bound { low, high: ends[most], least: low, low_at, high_at };
-    }
-    let at = |t: f64| {
-        let pose = Pose { te: a.te + t * v, ta: a.ta };
-        let (g, d) = gap(tool, &pose, solid);
-        Place { t, gap: g, d, slope: d.dot(&v) }
+    let stand = |pose: &Pose| {
+        let (gap, d) = gap(tool, pose, solid);
+        Stood { at: *pose, gap, d }
     };
-    let (first, last) = (at(0.0), at(1.0));
-    let high = if first.gap >= last.gap { first } else { last };
-    let mut least = if first.gap <= last.gap { first } else { last };
+    let place = |t: f64, s: &Stood| Place { t, gap: s.gap, d: s.d, slope: s.d.dot(&v) };
+    let first = match known {
+        Some(s) if s.at == *a => place(0.0, s),
+        _ => place(0.0, &stand(a)),
+    };
+    let last = place(1.0, known.insert(stand(b)));
+    let (mut least, high) = if first.gap <= last.gap { (first, last) } else { (last, first) };
+    let told = |low: f64, least: &Place| {
+        let (low_at, high_at) = (least.t, high.t);
+        Bound { low, high: high.gap, low_at, high_at, least: least.gap }
+    };
+    // Beside a plane the gap runs evenly from end to end.
+    if matches!(solid, Solid::Half(_)) {
+        return told(least.gap, &least);
+    }
     let shown = |d: Vec3| proved(tool, a, v, solid, d);
+    // The gap is least at an end, or where its slope changes sign.
+    if first.slope >= 0.0 {
+        return told(shown(first.d), &least);
+    }
+    if last.slope <= 0.0 {
+        return told(shown(last.d), &least);
+    }
     let length = v.norm();
     // A direction square to the motion proves the same for the whole of it.
     let level = |d: Vec3| {
@@ -152,40 +168,41 @@ pub(crate) fn bound(tool: &Tool<'_>, a: &Pose, b: &Pose, solid: &Solid) -> Bound
         let is_square = square.dot(&v).abs() <= 1e-12 * length;
         shown(if is_square { square } else { d })
     };
-    // The gap is least at an end, or where its slope changes sign.
-    let mut low = if first.slope >= 0.0 {
-        shown(first.d)
-    } else if last.slope <= 0.0 {
-        shown(last.d)
-    } else {
-        f64::NEG_INFINITY
-    };
-    if first.slope < 0.0 && last.slope > 0.0 {
-        let (mut p, mut q) = (first, last);
-        for round in 0..ROUNDS {
-            let secant = p.t - p.slope * (q.t - p.t) / (q.slope - p.slope);
-            let halves = round % 3 == 2 || !(p.t..=q.t).contains(&secant);
-            let m = at(if halves { 0.5 * (p.t + q.t) } else { secant });
-            if m.gap < least.gap {
-                least = m;
-            }
-            // A direction that is not quite square to the way is made so, and loses the square of what it missed.
-            if m.slope.abs() <= SQUARE * length {
-                low = level(m.d);
-                break;
-            }
-            *(if m.slope < 0.0 { &mut p } else { &mut q }) = m;
-            if q.t - p.t <= 1e-15 {
-                break;
-            }
+    // Between the directions of two places on both sides of the least lies one that is square to the way.
+    let between = |p: &Place, q: &Place| level(p.d * q.slope - q.d * p.slope);
+    let mut low = between(&first, &last);
+    if low >= enough - CLOSE * (tool.reach() + length) {
+        return told(low, &least);
+    }
+    let (mut p, mut q) = (first, last);
+    for round in 0..ROUNDS {
+        let secant = p.t - p.slope * (q.t - p.t) / (q.slope - p.slope);
+        let halves = round % 3 == 2 || !(p.t..=q.t).contains(&secant);
+        let t = if halves { 0.5 * (p.t + q.t) } else { secant };
+        let m = place(t, &stand(&Pose { te: a.te + t * v, ta: a.ta }));
+        if m.gap < least.gap {
+            least = m;
         }
-        if low == f64::NEG_INFINITY {
-            // Where the tool changes from one place to another, a direction between theirs is square to the way.
-            let between = solid.bounded_direction(p.d * q.slope - q.d * p.slope);
-            low = [p.d, q.d, between].into_iter().map(level).fold(low, f64::max);
+        // A direction that is not quite square to the way is made so, and loses the square of what it missed.
+        if m.slope.abs() <= SQUARE * length {
+            return told(low.max(level(m.d)), &least);
+        }
+        *(if m.slope < 0.0 { &mut p } else { &mut q }) = m;
+        if q.t - p.t <= 1e-15 {
+            break;
         }
     }
-    Bound { low, high: high.gap, low_at: least.t, high_at: high.t, least: least.gap }
+    // Where the tool changes from one place to another the least is between theirs.
+    low = [level(p.d), level(q.d), between(&p, &q)].into_iter().fold(low, f64::max);
+    told(low, &least)
+}
+
+/// What is known of the tool at a position: the gap and the direction that proves it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Stood {
+    at: Pose,
+    gap: f64,
+    d: Vec3,
 }
 
 /// The tool at a share of the way: the gap, the direction that proves it and how that rises along the way.

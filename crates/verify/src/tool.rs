@@ -1,5 +1,6 @@
 //! The cutter in space.
 
+use aptc_cldata::Position;
 use aptc_geometry::{Profile, Vec3, trig};
 
 use crate::between::parabola;
@@ -10,6 +11,13 @@ use crate::solid::{any_across, unit_or};
 pub(crate) struct Pose {
     pub(crate) te: Vec3,
     pub(crate) ta: Vec3,
+}
+
+impl Pose {
+    #[inline]
+    pub(crate) fn of(at: &Position) -> Self {
+        Self { te: at.te, ta: at.ta }
+    }
 }
 
 /// What is held against a surface: the cutter's solid, or the tool end alone (ON).
