@@ -17,6 +17,9 @@ const ROOM: f64 = 0.9;
 const BEND: f64 = 0.2;
 /// Sine of the tilt from which the corner is to touch, if no flat end does.
 const TILT: f64 = 1e-7;
+/// Length of a shank, in widths of the tool, about which one ball is laid, and balls at most.
+const SHANK: f64 = 4.0;
+const SHANKS: usize = 6;
 
 /// How a part of a surface bends that alone can touch a tool, and this with its corner or flat end only.
 pub(crate) struct Faced {
@@ -68,8 +71,14 @@ pub(crate) fn faced(
     let foot = surface.foot_from(center, known.spot());
     let deepest = foot.distance.abs() + rho + most;
     let below = (foot.point, (rho + most) / (1.0 - BEND));
-    let balls = [around(low, joint), around(joint, top), below];
-    let part = surface.part(&balls, (center, rho + most), known.spot())?;
+    // Along the shank there are more of them: one about all of it would hold what is far from it.
+    let parts = ((top - joint) / (SHANK * wide)).ceil().clamp(1.0, SHANKS as f64) as usize;
+    let mut balls = [below; SHANKS + 2];
+    balls[0] = around(low, joint);
+    let end = |i: usize| joint + (top - joint) * i as f64 / parts as f64;
+    (0..parts).for_each(|i| balls[1 + i] = around(end(i), end(i + 1)));
+    let balls = &balls[..parts + 2];
+    let part = surface.part(balls, (center, rho + most), known.spot())?;
     // All normals there face the corner, or a flat end.
     let turned = 0.5 * part.turn * part.turn;
     let (cos, sin) = (1.0 - turned, (turned * (2.0 - turned)).sqrt());
@@ -153,11 +162,14 @@ fn followed([a, rho]: [f64; 2], [bend, hollow, side]: [f64; 3]) -> f64 {
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use std::sync::Arc;
 
     use super::*;
     use crate::gap::{gap, gap_near};
+    use aptc_geometry::sculptured::{
+        Knot, MeshKind, MeshSpacing, MeshSpline, Smoothing, SurfaceDefinition, SurfaceShape,
+    };
     use aptc_geometry::{Circle, Cutter, Form, Profile, Rail, RuledSurface, Second, trig};
     use proptest::prelude::*;
     use proptest::test_runner::{Config, TestRunner};
@@ -176,6 +188,26 @@ mod tests {
         let second = Second::Rail(rail(40.0, lift, radii[1]));
         let first = rail(-40.0, 0.0, radii[0]);
         Surface::from_form(&Form::Ruled(Arc::new(RuledSurface { first, second }))).unwrap()
+    }
+
+    /// A mesh over the same with waves and uneven spans.
+    pub(crate) fn mesh(waves: [f64; 2], lift: f64, uneven: f64) -> Surface {
+        let stretch = |t: f64| t + uneven * trig::sin(3.0 * t) / 3.0;
+        let row = |j: i32| {
+            let at = |i: i32| {
+                let (s, t) = (f64::from(i) / 4.0 - 1.0, f64::from(j) / 3.0 - 1.0);
+                let (x, y) = (45.0 * stretch(s), 40.0 * stretch(t));
+                let z = waves[0] * trig::sin(4.0 * s + t) + waves[1] * trig::cos(3.0 * t - s);
+                Knot { point: Vec3::new(x, y, lift * t + z), ..Knot::default() }
+            };
+            MeshSpline { smoothing: Smoothing::default(), knots: (0..9).map(at).collect() }
+        };
+        let definition = SurfaceDefinition::plain(SurfaceShape::Mesh {
+            kind: MeshKind::Smesh,
+            spacing: MeshSpacing::Xyz,
+            splines: (0..7).map(row).collect(),
+        });
+        Surface::from_form(&Form::Ssurf(Arc::new(definition))).unwrap()
     }
 
     /// The least distance of points of the tool from the surface.
@@ -204,6 +236,23 @@ mod tests {
 
     #[test]
     fn no_point_of_the_tool_is_deeper_on_the_way() {
+        let along_rulings = |radii: [f64; 2], bends: [f64; 2], lift: f64| {
+            let sign = |x: f64| if x < -0.4 { -1.0 } else { 1.0 };
+            surface([radii[0] * sign(bends[0]), radii[1] * sign(bends[1])], lift)
+        };
+        nowhere_deeper(1500, along_rulings);
+    }
+
+    #[test]
+    fn no_point_of_the_tool_is_deeper_on_the_way_over_a_mesh() {
+        let waves = |radii: [f64; 2], bends: [f64; 2], lift: f64| {
+            let high = |i: usize| 150.0 / radii[i] * bends[i];
+            mesh([high(0), high(1)], 0.3 * lift, 0.02 * lift)
+        };
+        nowhere_deeper(400, waves);
+    }
+
+    fn nowhere_deeper(cases: u32, surface: impl Fn([f64; 2], [f64; 2], f64) -> Surface) {
         let shown = std::cell::Cell::new([0_u32; 2]);
         let one = || -1.0_f64..1.0;
         let all = (
@@ -211,11 +260,10 @@ mod tests {
             (0_usize..3, [one(), one(), one()], [one(), one()]),
             ([one(), one(), one()], 0.02_f64..0.5, any::<bool>()),
         );
-        let mut runner = TestRunner::new(Config::with_cases(1500));
+        let mut runner = TestRunner::new(Config::with_cases(cases));
         let check =
             runner.run(&all, |((radii, bends, lift), (kind, te, lean), (way, share, below))| {
-                let sign = |x: f64| if x < -0.4 { -1.0 } else { 1.0 };
-                let surface = surface([radii[0] * sign(bends[0]), radii[1] * sign(bends[1])], lift);
+                let surface = surface(radii, bends, lift);
                 let corner = [5.0, 2.0, 0.3][kind];
                 let profile = Profile::new(&Cutter::mill(10.0, corner, 40.0)).unwrap();
                 let side = if below { Side::Negative } else { Side::Positive };

@@ -36,6 +36,7 @@ mod ring;
 mod rings;
 mod search;
 mod sections;
+mod shank;
 mod stations;
 mod tangents;
 mod turned;

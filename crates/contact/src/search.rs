@@ -8,7 +8,7 @@ use crate::closed::{along_axis, is_axis};
 use crate::descent::local;
 use crate::gap::{Gap, Side, deeper};
 use crate::stations::{SEEDS, Seeds, Stations, seeds};
-use crate::{disk, ridge, ring, rings};
+use crate::{disk, ridge, ring, rings, shank};
 
 /// Gap to a surface without closed form.
 pub(crate) fn general(
@@ -59,7 +59,9 @@ pub(crate) fn general(
         return rings::within(tool, foot);
     }
     if let Some(gap) = round
-        && (!has_side(tool) || alone(tool, surface, side, &gap, 0.0).is_some())
+        && (!has_side(tool)
+            || shank::keeps_off(tool, surface, gap.raw)
+            || alone(tool, surface, side, &gap, 0.0).is_some())
     {
         // Nothing but the arc can touch.
         return Ok(gap);
@@ -182,7 +184,8 @@ pub(crate) fn elsewhere(
     }
     if let Some(gap) = arc {
         let flank = match has_side(tool) {
-            true => flank(tool, surface, side, 0.0, known.raw),
+            true => shank::clear(tool, surface, known.raw, LOOK * size)
+                .or_else(|| flank(tool, surface, side, 0.0, known.raw)),
             false => Some(f64::INFINITY),
         };
         if let Some(flank) = flank {

@@ -439,6 +439,13 @@ impl ParametricSurface {
         others.map(|(square, _)| distance(square)).fold(limit, f64::min)
     }
 
+    /// Is all of a sculptured surface at least so far from a convex body, of which `near` tells the signed distance from a
+    /// point and its gradient? False also where that is not seen, and of other surfaces.
+    pub fn keeps_off(&self, least: f64, near: impl Fn(Vec3) -> (f64, Vec3)) -> bool {
+        let Patch::Sculptured(spans) = &self.patch else { return false };
+        spans.cells().keeps_off(least, near, |patch, u, v| spans.jet_of(patch, u, v))
+    }
+
     /// Where the nearest point is looked for from samples.
     fn seeds(&self, p: Vec3) -> [Option<Seed>; SEEDS] {
         match &self.patch {

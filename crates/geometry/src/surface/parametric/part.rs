@@ -7,7 +7,7 @@ use crate::Vec3;
 /// Least singular value of the derivatives as unit vectors from which a part is bounded.
 const SQUARE: f64 = 0.1;
 /// Greatest turn of the normals, as a vector.
-const MOST_TURN: f64 = 1.0;
+pub(super) const MOST_TURN: f64 = 1.0;
 /// Parts across the rulings in which normals are bounded, and curvatures.
 const WHOLE: u32 = 3;
 const FINE: u32 = 3;
@@ -320,8 +320,13 @@ impl ParametricSurface {
     /// curvatures are those within the last one of the balls.
     ///
     /// `None` where that is not seen: at a border, at joints, where the normals turn far, and of other surfaces than ruled
-    /// ones.
+    /// and sculptured ones.
     pub fn part(&self, balls: &[(Vec3, f64)], from: (Vec3, f64), near: [f64; 2]) -> Option<Part> {
+        if let Patch::Sculptured(spans) = &self.patch {
+            let here = spans.jet(near[0], near[1]);
+            let n = here.su.cross(&here.sv).try_normalize(0.0)?;
+            return spans.cells().part(balls, from, (near, n));
+        }
         let (strips, Patch::Ruled(rulings)) = (self.strips.as_ref()?, &self.patch) else {
             return None;
         };
