@@ -157,6 +157,12 @@ impl Keep {
         self.condition == Condition::On && self.surface.ends_at(gap.at)
     }
 
+    /// Is a point beyond the end of a surface by two parameters?
+    pub(super) fn runs_out(&self, te: Vec3) -> bool {
+        let surface = matches!(self.surface, Surface::Parametric(_)).then_some(&self.surface);
+        surface.is_some_and(|s| s.ends_at(s.foot(te).at))
+    }
+
     /// Is the tool end on it?
     pub(super) fn is_on(&self) -> bool {
         self.condition == Condition::On

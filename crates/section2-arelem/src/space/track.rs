@@ -191,6 +191,11 @@ impl Track {
         hint: &Node,
         look: bool,
     ) -> Result<Node, Trouble> {
+        // A tool end beyond the end of a surface on which it is finds no way back onto it.
+        let ends = |keep: &Keep| keep.is_on() && keep.runs_out(start.te);
+        if self.keeps.iter().any(ends) {
+            return Err(Trouble::Stuck);
+        }
         if matches!(self.axis, AxisRule::Normal(_) | AxisRule::Rulings(_))
             && let Ok(found) = self.settle_with_axis(start, across, targets, hint, look)
         {
