@@ -149,10 +149,9 @@ impl Patch {
 
     /// Point and derivatives at (u, v); outside 0 to 1 the same polynomials go on.
     pub fn at(&self, u: f64, v: f64) -> Derivatives {
-        let rows = self.net.each_ref().map(|net| cubic(net.each_ref().map(|h| h.as_ref()), u));
-        let along = |k: usize| cubic([&rows[0][k], &rows[1][k], &rows[2][k], &rows[3][k]], v);
-        let ([h, hv, hvv], [hu, huv, _], [huu, ..]) = (along(0), along(1), along(2));
-        let [h, hu, hv, huu, huv, hvv] = [h, hu, hv, huu, huv, hvv].map(Vec4::from);
+        let [h, hu, hv, huu, huv, hvv] = self.weighted(u, v);
+        let (h, hu, hv) = (Vec4::from(h), Vec4::from(hu), Vec4::from(hv));
+        let (huu, huv, hvv) = (Vec4::from(huu), Vec4::from(huv), Vec4::from(hvv));
         if !self.rational {
             let w = 1.0 / h.w;
             let d = |h: Vec4| h.xyz() * w;
@@ -181,16 +180,41 @@ impl Patch {
 
     /// Point and first derivatives at (u, v), for half the cost of all.
     pub fn tangents(&self, u: f64, v: f64) -> (Vec3, Vec3, Vec3) {
-        let rows = self.net.each_ref().map(|net| cubic(net.each_ref().map(|h| h.as_ref()), u));
-        let along = |k: usize| cubic([&rows[0][k], &rows[1][k], &rows[2][k], &rows[3][k]], v);
-        let ([h, hv, _], [hu, ..]) = (along(0), along(1));
-        let [h, hu, hv] = [h, hu, hv].map(Vec4::from);
+        let [h, hu, hv, ..] = self.weighted(u, v);
+        let (h, hu, hv) = (Vec4::from(h), Vec4::from(hu), Vec4::from(hv));
         let w = 1.0 / h.w;
         let point = h.xyz() * w;
         if !self.rational {
             return (point, hu.xyz() * w, hv.xyz() * w);
         }
         (point, (hu.xyz() - point * hu.w) * w, (hv.xyz() - point * hv.w) * w)
+    }
+
+    /// The weighted point and its derivatives by u, v, uu, uv and vv. Two coordinates at a time, with their rows between, are
+    /// as many as stay at hand.
+    #[inline(always)]
+    fn weighted(&self, u: f64, v: f64) -> [[f64; 4]; 6] {
+        let mut all = [[0.0; 4]; 6];
+        for pair in 0..2 {
+            let mut rows = [[[0.0; 2]; 3]; 4];
+            for (row, [a, b, c, d]) in rows.iter_mut().zip(&self.net) {
+                let [a, b, c, d]: [&[f64; 4]; 4] = [a.as_ref(), b.as_ref(), c.as_ref(), d.as_ref()];
+                for i in 0..2 {
+                    let k = 2 * pair + i;
+                    let r = cubic([a[k], b[k], c[k], d[k]], u);
+                    (row[0][i], row[1][i], row[2][i]) = (r[0], r[1], r[2]);
+                }
+            }
+            let [a, b, c, d] = &rows;
+            for i in 0..2 {
+                let k = 2 * pair + i;
+                let along = |n: usize| cubic([a[n][i], b[n][i], c[n][i], d[n][i]], v);
+                let (s, su, suu) = (along(0), along(1), along(2));
+                (all[0][k], all[1][k], all[2][k]) = (s[0], su[0], s[1]);
+                (all[3][k], all[4][k], all[5][k]) = (suu[0], su[1], s[2]);
+            }
+        }
+        all
     }
 
     /// The point at (u, v).
@@ -230,21 +254,14 @@ impl Patch {
     }
 }
 
-/// Value and first two derivatives at `t` of the cubic with these control points, by de Casteljau's scheme: two coordinates at a
-/// time, with nothing but `t` to keep beside them.
+/// Value and first two derivatives at `t` of the cubic with these control points, by de Casteljau's scheme.
 #[inline(always)]
-fn cubic([a, b, c, d]: [&[f64; 4]; 4], t: f64) -> [[f64; 4]; 3] {
-    let mut all = [[0.0; 4]; 3];
-    for i in 0..4 {
-        // The ways from point to point, twice more from each to the next, and at last the way on which the place lies.
-        let [ab, bc, cd] = [b[i] - a[i], c[i] - b[i], d[i] - c[i]];
-        let [near, far] = [ab + t * (bc - ab), bc + t * (cd - bc)];
-        let way = near + t * (far - near);
-        all[0][i] = a[i] + t * (ab + near + way);
-        all[1][i] = 3.0 * way;
-        all[2][i] = 6.0 * (far - near);
-    }
-    all
+fn cubic([a, b, c, d]: [f64; 4], t: f64) -> [f64; 3] {
+    // The ways from point to point, twice more from each to the next, and at last the way on which the place lies.
+    let [ab, bc, cd] = [b - a, c - b, d - c];
+    let [near, far] = [ab + t * (bc - ab), bc + t * (cd - bc)];
+    let way = near + t * (far - near);
+    [a + t * (ab + near + way), 3.0 * way, 6.0 * (far - near)]
 }
 
 #[cfg(test)]
