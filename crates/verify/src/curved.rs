@@ -85,11 +85,13 @@ impl Curved<'_> {
         pad: f64,
         warm: &mut Warm,
     ) -> Verdict {
-        let world =
-            |t: f64| between_poses(&Pose { te: a.te, ta: a.ta }, &Pose { te: b.te, ta: b.ta }, t);
+        // A tool without size has no axis that could turn.
+        let turns = tool.reach() > 0.0;
+        let ends = [Pose::of(a), Pose { te: b.te, ta: if turns { b.ta } else { a.ta } }];
+        let world = |t: f64| between_poses(&ends[0], &ends[1], t);
         let pose = |t: f64| self.sheet.local(&world(t));
-        let turn = angle(a.ta, b.ta);
-        if a.ta.dot(&b.ta) > 0.0
+        let turn = angle(ends[0].ta, ends[1].ta);
+        if ends[0].ta.dot(&ends[1].ta) > 0.0
             && let Some([low, high]) = self.upright(tool, [&pose(0.0), &pose(1.0)], pad, warm)
         {
             return Verdict::Proved { low, high };

@@ -166,7 +166,10 @@ impl Demand {
         pad: f64,
         warm: &mut Warm,
     ) -> Verdict {
-        let ends = [Pose::of(a), Pose::of(b)];
+        // A tool without size has no axis that could turn.
+        let turns = tool.reach() > 0.0;
+        let pose = |p: &Position| Pose { te: p.te, ta: if turns { p.ta } else { Vec3::z() } };
+        let ends = [pose(a), pose(b)];
         let convex = match &self.body {
             Body::Solid(solid) => Convex::Solid(solid),
             Body::Hollow(hollow) => Convex::Hollow(hollow),
@@ -178,7 +181,7 @@ impl Demand {
             ([self.least - pad, self.most + pad], warm.told.unwrap_or(f64::INFINITY));
         if let Convex::Solid(solid) = convex
             && !self.within
-            && a.ta == b.ta
+            && ends[0].ta == ends[1].ta
         {
             let enough = band[0].max(told);
             let bound = outside::bound(tool, &ends, solid, &mut warm.end, enough);
