@@ -259,7 +259,9 @@ impl Failure {
                     called(surface),
                     // A distance that would be read as none says nothing: the tool meets the surface and is wrong there.
                     match number(*closest).as_str() {
-                        "0" => ": it meets it, but not as TO, ON, PAST or TANTO asks".into(),
+                        "0" => {
+                            ": it is at it already, or meets it, but not as TO, ON, PAST or TANTO asks".into()
+                        }
                         far => format!(", {far} away at the nearest"),
                     }
                 ),

@@ -14,6 +14,7 @@ mod print;
 mod reader;
 pub(crate) mod refused;
 mod regional;
+mod saved;
 mod setting;
 mod shape;
 mod startup;
