@@ -377,23 +377,37 @@ pub(crate) fn once_each(diagnostics: &mut Vec<Diagnostic>) {
     });
     let mut told = BTreeSet::new();
     diagnostics.retain(|d| told.insert((d.code, d.span, d.message.clone())));
-    let mut passes = BTreeMap::<_, u32>::new();
-    let in_loop = |d: &Diagnostic| {
-        let frames = || std::iter::successors(d.trace.as_deref(), |f| f.outer.as_deref());
-        let calls = frames().filter(|f| f.kind != FrameKind::Loop).map(|f| f.span);
-        let looped = frames().any(|f| f.kind == FrameKind::Loop);
-        looped.then(|| (d.code, d.span, calls.collect::<Vec<_>>()))
+    let frames = |d: &Diagnostic| std::iter::successors(d.trace.clone(), |f| f.outer.clone());
+    // What Section 1 finds wrong in one call may be right in another: names and numbers are those of the call.
+    let place = |d: &Diagnostic| {
+        let calls = frames(d).filter(|f| f.kind != FrameKind::Loop && d.code.number() < 2000);
+        (d.code, d.severity, d.span, calls.map(|f| f.span).collect::<Vec<_>>())
     };
+    // The first pass of a loop is told of without it.
+    let again = |d: &&Diagnostic| {
+        frames(d).any(|f| match f.kind {
+            FrameKind::Loop => true,
+            FrameKind::Macro => d.code.number() >= 2000,
+            _ => false,
+        })
+    };
+    let repeated: BTreeSet<_> = diagnostics.iter().filter(again).map(place).collect();
+    let mut passes = BTreeMap::<_, u32>::new();
     diagnostics.retain(|d| {
-        let Some(key) = in_loop(d) else { return true };
+        let key = place(d);
+        if !repeated.contains(&key) {
+            return true;
+        }
         let n = passes.entry(key).or_insert(0);
         *n += 1;
         *n == 1
     });
     for d in diagnostics {
-        let n = in_loop(d).and_then(|key| passes.remove(&key)).unwrap_or(1);
+        let n = passes.remove(&place(d)).unwrap_or(1);
         if n > 1 {
-            d.notes.push(format!("the same in {} further passes, with other values", n - 1));
+            let further =
+                if n == 2 { "a further pass" } else { &format!("{} further passes", n - 1) };
+            d.notes.push(format!("the same in {further}, with other values"));
         }
     }
 }

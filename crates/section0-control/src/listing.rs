@@ -19,6 +19,7 @@ pub(crate) fn write(out: &mut dyn io::Write, compiled: &Compiled) -> io::Result<
         source(&mut text, file);
     }
     printed(&mut text, &compiled.printed);
+    saved(&mut text, &compiled.printed);
     out.write_all(text.as_bytes())?;
     clprnt(out, compiled)?;
     text.clear();
@@ -79,7 +80,8 @@ fn table(
 
 /// Writes what the program printed.
 fn printed(out: &mut String, entries: &[Entry]) {
-    if entries.is_empty() {
+    let saved = |e: &&Entry| matches!(e.kind, EntryKind::Saved(_));
+    if entries.iter().all(|e| saved(&e)) {
         return;
     }
     out.push_str("\nPRINTED\n\n");
@@ -107,6 +109,18 @@ fn printed(out: &mut String, entries: &[Entry]) {
                 line(out, at, &format!("{:<12}UNDEFINED", label(&Some(name.clone()))));
             }
             EntryKind::Remark(text) => line(out, at, &format!("$$ {text}")),
+            EntryKind::Saved(_) => {}
+        }
+    }
+}
+
+/// Writes what PUNCH saved, as cards of a file for READ/1.
+fn saved(out: &mut String, entries: &[Entry]) {
+    let mut title = "\nPUNCHED\n\n";
+    for entry in entries {
+        if let EntryKind::Saved(card) = &entry.kind {
+            writeln!(out, "{title}{card}").expect("strings take all");
+            title = "";
         }
     }
 }

@@ -65,3 +65,47 @@ fn offset_goes_down_to_the_nearer_place_of_its_part_surface() {
     let p = end(&program("PLANE/0,1,.4,0"));
     assert!(p[1] < -1.0 && (p[2] - low(p[1])).abs() < 0.003, "{p:?}");
 }
+
+/// SRFVCT points from the TO side to the PAST side, wherever the tool stands: above the floor, on it or below.
+#[test]
+fn surface_vectors_tell_the_sides_wherever_the_tool_stands() {
+    for from in [1.0, 0.0, -9.0] {
+        for (relation, up, z) in
+            [("TO", 1, -5.0), ("PAST", 1, 0.0), ("TO", -1, 0.0), ("PAST", -1, -5.0)]
+        {
+            let text = format!(
+                "CUTTER/.5\nFLOOR=PLANE/0,0,1,0\nWALL=LINE/XAXIS\nFROM/2,0,{from}\n\
+                 SRFVCT/0,-1,0,0,0,{up}\nGO/TO,WALL,{relation},FLOOR\nFINI\n"
+            );
+            let p = end(&text);
+            let there = [2.0, 0.25, z];
+            assert!(p.iter().zip(there).all(|(a, b)| (a - b).abs() < 1e-9), "{p:?} {text}");
+        }
+    }
+}
+
+/// With a direction for the part surface too the first one only brings the tool near: where it misses, by three quarters of
+/// the gap; from there the nearest position counts. Without one for the drive surface it is the nearest from where the tool is.
+#[test]
+fn directions_for_several_surfaces_lead_to_the_nearest_position_behind_them() {
+    let program = |given: &str| {
+        format!(
+            "CUTTER/.5\nHUB=CIRCLE/3,3,1\nFLOOR=PLANE/0,0,1,-.5\nFROM/8,0,1\nINDIRV/{given}\n\
+             GO/TO,HUB,TO,FLOOR\nFINI\n"
+        )
+    };
+    let nearest_to = |x: f64, y: f64| {
+        let (u, v) = (x - 3.0, y - 3.0);
+        let far = (u * u + v * v).sqrt();
+        [3.0 + 1.25 * u / far, 3.0 + 1.25 * v / far, -0.5]
+    };
+    let gap = 34.0_f64.sqrt() - 1.25;
+    let way = 0.75 * gap / 1.09_f64.sqrt();
+    for (given, there) in [
+        ("-1,.3,0,0,0,-1", nearest_to(8.0 - way, 0.3 * way)),
+        (",(VECTOR/0,0,-1)", nearest_to(8.0, 0.0)),
+    ] {
+        let p = end(&program(given));
+        assert!(p.iter().zip(there).all(|(a, b)| (a - b).abs() < 2e-3), "{p:?} {there:?}");
+    }
+}

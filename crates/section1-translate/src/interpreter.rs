@@ -411,7 +411,8 @@ impl<'w> Interpreter<'w> {
                 let end = level.plan.end();
                 let at = level.unit.program.statements.get(end.saturating_sub(1) as usize);
                 let span = at.map_or(self.here.span, |s| s.span);
-                let cut_short = level.unit.text.trim_end().ends_with('$');
+                let text = level.unit.text.trim_end();
+                let cut_short = text.ends_with('$') && !text.ends_with("$$");
                 // The last statement may be a FINI that could not be read.
                 let unread = self.reports.has_error_in(span);
                 let told = self.state.behind_fini;

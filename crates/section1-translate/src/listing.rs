@@ -40,7 +40,9 @@ pub enum EntryKind {
         /// Its canonical elements.
         elements: Vec<f64>,
     },
-    /// Numbers bit by bit, as PRINT/1 and PUNCH want them.
+    /// A card of what PUNCH saves.
+    Saved(String),
+    /// Numbers bit by bit, as PRINT/1 wants them.
     Bits {
         /// Its name.
         name: NameRef,

@@ -72,7 +72,9 @@ pub(crate) fn usage(word: Word) -> &'static [&'static str] {
         word::LOOPST | word::LOOPND => &["LOOPST  ..  LOOPND"],
         word::RESERV => &["RESERV/name,n[,name,n,..]"],
         word::OBTAIN => &["OBTAIN,kind/name,variable,variable,.."],
-        word::PRINT => &["PRINT/3,ALL", "PRINT/3,name,name,..", "PRINT/ON|OFF"],
+        word::PRINT => &["PRINT/3,ALL", "PRINT/3,name,name,..", "PRINT/ON|OFF", "PRINT/0"],
+        word::PUNCH => &["PUNCH/1|2|3,name,name,..", "PUNCH/1|2|3,ALL"],
+        word::READ => &["READ/1,name", "READ/2,name"],
         word::INCLUD => &["INCLUD/'file'"],
         word::SYN => &["SYN/new,word,new,word,.."],
         word::MACHIN => &["MACHIN/name", "MACHIN/name,number"],
@@ -128,7 +130,7 @@ pub(crate) fn sentence(word: Word) -> Option<&'static str> {
         }
         word::NUMPTS => "A motion ends with an error when it has more than n cut vectors.",
         word::SRFVCT => {
-            "For the next start: vectors from the TO side to the PAST side of each surface, where the tool stands on it."
+            "For the next start: vectors from the TO side to the PAST side of each surface, wherever the tool stands."
         }
         word::DNTCUT => {
             "The tool moves on, but its motions are not put out; CUT puts out again, from where the tool is then."

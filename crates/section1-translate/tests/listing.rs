@@ -2,9 +2,9 @@
 
 mod support;
 
-use aptc_protap::NameRef;
-use aptc_translate::EntryKind;
-use support::{clean, run};
+use aptc_protap::{NameRef, Outcome};
+use aptc_translate::{EntryKind, Options};
+use support::{Shelf, clean, run, run_with};
 
 fn name(name: &str, subscript: u32) -> NameRef {
     NameRef { name: name.into(), subscript }
@@ -112,4 +112,39 @@ fn what_is_left_out_is_noted_with_the_definition_at_fault() {
             "line 6 is left out: L2 has no value since line 2",
         ]
     );
+}
+
+/// What PUNCH saves gives another program the same values by READ/1; unit vectors are made so again.
+#[test]
+fn what_punch_saves_is_read_again() {
+    let define = "P1=POINT/1,2,1/3\nL1=LINE/0,0,1,2\nC1=CIRCLE/1,2,3,4\nM1=MATRIX/XYROT,30,TRANSL,1,2,3\n\
+        T1=TABCYL/NOZ,SPLINE,0,0,1,1,2,1.5,3,0\nE1=ELLIPS/CENTER,P1,3,2,20\nPA=PATERN/LINEAR,P1,(POINT/7,7),5\n\
+        K1=CONE/P1,(VECTOR/1,2,3),25\nRESERV/Q,2,A,2\nQ(2)=POINT/0,0,7\nA(1)=1/7\nS=SQRTF(2)\n";
+    let first = clean(&format!("{define}PUNCH/1,ALL\nFINI\n"));
+    let cards: Vec<String> = first
+        .listing
+        .iter()
+        .filter_map(|e| match &e.kind {
+            EntryKind::Saved(card) => Some(card.clone()),
+            _ => None,
+        })
+        .collect();
+    assert!(cards.iter().all(|c| c.len() <= 72), "{cards:#?}");
+    let file: &'static str = cards.join("\n").leak();
+    let mut shelf = Shelf([("GEO", file)].into());
+    let text = "RESERV/Q,2,A,2\nREAD/1,GEO\nFINI\n";
+    let second = run_with(text, &mut shelf, Options::default(), |_| Outcome::None);
+    assert!(second.diagnostics.is_empty(), "{:?}\n{file}", second.diagnostics);
+    let values = |ran: &support::Ran| -> Vec<(NameRef, Vec<f64>)> {
+        ran.geometry.iter().map(|(name, q)| (name.clone(), q.elements())).collect()
+    };
+    let (first, second) = (values(&first), values(&second));
+    assert_eq!(first.len(), 11);
+    for (name, given) in &first {
+        let read = second.iter().find(|(n, _)| n == name).map(|(_, v)| v);
+        let read = read.unwrap_or_else(|| panic!("{name:?} was not read"));
+        assert_eq!(given.len(), read.len(), "{name:?}");
+        let same = |(a, b): (&f64, &f64)| (a - b).abs() <= 1e-15 * a.abs().max(1.0);
+        assert!(given.iter().zip(read).all(same), "{name:?} {given:?} {read:?}");
+    }
 }

@@ -319,3 +319,12 @@ fn a_word_of_an_installation_is_handed_on() {
     let ran = run("RAPPID\nFINI\n");
     assert!(ran.diagnostics[0].is_error(), "{}", ran.messages());
 }
+
+#[test]
+fn a_comment_at_the_end_is_no_fini() {
+    let codes = |text: &str| -> Vec<u16> {
+        run(text).diagnostics.iter().map(|d| d.code.number()).collect()
+    };
+    assert_eq!(codes("A=1\n$$\n"), [1096]);
+    assert!(codes("A=1\nFINI\n$$\n").is_empty());
+}

@@ -29,6 +29,7 @@ impl Arelem {
             self.settings.given.clear();
             return Outcome::Failed;
         }
+        let placed = self.tool.is_some();
         let tool = match self.tool {
             Some(tool) => tool,
             None => self.stand_at_zero(origin),
@@ -47,7 +48,8 @@ impl Arelem {
         for (i, (relation, surface)) in go.surfaces.iter().enumerate() {
             let sided = start.normals.get(i).copied().flatten().is_some();
             let asks = matches!(relation, Relation::To | Relation::Past) && !sided;
-            if asks && self.between_sides(surface, start.surfaces.get(i), &tool) {
+            // Without FROM it stands there by chance.
+            if asks && placed && self.between_sides(surface, start.surfaces.get(i), &tool) {
                 self.diagnostics.push(failure::no_side(origin, surface));
             }
         }
@@ -98,12 +100,7 @@ impl Arelem {
         let checks = d.checks.iter().map(|c| &c.surface);
         self.need_cutter(origin, [&d.drive, &part].into_iter().chain(checks));
         let stays_on = self.stays_on(&d.drive, &tool);
-        let result = self.scene(d, tool).and_then(|scene| {
-            match self.plane_allowed(&scene.axis).then(|| plane::run(&scene)).flatten() {
-                Some(result) => result,
-                None => space::run(&scene),
-            }
-        });
+        let result = self.path(d, tool);
         self.chosen_contact(origin);
         match result {
             Ok(path) => {
@@ -116,9 +113,14 @@ impl Arelem {
                 if stays_on {
                     self.diagnostics.push(failure::stays_on(origin, &d.drive));
                 }
-                if let Some(astray) = path.astray {
-                    self.diagnostics.push(failure::astray(origin, &d.drive, astray));
+                // One word that is wrong may hold for many motions.
+                match path.astray {
+                    Some(astray) if !self.settings.astray_told => {
+                        self.diagnostics.push(failure::astray(origin, &d.drive, astray));
+                    }
+                    _ => {}
                 }
+                self.settings.astray_told = path.astray.is_some();
                 let name = forward::name(&d.drive.name);
                 if let Some(turned) = path.turned {
                     self.turn_in_place(origin, name.clone(), turned, &path.control, out);
@@ -130,9 +132,41 @@ impl Arelem {
                 let mut all = vec![(0, d.drive.clone()), (1, self.part(&tool))];
                 all.extend(checks);
                 self.picture(&f, &tool, all);
-                self.fail(origin, &f)
+                match self.other_way(&f, d, tool) {
+                    Some(word) => {
+                        self.diagnostics.push(failure::other_way(f.explain(origin), word));
+                        self.give_up()
+                    }
+                    None => self.fail(origin, &f),
+                }
             }
         }
+    }
+
+    fn path(&self, d: &protap::Drive, tool: Tool) -> Result<Path, Failure> {
+        let scene = self.scene(d, tool)?;
+        let flat = self.plane_allowed(&scene.axis).then(|| plane::run(&scene)).flatten();
+        flat.unwrap_or_else(|| space::run(&scene)).map_err(|f| match f {
+            Failure::NoTangency { .. } => scene.too_tight().unwrap_or(f),
+            f => f,
+        })
+    }
+
+    /// The opposite direction, where it leads to a check surface that this one does not.
+    fn other_way(&self, f: &Failure, d: &protap::Drive, tool: Tool) -> Option<Direction> {
+        if !f.never_met() {
+            return None;
+        }
+        let direction = match d.direction {
+            Direction::Golft => Direction::Gorgt,
+            Direction::Gorgt => Direction::Golft,
+            Direction::Gofwd => Direction::Goback,
+            Direction::Goback => Direction::Gofwd,
+            Direction::Goup => Direction::Godown,
+            Direction::Godown => Direction::Goup,
+        };
+        let path = self.path(&protap::Drive { direction, ..d.clone() }, tool).ok()?;
+        path.astray.is_none().then_some(direction)
     }
 
     /// Says once that a place of contact chosen by TLAXIS does not count.

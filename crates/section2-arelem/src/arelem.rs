@@ -180,6 +180,9 @@ impl Arelem {
             }
             Kind::Drive(d) => self.drive(origin, d, out),
             Kind::Failed => {
+                // The motion that they were given for.
+                self.settings.given.clear();
+                self.settings.normals.clear();
                 self.poisoned = true;
                 self.failed_before = true;
                 Outcome::Failed
@@ -236,7 +239,7 @@ impl Arelem {
                 };
             }
             Kind::Nops => s.nops = true,
-            Kind::DriveSide(d) => s.drive_side = Some(*d),
+            Kind::DriveSide(d) => (s.drive_side, s.astray_told) = (Some(*d), false),
             Kind::PartSide(p) => {
                 s.part_side = Some(*p);
                 s.ends_on_part = *p == PartSide::Tlonps;
@@ -263,6 +266,11 @@ impl Arelem {
         if !(self.failed_before && matches!(failure, Failure::NoCutter { .. })) {
             self.diagnostics.push(failure.explain(origin));
         }
+        self.give_up()
+    }
+
+    /// Nothing moves before the tool has a position again.
+    pub(crate) fn give_up(&mut self) -> Outcome {
         self.poisoned = true;
         Outcome::Failed
     }

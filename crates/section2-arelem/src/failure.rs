@@ -2,7 +2,7 @@
 
 use aptc_diagnostics::{Code, Diagnostic, Origin, codes};
 use aptc_geometry::Vec3;
-use aptc_protap::{Direction, SurfaceRef};
+use aptc_protap::{Direction, OptionSurface, SurfaceRef};
 
 use crate::scene::Astray;
 
@@ -18,7 +18,7 @@ pub(crate) enum Failure {
     /// The tool stands off the part surface.
     OffPart { surface: SurfaceRef, off: f64, allowed: f64, outside: bool },
     /// Neither way is more left, right, forward or back than the other.
-    Direction { word: Direction, angle_deg: f64 },
+    Direction { word: Direction },
     /// The check surface is never met.
     NotReached {
         surface: SurfaceRef,
@@ -63,6 +63,8 @@ pub(crate) enum Failure {
     SideBySide { drive: SurfaceRef, part: SurfaceRef },
     /// No tool axis satisfies TLAXIS.
     NoAxis { place: Vec3 },
+    /// TLAXIS/PARLEL along a surface that has no rulings, beside one that has them.
+    NoRulings { role: OptionSurface, surface: SurfaceRef, other: Option<SurfaceRef> },
     /// The cutter cannot be at both surfaces.
     NoPlace { surfaces: Vec<SurfaceRef>, place: Vec3 },
     /// CUTTER that is no solid.
@@ -135,8 +137,8 @@ impl Failure {
             Self::OffDrive { surface, off, allowed, outside } => (
                 codes::OFF_DRIVE_SURFACE,
                 format!(
-                    "the tool is not within tolerance of the drive surface {}: {} {}, allowed {}",
-                    called(surface),
+                    "the tool is not within tolerance of {}: {} {}, allowed {}",
+                    with_role("drive", surface),
                     number(off.abs()),
                     if *outside { "off it" } else { "in it" },
                     number(*allowed)
@@ -158,31 +160,40 @@ impl Failure {
                 "bring the tool to it with GO, or give PSIS or AUTOPS for the surface it is on"
                     .into(),
             ),
-            Self::Direction { word, angle_deg } => (
-                codes::UNCLEAR_DIRECTION,
-                format!(
-                    "{} does not say which way: the surface runs {} degrees from the direction before",
-                    word_of(*word),
-                    number(*angle_deg)
-                ),
-                if matches!(word, Direction::Golft | Direction::Gorgt) {
-                    "use GOFWD or GOBACK where the path goes on smoothly".into()
-                } else {
-                    "use GOLFT or GORGT at a corner, or give INDIRV".into()
-                },
-            ),
-            Self::NotReached { surface, nth, met, .. } => (
+            Self::Direction { word } => {
+                let (runs, help) = match word {
+                    Direction::Golft | Direction::Gorgt => (
+                        "straight on from the direction before",
+                        "use GOFWD or GOBACK where the path goes on smoothly",
+                    ),
+                    Direction::Gofwd | Direction::Goback => (
+                        "square to the direction before",
+                        "use GOLFT or GORGT at a corner, or give INDIRV",
+                    ),
+                    Direction::Goup | Direction::Godown => {
+                        ("square to the tool axis", "use GOLFT, GORGT, GOFWD or GOBACK")
+                    }
+                };
+                (
+                    codes::UNCLEAR_DIRECTION,
+                    format!("{} does not say which way: the surface runs {runs}", word_of(*word)),
+                    help.into(),
+                )
+            }
+            Self::NotReached { surface, nth, met, within, .. } => (
                 codes::CHECK_NOT_REACHED,
                 if *met == 0 || *nth <= 1 {
-                    format!("the check surface {} is not reached", called(surface))
+                    format!("{} is not reached", with_role("check", surface))
                 } else {
                     let times = if *met == 1 { "once".to_owned() } else { format!("{met} times") };
-                    format!(
-                        "the check surface {} is met {times}, not {nth} times",
-                        called(surface)
-                    )
+                    format!("{} is met {times}, not {nth} times", with_role("check", surface))
                 },
-                "check the direction, the relation (TO, ON, PAST, TANTO) and the surface".into(),
+                if *within {
+                    "use a smaller cutter, or PAST where the tool is to leave the surface"
+                } else {
+                    "check the direction, the relation (TO, ON, PAST, TANTO) and the surface"
+                }
+                .into(),
             ),
             Self::Blocked(b) => (
                 codes::NO_PLACE,
@@ -226,11 +237,21 @@ impl Failure {
                 ),
                 format!("use a cutter of a diameter below {}", number(2.0 * radius)),
             ),
-            Self::NoStart { surfaces, why, .. } => (
-                codes::NO_START,
-                format!("no position of the tool satisfies {}: {why}", list(surfaces)),
-                "check TO, ON and PAST of each surface, or come from another point".into(),
-            ),
+            Self::NoStart { surfaces, why, left, others, .. } => {
+                let cuts_in = left.iter().any(|(_, gap)| number(*gap).starts_with('-'));
+                (
+                    codes::NO_START,
+                    format!("no position of the tool satisfies {}: {why}", list(surfaces)),
+                    if !others.is_empty() {
+                        "give the INDIRV that leads to the position that is meant"
+                    } else if cuts_in {
+                        "check TO, ON and PAST of each surface, come from another point, or use a smaller cutter"
+                    } else {
+                        "check TO, ON and PAST of each surface, or come from another point"
+                    }
+                    .into(),
+                )
+            }
             Self::Misses { surface, closest } => (
                 codes::DIRECTION_MISSES,
                 format!(
@@ -238,7 +259,9 @@ impl Failure {
                     called(surface),
                     // A distance that would be read as none says nothing: the tool meets the surface and is wrong there.
                     match number(*closest).as_str() {
-                        "0" => ": it meets it, but not as TO, ON, PAST or TANTO asks".into(),
+                        "0" => {
+                            ": it is at it already, or meets it, but not as TO, ON, PAST or TANTO asks".into()
+                        }
                         far => format!(", {far} away at the nearest"),
                     }
                 ),
@@ -280,6 +303,23 @@ impl Failure {
                 format!("no tool axis satisfies TLAXIS at {}", coordinates(*place)),
                 "make the angles smaller, or free the axis of one condition".into(),
             ),
+            Self::NoRulings { role, surface, other } => {
+                let (mine, others, one) = match role {
+                    OptionSurface::Part => ("PARLEL,1", "PARLEL,2", "part"),
+                    OptionSurface::Drive => ("PARLEL,2", "PARLEL,1", "drive"),
+                };
+                (
+                    codes::NO_AXIS,
+                    format!(
+                        "TLAXIS/{mine} lays the tool axis along the rulings of {}, which has none",
+                        with_role(one, surface)
+                    ),
+                    match other {
+                        Some(s) => format!("write TLAXIS/{others}: {} has them", called(s)),
+                        None => "cylinders, cones, TABCYL and RLDSRF have rulings; give TLAXIS/i,j,k or NORMPS elsewhere".into(),
+                    },
+                )
+            }
             Self::NoPlace { surfaces, place } => (
                 codes::NO_PLACE,
                 format!("the cutter cannot be at {} near {}", list(surfaces), coordinates(*place)),
@@ -316,6 +356,11 @@ impl Failure {
         }
     }
 
+    /// Did the motion end without its check surface?
+    pub(crate) fn never_met(&self) -> bool {
+        matches!(self, Self::NotReached { .. } | Self::NoTangency { .. } | Self::Blocked(_))
+    }
+
     /// The words of the message alone.
     pub(crate) fn text(&self) -> String {
         self.words().1
@@ -342,7 +387,8 @@ impl Failure {
                     format!("{} {side} {}", number(g.abs()), called(s))
                 });
                 let each = each.collect::<Vec<_>>().join(", ");
-                let nearest = place.map(|p| format!("nearest at {}: {each}", coordinates(p)));
+                let nearest = place.filter(|_| others.is_empty());
+                let nearest = nearest.map(|p| format!("nearest at {}: {each}", coordinates(p)));
                 nearest.into_iter().chain(others.iter().map(Candidate::words)).collect()
             }
             Self::Blocked(b) => {
@@ -350,7 +396,8 @@ impl Failure {
                 vec![format!("{closest} from {check} at the nearest, after {gone} of travel")]
             }
             Self::NotReached { surface, closest, place, gone, spent, within, stuck, .. } => {
-                let (place, closest, gone) = (coordinates(*place), number(*closest), number(*gone));
+                let (place, closest) = (coordinates(*place), number(closest.abs()));
+                let gone = number(*gone);
                 let near = format!("closest at {place}, {closest} from it, after {gone} of travel");
                 let limit = spent.map(|n| {
                     format!("given up after {n} cut vectors; NUMPTS with a number allows more")
@@ -446,6 +493,11 @@ pub(crate) fn astray(origin: &Origin, surface: &SurfaceRef, is: Astray) -> Diagn
     Diagnostic::warning(codes::WRONG_SIDE, origin.span, text)
         .within(origin.trace.clone())
         .help(format!("write {}, or turn the other way", is.holds))
+}
+
+/// The check surface lies the other way.
+pub(crate) fn other_way(failure: Diagnostic, word: Direction) -> Diagnostic {
+    failure.help(format!("{} leads to it", word_of(word)))
 }
 
 /// TLLFT or TLRGT, and the tool end lies on the drive surface.
@@ -548,6 +600,9 @@ pub(crate) fn called(s: &SurfaceRef) -> String {
 pub(crate) fn with_role(role: &str, s: &SurfaceRef) -> String {
     if s.name.is_in_words() {
         return s.name.name.to_string();
+    }
+    if s.name.name.is_empty() {
+        return format!("the {} given there as {role} surface", s.form.kind().word());
     }
     format!("the {role} surface {}", called(s))
 }

@@ -1,6 +1,6 @@
 //! Which way the tool goes (APT: `AREPRE`).
 
-use aptc_geometry::{Vec3, trig};
+use aptc_geometry::Vec3;
 use aptc_protap::Direction;
 
 use crate::failure::Failure;
@@ -37,8 +37,7 @@ pub(crate) fn way(tool: &Tool, word: Direction, tangent: Vec3) -> Result<Vec3, F
         _ => 1.0,
     };
     if cosine.abs() < CLEAR * scale {
-        let run = tool.forward.dot(&t).clamp(-1.0, 1.0);
-        return Err(Failure::Direction { word, angle_deg: trig::acos_clamped(run).to_degrees() });
+        return Err(Failure::Direction { word });
     }
     Ok(if cosine > 0.0 { tangent } else { -tangent })
 }

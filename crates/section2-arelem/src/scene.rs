@@ -4,13 +4,16 @@ use std::sync::Arc;
 
 use aptc_cldata as cl;
 use aptc_contact::Side;
-use aptc_geometry::{Profile, Surface, Vec3};
+use aptc_geometry::{Form, Profile, Surface, Vec3};
 use aptc_protap::{Direction, Relation, SurfaceRef};
 
 use crate::axis::AxisRule;
-use crate::failure::Candidate;
+use crate::failure::{Candidate, Failure};
 use crate::forward;
 use crate::state::{Band, Tool};
+
+/// Sine below which a circle is square to the tool axis.
+const UPRIGHT: f64 = 1e-9;
 
 /// A surface with what is asked of the cutter against it.
 #[derive(Clone, Debug)]
@@ -182,6 +185,32 @@ impl Wall {
         let open = side == Side::Open && !self.on;
         let sign = if self.reversed { -side.sign() } else { side.sign() };
         cl::Controlled { open, ..self.controlled(relation, sign) }
+    }
+}
+
+impl Scene {
+    /// A round check surface, tangent to the drive surface on the side of the tool, into which the cutter does not fit.
+    pub(crate) fn too_tight(&self) -> Option<Failure> {
+        let check = self.checks.first()?;
+        if check.relation != Relation::Tanto || self.drive.on {
+            return None;
+        }
+        let (centre, axis, radius) = match check.wall.surface.form.shape() {
+            Form::Circle(c) => (c.center, c.axis, c.radius),
+            Form::Cylinder(c) => (c.point, c.axis, c.radius),
+            _ => return None,
+        };
+        let Tool { te, ta, .. } = self.tool;
+        let drive = self.drive.fitted.as_ref()?;
+        let level = centre + ta * (te - centre).dot(&ta);
+        let within = drive.distance(te) * drive.distance(level) > 0.0;
+        let cutter = check.wall.reach();
+        let upright = axis.cross(&ta).norm() <= UPRIGHT;
+        (upright && within && radius < cutter).then(|| Failure::TooLarge {
+            surface: check.wall.surface.clone(),
+            radius,
+            cutter,
+        })
     }
 }
 

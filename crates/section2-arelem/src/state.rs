@@ -67,6 +67,8 @@ pub(crate) struct Settings {
     pub(crate) nops: bool,
     /// The last of TLLFT, TLRGT, TLON, TLNDON; none yet.
     pub(crate) drive_side: Option<DriveSide>,
+    /// Was it told that the tool is on the other side than this word says?
+    pub(crate) astray_told: bool,
     /// The last of TLONPS, TLOFPS; none yet, or since a GO that named the part surface.
     pub(crate) part_side: Option<PartSide>,
     /// Does GO with its drive surface alone put the tool end on the part surface? The last of TLONPS, TLOFPS and of the
@@ -120,6 +122,7 @@ impl Default for Settings {
             part: Part::Surface(part_plane(DEFAULT_PART, Vec3::z(), 0.0)),
             nops: false,
             drive_side: None,
+            astray_told: false,
             part_side: None,
             ends_on_part: false,
             started: None,

@@ -353,3 +353,52 @@ fn tolerances_that_leave_no_band_are_told_once() {
     assert_eq!(told("OUTTOL/0\nINTOL/.001"), []);
     assert_eq!(told("INTOL/0"), []);
 }
+
+#[test]
+fn a_turn_to_the_wrong_side_is_told_with_the_right_one() {
+    let start = "CUTTER/1\nFROM/-5,-5,0\nGO/TO,LX\n";
+    for calc in ["2DCALC\n", "3DCALC\n"] {
+        for (motion, helped) in [
+            ("TLRGT,GOLFT/LX,ON,LY", true),
+            // The other way the tool would be on the wrong side.
+            ("TLLFT,GOLFT/LX,ON,LY", false),
+        ] {
+            let ran = run(&forms(), &format!("{calc}{start}{motion}"));
+            assert_eq!(ran.code(), 2008);
+            let help = ran.diagnostics[0].help.clone().unwrap_or_default();
+            assert_eq!(help == "GORGT leads to it", helped, "{calc}{motion} {help}");
+        }
+    }
+}
+
+#[test]
+fn a_word_for_the_wrong_side_is_told_once_for_all_its_motions() {
+    let start = "CUTTER/1\nFROM/-5,-5,0\nGO/TO,LX\nTLLFT,GORGT/LX,ON,LY\n";
+    let told = |rest: &str| run(&forms(), &format!("{start}{rest}")).diagnostics.len();
+    assert_eq!(told("GOFWD/LX,ON,L5"), 1);
+    assert_eq!(told("TLLFT,GOFWD/LX,ON,L5"), 2);
+}
+
+/// Along the rulings of a cylinder a tool that leaves its check surface behind soon gives up.
+#[test]
+fn a_straight_track_ends_where_nothing_is_met_any_more() {
+    let mut forms = forms();
+    forms.insert("LOG".into(), form("CYLNDR", &[0.0, 0.0, -3.0, 0.0, 1.0, 0.0, 3.0]).expect("one"));
+    let text = "CUTTER/1,.5\nFROM/0,-5,3\nPSIS/LOG\nGO/ON,LY\nINDIRV/0,-1,0\nTLON,GOFWD/LY,ON,LX";
+    let ran = run(&forms, text);
+    assert_eq!(ran.code(), 2008);
+    let notes = ran.diagnostics[0].notes.join(" ");
+    let gone = notes.split("after ").nth(1).and_then(|s| s.split(' ').next());
+    let gone: f64 = gone.expect("how far").parse().expect("a number");
+    assert!(gone < 200.0, "{notes}");
+}
+
+#[test]
+fn an_axis_along_rulings_wants_a_surface_that_has_them() {
+    let text = "CUTTER/1\nFROM/8,-1,3\nTLAXIS/PARLEL,1\nGO/TO,C1,ON,PL1\nTLRGT,GORGT/C1,ON,L5";
+    let ran = run(&forms(), text);
+    assert_eq!(ran.code(), 2020);
+    let (message, help) = (&ran.diagnostics[0].message, ran.diagnostics[0].help.as_deref());
+    assert!(message.contains("part surface PL1, which has none"), "{message}");
+    assert_eq!(help, Some("write TLAXIS/PARLEL,2: C1 has them"));
+}

@@ -419,7 +419,10 @@ fn within(file: FileId, tokens: &[Spanned]) -> Box<[Name]> {
     // `DO 20, I=1,6`: blanks mean nothing, so it begins with the name DO20.
     let counted =
         (name(0).is_some() && is(1, Token::Comma) && is(3, Token::Equal)).then(|| name(2));
-    bracketed.chain(counted.flatten()).collect()
+    // What OBTAIN and RESERV give values to.
+    let gives = matches!(name(0).and_then(|n| n.word), Some(word::OBTAIN | word::RESERV));
+    let given = (1..tokens.len()).filter(|_| gives).filter_map(name).filter(|n| n.word.is_none());
+    bracketed.chain(counted.flatten()).chain(given).collect()
 }
 
 /// The symbol that a statement in error would have defined.
@@ -432,6 +435,13 @@ fn defines(file: FileId, tokens: &[Spanned]) -> Option<Name> {
             let close = tokens.iter().position(|t| t.0 == Token::Close)?;
             (tokens.get(close + 1)?.0 == Token::Equal).then_some(name)
         }
-        _ => None,
+        Token::Slash => None,
+        // `P1,POINT/..`: the sign between is another one.
+        _ => {
+            let geometry =
+                |t: &Spanned| matches!(t.0, Token::Name(_, Some(w)) if shape::defines(w));
+            let meant = tokens[1..3.min(tokens.len())].iter().any(geometry);
+            (word.is_none() && meant).then_some(name)
+        }
     }
 }

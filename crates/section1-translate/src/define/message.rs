@@ -2,7 +2,7 @@
 
 use aptc_diagnostics::{Code, Diagnostic, Span, codes};
 use aptc_geometry::{NotCarried, Vec3, trig};
-use aptc_vocabulary::{Word, word};
+use aptc_vocabulary::{Class, Word, word};
 
 use super::arg::{in_words, short};
 use super::fault::Fault;
@@ -15,6 +15,12 @@ impl DefineError {
     pub fn diagnostic(&self, args: &[Arg], statement: Span) -> Diagnostic {
         let words = Words { args, statement };
         match self {
+            Self::NoWord { head } if head.is(Class::Geometry) => Diagnostic::error(
+                codes::NO_SUCH_FORMAT,
+                statement,
+                format!("{head} has no form by CANON"),
+            )
+            .help(format!("define it by its formats: aptc explain {head} shows them")),
             Self::NoWord { head } => Diagnostic::error(
                 codes::NO_SUCH_FORMAT,
                 statement,

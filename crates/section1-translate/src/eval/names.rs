@@ -3,12 +3,15 @@
 use aptc_diagnostics::{Diagnostic, Span, codes};
 use aptc_syntax::Symbol;
 use aptc_syntax::tree::Name;
-use aptc_vocabulary::{Class, Word, closest};
+use aptc_vocabulary::{Class, Word, closest, find};
 
 use super::{Known, Poisoned};
 use crate::Interpreter;
 use crate::memory::{Place, Value};
 use crate::usage::usage;
+
+/// Shorter modifiers, as TO and ON, end too many names by chance.
+const SHORTEST_MODIFIER: usize = 4;
 
 impl Interpreter<'_> {
     /// What `name` stands for: a value, or the vocabulary word of that spelling.
@@ -61,6 +64,10 @@ impl Interpreter<'_> {
             );
             let near = self.near_in_form(&text).or_else(|| self.near(name.symbol, &text));
             match near {
+                _ if let Some((front, rest)) = self.run_together(&text) => {
+                    message =
+                        message.help(format!("put a `,` in between if it is {front} and {rest}"));
+                }
                 Some(near) => message = message.help(format!("did you mean {near}?")),
                 None if self.memory.is_local(name.symbol) && shown == text => {
                     message = message.help("give the parameter a value in the CALL");
@@ -103,6 +110,21 @@ impl Interpreter<'_> {
             words.clone().any(|w| w == word.text())
         };
         closest(text, is_there).map(|word| word.text().to_owned())
+    }
+
+    /// Both halves of `L1YLARGE`, a name that has a value and a modifier, or the other way round.
+    fn run_together<'t>(&self, text: &'t str) -> Option<(&'t str, &'t str)> {
+        let modifier = |s: &str| {
+            let word = find(s).filter(|w| self.synonyms.knows(*w));
+            s.len() >= SHORTEST_MODIFIER && word.is_some_and(|w| w.is(Class::Modifier))
+        };
+        let named = |s: &str| {
+            let place = self.interner.find(s).map(|symbol| self.memory.place(symbol));
+            place.is_some_and(|p| !matches!(self.memory.slot(p).value, Value::Unset))
+        };
+        let halves = (1..text.len()).filter_map(|i| text.split_at_checked(i));
+        let mut fit = halves.filter(|(a, b)| named(a) && modifier(b) || modifier(a) && named(b));
+        fit.next()
     }
 
     /// The form that the statement of the post-processor has whose arguments are read.

@@ -237,6 +237,7 @@ impl Planner<'_> {
                 self.inner[0] -= 1;
                 return Role::Skip;
             }
+            self.plan.lost_macro = true;
             self.diagnostics.push(
                 Diagnostic::error(codes::TERMAC_ALONE, statement.span, "TERMAC ends no macro")
                     .help("begin the macro with `name=MACRO/...`, or take the TERMAC away"),

@@ -25,6 +25,8 @@ pub(super) fn targets(body: &Body, take: &mut impl FnMut(Symbol)) {
         }
         Body::Call { args, .. } => {
             for arg in args {
+                // Where its MACRO is not there, the parameters are names of the program.
+                take(arg.name.symbol);
                 if let Some(value) = &arg.value {
                     if let ExprKind::Name(name) = &value.kind {
                         take(name.symbol);

@@ -14,6 +14,7 @@ mod print;
 mod reader;
 pub(crate) mod refused;
 mod regional;
+mod saved;
 mod setting;
 mod shape;
 mod startup;
@@ -29,7 +30,7 @@ use std::sync::Arc;
 
 use aptc_diagnostics::{Diagnostic, codes};
 use aptc_protap::Kind;
-use aptc_syntax::tree::{Body, Clause, Expr, ExprKind, Target};
+use aptc_syntax::tree::{Body, Clause, Expr, ExprKind, Name, Target};
 use aptc_vocabulary::{Class, Word, closest, word};
 
 use crate::Interpreter;
@@ -134,6 +135,14 @@ impl Interpreter<'_> {
         {
             self.obtain(first, rest);
             return;
+        }
+        if let [first, second, ..] = clauses
+            && first.args.is_none()
+            && self.head_word(&first.head).is_none()
+            && let Some(word) = self.head_word(&second.head)
+            && word.is(Class::Geometry)
+        {
+            return self.comma_for_equals(&first.head, word);
         }
         for (i, clause) in clauses.iter().enumerate() {
             match self.head_word(&clause.head) {
@@ -253,6 +262,18 @@ impl Interpreter<'_> {
             word::JUMPTO | word::TRANTO => self.late_jump(unit, clause),
             _ => self.other(word, clause),
         }
+    }
+
+    /// `L1,LINE/...`
+    fn comma_for_equals(&mut self, name: &Name, word: Word) {
+        let text = self.interner.text(name.symbol).to_owned();
+        let message = format!("{text} gets its value by `=`, not by `,`");
+        self.error(
+            Diagnostic::error(codes::NO_STATEMENT, name.span, message)
+                .help(format!("write {text}={word}/..")),
+        );
+        let place = self.memory.place(name.symbol);
+        self.memory.set(place, Value::Poison, name.span);
     }
 
     /// JUMPTO behind another word, as in `RAPID,JUMPTO/A`.

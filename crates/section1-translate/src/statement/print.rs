@@ -7,8 +7,8 @@
 //! | PRINT/1,names | bit by bit |
 //! | PRINT/2,names | values without names |
 //! | PRINT/3,names or ALL | values with names |
-//! | PRINT/4,names or ALL | as 3, and punches them |
-//! | PUNCH/1 2 3,names or ALL | punches all, numbers, forms |
+//! | PRINT/4,names or ALL | as 3, and saves them as PUNCH does |
+//! | PUNCH/1 2 3,names or ALL | saves all, numbers, forms as statements for READ/1 |
 //! | PRINT/AVPRT,ON or AVMSG,ON | each gouge that is avoided, until OFF |
 //! | PRINT/SSPRT,ON and its kin | tables of APT4 that nobody needs: without effect |
 
@@ -18,6 +18,7 @@ use aptc_syntax::tree::{Clause, Expr, ExprKind, Name};
 use aptc_vocabulary::{Word, word};
 
 use super::reader::Reader;
+use super::saved::statement;
 use crate::Interpreter;
 use crate::eval::{Arg, ArgKind, Known, Names, Poisoned};
 use crate::listing::EntryKind;
@@ -29,6 +30,10 @@ enum Style {
     Bits,
     Plain,
     Named,
+    /// PRINT/4.
+    NamedAndSaved,
+    /// PUNCH.
+    Saved,
 }
 
 /// Which of all values.
@@ -90,7 +95,8 @@ impl Interpreter<'_> {
             }
             1 => Style::Bits,
             2 => Style::Plain,
-            3 | 4 => Style::Named,
+            3 => Style::Named,
+            4 => Style::NamedAndSaved,
             _ => return Err(self.bad_print(clause)),
         };
         self.print_list(style, Which::All, rest, clause)
@@ -110,7 +116,7 @@ impl Interpreter<'_> {
             }
             all => (Which::All, all),
         };
-        self.print_list(Style::Bits, which, rest, clause)
+        self.print_list(Style::Saved, which, rest, clause)
     }
 
     fn bad_print(&mut self, clause: &Clause) -> Poisoned {
@@ -172,21 +178,22 @@ impl Interpreter<'_> {
 
     fn print_value(&mut self, style: Style, name: NameRef, value: &Value) {
         let (word, elements) = match value {
-            Value::Number(n) => match style {
-                Style::Bits => ("SCALAR", vec![*n]),
-                style => {
-                    let name = (style == Style::Named).then_some(name);
-                    self.list(EntryKind::Scalar { name, value: *n });
-                    return;
-                }
-            },
+            Value::Number(n) => ("SCALAR", vec![*n]),
             Value::Form(form) => (form.kind().word(), self.seen(form).canonical()),
             _ => return,
         };
-        self.list(match style {
-            Style::Bits => EntryKind::Bits { name, word, elements },
-            Style::Plain => EntryKind::Form { name: None, word, elements },
-            Style::Named => EntryKind::Form { name: Some(name), word, elements },
+        let unnamed = name.name.is_empty();
+        if matches!(style, Style::Saved | Style::NamedAndSaved) && !unnamed {
+            for card in statement(&name, word, &elements) {
+                self.list(EntryKind::Saved(card));
+            }
+        }
+        let name = (style != Style::Plain).then_some(name);
+        self.list(match (style, name, value) {
+            (Style::Saved, ..) => return,
+            (Style::Bits, Some(name), _) => EntryKind::Bits { name, word, elements },
+            (_, name, Value::Number(n)) => EntryKind::Scalar { name, value: *n },
+            (_, name, _) => EntryKind::Form { name, word, elements },
         });
     }
 

@@ -28,6 +28,10 @@ pub(crate) enum Height {
     Near,
     /// Opposite to near.
     Far,
+    /// Behind the direction from the TO side to the PAST side (SRFVCT).
+    Behind(Vec3),
+    /// Before it.
+    Before(Vec3),
 }
 
 impl Floor {
@@ -55,6 +59,8 @@ impl Floor {
             Height::AsItStands => (at - above).abs() <= (at - below).abs(),
             Height::Near => at > below,
             Height::Far => at <= below,
+            Height::Behind(v) => n.dot(&v) < 0.0,
+            Height::Before(v) => n.dot(&v) >= 0.0,
         };
         Some(if up {
             Self { n, level: above, side: 1.0 }

@@ -37,9 +37,9 @@ pub(crate) fn start(go: &Start) -> Option<Result<Path, Failure>> {
         if matches!(relation, Relation::Tanto | Relation::Pstan) {
             return None;
         }
+        let to_past = i.and_then(|i| go.normals.get(i).copied().flatten());
         if let Some(trace) = Curve::of(&wall.surface.form, &frame) {
-            let normal =
-                i.and_then(|i| go.normals.get(i).copied().flatten()).map(|v| frame.plan(v));
+            let normal = to_past.map(|v| frame.plan(v));
             let along = i.and_then(|i| go.along.get(i).copied().flatten());
             // A tool on the surface comes to it anew along its direction: TO is before that place.
             let normal = normal.or_else(|| {
@@ -59,7 +59,12 @@ pub(crate) fn start(go: &Start) -> Option<Result<Path, Failure>> {
             };
             sides.push(Side { wall, relation: *relation, trace, by, along });
         } else if floor.is_none() && !sides.is_empty() {
-            let height = if *relation == Relation::Past { Height::Far } else { Height::Near };
+            let height = match (to_past, *relation == Relation::Past) {
+                (Some(v), false) => Height::Behind(v),
+                (Some(v), true) => Height::Before(v),
+                (None, false) => Height::Near,
+                (None, true) => Height::Far,
+            };
             floor = Some((Floor::of(wall, &frame, go.tool.te, height)?, wall, *relation));
         } else {
             return None;
@@ -68,7 +73,9 @@ pub(crate) fn start(go: &Start) -> Option<Result<Path, Failure>> {
     if let Some(f) = failure {
         return Some(Err(f));
     }
-    if sides.is_empty() || sides.len() > 2 || in_space(go, &floor, &sides, &frame) {
+    // Directions for further surfaces lead to a place from which the nearest position counts.
+    let several = sides.len() == 1 && go.along.iter().skip(1).any(Option::is_some);
+    if sides.is_empty() || sides.len() > 2 || several || in_space(go, &floor, &sides, &frame) {
         return None;
     }
     // Without a floor the direction may climb; that is exact only for one surface.
@@ -154,6 +161,15 @@ fn signed_reach(
     }
 }
 
+/// Least distance from the curve of a tool that goes on from `te` along `t`, where they do not meet.
+fn closest(trace: &Curve, te: Vec2, t: Option<Vec2>) -> f64 {
+    let way = match (*trace, t) {
+        (Curve::Circle { c, .. }, Some(t)) => t * (c - te).dot(&t).max(0.0),
+        _ => Vec2::zeros(),
+    };
+    trace.distance(te + way).abs()
+}
+
 /// The place of the tool end, and another one that is just as near, when nothing says which is meant.
 fn locate(
     go: &Start,
@@ -170,14 +186,15 @@ fn locate(
     };
     if let [side] = sides {
         let target = curve(side)?;
-        let Some(v) = side.along.or_else(|| go.along.iter().copied().flatten().next()) else {
+        let Some(v) = side.along else {
             return Ok((target.nearest(te, frame.plan(go.tool.forward)), None));
         };
+        let t = flat(frame, v);
         let misses = || Failure::Misses {
             surface: side.wall.surface.clone(),
-            closest: (side.trace.distance(te).abs() - side.by.abs()).max(0.0),
+            closest: (closest(&side.trace, te, t) - side.by.abs()).max(0.0),
         };
-        let t = flat(frame, v).ok_or_else(misses)?;
+        let t = t.ok_or_else(misses)?;
         if go.offset {
             let s = ahead(&side.trace, te, t, side.wall).ok_or_else(misses)?;
             let q = te + t * s;

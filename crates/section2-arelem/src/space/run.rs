@@ -34,6 +34,8 @@ const BESIDE: f64 = 0.1;
 const MERGED: usize = 8;
 /// How far a tool goes from its start, in sizes of the scene: what it has not met there it never does.
 const FAR: f64 = 1e3;
+/// Sine below which a track is along rulings.
+const PARALLEL: f64 = 1e-9;
 /// Cut vectors of one motion when NUMPTS does not say.
 const MOST_VECTORS: u32 = 20_000;
 
@@ -85,7 +87,11 @@ fn follow(scene: &Scene, begin: &Begin) -> Result<Path, Failure> {
     let mut trail: VecDeque<Node> = VecDeque::with_capacity(MERGED);
     // Is it at a corner?
     let mut cornered = true;
-    let far = FAR * scene.checks.iter().map(|c| extent(&c.wall)).fold(track.size, f64::max);
+    let far = if along_rulings(begin) {
+        beyond(scene, begin, &watches)
+    } else {
+        FAR * scene.checks.iter().map(|c| extent(&c.wall)).fold(track.size, f64::max)
+    };
     while vectors < most {
         // Most of a path is far from all check surfaces.
         let free = watches.iter().map(Watch::free).fold(f64::INFINITY, f64::min);
@@ -242,10 +248,24 @@ fn longest(scene: &Scene, begin: &Begin, watches: &[Watch]) -> (f64, bool) {
     if !track.keeps.iter().all(Keep::is_plane) || track.axis.turns() {
         return (scene.limits.step, false);
     }
-    // Far enough to pass whatever the check surfaces have on the line.
+    (beyond(scene, begin, watches), true)
+}
+
+/// A length of a straight track that passes whatever the check surfaces have on it.
+fn beyond(scene: &Scene, begin: &Begin, watches: &[Watch]) -> f64 {
     let size = scene.checks.iter().map(|c| extent(&c.wall)).fold(scene.tool.te.norm(), f64::max);
     let planes = watches.iter().map(|w| w.ahead(&begin.node)).fold(0.0, f64::max);
-    (8.0 * (size + track.keeps[0].profile.reach()) + 2.0 * planes, true)
+    8.0 * (size + begin.track.keeps[0].profile.reach()) + 2.0 * planes
+}
+
+/// Is the track one straight line, along the rulings of surfaces whose rulings are parallel and in planes?
+fn along_rulings(begin: &Begin) -> bool {
+    let along = begin.node.course.along;
+    let straight = |k: &Keep| {
+        let across = |g: Vec3| g.normalize().cross(&along).norm();
+        k.is_plane() || k.surface.generator().is_some_and(|g| across(g) <= PARALLEL)
+    };
+    !begin.track.axis.turns() && begin.track.keeps.iter().all(straight)
 }
 
 /// Notices a track that has come back to its start.
@@ -518,11 +538,23 @@ fn trouble_at(scene: &Scene, pose: &Pose, t: Trouble) -> Failure {
     let (drive, part) = (scene.drive.surface.clone(), scene.part.surface.clone());
     match t {
         Trouble::SideBySide => Failure::SideBySide { drive, part },
-        Trouble::Axis => Failure::NoAxis { place: pose.te },
+        Trouble::Axis => unruled(scene, pose).unwrap_or(Failure::NoAxis { place: pose.te }),
         Trouble::Contact | Trouble::Check | Trouble::Stuck => {
             Failure::NoPlace { surfaces: vec![drive, part], place: pose.te }
         }
     }
+}
+
+/// TLAXIS/PARLEL along a surface without rulings.
+fn unruled(scene: &Scene, pose: &Pose) -> Option<Failure> {
+    let AxisRule::Rulings(role) = scene.axis else { return None };
+    let (wall, other) = match role {
+        OptionSurface::Part => (&scene.part, &scene.drive),
+        OptionSurface::Drive => (&scene.drive, &scene.part),
+    };
+    let ruled = |w: &Wall| w.fitted.as_ref().is_some_and(|s| s.ruling(pose.te).is_some());
+    let other = ruled(other).then(|| other.surface.clone());
+    (!ruled(wall)).then(|| Failure::NoRulings { role, surface: wall.surface.clone(), other })
 }
 
 /// The track ends before a check surface: the cutter does not fit on, or the surfaces end.
