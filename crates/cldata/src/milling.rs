@@ -82,8 +82,8 @@ pub struct Scallop {
     pub extent: Extent,
     /// Did the tool get out of the way somewhere (AVCTRL)? What stands there then was not to be cut.
     pub avoided: bool,
-    /// From each end of a pass to the same end of the next. What a tool on these ways would take stands at the ends, where
-    /// it goes over them at one end in two (ZIGZAG) or at none (PICKFD).
+    /// From each end of a pass to the same end of the next, and so on both sides of edges that the passes roll over. What a tool
+    /// on these ways would take stands at ends: it goes over them at one end in two (ZIGZAG) or at none.
     pub links: Vec<[Position; 2]>,
 }
 

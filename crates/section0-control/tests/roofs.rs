@@ -58,6 +58,27 @@ fn a_pass_goes_over_a_ridge() {
     }
 }
 
+/// A flat end that leans touches each slope with its rim: before the ridge and behind it stand corners between the passes, as at
+/// their ends, and nothing else.
+#[test]
+fn corners_of_a_leaning_flat_end_stand_beside_the_ridge() {
+    let mut corners = 0;
+    for axis in ["LN", "ATANGL,PS,5,CUTANG,-5", "ATANGL,DS,10,CUTANG,3"] {
+        for work in [
+            "ZIGZAG,DS,PARAM,0,0,CRSSPL,PLUS,STEPOV,PLUS",
+            "PICKFD,DS,PARAM,2,2,CRSSPL,MINUS,STEPOV,MINUS",
+        ] {
+            let lean = "LN=VECTOR/.1,.05,1";
+            let ran = run::run(&program(4.0, "10,0", axis, lean, work), Verify::Full);
+            let mut faults = ran.faults();
+            corners += usize::from(!faults.is_empty());
+            faults.retain(|c| c != "APT5007");
+            assert_eq!(faults, Vec::<String>::new(), "{axis} {work}");
+        }
+    }
+    assert!(corners > 3, "{corners}");
+}
+
 #[test]
 fn a_way_over_a_ridge_is_no_longer_than_maxdp() {
     let work = "PATH,DS,PARAM,1,0,CRSSPL,PLUS";

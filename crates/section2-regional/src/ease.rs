@@ -1,6 +1,6 @@
 //! A position raised within the band where the cutter beside its contact would be too deep.
 
-use aptc_contact::{Clear, Tool};
+use aptc_contact::{Clear, PatchPlace, Tool};
 
 use crate::position::Position;
 use crate::settings::Band;
@@ -33,12 +33,19 @@ impl Setup<'_> {
         let mut now = p;
         for _ in 0..TIMES {
             let tool = Tool { profile: self.profile, te: now.te, ta: now.ta };
-            if tree.clear(&tool, allowed) == Clear::Yes {
-                return now;
+            let seen = match tree.clear(&tool, allowed) {
+                Clear::Yes => return now,
+                Clear::No(place) | Clear::Unknown(place) => place,
+            };
+            let by = |place: &PatchPlace| (-place.distance - allowed).max(0.0) + MORE * band;
+            let room = highest - now.shift;
+            // The first place that is too deep may be so by more than all of the band: which is deepest does not matter then.
+            if by(&seen) > room {
+                break;
             }
             let Some((place, _)) = tree.deepest(&tool, FINE * band) else { break };
-            let by = (-place.distance - allowed).max(0.0) + MORE * band;
-            if now.shift + by > highest {
+            let by = by(&place);
+            if by > room {
                 break;
             }
             now = raised(&now, by);

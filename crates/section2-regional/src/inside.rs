@@ -17,10 +17,11 @@ pub(crate) enum Inside {
     Unknown,
 }
 
-/// Boxes that are looked at: where nothing else tells; where a place of contact tells, or a shorter stretch will; and to see what
-/// is far off.
+/// Boxes that are looked at: where nothing else tells; where a place of contact tells, or a shorter stretch will; before a place
+/// of contact is looked for, which takes as long; and to see what is far off.
 pub(crate) const MOST: usize = 20_000;
 pub(crate) const FEW: usize = 1_000;
+pub(crate) const SOON: usize = 256;
 pub(crate) const FIRST: usize = 32;
 /// Part of what is allowed, and of the tool's size, to which a depth is told.
 const FINE: f64 = 0.02;

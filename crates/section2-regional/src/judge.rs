@@ -101,9 +101,20 @@ impl Chord<'_> {
 
     /// The share of the chord beside a tool end.
     fn beside(&self, te: Vec3) -> f64 {
+        self.share(te, self.by())
+    }
+
+    /// The same seen along the normal there: where the ends stand at different heights in the band a short chord is far
+    /// steeper than its path, and what is square to the one is ahead or behind on the other.
+    fn under(&self, te: Vec3, normal: Vec3) -> f64 {
         let v = self.by();
-        let square = v.norm_squared();
-        if square > 0.0 { ((te - self.ends[0].te).dot(&v) / square).clamp(0.0, 1.0) } else { 0.0 }
+        self.share(te, v - normal * v.dot(&normal))
+    }
+
+    /// The share of the chord at which it has come as far in a direction as a tool end.
+    fn share(&self, te: Vec3, along: Vec3) -> f64 {
+        let whole = self.by().dot(&along);
+        if whole > 0.0 { ((te - self.ends[0].te).dot(&along) / whole).clamp(0.0, 1.0) } else { 0.0 }
     }
 }
 
@@ -141,18 +152,26 @@ impl Setup<'_> {
         for &i in judged {
             let f = i as f64 / parts as f64;
             let p = self.between(&chord, f)?;
-            let s = chord.beside(p.te);
+            let at = |s: f64| {
+                let apart = a.te + v * s - p.te;
+                let off = apart.dot(&p.normal);
+                let shift = a.shift * (1.0 - s) + b.shift * s;
+                let sag = off - shift;
+                let room = if sag < 0.0 { shift + intol } else { outtol - shift };
+                let beside = (apart - p.normal * off).norm();
+                let lateral = beside / self.lateral;
+                let used = (sag.abs() / (keeps * room)).max(lateral);
+                (used, (s, off, sag, room, beside, lateral))
+            };
+            let mut near = at(chord.beside(p.te));
+            if near.0 > 1.0 {
+                let under = at(chord.under(p.te, p.normal));
+                near = if under.0 <= 1.0 { under } else { near };
+            }
+            let (used, (s, off, sag, room, beside, lateral)) = near;
             if self.part.touches {
                 touched[i] = Beside { f, s, contact: p.contact, part_uv: p.part_uv };
             }
-            let apart = a.te + v * s - p.te;
-            let off = apart.dot(&p.normal);
-            let shift = a.shift * (1.0 - s) + b.shift * s;
-            let sag = off - shift;
-            let room = if sag < 0.0 { shift + intol } else { outtol - shift };
-            let beside = (apart - p.normal * off).norm();
-            let lateral = beside / self.lateral;
-            let used = (sag.abs() / (keeps * room)).max(lateral);
             if used > worst.used {
                 let (what, much, allowed) = if lateral >= used {
                     (Limit::Beside, beside, self.lateral)

@@ -168,7 +168,7 @@ impl Region<'_> {
     }
 
     /// Places of the part surface between the contacts, with the normals there.
-    fn places(&self, pair: &Pair) -> impl Iterator<Item = (Vec3, Vec3)> {
+    pub(crate) fn places(&self, pair: &Pair) -> impl Iterator<Item = (Vec3, Vec3)> {
         let part = self.setup.part;
         let [a, b] = pair.both.map(|(p, _)| p);
         let apart = pair.apart();

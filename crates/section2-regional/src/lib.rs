@@ -19,6 +19,7 @@ mod deepest;
 mod drive;
 mod ease;
 mod failure;
+mod followed;
 mod gclear;
 mod goloft;
 mod gomill;

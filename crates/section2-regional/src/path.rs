@@ -40,6 +40,8 @@ pub(crate) struct Path {
     pub(crate) notes: Vec<Note>,
     /// Did the tool get out of the way of something?
     pub(crate) avoided: bool,
+    /// Where it begins and where it ends to roll over an edge, one edge after the other.
+    pub(crate) rolls: Vec<[Position; 2]>,
 }
 
 impl Setup<'_> {
@@ -86,6 +88,7 @@ impl Setup<'_> {
             let mut step = match on.map_err(|why| broken(&mut points, why))? {
                 Next::Step(step) => step,
                 Next::Over(all, kept) => {
+                    points.rolls.extend(all.last().map(|last| [here, *last]));
                     for p in all {
                         if points.points.len() >= self.numpts {
                             let uv = here.drive_uv;

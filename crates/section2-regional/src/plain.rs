@@ -6,7 +6,7 @@ use aptc_contact::{Condition, Side, Swept, Tool, axis_between, bulge, chord, gap
 use aptc_geometry::surface::kept;
 use aptc_geometry::{Form, Profile, Surface, Vec3, trig};
 
-use crate::inside::{FEW, FIRST, Inside, MOST, hull, inside};
+use crate::inside::{FEW, FIRST, Inside, MOST, SOON, hull, inside};
 
 /// Such a surface.
 #[derive(Clone, Debug)]
@@ -118,12 +118,18 @@ impl Plain {
                 found => found,
             }
         };
-        // Far from what has no sides there is nothing to ask.
+        // Far from what has no sides there is nothing to ask, and what is found in the tool needs no place that faces it.
         let (half, far) = (axis(0.5), trig::angle_between(a.1, b.1) * (up.abs() + reach));
-        if kept.is_none() && search(a.0, b.0, half, far, FIRST) == Inside::Nothing {
-            return None;
+        if kept.is_none() {
+            match search(a.0, b.0, half, far, if turns { FIRST } else { SOON }) {
+                Inside::Nothing => return None,
+                Inside::Deep(depth) => return Some((depth, a.0)),
+                Inside::Unknown => {}
+            }
         }
-        let mut stack = vec![(here(0.0), here(1.0), 0_u32)];
+        // The gaps at the ends bound what turns, and nothing else.
+        let end = |t: f64, (te, ta)| if turns { here(t) } else { Stood { t, te, ta, g: None } };
+        let mut stack = vec![(end(0.0, a), end(1.0, b), 0_u32)];
         let (mut stretches, mut searches) = (0, 0);
         while let Some((p, q, halvings)) = stack.pop() {
             stretches += 1;

@@ -20,7 +20,7 @@ use crate::position::{Odd, Position};
 use crate::report::Note;
 use crate::solve::{Memory, Setup, Take};
 use crate::stepover::parameter_step;
-use crate::touched::{Touched, links};
+use crate::touched::{Stand, Touched, links};
 
 /// What is put out.
 #[derive(Clone, Debug)]
@@ -354,7 +354,11 @@ impl Region<'_> {
             // Not below what a change of speed at a joint asks for, in few rounds.
             step = narrow.max(0.25 * step);
         }
-        if self.stepover.scallop > 0.0 { self.closed(lane, step) } else { step }
+        if self.stepover.scallop > 0.0 {
+            self.followed(lane, self.closed(lane, step))
+        } else {
+            step
+        }
     }
 
     /// The step of the parameter that the places along a line allow.
@@ -421,11 +425,11 @@ impl Region<'_> {
         };
         let setup = Setup { joins: true, ..self.setup };
         let course = (lane.to, self.course, lane.sense);
-        let points = self.run(&setup, lane.from, course, first, out)?;
+        let (points, rolls) = self.run(&setup, lane.from, course, first, out)?;
         // Of passes that go to and fro the contacts are kept in one direction.
-        let ends = points.first().zip(points.last());
-        let ends = ends.map(|(a, b)| [a, b].map(|p| aptc_cldata::Position { te: p.te, ta: p.ta }));
-        out.touched = Touched::by(points.iter().map(|p| p.part_uv), ends, lane.sense < 0.0);
+        let stands = points.first().into_iter().chain(rolls.iter().flatten()).chain(points.last());
+        let stands = stands.map(Stand::of).collect();
+        out.touched = Touched::by(points.iter().map(|p| p.part_uv), stands, lane.sense < 0.0);
         let Some(target) = lane.next else { return Ok(()) };
         let mut from = lane.from;
         let stand = if self.clearance.is_some() {
@@ -440,7 +444,7 @@ impl Region<'_> {
         Ok(())
     }
 
-    /// One path; what was done of it is put out also when it breaks.
+    /// One path, with its rolls over edges; what was done of it is put out also when it breaks.
     fn run(
         &self,
         setup: &Setup<'_>,
@@ -448,8 +452,9 @@ impl Region<'_> {
         (to, course, sense): (f64, Course, f64),
         first: First,
         out: &mut Pass,
-    ) -> Result<Vec<Position>, Failure> {
-        let (Path { points, notes, avoided }, why) = match setup.run(from, to, course, sense) {
+    ) -> Result<(Vec<Position>, Vec<[Position; 2]>), Failure> {
+        let (Path { points, notes, avoided, rolls }, why) = match setup.run(from, to, course, sense)
+        {
             Ok(path) => (path, None),
             Err(broken) => {
                 let Broken { done, why } = *broken;
@@ -479,7 +484,7 @@ impl Region<'_> {
         out.avoided |= avoided;
         out.odd = out.odd.or(Odd::of(&points));
         out.first = out.first.or(start);
-        why.map_or(Ok(points), Err)
+        why.map_or(Ok((points, rolls)), Err)
     }
 
     /// To the neighbouring path along the surface, lifted where a lift is asked for.
@@ -495,7 +500,7 @@ impl Region<'_> {
         let setup = Setup { lift, joins: true, ..self.setup };
         out.puts.push(Put::Feed(self.feeds[1]));
         let first = stand.map_or(First::Out, if lift > 0.0 { First::From } else { First::After });
-        let points = self.run(&setup, from, (target, across, self.senses[1]), first, out)?;
+        let (points, _) = self.run(&setup, from, (target, across, self.senses[1]), first, out)?;
         let mut uv = from;
         uv[across.index()] = target;
         if lift > 0.0 {

@@ -156,7 +156,7 @@ impl Regional {
             g
         });
         setup.guard = guard.as_ref().map(|g| (g, self.avoid));
-        let Path { points, notes, avoided } = setup.alone(p, (Course::U, 1.0), away)?;
+        let Path { points, notes, avoided, .. } = setup.alone(p, (Course::U, 1.0), away)?;
         let along = |p: &Position| Along { at: led(p), uv: p.drive_uv };
         let moved = points.iter().any(|p| led(p).0 != p.te);
         let put = Put::path(points.iter().map(along).collect(), avoided);
@@ -186,7 +186,8 @@ impl Regional {
         let skip = w.number().is_some_and(|s| s > 0.0);
         let to = setup.drive.limits(course)[usize::from(sense > 0.0)];
         let outward = is_at(from, course, to).then_some((from, sense));
-        let (Path { points, notes, avoided }, broken) = match setup.run(from, to, course, sense) {
+        let (Path { points, notes, avoided, .. }, broken) = match setup.run(from, to, course, sense)
+        {
             Ok(path) => (path, None),
             Err(broken) => {
                 let Broken { done, why } = *broken;

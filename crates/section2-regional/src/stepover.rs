@@ -1,6 +1,6 @@
 //! How far the next path may lie.
 
-use aptc_geometry::{Profile, Vec3};
+use aptc_geometry::{Profile, Segment, Vec3};
 
 use crate::area::{Hold, StepoverArea};
 use crate::drive::Course;
@@ -11,6 +11,9 @@ use crate::solve::Setup;
 
 /// A cutter that nearly fills a hollow moves its contact so many times as fast as itself, at most the inverse.
 const LEAST: f64 = 0.05;
+
+/// Part of the strip that a pass clears which is counted on, however far its chords may leave it sideways.
+const LEFT: f64 = 0.5;
 
 /// Distance between two paths on a surface of curvature `k` across them (positive hollow) that leaves a
 /// scallop of height `h`, for a cutter whose profile across the path is a circle of radius `r` there;
@@ -25,13 +28,16 @@ pub(crate) fn scallop_width(r: f64, h: f64, k: f64) -> f64 {
         return (2.0 * (2.0 * r * h - h * h).max(0.0).sqrt()).min(most);
     }
     let radius = 1.0 / k.abs();
-    // Centres of the paths on the circle of radius c, the ridge on that of radius e.
+    // Centres of the paths on the circle of radius c, the ridge on that of radius e; they differ by r - h.
     let (c, e) = if k < 0.0 { (radius + r, radius + h) } else { (radius - r, radius - h) };
     if c <= 0.0 || e <= 0.0 {
         return 0.0;
     }
-    let cos = ((c * c + e * e - r * r) / (2.0 * c * e)).clamp(-1.0, 1.0);
-    (2.0 * radius * aptc_geometry::trig::acos(cos)).min(most)
+    // The cosine of the angle between a centre and the ridge says nothing of small ones: over a surface that is flat but for
+    // rounding it is 1. Its half has the square of the sine (r^2 - (c - e)^2) / (4 c e).
+    let sine = ((2.0 * r * h - h * h) / (4.0 * c * e)).clamp(0.0, 1.0).sqrt();
+    let angle = 2.0 * aptc_geometry::trig::atan2(sine, (1.0 - sine * sine).sqrt());
+    (2.0 * radius * angle).min(most)
 }
 
 /// The step of the parameter across the path behind `points`.
@@ -81,13 +87,15 @@ pub(crate) fn parameter_step(
         if allowed > 0.0 {
             width = width.min(allowed);
         }
-        // A ball is as round everywhere, so that the formula tells it all.
-        if height > 0.0 && !profile.is_round() {
+        // A ball is as round everywhere, so that the formula tells it all; its flank and the rim of its top are not.
+        let ball = profile.is_round() && p.segment == Segment::Arc;
+        if height > 0.0 && !ball {
             let thick = if setup.part.touches { setup.thick() } else { 0.0 };
             let along = path_direction(points, i);
             let strip = Pass { profile, at: p, along, side, curvature: k }.strip(thick + height);
-            // Its chords may leave the lines sideways.
-            let strip = strip - 2.0 * setup.lateral;
+            // Its chords may leave the lines sideways; few of them do by all that they may, and where the strip is no wider the
+            // passes have to be that close all the same.
+            let strip = (strip - 2.0 * setup.lateral).max(LEFT * strip);
             if strip > 0.0 {
                 width = width.min(strip);
             }
@@ -227,6 +235,18 @@ mod tests {
             assert!((scallop_width(5.0, 0.01, k) - w).abs() < 1e-7, "{k}");
         }
         assert!((scallop_width(5.0, 9.0, 0.0) - 10.0).abs() < 1e-15);
+    }
+
+    /// A plane whose curvature is not quite nothing is one.
+    #[test]
+    fn the_width_goes_over_into_that_of_a_plane() {
+        let flat = scallop_width(5.0, 0.05, 0.0);
+        for i in 4..20 {
+            for k in [1.0, -3.0].map(|k| k * 0.1_f64.powi(i)) {
+                let width = scallop_width(5.0, 0.05, k);
+                assert!((width - flat).abs() <= 5.0 * k.abs() * flat + 1e-13, "{k} {width} {flat}");
+            }
+        }
     }
 
     /// Beside the top of a dome, between two places however far apart, the cutter is nowhere less round across the path.

@@ -2,8 +2,8 @@
 
 use aptc_cldata::Position;
 use aptc_cldata::milling::Extent;
-use aptc_geometry::Sculptured;
 use aptc_geometry::sculpt::Layout;
+use aptc_geometry::{Sculptured, Vec3};
 
 /// The contacts of a pass, by parameters of the part surface, in one direction for all passes.
 #[derive(Clone, Debug, Default)]
@@ -11,34 +11,72 @@ pub(crate) struct Touched {
     line: Vec<[f64; 2]>,
     /// Least and greatest u and v.
     range: [[f64; 2]; 2],
-    /// Where the tool stands at its ends.
-    ends: Option<[Position; 2]>,
+    /// Where the tool stands at its ends, and between them where it begins and ends to roll over an edge.
+    stands: Vec<Stand>,
+}
+
+/// Where the tool stands, and what it touches there.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Stand {
+    at: Position,
+    contact: Vec3,
+}
+
+impl Stand {
+    pub(crate) fn of(p: &crate::position::Position) -> Self {
+        Self { at: Position { te: p.te, ta: p.ta }, contact: p.contact }
+    }
+
+    /// The tool as it stands here with its contact at another place.
+    fn over(&self, contact: Vec3) -> Position {
+        Position { te: self.at.te + (contact - self.contact), ..self.at }
+    }
 }
 
 impl Touched {
-    /// The contacts of a pass and where the tool stands at its ends; `back`: the pass goes the other way.
+    /// The contacts of a pass and where the tool stands at its ends and beside edges; `back`: the pass goes the other way.
     pub(crate) fn by(
         contacts: impl Iterator<Item = [f64; 2]>,
-        mut ends: Option<[Position; 2]>,
+        mut stands: Vec<Stand>,
         back: bool,
     ) -> Self {
         let mut line: Vec<[f64; 2]> = contacts.collect();
         if back {
             line.reverse();
-            ends = ends.map(|[a, b]| [b, a]);
+            stands.reverse();
         }
         let range = [0, 1].map(|k| {
             let all = line.iter().map(|uv| uv[k]);
             all.fold([f64::INFINITY, f64::NEG_INFINITY], |r, x| [r[0].min(x), r[1].max(x)])
         });
-        Self { line, range, ends }
+        Self { line, range, stands }
     }
 }
 
-/// From each end of a pass to the same end of the next.
+/// From each end of a pass to the same end of the next, and from each side of an edge that both roll over to the same side. Where
+/// one rolls over more edges than the other nothing tells which are the same.
 pub(crate) fn links(touched: &[Touched]) -> Vec<[Position; 2]> {
-    let pairs = touched.windows(2).filter_map(|pair| Some([pair[0].ends?, pair[1].ends?]));
-    pairs.flat_map(|[a, b]| [[a[0], b[0]], [a[1], b[1]]]).collect()
+    let mut all = Vec::new();
+    for pair in touched.windows(2) {
+        let [a, b] = [&pair[0].stands, &pair[1].stands];
+        match (a.as_slice(), b.as_slice()) {
+            ([first, .., last], [begin, .., end]) if a.len() != b.len() => {
+                link([first, begin], &mut all);
+                link([last, end], &mut all);
+            }
+            _ => a.iter().zip(b).for_each(|(a, b)| link([a, b], &mut all)),
+        }
+    }
+    all
+}
+
+/// From one stand to the next. To and fro a tool that leans along the path leans one way and the other: what it does not come over
+/// while it turns it would with either axis.
+fn link([a, b]: [&Stand; 2], all: &mut Vec<[Position; 2]>) {
+    all.push([a.at, b.at]);
+    if a.at.ta != b.at.ta {
+        all.extend([[a.at, a.over(b.contact)], [b.over(a.contact), b.at]]);
+    }
 }
 
 /// The region of passes along lines of the part surface itself.
@@ -146,7 +184,6 @@ fn crosses(corners: &[[f64; 2]]) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use aptc_geometry::Vec3;
     use aptc_geometry::sculpt::{SplinePoint, mesh};
     use aptc_geometry::sculptured::MeshSpacing;
 
@@ -165,6 +202,36 @@ mod tests {
         assert_eq!(between(&askew, [4.0, 4.0]), None);
         assert_eq!(between(&lines[..1], [4.0, 3.0]), None);
         assert_eq!(between(&[], [4.0, 3.0]), None);
+    }
+
+    /// Ends to ends and edges to edges, to and fro, with both axes where these differ; edges of which one pass has more count for
+    /// nothing.
+    #[test]
+    fn links_lead_from_stand_to_stand() {
+        let stand = |x: f64, y: f64, lean: f64| {
+            let contact = Vec3::new(x, y, 0.0);
+            let ta = Vec3::new(lean, 0.0, 1.0).normalize();
+            Stand { at: Position { te: contact - ta, ta }, contact }
+        };
+        let pass = |y: f64, xs: &[f64], lean: f64, back: bool| {
+            let mut all: Vec<_> = xs.iter().map(|x| stand(*x, y, lean)).collect();
+            if back {
+                all.reverse();
+            }
+            Touched::by(std::iter::empty(), all, back)
+        };
+        let xs = [0.0, 4.0, 4.0, 9.0];
+        let passes = [pass(0.0, &xs, 0.2, false), pass(1.0, &xs, 0.2, true)];
+        let ends = links(&passes).into_iter().map(|[a, b]| (a.te, b.te - a.te));
+        let wanted = xs.map(|x| (stand(x, 0.0, 0.2).at.te, Vec3::y()));
+        assert!(ends.eq(wanted));
+        // With either axis the contact goes from the one to the other.
+        let turned = links(&[pass(0.0, &xs, 0.2, false), pass(1.0, &xs, -0.2, true)]);
+        assert_eq!(turned.len(), 3 * xs.len());
+        let straight = turned.iter().filter(|[a, b]| a.ta == b.ta && b.te - a.te == Vec3::y());
+        assert_eq!(straight.count(), 2 * xs.len());
+        let fewer = links(&[pass(0.0, &xs, 0.2, false), pass(1.0, &[0.0, 9.0], 0.2, true)]);
+        assert!(fewer.iter().map(|[a, _]| a.te).eq([0.0, 9.0].map(|x| stand(x, 0.0, 0.2).at.te)));
     }
 
     fn flat() -> Sculptured {
@@ -186,7 +253,7 @@ mod tests {
             if back {
                 way.reverse();
             }
-            Touched::by(way.into_iter(), None, back)
+            Touched::by(way.into_iter(), Vec::new(), back)
         };
         let passes: Vec<_> = (0..4).map(pass).collect();
         let s = flat();
@@ -198,7 +265,7 @@ mod tests {
         let area: f64 = edges(&corners).map(|[a, b]| a[0] * b[1] - a[1] * b[0]).sum();
         assert!((0.5 * area.abs() - 0.24).abs() < 1e-12, "{area}");
         // Passes that cross, one pass, and contacts that jump have none.
-        let line = |points: &[[f64; 2]]| Touched::by(points.iter().copied(), None, false);
+        let line = |points: &[[f64; 2]]| Touched::by(points.iter().copied(), Vec::new(), false);
         let cross = [line(&[[0.0, 0.0], [1.0, 1.0]]), line(&[[0.0, 1.0], [1.0, 0.0]])];
         assert!(matches!(led(&cross, &s), Extent::Unknown(_)));
         // The same made longer in either parameter, and lines that only come near each other.

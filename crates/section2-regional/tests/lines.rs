@@ -297,3 +297,30 @@ fn the_rim_of_a_flat_end_keeps_the_band_in_a_hollow() {
         assert!((0.3 * TOL..=TOL + 1e-6).contains(&deepest), "{hollow}: {deepest}");
     }
 }
+
+/// A flat end that the hollow does not hold cuts in wherever it is, and is not lowered for it: what stands lower on its way to the
+/// next place is no reason for a short step.
+#[test]
+fn a_flat_end_goes_on_through_a_hollow_that_does_not_hold_it() {
+    let place = |i: i32, j: i32| {
+        let [x, y] = [i, j].map(|i| 15.0 * f64::from(i));
+        Vec3::new(x, y, 0.02 * (y - 30.0) * (y - 30.0) - 0.015 * (x - 30.0) * (x - 30.0))
+    };
+    let hollow: Vec<Vec<_>> = (0..5).map(|j| (0..5).map(|i| place(i, j)).collect()).collect();
+    let hollow = rows(MeshSpacing::Xyz, &hollow);
+    let mut all = prepared(Cutter::mill(16.0, 0.0, 50.0), ToolAxis::NormPs);
+    all.push(Kind::Outtol([0.2 * TOL; 4]));
+    let surface = || of(Form::Ssurf(Arc::new(hollow.clone())));
+    let numbers = |all: &[f64]| all.iter().map(|x| Arg::Number(*x)).collect::<Vec<_>>();
+    let ds = [vec![word("DS"), surface(), word("PARAM")], numbers(&[0.3, 3.5, 0.6, 3.4])].concat();
+    all.push(regional("SCON", [ds, vec![word("AT"), of(Form::Vector(Vec3::z()))]].concat()));
+    let part = [word("PS"), word("TO"), surface(), word("PLUS"), Arg::Number(0.0)];
+    all.push(regional("SCON", part.to_vec()));
+    all.push(regional("SCON", vec![word("AXIS"), word("NORMDS")]));
+    let from = [vec![word("PATH"), word("DS"), word("PARAM")], numbers(&[0.3, 0.6])].concat();
+    all.push(regional("SMIL", [from, vec![word("CRSSPL"), word("PLUS")]].concat()));
+    let (stops, told) = run(all);
+    assert!(told.is_empty(), "{told:?}");
+    // Chords that sag by OUTTOL at a radius of 25 mm are .6 long.
+    assert!((20..200).contains(&stops.len()), "{}", stops.len());
+}

@@ -368,13 +368,13 @@ impl Verifier {
                 "with all that is over them".to_owned()
             };
             let message = format!(
-                "corners stand on {} where passes end, {high}, near cut vector {} {}",
+                "corners stand on {} where passes end or cross an edge, {high}, near cut vector {} {}",
                 f.surface,
                 f.vector,
                 f.place()
             );
             Diagnostic::warning(codes::CORNERS, proof.origin.span, message).help(
-                "let the passes run on beyond what is to be clean, or trim the ends along them",
+                "let the passes run on beyond what is to be clean, or trim the ends and edges along them",
             )
         } else {
             let message =
