@@ -64,6 +64,38 @@ fn a_cl_file_is_held_against_the_program() {
     assert!(text(&run.stderr).contains("APT5003"), "{}", text(&run.stderr));
 }
 
+const REGION: &str = "PARTNO CREST\nUNITS/MM\nCUTTER/10,5\nINTOL/.01\nOUTTOL/.01\n\
+                      S=SSURF/SMESH,XYZ,SPLINE,(0,0,0),(15,0,3),(30,0,0),$\n\
+                      SPLINE,(0,12,1),(15,12,4),(30,12,1),$\nSPLINE,(0,24,0),(15,24,2),(30,24,0)\nUP=VECTOR/0,0,1\nFEDRAT/800\nFROM/0,0,40\n\
+                      SCON/DS,S,PARAM,0,2,0,2,AT,UP\nSCON/PS,TO,S,PLUS,0\nSCON/AXIS,UP\n\
+                      SCON/FEED,800,800,400,2000\nSCON/STEPOV,.05,4,0,0\n\
+                      SMIL/ZIGZAG,DS,PARAM,0,0,TANSPL,PLUS,STEPOV,PLUS\nFINI\n";
+
+/// The passes of a region are records of their own where the feed rate changes: they are judged together, as what lies between
+/// them is.
+#[test]
+fn a_cl_file_of_a_region_is_held_against_all_of_it() {
+    let dir = folder_with("crest.apt", REGION);
+    let made = aptc(dir.path(), &["compile", "crest.apt", "--emit", "cl,cltape", "--quiet"]);
+    assert_eq!(made.status.code(), Some(0), "{}{}", text(&made.stdout), text(&made.stderr));
+    let cl = fs::read_to_string(dir.path().join("crest.cl")).unwrap();
+    let bare: Vec<&str> = cl.lines().filter(|l| !l.starts_with("$$")).collect();
+    fs::write(dir.path().join("bare.cl"), bare.join("\n") + "\n").unwrap();
+    for file in ["crest.cl", "crest.cltape", "bare.cl"] {
+        let run = aptc(dir.path(), &["verify", "crest.apt", "--cl", file]);
+        assert_eq!(run.status.code(), Some(0), "{file}: {}", text(&run.stderr));
+    }
+    // What lies between two feed rates in the middle, two passes, is left out.
+    let feeds: Vec<usize> = (0..bare.len()).filter(|i| bare[*i].starts_with("FEDRAT")).collect();
+    let pass = feeds[feeds.len() / 2]..feeds[feeds.len() / 2 + 4];
+    let left: Vec<&str> = (0..bare.len()).filter(|i| !pass.contains(i)).map(|i| bare[i]).collect();
+    assert!(left.len() + 5 < bare.len(), "{pass:?}");
+    fs::write(dir.path().join("left.cl"), left.join("\n") + "\n").unwrap();
+    let run = aptc(dir.path(), &["verify", "crest.apt", "--cl", "left.cl"]);
+    assert_eq!(run.status.code(), Some(3), "{}", text(&run.stderr));
+    assert!(text(&run.stderr).contains("leaves material"), "{}", text(&run.stderr));
+}
+
 #[test]
 fn a_cl_file_of_another_program_gives_one_error() {
     let dir = folder_with("box.apt", PART);

@@ -207,6 +207,8 @@ fn put_together(items: &[Item], assigned: &[Option<(usize, usize)>], points: &[P
     let mut out = Matched::default();
     let mut used = 0;
     let mut last = None;
+    // The motion along surfaces that came last, and where the file has its end.
+    let mut before: Option<(&Item, usize)> = None;
     for (item, place) in items.iter().zip(assigned) {
         let Some(motion) = item.motion() else {
             out.records.push(item.record.clone());
@@ -227,8 +229,11 @@ fn put_together(items: &[Item], assigned: &[Option<(usize, usize)>], points: &[P
         };
         used += to - from;
         let carry = |p: &Point| carried(p, &back, item.units, motion);
-        // Where the tool comes from, in the same system: the file may have been somewhere else.
-        if let Some(before) = from.checked_sub(1) {
+        // Where the tool comes from, in the same system: the file may have been somewhere else. What goes on along the same
+        // surfaces, as between the passes of a region, is one with what came before.
+        let goes_on = before.is_some_and(|(b, end)| end == from && item.goes_on(b));
+        before = Some((item, to));
+        if let (Some(before), false) = (from.checked_sub(1), goes_on) {
             let start = Motion {
                 kind: MotionKind::From,
                 points: vec![carry(&points[before])],

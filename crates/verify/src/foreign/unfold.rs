@@ -1,5 +1,7 @@
 //! The motions of a program in the order and place in which a CL file has them after editing.
 
+use std::sync::Arc;
+
 use aptc_cldata::{Edit, Kind, Motion, Record, Units};
 use aptc_geometry::{Transform, Vec3};
 
@@ -20,6 +22,15 @@ impl Item {
             Kind::Motion(m) if !m.points.is_empty() => Some(m),
             _ => None,
         }
+    }
+
+    /// Is it led along the same surfaces as one before it, carried there by the same map?
+    pub(crate) fn goes_on(&self, before: &Self) -> bool {
+        let control = |item: &Self| item.motion().and_then(|m| m.control.clone());
+        let both = control(self).zip(control(before));
+        both.is_some_and(|(a, b)| Arc::ptr_eq(&a, &b))
+            && self.map == before.map
+            && self.units == before.units
     }
 
     /// Where the motion ends, as the edited file has it, in millimetres.
