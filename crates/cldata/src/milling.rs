@@ -82,8 +82,9 @@ pub struct Scallop {
     pub extent: Extent,
     /// Did the tool get out of the way somewhere (AVCTRL)? What stands there then was not to be cut.
     pub avoided: bool,
-    /// From each end of a pass to the same end of the next, and so on both sides of edges that the passes roll over. What a tool
-    /// on these ways would take stands at ends: it goes over them at one end in two (ZIGZAG) or at none.
+    /// Positions between which a tool would take what stands at the ends of passes, and beside edges that they roll over, in
+    /// the unit of the motion: from each end of a pass, or of a roll, to that of the next, with either axis where these differ.
+    /// ZIGZAG goes over one end in two, PICKFD over none, and nothing over edges.
     pub links: Vec<[Position; 2]>,
 }
 

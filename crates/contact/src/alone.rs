@@ -72,7 +72,8 @@ pub(crate) fn faced(
     let deepest = foot.distance.abs() + rho + most;
     let below = (foot.point, (rho + most) / (1.0 - BEND));
     // Along the shank there are more of them: one about all of it would hold what is far from it.
-    let parts = ((top - joint) / (SHANK * wide)).ceil().clamp(1.0, SHANKS as f64) as usize;
+    let holds = |n: &usize| top - joint <= SHANK * wide * *n as f64;
+    let parts = (1..SHANKS).find(holds).unwrap_or(SHANKS);
     let mut balls = [below; SHANKS + 2];
     balls[0] = around(low, joint);
     let end = |i: usize| joint + (top - joint) * i as f64 / parts as f64;

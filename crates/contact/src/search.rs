@@ -184,7 +184,7 @@ pub(crate) fn elsewhere(
     }
     if let Some(gap) = arc {
         let flank = match has_side(tool) {
-            true => shank::clear(tool, surface, known.raw, LOOK * size)
+            true => shank::clear(tool, surface, [gap.raw, known.raw], LOOK * size)
                 .or_else(|| flank(tool, surface, side, 0.0, known.raw)),
             false => Some(f64::INFINITY),
         };

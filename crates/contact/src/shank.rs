@@ -5,12 +5,20 @@ use aptc_geometry::{Surface, Tool, Vec3};
 /// Shares of a way on which it may be shown to keep off.
 const SHARES: [f64; 3] = [1.0, 0.4, 0.1];
 
-/// Is a sculptured surface at least so far from all of the tool above the lower end of its upper line, which counts as a
-/// cylinder? False also where that is not seen, and of other surfaces.
+/// Share of the shank's radius or height, whichever is less, by which the surface may be in it: the middle of the arc keeps its
+/// side, and with it the shank.
+const SHALLOW: f64 = 0.25;
+
+/// Is a sculptured surface at least so far from all of a round tool above the lower end of its upper line, which counts as a
+/// cylinder? The gap of the tool's arc is no less than that. False also where it is not seen, where the tool is sunk in the
+/// surface, and of other surfaces.
 pub(crate) fn keeps_off(tool: &Tool<'_>, surface: &Surface, least: f64) -> bool {
     let Surface::Parametric(surface) = surface else { return false };
     let [_, [_, low]] = tool.profile.joints();
     let (wide, top) = (tool.profile.widest(), tool.profile.height());
+    if least < -SHALLOW * wide.min(top - low) {
+        return false;
+    }
     surface.keeps_off(least, |q| {
         let w = q - tool.te;
         let z = w.dot(&tool.ta);
@@ -33,8 +41,17 @@ pub(crate) fn keeps_off(tool: &Tool<'_>, surface: &Surface, least: f64) -> bool 
 }
 
 /// A distance greater than `above` within which nothing of a sculptured surface is beside that part of the tool, when
-/// this goes by `way` or some of it; `None` where that is not seen.
-pub(crate) fn clear(tool: &Tool<'_>, surface: &Surface, above: f64, way: f64) -> Option<f64> {
+/// this goes by `way` or some of it; `None` where that is not seen. The gap of the tool's `arc` tells on which side of the
+/// surface it is.
+pub(crate) fn clear(
+    tool: &Tool<'_>,
+    surface: &Surface,
+    [arc, above]: [f64; 2],
+    way: f64,
+) -> Option<f64> {
+    if arc < -SHALLOW * tool.profile.corner_radius() {
+        return None;
+    }
     let distances = SHARES.map(|share| above + 2.0 * share * way);
     distances.into_iter().find(|least| keeps_off(tool, surface, *least))
 }
@@ -53,13 +70,13 @@ mod tests {
         fn no_place_is_nearer(
             waves in prop::array::uniform2(-4.0_f64..4.0), lift in -8.0_f64..8.0, uneven in -0.5_f64..0.5,
             te in prop::array::uniform3(-1.0_f64..1.0), lean in prop::array::uniform2(-0.6_f64..0.6), high in 8.0_f64..40.0,
-            above in -1.0_f64..3.0,
+            above in -6.0_f64..3.0,
         ) {
             let surface = mesh(waves, lift, uneven);
             let profile = Profile::new(&Cutter::mill(10.0, 5.0, high)).unwrap();
             let ta = Vec3::new(lean[0], lean[1], 1.0).normalize();
             let tool = Tool { profile: &profile, te: Vec3::new(30.0 * te[0], 25.0 * te[1], 8.0 * te[2]), ta };
-            let found = clear(&tool, &surface, above, 4.0);
+            let found = clear(&tool, &surface, [0.0, above], 4.0);
             let [_, [_, low]] = profile.joints();
             let mut least = f64::INFINITY;
             for i in 0..=60 {
@@ -77,7 +94,10 @@ mod tests {
                     least = least.min(distance);
                 }
             }
-            if let Some(told) = found {
+            if above < -0.25 * 5.0 {
+                // Sunk in the surface it is on neither side of it.
+                prop_assert!(!keeps_off(&tool, &surface, above));
+            } else if let Some(told) = found {
                 prop_assert!(told > above && least >= told - 1e-9, "{least} {told}");
             } else {
                 // It is not for want of looks: some place is about as near.

@@ -22,6 +22,9 @@ use crate::proof::Ahead;
 use crate::threads::Threads;
 use crate::{Options, Records, Source, Summary, World, WorldError};
 
+/// Codes of what is wrong with a motion, which is wrong in each call of a macro.
+const MOTION: std::ops::Range<u16> = 2000..5000;
+
 /// What came of a part program.
 #[derive(Debug, Default)]
 pub struct Compiled {
@@ -378,35 +381,43 @@ pub(crate) fn once_each(diagnostics: &mut Vec<Diagnostic>) {
     let mut told = BTreeSet::new();
     diagnostics.retain(|d| told.insert((d.code, d.span, d.message.clone())));
     let frames = |d: &Diagnostic| std::iter::successors(d.trace.clone(), |f| f.outer.clone());
-    // What Section 1 finds wrong in one call may be right in another: names and numbers are those of the call.
+    // What Section 1 finds wrong in one call may be right in another: names and numbers are those of the call. So it is of what
+    // the proof finds: how deep it is differs.
+    let one_of_calls = |d: &Diagnostic| MOTION.contains(&d.code.number());
     let place = |d: &Diagnostic| {
-        let calls = frames(d).filter(|f| f.kind != FrameKind::Loop && d.code.number() < 2000);
+        let calls = frames(d).filter(|f| f.kind != FrameKind::Loop && !one_of_calls(d));
         (d.code, d.severity, d.span, calls.map(|f| f.span).collect::<Vec<_>>())
     };
     // The first pass of a loop is told of without it.
     let again = |d: &&Diagnostic| {
         frames(d).any(|f| match f.kind {
             FrameKind::Loop => true,
-            FrameKind::Macro => d.code.number() >= 2000,
+            FrameKind::Macro => one_of_calls(d),
             _ => false,
         })
     };
     let repeated: BTreeSet<_> = diagnostics.iter().filter(again).map(place).collect();
-    let mut passes = BTreeMap::<_, u32>::new();
+    // How many there are of each, and whether some are of a loop.
+    let mut passes = BTreeMap::<_, (u32, bool)>::new();
     diagnostics.retain(|d| {
         let key = place(d);
         if !repeated.contains(&key) {
             return true;
         }
-        let n = passes.entry(key).or_insert(0);
+        let (n, looped) = passes.entry(key).or_insert((0, false));
         *n += 1;
+        *looped |= frames(d).any(|f| f.kind == FrameKind::Loop);
         *n == 1
     });
     for d in diagnostics {
-        let n = passes.remove(&place(d)).unwrap_or(1);
+        let (n, looped) = passes.remove(&place(d)).unwrap_or((1, false));
         if n > 1 {
-            let further =
-                if n == 2 { "a further pass" } else { &format!("{} further passes", n - 1) };
+            let further = match (looped, n) {
+                (true, 2) => "a further pass".to_owned(),
+                (true, n) => format!("{} further passes", n - 1),
+                (false, 2) => "a further call".to_owned(),
+                (false, n) => format!("{} further calls", n - 1),
+            };
             d.notes.push(format!("the same in {further}, with other values"));
         }
     }

@@ -147,7 +147,7 @@ impl Arelem {
         let scene = self.scene(d, tool)?;
         let flat = self.plane_allowed(&scene.axis).then(|| plane::run(&scene)).flatten();
         flat.unwrap_or_else(|| space::run(&scene)).map_err(|f| match f {
-            Failure::NoTangency { .. } => scene.too_tight().unwrap_or(f),
+            Failure::NoTangency { allowed, .. } => scene.too_tight(allowed).unwrap_or(f),
             f => f,
         })
     }

@@ -238,7 +238,7 @@ impl Failure {
                 format!("use a cutter of a diameter below {}", number(2.0 * radius)),
             ),
             Self::NoStart { surfaces, why, left, others, .. } => {
-                let cuts_in = left.iter().any(|(_, gap)| number(*gap).starts_with('-'));
+                let cuts_in = left.iter().any(|(_, gap)| *gap < 0.0);
                 (
                     codes::NO_START,
                     format!("no position of the tool satisfies {}: {why}", list(surfaces)),
@@ -358,7 +358,11 @@ impl Failure {
 
     /// Did the motion end without its check surface?
     pub(crate) fn never_met(&self) -> bool {
-        matches!(self, Self::NotReached { .. } | Self::NoTangency { .. } | Self::Blocked(_))
+        // What was given up after many cut vectors would take as many the other way.
+        let given_up = matches!(self, Self::NotReached { spent: Some(_), .. });
+        let never =
+            matches!(self, Self::NotReached { .. } | Self::NoTangency { .. } | Self::Blocked(_));
+        never && !given_up
     }
 
     /// The words of the message alone.

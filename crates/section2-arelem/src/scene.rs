@@ -189,8 +189,8 @@ impl Wall {
 }
 
 impl Scene {
-    /// A round check surface, tangent to the drive surface on the side of the tool, into which the cutter does not fit.
-    pub(crate) fn too_tight(&self) -> Option<Failure> {
+    /// A round check surface, tangent to the drive surface to `allowed` on the side of the tool, into which the cutter does not fit.
+    pub(crate) fn too_tight(&self, allowed: f64) -> Option<Failure> {
         let check = self.checks.first()?;
         if check.relation != Relation::Tanto || self.drive.on {
             return None;
@@ -203,7 +203,8 @@ impl Scene {
         let Tool { te, ta, .. } = self.tool;
         let drive = self.drive.fitted.as_ref()?;
         let level = centre + ta * (te - centre).dot(&ta);
-        let within = drive.distance(te) * drive.distance(level) > 0.0;
+        let away = drive.distance(level);
+        let within = drive.distance(te) * away > 0.0 && (away.abs() - radius).abs() <= allowed;
         let cutter = check.wall.reach();
         let upright = axis.cross(&ta).norm() <= UPRIGHT;
         (upright && within && radius < cutter).then(|| Failure::TooLarge {

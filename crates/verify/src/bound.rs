@@ -27,6 +27,6 @@ pub(crate) struct Touch {
     pub(crate) p: Vec3,
 }
 
-/// A bound that is as near as this, of the length of tool and vector, to a gap that was met is not made better: a
-/// tenth of what covers rounding.
+/// A bound that is as near as this, of the length of tool and vector, to a gap that was met, or to one that was told before and
+/// would be enough, is not made better: a tenth of what covers rounding.
 pub(crate) const CLOSE: f64 = 1e-12;

@@ -85,9 +85,7 @@ impl Curved<'_> {
         pad: f64,
         warm: &mut Warm,
     ) -> Verdict {
-        // A tool without size has no axis that could turn.
-        let turns = tool.reach() > 0.0;
-        let ends = [Pose::of(a), Pose { te: b.te, ta: if turns { b.ta } else { a.ta } }];
+        let ends = tool.ends(a, b);
         let world = |t: f64| between_poses(&ends[0], &ends[1], t);
         let pose = |t: f64| self.sheet.local(&world(t));
         let turn = angle(ends[0].ta, ends[1].ta);

@@ -166,10 +166,7 @@ impl Demand {
         pad: f64,
         warm: &mut Warm,
     ) -> Verdict {
-        // A tool without size has no axis that could turn.
-        let turns = tool.reach() > 0.0;
-        let pose = |p: &Position| Pose { te: p.te, ta: if turns { p.ta } else { Vec3::z() } };
-        let ends = [pose(a), pose(b)];
+        let ends = tool.ends(a, b);
         let convex = match &self.body {
             Body::Solid(solid) => Convex::Solid(solid),
             Body::Hollow(hollow) => Convex::Hollow(hollow),
@@ -227,6 +224,8 @@ impl Demand {
                 (low, high) = (low.min(bound.low), high.max(bound.high));
                 continue;
             }
+            // Of what is no number nothing is known.
+            let excess = if excess.is_nan() { f64::INFINITY } else { excess };
             let (deep, far) = (bound.least < least, bound.high > most);
             let suspects = [deep.then_some(bound.low_at), far.then_some(bound.high_at)];
             for t in suspects.into_iter().flatten() {

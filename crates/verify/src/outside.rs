@@ -118,8 +118,9 @@ fn along_axis(
     (best.0, best.1, best.2)
 }
 
-/// What the direction `d` proves of the gap along the motion from `pose` by `v`.
+/// What the unit direction `d` proves of the gap along the motion from `pose` by `v`.
 pub(crate) fn proved(tool: &Tool<'_>, pose: &Pose, v: Vec3, solid: &Solid, d: Vec3) -> f64 {
+    debug_assert!((d.norm_squared() - 1.0).abs() < 1e-9, "{d}");
     -tool.height(pose, -d) - solid.support(d) + d.dot(&v).min(0.0)
 }
 
@@ -139,7 +140,7 @@ pub(crate) fn bound(
     };
     let place = |t: f64, s: &Stood| Place { t, gap: s.gap, d: s.d, slope: s.d.dot(&v) };
     let first = match known {
-        Some(s) if s.at == *a => place(0.0, s),
+        Some(s) if s.at.te == a.te && (s.at.ta == a.ta || tool.reach() == 0.0) => place(0.0, s),
         _ => place(0.0, &stand(a)),
     };
     let last = place(1.0, known.insert(stand(b)));
@@ -169,7 +170,8 @@ pub(crate) fn bound(
         shown(if is_square { square } else { d })
     };
     // Between the directions of two places on both sides of the least lies one that is square to the way.
-    let between = |p: &Place, q: &Place| level(p.d * q.slope - q.d * p.slope);
+    let between =
+        |p: &Place, q: &Place| level(solid.bounded_direction(p.d * q.slope - q.d * p.slope));
     let mut low = between(&first, &last);
     if low >= enough - CLOSE * (tool.reach() + length) {
         return told(low, &least);

@@ -65,6 +65,13 @@ impl<'a> Tool<'a> {
         }
     }
 
+    /// The tool at the ends of a vector: one without size has no axis that could turn.
+    #[inline]
+    pub(crate) fn ends(&self, a: &Position, b: &Position) -> [Pose; 2] {
+        let ta = if self.reach() > 0.0 { b.ta } else { a.ta };
+        [Pose::of(a), Pose { te: b.te, ta }]
+    }
+
     /// The point of the tool farthest along `n`.
     pub(crate) fn farthest(&self, pose: &Pose, n: Vec3) -> Vec3 {
         let Some((profile, base)) = self.solid() else { return pose.te };

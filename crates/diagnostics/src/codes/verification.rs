@@ -10,6 +10,6 @@ codes! {
     REAL_CUTTER = 5004, "the real cutter leaves the band that its disk keeps";
     RAPID_CUT = 5005, "a cut at rapid";
     RAPID_LOW = 5006, "a rapid motion below the clearance plane";
-    CORNERS = 5007, "corners that stand at the ends of passes";
+    CORNERS = 5007, "corners that stand at the ends of passes, or beside edges";
     NOT_THE_CL = 5401, "machine code that does not do what the CL data says";
 }

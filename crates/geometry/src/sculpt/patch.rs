@@ -178,7 +178,7 @@ impl Patch {
         }
     }
 
-    /// Point and first derivatives at (u, v), for half the cost of all.
+    /// Point and first derivatives at (u, v), for less than all.
     pub fn tangents(&self, u: f64, v: f64) -> (Vec3, Vec3, Vec3) {
         let [h, hu, hv, ..] = self.weighted(u, v);
         let (h, hu, hv) = (Vec4::from(h), Vec4::from(hu), Vec4::from(hv));
@@ -199,15 +199,13 @@ impl Patch {
             let mut rows = [[[0.0; 2]; 3]; 4];
             for (row, [a, b, c, d]) in rows.iter_mut().zip(&self.net) {
                 let [a, b, c, d]: [&[f64; 4]; 4] = [a.as_ref(), b.as_ref(), c.as_ref(), d.as_ref()];
-                for i in 0..2 {
-                    let k = 2 * pair + i;
+                for (i, k) in (2 * pair..2 * pair + 2).enumerate() {
                     let r = cubic([a[k], b[k], c[k], d[k]], u);
                     (row[0][i], row[1][i], row[2][i]) = (r[0], r[1], r[2]);
                 }
             }
             let [a, b, c, d] = &rows;
-            for i in 0..2 {
-                let k = 2 * pair + i;
+            for (i, k) in (2 * pair..2 * pair + 2).enumerate() {
                 let along = |n: usize| cubic([a[n][i], b[n][i], c[n][i], d[n][i]], v);
                 let (s, su, suu) = (along(0), along(1), along(2));
                 (all[0][k], all[1][k], all[2][k]) = (s[0], su[0], s[1]);

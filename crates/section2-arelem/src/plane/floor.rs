@@ -7,6 +7,8 @@ use crate::scene::Wall;
 
 /// Least sine between a part plane and the tool axis.
 const STEEPEST: f64 = 1e-3;
+/// Sine up to which a vector is level.
+const LEVEL: f64 = 1e-12;
 
 /// A plane on which the tool end lies, in the frame of the tool.
 #[derive(Clone, Copy, Debug)]
@@ -59,6 +61,9 @@ impl Floor {
             Height::AsItStands => (at - above).abs() <= (at - below).abs(),
             Height::Near => at > below,
             Height::Far => at <= below,
+            // A level vector tells nothing of a level surface.
+            Height::Behind(v) if n.dot(&v).abs() <= LEVEL * v.norm() => at > below,
+            Height::Before(v) if n.dot(&v).abs() <= LEVEL * v.norm() => at <= below,
             Height::Behind(v) => n.dot(&v) < 0.0,
             Height::Before(v) => n.dot(&v) >= 0.0,
         };

@@ -87,7 +87,9 @@ fn follow(scene: &Scene, begin: &Begin) -> Result<Path, Failure> {
     let mut trail: VecDeque<Node> = VecDeque::with_capacity(MERGED);
     // Is it at a corner?
     let mut cornered = true;
-    let far = if along_rulings(begin) {
+    // Where a straight track meets other check surfaces than planes is not known before.
+    let planes = scene.checks.iter().all(|c| matches!(c.wall.fitted, Some(Surface::Plane(_))));
+    let far = if along_rulings(begin) && planes {
         beyond(scene, begin, &watches)
     } else {
         FAR * scene.checks.iter().map(|c| extent(&c.wall)).fold(track.size, f64::max)

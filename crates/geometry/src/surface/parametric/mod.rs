@@ -439,8 +439,9 @@ impl ParametricSurface {
         others.map(|(square, _)| distance(square)).fold(limit, f64::min)
     }
 
-    /// Is all of a sculptured surface at least so far from a convex body, of which `near` tells the signed distance from a
-    /// point and its gradient? False also where that is not seen, and of other surfaces.
+    /// Is all of a sculptured surface, with its straight continuation, at least so far from a convex body? `near` tells the
+    /// signed distance from a point, negative in the body, and its gradient, no longer than 1: the distance lies above the
+    /// plane of both. `least` may be negative. False also where it is not seen, and of other surfaces.
     pub fn keeps_off(&self, least: f64, near: impl Fn(Vec3) -> (f64, Vec3)) -> bool {
         let Patch::Sculptured(spans) = &self.patch else { return false };
         spans.cells().keeps_off(least, near, |patch, u, v| spans.jet_of(patch, u, v))

@@ -1,4 +1,5 @@
-//! How a ruled surface turns and bends near a tool: bounds over a rectangle of its parameters that holds all of it there.
+//! How a surface turns and bends near a tool: bounds over a rectangle of its parameters that holds all of it there, here of a
+//! ruled one, over the cells of a sculptured one in `cells/part.rs`.
 
 use super::ruled::Rulings;
 use super::{ParametricSurface, Patch, steps};
@@ -19,9 +20,10 @@ pub struct Part {
     pub turn: f64,
     /// Least and greatest curvature, positive where the surface bends away from its normal.
     pub curvature: [f64; 2],
-    /// The same of those across the rulings, of which one principal curvature is no less and one no greater.
+    /// The same of those across the rulings, of which one principal curvature is no less and one no greater; zeros, which bound
+    /// nothing, of a surface without rulings.
     pub across: [f64; 2],
-    /// Direction of the ruling of that place.
+    /// Direction of the ruling of that place; zero without rulings, and then `lean` and `twist` are zero too.
     pub ruling: Vec3,
     /// By how much those of the others differ from it, as vectors.
     pub lean: f64,

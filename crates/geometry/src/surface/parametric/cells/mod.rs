@@ -29,6 +29,7 @@ const CUTS: u32 = 3;
 const LEVEL: f64 = 1e-12;
 /// Share of a cell within which a place is at its end, and of the slope of a distance that is one.
 const AT_END: f64 = 1e-9;
+
 /// The cells of a surface.
 #[derive(Clone, Debug)]
 pub(super) struct Cells {
