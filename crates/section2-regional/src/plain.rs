@@ -60,8 +60,8 @@ impl Plain {
         (inside && kept::opens(&self.surface, at.1)).then_some(from.te)
     }
 
-    /// How deep a solid whose lower end is `up` above the tool end gets into the surface on its way, and where,
-    /// if that is deeper than `allowed`. What cannot be computed is not taken for clear: its depth is infinite.
+    /// How deep a solid whose lower end is `up` above the tool end gets into the surface on its way, and where (of what is
+    /// found box by box where the way begins), if that is deeper than `allowed`. What cannot be computed is not taken for clear: its depth is infinite.
     ///
     /// A stretch of the way is held against the surface with the axis of its middle, which is off by first order in the
     /// turn, and by what its ends bound, off by second order ([`Plain::between`]).
