@@ -157,10 +157,12 @@ impl Keep {
         self.condition == Condition::On && self.surface.ends_at(gap.at)
     }
 
-    /// Is a point beyond the end of a surface by two parameters?
+    /// Is a point beyond the end of a surface by two parameters, by more than the band? Along the end itself the tool may go.
     pub(super) fn runs_out(&self, te: Vec3) -> bool {
-        let surface = matches!(self.surface, Surface::Parametric(_)).then_some(&self.surface);
-        surface.is_some_and(|s| s.ends_at(s.foot(te).at))
+        matches!(self.surface, Surface::Parametric(_)) && {
+            let foot = self.surface.foot(te);
+            self.surface.ends_at(foot.at) && foot.distance.abs() > self.width()
+        }
     }
 
     /// Is the tool end on it?
