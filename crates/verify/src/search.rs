@@ -8,6 +8,7 @@
 use aptc_geometry::Vec3;
 
 use crate::cut::Cut;
+use crate::paraboloid::{Begin, Beside, Seen};
 use crate::sheet::{Patches, Sheet, Spot, Tile};
 use crate::sweep::{Meeting, Slack, Sweep};
 
@@ -61,6 +62,8 @@ pub(crate) struct Lead {
     /// only one.
     pub(crate) direction: Option<Vec3>,
     pub(crate) cut: Cut,
+    /// Where the place of the surface next to the tool's corner is looked for.
+    pub(crate) begin: Begin,
     /// Is a place known that is too near, so that only how near it is hangs on this search?
     pub(crate) known: bool,
 }
@@ -130,6 +133,7 @@ fn search(
     let mut closest = f64::INFINITY;
     let mut hinted = lead.direction.map(|m| sweep.kept(sweep.along(m)));
     let mut whole = true;
+    let mut beside = Beside::new(sweep, moved.shift + enough, lead.begin);
     while let Some(patch) = pile.pop() {
         seen += 1;
         if found(&out) {
@@ -197,6 +201,28 @@ fn search(
             Shown { low, meeting, slack, rise }
         };
         let by_hint = hinted.filter(|_| aim != Aim::Nearest).map(bound);
+        let mut across = None;
+        if aim == Aim::Clear && by_hint.as_ref().is_none_or(|shown| shown.low < known) {
+            match beside.see(moved.sheet, &patch, &tile) {
+                (Seen::Clear(low), m) if enough + low >= known => {
+                    if enough + low < closest {
+                        (closest, hinted) = (enough + low, Some(sweep.kept(sweep.along(m))));
+                    }
+                    out.least = out.least.min(enough + low);
+                    continue;
+                }
+                (Seen::Large(i), _) => across = Some(i),
+                _ => {}
+            }
+        }
+        if let Some(i) = across {
+            let [near, away] = patch.halves(i);
+            let tiny = tile.side[i].norm() <= f64::EPSILON * (x.norm() + radius);
+            if tiny || !(pile.push(away) && pile.push(near)) {
+                out.least = f64::NEG_INFINITY;
+            }
+            continue;
+        }
         let shown = match by_hint {
             Some(shown) if shown.low >= known => shown,
             Some(shown) if shown.halves_show(known, &tile, moved) => shown,
@@ -284,6 +310,7 @@ fn search(
         cutting.done(sweep);
     }
     lead.direction = hinted.map(|h| h.m);
+    lead.begin = beside.next();
     out.least = out.least.min(enough.max(out.nearest.map_or(enough, |n| n.0)));
     out
 }

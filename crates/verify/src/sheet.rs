@@ -280,6 +280,18 @@ impl Sheet {
         }
     }
 
+    /// The second derivatives in the middle of a piece, uu, uv and vv, and by how much they differ from these on it at most.
+    pub(crate) fn bend(&self, patch: &Patch) -> ([Vec3; 3], [f64; 3]) {
+        match &self.kind {
+            Kind::Quadric(q) => q.bend(patch),
+            Kind::Tabcyl(t) => t.bend(patch),
+            Kind::Patched(p) => {
+                let (_, bend, vary) = p.bent(patch);
+                (bend, vary)
+            }
+        }
+    }
+
     /// How far the straight line between two places may lie from the surface; infinite when they have no
     /// chart in common.
     pub(crate) fn sag(&self, a: &Spot, b: &Spot) -> f64 {
@@ -314,7 +326,7 @@ impl Tile {
 }
 
 /// By how much `slope s + bend s^2 / 2` may be below 0 with s from -1 to 1.
-fn fall(slope: f64, bend: f64) -> f64 {
+pub(crate) fn fall(slope: f64, bend: f64) -> f64 {
     let slope = slope.abs();
     if bend > slope { 0.5 * slope * slope / bend } else { slope - 0.5 * bend }
 }

@@ -217,6 +217,30 @@ impl<'a> Tool<'a> {
         (up + 0.5 * (p.bottom() + p.height()), trig::hypot(p.widest(), half))
     }
 
+    /// The radius of the ball that rolls about it inside, from its end up, and the height up to which all that is near is so;
+    /// `None` of a tool with other edges than that of its top.
+    pub(crate) fn rounding(&self) -> Option<(f64, f64)> {
+        /// Share of the height up to which the edge of the top is far, and that the radius may have.
+        const LOW: f64 = 0.5;
+        const ROUND: f64 = 0.4;
+        /// Greatest sine at which the sides lean outwards.
+        const LEANING: f64 = 0.8;
+        let (profile, up) = self.solid()?;
+        let ([rho, high], radius) = (profile.corner(), profile.corner_radius());
+        let [[low, bottom], [out, joint]] = profile.joints();
+        let near = 1e-12 * profile.reach();
+        // Down to its end or to a flat one, and without an edge to its sides.
+        let off = [low - rho, bottom - profile.bottom(), high - radius - bottom];
+        let level = off.into_iter().all(|x| x.abs() <= near);
+        let [sin, cos] = [(out - rho) / radius, (high - joint) / radius];
+        let height = profile.height();
+        let side = sin * (profile.top_radius() - out) - cos * (height - joint);
+        let tangent = side.abs() <= 1e3 * near && (-1e-12..=LEANING).contains(&cos);
+        let round = radius > 0.0 && radius <= ROUND * height;
+        (round && rho >= 0.0 && sin >= 0.0 && level && tangent)
+            .then_some((radius, up + LOW * height))
+    }
+
     /// How far up its axis the middle of its corner is.
     pub(crate) fn shoulder(&self) -> f64 {
         self.solid().map_or(0.0, |(profile, up)| up + profile.corner()[1])

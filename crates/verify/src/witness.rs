@@ -12,7 +12,7 @@ use crate::between::parabola;
 use crate::deep::slide;
 use crate::pile::Pile;
 use crate::search::{Aim, Clearance, FOLD, Moved, clearance};
-use crate::sheet::{Jet, Sheet, Spot};
+use crate::sheet::{Jet, Patch, Sheet, Spot};
 use crate::sweep::Sweep;
 use crate::tool::{Pose, Tool};
 
@@ -136,12 +136,19 @@ pub(crate) fn excess(
         Some(touch) => Touch { t: 0.0, ..touch },
         None => touch(0.0, near.spot),
     };
-    let known = near.take().map(|n| again(n[1])).filter(|t| t.gap <= most);
+    let before = near.take();
+    let known = before.map(|n| again(n[1])).filter(|t| t.gap <= most);
     let first = match known.map_or_else(|| somewhere(0.0), Ok) {
         Ok(touch) => touch,
         Err(open) => return open,
     };
-    let last = touch(1.0, first.spot);
+    // As far ahead as the vector before came.
+    let ahead = |[from, to]: [Near; 2]| {
+        let at = [0, 1].map(|i| 2.0 * to.spot.at[i] - from.spot.at[i]);
+        let same = from.spot.chart == to.spot.chart && first.spot == to.spot;
+        same.then_some(Spot { at, ..to.spot })
+    };
+    let last = touch(1.0, before.and_then(ahead).unwrap_or(first.spot));
     let ends = [settle(first), settle(last)];
     let [first, last] = ends.map(|(touch, _)| touch);
     // Where the most was shown that is too much: share of the way, gap.
@@ -159,9 +166,15 @@ pub(crate) fn excess(
         Some(_) => {}
         None => *near = Some([first, last].map(|t| Near { spot: t.spot, touch: Some(t) })),
     }
+    if top.is_none() {
+        let bound = between(tool, sheet, [&first, &last], turn, most);
+        if bound <= most {
+            return Excess::Within(bound);
+        }
+    }
     let mut worst = f64::NEG_INFINITY;
     let stretch = |a: Touch, b: Touch, depth| {
-        let bound = between(tool, sheet, &a, &b, turn);
+        let bound = between(tool, sheet, [&a, &b], turn, most);
         (a, b, depth, bound)
     };
     let mut stack = Pile::<(Touch, Touch, u32, f64), 96>::new();
@@ -201,13 +214,18 @@ pub(crate) fn excess(
     top.map_or(Excess::Within(worst), |(t, gap)| Excess::Beyond(t, gap))
 }
 
-/// Greatest gap between two positions.
-fn between(tool: &Tool<'_>, sheet: &Sheet, a: &Touch, b: &Touch, turn: f64) -> f64 {
+/// Greatest gap between two positions, no closer than to `enough`.
+fn between(tool: &Tool<'_>, sheet: &Sheet, [a, b]: [&Touch; 2], turn: f64, enough: f64) -> f64 {
     let angle = turn * (b.t - a.t);
     let lever = (a.jet.p - a.pose.te).norm().max((b.jet.p - b.pose.te).norm());
     let drift = ((b.jet.p - a.jet.p) - (b.pose.te - a.pose.te)).norm();
     let bend = (angle * angle * lever + 2.0 * angle * drift) / 8.0;
-    let moving = parabola(a.gap, b.gap, sheet.sag(&a.spot, &b.spot) + bend);
+    let rise = if turn == 0.0 { rise(tool, sheet, a, b, drift) } else { None };
+    let rise = rise.unwrap_or_else(|| sheet.sag(&a.spot, &b.spot) + bend);
+    let moving = parabola(a.gap, b.gap, rise);
+    if moving <= enough {
+        return moving;
+    }
     // One point for all of the stretch.
     let fixed = |p: Vec3| {
         let (g0, g1) = (tool.near(&a.pose, p).0, tool.near(&b.pose, p).0);
@@ -215,6 +233,39 @@ fn between(tool: &Tool<'_>, sheet: &Sheet, a: &Touch, b: &Touch, turn: f64) -> f
         parabola(g0, g1, (angle * angle * lever + 2.0 * angle * drift) / 8.0)
     };
     moving.min(fixed(a.jet.p)).min(fixed(b.jet.p))
+}
+
+/// By how much the gap may rise over that between two positions of a tool that does not turn, in the middle of the way.
+///
+/// On straight parameters the place of the surface goes beside its chord by no more than `t (1 - t) / 2` of its second derivative.
+/// As the distance d is convex it is no more there than on the chord and what its gradient makes of that: the direction m of one
+/// end, but for how far this turns, by the radius with which the tool is rounded, where the place is within `drift` of both.
+fn rise(tool: &Tool<'_>, sheet: &Sheet, a: &Touch, b: &Touch, drift: f64) -> Option<f64> {
+    let (radius, top) = tool.rounding()?;
+    if a.spot.chart != b.spot.chart {
+        return None;
+    }
+    let [du, dv] = [0, 1].map(|i| b.spot.at[i] - a.spot.at[i]);
+    let at = [0, 1].map(|i| 0.5 * (a.spot.at[i] + b.spot.at[i]));
+    let half = [0.5 * du.abs(), 0.5 * dv.abs()];
+    let (bend, vary) = sheet.bend(&Patch { chart: a.spot.chart, at, half, ..Patch::default() });
+    let [uu, uv, vv] = [du * du, 2.0 * du * dv, dv * dv];
+    let (second, off) = (
+        bend[0] * uu + bend[1] * uv + bend[2] * vv,
+        vary[0] * uu + vary[1] * uv.abs() + vary[2] * vv,
+    );
+    let most = 0.125 * (second.norm() + off);
+    let (d, m) = tool.near(&a.pose, a.jet.p);
+    let far = drift + most;
+    let inside = radius - (far - d).max(0.0);
+    let above = (a.jet.p - a.pose.te).dot(&a.pose.ta) + far;
+    // Neither near the edge of the top nor as deep as the ball's middle.
+    if !(inside > 0.5 * radius && above <= top && far <= 0.25 * radius && d.abs() <= 0.25 * radius)
+    {
+        return None;
+    }
+    let along = 0.125 * (off - m.dot(&second));
+    Some((along + most * (far / inside)).max(0.0))
 }
 
 /// A place of the surface not farther than `most` from the tool, or the nearest that is found from `spot` on.
@@ -228,14 +279,14 @@ fn meet(
 ) -> (f64, Spot, Jet) {
     /// Times that the way along an edge and that down take turns.
     const TURNS: u32 = 4;
-    let mut now = descend(tool, pose, sheet, spot);
+    let mut now = descend_to(tool, pose, sheet, spot, most);
     for _ in 0..TURNS {
         if now.0 <= most {
             break;
         }
         let p = now.2.p - tool.near(pose, now.2.p).1 * now.0;
         let Some(deep) = slide(pose, sheet, side, p, now.1) else { break };
-        let next = descend(tool, pose, sheet, deep.spot);
+        let next = descend_to(tool, pose, sheet, deep.spot, most);
         if next.0 >= now.0 {
             break;
         }
@@ -247,6 +298,17 @@ fn meet(
 /// The place of the surface nearest to the tool, going down from `spot`: distance, place, what is there. Newton's
 /// method; any result is true, the lowest is the sharpest.
 pub(crate) fn descend(tool: &Tool<'_>, pose: &Pose, sheet: &Sheet, spot: Spot) -> (f64, Spot, Jet) {
+    descend_to(tool, pose, sheet, spot, f64::NEG_INFINITY)
+}
+
+/// The same no farther than to a place, other than the first, that is no more than `enough` away.
+fn descend_to(
+    tool: &Tool<'_>,
+    pose: &Pose,
+    sheet: &Sheet,
+    spot: Spot,
+    enough: f64,
+) -> (f64, Spot, Jet) {
     let slopes = |m: Vec3, jet: &Jet| [m.dot(&jet.d[0]), m.dot(&jet.d[1])];
     let look = |spot: &Spot| {
         let (jet, second) = sheet.bent(spot);
@@ -268,6 +330,9 @@ pub(crate) fn descend(tool: &Tool<'_>, pose: &Pose, sheet: &Sheet, spot: Spot) -
             way = Way::Fine;
         }
         let Look { f, g, jet: Jet { d, p, .. }, .. } = now;
+        if round > 0 && f <= enough {
+            break;
+        }
         let size = [d[0].norm().max(1e-300), d[1].norm().max(1e-300)];
         if g[0].abs() <= 1e-15 * size[0] && g[1].abs() <= 1e-15 * size[1] {
             break;
@@ -373,3 +438,7 @@ enum Way {
     Coarse,
     Fine,
 }
+
+#[cfg(test)]
+#[path = "witness_tests.rs"]
+mod tests;

@@ -23,23 +23,27 @@ impl Frame {
     pub(super) fn bow(&self, leaves: &[Node]) -> [f64; 2] {
         const PLACES: [[f64; 2]; 5] =
             [[0.0, 0.0], [1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]];
-        let places = || {
-            leaves.iter().flat_map(|n| {
-                PLACES.map(|[a, b]| {
-                    let place = n.center + n.half[0] * a + n.half[1] * b;
-                    let bowed = n.normal * (n.bow[0] * a * a + n.bow[1] * b * b);
-                    let [s, t, z] = self.own(place + bowed - self.center);
-                    [s * s, t * t, z]
-                })
+        let places = leaves.iter().flat_map(|n| {
+            PLACES.map(|[a, b]| {
+                let place = n.center + n.half[0] * a + n.half[1] * b;
+                let bowed = n.normal * (n.bow[0] * a * a + n.bow[1] * b * b);
+                let [s, t, z] = self.own(place + bowed - self.center);
+                [s * s, t * t, z]
             })
-        };
+        });
         let n = (PLACES.len() * leaves.len()) as f64;
-        let mean = [0, 1, 2].map(|i| places().map(|p| p[i]).sum::<f64>() / n);
-        let moment = |i: usize, j: usize| {
-            places().map(|p| (p[i] - mean[i]) * (p[j] - mean[j])).sum::<f64>() / n
-        };
-        let (ss, st, tt) = (moment(0, 0), moment(0, 1), moment(1, 1));
-        let (sz, tz) = (moment(0, 2), moment(1, 2));
+        let (mut sum, mut square, mut cross) = (Vec3::zeros(), Vec3::zeros(), Vec3::zeros());
+        for [s, t, z] in places {
+            sum += Vec3::new(s, t, z);
+            square += Vec3::new(s * s, s * t, t * t);
+            cross += Vec3::new(s * z, t * z, 0.0);
+        }
+        let mean = sum / n;
+        let moment = |all: f64, a: f64, b: f64| all / n - a * b;
+        let ss = moment(square.x, mean.x, mean.x);
+        let st = moment(square.y, mean.x, mean.y);
+        let tt = moment(square.z, mean.y, mean.y);
+        let (sz, tz) = (moment(cross.x, mean.x, mean.z), moment(cross.y, mean.y, mean.z));
         let det = ss * tt - st * st;
         if det > 1e-3 * ss * tt {
             [(sz * tt - tz * st) / det, (tz * ss - sz * st) / det]

@@ -10,6 +10,8 @@ use aptc_geometry::{
     Circle, Fit, Form, Polyconic, Rail, RuledSurface, Second, Tabcyl, Vec2, Vec3, trig,
 };
 
+use super::{Patch, Patches, Sheet};
+
 /// The arc of a circle about z at height `z` over the chord between two angles.
 fn arc(radius: f64, z: f64, from: f64, to: f64) -> Rail {
     let circle = Circle { center: Vec3::zeros(), axis: Vec3::z(), radius };
@@ -114,4 +116,25 @@ pub(crate) fn parametric() -> Vec<Form> {
         mesh(),
         barrel(),
     ]
+}
+
+/// A chart of a surface, down its tree or one of its roots.
+pub(crate) fn chart(sheet: &Sheet, walk: &[bool]) -> Patch {
+    let Some(mut patch) = sheet.tree() else {
+        let mut roots = Patches::new();
+        assert!(sheet.roots(Vec3::zeros(), 3.0, &mut roots));
+        let mut found = roots.pop().unwrap();
+        for _ in walk.iter().filter(|side| **side) {
+            found = roots.pop().unwrap_or(found);
+        }
+        return found;
+    };
+    for side in walk {
+        let [first, second] = sheet.below(&patch, Vec3::zeros());
+        patch = if *side { first.or(second) } else { second }.unwrap();
+        if !patch.group {
+            break;
+        }
+    }
+    patch
 }

@@ -40,7 +40,18 @@ impl Rulings {
             Second::Apex(p) => Far::Apex(*p),
         };
         let far = matches!(second, Far::Rail(_));
-        let mut vs = vec![-RULINGS, -1.0, 0.0, 1.0];
+        // Cells about as long as they are wide.
+        let ends = |share: f64| match &second {
+            Far::Rail(rail) => {
+                (rail.start + rail.base * share) - (first.start + first.base * share)
+            }
+            Far::Apex(p) => p - (first.start + first.base * share),
+        };
+        let long = [0.0, 0.5, 1.0].map(|share| ends(share).norm()).into_iter().fold(0.0, f64::max);
+        let wide = first.base.norm() / CELLS as f64;
+        let across = (1..CELLS).find(|n| wide * *n as f64 >= long).unwrap_or(CELLS);
+        let mut vs = vec![-RULINGS, -1.0];
+        vs.extend(halved(&[0.0, 1.0], across));
         if far {
             vs.extend([2.0, 1.0 + RULINGS]);
         }

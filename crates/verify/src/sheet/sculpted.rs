@@ -8,8 +8,9 @@ use aptc_geometry::surface::{Continued, continued};
 use super::bend::{Bend, of_patch};
 use super::patched::{Cells, Grid, Side};
 
-/// Up to this number of patches each is cut in four: bounds are constant over a cell.
-const FEW: usize = 400;
+/// Up to so many patches each is cut into four cells by both parameters, or into two: bounds are constant over a cell.
+const FEW: usize = 40;
+const MORE: usize = 400;
 
 /// The patches of a sculptured surface.
 #[derive(Clone, Debug)]
@@ -43,7 +44,11 @@ impl Sculpted {
 
     /// The surface alone.
     pub(crate) fn new(surface: &Sculptured) -> (Self, Grid) {
-        let cut = if surface.patches.len() <= FEW { 2 } else { 1 };
+        let cut = match surface.patches.len() {
+            n if n <= FEW => 4,
+            n if n <= MORE => 2,
+            _ => 1,
+        };
         let whole = |n: usize| (0..=n).map(|k| k as f64).collect::<Vec<_>>();
         let (knots, joined) = match &surface.layout {
             Layout::Mesh { u, v } => ([u.clone(), v.clone()], true),

@@ -1,0 +1,521 @@
+//! The corner of a tool that does not turn, held in a paraboloid on its way.
+//!
+//! With the unit direction m from the tool to the surface, `p` the middle of its corner there and w square to m, a point x is out
+//! of the tool made smaller by d when `(m + w) . x` is more than the support of that, for any one w. Where all `m + w` face the
+//! corner the support is no more than `(m + w) . p + R + w . C w / 2`, with R the radius of the corner less d and C that
+//! and the curvature of the corner's circle: so x is out of it where `m . (x - p) - R + y . C^-1 y / 2 >= 0`, y being what
+//! x is beside p. By planes alone a piece next to the tool must be cut until what it bends is of no account; against this a
+//! piece of which that function is convex is shown by its least place.
+//!
+//! A surface no point of which is in the tool made smaller by d has no point of a rounded tool deeper in it than d: that is
+//! within d of the smaller one.
+
+use aptc_geometry::Vec3;
+
+use crate::sheet::{Patch, Sheet, Spot, Tile, fall};
+use crate::solid::unit_or;
+use crate::sweep::Sweep;
+
+/// Looks for the place next to the tool, and for the least of a piece.
+const LOOKS: u32 = 10;
+const STEPS: u32 = 5;
+/// Share of the corner's radius that is a last step to the place: what is left after it is that of its square.
+const FOUND: f64 = 3e-3;
+/// Share of the corner's radius below which a piece is not cut for this alone.
+const SMALL: f64 = 0.02;
+/// What is convex in the middle of a piece by as much is worth to be cut until all of it is.
+const TWICE: f64 = 2.0;
+/// Searches that need not look for it where one found none.
+const REST: u32 = 7;
+/// Share of what a direction leans from the axis that another may add or take off.
+const ROOM: f64 = 0.25;
+/// Share of the tool's height by which it may be made smaller.
+const LITTLE: f64 = 0.1;
+
+/// Where on its way the tool is met.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum At {
+    Start,
+    End,
+    /// Between both, square to the way.
+    Between,
+}
+
+/// A paraboloid that holds the tool as far as its corner is faced.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Paraboloid {
+    at: At,
+    m: Vec3,
+    /// Middle of the corner there, and R.
+    p: Vec3,
+    radius: f64,
+    /// Directions square to m, and what 1 is over C along them.
+    across: [(Vec3, f64); 2],
+    /// Unit direction away from the axis, and by how much `m + w` may be longer or shorter along it.
+    room: (Vec3, f64),
+}
+
+/// One with the place of the surface about which it is.
+type Place = (Paraboloid, Spot);
+
+/// What is seen of a piece.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Seen {
+    /// It is no nearer than what is enough, by as much.
+    Clear(f64),
+    /// Smaller it may be: the parameter along which it is best cut.
+    Large(usize),
+    /// Not by this.
+    Near,
+}
+
+/// The corner of the tool, and how much of it must stay clear of the surface.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Corner<'a> {
+    sweep: &'a Sweep<'a>,
+    way: Vec3,
+    /// Distance of the corner's middle from the axis, its height, and R.
+    rho: f64,
+    high: f64,
+    radius: f64,
+    /// Cosine of the greatest angle from straight down at which it is faced.
+    cos: f64,
+    /// Nothing higher counts, where the tool is made smaller.
+    top: f64,
+}
+
+impl<'a> Corner<'a> {
+    /// The corner of a tool, the distance from which is to be `least` at least; `None` where that has no paraboloid.
+    pub(crate) fn new(sweep: &'a Sweep<'a>, least: f64) -> Option<Self> {
+        if sweep.turn != 0.0 {
+            return None;
+        }
+        let ((profile, up), (radius, top)) = (sweep.tool.solid()?, sweep.tool.rounding()?);
+        let [rho, high] = profile.corner();
+        let cos = (high - profile.joints()[1][1]) / radius;
+        // Made smaller and rounded again it lacks but what is at the edge of its top.
+        let little = radius + least > 0.0 && -least <= LITTLE * profile.height();
+        let top = if least < 0.0 { top + least } else { f64::INFINITY };
+        little.then(|| Self {
+            sweep,
+            way: sweep.b.te - sweep.a.te,
+            rho,
+            high: up + high,
+            radius: radius + least,
+            cos: cos.max(0.0),
+            top,
+        })
+    }
+
+    /// The paraboloid about the place of the surface next to the tool that a way down from `spot` leads to, where the direction to
+    /// it is about `m`.
+    fn find(&self, sheet: &Sheet, spot: Spot, at: At, m: Vec3) -> Option<Place> {
+        let mut at = if self.way == Vec3::zeros() { At::Start } else { at };
+        let (mut spot, mut last) = (sheet.settle(spot), f64::INFINITY);
+        let mut about = self.about(at, m)?;
+        for _ in 0..LOOKS {
+            let (jet, bend) = sheet.bent(&spot);
+            // Where the tool is met from here.
+            about = self.about(at, about.value(jet.p).1.try_normalize(0.0)?)?;
+            if last <= FOUND * self.radius {
+                // In a hollow along its way the tool is met at both ends, and no piece between them is shown by any.
+                let passing =
+                    if at == At::Between { about } else { self.about(At::Between, about.m)? };
+                let [a, b, c] = passing.second(passing.value(jet.p).1, jet.d, bend);
+                let bends = a > 0.0 && a * c > b * b;
+                return (bends || self.way == Vec3::zeros()).then_some((about, spot));
+            }
+            let (along, share) = (about.m.dot(&self.way), (jet.p - about.p).dot(&self.way));
+            let met = match at {
+                At::Start if along > 0.0 => At::Between,
+                At::End if along < 0.0 => At::Between,
+                At::Between if share < 0.0 => At::Start,
+                At::Between if share > self.way.norm_squared() => At::End,
+                at => at,
+            };
+            let (_, slope) = about.value(jet.p);
+            let g = jet.d.map(|d| slope.dot(&d));
+            let [a, b, c] = about.second(slope, jet.d, bend);
+            let det = a * c - b * b;
+            if !(a > 0.0 && det > 0.0) {
+                return None;
+            }
+            let step = [-(c * g[0] - b * g[1]) / det, -(a * g[1] - b * g[0]) / det];
+            let length = (jet.d[0] * step[0] + jet.d[1] * step[1]).norm();
+            last = if met == at { length } else { f64::INFINITY };
+            if met != at {
+                at = met;
+                about = self.about(at, about.m)?;
+            }
+            spot = sheet.settle(Spot { at: [spot.at[0] + step[0], spot.at[1] + step[1]], ..spot });
+        }
+        None
+    }
+
+    /// The same from a piece.
+    fn find_beside(&self, sheet: &Sheet, patch: &Patch, tile: &Tile) -> Option<Place> {
+        let meeting = self.sweep.meet(tile.c);
+        let at = match meeting.t {
+            t if t <= 0.0 => At::Start,
+            t if t >= 1.0 => At::End,
+            _ => At::Between,
+        };
+        self.find(sheet, patch.spot(), at, meeting.m)
+    }
+
+    fn about(&self, at: At, m: Vec3) -> Option<Paraboloid> {
+        let m = match at {
+            At::Between => unit_or(m - self.way * (m.dot(&self.way) / self.way.norm_squared()), m),
+            At::Start | At::End => m,
+        };
+        let ta = self.sweep.a.ta;
+        let side = m - ta * m.dot(&ta);
+        let lean = side.norm();
+        let radial = side.try_normalize(1e-9).or_else(|| (self.rho == 0.0).then(Vec3::zeros))?;
+        let te = match at {
+            At::Start | At::Between => self.sweep.a.te,
+            At::End => self.sweep.b.te,
+        };
+        let p = te + radial * self.rho + ta * self.high;
+        let around = ta.cross(&radial);
+        let ring = if self.rho > 0.0 { self.rho / (lean * (1.0 - ROOM)) } else { 0.0 };
+        let across = match at {
+            At::Between => {
+                let n = unit_or(m.cross(&self.way), around);
+                let by = around.dot(&n);
+                [(n, 1.0 / (self.radius + ring * by * by)), (Vec3::zeros(), 0.0)]
+            }
+            At::Start | At::End => {
+                let first =
+                    if radial == Vec3::zeros() { crate::solid::any_across(m) } else { around };
+                [(first, 1.0 / (self.radius + ring)), (m.cross(&first), 1.0 / self.radius)]
+            }
+        };
+        let room = if self.rho > 0.0 { ROOM * lean } else { f64::INFINITY };
+        Some(Paraboloid { at, m, p, radius: self.radius, across, room: (radial, room) })
+    }
+
+    /// What the paraboloid shows of a piece.
+    fn see(&self, (held, spot): &Place, sheet: &Sheet, patch: &Patch, tile: &Tile) -> Seen {
+        let spread = |n: Vec3, i: usize| n.dot(&tile.side[i]).abs() + tile.stray[i];
+        let cut = |by: [f64; 2]| match by[0].max(by[1]) > SMALL * self.radius {
+            true => Seen::Large(usize::from(by[1] > by[0])),
+            false => Seen::Near,
+        };
+        let from = tile.c - held.p;
+        // The greatest w on the piece, by both directions.
+        let lean = held.across.map(|(n, k)| {
+            let (middle, by) = (n.dot(&from), spread(n, 0) + spread(n, 1));
+            [k * (middle - by), k * (middle + by)]
+        });
+        let across = [0, 1].map(|i| held.across.map(|(n, k)| k * spread(n, i)).iter().sum::<f64>());
+        if !self.faces(held, lean) {
+            // The halves of a piece may face it whose middle does.
+            let middle = lean.map(|[a, b]| [0.5 * (a + b); 2]);
+            let inside = self.faces(held, middle);
+            return if inside { cut(across.map(|by| by / held.across[0].1)) } else { Seen::Near };
+        }
+        let ta = self.sweep.a.ta;
+        let te = [self.sweep.a.te, self.sweep.b.te];
+        let above = te.map(|te| (tile.c - te).dot(&ta));
+        if above[0].max(above[1]) + tile.radius() > self.top {
+            let inside = above[0].max(above[1]) < self.top;
+            return if inside { cut([0, 1].map(|i| spread(ta, i))) } else { Seen::Near };
+        }
+        let clear = |value: f64| {
+            let longest = lean.map(|[a, b]| a.abs().max(b.abs()));
+            let [x, y] = longest;
+            Seen::Clear(value / (1.0 + x * x + y * y).sqrt())
+        };
+        let (value, slope) = held.value(tile.c);
+        let g = tile.side.map(|d| slope.dot(&d));
+        let [uu, uv, vv] = held.second(slope, tile.side, tile.bend);
+        let [off_uu, off_uv, off_vv] = held.vary(tile, slope.norm());
+        let (a, b, c) = (uu - off_uu, uv.abs() + off_uv, vv - off_vv);
+        let least = value - fall(g[0], a - b) - fall(g[1], c - b);
+        if least >= 0.0 {
+            return clear(least);
+        }
+        if !(a > 0.0 && c > 0.0 && a * c >= b * b) {
+            // The halves of a piece may be convex that is so in its middle.
+            let convex = uu > 0.0 && uu * vv > TWICE * uv * uv;
+            let size = [0, 1].map(|i| tile.side[i].norm() + tile.stray[i]);
+            return if convex { cut(size) } else { Seen::Near };
+        }
+        let lost = |g: [f64; 2], s: [f64; 2]| {
+            let by = |i: usize| if g[i] > 0.0 { g[i] * (1.0 + s[i]) } else { g[i] * (s[i] - 1.0) };
+            by(0) + by(1)
+        };
+        // Convex all over the piece: the tangent plane at any place of it is below.
+        let mut now = (value, g, [uu, uv, vv]);
+        let mut s = [0.0; 2];
+        for look in 0..STEPS {
+            // The place next to the tool is the least of the piece it lies in.
+            let known = [0, 1].map(|i| (spot.at[i] - patch.at[i]) / patch.half[i]);
+            let within = spot.chart == patch.chart && known.iter().all(|x| x.abs() <= 1.0);
+            s = if look == 0 && within { known } else { step(s, now.1, now.2) };
+            let place =
+                Spot { chart: patch.chart, at: [0, 1].map(|i| patch.at[i] + s[i] * patch.half[i]) };
+            let (jet, bend) = sheet.bent(&place);
+            let (value, slope) = held.value(jet.p);
+            let side = [0, 1].map(|i| jet.d[i] * patch.half[i]);
+            let [hu, hv] = patch.half;
+            let bend = [bend[0] * (hu * hu), bend[1] * (hu * hv), bend[2] * (hv * hv)];
+            let g = side.map(|d| slope.dot(&d));
+            now = (value, g, held.second(slope, side, bend));
+            let least = value - lost(g, s);
+            if least >= 0.0 {
+                return clear(least);
+            }
+            if value < 0.0 {
+                return Seen::Near;
+            }
+        }
+        Seen::Near
+    }
+
+    /// Do all directions of a piece face the corner, and the end of the way that is held?
+    fn faces(&self, held: &Paraboloid, lean: [[f64; 2]; 2]) -> bool {
+        let ta = self.sweep.a.ta;
+        let (radial, room) = held.room;
+        [[0, 0], [0, 1], [1, 0], [1, 1]].into_iter().all(|[i, j]| {
+            let w = held.across[0].0 * lean[0][i] + held.across[1].0 * lean[1][j];
+            let m = held.m + w;
+            let along = m.dot(&self.way);
+            let there = match held.at {
+                At::Start => along <= 0.0,
+                At::End => along >= 0.0,
+                At::Between => true,
+            };
+            there && radial.dot(&w).abs() <= room && -m.dot(&ta) >= self.cos * m.norm()
+        })
+    }
+}
+
+/// Where the next search begins.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Begin {
+    last: Option<Last>,
+    /// Searches that need not look, as the last one found nothing.
+    rest: u32,
+}
+
+/// The place that one search found.
+#[derive(Clone, Copy, Debug)]
+struct Last {
+    spot: Spot,
+    /// The one before it.
+    before: Option<Spot>,
+    at: At,
+    m: Vec3,
+}
+
+impl Last {
+    /// As far ahead as it came from the one before.
+    fn ahead(&self) -> Spot {
+        match self.before {
+            Some(before) if before.chart == self.spot.chart => {
+                let at = [0, 1].map(|i| 2.0 * self.spot.at[i] - before.at[i]);
+                Spot { at, ..self.spot }
+            }
+            _ => self.spot,
+        }
+    }
+}
+
+/// The place next to the corner in one search, with its paraboloid.
+#[derive(Debug)]
+pub(crate) struct Beside<'a> {
+    corner: Option<Corner<'a>>,
+    held: Option<Place>,
+    begin: Begin,
+}
+
+impl<'a> Beside<'a> {
+    /// Of a tool the distance from which is to be `least` at least.
+    pub(crate) fn new(sweep: &'a Sweep<'a>, least: f64, begin: Begin) -> Self {
+        let corner = if begin.rest == 0 { Corner::new(sweep, least) } else { None };
+        let begin = Begin { rest: begin.rest.saturating_sub(1), ..begin };
+        Self { corner, held: None, begin }
+    }
+
+    /// Where the next search begins.
+    pub(crate) fn next(&self) -> Begin {
+        self.begin
+    }
+
+    /// What the paraboloid shows of a piece, and the direction that does. It is looked for from where the last search found one, or
+    /// from the piece itself.
+    pub(crate) fn see(&mut self, sheet: &Sheet, patch: &Patch, tile: &Tile) -> (Seen, Vec3) {
+        let none = (Seen::Near, Vec3::zeros());
+        let Some(corner) = &self.corner else { return none };
+        if self.held.is_none() {
+            let last = self.begin.last.take();
+            let ahead = last.and_then(|last| corner.find(sheet, last.ahead(), last.at, last.m));
+            self.held = ahead.or_else(|| corner.find_beside(sheet, patch, tile));
+            self.begin.last = self.held.map(|(held, spot)| {
+                let before = ahead.and(last).map(|last| last.spot);
+                Last { spot, before, at: held.at, m: held.m }
+            });
+        }
+        match &self.held {
+            Some(held) => (corner.see(held, sheet, patch, tile), held.0.m),
+            None => {
+                (self.corner, self.begin.rest) = (None, REST);
+                none
+            }
+        }
+    }
+}
+
+impl Paraboloid {
+    /// The function and its gradient.
+    fn value(&self, x: Vec3) -> (f64, Vec3) {
+        let from = x - self.p;
+        let (mut value, mut slope) = (self.m.dot(&from) - self.radius, self.m);
+        for (n, k) in self.across {
+            let y = n.dot(&from);
+            value += 0.5 * k * y * y;
+            slope += n * (k * y);
+        }
+        (value, slope)
+    }
+
+    /// Its second derivatives by the parameters, where they have these derivatives: uu, uv, vv.
+    fn second(&self, slope: Vec3, [u, v]: [Vec3; 2], bend: [Vec3; 3]) -> [f64; 3] {
+        let mut out = bend.map(|b| slope.dot(&b));
+        for (n, k) in self.across {
+            let (x, y) = (n.dot(&u), n.dot(&v));
+            out = [out[0] + k * x * x, out[1] + k * x * y, out[2] + k * y * y];
+        }
+        out
+    }
+
+    /// By how much they may be others on a piece.
+    fn vary(&self, tile: &Tile, slope: f64) -> [f64; 3] {
+        // By how much the derivatives themselves differ.
+        let [du, dv] = tile.stray.map(|s| 2.0 * s);
+        let far = tile.radius();
+        let mut out = tile.vary.map(|vary| slope * vary);
+        for (n, k) in self.across {
+            let [x, y] = tile.side.map(|d| n.dot(&d).abs());
+            let bent = [0, 1, 2].map(|i| far * (n.dot(&tile.bend[i]).abs() + tile.vary[i]));
+            out[0] += k * (du * (2.0 * x + du) + bent[0]);
+            out[1] += k * (x * dv + y * du + du * dv + bent[1]);
+            out[2] += k * (dv * (2.0 * y + dv) + bent[2]);
+        }
+        out
+    }
+}
+
+/// A step of Newton's method from `s` that stays in the square from -1 to 1.
+fn step(s: [f64; 2], g: [f64; 2], [a, b, c]: [f64; 3]) -> [f64; 2] {
+    let inside = |x: f64| x.clamp(-1.0, 1.0);
+    let det = a * c - b * b;
+    let free = [s[0] - (c * g[0] - b * g[1]) / det, s[1] - (a * g[1] - b * g[0]) / det];
+    if det > 0.0 && free.iter().all(|x| x.abs() <= 1.0) {
+        return free;
+    }
+    // Along one parameter after the other.
+    let mut to = if det > 0.0 { free.map(inside) } else { s };
+    for _ in 0..2 {
+        to[0] = inside(s[0] - (g[0] + b * (to[1] - s[1])) / a);
+        to[1] = inside(s[1] - (g[1] + b * (to[0] - s[0])) / c);
+    }
+    to
+}
+
+#[cfg(test)]
+mod tests {
+    use std::cell::Cell;
+
+    use super::*;
+    use crate::between::between_poses;
+    use crate::sheet::{forms, forms::chart, tests::quadrics};
+    use crate::tool::{Pose, Tool};
+    use aptc_geometry::{Cutter, Profile, trig};
+    use proptest::prelude::*;
+    use proptest::test_runner::{Config, TestRunner};
+
+    /// What is shown of a piece next to a corner holds for all its points and the tool all along its way.
+    #[test]
+    fn no_point_of_a_piece_is_nearer_than_what_is_shown() {
+        let forms: Vec<_> = forms::parametric().into_iter().chain(quadrics()).collect();
+        let sheets: Vec<_> = forms.iter().map(|form| Sheet::new(form).unwrap()).collect();
+        let one = || -1.0_f64..1.0;
+        let all = (
+            (0..sheets.len(), prop::collection::vec(any::<bool>(), 14), [one(), one()]),
+            ([one(), one()], [0.003_f64..0.5, 0.003_f64..0.5], [one(), one()]),
+            (any::<bool>(), 0.0_f64..80.0, 0.0_f64..360.0, 0_usize..4, -0.005_f64..0.08),
+            ([one(), one(), one()], 0.0_f64..0.4, -0.02_f64..0.02),
+        );
+        let counts = Cell::new([0_u32; 3]);
+        let mut runner = TestRunner::new(Config::with_cases(20_000));
+        let check = runner.run(
+            &all,
+            |(
+                (which, walk, at),
+                (off, half, within),
+                (side, lean, turn, kind, above),
+                (way, far, least),
+            )| {
+                let sheet = &sheets[which];
+                let whole = chart(sheet, &walk);
+                let at = [0, 1].map(|i| whole.at[i] + 0.9 * at[i] * whole.half[i]);
+                let spot = Spot { chart: whole.chart, at };
+                let jet = sheet.jet(&spot);
+                let m = if side { jet.n } else { -jet.n };
+                let [x, y] = aptc_geometry::surface::frame_about(m);
+                let across = x * trig::cos_deg(turn) + y * trig::sin_deg(turn);
+                let ta = across * trig::sin_deg(lean) - m * trig::cos_deg(lean);
+                let corner = [0.5, 0.2, 0.3, 0.45][kind];
+                let profile = Profile::new(&Cutter::mill(1.0, corner, 4.0)).unwrap();
+                let tool = Tool::Solid(&profile);
+                let foot = tool.farthest(&Pose { te: Vec3::zeros(), ta }, m);
+                let te = jet.p - foot - m * (above + least);
+                let v = Vec3::from(way) * far;
+                let v = v - m * (0.9 * v.dot(&m));
+                let sweep = Sweep::new(
+                    &tool,
+                    Pose { te: te - v * 0.5, ta },
+                    Pose { te: te + v * 0.5, ta },
+                    0.0,
+                );
+                let mut patch = Patch { whole: false, ..whole };
+                for i in 0..2 {
+                    // A piece of the chart that is next to the place, or holds it.
+                    patch.half[i] *= half[i] * half[i];
+                    patch.at[i] = at[i] + 1.5 * off[i] * patch.half[i];
+                    let room = whole.half[i] - patch.half[i];
+                    patch.at[i] = patch.at[i].clamp(whole.at[i] - room, whole.at[i] + room);
+                }
+                let tile = sheet.tile(&patch);
+                let mut all = Beside::new(&sweep, least, Begin::default());
+                let seen = all.see(sheet, &patch, &tile).0;
+                let [clear, large, near] = counts.get();
+                let Seen::Clear(low) = seen else {
+                    let large = large + u32::from(matches!(seen, Seen::Large(_)));
+                    counts.set([clear, large, near + 1]);
+                    return Ok(());
+                };
+                counts.set([clear + 1, large, near]);
+                prop_assert!(low >= 0.0);
+                for i in 0..=10 {
+                    let pose = between_poses(&sweep.a, &sweep.b, 0.1 * f64::from(i));
+                    for s in
+                        [[0.0, 0.0], [1.0, 1.0], [-1.0, 1.0], [1.0, -1.0], [-1.0, -1.0], within]
+                    {
+                        let at = [0, 1].map(|k| patch.at[k] + s[k] * patch.half[k]);
+                        let p = sheet.jet(&Spot { chart: patch.chart, at }).p;
+                        let far = tool.near(&pose, p).0;
+                        prop_assert!(far >= least + low - 1e-9, "{far} {least} {low} {i} {s:?}");
+                    }
+                }
+                Ok(())
+            },
+        );
+        check.unwrap();
+        let [clear, large, near] = counts.get();
+        assert!(clear > 800 && large > 800, "{clear} {large} {near}");
+    }
+}
