@@ -10,7 +10,7 @@ use aptc_testkit::bench;
 const SURFACES: [(&str, &str, [f64; 2]); 6] = [
     ("sphere", "S=SPHERE/0,0,-50,50", [2.5, 1.0]),
     ("cylinder", "S=CYLNDR/0,0,-50,0,1,0,50", [2.5, 1.0]),
-    ("cone", "S=CONE/0,250,-50,0,-1,0,11", [0.2, 0.2]),
+    ("cone", "S=CONE/(POINT/0,250,-50),(VECTOR/0,-1,0),11", [0.2, 0.2]),
     // Half axes 60, 45 and 50.
     ("ellipsoid", "S=QADRIC/(1/3600),(1/2025),(1/2500),0,0,0,0,0,.02,0", [0.2, 0.2]),
     (
