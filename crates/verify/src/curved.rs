@@ -379,6 +379,7 @@ impl Curved<'_> {
             if let Some(m) = (a.n + b.n).try_normalize(1e-3) {
                 let sweep = Sweep::new(tool, pose(0.0), pose(1.0), turn);
                 warm.lead.direction = Some(sweep.level(m * -self.side, a.p)[1].m);
+                warm.lead.begin.offer(near[0].spot, a.n * -self.side);
             }
         }
         found

@@ -25,6 +25,8 @@ const FOUND: f64 = 3e-3;
 const SMALL: f64 = 0.02;
 /// What is convex in the middle of a piece by as much is worth to be cut until all of it is.
 const TWICE: f64 = 2.0;
+/// Corner's radii across which a piece is no larger from which the way to the place begins.
+const NEAR: f64 = 4.0;
 /// Searches that need not look for it where one found none.
 const REST: u32 = 7;
 /// Share of what a direction leans from the axis that another may add or take off.
@@ -300,6 +302,13 @@ pub(crate) struct Begin {
     rest: u32,
 }
 
+impl Begin {
+    /// A place of the surface beside the tool in the direction m, where none was found.
+    pub(crate) fn offer(&mut self, spot: Spot, m: Vec3) {
+        self.last.get_or_insert(Last { spot, before: None, at: At::Between, m });
+    }
+}
+
 /// The place that one search found.
 #[derive(Clone, Copy, Debug)]
 struct Last {
@@ -351,6 +360,9 @@ impl<'a> Beside<'a> {
         let Some(corner) = &self.corner else { return none };
         if self.held.is_none() {
             let last = self.begin.last.take();
+            if last.is_none() && tile.radius() > NEAR * corner.radius {
+                return none;
+            }
             let ahead = last.and_then(|last| corner.find(sheet, last.ahead(), last.at, last.m));
             self.held = ahead.or_else(|| corner.find_beside(sheet, patch, tile));
             self.begin.last = self.held.map(|(held, spot)| {
