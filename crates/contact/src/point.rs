@@ -227,8 +227,11 @@ impl Point {
         side: Side,
         thick: f64,
     ) -> Option<Self> {
-        use Surface::{Parametric, Quadric, Tabcyl};
-        if side == Side::Open || !matches!(surface, Parametric(_) | Quadric(_) | Tabcyl(_)) {
+        use Surface::{Cone, Parametric, Quadric, Tabcyl};
+        // The vertex of a cone has no bends, and is left to the general form.
+        let beside = matches!(surface, Parametric(_) | Quadric(_) | Tabcyl(_))
+            || matches!(surface, Cone(_)) && side == Side::Positive;
+        if side == Side::Open || !beside {
             return None;
         }
         let on = condition == Condition::On;
@@ -312,14 +315,14 @@ mod tests {
 
     use super::*;
     use crate::{chord, distance, second};
-    use aptc_geometry::{Cutter, Fit, Form, Knot, Quadric, QuadricKind, Tabcyl, Vec2};
+    use aptc_geometry::{Cone, Cutter, Fit, Form, Knot, Quadric, QuadricKind, Tabcyl, Vec2};
     use proptest::prelude::*;
 
     fn vec(x: [f64; 3]) -> Vec3 {
         Vec3::new(x[0], x[1], x[2])
     }
 
-    /// An ellipsoid, a saddle, a hyperboloid, and a wave along the y axis.
+    /// An ellipsoid, a saddle, a hyperboloid, a cone, and a wave along the y axis.
     fn surface(kind: usize) -> Surface {
         let quadric = |c: [f64; 10]| {
             Surface::from_form(&Form::Quadric(Quadric { kind: QuadricKind::Qadric, c }))
@@ -350,6 +353,14 @@ mod tests {
                 0.0,
                 0.0,
             ]),
+            3 => {
+                let axis = Vec3::new(0.6, 0.0, -0.8);
+                Surface::from_form(&Form::Cone(Cone {
+                    vertex: Vec3::new(3.0, -2.0, 8.0),
+                    axis,
+                    cos_half: 0.9,
+                }))
+            }
             _ => {
                 let at = |x: f64, y: f64| Knot { point: Vec2::new(x, y), tangent: None };
                 let knots =
@@ -366,7 +377,7 @@ mod tests {
         #![proptest_config(ProptestConfig::with_cases(3000))]
         #[test]
         fn reads_what_the_general_forms_read(
-            kind in 0_usize..4, stands in any::<bool>(), on in any::<bool>(), inside in any::<bool>(),
+            kind in 0_usize..5, stands in any::<bool>(), on in any::<bool>(), inside in any::<bool>(),
             thick in -0.3_f64..0.5,
             [te, v, ta] in prop::array::uniform3(prop::array::uniform3(-1.0_f64..1.0)),
         ) {
@@ -382,6 +393,7 @@ mod tests {
             let side = if inside { Side::Negative } else { Side::Positive };
             let (te, v) = (vec(te) * 30.0, vec(v) * 2.0);
             let tool = Tool { profile: &profile, te, ta };
+            prop_assume!(!matches!(surface, Surface::Cone(_)) || side == Side::Positive);
             let guide = Point::new(&tool, &surface, condition, side, thick);
             let guide = guide.expect("a ball and its end are guided");
             let Some(a) = guide.read(&surface, te, None) else { return Ok(()) };
