@@ -45,7 +45,8 @@ pub(crate) fn post_word(post: &mut Post, s: &Statement<'_>) {
         Some(table::Entry::Refuse(reason)) => refuse(post, s, reason),
         None => {
             let message = format!("{} is not known to the post-processor and is left out", s.word);
-            post.warn(codes::WORD_UNKNOWN, s.origin, message, "check the spelling, or remove it");
+            let d = Diagnostic::warning(codes::WORD_UNKNOWN, s.origin.span, message);
+            post.say_counted(s.word, d, s.origin, "check the spelling, or remove it");
             // It may be any of those that the first cut wants, misspelt.
             post.st.refused_words.extend(["SPINDL", "LOADTL", "COOLNT"].map(Into::into));
         }

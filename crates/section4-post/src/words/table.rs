@@ -48,6 +48,8 @@ const DRAWN: &str = "it is for a plotter";
 const SHOWN: &str = "it is for the screen of a CAM system";
 const EDITED: &str = "it was carried out before: the path that follows has it";
 const TAPE: &str = "there is no tape";
+const NAMED: &str = "it names an operation";
+const TOOL: &str = "it describes the tool";
 const LISTED: &str = "it is for the listing of another post-processor";
 
 fn nothing(_: &mut crate::post::Post, _: &Statement<'_>) {}
@@ -67,6 +69,9 @@ static TABLE: &[(&str, Entry)] = &[
     ("CLRSRF", Do(planes::clrsrf)),
     ("COOLNT", Do(coolnt::coolnt)),
     ("COUPLE", Refuse("no machine here couples an axis to the spindle")),
+    ("CSI_SET_EXTENSION_LENGTH", Silent(TOOL)),
+    ("CSI_SET_FLUTE_LENGTH", Silent(TOOL)),
+    ("CSI_TOOL_PATH", Silent(NAMED)),
     ("CUTCOM", Do(cutcom::cutcom)),
     ("CYCLE", Do(cycle::cycle)),
     ("DELAY", Do(program::delay)),
@@ -97,8 +102,11 @@ static TABLE: &[(&str, Entry)] = &[
     ("MCHTOL", Do(program::mchtol)),
     ("MCSYS", Do(program::ofstno)),
     ("MODE", Do(program::mode)),
+    ("MOVE_ATTRIB", Silent("it marks lead-in and lead-out")),
     ("OFSTNO", Do(program::ofstno)),
-    ("OPNAME", Silent("it names an operation")),
+    ("OPFEATEND", Silent(NAMED)),
+    ("OPFEATSTART", Silent(NAMED)),
+    ("OPNAME", Silent(NAMED)),
     ("OPSKIP", Do(program::opskip)),
     ("OPSTOP", Do(program::opstop)),
     ("ORIGIN", Do(program::origin)),
@@ -131,6 +139,7 @@ static TABLE: &[(&str, Entry)] = &[
     ("SELCTL", Do(tool::selctl)),
     ("SELECT", Do(tool::select)),
     ("SEQNO", Do(program::seqno)),
+    ("SETUP", Silent("the coordinate system of a setup comes with CSYS")),
     ("SLOWDN", Ignore("the control slows down by itself")),
     ("SPINDL", Do(spindl::spindl)),
     ("STOCK", Do(stock::stock)),
@@ -143,6 +152,7 @@ static TABLE: &[(&str, Entry)] = &[
     ("TOOLNO", Do(tool::toolno)),
     ("TPRINT", Do(tool::tprint)),
     ("TRANS", Do(program::trans)),
+    ("TRNTYP", Silent("positions are taken as they stand")),
     ("TURRET", Do(tool::loadtl)),
     ("ULOCKX", Refuse("no machine here locks axes")),
     ("UNLOAD", Ignore("the next tool change takes the tool out")),
