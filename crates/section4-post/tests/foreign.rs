@@ -310,3 +310,25 @@ fn what_follows_a_refused_motion_is_not_told() {
         }
     }
 }
+
+#[test]
+fn correctors_of_catia_are_no_length_of_the_tool() {
+    let text = "$$*CATIA0\nPARTNO A\nOP_NAME/Tool Change.1\nTPRINT/T3 Ball D 6\nLOADTL/3,1,1\n\
+                SPINDL/3000,RPM,CLW\nCOOLNT/ON\nFEDRAT/500,MMPM\nMULTAX\nGOTO/0,0,50,0,0,1\n\
+                GOTO/10,0,0,.6,0,.8\nFINI\n";
+    // With a length of 1 the tool would stand elsewhere, and nothing would be said.
+    let (_, posted) = post("linuxcnc-5axis-head", text);
+    let told = said(&posted, "APT4013");
+    assert!(told.iter().any(|m| m == "LOADTL/3,1: 1 has no effect"), "{told:?}");
+    let lengths: Vec<_> = posted.summary.tools.iter().map(|t| t.number).collect();
+    assert!(lengths.contains(&Some(3)));
+    let other = text.replace("LOADTL/3,1,1", "LOADTL/3");
+    assert_eq!(post("linuxcnc-5axis-head", text).0, post("linuxcnc-5axis-head", &other).0);
+
+    let table = text.replace("LOADTL/3,1,1", "LOADTL/3,ADJUST,7,SPINDL,3000,MILL");
+    let (nc, posted) = post("fanuc-0i-mill", &table.replace(".6,0,.8", "0,0,1"));
+    assert!(nc.contains("G43 H7"), "{nc}");
+    for code in ["APT4013", "APT4014"] {
+        assert!(said(&posted, code).is_empty(), "{:?}", said(&posted, code));
+    }
+}

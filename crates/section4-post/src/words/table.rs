@@ -48,7 +48,7 @@ const DRAWN: &str = "it is for a plotter";
 const SHOWN: &str = "it is for the screen of a CAM system";
 const EDITED: &str = "it was carried out before: the path that follows has it";
 const TAPE: &str = "there is no tape";
-const NAMED: &str = "it names an operation";
+const NAMED: &str = "it names a part of the work";
 const TOOL: &str = "it describes the tool";
 const LISTED: &str = "it is for the listing of another post-processor";
 
@@ -62,6 +62,8 @@ static TABLE: &[(&str, Entry)] = &[
     ("BREAK", Ignore(TAPE)),
     ("CALSUB", Do(program::calsub)),
     ("CAMERA", Silent(SHOWN)),
+    ("CATPROCESS", Silent(NAMED)),
+    ("CATPRODUCT", Silent(NAMED)),
     ("CHANNEL", Do(program::channel)),
     ("CHECK", Ignore("limits stand in the machine file")),
     ("CLAMP", Ignore("the machine file says what holds a rotary axis")),
@@ -109,10 +111,12 @@ static TABLE: &[(&str, Entry)] = &[
     ("OPNAME", Silent(NAMED)),
     ("OPSKIP", Do(program::opskip)),
     ("OPSTOP", Do(program::opstop)),
+    ("OP_NAME", Silent(NAMED)),
     ("ORIGIN", Do(program::origin)),
     ("OVPLOT", Silent(DRAWN)),
     ("PAINT", Silent(SHOWN)),
     ("PARTNO", Do(program::partno)),
+    ("PART_OPE", Silent(NAMED)),
     ("PEN", Silent(DRAWN)),
     ("PENDWN", Silent(DRAWN)),
     ("PENUP", Silent(DRAWN)),
@@ -128,6 +132,7 @@ static TABLE: &[(&str, Entry)] = &[
     ("PREFUN", Do(program::prefun)),
     ("PROBX", Refuse("no machine here probes")),
     ("PROBY", Refuse("no machine here probes")),
+    ("PROGRAM", Silent(NAMED)),
     ("RAPID", Do(fedrat::rapid)),
     ("RESET", Refuse("axes are not reset; ORIGIN and TRANS move the part")),
     ("RETRCT", Do(planes::retrct)),
