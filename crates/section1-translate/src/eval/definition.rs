@@ -139,6 +139,7 @@ impl Interpreter<'_> {
                 self.product_in_order(head, span, args, &form, &context);
                 self.inner_slope(head, args);
                 self.patch_side(head, args);
+                self.ruled_ends(head, args);
                 self.area(&form, args, span)?;
                 if let Some(beyond) = context.beyond.take() {
                     self.beyond_end(args[beyond.at].span, beyond);
