@@ -124,6 +124,7 @@ fn messages_have_lines_in_long_files_too() {
 fn what_cannot_be_read_or_written_is_told() {
     let dir = tempfile::tempdir().unwrap();
     fs::write(dir.path().join("a.cl"), format!("{HEAD}GOTO/1,2,3\nFINI\n")).unwrap();
+    fs::write(dir.path().join("cl.tap"), format!("{HEAD}GOTO/1,2,3\nFINI\n")).unwrap();
     for (command, why) in [
         ("post none.cl", "no such file"),
         ("post .", "no file"),
@@ -147,6 +148,7 @@ fn machine_code_is_compared_as_what_the_axes_do() {
     fs::write(dir.path().join("far.nc"), code.replace("X10", "X10 Y0.5")).unwrap();
     fs::write(dir.path().join("bad.nc"), code.replace("X10", "X1 X2")).unwrap();
     fs::write(dir.path().join("a.cl"), format!("{HEAD}GOTO/1,2,3\nFINI\n")).unwrap();
+    fs::write(dir.path().join("cl.tap"), format!("{HEAD}GOTO/1,2,3\nFINI\n")).unwrap();
     for (command, exit, shown) in [
         ("cldiff a.nc same.nc", 0, "agree within 0.001 mm"),
         ("cldiff a.nc far.nc", 1, "first divergence: 0.49"),
@@ -154,6 +156,7 @@ fn machine_code_is_compared_as_what_the_axes_do() {
         ("cldiff a.nc far.nc --machine heidenhain-tnc", 1, ""),
         ("cldiff a.nc bad.nc", 1, ""),
         ("cldiff a.nc a.cl", 2, ""),
+        ("cldiff a.cl cl.tap", 0, "agree"),
         ("cldiff a.nc a.nc --machine plough", 2, ""),
     ] {
         let run = aptc(dir.path(), &command.split(' ').collect::<Vec<_>>());

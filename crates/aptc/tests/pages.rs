@@ -117,7 +117,7 @@ fn inputs_too_large_for_a_page_give_their_codes() {
     let head = "PARTNO EXAMPLE\nFEDRAT/100\nFROM/0,0,0\n";
     let statement = format!("A=1{}\nFINI\n", many(150_000, &|_| "+$\n1".to_owned()));
     let indices = format!("{head}{}FINI\n", many(101, &|n| format!("INDEX/{n}\n")));
-    let unread = format!("{head}{}FINI\n", many(600, &|_| "AUXFUN/1000\n".to_owned()));
+    let unread = format!("{head}{}FINI\n", many(600, &|n| format!("AUXFUN/{}\n", 1000 + n)));
     let line = format!("PARTNO EXAMPLE\nPPRINT {}\nFINI\n", "X".repeat(300_000));
     let inputs = [
         (codes::STATEMENT_TOO_LONG, "apt", statement),

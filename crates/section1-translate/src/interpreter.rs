@@ -58,7 +58,7 @@ pub struct Interpreter<'w> {
     branch: Option<Vec<Option<u32>>>,
     executed: u64,
     /// How many had been executed at the first error.
-    failed_at: Option<u64>,
+    pub(crate) failed_at: Option<u64>,
     /// The name without a value for whose sake the present statement is left out, and where it should
     /// have got one.
     pub(crate) blamed: Option<(Place, Span)>,
@@ -104,7 +104,7 @@ pub(crate) struct State {
     pub(crate) multax_for_good: bool,
     /// UNITS.
     pub(crate) unit: Units,
-    /// Was UNITS given?
+    /// Was UNITS given, or its lack told of?
     pub(crate) unit_given: bool,
     /// What may be missing without being a mistake of its own.
     pub(crate) doubt: Doubt,

@@ -328,3 +328,17 @@ fn a_comment_at_the_end_is_no_fini() {
     assert_eq!(codes("A=1\n$$\n"), [1096]);
     assert!(codes("A=1\nFINI\n$$\n").is_empty());
 }
+
+#[test]
+fn metric_feeds_without_units_are_told_once() {
+    let head =
+        "CUTTER/16\nFEDRAT/300,MMPM\nCYCLE/DRILL,DEPTH,9,MMPM,80,CLEAR,2\nGOTO/1,2,3\nFINI\n";
+    assert_eq!(run(head).told(), [(1312, 2)]);
+    for units in ["UNITS/MM", "UNITS/INCHES"] {
+        assert!(run(&format!("{units}\n{head}")).told().is_empty());
+    }
+    let inches = head.replace("MMPM", "IPM");
+    assert!(run(&inches).told().is_empty());
+    // A misspelt UNITS is one mistake.
+    assert_eq!(run(&format!("UNITSS/MM\n{head}")).told().len(), 1);
+}

@@ -7,7 +7,7 @@ use aptc_protap as protap;
 use aptc_protap::{Direction, DriveSide, Kind, Outcome, PartSide, Relation, Sense, ToolAxis};
 
 use crate::diagram::Situation;
-use crate::failure::{Failure, no_band};
+use crate::failure::{Failure, no_band, no_multax};
 use crate::feed::Feed;
 use crate::fitted::Fitted;
 use crate::forward::forward;
@@ -161,7 +161,7 @@ impl Arelem {
         if matches!(record.kind, Kind::Go(_) | Kind::Drive(_)) {
             self.tell_no_band(origin);
         }
-        match &record.kind {
+        let outcome = match &record.kind {
             Kind::From(p) => self.place(origin, p, cl::MotionKind::From, out),
             Kind::Goto(p) => self.place(origin, p, cl::MotionKind::Goto, out),
             Kind::Points { name, points } => self.points(origin, name, points, out),
@@ -196,6 +196,19 @@ impl Arelem {
                 self.set(kind, origin.line);
                 Outcome::None
             }
+        };
+        self.tell_no_multax(origin);
+        outcome
+    }
+
+    /// Says once that the tool leans and the CL data do not have its axis.
+    fn tell_no_multax(&mut self, origin: &Origin) {
+        let leaning = |t: Tool| t.ta.z < 1.0 - 1e-9;
+        if !self.settings.multax
+            && self.tool.is_some_and(leaning)
+            && !std::mem::replace(&mut self.settings.multax_told, true)
+        {
+            self.diagnostics.push(no_multax(origin));
         }
     }
 

@@ -476,6 +476,14 @@ pub(crate) fn lifted(origin: &Origin, z: f64) -> Diagnostic {
         .help("give PSIS/surface before it, or the part surface with it: GO/TO,drive surface,TO,part surface")
 }
 
+/// A tool that leans without MULTAX.
+pub(crate) fn no_multax(origin: &Origin) -> Diagnostic {
+    let text = "the tool leans from here on, and without MULTAX the CL data do not have its axis";
+    Diagnostic::warning(codes::AXIS_LEFT_OUT, origin.span, text)
+        .within(origin.trace.clone())
+        .help("write MULTAX before the first motion")
+}
+
 /// INTOL and OUTTOL that leave no band.
 pub(crate) fn no_band(origin: &Origin, least: f64) -> Diagnostic {
     let text = format!(

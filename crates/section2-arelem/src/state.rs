@@ -59,6 +59,7 @@ pub(crate) struct Settings {
     pub(crate) calc: Dimension,
     pub(crate) thick: [f64; 4],
     pub(crate) multax: bool,
+    pub(crate) multax_told: bool,
     pub(crate) axis: ToolAxis,
     pub(crate) axis_before: ToolAxis,
     /// RADIUS or HIGHT of TLAXIS were given, and it was not said yet that they do not count.
@@ -116,6 +117,7 @@ impl Default for Settings {
             outtol: None,
             thick: [0.0; 4],
             multax: false,
+            multax_told: false,
             axis: ToolAxis::Fixed(Vec3::z()),
             axis_before: ToolAxis::Fixed(Vec3::z()),
             contact_chosen: false,

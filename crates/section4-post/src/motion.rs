@@ -120,7 +120,7 @@ impl Post {
         self.go_to(te, p.ta, rapid, origin);
     }
 
-    /// One straight motion to a tool end in output units.
+    /// One straight motion to a tool end in output units. What follows begins there also when it was refused.
     pub(crate) fn go_to(&mut self, te: Vec3, ta: Vec3, rapid: bool, origin: &Origin) {
         if self.st.away || self.st.stands_still() {
             self.approach(te, ta, rapid, origin);
@@ -130,6 +130,7 @@ impl Post {
         }
         if !self.machine.rotary.is_empty() {
             self.go_turning(te, ta, rapid, origin);
+            self.st.pos = Some(te);
             return;
         }
         if let (Some(lead), false) = (self.st.thread, rapid) {
@@ -148,7 +149,6 @@ impl Post {
                 self.takes_away(self.st.pos, te, ta, origin);
             }
         }
-        // Also after a motion that was refused: what follows begins where the program meant it to.
         self.st.pos = Some(te);
     }
 

@@ -4,13 +4,14 @@ mod messages;
 mod tools;
 mod vars;
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use aptc_cldata::{Kind, MotionKind, Record, Units};
 use aptc_diagnostics::{Diagnostic, Origin, Severity, codes};
 use smol_str::SmolStr;
 
-use self::messages::Counted;
+use self::messages::{Alike, Counted};
 pub use self::tools::ToolScan;
 use crate::args::Statement;
 use crate::emit::{AptText, Blocks};
@@ -89,6 +90,7 @@ pub struct Post {
     pub(crate) hit_told: Option<(u32, u32)>,
     /// Messages that stand for many.
     pub(crate) counted: Vec<Counted>,
+    pub(crate) alike: BTreeMap<(u16, String), Alike>,
     /// Positions of motion so far.
     pub(crate) n_motions: u64,
     /// A position off the plane of turning was reported.
@@ -128,6 +130,7 @@ impl Post {
             stock: None,
             hit_told: None,
             counted: Vec::new(),
+            alike: BTreeMap::new(),
             n_motions: 0,
             off_plane_told: false,
             waiting: Waiting::default(),

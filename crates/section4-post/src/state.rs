@@ -127,6 +127,8 @@ pub(crate) struct State {
     pub(crate) tool_comment: String,
     pub(crate) cutter: Option<Cutter>,
     pub(crate) cutcom: Option<(bool, u32)>,
+    /// Motions before CUTCOM came.
+    pub(crate) cutcom_since: u64,
     pub(crate) last_cutcom: Option<(bool, u32)>,
     /// CUTCOM/ON whose side is to follow.
     pub(crate) cutcom_asked: Option<Origin>,
@@ -216,6 +218,7 @@ impl State {
             tool_comment: String::new(),
             cutter: None,
             cutcom: None,
+            cutcom_since: 0,
             last_cutcom: None,
             cutcom_asked: None,
             wear_defined: Vec::new(),

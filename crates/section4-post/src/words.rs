@@ -1,6 +1,8 @@
 //! Post-processor words: one table says what becomes of each.
 
+use aptc_cldata::Arg;
 use aptc_diagnostics::{Diagnostic, Origin, codes};
+use aptc_vocabulary::find;
 
 use crate::args::Statement;
 use crate::post::Post;
@@ -31,8 +33,9 @@ pub(crate) fn post_word(post: &mut Post, s: &Statement<'_>) {
         Some(table::Entry::Do(action)) => {
             let before = post.diagnostics.len();
             action(post, s);
-            let said = post.diagnostics.get(before..).unwrap_or_default();
+            let said = post.diagnostics.get_mut(before..).unwrap_or_default();
             if said.iter().any(Diagnostic::is_error) {
+                said.iter_mut().for_each(|d| d.notes.extend(names_for_words(s)));
                 // What is missing because of it is no mistake of its own.
                 post.st.refused_words.insert(s.word.into());
             }
@@ -45,11 +48,26 @@ pub(crate) fn post_word(post: &mut Post, s: &Statement<'_>) {
         Some(table::Entry::Refuse(reason)) => refuse(post, s, reason),
         None => {
             let message = format!("{} is not known to the post-processor and is left out", s.word);
-            post.warn(codes::WORD_UNKNOWN, s.origin, message, "check the spelling, or remove it");
+            let d = Diagnostic::warning(codes::WORD_UNKNOWN, s.origin.span, message);
+            post.say_counted(s.word, d, s.origin, "check the spelling, or remove it");
             // It may be any of those that the first cut wants, misspelt.
             post.st.refused_words.extend(["SPINDL", "LOADTL", "COOLNT"].map(Into::into));
         }
     }
+}
+
+/// A word of the language that the program has given to a form does not stand for itself.
+fn names_for_words(s: &Statement<'_>) -> Option<String> {
+    s.args.iter().find_map(|arg| match arg {
+        Arg::Form { name, form } => {
+            let word = find(&name.name)?;
+            Some(format!(
+                "{word} is the name of a {} of the program here, and not the word",
+                form.kind().word()
+            ))
+        }
+        _ => None,
+    })
 }
 
 /// Does the machine move by this word?

@@ -96,3 +96,16 @@ fn holes_of_one_tilted_plane_begin_at_their_clearance() {
         }
     }
 }
+
+#[test]
+fn a_pitch_that_no_thread_has_is_doubted() {
+    let tap = |args: &str| {
+        let text = format!("{READY}FROM/0,0,50\nCYCLE/TAP,{args}\nGOTO/1,2,0\nCYCLE/OFF\nFINI\n");
+        told("haas-vf", &text).iter().filter(|m| m.starts_with("APT4032")).count()
+    };
+    assert_eq!(tap("20,1.25,5"), 1);
+    assert_eq!(tap("DEPTH,20,MMPM,1.25,CLEAR,5"), 1);
+    for right in ["20,1250,5", "DEPTH,20,MMPR,1.25,CLEAR,5", "DEPTH,20,PITCH,1.25,CLEAR,5"] {
+        assert_eq!(tap(right), 0, "{right}");
+    }
+}

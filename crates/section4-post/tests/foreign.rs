@@ -269,3 +269,66 @@ fn a_tool_named_again_keeps_its_comment_to_itself() {
     let before = nc.split_once("T2 M6").or(nc.split_once("T2 M06")).expect("the second tool").0;
     assert!(before.contains("T2"), "{nc}");
 }
+
+#[test]
+fn what_comes_often_is_told_once_or_thrice_with_a_count() {
+    let words =
+        "TRNTYP/WORLD,0,0,0\nSETUP/START,1\nCSI_SET_FLUTE_LENGTH/19.\nCSI_TOOL_PATH/DRILL1\n";
+    let strange = "HYDRAU/ON\nGOTO/1,2,3\n".repeat(7);
+    let (_, posted) = post("haas-vf", &format!("{HEAD}{words}{strange}FINI"));
+    let told = said(&posted, "APT4014");
+    assert_eq!(told.len(), 1, "{told:?}");
+    assert!(
+        told[0].starts_with("HYDRAU is not known") && told[0].ends_with(", 7 times"),
+        "{told:?}"
+    );
+
+    let idle = "CUTCOM/LEFT,1\nCUTCOM/OFF\n".repeat(5);
+    let (_, posted) = post("haas-vf", &format!("{HEAD}{idle}GOTO/1,2,3\nFINI"));
+    let told = said(&posted, "APT4015");
+    assert_eq!(told, ["compensation ends before any motion, 5 times"]);
+
+    let same = "ROTABL/30,AAXIS,TABLE,CLW\nGOTO/1,2,3\n".repeat(9);
+    let (_, posted) = post("haas-vf", &format!("{HEAD}{same}FINI"));
+    let told = said(&posted, "APT4006");
+    assert_eq!(told.len(), 3, "{told:?}");
+    assert!(told[2].ends_with(", and 6 times more"), "{told:?}");
+}
+
+#[test]
+fn what_follows_a_refused_motion_is_not_told() {
+    // The tool stands upside down: no motion comes out, so that compensation and arcs have nothing to be wrong about.
+    let path = "GOTO/100,0,-5,0,0,-1\nCUTCOM/LEFT,1\nGOTO/95,0,-5,0,0,-1\n\
+                CIRCLE/100,0,-5,0,0,-1,5\nGOTO/100,5,-5,0,0,-1\nCUTCOM/OFF\nGOTO/100,0,-5,0,0,-1\n";
+    let text = format!("{HEAD}{path}FINI");
+    for name in ["haas-vf", "haas-umc", "heidenhain-tnc-5axis", "siemens-840d-5axis"] {
+        let (_, posted) = post(name, &text);
+        let errors = posted.diagnostics.iter().filter(|d| d.is_error()).count();
+        assert_eq!(errors, 1, "{name}: {:#?}", posted.diagnostics);
+        for code in ["APT4015", "APT3004"] {
+            assert!(said(&posted, code).is_empty(), "{name}: {:?}", said(&posted, code));
+        }
+    }
+}
+
+#[test]
+fn correctors_of_catia_are_no_length_of_the_tool() {
+    let text = "$$*CATIA0\nPARTNO A\nOP_NAME/Tool Change.1\nTPRINT/T3 Ball D 6\nLOADTL/3,1,1\n\
+                SPINDL/3000,RPM,CLW\nCOOLNT/ON\nFEDRAT/500,MMPM\nMULTAX\nGOTO/0,0,50,0,0,1\n\
+                GOTO/10,0,0,.6,0,.8\nFINI\n";
+    // With a length of 1 the tool would stand elsewhere, and nothing would be said.
+    let (_, posted) = post("linuxcnc-5axis-head", text);
+    let told = said(&posted, "APT4013");
+    assert!(told.iter().any(|m| m == "LOADTL/3,1: 1 has no effect"), "{told:?}");
+    let lengths: Vec<_> = posted.summary.tools.iter().map(|t| t.number).collect();
+    assert!(lengths.contains(&Some(3)));
+    let other = text.replace("LOADTL/3,1,1", "LOADTL/3");
+    assert_eq!(post("linuxcnc-5axis-head", text).0, post("linuxcnc-5axis-head", &other).0);
+
+    let table = text.replace("LOADTL/3,1,1", "LOADTL/3,ADJUST,7,SPINDL,3000,MILL");
+    let (nc, posted) = post("fanuc-0i-mill", &table.replace(".6,0,.8", "0,0,1"));
+    assert!(nc.contains("G43 H7"), "{nc}");
+    for code in ["APT4013", "APT4014"] {
+        assert!(said(&posted, code).is_empty(), "{:?}", said(&posted, code));
+    }
+}

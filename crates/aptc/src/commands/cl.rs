@@ -112,7 +112,7 @@ enum Compared {
 }
 
 impl Compared {
-    /// Machine code when a machine is given or the file's name says so.
+    /// Machine code when a machine is given, or the file's name says so and not its first lines something else.
     fn open(path: &Path, machine: Option<&str>) -> Result<Self, String> {
         let ending = path.extension().map(|e| e.to_string_lossy().to_lowercase());
         let usual = match ending.as_deref() {
@@ -124,6 +124,7 @@ impl Compared {
             Some("h") => Some("heidenhain-tnc"),
             _ => None,
         };
+        let usual = usual.filter(|_| !begins_as_cl(path));
         let Some(name) = machine.or(usual) else {
             return open(path, None).map(|r| Self::Cl(Box::new(r)));
         };
@@ -164,6 +165,22 @@ fn is_plain(path: &Path) -> bool {
     let read = BufReader::new(file.take(200)).read_line(&mut head);
     let line = head.trim_start_matches(|c: char| c.is_ascii_digit() || c.is_whitespace());
     read.is_ok() && line.to_ascii_uppercase().starts_with("BEGIN PGM ")
+}
+
+/// Are there CL data in it, whatever its name? A statement of theirs begins one of its first lines.
+fn begins_as_cl(path: &Path) -> bool {
+    let Ok(file) = File::open(path) else { return false };
+    let mut head = Vec::new();
+    if file.take(4000).read_to_end(&mut head).is_err() {
+        return false;
+    }
+    let head = String::from_utf8_lossy(&head).to_ascii_uppercase();
+    // Controls have GOTO too, without a slash.
+    let words = ["UNITS", "MULTAX", "LOADTL", "CUTTER", "TOOL PATH", "GOTO"];
+    head.lines().map(str::trim_start).any(|line| {
+        let slashed = |w| line.strip_prefix(w).is_some_and(|l| l.trim_start().starts_with('/'));
+        line.starts_with("PARTNO") || line.starts_with("$$") || words.into_iter().any(slashed)
+    })
 }
 
 /// Prints the figures of a CL file.

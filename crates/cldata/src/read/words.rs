@@ -102,6 +102,17 @@ fn is_known(word: &str) -> bool {
                 | "PAINT"
                 | "SETUP"
                 | "TRNTYP"
+                | "CSI_SET_EXTENSION_LENGTH"
+                | "CSI_SET_FLUTE_LENGTH"
+                | "CSI_TOOL_PATH"
+                | "OPFEATSTART"
+                | "OPFEATEND"
+                | "MOVE_ATTRIB"
+                | "OP_NAME"
+                | "PART_OPE"
+                | "PROGRAM"
+                | "CATPROCESS"
+                | "CATPRODUCT"
                 | "MOVNRB"
                 | "ISN"
                 | "MOVE"
@@ -273,6 +284,7 @@ pub(super) fn post(state: &mut State, word: &SmolStr, rest: &[u8]) {
     let mut list = Vec::new();
     args::parse(rest, &mut list);
     let word = super::tools::as_iso(word, &mut list);
+    super::tools::without_correctors(state.dialect, &word, &mut list);
     state.subprogram_word(&word);
     if !state.geometry.is_empty() {
         list = with_forms(std::mem::take(&mut state.geometry), list, rest);

@@ -93,6 +93,7 @@ codes! {
     INNER_SLOPE = 1224, "a slope within a SPLINE";
     PATCH_SIDE = 1225, "MINUS of a patch";
     BEYOND_END = 1226, "a place beyond the end of a sculptured form";
+    END_BESIDE = 1227, "an end of a ruled surface off its curve";
     NO_STATEMENT = 1300, "a word that begins no statement";
     UNKNOWN_POST_WORD = 1301, "a word that is in no table";
     OTHER_DIALECT = 1302, "a word of another dialect";
@@ -104,4 +105,5 @@ codes! {
     BAD_AXIS = 1308, "a tool axis that is none";
     BAD_POCKET = 1309, "a POCKET that is none";
     UNITS_CHANGED = 1310, "a unit that changes between definitions";
+    UNITS_DOUBTFUL = 1312, "feeds in millimetres where lengths are inches";
 }

@@ -154,7 +154,11 @@ impl Reader<'_, '_> {
         for i in 0..n {
             if !a.is_number(at + i) {
                 let expected = if i > 0 {
-                    "the next coordinate"
+                    if n == 3 {
+                        "the rest of three coordinates"
+                    } else {
+                        "the second of two coordinates"
+                    }
                 } else if self.fit == word::SPLINE || self.fit == word::TWOPT {
                     "a point, SLOPE or NORMAL"
                 } else {

@@ -15,6 +15,7 @@ use crate::Interpreter;
 use crate::define::{self, Context};
 use crate::listing::EntryKind;
 use crate::memory::{Place, Value};
+use crate::program::untranslated;
 use crate::statement::refused::no_geometry;
 
 /// How far a TABCYL goes straight on at both ends, inches.
@@ -138,6 +139,7 @@ impl Interpreter<'_> {
                 self.product_in_order(head, span, args, &form, &context);
                 self.inner_slope(head, args);
                 self.patch_side(head, args);
+                self.ruled_ends(head, args);
                 self.area(&form, args, span)?;
                 if let Some(beyond) = context.beyond.take() {
                     self.beyond_end(args[beyond.at].span, beyond);
@@ -335,6 +337,10 @@ impl Interpreter<'_> {
 
     fn no_definition(&mut self, definition: &Definition) -> Poisoned {
         let head = &definition.head;
+        if let Some(message) = self.head_word(head).and_then(|w| untranslated(w, head.span)) {
+            self.error(message);
+            return Poisoned;
+        }
         let text = self.interner.text(head.symbol).to_owned();
         let mut message =
             Diagnostic::error(codes::NO_GEOMETRY, head.span, format!("{text} defines no geometry"));

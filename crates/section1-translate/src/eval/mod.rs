@@ -10,6 +10,7 @@ mod definition;
 mod functions;
 mod geometric;
 mod names;
+mod ruled_ends;
 mod sculptured;
 mod subscript;
 

@@ -63,6 +63,12 @@ pub(crate) fn foreign(program: &Program) -> Option<Diagnostic> {
     )
 }
 
+/// A statement or definition by a word that NCL alone has, in a program that is translated as one of NCL.
+pub(crate) fn untranslated(word: Word, span: Span) -> Option<Diagnostic> {
+    let message = || format!("{word} is a word of NCL for which APT has nothing");
+    of_ncl_alone(word).then(|| Diagnostic::error(codes::OTHER_DIALECT, span, message()))
+}
+
 /// Does the program define or mill sculptured forms? Then it is one of APT4.
 pub(crate) fn sculptured(program: &Program) -> bool {
     const OWN: [Word; 5] = [word::SSURF, word::SCURV, word::SCON, word::SMIL, word::GOLOFT];

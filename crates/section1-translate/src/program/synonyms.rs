@@ -2,7 +2,7 @@
 
 use aptc_syntax::Symbol;
 use aptc_syntax::tree::{Expr, ExprKind, Name};
-use aptc_vocabulary::{Dialect, Word, word};
+use aptc_vocabulary::{Class, Dialect, Word, find, from_code, word};
 
 use crate::Language;
 
@@ -24,7 +24,11 @@ impl Synonyms {
         if let Some(Some(word)) = self.words.get(name.symbol.0 as usize) {
             return Some(*word);
         }
-        name.word.filter(|w| self.knows(*w))
+        let word = name.word.filter(|w| self.knows(*w))?;
+        match self.language {
+            Language::Ncl => Some(in_full(word)),
+            Language::Apt => Some(word),
+        }
     }
 
     /// Is it a word of the language?
@@ -83,6 +87,23 @@ pub(crate) enum Fault {
     NoName,
     /// It should be a vocabulary word.
     NoWord,
+}
+
+/// The word of APT that NCL lets be shortened to `short`: GT is GOTO, which has the same code there, and SIN is SINF.
+fn in_full(short: Word) -> Word {
+    // TA is a modifier of regional milling, which NCL does not have.
+    if !of_ncl_alone(short) && short != word::TA {
+        return short;
+    }
+    let full = if short.is(Class::Function) {
+        find(&format!("{short}F"))
+    } else if let (1..=2, Some(code)) = (short.text().len(), short.code(Dialect::Ncl)) {
+        [true, false].into_iter().find_map(|major| from_code(Dialect::Ncl, major, code))
+    } else {
+        None
+    };
+    let apt = |w: &Word| w.is_in(Dialect::Apt360) || w.is_in(Dialect::Apt4);
+    full.filter(apt).unwrap_or(short)
 }
 
 /// Is the word known to NCL and to nobody else? INCLUD is not counted: other processors read files by it.

@@ -15,8 +15,8 @@ use aptc_syntax::tree::Clause;
 use aptc_vocabulary::word;
 
 use super::reader::Reader;
-use crate::Interpreter;
 use crate::eval::{Arg, Known, Names, Poisoned};
+use crate::{Interpreter, Language};
 
 /// Height of a cutter given by one or two numbers, inches.
 const HEIGHT_INCHES: f64 = 5.0;
@@ -37,6 +37,8 @@ impl Interpreter<'_> {
         let cutter = match *values.as_slice() {
             [d] => Cutter::mill(d, 0.0, height),
             [d, r] => Cutter::mill(d, r, height),
+            // NCL: its height too.
+            [d, r, h] if self.options.language == Language::Ncl => Cutter::mill(d, r, h),
             [diameter, corner_radius, e, f, alpha_deg, beta_deg, height] => {
                 Cutter { diameter, corner_radius, e, f, alpha_deg, beta_deg, height }
             }

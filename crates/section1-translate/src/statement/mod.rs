@@ -36,7 +36,7 @@ use aptc_vocabulary::{Class, Word, closest, word};
 use crate::Interpreter;
 use crate::eval::{Known, Poisoned};
 use crate::memory::Value;
-use crate::program::Unit;
+use crate::program::{Unit, untranslated};
 
 /// Words that a value is never meant for: without the statement the part is another one.
 const NEVER_NAMES: &[Word] = &[
@@ -314,6 +314,11 @@ impl Interpreter<'_> {
 
     /// A word that begins no statement.
     fn no_statement(&mut self, word: Word, clause: &Clause) {
+        if let Some(message) = untranslated(word, clause.head.span) {
+            self.error(message);
+            self.fail();
+            return;
+        }
         let what = match word.class() {
             Class::Geometry => "defines geometry and needs a name: name=",
             Class::Function => "is a function and stands in expressions",

@@ -30,8 +30,27 @@ impl Interpreter<'_> {
             first.kind = ArgKind::Name(name.symbol);
         }
         let args = self.handed_on(args)?;
+        self.doubt_units(&args, clause);
         self.emit(Kind::Post { word: word.text().into(), args });
         Ok(())
+    }
+
+    /// Says once that lengths are inches where feeds or speeds are metric and UNITS is not there.
+    fn doubt_units(&mut self, args: &[protap::Arg], clause: &Clause) {
+        const METRIC: [&str; 3] = ["MMPM", "MMPR", "SMM"];
+        let metric = args.iter().find_map(|arg| match arg {
+            protap::Arg::Word(w) => METRIC.into_iter().find(|m| w == m),
+            _ => None,
+        });
+        let Some(metric) = metric.filter(|_| !self.state.unit_given && self.failed_at.is_none())
+        else {
+            return;
+        };
+        // Once is enough: it is the unit of the whole program.
+        self.state.unit_given = true;
+        let message = format!("{metric}, but lengths are inches: the program has no UNITS");
+        let help = "write UNITS/MM at its head, or UNITS/INCHES when this is meant";
+        self.error(Diagnostic::warning(codes::UNITS_DOUBTFUL, clause.span, message).help(help));
     }
 
     /// MACHIN with a name that holds hyphens, `MACHIN/HAAS-VF`, which would be read as a subtraction.

@@ -1,6 +1,7 @@
 //! Messages: said once, as many as a reader can use, with the trace of their statement.
 
 use aptc_diagnostics::{Code, Diagnostic, Origin, codes};
+use smol_str::SmolStr;
 
 use super::Post;
 use crate::emit::TooGreat;
@@ -8,16 +9,26 @@ use crate::emit::TooGreat;
 /// Messages of one program; after that many one message says that there are more.
 const MOST_MESSAGES: usize = 500;
 
+/// Most places at which the same words are told; of further ones there is a count.
+const MOST_ALIKE: u64 = 3;
+
+/// How often the same words came, and where the last that were told stand in the list of messages.
+#[derive(Debug)]
+pub(crate) struct Alike {
+    times: u64,
+    at: usize,
+}
+
 /// Something that is told at its first place, with how often it came.
 #[derive(Debug)]
 pub(crate) struct Counted {
     /// The same word for the same thing, whatever numbers the message has.
-    what: &'static str,
+    what: SmolStr,
     /// Where it stands in the list of messages.
     at: usize,
     times: u64,
-    /// The motion that was counted last.
-    motion: u64,
+    /// The motion that was counted last; none where statements are counted.
+    motion: Option<u64>,
 }
 
 impl Post {
@@ -32,13 +43,36 @@ impl Post {
     ) {
         let motion = self.n_motions;
         if let Some(known) = self.counted.iter_mut().find(|c| c.what == what) {
-            if std::mem::replace(&mut known.motion, motion) != motion {
+            if known.motion.replace(motion) != Some(motion) {
                 known.times += 1;
             }
             return;
         }
         let at = self.diagnostics.len();
         self.error(code, origin, message, help);
+        self.count(what.into(), at, Some(motion));
+    }
+
+    /// A message that is told once for all statements that have it: `what` tells which it is.
+    pub(crate) fn say_counted(
+        &mut self,
+        what: impl Into<SmolStr>,
+        d: Diagnostic,
+        origin: &Origin,
+        help: &str,
+    ) {
+        let what = what.into();
+        if let Some(known) = self.counted.iter_mut().find(|c| c.what == what) {
+            known.times += 1;
+            return;
+        }
+        let at = self.diagnostics.len();
+        self.say(d, origin, help);
+        self.count(what, at, None);
+    }
+
+    /// What was said at `at`, if it was not left out, is counted from now on.
+    fn count(&mut self, what: SmolStr, at: usize, motion: Option<u64>) {
         if self.diagnostics.len() > at {
             self.counted.push(Counted { what, at, times: 1, motion });
         }
@@ -46,9 +80,19 @@ impl Post {
 
     /// Says how often each came.
     pub(super) fn count_messages(&mut self) {
-        for Counted { at, times, .. } in self.counted.drain(..).filter(|c| c.times > 1) {
+        for Alike { times, at } in std::mem::take(&mut self.alike).into_values() {
+            if let (Some(more @ 1..), Some(d)) =
+                (times.checked_sub(MOST_ALIKE), self.diagnostics.get_mut(at))
+            {
+                d.message.push_str(&format!(", and {more} times more"));
+            }
+        }
+        for Counted { at, times, motion, .. } in self.counted.drain(..).filter(|c| c.times > 1) {
             if let Some(d) = self.diagnostics.get_mut(at) {
-                d.message = format!("{}, the first of {times} positions", d.message);
+                d.message.push_str(&match motion {
+                    Some(_) => format!(", the first of {times} positions"),
+                    None => format!(", {times} times"),
+                });
             }
         }
     }
@@ -82,6 +126,14 @@ impl Post {
             }
             return;
         }
+        let at = self.diagnostics.len();
+        let key = (d.code.number(), d.message.clone());
+        let alike = self.alike.entry(key).or_insert(Alike { times: 0, at });
+        alike.times += 1;
+        if alike.times > MOST_ALIKE {
+            return;
+        }
+        alike.at = at;
         if !help.is_empty() {
             d = d.help(help);
         }

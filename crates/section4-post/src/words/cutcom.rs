@@ -1,6 +1,6 @@
 //! CUTCOM: compensation in the control.
 
-use aptc_diagnostics::codes;
+use aptc_diagnostics::{Diagnostic, codes};
 
 use crate::args::{Statement, whole};
 use crate::emit::render;
@@ -99,7 +99,8 @@ fn on(post: &mut Post, s: &Statement<'_>, left: bool, d: Option<u32>) {
     if post.machine.is_milling() || !post.along_tool(post.st.ta) {
         let message = format!("{} while the tool leans in the frame of the axes", s.written());
         let help = "compensate in Section 2 with THICK, or choose a machine that turns the part";
-        post.error(codes::COMPENSATION, s.origin, message, help);
+        let d = Diagnostic::error(codes::COMPENSATION, s.origin.span, message);
+        post.say_counted("CUTCOM leans", d, s.origin, help);
         return;
     }
     post.leave_cycle();
@@ -126,6 +127,7 @@ fn on(post: &mut Post, s: &Statement<'_>, left: bool, d: Option<u32>) {
     }
     post.blocks.with_motion = render(template, &vars);
     post.st.cutcom = Some((left, d));
+    post.st.cutcom_since = post.n_motions;
     post.st.last_cutcom = post.st.cutcom;
 }
 
@@ -154,9 +156,11 @@ fn off(post: &mut Post, s: &Statement<'_>) {
         } else {
             post.blocks.line(&words);
         }
-    } else if was {
+    } else if was && post.st.cutcom_since == post.n_motions {
+        // Motions that were refused are told of themselves.
         let message = "compensation ends before any motion".to_string();
-        post.warn(codes::COMPENSATION, s.origin, message, "remove CUTCOM or move between");
+        let d = Diagnostic::warning(codes::COMPENSATION, s.origin.span, message);
+        post.say_counted("CUTCOM idle", d, s.origin, "remove CUTCOM or move between");
     }
 }
 

@@ -74,6 +74,7 @@ pub(super) fn cycle(post: &mut Post, s: &Statement<'_>) {
     }
     match parse(s).and_then(|cycle| post.pitched(s, Some(cycle))) {
         Ok(cycle) => {
+            post.doubt_pitch(s, cycle.as_ref());
             post.st.last_cycle.clone_from(&cycle);
             post.st.cycle = cycle;
         }
@@ -88,6 +89,30 @@ impl Post {
         self.error(code, s.origin, message, &help);
         self.leave_cycle();
         (self.st.cycle, self.st.last_cycle) = (None, None);
+        // Its feed is missing too, which is no mistake of its own.
+        self.st.refused_words.insert("FEDRAT".into());
+    }
+
+    /// Tells of a tap whose feed a minute gives a pitch that no thread has: it is a feed a turn, most likely.
+    fn doubt_pitch(&mut self, s: &Statement<'_>, cycle: Option<&DrillCycle>) {
+        /// Millimetres; the finest threads have .08.
+        const LEAST: f64 = 0.05;
+        let Some(DrillCycle { kind, feed: Some(feed), pitch: None, .. }) = cycle else { return };
+        let mm = match feed.unit {
+            FeedUnit::PerMinute => self.st.units.mm(),
+            FeedUnit::MmPerMinute => 1.0,
+            FeedUnit::InchPerMinute => 25.4,
+            _ => return,
+        };
+        let turns = self.revolutions_here().filter(|n| *n > 0.0);
+        let Some(pitch) = turns.map(|n| feed.value * mm / n).filter(|p| *p < LEAST) else { return };
+        if kind != "TAP" {
+            return;
+        }
+        let message = format!("{}: a pitch of {pitch:.4} mm comes of this feed", s.written());
+        let unit = if self.st.units == Units::Inches { "IPR" } else { "MMPR" };
+        let help = format!("write {unit},{} where a feed a turn is meant", trimmed(feed.value, 6));
+        self.warn(codes::DOUBTFUL_FEED, s.origin, message, &help);
     }
 
     /// The cycle, when its pitch can be one and no other feed contradicts it.

@@ -48,6 +48,8 @@ const DRAWN: &str = "it is for a plotter";
 const SHOWN: &str = "it is for the screen of a CAM system";
 const EDITED: &str = "it was carried out before: the path that follows has it";
 const TAPE: &str = "there is no tape";
+const NAMED: &str = "it names a part of the work";
+const TOOL: &str = "it describes the tool";
 const LISTED: &str = "it is for the listing of another post-processor";
 
 fn nothing(_: &mut crate::post::Post, _: &Statement<'_>) {}
@@ -60,6 +62,8 @@ static TABLE: &[(&str, Entry)] = &[
     ("BREAK", Ignore(TAPE)),
     ("CALSUB", Do(program::calsub)),
     ("CAMERA", Silent(SHOWN)),
+    ("CATPROCESS", Silent(NAMED)),
+    ("CATPRODUCT", Silent(NAMED)),
     ("CHANNEL", Do(program::channel)),
     ("CHECK", Ignore("limits stand in the machine file")),
     ("CLAMP", Ignore("the machine file says what holds a rotary axis")),
@@ -67,6 +71,9 @@ static TABLE: &[(&str, Entry)] = &[
     ("CLRSRF", Do(planes::clrsrf)),
     ("COOLNT", Do(coolnt::coolnt)),
     ("COUPLE", Refuse("no machine here couples an axis to the spindle")),
+    ("CSI_SET_EXTENSION_LENGTH", Silent(TOOL)),
+    ("CSI_SET_FLUTE_LENGTH", Silent(TOOL)),
+    ("CSI_TOOL_PATH", Silent(NAMED)),
     ("CUTCOM", Do(cutcom::cutcom)),
     ("CYCLE", Do(cycle::cycle)),
     ("DELAY", Do(program::delay)),
@@ -97,14 +104,19 @@ static TABLE: &[(&str, Entry)] = &[
     ("MCHTOL", Do(program::mchtol)),
     ("MCSYS", Do(program::ofstno)),
     ("MODE", Do(program::mode)),
+    ("MOVE_ATTRIB", Silent("it marks lead-in and lead-out")),
     ("OFSTNO", Do(program::ofstno)),
-    ("OPNAME", Silent("it names an operation")),
+    ("OPFEATEND", Silent(NAMED)),
+    ("OPFEATSTART", Silent(NAMED)),
+    ("OPNAME", Silent(NAMED)),
     ("OPSKIP", Do(program::opskip)),
     ("OPSTOP", Do(program::opstop)),
+    ("OP_NAME", Silent(NAMED)),
     ("ORIGIN", Do(program::origin)),
     ("OVPLOT", Silent(DRAWN)),
     ("PAINT", Silent(SHOWN)),
     ("PARTNO", Do(program::partno)),
+    ("PART_OPE", Silent(NAMED)),
     ("PEN", Silent(DRAWN)),
     ("PENDWN", Silent(DRAWN)),
     ("PENUP", Silent(DRAWN)),
@@ -120,6 +132,7 @@ static TABLE: &[(&str, Entry)] = &[
     ("PREFUN", Do(program::prefun)),
     ("PROBX", Refuse("no machine here probes")),
     ("PROBY", Refuse("no machine here probes")),
+    ("PROGRAM", Silent(NAMED)),
     ("RAPID", Do(fedrat::rapid)),
     ("RESET", Refuse("axes are not reset; ORIGIN and TRANS move the part")),
     ("RETRCT", Do(planes::retrct)),
@@ -131,6 +144,7 @@ static TABLE: &[(&str, Entry)] = &[
     ("SELCTL", Do(tool::selctl)),
     ("SELECT", Do(tool::select)),
     ("SEQNO", Do(program::seqno)),
+    ("SETUP", Silent("the coordinate system of a setup comes with CSYS")),
     ("SLOWDN", Ignore("the control slows down by itself")),
     ("SPINDL", Do(spindl::spindl)),
     ("STOCK", Do(stock::stock)),
@@ -143,6 +157,7 @@ static TABLE: &[(&str, Entry)] = &[
     ("TOOLNO", Do(tool::toolno)),
     ("TPRINT", Do(tool::tprint)),
     ("TRANS", Do(program::trans)),
+    ("TRNTYP", Silent("positions are taken as they stand")),
     ("TURRET", Do(tool::loadtl)),
     ("ULOCKX", Refuse("no machine here locks axes")),
     ("UNLOAD", Ignore("the next tool change takes the tool out")),

@@ -162,6 +162,9 @@ pub(crate) fn loaded(s: &Statement<'_>, at: usize) -> Loaded {
             (Arg::Word(w), Some(n)) if matches!(w.as_str(), "ADJUST" | "OFFSET" | "OSETNO") => {
                 said.offset = whole(n);
             }
+            // CATIA: they come again in statements of their own.
+            (Arg::Word(w), Some(_)) if w == "SPINDL" => {}
+            (Arg::Word(w), _) if matches!(w.as_str(), "MILL" | "TURN") => continue,
             (Arg::Number(n), _) => {
                 said.left_out.push(crate::post::trimmed(*n, 6));
                 continue;
