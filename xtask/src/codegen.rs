@@ -249,7 +249,7 @@ fn write_all(out: &mut String, rows: &[Row]) -> std::fmt::Result {
     )?;
     writeln!(
         out,
-        "use crate::class::Class::{{self, Control, Function, Geometry, Modifier, Motion, Operator, Post, Regional, Text}};"
+        "use crate::class::Class::{{\n    self, Control, Function, Geometry, Modifier, Motion, Operator, Post, Regional, Text,\n}};"
     )?;
     writeln!(out, "use crate::entry::{{Entry, K, O, entry as w, record as r, surface as s}};\n")?;
     writeln!(out, "const NONE: Option<Class> = None;\n")?;
