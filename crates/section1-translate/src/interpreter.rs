@@ -20,7 +20,7 @@ use crate::define::Found;
 use crate::level::{Level, LevelKind};
 use crate::listing::{Entry, EntryKind};
 use crate::memory::{Memory, Place, Value};
-use crate::program::{Plan, Role, Surroundings, Synonyms, Unit, foreign, plan, sculptured};
+use crate::program::{Plan, Role, Surroundings, Synonyms, Unit, foreign, has, plan, sculptured};
 use crate::report::Reports;
 use crate::{Files, Language, Options};
 
@@ -104,8 +104,8 @@ pub(crate) struct State {
     pub(crate) multax_for_good: bool,
     /// UNITS.
     pub(crate) unit: Units,
-    /// Was UNITS given, or its lack told of?
-    pub(crate) unit_given: bool,
+    /// Has the program no UNITS, of which was not told yet? A file that it includes may have it.
+    pub(crate) lacks_units: bool,
     /// What may be missing without being a mistake of its own.
     pub(crate) doubt: Doubt,
     /// The place found last on a sculptured form, for PARMF.
@@ -182,6 +182,7 @@ impl<'w> Interpreter<'w> {
             return run;
         }
         run.state.sculptured = sculptured(&unit.program);
+        run.state.lacks_units = !has(&unit.program, &[word::UNITS, word::INCLUD]);
         messages.into_iter().for_each(|m| run.push(m));
         run.begin(unit, 0);
         run

@@ -201,7 +201,6 @@ fn search(
             Shown { low, meeting, slack, rise }
         };
         let by_hint = hinted.filter(|_| aim != Aim::Nearest).map(bound);
-        let mut across = None;
         if aim == Aim::Clear && by_hint.as_ref().is_none_or(|shown| shown.low < known) {
             match beside.see(moved.sheet, &patch, &tile) {
                 (Seen::Clear(low), m) if enough + low >= known => {
@@ -211,17 +210,15 @@ fn search(
                     out.least = out.least.min(enough + low);
                     continue;
                 }
-                (Seen::Large(i), _) => across = Some(i),
+                (Seen::Large(i), _) => {
+                    let [near, away] = patch.halves(i);
+                    if !(pile.push(away) && pile.push(near)) {
+                        out.least = f64::NEG_INFINITY;
+                    }
+                    continue;
+                }
                 _ => {}
             }
-        }
-        if let Some(i) = across {
-            let [near, away] = patch.halves(i);
-            let tiny = tile.side[i].norm() <= f64::EPSILON * (x.norm() + radius);
-            if tiny || !(pile.push(away) && pile.push(near)) {
-                out.least = f64::NEG_INFINITY;
-            }
-            continue;
         }
         let shown = match by_hint {
             Some(shown) if shown.low >= known => shown,

@@ -246,12 +246,7 @@ impl Sheet {
     }
 
     fn made(&self, patch: &Patch) -> Tile {
-        let with = |jet: Jet, (bend, vary)| (jet, bend, vary);
-        let (jet, bend, vary) = match &self.kind {
-            Kind::Quadric(q) => with(q.jet(&patch.spot()), q.bend(patch)),
-            Kind::Tabcyl(t) => with(t.jet(&patch.spot()), t.bend(patch)),
-            Kind::Patched(p) => p.bent(patch),
-        };
+        let (jet, bend, vary) = self.middle(patch);
         let [uu, uv, vv] = self.second(patch);
         let [hu, hv] = patch.half;
         let cross = 0.5 * uv * hu * hv;
@@ -280,15 +275,13 @@ impl Sheet {
         }
     }
 
-    /// The second derivatives in the middle of a piece, uu, uv and vv, and by how much they differ from these on it at most.
-    pub(crate) fn bend(&self, patch: &Patch) -> ([Vec3; 3], [f64; 3]) {
+    /// The middle of a piece, the second derivatives there, uu, uv and vv, and by how much they differ from these on it at most.
+    pub(crate) fn middle(&self, patch: &Patch) -> (Jet, [Vec3; 3], [f64; 3]) {
+        let with = |jet: Jet, (bend, vary)| (jet, bend, vary);
         match &self.kind {
-            Kind::Quadric(q) => q.bend(patch),
-            Kind::Tabcyl(t) => t.bend(patch),
-            Kind::Patched(p) => {
-                let (_, bend, vary) = p.bent(patch);
-                (bend, vary)
-            }
+            Kind::Quadric(q) => with(q.jet(&patch.spot()), q.bend(patch)),
+            Kind::Tabcyl(t) => with(t.jet(&patch.spot()), t.bend(patch)),
+            Kind::Patched(p) => p.bent(patch),
         }
     }
 

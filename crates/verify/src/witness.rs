@@ -166,19 +166,15 @@ pub(crate) fn excess(
         Some(_) => {}
         None => *near = Some([first, last].map(|t| Near { spot: t.spot, touch: Some(t) })),
     }
-    if top.is_none() {
-        let bound = between(tool, sheet, [&first, &last], turn, most);
-        if bound <= most {
-            return Excess::Within(bound);
-        }
+    let bound = |a: &Touch, b: &Touch| between(tool, sheet, [a, b], turn, most);
+    let all = bound(&first, &last);
+    if top.is_none() && all <= most {
+        return Excess::Within(all);
     }
     let mut worst = f64::NEG_INFINITY;
-    let stretch = |a: Touch, b: Touch, depth| {
-        let bound = between(tool, sheet, [&a, &b], turn, most);
-        (a, b, depth, bound)
-    };
+    let stretch = |a: Touch, b: Touch, depth| (a, b, depth, bound(&a, &b));
     let mut stack = Pile::<(Touch, Touch, u32, f64), 96>::new();
-    stack.push(stretch(first, last, 0));
+    stack.push((first, last, 0, all));
     let (mut seen, mut beyond) = (0, 0);
     loop {
         // Where it is known to be too far somewhere, the most is looked for.
@@ -248,7 +244,8 @@ fn rise(tool: &Tool<'_>, sheet: &Sheet, a: &Touch, b: &Touch, drift: f64) -> Opt
     let [du, dv] = [0, 1].map(|i| b.spot.at[i] - a.spot.at[i]);
     let at = [0, 1].map(|i| 0.5 * (a.spot.at[i] + b.spot.at[i]));
     let half = [0.5 * du.abs(), 0.5 * dv.abs()];
-    let (bend, vary) = sheet.bend(&Patch { chart: a.spot.chart, at, half, ..Patch::default() });
+    let piece = Patch { chart: a.spot.chart, at, half, ..Patch::default() };
+    let (_, bend, vary) = sheet.middle(&piece);
     let [uu, uv, vv] = [du * du, 2.0 * du * dv, dv * dv];
     let (second, off) = (
         bend[0] * uu + bend[1] * uv + bend[2] * vv,

@@ -71,10 +71,14 @@ pub(crate) fn untranslated(word: Word, span: Span) -> Option<Diagnostic> {
 
 /// Does the program define or mill sculptured forms? Then it is one of APT4.
 pub(crate) fn sculptured(program: &Program) -> bool {
-    const OWN: [Word; 5] = [word::SSURF, word::SCURV, word::SCON, word::SMIL, word::GOLOFT];
+    has(program, &[word::SSURF, word::SCURV, word::SCON, word::SMIL, word::GOLOFT])
+}
+
+/// Does one of the words head a statement or a definition of the program?
+pub(crate) fn has(program: &Program, words: &[Word]) -> bool {
     let mut found = false;
     for statement in &program.statements {
-        heads(&statement.body, &mut |name| found |= name.word.is_some_and(|w| OWN.contains(&w)));
+        heads(&statement.body, &mut |name| found |= name.word.is_some_and(|w| words.contains(&w)));
     }
     found
 }

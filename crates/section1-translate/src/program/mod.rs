@@ -11,7 +11,7 @@ use aptc_diagnostics::Span;
 use aptc_syntax::tree::{Expr, ExprKind, Program};
 use aptc_syntax::{Interner, Symbol};
 
-pub(crate) use foreign::{foreign, sculptured, untranslated};
+pub(crate) use foreign::{foreign, has, sculptured, untranslated};
 pub(crate) use plan::{MISSING, Plan, Role, Surroundings, plan};
 pub(crate) use synonyms::Synonyms;
 

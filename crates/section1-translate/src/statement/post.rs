@@ -42,12 +42,12 @@ impl Interpreter<'_> {
             protap::Arg::Word(w) => METRIC.into_iter().find(|m| w == m),
             _ => None,
         });
-        let Some(metric) = metric.filter(|_| !self.state.unit_given && self.failed_at.is_none())
+        let Some(metric) = metric.filter(|_| self.state.lacks_units && self.failed_at.is_none())
         else {
             return;
         };
         // Once is enough: it is the unit of the whole program.
-        self.state.unit_given = true;
+        self.state.lacks_units = false;
         let message = format!("{metric}, but lengths are inches: the program has no UNITS");
         let help = "write UNITS/MM at its head, or UNITS/INCHES when this is meant";
         self.error(Diagnostic::warning(codes::UNITS_DOUBTFUL, clause.span, message).help(help));

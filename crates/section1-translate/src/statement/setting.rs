@@ -138,7 +138,6 @@ impl Interpreter<'_> {
             self.error(Diagnostic::warning(codes::UNITS_CHANGED, clause.span, message).help(help));
         }
         self.state.unit = unit;
-        self.state.unit_given = true;
         self.emit(Kind::Units(unit));
         Ok(())
     }
