@@ -58,6 +58,11 @@ pub(crate) struct Warm {
 }
 
 impl Warm {
+    /// Nothing is known of the places next to the next vector.
+    pub(crate) fn forget(&mut self) {
+        self.near = None;
+    }
+
     /// Of a vector of which no bound is told.
     pub(crate) fn silent() -> Self {
         Self { told: Some(f64::NEG_INFINITY), ..Self::default() }
@@ -98,8 +103,7 @@ impl Curved<'_> {
         let by_points = if warm.sunk { self.sunk(tool, &pose, turn, pad) } else { None };
         let by_points = by_points.filter(|half| matches!(half, Half::Holds(_)));
         if by_points.is_some() {
-            // Nothing is known of the places next to this vector.
-            warm.near = None;
+            warm.forget();
         }
         let asked = !self.on && by_points.is_none();
         let above = asked.then(|| self.excess(tool, &pose, turn, pad, warm));

@@ -9,14 +9,14 @@ use aptc_geometry::{Form, Plane, Profile, Quadric, Vec3};
 use crate::between::{NO_TURN, Way, between_poses};
 use crate::bound::{Bound, Touch};
 use crate::curved::{Curved, Warm};
-use crate::hollow::Hollow;
 use crate::inside::{self, Walls};
-use crate::outside;
+use crate::outside::{self, Outside};
+use crate::oval::Oval;
 use crate::pile::Pile;
 use crate::sheet::Sheet;
 use crate::sheets::Sheets;
 use crate::solid::Solid;
-use crate::tool::{Pose, Tool, Turn};
+use crate::tool::{Pose, Tool, Turn, same};
 
 /// Stretches of a vector that wait, from, to and how often halved: never more than one a halving.
 type Stack = Pile<(Stop, Stop, u32), 32>;
@@ -55,9 +55,9 @@ enum Body {
     /// It bounds a convex solid with a support function.
     Solid(Solid),
     /// Inside of a convex quadric that is open along the tool axis.
-    Hollow(Hollow),
-    /// It has charts.
-    Sheet(Arc<Sheet>),
+    Hollow(Oval),
+    /// It has charts. Beside the convex side of a quadric its support function is tried first.
+    Sheet(Arc<Sheet>, Option<Oval>),
     /// Nothing that could be proved against.
     Unknown,
 }
@@ -66,7 +66,7 @@ enum Body {
 #[derive(Clone, Copy, Debug)]
 enum Convex<'a> {
     Solid(&'a Solid),
-    Hollow(&'a Hollow),
+    Hollow(&'a Oval),
 }
 
 /// The answer for one cut vector and one surface.
@@ -95,7 +95,7 @@ impl Demand {
             None => Solid::new(&c.form)
                 .map(Body::Solid)
                 .or_else(|| opened(c).map(Body::Hollow))
-                .or_else(|| sheets.of_form(&c.form).map(Body::Sheet))
+                .or_else(|| sheets.of_form(&c.form).map(|s| Body::Sheet(s, beside(c))))
                 .unwrap_or(Body::Unknown),
         };
         let flat = matches!(body, Body::Solid(Solid::Half(_)));
@@ -130,7 +130,7 @@ impl Demand {
 
     /// The same inside of a convex quadric that is open along the tool axis; `None` of others.
     pub(crate) fn hollow(quadric: &QuadricSurface, depth: f64) -> Option<Self> {
-        let body = Body::Hollow(Hollow::new(quadric)?);
+        let body = Body::Hollow(Oval::new(quadric)?);
         let (least, most) = (-depth, f64::INFINITY);
         let moved = 0.0;
         Some(Self { body, side: -1.0, within: true, open: true, on: false, moved, least, most })
@@ -166,27 +166,56 @@ impl Demand {
         pad: f64,
         warm: &mut Warm,
     ) -> Verdict {
-        let ends = tool.ends(a, b);
+        if let Some([low, high]) = self.straight(tool, a, b, pad, warm) {
+            return Verdict::Proved { low, high };
+        }
         let convex = match &self.body {
             Body::Solid(solid) => Convex::Solid(solid),
             Body::Hollow(hollow) => Convex::Hollow(hollow),
-            Body::Sheet(sheet) => return self.curved(sheet).judge(tool, a, b, pad, warm),
+            Body::Sheet(sheet, _) => return self.curved(sheet).judge(tool, a, b, pad, warm),
             Body::Unknown => return Verdict::Undecided { at_most: f64::INFINITY, te: a.te },
         };
-        // How much more there is does not tell beside what was told of others.
-        let (band, told) =
-            ([self.least - pad, self.most + pad], warm.told.unwrap_or(f64::INFINITY));
-        if let Convex::Solid(solid) = convex
-            && !self.within
-            && ends[0].ta == ends[1].ta
-        {
-            let enough = band[0].max(told);
-            let bound = outside::bound(tool, &ends, solid, &mut warm.end, enough);
-            if bound.low >= band[0] && bound.high <= band[1] {
-                return Verdict::Proved { low: bound.low, high: bound.high };
-            }
+        let [from, to] = tool.ends(a, b);
+        let told = warm.told.unwrap_or(f64::INFINITY);
+        self.halving(tool, Way::new(from, to), convex, [self.least - pad, self.most + pad], told)
+    }
+
+    /// Least and greatest gap outside of a convex solid along a way on which the axis does not turn, where they are as asked.
+    #[inline]
+    fn straight(
+        &self,
+        tool: &Tool<'_>,
+        a: &Position,
+        b: &Position,
+        pad: f64,
+        warm: &mut Warm,
+    ) -> Option<[f64; 2]> {
+        let ends @ [from, to] = tool.ends(a, b);
+        if self.within || !same(from.ta, to.ta) {
+            return None;
         }
-        self.halving(tool, Way::new(ends[0], ends[1]), convex, band, told)
+        let (least, most) = (self.least - pad, self.most + pad);
+        // How much more there is does not tell beside what was told of others.
+        let enough = least.max(warm.told.unwrap_or(f64::INFINITY));
+        let [low, high] = match &self.body {
+            Body::Solid(Solid::Half(plane)) => {
+                outside::beside_plane(tool, &ends, plane, &mut warm.end)
+            }
+            Body::Solid(solid) => {
+                let bound = outside::bound(tool, &ends, solid, &mut warm.end, enough);
+                [bound.low, bound.high]
+            }
+            Body::Sheet(_, Some(oval)) => {
+                let bound = outside::bound(tool, &ends, oval, &mut warm.end, enough);
+                [bound.low, bound.high]
+            }
+            _ => return None,
+        };
+        let held = low >= least && high <= most;
+        if held {
+            warm.forget();
+        }
+        held.then_some([low, high])
     }
 
     /// The same by halving the way: bounds of its stretches are put together.
@@ -268,7 +297,7 @@ impl Demand {
         match &self.body {
             Body::Solid(solid) => Some(self.gap(tool, &pose, Convex::Solid(solid))),
             Body::Hollow(hollow) => Some(self.gap(tool, &pose, Convex::Hollow(hollow))),
-            Body::Sheet(sheet) => self.curved(sheet).gap(tool, &pose),
+            Body::Sheet(sheet, _) => self.curved(sheet).gap(tool, &pose),
             Body::Unknown => None,
         }
     }
@@ -288,7 +317,7 @@ impl Demand {
     pub(crate) fn method(&self) -> &'static str {
         match self.body {
             Body::Solid(_) | Body::Hollow(_) => "support functions",
-            Body::Sheet(_) => "branch and bound",
+            Body::Sheet(..) => "branch and bound",
             Body::Unknown => "none",
         }
     }
@@ -296,7 +325,7 @@ impl Demand {
     fn gap(&self, tool: &Tool<'_>, pose: &Pose, convex: Convex<'_>) -> f64 {
         match convex {
             Convex::Solid(solid) if self.within => inside::gap(tool, pose, solid, self.open).1,
-            Convex::Solid(solid) => outside::gap(tool, pose, solid).0,
+            Convex::Solid(solid) => solid.touch(tool, pose, None).low,
             Convex::Hollow(hollow) => inside::gap(tool, pose, hollow, true).1,
         }
     }
@@ -309,7 +338,7 @@ impl Demand {
                 let (low, high, m) = inside::gap(tool, pose, solid, false);
                 Some(Touch { low, high, m, p: pose.te })
             }
-            Convex::Solid(solid) if !self.within => Some(outside::touch(tool, pose, solid)),
+            Convex::Solid(solid) if !self.within => Some(solid.touch(tool, pose, None)),
             Convex::Solid(_) | Convex::Hollow(_) => None,
         }
     }
@@ -357,13 +386,21 @@ fn within(
 }
 
 /// The hollow of a quadric that counts as open.
-fn opened(c: &Controlled) -> Option<Hollow> {
-    let Form::Quadric(q) = c.form.shape() else { return None };
+fn opened(c: &Controlled) -> Option<Oval> {
     let touches = c.open && c.side != 0 && c.relation != Relation::On;
-    // Seen from the positive side the form with the other sign.
-    let c = if c.side < 0 { q.c } else { q.c.map(|x| -x) };
-    let surface = QuadricSurface::new(&Quadric { kind: q.kind, c }).filter(|_| touches)?;
-    Hollow::new(&surface)
+    if touches { convex(c, c.side >= 0) } else { None }
+}
+
+/// The quadric outside of which the tool is.
+fn beside(c: &Controlled) -> Option<Oval> {
+    convex(c, c.side < 0)
+}
+
+/// The negative side of a quadric, or its positive one, where that is convex.
+fn convex(c: &Controlled, positive: bool) -> Option<Oval> {
+    let Form::Quadric(q) = c.form.shape() else { return None };
+    let c = if positive { q.c.map(|x| -x) } else { q.c };
+    Oval::new(&QuadricSurface::new(&Quadric { kind: q.kind, c })?)
 }
 
 #[cfg(test)]

@@ -5,10 +5,10 @@
 //! x of the hollow, for h(T) is convex; with the point that touches in the middle of the cone that misses the truth by
 //! the square of the cone's width. Cones are halved until nothing is missed.
 
-use aptc_geometry::surface::QuadricSurface;
 use aptc_geometry::{Vec3, trig};
 
 use crate::inside::{Walls, allowed};
+use crate::oval::Oval;
 use crate::pile::Pile;
 use crate::solid::{any_across, unit_or};
 use crate::tool::{Pose, Tool};
@@ -20,125 +20,10 @@ const MOST: u32 = 20_000;
 /// Largest sine by which a direction may miss the bounded ones and still count as rounding.
 const ROUNDING: f64 = 1e-12;
 
-/// The convex side of an ellipsoid, elliptic cylinder, paraboloid or parabolic cylinder.
-#[derive(Clone, Debug)]
-pub(crate) struct Hollow {
-    /// Directions in which the form bends, how much, and where its middle is along them.
-    round: [Option<(Vec3, f64, f64)>; 3],
-    /// The unit direction in which it is linear and half its slope there; towards its opposite the hollow has no end.
-    linear: Option<(Vec3, f64)>,
-    /// By how much the form falls below zero in the middle; with a linear part, where that vanishes.
-    depth: f64,
-}
-
 /// Up to three directions whose cone is looked at, and how often it was halved.
 type Cone = ([Vec3; 3], u32);
 
-impl Hollow {
-    /// Of the negative side of a quadric; `None` when that is not convex.
-    pub(crate) fn new(quadric: &QuadricSurface) -> Option<Self> {
-        if quadric.convexity() != 1 {
-            return None;
-        }
-        let (axes, lambda, beta, constant) = quadric.principal();
-        let mut round = [None; 3];
-        let (mut slope, mut depth) = (Vec3::zeros(), -constant);
-        for (i, (slot, axis)) in round.iter_mut().zip(axes).enumerate() {
-            if lambda[i] > 0.0 {
-                *slot = Some((axis, lambda[i], -beta[i] / lambda[i]));
-                depth += beta[i] * beta[i] / lambda[i];
-            } else {
-                slope += axis * beta[i];
-            }
-        }
-        let size = slope.norm();
-        let linear = (size > 0.0).then(|| (slope / size, size));
-        Some(Self { round, linear, depth })
-    }
-
-    /// Twice the part of `m` along which the hollow is linear, over its slope; and the squares of the others over their
-    /// bends.
-    fn parts(&self, m: Vec3) -> Option<(f64, f64)> {
-        let squares = self.round.iter().flatten();
-        let squares: f64 = squares.map(|(e, l, _)| m.dot(e).powi(2) / l).sum();
-        let used: Vec3 = self.round.iter().flatten().map(|(e, ..)| e * e.dot(&m)).sum();
-        let rest = m - used;
-        let Some((t, slope)) = self.linear else {
-            return (rest.norm() <= ROUNDING * m.norm()).then_some((0.0, squares));
-        };
-        let up = rest.dot(&t);
-        let bounded = up > 0.0 && (rest - t * up).norm() <= ROUNDING * m.norm();
-        bounded.then_some((up / slope, squares))
-    }
-
-    /// The point of the hollow that is farthest along `m`; `None` where it has no end that way.
-    fn touching(&self, m: Vec3) -> Option<Vec3> {
-        let (up, squares) = self.parts(m)?;
-        let scale = if self.linear.is_some() { 1.0 / up } else { (self.depth / squares).sqrt() };
-        let at = |&(e, l, c): &(Vec3, f64, f64)| e * (c + scale * m.dot(&e) / l);
-        let mut point: Vec3 = self.round.iter().flatten().map(at).sum();
-        if let Some((t, slope)) = self.linear {
-            // The form without its linear part, which that makes up for.
-            let value = scale * scale * squares - self.depth;
-            point -= t * (0.5 * value / slope);
-        }
-        point.iter().all(|x| x.is_finite()).then_some(point)
-    }
-
-    /// Directions whose cones hold all that do not look up `ta` by more than `up`.
-    fn cones(&self, ta: Vec3, up: f64) -> Pile<Cone, 192> {
-        let mut pile = Pile::new();
-        let [r0, r1, r2] = self.round.map(|r| r.map(|r| r.0));
-        let mut frame = [r0, r1, r2, self.linear.map(|l| l.0)].into_iter().flatten();
-        match [frame.next(), frame.next(), frame.next()] {
-            [Some(_), Some(_), Some(_)] => {
-                let a = any_across(ta);
-                let b = ta.cross(&a);
-                let low = (1.0 - up * up).max(0.0).sqrt();
-                let rim = |k: u32| {
-                    let (s, c) = trig::sin_cos(f64::from(k) * std::f64::consts::FRAC_PI_4);
-                    (a * c + b * s) * low + ta * up
-                };
-                for k in 0..8 {
-                    pile.push(([-ta, rim(k), rim(k + 1)], 0));
-                }
-            }
-            [Some(e1), Some(e2), None] => {
-                if let Some((from, turn)) = allowed(e1, e2, Vec3::zeros(), ta, Some(up)) {
-                    let at = |k: u32| {
-                        let (s, c) = trig::sin_cos(from + f64::from(k) * turn / 8.0);
-                        e1 * c + e2 * s
-                    };
-                    for k in 0..8 {
-                        pile.push(([at(k), at(k), at(k + 1)], 0));
-                    }
-                }
-            }
-            [Some(e), ..] => {
-                for m in [e, -e].into_iter().filter(|m| m.dot(&ta) <= up + ROUNDING) {
-                    pile.push(([m; 3], DEPTH));
-                }
-            }
-            [None, ..] => {}
-        }
-        pile
-    }
-}
-
-impl Walls for Hollow {
-    fn support(&self, m: Vec3) -> f64 {
-        self.touching(m).map_or(f64::INFINITY, |x| x.dot(&m))
-    }
-
-    fn bounded_direction(&self, m: Vec3) -> Vec3 {
-        let mut laid: Vec3 = self.round.iter().flatten().map(|(e, ..)| e * e.dot(&m)).sum();
-        if let Some((t, _)) = self.linear {
-            laid += t * t.dot(&m).max(1e-9 * m.norm());
-        }
-        let first = self.round.iter().flatten().next().map_or(Vec3::z(), |r| r.0);
-        unit_or(laid, first)
-    }
-
+impl Walls for Oval {
     fn nearest(&self, tool: &Tool<'_>, pose: &Pose, up: Option<f64>) -> (f64, f64, Vec3) {
         let up = up.unwrap_or(0.0);
         let clear = |x: Vec3, m: Vec3| x.dot(&m) - tool.height(pose, m);
@@ -181,10 +66,48 @@ impl Walls for Hollow {
     }
 }
 
-impl Hollow {
+impl Oval {
+    /// Directions whose cones hold all that do not look up `ta` by more than `up`.
+    fn cones(&self, ta: Vec3, up: f64) -> Pile<Cone, 192> {
+        let mut pile = Pile::new();
+        let mut frame = self.frame();
+        match [frame.next(), frame.next(), frame.next()] {
+            [Some(_), Some(_), Some(_)] => {
+                let a = any_across(ta);
+                let b = ta.cross(&a);
+                let low = (1.0 - up * up).max(0.0).sqrt();
+                let rim = |k: u32| {
+                    let (s, c) = trig::sin_cos(f64::from(k) * std::f64::consts::FRAC_PI_4);
+                    (a * c + b * s) * low + ta * up
+                };
+                for k in 0..8 {
+                    pile.push(([-ta, rim(k), rim(k + 1)], 0));
+                }
+            }
+            [Some(e1), Some(e2), None] => {
+                if let Some((from, turn)) = allowed(e1, e2, Vec3::zeros(), ta, Some(up)) {
+                    let at = |k: u32| {
+                        let (s, c) = trig::sin_cos(from + f64::from(k) * turn / 8.0);
+                        e1 * c + e2 * s
+                    };
+                    for k in 0..8 {
+                        pile.push(([at(k), at(k), at(k + 1)], 0));
+                    }
+                }
+            }
+            [Some(e), ..] => {
+                for m in [e, -e].into_iter().filter(|m| m.dot(&ta) <= up + ROUNDING) {
+                    pile.push(([m; 3], DEPTH));
+                }
+            }
+            [None, ..] => {}
+        }
+        pile
+    }
+
     /// Does no direction of the cone bound the hollow?
     fn endless(&self, corners: &[Vec3; 3]) -> bool {
-        self.linear.is_some_and(|(t, _)| corners.iter().all(|m| m.dot(&t) <= 0.0))
+        self.straight().is_some_and(|t| corners.iter().all(|m| m.dot(&t) <= 0.0))
     }
 }
 
@@ -206,17 +129,19 @@ fn halve(pile: &mut Pile<Cone, 192>, corners: &[Vec3; 3], halvings: u32) {
 mod tests {
     use super::*;
     use crate::inside::{bound, gap};
+    use crate::solid::Supported;
+    use aptc_geometry::surface::QuadricSurface;
     use aptc_geometry::{Cutter, Profile, Quadric, QuadricKind};
     use proptest::prelude::*;
 
-    fn quadric(c: [f64; 10]) -> Hollow {
+    fn quadric(c: [f64; 10]) -> Oval {
         let form = Quadric { kind: QuadricKind::Qadric, c };
-        Hollow::new(&QuadricSurface::new(&form).unwrap()).unwrap()
+        Oval::new(&QuadricSurface::new(&form).unwrap()).unwrap()
     }
 
     #[test]
     fn support_functions_of_known_hollows() {
-        let h = |s: &Hollow, x: f64, y: f64, z: f64| s.support(Vec3::new(x, y, z));
+        let h = |s: &Oval, x: f64, y: f64, z: f64| s.support(Vec3::new(x, y, z));
         // Half axes 2, 3, 5 about (1, 0, 0).
         let e = quadric([0.25, 1.0 / 9.0, 0.04, -0.75, 0.0, 0.0, 0.0, -0.25, 0.0, 0.0]);
         assert!((h(&e, 1.0, 0.0, 0.0) - 3.0).abs() < 1e-12);

@@ -13,20 +13,14 @@ use crate::between::{bulge, parabola};
 use crate::bound::{Bound, CLOSE, Touch};
 use crate::pile::Pile;
 use crate::rings;
-use crate::solid::{Solid, any_across};
+use crate::solid::{Solid, Supported, any_across};
 use crate::tool::{Pose, Tool, Turn, carry};
 
 /// A direction may look up the axis by so much and still count as square to it.
 const LEVEL: f64 = 1e-12;
 
 /// A convex solid as it is seen from within.
-pub(crate) trait Walls {
-    /// Greatest `m . p` over the solid; infinite where it has no end.
-    fn support(&self, m: Vec3) -> f64;
-
-    /// The direction near `m` in which the solid is bounded, unit.
-    fn bounded_direction(&self, m: Vec3) -> Vec3;
-
+pub(crate) trait Walls: Supported {
     /// Greatest `|m . ta|` over its normals m at most.
     fn steepest(&self, _ta: Vec3) -> f64 {
         1.0
@@ -37,14 +31,6 @@ pub(crate) trait Walls {
 }
 
 impl Walls for Solid {
-    fn support(&self, m: Vec3) -> f64 {
-        Solid::support(self, m)
-    }
-
-    fn bounded_direction(&self, m: Vec3) -> Vec3 {
-        Solid::bounded_direction(self, m)
-    }
-
     fn steepest(&self, ta: Vec3) -> f64 {
         match self {
             Self::Rod(_, t, _) => ta.cross(t).norm(),

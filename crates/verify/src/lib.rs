@@ -22,6 +22,7 @@ mod kept;
 mod milled;
 mod outline;
 mod outside;
+mod oval;
 mod paraboloid;
 mod passes;
 mod pile;

@@ -7,50 +7,56 @@
 //! vector d proves `g(t) >= -h(T, -d) - h(C, d) + t d.v`; the best d is the normal at the contact where
 //! d . v = 0, and how it was found does not matter to the proof.
 
-use aptc_geometry::Vec3;
+use aptc_geometry::{Plane, Vec3};
 
 use crate::between::{angle, bulge, parabola};
 use crate::bound::{Bound, CLOSE, Touch};
-use crate::solid::{Solid, unit_or};
-use crate::tool::{Pose, Tool, Turn, carry, turned};
+use crate::oval::{Nearest, Oval};
+use crate::solid::{Solid, Supported, unit_or};
+use crate::tool::{Pose, Tool, Turn, carry, same, turned};
 
 /// Rounds of the searches for the best direction; reaching them costs tightness, not truth.
 const ROUNDS: usize = 60;
 /// Sine at which a direction counts as square to the way.
 const SQUARE: f64 = 1e-8;
 
-/// Gap at a position: its value up to rounding, from above, and the direction that proves it.
-pub(crate) fn gap(tool: &Tool<'_>, pose: &Pose, solid: &Solid) -> (f64, Vec3) {
-    let Touch { low, m, .. } = touch(tool, pose, solid);
-    (low, m)
+/// A convex solid as it is seen from outside.
+pub(crate) trait Outside: Supported {
+    /// The gap at a position: its value up to rounding, from above, the direction that proves it and the point of the tool
+    /// that has it. `near` is a direction that may be near.
+    fn touch(&self, tool: &Tool<'_>, pose: &Pose, near: Option<Vec3>) -> Touch;
 }
 
-/// The same with the point of the tool that has it.
-pub(crate) fn touch(tool: &Tool<'_>, pose: &Pose, solid: &Solid) -> Touch {
-    let (gap, m, p) = nearest(tool, pose, solid);
-    Touch { low: gap, high: gap, m, p }
+impl Outside for Oval {
+    fn touch(&self, tool: &Tool<'_>, pose: &Pose, near: Option<Vec3>) -> Touch {
+        let Nearest { gap, n, p } = self.next_to(tool, pose, near);
+        Touch { low: gap, high: gap, m: n, p }
+    }
 }
 
-fn nearest(tool: &Tool<'_>, pose: &Pose, solid: &Solid) -> (f64, Vec3, Vec3) {
-    // Of a tool that has `c` at the distance `d` in the direction `n` the point next to it.
-    let next = |c: Vec3, d: f64, n: Vec3| c - n * d;
-    match solid {
-        Solid::Half(plane) => {
-            let p = tool.farthest(pose, -plane.n);
-            (plane.distance(p), plane.n, p)
-        }
-        Solid::Ball(c, r) => {
-            let (d, n) = tool.near(pose, *c);
-            (d - r, -n, next(*c, d, n))
-        }
-        Solid::Rod(q, t, r) => {
-            let (d, n, s) = along_axis(tool, pose, *q, *t, 0.0, f64::NEG_INFINITY);
-            (d - r, solid.bounded_direction(-n), next(q + s * t, d, n))
-        }
-        Solid::Nappe(v, t, _, sin) => {
-            let (d, n, s) = along_axis(tool, pose, *v, *t, *sin, 0.0);
-            (d, solid.bounded_direction(-n), next(v + s * t, d + s * sin, n))
-        }
+impl Outside for Solid {
+    fn touch(&self, tool: &Tool<'_>, pose: &Pose, _near: Option<Vec3>) -> Touch {
+        // Of a tool that has `c` at the distance `d` in the direction `n` the point next to it.
+        let next = |c: Vec3, d: f64, n: Vec3| c - n * d;
+        let (gap, m, p) = match self {
+            Self::Half(plane) => {
+                let p = tool.farthest(pose, -plane.n);
+                (plane.distance(p), plane.n, p)
+            }
+            Self::Ball(c, r) => {
+                let (d, n) = tool.near(pose, *c);
+                (d - r, -n, next(*c, d, n))
+            }
+            Self::Rod(q, t, r) => {
+                let (d, n, s) = along_axis(tool, pose, *q, *t, 0.0, f64::NEG_INFINITY);
+                (d - r, self.bounded_direction(-n), next(q + s * t, d, n))
+            }
+            Self::Nappe(v, t, _, sin) => {
+                let (d, n, s) = along_axis(tool, pose, *v, *t, *sin, 0.0);
+                (d, self.bounded_direction(-n), next(v + s * t, d + s * sin, n))
+            }
+        };
+        Touch { low: gap, high: gap, m, p }
     }
 }
 
@@ -119,9 +125,27 @@ fn along_axis(
 }
 
 /// What the unit direction `d` proves of the gap along the motion from `pose` by `v`.
-pub(crate) fn proved(tool: &Tool<'_>, pose: &Pose, v: Vec3, solid: &Solid, d: Vec3) -> f64 {
+fn proved(tool: &Tool<'_>, pose: &Pose, v: Vec3, solid: &impl Supported, d: Vec3) -> f64 {
     debug_assert!((d.norm_squared() - 1.0).abs() < 1e-9, "{d}");
     -tool.height(pose, -d) - solid.support(d) + d.dot(&v).min(0.0)
+}
+
+/// The gaps at both ends of a vector along which the axis does not turn, the lesser first: beside a plane they are its bounds.
+#[inline]
+pub(crate) fn beside_plane(
+    tool: &Tool<'_>,
+    [a, b]: &[Pose; 2],
+    plane: &Plane,
+    known: &mut Option<Stood>,
+) -> [f64; 2] {
+    let gap = |pose: &Pose| -tool.height(pose, -plane.n) - plane.d;
+    let first = match known {
+        Some(s) if s.at == *a => s.gap,
+        _ => gap(a),
+    };
+    let last = gap(b);
+    *known = Some(Stood { at: *b, gap: last, d: plane.n });
+    [first.min(last), first.max(last)]
 }
 
 /// Bounds along the vector from `a` to `b`, axis fixed, from below no closer than to `enough`. `known` is what is known where
@@ -129,30 +153,28 @@ pub(crate) fn proved(tool: &Tool<'_>, pose: &Pose, v: Vec3, solid: &Solid, d: Ve
 pub(crate) fn bound(
     tool: &Tool<'_>,
     [a, b]: &[Pose; 2],
-    solid: &Solid,
+    solid: &impl Outside,
     known: &mut Option<Stood>,
     enough: f64,
 ) -> Bound {
     let v = b.te - a.te;
-    let stand = |pose: &Pose| {
-        let (gap, d) = gap(tool, pose, solid);
+    let stand = |pose: &Pose, near: Option<Vec3>| {
+        let Touch { low: gap, m: d, .. } = solid.touch(tool, pose, near);
         Stood { at: *pose, gap, d }
     };
     let place = |t: f64, s: &Stood| Place { t, gap: s.gap, d: s.d, slope: s.d.dot(&v) };
     let first = match known {
-        Some(s) if s.at.te == a.te && (s.at.ta == a.ta || tool.reach() == 0.0) => place(0.0, s),
-        _ => place(0.0, &stand(a)),
+        Some(s) if same(s.at.te, a.te) && (same(s.at.ta, a.ta) || tool.reach() == 0.0) => {
+            place(0.0, s)
+        }
+        _ => place(0.0, &stand(a, None)),
     };
-    let last = place(1.0, known.insert(stand(b)));
+    let last = place(1.0, known.insert(stand(b, Some(first.d))));
     let (mut least, high) = if first.gap <= last.gap { (first, last) } else { (last, first) };
     let told = |low: f64, least: &Place| {
         let (low_at, high_at) = (least.t, high.t);
         Bound { low, high: high.gap, low_at, high_at, least: least.gap }
     };
-    // Beside a plane the gap runs evenly from end to end.
-    if matches!(solid, Solid::Half(_)) {
-        return told(least.gap, &least);
-    }
     let shown = |d: Vec3| proved(tool, a, v, solid, d);
     // The gap is least at an end, or where its slope changes sign.
     if first.slope >= 0.0 {
@@ -164,8 +186,7 @@ pub(crate) fn bound(
     let length = v.norm();
     // A direction square to the motion proves the same for the whole of it.
     let level = |d: Vec3| {
-        let square = d - v * (d.dot(&v) / (length * length).max(f64::MIN_POSITIVE));
-        let square = solid.bounded_direction(square);
+        let square = solid.square_direction(d, v);
         let is_square = square.dot(&v).abs() <= 1e-12 * length;
         shown(if is_square { square } else { d })
     };
@@ -181,7 +202,7 @@ pub(crate) fn bound(
         let secant = p.t - p.slope * (q.t - p.t) / (q.slope - p.slope);
         let halves = round % 3 == 2 || !(p.t..=q.t).contains(&secant);
         let t = if halves { 0.5 * (p.t + q.t) } else { secant };
-        let m = place(t, &stand(&Pose { te: a.te + t * v, ta: a.ta }));
+        let m = place(t, &stand(&Pose { te: a.te + t * v, ta: a.ta }, Some(p.d)));
         if m.gap < least.gap {
             least = m;
         }
@@ -259,7 +280,8 @@ pub(crate) fn bound_turning(
     ends: [Option<Touch>; 2],
     enough: f64,
 ) -> Bound {
-    let at = |pose: &Pose, known: Option<Touch>| known.unwrap_or_else(|| touch(tool, pose, solid));
+    let at =
+        |pose: &Pose, known: Option<Touch>| known.unwrap_or_else(|| solid.touch(tool, pose, None));
     let (first, last) = (at(a, ends[0]), at(b, ends[1]));
     let hull = |d: Vec3| -tool.height_turning(a, b, -d, turn).0 - solid.support(d);
     // The direction between both shows most as a rule, and for the rest it is asked only where that is not enough.
@@ -316,7 +338,7 @@ mod tests {
                     Solid::Rod(Vec3::zeros(), Vec3::z(), 25.0),
                     Solid::Nappe(Vec3::zeros(), Vec3::z(), 0.8, 0.6),
                 ] {
-                    let (gap, d) = gap(&tool, &pose, &solid);
+                    let Touch { low: gap, m: d, .. } = solid.touch(&tool, &pose, None);
                     let low = proved(&tool, &pose, Vec3::zeros(), &solid, d);
                     assert!(low >= gap - 1e-9, "{i} {lean} {solid:?}: {gap} proved {low}");
                 }

@@ -20,6 +20,21 @@ pub(crate) enum Solid {
     Nappe(Vec3, Vec3, f64, f64),
 }
 
+/// What has a support function.
+pub(crate) trait Supported {
+    /// Greatest `m . p` over the solid; infinite where it has no end.
+    fn support(&self, m: Vec3) -> f64;
+
+    /// The direction near `m` in which the solid is bounded, unit.
+    fn bounded_direction(&self, m: Vec3) -> Vec3;
+
+    /// The direction near the unit vector `m` that is a normal of the solid and square to `v`; one that is not where there
+    /// is none.
+    fn square_direction(&self, m: Vec3, v: Vec3) -> Vec3 {
+        self.bounded_direction(without(m, v))
+    }
+}
+
 impl Solid {
     /// The solid that a form bounds; `None` for forms that bound no simple convex solid.
     pub(crate) fn new(form: &Form) -> Option<Self> {
@@ -55,9 +70,10 @@ impl Solid {
             }
         }
     }
+}
 
-    /// Support function `max over C of m . q`; infinite for directions in which C is unbounded.
-    pub(crate) fn support(&self, m: Vec3) -> f64 {
+impl Supported for Solid {
+    fn support(&self, m: Vec3) -> f64 {
         /// Largest sine by which a direction may miss the bounded ones and still count as rounding.
         const ROUNDING: f64 = 1e-12;
         match self {
@@ -84,8 +100,7 @@ impl Solid {
         }
     }
 
-    /// The direction nearest to `m` in which the solid is bounded, unit.
-    pub(crate) fn bounded_direction(&self, m: Vec3) -> Vec3 {
+    fn bounded_direction(&self, m: Vec3) -> Vec3 {
         match self {
             Self::Half(plane) => plane.n,
             Self::Ball(..) => unit_or(m, Vec3::z()),
@@ -101,6 +116,36 @@ impl Solid {
             }
         }
     }
+
+    fn square_direction(&self, m: Vec3, v: Vec3) -> Vec3 {
+        match self {
+            Self::Half(_) | Self::Ball(..) => self.bounded_direction(without(m, v)),
+            Self::Rod(_, t, _) => square_to_both(m, *t, v),
+            // Of the normals `cos r - sin t`, r square to t, those with `cos r.v = sin t.v`.
+            Self::Nappe(_, t, cos, sin) => {
+                let aside = across(v, *t);
+                let along = sin * t.dot(&v) / (cos * aside.norm());
+                if !(along.abs() <= 1.0) {
+                    return self.bounded_direction(without(m, v));
+                }
+                let (u, w) = (aside.normalize(), t.cross(&aside).normalize());
+                let rest = (1.0 - along * along).max(0.0).sqrt().copysign(m.dot(&w));
+                (u * along + w * rest) * *cos - *t * *sin
+            }
+        }
+    }
+}
+
+/// `m` without its part along `v`.
+pub(crate) fn without(m: Vec3, v: Vec3) -> Vec3 {
+    m - v * (m.dot(&v) / v.norm_squared().max(f64::MIN_POSITIVE))
+}
+
+/// The unit vector square to `t` and `v` on the side of `m`; `m` without its part along `t` where those run alike.
+pub(crate) fn square_to_both(m: Vec3, t: Vec3, v: Vec3) -> Vec3 {
+    let both = t.cross(&v);
+    let alike = both.norm() <= 1e-12 * v.norm();
+    unit_or(if alike { across(m, t) } else { both * both.dot(&m).signum() }, any_across(t))
 }
 
 fn across(w: Vec3, t: Vec3) -> Vec3 {
@@ -154,6 +199,27 @@ mod tests {
                 let h = solid.support(d);
                 prop_assert!(h.is_finite() && (d.norm() - 1.0).abs() < 1e-12, "{solid:?}");
                 prop_assert!(d.dot(&p) - h <= solid.distance(p) + 1e-9, "{solid:?}");
+            }
+        }
+
+        #[test]
+        fn directions_square_to_a_way_are_normals(
+            m in prop::array::uniform3(-1.0..1.0_f64), v in prop::array::uniform3(-1.0..1.0_f64),
+        ) {
+            let v = Vec3::from(v);
+            for solid in solids() {
+                let from = solid.bounded_direction(Vec3::from(m));
+                let d = solid.square_direction(from, v);
+                prop_assert!((d.norm() - 1.0).abs() < 1e-12 && solid.support(d).is_finite(), "{solid:?}");
+                let there_is = match solid {
+                    Solid::Half(_) => false,
+                    Solid::Ball(..) | Solid::Rod(..) => true,
+                    // A way within the cone of directions of its generators is square to none of its normals.
+                    Solid::Nappe(_, t, cos, _) => v.dot(&t).abs() <= cos * v.norm(),
+                };
+                if there_is {
+                    prop_assert!(d.dot(&v).abs() <= 1e-12, "{solid:?} {d} {v}");
+                }
             }
         }
     }
