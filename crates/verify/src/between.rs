@@ -2,7 +2,7 @@
 
 use aptc_geometry::{Vec3, trig};
 
-use crate::tool::Pose;
+use crate::tool::{Pose, same};
 
 /// How far a point of the tool at distance `lever` from the tool end leaves the chord of its way at most, when
 /// the axis turns by `turn`; at the share t of the way the part 4 t (1 - t) of it.
@@ -22,7 +22,7 @@ pub(crate) fn parabola(f0: f64, f1: f64, rise: f64) -> f64 {
 }
 
 pub(crate) fn angle(a: Vec3, b: Vec3) -> f64 {
-    if a == b {
+    if same(a, b) {
         return 0.0;
     }
     trig::angle_between(a, b)

@@ -5,7 +5,7 @@ mod sunk;
 
 use aptc_cldata::Position;
 
-use crate::between::{angle, between_poses};
+use crate::between::Way;
 use crate::deep::deepest;
 use crate::demand::Verdict;
 use crate::outside::Stood;
@@ -91,9 +91,9 @@ impl Curved<'_> {
         warm: &mut Warm,
     ) -> Verdict {
         let ends = tool.ends(a, b);
-        let world = |t: f64| between_poses(&ends[0], &ends[1], t);
+        let way = Way::new(ends[0], ends[1]);
+        let (world, turn) = (|t: f64| way.at(t), way.turn);
         let pose = |t: f64| self.sheet.local(&world(t));
-        let turn = angle(ends[0].ta, ends[1].ta);
         if ends[0].ta.dot(&ends[1].ta) > 0.0
             && let Some([low, high]) = self.upright(tool, [&pose(0.0), &pose(1.0)], pad, warm)
         {

@@ -3,6 +3,7 @@
 use std::sync::atomic::{AtomicU32, Ordering};
 
 use super::*;
+use crate::between::between_poses;
 use crate::demand::Demand;
 use crate::sheet::tests::quadrics;
 use crate::sheets::Sheets;

@@ -15,6 +15,7 @@ use aptc_geometry::Vec3;
 use crate::sheet::{Patch, Sheet, Spot, Tile, fall};
 use crate::solid::unit_or;
 use crate::sweep::Sweep;
+use crate::tool::same;
 
 /// Looks for the place next to the tool, and for the least of a piece.
 const LOOKS: u32 = 10;
@@ -112,21 +113,14 @@ impl<'a> Corner<'a> {
     /// The paraboloid about the place of the surface next to the tool that a way down from `spot` leads to, where the direction to
     /// it is about `m`.
     fn find(&self, sheet: &Sheet, spot: Spot, at: At, m: Vec3) -> Option<Place> {
-        let mut at = if self.way == Vec3::zeros() { At::Start } else { at };
-        let (mut spot, mut last) = (sheet.settle(spot), f64::INFINITY);
+        let stands = same(self.way, Vec3::zeros());
+        let mut at = if stands { At::Start } else { at };
+        let mut spot = sheet.settle(spot);
         let mut about = self.about(at, m)?;
         for _ in 0..LOOKS {
             let (jet, bend) = sheet.bent(&spot);
             // Where the tool is met from here.
             about = self.about(at, about.value(jet.p).1.try_normalize(0.0)?)?;
-            if last <= FOUND * self.radius {
-                // In a hollow along its way the tool is met at both ends, and no piece between them is shown by any.
-                let passing =
-                    if at == At::Between { about } else { self.about(At::Between, about.m)? };
-                let [a, b, c] = passing.second(passing.value(jet.p).1, jet.d, bend);
-                let bends = a > 0.0 && a * c > b * b;
-                return (bends || self.way == Vec3::zeros()).then_some((about, spot));
-            }
             let (along, share) = (about.m.dot(&self.way), (jet.p - about.p).dot(&self.way));
             let met = match at {
                 At::Start if along > 0.0 => At::Between,
@@ -143,13 +137,21 @@ impl<'a> Corner<'a> {
                 return None;
             }
             let step = [-(c * g[0] - b * g[1]) / det, -(a * g[1] - b * g[0]) / det];
-            let length = (jet.d[0] * step[0] + jet.d[1] * step[1]).norm();
-            last = if met == at { length } else { f64::INFINITY };
+            spot = sheet.settle(Spot { at: [spot.at[0] + step[0], spot.at[1] + step[1]], ..spot });
+            let by = jet.d[0] * step[0] + jet.d[1] * step[1];
+            if met == at && by.norm() <= FOUND * self.radius {
+                about = self.about(at, about.value(jet.p + by).1.try_normalize(0.0)?)?;
+                // In a hollow along its way the tool is met at both ends, and no piece between them is shown by any.
+                let passing =
+                    if at == At::Between { about } else { self.about(At::Between, about.m)? };
+                let [a, b, c] = passing.second(passing.value(jet.p).1, jet.d, bend);
+                let bends = a > 0.0 && a * c > b * b;
+                return (bends || stands).then_some((about, spot));
+            }
             if met != at {
                 at = met;
                 about = self.about(at, about.m)?;
             }
-            spot = sheet.settle(Spot { at: [spot.at[0] + step[0], spot.at[1] + step[1]], ..spot });
         }
         None
     }

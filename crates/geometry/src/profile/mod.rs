@@ -45,7 +45,7 @@ pub enum Segment {
 }
 
 /// Profile of a convex cutter in the half plane rho >= 0 of its own frame, tool end at the origin.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub struct Profile {
     /// Bottom on the axis: (0, 0), or the height of a disk.
     pub(crate) tip: Vec2,
@@ -67,6 +67,28 @@ pub struct Profile {
     /// Greatest distance from the axis.
     pub(crate) widest: f64,
     pub(crate) warnings: [Option<CutterWarning>; 2],
+}
+
+/// Number by number: what is derived goes through each point by an iterator, for each cut vector that is proved.
+impl PartialEq for Profile {
+    fn eq(&self, other: &Self) -> bool {
+        let same = |of: fn(&Self) -> Vec2| {
+            let (a, b) = (of(self), of(other));
+            a.x == b.x && a.y == b.y
+        };
+        same(|p| p.tip)
+            && same(|p| p.nl)
+            && same(|p| p.pl)
+            && same(|p| p.c)
+            && same(|p| p.a0)
+            && same(|p| p.a1)
+            && same(|p| p.pu)
+            && same(|p| p.nu)
+            && same(|p| p.rim)
+            && self.r == other.r
+            && self.widest == other.widest
+            && self.warnings == other.warnings
+    }
 }
 
 impl Profile {

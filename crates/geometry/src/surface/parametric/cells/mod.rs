@@ -11,12 +11,14 @@ mod make;
 mod part;
 
 use core::array;
+use std::sync::OnceLock;
 
 use super::{Domain, Jet, Placed};
 use crate::Vec3;
 use crate::balls::{Ball, Below, balls};
 use crate::sculpt::Sculptured;
 use grid::Grid;
+use part::Formed;
 
 /// Cells in a leaf of the tree.
 const LEAF: usize = 4;
@@ -36,6 +38,8 @@ pub(super) struct Cells {
     cells: Vec<Cell>,
     tree: Vec<Ball>,
     grid: Grid,
+    /// How each cell turns and bends, once that is asked for.
+    formed: OnceLock<Vec<Formed>>,
 }
 
 /// A rectangle of the parameters.
@@ -51,6 +55,10 @@ struct Cell {
     side: [Vec3; 2],
     /// For uu, uv and vv centre and radius of a ball that holds the derivative everywhere, times the half widths.
     bend: [(Vec3, f64); 3],
+    /// No such derivative is greater.
+    most: [f64; 3],
+    /// No point is farther from the middle.
+    reach: f64,
     /// At which ends of the parameters does the surface go on without an edge?
     smooth: Smooth,
 }
@@ -74,9 +82,9 @@ impl Cells {
         if cells.iter().any(|c| !c.c.iter().all(|x| x.is_finite())) {
             return None;
         }
-        let tree = balls(&mut cells, LEAF, |c| (c.c, c.reach()));
+        let tree = balls(&mut cells, LEAF, |c| (c.c, c.reach));
         let grid = Grid::new(&cells);
-        Some(Self { cells, tree, grid })
+        Some(Self { cells, tree, grid, formed: OnceLock::new() })
     }
 
     /// Parameters of the place nearest to `p`; `descend` comes from parameters to those of the dip they lie in, within
@@ -282,19 +290,10 @@ impl Cell {
         jet: &Jet,
     ) -> Self {
         let side = [jet.su * half[0], jet.sv * half[1]];
-        Self { patch, mid, half, c: jet.s, side, bend, smooth }
-    }
-
-    /// Greatest second derivative.
-    fn most(&self, k: usize) -> f64 {
-        let (m, r) = &self.bend[k];
-        m.norm() + r
-    }
-
-    /// No point is farther from the middle.
-    fn reach(&self) -> f64 {
-        let stray = 0.5 * (self.most(0) + self.most(2)) + self.most(1);
-        self.side[0].norm() + self.side[1].norm() + stray
+        let most = bend.map(|(m, r)| m.norm() + r);
+        let stray = 0.5 * (most[0] + most[2]) + most[1];
+        let reach = side[0].norm() + side[1].norm() + stray;
+        Self { patch, mid, half, c: jet.s, side, bend, most, reach, smooth }
     }
 
     /// The place of the parallelogram, from -1 to 1, nearest to `p` or nearly so.
@@ -343,7 +342,7 @@ impl Cell {
 
     /// How much the derivatives by the two parameters differ from those in the middle at most.
     fn turns(&self) -> [f64; 2] {
-        [self.most(0) + self.most(1), self.most(1) + self.most(2)]
+        [self.most[0] + self.most[1], self.most[1] + self.most[2]]
     }
 
     /// Is the square of the distance from `p` convex over the cell?
@@ -354,7 +353,7 @@ impl Cell {
     /// The same from each point of a ball. The second derivatives are `S_i . S_j + (S - p) . S_ij`.
     fn has_one_dip_from(&self, (p, radius): (Vec3, f64)) -> bool {
         let w = self.c - p;
-        let (away, r) = (w.norm() + radius, self.reach());
+        let (away, r) = (w.norm() + radius, self.reach);
         let part = |k: usize| {
             let (m, round) = &self.bend[k];
             let unsure = away * round + r * (m.norm() + round) + radius * m.norm();
@@ -377,7 +376,7 @@ impl Cell {
     /// is in it. The slope of half its square differs from that in the middle by no more than its second derivatives.
     fn falls_beyond(&self, p: Vec3) -> bool {
         let w = self.c - p;
-        let far = w.norm() + self.reach();
+        let far = w.norm() + self.reach;
         let turns = self.turns();
         let long = [0, 1].map(|k| self.side[k].norm() + turns[k]);
         (0..2).any(|k| {
@@ -403,13 +402,13 @@ impl Cell {
     /// May the line through `p` along `d` meet it?
     fn may_meet(&self, p: Vec3, d: Vec3) -> bool {
         let [a, b] = &self.side;
-        let stray = 0.5 * (self.most(0) + self.most(2)) + self.most(1);
+        let stray = 0.5 * (self.most[0] + self.most[2]) + self.most[1];
         let w = self.c - p;
         let beside = |x: &Vec3, y: &Vec3| {
             let n = d.cross(x);
             n.dot(&w).abs() <= n.dot(y).abs() + n.norm() * stray * (1.0 + 1e-9)
         };
-        beside(a, b) && beside(b, a) && w.cross(&d).norm() <= self.reach() * (1.0 + 1e-9)
+        beside(a, b) && beside(b, a) && w.cross(&d).norm() <= self.reach * (1.0 + 1e-9)
     }
 
     /// Does the surface keep one side towards `d` all over the cell?
@@ -531,7 +530,7 @@ mod tests {
                     for t in [-1.0, -0.2, 0.7, 1.0] {
                         let [u, v] = cell.parameters([s, t]);
                         let here = jet(u, v).s;
-                        prop_assert!((here - cell.c).norm() <= cell.reach() * (1.0 + 1e-9));
+                        prop_assert!((here - cell.c).norm() <= cell.reach * (1.0 + 1e-9));
                         prop_assert!((here - p).norm() >= bound - 1e-9);
                     }
                 }

@@ -15,6 +15,18 @@ const CHANGE: f64 = 0.5;
 /// Columns and rows, the last ones too.
 type Rectangle = [[usize; 2]; 2];
 
+/// How a cell turns and bends.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Formed {
+    /// The normal in the middle, and by how much the others differ from it, as vectors.
+    normal: Vec3,
+    turn: f64,
+    /// Least and greatest curvature, positive where the surface bends away from its normals.
+    curvature: Option<[f64; 2]>,
+    /// Its column and row.
+    place: [usize; 2],
+}
+
 impl Cells {
     /// Bounds over all of the surface within the balls, about the place with the parameters `near` and the normal `n`; the
     /// curvatures are those within the last ball. `None` where they tell nothing, or it is not seen that each point of the
@@ -32,15 +44,15 @@ impl Cells {
         let [column, row] = self.grid.place(near);
         let mut all = [[column; 2], [row; 2]];
         let (mut turn, mut curvature) = (0.0_f64, [f64::INFINITY, f64::NEG_INFINITY]);
-        let whole = self.within(balls, |cell, last| {
-            let (normal, turns) = cell.normals()?;
-            turn = turn.max((normal - n).norm() + turns);
+        let formed = self.formed();
+        let whole = self.within(balls, |number, last| {
+            let cell = &formed[number];
+            turn = turn.max((cell.normal - n).norm() + cell.turn);
             if last {
-                let [least, most] = cell.curvature(normal, turns)?;
+                let [least, most] = cell.curvature?;
                 curvature = [curvature[0].min(least), curvature[1].max(most)];
             }
-            let place = self.grid.place(cell.mid);
-            for (ends, at) in all.iter_mut().zip(place) {
+            for (ends, at) in all.iter_mut().zip(cell.place) {
                 *ends = [ends[0].min(at), ends[1].max(at)];
             }
             (turn <= MOST_TURN && size(&all) <= MOST).then_some(())
@@ -54,11 +66,26 @@ impl Cells {
         bends.then_some(Part { turn, curvature, across, ruling, lean, twist })
     }
 
-    /// The cells that come into the balls go to `put`, with whether they come into the last one, until that gives up.
+    fn formed(&self) -> &[Formed] {
+        self.formed.get_or_init(|| {
+            let formed = |cell: &Cell| {
+                let place = self.grid.place(cell.mid);
+                // Of a cell whose normals may look anywhere.
+                let Some((normal, turn)) = cell.normals() else {
+                    let (normal, turn) = (Vec3::zeros(), f64::INFINITY);
+                    return Formed { normal, turn, curvature: None, place };
+                };
+                Formed { normal, turn, curvature: cell.curvature(normal, turn), place }
+            };
+            self.cells.iter().map(formed).collect()
+        })
+    }
+
+    /// The numbers of the cells that come into the balls go to `put`, with whether they come into the last one, until that gives up.
     fn within(
         &self,
         balls: &[(Vec3, f64)],
-        mut put: impl FnMut(&Cell, bool) -> Option<()>,
+        mut put: impl FnMut(usize, bool) -> Option<()>,
     ) -> Option<()> {
         let mut waiting = [0_usize; WAITING];
         let mut n = usize::from(!self.tree.is_empty());
@@ -77,11 +104,11 @@ impl Cells {
                     }
                 }
                 Below::Things(from, to) => {
-                    for cell in &self.cells[from..to] {
+                    for (number, cell) in (from..to).zip(&self.cells[from..to]) {
                         let [.., last] = balls else { return None };
                         let last = cell.comes_into(last);
                         if last || balls.iter().any(|b| cell.comes_into(b)) {
-                            put(cell, last)?;
+                            put(number, last)?;
                         }
                     }
                 }
@@ -117,7 +144,7 @@ fn size(all: &Rectangle) -> usize {
 impl Cell {
     /// May a point of it be in the ball?
     fn comes_into(&self, (center, radius): &(Vec3, f64)) -> bool {
-        (self.c - center).norm() <= radius + self.reach()
+        (self.c - center).norm() <= radius + self.reach
             && self.bound(*center, self.toward(*center)) <= *radius
     }
 
