@@ -309,7 +309,8 @@ pub(crate) fn bound_turning(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use aptc_geometry::{Cutter, Profile, trig};
+    use aptc_geometry::surface::QuadricSurface;
+    use aptc_geometry::{Cutter, Profile, Quadric, QuadricKind, trig};
 
     /// A leaning tool touches a rod with its flank, an edge or its top: the search over the rod's axis crosses edges.
     #[test]
@@ -342,6 +343,70 @@ mod tests {
                     let low = proved(&tool, &pose, Vec3::zeros(), &solid, d);
                     assert!(low >= gap - 1e-9, "{i} {lean} {solid:?}: {gap} proved {low}");
                 }
+            }
+        }
+    }
+
+    /// Least gap along a way, the gap being convex, by thirds.
+    fn least(tool: &Tool<'_>, [a, b]: &[Pose; 2], solid: &impl Outside) -> f64 {
+        let at = |t: f64| {
+            let pose = Pose { te: a.te + t * (b.te - a.te), ta: a.ta };
+            solid.touch(tool, &pose, None).low
+        };
+        let (mut from, mut to) = (0.0, 1.0);
+        for _ in 0..80 {
+            let (s, t) = ((2.0 * from + to) / 3.0, (from + 2.0 * to) / 3.0);
+            (from, to) = if at(s) < at(t) { (from, t) } else { (s, to) };
+        }
+        at(0.5 * (from + to)).min(at(0.0)).min(at(1.0))
+    }
+
+    fn is_told_closely(tool: &Tool<'_>, at: Pose, v: Vec3, solid: &impl Outside) {
+        let Touch { low, m, .. } = solid.touch(tool, &at, None);
+        let a = Pose { te: at.te - m * (low + 1e-4) - v * 0.5, ..at };
+        let way = [a, Pose { te: a.te + v, ..a }];
+        let told = bound(tool, &way, solid, &mut None, f64::INFINITY).low;
+        let least = least(tool, &way, solid);
+        assert!(told <= least + 1e-9 && told >= least - 1e-9, "{told} {least}: {at:?} {v}");
+    }
+
+    /// Ways that lean against generators, over the vertex of a cone, with ends that have edges.
+    #[test]
+    fn the_least_gap_of_a_way_is_told_closely() {
+        let form = |c: [f64; 10]| {
+            let kind = QuadricKind::Qadric;
+            Oval::new(&QuadricSurface::new(&Quadric { kind, c }).unwrap()).unwrap()
+        };
+        let square = |x: f64| 1.0 / (x * x);
+        let ovals = [
+            [square(60.0), square(45.0), square(50.0), -1.0],
+            [square(60.0), 0.0, square(30.0), -1.0],
+        ]
+        .map(|[a, b, c, d]| form([a, b, c, d, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]));
+        let bowl = form([0.01, 0.02, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.5]);
+        for corner in [5.0, 2.0, 0.0] {
+            let profile = Profile::new(&Cutter::mill(10.0, corner, 60.0)).unwrap();
+            let tool = Tool::Solid(&profile);
+            for i in 0..60_i32 {
+                let f = f64::from(i);
+                let v = Vec3::new(trig::sin(f), trig::cos(1.3 * f), 0.2 * trig::sin(2.1 * f));
+                let te = Vec3::new(25.0 * trig::sin(1.9 * f), 25.0 * trig::cos(0.7 * f), 80.0);
+                let at = Pose { te, ta: Vec3::z() };
+                let t = Vec3::new(0.6, 0.7, 0.2).normalize();
+                let ball = Solid::Ball(Vec3::zeros(), 40.0);
+                let rod = Solid::Rod(Vec3::zeros(), t, 40.0);
+                let lying = Solid::Nappe(t * -200.0, t, 0.98, (1.0_f64 - 0.98 * 0.98).sqrt());
+                let upright = Solid::Nappe(Vec3::z() * 50.0, -Vec3::z(), 0.8, 0.6);
+                for solid in [ball, rod, lying] {
+                    is_told_closely(&tool, at, v, &solid);
+                }
+                // Of an edge that a vertex has gone into no one direction shows the depth.
+                if corner > 0.0 {
+                    let over = Pose { te: Vec3::new(0.0, 0.0, 80.0), ..at };
+                    is_told_closely(&tool, at, v, &upright);
+                    is_told_closely(&tool, over, v, &upright);
+                }
+                ovals.iter().chain([&bowl]).for_each(|oval| is_told_closely(&tool, at, v, oval));
             }
         }
     }

@@ -136,8 +136,15 @@ impl Oval {
         }
         // Deeper than the oval is round another place may be nearer.
         let found = best.off <= LEVEL && best.gap >= -self.roundest;
+        // No point of the oval is farther from the tool than the distance to it.
         let gap = if found { best.gap } else { best.far.max(0.0) };
         Nearest { gap, n: best.n, p: best.p }
+    }
+
+    /// How far inside it is looked at: the point next to the tool there lies below that of its own, and the bends differ by as
+    /// small a share.
+    fn little(&self) -> f64 {
+        0.01 * self.roundest
     }
 
     /// Twice the part of `m` along which it is linear, over its slope; and the squares of the others over their bends.
@@ -196,18 +203,23 @@ impl Oval {
             let far = w.norm();
             (far, gap, pose.te, [w.dot(&a), w.dot(&b)], change, far + self.roundest)
         } else {
+            // A little inside of the oval, where the distance has no edges yet.
+            let x = x - n * self.little();
             let (d, g, change) = tool.bent(pose, x);
             let own = [change.along(a, a), change.along(a, b), change.along(b, b)];
             let sum = [0, 1, 2].map(|i| own[i] + bends[i]);
-            (d, d, x - g * d, [-g.dot(&a), -g.dot(&b)], sum, 1.0)
+            let fall = [-g.dot(&a), -g.dot(&b)];
+            (d, d - self.little(), x - g * d, fall, sum, 1.0)
         };
-        // Along a straight line of both nothing is to be gained.
+        // Along a straight line of both nothing is to be gained: no step is longer than what there is.
         let [aa, ab, bb] = change;
-        let little = 1e-12 * (aa.abs() + bb.abs());
+        let down = trig::hypot(fall[0], fall[1]);
+        let little =
+            1e-12 * (aa.abs() + bb.abs()) + down / (tool.reach() + far.abs() + self.roundest);
         let (aa, bb) = (aa + little, bb + little);
         let det = aa * bb - ab * ab;
         let [u, v] = [(fall[0] * bb - fall[1] * ab) / det, (fall[1] * aa - fall[0] * ab) / det];
-        let off = trig::hypot(fall[0], fall[1]) / size;
+        let off = down / size;
         Look { x, n, p, far, gap, off, step: a * u + b * v }
     }
 }

@@ -121,8 +121,13 @@ impl Supported for Solid {
         match self {
             Self::Half(_) | Self::Ball(..) => self.bounded_direction(without(m, v)),
             Self::Rod(_, t, _) => square_to_both(m, *t, v),
-            // Of the normals `cos r - sin t`, r square to t, those with `cos r.v = sin t.v`.
             Self::Nappe(_, t, cos, sin) => {
+                // All that is bounded is a normal at the vertex.
+                let free = unit_or(without(m, v), m);
+                if free.dot(t) * cos + across(free, *t).norm() * sin <= 0.0 {
+                    return free;
+                }
+                // Of the others, `cos r - sin t` with r square to t, those with `cos r.v = sin t.v`.
                 let aside = across(v, *t);
                 let along = sin * t.dot(&v) / (cos * aside.norm());
                 if !(along.abs() <= 1.0) {
