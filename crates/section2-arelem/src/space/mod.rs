@@ -1,6 +1,7 @@
 //! Motion in space (APT: `ARLM3`): any drive, part and check surfaces, any cutter, fixed or turning axis.
 
 mod band;
+mod begin;
 mod blocked;
 mod corner;
 mod guided;
@@ -8,8 +9,10 @@ mod judge;
 mod keep;
 mod kinks;
 mod lengths;
+mod loops;
 mod nearest;
 mod overlooked;
+mod refusal;
 mod run;
 mod settle;
 mod start;
