@@ -5,6 +5,7 @@ mod begin;
 mod blocked;
 mod contacts;
 mod corner;
+mod follow;
 mod guided;
 mod judge;
 mod keep;
