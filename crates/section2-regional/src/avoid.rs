@@ -6,7 +6,7 @@ use aptc_geometry::{Profile, Transform, Vec3};
 
 use crate::guard::{Guard, Seen};
 use crate::position::{Position, tool_end};
-use crate::region::Retract;
+use crate::retract::Retract;
 
 /// How a gouge is avoided.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

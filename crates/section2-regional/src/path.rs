@@ -12,8 +12,8 @@ use crate::failure::Failure;
 use crate::guard::Guard;
 use crate::judge::{Judged, Way, Worst};
 use crate::position::Position;
-use crate::region::Retract;
 use crate::report::Note;
+use crate::retract::Retract;
 use crate::solve::{CLOSE, LOOSE, Memory, Setup, Take};
 
 /// Halvings of a step before the path gives up.
