@@ -10,7 +10,7 @@ use super::guided::Guides;
 use super::keep::{Keep, Pose};
 use super::pace::Pace;
 use super::refusal::trouble_at;
-use super::track::{Node, Track};
+use super::track::{Aim, Node, Track};
 use crate::axis::{Around, AxisRule};
 use crate::failure::Failure;
 use crate::prepare::way;
@@ -97,10 +97,7 @@ pub(super) fn begin(scene: &Scene) -> Result<Begin, Failure> {
         let turned = turned.map(|n| n.pose.position());
         return Ok(Begin { track, node, first: None, turned, astray });
     }
-    let targets = [0.0, 0.0];
-    let node = track
-        .settle(pose, node.course.along, targets, &node, true)
-        .map_err(|t| trouble_at(scene, &pose, t))?;
+    let node = track.settle(pose, &Aim::at(&node)).map_err(|t| trouble_at(scene, &pose, t))?;
     let first = Some(node.pose.position());
     Ok(Begin { track, node, first, turned: None, astray })
 }
@@ -139,8 +136,7 @@ fn turn(track: &Track, node: &Node, cap: f64) -> Option<Node> {
     if (ta - node.pose.ta).norm() <= LEAST {
         return None;
     }
-    let turned =
-        track.settle(Pose { ta, ..node.pose }, node.course.along, [0.0; 2], node, true).ok()?;
+    let turned = track.settle(Pose { ta, ..node.pose }, &Aim::at(node)).ok()?;
     let length = |node: &Node| track.stride(node, cap, &mut Pace::new()).map_or(0.0, |s| s.length);
     (length(node) < WORTH * length(&turned)).then_some(turned)
 }
