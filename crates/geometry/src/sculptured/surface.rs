@@ -183,6 +183,17 @@ impl SurfaceDefinition {
         }
     }
 
+    /// SMESH through the points of splines in order, without anything asked of them.
+    pub fn mesh(spacing: MeshSpacing, splines: impl IntoIterator<Item = Vec<Vec3>>) -> Self {
+        let knot = |point: Vec3| Knot { point, ..Knot::default() };
+        let spline = |points: Vec<Vec3>| MeshSpline {
+            smoothing: Smoothing::default(),
+            knots: points.into_iter().map(knot).collect(),
+        };
+        let splines = splines.into_iter().map(spline).collect();
+        Self::plain(SurfaceShape::Mesh { kind: MeshKind::Smesh, spacing, splines })
+    }
+
     /// A surface without TRFORM.
     pub fn plain(shape: SurfaceShape) -> Self {
         Self { shape, map: None }
