@@ -37,23 +37,29 @@ impl Setup<'_> {
         course: Course,
         sense: f64,
     ) -> Result<Path, Box<Broken>> {
+        let mut path = Path::default();
+        match self.lay(&mut path, from, to, (course, sense)) {
+            Ok(()) => Ok(path),
+            Err(why) => Err(Box::new(Broken { done: path, why })),
+        }
+    }
+
+    /// Adds the positions from `from` on to the path, as far as it goes.
+    fn lay(
+        &self,
+        path: &mut Path,
+        from: [f64; 2],
+        to: f64,
+        (course, sense): (Course, f64),
+    ) -> Result<(), Failure> {
         let k = course.index();
-        let mut points = Path::default();
-        let broken =
-            |points: &mut Path, why| Box::new(Broken { done: std::mem::take(points), why });
-        let first = self.settled(from, course, sense, None, self.at_end());
-        let (mut here, mut memory) = first.map_err(|why| broken(&mut points, why))?;
-        self.guarded(&mut points, here, (course, sense), memory, false)
-            .map_err(|why| broken(&mut points, why))?;
+        let (mut here, mut memory) = self.settled(from, course, sense, None, self.at_end())?;
+        self.guarded(path, here, (course, sense), memory, false)?;
         if let Some(end) = self.still(&here, to, course, sense) {
             // Where the tool got out of the way it stands there.
-            points.points.extend(points.points.last().map(|p| Position {
-                te: p.te,
-                ta: p.ta,
-                lift: p.lift,
-                ..end
-            }));
-            return Ok(points);
+            let last = path.points.last();
+            path.points.extend(last.map(|p| Position { te: p.te, ta: p.ta, lift: p.lift, ..end }));
+            return Ok(());
         }
         let mut gone = 0.0;
         let span = (to - from[k]).abs();
@@ -64,20 +70,14 @@ impl Setup<'_> {
         while (to - here.drive_uv[k]) * sense > room {
             let stop = self.stop(from[k], here.drive_uv[k], to, sense);
             let from = (&here, clear);
-            let on = self.next(from, [stop, to], (course, sense), memory, &mut gait);
-            let mut step = match on.map_err(|why| broken(&mut points, why))? {
+            let mut step = match self.next(from, [stop, to], (course, sense), memory, &mut gait)? {
                 Next::Step(step) => step,
                 Next::Over(all, kept) => {
-                    points.rolls.extend(all.last().map(|last| [here, *last]));
+                    path.rolls.extend(all.last().map(|last| [here, *last]));
                     for p in all {
-                        if points.points.len() >= self.numpts {
-                            let uv = here.drive_uv;
-                            let why = Failure::TooMany { limit: self.numpts, uv };
-                            return Err(broken(&mut points, why));
-                        }
+                        self.may_go_on(path, here.drive_uv)?;
                         gone += (p.te - here.te).norm();
-                        self.guarded(&mut points, p, (course, sense), memory, false)
-                            .map_err(|why| broken(&mut points, why))?;
+                        self.guarded(path, p, (course, sense), memory, false)?;
                         here = p;
                     }
                     (memory, clear, gait.guess) = (kept, false, span);
@@ -95,20 +95,23 @@ impl Setup<'_> {
             let Step { next, kept, proved } = step;
             gone += (next.te - here.te).norm();
             let uv = here.drive_uv;
-            if points.points.len() >= self.numpts {
-                return Err(broken(&mut points, Failure::TooMany { limit: self.numpts, uv }));
-            }
+            self.may_go_on(path, uv)?;
             if let Some(limit) = self.length.filter(|l| gone > *l) {
-                return Err(broken(&mut points, Failure::TooLong { limit, uv }));
+                return Err(Failure::TooLong { limit, uv });
             }
             // What avoidance has moved goes another way than the one that is proved.
             let as_proved =
-                proved && points.points.last().is_some_and(|p| p.te == here.te && p.ta == here.ta);
-            self.guarded(&mut points, next, (course, sense), memory, as_proved)
-                .map_err(|why| broken(&mut points, why))?;
+                proved && path.points.last().is_some_and(|p| p.te == here.te && p.ta == here.ta);
+            self.guarded(path, next, (course, sense), memory, as_proved)?;
             (here, memory, clear) = (next, kept, proved);
         }
-        Ok(points)
+        Ok(())
+    }
+
+    /// Refuses more positions than NUMPTS.
+    fn may_go_on(&self, path: &Path, uv: [f64; 2]) -> Result<(), Failure> {
+        let full = path.points.len() >= self.numpts;
+        if full { Err(Failure::TooMany { limit: self.numpts, uv }) } else { Ok(()) }
     }
 
     /// A guard that knows from where the tool comes: where nothing was put out before, from the first place of the path.

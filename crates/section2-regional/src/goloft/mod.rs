@@ -68,16 +68,10 @@ impl Regional {
         if matches!(form.shape(), Form::Scurv(_)) {
             return self.along_curve(origin, (name, form), &wish, out);
         }
-        let (course, fixed) = match (course, fixed) {
-            (Some(course), Some(fixed)) => (course, fixed),
-            // The line of the statement before, on the same surface.
-            _ => self
-                .line
-                .as_ref()
-                .filter(|(f, ..)| crate::outline::same_form(f, form))
-                .map(|(_, course, fixed)| (*course, *fixed))
-                .ok_or(Failure::Undone { what: "GOLOFT before UCONST or VCONST named a line" })?,
-        };
+        let (course, fixed) = course
+            .zip(fixed)
+            .or_else(|| self.line_before(form))
+            .ok_or(Failure::Undone { what: "GOLOFT before UCONST or VCONST named a line" })?;
         let side = if wish.mirror { -1.0 } else { 1.0 };
         let thick = self.settings.thick;
         let part = self.own_part(name, form, (side, thick))?;
@@ -91,22 +85,9 @@ impl Regional {
         self.line = Some((Arc::clone(form), course, fixed));
         let drive = own_drive(&part);
         let guard = self.guarded(Some(&part));
-        let mut setup = self.line_setup(&drive, &part, side)?;
-        setup.maxdp = wish.longest;
-        if let Some(c) = wish.chord {
-            setup.band = crate::settings::Band { intol: setup.band.intol.min(c), outtol: c };
-            setup.lateral = c;
-        } else {
-            setup.every = Some(wish.incr);
-        }
+        let mut setup = wish.asked(self.line_setup(&drive, &part, side)?);
         let sense = if wish.inverse { -1.0 } else { 1.0 };
-        // Of the two axes at an angle the one nearer to that of before.
-        let last = self.stand.map_or_else(Vec3::z, |s| s.ta);
-        let near = |over: f64| {
-            let line = Line::Surface(Box::new(Setup { over, ..setup }), course, fixed, sense);
-            line.stop(0.0).map_or(-1.0, |s| s.ta.dot(&last))
-        };
-        setup.over = if near(-1.0) > near(1.0) + 1e-9 { -1.0 } else { 1.0 };
+        setup.over = self.nearer_axis(setup, course, fixed, sense);
         let line = Line::Surface(Box::new(setup), course, fixed, sense);
         let mut milled = Milled::default();
         let stretch = line.stretch(&wish)?;
@@ -143,6 +124,22 @@ impl Regional {
         let on = Some((control, &part));
         let stand = self.put_line(origin, name, &milled.stretches, on, out)?;
         milled.why.map_or(Ok(stand), Err)
+    }
+
+    /// The line of the statement before, if that was on the same surface.
+    fn line_before(&self, form: &Arc<Form>) -> Option<(Course, f64)> {
+        let line = self.line.as_ref().filter(|(f, ..)| crate::outline::same_form(f, form));
+        line.map(|(_, course, fixed)| (*course, *fixed))
+    }
+
+    /// The sense across in which, of the two axes at an angle, the one begins that is nearer to that of before.
+    fn nearer_axis(&self, setup: Setup<'_>, course: Course, fixed: f64, sense: f64) -> f64 {
+        let last = self.stand.map_or_else(Vec3::z, |s| s.ta);
+        let near = |over: f64| {
+            let line = Line::Surface(Box::new(Setup { over, ..setup }), course, fixed, sense);
+            line.stop(0.0).map_or(-1.0, |s| s.ta.dot(&last))
+        };
+        if near(-1.0) > near(1.0) + 1e-9 { -1.0 } else { 1.0 }
     }
 
     fn along_curve(

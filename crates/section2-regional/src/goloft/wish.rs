@@ -6,6 +6,8 @@ use super::STEP;
 use crate::failure::Failure;
 use crate::regional::Regional;
 use crate::scon::Words;
+use crate::settings::Band;
+use crate::solve::Setup;
 
 /// Where a line begins or ends.
 #[derive(Clone, Copy, Debug)]
@@ -29,6 +31,20 @@ pub(crate) struct Wish {
     pub(crate) incr: f64,
     pub(crate) chord: Option<f64>,
     pub(crate) longest: f64,
+}
+
+impl Wish {
+    /// The same setup with the lengths and tolerances that are asked for.
+    pub(super) fn asked<'a>(&self, mut setup: Setup<'a>) -> Setup<'a> {
+        setup.maxdp = self.longest;
+        if let Some(c) = self.chord {
+            setup.band = Band { intol: setup.band.intol.min(c), outtol: c };
+            setup.lateral = c;
+        } else {
+            setup.every = Some(self.incr);
+        }
+        setup
+    }
 }
 
 impl Regional {
