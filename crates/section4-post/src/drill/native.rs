@@ -5,6 +5,7 @@ use aptc_diagnostics::Origin;
 use super::{DrillCycle, Hole};
 use crate::emit::{FeedMode, FeedWord, NativeCycle};
 use crate::machine::CycleWord;
+use crate::number::Number;
 use crate::post::Post;
 
 impl Post {
@@ -112,10 +113,8 @@ impl Post {
             return Vec::new();
         }
         let text = |letter: u8, value: f64| {
-            let mut out = Vec::new();
             let n = self.blocks.number(letter);
-            n.write(n.round(value).unwrap_or(0), &mut out);
-            String::from_utf8(out).unwrap_or_default()
+            n.text(n.round(value).unwrap_or(0))
         };
         let (speed, feed_text) = (text(b'S', self.st.spindle.speed), text(b'F', feed.value));
         let pitch = crate::post::trimmed(self.pitch(feed), 4);
@@ -158,18 +157,11 @@ impl Post {
         self.reach_level(hole, hole.retract, false, origin);
         self.way_to_hole(hole, origin);
         let at = self.at_rest(hole.at);
-        let written = |b: &crate::emit::Blocks, letter: u8, value: f64| {
-            let n = b.number(letter);
-            let mut out = Vec::new();
-            if let Some(q) = n.round(value) {
-                n.write(q, &mut out);
-            }
-            String::from_utf8(out).unwrap_or_default()
-        };
-        let z = |value: f64| written(&self.blocks, b'Z', value);
+        let written = |n: Number, value: f64| n.round(value).map_or(String::new(), |q| n.text(q));
         // Heights above the surface and those of the machine must come out the same when both are rounded, and each hole
         // as deep as the others, or a control would make one more peck of the last step.
         let number = self.blocks.number(b'Z');
+        let z = |value: f64| written(number, value);
         let exact = |value: f64| number.round(value).map_or(value, |q| number.value(q));
         let surface = exact(at.z + hole.bottom) - exact(hole.bottom);
         let above = |height: f64| exact(at.z + height) - surface;
@@ -188,7 +180,7 @@ impl Post {
             ("step", z(step)),
             ("first", z(first)),
             ("dwell", crate::post::trimmed(dwell.unwrap_or(0.0), 3)),
-            ("feed", written(&self.blocks, b'F', native.feed.value)),
+            ("feed", written(self.blocks.number(b'F'), native.feed.value)),
             ("pitch", crate::post::trimmed(pitch, 4)),
             ("speed", crate::post::trimmed(speed, 1)),
         ];
