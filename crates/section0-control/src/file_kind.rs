@@ -209,8 +209,7 @@ mod tests {
             "PARTNO X\nUNITS/MM\n$$ A = LINE/1\nPPRINT A = LINE/2\nINSERT G54\nGOTO/1,2,3\nFINI\n";
         assert_eq!(of(cl), Some(FileKind::Statements));
         assert_eq!(of("A1\nM2\nG4\nX = 3\nY = X/2\nB = SQRTF(4)\nZ = 2\n"), None);
-        for text in ["$$\u{1}\nX = 3\n", "TOOL PATH/A,TOOL,B\n", " goto /1,2,3\n", "10) LOADTL/1\n"]
-        {
+        for text in ["$$ A\nX = 3\n", "TOOL PATH/A,TOOL,B\n", " goto /1,2,3\n", "10) LOADTL/1\n"] {
             assert_eq!(of(text), Some(FileKind::Statements), "{text}");
         }
     }
