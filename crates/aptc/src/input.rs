@@ -16,7 +16,7 @@ pub(crate) fn part_program(path: &Path, limit: u64) -> Result<Source, String> {
         Disk::open(path, limit).map_err(|e| why(misspelt(path).unwrap_or(e.to_string())))?;
     let numeric = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("protap"));
     match FileKind::of(source.text.as_bytes()) {
-        None | Some(FileKind::PartProgram) => Ok(source),
+        None | Some(FileKind::PartProgram | FileKind::Statements) => Ok(source),
         Some(FileKind::Protap) if numeric => Ok(source),
         Some(FileKind::Empty) => Err(why("it is empty".into())),
         Some(FileKind::Protap) => {
@@ -40,6 +40,7 @@ pub(crate) fn cl_fault(path: &Path, dialect: Option<Dialect>) -> Option<String> 
         FileKind::PartProgram => {
             why(&format!("it is a part program, no CL data; `aptc {}` compiles it", path.display()))
         }
+        FileKind::Statements => None,
         FileKind::Binary if binary => None,
         kind => why(&format!("it is {kind}, no CL data")),
     }
@@ -50,10 +51,15 @@ pub(crate) fn nc_fault(path: &Path) -> Option<String> {
     let why = |text: &str| Some(format!("cannot read {}: {text}", path.display()));
     match head(path).map(|head| FileKind::of(&head)) {
         Err(text) => why(&text),
-        Ok(None | Some(FileKind::MachineCode)) => None,
+        Ok(None | Some(FileKind::MachineCode | FileKind::PlainCode)) => None,
         Ok(Some(FileKind::Empty)) => why("it is empty"),
         Ok(Some(kind)) => why(&format!("it is {kind}, no machine code")),
     }
+}
+
+/// What the file at `path` is, as far as its first bytes tell.
+pub(crate) fn kind(path: &Path) -> Option<FileKind> {
+    head(path).ok().and_then(|head| FileKind::of(&head))
 }
 
 /// The first bytes of a file, or why it cannot be read.

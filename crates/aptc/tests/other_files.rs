@@ -65,6 +65,10 @@ fn a_file_of_another_kind_is_refused_in_one_line() {
         ("convert x.svg -o y.cl", "it is a drawing or a page (SVG, HTML, XML), no CL data"),
         ("cldiff x.cl p.apt", "it is a part program, no CL data"),
         ("verify p.apt --cl x.nc", "it is machine code, no CL data"),
+        (
+            "verify --nc x.cl --cl x.cl -m linuxcnc-mill",
+            "cannot read x.cl: it is CL data or a part program, no machine code",
+        ),
         ("post x.cl -m nosuch", "there is no machine nosuch"),
         ("post x.cl -m p.apt", "the name of a machine file ends in .toml"),
     ] {

@@ -163,53 +163,13 @@ fn followed([a, rho]: [f64; 2], [bend, hollow, side]: [f64; 3]) -> f64 {
 }
 
 #[cfg(test)]
-pub(crate) mod tests {
-    use std::sync::Arc;
-
+mod tests {
     use super::*;
     use crate::gap::{gap, gap_near};
-    use aptc_geometry::sculptured::{
-        Knot, MeshKind, MeshSpacing, MeshSpline, Smoothing, SurfaceDefinition, SurfaceShape,
-    };
-    use aptc_geometry::{Circle, Cutter, Form, Profile, Rail, RuledSurface, Second, trig};
+    use crate::shapes::{mesh, rulings};
+    use aptc_geometry::{Cutter, Profile, trig};
     use proptest::prelude::*;
     use proptest::test_runner::{Config, TestRunner};
-
-    /// Rulings along y between arcs over x from -45 to 45, domes or hollows.
-    fn surface(radii: [f64; 2], lift: f64) -> Surface {
-        let rail = |y: f64, lift: f64, radius: f64| {
-            let (sign, radius) = (radius.signum(), radius.abs());
-            let center = Vec3::new(0.0, y, lift - sign * radius);
-            let circle = Circle { center, axis: Vec3::y(), radius };
-            let z = lift + sign * (((radius - 45.0) * (radius + 45.0)).sqrt() - radius);
-            let end = |x: f64| Vec3::new(x, y, z);
-            let surface = Arc::new(Form::Circle(circle));
-            Rail { surface, start: end(-45.0), end: end(45.0), toward: Vec3::z() * sign }
-        };
-        let second = Second::Rail(rail(40.0, lift, radii[1]));
-        let first = rail(-40.0, 0.0, radii[0]);
-        Surface::from_form(&Form::Ruled(Arc::new(RuledSurface { first, second }))).unwrap()
-    }
-
-    /// A mesh over the same with waves and uneven spans.
-    pub(crate) fn mesh(waves: [f64; 2], lift: f64, uneven: f64) -> Surface {
-        let stretch = |t: f64| t + uneven * trig::sin(3.0 * t) / 3.0;
-        let row = |j: i32| {
-            let at = |i: i32| {
-                let (s, t) = (f64::from(i) / 4.0 - 1.0, f64::from(j) / 3.0 - 1.0);
-                let (x, y) = (45.0 * stretch(s), 40.0 * stretch(t));
-                let z = waves[0] * trig::sin(4.0 * s + t) + waves[1] * trig::cos(3.0 * t - s);
-                Knot { point: Vec3::new(x, y, lift * t + z), ..Knot::default() }
-            };
-            MeshSpline { smoothing: Smoothing::default(), knots: (0..9).map(at).collect() }
-        };
-        let definition = SurfaceDefinition::plain(SurfaceShape::Mesh {
-            kind: MeshKind::Smesh,
-            spacing: MeshSpacing::Xyz,
-            splines: (0..7).map(row).collect(),
-        });
-        Surface::from_form(&Form::Ssurf(Arc::new(definition))).unwrap()
-    }
 
     /// The least distance of points of the tool from the surface.
     fn least(tool: &Tool<'_>, surface: &Surface, side: Side) -> f64 {
@@ -239,7 +199,7 @@ pub(crate) mod tests {
     fn no_point_of_the_tool_is_deeper_on_the_way() {
         let along_rulings = |radii: [f64; 2], bends: [f64; 2], lift: f64| {
             let sign = |x: f64| if x < -0.4 { -1.0 } else { 1.0 };
-            surface([radii[0] * sign(bends[0]), radii[1] * sign(bends[1])], lift)
+            rulings([radii[0] * sign(bends[0]), radii[1] * sign(bends[1])], lift)
         };
         nowhere_deeper(1500, along_rulings);
     }
@@ -311,7 +271,7 @@ pub(crate) mod tests {
         let check = runner.run(
             &all,
             |((radii, lift, far, below), (te, lean, wide, above), (near, corner))| {
-                let surface = surface(if below { radii.map(|r| -r) } else { radii }, lift);
+                let surface = rulings(if below { radii.map(|r| -r) } else { radii }, lift);
                 let side = if below { Side::Negative } else { Side::Positive };
                 let profile =
                     Profile::new(&Cutter::mill(2.0 * (corner + wide), corner, 40.0)).unwrap();

@@ -224,30 +224,17 @@ impl Disk {
 
 #[cfg(test)]
 mod tests {
-    use std::sync::Arc;
-
     use super::*;
     use crate::gap::gap;
-    use aptc_geometry::{
-        Circle, Cutter, Form, Profile, Quadric, QuadricKind, Rail, RuledSurface, Second, trig,
-    };
+    use crate::shapes::rulings;
+    use aptc_geometry::{Cutter, Form, Profile, Quadric, QuadricKind, trig};
     use proptest::prelude::*;
 
     /// A surface of rulings along y between two arcs, an ellipsoid and a saddle.
     fn surface(kind: usize) -> Surface {
-        let rail = |y: f64, radius: f64| {
-            let circle = Circle { center: Vec3::new(0.0, y, -radius), axis: Vec3::y(), radius };
-            let z = ((radius - 45.0) * (radius + 45.0)).sqrt() - radius;
-            let end = |x: f64| Vec3::new(x, y, z);
-            let surface = Arc::new(Form::Circle(circle));
-            Rail { surface, start: end(-45.0), end: end(45.0), toward: Vec3::z() }
-        };
         let quadric = |c: [f64; 10]| Form::Quadric(Quadric { kind: QuadricKind::Qadric, c });
         let form = match kind {
-            0 => {
-                let (first, second) = (rail(-40.0, 60.0), Second::Rail(rail(40.0, 90.0)));
-                Form::Ruled(Arc::new(RuledSurface { first, second }))
-            }
+            0 => return rulings([60.0, 90.0], 0.0),
             1 => quadric([3e-4, 5e-4, 4e-4, 0.0, 0.0, 0.0, 0.0, 0.0, 0.02, 0.0]),
             _ => quadric([0.01, -0.008, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.5, 0.0]),
         };

@@ -37,6 +37,8 @@ mod rings;
 mod search;
 mod sections;
 mod shank;
+#[cfg(test)]
+mod shapes;
 mod stations;
 mod tangents;
 mod turned;

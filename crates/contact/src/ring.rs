@@ -190,37 +190,23 @@ impl Ring {
 
 #[cfg(test)]
 mod tests {
-    use std::sync::Arc;
-
     use super::*;
     use crate::point::PointGuide;
+    use crate::shapes::rulings;
     use crate::{Guide, chord, distance, second};
-    use aptc_geometry::{
-        Circle, Cone, Cutter, Cylinder, Form, Quadric, QuadricKind, Rail, RuledSurface, Second,
-        Vec3,
-    };
+    use aptc_geometry::{Cone, Cutter, Cylinder, Form, Quadric, QuadricKind, Vec3};
     use proptest::prelude::*;
 
     /// An ellipsoid, a saddle, a cylinder, a cone and a ruled surface.
     fn surface(kind: usize) -> Surface {
         let quadric = |c: [f64; 10]| Form::Quadric(Quadric { kind: QuadricKind::Qadric, c });
-        let rail = |y: f64, radius: f64| {
-            let circle = Circle { center: Vec3::new(0.0, y, -radius), axis: Vec3::y(), radius };
-            let z = ((radius - 45.0) * (radius + 45.0)).sqrt() - radius;
-            let end = |x: f64| Vec3::new(x, y, z);
-            let surface = Arc::new(Form::Circle(circle));
-            Rail { surface, start: end(-45.0), end: end(45.0), toward: Vec3::z() }
-        };
         let lean = Vec3::new(0.3, -0.2, 0.9).normalize();
         let form = match kind {
             0 => quadric([0.0011, 0.0006, 0.0016, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]),
             1 => quadric([0.02, -0.015, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -0.5]),
             2 => Form::Cylinder(Cylinder { point: Vec3::zeros(), axis: lean, radius: 12.0 }),
             3 => Form::Cone(Cone { vertex: Vec3::new(0.0, 0.0, 20.0), axis: -lean, cos_half: 0.8 }),
-            _ => {
-                let (first, second) = (rail(-40.0, 60.0), Second::Rail(rail(40.0, 90.0)));
-                Form::Ruled(Arc::new(RuledSurface { first, second }))
-            }
+            _ => return rulings([60.0, 90.0], 0.0),
         };
         Surface::from_form(&form).unwrap()
     }

@@ -59,7 +59,7 @@ pub(crate) fn clear(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::alone::tests::mesh;
+    use crate::shapes::mesh;
     use aptc_geometry::{Cutter, Profile};
     use proptest::prelude::*;
 

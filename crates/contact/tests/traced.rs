@@ -2,43 +2,16 @@
 //!
 //! Each formula is the corrected one of the literature; where the traced code was wrong the difference is stated.
 
-use std::collections::BTreeMap;
+mod trace;
 
 use aptc_geometry::{Vec3, trig};
+use trace::{v, x};
 
-/// A traced call: its variables.
-type Call = BTreeMap<String, Vec<f64>>;
-
-/// The calls of a routine; none where the traces are not there.
-fn calls(test: &str, routine: &str) -> Vec<Call> {
-    let Some(path) = aptc_testkit::shared(test, "oracle/ssv3/routines.txt") else {
-        return Vec::new();
-    };
-    let text = std::fs::read_to_string(path).expect("the trace");
-    let mut all: Vec<Call> = Vec::new();
-    let mut here = false;
-    for line in text.lines() {
-        if let Some(head) = line.strip_prefix('#') {
-            here = head.split(' ').next() == Some(routine);
-            if here {
-                all.push(Call::new());
-            }
-        } else if here && let Some(call) = all.last_mut() {
-            let mut words = line.split_ascii_whitespace();
-            let name = words.next().unwrap_or("").to_owned();
-            call.insert(name, words.filter_map(|w| w.parse().ok()).collect());
-        }
-    }
-    assert_eq!(all.len(), 12, "twelve calls of {routine}");
+/// The twelve calls of a routine; none where the traces are not there.
+fn calls(test: &str, routine: &str) -> Vec<trace::Call> {
+    let all = trace::calls(test, routine);
+    assert!(all.is_empty() || all.len() == 12, "twelve calls of {routine}");
     all
-}
-
-fn v(call: &Call, name: &str) -> Vec3 {
-    Vec3::new(call[name][0], call[name][1], call[name][2])
-}
-
-fn x(call: &Call, name: &str) -> f64 {
-    call[name][0]
 }
 
 /// How far `q` is from the straight line through `p0` and `p1`, negative on the side away from `n`.

@@ -1,28 +1,11 @@
 //! IGES against shapes that are known, and against files that are broken.
 
-use aptc_exchange::{Fault, Limits, Outside, read};
+mod quarter;
+
+use aptc_exchange::{Fault, Outside};
 use aptc_geometry::sculpt::{Sculptured, fit_surface};
 use aptc_geometry::{Vec3, trig};
-
-fn all(text: &str) -> Result<Outside, Fault> {
-    read(text, &Limits::default()).expect("the format is seen")
-}
-
-fn fitted(file: &Outside) -> Sculptured {
-    fit_surface(&file.surfaces[0], 1.0).expect("a surface")
-}
-
-/// A quarter of a cylinder of radius 5 about z, 8 long, as `u` along the arc and `v` along z.
-fn is_quarter(s: &Sculptured, radius: f64, length: f64) {
-    for k in 0..=8 {
-        let (u, v) = (f64::from(k) / 8.0, f64::from(8 - k) / 8.0);
-        let p = s.at(u, v).point;
-        assert!((p.xy().norm() - radius).abs() < 1e-12, "{p}");
-        assert!((p.z - v * length).abs() < 1e-12, "{p}");
-    }
-}
-
-const W: &str = "0.70710678118654752440";
+use quarter::{W, all, fitted, is_quarter};
 
 /// A file of IGES of entities: type (with a thousand times its form), directory line of the matrix, parameters.
 fn iges(unit: u32, entities: &[(u32, usize, String)]) -> String {

@@ -16,8 +16,12 @@ pub enum FileKind {
     Empty,
     /// It has definitions of geometry, which CL data have not.
     PartProgram,
+    /// Statements without a definition: CL data, or a part program that defines nothing.
+    Statements,
     /// Blocks of a control.
     MachineCode,
+    /// The same in the plain language of Heidenhain.
+    PlainCode,
     /// SVG, HTML or other XML.
     Markup,
     /// A listing of ours.
@@ -29,8 +33,8 @@ pub enum FileKind {
 }
 
 impl FileKind {
-    /// The kind of a file that begins so; `None` where nothing tells. CL data are a part program without definitions,
-    /// so that neither is named where a text has none.
+    /// The kind of a file that begins so; `None` where nothing tells. CL data are a part program without definitions, so that a text
+    /// without any may be both.
     pub fn of(bytes: &[u8]) -> Option<Self> {
         let head = &bytes[..bytes.len().min(HEAD)];
         let wide = head.starts_with(&[0xff, 0xfe]) || head.starts_with(&[0xfe, 0xff]);
@@ -57,9 +61,12 @@ impl FileKind {
         {
             return Some(Self::Listing);
         }
-        if is_machine_code(lines.clone()) {
-            return Some(Self::MachineCode);
+        if let Some(code) = code(lines.clone()) {
+            return Some(code);
         }
+        let mut statements =
+            lines.clone().filter(|line| line.starts_with("$$") || is_statement(line));
+        let statements = statements.next().map(|_| Self::Statements);
         // A text may look like a definition, also where it goes on in further lines.
         let mut in_text = false;
         let definition = lines.any(|line| {
@@ -67,7 +74,7 @@ impl FileKind {
             in_text = text && line.ends_with('$');
             !text && source::is_definition(line.as_bytes())
         });
-        definition.then_some(Self::PartProgram)
+        if definition { Some(Self::PartProgram) } else { statements }
     }
 }
 
@@ -76,7 +83,8 @@ impl fmt::Display for FileKind {
         f.write_str(match self {
             Self::Empty => "empty",
             Self::PartProgram => "a part program",
-            Self::MachineCode => "machine code",
+            Self::Statements => "CL data or a part program",
+            Self::MachineCode | Self::PlainCode => "machine code",
             Self::Markup => "a drawing or a page (SVG, HTML, XML)",
             Self::Listing => "a listing",
             Self::Protap => "a numeric part program (.protap)",
@@ -85,14 +93,15 @@ impl fmt::Display for FileKind {
     }
 }
 
-/// Are most of the first lines blocks, three of them with a G or M word, and none a statement?
-fn is_machine_code<'a>(lines: impl Iterator<Item = &'a str> + Clone) -> bool {
+/// Machine code, where most of the first lines are blocks, three of them with a G or M word, and none a statement; or where the
+/// first says that it begins in plain language.
+fn code<'a>(lines: impl Iterator<Item = &'a str> + Clone) -> Option<FileKind> {
     let comment = |line: &&str| line.starts_with([';', '(', '%', ':']);
     let (mut all, mut seen, mut blocks, mut coded) = (lines.clone(), 0, 0, 0);
     for line in lines.filter(|line| !comment(line)).take(LINES) {
         let unnumbered = line.trim_start_matches(|c: char| c.is_ascii_digit()).trim_start();
         if seen == 0 && unnumbered.starts_with("BEGIN PGM ") {
-            return true;
+            return Some(FileKind::PlainCode);
         }
         seen += 1;
         if let Some(codes) = codes(line) {
@@ -100,13 +109,15 @@ fn is_machine_code<'a>(lines: impl Iterator<Item = &'a str> + Clone) -> bool {
             coded += usize::from(codes > 0);
         }
     }
-    coded >= 3 && 2 * blocks > seen && !all.any(is_statement)
+    let code = coded >= 3 && 2 * blocks > seen && !all.any(is_statement);
+    code.then_some(FileKind::MachineCode)
 }
 
-/// A statement with which part programs and CL data begin or end, and which no control takes.
+/// A statement of part programs and CL data that no control takes. Some have GOTO too, without a slash.
 fn is_statement(line: &str) -> bool {
     let line = source::unlabelled(line.as_bytes());
-    let slashed: [&[u8]; 3] = [b"UNITS", b"FROM", b"CUTTER"];
+    let slashed: [&[u8]; 7] =
+        [b"UNITS", b"FROM", b"CUTTER", b"MULTAX", b"LOADTL", b"TOOL PATH", b"GOTO"];
     let behind = |word: &&[u8]| line.strip_prefix(*word).map(<[u8]>::trim_ascii_start);
     line.starts_with(b"PARTNO")
         || line == b"FINI"
@@ -148,7 +159,7 @@ mod tests {
         assert_eq!(of(" \r\n\n"), Some(FileKind::Empty));
         let code = "%\nO100\n(PLATE)\nG21\nG17 G40 G80\nT1 M6\nG0 X-15. Y=-15.\nN10G1Z5F100\nM30\n";
         assert_eq!(of(code), Some(FileKind::MachineCode));
-        assert_eq!(of("0 BEGIN PGM PLATE MM\n1 L X+5\n"), Some(FileKind::MachineCode));
+        assert_eq!(of("0 BEGIN PGM PLATE MM\n1 L X+5\n"), Some(FileKind::PlainCode));
         assert_eq!(of("\u{feff}<?xml version='1.0'?>\n"), Some(FileKind::Markup));
         assert_eq!(of("{\"protap\":1}\n"), Some(FileKind::Protap));
         assert_eq!(of("SOURCE  x.apt\n\n     1  PARTNO X\n"), Some(FileKind::Listing));
@@ -165,11 +176,13 @@ mod tests {
     /// Scalars of one letter are no codes, and a line that no control takes decides.
     #[test]
     fn part_programs_are_no_machine_code() {
-        assert_eq!(of("PARTNO X\nG=1\nG=2\nG=3\nFINI\n"), None);
+        assert_eq!(of("PARTNO X\nG=1\nG=2\nG=3\nFINI\n"), Some(FileKind::Statements));
         assert_eq!(of("A=1\nB=2\nC=3\nG=4\nM = 5\nG=6\nA1\n"), None);
         for line in ["PARTNO X", "UNITS/MM", "FROM /0,0,0", "G1 ) FROM/0,0,0", "CUTTER/5", "FINI"] {
-            assert_eq!(of(&format!("G1 X1\nG4\nM3\nM30\nG7\n{line}\n")), None, "{line}");
+            let kind = of(&format!("G1 X1\nG4\nM3\nM30\nG7\n{line}\n"));
+            assert_eq!(kind, Some(FileKind::Statements), "{line}");
         }
+        assert_eq!(of("G1 X1\nG4\nM3\nM30\nGOTO 7\n$$\n"), Some(FileKind::MachineCode));
         assert_eq!(of("G1 X=1\nG4\nM3\nM30\nG7\n"), Some(FileKind::MachineCode));
     }
 
@@ -181,20 +194,23 @@ mod tests {
             "REMARK surfaces $\nA=PLANE/1,2\n",
             "INSERT A $\r\nB=LINE/1,$\r\nC=LINE/2\r\n",
         ] {
-            assert_eq!(of(&format!("PARTNO A\n{text}GOTO/1,2,3\n")), None, "{text}");
+            let plain = of(&format!("PARTNO A\n{text}GOTO/1,2,3\n"));
+            assert_eq!(plain, Some(FileKind::Statements), "{text}");
             let more = format!("PARTNO A\n{text}GOTO/1,2,3\nA=PLANE/0,0,1,2\n");
             assert_eq!(of(&more), Some(FileKind::PartProgram), "{text}");
         }
         assert_eq!(of("PARTNO A\n10) L1=LINE/XAXIS\n"), Some(FileKind::PartProgram));
     }
 
-    /// What no kind has to itself stays untold: CL data, programs of points alone, words of one letter and a number.
+    /// CL data and programs of points alone are alike; words of one letter and a number tell nothing.
     #[test]
-    fn cl_data_and_plain_programs_are_no_other_kind() {
+    fn cl_data_and_plain_programs_are_statements() {
         let cl =
             "PARTNO X\nUNITS/MM\n$$ A = LINE/1\nPPRINT A = LINE/2\nINSERT G54\nGOTO/1,2,3\nFINI\n";
-        assert_eq!(of(cl), None);
-        assert_eq!(of("A1\nM2\nG4\nX = 3\nY = X/2\nB = SQRTF(4)\nZ = 2\nGOTO/X,Y\n"), None);
-        assert_eq!(of("$$\u{1}\nPARTNO X\nUNITS/MM\nGOTO/1,2,3\nGOTO/4,5,6\n"), None);
+        assert_eq!(of(cl), Some(FileKind::Statements));
+        assert_eq!(of("A1\nM2\nG4\nX = 3\nY = X/2\nB = SQRTF(4)\nZ = 2\n"), None);
+        for text in ["$$ A\nX = 3\n", "TOOL PATH/A,TOOL,B\n", " goto /1,2,3\n", "10) LOADTL/1\n"] {
+            assert_eq!(of(text), Some(FileKind::Statements), "{text}");
+        }
     }
 }

@@ -10,11 +10,12 @@ use aptc_protap::{Direction, Outcome, Relation, SurfaceRef};
 
 use crate::arelem::Arelem;
 use crate::diagram::Situation;
-use crate::failure::{self, Candidate, Failure};
+use crate::failure::{Candidate, Failure};
 use crate::feed::divide;
 use crate::points::put_feed;
 use crate::scene::Path;
 use crate::state::{Role, Tool};
+use crate::warning;
 use crate::{forward, plane, space};
 
 impl Arelem {
@@ -50,7 +51,7 @@ impl Arelem {
             let asks = matches!(relation, Relation::To | Relation::Past) && !sided;
             // Without FROM it stands there by chance.
             if asks && placed && self.between_sides(surface, start.surfaces.get(i), &tool) {
-                self.diagnostics.push(failure::no_side(origin, surface));
+                self.diagnostics.push(warning::no_side(origin, surface));
             }
         }
         let path = match result {
@@ -66,12 +67,12 @@ impl Arelem {
         }
         if let (false, Some(end)) = (path.rivals.is_empty(), path.points.last()) {
             let taken = Candidate::of(tool.te, end.te);
-            self.diagnostics.push(failure::ambiguous(origin, &taken, &path.rivals));
+            self.diagnostics.push(warning::ambiguous(origin, &taken, &path.rivals));
         }
         if let (1, Some(end)) = (go.surfaces.len(), path.points.last())
             && self.settings.lifts(tool.te.z, end.te.z)
         {
-            self.diagnostics.push(failure::lifted(origin, tool.te.z));
+            self.diagnostics.push(warning::lifted(origin, tool.te.z));
         }
         self.settings.started = None;
         if let Some((relation, surface)) = go.surfaces.get(1) {
@@ -105,18 +106,18 @@ impl Arelem {
         match result {
             Ok(path) => {
                 if tool.assumed && !matches!(d.direction, Direction::Goup | Direction::Godown) {
-                    self.diagnostics.push(failure::assumed_direction(origin, d.direction));
+                    self.diagnostics.push(warning::assumed_direction(origin, d.direction));
                 }
                 if let Some(depth) = path.fouls {
-                    self.diagnostics.push(failure::fouls(origin, &d.drive, depth));
+                    self.diagnostics.push(warning::fouls(origin, &d.drive, depth));
                 }
                 if stays_on {
-                    self.diagnostics.push(failure::stays_on(origin, &d.drive));
+                    self.diagnostics.push(warning::stays_on(origin, &d.drive));
                 }
                 // One word that is wrong may hold for many motions.
                 match path.astray {
                     Some(astray) if !self.settings.astray_told => {
-                        self.diagnostics.push(failure::astray(origin, &d.drive, astray));
+                        self.diagnostics.push(warning::astray(origin, &d.drive, astray));
                     }
                     _ => {}
                 }
@@ -134,7 +135,7 @@ impl Arelem {
                 self.picture(&f, &tool, all);
                 match self.other_way(&f, d, tool) {
                     Some(word) => {
-                        self.diagnostics.push(failure::other_way(f.explain(origin), word));
+                        self.diagnostics.push(warning::other_way(f.explain(origin), word));
                         self.give_up()
                     }
                     None => self.fail(origin, &f),
@@ -172,7 +173,7 @@ impl Arelem {
     /// Says once that a place of contact chosen by TLAXIS does not count.
     fn chosen_contact(&mut self, origin: &Origin) {
         if std::mem::take(&mut self.settings.contact_chosen) {
-            self.diagnostics.push(failure::contact_not_chosen(origin));
+            self.diagnostics.push(warning::contact_not_chosen(origin));
         }
     }
 
@@ -188,7 +189,7 @@ impl Arelem {
         let sculptured = |s: &&SurfaceRef| s.form.kind() == FormKind::Ssurf;
         if let Some(surface) = surfaces.into_iter().find(sculptured) {
             self.settings.set_cutter(Cutter::mill(0.0, 0.0, 0.0), 0);
-            self.diagnostics.push(failure::point_taken(origin, surface));
+            self.diagnostics.push(warning::point_taken(origin, surface));
         }
     }
 

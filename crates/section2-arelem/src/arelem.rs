@@ -7,11 +7,12 @@ use aptc_protap as protap;
 use aptc_protap::{Direction, DriveSide, Kind, Outcome, PartSide, Relation, Sense, ToolAxis};
 
 use crate::diagram::Situation;
-use crate::failure::{Failure, no_band, no_multax};
+use crate::failure::Failure;
 use crate::feed::Feed;
 use crate::fitted::Fitted;
 use crate::forward::forward;
 use crate::state::{Part, Settings, Tool, auto_part, unit};
+use crate::warning::{no_band, no_multax};
 
 /// Settings of Section 2 that no part program gives.
 #[derive(Clone, Debug, Default)]

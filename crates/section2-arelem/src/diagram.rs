@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 use aptc_geometry::{Profile, Surface, Vec3};
 use aptc_protap::SurfaceRef;
 
-use crate::failure::{number, with_role};
+use crate::naming::{number, with_role};
 use crate::plane::Frame;
 use crate::state::Tool;
 

@@ -13,6 +13,7 @@ mod failure;
 mod feed;
 mod fitted;
 mod forward;
+mod naming;
 mod plane;
 mod pocket;
 mod points;
@@ -20,6 +21,7 @@ mod prepare;
 mod scene;
 mod space;
 mod state;
+mod warning;
 
 pub use arelem::{Arelem, Options};
 pub use diagram::Situation;

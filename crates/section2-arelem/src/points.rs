@@ -9,7 +9,7 @@ use aptc_protap::{Outcome, ToolAxis};
 use crate::arelem::Arelem;
 use crate::failure::Failure;
 use crate::state::{Tool, unit};
-use crate::{failure, forward, pocket};
+use crate::{forward, pocket, warning};
 
 impl Arelem {
     /// FROM and GOTO.
@@ -91,7 +91,7 @@ impl Arelem {
     /// A start without a position before it begins at 0,0,0, as in APT-360, and says so: where it begins only tells the way to
     /// the surfaces. A step from an unknown place (GODLTA) is refused.
     pub(crate) fn stand_at_zero(&mut self, origin: &Origin) -> Tool {
-        self.diagnostics.push(failure::from_zero(origin));
+        self.diagnostics.push(warning::from_zero(origin));
         let tool = self.first(Vec3::zeros());
         self.tool = Some(tool);
         tool
@@ -122,7 +122,7 @@ impl Arelem {
         let passes = match pocket::passes(p, &self.settings, &tool) {
             Ok(passes) => {
                 if let Some(left) = passes.left {
-                    self.diagnostics.push(failure::material_left(origin, left));
+                    self.diagnostics.push(warning::material_left(origin, left));
                 }
                 passes.polygons
             }

@@ -8,9 +8,7 @@ use std::sync::Arc;
 use aptc_cldata as cl;
 use aptc_contact::{PatchTree, Tool};
 use aptc_geometry::sculpt::{SplinePoint, mesh};
-use aptc_geometry::sculptured::{
-    Knot, MeshKind, MeshSpacing, MeshSpline, Smoothing, SurfaceDefinition, SurfaceShape,
-};
+use aptc_geometry::sculptured::{MeshSpacing, SurfaceDefinition};
 use aptc_geometry::{Cutter, Form, Profile, Sculptured, Vec3, trig};
 use aptc_protap::{Arg, Kind, NameRef, Record};
 use aptc_regional::{Probe, Regional, Shot};
@@ -45,15 +43,8 @@ fn sculptured(rows: &[Vec<Vec3>]) -> Sculptured {
 }
 
 fn form(rows: &[Vec<Vec3>]) -> Arc<Form> {
-    let spline = |row: &Vec<Vec3>| MeshSpline {
-        smoothing: Smoothing::default(),
-        knots: row.iter().map(|p| Knot { point: *p, ..Knot::default() }).collect(),
-    };
-    Arc::new(Form::Ssurf(Arc::new(SurfaceDefinition::plain(SurfaceShape::Mesh {
-        kind: MeshKind::Smesh,
-        spacing: MeshSpacing::Xyz,
-        splines: rows.iter().map(spline).collect(),
-    }))))
+    let definition = SurfaceDefinition::mesh(MeshSpacing::Xyz, rows.iter().cloned());
+    Arc::new(Form::Ssurf(Arc::new(definition)))
 }
 
 fn cutters() -> [(&'static str, Cutter); 2] {

@@ -6,7 +6,7 @@ use aptc_geometry::{Profile, Transform, Vec3};
 
 use crate::guard::{Guard, Seen};
 use crate::position::{Position, tool_end};
-use crate::region::Retract;
+use crate::retract::Retract;
 
 /// How a gouge is avoided.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -277,15 +277,11 @@ mod tests {
         }
     }
 
-    #[test]
-    fn tilt_succeeds_stays_in_range_or_gives_way_to_lift() {
-        let profile = Profile::new(&Cutter::mill(4.0, 2.0, 30.0)).unwrap();
-        let guard = wall();
-        let p = position(&profile);
-        assert!(guard.position(&profile, p.te, p.ta).is_err());
-        let case = Case {
-            profile: &profile,
-            guard: &guard,
+    /// Along x, with the step across along y.
+    fn case<'a>(profile: &'a Profile, guard: &'a Guard) -> Case<'a> {
+        Case {
+            profile,
+            guard,
             clearance: 0.0,
             middle: 0.0,
             outtol: 1e-3,
@@ -294,7 +290,16 @@ mod tests {
             over: Vec3::y(),
             away: None,
             seen: RefCell::default(),
-        };
+        }
+    }
+
+    #[test]
+    fn tilt_succeeds_stays_in_range_or_gives_way_to_lift() {
+        let profile = Profile::new(&Cutter::mill(4.0, 2.0, 30.0)).unwrap();
+        let guard = wall();
+        let p = position(&profile);
+        assert!(guard.position(&profile, p.te, p.ta).is_err());
+        let case = case(&profile, &guard);
         let tilt = |range: [f64; 3], limit| Avoid {
             on: true,
             tilt: Some(range),
@@ -342,18 +347,7 @@ mod tests {
         let profile = Profile::new(&Cutter::mill(4.0, 2.0, 30.0)).unwrap();
         let guard = wall();
         let p = position(&profile);
-        let case = || Case {
-            profile: &profile,
-            guard: &guard,
-            clearance: 0.0,
-            middle: 0.0,
-            outtol: 1e-3,
-            on: false,
-            forward: Vec3::x(),
-            over: Vec3::y(),
-            away: None,
-            seen: RefCell::default(),
-        };
+        let case = || case(&profile, &guard);
         let known = case();
         let mut told = 0;
         for k in -60..=60 {

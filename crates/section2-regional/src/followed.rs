@@ -7,8 +7,9 @@ use aptc_contact::{Convex, Swept, Tool, axis_between};
 use aptc_geometry::{Vec3, trig};
 
 use crate::jump::Pair;
+use crate::lanes::Lane;
 use crate::position::Position;
-use crate::region::{Lane, Region};
+use crate::region::Region;
 
 /// Places along a pass, in a span of the drive and in all.
 const PLACES: f64 = 16.0;

@@ -7,8 +7,9 @@
 use aptc_contact::{Convex, Swept, Tool};
 use aptc_geometry::Vec3;
 
+use crate::lanes::Lane;
 use crate::position::Position;
-use crate::region::{Lane, Region};
+use crate::region::Region;
 use crate::solve::{Memory, Take};
 
 /// Stretches of a pass that are looked at first, in a span of the drive and in all.

@@ -7,7 +7,7 @@ use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use aptc_cldata::milling::{Extent, Scallop};
-use aptc_geometry::{Plane, Vec3};
+use aptc_geometry::Vec3;
 
 use crate::area::StepoverArea;
 use crate::crew::Crew;
@@ -15,97 +15,14 @@ use crate::drive::Course;
 use crate::failure::{Deep, Failure};
 use crate::guard::Guard;
 use crate::jump::Stands;
+use crate::lanes::Lane;
 use crate::path::{Broken, Path};
 use crate::position::{Odd, Position};
+use crate::put::{Along, Put};
 use crate::report::Note;
-use crate::solve::{Memory, Setup, Take};
-use crate::stepover::parameter_step;
+use crate::retract::Retract;
+use crate::solve::Setup;
 use crate::touched::{Stand, Touched, links};
-
-/// What is put out.
-#[derive(Clone, Debug)]
-pub(crate) enum Put {
-    /// FEDRAT, unless it is 0.
-    Feed(f64),
-    /// Positions.
-    Move(Vec<(Vec3, Vec3)>),
-    /// Positions of a path, with the parameters of the drive.
-    Path(Vec<Along>),
-    /// The same of one that is lifted off the surface.
-    Lifted(Vec<Along>),
-    /// The same of one that got out of the way of something.
-    Risen(Vec<Along>),
-}
-
-impl Put {
-    /// A path that got out of the way or did not.
-    pub(crate) fn path(along: Vec<Along>, avoided: bool) -> Self {
-        if avoided { Self::Risen(along) } else { Self::Path(along) }
-    }
-
-    /// The places of the tool.
-    fn places(&self) -> Vec<(Vec3, Vec3)> {
-        match self {
-            Self::Feed(_) => Vec::new(),
-            Self::Move(points) => points.clone(),
-            Self::Path(along) | Self::Lifted(along) | Self::Risen(along) => {
-                along.iter().map(|a| a.at).collect()
-            }
-        }
-    }
-}
-
-/// A position that belongs to a place of the drive.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Along {
-    pub(crate) at: (Vec3, Vec3),
-    /// Parameters of the drive.
-    pub(crate) uv: [f64; 2],
-}
-
-impl Along {
-    pub(crate) fn of(p: &Position) -> Self {
-        Self { at: (p.te, p.ta), uv: p.drive_uv }
-    }
-
-    /// A path, without its first place if that is to be skipped; where the tool stands still one place.
-    pub(crate) fn each(points: &[Position], skip: bool) -> Vec<Self> {
-        let mut all: Vec<Self> = points.iter().map(Self::of).collect();
-        all.dedup_by(|b, a| a.at == b.at);
-        if skip && !all.is_empty() {
-            all.remove(0);
-        }
-        all
-    }
-}
-
-/// How the tool is led away from the surface between passes.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Retract {
-    /// To a plane, along its normal.
-    Plane(Plane),
-    /// So far along the tool axis.
-    Along(f64),
-    /// By a vector.
-    By(Vec3),
-}
-
-impl Retract {
-    /// The tool led away.
-    pub(crate) fn above(&self, (te, ta): (Vec3, Vec3)) -> (Vec3, Vec3) {
-        let te = match self {
-            Self::Plane(plane) => te - plane.n * plane.distance(te),
-            Self::Along(d) => te + ta * *d,
-            Self::By(v) => te + v,
-        };
-        (te, ta)
-    }
-
-    /// From one place of the tool to another by way of those above them.
-    pub(crate) fn over(&self, from: (Vec3, Vec3), to: (Vec3, Vec3)) -> [(Vec3, Vec3); 3] {
-        [self.above(from), self.above(to), to]
-    }
-}
 
 /// What a region is milled by.
 #[derive(Clone, Copy, Debug)]
@@ -152,18 +69,6 @@ impl Done {
     }
 }
 
-/// A pass before it is milled.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Lane {
-    pub(crate) from: [f64; 2],
-    pub(crate) to: f64,
-    pub(crate) sense: f64,
-    /// Is it the first of all?
-    leads: bool,
-    /// The other parameter of the next pass; none behind the last.
-    pub(crate) next: Option<f64>,
-}
-
 /// A pass that is milled.
 #[derive(Debug, Default)]
 struct Pass {
@@ -201,14 +106,6 @@ enum Joint {
 
 /// Places of the tool, and axes, so near to each other for the size of the numbers are the same.
 const SAME: f64 = 1e-9;
-/// A region has at most so many paths.
-const PATHS: usize = 1_000_000;
-/// Places in a span of the drive at which the width of a step is judged.
-const PLACES: f64 = 5.0;
-/// Rounds that narrow a step.
-const ROUNDS: usize = 8;
-/// And along a whole path at most.
-const MOST: usize = 20_000;
 
 impl Region<'_> {
     /// Mills the region from `from` on.
@@ -271,149 +168,6 @@ impl Region<'_> {
             done.stands = self.stands(&lanes, &ways).filter(|s| s.height > band);
         }
         done
-    }
-
-    /// Where the passes begin.
-    pub(crate) fn lines(&self, from: [f64; 2]) -> Vec<[f64; 2]> {
-        self.lanes(from).into_iter().map(|l| l.from).collect()
-    }
-
-    /// The passes, from the width that the scallop allows along each.
-    fn lanes(&self, from: [f64; 2]) -> Vec<Lane> {
-        let k = self.course.index();
-        let across = self.course.across();
-        let [along, over] = self.senses;
-        let limits = self.setup.drive.limits(self.course);
-        let ends = if self.clearance.is_some() {
-            // The quadrant from the start.
-            if along > 0.0 { [from[k], limits[1]] } else { [from[k], limits[0]] }
-        } else if along > 0.0 {
-            [limits[0], limits[1]]
-        } else {
-            [limits[1], limits[0]]
-        };
-        let border = self.setup.drive.limits(across)[usize::from(over > 0.0)];
-        let most = self.stepover.paths.unwrap_or(PATHS);
-        let mut lanes: Vec<Lane> = Vec::new();
-        let (mut here, mut sense) = (from, along);
-        let mut calls = 1;
-        let mut known = None;
-        loop {
-            let to = if sense * along > 0.0 { ends[1] } else { ends[0] };
-            let at = here[across.index()];
-            let rest = (border - at) * over;
-            let leads = lanes.is_empty();
-            let mut lane = Lane { from: here, to, sense, leads, next: None };
-            if rest <= 1e-9 || calls >= most {
-                lanes.push(lane);
-                return lanes;
-            }
-            let step = self.step(&lane, &mut known);
-            let target = if step >= rest * (1.0 - 1e-9) { border } else { at + over * step };
-            lane.next = Some(target);
-            lanes.push(lane);
-            calls += 1;
-            if calls >= most {
-                return lanes;
-            }
-            calls += 1;
-            here[across.index()] = target;
-            if self.clearance.is_none() {
-                here[k] = to;
-                sense = -sense;
-            }
-        }
-    }
-
-    /// The step across from a pass: as wide as it may be there, half way and at the next, so that neither a
-    /// joint of the parameter nor a change of curvature between leaves more than what is asked for.
-    fn step(&self, lane: &Lane, known: &mut Option<(f64, f64)>) -> f64 {
-        let across = self.course.across().index();
-        let over = self.senses[1];
-        let limits = self.setup.drive.limits(self.course.across());
-        let at = lane.from[across];
-        let mut width = |away: f64| {
-            let mut line = *lane;
-            line.from[across] = (at + over * away).clamp(limits[0], limits[1]);
-            match *known {
-                Some((v, width)) if (v - line.from[across]).abs() <= 1e-15 => width,
-                _ => {
-                    let width = self.width(&line);
-                    *known = Some((line.from[across], width));
-                    width
-                }
-            }
-        };
-        let mut step = width(0.0);
-        for _ in 0..ROUNDS {
-            let narrow = width(0.5 * step).min(width(step));
-            if narrow >= step * (1.0 - 1e-3) {
-                step = step.min(narrow);
-                break;
-            }
-            // Not below what a change of speed at a joint asks for, in few rounds.
-            step = narrow.max(0.25 * step);
-        }
-        if self.stepover.scallop > 0.0 {
-            self.followed(lane, self.closed(lane, step))
-        } else {
-            step
-        }
-    }
-
-    /// The step of the parameter that the places along a line allow.
-    fn width(&self, lane: &Lane) -> f64 {
-        let k = self.course.index();
-        let length = lane.to - lane.from[k];
-        let mut n = (length.abs() * PLACES).ceil().clamp(PLACES, MOST as f64);
-        if self.stepover.scallop <= 0.0 && self.stepover.most <= 0.0 {
-            // The step is one of the parameter.
-            n = 1.0;
-        }
-        let mut points = Vec::new();
-        let at = |t: f64, memory: Option<Memory>| {
-            let mut uv = lane.from;
-            uv[k] = t;
-            self.setup.position(uv, self.course, lane.sense, memory, Take::Nothing).ok()
-        };
-        let mut before: Option<(Position, Memory)> = None;
-        let mut i = 0.0;
-        while i <= n {
-            // What cannot be reached the pass will tell.
-            if let Some(now) = at(lane.from[k] + length * (i / n), before.map(|b| b.1)) {
-                if let Some(last) = before {
-                    points.extend(self.abreast([last, now], &at));
-                }
-                points.push(now.0);
-                before = Some(now);
-            }
-            i += 1.0;
-        }
-        parameter_step(&self.stepover, &self.setup, &points, self.course).max(1e-6)
-    }
-
-    /// The place between two of a pass at which the tool stands square beside its contact: over a crest across the pass the bottom
-    /// goes from behind the contact to before it, and reaches least to the side there.
-    fn abreast(
-        &self,
-        [mut a, mut b]: [(Position, Memory); 2],
-        at: &impl Fn(f64, Option<Memory>) -> Option<(Position, Memory)>,
-    ) -> Option<Position> {
-        /// Halvings.
-        const TIMES: u32 = 10;
-        let k = self.course.index();
-        let ahead = |p: &Position| {
-            (p.te - p.contact).dot(&self.setup.drive.place(p.drive_uv, self.course).along)
-        };
-        if self.setup.profile.corner()[0] <= 0.0 || ahead(&a.0) * ahead(&b.0) >= 0.0 {
-            return None;
-        }
-        for _ in 0..TIMES {
-            let mid = at(0.5 * (a.0.drive_uv[k] + b.0.drive_uv[k]), Some(a.1))?;
-            let same = ahead(&mid.0) * ahead(&a.0) > 0.0;
-            *(if same { &mut a } else { &mut b }) = mid;
-        }
-        Some(a.0)
     }
 
     /// A pass with the way to the next.

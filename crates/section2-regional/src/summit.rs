@@ -7,7 +7,8 @@
 use aptc_geometry::Vec3;
 
 use crate::jump::Pair;
-use crate::region::{Lane, Region};
+use crate::lanes::Lane;
+use crate::region::Region;
 
 /// Widenings of the stretch of a pass in which the bottom goes from behind its contact to before it, from this part of
 /// the pass on.

@@ -9,8 +9,10 @@ use crate::drive::Course;
 use crate::failure::Failure;
 use crate::goloft::at_line;
 use crate::path::{Broken, Path};
-use crate::region::{Along, Put, Region, Retract};
+use crate::put::{Along, Put};
+use crate::region::Region;
 use crate::report::Note;
+use crate::retract::Retract;
 
 /// What is left of a line: the other parameter, and from where to where it is milled.
 #[derive(Clone, Copy, Debug)]

@@ -6,9 +6,7 @@ use aptc_cldata as cl;
 use aptc_contact::{Convex, Swept, Tool};
 use aptc_diagnostics::{Diagnostic, codes};
 use aptc_geometry::sculpt::fit_surface;
-use aptc_geometry::sculptured::{
-    Knot, MeshKind, MeshSpacing, MeshSpline, Smoothing, SurfaceDefinition, SurfaceShape,
-};
+use aptc_geometry::sculptured::{MeshSpacing, SurfaceDefinition};
 use aptc_geometry::{Cutter, Form, Plane, Profile, Vec3};
 use aptc_protap::{Arg, Kind, NameRef, Record, Units};
 use aptc_regional::Regional;
@@ -16,19 +14,12 @@ use aptc_regional::Regional;
 const TOL: f64 = 0.01;
 
 fn mesh(z: impl Fn(f64, f64) -> f64) -> SurfaceDefinition {
-    let knot = |i: u32, j: u32| {
+    let at = |i: u32, j: u32| {
         let (x, y) = (15.0 * f64::from(i), 15.0 * f64::from(j));
-        Knot { point: Vec3::new(x, y, z(x, y)), ..Knot::default() }
+        Vec3::new(x, y, z(x, y))
     };
-    let spline = |j: u32| MeshSpline {
-        smoothing: Smoothing::default(),
-        knots: (0..=4).map(|i| knot(i, j)).collect(),
-    };
-    SurfaceDefinition::plain(SurfaceShape::Mesh {
-        kind: MeshKind::Smesh,
-        spacing: MeshSpacing::Xyz,
-        splines: (0..=4).map(spline).collect(),
-    })
+    let spline = |j: u32| (0..=4).map(|i| at(i, j)).collect();
+    SurfaceDefinition::mesh(MeshSpacing::Xyz, (0..=4).map(spline))
 }
 
 /// Tool ends of a region over all of the surface but its borders, and what is said.

@@ -5,9 +5,7 @@ use std::sync::Arc;
 use aptc_cldata as cl;
 use aptc_contact::{PatchTree, Swept, Tool};
 use aptc_geometry::sculpt::{Derivatives, fit_surface};
-use aptc_geometry::sculptured::{
-    Knot, MeshKind, MeshSpacing, MeshSpline, Smoothing, SurfaceDefinition, SurfaceShape,
-};
+use aptc_geometry::sculptured::{MeshSpacing, SurfaceDefinition};
 use aptc_geometry::{Cutter, Form, Profile, Sculptured, Vec3, trig};
 use aptc_protap::{Arg, Kind, NameRef, Record, Units};
 use aptc_regional::Regional;
@@ -22,19 +20,12 @@ fn hills(x: f64, y: f64) -> f64 {
 }
 
 fn mesh(z: impl Fn(f64, f64) -> f64) -> SurfaceDefinition {
-    let knot = |i: u32, j: u32| {
+    let at = |i: u32, j: u32| {
         let (x, y) = (10.0 * f64::from(i), 10.0 * f64::from(j));
-        Knot { point: Vec3::new(x, y, z(x, y)), ..Knot::default() }
+        Vec3::new(x, y, z(x, y))
     };
-    let spline = |j: u32| MeshSpline {
-        smoothing: Smoothing::default(),
-        knots: (0..=SPANS).map(|i| knot(i, j)).collect(),
-    };
-    SurfaceDefinition::plain(SurfaceShape::Mesh {
-        kind: MeshKind::Smesh,
-        spacing: MeshSpacing::Xyz,
-        splines: (0..=SPANS).map(spline).collect(),
-    })
+    let spline = |j: u32| (0..=SPANS).map(|i| at(i, j)).collect();
+    SurfaceDefinition::mesh(MeshSpacing::Xyz, (0..=SPANS).map(spline))
 }
 
 /// Statements for the line at `v` over the middle of the surface, the tool led over it along z.

@@ -7,8 +7,7 @@ use aptc_cldata::milling::Extent;
 use aptc_diagnostics::{Diagnostic, codes};
 use aptc_geometry::sculpt::fit_curve;
 use aptc_geometry::sculptured::{
-    CurveDefinition, CurveShape, Knot, MeshKind, MeshSpacing, MeshSpline, Smoothing,
-    SurfaceDefinition, SurfaceShape,
+    CurveDefinition, CurveShape, Knot, MeshSpacing, Smoothing, SurfaceDefinition,
 };
 use aptc_geometry::{Cutter, Form, Profile, Tool, Vec3};
 use aptc_protap::{Arg, AxisAngle, Kind, NameRef, OptionSurface, Record, ToolAxis, Units};
@@ -45,18 +44,6 @@ fn run(kinds: Vec<Kind>) -> (Vec<(Vec3, Vec3)>, Vec<Diagnostic>) {
     (out.iter().flat_map(points).collect(), milling.take_diagnostics())
 }
 
-fn rows(kind: MeshSpacing, rows: &[Vec<Vec3>]) -> SurfaceDefinition {
-    let spline = |r: &Vec<Vec3>| MeshSpline {
-        smoothing: Smoothing::default(),
-        knots: r.iter().map(|p| Knot { point: *p, ..Knot::default() }).collect(),
-    };
-    SurfaceDefinition::plain(SurfaceShape::Mesh {
-        kind: MeshKind::Smesh,
-        spacing: kind,
-        splines: rows.iter().map(spline).collect(),
-    })
-}
-
 fn prepared(cutter: Cutter, axis: ToolAxis) -> Vec<Kind> {
     vec![
         Kind::Units(Units::Mm),
@@ -74,7 +61,7 @@ fn a_flank_along_rulings_touches_at_its_hight() {
     let foot = |x: f64| Vec3::new(x, 0.004 * (x - 30.0) * (x - 30.0), 0.0);
     let row =
         |z: f64| (0..7).map(|i| foot(10.0 * f64::from(i)) + Vec3::new(0.0, 0.2 * z, z)).collect();
-    let wall = rows(MeshSpacing::Ruled, &[row(0.0), row(20.0)]);
+    let wall = SurfaceDefinition::mesh(MeshSpacing::Ruled, [row(0.0), row(20.0)]);
     let goloft = |height: Option<f64>| {
         let axis = ToolAxis::Parallel { surface: OptionSurface::Part, radius: None, height };
         let mut all = prepared(Cutter::mill(10.0, 2.0, 50.0), axis);
@@ -107,7 +94,7 @@ fn a_flank_along_rulings_touches_at_its_hight() {
 #[test]
 fn where_the_shape_says_it_radius_does_not_count() {
     let row = |y: f64| (0..4).map(|i| Vec3::new(10.0 * f64::from(i), y, 0.0)).collect();
-    let floor = rows(MeshSpacing::Xyz, &[row(0.0), row(10.0), row(20.0)]);
+    let floor = SurfaceDefinition::mesh(MeshSpacing::Xyz, [row(0.0), row(10.0), row(20.0)]);
     let goloft = |angle_deg: f64, radius: Option<f64>| {
         let axis = AxisAngle {
             surface: OptionSurface::Part,
@@ -201,11 +188,11 @@ fn the_region_of_passes_that_another_surface_leads() {
             };
             (0..7).map(at).collect()
         };
-        rows(MeshSpacing::Xyz, &(0..7).map(row).collect::<Vec<_>>())
+        SurfaceDefinition::mesh(MeshSpacing::Xyz, (0..7).map(row))
     };
     // Over x from 15 to 45 and y from 12 to 36.
     let lid = |y: f64| [15.0, 30.0, 45.0].map(|x| Vec3::new(x, y, 50.0)).to_vec();
-    let above = rows(MeshSpacing::Xyz, &[lid(12.0), lid(24.0), lid(36.0)]);
+    let above = SurfaceDefinition::mesh(MeshSpacing::Xyz, [lid(12.0), lid(24.0), lid(36.0)]);
     let region = |turned: bool, hold: &str| {
         let surface = |d: &SurfaceDefinition| of(Form::Ssurf(Arc::new(d.clone())));
         let mut all = prepared(Cutter::mill(8.0, 4.0, 50.0), ToolAxis::Fixed(Vec3::z()));
@@ -271,7 +258,7 @@ fn the_rim_of_a_flat_end_keeps_the_band_in_a_hollow() {
             Vec3::new(x, y, hollow * ((x - 30.0) * (x - 30.0) + (y - 30.0) * (y - 30.0)))
         };
         let bowl: Vec<Vec<_>> = (0..5).map(|j| (0..5).map(|i| place(i, j)).collect()).collect();
-        let bowl = rows(MeshSpacing::Xyz, &bowl);
+        let bowl = SurfaceDefinition::mesh(MeshSpacing::Xyz, bowl);
         let axis = ToolAxis::NormPs;
         let mut all = prepared(Cutter::mill(10.0, 0.0, 50.0), axis);
         let line = vec![of(Form::Ssurf(Arc::new(bowl.clone()))), word("UCONST"), Arg::Number(2.3)];
@@ -307,7 +294,7 @@ fn a_flat_end_goes_on_through_a_hollow_that_does_not_hold_it() {
         Vec3::new(x, y, 0.02 * (y - 30.0) * (y - 30.0) - 0.015 * (x - 30.0) * (x - 30.0))
     };
     let hollow: Vec<Vec<_>> = (0..5).map(|j| (0..5).map(|i| place(i, j)).collect()).collect();
-    let hollow = rows(MeshSpacing::Xyz, &hollow);
+    let hollow = SurfaceDefinition::mesh(MeshSpacing::Xyz, hollow);
     let mut all = prepared(Cutter::mill(16.0, 0.0, 50.0), ToolAxis::NormPs);
     all.push(Kind::Outtol([0.2 * TOL; 4]));
     let surface = || of(Form::Ssurf(Arc::new(hollow.clone())));

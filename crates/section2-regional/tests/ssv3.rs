@@ -5,9 +5,7 @@ use std::sync::Arc;
 use aptc_cldata as cl;
 use aptc_contact::{PatchTree, Swept, Tool};
 use aptc_geometry::sculpt::fit_surface;
-use aptc_geometry::sculptured::{
-    Knot, MeshKind, MeshSpacing, MeshSpline, Smoothing, SurfaceDefinition, SurfaceShape,
-};
+use aptc_geometry::sculptured::{MeshSpacing, SurfaceDefinition};
 use aptc_geometry::{Cutter, Form, Profile, Vec3};
 use aptc_protap::{Arg, Kind, NameRef, Record};
 use aptc_regional::Regional;
@@ -21,15 +19,7 @@ fn surface() -> SurfaceDefinition {
         [[0.0, 1.0, 0.3], [2.0, 1.0, 0.5], [3.0, 1.0, 0.4], [4.0, 1.0, 0.0]],
         [[0.0, 3.0, 0.0], [2.0, 3.0, 0.2], [3.0, 3.0, 0.4], [4.0, 3.0, 0.5]],
     ];
-    let spline = |row: &[[f64; 3]; 4]| MeshSpline {
-        smoothing: Smoothing::default(),
-        knots: row.iter().map(|p| Knot { point: Vec3::from(*p), ..Knot::default() }).collect(),
-    };
-    SurfaceDefinition::plain(SurfaceShape::Mesh {
-        kind: MeshKind::Smesh,
-        spacing: MeshSpacing::Xyz,
-        splines: rows.iter().map(spline).collect(),
-    })
+    SurfaceDefinition::mesh(MeshSpacing::Xyz, rows.map(|row| row.map(Vec3::from).to_vec()))
 }
 
 fn cutter() -> Cutter {

@@ -6,16 +6,19 @@
 
 use std::sync::Arc;
 
-use crate::machine::{ArcCenter, ArcPlane, Dialect, Machine, MachineKind, Wrap};
+use crate::machine::{ArcPlane, Machine, MachineKind, Wrap};
 use crate::number::Number;
 
 mod apt;
 mod cycle;
 mod heidenhain;
+mod motion;
 mod text;
+mod word;
 
 pub(crate) use apt::AptText;
 pub(crate) use cycle::NativeCycle;
+pub(crate) use motion::{ArcBlock, MotionCode};
 pub(crate) use text::render;
 
 /// Positions of the axes: X Y Z and up to two rotary axes, in output units and degrees.
@@ -46,34 +49,6 @@ pub(crate) enum FeedMode {
 pub(crate) struct FeedWord {
     pub(crate) mode: FeedMode,
     pub(crate) value: f64,
-}
-
-/// What a block of motion does.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum MotionCode {
-    Rapid,
-    Line,
-    Clockwise,
-    Anticlockwise,
-}
-
-/// An arc in one of the control's planes, all lengths rounded already.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct ArcBlock {
-    pub(crate) plane: ArcPlane,
-    pub(crate) anticlockwise: bool,
-    pub(crate) end: Rounded,
-    /// From the start to the centre, along the two axes of the plane.
-    pub(crate) center: [f64; 2],
-    /// Coordinates of the centre.
-    pub(crate) center_at: [f64; 2],
-    pub(crate) radius: f64,
-    /// More than half a turn?
-    pub(crate) large: bool,
-    /// Angle travelled, degrees, positive anticlockwise.
-    pub(crate) sweep: f64,
-    /// Motion along the normal of the plane.
-    pub(crate) rise: f64,
 }
 
 /// Writer of blocks.
@@ -229,124 +204,6 @@ impl Blocks {
         joints
     }
 
-    /// G0 or G1 to `joints`; only the axes of `mask` are written. No block when nothing would change.
-    pub(crate) fn straight(
-        &mut self,
-        code: MotionCode,
-        joints: &Joints,
-        mut mask: [bool; 5],
-        feed: Option<FeedWord>,
-    ) -> Result<(), TooGreat> {
-        if self.tilted {
-            mask[3..].fill(false);
-        }
-        let q = self.round(joints)?;
-        let moves = (0..5).any(|i| {
-            mask[i] && self.axes[i] != b' ' && self.known[idx(self.axes[i])] != Some(q[i])
-        });
-        if !moves {
-            return Ok(());
-        }
-        self.end_cycle();
-        if self.machine.dialect == Dialect::Heidenhain {
-            return self.tnc_straight(code, &q, mask, feed);
-        }
-        self.begin();
-        self.feed_mode_word(feed);
-        if let Some(words) = self.with_motion.take() {
-            self.push(&words);
-            self.motion = None;
-        }
-        if mask[2]
-            && self.known[idx(b'Z')] != Some(q[2])
-            && let Some(words) = self.with_tool_axis.take()
-        {
-            self.push(&words);
-        }
-        self.motion_word(code);
-        for i in 0..5 {
-            if mask[i] && self.axes[i] != b' ' {
-                self.coordinate(self.axes[i], q[i]);
-            }
-        }
-        self.feed_word(feed)?;
-        self.end();
-        Ok(())
-    }
-
-    /// G2 or G3.
-    pub(crate) fn arc(&mut self, arc: &ArcBlock, feed: Option<FeedWord>) -> Result<(), TooGreat> {
-        self.end_cycle();
-        if self.machine.dialect == Dialect::Heidenhain {
-            return self.tnc_arc(arc, feed);
-        }
-        self.begin();
-        self.feed_mode_word(feed);
-        self.plane_word(arc.plane);
-        if let Some(words) = self.with_tool_axis.take() {
-            self.push(&words);
-        }
-        self.motion_word(if arc.anticlockwise {
-            MotionCode::Anticlockwise
-        } else {
-            MotionCode::Clockwise
-        });
-        let (axes, letters) = arc.plane.axes();
-        let center = self.machine.arcs.as_ref().map_or(ArcCenter::Relative, |a| a.center);
-        for i in 0..3 {
-            // In the plane of the arc both end coordinates are written: a control must not have to guess.
-            if axes.contains(&i) {
-                self.known[idx(self.axes[i])] = None;
-            }
-            if self.axes[i] != b' ' {
-                self.coordinate(self.axes[i], arc.end[i]);
-            }
-        }
-        if center == ArcCenter::Radius {
-            let r = if arc.large { -arc.radius } else { arc.radius };
-            self.value(b'R', r)?;
-        } else {
-            let c = if center == ArcCenter::Absolute { arc.center_at } else { arc.center };
-            for (letter, value) in letters.into_iter().zip(c) {
-                self.value(letter, value)?;
-            }
-        }
-        self.feed_word(feed)?;
-        self.end();
-        Ok(())
-    }
-
-    /// A straight cut that goes with the spindle, `lead` along Z a turn.
-    pub(crate) fn thread(&mut self, joints: &Joints, lead: f64) -> Result<(), TooGreat> {
-        let q = self.round(joints)?;
-        self.end_cycle();
-        self.begin();
-        let machine = Arc::clone(&self.machine);
-        self.push(&machine.turning.thread);
-        self.motion = None;
-        for (letter, q) in self.axes.into_iter().zip(q).take(3) {
-            if letter != b' ' {
-                self.coordinate(letter, q);
-            }
-        }
-        let letter = machine.turning.lead.map_or(b'K', |l| l as u8);
-        self.value(letter, lead)?;
-        if letter == b'F' {
-            self.known[idx(b'F')] = None;
-        }
-        self.end();
-        Ok(())
-    }
-
-    /// Selects the plane in a block of its own.
-    pub(crate) fn select_plane(&mut self, plane: ArcPlane) {
-        if self.plane != Some(plane) {
-            self.begin();
-            self.plane_word(plane);
-            self.end();
-        }
-    }
-
     /// A block of the control's own words.
     pub(crate) fn line(&mut self, text: &str) {
         if text.is_empty() {
@@ -384,125 +241,6 @@ impl Blocks {
             self.stands = None;
         }
     }
-
-    fn begin(&mut self) {
-        self.start = self.out.len();
-        if self.skip {
-            self.out.extend_from_slice(self.machine.program.skip.as_bytes());
-        }
-        if self.numbered {
-            self.out.extend_from_slice(self.machine.program.block_numbers.letter.as_bytes());
-            let mut digits = Vec::with_capacity(10);
-            Number::new(&WHOLE, false).write(i64::from(self.next_number), &mut digits);
-            self.out.extend_from_slice(&digits);
-        }
-        self.bare = self.out.len();
-    }
-
-    fn end(&mut self) {
-        if self.out.len() == self.bare {
-            self.out.truncate(self.start);
-            return;
-        }
-        if self.numbered {
-            let n = &self.machine.program.block_numbers;
-            self.next_number = self.next_number.saturating_add(self.number_step);
-            if self.next_number > n.max {
-                self.next_number = n.start;
-            }
-        }
-        self.out.push(b'\n');
-        self.lines += 1;
-    }
-
-    fn push(&mut self, text: &str) {
-        self.separate();
-        self.out.extend_from_slice(text.as_bytes());
-    }
-
-    fn separate(&mut self) {
-        let first = self.out.len() == self.bare;
-        if !first || self.numbered {
-            self.out.extend_from_slice(self.machine.program.separator.as_bytes());
-        }
-    }
-
-    fn coordinate(&mut self, letter: u8, q: i64) {
-        let known = &mut self.known[idx(letter)];
-        if *known == Some(q) {
-            return;
-        }
-        *known = Some(q);
-        self.number_word(letter, q);
-    }
-
-    fn number_word(&mut self, letter: u8, q: i64) {
-        self.separate();
-        self.out.push(letter);
-        let number = self.number(letter);
-        number.write(q, &mut self.out);
-    }
-
-    fn value(&mut self, letter: u8, value: f64) -> Result<(), TooGreat> {
-        let q = self
-            .number(letter)
-            .round(value)
-            .ok_or(TooGreat { letter: char::from(letter), value })?;
-        self.number_word(letter, q);
-        Ok(())
-    }
-
-    fn motion_word(&mut self, code: MotionCode) {
-        if self.motion == Some(code) {
-            return;
-        }
-        self.motion = Some(code);
-        self.push(match code {
-            MotionCode::Rapid => "G0",
-            MotionCode::Line => "G1",
-            MotionCode::Clockwise => "G2",
-            MotionCode::Anticlockwise => "G3",
-        });
-    }
-
-    fn plane_word(&mut self, plane: ArcPlane) {
-        if self.plane != Some(plane) {
-            self.plane = Some(plane);
-            self.push(match plane {
-                ArcPlane::Xy => "G17",
-                ArcPlane::Zx => "G18",
-                ArcPlane::Yz => "G19",
-            });
-        }
-    }
-
-    fn feed_mode_word(&mut self, feed: Option<FeedWord>) {
-        let Some(feed) = feed else { return };
-        if self.feed_mode == Some(feed.mode) {
-            return;
-        }
-        self.feed_mode = Some(feed.mode);
-        self.known[idx(b'F')] = None;
-        let machine = Arc::clone(&self.machine);
-        self.push(match feed.mode {
-            FeedMode::PerMinute => &machine.feed.per_minute,
-            FeedMode::PerRevolution => &machine.feed.per_revolution,
-            FeedMode::InverseTime => &machine.feed.inverse_time,
-        });
-    }
-
-    fn feed_word(&mut self, feed: Option<FeedWord>) -> Result<(), TooGreat> {
-        let Some(feed) = feed else { return Ok(()) };
-        let number = self.number(b'F');
-        let too_great = TooGreat { letter: 'F', value: feed.value };
-        // A feed below the last decimal would be written as zero, and zero stops the machine.
-        let q = number.round(feed.value).ok_or(too_great)?.max(1);
-        if feed.mode == FeedMode::InverseTime {
-            self.known[idx(b'F')] = None;
-        }
-        self.coordinate(b'F', q);
-        Ok(())
-    }
 }
 
 /// Letters of the five axes, the factor of each, and which rotary axes are written within one turn.
@@ -526,21 +264,6 @@ fn axes_of(machine: &Machine) -> ([u8; 5], [f64; 5], [bool; 2]) {
     (axes, factor, modulo)
 }
 
-const WHOLE: crate::machine::Format =
-    crate::machine::Format { mm: 0, inch: None, point: false, zeros: false, plus: false };
-
 fn idx(letter: u8) -> usize {
     usize::from(letter.wrapping_sub(b'A')).min(25)
-}
-
-impl ArcPlane {
-    /// The two axes of the plane in the order in which a positive turn goes from the first to the second,
-    /// and the letters of the centre along them.
-    pub(crate) fn axes(self) -> ([usize; 2], [u8; 2]) {
-        match self {
-            Self::Xy => ([0, 1], [b'I', b'J']),
-            Self::Zx => ([2, 0], [b'K', b'I']),
-            Self::Yz => ([1, 2], [b'J', b'K']),
-        }
-    }
 }

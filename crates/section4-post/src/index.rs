@@ -233,9 +233,7 @@ impl Post {
         let letter = machine.rotary.first().map_or(b'A', |r| r.letter as u8);
         let text = |degrees: f64| {
             let n = self.blocks.number(letter);
-            let mut out = Vec::new();
-            n.write(n.round(degrees).unwrap_or(0), &mut out);
-            String::from_utf8(out).unwrap_or_default()
+            n.text(n.round(degrees).unwrap_or(0))
         };
         let (e, x) =
             (crate::angles::euler_zxz(&q).map(text), crate::angles::euler_xyz(&q).map(text));

@@ -45,6 +45,13 @@ impl Number {
         1.0 / self.scale
     }
 
+    /// The text of `q` units of the last decimal.
+    pub(crate) fn text(&self, q: i64) -> String {
+        let mut out = Vec::new();
+        self.write(q, &mut out);
+        String::from_utf8(out).expect("digits, a sign and a point")
+    }
+
     /// Writes `q` units of the last decimal.
     #[inline]
     pub(crate) fn write(&self, q: i64, out: &mut Vec<u8>) {
@@ -96,9 +103,7 @@ mod tests {
 
     fn written(format: Format, value: f64) -> String {
         let n = Number::new(&format, false);
-        let mut out = Vec::new();
-        n.write(n.round(value).unwrap(), &mut out);
-        String::from_utf8(out).unwrap()
+        n.text(n.round(value).unwrap())
     }
 
     const PLAIN: Format = Format { mm: 3, inch: None, point: false, zeros: false, plus: false };

@@ -501,7 +501,5 @@ pub(crate) fn trimmed(value: f64, places: u8) -> String {
         &Format { mm: places, inch: None, point: false, zeros: false, plus: false },
         false,
     );
-    let mut out = Vec::new();
-    n.write(n.round(value).unwrap_or(0), &mut out);
-    String::from_utf8(out).unwrap_or_default()
+    n.text(n.round(value).unwrap_or(0))
 }

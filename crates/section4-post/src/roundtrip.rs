@@ -7,7 +7,12 @@
 
 mod asked;
 mod done;
+mod from_home;
+mod hole;
+mod posed;
 mod prove;
+mod round;
+mod straight;
 
 use std::collections::VecDeque;
 use std::fmt;
@@ -95,7 +100,7 @@ impl fmt::Display for Proof {
 /// Compares the text with the CL data.
 pub(crate) struct Checker {
     control: Reader,
-    posed: Option<done::Posed>,
+    posed: Option<posed::Posed>,
     /// The tilted plane in which the text is written.
     frame: Option<Frame>,
     machine: std::sync::Arc<Machine>,

@@ -1,19 +1,19 @@
 //! `aptc convert`, `aptc cldiff` and `aptc stats`: CL files of any dialect.
 
 use std::fs::File;
-use std::io::{self, BufRead as _, BufReader, Read as _, Write};
+use std::io::{self, BufReader, Write};
 use std::path::Path;
 use std::process::ExitCode;
 
 use aptc_control::{
-    CatiaWriter, ClfileWriter, Codes, Decimals, Dialect, JsonWriter, NcReader, Reader, Record,
-    RecordReader, RecordWriter, TapeWriter, TextOptions, TextWriter, copy, diff, edit_cl,
+    CatiaWriter, ClfileWriter, Codes, Decimals, Dialect, FileKind, JsonWriter, NcReader, Reader,
+    Record, RecordReader, RecordWriter, TapeWriter, TextOptions, TextWriter, copy, diff, edit_cl,
     find_places, machines, stats,
 };
 use aptc_diagnostics::{Diagnostic, SourceMap};
 
 use crate::cli::{CldiffArgs, Common, ConvertArgs, StatsArgs};
-use crate::input::{cl_fault, is_same};
+use crate::input::{cl_fault, is_same, kind};
 use crate::output::Aside;
 use crate::{exit, report};
 
@@ -115,8 +115,12 @@ impl Compared {
     /// Machine code when a machine is given, or the file's name says so and not its first lines something else.
     fn open(path: &Path, machine: Option<&str>) -> Result<Self, String> {
         let ending = path.extension().map(|e| e.to_string_lossy().to_lowercase());
+        let kind = kind(path);
         let usual = match ending.as_deref() {
-            Some("nc" | "ngc" | "cnc" | "gcode" | "tap" | "eia" | "iso") if is_plain(path) => {
+            _ if matches!(kind, Some(FileKind::PartProgram | FileKind::Statements)) => None,
+            Some("nc" | "ngc" | "cnc" | "gcode" | "tap" | "eia" | "iso")
+                if kind == Some(FileKind::PlainCode) =>
+            {
                 Some("heidenhain-tnc")
             }
             Some("nc" | "ngc" | "cnc" | "gcode" | "tap" | "eia" | "iso") => Some("linuxcnc-mill"),
@@ -124,7 +128,6 @@ impl Compared {
             Some("h") => Some("heidenhain-tnc"),
             _ => None,
         };
-        let usual = usual.filter(|_| !begins_as_cl(path));
         let Some(name) = machine.or(usual) else {
             return open(path, None).map(|r| Self::Cl(Box::new(r)));
         };
@@ -156,31 +159,6 @@ impl Compared {
             Self::Code(r) => r.into_diagnostics(),
         }
     }
-}
-
-/// Is it in the plain language of Heidenhain, whatever its name? Its first line says so.
-fn is_plain(path: &Path) -> bool {
-    let Ok(file) = File::open(path) else { return false };
-    let mut head = String::new();
-    let read = BufReader::new(file.take(200)).read_line(&mut head);
-    let line = head.trim_start_matches(|c: char| c.is_ascii_digit() || c.is_whitespace());
-    read.is_ok() && line.to_ascii_uppercase().starts_with("BEGIN PGM ")
-}
-
-/// Are there CL data in it, whatever its name? A statement of theirs begins one of its first lines.
-fn begins_as_cl(path: &Path) -> bool {
-    let Ok(file) = File::open(path) else { return false };
-    let mut head = Vec::new();
-    if file.take(4000).read_to_end(&mut head).is_err() {
-        return false;
-    }
-    let head = String::from_utf8_lossy(&head).to_ascii_uppercase();
-    // Controls have GOTO too, without a slash.
-    let words = ["UNITS", "MULTAX", "LOADTL", "CUTTER", "TOOL PATH", "GOTO"];
-    head.lines().map(str::trim_start).any(|line| {
-        let slashed = |w| line.strip_prefix(w).is_some_and(|l| l.trim_start().starts_with('/'));
-        line.starts_with("PARTNO") || line.starts_with("$$") || words.into_iter().any(slashed)
-    })
 }
 
 /// Prints the figures of a CL file.

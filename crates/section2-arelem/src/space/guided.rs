@@ -9,7 +9,9 @@ use aptc_geometry::Vec3;
 
 use super::judge::{Fit, loses_slope};
 use super::keep::{Keep, Pose};
-use super::stride::{Pace, Stride, Trials};
+use super::longest::Trials;
+use super::pace::Pace;
+use super::stride::Stride;
 use super::track::{Course, Node, SIDE_BY_SIDE, Track, Trouble, solve_normals};
 use crate::axis::AxisRule;
 

@@ -1,9 +1,13 @@
 //! One surface that the tool keeps to, and how near it has to stay.
 
+use aptc_cldata::Position;
 use aptc_contact::{
     Condition, Gap, Reason, Side, Tool, distance, elsewhere, gap_at, opens, second, surrounds,
 };
 use aptc_geometry::{Profile, Spot, Surface, Vec3};
+
+use crate::failure::Failure;
+use crate::scene::Wall;
 
 /// A tool position: tool end and unit tool axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,7 +44,28 @@ const EDGE_SEARCHED: f64 = 5e-5;
 /// A gap that bends by less than this over the size of the scene does so by rounding.
 const STRAIGHT: f64 = 1e-9;
 
+impl Pose {
+    /// The same in CL data.
+    pub(crate) fn position(&self) -> Position {
+        Position { te: self.te, ta: self.ta }
+    }
+}
+
 impl Keep {
+    /// What is asked of the tool at a wall, on the positive side of its surface.
+    pub(crate) fn of(wall: &Wall) -> Result<Self, Failure> {
+        let unusable = || Failure::Unsupported { surface: wall.surface.clone() };
+        Ok(Self {
+            profile: wall.profile,
+            surface: wall.fitted.clone().ok_or_else(unusable)?,
+            condition: if wall.on { Condition::On } else { Condition::Touch },
+            side: Side::Positive,
+            thick: wall.thick,
+            intol: wall.band.intol,
+            outtol: wall.band.outtol,
+        })
+    }
+
     pub(crate) fn tool(&self, pose: &Pose) -> Tool<'_> {
         Tool { profile: &self.profile, te: pose.te, ta: pose.ta }
     }

@@ -1,15 +1,22 @@
 //! Motion in space (APT: `ARLM3`): any drive, part and check surfaces, any cutter, fixed or turning axis.
 
 mod band;
+mod begin;
 mod blocked;
+mod contacts;
 mod corner;
+mod follow;
 mod guided;
 mod judge;
 mod keep;
 mod kinks;
 mod lengths;
+mod longest;
+mod loops;
 mod nearest;
 mod overlooked;
+mod pace;
+mod refusal;
 mod run;
 mod settle;
 mod start;

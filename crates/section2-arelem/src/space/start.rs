@@ -1,6 +1,6 @@
 //! Start-up in space (APT: `STRTUP`): the nearest position that satisfies one, two or three surfaces.
 
-use aptc_cldata::{Control, Controlled, Position};
+use aptc_cldata::{Control, Controlled};
 use aptc_contact::{Condition, Gap, Side, opens};
 use aptc_geometry::Vec3;
 use aptc_geometry::surface::frame_about;
@@ -53,7 +53,7 @@ pub(crate) fn start(go: &Start) -> Result<Path, Failure> {
         drive = drive.and_then(|drive| left_by_offset(drive, &aims[0], &end));
     }
     let control = Control { drive, part, checks: sides.collect(), milling: None };
-    let points = vec![Position { te: end.te, ta: end.ta }];
+    let points = vec![end.position()];
     let forward = end.te - go.tool.te;
     Ok(Path { rivals, ..Path::started(points, forward, control) })
 }
@@ -236,20 +236,7 @@ fn aim(
     to_past: Option<Vec3>,
     rules: bool,
 ) -> Result<Keep, Failure> {
-    let surface = wall
-        .fitted
-        .clone()
-        .ok_or_else(|| Failure::Unsupported { surface: wall.surface.clone() })?;
-    let condition = if wall.on { Condition::On } else { Condition::Touch };
-    let mut keep = Keep {
-        profile: wall.profile,
-        surface,
-        condition,
-        side: Side::Positive,
-        thick: wall.thick,
-        intol: wall.band.intol,
-        outtol: wall.band.outtol,
-    };
+    let mut keep = Keep::of(wall)?;
     if wall.on {
         return Ok(keep);
     }

@@ -53,6 +53,26 @@ pub(crate) struct Node {
     pub(crate) course: Course,
 }
 
+/// What a place that the tool is to settle at has to satisfy.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Aim<'a> {
+    /// It lies in the plane across this through where the tool settles from.
+    pub(crate) across: Vec3,
+    /// Its gaps.
+    pub(crate) targets: [f64; 2],
+    /// The node from which it is come to.
+    pub(crate) hint: &'a Node,
+    /// The cutter is not to touch deeper elsewhere.
+    pub(crate) look: bool,
+}
+
+impl<'a> Aim<'a> {
+    /// On both surfaces, in the plane across the track at a node.
+    pub(crate) fn at(node: &'a Node) -> Self {
+        Self { across: node.course.along, targets: [0.0; 2], hint: node, look: true }
+    }
+}
+
 /// Why there is no place.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Trouble {
@@ -178,45 +198,31 @@ impl Track {
         }
     }
 
-    /// The place in the plane across `across` through the start, with the gaps at their targets.
+    /// The place that is aimed at.
     ///
     /// The gradients of the gaps are the surface normals, so Newton's method converges quadratically; the
-    /// 3x3 system is solved by vector products. A step that does not bring the gaps nearer is halved. With
-    /// `look` the cutter is not to touch deeper elsewhere.
-    pub(crate) fn settle(
-        &self,
-        start: Pose,
-        across: Vec3,
-        targets: [f64; 2],
-        hint: &Node,
-        look: bool,
-    ) -> Result<Node, Trouble> {
+    /// 3x3 system is solved by vector products. A step that does not bring the gaps nearer is halved.
+    pub(crate) fn settle(&self, start: Pose, aim: &Aim<'_>) -> Result<Node, Trouble> {
         // A tool end beyond the end of a surface on which it is finds no way back onto it.
         let ends = |keep: &Keep| keep.is_on() && keep.runs_out(start.te);
         if self.keeps.iter().any(ends) {
             return Err(Trouble::Stuck);
         }
         if matches!(self.axis, AxisRule::Normal(_) | AxisRule::Rulings(_))
-            && let Ok(found) = self.settle_with_axis(start, across, targets, hint, look)
+            && let Ok(found) = self.settle_with_axis(start, aim)
         {
             return Ok(found);
         }
-        match self.settle_by_normals(start, across, targets, hint, &hint.gaps, look) {
-            Err(_) if self.axis.turns() => self.settle_turning(start, across, targets, hint, look),
+        match self.settle_by_normals(start, aim, &aim.hint.gaps) {
+            Err(_) if self.axis.turns() => self.settle_turning(start, aim),
             found => found,
         }
     }
 
     /// As [`Track::settle`] where the place of the tool end alone tells the axis: Newton's method knows then how the
     /// gaps change as the axis turns. Where the flank lies along a surface the place that touches jumps, and it may fail.
-    fn settle_with_axis(
-        &self,
-        start: Pose,
-        across: Vec3,
-        targets: [f64; 2],
-        hint: &Node,
-        look: bool,
-    ) -> Result<Node, Trouble> {
+    fn settle_with_axis(&self, start: Pose, aim: &Aim<'_>) -> Result<Node, Trouble> {
+        let Aim { across, targets, hint, look } = *aim;
         let level = across.dot(&start.te);
         let keeps = [&self.keeps[0], &self.keeps[1]];
         let mut pose = start;
@@ -246,12 +252,10 @@ impl Track {
     fn settle_by_normals(
         &self,
         start: Pose,
-        across: Vec3,
-        targets: [f64; 2],
-        hint: &Node,
+        aim: &Aim<'_>,
         near: &[Gap; 2],
-        look: bool,
     ) -> Result<Node, Trouble> {
+        let Aim { across, targets, hint, look } = *aim;
         let level = across.dot(&start.te);
         let turning = self.axis.turns();
         let mut pose = start;
@@ -358,13 +362,14 @@ impl Track {
     ) -> Result<Node, Trouble> {
         let (step, across) = from.course.ahead(s);
         let start = Pose { te: from.pose.te + step, ta: from.pose.ta };
+        let aim = Aim { across, targets, hint: from, look };
         let sooner = beside.filter(|_| !self.axis.turns()).and_then(|known| {
             let begin = moved(known, across, across.dot(&start.te), targets)?;
-            self.settle_by_normals(begin, across, targets, from, &known.gaps, look).ok()
+            self.settle_by_normals(begin, &aim, &known.gaps).ok()
         });
         let found = match sooner {
             Some(node) => Ok(node),
-            None => self.settle(start, across, targets, from, look),
+            None => self.settle(start, &aim),
         };
         if let Ok(to) = &found
             && (to.pose.te - from.pose.te).norm() > self.farthest(s)

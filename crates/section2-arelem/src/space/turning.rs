@@ -8,7 +8,7 @@ use aptc_contact::Gap;
 use aptc_geometry::Vec3;
 
 use super::keep::Pose;
-use super::track::{Node, Track, Trouble, direction};
+use super::track::{Aim, Node, Track, Trouble, direction};
 use crate::axis::Around;
 
 /// Rounds of Newton's method.
@@ -26,14 +26,8 @@ const FLAT: f64 = 1e-9;
 
 impl Track {
     /// As [`Track::settle`], by differences; several times as slow.
-    pub(super) fn settle_turning(
-        &self,
-        start: Pose,
-        across: Vec3,
-        targets: [f64; 2],
-        hint: &Node,
-        look: bool,
-    ) -> Result<Node, Trouble> {
+    pub(super) fn settle_turning(&self, start: Pose, aim: &Aim<'_>) -> Result<Node, Trouble> {
+        let Aim { across, targets, hint, look } = *aim;
         let level = across.dot(&start.te);
         let step = BESIDE * self.size;
         let off = |pose: &Pose, gaps: &[Gap; 2]| {

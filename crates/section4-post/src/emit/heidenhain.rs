@@ -63,11 +63,8 @@ impl Blocks {
             let angle = crate::post::trimmed(arc.sweep, 6);
             let sign = if arc.sweep < 0.0 { "" } else { "+" };
             self.push(&format!("IPA{sign}{angle}"));
-            let mut text = Vec::new();
-            text.extend_from_slice(b"I");
-            text.push(self.axes[normal]);
-            number.write(rise, &mut text);
-            self.push(&String::from_utf8_lossy(&text));
+            let axis = char::from(self.axes[normal]);
+            self.push(&format!("I{axis}{}", number.text(rise)));
             // The end follows from the angle: the next block says it again.
             for i in axes {
                 self.known[idx(self.axes[i])] = None;

@@ -220,14 +220,8 @@ fn write(post: &mut Post) {
     let speed = trimmed(st.speed, 3);
     let machine = std::sync::Arc::clone(&post.machine);
     let spindle = &machine.spindle;
-    let speed = {
-        let n = post.blocks.number(b'S');
-        n.round(st.speed).map_or(speed, |q| {
-            let mut out = Vec::new();
-            n.write(q, &mut out);
-            String::from_utf8(out).unwrap_or_default()
-        })
-    };
+    let number = post.blocks.number(b'S');
+    let speed = number.round(st.speed).map_or(speed, |q| number.text(q));
     if st.surface {
         let max = post.st.max_rpm.map_or(String::new(), |m| trimmed(m, 0));
         let max = if max.is_empty() { trimmed(spindle.max, 0) } else { max };

@@ -2,7 +2,8 @@
 //! ruled one, over the cells of a sculptured one in `cells/part.rs`.
 
 use super::ruled::Rulings;
-use super::{ParametricSurface, Patch, steps};
+use super::samples::steps;
+use super::{ParametricSurface, Patch};
 use crate::Vec3;
 
 /// Least singular value of the derivatives as unit vectors from which a part is bounded.

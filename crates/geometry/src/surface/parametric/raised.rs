@@ -1,7 +1,8 @@
 //! The working surface of a polyconic that has a thickness: parallel to the one that is defined, with the same normals and
 //! the same nearest places.
 
-use super::{Jet, ParametricSurface, Placed, shape};
+use super::jet::{Jet, shape};
+use super::{ParametricSurface, Placed};
 use crate::Vec3;
 use crate::surface::Shape;
 
@@ -39,7 +40,7 @@ impl ParametricSurface {
     pub(super) fn working_grid(&self) -> impl Iterator<Item = Vec3> {
         let own = self.planes.iter().filter(|_| self.rise != 0.0);
         let raised = own.flat_map(|p| p.samples().iter().map(|s| s.point));
-        let plain = if self.rise == 0.0 { self.grid.as_slice() } else { &[] };
+        let plain = if self.rise == 0.0 { self.samples.grid.as_slice() } else { &[] };
         raised.chain(plain.iter().copied())
     }
 }

@@ -152,24 +152,10 @@ fn beyond_the_straight_ends_the_border_is_nearest() {
 /// Three by three points of a bowl z = (x x + y y) / 20 as a mesh, and the same as two rows of patches.
 #[test]
 fn a_sculptured_surface_has_feet_and_goes_on_straight() {
-    use crate::sculptured::{
-        Knot, MeshKind, MeshSpacing, MeshSpline, Smoothing, SurfaceDefinition, SurfaceShape,
-    };
-    let spline = |y: f64| MeshSpline {
-        smoothing: Smoothing::default(),
-        knots: [-4.0, 0.0, 4.0]
-            .map(|x: f64| Knot {
-                point: Vec3::new(x, y, (x * x + y * y) / 20.0),
-                ..Knot::default()
-            })
-            .to_vec(),
-    };
-    let shape = SurfaceShape::Mesh {
-        kind: MeshKind::Smesh,
-        spacing: MeshSpacing::Xyz,
-        splines: [-4.0, 0.0, 4.0].map(spline).to_vec(),
-    };
-    let definition = SurfaceDefinition::plain(shape);
+    use crate::sculptured::{MeshSpacing, SurfaceDefinition};
+    let place = |x: f64, y: f64| Vec3::new(x, y, (x * x + y * y) / 20.0);
+    let spline = |y: f64| [-4.0, 0.0, 4.0].map(|x| place(x, y)).to_vec();
+    let definition = SurfaceDefinition::mesh(MeshSpacing::Xyz, [-4.0, 0.0, 4.0].map(spline));
     let fitted = crate::sculpt::fit_surface(&definition, 10.0).unwrap();
     let s = Surface::from_form(&Form::Ssurf(Arc::new(definition))).unwrap();
     for k in 0..40 {

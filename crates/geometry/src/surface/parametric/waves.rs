@@ -1,6 +1,7 @@
 //! The rulings of a ruled surface whose curves are waves, and the sections of a polyconic: a wide cutter may touch at several
 //! of them.
 
+use super::samples::{Column, Samples};
 use super::{ParametricSurface, Patch, Placed};
 use crate::Vec3;
 
@@ -42,15 +43,16 @@ impl Planes {
             let (point, [_, along]) = surface.working(&place);
             Sample { at: [u, v], point, normal, along }
         };
-        let each = |u: &f64| surface.vs.iter().map(|v| sample(*u, *v)).collect::<Vec<_>>();
-        let samples: Vec<Sample> = surface.us.iter().flat_map(each).collect();
+        let (us, vs) = (&surface.samples.us, &surface.samples.vs);
+        let each = |u: &f64| vs.iter().map(|v| sample(*u, *v)).collect::<Vec<_>>();
+        let samples: Vec<Sample> = us.iter().flat_map(each).collect();
         let normal = sections.across()?;
         let level = |section: &[Sample]| {
             let each = section.iter().map(|s| s.point.dot(&normal));
             let around = |m: [f64; 2], x: f64| [m[0].min(x), m[1].max(x)];
             each.fold([f64::INFINITY, f64::NEG_INFINITY], around)
         };
-        let levels = samples.chunks_exact(surface.vs.len()).map(level).collect();
+        let levels = samples.chunks_exact(vs.len()).map(level).collect();
         Some(Self { normal, levels, samples })
     }
 
@@ -101,7 +103,7 @@ impl ParametricSurface {
 
     /// The samples of a section, in their order; none of other surfaces.
     pub fn section(&self, i: usize) -> &[Sample] {
-        let n = self.vs.len();
+        let n = self.samples.vs.len();
         self.planes.as_ref().and_then(|p| p.samples.get(i * n..(i + 1) * n)).unwrap_or_default()
     }
 
@@ -109,14 +111,15 @@ impl ParametricSurface {
     /// their order.
     pub fn rulings_near(&self, a: Vec3, b: Vec3, reach: f64) -> impl Iterator<Item = [f64; 2]> {
         // The place of a ruling next to the way, and how far off it is.
-        let near = move |(start, way, inverse): &(Vec3, Vec3, f64)| {
+        let near = move |Column { start, way, inverse }: &Column| {
             let off = |p: Vec3| p - way * (way.dot(&p) * inverse);
             let (from, by) = (off(a - start), off(b - a));
             let t = (-from.dot(&by) / by.norm_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
             let away = from + by * t;
             (a + (b - a) * t - away, away.norm())
         };
-        self.us.windows(2).zip(self.columns.windows(2)).filter_map(move |(u, columns)| {
+        let Samples { us, columns, .. } = &self.samples;
+        us.windows(2).zip(columns.windows(2)).filter_map(move |(u, columns)| {
             let ((p, d), (q, e)) = (near(&columns[0]), near(&columns[1]));
             (d.min(e) - (q - p).norm() <= reach).then(|| [u[0], u[1]])
         })

@@ -194,9 +194,7 @@ mod tests {
     use super::super::super::ParametricSurface;
     use super::super::super::sculptured::Spans;
     use super::*;
-    use crate::sculptured::{
-        Knot, MeshKind, MeshSpacing, MeshSpline, Smoothing, SurfaceDefinition, SurfaceShape,
-    };
+    use crate::sculptured::{MeshSpacing, SurfaceDefinition};
     use crate::trig;
     use proptest::prelude::*;
     use std::cell::Cell as Counter;
@@ -208,16 +206,11 @@ mod tests {
             let at = |i: i32| {
                 let (s, t) = (f64::from(i) / 4.0 - 1.0, f64::from(j) / 3.0 - 1.0);
                 let z = waves[0] * trig::sin(4.0 * s + t) + waves[1] * trig::cos(3.0 * t - s);
-                let point = Vec3::new(45.0 * stretch(s), 40.0 * stretch(t), z);
-                Knot { point, ..Knot::default() }
+                Vec3::new(45.0 * stretch(s), 40.0 * stretch(t), z)
             };
-            MeshSpline { smoothing: Smoothing::default(), knots: (0..9).map(at).collect() }
+            (0..9).map(at).collect()
         };
-        let definition = SurfaceDefinition::plain(SurfaceShape::Mesh {
-            kind: MeshKind::Smesh,
-            spacing: MeshSpacing::Xyz,
-            splines: (0..7).map(row).collect(),
-        });
+        let definition = SurfaceDefinition::mesh(MeshSpacing::Xyz, (0..7).map(row));
         Spans::new(&definition).expect("a surface")
     }
 

@@ -1,54 +1,32 @@
 //! GOLOFT: along a line of constant parameter of a surface, or along a curve.
 
+mod line;
+mod wish;
+
 use std::sync::Arc;
 
 use aptc_cldata as cl;
-use aptc_contact::Tool;
 use aptc_diagnostics::{Diagnostic, Origin};
-use aptc_geometry::{Form, Plane, Profile, Segment, SpaceCurve, Vec3};
+use aptc_geometry::{Form, Segment, Vec3};
 use aptc_protap::{Arg, NameRef};
 
 use crate::area::{DriveArea, Guide, Hold, PartArea, Projection};
 use crate::drive::Course;
 use crate::failure::{self, Failure};
 use crate::gclear::Spot;
-use crate::path::{Broken, Path};
-use crate::position::{Chosen, Position};
+use crate::position::Chosen;
 use crate::regional::{Regional, Stand};
-use crate::report::{Note, reports};
+use crate::report::reports;
 use crate::scon::Words;
 use crate::solve::{Setup, Take};
+pub(crate) use line::at_line;
+use line::{Line, Milled, Stop, Stretch};
+pub(crate) use wish::{End, Wish};
 
 /// Step of the parameter when neither INCR nor CHORD is given (APT4).
 const STEP: f64 = 0.05;
 /// Most positions of a line.
 const POSITIONS: usize = 100_000;
-/// How often a chord of a curve is halved.
-const HALVINGS: u32 = 20;
-
-/// Where a line begins or ends.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum End {
-    /// At a parameter.
-    Number(f64),
-    /// Where the tool meets a plane: -1 TO, 0 ON, +1 PAST.
-    Plane(f64, Plane),
-}
-
-/// What the statement says besides the line.
-#[derive(Clone, Debug)]
-pub(crate) struct Wish {
-    pub(crate) start: Option<End>,
-    pub(crate) thru: Option<End>,
-    pub(crate) at: Option<End>,
-    inverse: bool,
-    mirror: bool,
-    /// PARAM when false.
-    pub(crate) flow: bool,
-    pub(crate) incr: f64,
-    pub(crate) chord: Option<f64>,
-    pub(crate) longest: f64,
-}
 
 /// What of a curve GOMILL mills.
 #[derive(Clone, Copy, Debug)]
@@ -59,56 +37,6 @@ pub(crate) struct CurveWish {
     pub(crate) ends: [Option<f64>; 2],
     /// From THRU to START.
     pub(crate) inverse: bool,
-}
-
-/// A line with the tool along it.
-enum Line<'a> {
-    /// On a surface: what holds there, the parameter that runs, the value of the other, and the sense.
-    Surface(Box<Setup<'a>>, Course, f64, f64),
-    /// The tool end on a curve, whether it runs by FLOW, and the fixed axis.
-    Curve(Arc<SpaceCurve>, bool, Vec3, &'a Profile),
-}
-
-/// What is milled of a line.
-#[derive(Clone, Copy, Debug)]
-enum Stretch {
-    At(f64),
-    From([f64; 2]),
-}
-
-/// A position on the line.
-#[derive(Clone, Copy, Debug)]
-struct Stop {
-    t: f64,
-    te: Vec3,
-    ta: Vec3,
-    normal: Vec3,
-}
-
-impl Stop {
-    fn spot(&self) -> Spot {
-        Spot { te: self.te, ta: self.ta, normal: self.normal }
-    }
-}
-
-/// What was milled of a line.
-#[derive(Default)]
-struct Milled {
-    /// Places of the tool, stretch by stretch.
-    stretches: Vec<Vec<Spot>>,
-    /// Does the tool stand on the side to which its axis does not point, so that its shank passes through?
-    through: bool,
-    notes: Vec<Note>,
-    why: Option<Failure>,
-}
-
-impl Milled {
-    fn take(&mut self, path: Path) {
-        let spot = |p: &Position| Spot { te: p.te, ta: p.ta, normal: p.normal };
-        self.through |= path.points.iter().any(|p| p.normal.dot(&p.ta) < -1e-6);
-        self.stretches.push(path.points.iter().map(spot).collect());
-        self.notes.extend(path.notes);
-    }
 }
 
 impl Regional {
@@ -140,16 +68,10 @@ impl Regional {
         if matches!(form.shape(), Form::Scurv(_)) {
             return self.along_curve(origin, (name, form), &wish, out);
         }
-        let (course, fixed) = match (course, fixed) {
-            (Some(course), Some(fixed)) => (course, fixed),
-            // The line of the statement before, on the same surface.
-            _ => self
-                .line
-                .as_ref()
-                .filter(|(f, ..)| crate::outline::same_form(f, form))
-                .map(|(_, course, fixed)| (*course, *fixed))
-                .ok_or(Failure::Undone { what: "GOLOFT before UCONST or VCONST named a line" })?,
-        };
+        let (course, fixed) = course
+            .zip(fixed)
+            .or_else(|| self.line_before(form))
+            .ok_or(Failure::Undone { what: "GOLOFT before UCONST or VCONST named a line" })?;
         let side = if wish.mirror { -1.0 } else { 1.0 };
         let thick = self.settings.thick;
         let part = self.own_part(name, form, (side, thick))?;
@@ -163,22 +85,9 @@ impl Regional {
         self.line = Some((Arc::clone(form), course, fixed));
         let drive = own_drive(&part);
         let guard = self.guarded(Some(&part));
-        let mut setup = self.line_setup(&drive, &part, side)?;
-        setup.maxdp = wish.longest;
-        if let Some(c) = wish.chord {
-            setup.band = crate::settings::Band { intol: setup.band.intol.min(c), outtol: c };
-            setup.lateral = c;
-        } else {
-            setup.every = Some(wish.incr);
-        }
+        let mut setup = wish.asked(self.line_setup(&drive, &part, side)?);
         let sense = if wish.inverse { -1.0 } else { 1.0 };
-        // Of the two axes at an angle the one nearer to that of before.
-        let last = self.stand.map_or_else(Vec3::z, |s| s.ta);
-        let near = |over: f64| {
-            let line = Line::Surface(Box::new(Setup { over, ..setup }), course, fixed, sense);
-            line.stop(0.0).map_or(-1.0, |s| s.ta.dot(&last))
-        };
-        setup.over = if near(-1.0) > near(1.0) + 1e-9 { -1.0 } else { 1.0 };
+        setup.over = self.nearer_axis(setup, course, fixed, sense);
         let line = Line::Surface(Box::new(setup), course, fixed, sense);
         let mut milled = Milled::default();
         let stretch = line.stretch(&wish)?;
@@ -215,6 +124,22 @@ impl Regional {
         let on = Some((control, &part));
         let stand = self.put_line(origin, name, &milled.stretches, on, out)?;
         milled.why.map_or(Ok(stand), Err)
+    }
+
+    /// The line of the statement before, if that was on the same surface.
+    fn line_before(&self, form: &Arc<Form>) -> Option<(Course, f64)> {
+        let line = self.line.as_ref().filter(|(f, ..)| crate::outline::same_form(f, form));
+        line.map(|(_, course, fixed)| (*course, *fixed))
+    }
+
+    /// The sense across in which, of the two axes at an angle, the one begins that is nearer to that of before.
+    fn nearer_axis(&self, setup: Setup<'_>, course: Course, fixed: f64, sense: f64) -> f64 {
+        let last = self.stand.map_or_else(Vec3::z, |s| s.ta);
+        let near = |over: f64| {
+            let line = Line::Surface(Box::new(Setup { over, ..setup }), course, fixed, sense);
+            line.stop(0.0).map_or(-1.0, |s| s.ta.dot(&last))
+        };
+        if near(-1.0) > near(1.0) + 1e-9 { -1.0 } else { 1.0 }
     }
 
     fn along_curve(
@@ -318,35 +243,6 @@ impl Regional {
         Ok(Setup { numpts: POSITIONS, length: None, centred: true, chosen, ..setup })
     }
 
-    pub(crate) fn wish(&self, w: &mut Words<'_>) -> Result<Wish, Failure> {
-        let mut wish = Wish {
-            start: None,
-            thru: None,
-            at: None,
-            inverse: false,
-            mirror: false,
-            flow: false,
-            incr: STEP,
-            chord: None,
-            longest: self.settings.maxdp(),
-        };
-        while let Some(word) = w.word() {
-            match word {
-                "START" => wish.start = end(w),
-                "THRU" => wish.thru = end(w),
-                "AT" => wish.at = end(w),
-                "INVERS" => wish.inverse = true,
-                "MIRROR" => wish.mirror = true,
-                "FLOW" => wish.flow = true,
-                "INCR" => wish.incr = w.positive("INCR")?,
-                "CHORD" => wish.chord = Some(w.positive("CHORD")?),
-                "LENGTH" => wish.longest = w.positive("LENGTH")?,
-                _ => {}
-            }
-        }
-        Ok(wish)
-    }
-
     /// The stretches with what GCLEAR adds to them, as motions. The line itself was checked along its surface, which is `on`; what is
     /// added, and a curve, which no surface governs, are motion from point to point that CHKSRF watches here.
     pub(crate) fn put_line(
@@ -420,205 +316,6 @@ pub(crate) fn own_drive(part: &PartArea) -> DriveArea {
     }
 }
 
-fn end(w: &mut Words<'_>) -> Option<End> {
-    if let Some(x) = w.number() {
-        return Some(End::Number(x));
-    }
-    let relation = match w.word() {
-        Some("TO") => -1.0,
-        Some("PAST") => 1.0,
-        _ => 0.0,
-    };
-    let (_, form) = w.form()?;
-    match form.shape() {
-        Form::Plane(p) => Some(End::Plane(relation, *p)),
-        Form::Line(l) => Some(End::Plane(relation, l.plane())),
-        _ => None,
-    }
-}
-
-impl Line<'_> {
-    /// The last parameter.
-    fn most(&self) -> f64 {
-        match self {
-            Self::Surface(setup, course, ..) => setup.part.surface.spans()[course.index()],
-            Self::Curve(c, false, ..) => c.span(),
-            Self::Curve(c, true, ..) => c.flow_span(),
-        }
-    }
-
-    /// The tool at a parameter; beyond the ends straight on.
-    fn stop(&self, t: f64) -> Result<Stop, Failure> {
-        match self {
-            Self::Curve(c, flow, ta, _) => {
-                let inside = t.clamp(0.0, self.most());
-                let p = if *flow { c.at_flow(inside) } else { c.at(inside) };
-                Ok(Stop { t, te: p.point + p.first * (t - inside), ta: *ta, normal: *ta })
-            }
-            Self::Surface(setup, course, fixed, sense) => {
-                let uv = at_line(*course, *fixed, t);
-                let (p, _) = setup.position(uv, *course, *sense, None, Take::Nothing)?;
-                Ok(Stop { t, te: p.te, ta: p.ta, normal: p.normal })
-            }
-        }
-    }
-
-    /// Mills a stretch, in the sense of the line.
-    fn mill(&self, [a, b]: [f64; 2], out: &mut Milled) {
-        let Self::Surface(setup, course, fixed, sense) = self else { return };
-        let (from, to) = if *sense > 0.0 { (a, b) } else { (b, a) };
-        let mut setup = **setup;
-        if let Some(incr) = setup.every {
-            // As many equal steps as fit.
-            let n = ((b - a) / incr + 1e-9).floor().max(1.0);
-            if n > POSITIONS as f64 {
-                let need = format!("so great that at most {POSITIONS} positions follow").into();
-                out.why = Some(Failure::Value { what: "INCR", value: incr, need });
-                return;
-            }
-            setup.every = Some((b - a) / n);
-        }
-        let (path, why) = match setup.run(at_line(*course, *fixed, from), to, *course, *sense) {
-            Ok(path) => (path, None),
-            Err(broken) => {
-                let Broken { done, why } = *broken;
-                (done, Some(why))
-            }
-        };
-        out.take(path);
-        out.why = why;
-    }
-
-    /// First and last parameter, rising, or the one of AT.
-    fn stretch(&self, wish: &Wish) -> Result<Stretch, Failure> {
-        if let Some(at) = wish.at {
-            let t = self.place(at, 0.0, 1.0)?;
-            return Ok(Stretch::At(t));
-        }
-        let start = wish.start.map_or(Ok(0.0), |e| self.place(e, 0.0, 1.0))?;
-        let thru = wish.thru.map_or(Ok(self.most()), |e| self.place(e, start, -1.0))?;
-        if start >= thru {
-            let need = format!("less than the {thru} of THRU").into();
-            return Err(Failure::Value { what: "START", value: start, need });
-        }
-        Ok(Stretch::From([start, thru]))
-    }
-
-    /// The parameter of an end, the first after `from`. The plane is met on the side from which the line
-    /// comes for THRU (`-1`), to which it goes for START (`+1`).
-    fn place(&self, end: End, from: f64, sense: f64) -> Result<f64, Failure> {
-        let (relation, plane) = match end {
-            End::Number(t) => return Ok(t),
-            End::Plane(relation, plane) => (relation, plane),
-        };
-        let profile = match self {
-            Self::Surface(setup, ..) => setup.profile,
-            Self::Curve(.., profile) => profile,
-        };
-        let pieces = 200;
-        let most = self.most();
-        let at = |i: usize| {
-            #[expect(clippy::cast_precision_loss, reason = "hundreds")]
-            let share = i as f64 / pieces as f64;
-            from + (most - from) * share
-        };
-        // TO: the cutter is wholly on the side of the stretch; PAST: on the other.
-        let ends = [self.stop(at(0))?, self.stop(at(pieces))?];
-        let kept = if sense > 0.0 { ends[1] } else { ends[0] };
-        let side = if plane.distance(kept.te) < 0.0 { -1.0 } else { 1.0 };
-        let gap = |t: f64| -> Result<f64, Failure> {
-            let s = self.stop(t)?;
-            let over = plane.distance(s.te) * side;
-            if relation == 0.0 {
-                return Ok(over);
-            }
-            let tool = Tool { profile, te: s.te, ta: s.ta };
-            let n = plane.n * side;
-            Ok(if relation < 0.0 {
-                plane.distance(tool.support(-n).point) * side
-            } else {
-                plane.distance(tool.support(n).point) * side
-            })
-        };
-        let mut before = (at(0), gap(at(0))?);
-        for i in 1..=pieces {
-            let here = (at(i), gap(at(i))?);
-            if (here.1 > 0.0) != (before.1 > 0.0) {
-                let (mut a, mut b) = (before.0, here.0);
-                for _ in 0..60 {
-                    let mid = 0.5 * (a + b);
-                    if (gap(mid)? > 0.0) == (before.1 > 0.0) { a = mid } else { b = mid }
-                }
-                return Ok(0.5 * (a + b));
-            }
-            before = here;
-        }
-        Err(Failure::PlaneMissed { word: if sense > 0.0 { "START" } else { "THRU" } })
-    }
-
-    /// The positions of a curve from one parameter to the other.
-    fn run(&self, wish: &Wish, [a, b]: [f64; 2]) -> Result<Vec<Stop>, Failure> {
-        let Some(chord) = wish.chord else {
-            let n = ((b - a) / wish.incr + 1e-9).floor().max(1.0);
-            if n > POSITIONS as f64 {
-                let need = format!("so great that at most {POSITIONS} positions follow").into();
-                return Err(Failure::Value { what: "INCR", value: wish.incr, need });
-            }
-            let mut stops = Vec::new();
-            let mut k = 0.0;
-            while k <= n {
-                stops.push(self.stop(a + (b - a) * (k / n))?);
-                k += 1.0;
-            }
-            return Ok(stops);
-        };
-        // Chords never pass a joint, where the curvature may jump.
-        let mut stops = vec![self.stop(a)?];
-        let mut from = a;
-        while from < b {
-            let joint = from.floor() + 1.0;
-            let to = if joint < b { joint } else { b };
-            let first = self.stop(from)?;
-            let last = self.stop(to)?;
-            self.halve(first, last, (chord, wish.longest), HALVINGS, &mut stops)?;
-            if stops.len() > POSITIONS {
-                let need = format!("so great that at most {POSITIONS} positions follow").into();
-                return Err(Failure::Value { what: "CHORD", value: chord, need });
-            }
-            from = to;
-        }
-        Ok(stops)
-    }
-    /// Positions after `a` up to `b`, such that no chord leaves the line by more than `chord` or is longer than
-    /// `longest`.
-    fn halve(
-        &self,
-        a: Stop,
-        b: Stop,
-        (chord, longest): (f64, f64),
-        left: u32,
-        stops: &mut Vec<Stop>,
-    ) -> Result<(), Failure> {
-        let way = b.te - a.te;
-        let length = way.norm();
-        let mut off = 0.0_f64;
-        for i in 1..8 {
-            let s = self.stop(a.t + (b.t - a.t) * (f64::from(i) / 8.0))?;
-            let w = s.te - a.te;
-            let along =
-                if length > 0.0 { (w.dot(&way) / length / length).clamp(0.0, 1.0) } else { 0.0 };
-            off = off.max((w - way * along).norm());
-        }
-        if left == 0 || stops.len() > POSITIONS || (off <= chord && length <= longest) {
-            stops.push(b);
-            return Ok(());
-        }
-        let mid = self.stop(0.5 * (a.t + b.t))?;
-        self.halve(a, mid, (chord, longest), left - 1, stops)?;
-        self.halve(mid, b, (chord, longest), left - 1, stops)
-    }
-}
-
 /// Says where RADIUS or HIGHT of TLAXIS do not count at a place of a line.
 ///
 /// # Errors
@@ -646,13 +343,5 @@ pub(crate) fn chosen_counts(
             Err(Failure::Value { what, value, need: need.into() })
         }
         _ => Ok(Some(failure::contact_not_chosen(origin, &setup.part.name.name))),
-    }
-}
-
-/// Parameters of a line at a place of it.
-pub(crate) fn at_line(course: Course, fixed: f64, t: f64) -> [f64; 2] {
-    match course {
-        Course::U => [t, fixed],
-        Course::V => [fixed, t],
     }
 }

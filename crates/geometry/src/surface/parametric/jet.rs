@@ -1,0 +1,68 @@
+//! Value and derivatives of a surface at a place: the places beside it, the second fundamental form, tangents as parameters.
+
+use crate::Vec3;
+use crate::surface::Shape;
+
+/// Value and derivatives at a place.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Jet {
+    pub(super) s: Vec3,
+    pub(super) su: Vec3,
+    pub(super) sv: Vec3,
+    pub(super) suu: Vec3,
+    pub(super) suv: Vec3,
+    pub(super) svv: Vec3,
+}
+
+impl Jet {
+    /// A place beside it where it is smooth, to second order.
+    pub(super) fn beside(&self, a: f64, b: f64) -> Self {
+        let (su, sv) = (self.suu * a + self.suv * b, self.suv * a + self.svv * b);
+        Self {
+            s: self.s + (self.su + su * 0.5) * a + (self.sv + sv * 0.5) * b,
+            su: self.su + su,
+            sv: self.sv + sv,
+            ..*self
+        }
+    }
+
+    /// A place beyond the ends by `a` and `b`, from the jet at the end itself.
+    pub(super) fn beyond(&self, a: f64, b: f64) -> Self {
+        let zero = Vec3::zeros();
+        Self {
+            s: self.s + self.su * a + self.sv * b + self.suv * (a * b),
+            su: self.su + self.suv * b,
+            sv: self.sv + self.suv * a,
+            suu: if a == 0.0 { self.suu } else { zero },
+            suv: self.suv,
+            svv: if b == 0.0 { self.svv } else { zero },
+        }
+    }
+}
+
+/// The second fundamental form from the derivatives, positive where the surface bends away from its normal.
+pub(super) fn shape(jet: &Jet, normal: Vec3) -> Shape {
+    let (l, m, n) = (-normal.dot(&jet.suu), -normal.dot(&jet.suv), -normal.dot(&jet.svv));
+    let (e, f, g) = (jet.su.norm_squared(), jet.su.dot(&jet.sv), jet.sv.norm_squared());
+    let area = (e * g - f * f).max(0.0).sqrt();
+    if e <= 0.0 || area <= 1e-9 * (e * g).sqrt() {
+        return Shape::flat(normal);
+    }
+    let along = jet.su / e.sqrt();
+    let k11 = l / e;
+    let k12 = (m - f * k11) / area;
+    let k22 = (e * n - f * f * k11 - 2.0 * f * area * k12) / (area * area);
+    Shape { frame: [along, normal.cross(&along)], k: [k11, k12, k22] }
+}
+
+/// The tangent `by` in these derivatives by both parameters; `None` where they have no area.
+#[inline]
+pub(super) fn by_sides([su, sv]: [Vec3; 2], by: Vec3) -> Option<(f64, f64)> {
+    let (e, f, g) = (su.norm_squared(), su.dot(&sv), sv.norm_squared());
+    let det = e * g - f * f;
+    if det <= 1e-12 * e * g {
+        return None;
+    }
+    let (a, b) = (by.dot(&su), by.dot(&sv));
+    Some(((g * a - f * b) / det, (e * b - f * a) / det))
+}

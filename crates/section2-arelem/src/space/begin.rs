@@ -1,0 +1,231 @@
+//! How a motion begins (APT: `AREPRE`): on which sides of the surfaces the tool stands, whether it is in their bands, and which
+//! way it goes.
+
+use aptc_cldata::Position;
+use aptc_contact::{Condition, Gap, Side};
+use aptc_protap::OptionSurface;
+
+use super::band::Band;
+use super::guided::Guides;
+use super::keep::{Keep, Pose};
+use super::pace::Pace;
+use super::refusal::trouble_at;
+use super::track::{Aim, Node, Track};
+use crate::axis::{Around, AxisRule};
+use crate::failure::Failure;
+use crate::prepare::way;
+use crate::scene::{Astray, Scene, Stance, Wall};
+
+/// The tool at the start of a motion.
+pub(super) struct Begin {
+    pub(super) track: Track,
+    pub(super) node: Node,
+    /// The first position when the tool must first be put in place.
+    pub(super) first: Option<Position>,
+    /// The first position when the tool must first turn there.
+    pub(super) turned: Option<Position>,
+    pub(super) astray: Option<Astray>,
+}
+
+pub(super) fn begin(scene: &Scene) -> Result<Begin, Failure> {
+    let tool = &scene.tool;
+    let mut part = Keep::of(&scene.part)?;
+    let pose = upright(scene, &part);
+    let mut drive = Keep::of(&scene.drive)?;
+    let apart = |w: &Wall| Failure::NoContact { surface: w.surface.clone() };
+    let part_gap = if scene.part.on {
+        part.gap(&pose, None).map_err(|_| apart(&scene.part))?
+    } else {
+        let (gap, side) = nearer(&part, &pose).ok_or_else(|| apart(&scene.part))?;
+        part.side = side;
+        gap
+    };
+    // The direction of the track from the normals as they are; the side of the drive surface does not
+    // change it.
+    let probe = drive.surface.foot(pose.te).normal;
+    let line = probe.cross(&part_gap.normal);
+    if line.norm() <= 1e-7 {
+        return Err(Failure::SideBySide {
+            drive: scene.drive.surface.clone(),
+            part: scene.part.surface.clone(),
+        });
+    }
+    let heading = way(tool, scene.direction, line.normalize())?;
+    if !scene.drive.on {
+        let left = tool.ta.cross(&heading);
+        let lean = probe.dot(&left);
+        let wanted = lean * scene.stance.left();
+        drive.side = if wanted.abs() < 1e-3 || scene.stance == Stance::AsItStands {
+            nearer(&drive, &pose).ok_or_else(|| apart(&scene.drive))?.1
+        } else if wanted > 0.0 {
+            Side::Positive
+        } else {
+            drive.inner(&pose)
+        };
+    }
+    let astray = across(scene, &mut drive, &pose);
+    let drive_gap = drive.gap(&pose, None).map_err(|_| apart(&scene.drive))?;
+    let off_drive = placed(&drive, &drive_gap);
+    let off_part = placed(&part, &part_gap);
+    if off_drive > 2.0 {
+        return Err(misplaced(scene, &drive, &drive_gap));
+    }
+    if off_part > 2.0 {
+        return Err(Failure::OffPart {
+            surface: scene.part.surface.clone(),
+            off: part_gap.g,
+            allowed: 2.0 * part.width(),
+            outside: part_gap.g > 0.0,
+        });
+    }
+    let size =
+        pose.te.norm() + drive.profile.reach() + drive.surface.extent() + part.surface.extent();
+    let exact = 1e-13 * size + 2e-9 * drive.width().min(part.width());
+    let keeps = [drive, part];
+    let (te, ta) = (pose.te, pose.ta);
+    let around = Around { te, ta, part: &part_gap, drive: &drive_gap, along: heading };
+    let axis = sided(scene, &keeps, &around);
+    let guides = Guides::new(&keeps, &axis, &pose);
+    let bands = keeps.each_ref().map(|keep| Band::new(keep, size, axis.turns()));
+    let track = Track { keeps, bands, axis, guides, exact, size };
+    let node = track
+        .finish(pose, [drive_gap, part_gap], heading)
+        .map_err(|t| trouble_at(scene, &pose, t))?;
+    if off_drive <= 1.0 && off_part <= 1.0 {
+        let turned = turn(&track, &node, scene.limits.step);
+        let node = turned.unwrap_or(node);
+        let turned = turned.map(|n| n.pose.position());
+        return Ok(Begin { track, node, first: None, turned, astray });
+    }
+    let node = track.settle(pose, &Aim::at(&node)).map_err(|t| trouble_at(scene, &pose, t))?;
+    let first = Some(node.pose.position());
+    Ok(Begin { track, node, first, turned: None, astray })
+}
+
+/// The rule of the axis with the side of the other surface to which it leans, where the tool end lies on that: as the
+/// axis stands, and as it will stand by that.
+fn sided(scene: &Scene, keeps: &[Keep; 2], around: &Around<'_>) -> AxisRule {
+    let other = match scene.axis.angle_to() {
+        Some(OptionSurface::Part) => around.drive,
+        Some(OptionSurface::Drive) => around.part,
+        None => return scene.axis.clone(),
+    };
+    let rule = scene.axis.leaning(around.ta, other.normal);
+    let on_it = other.segment.is_none();
+    match rule.at(around, [&keeps[0], &keeps[1]]) {
+        Some(ta) if on_it => rule.leaning(ta, other.normal),
+        _ => rule,
+    }
+}
+
+/// The place at the start with the axis that the rule asks for there, when the tool stands with another one:
+/// GO does not know the direction of the motion that follows, on which CUTANG depends. `None` when the axis can
+/// turn with the first cut vector.
+fn turn(track: &Track, node: &Node, cap: f64) -> Option<Node> {
+    /// What APT-360 allows an axis to be off, radians; so much the first cut vector takes up.
+    const LEAST: f64 = 0.01;
+    /// Share of the usual length that the first cut vector must have if the axis is to turn with it.
+    const WORTH: f64 = 0.1;
+    if !track.axis.turns() {
+        return None;
+    }
+    let [drive, part] = &node.gaps;
+    let around =
+        Around { te: node.pose.te, ta: node.pose.ta, part, drive, along: node.course.along };
+    let ta = track.axis.at(&around, [&track.keeps[0], &track.keeps[1]])?;
+    if (ta - node.pose.ta).norm() <= LEAST {
+        return None;
+    }
+    let turned = track.settle(Pose { ta, ..node.pose }, &Aim::at(node)).ok()?;
+    let length = |node: &Node| track.stride(node, cap, &mut Pace::new()).map_or(0.0, |s| s.length);
+    (length(node) < WORTH * length(&turned)).then_some(turned)
+}
+
+/// How the tool stands when a motion begins. With TLAXIS/NORMPS an axis from elsewhere, with which the tool is
+/// off the part surface, gives way to the normal below the tool end.
+fn upright(scene: &Scene, part: &Keep) -> Pose {
+    let tool = &scene.tool;
+    let pose = Pose { te: tool.te, ta: tool.ta };
+    let sides = if part.condition == Condition::On { 1 } else { usize::MAX };
+    let stands = |s: Side| {
+        let keep = part.on_side(s);
+        keep.gap(&pose, None).is_ok_and(|g| placed(&keep, &g) <= 2.0)
+    };
+    let normal = part.surface.foot(tool.te).normal;
+    let lean = normal.dot(&tool.ta);
+    // Where the old axis lies in the surface it does not say which side is meant.
+    let rule = matches!(scene.axis, AxisRule::Normal(OptionSurface::Part)) && lean.abs() >= 1e-3;
+    if !rule || part.sides(&pose).take(sides).any(stands) {
+        return pose;
+    }
+    Pose { ta: normal * lean.signum(), ..pose }
+}
+
+/// The side on which the tool is nearer to touching. A disk touches from below as well as from above within the band:
+/// it is that side towards which the rest of the cutter stands on it; where it is in one band alone, as a needle beside a
+/// wall or a disk that came from below, the side of that band.
+fn nearer(keep: &Keep, pose: &Pose) -> Option<(Gap, Side)> {
+    let gap = |side: Side| keep.on_side(side).gap(pose, None).ok().map(|g| (g, side));
+    let at = |(g, _): &(Gap, Side)| g.g.abs() <= 2.0 * keep.width();
+    let better = |a: &(Gap, Side), b: &(Gap, Side)| {
+        if at(a) && at(b) {
+            let lean = (b.0.normal - a.0.normal).dot(&pose.ta);
+            let off = [a, b].map(|(gap, _)| placed(keep, gap));
+            let alike = (off[0] <= 1.0) == (off[1] <= 1.0);
+            if alike && lean.abs() > 1e-3 { lean > 0.0 } else { off[1] < off[0] }
+        } else {
+            b.0.g.abs() < a.0.g.abs()
+        }
+    };
+    let mut best: Option<(Gap, Side)> = None;
+    for side in keep.sides(pose) {
+        // A tool in place on one side is not nearer to another one that it is deep in.
+        if best.as_ref().is_some_and(|b| at(b) && keep.deep(pose, side, 2.0 * keep.width())) {
+            continue;
+        }
+        best = match (best, gap(side)) {
+            (Some(best), Some(next)) if better(&best, &next) => Some(next),
+            (best, next) => best.or(next),
+        };
+    }
+    best
+}
+
+/// How many bands the tool is from its place: up to one it is in the band.
+fn placed(keep: &Keep, gap: &Gap) -> f64 {
+    let slack = 1e-6 * keep.width();
+    let (low, high) = match keep.condition {
+        Condition::On => {
+            let most = keep.intol.max(keep.outtol);
+            (-most, most)
+        }
+        Condition::Touch => (-keep.intol, keep.outtol),
+    };
+    if gap.g >= low - slack && gap.g <= high + slack {
+        return 0.0;
+    }
+    let off = if gap.g < low { low - gap.g } else { gap.g - high };
+    1.0 + off / keep.width()
+}
+
+/// A tool that is in place on the other side than the word says stays there.
+fn across(scene: &Scene, drive: &mut Keep, pose: &Pose) -> Option<Astray> {
+    let astray = scene.stance.astray()?;
+    let fits = |keep: &Keep| keep.gap(pose, None).is_ok_and(|g| placed(keep, &g) <= 2.0);
+    let other = match drive.side {
+        Side::Positive => drive.on_side(drive.inner(pose)),
+        Side::Negative | Side::Open => drive.on_side(Side::Positive),
+    };
+    if fits(drive) || !fits(&other) {
+        return None;
+    }
+    *drive = other;
+    Some(astray)
+}
+
+fn misplaced(scene: &Scene, keep: &Keep, gap: &Gap) -> Failure {
+    let surface = scene.drive.surface.clone();
+    let allowed = 2.0 * keep.width();
+    let off = if scene.drive.on { gap.g.abs() } else { gap.g };
+    Failure::OffDrive { surface, off, allowed, outside: off > 0.0 }
+}

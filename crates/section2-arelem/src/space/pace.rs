@@ -1,0 +1,78 @@
+//! What one cut vector tells the next: how long it was for what was foretold, and how its gaps bent.
+
+/// Greatest change of the ratio of two cut vectors that is expected to go on.
+const EVEN: f64 = 0.02;
+/// The same of their bends, as a share of these.
+const EVEN_BENDS: f64 = 0.5;
+
+/// What one cut vector tells the next.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Pace {
+    /// The longest length over the foretold one, and by how much more it was than that of the cut vector before.
+    pub(super) ratio: Option<f64>,
+    pub(super) trend: f64,
+    /// By how much more that was than the time before.
+    pub(super) growth: f64,
+    /// The length of the last one.
+    pub(super) length: f64,
+    /// Way for which no other place of contact can become the deepest, and whether that was looked for where it is now.
+    pub(super) room: f64,
+    pub(super) looked: bool,
+    /// Cut vectors yet of which every trial looks for other places of contact.
+    pub(super) careful: u32,
+    /// How the gaps bend along the last cut vector when the axis turns, which the curvatures do not tell, and by how much
+    /// more than along the one before.
+    pub(super) bends: Option<[f64; 2]>,
+    pub(super) grown: [f64; 2],
+}
+
+impl Pace {
+    pub(crate) fn new() -> Self {
+        Self {
+            ratio: None,
+            trend: 0.0,
+            growth: 0.0,
+            length: 0.0,
+            room: 0.0,
+            looked: false,
+            careful: 0,
+            bends: None,
+            grown: [0.0; 2],
+        }
+    }
+
+    /// The ratio that is to be expected next: the curvature that changes it does so evenly for a while. With an axis that `turns`
+    /// ratios scatter, and how the change grows says nothing.
+    pub(super) fn expected(&self, turns: bool) -> f64 {
+        self.ratio.unwrap_or(1.0) + self.trend + if turns { 0.0 } else { self.growth }
+    }
+
+    /// How the gaps of the next one are expected to bend.
+    pub(super) fn expected_bends(&self) -> Option<[f64; 2]> {
+        self.bends.map(|b| [b[0] + self.grown[0], b[1] + self.grown[1]])
+    }
+
+    /// The gaps bend so along a cut vector.
+    pub(super) fn learn_bends(&mut self, bends: [f64; 2]) {
+        let last = self.bends.unwrap_or(bends);
+        self.grown = [0, 1].map(|i| {
+            let grown = bends[i] - last[i];
+            // What jumps does not go on so.
+            if grown.abs() <= EVEN_BENDS * last[i].abs() { grown } else { 0.0 }
+        });
+        self.bends = Some(bends);
+    }
+
+    /// A cut vector was this long where `plan` was foretold, and could be longer by the ratio `rest`.
+    #[inline]
+    pub(super) fn learn(&mut self, length: f64, rest: f64, plan: f64) {
+        self.length = length;
+        let ratio = (length * rest / plan).clamp(0.2, 2.0);
+        let trend = self.ratio.map_or(0.0, |last| ratio - last);
+        let trend = if trend.abs() <= EVEN { trend } else { 0.0 };
+        let growth = trend - self.trend;
+        self.growth = if growth.abs() <= EVEN * EVEN { growth } else { 0.0 };
+        self.trend = trend;
+        self.ratio = Some(ratio);
+    }
+}

@@ -1,0 +1,148 @@
+//! What is told of a motion that is done all the same.
+
+use aptc_diagnostics::{Diagnostic, Origin, codes};
+use aptc_protap::{Direction, SurfaceRef};
+
+use crate::failure::Candidate;
+use crate::naming::{called, coordinates, number, word_of};
+use crate::scene::Astray;
+
+/// A direction word before anything moved: x is forward.
+pub(crate) fn assumed_direction(origin: &Origin, word: Direction) -> Diagnostic {
+    let text =
+        format!("{} has no direction before it: the x axis is taken as forward", word_of(word));
+    Diagnostic::warning(codes::ASSUMED_DIRECTION, origin.span, text)
+        .within(origin.trace.clone())
+        .help("give INDIRV or INDIRP after FROM")
+}
+
+/// GO with one surface, below a part surface that nobody gave.
+pub(crate) fn lifted(origin: &Origin, z: f64) -> Diagnostic {
+    let text = format!(
+        "no PSIS is given: the tool is lifted from z={} to the part surface z=0",
+        number(z)
+    );
+    Diagnostic::warning(codes::LIFTED_TO_PART, origin.span, text)
+        .within(origin.trace.clone())
+        .help("give PSIS/surface before it, or the part surface with it: GO/TO,drive surface,TO,part surface")
+}
+
+/// A tool that leans without MULTAX.
+pub(crate) fn no_multax(origin: &Origin) -> Diagnostic {
+    let text = "the tool leans from here on, and without MULTAX the CL data do not have its axis";
+    Diagnostic::warning(codes::AXIS_LEFT_OUT, origin.span, text)
+        .within(origin.trace.clone())
+        .help("write MULTAX before the first motion")
+}
+
+/// INTOL and OUTTOL that leave no band.
+pub(crate) fn no_band(origin: &Origin, least: f64) -> Diagnostic {
+    let text = format!(
+        "INTOL and OUTTOL are both 0 here, in which no chord of a curve lies; a band of {} is taken",
+        number(least)
+    );
+    Diagnostic::warning(codes::BAD_TOLERANCE, origin.span, text)
+        .within(origin.trace.clone())
+        .help("give TOLER or OUTTOL the tolerance of the part: the smaller, the more cut vectors")
+}
+
+/// The tool stays on the other side of the drive surface than the word says (APT-360: warning 1601).
+pub(crate) fn astray(origin: &Origin, surface: &SurfaceRef, is: Astray) -> Diagnostic {
+    let text = format!(
+        "{}, but going this way the tool is on the other side of {}; it stays there",
+        is.word,
+        called(surface)
+    );
+    Diagnostic::warning(codes::WRONG_SIDE, origin.span, text)
+        .within(origin.trace.clone())
+        .help(format!("write {}, or turn the other way", is.holds))
+}
+
+/// The check surface lies the other way.
+pub(crate) fn other_way(failure: Diagnostic, word: Direction) -> Diagnostic {
+    failure.help(format!("{} leads to it", word_of(word)))
+}
+
+/// TLLFT or TLRGT, and the tool end lies on the drive surface.
+pub(crate) fn stays_on(origin: &Origin, surface: &SurfaceRef) -> Diagnostic {
+    let text = format!(
+        "the tool is to be beside {0}, but its end is on it; it goes on with its end on it, half the cutter in the wall",
+        called(surface)
+    );
+    Diagnostic::warning(codes::WRONG_SIDE, origin.span, text)
+        .within(origin.trace.clone())
+        .help("write TLON, or bring the tool beside it with GO/TO before")
+}
+
+/// A start before the first position: it begins at 0,0,0.
+pub(crate) fn from_zero(origin: &Origin) -> Diagnostic {
+    let text = "the tool has no position yet and is taken to stand at 0,0,0";
+    Diagnostic::warning(codes::NO_POSITION, origin.span, text)
+        .within(origin.trace.clone())
+        .help("give FROM with the place where the tool stands")
+}
+
+/// TO and PAST while the tool stands on the surface: it is taken to be on the negative side.
+pub(crate) fn no_side(origin: &Origin, surface: &SurfaceRef) -> Diagnostic {
+    let text = format!(
+        "the tool stands on {}; TO is taken as the side from which its normal points away",
+        called(surface)
+    );
+    Diagnostic::warning(codes::NO_SIDE, origin.span, text)
+        .within(origin.trace.clone())
+        .help("come from the side that is meant, or give SRFVCT with the vector from the TO side to the PAST side")
+}
+
+/// Other positions of a start-up are just as near as the one that was taken.
+pub(crate) fn ambiguous(origin: &Origin, taken: &Candidate, rivals: &[Candidate]) -> Diagnostic {
+    let text = format!(
+        "the tool goes to {}; another position is as near, and nothing says which is meant",
+        coordinates(taken.te)
+    );
+    let mut d = Diagnostic::warning(codes::AMBIGUOUS_START, origin.span, text)
+        .within(origin.trace.clone())
+        .help("give INDIRV with the direction to the one that is meant, or INDIRP");
+    for candidate in std::iter::once(taken).chain(rivals) {
+        d = d.note(candidate.words());
+    }
+    d
+}
+
+/// A CUTTER is missing and a sculptured surface guides the tool.
+pub(crate) fn point_taken(origin: &Origin, surface: &SurfaceRef) -> Diagnostic {
+    let text = format!("no cutter is given; a point is taken along {}", called(surface));
+    Diagnostic::warning(codes::NO_CUTTER, origin.span, text)
+        .within(origin.trace.clone())
+        .help("give CUTTER/diameter,corner radius first, CUTTER/0 for a point")
+}
+
+/// The cutter's side cuts into the drive surface that its lower edge follows.
+pub(crate) fn fouls(origin: &Origin, surface: &SurfaceRef, depth: f64) -> Diagnostic {
+    let text = format!(
+        "the upper part of the cutter cuts into {} by {}; its lower edge is followed",
+        called(surface),
+        number(depth)
+    );
+    Diagnostic::warning(codes::SIDE_FOULS, origin.span, text)
+        .within(origin.trace.clone())
+        .help("write CUTTER/OPTION,2,radius,height if that is meant, or use a shorter cutter")
+}
+
+/// RADIUS or HIGHT of TLAXIS, which say where on the cutter it touches, before a motion in which its shape does.
+pub(crate) fn contact_not_chosen(origin: &Origin) -> Diagnostic {
+    let text = "RADIUS and HIGHT of TLAXIS do not count along surfaces: the cutter touches where its shape does";
+    Diagnostic::warning(codes::CONTACT_NOT_CHOSEN, origin.span, text)
+        .within(origin.trace.clone())
+        .help("leave them out, or write CUTTER/OPTION with the surface, the radius and the height of a disk that is to touch")
+}
+
+/// A pocket whose passes do not reach everything in it.
+pub(crate) fn material_left(origin: &Origin, left: f64) -> Diagnostic {
+    let text = format!(
+        "the passes leave material in the pocket, up to {} beyond what the effective radius reaches",
+        number(left)
+    );
+    Diagnostic::warning(codes::MATERIAL_LEFT, origin.span, text)
+        .within(origin.trace.clone())
+        .help("make the cut smaller, or let the passes be set closer where they must: the flag o of POCKET as 0")
+}
