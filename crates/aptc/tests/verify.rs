@@ -142,6 +142,16 @@ fn how_much_is_proved_can_be_chosen() {
         assert_eq!(summary.contains("tolerance"), how != "off", "{summary}");
         assert!(summary.contains(said), "{how}: {summary}");
     }
+    // `verify` is good only where everything is proved.
+    for (how, code, said) in [
+        ("full", 0, "all 50 cut vectors"),
+        ("sample", 3, "left out of the sample"),
+        ("off", 3, "nothing is proved"),
+    ] {
+        let run = aptc(dir.path(), &["verify", "box.apt", "--verify", how]);
+        assert_eq!(run.status.code(), Some(code), "{how}: {}", text(&run.stderr));
+        assert!(text(&run.stdout).contains(said), "{how}: {}", text(&run.stdout));
+    }
 }
 
 #[test]

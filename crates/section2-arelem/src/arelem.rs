@@ -1,7 +1,7 @@
 //! The dispatcher (APT: `SECTN2`): passes records on, keeps the modal words, runs the motions.
 
 use aptc_cldata as cl;
-use aptc_diagnostics::{Diagnostic, Origin};
+use aptc_diagnostics::{Diagnostic, Origin, codes};
 use aptc_geometry::Vec3;
 use aptc_protap as protap;
 use aptc_protap::{Direction, DriveSide, Kind, Outcome, PartSide, Relation, Sense, ToolAxis};
@@ -11,6 +11,7 @@ use crate::failure::{Failure, no_band, no_multax};
 use crate::feed::Feed;
 use crate::fitted::Fitted;
 use crate::forward::forward;
+use crate::points::put_feed;
 use crate::state::{Part, Settings, Tool, auto_part, unit};
 
 /// Settings of Section 2 that no part program gives.
@@ -138,10 +139,7 @@ impl Arelem {
         let origin = &record.origin;
         match forward(&record.kind) {
             Some(cl::Kind::Post { word, args }) if word == "FEDRAT" => {
-                if let Some(args) = self.feed.take(&args) {
-                    let kind = cl::Kind::Post { word, args };
-                    out.push(cl::Record { origin: origin.clone(), kind });
-                }
+                self.take_feed(origin, args, out);
             }
             Some(kind) => out.push(cl::Record { origin: origin.clone(), kind }),
             None => {}
@@ -280,6 +278,24 @@ impl Arelem {
             self.diagnostics.push(failure.explain(origin));
         }
         self.give_up()
+    }
+
+    /// A FEDRAT, less what it says of slow-downs.
+    pub(crate) fn take_feed(
+        &mut self,
+        origin: &Origin,
+        args: Vec<cl::Arg>,
+        out: &mut Vec<cl::Record>,
+    ) {
+        match self.feed.take(&args) {
+            Ok(Some(args)) => put_feed(origin, args, out),
+            Ok(None) => {}
+            Err(bad) => self.diagnostics.push(
+                Diagnostic::error(codes::SLOW_DOWN, origin.span, format!("FEDRAT {}", bad.what))
+                    .within(origin.trace.clone())
+                    .help(bad.help),
+            ),
+        }
     }
 
     /// Nothing moves before the tool has a position again.

@@ -137,8 +137,7 @@ impl Arelem {
             if points.is_empty() {
                 continue;
             }
-            let args = self.feed.take(&[cl::Arg::Number(feed)]);
-            put_feed(origin, args.unwrap_or_default(), out);
+            self.take_feed(origin, vec![cl::Arg::Number(feed)], out);
             for p in points {
                 self.go_to(*p);
             }

@@ -179,7 +179,14 @@ fn a_start_that_nothing_decides_lists_its_positions_with_their_directions() {
     let mut f = forms();
     f.insert("DOME".into(), form("SPHERE", &[0.0, 0.0, 0.0, 5.0]).expect("a sphere"));
     f.insert("WALL".into(), form("PLANE", &[1.0, 0.0, 0.0, 0.0]).expect("a plane"));
-    for (go, height) in [("GO/TO,C2,ON,LX", 0.0), ("3DCALC\nGO/ON,WALL,TO,DOME,TO,PL1", 2.0)] {
+    // The tool stands in its middle.
+    f.insert(
+        "RING".into(),
+        form("CIRCLE", &[0.0, 9.0, 0.0, 0.0, 0.0, 1.0, 3.0]).expect("a circle"),
+    );
+    for (go, height) in
+        [("GO/TO,C2,ON,LX", 0.0), ("GO/TO,RING", 0.0), ("3DCALC\nGO/ON,WALL,TO,DOME,TO,PL1", 2.0)]
+    {
         let ran = |way: &str| {
             let from = if go.contains("DOME") { "9,0" } else { "0,9" };
             run(&f, &format!("CUTTER/1\nFROM/{from},{height}\n{way}\n{go}"))
