@@ -226,7 +226,7 @@ impl Arelem {
             Kind::CutterOption { surface, disk } => s.set_disk(*surface, *disk),
             Kind::Intol(t) => s.set_intol(*t),
             Kind::Outtol(t) => s.set_outtol(*t),
-            Kind::Thick(t) => s.thick = *t,
+            Kind::Thick(t) => (s.thick, s.thick_told) = (*t, false),
             Kind::Maxdp { step, .. } => s.set_maxdp(*step),
             Kind::Numpts(n) => s.numpts = Some(*n),
             Kind::Calc(d) => s.calc = *d,

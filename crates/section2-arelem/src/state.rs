@@ -56,6 +56,8 @@ pub(crate) struct Settings {
     pub(crate) numpts: Option<u32>,
     pub(crate) calc: Dimension,
     pub(crate) thick: [f64; 4],
+    /// Was it told that this thickness does not count in a pocket?
+    pub(crate) thick_told: bool,
     pub(crate) multax: bool,
     pub(crate) multax_told: bool,
     pub(crate) axis: ToolAxis,
@@ -114,6 +116,7 @@ impl Default for Settings {
             calc: Dimension::Two,
             outtol: None,
             thick: [0.0; 4],
+            thick_told: false,
             multax: false,
             multax_told: false,
             axis: ToolAxis::Fixed(Vec3::z()),
