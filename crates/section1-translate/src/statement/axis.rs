@@ -146,19 +146,7 @@ impl Interpreter<'_> {
             height: None,
         };
         if reader.is_word(word::CUTANG) {
-            let cutting = self.cutting_angle(reader)?;
-            if cutting.abs() > angle_deg.abs() {
-                let message = format!(
-                    "CUTANG of {} degrees is more than the angle of {angle_deg} to the normal, of which it is a part",
-                    cutting.abs()
-                );
-                self.error(
-                    Diagnostic::error(codes::BAD_AXIS, reader.before(), message)
-                        .help("make the angle behind ATANGL as large, or CUTANG smaller"),
-                );
-                return Err(Poisoned);
-            }
-            axis.cutting_deg = Some(cutting);
+            axis.cutting_deg = Some(self.cutting_angle(reader)?);
         } else if !reader.is_empty() {
             axis.reference = self.reference(reader)?;
         }
