@@ -89,7 +89,7 @@ fn alike(a: &Cutter, b: &Cutter) -> bool {
     let lengths = |c: &Cutter| {
         // Zero e and f say nothing.
         let given = [c.e, c.f];
-        let [e, f] = c.tangent_corner().filter(|_| given == [0.0; 2]).unwrap_or(given);
+        let [e, f] = c.tangent_corner().filter(|_| c.e == 0.0 && c.f == 0.0).unwrap_or(given);
         [c.diameter, c.corner_radius, e, f]
     };
     let angles = |c: &Cutter| [c.alpha_deg, c.beta_deg];
