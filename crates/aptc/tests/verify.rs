@@ -133,6 +133,40 @@ fn a_cl_file_of_another_program_gives_one_error() {
 }
 
 #[test]
+fn a_file_is_judged_with_its_own_cutter() {
+    let dir = folder_with("box.apt", PART);
+    aptc(dir.path(), &["compile", "box.apt", "--emit", "cl", "--quiet"]);
+    let cl = fs::read_to_string(dir.path().join("box.cl")).unwrap();
+    let given = "CUTTER/10,0,5,0,0,0,127";
+    assert!(cl.contains(given), "{cl}");
+    // The number of errors, and what is said.
+    let judged = |cutter: &str| {
+        fs::write(dir.path().join("other.cl"), cl.replace(given, cutter)).unwrap();
+        let run = aptc(dir.path(), &["verify", "box.apt", "--cl", "other.cl"]);
+        (run.status.code(), text(&run.stderr))
+    };
+    // Another height, rounded numbers, and e and f that are left open, are the same cutter.
+    for same in ["CUTTER/10,0,5,0,0,0,40", "CUTTER/9.9999", "CUTTER/10,0,0,0,0,0,50"] {
+        assert_eq!(judged(same), (Some(0), String::new()), "{same}");
+    }
+    for (other, said) in
+        [("CUTTER/12", "CUTTER/12"), ("CUTTER/10,1", "CUTTER/10,1"), ("CUTTER/9", "CUTTER/9")]
+    {
+        let (code, messages) = judged(other);
+        assert!(
+            messages.contains(&format!(
+                "the cutter of other.cl is {said}, that of the program CUTTER/10"
+            )),
+            "{messages}"
+        );
+        // The corner leaves nothing and cuts nothing of lines and a floor; another diameter does.
+        let right = if other == "CUTTER/10,1" { 0 } else { 3 };
+        assert_eq!(code, Some(right), "{other}: {messages}");
+        assert_eq!(messages.contains("APT5001"), right == 3, "{messages}");
+    }
+}
+
+#[test]
 fn how_much_is_proved_can_be_chosen() {
     let dir = folder_with("box.apt", PART);
     for (how, said) in [("full", "all"), ("sample", "left out"), ("off", "")] {
@@ -141,6 +175,16 @@ fn how_much_is_proved_can_be_chosen() {
         let summary = text(&run.stdout);
         assert_eq!(summary.contains("tolerance"), how != "off", "{summary}");
         assert!(summary.contains(said), "{how}: {summary}");
+    }
+    // `verify` is good only where everything is proved.
+    for (how, code, said) in [
+        ("full", 0, "all 23 cut vectors"),
+        ("sample", 3, "left out of the sample"),
+        ("off", 3, "nothing is proved"),
+    ] {
+        let run = aptc(dir.path(), &["verify", "box.apt", "--verify", how]);
+        assert_eq!(run.status.code(), Some(code), "{how}: {}", text(&run.stderr));
+        assert!(text(&run.stdout).contains(said), "{how}: {}", text(&run.stdout));
     }
 }
 

@@ -76,9 +76,9 @@ pub struct Swept<'a> {
 }
 
 /// Rounds that bring the tangents at both sides of the nearest place together.
-const ROUNDS: usize = 40;
+const ROUNDS: usize = 80;
 /// Part of the tool's reach to which the least distance along a way is found; the answer is below it.
-const CLOSE: f64 = 1e-7;
+const CLOSE: f64 = 1e-12;
 
 impl Convex for Swept<'_> {
     /// The distance is convex along the way: tangents at two places with slopes of both signs meet below its
@@ -104,7 +104,8 @@ impl Convex for Swept<'_> {
         // Where the tool end, or the middle of a ball, passes is a good first guess.
         let bend = high.3 - low.3;
         let mut t = -low.3 / bend;
-        let mut kept = 0_i32;
+        // What the slopes at the ends count, and which end stayed in the last round.
+        let (mut counts, mut stays) = ([1.0_f64; 2], 0_i32);
         for _ in 0..ROUNDS {
             let cut = meet(&low, &high);
             if cut >= enough {
@@ -114,25 +115,21 @@ impl Convex for Swept<'_> {
             if here.1 - cut <= close || high.0 - low.0 <= 1e-14 {
                 break;
             }
-            // Illinois: an end that stays twice counts half, so that both close in.
-            let (mut a, mut b) = (low.3, high.3);
-            if here.3 < 0.0 {
-                low = here;
-                kept = if kept > 0 { kept + 1 } else { 1 };
-                a = low.3;
-            } else {
-                high = here;
-                kept = if kept < 0 { kept - 1 } else { -1 };
-                b = high.3;
-            }
             if here.3 == 0.0 {
                 return (here.1, here.2, here.4);
             }
-            if kept > 1 {
-                b *= 0.5;
-            } else if kept < -1 {
-                a *= 0.5;
+            // Illinois: an end that stays twice counts half, three times a quarter and so on, so that both close in: beside
+            // an edge of the tool the slopes of the two differ by orders of magnitude.
+            if here.3 < 0.0 {
+                low = here;
+                counts = [1.0, if stays > 0 { 0.5 * counts[1] } else { 1.0 }];
+                stays = 1;
+            } else {
+                high = here;
+                counts = [if stays < 0 { 0.5 * counts[0] } else { 1.0 }, 1.0];
+                stays = -1;
             }
+            let (a, b) = (counts[0] * low.3, counts[1] * high.3);
             let next = low.0 + (high.0 - low.0) * (-a / (b - a));
             let margin = 1e-3 * (high.0 - low.0);
             t = next.clamp(low.0 + margin, high.0 - margin);
@@ -201,6 +198,30 @@ mod tests {
                     assert!(d + n.dot(&(p - q)) <= least[j] + 1e-9, "{k} {j}");
                 }
             }
+        }
+    }
+
+    /// The slope of the distance is next to nothing below the flat and some thousand times that behind the corner.
+    #[test]
+    fn beside_the_flat_the_least_distance_is_found() {
+        let profile = Profile::new(&Cutter::mill(12.0, 2.0, 127.0)).unwrap();
+        let tool = Tool { profile: &profile, te: Vec3::zeros(), ta: Vec3::z() };
+        let by = Vec3::new(10.834, 0.0, -7.48e-3);
+        let swept = Swept { tool, by };
+        for k in 0..40 {
+            let f = f64::from(k) / 40.0;
+            let q = Vec3::new(1.0 + 6.0 * f, 3.9 * trig::sin(5.0 * f), 4e-3);
+            // Convex along the way.
+            let at = |t: f64| tool.at(by * t).distance(q);
+            let [mut low, mut high] = [0.0, 1.0];
+            for _ in 0..200 {
+                let third = (high - low) / 3.0;
+                if at(low + third) > at(high - third) { low += third } else { high -= third }
+            }
+            let least = at(0.5 * (low + high));
+            let (d, _, _) = swept.near(q);
+            assert!(d <= least + 1e-12, "{k}: {d} {least}");
+            assert!(d > least - 1.01 * CLOSE * (profile.reach() + by.norm()), "{k}: {d} {least}");
         }
     }
 }

@@ -16,6 +16,7 @@ mod records;
 mod summary;
 mod text;
 mod threads;
+mod tools;
 mod verify;
 mod verify_code;
 mod world;

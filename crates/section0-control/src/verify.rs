@@ -9,6 +9,7 @@ use aptc_verify::{Astray, Marks, Matched, Verifier, matched, times_as_large};
 
 use crate::compile::no_room;
 use crate::proof::{PathProof, effort, positions};
+use crate::tools::exchange;
 use crate::{Compiled, Options, Source, Verify, World, compile};
 
 /// A CL file to be held against a program.
@@ -54,7 +55,12 @@ pub fn verify(
             Ok(found) if found.is_of_another() => {
                 said.push(of_another(&file.name, &found, &computed, records));
             }
-            Ok(found) => {
+            Ok(mut found) => {
+                said.extend(exchange(
+                    &mut found.records,
+                    (&computed, records),
+                    (&file.name, detect(&file.bytes)),
+                ));
                 let n = found.records.iter().map(positions).sum();
                 let verifier = Verifier::foreign(effort(n, options.verify));
                 let mut judge = PathProof::new(verifier, options.threads);

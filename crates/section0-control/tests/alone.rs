@@ -138,3 +138,70 @@ FINI
     let below = "M1=MATRIX/TRANSL,0,0,-.02\nS1=SCURV/SPLINE,P1,P2,P3,TRFORM,M1";
     assert_eq!(run(&text(below), Verify::Off).0, ["APT2046"]);
 }
+
+/// Ordinary motion over the floor, on a plane across it, as far as another; its chords use the band to its edge.
+fn ordinary(close: &str, intol: f64) -> String {
+    format!(
+        "PARTNO ORDINARY
+UNITS/MM
+FLOOR=SSURF/SMESH,XYZ,SPLINE,(0,0,0),(30,0,8),(60,0,9),(90,0,2),$
+ SPLINE,(0,30,9),(30,30,16),(60,30,14),(90,30,6),$
+ SPLINE,(0,60,4),(30,60,10),(60,60,12),(90,60,8)
+WALL=PLANE/0,1,0,30
+POST=SPHERE/50,30,16,4
+CUTTER/12,2
+INTOL/{intol}
+OUTTOL/.01
+FROM/0,0,60
+GO/ON,WALL,TO,FLOOR,ON,(PLANE/1,0,0,20)
+INDIRV/1,0,0
+{close}
+TLON,GOFWD/WALL,ON,(PLANE/1,0,0,60)
+NOPOST
+FINI
+"
+    )
+}
+
+#[test]
+fn ordinary_motion_within_its_band_is_none_that_gouges_its_part_surface() {
+    for intol in [0.0, 0.001, 0.005, 0.01, 0.02] {
+        let (codes, points) = run(&ordinary("", intol), Verify::Full);
+        assert!(codes.is_empty(), "{intol}: {codes:?}");
+        for close in ["CHKSRF/PS,ON", "CHKSRF/FLOOR,ON", "CHKSRF/PS,FLOOR,ON"] {
+            assert_eq!(
+                run(&ordinary(close, intol), Verify::Full),
+                (vec![], points),
+                "{intol} {close}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_motion_that_is_stopped_gives_one_message() {
+    for close in ["CHKSRF/POST,ON", "CHKSRF/PS,POST,ON"] {
+        for verify in [Verify::Full, Verify::Off] {
+            assert_eq!(run(&ordinary(close, 0.01), verify).0, ["APT2046"], "{close}");
+        }
+    }
+}
+
+/// CUTTER/0 is a point: a plane that leans over it is not in its way.
+#[test]
+fn a_point_under_a_plane_that_leans_is_proved() {
+    let text = "UNITS/MM
+OUTTOL/.01
+CUTTER/0
+BED=PLANE/0,0,1,0
+ROOF=PLANE/0,1,.2,0
+FROM/0,-30,20
+INDIRV/0,1,0
+GO/TO,ROOF,TO,BED
+TLRGT,GORGT/ROOF,PAST,(PLANE/1,0,0,50)
+NOPOST
+FINI
+";
+    let (codes, points) = run(text, Verify::Full);
+    assert!(codes.is_empty() && points >= 3, "{codes:?} {points}");
+}

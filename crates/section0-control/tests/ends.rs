@@ -63,6 +63,24 @@ SMIL/{smil},DS,PARAM,0,0,TANSPL,PLUS,STEPOV,PLUS"
     }
 }
 
+/// A scallop of any height asks for no more than the greatest step and the cutter's width give.
+#[test]
+fn a_scallop_higher_than_the_cutter_asks_for_nothing() {
+    for height in ["12", "999"] {
+        for work in [
+            format!("SCON/STEPOV,{height},4,0,0\nSMIL/ZIGZAG,DS,PARAM,0,0,TANSPL,PLUS,STEPOV,PLUS"),
+            format!("GOMILL/DOME,UCONST,0,STEPOV,.25,SCALOP,{height},MAXSTP,4"),
+        ] {
+            for cutter in [BALL, "8,1,3,1,0,0,30"] {
+                let work = format!(
+                    "SCON/DS,DOME,PARAM,0,2,0,2,AT,UP\nSCON/PS,TO,DOME,PLUS,0\nSCON/AXIS,UP\n{work}"
+                );
+                assert_eq!(faults(cutter, &work), Vec::<String>::new(), "{cutter} {work}");
+            }
+        }
+    }
+}
+
 /// A tool end that is led on a surface leaves it where it lifts over a wall, and stays on it where it tilts.
 #[test]
 fn a_tool_end_gets_out_of_the_way() {

@@ -82,7 +82,11 @@ pub(crate) fn usage(word: Word) -> &'static [&'static str] {
         word::SPINDL => {
             &["SPINDL/n,CLW|CCLW", "SPINDL/v,SMM|SFM,CLW|CCLW[,MAXRPM,n]", "SPINDL/OFF"]
         }
-        word::FEDRAT => &["FEDRAT/f[,MMPM|MMPR|IPM|IPR]"],
+        word::FEDRAT => &[
+            "FEDRAT/f[,MMPM|MMPR|IPM|IPR]",
+            "FEDRAT/feed,distance,feed from there to the check surface[,MMPM|MMPR|IPM|IPR]",
+            "FEDRAT/distance,feed from there to the next check surface[,MMPM|MMPR|IPM|IPR]",
+        ],
         word::COOLNT => &["COOLNT/ON|FLOOD|MIST|OFF"],
         word::CYCLE => &[
             "CYCLE/DRILL|FACE|DEEP|BRKCHP|TAP|BORE|REAM|CSINK,DEPTH,d,MMPM|MMPR,f,CLEAR,c[,STEP,s][,DWELL,t]",

@@ -148,3 +148,13 @@ fn what_punch_saves_is_read_again() {
         assert!(given.iter().zip(read).all(same), "{name:?} {given:?} {read:?}");
     }
 }
+
+#[test]
+fn that_gouges_are_always_looked_for_is_said_once_of_each_word() {
+    let said = |word: &str| {
+        EntryKind::Remark(format!("every cut vector is checked for gouges, with or without {word}"))
+    };
+    let text = "GOUGCK/ON\nNDTEST\nGOUGCK/OFF\nGOUGCK\nNDTEST\nFINI\n";
+    assert_eq!(printed(text), [said("GOUGCK"), said("NDTEST")]);
+    assert_eq!(printed("2DCALC\nFINI\n"), []);
+}

@@ -479,3 +479,22 @@ fn a_word_may_be_a_label() {
     assert!(checks.iter().all(|c| c.branch));
     assert_eq!(checks[1].relation, Relation::Past);
 }
+
+#[test]
+fn numbers_that_a_disk_cannot_have() {
+    for (statement, column, code) in [
+        ("CUTTER/OPTION,3,5,2", 15, "APT1304"),
+        ("CUTTER/OPTION,1,-5,2", 17, "APT1306"),
+        ("CUTTER/OPTION,1,5,-2", 19, "APT1306"),
+    ] {
+        let ran = run(&format!("{statement}\nFINI\n"));
+        assert_eq!(ran.diagnostics.len(), 1, "{statement}\n{}", ran.messages());
+        let d = &ran.diagnostics[0];
+        assert_eq!(
+            (d.span.start, d.code.to_string().as_str()),
+            (column - 1, code),
+            "{}",
+            ran.messages()
+        );
+    }
+}

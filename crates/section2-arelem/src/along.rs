@@ -256,7 +256,7 @@ impl Arelem {
                 if !before.is_empty() {
                     self.put_motion(origin, cl::Motion { points: before, ..motion.clone() }, out);
                 }
-                put_feed(origin, vec![cl::Arg::Number(slow.feed)], out);
+                put_feed(origin, slow.feed, out);
                 self.put_motion(origin, cl::Motion { points: near, ..motion }, out);
                 if !base.is_empty() {
                     put_feed(origin, base, out);

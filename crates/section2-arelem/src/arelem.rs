@@ -1,7 +1,7 @@
 //! The dispatcher (APT: `SECTN2`): passes records on, keeps the modal words, runs the motions.
 
 use aptc_cldata as cl;
-use aptc_diagnostics::{Diagnostic, Origin};
+use aptc_diagnostics::{Diagnostic, Origin, codes};
 use aptc_geometry::Vec3;
 use aptc_protap as protap;
 use aptc_protap::{Direction, DriveSide, Kind, Outcome, PartSide, Relation, Sense, ToolAxis};
@@ -11,6 +11,7 @@ use crate::failure::Failure;
 use crate::feed::Feed;
 use crate::fitted::Fitted;
 use crate::forward::forward;
+use crate::points::put_feed;
 use crate::state::{Part, Settings, Tool, auto_part, unit};
 use crate::warning::{no_band, no_multax};
 
@@ -139,10 +140,7 @@ impl Arelem {
         let origin = &record.origin;
         match forward(&record.kind) {
             Some(cl::Kind::Post { word, args }) if word == "FEDRAT" => {
-                if let Some(args) = self.feed.take(&args) {
-                    let kind = cl::Kind::Post { word, args };
-                    out.push(cl::Record { origin: origin.clone(), kind });
-                }
+                self.take_feed(origin, args, out);
             }
             Some(kind) => out.push(cl::Record { origin: origin.clone(), kind }),
             None => {}
@@ -229,7 +227,7 @@ impl Arelem {
             Kind::CutterOption { surface, disk } => s.set_disk(*surface, *disk),
             Kind::Intol(t) => s.set_intol(*t),
             Kind::Outtol(t) => s.set_outtol(*t),
-            Kind::Thick(t) => s.thick = *t,
+            Kind::Thick(t) => (s.thick, s.thick_told) = (*t, false),
             Kind::Maxdp { step, .. } => s.set_maxdp(*step),
             Kind::Numpts(n) => s.numpts = Some(*n),
             Kind::Calc(d) => s.calc = *d,
@@ -281,6 +279,24 @@ impl Arelem {
             self.diagnostics.push(failure.explain(origin));
         }
         self.give_up()
+    }
+
+    /// A FEDRAT, less what it says of slow-downs.
+    pub(crate) fn take_feed(
+        &mut self,
+        origin: &Origin,
+        args: Vec<cl::Arg>,
+        out: &mut Vec<cl::Record>,
+    ) {
+        match self.feed.take(&args) {
+            Ok(Some(args)) => put_feed(origin, args, out),
+            Ok(None) => {}
+            Err(bad) => self.diagnostics.push(
+                Diagnostic::error(codes::SLOW_DOWN, origin.span, format!("FEDRAT {}", bad.what))
+                    .within(origin.trace.clone())
+                    .help(bad.help),
+            ),
+        }
     }
 
     /// Nothing moves before the tool has a position again.

@@ -1,10 +1,14 @@
 //! FEDRAT with a slow-down before each check surface.
 //!
 //! `FEDRAT/fb,dm,fm` goes at fb, and at fm from the distance dm to the end of every motion along surfaces.
-//! `FEDRAT/d1,f1` does so once, with d1 and f1. Every other FEDRAT is the basic feed and ends the first.
+//! `FEDRAT/d1,f1` does so once, with d1 and f1. A unit before or behind the numbers is that of both feeds. Every other FEDRAT
+//! is the basic feed and ends the first.
 
 use aptc_cldata::{Arg, Position};
 use aptc_geometry::Vec3;
+
+/// Units of a feed.
+const UNITS: [&str; 8] = ["MMPM", "MMPR", "IPM", "IPR", "PERMIN", "PERREV", "UPM", "UPR"];
 
 /// What FEDRAT has said.
 #[derive(Clone, Debug, Default)]
@@ -15,38 +19,78 @@ pub(crate) struct Feed {
 }
 
 /// A slower feed near the end of a motion.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Slow {
     pub(crate) distance: f64,
-    pub(crate) feed: f64,
+    pub(crate) feed: Vec<Arg>,
+}
+
+/// A slow-down that slows nothing down: what its FEDRAT says of it, and what it needs.
+pub(crate) struct BadSlow {
+    pub(crate) what: String,
+    pub(crate) help: &'static str,
 }
 
 impl Feed {
     /// Takes the arguments of a FEDRAT; those that go on to the post-processor, if any.
-    pub(crate) fn take(&mut self, args: &[Arg]) -> Option<Vec<Arg>> {
-        match *args {
-            [Arg::Number(base), Arg::Number(distance), Arg::Number(feed)] => {
-                self.base = vec![Arg::Number(base)];
-                self.always = Some(Slow { distance, feed });
-                Some(self.base.clone())
+    pub(crate) fn take(&mut self, args: &[Arg]) -> Result<Option<Vec<Arg>>, BadSlow> {
+        let feed = |f: f64| -> Vec<Arg> {
+            args.iter()
+                .filter(|a| matches!(a, Arg::Word(_)))
+                .cloned()
+                .chain([Arg::Number(f)])
+                .collect()
+        };
+        let given = numbers(args).unwrap_or_default();
+        match *given.as_slice() {
+            [base, distance, slow] => {
+                right(distance, slow)?;
+                self.base = feed(base);
+                self.always = Some(Slow { distance, feed: feed(slow) });
+                Ok(Some(self.base.clone()))
             }
-            [Arg::Number(distance), Arg::Number(feed)] => {
-                self.once = Some(Slow { distance, feed });
-                None
+            [distance, slow] => {
+                right(distance, slow)?;
+                self.once = Some(Slow { distance, feed: feed(slow) });
+                Ok(None)
             }
             _ => {
                 self.base = args.to_vec();
                 self.always = None;
-                Some(args.to_vec())
+                Ok(Some(args.to_vec()))
             }
         }
     }
 
     /// The slow-down of the next motion along surfaces, and the feed after it.
     pub(crate) fn slow(&mut self) -> Option<(Slow, Vec<Arg>)> {
-        let slow = self.once.take().or(self.always)?;
+        let slow = self.once.take().or_else(|| self.always.clone())?;
         (slow.distance > 0.0).then(|| (slow, self.base.clone()))
     }
+}
+
+/// The numbers of a FEDRAT that is nothing but numbers, and a unit before or behind them.
+fn numbers(args: &[Arg]) -> Option<Vec<f64>> {
+    let unit = |a: &Arg| matches!(a, Arg::Word(w) if UNITS.contains(&w.as_str()));
+    let args = match args {
+        [first, rest @ ..] if unit(first) => rest,
+        [rest @ .., last] if unit(last) => rest,
+        _ => args,
+    };
+    args.iter().map(|a| if let Arg::Number(n) = a { Some(*n) } else { None }).collect()
+}
+
+/// A distance of 0 slows down nowhere, and may be meant.
+fn right(distance: f64, feed: f64) -> Result<(), BadSlow> {
+    if distance < 0.0 {
+        let what = format!("slows down at {distance} before the check surface");
+        return Err(BadSlow { what, help: "give a distance of 0 or more" });
+    }
+    if feed <= 0.0 {
+        let what = format!("goes on at a feed of {feed} before the check surface");
+        return Err(BadSlow { what, help: "give a feed above 0" });
+    }
+    Ok(())
 }
 
 /// Divides a path at a distance from its end, on a cut vector where need be.
@@ -95,15 +139,49 @@ mod tests {
         assert_eq!((a.len(), b.len()), (0, 2));
     }
 
+    fn n(x: f64) -> Arg {
+        Arg::Number(x)
+    }
+
+    fn slow(distance: f64, feed: Vec<Arg>) -> Slow {
+        Slow { distance, feed }
+    }
+
     #[test]
     fn once_comes_before_always_and_a_plain_feed_ends_always() {
-        let n = |x: f64| Arg::Number(x);
         let mut feed = Feed::default();
-        assert_eq!(feed.take(&[n(30.0), n(0.5), n(5.0)]), Some(vec![n(30.0)]));
-        assert_eq!(feed.take(&[n(0.2), n(3.0)]), None);
-        assert_eq!(feed.slow().unwrap().0, Slow { distance: 0.2, feed: 3.0 });
-        assert_eq!(feed.slow().unwrap().0, Slow { distance: 0.5, feed: 5.0 });
-        assert_eq!(feed.take(&[n(20.0)]), Some(vec![n(20.0)]));
+        let mut take = |args: &[Arg]| feed.take(args).ok().unwrap();
+        assert_eq!(take(&[n(30.0), n(0.5), n(5.0)]), Some(vec![n(30.0)]));
+        assert_eq!(take(&[n(0.2), n(3.0)]), None);
+        assert_eq!(feed.slow().unwrap().0, slow(0.2, vec![n(3.0)]));
+        assert_eq!(feed.slow().unwrap().0, slow(0.5, vec![n(5.0)]));
+        assert_eq!(feed.take(&[n(20.0)]).ok().unwrap(), Some(vec![n(20.0)]));
         assert!(feed.slow().is_none());
+    }
+
+    #[test]
+    fn a_unit_is_that_of_both_feeds() {
+        let unit = || Arg::Word("MMPM".into());
+        for args in [[unit(), n(30.0), n(0.5), n(5.0)], [n(30.0), n(0.5), n(5.0), unit()]] {
+            let mut feed = Feed::default();
+            assert_eq!(feed.take(&args).ok().unwrap(), Some(vec![unit(), n(30.0)]));
+            let slows = feed.slow().unwrap();
+            assert_eq!(slows, (slow(0.5, vec![unit(), n(5.0)]), vec![unit(), n(30.0)]));
+        }
+        // What the post-processor has to read is left to it.
+        let mut feed = Feed::default();
+        let most = [Arg::Word("IPR".into()), n(0.1), Arg::Word("MAXIPM".into()), n(20.0)];
+        assert_eq!(feed.take(&most).ok().unwrap(), Some(most.to_vec()));
+        assert!(feed.slow().is_none());
+    }
+
+    #[test]
+    fn what_slows_nothing_down_is_refused() {
+        let told = |args: &[Arg]| Feed::default().take(args).err().map(|b| b.what);
+        let before = |what: &str| Some(format!("{what} before the check surface"));
+        assert_eq!(told(&[n(200.0), n(-10.0), n(50.0)]), before("slows down at -10"));
+        assert_eq!(told(&[n(-10.0), n(50.0)]), before("slows down at -10"));
+        assert_eq!(told(&[n(200.0), n(10.0), n(0.0)]), before("goes on at a feed of 0"));
+        assert_eq!(told(&[n(200.0), n(0.0), n(50.0)]), None);
     }
 }

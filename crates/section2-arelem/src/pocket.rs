@@ -32,7 +32,7 @@ pub(crate) type Reason = String;
 
 /// Works them out.
 pub(crate) fn passes(p: &Pocket, settings: &Settings, tool: &Tool) -> Result<Passes, Reason> {
-    let cutter = settings.cutter.map_or(0.0, |c| c.diameter / 2.0);
+    let cutter = settings.cutter.ok_or("no CUTTER is given before it")?.diameter / 2.0;
     let [keep_offsets, kind] = p.flags;
     let points = if kind >= 2 { project(&p.vertices, settings, tool)? } else { p.vertices.clone() };
     let mut figure = Figure::new(&points)?;

@@ -1,7 +1,7 @@
 //! Point-to-point motion: FROM, GOTO, GODLTA, patterns, POCKET, and what CUT puts out.
 
 use aptc_cldata as cl;
-use aptc_diagnostics::Origin;
+use aptc_diagnostics::{Diagnostic, Origin, codes};
 use aptc_geometry::Vec3;
 use aptc_protap as protap;
 use aptc_protap::{Outcome, ToolAxis};
@@ -108,6 +108,21 @@ impl Arelem {
         out.push(cl::Record { origin: origin.clone(), kind: cl::Kind::Output(output) });
     }
 
+    /// That THICK leaves nothing in a pocket is told once.
+    fn no_thickness(&mut self, origin: &Origin) {
+        let s = &mut self.settings;
+        if s.thick.iter().all(|t| *t == 0.0) || std::mem::replace(&mut s.thick_told, true) {
+            return;
+        }
+        let text = "THICK does not count in a pocket: its walls and its floor are cut as given";
+        let help = "to leave material give corners that lie further in and points that lie higher, or THICK/0 first";
+        self.diagnostics.push(
+            Diagnostic::warning(codes::WITHOUT_EFFECT, origin.span, text)
+                .within(origin.trace.clone())
+                .help(help),
+        );
+    }
+
     /// POCKET: three feeds, the plunge, the general passes from the inside out, the finish pass.
     pub(crate) fn pocket(
         &mut self,
@@ -121,6 +136,7 @@ impl Arelem {
         let Some(tool) = self.tool else { return self.fail(origin, &Failure::NoPosition) };
         let passes = match pocket::passes(p, &self.settings, &tool) {
             Ok(passes) => {
+                self.no_thickness(origin);
                 if let Some(left) = passes.left {
                     self.diagnostics.push(warning::material_left(origin, left));
                 }
@@ -137,8 +153,7 @@ impl Arelem {
             if points.is_empty() {
                 continue;
             }
-            let args = self.feed.take(&[cl::Arg::Number(feed)]);
-            put_feed(origin, args.unwrap_or_default(), out);
+            self.take_feed(origin, vec![cl::Arg::Number(feed)], out);
             for p in points {
                 self.go_to(*p);
             }

@@ -10,8 +10,6 @@ use aptc_protap::{
 /// Historic defaults, in millimetres: they were inches and are converted to the unit of the program.
 const OUTTOL_MM: f64 = 0.0005 * 25.4;
 const MAXDP_MM: f64 = 10.0 * 25.4;
-/// Height of a cutter when CUTTER gives none.
-const HEIGHT_MM: f64 = 5.0 * 25.4;
 
 /// Surfaces with a tolerance and a thickness of their own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,6 +56,8 @@ pub(crate) struct Settings {
     pub(crate) numpts: Option<u32>,
     pub(crate) calc: Dimension,
     pub(crate) thick: [f64; 4],
+    /// Was it told that this thickness does not count in a pocket?
+    pub(crate) thick_told: bool,
     pub(crate) multax: bool,
     pub(crate) multax_told: bool,
     pub(crate) axis: ToolAxis,
@@ -116,6 +116,7 @@ impl Default for Settings {
             calc: Dimension::Two,
             outtol: None,
             thick: [0.0; 4],
+            thick_told: false,
             multax: false,
             multax_told: false,
             axis: ToolAxis::Fixed(Vec3::z()),
@@ -166,17 +167,15 @@ impl Settings {
     /// CUTTER of that line.
     pub(crate) fn set_cutter(&mut self, cutter: Cutter, line: u32) {
         self.cutter = Some(cutter);
-        // CUTTER/0 is a point: without width and without a height of its own nothing but its end can touch.
-        let [diameter, corner, e, _, alpha, beta, height] = cutter.values();
-        let none = [diameter, corner, e, alpha, beta].iter().all(|x| *x == 0.0);
-        let usual = HEIGHT_MM / self.units.mm();
-        let point = none && (height == 0.0 || (height - usual).abs() <= 1e-9 * usual);
-        let profile = if point { Profile::disk(0.0, 0.0) } else { Profile::new(&cutter) };
+        let profile = Profile::new(&cutter);
         let given = || {
             let values: Vec<_> = cutter.values().iter().map(f64::to_string).collect();
             format!("CUTTER/{} of line {line}", values.join(","))
         };
-        self.profile = Some(profile.map_err(|bad| format!("{} ({})", why(bad), given())));
+        self.profile = Some(profile.map_err(|bad| match why(bad) {
+            Some(why) => format!("{why} ({})", given()),
+            None => format!("{} ({})", open(&cutter), given()),
+        }));
     }
 
     /// The disk that stands for the cutter against the surface of that role.
@@ -191,7 +190,10 @@ impl Settings {
     /// What touches the surface of that role; `None` before any CUTTER.
     pub(crate) fn profile(&self, role: Role) -> Option<Result<Profile, String>> {
         match self.disk(role) {
-            Some((r, h)) => Some(Profile::disk(r, h).map_err(|bad| why(bad).to_owned())),
+            Some((r, h)) => {
+                let of = || format!("CUTTER/OPTION with the radius {r} and the height {h}");
+                Some(Profile::disk(r, h).map_err(|_| of()))
+            }
             None => self.profile.clone(),
         }
     }
@@ -277,16 +279,25 @@ impl Settings {
 }
 
 /// Why a cutter is none.
-fn why(bad: BadCutter) -> &'static str {
-    match bad {
+fn why(bad: BadCutter) -> Option<&'static str> {
+    Some(match bad {
         BadCutter::NegativeDiameter => "negative diameter",
         BadCutter::NegativeHeight => "negative height",
         BadCutter::Angles => "the two angles add up to 90 degrees or more",
         BadCutter::NegativeAlpha => "negative alpha",
         BadCutter::TooLow => "the two lines meet above the top",
         BadCutter::NegativeCornerRadius => "negative corner radius",
-        _ => "its lines and its corner do not close",
-    }
+        _ => return None,
+    })
+}
+
+/// Lines and corner that do not close, with the corner that would.
+fn open(cutter: &Cutter) -> String {
+    let text = "its lines and its corner do not close";
+    let Some([e, f]) = cutter.tangent_corner().map(|c| c.map(|x| (x * 1e6).round() / 1e6)) else {
+        return text.into();
+    };
+    format!("{text}: a corner that touches both lines has e {e} and f {f}")
 }
 
 /// The unit vector; none for one without a length.

@@ -159,6 +159,26 @@ fn the_first_check_surface_met_decides() {
 }
 
 #[test]
+fn a_thickness_that_a_pocket_does_not_have_is_told_once() {
+    let mut f = forms();
+    for (name, x, y) in [("A", 0.0, 0.0), ("B", 9.0, 0.0), ("C", 9.0, 9.0), ("D", 0.0, 9.0)] {
+        f.insert(name.into(), form("POINT", &[x, y, 0.0]).expect("a point"));
+    }
+    let pocket = "POCKET/.4,.8,.6,35,30,20,0,1,A,B,C,D";
+    let codes = |text: &str| -> Vec<u16> {
+        run(&f, text).diagnostics.iter().map(|d| d.code.number()).collect()
+    };
+    let start = "CUTTER/1\nFROM/1,1,2";
+    assert!(codes(&format!("{start}\n{pocket}")).is_empty());
+    assert_eq!(codes(&format!("{start}\nTHICK/0,.1\n{pocket}\n{pocket}")), [1305]);
+    assert_eq!(codes(&format!("{start}\nTHICK/.1\n{pocket}\nTHICK/.2\n{pocket}")), [1305, 1305]);
+    assert!(codes(&format!("{start}\nTHICK/.1\nTHICK/0\n{pocket}")).is_empty());
+    let bare = run(&f, &format!("FROM/1,1,2\n{pocket}"));
+    assert_eq!(bare.code(), 2017);
+    assert!(bare.diagnostics[0].message.contains("no CUTTER is given"));
+}
+
+#[test]
 fn a_failure_has_a_picture_of_its_surfaces() {
     let mut arelem = aptc_arelem::Arelem::new(aptc_arelem::Options::default());
     let text = "CUTTER/1\nFROM/-5,-5,0\nGO/TO,LX\nTLLFT,GOLFT/LX,ON,C1";
@@ -179,7 +199,14 @@ fn a_start_that_nothing_decides_lists_its_positions_with_their_directions() {
     let mut f = forms();
     f.insert("DOME".into(), form("SPHERE", &[0.0, 0.0, 0.0, 5.0]).expect("a sphere"));
     f.insert("WALL".into(), form("PLANE", &[1.0, 0.0, 0.0, 0.0]).expect("a plane"));
-    for (go, height) in [("GO/TO,C2,ON,LX", 0.0), ("3DCALC\nGO/ON,WALL,TO,DOME,TO,PL1", 2.0)] {
+    // The tool stands in its middle.
+    f.insert(
+        "RING".into(),
+        form("CIRCLE", &[0.0, 9.0, 0.0, 0.0, 0.0, 1.0, 3.0]).expect("a circle"),
+    );
+    for (go, height) in
+        [("GO/TO,C2,ON,LX", 0.0), ("GO/TO,RING", 0.0), ("3DCALC\nGO/ON,WALL,TO,DOME,TO,PL1", 2.0)]
+    {
         let ran = |way: &str| {
             let from = if go.contains("DOME") { "9,0" } else { "0,9" };
             run(&f, &format!("CUTTER/1\nFROM/{from},{height}\n{way}\n{go}"))

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use aptc_contact::PatchTree;
 use aptc_geometry::surface::ParametricSurface;
-use aptc_geometry::{Plane, Sculptured, SpaceCurve, Vec3};
+use aptc_geometry::{Plane, Profile, Sculptured, SpaceCurve, Vec3};
 use aptc_protap::NameRef;
 
 use crate::failure::Failure;
@@ -111,6 +111,15 @@ pub(crate) struct StepoverArea {
     pub(crate) paths: Option<usize>,
     /// Greatest step of the parameter, besides.
     pub(crate) parameter: Option<f64>,
+}
+
+impl StepoverArea {
+    /// The same for a cutter, scallops no higher than its radius: passes clear nothing that stands higher between them than at
+    /// two balls that just do not overlap, and so far above its end the cutter is solid whichever way it leans.
+    pub(crate) fn of(self, cutter: &Profile) -> Self {
+        let most = cutter.widest();
+        Self { scallop: if most > 0.0 { self.scallop.min(most) } else { self.scallop }, ..self }
+    }
 }
 
 /// All areas.

@@ -15,7 +15,7 @@ use crate::regional::Regional;
 use crate::scon::Words;
 
 impl Regional {
-    /// CHKSRF/PS,ON|OFF, CHKSRF/names,ON|OFF, and CHKSRF/OFF for all of them.
+    /// CHKSRF/PS,names,ON|OFF, either or both, and CHKSRF/OFF for all of them.
     ///
     /// APT: `CHKSRF`, which took any name for PS.
     pub(crate) fn chksrf(&mut self, args: &[Arg]) -> Result<(), Failure> {
@@ -26,18 +26,23 @@ impl Regional {
             self.plain.clear();
             return Ok(());
         }
-        if w.take("PS") {
-            self.check_part = w.take("ON");
-            return Ok(());
+        let (mut named, mut part) = (Vec::new(), false);
+        loop {
+            if w.take("PS") {
+                part = true;
+            } else if let Some(one) = w.form() {
+                named.push(one);
+            } else {
+                break;
+            }
         }
-        let mut named = Vec::new();
-        while let Some(one) = w.form() {
-            named.push(one);
-        }
-        if named.is_empty() {
+        if named.is_empty() && !part {
             return Err(Failure::Undone { what: "CHKSRF without PS or a surface" });
         }
         let on = w.take("ON");
+        if part {
+            self.check_part = on;
+        }
         for (name, form) in named {
             let label = name.name.to_string();
             if matches!(form.shape(), Form::Ssurf(_)) {

@@ -139,7 +139,8 @@ impl Failure {
             Self::NoDirection { what } => (
                 codes::REGION_VALUE,
                 format!("{what} has length zero"),
-                "give a vector with a length".into(),
+                "give a vector with a length; a drive curve has CRSSPL only where it was given at its ends"
+                    .into(),
             ),
             Self::NoCutter => (
                 codes::NO_CUTTER,
@@ -163,7 +164,8 @@ impl Failure {
                     short(uv[0]),
                     short(uv[1])
                 ),
-                "the normal vanishes there, or the path runs along the direction of projection"
+                "the normal vanishes there, or the path runs along the direction of projection; a drive curve has \
+                 one only with CRSSPL at its ends"
                     .into(),
             ),
             Self::ThickBeyond { part, uv, thick, radius } => (

@@ -113,7 +113,8 @@ impl Regional {
             lift: 0.0,
             paths: None,
             parameter,
-        };
+        }
+        .of(setup.profile);
         let retract = wish.retract.or(self.areas.clearance.map(Retract::Plane));
         let clearance = if wish.pick {
             Some(retract.ok_or(Failure::NotSet { areas: vec!["FEED,plane"] })?)
@@ -149,7 +150,7 @@ impl Regional {
         }
         let done = region.mill(from, crew);
         let extent = || along_lines(&done.touched, &part.surface);
-        let scallop = done.scallop(wish.scallop, extent);
+        let scallop = done.scallop(stepover.scallop, extent);
         let control = self.milling_control(&part, scallop, false);
         self.diagnostics.extend(reports(origin, &done.notes));
         let left = done.stands.map(|s| left_standing(origin, &name.name, &s));

@@ -224,6 +224,7 @@ impl Regional {
             let areas = [("FEED", a.feeds.is_none()), ("STEPOV", a.stepover.is_none())];
             return Err(Areas::missing(&areas));
         };
+        let stepover = stepover.of(setup.profile);
         let clearance = if pick {
             let plane = a.clearance.ok_or(Failure::NotSet { areas: vec!["FEED,plane"] })?;
             Some(Retract::Plane(plane))

@@ -1,5 +1,7 @@
 //! CHKSRF in ordinary motion.
 
+use std::sync::Arc;
+
 use aptc_cldata as cl;
 use aptc_geometry::{Form, Profile, Vec3};
 
@@ -31,7 +33,7 @@ impl Regional {
                 cl::Kind::Motion(motion) => {
                     let (found, recorded) = (self.watched(motion, came), self.is_recording());
                     if let Err((k, failure)) = found {
-                        motion.points.truncate(k);
+                        cut_short(motion, k);
                         self.put_out(motion);
                         self.diagnostics.extend(failure.explain(&record.origin));
                         cut = Some(if k == 0 { i } else { i + 1 });
@@ -122,7 +124,7 @@ impl Regional {
             };
             let surface = self.surface(&name, &part.form)?;
             let (name, tree) = (name.name.to_string(), self.tree(&surface));
-            surfaces.retain(|c| !std::sync::Arc::ptr_eq(&c.surface, &surface));
+            surfaces.retain(|c| !Arc::ptr_eq(&c.surface, &surface));
             surfaces.push(Checked { name, surface, tree, part: true });
             thick = part.thick;
         }
@@ -130,6 +132,17 @@ impl Regional {
         let (holder, report, plain) = (self.holder.clone(), false, self.plain.clone());
         let guard = Guard { surfaces, plain, intol, thick, holder, report };
         Ok((!guard.is_empty()).then_some(guard))
+    }
+}
+
+/// A motion of which `k` points are left. It never came to its check surface, and a start-up not to its surfaces: nothing is to
+/// be proved of them.
+fn cut_short(motion: &mut cl::Motion, k: usize) {
+    motion.points.truncate(k);
+    if motion.kind != cl::MotionKind::Continuous {
+        motion.control = None;
+    } else if let Some(control) = &mut motion.control {
+        Arc::make_mut(control).checks.clear();
     }
 }
 

@@ -271,9 +271,14 @@ fn summary(part: &Path, compiled: &Compiled, asked: &[Emit], written: &[PathBuf]
         }
     }
     // What is not always made is not left out in silence.
+    let milled = if compiled.has_errors() {
+        "none, for the program has errors"
+    } else {
+        "none, for nothing was milled by regions"
+    };
     let pictures = [
         (Emit::Diagram, "diagram", "none, for no motion failed"),
-        (Emit::Deviation, "deviation", "none, for nothing was milled by regions"),
+        (Emit::Deviation, "deviation", milled),
     ];
     for (kind, name, why) in pictures {
         let made = |p: &PathBuf| p.to_string_lossy().ends_with(&format!(".{name}.svg"));

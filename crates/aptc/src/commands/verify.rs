@@ -59,11 +59,17 @@ pub(crate) fn verify(args: &VerifyArgs, common: &Common) -> io::Result<ExitCode>
             documents.push(json!({ "program": part.display().to_string(), "parts": parts }));
         } else if !common.quiet {
             let mut out = io::stdout().lock();
-            for certificate in judged.parts.iter().filter_map(|p| p.certificate.as_ref()) {
-                writeln!(out, "{}: {certificate}", part.display())?;
+            for judged in &judged.parts {
+                match &judged.certificate {
+                    Some(certificate) => writeln!(out, "{}: {certificate}", part.display())?,
+                    None if args.verify == VerifyHow::Off => {
+                        writeln!(out, "{}: nothing is proved (--verify off)", part.display())?;
+                    }
+                    None => {}
+                }
             }
         }
-        worst = worst.max(code(&judged, args.verify == VerifyHow::Off));
+        worst = worst.max(code(&judged));
     }
     if args.json {
         let mut out = io::stdout().lock();
@@ -143,13 +149,13 @@ fn verify_nc(nc: &Path, cl: &Path, args: &VerifyArgs, common: &Common) -> io::Re
     })
 }
 
-/// 1 for a program with errors, else 0 where everything is proved and 3 where not; a sample proves what it
-/// holds.
-fn code(judged: &Compiled, off: bool) -> u8 {
+/// 1 for a program with errors, else 0 where everything is proved and 3 where not: a sample leaves cut vectors out, and
+/// without the proof nothing is proved.
+fn code(judged: &Compiled) -> u8 {
     if judged.has_errors() {
         return exit::ERRORS;
     }
     let proved = |c: &Certificate| c.is_proved();
-    let all = judged.parts.iter().all(|p| p.certificate.as_ref().map_or(off, proved));
+    let all = judged.parts.iter().all(|p| p.certificate.as_ref().is_some_and(proved));
     if all && !judged.is_refuted() { 0 } else { exit::REFUTED }
 }

@@ -5,7 +5,7 @@
 //! `DISPLY/` say nothing to a machine and are kept as comments.
 
 use aptc_diagnostics::{Severity, codes};
-use aptc_geometry::{Cutter, Transform, Vec3, trig};
+use aptc_geometry::{Cutter, Transform, Vec3};
 use nalgebra::Matrix3;
 
 use super::args;
@@ -74,19 +74,10 @@ fn cutter(list: &[Arg]) -> Option<Cutter> {
 
 /// The seven numbers: the corner circle touches the lower and the upper line.
 pub(super) fn tool(d: f64, r: f64, alpha_deg: f64, beta_deg: f64, height: f64) -> Cutter {
-    let (sa, ca) = (trig::sin_deg(alpha_deg), trig::cos_deg(alpha_deg));
-    let (sb, cb) = (trig::sin_deg(beta_deg), trig::cos_deg(beta_deg));
-    let (x, y) = (d / 2.0, d / 2.0 * sa / ca);
-    // Distance r above the lower line through the tool end and inside of the upper line through (x, y):
-    // -sa e + ca f = r, cb (x - e) + sb (f - y) = r.
-    let det = cb * ca - sb * sa;
-    let (e, f) = if det.abs() > 1e-9 {
-        let right = cb * x - sb * y - r;
-        ((right * ca + r * sb) / det, (right * sa + r * cb) / det)
-    } else {
-        (x - r, r)
-    };
-    Cutter { diameter: d, corner_radius: r, e, f, alpha_deg, beta_deg, height }
+    let mut cutter =
+        Cutter { diameter: d, corner_radius: r, e: 0.0, f: 0.0, alpha_deg, beta_deg, height };
+    [cutter.e, cutter.f] = cutter.tangent_corner().unwrap_or([d / 2.0 - r, r]);
+    cutter
 }
 
 fn spline(state: &mut State, word: &str, rest: &[u8]) -> bool {

@@ -372,8 +372,8 @@ fn cutter(state: &mut State, word: &SmolStr, rest: &[u8]) {
     let numbers = args::all_numbers(rest);
     let height = Units::Inches.mm() * 5.0 / state.units.unwrap_or_default().mm();
     let cutter = match numbers.as_ref().map(Numbers::get) {
-        Some(&[d]) => Cutter::mill(d, 0.0, height),
-        Some(&[d, r]) => Cutter::mill(d, r, height),
+        Some(&[d]) => Cutter::by_two(d, 0.0, height),
+        Some(&[d, r]) => Cutter::by_two(d, r, height),
         Some(&[d, r, e, f, alpha, beta, ref rest @ ..]) if rest.len() <= 1 => Cutter {
             diameter: d,
             corner_radius: r,

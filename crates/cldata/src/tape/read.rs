@@ -274,8 +274,8 @@ impl<R: Read> TapeReader<R> {
     fn cutter(&mut self) {
         let n = self.numbers();
         let cutter = match n.as_slice() {
-            &[d] => Cutter::mill(d, 0.0, 5.0),
-            &[d, r] => Cutter::mill(d, r, 5.0),
+            &[d] => Cutter::by_two(d, 0.0, 5.0),
+            &[d, r] => Cutter::by_two(d, r, 5.0),
             &[d, r, e, f, a, b, ref h @ ..] if h.len() <= 1 => Cutter {
                 diameter: d,
                 corner_radius: r,

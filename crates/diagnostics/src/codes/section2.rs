@@ -33,6 +33,7 @@ codes! {
     THICK_BEYOND_CUTTER = 2027, "a negative thickness greater than the radius of the cutter";
     LIFTED_TO_PART = 2028, "a start-up that lifts the tool to a part surface that was not given";
     AXIS_LEFT_OUT = 2029, "a tool that leans without MULTAX";
+    SLOW_DOWN = 2030, "a slow-down before the check surface that slows nothing down";
     AREA_NOT_SET = 2040, "regional milling before its areas are set";
     REGION_VALUE = 2041, "a number or direction of regional milling out of its range";
     PART_NOT_MET = 2042, "a drive point from which the part surface is not met";

@@ -35,8 +35,8 @@ impl Interpreter<'_> {
         }
         let height = HEIGHT_INCHES * Units::Inches.mm() / self.state.unit.mm();
         let cutter = match *values.as_slice() {
-            [d] => Cutter::mill(d, 0.0, height),
-            [d, r] => Cutter::mill(d, r, height),
+            [d] => Cutter::by_two(d, 0.0, height),
+            [d, r] => Cutter::by_two(d, r, height),
             // NCL: its height too.
             [d, r, h] if self.options.language == Language::Ncl => Cutter::mill(d, r, h),
             [diameter, corner_radius, e, f, alpha_deg, beta_deg, height] => {
@@ -89,7 +89,7 @@ impl Interpreter<'_> {
     }
 
     fn cutter_option(&mut self, reader: &mut Reader<'_>) -> Known<()> {
-        let surface = match reader.number() {
+        let surface = match reader.peek().and_then(|a| a.number()) {
             Some(1.0) => OptionSurface::Part,
             Some(2.0) => OptionSurface::Drive,
             _ => {
@@ -100,17 +100,33 @@ impl Interpreter<'_> {
                 ));
             }
         };
+        reader.skip(1);
         let disk = if reader.is_word(word::OFF) {
             None
         } else {
-            let (Some(radius), Some(height)) = (reader.number(), reader.number()) else {
-                return Err(self.expect(reader, "the disk's radius and height, or OFF,"));
-            };
+            let radius = self.length_of_disk(reader, "radius")?;
+            let height = self.length_of_disk(reader, "height")?;
             // OFF may also close a full form.
             if reader.is_word(word::OFF) { None } else { Some((radius, height)) }
         };
         self.at_end(reader)?;
         self.emit(Kind::CutterOption { surface, disk });
         Ok(())
+    }
+
+    /// Radius or height of CUTTER/OPTION.
+    fn length_of_disk(&mut self, reader: &mut Reader<'_>, what: &str) -> Known<f64> {
+        let Some(length) = reader.number() else {
+            return Err(self.expect(reader, "the disk's radius and height, or OFF,"));
+        };
+        if length < 0.0 {
+            let message = format!("a {what} of {length} of the disk is negative");
+            self.error(
+                Diagnostic::error(codes::BAD_CUTTER, reader.before(), message)
+                    .help("write CUTTER/OPTION,1|2,radius,height or CUTTER/OPTION,1|2,OFF"),
+            );
+            return Err(Poisoned);
+        }
+        Ok(length)
     }
 }

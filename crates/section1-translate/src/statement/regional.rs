@@ -8,7 +8,7 @@ use aptc_protap::{self as protap, Kind};
 use aptc_syntax::tree::Clause;
 use aptc_vocabulary::{Word, word};
 
-use super::shape::{Shape, fixed, open};
+use super::shape::{Shape, fixed, list, open};
 use crate::Interpreter;
 use crate::define::Item::{self, AS, N, Of, PL, S, SC, SS, V, W};
 use crate::eval::{Arg, Known, Names, Poisoned};
@@ -75,16 +75,7 @@ const SMIL: &[Shape] = &[
     ),
 ];
 
-const CHKSRF: &[Shape] = &[
-    fixed(&[W(word::OFF)]),
-    fixed(&[W(word::PS), SWITCH]),
-    fixed(&[AS, SWITCH]),
-    fixed(&[AS, AS, SWITCH]),
-    fixed(&[AS, AS, AS, SWITCH]),
-    fixed(&[AS, AS, AS, AS, SWITCH]),
-    fixed(&[AS, AS, AS, AS, AS, SWITCH]),
-    fixed(&[AS, AS, AS, AS, AS, AS, SWITCH]),
-];
+const CHKSRF: &[Shape] = &[fixed(&[W(word::OFF)]), list(&[W(word::PS), AS], &[SWITCH])];
 
 /// Diameter and height of a corner of shank and holder.
 const CORNER: &[Item] = &[N, N];

@@ -1,4 +1,4 @@
-//! The arguments of statements as tables: a beginning in fixed order and groups that may follow it.
+//! The arguments of statements as tables: a beginning in fixed order and groups that may follow it, or a list.
 
 use aptc_diagnostics::{Diagnostic, Span, codes};
 use aptc_syntax::tree::Clause;
@@ -8,10 +8,13 @@ use crate::Interpreter;
 use crate::define::{self, Item};
 use crate::eval::{Arg, Known, Poisoned, describe};
 
-/// One way to write a statement: `lead`, then any of the groups, each at most once, in any order.
+/// One way to write a statement: a list, one at least of its items as often as wanted; `lead`; then any of the groups, each at
+/// most once, in any order.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Shape {
-    /// What stands first.
+    /// What the list may hold; empty when there is none.
+    pub(super) list: &'static [Item],
+    /// What stands first, or behind the list.
     pub(super) lead: &'static [Item],
     /// What may follow.
     pub(super) then: &'static [&'static [Item]],
@@ -25,12 +28,17 @@ struct Stop {
 
 /// A shape without groups.
 pub(super) const fn fixed(lead: &'static [Item]) -> Shape {
-    Shape { lead, then: &[] }
+    Shape { list: &[], lead, then: &[] }
 }
 
 /// A shape with groups.
 pub(super) const fn open(lead: &'static [Item], then: &'static [&'static [Item]]) -> Shape {
-    Shape { lead, then }
+    Shape { list: &[], lead, then }
+}
+
+/// A list of any length, and what stands behind it.
+pub(super) const fn list(list: &'static [Item], lead: &'static [Item]) -> Shape {
+    Shape { list, lead, then: &[] }
 }
 
 impl Shape {
@@ -38,6 +46,10 @@ impl Shape {
     pub(super) fn text(&self) -> String {
         let join = |items: &[Item]| items.iter().map(Item::text).collect::<Vec<_>>().join(",");
         let mut text = join(self.lead);
+        if !self.list.is_empty() {
+            let one = self.list.iter().map(Item::text).collect::<Vec<_>>().join("|");
+            text = format!("{one}[,..],{text}");
+        }
         let mut last = self.lead.last().map(Item::text);
         for group in self.then {
             let next = join(group);
@@ -56,8 +68,18 @@ impl Shape {
 
     /// Nothing when the arguments fit.
     fn stop(&self, args: &[define::Arg]) -> Option<Stop> {
-        let mut at = match run(self.lead, args, 0) {
+        let listed = |a: &&define::Arg| self.list.iter().any(|item| item.takes(a));
+        let n = args.iter().take_while(listed).count();
+        let texts = || self.list.iter().map(Item::text).collect();
+        if n == 0 && !self.list.is_empty() {
+            return Some(Stop { at: 0, expected: texts() });
+        }
+        let mut at = match run(self.lead, args, n) {
             Ok(at) => at,
+            // The list could have gone on there.
+            Err(Stop { at, expected }) if at == n => {
+                return Some(Stop { at, expected: [texts(), expected].concat() });
+            }
             Err(stop) => return Some(stop),
         };
         let mut used = vec![false; self.then.len()];

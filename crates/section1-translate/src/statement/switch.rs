@@ -6,8 +6,8 @@ use aptc_syntax::tree::Clause;
 use aptc_vocabulary::{Word, word};
 
 use super::reader::Reader;
-use crate::Interpreter;
 use crate::eval::{Known, Names};
+use crate::{EntryKind, Interpreter};
 
 impl Interpreter<'_> {
     /// A word that sets something by itself or with ON or OFF.
@@ -32,6 +32,7 @@ impl Interpreter<'_> {
             word::GOUGCK => {
                 let on = self.on_off(word, clause)?.unwrap_or(true);
                 self.emit(Kind::Gougck(on));
+                self.always_checked(word);
                 return Ok(());
             }
             word::CANON => {
@@ -42,7 +43,19 @@ impl Interpreter<'_> {
         };
         self.bare(word, clause)?;
         self.emit(kind);
+        if word == word::NDTEST {
+            self.always_checked(word);
+        }
         Ok(())
+    }
+
+    /// The listing says once of each of the two words what becomes of it.
+    fn always_checked(&mut self, word: Word) {
+        if !self.state.ignored_said.contains(&word) {
+            self.state.ignored_said.push(word);
+            let remark = format!("every cut vector is checked for gouges, with or without {word}");
+            self.list(EntryKind::Remark(remark));
+        }
     }
 
     /// ON, OFF, or neither.

@@ -186,7 +186,9 @@ impl Failure {
             Self::NoAxis { place } => (
                 codes::NO_AXIS,
                 format!("no tool axis satisfies TLAXIS at {}", coordinates(*place)),
-                "make the angles smaller, or free the axis of one condition".into(),
+                "make the angles smaller, or free the axis of one condition; CUTANG is a part of the angle behind ATANGL, \
+                 no more than it"
+                    .into(),
             ),
             Self::NoRulings { role, surface, other } => {
                 let (mine, others, one) = match role {

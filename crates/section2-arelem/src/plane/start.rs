@@ -187,7 +187,8 @@ fn locate(
     if let [side] = sides {
         let target = curve(side)?;
         let Some(v) = side.along else {
-            return Ok((target.nearest(te, frame.plan(go.tool.forward)), None));
+            let place = target.nearest(te, frame.plan(go.tool.forward));
+            return Ok((place, opposite(&side.trace, te, place, standing(side.wall))));
         };
         let t = flat(frame, v);
         let misses = || Failure::Misses {
@@ -241,6 +242,12 @@ fn locate(
         first.is_none() && tie && (q - place).norm() > 1e3 * near
     });
     Ok((place, rival))
+}
+
+/// The place on the other side of a circle in whose centre the tool stands: all round it is as near.
+fn opposite(trace: &Curve, te: Vec2, place: Vec2, near: f64) -> Option<Vec2> {
+    let Curve::Circle { c, .. } = *trace else { return None };
+    ((te - c).norm() <= near).then(|| c - (place - c))
 }
 
 /// Where two surfaces that are tangent but for the digits they were written with nearly meet: halfway, or on the
