@@ -95,6 +95,6 @@ mod tests {
 
     #[test]
     fn a_mill_without_diameter_is_a_point() {
-        assert_eq!(Cutter::by_two(0.0, 0.0, 127.0).values(), [0.0; 7]);
+        assert!(Cutter::by_two(0.0, 0.0, 127.0).values().iter().all(|x| *x == 0.0));
     }
 }

@@ -15,6 +15,9 @@ use crate::tool::Pose;
 const CELLS: [usize; 2] = [96, 64];
 const WIDTH: f64 = 480.0;
 const MARGIN: f64 = 24.0;
+/// From what is cut in deeply to what is left standing, and what no cutter came near.
+const COLORS: [&str; 7] =
+    ["#a50026", "#f46d43", "#66bd63", "#c7e9b4", "#74add1", "#313695", "#cccccc"];
 
 /// What was cut of one part surface by one cutter.
 struct Cut {
@@ -138,6 +141,34 @@ impl Cut {
             top + MARGIN
         );
         svg.push_str(&cells);
+        self.legend(svg, base + tall + 0.25 * MARGIN);
+    }
+
+    /// What the colours mean, in a row.
+    fn legend(&self, svg: &mut String, top: f64) {
+        let scallop = self.milling.scallop.as_ref().map_or(0.0, |s| s.height);
+        let Milling { intol, outtol, .. } = self.milling;
+        let allowed = outtol + scallop;
+        let wide = (2.0 * WIDTH + MARGIN) / COLORS.len() as f64;
+        let texts = [
+            format!("cut in, over {:.5}", 2.0 * intol),
+            format!("cut in, over {intol:.5}"),
+            "within tolerance".to_owned(),
+            "scallop as allowed".to_owned(),
+            format!("left, over {allowed:.5}"),
+            format!("left, over {:.5}", 2.0 * allowed),
+            "not reached".to_owned(),
+        ];
+        for (i, (color, text)) in COLORS.iter().zip(texts).enumerate() {
+            let left = MARGIN + wide * i as f64;
+            let _ = writeln!(
+                svg,
+                "<rect x=\"{left:.1}\" y=\"{top:.1}\" width=\"10\" height=\"10\" fill=\"{color}\"/>\
+                 <text x=\"{:.1}\" y=\"{:.1}\" font-size=\"10\">{text}</text>",
+                left + 14.0,
+                top + 9.0
+            );
+        }
     }
 
     /// How far the surface is from what the cutter swept there, negative cut into; `None` where the cutter did
@@ -151,14 +182,15 @@ impl Cut {
     fn color(&self, deviation: Option<f64>) -> &'static str {
         let Milling { intol, outtol, .. } = self.milling;
         let scallop = self.milling.scallop.as_ref().map_or(0.0, |s| s.height);
+        let [deep, cut, within, allowed, left, high, none] = COLORS;
         match deviation {
-            None => "#cccccc",
-            Some(d) if d < -2.0 * intol => "#a50026",
-            Some(d) if d < -intol => "#f46d43",
-            Some(d) if d <= outtol => "#66bd63",
-            Some(d) if d <= outtol + scallop => "#c7e9b4",
-            Some(d) if d <= 2.0 * (outtol + scallop) => "#74add1",
-            Some(_) => "#313695",
+            None => none,
+            Some(d) if d < -2.0 * intol => deep,
+            Some(d) if d < -intol => cut,
+            Some(d) if d <= outtol => within,
+            Some(d) if d <= outtol + scallop => allowed,
+            Some(d) if d <= 2.0 * (outtol + scallop) => left,
+            Some(_) => high,
         }
     }
 }

@@ -111,7 +111,7 @@ impl Judged {
         seen.warm.told = (seen.low <= seen.high).then_some(seen.low);
         let verdict = self.demand.judge_next(profile, from, to, pad, &mut seen.warm);
         if let Verdict::Proved { low, high } = verdict {
-            seen.take(low, high, None);
+            seen.take(low, high, Some(to.te));
         }
         self.fault(verdict, vector)
     }
@@ -176,7 +176,7 @@ impl Judged {
             least: seen.low,
             most: seen.high,
             band: [self.demand.least, self.demand.most],
-            at: None,
+            at: seen.at.map(Into::into),
         })
     }
 }

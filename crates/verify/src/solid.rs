@@ -130,7 +130,8 @@ impl Supported for Solid {
                 // Of the others, `cos r - sin t` with r square to t, those with `cos r.v = sin t.v`.
                 let aside = across(v, *t);
                 let along = sin * t.dot(&v) / (cos * aside.norm());
-                if !(along.abs() <= 1.0) {
+                // Of a way between its generators there is none, along the axis no one.
+                if along.abs() > 1.0 || !along.is_finite() {
                     return self.bounded_direction(without(m, v));
                 }
                 let (u, w) = (aside.normalize(), t.cross(&aside).normalize());

@@ -28,6 +28,7 @@ impl PartialEq for Pose {
 }
 
 /// Equality of vectors in three comparisons: that of the library goes through them by an iterator, ten times as long.
+#[expect(clippy::float_cmp, reason = "the same numbers are meant")]
 #[inline]
 pub(crate) fn same(a: Vec3, b: Vec3) -> bool {
     a.x == b.x && a.y == b.y && a.z == b.z

@@ -116,6 +116,7 @@ pub(super) fn end_spline(state: &mut State) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use aptc_geometry::trig;
 
     #[test]
     fn tools_touch_their_lines() {
