@@ -56,10 +56,17 @@ enum Body {
     Solid(Solid),
     /// Inside of a convex quadric that is open along the tool axis.
     Hollow(Oval),
-    /// It has charts. Beside the convex side of a quadric its support function is tried first.
-    Sheet(Arc<Sheet>, Option<Oval>),
+    /// It has charts. The convex side of a quadric, outside of which the tool is or inside, is tried first.
+    Sheet(Arc<Sheet>, Option<(Oval, Side)>),
     /// Nothing that could be proved against.
     Unknown,
+}
+
+/// The side of a convex quadric on which the tool is.
+#[derive(Clone, Copy, Debug)]
+enum Side {
+    Outside,
+    Inside,
 }
 
 /// What has a support function.
@@ -180,7 +187,7 @@ impl Demand {
         self.halving(tool, Way::new(from, to), convex, [self.least - pad, self.most + pad], told)
     }
 
-    /// Least and greatest gap outside of a convex solid along a way on which the axis does not turn, where they are as asked.
+    /// Least and greatest gap beside a convex solid along a way on which the axis does not turn, where they are as asked.
     #[inline]
     fn straight(
         &self,
@@ -191,7 +198,7 @@ impl Demand {
         warm: &mut Warm,
     ) -> Option<[f64; 2]> {
         let ends @ [from, to] = tool.ends(a, b);
-        if self.within || !same(from.ta, to.ta) {
+        if !same(from.ta, to.ta) {
             return None;
         }
         let (least, most) = (self.least - pad, self.most + pad);
@@ -201,12 +208,20 @@ impl Demand {
             Body::Solid(Solid::Half(plane)) => {
                 outside::beside_plane(tool, &ends, plane, &mut warm.end)
             }
-            Body::Solid(solid) => {
+            Body::Solid(solid) if !self.within => {
                 let bound = outside::bound(tool, &ends, solid, &mut warm.end, enough);
                 [bound.low, bound.high]
             }
-            Body::Sheet(_, Some(oval)) => {
+            Body::Sheet(_, Some((oval, Side::Outside))) => {
                 let bound = outside::bound(tool, &ends, oval, &mut warm.end, enough);
+                [bound.low, bound.high]
+            }
+            // Where the hollow runs on along the axis its tangent planes are those that do not look up.
+            Body::Sheet(_, Some((oval, Side::Inside)))
+                if oval.is_endless(from.ta)
+                    && ends.iter().all(|p| oval.rolled(tool, p).is_some()) =>
+            {
+                let bound = inside::bound(tool, &from, &to, oval, true);
                 [bound.low, bound.high]
             }
             _ => return None,
@@ -391,9 +406,13 @@ fn opened(c: &Controlled) -> Option<Oval> {
     if touches { convex(c, c.side >= 0) } else { None }
 }
 
-/// The quadric outside of which the tool is.
-fn beside(c: &Controlled) -> Option<Oval> {
-    convex(c, c.side < 0)
+/// The convex quadric outside or inside of which the tool is; one that it cannot be inside of as a whole is judged from outside.
+fn beside(c: &Controlled) -> Option<(Oval, Side)> {
+    let on = c.side == 0 || c.relation == Relation::On;
+    let outside = convex(c, c.side < 0).map(|oval| (oval, Side::Outside));
+    outside.or_else(|| {
+        (!on).then(|| convex(c, c.side >= 0)).flatten().map(|oval| (oval, Side::Inside))
+    })
 }
 
 /// The negative side of a quadric, or its positive one, where that is convex.

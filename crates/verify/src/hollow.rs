@@ -7,10 +7,11 @@
 
 use aptc_geometry::{Vec3, trig};
 
+use crate::bound::CLOSE;
 use crate::inside::{Walls, allowed};
 use crate::oval::Oval;
 use crate::pile::Pile;
-use crate::solid::{any_across, unit_or};
+use crate::solid::{Supported, any_across, unit_or};
 use crate::tool::{Pose, Tool};
 
 /// Halvings of a cone at most.
@@ -26,6 +27,9 @@ type Cone = ([Vec3; 3], u32);
 impl Walls for Oval {
     fn nearest(&self, tool: &Tool<'_>, pose: &Pose, up: Option<f64>) -> (f64, f64, Vec3) {
         let up = up.unwrap_or(0.0);
+        if let Some(rolled) = self.rolled(tool, pose).filter(|_| up == 0.0) {
+            return rolled;
+        }
         let clear = |x: Vec3, m: Vec3| x.dot(&m) - tool.height(pose, m);
         let mut pile = self.cones(pose.ta, up);
         let (mut low, mut best) = (f64::INFINITY, (f64::INFINITY, -pose.ta));
@@ -67,6 +71,48 @@ impl Walls for Oval {
 }
 
 impl Oval {
+    /// The gap over the directions that do not look up the axis, where the tool that is seen from there lies in a ball that
+    /// touches where it does, and that in a ball within the hollow which touches there too.
+    ///
+    /// With the corner's circle about the axis, its radius rho, the direction m to the place that leans by the sine s from the axis
+    /// and p the middle of the corner there, a ball of rho / s about `p - m rho / s` holds the disk in the circle: of a point `p + d`
+    /// of that `|d|^2 <= -2 rho d . e`, e being the way out from the axis, and `d . m = s d . e`.
+    pub(crate) fn rolled(&self, tool: &Tool<'_>, pose: &Pose) -> Option<(f64, f64, Vec3)> {
+        /// Rounds to the place, and by how little the direction to it turns in the last.
+        const ROUNDS: u32 = 24;
+        const STILL: f64 = 1e-10;
+        let (profile, base) = tool.solid()?;
+        let ([rho, high], radius) = (profile.corner(), profile.corner_radius());
+        // All of it is above the disk in the circle, made rounder by the corner.
+        let little = 1e-13 * profile.reach();
+        let held =
+            profile.widest() <= rho + radius + little && profile.bottom() >= high - radius - little;
+        let middle = pose.te + pose.ta * (base + high);
+        let mut n = self.bounded_direction(self.slope(middle));
+        for _ in 0..if held { ROUNDS } else { 0 } {
+            let side = n - pose.ta * n.dot(&pose.ta);
+            let lean = side.norm();
+            let wide = if rho > 0.0 { rho / lean } else { 0.0 };
+            if !(wide + radius < self.roundest() && n.dot(&pose.ta) <= 0.0) {
+                return None;
+            }
+            let p = middle + side * wide;
+            let at = Pose { te: p, ta: pose.ta };
+            let found = self.next_to(&Tool::End, &at, Some(n));
+            let turned = (found.n - n).norm();
+            n = found.n;
+            if turned > STILL {
+                continue;
+            }
+            let room = self.roundest() - wide - radius;
+            let apart = (found.x - p) + n * (wide - self.roundest());
+            let (low, high) = (room - apart.norm(), self.support(n) - tool.height(pose, n));
+            let size = found.x.norm() + pose.te.norm() + tool.reach();
+            return (low >= high - CLOSE * size).then_some((low.min(high), high, n));
+        }
+        None
+    }
+
     /// Directions whose cones hold all that do not look up `ta` by more than `up`.
     fn cones(&self, ta: Vec3, up: f64) -> Pile<Cone, 192> {
         let mut pile = Pile::new();
@@ -129,7 +175,6 @@ fn halve(pile: &mut Pile<Cone, 192>, corners: &[Vec3; 3], halvings: u32) {
 mod tests {
     use super::*;
     use crate::inside::{bound, gap};
-    use crate::solid::Supported;
     use aptc_geometry::surface::QuadricSurface;
     use aptc_geometry::{Cutter, Profile, Quadric, QuadricKind};
     use proptest::prelude::*;
@@ -153,6 +198,26 @@ mod tests {
         let n = Vec3::new(2.0, 4.0, -1.0) / 21.0_f64.sqrt();
         assert!((p.support(n) - 3.0 / 21.0_f64.sqrt()).abs() < 1e-12);
         assert!(h(&p, 0.0, 0.0, 1.0).is_infinite());
+    }
+
+    /// Towards the end of its long axis an ellipsoid is nearest at that only as far as it is round there.
+    #[test]
+    fn balls_tell_the_gap_where_the_place_they_touch_is_the_nearest() {
+        let (long, short) = (40.0, 8.0);
+        let [a, b] = [1.0 / (long * long), 1.0 / (short * short)];
+        let hollow = quadric([a, b, b, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
+        let profile = Profile::new(&Cutter::mill(1.0, 0.5, 60.0)).unwrap();
+        let tool = Tool::Solid(&profile);
+        for (share, told) in [(0.6, true), (0.99, true), (1.01, false), (3.0, false), (9.0, false)]
+        {
+            let te = Vec3::new(long - share * short * short / long, 0.0, -0.5);
+            let rolled = hollow.rolled(&tool, &Pose { te, ta: Vec3::z() });
+            assert_eq!(rolled.is_some(), told, "{share}");
+            let end = long - te.x - 0.5;
+            assert!(
+                rolled.is_none_or(|(low, high, _)| (low - end).abs() + (high - end).abs() < 1e-9)
+            );
+        }
     }
 
     #[test]

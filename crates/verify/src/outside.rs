@@ -29,7 +29,7 @@ pub(crate) trait Outside: Supported {
 
 impl Outside for Oval {
     fn touch(&self, tool: &Tool<'_>, pose: &Pose, near: Option<Vec3>) -> Touch {
-        let Nearest { gap, n, p } = self.next_to(tool, pose, near);
+        let Nearest { gap, n, p, .. } = self.next_to(tool, pose, near);
         Touch { low: gap, high: gap, m: n, p }
     }
 }

@@ -36,7 +36,8 @@ struct Axis {
 pub(crate) struct Nearest {
     /// The gap from above, and its value where the place was found.
     pub(crate) gap: f64,
-    /// The normal there, and the point of the tool next to it.
+    /// The place, the normal there, and the point of the tool next to it.
+    pub(crate) x: Vec3,
     pub(crate) n: Vec3,
     pub(crate) p: Vec3,
 }
@@ -65,6 +66,25 @@ impl Oval {
         // The normal curvature is the form's over the length of half its gradient.
         let gradient = if size > 0.0 { size } else { (least * depth.max(0.0)).sqrt() };
         Some(Self { axes, linear, depth, roundest: gradient / most })
+    }
+
+    /// No radius of curvature is less: a ball of that radius within it touches it anywhere.
+    pub(crate) fn roundest(&self) -> f64 {
+        self.roundest
+    }
+
+    /// Does it run on for ever in the unit direction `d`?
+    pub(crate) fn is_endless(&self, d: Vec3) -> bool {
+        let bent: f64 = self.round().map(|a| d.dot(&a.e).abs()).sum();
+        bent <= ROUNDING && self.straight().is_none_or(|t| d.dot(&t) <= ROUNDING)
+    }
+
+    /// Half the gradient of the form.
+    pub(crate) fn slope(&self, p: Vec3) -> Vec3 {
+        let along = |a: &Axis| a.e * (a.bend * (p.dot(&a.e) - a.middle));
+        let [x, y, z] = &self.axes;
+        let round = along(x) + along(y) + along(z);
+        self.linear.map_or(round, |(t, slope)| round + t * slope)
     }
 
     /// The directions in which it bends, then that in which it is linear.
@@ -138,7 +158,7 @@ impl Oval {
         let found = best.off <= LEVEL && best.gap >= -self.roundest;
         // No point of the oval is farther from the tool than the distance to it.
         let gap = if found { best.gap } else { best.far.max(0.0) };
-        Nearest { gap, n: best.n, p: best.p }
+        Nearest { gap, x: best.x, n: best.n, p: best.p }
     }
 
     /// How far inside it is looked at: the point next to the tool there lies below that of its own, and the bends differ by as
@@ -164,14 +184,6 @@ impl Oval {
         let up = rest.dot(&t);
         let bounded = up > 0.0 && (rest - t * up).norm() <= ROUNDING * m.norm();
         bounded.then_some((up / slope, squares))
-    }
-
-    /// Half the gradient of the form.
-    fn slope(&self, p: Vec3) -> Vec3 {
-        let along = |a: &Axis| a.e * (a.bend * (p.dot(&a.e) - a.middle));
-        let [x, y, z] = &self.axes;
-        let round = along(x) + along(y) + along(z);
-        self.linear.map_or(round, |(t, slope)| round + t * slope)
     }
 
     fn round(&self) -> impl Iterator<Item = &Axis> {
