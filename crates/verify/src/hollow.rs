@@ -90,22 +90,21 @@ impl Oval {
         let middle = pose.te + pose.ta * (base + high);
         let mut n = self.bounded_direction(self.slope(middle));
         for _ in 0..if held { ROUNDS } else { 0 } {
-            let side = n - pose.ta * n.dot(&pose.ta);
-            let lean = side.norm();
-            let wide = if rho > 0.0 { rho / lean } else { 0.0 };
-            if !(wide + radius < self.roundest() && n.dot(&pose.ta) <= 0.0) {
+            let m = n;
+            let side = m - pose.ta * m.dot(&pose.ta);
+            let wide = if rho > 0.0 { rho / side.norm() } else { 0.0 };
+            if !(wide + radius < self.roundest() && m.dot(&pose.ta) <= 0.0) {
                 return None;
             }
             let p = middle + side * wide;
-            let at = Pose { te: p, ta: pose.ta };
-            let found = self.next_to(&Tool::End, &at, Some(n));
-            let turned = (found.n - n).norm();
+            let found = self.next_to(&Tool::End, &Pose { te: p, ta: pose.ta }, Some(m));
             n = found.n;
-            if turned > STILL {
+            if (n - m).norm() > STILL {
                 continue;
             }
+            // How much smaller the one ball is than the other, and how far apart their middles are.
             let room = self.roundest() - wide - radius;
-            let apart = (found.x - p) + n * (wide - self.roundest());
+            let apart = (found.x - n * self.roundest()) - (p - m * wide);
             let (low, high) = (room - apart.norm(), self.support(n) - tool.height(pose, n));
             let size = found.x.norm() + pose.te.norm() + tool.reach();
             return (low >= high - CLOSE * size).then_some((low.min(high), high, n));
