@@ -395,11 +395,15 @@ fn the_map_shows_what_is_cut_and_what_is_left() {
         (points[20][2], points[21][2]) = (low, low);
         deviation_svg(&records(milling(&flat, Some(0.05)), upright(&points))).expect("a map")
     };
-    let (green, pale, red) = ("#66bd63", "#c7e9b4", "#a50026");
+    let [green, pale, red] =
+        ["#66bd63", "#c7e9b4", "#a50026"].map(|color| format!("<path fill=\"{color}\""));
     let good = path(0.0);
-    assert!(good.contains(green) && good.contains(pale) && !good.contains(red));
+    assert!(good.contains(&green) && good.contains(&pale) && !good.contains(&red));
     assert!(good.contains("FLOOR over u and v: deviation 0.0"), "{}", &good[..400]);
     let deep = path(-0.1);
-    assert!(deep.contains(red) && deep.contains("deviation -0.09"), "{}", &deep[..400]);
+    assert!(deep.contains(&red) && deep.contains("deviation -0.09"), "{}", &deep[..400]);
+    for means in ["cut in, over", "within tolerance", "scallop as allowed", "not reached"] {
+        assert_eq!(good.matches(means).count(), if means == "cut in, over" { 2 } else { 1 });
+    }
     assert!(deviation_svg(&[]).is_none());
 }
