@@ -12,7 +12,7 @@ use aptc_geometry::{Plane, Vec3};
 use crate::between::{angle, bulge, parabola};
 use crate::bound::{Bound, CLOSE, Touch};
 use crate::oval::{Nearest, Oval};
-use crate::solid::{Solid, Supported, unit_or};
+use crate::solid::{Solid, Supported, unit_or, without};
 use crate::tool::{Pose, Tool, Turn, carry, same, turned};
 
 /// Rounds of the searches for the best direction; reaching them costs tightness, not truth.
@@ -184,17 +184,22 @@ pub(crate) fn bound(
         return told(shown(last.d), &least);
     }
     let length = v.norm();
-    // A direction square to the motion proves the same for the whole of it.
+    let enough = enough - CLOSE * (tool.reach() + length);
+    // A direction square to the motion proves the same for the whole of it: a normal of a side, or over a vertex any that is
+    // bounded.
     let level = |d: Vec3| {
-        let square = solid.square_direction(d, v);
-        let is_square = square.dot(&v).abs() <= 1e-12 * length;
-        shown(if is_square { square } else { d })
+        let proves = |square: Vec3| {
+            let is_square = square.dot(&v).abs() <= 1e-12 * length;
+            shown(if is_square { square } else { d })
+        };
+        let low = proves(solid.square_direction(d, v));
+        if low >= enough { low } else { low.max(proves(solid.bounded_direction(without(d, v)))) }
     };
     // Between the directions of two places on both sides of the least lies one that is square to the way.
     let between =
         |p: &Place, q: &Place| level(solid.bounded_direction(p.d * q.slope - q.d * p.slope));
     let mut low = between(&first, &last);
-    if low >= enough - CLOSE * (tool.reach() + length) {
+    if low >= enough {
         return told(low, &least);
     }
     let (mut p, mut q) = (first, last);

@@ -122,12 +122,7 @@ impl Supported for Solid {
             Self::Half(_) | Self::Ball(..) => self.bounded_direction(without(m, v)),
             Self::Rod(_, t, _) => square_to_both(m, *t, v),
             Self::Nappe(_, t, cos, sin) => {
-                // All that is bounded is a normal at the vertex.
-                let free = unit_or(without(m, v), m);
-                if free.dot(t) * cos + across(free, *t).norm() * sin <= 0.0 {
-                    return free;
-                }
-                // Of the others, `cos r - sin t` with r square to t, those with `cos r.v = sin t.v`.
+                // Of the normals of its side, `cos r - sin t` with r square to t, those with `cos r.v = sin t.v`.
                 let aside = across(v, *t);
                 let along = sin * t.dot(&v) / (cos * aside.norm());
                 // Of a way between its generators there is none, along the axis no one.
