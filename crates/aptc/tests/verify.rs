@@ -166,6 +166,30 @@ fn a_file_is_judged_with_its_own_cutter() {
     }
 }
 
+/// Two cutters that have changed places: the larger one goes where the smaller one was to go, and the other way.
+#[test]
+fn cutters_that_change_places_are_each_judged_where_they_are() {
+    let more = "CUTTER/12\nGOTO/-20,-20,30\nGO/TO,L1,TO,FLOOR\nTLRGT,GORGT/L1,TO,C1\n";
+    let part = PART.replace("FINI\n", &format!("{more}FINI\n"));
+    let dir = folder_with("box.apt", &part);
+    aptc(dir.path(), &["compile", "box.apt", "--emit", "cl", "--quiet"]);
+    let cl = fs::read_to_string(dir.path().join("box.cl")).unwrap();
+    let [ten, twelve] = ["CUTTER/10,", "CUTTER/12,"];
+    assert!(cl.contains(ten) && cl.contains(twelve), "{cl}");
+    let swapped = cl.replace(ten, "CUTTER/X,").replace(twelve, ten).replace("CUTTER/X,", twelve);
+    let swapped =
+        swapped.replace("12,0,5,0", "12,0,6,0").replace("CUTTER/10,0,6,0", "CUTTER/10,0,5,0");
+    fs::write(dir.path().join("other.cl"), swapped).unwrap();
+    let run = aptc(dir.path(), &["verify", "box.apt", "--cl", "other.cl"]);
+    assert_eq!(run.status.code(), Some(3), "{}", text(&run.stderr));
+    let said = text(&run.stderr);
+    assert!(said.contains("other.cl is CUTTER/12, that of the program CUTTER/10"), "{said}");
+    assert!(said.contains("other.cl is CUTTER/10, that of the program CUTTER/12"), "{said}");
+    // The larger one cuts in, the smaller one leaves what was to be cut.
+    assert!(said.contains("cuts into"), "{said}");
+    assert!(said.matches("APT5001").count() > said.matches("cuts into").count(), "{said}");
+}
+
 #[test]
 fn how_much_is_proved_can_be_chosen() {
     let dir = folder_with("box.apt", PART);

@@ -14,16 +14,18 @@ struct Used {
     origin: Origin,
     /// Is something of it along surfaces?
     along: bool,
+    /// The numbers of the records that give it.
+    given: Vec<usize>,
 }
 
 /// Puts the cutters of the file into the program's records, where they are others, and says so: the file is what a machine gets.
 /// Where the file names no cutters those of the program hold, and where it names another number of them too.
 pub(crate) fn exchange(
     judged: &mut [Record],
-    (computed, file): (&[Record], &[Record]),
+    file: &[Record],
     (name, dialect): (&str, Dialect),
 ) -> Vec<Diagnostic> {
-    let (ours, theirs) = (used(computed), used(file));
+    let (ours, theirs) = (used(judged), used(file));
     if ours.len() != theirs.len() {
         return Vec::new();
     }
@@ -43,7 +45,7 @@ pub(crate) fn exchange(
                 .note("the path is judged with the cutter of the file; lengths are in millimetres")
                 .within(here.origin.trace.clone()),
         );
-        put(judged, &here.cutter, &there);
+        put(judged, &here.given, &there);
     }
     said
 }
@@ -51,19 +53,25 @@ pub(crate) fn exchange(
 /// The cutters with which something moves, in their order.
 fn used(records: &[Record]) -> Vec<Used> {
     let mut mm = Units::default().mm();
-    let mut given: Option<(Cutter, Origin)> = None;
+    let mut given: Option<(Cutter, &Origin)> = None;
+    // CUTTERs that no motion was made with yet.
+    let mut fresh = Vec::new();
     let mut out: Vec<Used> = Vec::new();
-    for record in records {
+    for (i, record) in records.iter().enumerate() {
         match &record.kind {
             Kind::Units(u) => mm = u.mm(),
-            Kind::Cutter(c) => given = Some((scaled(c, mm), record.origin.clone())),
+            Kind::Cutter(c) => {
+                given = Some((scaled(c, mm), &record.origin));
+                fresh = vec![i];
+            }
             Kind::Motion(m) if m.kind != MotionKind::From => {
-                let Some((cutter, origin)) = &given else { continue };
-                if !out.last().is_some_and(|u| alike(&u.cutter, cutter)) {
-                    out.push(Used { cutter: *cutter, origin: origin.clone(), along: false });
+                let Some((cutter, origin)) = given else { continue };
+                if !out.last().is_some_and(|u| alike(&u.cutter, &cutter)) {
+                    out.push(Used { cutter, origin: origin.clone(), along: false, given: vec![] });
                 }
                 let last = out.last_mut().expect("one is there");
                 last.along |= m.control.is_some();
+                last.given.append(&mut fresh);
             }
             _ => {}
         }
@@ -98,13 +106,13 @@ fn alike(a: &Cutter, b: &Cutter) -> bool {
         && !angles(a).iter().zip(angles(b)).any(|(a, b)| differ(*a, b, ROUNDED))
 }
 
-/// In the place of one cutter another, both in millimetres.
-fn put(records: &mut [Record], here: &Cutter, there: &Cutter) {
+/// Another cutter, in millimetres, where one is given.
+fn put(records: &mut [Record], given: &[usize], there: &Cutter) {
     let mut mm = Units::default().mm();
-    for record in records {
+    for (i, record) in records.iter_mut().enumerate() {
         match &mut record.kind {
             Kind::Units(u) => mm = u.mm(),
-            Kind::Cutter(c) if alike(&scaled(c, mm), here) => *c = scaled(there, 1.0 / mm),
+            Kind::Cutter(c) if given.contains(&i) => *c = scaled(there, 1.0 / mm),
             _ => {}
         }
     }
