@@ -97,7 +97,7 @@ impl Oval {
                 return None;
             }
             let p = middle + side * wide;
-            let found = self.next_to(&Tool::End, &Pose { te: p, ta: pose.ta }, Some(m));
+            let found = self.next_to(&Tool::End, &Pose { te: p, ta: pose.ta }, Some(m))?;
             n = found.n;
             if (n - m).norm() > STILL {
                 continue;

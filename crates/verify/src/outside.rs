@@ -29,8 +29,11 @@ pub(crate) trait Outside: Supported {
 
 impl Outside for Oval {
     fn touch(&self, tool: &Tool<'_>, pose: &Pose, near: Option<Vec3>) -> Touch {
-        let Nearest { gap, n, p, .. } = self.next_to(tool, pose, near);
-        Touch { low: gap, high: gap, m: n, p }
+        match self.next_to(tool, pose, near) {
+            Some(Nearest { gap, n, p, .. }) => Touch { low: gap, high: gap, m: n, p },
+            // Nothing is known.
+            None => Touch { low: f64::INFINITY, high: f64::INFINITY, m: -pose.ta, p: pose.te },
+        }
     }
 }
 
@@ -192,8 +195,10 @@ pub(crate) fn bound(
             let is_square = square.dot(&v).abs() <= 1e-12 * length;
             shown(if is_square { square } else { d })
         };
-        let low = proves(solid.square_direction(d, v));
-        if low >= enough { low } else { low.max(proves(solid.bounded_direction(without(d, v)))) }
+        let normal = solid.square_direction(d, v);
+        let low = proves(normal);
+        let other = solid.bounded_direction(without(d, v));
+        if low >= enough || same(other, normal) { low } else { low.max(proves(other)) }
     };
     // Between the directions of two places on both sides of the least lies one that is square to the way.
     let between =

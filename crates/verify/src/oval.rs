@@ -120,8 +120,14 @@ impl Oval {
     }
 
     /// The place next to a tool outside, looked for from where the normal is `near`: the distance from the tool is convex
-    /// over the oval, and has its least where its gradient lies along the normal. Newton's method, which goes down.
-    pub(crate) fn next_to(&self, tool: &Tool<'_>, pose: &Pose, near: Option<Vec3>) -> Nearest {
+    /// over the oval, and has its least where its gradient lies along the normal. Newton's method, which goes down. Of a tool
+    /// end inside of it a place where the distance is least beside others. `None` where the oval has no place at all.
+    pub(crate) fn next_to(
+        &self,
+        tool: &Tool<'_>,
+        pose: &Pose,
+        near: Option<Vec3>,
+    ) -> Option<Nearest> {
         /// Rounds; three are usual.
         const ROUNDS: u32 = 60;
         /// Sine by which the way to the tool may miss the normal, which takes its square, or itself beside a flat of the
@@ -138,7 +144,7 @@ impl Oval {
         };
         let middle = pose.te + pose.ta * tool.shoulder();
         let first = near.unwrap_or_else(|| self.slope(middle));
-        let mut best = self.look(tool, pose, place(first, middle).unwrap_or(middle));
+        let mut best = self.look(tool, pose, place(first, middle)?);
         let mut share = 1.0;
         for _ in 0..ROUNDS {
             if best.off <= NONE || best.off <= LEVEL && share < 1.0 {
@@ -158,7 +164,7 @@ impl Oval {
         let found = best.off <= LEVEL && best.gap >= -self.roundest;
         // No point of the oval is farther from the tool than the distance to it.
         let gap = if found { best.gap } else { best.far.max(0.0) };
-        Nearest { gap, x: best.x, n: best.n, p: best.p }
+        Some(Nearest { gap, x: best.x, n: best.n, p: best.p })
     }
 
     /// How far inside it is looked at: the point next to the tool there lies below that of its own, and the bends differ by as
@@ -322,7 +328,7 @@ mod tests {
                     let te = oval.touching(out).unwrap() + out * 115.0 + Vec3::from(te);
                     let pose = Pose { te, ta };
                     let near = (near > 0.0).then(|| (out + Vec3::new(0.3 * near, 0.2, 0.1)).normalize());
-                    let Nearest { gap, n, .. } = oval.next_to(&tool, &pose, near);
+                    let Nearest { gap, n, .. } = oval.next_to(&tool, &pose, near).unwrap();
                     let shown = -tool.height(&pose, -n) - oval.support(n);
                     prop_assert!((gap - shown).abs() <= 1e-10 * (1.0 + gap.abs()), "{gap} {shown} {oval:?}");
                 }
