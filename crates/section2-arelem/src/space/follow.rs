@@ -269,8 +269,8 @@ impl<'a> Walk<'a> {
         Ok(())
     }
 
-    /// Puts out the cut vector, and stands at its end or leaves the corner there. Leads the motion nowhere: has it come back to its
-    /// start, or does it go on for ever?
+    /// Puts out the cut vector, and stands at its end or leaves the corner there. Does the motion lead nowhere, as it has come
+    /// back to its start or goes on for ever?
     fn advance(&mut self, stride: &Stride, leave: Option<Node>) -> bool {
         let to = &stride.to;
         self.vectors += 1;
