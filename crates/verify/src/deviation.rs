@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::sync::Arc;
 
 use aptc_cldata::milling::Milling;
-use aptc_cldata::{Kind, Position, Record};
+use aptc_cldata::{Control, Kind, Position, Record};
 use aptc_geometry::{Profile, Sculptured, Vec3};
 
 use crate::milled::{name_of, ways};
@@ -51,6 +51,8 @@ pub fn deviation_svg<'r>(records: impl IntoIterator<Item = &'r Record>) -> Optio
 fn collect<'r>(records: impl IntoIterator<Item = &'r Record>) -> Vec<Cut> {
     let mut cuts: Vec<Cut> = Vec::new();
     let (mut profile, mut last): (Option<Profile>, Option<Position>) = (None, None);
+    // The control of the last motion: those of one statement share it.
+    let mut under: Option<&Arc<Control>> = None;
     for record in records {
         match &record.kind {
             Kind::Cutter(c) => profile = Profile::new(c).ok(),
@@ -59,7 +61,9 @@ fn collect<'r>(records: impl IntoIterator<Item = &'r Record>) -> Vec<Cut> {
                 if let (Some(milling), Some(profile)) = (milling, profile)
                     && let Some(part) = &milling.part
                 {
-                    let start = last.filter(|_| milling.joined);
+                    let goes_on =
+                        m.control.as_ref().zip(under).is_some_and(|(a, b)| Arc::ptr_eq(a, b));
+                    let start = last.filter(|_| milling.joined || goes_on);
                     let new = ways(&start, &m.points);
                     let same = |c: &&mut Cut| {
                         c.profile == profile
@@ -73,7 +77,7 @@ fn collect<'r>(records: impl IntoIterator<Item = &'r Record>) -> Vec<Cut> {
                         None => cuts.push(Cut { milling: milling.clone(), profile, ways: new }),
                     }
                 }
-                last = m.points.last().copied().or(last);
+                (under, last) = (m.control.as_ref(), m.points.last().copied().or(last));
             }
             _ => {}
         }

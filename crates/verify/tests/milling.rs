@@ -406,4 +406,15 @@ fn the_map_shows_what_is_cut_and_what_is_left() {
         assert_eq!(good.matches(means).count(), if means == "cut in, over" { 2 } else { 1 });
     }
     assert!(deviation_svg(&[]).is_none());
+    // The same in a motion of its own for each point.
+    let whole = records(milling(&flat, Some(0.05)), upright(&passes(1.0, 0.0)));
+    let [cutter, Record { origin, kind: Kind::Motion(motion) }] = &whole else {
+        unreachable!("a motion")
+    };
+    let one = |p: &Position| Record {
+        origin: origin.clone(),
+        kind: Kind::Motion(Motion { points: vec![*p], ..motion.clone() }),
+    };
+    let parts: Vec<Record> = motion.points.iter().map(one).collect();
+    assert_eq!(deviation_svg([cutter].into_iter().chain(&parts)), deviation_svg(&whole));
 }
