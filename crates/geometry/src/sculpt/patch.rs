@@ -1,5 +1,7 @@
 //! One rational bicubic patch.
 
+use core::ops::{Add, Mul, Sub};
+
 use serde::{Deserialize, Serialize};
 
 use super::arc::{CubicArc, Vec4, carry};
@@ -149,21 +151,19 @@ impl Patch {
 
     /// Point and derivatives at (u, v); outside 0 to 1 the same polynomials go on.
     pub fn at(&self, u: f64, v: f64) -> Derivatives {
-        let [h, hu, hv, huu, huv, hvv] = self.weighted(u, v);
-        let (h, hu, hv) = (Vec4::from(h), Vec4::from(hu), Vec4::from(hv));
-        let (huu, huv, hvv) = (Vec4::from(huu), Vec4::from(huv), Vec4::from(hvv));
         if !self.rational {
-            let w = 1.0 / h.w;
-            let d = |h: Vec4| h.xyz() * w;
+            let w = 1.0 / self.net[0][0].w;
+            let [point, u, v, uu, uv, vv] = self.plain(u, v);
             return Derivatives {
-                point: d(h),
-                u: d(hu),
-                v: d(hv),
-                uu: d(huu),
-                uv: d(huv),
-                vv: d(hvv),
+                point: point * w,
+                u: u * w,
+                v: v * w,
+                uu: uu * w,
+                uv: uv * w,
+                vv: vv * w,
             };
         }
+        let [h, hu, hv, huu, huv, hvv] = self.weighted(u, v);
         let w = h.w;
         let point = h.xyz() / w;
         let u = (hu.xyz() - point * hu.w) / w;
@@ -180,39 +180,54 @@ impl Patch {
 
     /// Point and first derivatives at (u, v), for less than all.
     pub fn tangents(&self, u: f64, v: f64) -> (Vec3, Vec3, Vec3) {
+        if !self.rational {
+            let w = 1.0 / self.net[0][0].w;
+            let [point, u, v, ..] = self.plain(u, v);
+            return (point * w, u * w, v * w);
+        }
         let [h, hu, hv, ..] = self.weighted(u, v);
-        let (h, hu, hv) = (Vec4::from(h), Vec4::from(hu), Vec4::from(hv));
         let w = 1.0 / h.w;
         let point = h.xyz() * w;
-        if !self.rational {
-            return (point, hu.xyz() * w, hv.xyz() * w);
-        }
         (point, (hu.xyz() - point * hu.w) * w, (hv.xyz() - point * hv.w) * w)
     }
 
-    /// The weighted point and its derivatives by u, v, uu, uv and vv. Two coordinates at a time, with their rows between, are
-    /// as many as stay at hand.
+    /// The weighted point and its derivatives by u, v, uu, uv and vv.
     #[inline(always)]
-    fn weighted(&self, u: f64, v: f64) -> [[f64; 4]; 6] {
-        let mut all = [[0.0; 4]; 6];
-        for pair in 0..2 {
-            let mut rows = [[[0.0; 2]; 3]; 4];
-            for (row, [a, b, c, d]) in rows.iter_mut().zip(&self.net) {
-                let [a, b, c, d]: [&[f64; 4]; 4] = [a.as_ref(), b.as_ref(), c.as_ref(), d.as_ref()];
-                for (i, k) in (2 * pair..2 * pair + 2).enumerate() {
-                    let r = cubic([a[k], b[k], c[k], d[k]], u);
-                    (row[0][i], row[1][i], row[2][i]) = (r[0], r[1], r[2]);
-                }
-            }
-            let [a, b, c, d] = &rows;
-            for (i, k) in (2 * pair..2 * pair + 2).enumerate() {
-                let along = |n: usize| cubic([a[n][i], b[n][i], c[n][i], d[n][i]], v);
-                let (s, su, suu) = (along(0), along(1), along(2));
-                (all[0][k], all[1][k], all[2][k]) = (s[0], su[0], s[1]);
-                (all[3][k], all[4][k], all[5][k]) = (suu[0], su[1], s[2]);
-            }
-        }
-        all
+    fn weighted(&self, u: f64, v: f64) -> [Vec4; 6] {
+        let xy = both(self.along(u, xy), v);
+        let zw = both(self.along(u, zw), v);
+        let at = |n: usize| Vec4::new(xy[n].0, xy[n].1, zw[n].0, zw[n].1);
+        [at(0), at(1), at(2), at(3), at(4), at(5)]
+    }
+
+    /// The same where all weights are one number: that number is left out.
+    #[inline(always)]
+    fn plain(&self, u: f64, v: f64) -> [Vec3; 6] {
+        let xy = both(self.along(u, xy), v);
+        // Two rows at a time, then value and slope of each.
+        let [near, far] = [self.rows(0, u), self.rows(2, u)];
+        let along = |n: usize| [near[n].0, near[n].1, far[n].0, far[n].1];
+        let ([a, b, c, d], [au, bu, cu, du]) = (along(0), along(1));
+        let [z, zv, zvv] = cubic([Pair(a, au), Pair(b, bu), Pair(c, cu), Pair(d, du)], v);
+        let [zuu, ..] = cubic(along(2), v);
+        let at = |n: usize, z: f64| Vec3::new(xy[n].0, xy[n].1, z);
+        [at(0, z.0), at(1, z.1), at(2, zv.0), at(3, zuu), at(4, zv.1), at(5, zvv.0)]
+    }
+
+    /// Two coordinates of the rows along u: value and two derivatives of each.
+    #[inline(always)]
+    fn along(&self, u: f64, pair: impl Fn(&Vec4) -> Pair) -> [[Pair; 3]; 4] {
+        let row = |[a, b, c, d]: &[Vec4; 4]| cubic([pair(a), pair(b), pair(c), pair(d)], u);
+        let [a, b, c, d] = &self.net;
+        [row(a), row(b), row(c), row(d)]
+    }
+
+    /// The heights of two rows.
+    #[inline(always)]
+    fn rows(&self, j: usize, u: f64) -> [Pair; 3] {
+        let (a, b) = (&self.net[j], &self.net[j + 1]);
+        let z = |i: usize| Pair(a[i].z, b[i].z);
+        cubic([z(0), z(1), z(2), z(3)], u)
     }
 
     /// The point at (u, v).
@@ -252,14 +267,66 @@ impl Patch {
     }
 }
 
+/// Two numbers that are reckoned with side by side, as processors can.
+#[derive(Clone, Copy, Debug)]
+struct Pair(f64, f64);
+
+impl Add for Pair {
+    type Output = Self;
+
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        Self(self.0 + other.0, self.1 + other.1)
+    }
+}
+
+impl Sub for Pair {
+    type Output = Self;
+
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        Self(self.0 - other.0, self.1 - other.1)
+    }
+}
+
+impl Mul<f64> for Pair {
+    type Output = Self;
+
+    #[inline(always)]
+    fn mul(self, factor: f64) -> Self {
+        Self(self.0 * factor, self.1 * factor)
+    }
+}
+
+#[inline(always)]
+fn xy(h: &Vec4) -> Pair {
+    Pair(h.x, h.y)
+}
+
+#[inline(always)]
+fn zw(h: &Vec4) -> Pair {
+    Pair(h.z, h.w)
+}
+
+/// The value and its derivatives by u, v, uu, uv and vv from what four rows along u show, value and two derivatives each.
+#[inline(always)]
+fn both([a, b, c, d]: [[Pair; 3]; 4], v: f64) -> [Pair; 6] {
+    let along = |n: usize| cubic([a[n], b[n], c[n], d[n]], v);
+    let (s, su, suu) = (along(0), along(1), along(2));
+    [s[0], su[0], s[1], suu[0], su[1], s[2]]
+}
+
 /// Value and first two derivatives at `t` of the cubic with these control points, by de Casteljau's scheme.
 #[inline(always)]
-fn cubic([a, b, c, d]: [f64; 4], t: f64) -> [f64; 3] {
+fn cubic<T>([a, b, c, d]: [T; 4], t: f64) -> [T; 3]
+where
+    T: Copy + Add<Output = T> + Sub<Output = T> + Mul<f64, Output = T>,
+{
     // The ways from point to point, twice more from each to the next, and at last the way on which the place lies.
     let [ab, bc, cd] = [b - a, c - b, d - c];
-    let [near, far] = [ab + t * (bc - ab), bc + t * (cd - bc)];
-    let way = near + t * (far - near);
-    [a + t * (ab + near + way), 3.0 * way, 6.0 * (far - near)]
+    let [near, far] = [ab + (bc - ab) * t, bc + (cd - bc) * t];
+    let way = near + (far - near) * t;
+    [a + (ab + near + way) * t, way * 3.0, (far - near) * 6.0]
 }
 
 #[cfg(test)]
