@@ -13,25 +13,27 @@
 use aptc_geometry::Profile;
 
 use crate::search::Moved;
-use crate::sheet::{Node, Patch, Patches};
+use crate::sheet::{Kept, Node, Patch, Patches, Tile};
 use crate::sweep::Sweep;
 use crate::tool::Pose;
 
-/// Groups in a cut at most: a finer one is given up, and the next search begins at the root of the tree.
+/// Groups and pieces in a cut at most: a finer one is given up, and the next search begins at the root of the tree.
 const MOST: usize = 1000;
 /// Ways like the last one after which a group is soon looked at again.
 const SOON: f64 = 4.0;
-/// Groups that are looked at again at most, of the room for those that wait.
+/// Those that are looked at again at most, of the room for those that wait.
 const AGAIN: usize = 128;
 
-/// Groups of charts that together hold the whole surface, each with the way of the tool up to which it is far enough.
+/// Groups of charts and pieces of charts that together hold the whole surface, each with the way of the tool up to which it is far enough.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Cut {
     /// What the tool was held against, and the position to which its way is counted.
     last: Option<(Asked, Pose)>,
     /// Its way so far.
     way: f64,
-    groups: Vec<(usize, f64)>,
+    parts: Vec<(Patch, f64)>,
+    /// What holds the pieces.
+    tiles: Vec<Tile>,
     /// Did the last search begin here, not at the root?
     went_on: bool,
 }
@@ -84,25 +86,26 @@ impl Cut {
         let before = before.map(|(_, at)| way(sweep, &at, &sweep.a));
         let mut until = up(up(self.way + before.unwrap_or(0.0)) + along);
         let mut least = f64::INFINITY;
-        let far = self.groups.iter().filter(|(_, to)| *to >= until).count();
-        let again = self.groups.len() - far;
-        self.went_on = before.is_some() && again <= AGAIN && self.groups.len() <= MOST;
+        let far = self.parts.iter().filter(|(_, to)| *to >= until).count();
+        let again = self.parts.len() - far;
+        self.went_on = before.is_some() && again <= AGAIN && self.parts.len() <= MOST;
         if self.went_on {
             // Those that were the first the last time come first.
-            let mut kept = self.groups.len();
-            for i in (0..self.groups.len()).rev() {
-                let (group, to) = self.groups[i];
+            let mut kept = self.parts.len();
+            for i in (0..self.parts.len()).rev() {
+                let (part, to) = self.parts[i];
                 if to >= until {
                     least = least.min(to);
                 } else {
-                    pile.push(Patch::group(group));
+                    pile.push(part);
                     kept -= 1;
-                    self.groups.swap(i, kept);
+                    self.parts.swap(i, kept);
                 }
             }
-            self.groups.truncate(kept);
+            self.parts.truncate(kept);
         } else {
-            self.groups.clear();
+            self.parts.clear();
+            self.tiles.clear();
             pile.push(root);
             until = along;
         }
@@ -122,7 +125,7 @@ impl Cut {
 }
 
 impl Cutting<'_> {
-    /// Is a group so far from the tool that it need not be looked at again soon?
+    /// Is what is so far from the tool not looked at again soon?
     pub(crate) fn is_far(&self, low: f64) -> bool {
         low >= self.asked.enough + SOON * self.along
     }
@@ -134,16 +137,28 @@ impl Cutting<'_> {
         [low - self.along, low]
     }
 
-    /// The group is at least so far at the end of the way.
-    pub(crate) fn clear(&mut self, group: &Patch, low: f64) {
-        // Rounded down, as far as the way is concerned.
-        let way = self.cut.way * (1.0 - 2.0 * f64::EPSILON);
-        self.cut.groups.push((group.chart, way + (low - self.asked.enough)));
+    /// What holds a piece, where it is kept here.
+    pub(crate) fn tile(&self, piece: &Patch) -> Option<Tile> {
+        match piece.kept {
+            Kept::Cut(i) => self.cut.tiles.get(i).copied(),
+            Kept::Nowhere | Kept::Chart => None,
+        }
     }
 
-    /// The group has charts that are too near to tell.
-    pub(crate) fn near(&mut self, group: &Patch) {
-        self.cut.groups.push((group.chart, f64::NEG_INFINITY));
+    /// The piece with its tile kept here, as far as there is room.
+    pub(crate) fn keep(&mut self, piece: &Patch, tile: &Tile) -> Patch {
+        if piece.kept != Kept::Nowhere || self.cut.tiles.len() >= MOST {
+            return *piece;
+        }
+        self.cut.tiles.push(*tile);
+        Patch { kept: Kept::Cut(self.cut.tiles.len() - 1), ..*piece }
+    }
+
+    /// The part is at least so far at the end of the way.
+    pub(crate) fn clear(&mut self, part: &Patch, low: f64) {
+        // Rounded down, as far as the way is concerned.
+        let way = self.cut.way * (1.0 - 2.0 * f64::EPSILON);
+        self.cut.parts.push((*part, way + (low - self.asked.enough)));
     }
 
     /// All of the surface was looked at.

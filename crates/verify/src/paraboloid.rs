@@ -444,6 +444,7 @@ mod tests {
     use std::cell::Cell;
 
     use super::*;
+    use crate::sheet::Kept;
     use crate::between::between_poses;
     use crate::sheet::{forms, forms::chart, tests::quadrics};
     use crate::tool::{Pose, Tool};
@@ -495,7 +496,7 @@ mod tests {
                     Pose { te: te + v * 0.5, ta },
                     0.0,
                 );
-                let mut patch = Patch { whole: false, ..whole };
+                let mut patch = Patch { kept: Kept::Nowhere, ..whole };
                 for i in 0..2 {
                     // A piece of the chart that is next to the place, or holds it.
                     patch.half[i] *= half[i] * half[i];

@@ -7,9 +7,9 @@
 
 use aptc_geometry::Vec3;
 
-use crate::cut::Cut;
+use crate::cut::{Cut, Cutting};
 use crate::paraboloid::{Begin, Beside, Seen};
-use crate::sheet::{Patches, Sheet, Spot, Tile};
+use crate::sheet::{Patch, Patches, Sheet, Spot, Tile};
 use crate::sweep::{Meeting, Slack, Sweep};
 
 /// Pieces that one search looks at; beyond it the answer is open.
@@ -177,9 +177,6 @@ fn search(
                 continue;
             }
             let below = moved.sheet.below(&patch, center);
-            if let (Some(cutting), [None, _]) = (&mut cutting, &below) {
-                cutting.near(&patch);
-            }
             if !below.into_iter().flatten().all(|p| pile.push(p)) {
                 out.least = f64::NEG_INFINITY;
                 whole = false;
@@ -187,10 +184,11 @@ fn search(
             }
             continue;
         }
-        let tile = moved.sheet.tile(&patch);
+        let known_tile = cutting.as_ref().and_then(|c| c.tile(&patch));
+        let tile = known_tile.unwrap_or_else(|| moved.sheet.tile(&patch));
         let far = (tile.c - center).norm() - tile.radius() - within;
         if far >= 0.0 {
-            out.least = out.least.min(enough.max(far));
+            keep(&mut out, &mut cutting, (&patch, &tile), enough.max(far));
             continue;
         }
         let x = tile.c + tile.n * (moved.side * moved.shift);
@@ -207,13 +205,13 @@ fn search(
                     if enough + low < closest {
                         (closest, hinted) = (enough + low, Some(sweep.kept(sweep.along(m))));
                     }
-                    out.least = out.least.min(enough + low);
+                    keep(&mut out, &mut cutting, (&patch, &tile), enough + low);
                     continue;
                 }
                 (Seen::Large(i), _) => {
                     let [near, away] = patch.halves(i);
                     if !(pile.push(away) && pile.push(near)) {
-                        out.least = f64::NEG_INFINITY;
+                        keep(&mut out, &mut cutting, (&patch, &tile), f64::NEG_INFINITY);
                     }
                     continue;
                 }
@@ -277,7 +275,7 @@ fn search(
             if low < closest {
                 (closest, hinted) = (low, Some(sweep.kept(meeting)));
             }
-            out.least = out.least.min(low);
+            keep(&mut out, &mut cutting, (&patch, &tile), low);
             continue;
         }
         if slack[0] + slack[1] <= rise {
@@ -289,7 +287,7 @@ fn search(
         if tile.radius() <= moved.fold * moved.shift.abs() {
             // What is left is the normal, which turns by as much however small the piece: the moved surface
             // has a fold or a tip here.
-            out.least = out.least.min(low);
+            keep(&mut out, &mut cutting, (&patch, &tile), low);
             seen = seen.max(most - MORE);
             continue;
         }
@@ -300,7 +298,7 @@ fn search(
         let (first, second) = if towards { (away, near) } else { (near, away) };
         let tiny = slack[i] <= f64::EPSILON * (x.norm() + radius);
         if tiny || !(pile.push(second) && pile.push(first)) {
-            out.least = out.least.min(low);
+            keep(&mut out, &mut cutting, (&patch, &tile), low);
         }
     }
     if let Some(cutting) = cutting.filter(|_| whole) {
@@ -310,6 +308,20 @@ fn search(
     lead.begin = beside.next();
     out.least = out.least.min(enough.max(out.nearest.map_or(enough, |n| n.0)));
     out
+}
+
+/// Notes how far a piece is at least; a search that goes on from here looks at it again in time.
+fn keep(
+    out: &mut Clearance,
+    cutting: &mut Option<Cutting<'_>>,
+    (piece, tile): (&Patch, &Tile),
+    low: f64,
+) {
+    out.least = out.least.min(low);
+    if let Some(cutting) = cutting {
+        let piece = cutting.keep(piece, tile);
+        cutting.clear(&piece, low);
+    }
 }
 
 /// What a direction shows of a piece.

@@ -50,8 +50,19 @@ pub(crate) struct Patch {
     pub(crate) half: [f64; 2],
     /// Is `chart` the number of a group of charts?
     pub(crate) group: bool,
-    /// Is it all of a chart whose tile is kept?
-    pub(crate) whole: bool,
+    /// Where its tile is kept.
+    pub(crate) kept: Kept,
+}
+
+/// Where the tile of a piece is kept.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Kept {
+    #[default]
+    Nowhere,
+    /// With the chart, all of which the piece is.
+    Chart,
+    /// In a cut, with this number.
+    Cut(usize),
 }
 
 /// A place of the surface by its parameters.
@@ -240,7 +251,7 @@ impl Sheet {
 
     pub(crate) fn tile(&self, patch: &Patch) -> Tile {
         match &self.kind {
-            Kind::Patched(p) if patch.whole => *p.tile(patch.chart),
+            Kind::Patched(p) if patch.kept == Kept::Chart => *p.tile(patch.chart),
             _ => self.made(patch),
         }
     }
@@ -335,7 +346,7 @@ impl Patch {
         let h = 0.5 * self.half[i];
         [-h, h].map(|shift| {
             let mut p = *self;
-            (p.half[i], p.whole) = (h, false);
+            (p.half[i], p.kept) = (h, Kept::Nowhere);
             p.at[i] += shift;
             p
         })

@@ -9,7 +9,7 @@ use super::bow::Frame;
 use super::polyconic::Sections;
 use super::ruled::Rulings;
 use super::sculpted::Sculpted;
-use super::{Jet, Patch, Spot, Tile, fall};
+use super::{Jet, Kept, Patch, Spot, Tile, fall};
 
 /// Evaluation of the cells of a grid.
 pub(crate) trait Cells {
@@ -200,7 +200,7 @@ impl Patched {
         let range = &self.charts[chart].range;
         let at = [0, 1].map(|k| 0.5 * (range[k][0] + range[k][1]));
         let half = [0, 1].map(|k| 0.5 * (range[k][1] - range[k][0]));
-        Patch { chart, at, half, whole: true, ..Patch::default() }
+        Patch { chart, at, half, kept: Kept::Chart, ..Patch::default() }
     }
 
     /// All charts.
@@ -274,7 +274,7 @@ impl Patched {
     pub(crate) fn pieces(&self, range: &[[f64; 2]; 2]) -> Vec<Patch> {
         let mut out = Vec::new();
         for (i, chart) in self.charts.iter().enumerate() {
-            let mut patch = Patch { whole: false, ..self.patch(i) };
+            let mut patch = Patch { kept: Kept::Nowhere, ..self.patch(i) };
             let mut empty = false;
             for (k, [from, to]) in range.iter().enumerate() {
                 let (lo, hi) = (chart.range[k][0].max(*from), chart.range[k][1].min(*to));

@@ -48,7 +48,7 @@ proptest! {
             patch = if side { first.or(second) } else { second }.unwrap();
         }
         prop_assert!(!patch.group);
-        patch.whole = false;
+        patch.kept = Kept::Nowhere;
         for i in 0..2 {
             patch.at[i] += at[i] * patch.half[i] * (1.0 - half[i]);
             patch.half[i] *= half[i];
