@@ -10,6 +10,7 @@ use crate::between::{NO_TURN, Way, between_poses};
 use crate::bound::{Bound, Touch};
 use crate::curved::{Curved, Warm};
 use crate::inside::{self, Walls};
+use crate::level::{self, Run};
 use crate::outside::{self, Outside};
 use crate::oval::Oval;
 use crate::pile::Pile;
@@ -160,8 +161,7 @@ impl Demand {
         pad: f64,
         warm: &mut Warm,
     ) -> Verdict {
-        let tool = if self.on { Tool::End } else { Tool::Solid(profile) };
-        self.judge_tool(&tool, a, b, pad, warm)
+        self.judge_tool(&self.tool(profile), a, b, pad, warm)
     }
 
     /// The same of any tool.
@@ -185,6 +185,25 @@ impl Demand {
         let [from, to] = tool.ends(a, b);
         let told = warm.told.unwrap_or(f64::INFINITY);
         self.halving(tool, Way::new(from, to), convex, [self.least - pad, self.most + pad], told)
+    }
+
+    /// Bounds of all vectors from `start` through the points, where the surface is a plane, the axis stands still and they are
+    /// as asked.
+    pub(crate) fn row(
+        &self,
+        profile: &Profile,
+        start: &Position,
+        points: &[Position],
+        pad: f64,
+    ) -> Option<Run> {
+        let Body::Solid(Solid::Half(plane)) = &self.body else { return None };
+        let run = level::beside_plane(&self.tool(profile), start, points, plane)?;
+        (run.low >= self.least - pad && run.high <= self.most + pad).then_some(run)
+    }
+
+    /// What of the cutter is held against the surface.
+    fn tool<'p>(&self, profile: &'p Profile) -> Tool<'p> {
+        if self.on { Tool::End } else { Tool::Solid(profile) }
     }
 
     /// Least and greatest gap beside a convex solid along a way on which the axis does not turn, where they are as asked.
@@ -302,8 +321,7 @@ impl Demand {
 
     /// The gap at a position; `None` where the surface has no closed form.
     pub(crate) fn gap_at(&self, profile: &Profile, at: &Position) -> Option<f64> {
-        let tool = if self.on { Tool::End } else { Tool::Solid(profile) };
-        self.gap_of(&tool, at)
+        self.gap_of(&self.tool(profile), at)
     }
 
     /// The same of any tool.

@@ -116,6 +116,24 @@ impl Judged {
         self.fault(verdict, vector)
     }
 
+    /// Judges all vectors from `start` through the points at once. Is all proved, and `seen` has its bounds? Else nothing is
+    /// known.
+    pub(crate) fn row(
+        &self,
+        profile: &Profile,
+        start: &Position,
+        points: &[Position],
+        pad: f64,
+        seen: &mut Seen,
+    ) -> bool {
+        let profile = self.disk.as_ref().unwrap_or(profile);
+        let run = self.demand.row(profile, start, points, pad);
+        if let Some(run) = run {
+            seen.take(run.low, run.high, run.at);
+        }
+        run.is_some()
+    }
+
     /// Where a disk stands for the cutter: how the cutter itself cuts in.
     pub(crate) fn real_cutter(
         &self,

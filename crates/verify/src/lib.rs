@@ -19,6 +19,7 @@ mod hollow;
 mod inside;
 mod judged;
 mod kept;
+mod level;
 mod milled;
 mod outline;
 mod outside;

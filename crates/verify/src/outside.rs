@@ -191,14 +191,18 @@ pub(crate) fn bound(
     // A direction square to the motion proves the same for the whole of it: a normal of a side, or over a vertex any that is
     // bounded.
     let level = |d: Vec3| {
-        let proves = |square: Vec3| {
-            let is_square = square.dot(&v).abs() <= 1e-12 * length;
-            shown(if is_square { square } else { d })
-        };
+        let is_square = |d: Vec3| d.dot(&v).abs() <= 1e-12 * length;
+        if is_square(d) {
+            return shown(d);
+        }
+        let proves = |square: Vec3| shown(if is_square(square) { square } else { d });
         let normal = solid.square_direction(d, v);
         let low = proves(normal);
+        if low >= enough {
+            return low;
+        }
         let other = solid.bounded_direction(without(d, v));
-        if low >= enough || same(other, normal) { low } else { low.max(proves(other)) }
+        if same(other, normal) { low } else { low.max(proves(other)) }
     };
     // Between the directions of two places on both sides of the least lies one that is square to the way.
     let between =

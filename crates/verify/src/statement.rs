@@ -62,6 +62,13 @@ pub(crate) struct Answer {
     left: Option<Left>,
 }
 
+/// Of which surfaces all vectors of a part are proved at once.
+#[derive(Clone, Copy, Debug, Default)]
+struct Rows {
+    along: [bool; 2],
+    never: bool,
+}
+
 /// What came of a vector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Outcome {
@@ -107,6 +114,13 @@ pub(crate) struct Guided {
     never: Option<Judged>,
 }
 
+impl Answer {
+    /// Of a part along so many surfaces, before it is judged.
+    fn of(n_surfaces: usize) -> Self {
+        Self { seen: vec![Seen::default(); n_surfaces], ..Self::default() }
+    }
+}
+
 impl Statement {
     /// The parts, in the order in which they are best begun.
     pub(crate) fn shares(&self) -> Vec<Share> {
@@ -125,8 +139,11 @@ impl Statement {
             }
             (_, Share::Between(_)) => Answer::default(),
             (Ready::Guided(guided), Share::Vectors(from)) => {
-                let judge = |i, a: &_, b: &_, answer: &mut _| guided.vector(self, i, a, b, answer);
-                self.vectors(*from, guided.surfaces().count(), judge)
+                let mut answer = Answer::of(guided.surfaces().count());
+                let rows = guided.rows(self, *from, &mut answer);
+                let judge =
+                    |i, a: &_, b: &_, answer: &mut _| guided.vector(self, i, [a, b], &rows, answer);
+                self.vectors(*from, answer, judge)
             }
             (Ready::Milled(region), Share::Vectors(from)) => {
                 let surfaces = region.as_ref().map_or(&[][..], |r| r.surfaces());
@@ -143,7 +160,7 @@ impl Statement {
                     }
                     fault
                 };
-                self.vectors(*from, surfaces.len(), judge)
+                self.vectors(*from, Answer::of(surfaces.len()), judge)
             }
         }
     }
@@ -152,27 +169,18 @@ impl Statement {
     fn vectors(
         &self,
         from: usize,
-        n_surfaces: usize,
+        mut answer: Answer,
         judge: impl Fn(usize, &Position, &Position, &mut Answer) -> Option<Fault>,
     ) -> Answer {
         let n = self.points.len();
         let to = (from + VECTORS).min(n);
-        let mut answer = Answer {
-            vectors: Vec::with_capacity(to - from),
-            seen: vec![Seen::default(); n_surfaces],
-            ..Answer::default()
-        };
+        answer.vectors.reserve_exact(to - from);
         for i in from..to {
             if !self.effort.takes(i, n) {
                 answer.vectors.push(Outcome::LeftOut);
                 continue;
             }
-            let end = &self.points[i];
-            let start = match i.checked_sub(1) {
-                Some(before) => &self.points[before],
-                None => self.start.as_ref().unwrap_or(end),
-            };
-            let fault = judge(i, start, end, &mut answer);
+            let fault = judge(i, self.start_of(i), &self.points[i], &mut answer);
             answer.vectors.push(match &fault {
                 None => Outcome::Proved,
                 Some(f) if f.refuted => Outcome::Refuted,
@@ -181,6 +189,14 @@ impl Statement {
             keep(&mut answer.fault, fault);
         }
         answer
+    }
+
+    /// Where the vector begins that ends at the point `i`.
+    fn start_of(&self, i: usize) -> &Position {
+        match i.checked_sub(1) {
+            Some(before) => &self.points[before],
+            None => self.start.as_ref().unwrap_or(&self.points[i]),
+        }
     }
 
     /// Puts the answers of all parts together, in their order.
@@ -330,12 +346,30 @@ impl Guided {
         self.along.iter().chain(&self.check)
     }
 
+    /// What is proved of a part at once; it goes into the answer.
+    fn rows(&self, s: &Statement, from: usize, answer: &mut Answer) -> Rows {
+        let mut rows = Rows::default();
+        if s.startup || s.effort != Effort::Full {
+            return rows;
+        }
+        let points = &s.points[from..(from + VECTORS).min(s.points.len())];
+        let row = |judged: &Judged, seen: &mut Seen| {
+            judged.row(&s.profile, s.start_of(from), points, s.pad, seen)
+        };
+        for ((judged, seen), proved) in self.along.iter().zip(&mut answer.seen).zip(&mut rows.along)
+        {
+            *proved = row(judged, seen);
+        }
+        rows.never = self.never.as_ref().is_some_and(|judged| row(judged, &mut answer.never));
+        rows
+    }
+
     fn vector(
         &self,
         s: &Statement,
         i: usize,
-        start: &Position,
-        to: &Position,
+        [start, to]: [&Position; 2],
+        rows: &Rows,
         answer: &mut Answer,
     ) -> Option<Fault> {
         let Statement { profile, pad, .. } = s;
@@ -343,11 +377,13 @@ impl Guided {
         // A start-up comes through the air: what it promises is where it ends.
         let start = if s.startup { to } else { start };
         let mut fault: Option<Fault> = None;
-        for (judged, seen) in self.along.iter().zip(&mut answer.seen) {
-            keep(&mut fault, judged.vector(profile, start, to, *pad, number, seen));
+        for ((judged, seen), proved) in self.along.iter().zip(&mut answer.seen).zip(rows.along) {
+            if !proved {
+                keep(&mut fault, judged.vector(profile, start, to, *pad, number, seen));
+            }
             keep(&mut answer.real, judged.real_cutter(profile, start, to, *pad, number));
         }
-        if let Some(judged) = &self.never {
+        if let (Some(judged), false) = (&self.never, rows.never) {
             let seen = &mut answer.never;
             keep(&mut fault, judged.vector(profile, start, to, *pad, number, seen));
         }

@@ -103,16 +103,19 @@ impl<'a> Tool<'a> {
     /// Support function: greatest `n . p` over the tool.
     #[inline]
     pub(crate) fn height(&self, pose: &Pose, n: Vec3) -> f64 {
-        let base = n.dot(&pose.te);
-        let Some((profile, lift)) = self.solid() else { return base };
-        let up = n.dot(&pose.ta);
-        let base = base + lift * up;
-        let out = (n - up * pose.ta).norm();
-        let length = n.norm();
+        n.dot(&pose.te) + self.over(pose.ta, n)
+    }
+
+    /// The same from its tool end on, along the axis `ta`.
+    #[inline]
+    pub(crate) fn over(&self, ta: Vec3, n: Vec3) -> f64 {
+        let Some((profile, lift)) = self.solid() else { return 0.0 };
+        let up = n.dot(&ta);
+        let (out, length) = ((n - up * ta).norm(), n.norm());
         if length == 0.0 {
-            return base;
+            return 0.0;
         }
-        base + length * profile.support(out / length, up / length).reach
+        lift * up + length * profile.support(out / length, up / length).reach
     }
 
     /// Greatest `n . p` at most over the tool on its way from one position to another, the axis turning evenly
