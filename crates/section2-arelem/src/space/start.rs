@@ -156,8 +156,10 @@ fn rivals(go: &Start, aims: &[Aim<'_>], pose: Pose, end: Pose) -> Vec<Candidate>
         let from = Pose { te: end.te - m * (2.0 * across), ..pose };
         let Ok(other) = solver.nearest(from, pose) else { continue };
         let tie = ((other.te - pose.te).norm() - by.norm()).abs() <= near;
+        // Where the tool comes to all but evenly the nearest place is found to some bands only.
+        let mirrored = m.dot(&(other.te - pose.te)) * across < 0.0;
         let apart = |te: Vec3| (te - other.te).norm() > 10.0 * (band + near);
-        if tie && apart(end.te) && all.iter().all(|c| apart(c.te)) {
+        if tie && mirrored && apart(end.te) && all.iter().all(|c| apart(c.te)) {
             all.push(Candidate::of(pose.te, other.te));
         }
     }
