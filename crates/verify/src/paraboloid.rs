@@ -444,8 +444,8 @@ mod tests {
     use std::cell::Cell;
 
     use super::*;
-    use crate::sheet::Kept;
     use crate::between::between_poses;
+    use crate::sheet::Kept;
     use crate::sheet::{forms, forms::chart, tests::quadrics};
     use crate::tool::{Pose, Tool};
     use aptc_geometry::{Cutter, Profile, trig};

@@ -102,8 +102,11 @@ impl Track {
                     found = (t, a.g.max(b.g));
                     (a.g < b.g, (a.g - b.g).abs())
                 }
-                _ => {
-                    let gap = keep.gap(&pose, None)?;
+                both => {
+                    let gap = match both {
+                        [Ok(gap), Ok(_)] => gap,
+                        _ => keep.gap(&pose, None)?,
+                    };
                     let slope = gap.normal.dot(&way) + gap.turn_rate(pose.te, turn);
                     found = (t, gap.g);
                     (slope > 0.0, slope.abs() * (high - low))
