@@ -5,6 +5,7 @@
 //! each cut vector is *proved*, *refuted* with place and depth, or *not decided*.
 
 mod batch;
+mod beside;
 mod between;
 mod bound;
 mod certificate;
@@ -38,6 +39,7 @@ mod swath;
 mod sweep;
 mod tool;
 mod upright;
+mod valley;
 mod verifier;
 mod witness;
 

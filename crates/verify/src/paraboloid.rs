@@ -26,10 +26,6 @@ const FOUND: f64 = 3e-3;
 const SMALL: f64 = 0.02;
 /// What is convex in the middle of a piece by as much is worth to be cut until all of it is.
 const TWICE: f64 = 2.0;
-/// Corner's radii across which a piece is no larger from which the way to the place begins.
-const NEAR: f64 = 4.0;
-/// Searches that need not look for it where one found none.
-const REST: u32 = 7;
 /// Share of what a direction leans from the axis that another may add or take off.
 const ROOM: f64 = 0.25;
 /// Share of the tool's height by which it may be made smaller.
@@ -37,7 +33,7 @@ const LITTLE: f64 = 0.1;
 
 /// Where on its way the tool is met.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum At {
+pub(crate) enum At {
     Start,
     End,
     /// Between both, square to the way.
@@ -47,8 +43,8 @@ enum At {
 /// A paraboloid that holds the tool as far as its corner is faced.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Paraboloid {
-    at: At,
-    m: Vec3,
+    pub(crate) at: At,
+    pub(crate) m: Vec3,
     /// Middle of the corner there, and R.
     p: Vec3,
     radius: f64,
@@ -59,13 +55,15 @@ pub(crate) struct Paraboloid {
 }
 
 /// One with the place of the surface about which it is.
-type Place = (Paraboloid, Spot);
+pub(crate) type Place = (Paraboloid, Spot);
 
 /// What is seen of a piece.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Seen {
     /// It is no nearer than what is enough, by as much.
     Clear(f64),
+    /// The same, if what lies beside it on the surface is no nearer.
+    Spanned(f64),
     /// Smaller it may be: the parameter along which it is best cut.
     Large(usize),
     /// Not by this.
@@ -80,11 +78,13 @@ pub(crate) struct Corner<'a> {
     /// Distance of the corner's middle from the axis, its height, and R.
     rho: f64,
     high: f64,
-    radius: f64,
+    pub(crate) radius: f64,
     /// Cosine of the greatest angle from straight down at which it is faced.
     cos: f64,
     /// Nothing higher counts, where the tool is made smaller.
     top: f64,
+    /// By how much it is made larger.
+    least: f64,
 }
 
 impl<'a> Corner<'a> {
@@ -107,12 +107,13 @@ impl<'a> Corner<'a> {
             radius: radius + least,
             cos: cos.max(0.0),
             top,
+            least,
         })
     }
 
     /// The paraboloid about the place of the surface next to the tool that a way down from `spot` leads to, where the direction to
     /// it is about `m`.
-    fn find(&self, sheet: &Sheet, spot: Spot, at: At, m: Vec3) -> Option<Place> {
+    pub(crate) fn find(&self, sheet: &Sheet, spot: Spot, at: At, m: Vec3) -> Option<Place> {
         let stands = same(self.way, Vec3::zeros());
         let mut at = if stands { At::Start } else { at };
         let mut spot = sheet.settle(spot);
@@ -156,8 +157,30 @@ impl<'a> Corner<'a> {
         None
     }
 
+    /// The same of the tool where it stands.
+    pub(crate) fn standing(&self, sweep: &'a Sweep<'a>) -> Self {
+        Self { sweep, way: Vec3::zeros(), ..*self }
+    }
+
+    /// Is it a ball, or does it stand off the axis in the direction `m` so far that all about it counts as one torus?
+    pub(crate) fn is_round(&self, m: Vec3) -> bool {
+        /// Sine of the angle between the direction and the axis.
+        const STEEP: f64 = 0.5;
+        self.rho == 0.0 || m.cross(&self.sweep.a.ta).norm() >= STEEP
+    }
+
+    /// The radius of the tool's own corner.
+    pub(crate) fn own_radius(&self) -> f64 {
+        self.radius - self.least
+    }
+
+    /// The direction from the tool to a piece.
+    pub(crate) fn met(&self, tile: &Tile) -> Vec3 {
+        self.sweep.meet(tile.c).m
+    }
+
     /// The same from a piece.
-    fn find_beside(&self, sheet: &Sheet, patch: &Patch, tile: &Tile) -> Option<Place> {
+    pub(crate) fn find_beside(&self, sheet: &Sheet, patch: &Patch, tile: &Tile) -> Option<Place> {
         let meeting = self.sweep.meet(tile.c);
         let at = match meeting.t {
             t if t <= 0.0 => At::Start,
@@ -200,7 +223,13 @@ impl<'a> Corner<'a> {
     }
 
     /// What the paraboloid shows of a piece.
-    fn see(&self, (held, spot): &Place, sheet: &Sheet, patch: &Patch, tile: &Tile) -> Seen {
+    pub(crate) fn see(
+        &self,
+        (held, spot): &Place,
+        sheet: &Sheet,
+        patch: &Patch,
+        tile: &Tile,
+    ) -> Seen {
         let spread = |n: Vec3, i: usize| n.dot(&tile.side[i]).abs() + tile.stray[i];
         let cut = |by: [f64; 2]| match by[0].max(by[1]) > SMALL * self.radius {
             true => Seen::Large(usize::from(by[1] > by[0])),
@@ -296,92 +325,6 @@ impl<'a> Corner<'a> {
     }
 }
 
-/// Where the next search begins.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Begin {
-    last: Option<Last>,
-    /// Searches that need not look, as the last one found nothing.
-    rest: u32,
-}
-
-impl Begin {
-    /// A place of the surface beside the tool in the direction m, where none was found.
-    pub(crate) fn offer(&mut self, spot: Spot, m: Vec3) {
-        self.last.get_or_insert(Last { spot, before: None, at: At::Between, m });
-    }
-}
-
-/// The place that one search found.
-#[derive(Clone, Copy, Debug)]
-struct Last {
-    spot: Spot,
-    /// The one before it.
-    before: Option<Spot>,
-    at: At,
-    m: Vec3,
-}
-
-impl Last {
-    /// As far ahead as it came from the one before.
-    fn ahead(&self) -> Spot {
-        match self.before {
-            Some(before) if before.chart == self.spot.chart => {
-                let at = [0, 1].map(|i| 2.0 * self.spot.at[i] - before.at[i]);
-                Spot { at, ..self.spot }
-            }
-            _ => self.spot,
-        }
-    }
-}
-
-/// The place next to the corner in one search, with its paraboloid.
-#[derive(Debug)]
-pub(crate) struct Beside<'a> {
-    corner: Option<Corner<'a>>,
-    held: Option<Place>,
-    begin: Begin,
-}
-
-impl<'a> Beside<'a> {
-    /// Of a tool the distance from which is to be `least` at least.
-    pub(crate) fn new(sweep: &'a Sweep<'a>, least: f64, begin: Begin) -> Self {
-        let corner = if begin.rest == 0 { Corner::new(sweep, least) } else { None };
-        let begin = Begin { rest: begin.rest.saturating_sub(1), ..begin };
-        Self { corner, held: None, begin }
-    }
-
-    /// Where the next search begins.
-    pub(crate) fn next(&self) -> Begin {
-        self.begin
-    }
-
-    /// What the paraboloid shows of a piece, and the direction that does. It is looked for from where the last search found one, or
-    /// from the piece itself.
-    pub(crate) fn see(&mut self, sheet: &Sheet, patch: &Patch, tile: &Tile) -> (Seen, Vec3) {
-        let none = (Seen::Near, Vec3::zeros());
-        let Some(corner) = &self.corner else { return none };
-        if self.held.is_none() {
-            let last = self.begin.last.take();
-            if last.is_none() && tile.radius() > NEAR * corner.radius {
-                return none;
-            }
-            let ahead = last.and_then(|last| corner.find(sheet, last.ahead(), last.at, last.m));
-            self.held = ahead.or_else(|| corner.find_beside(sheet, patch, tile));
-            self.begin.last = self.held.map(|(held, spot)| {
-                let before = ahead.and(last).map(|last| last.spot);
-                Last { spot, before, at: held.at, m: held.m }
-            });
-        }
-        match &self.held {
-            Some(held) => (corner.see(held, sheet, patch, tile), held.0.m),
-            None => {
-                (self.corner, self.begin.rest) = (None, REST);
-                none
-            }
-        }
-    }
-}
-
 impl Paraboloid {
     /// The function and its gradient.
     fn value(&self, x: Vec3) -> (f64, Vec3) {
@@ -444,6 +387,7 @@ mod tests {
     use std::cell::Cell;
 
     use super::*;
+    use crate::beside::{Begin, Beside, Ways};
     use crate::between::between_poses;
     use crate::sheet::Kept;
     use crate::sheet::{forms, forms::chart, tests::quadrics};
@@ -505,7 +449,8 @@ mod tests {
                     patch.at[i] = patch.at[i].clamp(whole.at[i] - room, whole.at[i] + room);
                 }
                 let tile = sheet.tile(&patch);
-                let mut all = Beside::new(&sweep, least, Begin::default());
+                let ways = Ways::new(&sweep);
+                let mut all = Beside::new(&ways, least, Begin::default());
                 let seen = all.see(sheet, &patch, &tile).0;
                 let [clear, large, near] = counts.get();
                 let Seen::Clear(low) = seen else {

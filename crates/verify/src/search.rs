@@ -7,8 +7,9 @@
 
 use aptc_geometry::Vec3;
 
+use crate::beside::{Begin, Beside, Ways};
 use crate::cut::{Cut, Cutting};
-use crate::paraboloid::{Begin, Beside, Seen};
+use crate::paraboloid::Seen;
 use crate::sheet::{Patch, Patches, Sheet, Spot, Tile};
 use crate::sweep::{Meeting, Slack, Sweep};
 
@@ -133,7 +134,8 @@ fn search(
     let mut closest = f64::INFINITY;
     let mut hinted = lead.direction.map(|m| sweep.kept(sweep.along(m)));
     let mut whole = true;
-    let mut beside = Beside::new(sweep, moved.shift + enough, lead.begin);
+    let ways = Ways::new(sweep);
+    let mut beside = Beside::new(&ways, moved.shift + enough, lead.begin);
     while let Some(patch) = pile.pop() {
         seen += 1;
         if found(&out) {
@@ -206,6 +208,15 @@ fn search(
                         (closest, hinted) = (enough + low, Some(sweep.kept(sweep.along(m))));
                     }
                     keep(&mut out, &mut cutting, (&patch, &tile), enough + low);
+                    continue;
+                }
+                // What lies beside it is shown by something else, where anything comes of this search.
+                (Seen::Spanned(low), _) if moved.shift <= 0.0 => {
+                    out.least = out.least.min(enough + low);
+                    if let Some(cutting) = &mut cutting {
+                        let piece = cutting.keep(&patch, &tile);
+                        cutting.clear(&piece, f64::NEG_INFINITY);
+                    }
                     continue;
                 }
                 (Seen::Large(i), _) => {

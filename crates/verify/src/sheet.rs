@@ -249,6 +249,15 @@ impl Sheet {
         }
     }
 
+    /// Does the surface go on without an edge wherever a piece lies at a border of its chart? Of what is not in a grid of
+    /// charts nothing is told.
+    pub(crate) fn goes_on(&self, patch: &Patch) -> bool {
+        match &self.kind {
+            Kind::Quadric(_) | Kind::Tabcyl(_) => false,
+            Kind::Patched(p) => p.goes_on(patch),
+        }
+    }
+
     pub(crate) fn tile(&self, patch: &Patch) -> Tile {
         match &self.kind {
             Kind::Patched(p) if patch.kept == Kept::Chart => *p.tile(patch.chart),

@@ -1,6 +1,8 @@
 //! Surfaces by two parameters: RLDSRF, POLCON and SSURF. A grid of cells, each with constant bounds of its
 //! derivatives, in a tree of spheres; beyond the borders they go on straight.
 
+use std::sync::OnceLock;
+
 use aptc_geometry::Vec3;
 use aptc_geometry::sculpt::Derivatives;
 
@@ -10,6 +12,9 @@ use super::polyconic::Sections;
 use super::ruled::Rulings;
 use super::sculpted::Sculpted;
 use super::{Jet, Kept, Patch, Spot, Tile, fall};
+
+/// Length of the difference of two unit normals that count as one.
+pub(crate) const SMOOTH: f64 = 1e-9;
 
 /// Evaluation of the cells of a grid.
 pub(crate) trait Cells {
@@ -55,6 +60,8 @@ pub(crate) struct Patched {
     /// What holds each of them.
     tiles: Vec<Tile>,
     nodes: Vec<Node>,
+    /// For each chart and parameter: does the surface go on smoothly at its low and at its high end?
+    smooth: Vec<OnceLock<[[bool; 2]; 2]>>,
 }
 
 /// A cell, or the continuation of one.
@@ -128,12 +135,14 @@ impl Side {
 impl Patched {
     pub(crate) fn new(kind: Kind, grid: Grid) -> Option<Self> {
         let [us, vs] = [0, 1].map(|k| grid.sides[k].ranges());
-        let mut new = Self { kind, grid, charts: Vec::new(), tiles: Vec::new(), nodes: Vec::new() };
+        let (charts, tiles, nodes, smooth) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        let mut new = Self { kind, grid, charts, tiles, nodes, smooth };
         for &(v, j) in &vs {
             for &(u, i) in &us {
                 new.charts.push(new.chart([u, v], [i, j]));
             }
         }
+        new.smooth = vec![OnceLock::new(); new.charts.len()];
         let mut leaves = Vec::with_capacity(new.charts.len());
         for (i, c) in new.charts.iter().enumerate() {
             let leaf = new.leaf(i);
@@ -201,6 +210,50 @@ impl Patched {
         let at = [0, 1].map(|k| 0.5 * (range[k][0] + range[k][1]));
         let half = [0, 1].map(|k| 0.5 * (range[k][1] - range[k][0]));
         Patch { chart, at, half, kept: Kept::Chart, ..Patch::default() }
+    }
+
+    /// Does the surface go on without an edge wherever a piece lies at a border of its chart?
+    pub(crate) fn goes_on(&self, patch: &Patch) -> bool {
+        let range = &self.charts[patch.chart].range;
+        let smooth = || self.smooth[patch.chart].get_or_init(|| self.smooth(patch.chart));
+        (0..2).all(|k| {
+            let [from, to] = [patch.at[k] - patch.half[k], patch.at[k] + patch.half[k]];
+            (from > range[k][0] || smooth()[k][0]) && (to < range[k][1] || smooth()[k][1])
+        })
+    }
+
+    /// At which ends of its parameters has a chart the points and the normals of the one beside it?
+    fn smooth(&self, chart: usize) -> [[bool; 2]; 2] {
+        let columns = self.columns();
+        let counts = [columns, self.charts.len() / columns];
+        let place = [chart % columns, chart / columns];
+        [0, 1].map(|k| {
+            [0, 1].map(|end| {
+                let last = if end == 0 { place[k] == 0 } else { place[k] + 1 == counts[k] };
+                let step = if k == 0 { 1 } else { columns };
+                !last
+                    && self.grid.sides[k].joined
+                    && self.meets(chart, if end == 0 { chart - step } else { chart + step }, k, end)
+            })
+        })
+    }
+
+    /// Meets a chart the other at this end of the parameter as if both were one?
+    ///
+    /// Places along the border tell: along it both are cubics, or rulings with rails that run alike.
+    fn meets(&self, chart: usize, other: usize, k: usize, end: usize) -> bool {
+        const PLACES: u32 = 16;
+        let [one, other] = [chart, other].map(|i| &self.charts[i]);
+        let [from, to] = one.range[1 - k];
+        let size = self.nodes.last().map_or(0.0, |root| root.radius);
+        (0..=PLACES).all(|i| {
+            let mut at = [one.range[k][end]; 2];
+            at[1 - k] = from + (to - from) * f64::from(i) / f64::from(PLACES);
+            let [a, b] = [one, other].map(|c| self.at(c, at));
+            let [m, n] = [&a, &b].map(Derivatives::normal);
+            let turned = m.zip(n).map_or(f64::INFINITY, |(m, n)| (m - n).norm());
+            (a.point - b.point).norm() <= 1e-13 * size && turned <= SMOOTH
+        })
     }
 
     /// All charts.
