@@ -222,6 +222,9 @@ fn sections(text: &str) -> Result<File<'_>, Fault> {
             }
         }
     }
+    if global.is_empty() {
+        return Err(broken("its global section, which says its unit, is not there"));
+    }
     let (fields, marks) = globals(&global)?;
     let number = |i: usize| fields.get(i).and_then(|f| f.trim().parse::<f64>().ok());
     let unit_mm = unit(number(13), fields.get(14).map(String::as_str));

@@ -128,8 +128,11 @@ impl<'l> Collected<'l> {
         map: Option<Transform>,
     ) -> Result<(), Fault> {
         let points = surface.points.len();
-        let (_, off) = sculpt::bspline(&surface)
+        let (fitted, off) = sculpt::bspline(&surface)
             .map_err(|why| broken(format!("{name} is no surface: {why}")))?;
+        if !fitted.has_area() {
+            return Err(broken(format!("{name} has no area: its control points lie on one line")));
+        }
         if off > 0.0 {
             let [p, q] = surface.degree;
             self.file.notes.push(format!(

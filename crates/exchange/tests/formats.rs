@@ -89,6 +89,23 @@ fn step_that_is_broken_is_refused() {
     assert!(why(lost).contains("control point"));
 }
 
+/// What is no surface is refused where it is read, not at a motion.
+#[test]
+fn surfaces_without_area_or_beyond_numbers_are_refused() {
+    let why = |points: &str| {
+        let text = format!(
+            "{{\"surfaces\": [{{\"degree\": [1, 1], \"knots\": [[0, 0, 1, 1], [0, 0, 1, 1]], \"points\": {points}}}]}}"
+        );
+        all(&text).unwrap_err().to_string()
+    };
+    for points in ["[[[1,2,3],[1,2,3]],[[1,2,3],[1,2,3]]]", "[[[0,0,0],[1,0,0]],[[2,0,0],[3,0,0]]]"]
+    {
+        assert!(why(points).contains("surface 1 has no area"), "{points}");
+    }
+    let far = "[[[0,0,0],[1e200,0,0]],[[0,1e200,0],[1e200,1e200,1e200]]]";
+    assert!(why(far).contains("farther off than 1e75"), "{}", why(far));
+}
+
 #[test]
 fn stl_of_both_kinds() {
     let text = "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 4 0 0\nvertex 0 3 1\nendloop\n\

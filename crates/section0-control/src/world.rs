@@ -69,6 +69,8 @@ impl fmt::Display for WorldError {
 pub struct Disk {
     folders: Vec<PathBuf>,
     limit: u64,
+    /// The part program, links resolved.
+    program: Option<PathBuf>,
     /// The files that were included, links resolved.
     found: Vec<PathBuf>,
 }
@@ -76,7 +78,13 @@ pub struct Disk {
 impl Disk {
     /// Reads from `folders` in their order, files of at most `limit` bytes.
     pub fn new(folders: Vec<PathBuf>, limit: u64) -> Self {
-        Self { folders, limit, found: Vec::new() }
+        Self { folders, limit, program: None, found: Vec::new() }
+    }
+
+    /// The same for a part program on disk, which is not meant where another file has the name too.
+    #[must_use]
+    pub fn for_program(self, path: &Path) -> Self {
+        Self { program: path.canonicalize().ok(), ..self }
     }
 
     /// The files that were included so far, links resolved.
@@ -108,11 +116,10 @@ impl World for Disk {
         let mut outside = false;
         for folder in &self.folders {
             let Ok(root) = folder.canonicalize() else { continue };
-            let Some(found) =
-                candidates(folder, name).into_iter().find_map(|p| p.canonicalize().ok())
-            else {
-                continue;
-            };
+            let paths = candidates(folder, name).into_iter().filter_map(|p| p.canonicalize().ok());
+            // Of equal keys the first is taken.
+            let found = paths.min_by_key(|p| self.program.as_ref() == Some(p));
+            let Some(found) = found else { continue };
             // The path with all links resolved decides, so neither `..` nor a link leads out.
             if !found.starts_with(&root) {
                 outside = true;
@@ -205,6 +212,18 @@ impl World for Memory {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// A surface may have the name of the program that reads it.
+    #[test]
+    fn a_program_is_not_its_own_surface() {
+        let dir = tempfile::tempdir().unwrap();
+        let part = dir.path().join("hill.apt");
+        fs::write(&part, "READ/1,HILL").unwrap();
+        let mut disk = Disk::new(vec![dir.path().to_owned()], 100).for_program(&part);
+        assert_eq!(&*disk.include("HILL").unwrap().text, "READ/1,HILL");
+        fs::write(dir.path().join("hill.json"), "{}").unwrap();
+        assert_eq!(&*disk.include("HILL").unwrap().text, "{}");
+    }
 
     #[test]
     fn includes_stay_in_their_folders() {

@@ -88,6 +88,17 @@ fn a_single_place_that_is_clear_stays_as_it_is() {
     }
 }
 
+/// A plane that the line does not meet is that of the word that named it.
+#[test]
+fn a_plane_that_is_not_met_has_the_word_that_named_it() {
+    for word in ["START", "THRU", "AT"] {
+        let ran =
+            run::run(&program("", &format!("GOLOFT/FLOOR,VCONST,.3,{word},TO,CEIL")), Verify::Off);
+        let wanted = format!("along the line the tool nowhere meets the plane of {word}");
+        assert_eq!(ran.told, [("APT2042".to_owned(), wanted)]);
+    }
+}
+
 /// With the tool end led on its part surface what leads it away and back is free, and all of it on the surface is proved, also
 /// where the first point is left out and the tool stands elsewhere.
 #[test]

@@ -42,6 +42,43 @@ fn feed(f: f64) -> Kind {
     Kind::Post { word: "FEDRAT".into(), args: vec![Arg::Number(f)] }
 }
 
+/// What a number would be that is missing is told, not only behind which word.
+#[test]
+fn a_missing_number_of_regional_milling_is_named() {
+    let head = "S=SSURF/SMESH,XYZ,SPLINE,(0,0,0),(9,0,1),SPLINE,(0,9,0),(9,9,2)\n";
+    for (statement, wanted) in [
+        ("SCON/STEPOV,.1", "SCON ends where the greatest step is expected"),
+        ("SCON/STEPOV,.1,2,0", "SCON ends where the greatest number of passes is expected"),
+        ("SCON/STEPOV,.1,S", "SCON expects the greatest step here, found the SSURF S"),
+        ("SCON/DS,S,PARAM,0,1,0", "SCON ends where the second limit of v is expected"),
+        ("SCON/PS,TO,S,PLUS", "SCON ends where the thickness is expected"),
+        ("SCON/AXIS,ATANGL,PS,3,CUTANG", "SCON ends where the tilt angle or LEAD|LAG is expected"),
+        ("SCON/FEED,9,9,9", "SCON ends where the feed up is expected"),
+        ("SMIL/PATH,DS,PARAM,0", "SMIL ends where the parameter v is expected"),
+        ("AVCTRL/AXIS,LIMIT", "AVCTRL ends where how far it may lift is expected"),
+        ("AVCTRL/CUTANG,CONST,1,RANGE,0", "AVCTRL ends where the greatest angle is expected"),
+        ("HOLDER/10", "HOLDER ends where its height above the tool end is expected"),
+        ("GOLOFT/S,UCONST", "GOLOFT ends where the constant parameter is expected"),
+        ("GOLOFT/S,UCONST,1,CHORD", "GOLOFT ends where the step or chord is expected"),
+        (
+            "GOLOFT/S,UCONST,1,AT",
+            "GOLOFT ends where the parameter of the place or TO|ON|PAST is expected",
+        ),
+        ("GOMILL/S,UCONST,1,STEPOV", "GOMILL ends where the step of the parameter is expected"),
+        ("WCORN/LEFT,3,RIGHT", "WCORN ends where the tilt behind the corner is expected"),
+    ] {
+        let ran = run(&format!("{head}{statement}\nFINI\n"));
+        assert!(ran.messages().contains(wanted), "{statement}: {}", ran.messages());
+    }
+    // Nothing is checked of CHKSRF but surfaces.
+    let ran = run(&format!("{head}CHKSRF/3,ON\nFINI\n"));
+    assert!(
+        ran.messages().contains("CHKSRF expects OFF, PS or surface here"),
+        "{}",
+        ran.messages()
+    );
+}
+
 /// Forms of another system are carried into the one where the tool moves; numbers are given in it.
 #[test]
 fn motion_within_a_reference_system_is_in_that_system() {

@@ -7,13 +7,16 @@
 use aptc_geometry::{Form, Plane, Vec3};
 use aptc_protap::Pocket;
 
-use crate::state::{Part, Settings, Tool};
+use crate::state::{Part, Role, Settings, Tool};
 
 /// Least and greatest number of corners.
 const CORNERS: std::ops::RangeInclusive<usize> = 3..=20;
 
 /// Sines of half corners that differ by less are those of one corner.
 const SAME_CORNER: f64 = 1e-9;
+
+/// Heights that differ by less, in effective radii, are one.
+const LEVEL: f64 = 1e-6;
 
 /// More passes than this are a mistake in the numbers.
 const MOST_PASSES: usize = 10_000;
@@ -25,6 +28,17 @@ pub(crate) struct Passes {
     pub(crate) polygons: Vec<Vec<Vec3>>,
     /// Material that they leave: how far the nearest pass stays from it beyond the effective radius.
     pub(crate) left: Option<f64>,
+    /// How far material is from the nearest pass at most.
+    pub(crate) farthest: f64,
+}
+
+/// What stands on the floor between passes, as the bottom of the cutter is not as flat as the effective radius is great.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Between {
+    pub(crate) height: f64,
+    /// Radius of the flat end.
+    pub(crate) flat: f64,
+    pub(crate) radius: f64,
 }
 
 /// Why there are no passes.
@@ -50,21 +64,23 @@ pub(crate) fn passes(p: &Pocket, settings: &Settings, tool: &Tool) -> Result<Pas
     if !positive(p.radius) || !positive(p.cut) || !finish || !positive(cutter) {
         return Err("effective radius, cuts and cutter must be above zero".into());
     }
-    let (mut polygons, mut left) = (vec![figure.closed()], 0.0_f64);
+    let (mut polygons, mut farthest) = (vec![figure.closed()], 0.0_f64);
     let mut cut = p.finish * cutter;
     // The sharpest corner until now limits the cut.
     let mut sharpest = figure.sharpest();
     while polygons.len() < MOST_PASSES {
         if figure.width() <= 2.0 * p.radius {
-            return Ok(inside_out(polygons, left, p.radius));
+            return Ok(inside_out(polygons, farthest.max(figure.room()), p.radius));
         }
         let most = if keep_offsets == 0 { p.radius * (1.0 + sharpest) } else { f64::INFINITY };
         let step = cut.min(most);
         let half = figure.inset(step / 2.0);
         if let Some(last) = half.as_ref().filter(|h| h.width() <= 2.0 * p.radius) {
             // Half of the cut clears what is left, and a line of that pass if it is a narrow one.
-            polygons.push(last.line(p.radius).unwrap_or_else(|| last.closed()));
-            return Ok(inside_out(polygons, left, p.radius));
+            let (line, within) = last.rest(p.radius);
+            polygons.push(line);
+            let farthest = farthest.max(between(&figure, last)).max(within);
+            return Ok(inside_out(polygons, farthest, p.radius));
         }
         let next = match half {
             Some(half) if keep_offsets == 0 => {
@@ -77,10 +93,9 @@ pub(crate) fn passes(p: &Pocket, settings: &Settings, tool: &Tool) -> Result<Pas
         };
         let Some(next) = next else {
             // As given, no cut of this depth has room.
-            left = left.max(figure.room() - p.radius);
-            return Ok(inside_out(polygons, left, p.radius));
+            return Ok(inside_out(polygons, farthest.max(figure.room()), p.radius));
         };
-        left = left.max(between(&figure, &next, p.radius));
+        farthest = farthest.max(between(&figure, &next));
         polygons.push(next.closed());
         figure = next;
         cut = p.cut * cutter;
@@ -88,9 +103,28 @@ pub(crate) fn passes(p: &Pocket, settings: &Settings, tool: &Tool) -> Result<Pas
     Err("the cut is too small for the pocket".into())
 }
 
-/// How far material between two passes is beyond the effective radius at most. It stays on the halving lines of the inner
+/// What stands between the passes higher than OUTTOL, on a floor square to the tool axis.
+pub(crate) fn between_passes(
+    passes: &Passes,
+    p: &Pocket,
+    settings: &Settings,
+    tool: &Tool,
+) -> Option<Between> {
+    let profile = settings.profile(Role::Part)?.ok()?;
+    let corners = passes.polygons.last()?;
+    let level = |a: &Vec3| (a - corners[0]).dot(&tool.ta).abs() <= LEVEL * p.radius;
+    if !corners.iter().all(level) {
+        return None;
+    }
+    let height = profile.height_at(passes.farthest.min(profile.widest()))? - profile.bottom();
+    let joint = profile.joints()[0];
+    let flat = if joint[1] - profile.bottom() <= LEVEL * p.radius { joint[0] } else { 0.0 };
+    (height > settings.outtol_of_part()).then_some(Between { height, flat, radius: p.radius })
+}
+
+/// How far material between two passes is from them at most. It stays on the halving lines of the inner
 /// corners, as far from them as from the outer sides, but where the tool goes out along one.
-fn between(outer: &Figure, inner: &Figure, radius: f64) -> f64 {
+fn between(outer: &Figure, inner: &Figure) -> f64 {
     let farthest = |i: usize| {
         let n = inner.sides.len();
         let sides = [&inner.sides[(i + n - 1) % n], &inner.sides[i]];
@@ -98,7 +132,7 @@ fn between(outer: &Figure, inner: &Figure, radius: f64) -> f64 {
         let along = (inwards(sides[0]) + inwards(sides[1])).normalize();
         let off = |s: &Side| (inner.corners[i] - s.on).dot(&inwards(s));
         let reach = |s: &Side| off(s) / (1.0 + along.dot(&inwards(s)));
-        outer.sides.iter().map(reach).fold(f64::INFINITY, f64::min) - radius
+        outer.sides.iter().map(reach).fold(f64::INFINITY, f64::min)
     };
     let (from, to) = (inner.first(), outer.first());
     let straight = inner.sides[from].index == outer.sides[to].index;
@@ -106,9 +140,10 @@ fn between(outer: &Figure, inner: &Figure, radius: f64) -> f64 {
     corners.map(farthest).fold(0.0, f64::max)
 }
 
-fn inside_out(mut polygons: Vec<Vec<Vec3>>, left: f64, radius: f64) -> Passes {
+fn inside_out(mut polygons: Vec<Vec<Vec3>>, farthest: f64, radius: f64) -> Passes {
     polygons.reverse();
-    Passes { polygons, left: (left > 1e-6 * radius).then_some(left) }
+    let left = farthest - radius;
+    Passes { polygons, left: (left > 1e-6 * radius).then_some(left), farthest }
 }
 
 /// A cut that leaves no material at corners that come up on the way, as sides vanish, and the sine of half the sharpest:
@@ -269,6 +304,13 @@ impl Figure {
         self.sides.iter().map(|s| self.across(s)).fold(f64::INFINITY, f64::min)
     }
 
+    /// The innermost pass, and how far what is within it is from it at most: a line where one is enough.
+    fn rest(&self, radius: f64) -> (Vec<Vec3>, f64) {
+        let across = |s: &Side| self.across(s);
+        let within = || self.sides.iter().map(across).filter(|a| *a <= radius).fold(0.0, f64::max);
+        self.line(radius).map_or_else(|| (self.closed(), self.room()), |line| (line, within()))
+    }
+
     /// The first side that has all of the figure within `radius`, towards the corner that comes first.
     fn line(&self, radius: f64) -> Option<Vec<Vec3>> {
         let (n, first) = (self.sides.len(), self.first());
@@ -354,8 +396,7 @@ mod tests {
         let inner = f.inset(1.0).unwrap();
         // On the halving line it is as far from the sides as from the inner corner, root 2 from the outer one.
         let worst = 1.0 / (1.0 + 0.5f64.sqrt());
-        assert!((between(&f, &inner, 0.5) - (worst - 0.5)).abs() < 1e-12);
-        assert!(between(&f, &inner, 0.6) <= 0.0);
+        assert!((between(&f, &inner) - worst).abs() < 1e-12);
     }
 
     #[test]

@@ -139,6 +139,10 @@ impl Arelem {
                 self.no_thickness(origin);
                 if let Some(left) = passes.left {
                     self.diagnostics.push(warning::material_left(origin, left));
+                } else if let Some(stands) =
+                    pocket::between_passes(&passes, p, &self.settings, &tool)
+                {
+                    self.diagnostics.push(warning::flat_too_small(origin, &stands));
                 }
                 passes.polygons
             }

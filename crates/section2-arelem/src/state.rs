@@ -155,7 +155,7 @@ impl Settings {
     }
 
     /// Less than this is no other height.
-    fn outtol_of_part(&self) -> f64 {
+    pub(crate) fn outtol_of_part(&self) -> f64 {
         self.outtol.map_or(OUTTOL_MM / self.units.mm(), |t| t[0])
     }
 

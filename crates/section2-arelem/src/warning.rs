@@ -5,6 +5,7 @@ use aptc_protap::{Direction, SurfaceRef};
 
 use crate::failure::Candidate;
 use crate::naming::{called, coordinates, number, word_of};
+use crate::pocket::Between;
 use crate::scene::Astray;
 
 /// A direction word before anything moved: x is forward.
@@ -145,4 +146,23 @@ pub(crate) fn material_left(origin: &Origin, left: f64) -> Diagnostic {
     Diagnostic::warning(codes::MATERIAL_LEFT, origin.span, text)
         .within(origin.trace.clone())
         .help("make the cut smaller, or let the passes be set closer where they must: the flag o of POCKET as 0")
+}
+
+/// A pocket whose passes lie farther apart than the flat end of the cutter clears.
+pub(crate) fn flat_too_small(origin: &Origin, b: &Between) -> Diagnostic {
+    let text = format!(
+        "between the passes material stands up to {} high: the flat end of the cutter has the radius {}, \
+         and the effective radius is {}",
+        number(b.height),
+        number(b.flat),
+        number(b.radius)
+    );
+    let help = if b.flat > 0.0 {
+        format!("give {} as the effective radius", number(b.flat))
+    } else {
+        "take a cutter with a flat end, or make the cut smaller".to_owned()
+    };
+    Diagnostic::warning(codes::MATERIAL_LEFT, origin.span, text)
+        .within(origin.trace.clone())
+        .help(help)
 }

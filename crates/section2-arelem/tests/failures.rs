@@ -179,6 +179,33 @@ fn a_thickness_that_a_pocket_does_not_have_is_told_once() {
 }
 
 #[test]
+fn a_pocket_whose_cutter_is_not_as_flat_as_it_says_is_told_with_the_height() {
+    let mut f = forms();
+    for (name, x, y) in [("A", 0.0, 0.0), ("B", 92.0, 0.0), ("C", 92.0, 72.0), ("D", 0.0, 72.0)] {
+        f.insert(name.into(), form("POINT", &[x, y, 0.0]).expect("a point"));
+    }
+    let said = |cutter: &str, numbers: &str| -> Vec<String> {
+        let text = format!("CUTTER/{cutter}\nFROM/1,1,20\nPOCKET/{numbers},1,35,30,20,0,1,A,B,C,D");
+        let told = run(&f, &text).diagnostics;
+        assert!(told.iter().all(|d| d.code.number() == 2026 && !d.is_error()), "{told:?}");
+        told.into_iter().map(|d| d.message).collect()
+    };
+    // Passes 8 apart: at their corners material is 8 / (1 + sin 45) from both, in the corner of the cutter.
+    let far = 8.0 / (1.0 + 0.5_f64.sqrt());
+    let high = 3.0 - (9.0 - (far - 2.0) * (far - 2.0)).sqrt();
+    let told = said("10,3", "5,1.6");
+    assert_eq!(told.len(), 1);
+    let number = told[0].split(" high").next().and_then(|t| t.split_whitespace().last());
+    let number: f64 = number.and_then(|n| n.parse().ok()).expect("a height");
+    assert!((number - high).abs() < 1e-4, "{told:?} {high}");
+    assert!(told[0].contains("radius 2, and the effective radius is 5"), "{told:?}");
+    // With the flat end as the effective radius, a cutter that is as flat, or passes close enough nothing stands.
+    assert!(said("10,3", "2,1.6").is_empty());
+    assert!(said("10", "5,1.6").is_empty());
+    assert!(said("10,3", "5,.4").len() == 1, "the innermost pass is 10 wide, and its middle stays");
+}
+
+#[test]
 fn a_failure_has_a_picture_of_its_surfaces() {
     let mut arelem = aptc_arelem::Arelem::new(aptc_arelem::Options::default());
     let text = "CUTTER/1\nFROM/-5,-5,0\nGO/TO,LX\nTLLFT,GOLFT/LX,ON,C1";

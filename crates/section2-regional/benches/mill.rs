@@ -54,13 +54,14 @@ fn cutters() -> [(&'static str, Cutter); 2] {
 /// Positions along ten lines, each from the last, with a proof that they are clear where `check` says so.
 fn drops(s: &Sculptured, tree: &PatchTree, cutter: &Cutter, step: f64, check: bool) {
     let profile = Profile::new(cutter).expect("a mill");
-    let extent = s.extent();
+    let (extent, borders) = (s.extent(), s.borders());
     let ta = Vec3::z();
     for k in 0..10 {
         let y = 2.0 + 10.0 * f64::from(k);
         let shot = |x: f64| Shot {
             surface: s,
             extent,
+            borders,
             side: 1.0,
             from: Vec3::new(x, y, 60.0),
             along: -ta,

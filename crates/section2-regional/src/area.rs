@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use aptc_contact::PatchTree;
+use aptc_geometry::sculpt::Border;
 use aptc_geometry::surface::ParametricSurface;
 use aptc_geometry::{Plane, Profile, Sculptured, SpaceCurve, Vec3};
 use aptc_protap::NameRef;
@@ -63,6 +64,8 @@ pub(crate) struct PartArea {
     pub(crate) tree: Arc<PatchTree>,
     /// A length that says how large its numbers are.
     pub(crate) extent: f64,
+    /// How it goes on at its borders.
+    pub(crate) borders: [[Border; 2]; 2],
     /// TO: the cutter touches; ON when false: the tool end lies on it.
     pub(crate) touches: bool,
     /// +1 on the side of dU x dV.

@@ -214,9 +214,9 @@ impl Target {
             Self::Sculptured(s, tree) => [1.0, -1.0]
                 .into_iter()
                 .filter_map(|side| {
-                    let (surface, extent) = (&**s, s.extent());
+                    let (surface, extent, borders) = (&**s, s.extent(), s.borders());
                     let probe = Probe::Ball(0.0);
-                    Shot { surface, extent, side, from, along: ta, probe }.first(tree)
+                    Shot { surface, extent, borders, side, from, along: ta, probe }.first(tree)
                 })
                 .map(|m| m.way)
                 .filter(ahead)

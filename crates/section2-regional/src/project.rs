@@ -1,11 +1,13 @@
 //! A drive point projected on the part surface.
 
 use aptc_contact::{Clear, PatchTree, Tool};
-use aptc_geometry::sculpt::Derivatives;
+use aptc_geometry::sculpt::{Border, Derivatives};
 use aptc_geometry::{Profile, Sculptured, Vec3};
 
 /// How far beyond the borders of the part surface, in spans, its linear continuation is followed.
 const BEYOND: f64 = 10.0;
+/// Share of one derivative that the other is at a pole.
+const POLE: f64 = 1e-9;
 /// Newton's steps of a search.
 const STEPS: usize = 40;
 /// A summit is looked for where the normal is about so near to the tool axis: its cosine.
@@ -53,6 +55,8 @@ pub struct Shot<'a> {
     pub surface: &'a Sculptured,
     /// A length that says how large its numbers are.
     pub extent: f64,
+    /// How it goes on at its borders.
+    pub borders: [[Border; 2]; 2],
     /// +1 when the tool is on the side of dU x dV.
     pub side: f64,
     /// A point of the line.
@@ -129,11 +133,34 @@ impl Shot<'_> {
         None
     }
 
-    /// A step of Newton's method: half a span at most, so that the patch between is seen, and not far off the surface.
+    /// Unit normal along u x v; at a pole, where a derivative is but rounding, the one to which the normals come.
+    fn normal(&self, [u, v]: [f64; 2], d: &Derivatives) -> Option<Vec3> {
+        let (a, b) = (d.u.norm(), d.v.norm());
+        if a.min(b) <= POLE * a.max(b) { self.surface.normal_at(u, v) } else { d.normal() }
+    }
+
+    /// A step of Newton's method: half a span at most, so that the patch between is seen, and not far off the surface. It
+    /// crosses seams and poles.
     fn stepped(&self, from: [f64; 2], by: [f64; 2]) -> [f64; 2] {
         let spans = self.surface.spans();
         let cap = (0.5 / by[0].abs().max(by[1].abs())).min(1.0);
-        [0, 1].map(|k| (from[k] + by[k] * cap).clamp(-BEYOND, spans[k] + BEYOND))
+        let mut to = [0, 1].map(|k| from[k] + by[k] * cap);
+        for k in 0..2 {
+            let [first, last] = self.borders[k];
+            let (low, high) = (to[k] < 0.0, to[k] > spans[k]);
+            if low && first == Border::Pole || high && last == Border::Pole {
+                to[k] = if low { -to[k] } else { 2.0 * spans[k] - to[k] };
+                to[1 - k] += 0.5 * spans[1 - k];
+            }
+        }
+        [0, 1].map(|k| {
+            let [first, last] = self.borders[k];
+            if first == Border::Seam {
+                return to[k].rem_euclid(spans[k]);
+            }
+            let beyond = |border| if border == Border::Free { BEYOND } else { 0.0 };
+            to[k].clamp(-beyond(first), spans[k] + beyond(last))
+        })
     }
 
     /// The meeting that Newton's method reaches from `start`.
@@ -142,7 +169,7 @@ impl Shot<'_> {
         let size = self.extent + self.from.norm();
         let [mut u, mut v] = start;
         for _ in 0..STEPS {
-            let n = d.normal()? * self.side;
+            let n = self.normal([u, v], &d)? * self.side;
             let reach = self.reach(n);
             let w = d.point + reach.to - self.from;
             let (e, g) = (w.dot(&a), w.dot(&b));
@@ -323,6 +350,7 @@ mod tests {
     use super::*;
     use aptc_geometry::Cutter;
     use aptc_geometry::sculpt::{SplinePoint, mesh};
+    use aptc_geometry::sculptured::BsplineSurface;
 
     fn waves() -> Sculptured {
         over(|x, y| aptc_geometry::trig::sin(0.4 * x) + 0.5 * aptc_geometry::trig::cos(0.3 * y))
@@ -348,6 +376,7 @@ mod tests {
         let shot = |probe| Shot {
             surface: &s,
             extent: s.extent(),
+            borders: s.borders(),
             side: 1.0,
             from: Vec3::new(3.3, 4.1, 20.0),
             along: -Vec3::z(),
@@ -376,7 +405,8 @@ mod tests {
                 let from = Vec3::new(summit.x + off, summit.y - 0.4, 20.0);
                 let probe = Probe::Cutter { profile: &profile, ta: Vec3::z(), thick: 0.0 };
                 let extent = s.extent();
-                let shot = Shot { surface: &s, extent, side: 1.0, from, along: -Vec3::z(), probe };
+                let (borders, along) = (s.borders(), -Vec3::z());
+                let shot = Shot { surface: &s, extent, borders, side: 1.0, from, along, probe };
                 let tree = PatchTree::new(&s);
                 let met = shot.first(&tree).unwrap();
                 assert!((shot.fall(&tree).unwrap().way - met.way).abs() < 1e-7);
@@ -388,14 +418,82 @@ mod tests {
         }
     }
 
+    /// A sphere of radius 25 that comes round along u, from pole to pole along v.
+    fn sphere() -> Sculptured {
+        const HALF: f64 = core::f64::consts::FRAC_1_SQRT_2;
+        let ring = [[1, 0], [1, 1], [0, 1], [-1, 1], [-1, 0], [-1, -1], [0, -1], [1, -1], [1, 0]];
+        let outline = [[0, -1], [1, -1], [1, 0], [1, 1], [0, 1]];
+        let weight = |i: usize| if i % 2 == 1 { HALF } else { 1.0 };
+        let mut points = Vec::new();
+        for (j, [r, z]) in outline.into_iter().enumerate() {
+            for (i, [x, y]) in ring.into_iter().enumerate() {
+                let [x, y, z] = [r * x, r * y, z].map(|c| 25.0 * f64::from(c));
+                points.push([x, y, z, weight(i) * weight(j)]);
+            }
+        }
+        let knots = |spans: u8| {
+            let inner = (0..=spans).flat_map(|k| [f64::from(k); 2]);
+            std::iter::once(0.0).chain(inner).chain([f64::from(spans)]).collect::<Vec<_>>()
+        };
+        let (surface, _) = aptc_geometry::sculpt::bspline(&BsplineSurface {
+            degree: [2, 2],
+            knots: [knots(4), knots(2)],
+            counts: [9, 5],
+            points,
+            range: [None; 2],
+        })
+        .unwrap();
+        surface
+    }
+
+    /// Beside a surface that closes there is nothing of it, and across its seam and over its poles it goes on.
+    #[test]
+    fn a_surface_that_closes_ends_nowhere() {
+        let s = sphere();
+        let [u, v] = s.borders();
+        assert_eq!((u, v), ([Border::Seam; 2], [Border::Pole; 2]));
+        let tree = PatchTree::new(&s);
+        let shot = |x: f64, y: f64| Shot {
+            surface: &s,
+            extent: s.extent(),
+            borders: [u, v],
+            side: 1.0,
+            from: Vec3::new(x, y, 60.0),
+            along: -Vec3::z(),
+            probe: Probe::Ball(4.0),
+        };
+        let height = |x: f64, y: f64| (29.0 * 29.0 - x * x - y * y).sqrt();
+        for (x, y) in
+            [(24.0, 10.0), (20.0, 0.0), (0.0, 0.0), (0.0, 1e-12), (0.0, 0.001), (24.0, -15.0)]
+        {
+            let met = shot(x, y).first(&tree).unwrap();
+            assert!((60.0 - met.way - height(x, y)).abs() < 1e-6, "{x} {y}: {met:?}");
+            let centre = met.at.point + met.normal * 4.0;
+            assert!((centre - Vec3::new(x, y, height(x, y))).norm() < 1e-6, "{x} {y}: {met:?}");
+            for turned in [[3.99, 1.5], [0.01, 1.5], [2.0, 1.97]] {
+                let near = shot(x, y).near(turned);
+                let same = |m: Met| (m.at.point - met.at.point).norm() < 1e-6;
+                assert!(near.is_none_or(same), "{x} {y} from {turned:?}");
+            }
+        }
+        for (x, y) in [(24.0, 17.0), (24.0, -17.0), (10.0, 30.0), (-28.0, 9.0)] {
+            assert!(shot(x, y).first(&tree).is_none(), "{x} {y}");
+        }
+        // A little over the seam and over the pole from beside it.
+        for (from, to) in [([3.97, 1.4], [25.0, 2.0]), ([2.0, 1.9], [3.0, -1.0])] {
+            let met = shot(to[0], to[1]).near(from).unwrap();
+            assert!((60.0 - met.way - height(to[0], to[1])).abs() < 1e-9, "{from:?}");
+        }
+    }
+
     #[test]
     fn a_bull_nose_touches_and_does_not_gouge() {
         let s = waves();
         let profile = Profile::new(&Cutter::mill(2.0, 0.3, 10.0)).unwrap();
         let from = Vec3::new(5.2, 3.7, 20.0);
         let probe = Probe::Cutter { profile: &profile, ta: Vec3::z(), thick: 0.0 };
-        let shot =
-            Shot { surface: &s, extent: s.extent(), side: 1.0, from, along: -Vec3::z(), probe };
+        let (extent, borders) = (s.extent(), s.borders());
+        let shot = Shot { surface: &s, extent, borders, side: 1.0, from, along: -Vec3::z(), probe };
         let m = shot.first(&PatchTree::new(&s)).unwrap();
         let te = from - Vec3::z() * m.way;
         let tool = Tool { profile: &profile, te, ta: Vec3::z() };

@@ -204,8 +204,8 @@ impl Regional {
         let surface = self.surface(name, form)?;
         let side = w.sign();
         let thick = need(w.number(), "the thickness")?;
-        let (tree, extent) = (self.tree(&surface), surface.extent());
-        Ok(PartArea { name: name.clone(), surface, tree, extent, touches, side, thick })
+        let (tree, extent, borders) = (self.tree(&surface), surface.extent(), surface.borders());
+        Ok(PartArea { name: name.clone(), surface, tree, extent, borders, touches, side, thick })
     }
 
     fn feed_area(&mut self, w: &mut Words<'_>) -> Result<(), Failure> {

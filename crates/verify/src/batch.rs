@@ -3,7 +3,7 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Condvar, Mutex, OnceLock, PoisonError};
 
-use aptc_cldata::Motion;
+use aptc_cldata::{Motion, Position};
 use aptc_diagnostics::Origin;
 
 use crate::free::Rapid;
@@ -30,6 +30,8 @@ pub(crate) enum Event {
     Unknown(Motion, Origin),
     /// A motion after RAPID.
     Rapid(Box<Rapid>),
+    /// Where the motion from point to point ends that comes next after one at rapid.
+    Feed(Position),
 }
 
 #[derive(Debug)]

@@ -21,6 +21,10 @@ pub struct Certificate {
     pub left_out: u64,
     /// Vectors of point-to-point motion, which have no surface to hold to.
     pub free: u64,
+    /// Motions after RAPID that cut into a part surface.
+    pub rapid_cuts: u64,
+    /// One entry each.
+    pub rapids: Vec<RapidCut>,
     /// Motions of the program that a CL file lacks.
     pub unmatched: u64,
     /// Positions of a CL file that belong to no motion of the program.
@@ -44,6 +48,21 @@ pub struct StatementProof {
     pub surfaces: Vec<SurfaceBound>,
     /// The first fault.
     pub fault: Option<Fault>,
+}
+
+/// A cut at rapid, into the part surface of the motion along surfaces before or after it.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct RapidCut {
+    /// The statement.
+    pub origin: Origin,
+    /// Name and role of the surface.
+    pub surface: String,
+    /// Number of the point within the motion, from 1, on the way to which it is deepest.
+    pub point: u64,
+    /// Tool end there.
+    pub te: [f64; 3],
+    /// By how much it is deeper than the band allows.
+    pub depth: f64,
 }
 
 /// Bounds of the gap to a surface over a statement; the gap includes the thickness.
@@ -109,6 +128,7 @@ impl Certificate {
             && self.left_out == 0
             && self.unmatched == 0
             && self.extra == 0
+            && self.rapid_cuts == 0
     }
 }
 
@@ -139,6 +159,10 @@ impl fmt::Display for Certificate {
         }
         if self.free > 0 {
             write!(f, "; {} from point to point", self.free)?;
+        }
+        if self.rapid_cuts > 0 {
+            let s = if self.rapid_cuts == 1 { "" } else { "s" };
+            write!(f, "; {} cut{s} at rapid", self.rapid_cuts)?;
         }
         Ok(())
     }

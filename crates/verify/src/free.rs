@@ -4,7 +4,7 @@ use aptc_cldata::{Controlled, Position};
 use aptc_diagnostics::{Diagnostic, Origin, codes};
 use aptc_geometry::{Form, Plane, Profile, Vec3};
 
-use crate::certificate::{Fault, length};
+use crate::certificate::{Fault, RapidCut, length};
 use crate::judged::Judged;
 use crate::statement::Seen;
 
@@ -17,6 +17,8 @@ pub(crate) struct Rapid {
     pub(crate) pad: f64,
     /// The clearance plane that holds.
     pub(crate) clearance: Option<Plane>,
+    /// Does a cycle of the machine work where it ends?
+    pub(crate) cycle: bool,
 }
 
 /// A sideways share of a motion below this is rounding.
@@ -27,44 +29,105 @@ const SIDEWAYS: f64 = 1e-9;
 #[derive(Debug, Default)]
 pub(crate) struct Free {
     before: Option<(Controlled, Position, Profile)>,
-    /// Those since the last motion along surfaces; with them where they end below its part surface.
-    waiting: Vec<(Rapid, Option<Fault>)>,
+    /// Those since the last motion along surfaces.
+    waiting: Vec<Waiting>,
+    /// Cuts, for the certificate.
+    pub(crate) cuts: Vec<RapidCut>,
+    pub(crate) said: Vec<Diagnostic>,
+}
+
+/// A rapid motion of which is not known yet what comes after it.
+#[derive(Debug)]
+struct Waiting {
+    rapid: Box<Rapid>,
+    /// Where it ends below the part surface before it.
+    plunge: Option<Fault>,
+    /// Is a word due when nothing along surfaces follows? The motion next to it tells.
+    due: Due,
+}
+
+/// Does the next motion say what a rapid motion was to do below the part surface?
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Due {
+    /// It has not come.
+    Open,
+    /// It ends no higher: the tool works there, beside the part.
+    No,
+    /// It leads up again.
+    Yes,
 }
 
 impl Free {
     /// A rapid motion.
-    pub(crate) fn rapid(&mut self, rapid: &Rapid, out: &mut Vec<Diagnostic>) {
+    pub(crate) fn rapid(&mut self, rapid: &Rapid) {
+        if let Some(end) = rapid.points.last() {
+            self.next(end);
+        }
         let judge = |end: End| {
             self.before.as_ref().and_then(|(part, at, profile)| cut(rapid, part, at, profile, end))
         };
-        let fault = judge(End::Excused);
-        match (fault, &rapid.clearance) {
+        if let Some(fault) = judge(End::Excused) {
             // One mistake, one message.
-            (Some(fault), _) => return out.push(told(rapid, &fault)),
-            (None, Some(plane)) => out.extend(low(rapid, plane)),
-            (None, None) => {}
+            return self.told(rapid, fault);
         }
         let plunge = judge(End::Judged);
-        self.waiting.push((rapid.clone(), plunge));
+        let low = rapid.clearance.as_ref().and_then(|plane| low(rapid, plane));
+        let due =
+            if low.is_some() || rapid.cycle || !self.upright(rapid) { Due::No } else { Due::Open };
+        self.said.extend(low);
+        self.waiting.push(Waiting { rapid: Box::new(rapid.clone()), plunge, due });
+    }
+
+    /// The motion from point to point next to a rapid one, by where it ends.
+    pub(crate) fn next(&mut self, end: &Position) {
+        let Some((part, at, profile)) = &self.before else { return };
+        for waiting in self.waiting.iter_mut().filter(|w| w.due == Due::Open) {
+            let Some(plunge) = &waiting.plunge else { continue };
+            let there = deep(&waiting.rapid, end, part, at, profile);
+            let works = there >= plunge.depth - waiting.rapid.pad;
+            waiting.due = if works { Due::No } else { Due::Yes };
+        }
     }
 
     /// A motion along surfaces, with its part surface and where it ended.
-    pub(crate) fn along(
-        &mut self,
-        part: &Controlled,
-        at: &Position,
-        profile: &Profile,
-        out: &mut Vec<Diagnostic>,
-    ) {
-        for (rapid, plunge) in std::mem::take(&mut self.waiting) {
+    pub(crate) fn along(&mut self, part: &Controlled, at: &Position, profile: &Profile) {
+        for Waiting { rapid, plunge, .. } in std::mem::take(&mut self.waiting) {
             // A motion that ends below the surface before and the surface after it went into the part.
             let judge = |end: End| cut(&rapid, part, at, profile, end);
             let into = plunge.filter(|_| judge(End::Judged).is_some());
             if let Some(fault) = judge(End::Excused).or(into) {
-                out.push(told(&rapid, &fault));
+                self.told(&rapid, fault);
             }
         }
         self.before = Some((part.clone(), *at, *profile));
+    }
+
+    /// No motion follows.
+    pub(crate) fn finish(&mut self) {
+        for Waiting { rapid, plunge, due } in std::mem::take(&mut self.waiting) {
+            if let Some(fault) = plunge.filter(|_| due != Due::No) {
+                self.said.push(ends_low(&rapid, &fault));
+            }
+        }
+    }
+
+    /// Does the tool axis stand as where the last motion along surfaces ended? With another one the work goes on at another
+    /// side of the part, which its surface says nothing of.
+    fn upright(&self, rapid: &Rapid) -> bool {
+        let same = |at: &Position, end: &Position| (at.ta - end.ta).norm() <= SIDEWAYS;
+        self.before.as_ref().zip(rapid.points.last()).is_some_and(|((_, at, _), end)| same(at, end))
+    }
+
+    fn told(&mut self, rapid: &Rapid, fault: Fault) {
+        self.said.push(told(rapid, &fault));
+        let Fault { surface, vector, te, depth, .. } = fault;
+        self.cuts.push(RapidCut {
+            origin: rapid.origin.clone(),
+            surface,
+            point: vector,
+            te,
+            depth,
+        });
     }
 }
 
@@ -121,6 +184,13 @@ fn goes_up(pair: &[Position]) -> bool {
     up >= 0.0 && (way - up * pair[0].ta).norm() <= SIDEWAYS * (pair[0].te.norm() + up)
 }
 
+/// How deep beyond its tolerance a tool that stands at `p` is in the part surface.
+fn deep(rapid: &Rapid, p: &Position, part: &Controlled, at: &Position, profile: &Profile) -> f64 {
+    let fault = Judged::clear(part, at, profile)
+        .and_then(|judged| judged.vector(&rapid.profile, p, p, rapid.pad, 0, &mut Seen::default()));
+    fault.filter(|f| f.refuted).map_or(0.0, |f| f.depth)
+}
+
 fn told(rapid: &Rapid, fault: &Fault) -> Diagnostic {
     let message = format!(
         "rapid motion cuts into {} by {} beyond tolerance {}",
@@ -130,6 +200,18 @@ fn told(rapid: &Rapid, fault: &Fault) -> Diagnostic {
     );
     let d = Diagnostic::error(codes::RAPID_CUT, rapid.origin.span, message);
     d.help("go up before going aside, or leave RAPID out").within(rapid.origin.trace.clone())
+}
+
+/// Ending below the part surface before it, where nothing says what the tool does there.
+fn ends_low(rapid: &Rapid, fault: &Fault) -> Diagnostic {
+    let message = format!(
+        "rapid motion ends {} below {} beyond tolerance, {}, and nothing goes as deep after it",
+        length(fault.depth),
+        fault.surface,
+        fault.place()
+    );
+    let d = Diagnostic::warning(codes::RAPID_ENDS_LOW, rapid.origin.span, message);
+    d.help("end it above the part, and go on from there at feed").within(rapid.origin.trace.clone())
 }
 
 /// Going aside below the clearance plane.

@@ -44,7 +44,7 @@ mod verifier;
 mod witness;
 
 pub use batch::Batch;
-pub use certificate::{Certificate, Fault, StatementProof, SurfaceBound};
+pub use certificate::{Certificate, Fault, RapidCut, StatementProof, SurfaceBound};
 pub use deviation::deviation_svg;
 pub use foreign::{Astray, Marks, Matched, matched, times_as_large};
 pub use verifier::{Effort, Verifier};

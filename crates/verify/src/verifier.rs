@@ -59,6 +59,10 @@ pub struct Verifier {
     open: Option<Open>,
     /// RAPID was said for the next motion.
     rapid: bool,
+    /// Was the motion before one?
+    was_rapid: bool,
+    /// A cycle of the machine works at each point.
+    cycle: bool,
     clearance: Option<Plane>,
     sheets: Sheets,
     /// What is not judged yet, and its vectors.
@@ -102,6 +106,8 @@ impl Verifier {
             statement: (Origin::default(), None, None),
             open: None,
             rapid: false,
+            was_rapid: false,
+            cycle: false,
             clearance: None,
             sheets: Sheets::default(),
             waiting: Vec::new(),
@@ -128,7 +134,11 @@ impl Verifier {
                 // Without a plane it leaves the plane as it was.
                 "CLRSRF" => self.clearance = clearance(args).or(self.clearance),
                 // The machine takes the tool away, or a cycle leaves it above the hole.
-                "RETRCT" | "GOHOME" | "LOADTL" | "LOAD" | "TURRET" | "CYCLE" => self.last = None,
+                "RETRCT" | "GOHOME" | "LOADTL" | "LOAD" | "TURRET" => self.last = None,
+                "CYCLE" => {
+                    self.last = None;
+                    self.cycle = !args.iter().any(|a| matches!(a, Arg::Word(w) if w == "OFF"));
+                }
                 _ => {}
             },
             Kind::Motion(motion) => {
@@ -145,6 +155,10 @@ impl Verifier {
     pub fn finish(mut self) -> (Certificate, Vec<Diagnostic>) {
         self.close();
         self.judge();
+        self.free.finish();
+        self.diagnostics.append(&mut self.free.said);
+        self.certificate.rapid_cuts = self.free.cuts.len() as u64;
+        self.certificate.rapids = self.free.cuts;
         (self.certificate, self.diagnostics)
     }
 
@@ -180,12 +194,14 @@ impl Verifier {
                     self.certificate.statements.push(judgement.proof);
                     let at = statement.points.last();
                     if let (Some(part), Some(at)) = (&statement.control.part, at) {
-                        self.free.along(part, at, &statement.profile, &mut self.diagnostics);
+                        self.free.along(part, at, &statement.profile);
                     }
                 }
                 Event::Unknown(motion, origin) => self.without_proof(motion, origin),
-                Event::Rapid(rapid) => self.free.rapid(rapid, &mut self.diagnostics),
+                Event::Rapid(rapid) => self.free.rapid(rapid),
+                Event::Feed(end) => self.free.next(end),
             }
+            self.diagnostics.append(&mut self.free.said);
         }
     }
 
@@ -232,11 +248,19 @@ impl Verifier {
         } else if control.is_none() {
             self.certificate.free += motion.points.len() as u64;
         }
+        let after = std::mem::replace(&mut self.was_rapid, rapid && control.is_none());
+        if after
+            && control.is_none()
+            && !rapid
+            && let Some(end) = motion.points.last()
+        {
+            self.waiting.push(Event::Feed(*end));
+        }
         if rapid && (control.is_none() || startup) {
             let points = self.last.iter().chain(&motion.points).copied().collect();
             let pad = self.pad(&motion.points, &profile);
             let (origin, clearance) = (origin.clone(), self.clearance);
-            let rapid = Rapid { origin, points, profile, pad, clearance };
+            let rapid = Rapid { origin, points, profile, pad, clearance, cycle: self.cycle };
             self.waiting.push(Event::Rapid(Box::new(rapid)));
             self.n_waiting += 1;
         }

@@ -147,6 +147,10 @@ fn a_rapid_through_the_part_is_told_with_its_depth() {
     for records in [after, before] {
         let (c, said) = judge(&records);
         assert_eq!((c.free, c.proved), (2, 1));
+        let [cut] = &c.rapids[..] else { panic!("{:?}", c.rapids) };
+        assert!(c.rapid_cuts == 1 && !c.is_proved() && (cut.depth - 6.99).abs() < 1e-9, "{cut:?}");
+        assert_eq!((cut.te, cut.point), ([50.0, 50.0, -7.0], 1));
+        assert!(c.to_string().ends_with("; 1 cut at rapid"), "{c}");
         assert_eq!(codes_of(&said), [codes::RAPID_CUT.number()], "{said:?}");
         assert!(said[0].is_error() && said[0].message.contains("6.990000"), "{}", said[0].message);
         assert!(said[0].message.contains("50.00000, 50.00000, -7.00000"), "{}", said[0].message);
@@ -155,7 +159,7 @@ fn a_rapid_through_the_part_is_told_with_its_depth() {
     let mut into = good.clone();
     into.push(post("RAPID", vec![]));
     into.push(motion(MotionKind::Goto, None, &[[50.0, 50.0, 20.0], [50.0, 50.0, -7.0]]));
-    assert!(judge(&into).1.is_empty());
+    assert_eq!(codes_of(&judge(&into).1), [codes::RAPID_ENDS_LOW.number()]);
     into.push(motion(MotionKind::Goto, None, &[[0.0, 5.0, 0.0]]));
     into.push(good[2].clone());
     assert_eq!(codes_of(&judge(&into).1), [codes::RAPID_CUT.number()]);
@@ -181,6 +185,51 @@ fn a_rapid_through_the_part_is_told_with_its_depth() {
     for records in [feed, above] {
         assert!(judge(&records).1.is_empty());
     }
+}
+
+#[test]
+fn a_rapid_that_ends_below_the_floor_is_told_where_nothing_goes_as_deep() {
+    let control = Arc::new(control());
+    let rapid = |te: [f64; 3]| [post("RAPID", vec![]), motion(MotionKind::Goto, None, &[te])];
+    let feed = |te: [f64; 3]| motion(MotionKind::Goto, None, &[te]);
+    let said = |more: &[Record]| {
+        let (c, said) = judge(&[&along(&control, &[[95.0, 5.0, 0.0]]), more].concat());
+        assert!(c.is_proved() && c.rapid_cuts == 0 && said.iter().all(|d| !d.is_error()), "{c}");
+        said
+    };
+    let low = codes::RAPID_ENDS_LOW.number();
+    // Of two that go down one after the other the last is told, with its place.
+    let down = [rapid([39.0, 5.0, -2.0]), rapid([100.0, 100.0, -5.0])].concat();
+    let told = said(&down);
+    assert_eq!(codes_of(&told), [low]);
+    assert!(told[0].message.contains("ends 4.990000 below"), "{}", told[0].message);
+    assert!(told[0].message.contains("100.00000, 100.00000, -5.00000"), "{}", told[0].message);
+    // Up again, at rapid or at feed, nothing was done there.
+    let up = [100.0, 100.0, 30.0];
+    assert_eq!(codes_of(&said(&[&down[..], &rapid(up)].concat())), [low]);
+    assert_eq!(codes_of(&said(&[&down[..], &[feed(up)]].concat())), [low]);
+    // Beside the part the tool works as deep, and deeper.
+    for z in [-5.0, -9.0] {
+        let works = [&down[..], &[feed([150.0, 100.0, z]), feed(up)], &rapid(up)].concat();
+        assert!(said(&works).is_empty());
+    }
+    assert_eq!(codes_of(&said(&[&down[..], &[feed([150.0, 100.0, -4.0])]].concat())), [low]);
+    // A cycle does what it does there.
+    let mut drilled = down.clone();
+    drilled.insert(0, post("CYCLE", vec![Arg::Word("DRILL".into())]));
+    assert!(said(&drilled).is_empty());
+    drilled.insert(1, post("CYCLE", vec![Arg::Word("OFF".into())]));
+    assert_eq!(codes_of(&said(&drilled)), [low]);
+    // With another axis the tool is at another side of the part.
+    let mut turned = down;
+    for record in &mut turned {
+        if let Kind::Motion(m) = &mut record.kind {
+            m.points.iter_mut().for_each(|p| p.ta = Vec3::x());
+        }
+    }
+    turned.push(post("RAPID", vec![]));
+    let away = said(&turned[2..]);
+    assert!(away.is_empty(), "{away:?}");
 }
 
 #[test]

@@ -24,7 +24,8 @@ pub(crate) fn check(args: &CheckArgs, common: &Common) -> io::Result<ExitCode> {
                 continue;
             }
         };
-        let mut world = Disk::new(folders(part, &args.source), args.source.max_file_size);
+        let mut world =
+            Disk::new(folders(part, &args.source), args.source.max_file_size).for_program(part);
         let mut options = options(&args.source);
         options.plot = false;
         let progress = Progress::of(part, common, None);

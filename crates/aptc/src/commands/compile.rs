@@ -77,7 +77,8 @@ fn compile_one(
         Some(VerifyHow::Sample) => Verify::Sample,
         Some(VerifyHow::Off) => Verify::Off,
     };
-    let mut world = Disk::new(folders(part, &args.source), args.source.max_file_size);
+    let mut world =
+        Disk::new(folders(part, &args.source), args.source.max_file_size).for_program(part);
     let numeric = part.extension().is_some_and(|e| e.eq_ignore_ascii_case("protap"));
     let progress = Progress::of(part, common, options.passes.clone());
     let compiled = if numeric {

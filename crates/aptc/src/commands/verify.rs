@@ -47,7 +47,7 @@ pub(crate) fn verify(args: &VerifyArgs, common: &Common) -> io::Result<ExitCode>
             VerifyHow::Sample => Verify::Sample,
             VerifyHow::Off => Verify::Off,
         };
-        let mut world = Disk::new(folders(part, &args.source), limit);
+        let mut world = Disk::new(folders(part, &args.source), limit).for_program(part);
         let judged = aptc_control::verify(source, &mut world, &options, file);
         report::messages(&mut io::stderr().lock(), &judged, common)?;
         if args.json {

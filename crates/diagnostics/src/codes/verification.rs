@@ -11,5 +11,6 @@ codes! {
     RAPID_CUT = 5005, "a cut at rapid";
     RAPID_LOW = 5006, "a rapid motion below the clearance plane";
     CORNERS = 5007, "corners that stand at the ends of passes, or beside edges";
+    RAPID_ENDS_LOW = 5008, "a rapid motion that ends below the part surface";
     NOT_THE_CL = 5401, "machine code that does not do what the CL data says";
 }

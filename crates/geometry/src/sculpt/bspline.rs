@@ -15,6 +15,9 @@ const REDUCED: f64 = 1e-6;
 /// Pieces of a span of higher degree, at most.
 const PIECES: usize = 64;
 
+/// Greatest coordinate: its fourth power, as curvatures take it, is a number.
+const FARTHEST: f64 = 1e75;
+
 /// Why a B-spline surface is none.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BsplineFault {
@@ -28,6 +31,8 @@ pub enum BsplineFault {
     PointCount,
     /// A control point is not finite, or a weight is not positive.
     Points,
+    /// A control point so far off that products of lengths there are no numbers.
+    Far,
     /// More patches than a bound, or a degree that cubic patches do not follow.
     TooMany,
     /// The patches make no surface.
@@ -48,6 +53,7 @@ impl core::fmt::Display for BsplineFault {
             Self::Points => {
                 f.write_str("a control point is not finite, or a weight is not above zero")
             }
+            Self::Far => write!(f, "a control point is farther off than {FARTHEST:e}"),
             Self::TooMany => write!(f, "it has more than {MAX_PATCHES} cubic patches"),
             Self::Surface(_) => f.write_str("its patches make no surface"),
         }
@@ -79,6 +85,9 @@ pub fn bspline(s: &BsplineSurface) -> Result<(Sculptured, f64), BsplineFault> {
     }
     if !s.points.iter().all(|p| p.iter().all(|x| x.is_finite()) && p[3] > 0.0) {
         return Err(BsplineFault::Points);
+    }
+    if s.points.iter().flat_map(|p| &p[..3]).any(|x| x.abs() > FARTHEST) {
+        return Err(BsplineFault::Far);
     }
     let h: Vec<Vec4> =
         s.points.iter().map(|p| super::arc::weighted(Vec3::new(p[0], p[1], p[2]), p[3])).collect();

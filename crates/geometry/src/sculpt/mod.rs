@@ -11,6 +11,7 @@
 
 mod arc;
 mod bends;
+mod borders;
 mod bspline;
 mod canon;
 mod conic;
@@ -32,6 +33,7 @@ mod trimmed;
 
 pub use arc::{ArcPoint, CubicArc, Vec4, flat, weighted};
 pub use bends::Bends;
+pub use borders::Border;
 pub use bspline::{BsplineFault, MAX_DEGREE, blossom, bspline};
 pub use conic::{ConicCondition, ConicFault, conic_arc, line_arc};
 pub use cross::{Product, cross_product, revolve, ruled, swept};

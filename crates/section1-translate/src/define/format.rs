@@ -13,6 +13,8 @@ use super::{Arg, Context, DefineError, Value};
 pub(crate) enum Item {
     /// A number.
     N,
+    /// A number, and what it is.
+    Num(&'static str),
     /// This word.
     W(Word),
     /// One of these words.
@@ -156,7 +158,7 @@ impl Item {
     /// Does `arg` fit here?
     pub(crate) fn takes(&self, arg: &Arg) -> bool {
         match (self, &arg.value) {
-            (Self::Rest(_) | Self::Tail(_), _) | (Self::N, Value::Number(_)) => true,
+            (Self::Rest(_) | Self::Tail(_), _) | (Self::N | Self::Num(_), Value::Number(_)) => true,
             (Self::W(word), Value::Word(found)) => word == found,
             (Self::Of(words), Value::Word(found)) => words.contains(found),
             (Self::P | Self::PV | Self::XY, Value::Tuple { .. }) => true,
@@ -201,14 +203,16 @@ impl Item {
                     | Form::Solid(_)
             ),
             Self::AS => Self::S.takes_form(form) || Self::SS.takes_form(form),
-            Self::N | Self::W(_) | Self::Of(_) | Self::Rest(_) | Self::Tail(_) => false,
+            Self::N | Self::Num(_) | Self::W(_) | Self::Of(_) | Self::Rest(_) | Self::Tail(_) => {
+                false
+            }
         }
     }
 
     /// The item in words.
     pub(crate) fn text(&self) -> String {
         match self {
-            Self::N => "number",
+            Self::N | Self::Num(_) => "number",
             Self::W(word) => word.text(),
             Self::Of(words) => {
                 return words.iter().map(|w| w.text()).collect::<Vec<_>>().join("|");
@@ -231,6 +235,14 @@ impl Item {
             Self::Rest(text) | Self::Tail(text) => text,
         }
         .to_owned()
+    }
+
+    /// The item in words where it is missing: what a number is.
+    pub(crate) fn missed(&self) -> String {
+        match self {
+            Self::Num(what) => (*what).to_owned(),
+            item => item.text(),
+        }
     }
 }
 

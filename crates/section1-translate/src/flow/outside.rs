@@ -15,7 +15,19 @@ impl Interpreter<'_> {
     /// Names the surfaces of a file of JSON, IGES, STEP or STL; `false` when it is of none of these. One surface
     /// gets the name, several the elements of an array of that name.
     pub(super) fn outside(&mut self, name: &Expr, file: &LoadedFile) -> bool {
-        let Some(found) = read(&file.text, &Limits::default()) else { return false };
+        let Some(found) = read(&file.text, &Limits::default()) else {
+            let is_text = !file.text.contains('\0');
+            if !is_text {
+                self.unusable(
+                    name,
+                    format!(
+                        "{} cannot be used: it is no text, and no binary STL file, whose length tells how many triangles it has",
+                        file.name
+                    ),
+                );
+            }
+            return !is_text;
+        };
         let surfaces = match found {
             Ok(outside) => self.told(name, file, outside),
             Err(why) => {

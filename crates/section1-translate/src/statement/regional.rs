@@ -10,7 +10,7 @@ use aptc_vocabulary::{Word, word};
 
 use super::shape::{Shape, fixed, list, open};
 use crate::Interpreter;
-use crate::define::Item::{self, AS, N, Of, PL, S, SC, SS, V, W};
+use crate::define::Item::{self, AS, Num, Of, PL, S, SC, SS, V, W};
 use crate::eval::{Arg, Known, Names, Poisoned};
 
 const SIGN: Item = Of(&[word::PLUS, word::MINUS]);
@@ -24,147 +24,223 @@ const MEASURE: Item = Of(&[word::PARAM, word::FLOW]);
 const PLACES: Item = Of(&[word::START, word::AWAY, word::BACK, word::THRU]);
 const LIFT: Item = Of(&[word::NORMPS, word::AXIS]);
 
+/// Limits of the drive, and the parameters of a place on it.
+const U1: Item = Num("the first limit of u");
+const U2: Item = Num("the second limit of u");
+const V1: Item = Num("the first limit of v");
+const V2: Item = Num("the second limit of v");
+const U: Item = Num("the parameter u");
+const VP: Item = Num("the parameter v");
+const DRIVEN: Item = Num("the offset of the drive");
+const OFFSET: Item = Num("the distance from the place");
+const SLEW: Item = Num("the slew angle");
+const TILT: Item = Num("the tilt angle");
+/// Behind the place of SMIL: is its first point left out?
+const SKIP: Item = Num("1 to leave the first point out");
+
 const SCON: &[Shape] = &[
     open(&[W(word::INIT), AREAS], &[&[AREAS], &[AREAS], &[AREAS], &[AREAS]]),
-    open(&[W(word::DS), SC, W(word::PARAM), N, N, Of(&[word::AT, word::ON]), V], &[&[N]]),
+    open(&[W(word::DS), SC, W(word::PARAM), U1, U2, Of(&[word::AT, word::ON]), V], &[&[DRIVEN]]),
     open(
-        &[W(word::DS), SC, W(word::PARAM), N, N, Of(&[word::AT, word::ON]), W(word::CRSSPL)],
-        &[&[N]],
+        &[W(word::DS), SC, W(word::PARAM), U1, U2, Of(&[word::AT, word::ON]), W(word::CRSSPL)],
+        &[&[DRIVEN]],
     ),
-    open(&[W(word::DS), SS, W(word::PARAM), N, N, N, N, Of(&[word::AT, word::ON]), V], &[&[N]]),
     open(
-        &[W(word::DS), SS, W(word::PARAM), N, N, N, N, Of(&[word::AT, word::ON]), W(word::NORMAL)],
-        &[&[N]],
+        &[W(word::DS), SS, W(word::PARAM), U1, U2, V1, V2, Of(&[word::AT, word::ON]), V],
+        &[&[DRIVEN]],
     ),
-    fixed(&[W(word::PS), Of(&[word::TO, word::ON]), SS, SIGN, N]),
+    open(
+        &[
+            W(word::DS),
+            SS,
+            W(word::PARAM),
+            U1,
+            U2,
+            V1,
+            V2,
+            Of(&[word::AT, word::ON]),
+            W(word::NORMAL),
+        ],
+        &[&[DRIVEN]],
+    ),
+    fixed(&[W(word::PS), Of(&[word::TO, word::ON]), SS, SIGN, Num("the thickness")]),
     open(&[W(word::AXIS), V], &[&[SIGN]]),
     open(&[W(word::AXIS), W(word::NORMDS)], &[&[SIGN]]),
-    fixed(&[W(word::AXIS), W(word::ATANGL), Of(&[word::DS, word::PS]), N, W(word::CUTANG), N]),
     fixed(&[
         W(word::AXIS),
         W(word::ATANGL),
         Of(&[word::DS, word::PS]),
-        N,
+        SLEW,
+        W(word::CUTANG),
+        TILT,
+    ]),
+    fixed(&[
+        W(word::AXIS),
+        W(word::ATANGL),
+        Of(&[word::DS, word::PS]),
+        SLEW,
         W(word::CUTANG),
         Of(&[word::LEAD, word::LAG]),
-        N,
+        TILT,
     ]),
     fixed(&[W(word::FEED), PL]),
-    fixed(&[W(word::FEED), N, N, N, N]),
-    fixed(&[W(word::STEPOV), N, N, N, N]),
+    fixed(&[
+        W(word::FEED),
+        Num("the feed along a pass"),
+        Num("the feed between passes"),
+        Num("the feed down"),
+        Num("the feed up"),
+    ]),
+    fixed(&[
+        W(word::STEPOV),
+        Num("the greatest height of the scallops"),
+        Num("the greatest step"),
+        Num("the lift between passes"),
+        Num("the greatest number of passes"),
+    ]),
 ];
 
 const SMIL: &[Shape] = &[
-    fixed(&[W(word::POSN), W(word::DS), W(word::PARAM), N, N, W(word::INCR), N]),
-    fixed(&[W(word::POSN), W(word::DS), W(word::PARAM), N, N, W(word::INCR), V]),
-    fixed(&[W(word::POSN), W(word::DS), W(word::PARAM), N, N, W(word::INCR), PL]),
-    open(&[W(word::PATH), W(word::DS), W(word::PARAM), N, N, ALONG, SIGN], &[&[N]]),
+    fixed(&[W(word::POSN), W(word::DS), W(word::PARAM), U, VP, W(word::INCR), OFFSET]),
+    fixed(&[W(word::POSN), W(word::DS), W(word::PARAM), U, VP, W(word::INCR), V]),
+    fixed(&[W(word::POSN), W(word::DS), W(word::PARAM), U, VP, W(word::INCR), PL]),
+    open(&[W(word::PATH), W(word::DS), W(word::PARAM), U, VP, ALONG, SIGN], &[&[SKIP]]),
     open(
         &[
             Of(&[word::ZIGZAG, word::PICKFD]),
             W(word::DS),
             W(word::PARAM),
-            N,
-            N,
+            U,
+            VP,
             ALONG,
             SIGN,
             W(word::STEPOV),
             SIGN,
         ],
-        &[&[N]],
+        &[&[SKIP]],
     ),
 ];
 
 const CHKSRF: &[Shape] = &[fixed(&[W(word::OFF)]), list(&[W(word::PS), AS], &[SWITCH])];
 
 /// Diameter and height of a corner of shank and holder.
-const CORNER: &[Item] = &[N, N];
+const CORNER: &[Item] = &[DIAMETER, HEIGHT];
+const DIAMETER: Item = Num("a diameter");
+const HEIGHT: Item = Num("its height above the tool end");
 const HOLDER: &[Shape] = &[
     fixed(&[W(word::OFF)]),
-    open(&[N, N, N, N], &[CORNER, CORNER, CORNER, CORNER, CORNER, CORNER, CORNER, CORNER]),
-];
-
-const AVCTRL: &[Shape] = &[
-    fixed(&[SWITCH]),
-    open(&[LIFT], &[&[W(word::LIMIT), N]]),
     open(
-        &[W(word::CUTANG), W(word::CONST), N, W(word::RANGE), N, N],
-        &[&[LIFT], &[W(word::LIMIT), N]],
+        &[DIAMETER, HEIGHT, DIAMETER, HEIGHT],
+        &[CORNER, CORNER, CORNER, CORNER, CORNER, CORNER, CORNER, CORNER],
     ),
 ];
 
+const FARTHEST: Item = Num("how far it may lift");
+const AVCTRL: &[Shape] = &[
+    fixed(&[SWITCH]),
+    open(&[LIFT], &[&[W(word::LIMIT), FARTHEST]]),
+    open(
+        &[
+            W(word::CUTANG),
+            W(word::CONST),
+            Num("the angle more than it takes"),
+            W(word::RANGE),
+            Num("the least angle"),
+            Num("the greatest angle"),
+        ],
+        &[&[LIFT], &[W(word::LIMIT), FARTHEST]],
+    ),
+];
+
+const START: Item = Num("the parameter where it begins");
+const THRU: Item = Num("the parameter where it ends");
+const AT: Item = Num("the parameter of the place");
+const CONSTANT: Item = Num("the constant parameter");
+const STEPS: Item = Num("the step or chord");
+const LONGEST: Item = Num("the greatest length");
+
 /// What a line of a surface or along a curve may be limited and stepped by.
 const LINE: &[&[Item]] = &[
-    &[W(word::START), N],
+    &[W(word::START), START],
     &[W(word::START), RELATION, PL],
-    &[W(word::THRU), N],
+    &[W(word::THRU), THRU],
     &[W(word::THRU), RELATION, PL],
-    &[W(word::AT), N],
+    &[W(word::AT), AT],
     &[W(word::AT), RELATION, PL],
     &[W(word::INVERS)],
     &[W(word::MIRROR)],
-    &[STEP, N],
-    &[W(word::LENGTH), N],
+    &[STEP, STEPS],
+    &[W(word::LENGTH), LONGEST],
 ];
-const CURVE: &[&[Item]] =
-    &[&[W(word::START), N], &[W(word::THRU), N], &[MEASURE], &[STEP, N], &[W(word::LENGTH), N]];
+const CURVE: &[&[Item]] = &[
+    &[W(word::START), START],
+    &[W(word::THRU), THRU],
+    &[MEASURE],
+    &[STEP, STEPS],
+    &[W(word::LENGTH), LONGEST],
+];
 
-const GOLOFT: &[Shape] = &[open(&[SS, DIRECTION, N], LINE), open(&[SS], LINE), open(&[SC], CURVE)];
+const GOLOFT: &[Shape] =
+    &[open(&[SS, DIRECTION, CONSTANT], LINE), open(&[SS], LINE), open(&[SC], CURVE)];
 
+const LINES: Item = Num("the number of lines");
 const PLOTFT: &[Shape] = &[
     open(
         &[SS, W(word::GRID)],
         &[
             &[W(word::UCONST)],
-            &[W(word::UCONST), N],
+            &[W(word::UCONST), LINES],
             &[W(word::VCONST)],
-            &[W(word::VCONST), N],
-            &[STEP, N],
+            &[W(word::VCONST), LINES],
+            &[STEP, STEPS],
         ],
     ),
-    open(&[SS, DIRECTION, N], LINE),
+    open(&[SS, DIRECTION, CONSTANT], LINE),
     open(&[SC], CURVE),
 ];
 
 const RETRACTS: &[&[Item]] = &[
     &[Of(&[word::PICKFD, word::ZIGZAG])],
-    &[W(word::SCALOP), N],
-    &[W(word::MAXSTP), N],
-    &[W(word::RETR), N],
+    &[W(word::SCALOP), Num("the greatest height of the scallops")],
+    &[W(word::MAXSTP), Num("the greatest step")],
+    &[W(word::RETR), Num("the distance along the axis")],
     &[W(word::RETR), V],
     &[W(word::RETR), PL],
-    &[W(word::START), N],
-    &[W(word::THRU), N],
+    &[W(word::START), START],
+    &[W(word::THRU), THRU],
     &[W(word::INVERS)],
-    &[W(word::AT), N],
+    &[W(word::AT), AT],
 ];
 const GOMILL: &[Shape] = &[
-    open(&[SS, DIRECTION, N, W(word::STEPOV), N], RETRACTS),
-    open(&[SS, DIRECTION, N], RETRACTS),
-    open(&[SC, DIRECTION, N], RETRACTS),
+    open(&[SS, DIRECTION, CONSTANT, W(word::STEPOV), Num("the step of the parameter")], RETRACTS),
+    open(&[SS, DIRECTION, CONSTANT], RETRACTS),
+    open(&[SC, DIRECTION, CONSTANT], RETRACTS),
 ];
 
+const BEFORE: Item = Num("the distance along the motion");
+const OFF: Item = Num("the distance off the surface");
+const FEED: Item = Num("the feed");
 const APPROACH: &[&[Item]] = &[
-    &[W(word::MOTDIR), N],
-    &[W(word::NORMAL), N],
+    &[W(word::MOTDIR), BEFORE],
+    &[W(word::NORMAL), OFF],
     &[W(word::PARLEL), V],
-    &[W(word::FEED), N],
+    &[W(word::FEED), FEED],
     &[W(word::CLEARS), SS],
     &[W(word::CLEARS), S],
 ];
 const GCLEAR: &[Shape] = &[
     open(&[PLACES, SWITCH], APPROACH),
     open(&[SWITCH], APPROACH),
-    open(&[PLACES, W(word::MOTDIR), N], APPROACH),
-    open(&[PLACES, W(word::NORMAL), N], APPROACH),
+    open(&[PLACES, W(word::MOTDIR), BEFORE], APPROACH),
+    open(&[PLACES, W(word::NORMAL), OFF], APPROACH),
     open(&[PLACES, W(word::PARLEL), V], APPROACH),
-    open(&[PLACES, W(word::FEED), N], APPROACH),
+    open(&[PLACES, W(word::FEED), FEED], APPROACH),
     open(&[PLACES, W(word::CLEARS), SS], APPROACH),
     open(&[PLACES, W(word::CLEARS), S], APPROACH),
-    open(&[W(word::MOTDIR), N], APPROACH),
-    open(&[W(word::NORMAL), N], APPROACH),
+    open(&[W(word::MOTDIR), BEFORE], APPROACH),
+    open(&[W(word::NORMAL), OFF], APPROACH),
     open(&[W(word::PARLEL), V], APPROACH),
-    open(&[W(word::FEED), N], APPROACH),
+    open(&[W(word::FEED), FEED], APPROACH),
     open(&[W(word::CLEARS), SS], APPROACH),
     open(&[W(word::CLEARS), S], APPROACH),
 ];
@@ -181,7 +257,9 @@ const KEPT: &[&[Item]] = &[
     &[W(word::UVPPS)],
     &[W(word::UVPDS)],
 ];
-const CLDAT: &[Shape] = &[open(&[W(word::START), N], KEPT), fixed(&[W(word::NOMORE), N])];
+const SECTION: Item = Num("the number of the section");
+const CLDAT: &[Shape] =
+    &[open(&[W(word::START), SECTION], KEPT), fixed(&[W(word::NOMORE), SECTION])];
 
 const TLPROJ: &[Shape] = &[
     open(&[V], &[&[Of(&[word::ON, word::AT])]]),
@@ -190,7 +268,7 @@ const TLPROJ: &[Shape] = &[
 ];
 
 const REGION: &[Shape] =
-    &[fixed(&[N, Of(&[word::IN, word::OUT, word::OFF])]), fixed(&[W(word::OFF)])];
+    &[fixed(&[SECTION, Of(&[word::IN, word::OUT, word::OFF])]), fixed(&[W(word::OFF)])];
 
 /// The shapes of a word.
 pub(super) fn shapes(word: Word) -> &'static [Shape] {

@@ -70,7 +70,7 @@ impl Shape {
     fn stop(&self, args: &[define::Arg]) -> Option<Stop> {
         let listed = |a: &&define::Arg| self.list.iter().any(|item| item.takes(a));
         let n = args.iter().take_while(listed).count();
-        let texts = || self.list.iter().map(Item::text).collect();
+        let texts = || self.list.iter().map(Item::missed).collect();
         if n == 0 && !self.list.is_empty() {
             return Some(Stop { at: 0, expected: texts() });
         }
@@ -108,7 +108,7 @@ impl Shape {
 fn run(items: &[Item], args: &[define::Arg], at: usize) -> Result<usize, Stop> {
     for (i, item) in items.iter().enumerate() {
         if !args.get(at + i).is_some_and(|a| item.takes(a)) {
-            return Err(Stop { at: at + i, expected: vec![item.text()] });
+            return Err(Stop { at: at + i, expected: vec![item.missed()] });
         }
     }
     Ok(at + items.len())

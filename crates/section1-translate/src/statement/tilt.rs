@@ -6,20 +6,31 @@ use aptc_vocabulary::{Word, word};
 
 use super::shape::{Shape, fixed};
 use crate::Interpreter;
-use crate::define::Item::{self, N, Of, W};
+use crate::define::Item::{self, Num, Of, W};
 use crate::eval::{Known, Names};
 
 const SIDE: Item = Of(&[word::LEFT, word::RIGHT]);
 
+const ANGLE: Item = Num("the tilt");
+const DIAMETER: Item = Num("the diameter of the cutter");
+const CORNER: Item = Num("its corner radius");
+
 /// VTLAXS: tilt, diameter, corner radius, side of the wall; and the tilt at the end.
 const VTLAXS: &[Shape] = &[
-    fixed(&[W(word::ON), SIDE, N, N, N, SIDE]),
-    fixed(&[W(word::ON), SIDE, N, N, N, SIDE, W(word::ZSMALL)]),
-    fixed(&[W(word::OFF), SIDE, N]),
+    fixed(&[W(word::ON), SIDE, ANGLE, DIAMETER, CORNER, SIDE]),
+    fixed(&[W(word::ON), SIDE, ANGLE, DIAMETER, CORNER, SIDE, W(word::ZSMALL)]),
+    fixed(&[W(word::OFF), SIDE, ANGLE]),
 ];
 
 /// WCORN: tilts before and behind the corner, height of the wall, steps.
-const WCORN: &[Shape] = &[fixed(&[SIDE, N, SIDE, N, N]), fixed(&[SIDE, N, SIDE, N, N, N])];
+const WCORN: &[Shape] = &[
+    fixed(&[SIDE, BEFORE, SIDE, BEHIND, HIGH]),
+    fixed(&[SIDE, BEFORE, SIDE, BEHIND, HIGH, STEPS]),
+];
+const BEFORE: Item = Num("the tilt before the corner");
+const BEHIND: Item = Num("the tilt behind the corner");
+const HIGH: Item = Num("the height of the wall");
+const STEPS: Item = Num("the number of steps");
 
 /// The shapes of a word.
 pub(super) fn shapes(word: Word) -> &'static [Shape] {

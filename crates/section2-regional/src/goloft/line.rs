@@ -123,11 +123,11 @@ impl Line<'_> {
     /// First and last parameter, rising, or the one of AT.
     pub(super) fn stretch(&self, wish: &Wish) -> Result<Stretch, Failure> {
         if let Some(at) = wish.at {
-            let t = self.place(at, 0.0, 1.0)?;
+            let t = self.place(at, 0.0, "AT")?;
             return Ok(Stretch::At(t));
         }
-        let start = wish.start.map_or(Ok(0.0), |e| self.place(e, 0.0, 1.0))?;
-        let thru = wish.thru.map_or(Ok(self.most()), |e| self.place(e, start, -1.0))?;
+        let start = wish.start.map_or(Ok(0.0), |e| self.place(e, 0.0, "START"))?;
+        let thru = wish.thru.map_or(Ok(self.most()), |e| self.place(e, start, "THRU"))?;
         if start >= thru {
             let need = format!("less than the {thru} of THRU").into();
             return Err(Failure::Value { what: "START", value: start, need });
@@ -136,8 +136,8 @@ impl Line<'_> {
     }
 
     /// The parameter of an end, the first after `from`. The plane is met on the side from which the line
-    /// comes for THRU (`-1`), to which it goes for START (`+1`).
-    fn place(&self, end: End, from: f64, sense: f64) -> Result<f64, Failure> {
+    /// comes for THRU, to which it goes for START and AT.
+    fn place(&self, end: End, from: f64, word: &'static str) -> Result<f64, Failure> {
         let (relation, plane) = match end {
             End::Number(t) => return Ok(t),
             End::Plane(relation, plane) => (relation, plane),
@@ -155,7 +155,7 @@ impl Line<'_> {
         };
         // TO: the cutter is wholly on the side of the stretch; PAST: on the other.
         let ends = [self.stop(at(0))?, self.stop(at(pieces))?];
-        let kept = if sense > 0.0 { ends[1] } else { ends[0] };
+        let kept = if word == "THRU" { ends[0] } else { ends[1] };
         let side = if plane.distance(kept.te) < 0.0 { -1.0 } else { 1.0 };
         let gap = |t: f64| -> Result<f64, Failure> {
             let s = self.stop(t)?;
@@ -184,7 +184,7 @@ impl Line<'_> {
             }
             before = here;
         }
-        Err(Failure::PlaneMissed { word: if sense > 0.0 { "START" } else { "THRU" } })
+        Err(Failure::PlaneMissed { word })
     }
 
     /// The positions of a curve from one parameter to the other.

@@ -224,9 +224,9 @@ impl Regional {
         (side, thick): (f64, f64),
     ) -> Result<PartArea, Failure> {
         let surface = self.surface(name, form)?;
-        let (tree, extent) = (self.tree(&surface), surface.extent());
+        let (tree, extent, borders) = (self.tree(&surface), surface.extent(), surface.borders());
         let (name, touches) = (name.clone(), true);
-        Ok(PartArea { name, surface, tree, extent, touches, side, thick })
+        Ok(PartArea { name, surface, tree, extent, borders, touches, side, thick })
     }
 
     /// What holds along lines of a surface that is its own drive.

@@ -186,9 +186,12 @@ impl ParametricSurface {
         self.bend(&jet, self.normal_at(u, v, &jet))
     }
 
-    /// Is the place with these parameters on the border?
+    /// Does the surface end at the place with these parameters?
     pub(crate) fn ends_at(&self, [u, v]: [f64; 2]) -> bool {
-        self.patch.domain().border(u, v)
+        match &self.patch {
+            Patch::Sculptured(spans) => spans.ends_at(u, v),
+            patch => patch.domain().border(u, v),
+        }
     }
 
     /// The nearest point. Beyond an end the normal points from or to the given point.
@@ -253,7 +256,7 @@ impl ParametricSurface {
         let size = away.norm();
         let distance = normal.dot(&away);
         let across = (away - normal * distance).norm();
-        if across > 1e-6 * size && size > 1e-12 * self.extent && self.patch.domain().border(u, v) {
+        if across > 1e-6 * size && size > 1e-12 * self.extent && self.ends_at([u, v]) {
             let side = if distance < 0.0 { -1.0 } else { 1.0 };
             let normal = away * (side / size);
             let shape = Shape { frame: frame_about(normal), k: [f64::INFINITY * side, 0.0, 0.0] };
@@ -263,15 +266,27 @@ impl ParametricSurface {
     }
 
     fn normal_at(&self, u: f64, v: f64, jet: &Jet) -> Vec3 {
-        let cross = |jet: &Jet| {
-            let n = jet.su.cross(&jet.sv);
+        let across = |su: Vec3, sv: Vec3| {
+            let n = su.cross(&sv);
             let square = n.norm_squared();
-            let flat = square <= 1e-18 * jet.su.norm_squared() * jet.sv.norm_squared();
+            let flat = square <= 1e-18 * su.norm_squared() * sv.norm_squared();
             (!flat).then(|| n / square.sqrt())
         };
-        // Where one derivative vanishes the normal of a place beside it.
+        let cross = |jet: &Jet| across(jet.su, jet.sv);
+        // Where a border shrinks to a point, its derivative along it is rounding: what the normals beside it come to.
+        let none = 1e-12 * jet.su.norm().max(jet.sv.norm());
+        let inwards = |x: f64| if x < 0.5 { 1.0 } else { -1.0 };
+        let pole = if jet.su.norm() <= none {
+            across(jet.suv * inwards(v), jet.sv)
+        } else if jet.sv.norm() <= none {
+            across(jet.su, jet.suv * inwards(u))
+        } else {
+            None
+        };
         let beside = |x: f64| x + (0.5 - x) * 1e-5;
-        cross(jet).or_else(|| cross(&self.patch.jet(beside(u), beside(v)))).unwrap_or_else(Vec3::z)
+        pole.or_else(|| cross(jet))
+            .or_else(|| cross(&self.patch.jet(beside(u), beside(v))))
+            .unwrap_or_else(Vec3::z)
     }
 
     /// Is all of a sculptured surface, with its straight continuation, at least so far from a convex body? `near` tells the

@@ -10,6 +10,8 @@ const NOISE: f64 = 1e-14;
 const NEAR: f64 = 1e-9;
 /// The same of a step at whose end a smooth surface is as its derivatives at the start tell.
 const BESIDE: f64 = 3e-7;
+/// Seams and poles that a way downhill may cross.
+const CROSSINGS: usize = 4;
 /// Share of the surface's size by which two places lie apart.
 const SAME: f64 = 1e-6;
 
@@ -71,9 +73,24 @@ impl ParametricSurface {
         }
     }
 
-    /// Downhill over the whole surface.
+    /// Downhill over the whole surface, over its seams and poles too.
     pub(super) fn descend_free(&self, p: Vec3, uv: [f64; 2]) -> (f64, Placed) {
-        self.descend(p, uv, &self.patch.domain(), |u, v| self.patch.jet(u, v))
+        let domain = self.patch.domain();
+        let run = |uv| self.descend(p, uv, &domain, |u, v| self.patch.jet(u, v));
+        let mut found = run(uv);
+        let Patch::Sculptured(spans) = &self.patch else { return found };
+        // A way downhill crosses each seam and each pole once.
+        for _ in 0..CROSSINGS {
+            let Placed { u, v, jet } = found.1;
+            let beyond = domain.fixed(u, v, &jet, p);
+            let Some(over) = spans.beyond([u, v], beyond, p) else { break };
+            let next = run(over);
+            if next.0 >= found.0 {
+                break;
+            }
+            found = next;
+        }
+        found
     }
 
     /// Newton's method for the nearest point, kept in the rectangle; steps that do not lower the distance are

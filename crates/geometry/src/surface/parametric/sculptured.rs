@@ -4,7 +4,7 @@
 //! for a few times its own length, but where it closes on itself or shrinks to a point.
 
 use crate::Vec3;
-use crate::sculpt::{Layout, Patch, Sculptured};
+use crate::sculpt::{Border, Layout, Patch, Sculptured};
 use crate::sculptured::SurfaceDefinition;
 
 use super::cells::Cells;
@@ -27,11 +27,16 @@ const MEETS: f64 = 0.1;
 /// There it ends at this share of its way.
 const CLEAR: f64 = 0.9;
 
+/// Places round a pole, so much of the way across from it, from which a way that comes over it goes on.
+const PLACES: u8 = 16;
+const ROUND: f64 = 0.04;
+
 /// A sculptured surface prepared for evaluation.
 #[derive(Clone, Debug)]
 pub(super) struct Spans {
     surface: Sculptured,
     domain: Domain,
+    borders: [[Border; 2]; 2],
     /// Is it straight along u, and bent along v?
     ruled_along: bool,
     cells: Cells,
@@ -79,11 +84,11 @@ impl Spans {
     pub(super) fn of_surface(surface: Sculptured) -> Option<Self> {
         let size = surface.extent();
         let ruled_along = straight(&surface, size, true) && !straight(&surface, size, false);
-        let free = domain(&surface);
+        let borders = surface.borders();
         let itself = Domain { u: [0.0, 1.0], v: [0.0, 1.0] };
         let cells = Cells::new(&surface, &itself)?;
-        let bare = Self { surface, domain: itself, ruled_along, cells };
-        let domain = shortened(&bare, &free);
+        let bare = Self { surface, domain: itself, borders, ruled_along, cells };
+        let domain = shortened(&bare, &domain(&borders));
         let cells = Cells::new(&bare.surface, &domain)?;
         Some(Self { domain, cells, ..bare })
     }
@@ -107,6 +112,35 @@ impl Spans {
         self.domain
     }
 
+    /// Does the surface end at the place with these parameters? At a seam and a pole it does not.
+    pub(super) fn ends_at(&self, u: f64, v: f64) -> bool {
+        let goes_on = |border| matches!(border, Border::Seam | Border::Pole);
+        let ends = |t: f64, [low, high]: [f64; 2], [first, last]: [Border; 2]| {
+            t <= low && !goes_on(first) || t >= high && !goes_on(last)
+        };
+        ends(u, self.domain.u, self.borders[0]) || ends(v, self.domain.v, self.borders[1])
+    }
+
+    /// Where the way towards `p` goes on across a seam, or round a pole, at which it is held fast along the parameters `fixed`.
+    pub(super) fn beyond(&self, uv: [f64; 2], fixed: [bool; 2], p: Vec3) -> Option<[f64; 2]> {
+        let border = |axis: usize| self.borders[axis][usize::from(uv[axis] > 0.5)];
+        let held = |axis: usize, kind| fixed[axis] && border(axis) == kind;
+        let mut over = uv;
+        if let Some(axis) = (0..2).find(|a| held(*a, Border::Seam)) {
+            over[axis] = 1.0 - uv[axis];
+            return Some(over);
+        }
+        let axis = (0..2).find(|a| held(*a, Border::Pole))?;
+        over[axis] += (1.0 - 2.0 * uv[axis]) * ROUND;
+        let round = (0..PLACES).map(|k| {
+            let mut around = over;
+            around[1 - axis] = f64::from(k) / f64::from(PLACES);
+            around
+        });
+        let away = |[u, v]: [f64; 2]| (self.jet(u, v).s - p).norm_squared();
+        round.min_by(|a, b| away(*a).total_cmp(&away(*b)))
+    }
+
     pub(super) fn jet(&self, u: f64, v: f64) -> Jet {
         jet(&self.surface, None, u, v)
     }
@@ -128,25 +162,12 @@ pub(super) fn jet(surface: &Sculptured, patch: Option<[usize; 2]>, u: f64, v: f6
 }
 
 /// How far the surface goes, beyond 0 to 1 straight on.
-fn domain(surface: &Sculptured) -> Domain {
-    let (spans, size) = (surface.spans(), surface.extent());
-    let open = |a: &dyn Fn(f64) -> Vec3, b: &dyn Fn(f64) -> Vec3| {
-        // The two borders fall together, or one of them is a point.
-        let places = [0.0, 0.31, 0.72];
-        let apart = |t: f64| (a(t) - b(t)).norm() > 1e-9 * size;
-        let long =
-            |c: &dyn Fn(f64) -> Vec3| places.iter().any(|t| (c(*t) - c(0.5)).norm() > 1e-9 * size);
-        (places.iter().any(|t| apart(*t)), long(a), long(b))
-    };
-    let at = |u: f64, v: f64| surface.at(u * spans[0], v * spans[1]).point;
-    let range = |(apart, first, last): (bool, bool, bool)| {
-        let beyond = |free: bool, far: f64, end: f64| if apart && free { far } else { end };
+fn domain(borders: &[[Border; 2]; 2]) -> Domain {
+    let range = |[first, last]: [Border; 2]| {
+        let beyond = |border, far: f64, end: f64| if border == Border::Free { far } else { end };
         [beyond(first, -BEYOND, 0.0), beyond(last, 1.0 + BEYOND, 1.0)]
     };
-    Domain {
-        u: range(open(&|v| at(0.0, v), &|v| at(1.0, v))),
-        v: range(open(&|u| at(u, 0.0), &|u| at(u, 1.0))),
-    }
+    Domain { u: range(borders[0]), v: range(borders[1]) }
 }
 
 /// The domain, its continuation cut off before it meets the surface again: what sticks out beyond it there is no

@@ -238,7 +238,7 @@ impl Gen {
             Item::N if after(word::SLOPE) => n(self.within(-4.0, 4.0)),
             Item::N if after(word::SCALE) => n(self.within(0.1, 3.0)),
             Item::N if after(word::RADIUS) => n(self.radius()),
-            Item::N => n(self.coordinate()),
+            Item::N | Item::Num(_) => n(self.coordinate()),
             Item::W(word) => (*word).into(),
             Item::Of(words) => self.pick(words),
             Item::P => match self.below(3) {
