@@ -10,6 +10,8 @@ const BEYOND: f64 = 10.0;
 const POLE: f64 = 1e-9;
 /// Newton's steps of a search.
 const STEPS: usize = 40;
+/// Radii of a flat bottom from its axis beyond which a summit is not looked for that the first step foretells there.
+const FAR: f64 = 4.0;
 /// A summit is looked for where the normal is about so near to the tool axis: its cosine.
 const FACING: f64 = 0.95;
 /// Steps of a fall.
@@ -109,11 +111,14 @@ impl Shot<'_> {
                 return None;
             }
             let (g, h) = (d.u.dot(&ta), d.v.dot(&ta));
+            // The way of the tool to where it has a place below it, and how far that is from its axis.
+            let under = |p: Vec3| {
+                let way = (p + ta * thick - self.from).dot(&ta) / lean;
+                let off = p - (self.from + self.along * way);
+                (way, (off - ta * off.dot(&ta)).norm())
+            };
             if g.abs().max(h.abs()) <= 1e-13 * (d.u.norm() + d.v.norm()) {
-                let way = (d.point + ta * thick - self.from).dot(&ta) / lean;
-                let te = self.from + self.along * way;
-                let off = d.point - te;
-                let beside = (off - ta * off.dot(&ta)).norm();
+                let (way, beside) = under(d.point);
                 return (n.dot(&ta) > 0.0 && beside <= wide).then_some(Met {
                     uv: [u, v],
                     at: d,
@@ -127,16 +132,25 @@ impl Shot<'_> {
                 return None;
             }
             let (du, dv) = ((b * h - c * g) / det, (b * g - a * h) / det);
+            if k == 0 && under(d.point + d.u * du + d.v * dv).1 > FAR * wide {
+                // Most have none anywhere near.
+                return None;
+            }
             [u, v] = self.stepped([u, v], [du, dv]);
             d = self.surface.at(u, v);
         }
         None
     }
 
-    /// Unit normal along u x v; at a pole, where a derivative is but rounding, the one to which the normals come.
-    fn normal(&self, [u, v]: [f64; 2], d: &Derivatives) -> Option<Vec3> {
+    /// Unit normal along u x v and the length of that; at a pole, where a derivative is but rounding, the normal to which they come.
+    fn normal(&self, [u, v]: [f64; 2], d: &Derivatives) -> Option<(Vec3, f64)> {
         let (a, b) = (d.u.norm(), d.v.norm());
-        if a.min(b) <= POLE * a.max(b) { self.surface.normal_at(u, v) } else { d.normal() }
+        let n = d.u.cross(&d.v);
+        let size = n.norm();
+        if a.min(b) <= POLE * a.max(b) {
+            return self.surface.normal_at(u, v).map(|n| (n, size));
+        }
+        (size > 1e-12 * a * b && size > 0.0).then(|| (n / size, size))
     }
 
     /// A step of Newton's method: half a span at most, so that the patch between is seen, and not far off the surface. It
@@ -169,7 +183,8 @@ impl Shot<'_> {
         let size = self.extent + self.from.norm();
         let [mut u, mut v] = start;
         for _ in 0..STEPS {
-            let n = self.normal([u, v], &d)? * self.side;
+            let (unit, area) = self.normal([u, v], &d)?;
+            let n = unit * self.side;
             let reach = self.reach(n);
             let w = d.point + reach.to - self.from;
             let (e, g) = (w.dot(&a), w.dot(&b));
@@ -179,7 +194,7 @@ impl Shot<'_> {
                 let faces = n.dot(&self.along) < 0.0;
                 return faces.then_some(Met { uv: [u, v], at: d, normal: n, way });
             }
-            let [nu1, nv1] = self.turn(&d)?;
+            let [nu1, nv1] = self.turn(&d, unit, area)?;
             let (wu, wv) = (d.u + reach.rate(nu1), d.v + reach.rate(nv1));
             let (eu, ev, gu, gv) = (wu.dot(&a), wv.dot(&a), wu.dot(&b), wv.dot(&b));
             let det = eu * gv - ev * gu;
@@ -316,13 +331,10 @@ impl Shot<'_> {
     }
 
     /// Derivatives of the unit normal towards the tool.
-    fn turn(&self, d: &Derivatives) -> Option<[Vec3; 2]> {
-        let n = d.u.cross(&d.v);
-        let size = n.norm();
+    fn turn(&self, d: &Derivatives, unit: Vec3, size: f64) -> Option<[Vec3; 2]> {
         if size <= 0.0 {
             return None;
         }
-        let unit = n / size;
         let of = |m: Vec3| (m - unit * unit.dot(&m)) * (self.side / size);
         Some([of(d.uu.cross(&d.v) + d.u.cross(&d.uv)), of(d.uv.cross(&d.v) + d.u.cross(&d.vv))])
     }
