@@ -288,11 +288,37 @@ impl Beside {
         }
     }
 
+    /// The same of a solid that has the middle of a ball or a rod in it, which no point of its skin tells: no point of these is
+    /// deeper in them than their radius.
+    fn about_axis(&self, profile: &Profile, te: Vec3, ta: Vec3) -> f64 {
+        let near = |p: Vec3| {
+            let w = p - te;
+            let z = w.dot(&ta);
+            profile.near((w - ta * z).norm(), z).distance
+        };
+        match &self.surface {
+            Surface::Sphere(s) if self.sign > 0.0 => near(s.center) - s.radius,
+            Surface::Cylinder(s) if self.sign > 0.0 => {
+                // Along the axis the distance is convex.
+                let at = |t: f64| near(s.point + s.axis * t);
+                let middle = (te - s.point).dot(&s.axis);
+                let (mut a, mut b) = (middle - profile.reach(), middle + profile.reach());
+                for _ in 0..120 {
+                    let (x, y) = ((2.0 * a + b) / 3.0, (a + 2.0 * b) / 3.0);
+                    (a, b) = if at(x) < at(y) { (a, y) } else { (x, b) };
+                }
+                at(0.5 * (a + b)) - s.radius
+            }
+            _ => f64::INFINITY,
+        }
+    }
+
     /// How far the cutter or what is above it reaches over to the other side, beyond what is allowed.
     fn excess(&self, solids: &[Raised], at: &Position) -> f64 {
         let least = |s: &Raised| {
             let te = at.te + at.ta * s.up;
-            brute::lowest(&s.profile, te, at.ta, |p| self.distance(p, at.ta))
+            let by_skin = brute::lowest(&s.profile, te, at.ta, |p| self.distance(p, at.ta));
+            by_skin.min(self.about_axis(&s.profile, te, at.ta))
         };
         -self.intol - solids.iter().map(least).fold(f64::INFINITY, f64::min)
     }
