@@ -373,6 +373,7 @@ impl Run<'_, '_> {
         while let Some((a, b)) = todo.pop() {
             pieces += 1;
             if let Some(crest) = self.crest(&a, &b)
+                && pieces < MAX_PIECES
                 && let [_, fine] = exact.at([low.g, high.g])
                 && crest.g > high.g + fine
                 && crest.g - a.gap.g.max(b.gap.g) > 0.25 * fine

@@ -16,7 +16,8 @@ pub(crate) struct Run {
     pub(crate) high: f64,
 }
 
-/// The vectors from `start` to the first of the points, and from each to the next; `None` where the axis turns.
+/// The vectors from `start` to the first of the points, and from each to the next; `None` where the axis turns, and where a gap is
+/// no number.
 pub(crate) fn beside_plane(
     tool: &Tool<'_>,
     start: &Position,
@@ -31,6 +32,7 @@ pub(crate) fn beside_plane(
     let over = tool.over(start.ta, -plane.n);
     let gap = |te: Vec3| plane.distance(te) - over;
     let mut before = gap(start.te);
+    let mut sum = before;
     let mut run = Run { low: f64::INFINITY, at: None, high: before };
     for p in points {
         let next = gap(p.te);
@@ -40,8 +42,9 @@ pub(crate) fn beside_plane(
         }
         run.high = run.high.max(next);
         before = next;
+        sum += next;
     }
-    Some(run)
+    sum.is_finite().then_some(run)
 }
 
 #[cfg(test)]
@@ -78,6 +81,8 @@ mod tests {
             assert_eq!(run.at, seen.at);
             assert!((run.low - seen.low).abs() < 1e-12 && (run.high - seen.high).abs() < 1e-12);
         }
+        let nowhere = Position { te: Vec3::repeat(f64::NAN), ta };
+        assert_eq!(beside_plane(&Tool::End, &nowhere, &[nowhere, nowhere], &plane), None);
         let turned = Position { ta: Vec3::z(), ..at(41) };
         assert_eq!(beside_plane(&Tool::Solid(&profile), &at(0), &[turned], &plane), None);
         assert!(beside_plane(&Tool::End, &at(0), &[turned], &plane).is_some());

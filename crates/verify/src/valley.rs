@@ -12,7 +12,8 @@
 //! With n the gradient of f, which is square to v, `f'' = n . x'' + h'^2 w H w`. A ball of the corner's radius R rolls about
 //! inside the tool, so that `H <= 1 / (R + f)`, and n turns by no more than the place moves across the way over that.
 //!
-//! At borders of charts normals may differ by rounding: a corner of d on a curve of which f bends by b loses `d^2 / 2 b` at most.
+//! At borders of charts normals may differ by rounding: a corner of d on a curve of which f bends by b loses `d^2 / 2 b` at most,
+//! and no more than d times the way.
 
 use aptc_geometry::Vec3;
 
@@ -119,7 +120,7 @@ impl<'a> Valley<'a> {
             return cut(deep + far > DEEP * self.radius);
         }
         let [x, y] = [0, 1].map(|i| across(tile.side[i], self.along).norm() + tile.stray[i]);
-        let lift = n.dot(&self.up) - (x + y) / deep - (left / deep).sqrt();
+        let lift = n.dot(&self.up) - (x + y) / deep - (2.0 * left / deep).sqrt();
         let normal = if tile.n.dot(&self.up) < 0.0 { -tile.n } else { tile.n };
         let (upright, turn) = (normal.dot(&self.up), tile.turn[0] + tile.turn[1]);
         let Some([a, b]) = line(tile.side, self.along, self.beside) else { return Seen::Near };

@@ -104,7 +104,13 @@ impl Track {
                 }
                 both => {
                     let gap = match both {
-                        [Ok(gap), Ok(_)] => gap,
+                        [Ok(a), Ok(b)] => {
+                            if b.g < a.g {
+                                b
+                            } else {
+                                a
+                            }
+                        }
                         _ => keep.gap(&pose, None)?,
                     };
                     let slope = gap.normal.dot(&way) + gap.turn_rate(pose.te, turn);

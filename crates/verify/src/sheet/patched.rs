@@ -214,11 +214,15 @@ impl Patched {
 
     /// Does the surface go on without an edge wherever a piece lies at a border of its chart?
     pub(crate) fn goes_on(&self, patch: &Patch) -> bool {
+        /// Share of a chart up to which what is near a border counts as on it: halving rounds.
+        const NEAR: f64 = 1e-9;
         let range = &self.charts[patch.chart].range;
         let smooth = || self.smooth[patch.chart].get_or_init(|| self.smooth(patch.chart));
         (0..2).all(|k| {
             let [from, to] = [patch.at[k] - patch.half[k], patch.at[k] + patch.half[k]];
-            (from > range[k][0] || smooth()[k][0]) && (to < range[k][1] || smooth()[k][1])
+            let near = NEAR * (range[k][1] - range[k][0]);
+            (from > range[k][0] + near || smooth()[k][0])
+                && (to < range[k][1] - near || smooth()[k][1])
         })
     }
 

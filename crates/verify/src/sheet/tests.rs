@@ -203,3 +203,47 @@ fn derivatives_of_the_blown_up_cube_are_bounded() {
     assert!(top[0] <= bounds[0] && top[1] <= bounds[1], "{top:?} {bounds:?}");
     assert!(trig::hypot(bounds[0], bounds[1]) < 2.0);
 }
+
+/// Two flat patches that meet in a corner, or in none, at a knot that halving does not come to exactly: a piece beside it goes
+/// on there only where they do.
+#[test]
+fn a_piece_at_a_corner_of_the_surface_does_not_go_on() {
+    use aptc_geometry::sculpt::{Layout, Patch as Bicubic};
+    for knot in [0.052_895_871_052_422_07, 0.1, 0.3, 2.0 / 3.0] {
+        for rise in [0.0, 0.4] {
+            let flat = |x: f64, up: f64| {
+                let [a, b] = [[0.0, 0.0], [1.0, up]].map(|[dx, z]| Vec3::new(x + dx, 0.0, z));
+                let (u, v, none) = (b - a, Vec3::y(), Vec3::zeros());
+                Bicubic::hermite([
+                    [a, b, u, u],
+                    [a + v, b + v, u, u],
+                    [v, v, none, none],
+                    [v, v, none, none],
+                ])
+            };
+            let layout = Layout::Mesh { u: vec![0.0, knot, 1.0], v: vec![0.0, 1.0] };
+            let patches = vec![flat(0.0, 0.0), flat(1.0, rise)];
+            let sheet = Sheet::bare(&Sculptured::checked(patches, layout).unwrap()).unwrap();
+            let Kind::Patched(patched) = &sheet.kind else { unreachable!() };
+            let beside = |end: f64| {
+                let all = patched.charts().filter(move |p| {
+                    let [from, to] = [p.at[0] - p.half[0], p.at[0] + p.half[0]];
+                    // In the middle across, where nothing else ends.
+                    let inner = p.at[1] > 0.3 && p.at[1] < 0.7;
+                    inner && (if end < 0.0 { from } else { to } - knot).abs() < 1e-12
+                });
+                all.collect::<Vec<_>>()
+            };
+            for (end, half) in [(1.0, 1), (-1.0, 0)] {
+                let first = beside(end);
+                assert!(!first.is_empty());
+                for mut piece in first {
+                    for depth in 0..20 {
+                        assert_eq!(sheet.goes_on(&piece), rise == 0.0, "{knot} {end} {depth}");
+                        piece = piece.halves(0)[half];
+                    }
+                }
+            }
+        }
+    }
+}
