@@ -17,9 +17,6 @@ const BESIDE: f64 = 1e-3;
 const BENT: f64 = 0.05;
 /// Share of its way to a limit to which an extreme gap is found.
 const BY: f64 = 0.01;
-/// Looks for the place of an edge, and share of the resolution by which the gaps of both places may differ there.
-const EDGE_LOOKS: usize = 8;
-const EDGE: f64 = 0.1;
 /// Greatest number of pieces into which a chord over a surface of mixed curvature is cut.
 const MAX_PIECES: usize = 256;
 
@@ -284,29 +281,6 @@ impl Run<'_, '_> {
         (t > a.t && t < b.t).then_some(Extreme { t, g: g + bent })
     }
 
-    /// The contact there at both places, where the gap of the first comes to be no longer the less; `None` where searches from
-    /// both ends lead to one.
-    fn edge(&self, a: &Place, b: &Place, from: f64, resolution: f64) -> Option<[Place; 2]> {
-        let (mut low, mut high, mut t) = (a.t, b.t, from);
-        let mut spots = [a.gap.spot(), b.gap.spot()];
-        for _ in 0..EDGE_LOOKS {
-            let p = self.place(t, Some(spots[0])).ok()?;
-            let q = self.place(t, Some(spots[1])).ok()?;
-            let (off, steep) = (p.gap.g - q.gap.g, p.slope - q.slope);
-            if self.apart(&p, &q) <= ANOTHER * self.tool.profile.widest() || steep <= 0.0 {
-                return None;
-            }
-            if off.abs() <= EDGE * resolution {
-                return Some([p, q]);
-            }
-            *(if off < 0.0 { &mut low } else { &mut high }) = t;
-            spots = [p.gap.spot(), q.gap.spot()];
-            let newton = t - off / steep;
-            t = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
-        }
-        None
-    }
-
     /// How far the places of the cutter are from one another that touch at two places of the chord.
     fn apart(&self, a: &Place, b: &Place) -> f64 {
         (a.gap.tool_point - b.gap.tool_point - self.v * (a.t - b.t)).norm()
@@ -372,19 +346,6 @@ impl Run<'_, '_> {
         let mut pieces = 0;
         while let Some((a, b)) = todo.pop() {
             pieces += 1;
-            if let Some(crest) = self.crest(&a, &b)
-                && pieces < MAX_PIECES
-                && let [_, fine] = exact.at([low.g, high.g])
-                && crest.g > high.g + fine
-                && crest.g - a.gap.g.max(b.gap.g) > 0.25 * fine
-                && let Some([p, q]) = self.edge(&a, &b, crest.t, fine)
-            {
-                // Halves would come to it slowly, and what lies on both sides of it has none.
-                high = if p.gap.g > high.g { at(&p) } else { high };
-                todo.push((a, p));
-                todo.push((q, b));
-                continue;
-            }
             let m = self.between(&a, &b, 0.5 * (a.t + b.t))?;
             if m.gap.g < low.g {
                 low = at(&m);
