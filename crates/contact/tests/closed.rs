@@ -63,47 +63,38 @@ fn alike(got: Result<Gap, aptc_contact::Reason>, want: &Gap, what: &str) -> Gap 
     got
 }
 
-#[test]
-fn a_tube_has_the_gaps_of_its_cylinder() {
-    let (tube, cylinder) =
-        (tube(), Cylinder { point: Vec3::zeros(), axis: Vec3::z(), radius: 30.0 });
-    let cylinder = Surface::Cylinder(cylinder);
+/// The gaps of both at distances from the axis and heights, and from there round by some degrees, over the seam too.
+fn has_the_gaps_of(own: &Surface, exact: &Surface, places: [[f64; 2]; 4]) {
     each(|profile, angle| {
-        for (away, z) in [(60.0, 10.0), (34.0, 10.0), (33.0, 20.0), (60.0, 39.0)] {
-            let te = Vec3::new(away * trig::cos_deg(angle), away * trig::sin_deg(angle), z);
-            let tool = Tool { profile, te, ta: Vec3::z() };
-            let want = gap(&tool, &cylinder, Side::Positive, 0.0).expect("it faces");
+        for [away, z] in places {
+            let tool = |angle: f64| {
+                let te = Vec3::new(away * trig::cos_deg(angle), away * trig::sin_deg(angle), z);
+                Tool { profile, te, ta: Vec3::z() }
+            };
+            let want = |tool: &Tool| gap(tool, exact, Side::Positive, 0.0).expect("it faces");
             let what = format!("{angle} degrees, {away} away, {z} high, {:?}", profile.joints());
-            let found = alike(gap(&tool, &tube, Side::Positive, 0.0), &want, &what);
-            // From there round by some degrees over the seam.
+            let here = tool(angle);
+            let found = alike(gap(&here, own, Side::Positive, 0.0), &want(&here), &what);
             for turn in [-5.0, 5.0] {
-                let (c, s) = (trig::cos_deg(angle + turn), trig::sin_deg(angle + turn));
-                let tool = Tool { te: Vec3::new(away * c, away * s, z), ..tool };
-                let want = gap(&tool, &cylinder, Side::Positive, 0.0).expect("it faces");
-                let got = gap_near(&tool, &tube, Side::Positive, 0.0, Some(found.spot()));
-                alike(got, &want, &format!("{what}, {turn} on"));
+                let there = tool(angle + turn);
+                let got = gap_near(&there, own, Side::Positive, 0.0, Some(found.spot()));
+                alike(got, &want(&there), &format!("{what}, {turn} on"));
             }
         }
     });
 }
 
 #[test]
+fn a_tube_has_the_gaps_of_its_cylinder() {
+    let cylinder =
+        Surface::Cylinder(Cylinder { point: Vec3::zeros(), axis: Vec3::z(), radius: 30.0 });
+    let places = [[60.0, 10.0], [34.0, 10.0], [33.0, 20.0], [60.0, 39.0]];
+    has_the_gaps_of(&tube(), &cylinder, places);
+}
+
+#[test]
 fn a_ball_has_the_gaps_of_its_sphere() {
-    let (ball, sphere) = (ball(), Surface::Sphere(Sphere { center: Vec3::zeros(), radius: 25.0 }));
-    each(|profile, angle| {
-        for (away, z) in [(20.0, 30.0), (10.0, 25.0), (0.0, 26.0), (28.0, 15.0)] {
-            let te = Vec3::new(away * trig::cos_deg(angle), away * trig::sin_deg(angle), z);
-            let tool = Tool { profile, te, ta: Vec3::z() };
-            let want = gap(&tool, &sphere, Side::Positive, 0.0).expect("it faces");
-            let what = format!("{angle} degrees, {away} away, {z} high, {:?}", profile.joints());
-            let found = alike(gap(&tool, &ball, Side::Positive, 0.0), &want, &what);
-            for turn in [-5.0, 5.0] {
-                let (c, s) = (trig::cos_deg(angle + turn), trig::sin_deg(angle + turn));
-                let tool = Tool { te: Vec3::new(away * c, away * s, z), ..tool };
-                let want = gap(&tool, &sphere, Side::Positive, 0.0).expect("it faces");
-                let got = gap_near(&tool, &ball, Side::Positive, 0.0, Some(found.spot()));
-                alike(got, &want, &format!("{what}, {turn} on"));
-            }
-        }
-    });
+    let sphere = Surface::Sphere(Sphere { center: Vec3::zeros(), radius: 25.0 });
+    let places = [[20.0, 30.0], [10.0, 25.0], [0.0, 26.0], [28.0, 15.0]];
+    has_the_gaps_of(&ball(), &sphere, places);
 }

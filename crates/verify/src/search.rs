@@ -213,10 +213,7 @@ fn search(
                 // What lies beside it is shown by something else, where anything comes of this search.
                 (Seen::Spanned(low), _) if moved.shift <= 0.0 => {
                     out.least = out.least.min(enough + low);
-                    if let Some(cutting) = &mut cutting {
-                        let piece = cutting.keep(&patch, &tile);
-                        cutting.clear(&piece, f64::NEG_INFINITY);
-                    }
+                    hold(&mut cutting, (&patch, &tile), f64::NEG_INFINITY);
                     continue;
                 }
                 (Seen::Large(i), _) => {
@@ -322,13 +319,13 @@ fn search(
 }
 
 /// Notes how far a piece is at least; a search that goes on from here looks at it again in time.
-fn keep(
-    out: &mut Clearance,
-    cutting: &mut Option<Cutting<'_>>,
-    (piece, tile): (&Patch, &Tile),
-    low: f64,
-) {
+fn keep(out: &mut Clearance, cutting: &mut Option<Cutting<'_>>, piece: (&Patch, &Tile), low: f64) {
     out.least = out.least.min(low);
+    hold(cutting, piece, low);
+}
+
+/// The same but for what this search tells.
+fn hold(cutting: &mut Option<Cutting<'_>>, (piece, tile): (&Patch, &Tile), low: f64) {
     if let Some(cutting) = cutting {
         let piece = cutting.keep(piece, tile);
         cutting.clear(&piece, low);

@@ -51,6 +51,27 @@ pub(crate) struct Valley<'a> {
     radius: f64,
 }
 
+/// A piece beside the tool on its way.
+#[derive(Clone, Copy, Debug)]
+struct Met {
+    /// Unit direction from the tool to its middle.
+    n: Vec3,
+    /// How far it is from the middle of the corner at least.
+    deep: f64,
+    /// By how much the direction may be another.
+    off: f64,
+}
+
+/// How f is bent on a piece.
+#[derive(Clone, Copy, Debug)]
+enum Bent {
+    /// Concave all over it.
+    Hollow,
+    /// So on a smaller one, most likely.
+    Smaller,
+    Otherwise,
+}
+
 impl<'a> Valley<'a> {
     /// From a place of the surface beside the tool, in the direction `m` from it; `None` where there is no hollow along the way, or
     /// the standing tool has no paraboloid.
@@ -89,62 +110,15 @@ impl<'a> Valley<'a> {
         if !sheet.goes_on(patch) {
             return Seen::Near;
         }
-        let far = tile.radius();
-        let size = [0, 1].map(|i| tile.side[i].norm() + tile.stray[i]);
-        let longer = usize::from(size[1] > size[0]);
-        let cut = |worth: bool| match worth && size[longer] > SMALL * self.radius {
-            true => Seen::Large(longer),
-            false => Seen::Near,
-        };
-        let way = self.long.b.te - self.long.a.te;
-        let at = |t: f64| {
-            let pose = Pose { te: self.long.a.te + way * t, ta: self.long.a.ta };
-            self.long.tool.near(&pose, tile.c)
-        };
-        // Where it is beside the middle of the corner of a ball; of others it is looked for.
-        let middle = self.long.a.te + self.long.a.ta * self.long.tool.shoulder();
-        let mut t = (tile.c - middle).dot(&way) / way.norm_squared();
-        let (mut distance, mut n) = at(t);
-        if n.dot(&self.along).abs() > LEVEL && distance <= far {
-            t = self.long.meet(tile.c).t;
-            (distance, n) = at(t);
-        }
-        if distance > far || t <= 0.0 || t >= 1.0 {
-            return Seen::Near;
-        }
-        // The least distance is less than one at which it falls so by as much at most, and the gradient there another by the
-        // root of what it changes by.
-        let left = n.dot(&self.along).abs() * way.norm();
-        let deep = self.radius + distance - left - far;
-        if deep < DEEP * self.radius {
-            return cut(deep + far > DEEP * self.radius);
-        }
-        let [x, y] = [0, 1].map(|i| across(tile.side[i], self.along).norm() + tile.stray[i]);
-        let lift = n.dot(&self.up) - (x + y) / deep - (2.0 * left / deep).sqrt();
-        let normal = if tile.n.dot(&self.up) < 0.0 { -tile.n } else { tile.n };
-        let (upright, turn) = (normal.dot(&self.up), tile.turn[0] + tile.turn[1]);
-        let Some([a, b]) = line(tile.side, self.along, self.beside) else { return Seen::Near };
-        let bend = bent([a, b], tile.bend);
-        let (bow, slope) = (normal.dot(&bend), normal.dot(&self.along).abs());
-        let rise = |slope: f64, upright: f64| (slope / upright) * (slope / upright) / deep;
-        let worth = upright > UPRIGHT && bow + rise(slope, upright) < HALF * bow;
-        if lift <= 0.0 || upright - turn < UPRIGHT {
-            return cut(worth);
-        }
-        let (rows, det) = self.rows(tile.side);
-        let most = [0, 1, 2].map(|i| tile.bend[i].norm() + tile.vary[i]);
-        let change = (most[0] + 2.0 * most[1] + most[2]) * rows / det;
-        if change > CHANGE {
-            return cut(worth);
-        }
-        let [a, b] = [a.abs(), b.abs()];
-        let d = (a + b) * change / (1.0 - change);
-        let vary = a * a * tile.vary[0] + 2.0 * a * b * tile.vary[1] + b * b * tile.vary[2];
-        let other = most[0] * (2.0 * a + d) + 2.0 * most[1] * (a + b + d) + most[2] * (2.0 * b + d);
-        let bow_at_most = bow + turn * bend.norm() + vary + other * d;
-        let bends = lift * bow_at_most + rise(slope + turn, upright - turn);
-        if bow_at_most >= 0.0 || bends > LEAST * bow {
-            return cut(worth);
+        match self.met(tile).map(|met| self.bent(tile, &met)) {
+            None | Some(Bent::Otherwise) => return Seen::Near,
+            Some(Bent::Smaller) => {
+                let size = [0, 1].map(|i| tile.side[i].norm() + tile.stray[i]);
+                let longer = usize::from(size[1] > size[0]);
+                let worth = size[longer] > SMALL * self.radius;
+                return if worth { Seen::Large(longer) } else { Seen::Near };
+            }
+            Some(Bent::Hollow) => {}
         }
         let mut least = f64::INFINITY;
         for (corner, place) in &self.ends {
@@ -154,6 +128,75 @@ impl<'a> Valley<'a> {
             }
         }
         Seen::Spanned(least)
+    }
+
+    /// Where the middle of a piece meets the tool on its way, were that without ends; `None` where it is far from it, or beyond
+    /// what the way goes on for.
+    fn met(&self, tile: &Tile) -> Option<Met> {
+        let way = self.long.b.te - self.long.a.te;
+        let at = |t: f64| {
+            let pose = Pose { te: self.long.a.te + way * t, ta: self.long.a.ta };
+            self.long.tool.near(&pose, tile.c)
+        };
+        let far = tile.radius();
+        // Where it is beside the middle of the corner of a ball; of others it is looked for.
+        let middle = self.long.a.te + self.long.a.ta * self.long.tool.shoulder();
+        let mut t = (tile.c - middle).dot(&way) / way.norm_squared();
+        let (mut distance, mut n) = at(t);
+        if n.dot(&self.along).abs() > LEVEL && distance <= far {
+            t = self.long.meet(tile.c).t;
+            (distance, n) = at(t);
+        }
+        // The least distance is less than one at which it falls so by as much at most, and the gradient there another by the
+        // root of what it changes by.
+        let left = n.dot(&self.along).abs() * way.norm();
+        let deep = self.radius + distance - left - far;
+        let off = (2.0 * left / deep).sqrt();
+        (distance <= far && t > 0.0 && t < 1.0).then_some(Met { n, deep, off })
+    }
+
+    /// Is the distance from the tool on its way concave all over the piece, along the way?
+    fn bent(&self, tile: &Tile, &Met { n, deep, off }: &Met) -> Bent {
+        if deep < DEEP * self.radius {
+            let smaller = deep + tile.radius() > DEEP * self.radius;
+            return if smaller { Bent::Smaller } else { Bent::Otherwise };
+        }
+        let Some(line) = line(tile.side, self.along, self.beside) else { return Bent::Otherwise };
+        let normal = if tile.n.dot(&self.up) < 0.0 { -tile.n } else { tile.n };
+        let (upright, slope) = (normal.dot(&self.up), normal.dot(&self.along).abs());
+        let bend = bent(line, tile.bend);
+        let bow = normal.dot(&bend);
+        let rise = |slope: f64, upright: f64| (slope / upright) * (slope / upright) / deep;
+        // By how much n, N and B may be others on the piece.
+        let [x, y] = [0, 1].map(|i| across(tile.side[i], self.along).norm() + tile.stray[i]);
+        let lift = n.dot(&self.up) - (x + y) / deep - off;
+        let turn = tile.turn[0] + tile.turn[1];
+        let bow_at_most = bow + turn * bend.norm() + self.vary(tile, line);
+        let second = lift * bow_at_most + rise(slope + turn, upright - turn);
+        // Of what is no number nothing is known.
+        let hollow = lift > 0.0 && upright - turn >= UPRIGHT && bow_at_most < 0.0;
+        if hollow && second <= LEAST * bow {
+            Bent::Hollow
+        } else if upright > UPRIGHT && bow + rise(slope, upright) < HALF * bow {
+            Bent::Smaller
+        } else {
+            Bent::Otherwise
+        }
+    }
+
+    /// By how much `B(x', x')` may be another on a piece than in its middle, infinite where its derivatives change too much.
+    fn vary(&self, tile: &Tile, line: [f64; 2]) -> f64 {
+        let (rows, det) = self.rows(tile.side);
+        let most = [0, 1, 2].map(|i| tile.bend[i].norm() + tile.vary[i]);
+        let change = (most[0] + 2.0 * most[1] + most[2]) * rows / det;
+        if change > CHANGE {
+            return f64::INFINITY;
+        }
+        let [a, b] = line.map(f64::abs);
+        let d = (a + b) * change / (1.0 - change);
+        let here = a * a * tile.vary[0] + 2.0 * a * b * tile.vary[1] + b * b * tile.vary[2];
+        let other = most[0] * (2.0 * a + d) + 2.0 * most[1] * (a + b + d) + most[2] * (2.0 * b + d);
+        here + other * d
     }
 
     /// The sum of all numbers of the derivatives seen from upright, and their determinant.
