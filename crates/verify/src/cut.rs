@@ -6,16 +6,19 @@
 //! h changes by no more than `|te' - te| + reach |ta' - ta|`. A group of charts that is `low` from the tool at one position is
 //! at least that less from it at another, and ways one after another add up.
 //!
+//! Along a unit vector m the distance is no less than `m . q - h(m)` wherever the tool is, and while the axis stands still
+//! `h(m) = m . te + h0(m)`: so a plane that parts tool and surface once tells by one product of vectors whether it does again.
+//!
 //! A cut belongs to one surface, as the places of it do: each part of a statement has its own of each surface and begins with
 //! none, so that nothing hangs on who judges which part. What is asked along the surface may change; the next search then
 //! begins at the root.
 
-use aptc_geometry::Profile;
+use aptc_geometry::{Profile, Vec3};
 
 use crate::search::Moved;
 use crate::sheet::{Kept, Node, Patch, Patches, Tile};
 use crate::sweep::Sweep;
-use crate::tool::Pose;
+use crate::tool::{Pose, same};
 
 /// Groups and pieces in a cut at most: a finer one is given up, and the next search begins at the root of the tree.
 const MOST: usize = 1000;
@@ -29,13 +32,70 @@ const AGAIN: usize = 128;
 pub(crate) struct Cut {
     /// What the tool was held against, and the position to which its way is counted.
     last: Option<(Asked, Pose)>,
-    /// Its way so far.
+    /// Its way so far, and its axis as long as that stands still.
     way: f64,
-    parts: Vec<(Patch, f64)>,
+    axis: Option<Vec3>,
+    parts: Vec<Part>,
     /// What holds the pieces.
     tiles: Vec<Tile>,
     /// Did the last search begin here, not at the root?
     went_on: bool,
+}
+
+/// A group or a piece, and what shows it to be far enough.
+#[derive(Clone, Copy, Debug)]
+struct Part {
+    patch: Patch,
+    /// The way of the tool up to which it is.
+    until: f64,
+    /// What `m . te` may be.
+    plane: (Vec3, f64),
+}
+
+/// What parts a group or a piece from the tool where its end is no higher than `height` along the unit vector m: by `low`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Plane {
+    m: Vec3,
+    height: f64,
+    pub(crate) low: f64,
+}
+
+/// Nothing is beyond it.
+const NO_PLANE: (Vec3, f64) = (Vec3::new(0.0, 0.0, 0.0), f64::NEG_INFINITY);
+
+impl Plane {
+    /// Along the whole way of a tool, if it does not turn.
+    pub(crate) fn along(sweep: &Sweep<'_>, m: Vec3, low: f64) -> Self {
+        Self { m, height: height(sweep, m), low }
+    }
+
+    /// At the end of the way alone.
+    pub(crate) fn at_end(sweep: &Sweep<'_>, m: Vec3, low: f64) -> Self {
+        Self { m, height: m.dot(&sweep.b.te), low }
+    }
+
+    /// The one that shows more at the end of the way.
+    pub(crate) fn or(self, other: Self, sweep: &Sweep<'_>) -> Self {
+        let at_end = |plane: &Self| plane.low + plane.height - plane.m.dot(&sweep.b.te);
+        if at_end(&other) > at_end(&self) { other } else { self }
+    }
+}
+
+impl Part {
+    /// How much farther than asked it is along the whole way, at the end of which the way is `until`.
+    fn room(&self, sweep: &Sweep<'_>, until: f64) -> f64 {
+        let far = self.until - until;
+        if far >= 0.0 {
+            return far;
+        }
+        let (m, most) = self.plane;
+        most - height(sweep, m)
+    }
+}
+
+/// The greatest `m . te` on the way of a tool that does not turn.
+fn height(sweep: &Sweep<'_>, m: Vec3) -> f64 {
+    m.dot(&sweep.a.te).max(m.dot(&sweep.b.te))
 }
 
 /// What a search asks: side and shift of the surface, the distance that is enough, the tool with the height at which it begins.
@@ -85,32 +145,42 @@ impl Cut {
         let before = self.last.take().filter(|(same, _)| *same == asked);
         let before = before.map(|(_, at)| way(sweep, &at, &sweep.a));
         let mut until = up(up(self.way + before.unwrap_or(0.0)) + along);
+        let stands = (sweep.turn == 0.0).then_some(sweep.a.ta);
+        let planes = stands.zip(self.axis).is_some_and(|(now, then)| same(now, then));
+        self.axis = stands;
         let mut least = f64::INFINITY;
-        let far = self.parts.iter().filter(|(_, to)| *to >= until).count();
-        let again = self.parts.len() - far;
-        self.went_on = before.is_some() && again <= AGAIN && self.parts.len() <= MOST;
+        if !planes {
+            self.parts.iter_mut().for_each(|part| part.plane = NO_PLANE);
+        }
+        self.went_on = before.is_some() && self.parts.len() <= MOST;
         if self.went_on {
             // Those that were the first the last time come first.
             let mut kept = self.parts.len();
             for i in (0..self.parts.len()).rev() {
-                let (part, to) = self.parts[i];
-                if to >= until {
-                    least = least.min(to);
+                let room = self.parts[i].room(sweep, until);
+                if room >= 0.0 {
+                    least = least.min(room);
                 } else {
-                    pile.push(part);
+                    pile.push(self.parts[i].patch);
                     kept -= 1;
                     self.parts.swap(i, kept);
                 }
+                if self.parts.len() - kept > AGAIN {
+                    self.went_on = false;
+                    break;
+                }
             }
             self.parts.truncate(kept);
-        } else {
+        }
+        if !self.went_on {
             self.parts.clear();
             self.tiles.clear();
+            pile.clear();
             pile.push(root);
-            until = along;
+            (until, least) = (along, f64::INFINITY);
         }
         self.way = until;
-        Cutting { cut: self, asked, along, rest: enough + (least - until) }
+        Cutting { cut: self, asked, along, rest: enough + least }
     }
 
     /// Did the last search go on from the one before it?
@@ -130,11 +200,16 @@ impl Cutting<'_> {
         low >= self.asked.enough + SOON * self.along
     }
 
-    /// What shows the group to be farther than the first from the tool on its whole way, or is nothing; the second at its end alone.
-    pub(crate) fn at_end(&self, sweep: &Sweep<'_>, node: &Node, shift: f64) -> [f64; 2] {
+    /// What parts the group from the tool at the end of its way.
+    pub(crate) fn at_end(&self, sweep: &Sweep<'_>, node: &Node, shift: f64) -> Plane {
         let (distance, m) = sweep.tool.near(&sweep.b, node.center);
         let low = distance - node.extent(m) - shift;
-        [low - self.along, low]
+        Plane::at_end(sweep, m, low)
+    }
+
+    /// How far it is on all of the way what is so far at its end.
+    pub(crate) fn before_end(&self, low: f64) -> f64 {
+        low - self.along
     }
 
     /// What holds a piece, where it is kept here.
@@ -154,11 +229,17 @@ impl Cutting<'_> {
         Patch { kept: Kept::Cut(self.cut.tiles.len() - 1), ..*piece }
     }
 
-    /// The part is at least so far at the end of the way.
-    pub(crate) fn clear(&mut self, part: &Patch, low: f64) {
+    /// The part is at least so far at the end of the way, and beyond the plane, if any.
+    pub(crate) fn clear(&mut self, part: &Patch, low: f64, plane: Option<Plane>) {
         // Rounded down, as far as the way is concerned.
         let way = self.cut.way * (1.0 - 2.0 * f64::EPSILON);
-        self.cut.parts.push((*part, way + (low - self.asked.enough)));
+        let until = way + (low - self.asked.enough);
+        let plane = plane.filter(|_| self.cut.axis.is_some());
+        let plane = plane.map_or(NO_PLANE, |Plane { m, height, low }| {
+            let rounded = 4.0 * f64::EPSILON * (height.abs() + low.abs());
+            (m, height + (low - self.asked.enough) - rounded)
+        });
+        self.cut.parts.push(Part { patch: *part, until, plane });
     }
 
     /// All of the surface was looked at.
@@ -237,7 +318,7 @@ mod tests {
             let mut pose = Pose { te: Vec3::from(te), ta: Vec3::z() };
             let mut lead = Lead::default();
             for ([x, y, z, p, q], other) in steps {
-                let [way, turn] = if turning { [0.02, 0.06] } else { [0.2, 0.0] };
+                let [way, turn] = if turning && other % 2 == 0 { [0.02, 0.06] } else { [0.2, 0.0] };
                 let ta = (pose.ta + Vec3::new(p, q, 0.0) * turn).normalize();
                 let to = Pose { te: pose.te + Vec3::new(x, y, 0.2 * z) * way, ta };
                 let tool = &tools[if other == 0 { (held + 1) % 3 } else { held }];

@@ -2,8 +2,9 @@
 //!
 //! With the unit direction m from the tool to the surface, `p` the middle of its corner there and w square to m, a point x is out
 //! of the tool made smaller by d when `(m + w) . x` is more than the support of that, for any one w. Where all `m + w` face the
-//! corner the support is no more than `(m + w) . p + R + w . C w / 2`, with R the radius of the corner less d and C that
-//! and the curvature of the corner's circle: so x is out of it where `m . (x - p) - R + y . C^-1 y / 2 >= 0`, y being what
+//! corner the support is no more than `(m + w) . p + R + w . C w / 2`, with R the radius of the corner less d. C is R, and around
+//! the axis `R + rho / l` with the radius rho of the corner's circle, where no `m + w` leans from the axis by a sine less than l: so
+//! each piece has a paraboloid of its own. x is out of it where `m . (x - p) - R + y . C^-1 y / 2 >= 0`, y being what
 //! x is beside p. By planes alone a piece next to the tool must be cut until what it bends is of no account; against this a
 //! piece of which that function is convex is shown by its least place.
 //!
@@ -26,8 +27,6 @@ const FOUND: f64 = 3e-3;
 const SMALL: f64 = 0.02;
 /// What is convex in the middle of a piece by as much is worth to be cut until all of it is.
 const TWICE: f64 = 2.0;
-/// Share of what a direction leans from the axis that another may add or take off.
-const ROOM: f64 = 0.25;
 /// Share of the tool's height by which it may be made smaller.
 const LITTLE: f64 = 0.1;
 
@@ -40,18 +39,31 @@ pub(crate) enum At {
     Between,
 }
 
-/// A paraboloid that holds the tool as far as its corner is faced.
+/// The corner where it is met in the direction m: what holds it there.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Paraboloid {
     pub(crate) at: At,
     pub(crate) m: Vec3,
-    /// Middle of the corner there, and R.
+    /// Unit direction away from the axis, and the sine of m to that.
+    radial: Vec3,
+    lean: f64,
+    /// Middle of the corner there.
+    p: Vec3,
+    /// Radius of the corner, and of the circle of its middle about the axis.
+    radius: f64,
+    rho: f64,
+    /// Unit directions square to m, and the squares of how far they run around the axis.
+    across: [(Vec3, f64); 2],
+}
+
+/// A paraboloid that holds the tool for directions that lean no less than told.
+#[derive(Clone, Copy, Debug)]
+struct Bowl {
+    m: Vec3,
     p: Vec3,
     radius: f64,
     /// Directions square to m, and what 1 is over C along them.
     across: [(Vec3, f64); 2],
-    /// Unit direction away from the axis, and by how much `m + w` may be longer or shorter along it.
-    room: (Vec3, f64),
 }
 
 /// One with the place of the surface about which it is.
@@ -60,10 +72,11 @@ pub(crate) type Place = (Paraboloid, Spot);
 /// What is seen of a piece.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Seen {
-    /// It is no nearer than what is enough, by as much.
-    Clear(f64),
-    /// The same, if what lies beside it on the surface is no nearer.
-    Spanned(f64),
+    /// It is no nearer than what is enough, by as much; about the direction from the tool to it.
+    Clear(f64, Vec3),
+    /// The same by `low`, if what lies beside it on the surface is no nearer; by `last` at the end of the way in any case, and about
+    /// the direction there.
+    Spanned { low: f64, last: f64, m: Vec3 },
     /// Smaller it may be: the parameter along which it is best cut.
     Large(usize),
     /// Not by this.
@@ -76,7 +89,7 @@ pub(crate) struct Corner<'a> {
     sweep: &'a Sweep<'a>,
     way: Vec3,
     /// Distance of the corner's middle from the axis, its height, and R.
-    rho: f64,
+    pub(crate) rho: f64,
     high: f64,
     pub(crate) radius: f64,
     /// Cosine of the greatest angle from straight down at which it is faced.
@@ -121,7 +134,7 @@ impl<'a> Corner<'a> {
         for _ in 0..LOOKS {
             let (jet, bend) = sheet.bent(&spot);
             // Where the tool is met from here.
-            about = self.about(at, about.value(jet.p).1.try_normalize(0.0)?)?;
+            about = self.about(at, about.bowl(about.lean).value(jet.p).1.try_normalize(0.0)?)?;
             let (along, share) = (about.m.dot(&self.way), (jet.p - about.p).dot(&self.way));
             let met = match at {
                 At::Start if along > 0.0 => At::Between,
@@ -130,9 +143,10 @@ impl<'a> Corner<'a> {
                 At::Between if share > self.way.norm_squared() => At::End,
                 at => at,
             };
-            let (_, slope) = about.value(jet.p);
+            let bowl = about.bowl(about.lean);
+            let (_, slope) = bowl.value(jet.p);
             let g = jet.d.map(|d| slope.dot(&d));
-            let [a, b, c] = about.second(slope, jet.d, bend);
+            let [a, b, c] = bowl.second(slope, jet.d, bend);
             let det = a * c - b * b;
             if !(a > 0.0 && det > 0.0) {
                 return None;
@@ -141,10 +155,11 @@ impl<'a> Corner<'a> {
             spot = sheet.settle(Spot { at: [spot.at[0] + step[0], spot.at[1] + step[1]], ..spot });
             let by = jet.d[0] * step[0] + jet.d[1] * step[1];
             if met == at && by.norm() <= FOUND * self.radius {
-                about = self.about(at, about.value(jet.p + by).1.try_normalize(0.0)?)?;
+                about = self.about(at, bowl.value(jet.p + by).1.try_normalize(0.0)?)?;
                 // In a hollow along its way the tool is met at both ends, and no piece between them is shown by any.
                 let passing =
                     if at == At::Between { about } else { self.about(At::Between, about.m)? };
+                let passing = passing.bowl(passing.lean);
                 let [a, b, c] = passing.second(passing.value(jet.p).1, jet.d, bend);
                 let bends = a > 0.0 && a * c > b * b;
                 return (bends || stands).then_some((about, spot));
@@ -162,11 +177,28 @@ impl<'a> Corner<'a> {
         Self { sweep, way: Vec3::zeros(), ..*self }
     }
 
-    /// Is it a ball, or does it stand off the axis in the direction `m` so far that all about it counts as one torus?
-    pub(crate) fn is_round(&self, m: Vec3) -> bool {
-        /// Sine of the angle between the direction and the axis.
-        const STEEP: f64 = 0.5;
-        self.rho == 0.0 || m.cross(&self.sweep.a.ta).norm() >= STEEP
+    /// By how much more than asked a plane parts a piece from the tool at the start of its way.
+    pub(crate) fn parted(&self, tile: &Tile) -> (f64, Vec3) {
+        let (distance, m) = self.sweep.tool.near(&self.sweep.a, tile.c);
+        let first = distance - tile.dip(m) - self.least;
+        if first >= 0.0 || self.rho == 0.0 {
+            return (first, m);
+        }
+        let n = if tile.n.dot(&m) < 0.0 { -tile.n } else { tile.n };
+        let between = unit_or(m + n, m);
+        let pose = &self.sweep.a;
+        let low = between.dot(&tile.c) - self.sweep.tool.height(pose, between);
+        let second = low - tile.dip(between) - self.least;
+        if second > first { (second, between) } else { (first, m) }
+    }
+
+    /// How much more than the corner alone the tool is bent along `on` where it faces n, square to that.
+    pub(crate) fn ring(&self, n: Vec3, on: Vec3) -> f64 {
+        let ta = self.sweep.a.ta;
+        let out = n - ta * n.dot(&ta);
+        let lean = out.norm();
+        let around = ta.cross(&out).dot(&on) / lean;
+        if self.rho > 0.0 { self.rho * around * around / lean } else { 0.0 }
     }
 
     /// The radius of the tool's own corner.
@@ -205,21 +237,20 @@ impl<'a> Corner<'a> {
         };
         let p = te + radial * self.rho + ta * self.high;
         let around = ta.cross(&radial);
-        let ring = if self.rho > 0.0 { self.rho / (lean * (1.0 - ROOM)) } else { 0.0 };
         let across = match at {
             At::Between => {
                 let n = unit_or(m.cross(&self.way), around);
                 let by = around.dot(&n);
-                [(n, 1.0 / (self.radius + ring * by * by)), (Vec3::zeros(), 0.0)]
+                [(n, by * by), (Vec3::zeros(), 0.0)]
             }
             At::Start | At::End => {
                 let first =
                     if radial == Vec3::zeros() { crate::solid::any_across(m) } else { around };
-                [(first, 1.0 / (self.radius + ring)), (m.cross(&first), 1.0 / self.radius)]
+                [(first, 1.0), (m.cross(&first), 0.0)]
             }
         };
-        let room = if self.rho > 0.0 { ROOM * lean } else { f64::INFINITY };
-        Some(Paraboloid { at, m, p, radius: self.radius, across, room: (radial, room) })
+        let (radius, rho) = (self.radius, self.rho);
+        Some(Paraboloid { at, m, radial, lean, p, radius, rho, across })
     }
 
     /// What the paraboloid shows of a piece.
@@ -236,17 +267,23 @@ impl<'a> Corner<'a> {
             false => Seen::Near,
         };
         let from = tile.c - held.p;
-        // The greatest w on the piece, by both directions.
-        let lean = held.across.map(|(n, k)| {
+        let beside = held.across.map(|(n, _)| {
             let (middle, by) = (n.dot(&from), spread(n, 0) + spread(n, 1));
-            [k * (middle - by), k * (middle + by)]
+            [middle - by, middle + by]
         });
-        let across = [0, 1].map(|i| held.across.map(|(n, k)| k * spread(n, i)).iter().sum::<f64>());
-        if !self.faces(held, lean) {
+        let leans = held.least_lean(beside);
+        let bowl = held.bowl(leans);
+        // The greatest w on the piece, by both directions.
+        let lean = [0, 1].map(|i| beside[i].map(|y| bowl.across[i].1 * y));
+        if !(held.leans(leans) && self.faces(held, lean)) {
             // The halves of a piece may face it whose middle does.
-            let middle = lean.map(|[a, b]| [0.5 * (a + b); 2]);
-            let inside = self.faces(held, middle);
-            return if inside { cut(across.map(|by| by / held.across[0].1)) } else { Seen::Near };
+            let middle = beside.map(|[a, b]| [0.5 * (a + b); 2]);
+            let leans = held.least_lean(middle);
+            let around = held.bowl(leans);
+            let inside = held.leans(leans)
+                && self.faces(held, [0, 1].map(|i| middle[i].map(|y| around.across[i].1 * y)));
+            let across = |i| held.across.iter().map(|(n, _)| spread(*n, i)).sum::<f64>();
+            return if inside { cut([across(0), across(1)]) } else { Seen::Near };
         }
         let ta = self.sweep.a.ta;
         let te = [self.sweep.a.te, self.sweep.b.te];
@@ -255,19 +292,19 @@ impl<'a> Corner<'a> {
             let inside = above[0].max(above[1]) < self.top;
             return if inside { cut([0, 1].map(|i| spread(ta, i))) } else { Seen::Near };
         }
-        let clear = |value: f64| {
+        let clear = |value: f64, slope: Vec3| {
             let longest = lean.map(|[a, b]| a.abs().max(b.abs()));
             let [x, y] = longest;
-            Seen::Clear(value / (1.0 + x * x + y * y).sqrt())
+            Seen::Clear(value / (1.0 + x * x + y * y).sqrt(), unit_or(slope, held.m))
         };
-        let (value, slope) = held.value(tile.c);
+        let (value, slope) = bowl.value(tile.c);
         let g = tile.side.map(|d| slope.dot(&d));
-        let [uu, uv, vv] = held.second(slope, tile.side, tile.bend);
-        let [off_uu, off_uv, off_vv] = held.vary(tile, slope.norm());
+        let [uu, uv, vv] = bowl.second(slope, tile.side, tile.bend);
+        let [off_uu, off_uv, off_vv] = bowl.vary(tile, slope.norm());
         let (a, b, c) = (uu - off_uu, uv.abs() + off_uv, vv - off_vv);
         let least = value - fall(g[0], a - b) - fall(g[1], c - b);
         if least >= 0.0 {
-            return clear(least);
+            return clear(least, slope);
         }
         if !(a > 0.0 && c > 0.0 && a * c >= b * b) {
             // The halves of a piece may be convex that is so in its middle.
@@ -290,15 +327,15 @@ impl<'a> Corner<'a> {
             let place =
                 Spot { chart: patch.chart, at: [0, 1].map(|i| patch.at[i] + s[i] * patch.half[i]) };
             let (jet, bend) = sheet.bent(&place);
-            let (value, slope) = held.value(jet.p);
+            let (value, slope) = bowl.value(jet.p);
             let side = [0, 1].map(|i| jet.d[i] * patch.half[i]);
             let [hu, hv] = patch.half;
             let bend = [bend[0] * (hu * hu), bend[1] * (hu * hv), bend[2] * (hv * hv)];
             let g = side.map(|d| slope.dot(&d));
-            now = (value, g, held.second(slope, side, bend));
+            now = (value, g, bowl.second(slope, side, bend));
             let least = value - lost(g, s);
             if least >= 0.0 {
-                return clear(least);
+                return clear(least, slope);
             }
             if value < 0.0 {
                 return Seen::Near;
@@ -310,7 +347,6 @@ impl<'a> Corner<'a> {
     /// Do all directions of a piece face the corner, and the end of the way that is held?
     fn faces(&self, held: &Paraboloid, lean: [[f64; 2]; 2]) -> bool {
         let ta = self.sweep.a.ta;
-        let (radial, room) = held.room;
         [[0, 0], [0, 1], [1, 0], [1, 1]].into_iter().all(|[i, j]| {
             let w = held.across[0].0 * lean[0][i] + held.across[1].0 * lean[1][j];
             let m = held.m + w;
@@ -320,12 +356,49 @@ impl<'a> Corner<'a> {
                 At::End => along >= 0.0,
                 At::Between => true,
             };
-            there && radial.dot(&w).abs() <= room && -m.dot(&ta) >= self.cos * m.norm()
+            there
+                && held.leans(held.lean + held.radial.dot(&w))
+                && -m.dot(&ta) >= self.cos * m.norm()
         })
     }
 }
 
 impl Paraboloid {
+    /// What holds the corner for directions that lean by as much at least.
+    fn bowl(&self, lean: f64) -> Bowl {
+        let ring = if self.rho > 0.0 { self.rho / lean } else { 0.0 };
+        let across = self.across.map(|(n, by)| (n, 1.0 / (self.radius + ring * by)));
+        Bowl { m: self.m, p: self.p, radius: self.radius, across }
+    }
+
+    /// How much `m + w` leans from the axis at least, for what is so far beside p along both directions: `w = C^-1 y`.
+    fn least_lean(&self, beside: [[f64; 2]; 2]) -> f64 {
+        /// Share of the lean of m that all may have most likely.
+        const MOST: f64 = 0.75;
+        let along = |(n, [from, to]): (Vec3, [f64; 2]), most: f64| {
+            let out = self.radial.dot(&n) * most;
+            (out * from).min(out * to)
+        };
+        let [(first, by), (second, _)] = self.across;
+        let of_second = along((second, beside[1]), 1.0 / self.radius);
+        // Along one that runs around the axis C is not known before.
+        if self.at == At::Between && self.rho > 0.0 {
+            let all = MOST * self.lean;
+            let out = along((first, beside[0]), 1.0 / (self.radius + self.rho / all * by));
+            if self.lean + out >= all {
+                return all;
+            }
+        }
+        self.lean + along((first, beside[0]), 1.0 / self.radius).min(0.0) + of_second
+    }
+
+    /// Is it of the corner, not of the flat beside it, what faces a direction that leans by as much?
+    fn leans(&self, lean: f64) -> bool {
+        self.rho == 0.0 || lean > 0.0
+    }
+}
+
+impl Bowl {
     /// The function and its gradient.
     fn value(&self, x: Vec3) -> (f64, Vec3) {
         let from = x - self.p;
@@ -453,7 +526,7 @@ mod tests {
                 let mut all = Beside::new(&ways, least, Begin::default());
                 let seen = all.see(sheet, &patch, &tile).0;
                 let [clear, large, near] = counts.get();
-                let Seen::Clear(low) = seen else {
+                let Seen::Clear(low, _) = seen else {
                     let large = large + u32::from(matches!(seen, Seen::Large(_)));
                     counts.set([clear, large, near + 1]);
                     return Ok(());

@@ -27,6 +27,11 @@ impl<T, const N: usize> Pile<T, N> {
         self.0.swap_pop(greatest)
     }
 
+    /// Takes all.
+    pub(crate) fn clear(&mut self) {
+        self.0.clear();
+    }
+
     /// Takes the top entry.
     #[inline]
     pub(crate) fn pop(&mut self) -> Option<T> {

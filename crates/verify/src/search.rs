@@ -8,7 +8,7 @@
 use aptc_geometry::Vec3;
 
 use crate::beside::{Begin, Beside, Ways};
-use crate::cut::{Cut, Cutting};
+use crate::cut::{Cut, Cutting, Plane};
 use crate::paraboloid::Seen;
 use crate::sheet::{Patch, Patches, Sheet, Spot, Tile};
 use crate::sweep::{Meeting, Slack, Sweep};
@@ -157,10 +157,12 @@ fn search(
             };
             let (mut low, middle) =
                 hinted.as_ref().map_or((f64::NEG_INFINITY, f64::NEG_INFINITY), held);
+            let mut plane = hinted.map(|m| Plane::along(sweep, m.m, low));
             let mut at_end = low;
             if let Some(cutting) = cutting.as_ref().filter(|c| !c.is_far(low)) {
-                let [whole, end] = cutting.at_end(sweep, node, shift);
-                (low, at_end) = (low.max(whole), low.max(end));
+                let end = cutting.at_end(sweep, node, shift);
+                (low, at_end) = (low.max(cutting.before_end(end.low)), low.max(end.low));
+                plane = Some(plane.map_or(end, |plane| plane.or(end, sweep)));
             }
             if low < known {
                 let far = (node.center - center).norm() - node.radius - within;
@@ -174,7 +176,7 @@ fn search(
             if low >= known {
                 out.least = out.least.min(low);
                 if let Some(cutting) = &mut cutting {
-                    cutting.clear(&patch, low.max(at_end));
+                    cutting.clear(&patch, low.max(at_end), plane);
                 }
                 continue;
             }
@@ -190,7 +192,7 @@ fn search(
         let tile = known_tile.unwrap_or_else(|| moved.sheet.tile(&patch));
         let far = (tile.c - center).norm() - tile.radius() - within;
         if far >= 0.0 {
-            keep(&mut out, &mut cutting, (&patch, &tile), enough.max(far));
+            keep(&mut out, &mut cutting, (&patch, &tile), enough.max(far), None);
             continue;
         }
         let x = tile.c + tile.n * (moved.side * moved.shift);
@@ -203,23 +205,26 @@ fn search(
         let by_hint = hinted.filter(|_| aim != Aim::Nearest).map(bound);
         if aim == Aim::Clear && by_hint.as_ref().is_none_or(|shown| shown.low < known) {
             match beside.see(moved.sheet, &patch, &tile) {
-                (Seen::Clear(low), m) if enough + low >= known => {
+                (Seen::Clear(low, about), m) if enough + low >= known => {
                     if enough + low < closest {
                         (closest, hinted) = (enough + low, Some(sweep.kept(sweep.along(m))));
                     }
-                    keep(&mut out, &mut cutting, (&patch, &tile), enough + low);
+                    let shown = bound(sweep.along(about));
+                    let plane = Plane::along(sweep, about, shown.low);
+                    keep(&mut out, &mut cutting, (&patch, &tile), enough + low, Some(plane));
                     continue;
                 }
                 // What lies beside it is shown by something else, where anything comes of this search.
-                (Seen::Spanned(low), _) if moved.shift <= 0.0 => {
+                (Seen::Spanned { low, last, m }, _) if moved.shift <= 0.0 => {
                     out.least = out.least.min(enough + low);
-                    hold(&mut cutting, (&patch, &tile), f64::NEG_INFINITY);
+                    let plane = Plane::along(sweep, m, bound(sweep.along(m)).low);
+                    hold(&mut cutting, (&patch, &tile), enough + last, Some(plane));
                     continue;
                 }
                 (Seen::Large(i), _) => {
                     let [near, away] = patch.halves(i);
                     if !(pile.push(away) && pile.push(near)) {
-                        keep(&mut out, &mut cutting, (&patch, &tile), f64::NEG_INFINITY);
+                        keep(&mut out, &mut cutting, (&patch, &tile), f64::NEG_INFINITY, None);
                     }
                     continue;
                 }
@@ -283,7 +288,14 @@ fn search(
             if low < closest {
                 (closest, hinted) = (low, Some(sweep.kept(meeting)));
             }
-            keep(&mut out, &mut cutting, (&patch, &tile), low);
+            let plane = cutting.is_some().then(|| {
+                // What shows most at the end may show it for longer.
+                let (distance, m) = sweep.tool.near(&sweep.b, x);
+                let at_end = distance - self::slack(&tile, m, moved.shift.abs()).all;
+                let plane = Plane::along(sweep, meeting.m, low);
+                plane.or(Plane::at_end(sweep, m, at_end), sweep)
+            });
+            keep(&mut out, &mut cutting, (&patch, &tile), low, plane);
             continue;
         }
         if slack[0] + slack[1] <= rise {
@@ -295,7 +307,7 @@ fn search(
         if tile.radius() <= moved.fold * moved.shift.abs() {
             // What is left is the normal, which turns by as much however small the piece: the moved surface
             // has a fold or a tip here.
-            keep(&mut out, &mut cutting, (&patch, &tile), low);
+            keep(&mut out, &mut cutting, (&patch, &tile), low, None);
             seen = seen.max(most - MORE);
             continue;
         }
@@ -306,7 +318,7 @@ fn search(
         let (first, second) = if towards { (away, near) } else { (near, away) };
         let tiny = slack[i] <= f64::EPSILON * (x.norm() + radius);
         if tiny || !(pile.push(second) && pile.push(first)) {
-            keep(&mut out, &mut cutting, (&patch, &tile), low);
+            keep(&mut out, &mut cutting, (&patch, &tile), low, None);
         }
     }
     if let Some(cutting) = cutting.filter(|_| whole) {
@@ -319,16 +331,27 @@ fn search(
 }
 
 /// Notes how far a piece is at least; a search that goes on from here looks at it again in time.
-fn keep(out: &mut Clearance, cutting: &mut Option<Cutting<'_>>, piece: (&Patch, &Tile), low: f64) {
+fn keep(
+    out: &mut Clearance,
+    cutting: &mut Option<Cutting<'_>>,
+    piece: (&Patch, &Tile),
+    low: f64,
+    plane: Option<Plane>,
+) {
     out.least = out.least.min(low);
-    hold(cutting, piece, low);
+    hold(cutting, piece, low, plane);
 }
 
 /// The same but for what this search tells.
-fn hold(cutting: &mut Option<Cutting<'_>>, (piece, tile): (&Patch, &Tile), low: f64) {
+fn hold(
+    cutting: &mut Option<Cutting<'_>>,
+    (piece, tile): (&Patch, &Tile),
+    low: f64,
+    plane: Option<Plane>,
+) {
     if let Some(cutting) = cutting {
         let piece = cutting.keep(piece, tile);
-        cutting.clear(&piece, low);
+        cutting.clear(&piece, low, plane);
     }
 }
 

@@ -19,8 +19,8 @@ use aptc_geometry::Vec3;
 
 use crate::paraboloid::{At, Corner, Place, Seen};
 use crate::sheet::{Patch, Sheet, Spot, Tile};
+use crate::solid::unit_or;
 use crate::sweep::Sweep;
-use crate::tool::Pose;
 
 /// Share of the corner's radius that must be left between a piece and the middle of the corner.
 const DEEP: f64 = 0.5;
@@ -30,8 +30,13 @@ const SMALL: f64 = 0.02;
 /// to be worth to be cut.
 const LEAST: f64 = 0.05;
 const HALF: f64 = 0.5;
-/// Sine at which the direction to a piece counts as square to the way.
-const LEVEL: f64 = 1e-9;
+/// Share of the corner's radius before and behind the way at which what is swept is still looked at.
+const AHEAD: f64 = 0.25;
+/// Turns of the direction to a piece, and the sine by which it may be another.
+const TURNS: u32 = 6;
+const TURNED: f64 = 1e-4;
+/// Share of the flat's radius beside its middle below which is what counts as below it.
+const BELOW: f64 = 0.95;
 /// Least cosine of the normals to what is upright, and part by which the derivatives of a piece may change its velocity.
 const UPRIGHT: f64 = 0.3;
 const CHANGE: f64 = 0.5;
@@ -41,8 +46,7 @@ const CHANGE: f64 = 0.5;
 pub(crate) struct Valley<'a> {
     /// The standing tool at both ends, and its place.
     ends: [(Corner<'a>, Place); 2],
-    /// The way with more of it before and behind.
-    long: Sweep<'a>,
+    whole: &'a Sweep<'a>,
     /// Unit vectors along the way, upright on it away from the tool, and square to both.
     along: Vec3,
     up: Vec3,
@@ -83,7 +87,7 @@ impl<'a> Valley<'a> {
         spot: Spot,
         m: Vec3,
     ) -> Option<Self> {
-        let along = (whole.b.te - whole.a.te).try_normalize(0.0).filter(|_| corner.is_round(m))?;
+        let along = (whole.b.te - whole.a.te).try_normalize(0.0)?;
         let [first, last] = [first, last].map(|sweep| corner.standing(sweep));
         let begin = first.find(sheet, spot, At::Start, m)?;
         let end = last.find(sheet, begin.1, At::Start, begin.0.m)?;
@@ -93,11 +97,8 @@ impl<'a> Valley<'a> {
         let line = line(jet.d, along, beside)?;
         let hollow = bent(line, bend).dot(&begin.0.m) < 0.0;
         let radius = corner.own_radius();
-        let [a, b] = [(whole.a, -radius), (whole.b, radius)]
-            .map(|(at, by)| Pose { te: at.te + along * by, ta: at.ta });
-        let long = Sweep::new(whole.tool, a, b, 0.0);
         let ends = [(first, begin), (last, end)];
-        hollow.then_some(Self { ends, long, along, up, beside, radius })
+        hollow.then_some(Self { ends, whole, along, up, beside, radius })
     }
 
     /// The place at the end of the way, with its paraboloid.
@@ -107,9 +108,6 @@ impl<'a> Valley<'a> {
 
     /// What is shown of a piece.
     pub(crate) fn see(&self, sheet: &Sheet, patch: &Patch, tile: &Tile) -> Seen {
-        if !sheet.goes_on(patch) {
-            return Seen::Near;
-        }
         match self.met(tile).map(|met| self.bent(tile, &met)) {
             None | Some(Bent::Otherwise) => return Seen::Near,
             Some(Bent::Smaller) => {
@@ -118,41 +116,83 @@ impl<'a> Valley<'a> {
                 let worth = size[longer] > SMALL * self.radius;
                 return if worth { Seen::Large(longer) } else { Seen::Near };
             }
+            Some(Bent::Hollow) if !sheet.goes_on(patch) => return Seen::Near,
             Some(Bent::Hollow) => {}
         }
-        let mut least = f64::INFINITY;
-        for (corner, place) in &self.ends {
-            match corner.see(place, sheet, patch, tile) {
-                Seen::Clear(low) => least = least.min(low),
-                other => return other,
-            }
+        let [first, last] = &self.ends;
+        let stands = |(corner, place): &(Corner<'_>, Place)| {
+            let (low, m) = corner.parted(tile);
+            if low >= 0.0 { Seen::Clear(low, m) } else { corner.see(place, sheet, patch, tile) }
+        };
+        let first = match stands(first) {
+            Seen::Clear(low, _) => low,
+            other => return other,
+        };
+        match stands(last) {
+            Seen::Clear(last, m) => Seen::Spanned { low: first.min(last), last, m },
+            other => other,
         }
-        Seen::Spanned(least)
     }
 
-    /// Where the middle of a piece meets the tool on its way, were that without ends; `None` where it is far from it, or beyond
-    /// what the way goes on for.
+    /// In what direction the middle of a piece is from what the tool sweeps; `None` where it is farther than the piece is wide.
+    ///
+    /// With the unit vectors n square to the way the distance is the greatest `g = n . (c - x)`, x being the point of the tool
+    /// farthest along n. On turning n by an angle it is `g'' = -(g + r)`, r being the radius at which the outline of what is swept
+    /// bends in x, and that is the corner's radius at least: so from where `g'` is small it is soon 0.
     fn met(&self, tile: &Tile) -> Option<Met> {
-        let way = self.long.b.te - self.long.a.te;
-        let at = |t: f64| {
-            let pose = Pose { te: self.long.a.te + way * t, ta: self.long.a.ta };
-            self.long.tool.near(&pose, tile.c)
-        };
-        let far = tile.radius();
-        // Where it is beside the middle of the corner of a ball; of others it is looked for.
-        let middle = self.long.a.te + self.long.a.ta * self.long.tool.shoulder();
-        let mut t = (tile.c - middle).dot(&way) / way.norm_squared();
-        let (mut distance, mut n) = at(t);
-        if n.dot(&self.along).abs() > LEVEL && distance <= far {
-            t = self.long.meet(tile.c).t;
-            (distance, n) = at(t);
+        let (corner, far) = (&self.ends[0].0, tile.radius());
+        let pose = &self.whole.a;
+        let mut n = self.towards(tile.c);
+        // Turned one way and the other as far as it is known to be too far.
+        let mut ends: [Option<Vec3>; 2] = [None; 2];
+        for turn in 0..=TURNS {
+            let from = tile.c - self.whole.tool.farthest(pose, n);
+            let on = self.along.cross(&n);
+            let (gap, slope) = (n.dot(&from), on.dot(&from));
+            let deep = self.radius + gap;
+            if gap > far || deep <= 0.0 {
+                return None;
+            }
+            if slope.abs() <= TURNED * deep || turn == TURNS {
+                let ahead = self.along.dot(&from);
+                let length = (self.whole.b.te - pose.te).dot(&self.along);
+                let more = AHEAD * self.radius;
+                if ahead < -more || ahead > length + more {
+                    return None;
+                }
+                return Some(Met { n, deep: deep - far, off: slope.abs() / deep });
+            }
+            ends[usize::from(slope > 0.0)] = Some(n);
+            let next = unit_or(n + on * (slope / (deep + corner.ring(n, on))), n);
+            n = match ends {
+                [Some(over), Some(short)] => {
+                    let other = if slope > 0.0 { over } else { short };
+                    let inside = on.dot(&other) * slope > on.dot(&next) * slope;
+                    if inside { next } else { unit_or(over + short, next) }
+                }
+                _ => next,
+            };
         }
-        // The least distance is less than one at which it falls so by as much at most, and the gradient there another by the
-        // root of what it changes by.
-        let left = n.dot(&self.along).abs() * way.norm();
-        let deep = self.radius + distance - left - far;
-        let off = (2.0 * left / deep).sqrt();
-        (distance <= far && t > 0.0 && t < 1.0).then_some(Met { n, deep, off })
+        None
+    }
+
+    /// About the direction to a point from what the tool sweeps.
+    fn towards(&self, c: Vec3) -> Vec3 {
+        let at = &self.whole.a;
+        let corner = &self.ends[0].0;
+        if corner.rho == 0.0 {
+            let middle = at.te + at.ta * self.whole.tool.shoulder();
+            return unit_or(across(c - middle, self.along), self.up);
+        }
+        // Below the flat it leans as little as the way does.
+        let down = unit_or(across(-at.ta, self.along), self.up);
+        let beside = self.along.cross(&down);
+        let y = beside.dot(&(c - at.te)) / corner.rho;
+        if y.abs() < BELOW {
+            let lean = down.cross(&at.ta).norm();
+            return unit_or(down + beside * (lean * y / (1.0 - y * y).sqrt()), down);
+        }
+        unit_or(across(self.place().0.m, self.along), self.up)
     }
 
     /// Is the distance from the tool on its way concave all over the piece, along the way?
@@ -230,7 +270,7 @@ mod tests {
 
     use super::*;
     use crate::beside::Ways;
-    use crate::tool::Tool;
+    use crate::tool::{Pose, Tool};
     use aptc_geometry::sculptured::{
         Knot, MeshKind, MeshSpacing, MeshSpline, Smoothing, SurfaceDefinition, SurfaceShape,
     };
@@ -258,6 +298,24 @@ mod tests {
         Sheet::new(&form).expect("it has charts")
     }
 
+    /// No direction farther off than told is one in which what is swept is nearest to the middle of the piece: to both sides the
+    /// distance falls.
+    fn is_met(valley: &Valley<'_>, tile: &Tile, met: &Met) -> Result<(), TestCaseError> {
+        let on = valley.along.cross(&met.n);
+        prop_assert!(met.n.dot(&valley.along).abs() < 1e-12);
+        for side in [1.0, -1.0] {
+            let at = |k: u32| {
+                let turn = side * (met.off + 1e-3 * f64::from(k));
+                let n = met.n * trig::cos(turn) + on * trig::sin(turn);
+                n.dot(&(tile.c - valley.whole.tool.farthest(&valley.whole.a, n)))
+            };
+            for k in 0..30 {
+                prop_assert!(at(k + 1) <= at(k) + 1e-12, "{k} {met:?}");
+            }
+        }
+        Ok(())
+    }
+
     /// Of a piece that is seen to be spanned no place is nearer to the tool on its way than its border, or than what the standing
     /// tool shows: in bowls, and over crests, where most are not.
     #[test]
@@ -277,7 +335,7 @@ mod tests {
                 let corner = if ball { 1.0 } else { 0.7 };
                 let profile = Profile::new(&Cutter::mill(2.0, corner, 8.0)).unwrap();
                 let tool = Tool::Solid(&profile);
-                let tilt = if ball { 0.3 } else { 0.9 };
+                let tilt = if ball || lean[0] > 0.5 { 0.3 } else { 0.9 };
                 let ta = Vec3::new(tilt * lean[0], tilt * lean[1], 1.0).normalize();
                 // Down to the surface, and from there both ways along it.
                 let mut te = Vec3::new(3.0 * at[0], 2.0 * at[1], 9.0);
@@ -323,8 +381,11 @@ mod tests {
                         corner.met(&tile),
                     );
                     let Some(valley) = valley else { continue };
+                    if let Some(met) = valley.met(&tile).filter(|met| met.off < 0.1) {
+                        is_met(&valley, &tile, &met)?;
+                    }
                     let [n, spanned] = counts.get();
-                    let Seen::Spanned(low) = valley.see(&sheet, &p, &tile) else {
+                    let Seen::Spanned { low, .. } = valley.see(&sheet, &p, &tile) else {
                         counts.set([n + 1, spanned]);
                         continue;
                     };
