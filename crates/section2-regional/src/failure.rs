@@ -320,7 +320,7 @@ impl Worst {
 
 impl Deep {
     fn said(&self, way: &str) -> String {
-        let Gouge { surface, span, depth, by, stood, .. } = &self.gouge;
+        let Gouge { surface, depth, by, stood, .. } = &self.gouge;
         let who = match by {
             Solid::Cutter => "the cutter",
             Solid::Holder => "the holder",
@@ -330,10 +330,7 @@ impl Deep {
             if depth.is_finite() { format!("{} deep", short(*depth)) } else { "perhaps".into() };
         let (te, ta) = stood.as_ref().map_or((self.te, self.ta), |s| (s.te, s.ta));
         let (te, ta) = (point(te), point(ta));
-        let place = match (span, stood) {
-            (None, Some(stood)) => format!(" at {}", point(stood.place)),
-            _ => placed(*span),
-        };
+        let place = self.gouge.placed();
         format!("at the tool end {te} with axis {ta} {way}{who} is {depth} in {surface}{place}")
     }
 }
@@ -352,13 +349,6 @@ impl Deep {
         );
         Some((text, help))
     }
-}
-
-/// ", patch 3, u 0.5, v 0.2" of a sculptured surface.
-pub(crate) fn placed(span: Option<(usize, [f64; 2])>) -> String {
-    let of =
-        |(n, [u, v]): (usize, [f64; 2])| format!(", patch {n}, u {}, v {}", short(u), short(v));
-    span.map_or_else(String::new, of)
 }
 
 /// RADIUS or HIGHT of TLAXIS where the cutter touches with one place of its shape alone.

@@ -125,7 +125,7 @@ impl Regional {
             let surface = self.surface(&name, &part.form)?;
             let (name, tree) = (name.name.to_string(), self.tree(&surface));
             surfaces.retain(|c| !Arc::ptr_eq(&c.surface, &surface));
-            surfaces.push(Checked { name, surface, tree, part: true });
+            surfaces.push(Checked { name, surface, tree, part: true, facets: false });
             thick = part.thick;
         }
         let intol = self.touching();
