@@ -48,6 +48,10 @@ pub(crate) enum Failure {
     NoClearance { te: Vec3 },
     /// The way to the first projected position goes through a surface.
     Approach(Box<Deep>),
+    /// The way to where a statement begins does.
+    WayIn(Box<Deep>),
+    /// A motion from point to point, or along surfaces, does.
+    Way(Box<Deep>),
     /// Surfaces of INTSEC whose curves are not found.
     NotCut { why: Box<str> },
     /// A statement that is not done here.
@@ -117,6 +121,8 @@ impl Failure {
             | Self::PickFeed(deep)
             | Self::Skipped(deep)
             | Self::Approach(deep)
+            | Self::WayIn(deep)
+            | Self::Way(deep)
                 if let Some((text, help)) = deep.entered() =>
             {
                 (codes::INTERFERENCE, text, help)
@@ -212,6 +218,16 @@ impl Failure {
                 } else {
                     "switch AVCTRL on, or use a smaller cutter".into()
                 },
+            ),
+            Self::Way(deep) => (
+                codes::INTERFERENCE,
+                deep.said(""),
+                "lead the tool round it, or use a smaller cutter".into(),
+            ),
+            Self::WayIn(deep) => (
+                codes::BETWEEN_PASSES,
+                deep.said("on the way to its first position "),
+                "bring the tool before to a place from which it comes there clear".into(),
             ),
             Self::PickFeed(deep) => (
                 codes::BETWEEN_PASSES,
