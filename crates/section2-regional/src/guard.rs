@@ -69,7 +69,7 @@ pub(crate) struct Seen {
     pub(crate) place: Vec3,
     by: Solid,
     /// Left on the surface.
-    thick: f64,
+    pub(crate) thick: f64,
 }
 
 /// A solid of the tool.
