@@ -183,7 +183,7 @@ impl Patched {
         };
         let mut chart =
             Chart { range, cell, within, second, third, beyond, points: [[false; 2]; 2] };
-        if over == [0.0; 2] {
+        if over.iter().all(|o| *o <= 0.0) {
             chart.points = [0, 1].map(|k| [0, 1].map(|end| self.is_point(&chart, k, end)));
         }
         chart
