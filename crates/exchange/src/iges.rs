@@ -6,6 +6,7 @@
 mod borders;
 mod curves;
 mod faces;
+mod lines;
 mod splines;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -16,6 +17,8 @@ use crate::follow::{WORK, Work};
 use crate::{Collected, Fault, Limits, Outside, broken, named};
 use borders::{border, trimmed};
 use faces::{Held, held};
+pub(crate) use lines::is;
+use lines::{field, sections};
 use splines::{bspline, cells, joined};
 
 /// Matrices that refer to each other.
@@ -61,23 +64,19 @@ struct File<'t> {
     /// Between parameters, and behind the last.
     marks: [char; 2],
     unit_mm: Option<f64>,
-}
-
-/// Is the letter of the start section in column 73 of the first line?
-pub(crate) fn is(text: &str) -> bool {
-    text.lines().next().is_some_and(|l| {
-        section(l) == Some('S') && l.get(73..).is_some_and(|n| n.trim().parse::<u32>().is_ok())
-    })
-}
-
-fn section(line: &str) -> Option<char> {
-    line.get(72..73)?.chars().next()
+    /// How long what is a unit long on the part is in the file.
+    scale: f64,
 }
 
 pub(crate) fn read(text: &str, limits: &Limits) -> Result<Outside, Fault> {
     let file = sections(text)?;
     let mut out = Collected::new(limits);
     out.file.unit_mm = file.unit_mm;
+    if (file.scale - 1.0).abs() > 1e-12 {
+        let told =
+            if file.unit_mm.is_some() { "regarded" } else { "not regarded, as it has no unit" };
+        out.file.notes.push(format!("its model has the scale {}, which is {told}", file.scale));
+    }
     // What a trimmed surface is cut from is no surface of its own.
     let mut cut_from = BTreeSet::new();
     for e in file.entries.values().filter(|e| TRIMMED.contains(&e.kind)) {
@@ -203,136 +202,6 @@ impl Left {
             all => format!(", trimmed by line {}", named("", all)),
         };
         format!("{} of type {kind} ({name}{lines})", self.surfaces)
-    }
-}
-
-fn sections(text: &str) -> Result<File<'_>, Fault> {
-    let (mut global, mut directory, mut parameters) = (String::new(), Vec::new(), Vec::new());
-    for (k, line) in text.lines().enumerate() {
-        let at = k + 1;
-        match section(line) {
-            Some('G') => global.push_str(line.get(..72).unwrap_or_default()),
-            Some('D') => directory.push((line, at)),
-            Some('P') => parameters.push((line.get(..64).unwrap_or_default(), at)),
-            Some('S' | 'T') => {}
-            _ if line.trim().is_empty() => {}
-            _ => {
-                let what = "neither S, G, D, P nor T stands in column 73".to_owned();
-                return Err(Fault::Broken { what, line: Some(at) });
-            }
-        }
-    }
-    if global.is_empty() {
-        return Err(broken("its global section, which says its unit, is not there"));
-    }
-    let (fields, marks) = globals(&global)?;
-    let number = |i: usize| fields.get(i).and_then(|f| f.trim().parse::<f64>().ok());
-    let unit_mm = unit(number(13), fields.get(14).map(String::as_str));
-    let mut entries = BTreeMap::new();
-    for (k, pair) in directory.chunks(2).enumerate() {
-        let [(first, line), (second, _)] = pair else {
-            return Err(broken("the directory has an odd number of lines"));
-        };
-        let field = |text: &str, i: usize| {
-            let digits = text.get(8 * i..8 * i + 8).unwrap_or_default().trim();
-            if digits.is_empty() { Some(0) } else { digits.parse::<i64>().ok() }
-        };
-        let get = |text: &str, i: usize| {
-            field(text, i).and_then(|n| usize::try_from(n.max(0)).ok()).ok_or_else(|| {
-                Fault::Broken {
-                    what: format!("field {} of the directory is no number", i + 1),
-                    line: Some(*line),
-                }
-            })
-        };
-        let kind = u32::try_from(get(first, 0)?).unwrap_or(0);
-        let (from, matrix, lines) = (get(first, 1)?, get(first, 6)?, get(second, 3)?);
-        let form = get(second, 4)?;
-        entries.insert(2 * k + 1, Entry { kind, form, from, lines, matrix, line: *line });
-    }
-    Ok(File { entries, parameters, marks, unit_mm })
-}
-
-/// The fields of the global section and the two marks that it sets.
-fn globals(text: &str) -> Result<(Vec<String>, [char; 2]), Fault> {
-    // `1H,` sets a mark; an empty field leaves the usual one.
-    let mark = |text: &'_ str, usual: char| {
-        let own = text.strip_prefix("1H").and_then(|t| t.chars().next());
-        own.map_or((usual, 0), |c| (c, 2 + c.len_utf8()))
-    };
-    let mut rest = text.trim_start();
-    let (between, used) = mark(rest, ',');
-    rest = &rest[used..];
-    rest = rest.strip_prefix(between).unwrap_or(rest);
-    let (end, used) = mark(rest, ';');
-    rest = &rest[used..];
-    rest = rest.strip_prefix(between).unwrap_or(rest);
-    let mut fields = vec![String::new(), String::new()];
-    let mut last = false;
-    while !last && !rest.is_empty() {
-        let (field, after, over) = field(rest, [between, end])?;
-        fields.push(field);
-        rest = after;
-        last = over;
-    }
-    Ok((fields, [between, end]))
-}
-
-/// The field before the next mark, what stands behind the mark, and whether the record ends there. Texts are
-/// counted (`5Habcde`), so that marks may stand in them.
-fn field(text: &str, [between, end]: [char; 2]) -> Result<(String, &str, bool), Fault> {
-    let start = text.trim_start();
-    let digits = start.len() - start.trim_start_matches(|c: char| c.is_ascii_digit()).len();
-    if digits > 0 && start[digits..].starts_with('H') {
-        let n: usize = start[..digits].parse().unwrap_or(usize::MAX);
-        let body = &start[digits + 1..];
-        let bytes = body.char_indices().nth(n).map_or(body.len(), |(at, _)| at);
-        if n > body.len() {
-            return Err(broken("a text is longer than its record"));
-        }
-        let (held, after) = body.split_at(bytes);
-        let mut chars = after.trim_start().chars();
-        let over = chars.next().is_none_or(|c| c == end);
-        return Ok((held.to_owned(), chars.as_str(), over));
-    }
-    match start.find([between, end]) {
-        Some(at) => {
-            let c = start[at..].chars().next().unwrap_or(end);
-            Ok((start[..at].to_owned(), &start[at + c.len_utf8()..], c == end))
-        }
-        None => Ok((start.to_owned(), "", true)),
-    }
-}
-
-/// Millimetres of the unit: its number, or its name where the number is 3.
-fn unit(flag: Option<f64>, name: Option<&str>) -> Option<f64> {
-    let by_name = || {
-        Some(match name?.trim().to_ascii_uppercase().as_str() {
-            "IN" | "INCH" => 25.4,
-            "MM" => 1.0,
-            "FT" => 304.8,
-            "M" => 1000.0,
-            "CM" => 10.0,
-            "KM" => 1e6,
-            "MI" => 1_609_344.0,
-            "UM" => 1e-3,
-            "MIL" => 0.0254,
-            "UIN" => 25.4e-6,
-            _ => return None,
-        })
-    };
-    match flag {
-        Some(1.0) => Some(25.4),
-        Some(2.0) => Some(1.0),
-        Some(4.0) => Some(304.8),
-        Some(5.0) => Some(1_609_344.0),
-        Some(6.0) => Some(1000.0),
-        Some(7.0) => Some(1e6),
-        Some(8.0) => Some(0.0254),
-        Some(9.0) => Some(1e-3),
-        Some(10.0) => Some(10.0),
-        Some(11.0) => Some(25.4e-6),
-        _ => by_name(),
     }
 }
 

@@ -100,6 +100,22 @@ pub fn read(text: &str, limits: &Limits) -> Option<Result<Outside, Fault>> {
     Some(read.and_then(|file| if file.surfaces.is_empty() { Err(none()) } else { Ok(file) }))
 }
 
+/// The surfaces of a file that is called `name`: what its text is tells which format it has, and its ending where the text is of
+/// none, so that the file is broken. `None` of a name with another ending.
+pub fn read_named(name: &str, text: &str, limits: &Limits) -> Option<Result<Outside, Fault>> {
+    let own = || {
+        let (_, ending) = name.rsplit_once('.')?;
+        Some(match ending.to_ascii_lowercase().as_str() {
+            "json" => json::read(text, limits),
+            "igs" | "iges" => iges::read(text, limits),
+            "stp" | "step" => step::read(text, limits),
+            "stl" => stl::read(text, limits),
+            _ => return None,
+        })
+    };
+    read(text, limits).or_else(own)
+}
+
 fn none() -> Fault {
     Fault::NoSurface(String::new())
 }

@@ -132,3 +132,84 @@ fn stl_of_both_kinds() {
     ));
     assert!(read("GOTO/1,2,3\n", &Limits::default()).is_none());
 }
+
+/// A box as it is written, its triangles' corners turned outwards.
+fn solid(name: &str, size: f64) -> String {
+    let corner = |i: usize| [i & 1, i >> 1 & 1, i >> 2].map(|b| if b == 1 { size } else { 0.0 });
+    let sides =
+        [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+    let facet = |t: [usize; 3]| {
+        let corners: String = t
+            .iter()
+            .map(|k| {
+                let [x, y, z] = corner(*k);
+                format!("vertex {x} {y} {z}\n")
+            })
+            .collect();
+        format!("facet normal 0 0 0\nouter loop\n{corners}endloop\nendfacet\n")
+    };
+    let all: String =
+        sides.iter().flat_map(|[a, b, c, d]| [[*a, *b, *c], [*a, *c, *d]]).map(facet).collect();
+    format!("solid {name}\n{all}endsolid {name}\n")
+}
+
+#[test]
+fn stl_as_others_write_it() {
+    let triangles = |text: &str| match &all(text).unwrap().surfaces[0].shape {
+        aptc_geometry::sculptured::SurfaceShape::Facets(all) => all.len(),
+        _ => unreachable!("triangles"),
+    };
+    let text = solid("clamp", 4.0);
+    assert_eq!(triangles(&text), 12);
+    assert!(all(&text).unwrap().notes.is_empty());
+    for text in [
+        text.to_uppercase(),
+        text.replace('\n', "\r\n"),
+        text.replace(" clamp", ""),
+        format!("\u{feff}{text}"),
+        text.replace("vertex 4 ", "vertex 4.000001E0 "),
+    ] {
+        assert_eq!(triangles(&text), 12, "{text}");
+        assert!(all(&text).unwrap().notes.is_empty());
+    }
+    // Each solid of several, and no triangle without area.
+    let flat = "facet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 1 1 1\nvertex 2 2 2\nendloop\nendfacet\n";
+    let more = format!("{text}{}", solid("b", 9.0).replace("endsolid", &format!("{flat}endsolid")));
+    assert_eq!(triangles(&more), 24);
+    // A side is missing.
+    let from = text.rfind("facet normal").unwrap();
+    let open = format!("{}endsolid", &text[..from]);
+    let notes = all(&open).unwrap().notes;
+    assert!(notes.len() == 1 && notes[0].contains("3 edges"), "{notes:?}");
+    assert!(notes[0].contains("from 4, 4, 4 to 4, 0, 0"), "{notes:?}");
+}
+
+#[test]
+fn stl_that_is_broken_is_refused_with_its_line() {
+    let named = |text: &str| {
+        let found = aptc_exchange::read_named("clamp.STL", text, &Limits::default());
+        found.expect("STL by its name").unwrap_err().to_string()
+    };
+    let text = solid("clamp", 4.0);
+    let mut head = vec![b' '; 80];
+    head.extend(12_u32.to_le_bytes());
+    head.resize(84 + 11 * 50, 0);
+    let short: String = head.iter().map(|b| char::from(*b)).collect();
+    for (text, says) in [
+        (String::new(), "no triangles"),
+        ("solid\nendsolid\n".to_owned(), "no triangles"),
+        ("HELLO\n".to_owned(), "line 1: solid is due there, and `HELLO` stands"),
+        (text.replacen("vertex 0", "vertex nan", 1), "line 4: triangle 1 has a corner"),
+        (text.replacen("vertex 0", "vertex 1e99", 1), "line 4: triangle 1 has a corner"),
+        (text.replacen("vertex 0 0", "vertex 0,5 0", 1), "line 4: vertex with three numbers"),
+        (text.replacen("endloop", "vertex 1 2 3\nendloop", 1), "line 7: endloop is due"),
+        (text.replace("endsolid clamp", ""), "ends where facet or endsolid is due"),
+        (text[..text.rfind("endloop").unwrap()].to_owned(), "the file ends where endloop is due"),
+        (short, "its head tells of 12 triangles, and behind it are 550 bytes"),
+    ] {
+        let why = named(&text);
+        assert!(why.contains(says), "{why}");
+    }
+    let flat = solid("clamp", 0.0);
+    assert!(named(&flat).contains("none of its 12 triangles has an area"));
+}

@@ -534,3 +534,57 @@ fn the_box_of_a_round_border_of_iges() {
     let side = (all[1] - all[0]).norm();
     assert!((side - 200.0).abs() < 1e-6, "{all:?}");
 }
+
+/// What is an IGES file by its lines or its name is told as one that is broken, with the line.
+#[test]
+fn lines_that_are_broken_are_told() {
+    let good = iges(2, &[(128, 0, quarter("0.,1."))]);
+    let why = |text: &str| all(text).unwrap_err().to_string();
+    is_quarter(&fitted(&all(&good.replace('\n', "\r\n")).unwrap()), 5.0, 8.0);
+    // Without numbers behind the letters.
+    let bare: String = good.lines().map(|l| format!("{}\n", &l[..73])).collect();
+    is_quarter(&fitted(&all(&bare).unwrap()), 5.0, 8.0);
+    // Blanks at the left, or all that are many, are lost.
+    let left: String = good.lines().map(|l| format!("{}\n", l.trim_start())).collect();
+    assert!(why(&left).contains("stands in column"), "{}", why(&left));
+    let narrow: String =
+        good.lines().map(|l| l.split_whitespace().collect::<Vec<_>>().join(" ") + "\n").collect();
+    assert!(why(&narrow).starts_with(
+        "line 1: neither S, G, D, P nor T stands in column 73; S stands in column 16"
+    ));
+    // A line of parameters or of the directory is lost.
+    for (mark, says) in
+        [("P      2", "line 3 of section P, and line 2 is due"), ("D      2", "line 2 is due")]
+    {
+        let lost: String =
+            good.lines().filter(|l| !l.ends_with(mark)).map(|l| format!("{l}\n")).collect();
+        let lost = if mark.starts_with('D') { lost.replace("D      1", "D      3") } else { lost };
+        assert!(
+            why(&lost).contains(says) || why(&lost).contains("line 1 is due"),
+            "{}",
+            why(&lost)
+        );
+    }
+    // By its name alone, and in another form.
+    let limits = aptc_exchange::Limits::default();
+    let named = |text: &str| {
+        let found = aptc_exchange::read_named("A.IGS", text, &limits).expect("IGES by its name");
+        found.unwrap_err().to_string()
+    };
+    assert!(named("HELLO\n").starts_with("line 1: neither S"));
+    assert!(named("").contains("global section"));
+    let compressed = format!("{:<72}C{:>7}\n", "", 1);
+    assert!(named(&compressed).contains("compressed"));
+    assert!(aptc_exchange::read_named("A.apt", "GOTO/1,2,3\n", &limits).is_none());
+}
+
+/// A model at half its size is read at its own.
+#[test]
+fn the_scale_of_a_model_is_regarded() {
+    let good = iges(2, &[(128, 0, quarter("0.,1."))]);
+    let half = good.replace("4Htest,1.,2,2HMM", "4Htest,.5,2,2HMM");
+    assert_ne!(good, half);
+    let file = all(&half).unwrap();
+    assert_eq!(file.unit_mm, Some(2.0));
+    assert_eq!(file.notes, ["its model has the scale 0.5, which is regarded"]);
+}

@@ -4,6 +4,11 @@ use serde::{Deserialize, Serialize};
 
 use crate::trig;
 
+/// A corner that reaches beyond the axis, or misses a line that it touches, by less than this fraction of the cutter's size does so
+/// in digits: CAM systems write five or six of them, and a half of an inch in millimetres is none of these. Larger would hide real
+/// edges.
+pub(crate) const TANGENT: f64 = 1e-5;
+
 /// CUTTER/d,r,e,f,alpha,beta,h: a solid of revolution about the tool axis, tool end at the origin of its
 /// frame. All lengths in the unit of the scene.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -30,12 +35,15 @@ impl Cutter {
         Self::mill(diameter, corner_radius, if diameter > 0.0 { usual_height } else { 0.0 })
     }
 
-    /// An end mill: e = d/2 - r, f = r, straight sides, `height` or at least r.
+    /// An end mill: e = d/2 - r, f = r, straight sides, `height` or at least r. A corner radius that is half the diameter but for
+    /// digits makes a ball.
     pub fn mill(diameter: f64, corner_radius: f64, height: f64) -> Self {
+        let e = diameter / 2.0 - corner_radius;
+        let ball = e < 0.0 && -e <= TANGENT * diameter;
         Self {
             diameter,
             corner_radius,
-            e: diameter / 2.0 - corner_radius,
+            e: if ball { 0.0 } else { e },
             f: corner_radius,
             alpha_deg: 0.0,
             beta_deg: 0.0,
@@ -91,6 +99,14 @@ mod tests {
         assert!(near(corner(20.0, 0.0, 30.0, 0.0), [10.0, 10.0 / 3.0_f64.sqrt()]));
         let flat = Cutter { alpha_deg: 60.0, beta_deg: 30.0, ..Cutter::mill(10.0, 0.0, 30.0) };
         assert_eq!(flat.tangent_corner(), None);
+    }
+
+    #[test]
+    fn a_corner_radius_of_half_the_diameter_but_for_digits_is_a_ball() {
+        for (r, e) in [(5.0, 0.0), (5.000_05, 0.0), (5.0 + 5e-13, 0.0), (5.001, -0.001), (4.0, 1.0)]
+        {
+            assert!((Cutter::mill(10.0, r, 40.0).e - e).abs() < 1e-12, "{r}");
+        }
     }
 
     #[test]

@@ -126,14 +126,27 @@ impl World for Disk {
                 continue;
             }
             let text = read_limited(&found, self.limit)?;
+            let name = shown(name, &found).into();
             self.found.push(found);
-            return Ok(Source { name: name.into(), text });
+            return Ok(Source { name, text });
         }
         if outside {
             return Err(WorldError::Outside);
         }
         let searched = self.folders.iter().map(|f| f.display().to_string()).collect();
         Err(WorldError::Missing { searched })
+    }
+}
+
+/// The name to show of a file that is asked for by `name`: with the ending that tells a format other than APT's.
+fn shown(name: &str, found: &Path) -> String {
+    let ending = found.extension().and_then(|e| e.to_str()).unwrap_or_default();
+    let has =
+        |text: &str| Path::new(text).extension().is_some_and(|e| e.eq_ignore_ascii_case(ending));
+    match ending.to_ascii_lowercase().as_str() {
+        "" | "apt" | "mac" => name.to_owned(),
+        _ if has(name) => name.to_owned(),
+        _ => format!("{name}.{ending}"),
     }
 }
 
@@ -161,7 +174,8 @@ fn read_limited(path: &Path, limit: u64) -> Result<Arc<str>, WorldError> {
     read_bytes(path, limit).map(|bytes| decoded(bytes).into())
 }
 
-/// Bytes as text: UTF-16 where its mark begins them, UTF-8, else Latin-1. Where nothing but CR ends lines it does so as LF.
+/// Bytes as text: UTF-16 where its mark begins them, UTF-8, else Latin-1. Where nothing but CR ends lines it does so as LF, but in
+/// what is no text, as binary STL is none, every byte counts.
 fn decoded(bytes: Vec<u8>) -> String {
     let wide = |unit: fn([u8; 2]) -> u16| {
         let units: Vec<u16> = bytes[2..].chunks_exact(2).map(|b| unit([b[0], b[1]])).collect();
@@ -173,7 +187,8 @@ fn decoded(bytes: Vec<u8>) -> String {
         _ => String::from_utf8(bytes)
             .unwrap_or_else(|e| e.as_bytes().iter().map(|&b| char::from(b)).collect()),
     };
-    if text.contains('\r') && !text.contains('\n') { text.replace('\r', "\n") } else { text }
+    let ends = text.contains('\r') && !text.contains('\n') && !text.contains('\0');
+    if ends { text.replace('\r', "\n") } else { text }
 }
 
 fn read_bytes(path: &Path, limit: u64) -> Result<Vec<u8>, WorldError> {
@@ -225,6 +240,25 @@ mod tests {
         assert_eq!(&*disk.include("HILL").unwrap().text, "{}");
     }
 
+    /// What format a file should have is told with it.
+    #[test]
+    fn the_ending_of_another_format_is_shown() {
+        let dir = tempfile::tempdir().unwrap();
+        for file in ["hill.IGS", "lib.mac", "plain", "dome.stp"] {
+            fs::write(dir.path().join(file), "").unwrap();
+        }
+        let mut disk = Disk::new(vec![dir.path().to_owned()], 100);
+        for (name, shown) in [
+            ("HILL", "HILL.IGS"),
+            ("hill.igs", "hill.igs"),
+            ("LIB", "LIB"),
+            ("PLAIN", "PLAIN"),
+            ("DOME", "DOME.stp"),
+        ] {
+            assert_eq!(&*disk.include(name).unwrap().name, shown);
+        }
+    }
+
     #[test]
     fn includes_stay_in_their_folders() {
         let dir = tempfile::tempdir().unwrap();
@@ -257,6 +291,7 @@ mod tests {
         }
         assert_eq!(decoded(b"A=1\rFINI\r".to_vec()), "A=1\nFINI\n");
         assert_eq!(decoded(b"A=1\r\nB=2\r".to_vec()), "A=1\r\nB=2\r");
+        assert_eq!(decoded(b"A\r\0\xff".to_vec()), "A\r\0\u{ff}");
     }
 
     #[test]

@@ -73,6 +73,30 @@ fn who_comes_from_outside_does_not_get_in() {
     }
 }
 
+/// What stands between the last place and the first of a statement is met, whatever guides that, and by the holder too.
+#[test]
+fn the_way_to_a_first_position_is_checked() {
+    let sheet =
+        "SSURF/SMESH,XYZ,SPLINE,(-60,-90,-40),(-60,-90,90),$\n SPLINE,(-60,90,-40),(-60,90,90)";
+    let bar = "SSURF/SMESH,XYZ,SPLINE,(-60,-1,100),(-60,1,100),$\n SPLINE,(-50,-1,100),(-50,1,100)";
+    let mills = [
+        "SMIL/PATH,DS,PARAM,.2,.5,TANSPL,PLUS",
+        "SMIL/POSN,DS,PARAM,.2,.5,INCR,0",
+        "GOLOFT/FLOOR,VCONST,.5,INVERS,MIRROR",
+        "GOMILL/FLOOR,VCONST,.5,STEPOV,.5",
+    ];
+    for wall in [sheet, bar] {
+        for mill in mills {
+            for (from, wrong) in [("FROM/-90,0,20", true), ("FROM/-15,0,20", false)] {
+                let text = program(wall, from, "").replace(mills[0], mill);
+                let faults = faults(text.clone(), Verify::Off);
+                let met = faults.iter().any(|code| code == "APT2049");
+                assert_eq!(met, wrong, "{faults:?}\n{text}");
+            }
+        }
+    }
+}
+
 #[test]
 fn a_sheet_between_cutter_and_holder_is_met() {
     // Over the path at the height 37, and beside it.

@@ -45,12 +45,13 @@ impl Regional {
         }
         for (name, form) in named {
             let label = name.name.to_string();
-            if matches!(form.shape(), Form::Ssurf(_)) {
+            if let Form::Ssurf(definition) = form.shape() {
                 let surface = self.surface(name, form)?;
                 self.checked.retain(|c| !Arc::ptr_eq(&c.surface, &surface));
                 if on {
                     let tree = self.tree(&surface);
-                    self.checked.push(Checked { name: label, surface, tree, part: false });
+                    let facets = definition.only_checks();
+                    self.checked.push(Checked { name: label, surface, tree, part: false, facets });
                 }
                 continue;
             }
@@ -137,7 +138,8 @@ impl Regional {
             surfaces.retain(|c| !Arc::ptr_eq(&c.surface, &p.surface));
             let tree = Arc::clone(&p.tree);
             let surface = Arc::clone(&p.surface);
-            surfaces.push(Checked { name: p.name.name.to_string(), surface, tree, part: true });
+            let name = p.name.name.to_string();
+            surfaces.push(Checked { name, surface, tree, part: true, facets: false });
         }
         let thick = part.map_or(0.0, |p| p.thick);
         let intol = self.settings.band().intol;

@@ -35,10 +35,16 @@ impl Guard {
             let least = found.min_by(|a, b| a.distance.total_cmp(&b.distance));
             let told = least.map(|place| self.told(s, place, by));
             let gouge = told.filter(|told| told.depth > gouge.depth).unwrap_or(gouge);
-            let Some(place) = gouge.seen.as_ref().map(|seen| seen.place) else { return gouge };
+            let Some((place, thick)) = gouge.seen.as_ref().map(|seen| (seen.place, seen.thick))
+            else {
+                return gouge;
+            };
             let all = solids().map(|(profile, up)| deep_at((&profile, up), ends, place));
-            let Some((_, t)) = all.max_by(|a, b| a.0.total_cmp(&b.0)) else { return gouge };
-            return Gouge { stood: Some(Box::new(stood(ends, t, place))), ..gouge };
+            let Some((depth, t)) = all.max_by(|a, b| a.0.total_cmp(&b.0)) else { return gouge };
+            // What turns was held against its place with the axis of a stretch.
+            let real = thick + depth;
+            let depth = if real > self.intol { real } else { gouge.depth };
+            return Gouge { depth, stood: Some(Box::new(stood(ends, t, place))), ..gouge };
         }
         let Some(p) = self.plain.iter().find(|p| p.name == gouge.surface) else { return gouge };
         let found = solids()

@@ -2,9 +2,12 @@
 
 use std::sync::Arc;
 
+use aptc_contact::{PatchTree, Tool};
+use aptc_geometry::sculpt::{SplinePoint, mesh};
+use aptc_geometry::sculptured::MeshSpacing;
 use aptc_geometry::{Circle, Cutter, Form, Profile, Rail, RuledSurface, Second, Vec3, trig};
 
-use crate::guard::{Gouge, Guard};
+use crate::guard::{Checked, Gouge, Guard};
 use crate::plain::Plain;
 
 /// Upright rulings along a quarter of a circle of that radius about the z axis, from -20 up to 80: a wall.
@@ -100,6 +103,37 @@ fn nothing_is_told_deeper_than_the_tool_is_wide() {
             assert!(found.depth > 0.01 && found.depth <= 5.0 + 1e-9, "{i}: {}", found.depth);
             told += 1;
         }
+    }
+    assert!(told > 15, "{told}");
+}
+
+/// Of a tool that turns it is told how deep the place is where the tool is told to stand.
+#[test]
+fn a_turning_tool_is_as_deep_as_the_place_that_is_told() {
+    let row = |z: f64| {
+        let at = |i| SplinePoint::plain(Vec3::new(10.0, 30.0 * f64::from(i) - 30.0, z));
+        (0..3).map(at).collect()
+    };
+    let surface = Arc::new(mesh(&[row(-10.0), row(60.0)], MeshSpacing::Ruled).unwrap());
+    let tree = Arc::new(PatchTree::new(&surface));
+    let name = "WALL".into();
+    let checked = Checked { name, surface, tree, part: false, facets: false };
+    let guard = Guard { surfaces: vec![checked], intol: 0.01, ..Guard::default() };
+    let profile = Profile::new(&Cutter::mill(8.0, 4.0, 50.0)).unwrap();
+    let mut told = 0;
+    for i in 0..40 {
+        let lean = |deg: f64| Vec3::new(trig::sin_deg(deg), 0.0, trig::cos_deg(deg));
+        let (from, to) = (f64::from(i % 8) * 2.0, 14.0 - f64::from(i % 5) * 3.5);
+        let way = Vec3::new(f64::from(i % 3) - 1.0, 9.0, 4.0);
+        let ends = [(Vec3::zeros(), lean(from)), (way, lean(to))];
+        let Err(found) = guard.way(&profile, ends) else { continue };
+        let found = guard.deepest(&profile, ends, found);
+        let stood = found.stood.unwrap();
+        let tool = Tool { profile: &profile, te: stood.te, ta: stood.ta };
+        let real = -tool.distance(stood.place);
+        assert!((stood.place.x - 10.0).abs() < 1e-9 && real > 0.01);
+        assert!((found.depth - real).abs() < 1e-9, "{i}: {} not {real}", found.depth);
+        told += 1;
     }
     assert!(told > 15, "{told}");
 }

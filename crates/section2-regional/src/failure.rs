@@ -48,6 +48,10 @@ pub(crate) enum Failure {
     NoClearance { te: Vec3 },
     /// The way to the first projected position goes through a surface.
     Approach(Box<Deep>),
+    /// The way to where a statement begins does.
+    WayIn(Box<Deep>),
+    /// A motion from point to point, or along surfaces, does.
+    Way(Box<Deep>),
     /// Surfaces of INTSEC whose curves are not found.
     NotCut { why: Box<str> },
     /// A statement that is not done here.
@@ -117,6 +121,8 @@ impl Failure {
             | Self::PickFeed(deep)
             | Self::Skipped(deep)
             | Self::Approach(deep)
+            | Self::WayIn(deep)
+            | Self::Way(deep)
                 if let Some((text, help)) = deep.entered() =>
             {
                 (codes::INTERFERENCE, text, help)
@@ -212,6 +218,16 @@ impl Failure {
                 } else {
                     "switch AVCTRL on, or use a smaller cutter".into()
                 },
+            ),
+            Self::Way(deep) => (
+                codes::INTERFERENCE,
+                deep.said(""),
+                "lead the tool round it, or use a smaller cutter".into(),
+            ),
+            Self::WayIn(deep) => (
+                codes::BETWEEN_PASSES,
+                deep.said("on the way to its first position "),
+                "bring the tool before to a place from which it comes there clear".into(),
             ),
             Self::PickFeed(deep) => (
                 codes::BETWEEN_PASSES,
@@ -320,7 +336,7 @@ impl Worst {
 
 impl Deep {
     fn said(&self, way: &str) -> String {
-        let Gouge { surface, span, depth, by, stood, .. } = &self.gouge;
+        let Gouge { surface, depth, by, stood, .. } = &self.gouge;
         let who = match by {
             Solid::Cutter => "the cutter",
             Solid::Holder => "the holder",
@@ -330,10 +346,7 @@ impl Deep {
             if depth.is_finite() { format!("{} deep", short(*depth)) } else { "perhaps".into() };
         let (te, ta) = stood.as_ref().map_or((self.te, self.ta), |s| (s.te, s.ta));
         let (te, ta) = (point(te), point(ta));
-        let place = match (span, stood) {
-            (None, Some(stood)) => format!(" at {}", point(stood.place)),
-            _ => placed(*span),
-        };
+        let place = self.gouge.placed();
         format!("at the tool end {te} with axis {ta} {way}{who} is {depth} in {surface}{place}")
     }
 }
@@ -352,13 +365,6 @@ impl Deep {
         );
         Some((text, help))
     }
-}
-
-/// ", patch 3, u 0.5, v 0.2" of a sculptured surface.
-pub(crate) fn placed(span: Option<(usize, [f64; 2])>) -> String {
-    let of =
-        |(n, [u, v]): (usize, [f64; 2])| format!(", patch {n}, u {}, v {}", short(u), short(v));
-    span.map_or_else(String::new, of)
 }
 
 /// RADIUS or HIGHT of TLAXIS where the cutter touches with one place of its shape alone.

@@ -6,6 +6,7 @@ use aptc_contact::{Clear, PatchPlace, PatchTree, Swept, Tool};
 use aptc_geometry::surface::kept;
 use aptc_geometry::{Profile, Sculptured, Vec3};
 
+use crate::failure::{point, short};
 use crate::plain::Plain;
 
 /// A surface that is checked.
@@ -16,6 +17,8 @@ pub(crate) struct Checked {
     pub(crate) tree: Arc<PatchTree>,
     /// Is it the part surface, which keeps its thickness?
     pub(crate) part: bool,
+    /// Is it of triangles, whose numbers say nothing?
+    pub(crate) facets: bool,
 }
 
 /// The checks of a path.
@@ -37,7 +40,7 @@ pub(crate) struct Guard {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Gouge {
     pub(crate) surface: String,
-    /// Patch and its parameters, of a sculptured surface.
+    /// Patch and its parameters, of a sculptured surface that is not of triangles.
     pub(crate) span: Option<(usize, [f64; 2])>,
     /// How deep, the thickness counted.
     pub(crate) depth: f64,
@@ -66,7 +69,7 @@ pub(crate) struct Seen {
     pub(crate) place: Vec3,
     by: Solid,
     /// Left on the surface.
-    thick: f64,
+    pub(crate) thick: f64,
 }
 
 /// A solid of the tool.
@@ -77,6 +80,18 @@ pub(crate) enum Solid {
     Holder,
     /// The axis between them.
     Between,
+}
+
+impl Gouge {
+    /// Where on its surface: the patch of a sculptured one, the place of another.
+    pub(crate) fn placed(&self) -> String {
+        let stood = self.stood.as_ref().map(|s| s.place);
+        match (self.span, stood.or(self.seen.as_ref().map(|s| s.place))) {
+            (Some((n, [u, v])), _) => format!(", patch {n}, u {}, v {}", short(u), short(v)),
+            (None, Some(place)) => format!(" at {}", point(place)),
+            (None, None) => String::new(),
+        }
+    }
 }
 
 impl Guard {
@@ -120,7 +135,8 @@ impl Guard {
     pub(crate) fn told(&self, s: &Checked, place: PatchPlace, by: Solid) -> Gouge {
         let [u, v] = s.surface.global(place.patch, place.uv[0], place.uv[1]);
         let thick = if s.part { self.thick } else { 0.0 };
-        let (span, depth) = (Some(s.surface.span_of(u, v)), thick - place.distance);
+        let span = (!s.facets).then(|| s.surface.span_of(u, v));
+        let depth = thick - place.distance;
         let seen = Some(Box::new(Seen { place: s.surface.at(u, v).point, by, thick }));
         Gouge { surface: s.name.clone(), span, depth, by, entered: None, seen, stood: None }
     }

@@ -149,6 +149,10 @@ impl Regional {
             }
             _ => Ok(None),
         };
+        let done = done.and_then(|stand| {
+            let way = self.comes_to(out.get(known..).unwrap_or_default());
+            way.map(|()| stand).inspect_err(|_| out.truncate(known))
+        });
         self.went(out.get(known..).unwrap_or_default());
         match &done {
             Ok(Some(stand)) => self.stand = Some(*stand),

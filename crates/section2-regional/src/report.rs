@@ -4,7 +4,7 @@ use aptc_diagnostics::{Diagnostic, Origin, codes};
 use aptc_geometry::Vec3;
 
 use crate::avoid::Avoided;
-use crate::failure::{placed, point, short};
+use crate::failure::{point, short};
 use crate::guard::Gouge;
 
 /// A statement tells of so many gouges; the rest is counted.
@@ -31,11 +31,11 @@ pub(crate) fn reports(origin: &Origin, notes: &[Note]) -> Vec<Diagnostic> {
         .iter()
         .take(TOLD)
         .map(|n| {
-            let Gouge { surface, span, depth, .. } = &n.gouge;
+            let Gouge { surface, depth, .. } = &n.gouge;
             let text = format!(
                 "interference with {surface}, {} deep{}, avoided by {}",
                 short(*depth),
-                placed(*span),
+                n.gouge.placed(),
                 said(&n.how)
             );
             let before = format!("the tool end was {} with axis {}", point(n.te), point(n.ta));

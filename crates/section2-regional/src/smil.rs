@@ -320,6 +320,7 @@ impl Regional {
                 surface: Arc::clone(&part.surface),
                 tree: Arc::clone(&part.tree),
                 part: true,
+                facets: false,
             });
         }
         guard

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use aptc_cldata as cl;
 use aptc_geometry::{Form, Profile, Vec3};
 
-use crate::failure::Failure;
+use crate::failure::{Deep, Failure};
 use crate::guard::{Checked, Guard};
 use crate::regional::{Failed, Regional};
 
@@ -52,6 +52,36 @@ impl Regional {
         records.truncate(end);
         (self.watch.last, self.stand) = (None, None);
         Err(Failed)
+    }
+
+    /// The way from where the tool was put out last to the first position of a statement of regional milling, whose paths
+    /// are checked on their own. Where a first position is left out the way to the second was looked at.
+    pub(crate) fn comes_to(&mut self, records: &[cl::Record]) -> Result<(), Failure> {
+        let motion = records.iter().find_map(|r| match &r.kind {
+            cl::Kind::Motion(motion) => Some(motion),
+            _ => None,
+        });
+        let milling = motion.and_then(|m| m.control.as_ref()?.milling.as_ref());
+        let to = motion.and_then(|m| m.points.first()).map(|p| (p.te, p.ta));
+        let (Some(milling), Some(to), Some(here)) = (milling, to, self.watch.last) else {
+            return Ok(());
+        };
+        if milling.joined || self.is_recording() {
+            return Ok(());
+        }
+        let holder = self.holder.clone();
+        let mut guard = self.guarded(None).unwrap_or(Guard { holder, ..Guard::default() });
+        if let Some(part) = milling.part.as_ref().filter(|_| milling.guarded) {
+            let surface = Arc::clone(&part.surface);
+            let (name, tree) = (part.name.name.to_string(), self.tree(&surface));
+            guard.surfaces.retain(|c| !Arc::ptr_eq(&c.surface, &surface));
+            guard.surfaces.push(Checked { name, surface, tree, part: true, facets: false });
+            guard.thick = part.thick;
+        }
+        match self.blocked(&guard, Some(here), &[to]) {
+            Some((_, Failure::Way(deep))) => Err(Failure::WayIn(deep)),
+            _ => Ok(()),
+        }
     }
 
     /// Motions of regional milling were put out, which are not watched; what is only recorded was not.
@@ -125,7 +155,7 @@ impl Regional {
             let surface = self.surface(&name, &part.form)?;
             let (name, tree) = (name.name.to_string(), self.tree(&surface));
             surfaces.retain(|c| !Arc::ptr_eq(&c.surface, &surface));
-            surfaces.push(Checked { name, surface, tree, part: true });
+            surfaces.push(Checked { name, surface, tree, part: true, facets: false });
             thick = part.thick;
         }
         let intol = self.touching();
@@ -157,7 +187,8 @@ fn first_gouge(
         let ends = [here.unwrap_or(to), to];
         if let Err(gouge) = guard.way(profile, ends) {
             let gouge = guard.deepest(profile, ends, gouge);
-            return Some((k, Failure::gouge(gouge, to.0, to.1, false)));
+            let deep = Deep { gouge, te: to.0, ta: to.1, avoids: false };
+            return Some((k, Failure::Way(Box::new(deep))));
         }
         here = Some(to);
     }

@@ -1,12 +1,12 @@
 //! From the seven parameters to the profile, with the reasons why some seven numbers are no cutter.
 
 use crate::Vec2;
+use crate::cutter::TANGENT;
 use crate::profile::{Profile, cross};
 use crate::{Cutter, trig};
 
-/// An arc that misses tangency by less than this fraction of the cutter's size is meant to be tangent:
-/// CAM systems write the centre with five or six digits. Larger would hide real edges.
-const TANGENT: f64 = 1e-5;
+/// A centre nearer to the axis than this fraction of the cutter's size is on it: no flat is so narrow.
+const CENTRED: f64 = 1e-9;
 
 /// Why seven numbers are no cutter. The numbers in brackets are those of the sculptured-surface system.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -202,11 +202,13 @@ fn snap(
         (false, true) => c + nu * gu,
         (false, false) => c,
     };
-    // A centre that is given on the axis, or comes within rounding of it, is on it: the cutter is round. Along the
-    // lower line the shift onto the upper one has moved it, which begins where the arc ends anyway.
-    let c = if given.x == 0.0 && tan_l && tan_u {
+    // A centre that is given on the axis or beyond it by digits, or comes within rounding of it, is on it: the cutter is round.
+    // Along the lower line the shift onto the upper one has moved it, which begins where the arc ends anyway.
+    let wide = r + meet.x;
+    let on_axis = |x: f64, below: f64| (-below * wide..=CENTRED * wide).contains(&x);
+    let c = if tan_l && tan_u && on_axis(given.x, TANGENT) {
         Vec2::new(0.0, -r / nl.y)
-    } else if c.x.abs() <= 1e-14 * (r + meet.x) {
+    } else if on_axis(c.x, CENTRED) {
         Vec2::new(0.0, c.y)
     } else {
         c
@@ -281,6 +283,26 @@ mod tests {
         ] {
             assert_eq!(Profile::new(&cutter(v)), Err(reason), "{v:?}");
         }
+    }
+
+    /// A ball whose corner radius is half the diameter but for digits is round, however its centre was written.
+    #[test]
+    fn a_ball_with_rounded_numbers_is_round() {
+        for off in [-3e-5, -5e-13, -1e-15, 0.0, 1e-15, 5e-13, 3e-5] {
+            let r = 5.0 + off;
+            let round = |c: &Cutter| {
+                let p = Profile::new(c).unwrap();
+                assert!((p.widest() - 5.0).abs() < 1e-4 && (p.corner()[1] - 5.0).abs() < 1e-4);
+                p.is_round()
+            };
+            assert_eq!(round(&Cutter::mill(10.0, r, 40.0)), off > -1e-9, "{off}");
+            // The centre on the axis, or where d/2 - r has it.
+            assert!(round(&cutter([10.0, r, 0.0, r, 0.0, 0.0, 40.0])), "{off}");
+            assert_eq!(round(&cutter([10.0, r, -off, r, 0.0, 0.0, 40.0])), off > -1e-9, "{off}");
+        }
+        // Neither are a flat of some thousandths and a corner that is beyond the axis by more.
+        assert!(!Profile::new(&Cutter::mill(10.0, 4.999, 40.0)).unwrap().is_round());
+        assert!(Profile::new(&Cutter::mill(10.0, 5.002, 4.9)).is_err());
     }
 
     /// A tapered ball whose diameter has nine digits, rounded up or down, is round.

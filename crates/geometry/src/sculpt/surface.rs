@@ -188,6 +188,11 @@ impl Sculptured {
                 let along = |k: &[f64], i: usize, t: f64| k[i] + (k[i + 1] - k[i]) * t;
                 [along(ku, index % columns, u), along(kv, index / columns, v)]
             }
+            // Its end is the beginning of the next patch, which may be anywhere.
+            Layout::Patches if index + 1 < self.patches.len() => {
+                let next = (index + 1) as f64;
+                [(index as f64 + u).min(next.next_down()), v]
+            }
             Layout::Patches => [index as f64 + u, v],
         }
     }
@@ -353,6 +358,19 @@ mod tests {
             // Elsewhere nothing is other than it was.
             let d = s.at(0.4, 0.6);
             assert_eq!((s.normal_at(0.4, 0.6), s.tangents(0.4, 0.6)), (d.normal(), [d.u, d.v]));
+        }
+    }
+
+    #[test]
+    fn the_end_of_a_loose_patch_is_not_the_next_one() {
+        let patches = vec![bilinear(0.0, 0.0), bilinear(70.0, 50.0), bilinear(-9.0, 3.0)];
+        let s = Sculptured::loose(patches).unwrap();
+        for (k, corner) in [(0, [0.0, 0.0]), (1, [70.0, 50.0]), (2, [-9.0, 3.0])] {
+            let [u, v] = s.global(k, 1.0, 0.25);
+            let p = s.at(u, v).point;
+            assert!((p.x - corner[0] - 1.0).abs() + (p.y - corner[1] - 0.25).abs() < 1e-12, "{p}");
+            let (n, [a, b]) = s.span_of(u, v);
+            assert!(n == k + 1 && (a - 1.0).abs() < 1e-12 && (b - 0.25).abs() < 1e-15);
         }
     }
 

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use aptc_diagnostics::{Diagnostic, codes};
-use aptc_exchange::{Limits, Outside, read};
+use aptc_exchange::{Limits, Outside, read_named};
 use aptc_geometry::{Form, Transform};
 use aptc_syntax::tree::{Expr, ExprKind, Target};
 
@@ -15,7 +15,7 @@ impl Interpreter<'_> {
     /// Names the surfaces of a file of JSON, IGES, STEP or STL; `false` when it is of none of these. One surface
     /// gets the name, several the elements of an array of that name.
     pub(super) fn outside(&mut self, name: &Expr, file: &LoadedFile) -> bool {
-        let Some(found) = read(&file.text, &Limits::default()) else {
+        let Some(found) = read_named(&file.name, &file.text, &Limits::default()) else {
             let is_text = !file.text.contains('\0');
             if !is_text {
                 self.unusable(

@@ -68,7 +68,7 @@ impl Interpreter<'_> {
             Some((0, format!("a diameter of {} is negative", cutter.diameter)))
         } else if cutter.corner_radius < 0.0 {
             Some((1, format!("a corner radius of {} is negative", cutter.corner_radius)))
-        } else if args.len() == 2 && cutter.corner_radius > cutter.diameter / 2.0 {
+        } else if args.len() == 2 && cutter.e < 0.0 {
             let (r, half) = (cutter.corner_radius, cutter.diameter / 2.0);
             Some((1, format!("a corner radius of {r} is larger than half the diameter, {half}")))
         } else if cutter.height < 0.0 {

@@ -77,6 +77,8 @@ struct Chart {
     third: [[f64; 2]; 3],
     /// By how much `uu` and `vv` may change for each unit beyond the cell.
     beyond: [f64; 2],
+    /// For each parameter: is the border of the cell at its low and at its high end one point?
+    points: [[bool; 2]; 2],
 }
 
 impl Chart {
@@ -179,7 +181,28 @@ impl Patched {
             [false, true] => ([b.uu, b.uv, 0.0], [[b.uuu, 0.0], [b.uuv, 0.0], none], [b.uuv, 0.0]),
             [true, true] => ([0.0, b.uv, 0.0], [none; 3], none),
         };
-        Chart { range, cell, within, second, third, beyond }
+        let mut chart =
+            Chart { range, cell, within, second, third, beyond, points: [[false; 2]; 2] };
+        if over.iter().all(|o| *o <= 0.0) {
+            chart.points = [0, 1].map(|k| [0, 1].map(|end| self.is_point(&chart, k, end)));
+        }
+        chart
+    }
+
+    /// Is the border of a cell at this end of the parameter one point, so that the derivative along it vanishes?
+    fn is_point(&self, chart: &Chart, k: usize, end: usize) -> bool {
+        // More than the derivative of a rational cubic has roots, and those of a quotient.
+        const PLACES: u32 = 8;
+        const NONE: f64 = 1e-14;
+        let along = 1 - k;
+        let [from, to] = chart.within[along];
+        (0..=PLACES).all(|i| {
+            let mut at = [chart.within[k][end]; 2];
+            at[along] = from + (to - from) * f64::from(i) / f64::from(PLACES);
+            let d = self.at(chart, at);
+            let [a, b] = if along == 0 { [d.u, d.v] } else { [d.v, d.u] };
+            a.norm() * (to - from) <= NONE * b.norm() * (chart.within[k][1] - chart.within[k][0])
+        })
     }
 
     /// What holds a chart: its parallelogram, bowed as its middle is.
@@ -457,7 +480,41 @@ impl Patched {
         if rest > 0.5 * n {
             return change.map(|c| c / rest);
         }
+        if let Some(turned) = self.turn_at_pole(patch, jet) {
+            return turned;
+        }
         change.map(|c| 2.0 * c / (change[0] + change[1]).max(f64::MIN_POSITIVE))
+    }
+
+    /// The same of a piece of a cell a border of which is one point, where it turns by less than half of a unit.
+    ///
+    /// With `dU = 0` all along `v = 0`, `dU = v W`, W being the mean of dUV between the border and the place, and the normal goes along
+    /// `W x dV`, which does not vanish there. W changes by dUUV at most along u, and by half of dUVV along v.
+    fn turn_at_pole(&self, patch: &Patch, jet: &Jet) -> Option<[f64; 2]> {
+        let chart = &self.charts[patch.chart];
+        let second = self.second(patch);
+        // The parameter that vanishes, the other, and how far the middle is from the border.
+        let pole = |a: usize, b: usize| {
+            let end = (0..2).find(|end| chart.points[b][*end])?;
+            Some((a, b, (patch.at[b] - chart.within[b][end]).abs()))
+        };
+        let within = (0..2).all(|k| {
+            let [from, to] = chart.within[k];
+            patch.at[k] - patch.half[k] >= from && patch.at[k] + patch.half[k] <= to
+        });
+        let (a, b, far) = pole(0, 1).or_else(|| pole(1, 0)).filter(|p| within && p.2 > 0.0)?;
+        let (ha, hb) = (patch.half[a], patch.half[b]);
+        let (ab, bb) = (second[1], second[2 * b]);
+        let [aab, abb] = [chart.third[1][a], 0.5 * chart.third[1][b]];
+        let mean = jet.d[a].norm() / far + aab * ha + abb * hb;
+        let along = jet.d[b].norm() + ab * ha + bb * hb;
+        let of_a = (aab * along + mean * ab) * ha;
+        let of_b = (abb * along + mean * bb) * hb;
+        let n = jet.d[0].cross(&jet.d[1]).norm() / far;
+        let rest = n - of_a - of_b;
+        let mut turned = [0.0; 2];
+        (turned[a], turned[b]) = (of_a / rest, of_b / rest);
+        (rest > 0.5 * n).then_some(turned)
     }
 
     /// The same place in the chart next to it when the parameters left theirs; at a border the border.

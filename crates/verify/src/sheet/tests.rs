@@ -1,8 +1,88 @@
 //! Charts hold what they say, and cover the surface.
 
+use std::sync::Arc;
+
 use super::*;
+use aptc_geometry::sculptured::{BsplineSurface, SurfaceDefinition, SurfaceShape};
 use aptc_geometry::{Quadric as Ten, QuadricKind, trig};
 use proptest::prelude::*;
+
+/// An eighth of an ellipsoid that ends in a pole: at the low or high end of v, or of u.
+fn eighth(low: bool, exchanged: bool) -> Form {
+    let w = 0.5_f64.sqrt();
+    let mut arc = [(1.0, 0.0, 1.0), (1.0, 1.0, w), (0.0, 1.0, 1.0)];
+    if low {
+        arc.reverse();
+    }
+    let round = [(1.0, 0.0, 1.0), (1.0, 1.0, w), (0.0, 1.0, 1.0)];
+    let point = |k: usize| {
+        let (i, j) = if exchanged { (k / 3, k % 3) } else { (k % 3, k / 3) };
+        let ((a, z, wa), (x, y, wc)) = (arc[j], round[i]);
+        [30.0 * a * x, 20.0 * a * y, 20.0 * z, wa * wc]
+    };
+    let knots = || vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0];
+    let shape = SurfaceShape::Bspline(Box::new(BsplineSurface {
+        degree: [2; 2],
+        knots: [knots(), knots()],
+        counts: [3; 2],
+        points: (0..9).map(point).collect(),
+        range: [None; 2],
+    }));
+    Form::Ssurf(Arc::new(SurfaceDefinition { shape, map: None }))
+}
+
+/// What a piece is told to turn by, and how far its normal turns at a place of it.
+fn turned(form: &Form, chart: usize, share: [[f64; 2]; 2], place: [f64; 2]) -> (f64, f64) {
+    let sheet = Sheet::new(form).expect("it has charts");
+    let Kind::Patched(patched) = &sheet.kind else { unreachable!() };
+    let all: Vec<Patch> = patched.charts().collect();
+    let mut patch = all[chart % all.len()];
+    for (k, [from, to]) in share.into_iter().enumerate() {
+        patch.at[k] += (from + to - 1.0) * patch.half[k];
+        patch.half[k] *= to - from;
+    }
+    let middle = sheet.jet(&Spot { chart: patch.chart, at: patch.at });
+    let at = [0, 1].map(|k| patch.at[k] + place[k] * patch.half[k]);
+    let there = sheet.jet(&Spot { chart: patch.chart, at });
+    let [by_u, by_v] = patched.turn(&patch, &middle);
+    (by_u + by_v, (there.n - middle.n).norm())
+}
+
+/// Pieces that touch a pole are told to turn by the less the smaller they are.
+#[test]
+fn pieces_at_a_pole_are_told_to_turn_little() {
+    for (low, exchanged) in [(true, false), (false, false), (true, true), (false, true)] {
+        let mut found = 0;
+        let end = |size: f64| if low { [0.0, size] } else { [1.0 - size, 1.0] };
+        for chart in 0..64 {
+            let of = |size: f64| {
+                let (around, across) = ([0.5, 0.5 + size], end(size));
+                let share = if exchanged { [across, around] } else { [around, across] };
+                turned(&eighth(low, exchanged), chart, share, [0.0; 2]).0
+            };
+            found += usize::from(of(0.1) < 0.4 && of(0.01) < 0.04);
+        }
+        // Four cells lie about the pole, and others beside them.
+        assert!(found >= 4, "{low} {exchanged}: {found}");
+    }
+}
+
+proptest! {
+    #[test]
+    fn the_normal_turns_by_no_more_than_is_told(
+        low: bool, exchanged: bool, chart in 0_usize..64, from in prop::array::uniform2(0.0..0.99_f64),
+        size in prop::array::uniform2(0.001..1.0_f64), place in prop::array::uniform2(-0.999..0.999_f64),
+        ends in prop::array::uniform2(0_u8..3),
+    ) {
+        let share = [0, 1].map(|k| match ends[k] {
+            0 => [0.0, size[k]],
+            1 => [1.0 - size[k], 1.0],
+            _ => [from[k], from[k] + (1.0 - from[k]) * size[k]],
+        });
+        let (told, is) = turned(&eighth(low, exchanged), chart, share, place);
+        prop_assert!(is <= told * (1.0 + 1e-6) + 1e-7, "{is} {told}");
+    }
+}
 
 /// A quadric of each kind, turned and moved.
 pub(crate) fn quadrics() -> Vec<Form> {
