@@ -72,9 +72,19 @@ fn a_single_place_that_gouges_is_told_without_the_proof() {
 #[test]
 fn a_single_place_gets_out_of_the_way() {
     for (close, work, ..) in GOUGES.into_iter().filter(|g| g.3) {
-        let text = program(&format!("{close}\n{AVOID}"), work);
+        // From above: what is lifted over the wall comes through its edge from below.
+        let text = program(&format!("{close}\n{AVOID}"), work).replace("15,9", "15,60");
         let (codes, points) = run(&text, Verify::Full);
         assert!(codes.is_empty() && points > 1, "{codes:?} {text}");
+    }
+}
+
+#[test]
+fn the_way_to_a_place_that_is_lifted_over_a_wall_is_told() {
+    let (close, work, ..) = GOUGES[0];
+    for verify in [Verify::Full, Verify::Off] {
+        let text = program(&format!("{close}\n{AVOID}"), work);
+        assert_eq!(run(&text, verify).0, ["APT2049"], "{text}");
     }
 }
 

@@ -58,6 +58,8 @@ pub(crate) struct Plane {
     m: Vec3,
     height: f64,
     pub(crate) low: f64,
+    /// The size of the numbers of which the height is the sum.
+    size: f64,
 }
 
 /// Nothing is beyond it.
@@ -66,12 +68,12 @@ const NO_PLANE: (Vec3, f64) = (Vec3::new(0.0, 0.0, 0.0), f64::NEG_INFINITY);
 impl Plane {
     /// Along the whole way of a tool, if it does not turn.
     pub(crate) fn along(sweep: &Sweep<'_>, m: Vec3, low: f64) -> Self {
-        Self { m, height: height(sweep, m), low }
+        Self { m, height: height(sweep, m), low, size: size(&sweep.a.te).max(size(&sweep.b.te)) }
     }
 
     /// At the end of the way alone.
     pub(crate) fn at_end(sweep: &Sweep<'_>, m: Vec3, low: f64) -> Self {
-        Self { m, height: m.dot(&sweep.b.te), low }
+        Self { m, height: m.dot(&sweep.b.te), low, size: size(&sweep.b.te) }
     }
 
     /// The one that shows more at the end of the way.
@@ -91,6 +93,11 @@ impl Part {
         let (m, most) = self.plane;
         most - height(sweep, m)
     }
+}
+
+/// The sum of the coordinates' amounts.
+fn size(te: &Vec3) -> f64 {
+    te.x.abs() + te.y.abs() + te.z.abs()
 }
 
 /// The greatest `m . te` on the way of a tool that does not turn.
@@ -235,8 +242,8 @@ impl Cutting<'_> {
         let way = self.cut.way * (1.0 - 2.0 * f64::EPSILON);
         let until = way + (low - self.asked.enough);
         let plane = plane.filter(|_| self.cut.axis.is_some());
-        let plane = plane.map_or(NO_PLANE, |Plane { m, height, low }| {
-            let rounded = 4.0 * f64::EPSILON * (height.abs() + low.abs());
+        let plane = plane.map_or(NO_PLANE, |Plane { m, height, low, size }| {
+            let rounded = 4.0 * f64::EPSILON * (size + low.abs());
             (m, height + (low - self.asked.enough) - rounded)
         });
         self.cut.parts.push(Part { patch: *part, until, plane });

@@ -27,6 +27,8 @@ const FOUND: f64 = 3e-3;
 const SMALL: f64 = 0.02;
 /// What is convex in the middle of a piece by as much is worth to be cut until all of it is.
 const TWICE: f64 = 2.0;
+/// Sine by which a direction may lean along the way and be square to it.
+const SQUARE: f64 = 1e-12;
 /// Share of the tool's height by which it may be made smaller.
 const LITTLE: f64 = 0.1;
 
@@ -177,6 +179,18 @@ impl<'a> Corner<'a> {
         Self { sweep, way: Vec3::zeros(), ..*self }
     }
 
+    /// Is none of a piece as high as what does not count, wherever on its way?
+    pub(crate) fn is_below_top(&self, tile: &Tile) -> bool {
+        let ta = self.sweep.a.ta;
+        let above = |te: Vec3| (tile.c - te).dot(&ta);
+        above(self.sweep.a.te).max(above(self.sweep.b.te)) + tile.radius() <= self.top
+    }
+
+    /// Is it the corner, or what is below it, that faces the unit direction n and all that differ from it by as much?
+    pub(crate) fn turns_to(&self, n: Vec3, by: f64) -> bool {
+        -n.dot(&self.sweep.a.ta) - by >= self.cos
+    }
+
     /// By how much more than asked a plane parts a piece from the tool at the start of its way.
     pub(crate) fn parted(&self, tile: &Tile) -> (f64, Vec3) {
         let (distance, m) = self.sweep.tool.near(&self.sweep.a, tile.c);
@@ -230,7 +244,7 @@ impl<'a> Corner<'a> {
         let ta = self.sweep.a.ta;
         let side = m - ta * m.dot(&ta);
         let lean = side.norm();
-        let radial = side.try_normalize(1e-9).or_else(|| (self.rho == 0.0).then(Vec3::zeros))?;
+        let radial = side.try_normalize(1e-6).or_else(|| (self.rho == 0.0).then(Vec3::zeros))?;
         let te = match at {
             At::Start | At::Between => self.sweep.a.te,
             At::End => self.sweep.b.te,
@@ -354,7 +368,7 @@ impl<'a> Corner<'a> {
             let there = match held.at {
                 At::Start => along <= 0.0,
                 At::End => along >= 0.0,
-                At::Between => true,
+                At::Between => along.abs() <= SQUARE * self.way.norm(),
             };
             there
                 && held.leans(held.lean + held.radial.dot(&w))
@@ -468,6 +482,35 @@ mod tests {
     use aptc_geometry::{Cutter, Profile, trig};
     use proptest::prelude::*;
     use proptest::test_runner::{Config, TestRunner};
+
+    /// A tool that goes straight into the surface is nowhere told to be clear of the place that it goes through.
+    #[test]
+    fn a_way_into_the_surface_shows_nothing_of_it() {
+        let profile = Profile::new(&Cutter::mill(1.0, 0.5, 4.0)).unwrap();
+        let tool = Tool::Solid(&profile);
+        let mut found = 0;
+        for (which, form) in forms::parametric().into_iter().chain(quadrics()).enumerate() {
+            let sheet = Sheet::new(&form).unwrap();
+            for side in [1.0, -1.0] {
+                let walk: Vec<bool> = (0..14).map(|i| (which >> (i % 3)) % 2 == 0).collect();
+                let whole = chart(&sheet, &walk);
+                let half = whole.half.map(|h| 0.01 * h);
+                let patch = Patch { kept: Kept::Nowhere, half, ..whole };
+                let jet = sheet.jet(&patch.spot());
+                let m = jet.n * side;
+                let at = |far: f64| Pose { te: jet.p + m * far, ta: -m };
+                let sweep = Sweep::new(&tool, at(-0.01), at(2.0), 0.0);
+                let corner = Corner::new(&sweep, 0.0).unwrap();
+                for begin in [At::Start, At::Between, At::End] {
+                    let Some(place) = corner.find(&sheet, patch.spot(), begin, m) else { continue };
+                    found += 1;
+                    let seen = corner.see(&place, &sheet, &patch, &sheet.tile(&patch));
+                    assert!(!matches!(seen, Seen::Clear(..)), "{which} {begin:?} {seen:?}");
+                }
+            }
+        }
+        assert!(found > 5, "{found}");
+    }
 
     /// What is shown of a piece next to a corner holds for all its points and the tool all along its way.
     #[test]

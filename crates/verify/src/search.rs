@@ -200,7 +200,7 @@ fn search(
         let bound = |meeting: Meeting| {
             let slack = |m| slack(&tile, m, moved.shift.abs());
             let (low, slack, rise) = sweep.proved(&meeting, x, within_tile, known, slack);
-            Shown { low, meeting, slack, rise }
+            Shown { low, own: low, meeting, slack, rise }
         };
         let by_hint = hinted.filter(|_| aim != Aim::Nearest).map(bound);
         if aim == Aim::Clear && by_hint.as_ref().is_none_or(|shown| shown.low < known) {
@@ -273,15 +273,20 @@ fn search(
                         Some(within) => {
                             let slack = |m| slack(&tile, m, moved.shift.abs());
                             let (low, slack, rise) = sweep.turning(&within, x, within_tile, &slack);
-                            Shown { low, slack, rise, meeting }
+                            Shown { low, own: low, slack, rise, meeting }
                         }
                         None => met,
                     };
-                    Shown { low: best.low.max(met.low), meeting: best.meeting, ..met }
+                    Shown {
+                        low: best.low.max(met.low),
+                        own: best.low,
+                        meeting: best.meeting,
+                        ..met
+                    }
                 }
             }
         };
-        let Shown { low, meeting, slack: Slack { by: slack, .. }, rise } = shown;
+        let Shown { low, own, meeting, slack: Slack { by: slack, .. }, rise } = shown;
         // The way may be known to be longer by now.
         let known = self::known(&out, enough);
         if low >= known {
@@ -292,7 +297,7 @@ fn search(
                 // What shows most at the end may show it for longer.
                 let (distance, m) = sweep.tool.near(&sweep.b, x);
                 let at_end = distance - self::slack(&tile, m, moved.shift.abs()).all;
-                let plane = Plane::along(sweep, meeting.m, low);
+                let plane = Plane::along(sweep, meeting.m, own);
                 plane.or(Plane::at_end(sweep, m, at_end), sweep)
             });
             keep(&mut out, &mut cutting, (&patch, &tile), low, plane);
@@ -360,6 +365,8 @@ fn hold(
 struct Shown {
     /// It is nowhere nearer than this.
     low: f64,
+    /// What the direction of the meeting alone shows.
+    own: f64,
     meeting: Meeting,
     slack: Slack,
     /// The part that is due to the turn.

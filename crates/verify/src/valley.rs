@@ -120,6 +120,9 @@ impl<'a> Valley<'a> {
             Some(Bent::Hollow) => {}
         }
         let [first, last] = &self.ends;
+        if !(first.0.is_below_top(tile) && last.0.is_below_top(tile)) {
+            return Seen::Near;
+        }
         let stands = |(corner, place): &(Corner<'_>, Place)| {
             let (low, m) = corner.parted(tile);
             if low >= 0.0 { Seen::Clear(low, m) } else { corner.see(place, sheet, patch, tile) }
@@ -209,15 +212,22 @@ impl<'a> Valley<'a> {
         let rise = |slope: f64, upright: f64| (slope / upright) * (slope / upright) / deep;
         // By how much n, N and B may be others on the piece.
         let [x, y] = [0, 1].map(|i| across(tile.side[i], self.along).norm() + tile.stray[i]);
-        let lift = n.dot(&self.up) - (x + y) / deep - off;
+        let other = (x + y) / deep + off;
+        let lift = n.dot(&self.up) - other;
         let turn = tile.turn[0] + tile.turn[1];
         let bow_at_most = bow + turn * bend.norm() + self.vary(tile, line);
         let second = lift * bow_at_most + rise(slope + turn, upright - turn);
+        // Beside the edge of the tool's top no ball rolls about inside it.
+        let corner = &self.ends[0].0;
+        let round = corner.turns_to(n, other);
         // Of what is no number nothing is known.
-        let hollow = lift > 0.0 && upright - turn >= UPRIGHT && bow_at_most < 0.0;
+        let hollow = round && lift > 0.0 && upright - turn >= UPRIGHT && bow_at_most < 0.0;
         if hollow && second <= LEAST * bow {
             Bent::Hollow
-        } else if upright > UPRIGHT && bow + rise(slope, upright) < HALF * bow {
+        } else if upright > UPRIGHT
+            && corner.turns_to(n, 0.0)
+            && bow + rise(slope, upright) < HALF * bow
+        {
             Bent::Smaller
         } else {
             Bent::Otherwise
