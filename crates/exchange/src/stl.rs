@@ -40,8 +40,11 @@ fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
 struct Bytes(Vec<u8>);
 
 impl Bytes {
-    /// Those of a text that may be one: as they are, or of letters that stand for bytes.
+    /// Those of a text that may be one, which has the byte 0: as they are, or of letters that stand for bytes.
     fn of(text: &str) -> Option<Self> {
+        if !text.contains('\0') {
+            return None;
+        }
         let own = Self(text.as_bytes().to_vec());
         if own.is_whole() {
             return Some(own);
@@ -83,7 +86,7 @@ impl Bytes {
 
 pub(crate) fn read(text: &str, limits: &Limits) -> Result<Outside, Fault> {
     let mut found = Found { all: Vec::new(), n: 0, flat: 0, limits };
-    match Bytes::of(text).filter(|b| b.is_whole() || text.contains('\0')) {
+    match Bytes::of(text) {
         Some(bytes) => bytes.triangles()?.try_for_each(|t| found.add(t, None))?,
         None => written(text, &mut found)?,
     }

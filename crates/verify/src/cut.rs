@@ -48,51 +48,53 @@ struct Part {
     patch: Patch,
     /// The way of the tool up to which it is.
     until: f64,
-    /// What `m . te` may be.
-    plane: (Vec3, f64),
+    plane: Plane,
 }
 
-/// What parts a group or a piece from the tool where its end is no higher than `height` along the unit vector m: by `low`.
+/// What parts a group or a piece from the tool, while its axis stands still: by `to - m . te` at least, with the unit vector m.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Plane {
     m: Vec3,
-    height: f64,
-    pub(crate) low: f64,
-    /// The size of the numbers of which the height is the sum.
-    size: f64,
+    to: f64,
 }
 
-/// Nothing is beyond it.
-const NO_PLANE: (Vec3, f64) = (Vec3::new(0.0, 0.0, 0.0), f64::NEG_INFINITY);
-
 impl Plane {
-    /// Along the whole way of a tool, if it does not turn.
+    /// Nothing is beyond it.
+    pub(crate) const NONE: Self = Self { m: Vec3::new(0.0, 0.0, 0.0), to: f64::NEG_INFINITY };
+
+    /// What parts by `low` along the whole way.
     pub(crate) fn along(sweep: &Sweep<'_>, m: Vec3, low: f64) -> Self {
-        Self { m, height: height(sweep, m), low, size: size(&sweep.a.te).max(size(&sweep.b.te)) }
+        let size = size(&sweep.a.te).max(size(&sweep.b.te));
+        Self { m, to: down(height(sweep, m) + low, size + low.abs()) }
     }
 
-    /// At the end of the way alone.
+    /// What parts by `low` at its end.
     pub(crate) fn at_end(sweep: &Sweep<'_>, m: Vec3, low: f64) -> Self {
-        Self { m, height: m.dot(&sweep.b.te), low, size: size(&sweep.b.te) }
+        Self { m, to: down(m.dot(&sweep.b.te) + low, size(&sweep.b.te) + low.abs()) }
+    }
+
+    /// By how much at the end of the way.
+    pub(crate) fn by_end(&self, sweep: &Sweep<'_>) -> f64 {
+        self.to - self.m.dot(&sweep.b.te)
     }
 
     /// The one that shows more at the end of the way.
     pub(crate) fn or(self, other: Self, sweep: &Sweep<'_>) -> Self {
-        let at_end = |plane: &Self| plane.low + plane.height - plane.m.dot(&sweep.b.te);
-        if at_end(&other) > at_end(&self) { other } else { self }
+        if other.by_end(sweep) > self.by_end(sweep) { other } else { self }
     }
 }
 
 impl Part {
-    /// How much farther than asked it is along the whole way, at the end of which the way is `until`.
-    fn room(&self, sweep: &Sweep<'_>, until: f64) -> f64 {
+    /// How much farther than `enough` it is along the whole way, at the end of which the way is `until`.
+    fn room(&self, sweep: &Sweep<'_>, until: f64, enough: f64) -> f64 {
         let far = self.until - until;
-        if far >= 0.0 {
-            return far;
-        }
-        let (m, most) = self.plane;
-        most - height(sweep, m)
+        if far >= 0.0 { far } else { self.plane.to - height(sweep, self.plane.m) - enough }
     }
+}
+
+/// The greatest `m . te` on the way of a tool that does not turn.
+fn height(sweep: &Sweep<'_>, m: Vec3) -> f64 {
+    m.dot(&sweep.a.te).max(m.dot(&sweep.b.te))
 }
 
 /// The sum of the coordinates' amounts.
@@ -100,9 +102,9 @@ fn size(te: &Vec3) -> f64 {
     te.x.abs() + te.y.abs() + te.z.abs()
 }
 
-/// The greatest `m . te` on the way of a tool that does not turn.
-fn height(sweep: &Sweep<'_>, m: Vec3) -> f64 {
-    m.dot(&sweep.a.te).max(m.dot(&sweep.b.te))
+/// A sum rounded down, of numbers that are so large.
+fn down(sum: f64, size: f64) -> f64 {
+    sum - 4.0 * f64::EPSILON * size
 }
 
 /// What a search asks: side and shift of the surface, the distance that is enough, the tool with the height at which it begins.
@@ -157,14 +159,14 @@ impl Cut {
         self.axis = stands;
         let mut least = f64::INFINITY;
         if !planes {
-            self.parts.iter_mut().for_each(|part| part.plane = NO_PLANE);
+            self.parts.iter_mut().for_each(|part| part.plane = Plane::NONE);
         }
         self.went_on = before.is_some() && self.parts.len() <= MOST;
         if self.went_on {
             // Those that were the first the last time come first.
             let mut kept = self.parts.len();
             for i in (0..self.parts.len()).rev() {
-                let room = self.parts[i].room(sweep, until);
+                let room = self.parts[i].room(sweep, until, enough);
                 if room >= 0.0 {
                     least = least.min(room);
                 } else {
@@ -236,16 +238,13 @@ impl Cutting<'_> {
         Patch { kept: Kept::Cut(self.cut.tiles.len() - 1), ..*piece }
     }
 
-    /// The part is at least so far at the end of the way, and beyond the plane, if any.
-    pub(crate) fn clear(&mut self, part: &Patch, low: f64, plane: Option<Plane>) {
+    /// The part is at least so far at the end of the way, and beyond the plane.
+    pub(crate) fn clear(&mut self, part: &Patch, low: f64, plane: Plane) {
         // Rounded down, as far as the way is concerned.
         let way = self.cut.way * (1.0 - 2.0 * f64::EPSILON);
         let until = way + (low - self.asked.enough);
-        let plane = plane.filter(|_| self.cut.axis.is_some());
-        let plane = plane.map_or(NO_PLANE, |Plane { m, height, low, size }| {
-            let rounded = 4.0 * f64::EPSILON * (size + low.abs());
-            (m, height + (low - self.asked.enough) - rounded)
-        });
+        // Each axis has planes of its own.
+        let plane = if self.cut.axis.is_some() { plane } else { Plane::NONE };
         self.cut.parts.push(Part { patch: *part, until, plane });
     }
 

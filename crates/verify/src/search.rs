@@ -157,12 +157,13 @@ fn search(
             };
             let (mut low, middle) =
                 hinted.as_ref().map_or((f64::NEG_INFINITY, f64::NEG_INFINITY), held);
-            let mut plane = hinted.map(|m| Plane::along(sweep, m.m, low));
+            let mut plane = hinted.map_or(Plane::NONE, |m| Plane::along(sweep, m.m, low));
             let mut at_end = low;
             if let Some(cutting) = cutting.as_ref().filter(|c| !c.is_far(low)) {
                 let end = cutting.at_end(sweep, node, shift);
-                (low, at_end) = (low.max(cutting.before_end(end.low)), low.max(end.low));
-                plane = Some(plane.map_or(end, |plane| plane.or(end, sweep)));
+                at_end = low.max(end.by_end(sweep));
+                low = low.max(cutting.before_end(end.by_end(sweep)));
+                plane = plane.or(end, sweep);
             }
             if low < known {
                 let far = (node.center - center).norm() - node.radius - within;
@@ -192,7 +193,7 @@ fn search(
         let tile = known_tile.unwrap_or_else(|| moved.sheet.tile(&patch));
         let far = (tile.c - center).norm() - tile.radius() - within;
         if far >= 0.0 {
-            keep(&mut out, &mut cutting, (&patch, &tile), enough.max(far), None);
+            keep(&mut out, &mut cutting, (&patch, &tile), enough.max(far), Plane::NONE);
             continue;
         }
         let x = tile.c + tile.n * (moved.side * moved.shift);
@@ -211,20 +212,26 @@ fn search(
                     }
                     let shown = bound(sweep.along(about));
                     let plane = Plane::along(sweep, about, shown.low);
-                    keep(&mut out, &mut cutting, (&patch, &tile), enough + low, Some(plane));
+                    keep(&mut out, &mut cutting, (&patch, &tile), enough + low, plane);
                     continue;
                 }
                 // What lies beside it is shown by something else, where anything comes of this search.
                 (Seen::Spanned { low, last, m }, _) if moved.shift <= 0.0 => {
                     out.least = out.least.min(enough + low);
                     let plane = Plane::along(sweep, m, bound(sweep.along(m)).low);
-                    hold(&mut cutting, (&patch, &tile), enough + last, Some(plane));
+                    hold(&mut cutting, (&patch, &tile), enough + last, plane);
                     continue;
                 }
                 (Seen::Large(i), _) => {
                     let [near, away] = patch.halves(i);
                     if !(pile.push(away) && pile.push(near)) {
-                        keep(&mut out, &mut cutting, (&patch, &tile), f64::NEG_INFINITY, None);
+                        keep(
+                            &mut out,
+                            &mut cutting,
+                            (&patch, &tile),
+                            f64::NEG_INFINITY,
+                            Plane::NONE,
+                        );
                     }
                     continue;
                 }
@@ -293,13 +300,14 @@ fn search(
             if low < closest {
                 (closest, hinted) = (low, Some(sweep.kept(meeting)));
             }
-            let plane = cutting.is_some().then(|| {
+            let plane = || {
                 // What shows most at the end may show it for longer.
                 let (distance, m) = sweep.tool.near(&sweep.b, x);
                 let at_end = distance - self::slack(&tile, m, moved.shift.abs()).all;
                 let plane = Plane::along(sweep, meeting.m, own);
                 plane.or(Plane::at_end(sweep, m, at_end), sweep)
-            });
+            };
+            let plane = if cutting.is_some() { plane() } else { Plane::NONE };
             keep(&mut out, &mut cutting, (&patch, &tile), low, plane);
             continue;
         }
@@ -312,7 +320,7 @@ fn search(
         if tile.radius() <= moved.fold * moved.shift.abs() {
             // What is left is the normal, which turns by as much however small the piece: the moved surface
             // has a fold or a tip here.
-            keep(&mut out, &mut cutting, (&patch, &tile), low, None);
+            keep(&mut out, &mut cutting, (&patch, &tile), low, Plane::NONE);
             seen = seen.max(most - MORE);
             continue;
         }
@@ -323,7 +331,7 @@ fn search(
         let (first, second) = if towards { (away, near) } else { (near, away) };
         let tiny = slack[i] <= f64::EPSILON * (x.norm() + radius);
         if tiny || !(pile.push(second) && pile.push(first)) {
-            keep(&mut out, &mut cutting, (&patch, &tile), low, None);
+            keep(&mut out, &mut cutting, (&patch, &tile), low, Plane::NONE);
         }
     }
     if let Some(cutting) = cutting.filter(|_| whole) {
@@ -341,19 +349,14 @@ fn keep(
     cutting: &mut Option<Cutting<'_>>,
     piece: (&Patch, &Tile),
     low: f64,
-    plane: Option<Plane>,
+    plane: Plane,
 ) {
     out.least = out.least.min(low);
     hold(cutting, piece, low, plane);
 }
 
 /// The same but for what this search tells.
-fn hold(
-    cutting: &mut Option<Cutting<'_>>,
-    (piece, tile): (&Patch, &Tile),
-    low: f64,
-    plane: Option<Plane>,
-) {
+fn hold(cutting: &mut Option<Cutting<'_>>, (piece, tile): (&Patch, &Tile), low: f64, plane: Plane) {
     if let Some(cutting) = cutting {
         let piece = cutting.keep(piece, tile);
         cutting.clear(&piece, low, plane);
