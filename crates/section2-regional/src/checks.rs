@@ -135,11 +135,8 @@ impl Regional {
     pub(crate) fn guarded(&self, part: Option<&PartArea>) -> Option<Guard> {
         let mut surfaces = self.checked.clone();
         if let Some(p) = part.filter(|p| self.check_part && p.touches) {
-            surfaces.retain(|c| !Arc::ptr_eq(&c.surface, &p.surface));
-            let tree = Arc::clone(&p.tree);
-            let surface = Arc::clone(&p.surface);
-            let name = p.name.name.to_string();
-            surfaces.push(Checked { name, surface, tree, part: true, facets: false });
+            let (surface, tree) = (Arc::clone(&p.surface), Arc::clone(&p.tree));
+            Checked::part(p.name.name.to_string(), surface, tree).put(&mut surfaces);
         }
         let thick = part.map_or(0.0, |p| p.thick);
         let intol = self.settings.band().intol;

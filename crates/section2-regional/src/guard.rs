@@ -82,6 +82,19 @@ pub(crate) enum Solid {
     Between,
 }
 
+impl Checked {
+    /// The part surface.
+    pub(crate) fn part(name: String, surface: Arc<Sculptured>, tree: Arc<PatchTree>) -> Self {
+        Self { name, surface, tree, part: true, facets: false }
+    }
+
+    /// Among others, in place of the same surface.
+    pub(crate) fn put(self, among: &mut Vec<Self>) {
+        among.retain(|c| !Arc::ptr_eq(&c.surface, &self.surface));
+        among.push(self);
+    }
+}
+
 impl Gouge {
     /// Where on its surface: the patch of a sculptured one, the place of another.
     pub(crate) fn placed(&self) -> String {

@@ -315,13 +315,8 @@ impl Regional {
         let Some(part) = part.filter(|p| p.touches) else { return guard };
         guard.thick = part.thick;
         if !guard.surfaces.iter().any(|c| Arc::ptr_eq(&c.surface, &part.surface)) {
-            guard.surfaces.push(Checked {
-                name: part.name.name.to_string(),
-                surface: Arc::clone(&part.surface),
-                tree: Arc::clone(&part.tree),
-                part: true,
-                facets: false,
-            });
+            let (surface, tree) = (Arc::clone(&part.surface), Arc::clone(&part.tree));
+            guard.surfaces.push(Checked::part(part.name.name.to_string(), surface, tree));
         }
         guard
     }

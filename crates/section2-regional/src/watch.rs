@@ -74,8 +74,7 @@ impl Regional {
         if let Some(part) = milling.part.as_ref().filter(|_| milling.guarded) {
             let surface = Arc::clone(&part.surface);
             let (name, tree) = (part.name.name.to_string(), self.tree(&surface));
-            guard.surfaces.retain(|c| !Arc::ptr_eq(&c.surface, &surface));
-            guard.surfaces.push(Checked { name, surface, tree, part: true, facets: false });
+            Checked::part(name, surface, tree).put(&mut guard.surfaces);
             guard.thick = part.thick;
         }
         match self.blocked(&guard, Some(here), &[to]) {
@@ -154,8 +153,7 @@ impl Regional {
             };
             let surface = self.surface(&name, &part.form)?;
             let (name, tree) = (name.name.to_string(), self.tree(&surface));
-            surfaces.retain(|c| !Arc::ptr_eq(&c.surface, &surface));
-            surfaces.push(Checked { name, surface, tree, part: true, facets: false });
+            Checked::part(name, surface, tree).put(&mut surfaces);
             thick = part.thick;
         }
         let intol = self.touching();
