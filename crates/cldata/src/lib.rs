@@ -28,7 +28,7 @@ pub use number::Decimals;
 pub use read::{Reader, TextReader, detect, source};
 pub use record::{
     Arc, Arg, Clprnt, Control, Controlled, Course, Edit, Kind, Motion, MotionKind, NameRef, Output,
-    Position, Record, Relation, Units,
+    Position, Record, Relation, Units, begins_cycle,
 };
 pub use spool::{Block, Spill, Spool};
 pub use stream::{RecordReader, RecordWriter, copy};

@@ -88,6 +88,13 @@ pub enum Arg {
     },
 }
 
+/// Does CYCLE with these words begin a cycle, between the holes of which the tool goes at rapid? OFF, NOMORE and INIT end one.
+pub fn begins_cycle(args: &[Arg]) -> bool {
+    let ends =
+        |a: &Arg| matches!(a, Arg::Word(w) if matches!(w.as_str(), "OFF" | "NOMORE" | "INIT"));
+    !args.iter().any(ends)
+}
+
 /// A symbol and its subscript, 0 when it has none.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct NameRef {

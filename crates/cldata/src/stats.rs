@@ -6,7 +6,9 @@ use std::fmt::Write;
 use aptc_geometry::Vec3;
 use serde::Serialize;
 
-use crate::{Arc, Arg, Course, Kind, Motion, MotionKind, Position, Record, Units, flatten};
+use crate::{
+    Arc, Arg, Course, Kind, Motion, MotionKind, Position, Record, Units, begins_cycle, flatten,
+};
 
 /// Different feeds and words that are listed; what is beyond is counted together.
 const MOST_LISTED: usize = 200;
@@ -191,7 +193,7 @@ impl Stats {
                 let rpm = !has("SFM") && !has("SMM") && !has("OFF");
                 self.state.spindle = first.filter(|_| rpm).or(self.state.spindle);
             }
-            "CYCLE" => self.state.cycle = !(has("OFF") || has("NOMORE") || has("INIT")),
+            "CYCLE" => self.state.cycle = begins_cycle(args),
             "DELAY" if !has("REV") => self.dwell_seconds += first.unwrap_or(0.0),
             _ => {}
         }

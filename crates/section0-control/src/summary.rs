@@ -1,6 +1,6 @@
 //! A few figures of a compiled part.
 
-use aptc_cldata::{Arg, Kind, MotionKind, Output, Record, Units};
+use aptc_cldata::{Kind, MotionKind, Output, Record, Units, begins_cycle};
 use aptc_geometry::Vec3;
 
 /// What a part program made, in figures.
@@ -45,7 +45,7 @@ impl Summary {
             Kind::Post { word, .. } if word == "RAPID" => self.state.rapid = true,
             Kind::Post { word, .. } if word == "LOADTL" => self.tools += 1,
             Kind::Post { word, args } if word == "CYCLE" => {
-                self.state.cycle = !matches!(args.first(), Some(Arg::Word(w)) if w == "OFF");
+                self.state.cycle = begins_cycle(args);
             }
             Kind::Output(o) => self.state.silent = *o == Output::Dntcut,
             Kind::Motion(m) if !self.state.silent => {

@@ -2,7 +2,9 @@
 
 mod draw;
 
-use aptc_cldata::{Arc, Arg, Kind, Motion, MotionKind, Position, Record, Units, flatten};
+use aptc_cldata::{
+    Arc, Arg, Kind, Motion, MotionKind, Position, Record, Units, begins_cycle, flatten,
+};
 use aptc_geometry::Vec3;
 use smol_str::SmolStr;
 
@@ -149,10 +151,7 @@ impl Plot {
             ("LOADTL" | "TURRET" | "TOOLNO", [Arg::Number(n), ..]) => {
                 self.select(&format!("T{n}"));
             }
-            ("CYCLE", [Arg::Word(w), ..]) if matches!(w.as_str(), "OFF" | "NOMORE") => {
-                self.cycle = false;
-            }
-            ("CYCLE", [Arg::Word(w), ..]) => self.cycle = w != "INIT",
+            ("CYCLE", args) => self.cycle = begins_cycle(args),
             ("NOPLOT", _) => self.off = true,
             ("PLOT" | "OVPLOT", _) => self.off = false,
             ("PLABEL", args) => {
@@ -176,7 +175,7 @@ impl Plot {
     }
 
     fn motion(&mut self, m: &Motion) {
-        let rapid = std::mem::take(&mut self.rapid);
+        let rapid = std::mem::take(&mut self.rapid) || self.cycle;
         if self.off {
             self.last = m.points.last().copied().or(self.last);
             return;
@@ -284,6 +283,22 @@ mod tests {
         assert!(svg.starts_with("<svg") && svg.trim_end().ends_with("</svg>"));
         assert!(svg.contains("T3") && svg.contains("T4") && svg.contains("rapid"));
         assert_eq!(svg, plot_svg(&program));
+    }
+
+    #[test]
+    fn from_hole_to_hole_it_goes_at_rapid() {
+        let word = |w: &str| vec![Arg::Word(w.into())];
+        let program = [
+            goto(0.0, 0.0, 10.0),
+            post("CYCLE", word("DRILL")),
+            goto(20.0, 0.0, 10.0),
+            goto(40.0, 0.0, 10.0),
+            post("CYCLE", word("NOMORE")),
+            goto(40.0, 30.0, 10.0),
+        ];
+        let mut plot = Plot::new();
+        program.iter().for_each(|r| plot.push(r));
+        assert_eq!((plot.length, plot.holes.len()), ([30.0, 40.0], 2));
     }
 
     #[test]
