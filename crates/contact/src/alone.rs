@@ -21,6 +21,16 @@ const TILT: f64 = 1e-7;
 const SHANK: f64 = 4.0;
 const SHANKS: usize = 6;
 
+/// Share of the way that the known place tells for which it may be shown.
+const LIKELY: f64 = 0.9;
+/// Share of the cutter's size for which it is looked at most, with a corner about a circle and with a round end, and from which that
+/// is worth more than a look.
+const MOST: f64 = 0.8;
+const FAR: f64 = 32.0;
+pub(crate) const WORTH: f64 = 0.02;
+/// Share of the way to where the surface stands up beside a round end for which that may be.
+const TOWARDS: f64 = 0.4;
+
 /// How a part of a surface bends that alone can touch a tool, and this with its corner or flat end only.
 pub(crate) struct Faced {
     /// Greatest curvatures of the distance on the way, of hollow and of round places.
@@ -129,18 +139,60 @@ pub(crate) fn alone(
         return Some(most);
     }
     let across = (n - tool.ta * n.dot(&tool.ta)).norm();
-    // A place of contact after the way w lies within y w of this one: by the same products,
-    // y^2 <= alpha (1 + y) + beta (1 + y)^2.
-    let (alpha, beta) = (2.0 * rho * bend / across, 2.0 * rho * hollow / across);
-    (beta < ROOM).then_some(())?;
-    let (p, q) = (alpha + 2.0 * beta, alpha + beta);
-    let y = (p + (p * p + 4.0 * (1.0 - beta) * q).sqrt()) / (2.0 * (1.0 - beta));
-    let way = (across - rho * hollow) / (bend * (1.0 + y));
+    let way = within([across, rho], [bend, hollow])?;
     // No second derivative by the direction of the corner's circle and another is greater there.
     let around = tool.ta.cross(&n) / across;
     let beside = (around - ruling).norm().min((around + ruling).norm());
     let kept = followed([across, rho], [bend, hollow, bend * (beside + lean) + twist]);
     Some(way.max(kept).min(most))
+}
+
+/// A way for which the contact is likely to be shown to be the only one, as the surface bends at the `known` place, for a tool of
+/// that `size`; `None` where there is hardly one.
+pub(crate) fn likely(
+    tool: &Tool<'_>,
+    surface: &Surface,
+    side: Side,
+    known: &Gap,
+    size: f64,
+) -> Option<f64> {
+    let (profile, upright) = (tool.profile, known.normal.dot(&tool.ta));
+    let [most, least] = surface.place(known.spot()).shape.principal();
+    let [hollow, round] = match side {
+        Side::Positive => [-least, most],
+        Side::Negative | Side::Open => [most, -least],
+    };
+    let (hollow, bend) = (hollow.max(0.0), hollow.max(round));
+    let [rho, _] = profile.corner();
+    let deep = (known.raw + profile.corner_radius()).abs() + rho;
+    // Where the way adds more to that, the surface is not followed along its normals.
+    let room = if hollow > 0.0 { LIKELY * BEND / hollow - deep } else { f64::INFINITY };
+    let way = if rho <= 0.0 {
+        // Some of the way after which the surface stands up beside it.
+        let turned = (bend * size).max(f64::MIN_POSITIVE);
+        (TOWARDS * upright / turned).clamp(1.0, FAR) * size
+    } else {
+        let most = room.min(MOST * size);
+        let hollow = hollow / (1.0 - (deep + most) * hollow);
+        let across = (1.0 - upright * upright).max(0.0).sqrt();
+        let bends = [bend.max(hollow), hollow];
+        let kept = followed([across, rho], [bends[0], hollow, bends[0]]);
+        LIKELY * within([across, rho], bends)?.max(kept).min(MOST * size)
+    };
+    let way = way.min(room);
+    (way >= WORTH * size).then_some(way)
+}
+
+/// The way after which the place of contact of a corner about a circle of the radius `rho` is the only one within reach of it, with
+/// the sine `a` between normal and axis, the greatest second derivative and that of a hollow; `None` where it may not be now.
+fn within([a, rho]: [f64; 2], [bend, hollow]: [f64; 2]) -> Option<f64> {
+    // A place of contact after the way w lies within y w of this one: by the same products,
+    // y^2 <= alpha (1 + y) + beta (1 + y)^2.
+    let (alpha, beta) = (2.0 * rho * bend / a, 2.0 * rho * hollow / a);
+    (beta < ROOM).then_some(())?;
+    let (p, q) = (alpha + 2.0 * beta, alpha + beta);
+    let y = (p + (p * p + 4.0 * (1.0 - beta) * q).sqrt()) / (2.0 * (1.0 - beta));
+    Some((a - rho * hollow) / (bend * (1.0 + y)))
 }
 
 /// The way on which the place of contact of a corner is the only one wherever it goes around the circle of the `rho`: with the

@@ -3,7 +3,7 @@
 use aptc_geometry::profile::Segment;
 use aptc_geometry::{Foot, Reason, Spot, Surface, Tool, Vec3};
 
-use crate::alone::{Faced, alone, faced};
+use crate::alone::{Faced, WORTH, alone, faced, likely};
 use crate::closed::{along_axis, is_axis};
 use crate::descent::local;
 use crate::gap::{Gap, Side, deeper};
@@ -161,11 +161,12 @@ pub(crate) fn elsewhere(
     // A line alone has no other measure than its length.
     let size = if wide > 0.0 { wide.max(0.1 * reach) } else { reach };
     if stands && matches!(surface, Surface::Parametric(_)) {
-        let free = |share: f64| alone(tool, surface, side, known, share * size);
-        let first = likely(tool, surface, known, size);
-        let less = ALONE.into_iter().filter(|share| *share <= LESS * first);
-        let mut shares = std::iter::once(first).chain(less);
-        if let Some(way) = shares.find_map(free).filter(|way| *way >= WORTH * size) {
+        let free = |first: f64| {
+            let mut ways = TRIED.into_iter().map(|share| share * first);
+            ways.find_map(|most| alone(tool, surface, side, known, most))
+        };
+        let free = likely(tool, surface, side, known, size).and_then(free);
+        if let Some(way) = free.filter(|way| *way >= WORTH * size) {
             return (None, way);
         }
         if let Some(found) = lower(tool, surface, side, known, SEEN * wide) {
@@ -228,22 +229,6 @@ pub(crate) fn elsewhere(
         return (Some(through), 0.0);
     }
     (below(deepest), room)
-}
-
-/// The share of the cutter's `size` for which its contact is likely to be shown to be the only one.
-fn likely(tool: &Tool<'_>, surface: &Surface, known: &Gap, size: f64) -> f64 {
-    let upright = known.normal.dot(&tool.ta);
-    let across = (1.0 - upright * upright).max(0.0).sqrt();
-    let [a, b, c] = surface.place(known.spot()).shape.k;
-    let bend = a.abs().max(c.abs()) + b.abs();
-    if tool.profile.corner()[0] <= 0.0 {
-        // Some of the way after which the surface stands up beside it.
-        let turned = (bend * size).max(f64::MIN_POSITIVE);
-        return (TOWARDS * upright / turned).clamp(ALONE[0], FAR);
-    }
-    // With a corner about a circle some of that after which it does not touch.
-    let share = TOWARDS * across / (bend * size);
-    if share > ALONE[3] { share.min(MOST_ALONE) } else { ALONE[3] }
 }
 
 /// The same where nothing but corner and flat end can touch on the way of `most`; `None` where that is not seen.
@@ -402,16 +387,8 @@ const FLANK: usize = 8;
 /// Share of the cutter's size after which its contact is looked for anew in any case.
 const LOOK: f64 = 0.25;
 
-/// Shares of the cutter's size for which its contact may be shown to be the only one, and the greatest.
-const ALONE: [f64; 4] = [1.0, 0.5, 0.2, 0.05];
-const FAR: f64 = 32.0;
-/// Share of the way to where a corner about a circle does not touch for which that may be, and the greatest.
-const TOWARDS: f64 = 0.4;
-const MOST_ALONE: f64 = 0.8;
-/// Share of what is not shown to which it is tried again.
-const LESS: f64 = 0.7;
-/// Share of it from which that is worth more than a look.
-const WORTH: f64 = 0.02;
+/// Shares of the way for which a contact is likely to be shown to be the only one for which that is tried.
+const TRIED: [f64; 3] = [1.0, 0.4, 0.1];
 
 /// Length of the difference of the normals at two places of a line of contact at most, and the root of the share of the cutter's
 /// reach by which they are as deep.

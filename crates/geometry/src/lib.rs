@@ -32,7 +32,7 @@ mod transformed;
 pub mod trig;
 mod units;
 
-pub use balls::{Ball, Below, balls};
+pub use balls::{Ball, Below, Held, balls};
 pub use cutter::Cutter;
 pub use form::{Form, FormKind, Written};
 pub use forms::{Circle, Cone, Cylinder, Line, Pattern, Plane, Quadric, QuadricKind, Sphere};

@@ -62,7 +62,7 @@ impl PatchTree {
     pub fn new(surface: &Sculptured) -> Self {
         let mut leaves: Vec<Leaf> =
             surface.patches.iter().enumerate().map(|(i, p)| Leaf::new(i, p)).collect();
-        let nodes = balls(&mut leaves, LEAF, |l| (l.center, l.radius));
+        let nodes = balls(&mut leaves, LEAF, |l| (l.center, l.radius, Vec3::repeat(l.radius)));
         let mut cells = Vec::new();
         // A patch divided so often is 1, 5, 21 or 85 pieces.
         let pieces = |times: usize| leaves.len() * ((1 << (2 * times + 2)) - 1) / 3;

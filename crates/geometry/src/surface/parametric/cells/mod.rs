@@ -82,7 +82,7 @@ impl Cells {
         if cells.iter().any(|c| !c.c.iter().all(|x| x.is_finite())) {
             return None;
         }
-        let tree = balls(&mut cells, LEAF, |c| (c.c, c.reach));
+        let tree = balls(&mut cells, LEAF, |c| (c.c, c.reach, c.extent()));
         let grid = Grid::new(&cells);
         Some(Self { cells, tree, grid, formed: OnceLock::new() })
     }
@@ -154,7 +154,7 @@ impl Cells {
         while n > 0 {
             n -= 1;
             let ball = &self.tree[waiting[n]];
-            if (p - ball.center).norm() - ball.radius >= least {
+            if ball.apart(p) >= least * least {
                 continue;
             }
             match ball.below {
@@ -231,13 +231,6 @@ impl Cells {
     }
 }
 
-impl Ball {
-    /// How far the point is from the middle.
-    fn apart(&self, p: Vec3) -> f64 {
-        (p - self.center).norm_squared()
-    }
-}
-
 impl Search {
     /// Looks for a nearer place in a cell.
     fn look(
@@ -294,6 +287,12 @@ impl Cell {
         let stray = 0.5 * (most[0] + most[2]) + most[1];
         let reach = side[0].norm() + side[1].norm() + stray;
         Self { patch, mid, half, c: jet.s, side, bend, most, reach, smooth }
+    }
+
+    /// How far along each axis a point may be from the middle.
+    fn extent(&self) -> Vec3 {
+        let [uu, uv, vv] = self.bend.map(|(m, r)| m.abs().add_scalar(r));
+        self.side[0].abs() + self.side[1].abs() + (uu + vv) * 0.5 + uv
     }
 
     /// The place of the parallelogram, from -1 to 1, nearest to `p` or nearly so.

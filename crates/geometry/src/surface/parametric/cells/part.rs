@@ -92,7 +92,7 @@ impl Cells {
         while n > 0 {
             n -= 1;
             let ball = &self.tree[waiting[n]];
-            let apart = |(c, r): &(Vec3, f64)| (ball.center - c).norm() > ball.radius + r;
+            let apart = |(c, r): &(Vec3, f64)| ball.apart(*c) > r * r;
             if balls.iter().all(apart) {
                 continue;
             }
@@ -169,21 +169,34 @@ impl Cell {
         let la = a.norm();
         let lean = a.dot(b) / (la * la);
         let lb = (b - a * lean).norm();
-        let off = hypot(ea / la, (eb + lean.abs() * ea) / lb);
+        let [oa, ob] = [ea / la, (eb + lean.abs() * ea) / lb];
+        let off = hypot(oa, ob);
         (off <= CHANGE).then_some(())?;
         let [(uu, ru), (uv, rv), (vv, rw)] = self.bend;
-        let form = |m: Vec3, r: f64, by: f64| (-normal.dot(&m) / by, (turn * m.norm() + r) / by);
+        // The same of the second of those directions.
+        let (vu, rx) = (uv - uu * lean, rv + lean.abs() * ru);
+        let (ww, ry) = (vv - uv * lean, rw + lean.abs() * rv);
+        let [e, f] = [a / la, (b - a * lean) / lb];
+        // Their products change by what of the changes lies along them, and by the product of these.
+        let along = |d: &Vec3, x: &Vec3, y: &Vec3| d.dot(x).abs() + d.dot(y).abs();
+        let first = |d: &Vec3| (along(d, &uu, &uv) + ru + rv) / la;
+        let second = |d: &Vec3| (along(d, &vu, &ww) + rx + ry) / lb;
+        let [square, other] = [2.0 * first(&e) + oa * oa, 2.0 * second(&f) + ob * ob];
+        let form_off = square.max(other) + first(&f) + second(&e) + oa * ob;
+        // A normal has of another's no more along it than the cosine of the turn, and as much beside it as its sine.
+        let form = |m: Vec3, r: f64, by: f64| {
+            let up = normal.dot(&m);
+            let beside = (m - normal * up).norm();
+            (-up / by, (turn * beside + 0.5 * turn * turn * up.abs() + r) / by)
+        };
         let (l, rl) = form(uu, ru, la * la);
-        let (m, rm) = form(uv - uu * lean, rv + lean.abs() * ru, la * lb);
-        let (q, rq) = form(
-            vv - uv * (2.0 * lean) + uu * (lean * lean),
-            rw + 2.0 * lean.abs() * rv + lean * lean * ru,
-            lb * lb,
-        );
+        let (m, rm) = form(vu, rx, la * lb);
+        let (q, rq) = form(ww - vu * lean, ry + lean.abs() * rx, lb * lb);
         let (mid, root) = (0.5 * (l + q), hypot(0.5 * (l - q), m));
         let unsure = rl.max(rq) + rm;
         // Those directions are no longer unit ones elsewhere, nor square to each other.
-        let (short, long) = ((1.0 - off) * (1.0 - off), (1.0 + off) * (1.0 + off));
+        let short = ((1.0 - off) * (1.0 - off)).max(1.0 - form_off);
+        let long = ((1.0 + off) * (1.0 + off)).min(1.0 + form_off);
         let greatest = |x: f64| if x > 0.0 { x / short } else { x / long };
         Some([-greatest(root + unsure - mid), greatest(mid + root + unsure)])
     }
