@@ -178,6 +178,18 @@ impl Patch {
         }
     }
 
+    /// The third derivatives by u, u, v and by u, v, v at (u, v), where the others are `d`.
+    pub(super) fn thirds(&self, d: &Derivatives, u: f64, v: f64) -> [Vec3; 2] {
+        let rows = self.net.map(|row| cubic(row, u));
+        let across = |n: usize| cubic(rows.map(|r| r[n]), v);
+        let [[h, hv, hvv], [hu, huv, huvv], [huu, huuv, _]] = [across(0), across(1), across(2)];
+        // The derivatives of `w S = H`.
+        let uuv = d.v * huu.w + (d.u * huv.w + d.uv * hu.w) * 2.0 + d.uu * hv.w;
+        let uvv = d.u * hvv.w + (d.v * huv.w + d.uv * hv.w) * 2.0 + d.vv * hu.w;
+        let left = |third: Vec4, known: Vec3| (third.xyz() - d.point * third.w - known) / h.w;
+        [left(huuv, uuv), left(huvv, uvv)]
+    }
+
     /// Point and first derivatives at (u, v), for less than all.
     pub fn tangents(&self, u: f64, v: f64) -> (Vec3, Vec3, Vec3) {
         if !self.rational {

@@ -147,17 +147,22 @@ impl Sculptured {
         (size > 1e-12 * a.norm() * b.norm() && size > 0.0).then(|| n / size)
     }
 
-    /// Point and derivatives at (u, v), kept to the patch of column `i` and row `j`, also on its borders.
+    /// Point and derivatives at (u, v), kept to the patch of column `i` and row `j`, also on its borders; beyond those of the
+    /// surface it goes on in a straight line.
     pub(crate) fn at_patch(&self, [i, j]: [usize; 2], u: f64, v: f64) -> Derivatives {
+        let kept = |t: f64, i: usize, n: usize| {
+            let low = if i == 0 { f64::NEG_INFINITY } else { 0.0 };
+            t.clamp(low, if i + 1 == n { f64::INFINITY } else { 1.0 })
+        };
         let own = |knots: &[f64], i: usize, t: f64| {
             let rate = 1.0 / (knots[i + 1] - knots[i]);
-            (((t - knots[i]) * rate).clamp(0.0, 1.0), rate)
+            (kept((t - knots[i]) * rate, i, knots.len() - 1), rate)
         };
         let (index, (a, da), (b, db)) = match &self.layout {
             Layout::Mesh { u: ku, v: kv } => (j * (ku.len() - 1) + i, own(ku, i, u), own(kv, j, v)),
-            Layout::Patches => (i, ((u - i as f64).clamp(0.0, 1.0), 1.0), (v.clamp(0.0, 1.0), 1.0)),
+            Layout::Patches => (i, (kept(u - i as f64, i, self.patches.len()), 1.0), (v, 1.0)),
         };
-        self.patches[index].at(a, b).rated(da, db)
+        prolonged(&self.patches[index], a, b).rated(da, db)
     }
 
     /// Point and derivatives at (u, v) of the n-th span of the grid, counted from 1 along u first, by the
@@ -280,25 +285,23 @@ fn prolonged(p: &Patch, u: f64, v: f64) -> Derivatives {
     if s == 0.0 && t == 0.0 {
         return d;
     }
-    let mut e = d;
-    e.point = d.point + d.u * s + d.v * t + d.uv * (s * t);
-    e.u = d.u + d.uv * t;
-    e.v = d.v + d.uv * s;
-    if s == 0.0 {
-        // Only v went over: u still bends at the border.
-        e.vv = Vec3::zeros();
-    } else {
-        e.uu = Vec3::zeros();
-        if t != 0.0 {
-            e.vv = Vec3::zeros();
-        }
+    // Along a border it bends as that does, and by how much the slope across it does farther out.
+    let [uuv, uvv] = if s == 0.0 || t == 0.0 { p.thirds(&d, a, b) } else { [Vec3::zeros(); 2] };
+    Derivatives {
+        point: d.point + d.u * s + d.v * t + d.uv * (s * t),
+        u: d.u + d.uv * t,
+        v: d.v + d.uv * s,
+        uu: if s == 0.0 { d.uu + uuv * t } else { Vec3::zeros() },
+        uv: d.uv,
+        vv: if t == 0.0 { d.vv + uvv * s } else { Vec3::zeros() },
     }
-    e
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::sculpt::Vec4;
+    use proptest::prelude::*;
 
     fn bilinear(x: f64, y: f64) -> Patch {
         let p = |a: f64, b: f64| Vec3::new(x + a, y + b, (x + a) * (y + b));
@@ -388,5 +391,36 @@ mod tests {
         let [u, v] = s.global(1, 0.25, 0.5);
         assert!((u - 1.25).abs() < 1e-15 && (v - 0.5).abs() < 1e-15);
         assert_eq!(Sculptured::grid(s.patches.clone(), 3, 1).unwrap_err(), SculptFault::WrongCount);
+    }
+
+    proptest! {
+        /// Within and beyond the borders each derivative is how the one before it changes.
+        #[test]
+        fn derivatives_are_those_of_the_point(
+            z in prop::collection::vec(-1.0_f64..1.0, 32), weights: bool,
+            u in -1.5_f64..2.5, v in -1.5_f64..2.5,
+        ) {
+            let patch = Patch::new(core::array::from_fn(|j| core::array::from_fn(|i| {
+                let k = 4 * j + i;
+                let w = if weights { 1.0 + 0.4 * z[16 + k] } else { 1.0 };
+                Vec4::new(i as f64 * w, j as f64 * w, z[k] * w, w)
+            })));
+            let at = |du: f64, dv: f64| prolonged(&patch, u + du, v + dv);
+            // Not across a border.
+            let h = 1e-4;
+            prop_assume!([u, v].iter().all(|t| t.abs() > h && (t - 1.0).abs() > h));
+            let d = at(0.0, 0.0);
+            let [by_u, by_v] = [(at(h, 0.0), at(-h, 0.0)), (at(0.0, h), at(0.0, -h))];
+            let slope = |a: Vec3, b: Vec3| (a - b) / (2.0 * h);
+            let pairs = [
+                (d.u, slope(by_u.0.point, by_u.1.point)), (d.v, slope(by_v.0.point, by_v.1.point)),
+                (d.uu, slope(by_u.0.u, by_u.1.u)), (d.uv, slope(by_v.0.u, by_v.1.u)),
+                (d.uv, slope(by_u.0.v, by_u.1.v)), (d.vv, slope(by_v.0.v, by_v.1.v)),
+            ];
+            for (n, (told, seen)) in pairs.into_iter().enumerate() {
+                let far = (told - seen).norm();
+                prop_assert!(far <= 1e-4 * (1.0 + told.norm()), "{n}: {told} {seen}");
+            }
+        }
     }
 }

@@ -36,7 +36,9 @@ impl Sections {
 
     pub(super) fn jet(&self, u: f64, v: f64) -> Jet {
         let (cu, cv) = (u.clamp(0.0, 1.0), v.clamp(0.0, 1.0));
-        self.inner(cu, cv).beyond(u - cu, v - cv)
+        let (a, b) = (u - cu, v - cv);
+        let (jet, thirds) = self.inner(cu, cv, a != 0.0 || b != 0.0);
+        jet.beyond(a, b, thirds)
     }
 
     /// Unit normal of the planes in which the sections lie.
@@ -65,7 +67,8 @@ impl Sections {
         }
     }
 
-    fn inner(&self, u: f64, t: f64) -> Jet {
+    /// What is at a place between the ends, and with `more` the third derivatives by u, u, v and by u, v, v.
+    fn inner(&self, u: f64, t: f64, more: bool) -> (Jet, [Vec3; 2]) {
         let [a, b, c, e, l, h, p] = std::array::from_fn(|i| self.control(&self.form.curves[i], u));
         let pair = |x: Along<f64>, y: Along<f64>| [0, 1, 2].map(|i| Vec2::new(x[i], y[i]));
         let plus = |x: Along<Vec2>, y: Along<Vec2>| [0, 1, 2].map(|i| x[i] + y[i]);
@@ -104,17 +107,64 @@ impl Sections {
         let place = self.form.origin + length * at;
         let lift = |along: f64, x: Vec2| self.vector(Vec3::new(along, x.x, x.y));
         let s = Vec3::new(place, x.x, x.y);
-        Jet {
+        let jet = Jet {
             s: self.transform.as_ref().map_or(s, |m| m.point(s)),
             su: lift(length * rate, xu),
             sv: lift(0.0, xv),
             suu: lift(length * bend, xuu),
             suv: lift(0.0, xuv),
             svv: lift(0.0, xvv),
+        };
+        if !more {
+            return (jet, [Vec3::zeros(); 2]);
         }
+        let uuv = xv * den(2, 0) + (xu * den(1, 1) + xuv * den(1, 0)) * 2.0 + xuu * den(0, 1);
+        let uvv = xu * den(0, 2) + (xv * den(1, 1) + xuv * den(0, 1)) * 2.0 + xvv * den(1, 0);
+        let third = |i: usize, j: usize, known: Vec2| (num(i, j) - x * den(i, j) - known) / d;
+        (jet, [third(2, 1, uuv), third(1, 2, uvv)].map(|x| lift(0.0, x)))
     }
 
     fn vector(&self, v: Vec3) -> Vec3 {
         self.transform.as_ref().map_or(v, |m| m.vector(v))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        /// Between the ends and beyond them each derivative is how the one before it changes.
+        #[test]
+        fn derivatives_are_those_of_the_place(
+            k in prop::collection::vec(-1.0_f64..1.0, 16), u in -0.5_f64..1.5, v in -0.5_f64..1.5,
+        ) {
+            // Bends that change along the length, about sections that are near quarters of circles.
+            let mut e = [0.0; Polyconic::N_ELEMENTS];
+            (e[0], e[14], e[15], e[64]) = (1.0, 2.0, 10.0, 0.5 + 0.1 * k[15]);
+            for (i, first) in [(16, -1.0), (24, 1.0), (48, 1.0)] {
+                let n = (i - 16) / 8;
+                (e[i], e[i + 1], e[i + 2], e[i + 3]) = (first, k[n], k[n + 5], 0.3 * k[n + 10]);
+            }
+            let sections = Sections::new(&Arc::new(Polyconic::from_canonical(&e)));
+            prop_assume!(sections.is_some());
+            let sections = sections.unwrap();
+            let h = 1e-4;
+            prop_assume!([u, v].iter().all(|t| t.abs() > h && (t - 1.0).abs() > h));
+            let at = |du: f64, dv: f64| sections.jet(u + du, v + dv);
+            let d = at(0.0, 0.0);
+            let [by_u, by_v] = [[at(h, 0.0), at(-h, 0.0)], [at(0.0, h), at(0.0, -h)]];
+            let slope = |of: [Jet; 2], what: fn(&Jet) -> Vec3| (what(&of[0]) - what(&of[1])) / (2.0 * h);
+            let pairs = [
+                (d.su, slope(by_u, |j| j.s)), (d.sv, slope(by_v, |j| j.s)),
+                (d.suu, slope(by_u, |j| j.su)), (d.suv, slope(by_v, |j| j.su)),
+                (d.suv, slope(by_u, |j| j.sv)), (d.svv, slope(by_v, |j| j.sv)),
+            ];
+            for (n, (told, seen)) in pairs.into_iter().enumerate() {
+                let far = (told - seen).norm();
+                prop_assert!(far <= 1e-4 * (1.0 + told.norm()), "{n}: {told} {seen}");
+            }
+        }
     }
 }

@@ -149,16 +149,12 @@ impl Spans {
 /// The place by parameters from 0 to 1, straight on beyond; of the patch that is named, also on its borders.
 pub(super) fn jet(surface: &Sculptured, patch: Option<[usize; 2]>, u: f64, v: f64) -> Jet {
     let [nu, nv] = surface.spans();
-    let inside = |t: f64| t.clamp(0.0, 1.0);
-    let (a, b) = (inside(u), inside(v));
     let d = match patch {
-        Some(patch) => surface.at_patch(patch, a * nu, b * nv),
-        None => surface.at(a * nu, b * nv),
+        Some(patch) => surface.at_patch(patch, u * nu, v * nv),
+        None => surface.at(u * nu, v * nv),
     };
     let d = d.rated(nu, nv);
-    let jet = Jet { s: d.point, su: d.u, sv: d.v, suu: d.uu, suv: d.uv, svv: d.vv };
-    let (over_u, over_v) = (u - a, v - b);
-    if over_u == 0.0 && over_v == 0.0 { jet } else { jet.beyond(over_u, over_v) }
+    Jet { s: d.point, su: d.u, sv: d.v, suu: d.uu, suv: d.uv, svv: d.vv }
 }
 
 /// How far the surface goes, beyond 0 to 1 straight on.
