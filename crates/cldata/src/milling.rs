@@ -39,6 +39,23 @@ impl Milling {
     pub fn asks(&self) -> bool {
         self.part.is_some() || !self.checked.is_empty() || !self.plain.is_empty()
     }
+
+    /// How deep a tool that just touches may be in: INTOL, or a little where that is nothing.
+    pub fn touching(intol: f64, outtol: f64) -> f64 {
+        intol.max(0.01 * (intol + outtol))
+    }
+
+    /// What the way to the first position keeps to: what CHKSRF names.
+    #[must_use]
+    pub fn arrival(&self) -> Self {
+        Self {
+            part: self.part.clone().filter(|_| self.guarded),
+            on: false,
+            scallop: None,
+            intol: Self::touching(self.intol, self.outtol),
+            ..self.clone()
+        }
+    }
 }
 
 /// A surface that the cutter does not cut into.

@@ -134,10 +134,10 @@ impl Regional {
         first_gouge(&guard, profile, here, points.iter().copied())
     }
 
-    /// How deep a tool that just touches may be in: INTOL, or a little where that is nothing.
+    /// How deep a tool that just touches may be in.
     fn touching(&self) -> f64 {
         let band = self.settings.band();
-        band.intol.max(0.01 * (band.intol + band.outtol))
+        cl::milling::Milling::touching(band.intol, band.outtol)
     }
 
     fn motion_guard(&mut self, motion: &cl::Motion) -> Result<Option<Guard>, Failure> {

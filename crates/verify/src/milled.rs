@@ -18,7 +18,7 @@ use crate::scallop::{Cusps, Left};
 use crate::search::{Aim, FOLD, Moved, TURNED, clearance_from};
 use crate::sheet::Sheet;
 use crate::sheets::Sheets;
-use crate::statement::{PLACES, Seen, Statement};
+use crate::statement::{PLACES, Seen, Statement, keep};
 use crate::swath::Swath;
 use crate::sweep::Sweep;
 use crate::tool::{Pose, Tool};
@@ -130,6 +130,25 @@ impl Region {
 
     pub(crate) fn surfaces(&self) -> &[MilledSurface] {
         &self.surfaces
+    }
+
+    /// The worst fault on the way of the tool to its first position.
+    pub(crate) fn arrives(
+        &self,
+        profile: &Profile,
+        from: &Position,
+        to: &Position,
+        pad: f64,
+    ) -> Option<Fault> {
+        let mut fault = None;
+        for s in &self.surfaces {
+            let found = s.vector(profile, from, to, pad, 1, &mut Seen::default());
+            keep(&mut fault, found);
+        }
+        fault.map(|f| Fault {
+            surface: format!("{} on the way to its first position", f.surface),
+            ..f
+        })
     }
 
     /// What is known of the gaps, shank and holder as one.
