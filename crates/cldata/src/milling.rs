@@ -2,7 +2,7 @@
 
 use std::sync::Arc as Shared;
 
-use aptc_geometry::{Form, Profile, Sculptured};
+use aptc_geometry::{Form, Profile, Sculptured, Shell};
 
 use crate::{NameRef, Position};
 
@@ -69,6 +69,8 @@ pub struct Milled {
     pub side: f64,
     /// Thickness left on it.
     pub thick: f64,
+    /// Of triangles that close, the body that they bound: nothing of the tool is in it.
+    pub body: Option<Shared<Shell>>,
 }
 
 /// A surface that is not sculptured. Where it has sides cutter and holder keep to one of them, by the rule of

@@ -366,8 +366,8 @@ fn only_the_last_motion_before_a_statement_tells_its_side() {
         let found = told_after(before);
         assert!((found - wanted).abs() < 0.1 * wanted + 0.02, "{found}, not {wanted}");
     };
-    // The cutter, 50 high, stands by 5 above the plane, by 7 where its way begins, or it comes from above.
-    near(vec![from(), motion(MotionKind::Goto, 2.0)], 7.0);
+    // The cutter, 50 high, stands by 5 above the plane, or it comes from above.
+    near(vec![from(), motion(MotionKind::Goto, 2.0)], 5.0);
     near(vec![from()], 45.0);
     near(vec![motion(MotionKind::Goto, 2.0), motion(MotionKind::Goto, 90.0)], 45.0);
     for post in ["CYCLE", "LOADTL", "RETRCT", "GOHOME"] {

@@ -161,7 +161,14 @@ impl Statement {
                             s.vector(&self.profile, a, b, self.pad, i as u64 + 1, seen),
                         );
                     }
-                    if let (0, Some(arrival), Some(way)) = (i, arrival, &self.way) {
+                    if i == 0 {
+                        let at = self.way.as_ref().unwrap_or(a);
+                        let held = surfaces.iter().filter_map(|s| s.holds(&self.profile, at));
+                        held.for_each(|f| keep(&mut fault, Some(f)));
+                    }
+                    // What is wrong where it arrives is told alone.
+                    let arrives = i == 0 && fault.as_ref().is_none_or(|f| !f.refuted);
+                    if let (true, Some(arrival), Some(way)) = (arrives, arrival, &self.way) {
                         keep(&mut fault, arrival.arrives(&self.profile, way, b, self.pad));
                     }
                     fault
