@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use aptc_control::{ClFile, Memory, Options, Source, Verify, compile, verify};
+use aptc_geometry::trig;
 
 type Triangle = [[f64; 3]; 3];
 
@@ -19,17 +20,17 @@ fn ball(center: [f64; 3], radius: f64) -> Vec<Triangle> {
     const N: u32 = 24;
     let at = |i: u32, j: u32| {
         let turn = std::f64::consts::PI / f64::from(N);
-        let (s, c) = (turn * f64::from(i)).sin_cos();
-        let (sin, cos) = (turn * f64::from(j % (2 * N))).sin_cos();
+        let (s, c) = trig::sin_cos(turn * f64::from(i));
+        let (sin, cos) = trig::sin_cos(turn * f64::from(j % (2 * N)));
         let [x, y, z] = center;
         let ring = if i == N { 0.0 } else { s };
         [x + radius * ring * cos, y + radius * ring * sin, z + radius * c]
     };
-    let cell = |i, j| {
-        [[at(i, j), at(i + 1, j), at(i + 1, j + 1)], [at(i, j), at(i + 1, j + 1), at(i, j + 1)]]
-    };
-    let all = (0..N).flat_map(|i| (0..2 * N).flat_map(move |j| cell(i, j)));
-    all.filter(|[a, b, c]| a != b && b != c && c != a).collect()
+    // At the poles one of both has no area.
+    let down = |i, j| (i + 1 < N).then(|| [at(i, j), at(i + 1, j), at(i + 1, j + 1)]);
+    let up = |i, j| (i > 0).then(|| [at(i, j), at(i + 1, j + 1), at(i, j + 1)]);
+    let places = (0..N).flat_map(|i| (0..2 * N).map(move |j| (i, j)));
+    places.flat_map(|(i, j)| [down(i, j), up(i, j)]).flatten().collect()
 }
 
 fn stl(triangles: &[Triangle]) -> String {
