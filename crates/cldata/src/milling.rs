@@ -2,7 +2,7 @@
 
 use std::sync::Arc as Shared;
 
-use aptc_geometry::{Form, Profile, Sculptured};
+use aptc_geometry::{Form, Profile, Sculptured, Shell};
 
 use crate::{NameRef, Position};
 
@@ -39,6 +39,23 @@ impl Milling {
     pub fn asks(&self) -> bool {
         self.part.is_some() || !self.checked.is_empty() || !self.plain.is_empty()
     }
+
+    /// How deep a tool that just touches may be in: INTOL, or a little where that is nothing.
+    pub fn touching(intol: f64, outtol: f64) -> f64 {
+        intol.max(0.01 * (intol + outtol))
+    }
+
+    /// What the way to the first position keeps to: what CHKSRF names.
+    #[must_use]
+    pub fn arrival(&self) -> Self {
+        Self {
+            part: self.part.clone().filter(|_| self.guarded),
+            on: false,
+            scallop: None,
+            intol: Self::touching(self.intol, self.outtol),
+            ..self.clone()
+        }
+    }
 }
 
 /// A surface that the cutter does not cut into.
@@ -52,6 +69,8 @@ pub struct Milled {
     pub side: f64,
     /// Thickness left on it.
     pub thick: f64,
+    /// Of triangles that close, the body that they bound: nothing of the tool is in it.
+    pub body: Option<Shared<Shell>>,
 }
 
 /// A surface that is not sculptured. Where it has sides cutter and holder keep to one of them, by the rule of

@@ -256,7 +256,14 @@ mod tests {
             mesh(&[row(2.0), row(12.0)], aptc_geometry::sculptured::MeshSpacing::Ruled).unwrap(),
         );
         let tree = Arc::new(PatchTree::new(&s));
-        let checked = Checked { name: "WALL".into(), surface: s, tree, part: false, facets: false };
+        let checked = Checked {
+            name: "WALL".into(),
+            surface: s,
+            tree,
+            part: false,
+            facets: false,
+            body: None,
+        };
         Guard { surfaces: vec![checked], intol: 1e-3, thick: 0.0, ..Guard::default() }
     }
 

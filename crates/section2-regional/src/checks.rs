@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-use aptc_geometry::Form;
+use aptc_geometry::sculptured::SurfaceDefinition;
+use aptc_geometry::{Form, Sculptured, Shell};
 use aptc_protap::Arg;
 
 use crate::area::PartArea;
@@ -24,6 +25,7 @@ impl Regional {
             self.check_part = false;
             self.checked.clear();
             self.plain.clear();
+            self.watch.outside.clear();
             return Ok(());
         }
         let (mut named, mut part) = (Vec::new(), false);
@@ -48,10 +50,13 @@ impl Regional {
             if let Form::Ssurf(definition) = form.shape() {
                 let surface = self.surface(name, form)?;
                 self.checked.retain(|c| !Arc::ptr_eq(&c.surface, &surface));
+                self.watch.outside.retain(|s| !Arc::ptr_eq(s, &surface));
                 if on {
                     let tree = self.tree(&surface);
                     let facets = definition.only_checks();
-                    self.checked.push(Checked { name: label, surface, tree, part: false, facets });
+                    let body = self.body(&surface, definition);
+                    let part = false;
+                    self.checked.push(Checked { name: label, surface, tree, part, facets, body });
                 }
                 continue;
             }
@@ -63,6 +68,20 @@ impl Regional {
             }
         }
         Ok(())
+    }
+
+    /// What triangles bound, if they close; looked at once.
+    fn body(
+        &mut self,
+        surface: &Arc<Sculptured>,
+        definition: &SurfaceDefinition,
+    ) -> Option<Arc<Shell>> {
+        if let Some((_, body)) = self.bodies.iter().find(|(s, _)| Arc::ptr_eq(s, surface)) {
+            return body.clone();
+        }
+        let body = definition.triangles().and_then(|all| Shell::closed(&all)).map(Arc::new);
+        self.bodies.push((Arc::clone(surface), body.clone()));
+        body
     }
 
     /// PRINT/AVPRT,ON|OFF, also written AVMSG.

@@ -52,6 +52,8 @@ pub(crate) enum Failure {
     WayIn(Box<Deep>),
     /// A motion from point to point, or along surfaces, does.
     Way(Box<Deep>),
+    /// The tool stands in a body of triangles and touches none.
+    Held(Box<Deep>),
     /// Surfaces of INTSEC whose curves are not found.
     NotCut { why: Box<str> },
     /// A statement that is not done here.
@@ -229,6 +231,11 @@ impl Failure {
                 deep.said("on the way to its first position "),
                 "bring the tool before to a place from which it comes there clear".into(),
             ),
+            Self::Held(deep) => (
+                codes::INTERFERENCE,
+                deep.held(),
+                format!("begin outside of {0}, or leave {0} out of CHKSRF", deep.gouge.surface),
+            ),
             Self::PickFeed(deep) => (
                 codes::BETWEEN_PASSES,
                 deep.said("on the way to the next pass "),
@@ -335,13 +342,26 @@ impl Worst {
 }
 
 impl Deep {
-    fn said(&self, way: &str) -> String {
-        let Gouge { surface, depth, by, stood, .. } = &self.gouge;
-        let who = match by {
+    fn who(&self) -> &'static str {
+        match self.gouge.by {
             Solid::Cutter => "the cutter",
             Solid::Holder => "the holder",
             Solid::Between => "the axis between cutter and holder",
-        };
+        }
+    }
+
+    fn held(&self) -> String {
+        let Gouge { surface, depth, .. } = &self.gouge;
+        let (te, ta, who) = (point(self.te), point(self.ta), self.who());
+        format!(
+            "at the tool end {te} with axis {ta} {who} stands inside of {surface}, {} from its nearest triangle in the middle",
+            short(*depth)
+        )
+    }
+
+    fn said(&self, way: &str) -> String {
+        let Gouge { surface, depth, stood, .. } = &self.gouge;
+        let who = self.who();
         let depth =
             if depth.is_finite() { format!("{} deep", short(*depth)) } else { "perhaps".into() };
         let (te, ta) = stood.as_ref().map_or((self.te, self.ta), |s| (s.te, s.ta));

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use aptc_contact::{Clear, PatchPlace, PatchTree, Swept, Tool};
 use aptc_geometry::surface::kept;
-use aptc_geometry::{Profile, Sculptured, Vec3};
+use aptc_geometry::{Profile, Sculptured, Shell, Vec3};
 
 use crate::failure::{point, short};
 use crate::plain::Plain;
@@ -19,6 +19,8 @@ pub(crate) struct Checked {
     pub(crate) part: bool,
     /// Is it of triangles, whose numbers say nothing?
     pub(crate) facets: bool,
+    /// What they bound, if they close.
+    pub(crate) body: Option<Arc<Shell>>,
 }
 
 /// The checks of a path.
@@ -85,7 +87,7 @@ pub(crate) enum Solid {
 impl Checked {
     /// The part surface.
     pub(crate) fn part(name: String, surface: Arc<Sculptured>, tree: Arc<PatchTree>) -> Self {
-        Self { name, surface, tree, part: true, facets: false }
+        Self { name, surface, tree, part: true, facets: false, body: None }
     }
 
     /// Among others, in place of the same surface.
@@ -138,6 +140,20 @@ impl Guard {
         std::iter::once((Solid::Cutter, (*cutter, 0.0)))
             .chain(self.holder.iter().map(|h| (Solid::Holder, *h)))
             .chain(rod.map(|rod| (Solid::Between, rod)))
+    }
+
+    /// A body of triangles in which a tool stands that is clear of them, and how far its middle is from them.
+    pub(crate) fn held(&self, cutter: &Profile, (te, ta): (Vec3, Vec3)) -> Option<Gouge> {
+        let bodies = self.surfaces.iter().filter_map(|s| s.body.as_ref().map(|body| (s, body)));
+        let mut all = bodies.flat_map(|(s, body)| {
+            self.solids(cutter).filter_map(move |(by, (profile, up))| {
+                let middle = te + ta * (up + 0.5 * (profile.bottom() + profile.height()));
+                let depth = body.holds(middle)?;
+                let (surface, span) = (s.name.clone(), None);
+                Some(Gouge { surface, span, depth, by, entered: None, seen: None, stood: None })
+            })
+        });
+        all.next()
     }
 
     /// Is the tool clear at `te`?

@@ -6,7 +6,7 @@ use aptc_cldata as cl;
 use aptc_contact::PatchTree;
 use aptc_diagnostics::Diagnostic;
 use aptc_geometry::surface::ParametricSurface;
-use aptc_geometry::{Form, Profile, Sculptured, Vec3};
+use aptc_geometry::{Form, Profile, Sculptured, Shell, Vec3};
 use aptc_protap::{CutVectors, Kind, Record};
 
 use crate::area::Areas;
@@ -73,6 +73,8 @@ pub struct Regional {
     pub(crate) check_part: bool,
     /// CHKSRF/name.
     pub(crate) checked: Vec<Checked>,
+    /// What triangles bound that were checked.
+    pub(crate) bodies: Vec<(Arc<Sculptured>, Option<Arc<Shell>>)>,
     /// Those of them that are not sculptured.
     pub(crate) plain: Vec<Plain>,
     /// AVCTRL.

@@ -359,6 +359,7 @@ impl Regional {
             surface: Arc::clone(&part.surface),
             side: part.side,
             thick: part.thick,
+            body: None,
         };
         let others = self.checked.iter().filter(|c| !Arc::ptr_eq(&c.surface, &part.surface));
         let checked = others.map(|c| Milled {
@@ -366,6 +367,7 @@ impl Regional {
             surface: Arc::clone(&c.surface),
             side: 1.0,
             thick: 0.0,
+            body: c.body.clone(),
         });
         let plain = self.plain.iter().map(|p| Plain {
             name: cl::NameRef { name: p.name.as_str().into(), subscript: 0 },

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use aptc_cldata as cl;
-use aptc_geometry::{Form, Profile, Vec3};
+use aptc_geometry::{Form, Profile, Sculptured, Vec3};
 
 use crate::failure::{Deep, Failure};
 use crate::guard::{Checked, Guard};
@@ -15,6 +15,8 @@ pub(crate) struct Watch {
     profile: Option<Profile>,
     /// Where the way to the next point begins.
     pub(crate) last: Option<(Vec3, Vec3)>,
+    /// Surfaces of triangles outside of which the tool is known to be since it moves on from place to place.
+    pub(crate) outside: Vec<Arc<Sculptured>>,
 }
 
 impl Regional {
@@ -41,6 +43,9 @@ impl Regional {
                     }
                     if !recorded {
                         self.put_out(motion);
+                        if motion.kind == cl::MotionKind::From {
+                            self.watch.outside.clear();
+                        }
                         let last = motion.points.last().map(|p| (p.te, p.ta));
                         self.watch.last = last.or(self.watch.last);
                     }
@@ -51,6 +56,7 @@ impl Regional {
         let Some(end) = cut else { return Ok(()) };
         records.truncate(end);
         (self.watch.last, self.stand) = (None, None);
+        self.watch.outside.clear();
         Err(Failed)
     }
 
@@ -63,23 +69,27 @@ impl Regional {
         });
         let milling = motion.and_then(|m| m.control.as_ref()?.milling.as_ref());
         let to = motion.and_then(|m| m.points.first()).map(|p| (p.te, p.ta));
-        let (Some(milling), Some(to), Some(here)) = (milling, to, self.watch.last) else {
-            return Ok(());
-        };
-        if milling.joined || self.is_recording() {
+        let (Some(milling), Some(to)) = (milling, to) else { return Ok(()) };
+        if self.is_recording() {
             return Ok(());
         }
-        let holder = self.holder.clone();
-        let mut guard = self.guarded(None).unwrap_or(Guard { holder, ..Guard::default() });
-        if let Some(part) = milling.part.as_ref().filter(|_| milling.guarded) {
-            let surface = Arc::clone(&part.surface);
-            let (name, tree) = (part.name.name.to_string(), self.tree(&surface));
-            Checked::part(name, surface, tree).put(&mut guard.surfaces);
-            guard.thick = part.thick;
+        let here = self.watch.last;
+        if let Some(here) = here.filter(|_| !milling.joined) {
+            let holder = self.holder.clone();
+            let mut guard = self.guarded(None).unwrap_or(Guard { holder, ..Guard::default() });
+            if let Some(part) = milling.part.as_ref().filter(|_| milling.guarded) {
+                let surface = Arc::clone(&part.surface);
+                let (name, tree) = (part.name.name.to_string(), self.tree(&surface));
+                Checked::part(name, surface, tree).put(&mut guard.surfaces);
+                guard.thick = part.thick;
+            }
+            if let Some((_, Failure::Way(deep))) = self.blocked(&guard, Some(here), &[to]) {
+                return Err(Failure::WayIn(deep));
+            }
         }
-        match self.blocked(&guard, Some(here), &[to]) {
-            Some((_, Failure::Way(deep))) => Err(Failure::WayIn(deep)),
-            _ => Ok(()),
+        match self.settings.profile {
+            Some(profile) => self.stands_outside(&profile, here.unwrap_or(to)),
+            None => Ok(()),
         }
     }
 
@@ -115,7 +125,27 @@ impl Regional {
             guard.come_from(&profile, from);
         }
         let points = motion.points.iter().map(|p| (p.te, p.ta));
-        first_gouge(&guard, &profile, self.watch.last, points).map_or(Ok(()), Err)
+        first_gouge(&guard, &profile, self.watch.last, points).map_or(Ok(()), Err)?;
+        match self.watch.last.or(first) {
+            Some(at) => self.stands_outside(&profile, at).map_err(|f| (0, f)),
+            None => Ok(()),
+        }
+    }
+
+    /// That the tool stands in no body of triangles, none of which it touches. It is asked once: wherever the tool goes on to
+    /// it would touch them first.
+    fn stands_outside(&mut self, cutter: &Profile, at: (Vec3, Vec3)) -> Result<(), Failure> {
+        let known = |c: &&Checked| self.watch.outside.iter().any(|s| Arc::ptr_eq(s, &c.surface));
+        let new = |c: &&Checked| c.body.is_some() && !known(c);
+        let surfaces: Vec<Checked> = self.checked.iter().filter(new).cloned().collect();
+        let holder = self.holder.clone();
+        let guard = Guard { surfaces, holder, intol: self.touching(), ..Guard::default() };
+        if let Some(gouge) = guard.held(cutter, at) {
+            let (te, ta) = at;
+            return Err(Failure::Held(Box::new(Deep { gouge, te, ta, avoids: false })));
+        }
+        self.watch.outside.extend(guard.surfaces.into_iter().map(|c| c.surface));
+        Ok(())
     }
 
     /// The first of some points that regional milling goes to from point to point the way to which gouges, the tool coming
@@ -134,10 +164,10 @@ impl Regional {
         first_gouge(&guard, profile, here, points.iter().copied())
     }
 
-    /// How deep a tool that just touches may be in: INTOL, or a little where that is nothing.
+    /// How deep a tool that just touches may be in.
     fn touching(&self) -> f64 {
         let band = self.settings.band();
-        band.intol.max(0.01 * (band.intol + band.outtol))
+        cl::milling::Milling::touching(band.intol, band.outtol)
     }
 
     fn motion_guard(&mut self, motion: &cl::Motion) -> Result<Option<Guard>, Failure> {

@@ -207,6 +207,8 @@ fn put_together(items: &[Item], assigned: &[Option<(usize, usize)>], points: &[P
     let mut out = Matched::default();
     let mut used = 0;
     let mut last = None;
+    // Behind the motion that came last: what the machine does before the next moves the tool too.
+    let mut behind = 0;
     // The motion along surfaces that came last, and where the file has its end.
     let mut before: Option<(&Item, usize)> = None;
     for (item, place) in items.iter().zip(assigned) {
@@ -240,7 +242,8 @@ fn put_together(items: &[Item], assigned: &[Option<(usize, usize)>], points: &[P
                 ..Motion::default()
             };
             let kind = Kind::Motion(start);
-            out.records.push(Record { origin: item.record.origin.clone(), kind });
+            let start = Record { origin: item.record.origin.clone(), kind };
+            out.records.insert(behind, start);
         }
         let moved = Motion {
             points: points[from..to].iter().map(carry).collect(),
@@ -248,6 +251,7 @@ fn put_together(items: &[Item], assigned: &[Option<(usize, usize)>], points: &[P
             ..motion.clone()
         };
         out.records.push(Record { origin: item.record.origin.clone(), kind: Kind::Motion(moved) });
+        behind = out.records.len();
     }
     out.extra = (points.len() - used) as u64;
     out

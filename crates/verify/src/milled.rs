@@ -6,7 +6,7 @@ use std::sync::{Arc, OnceLock};
 use aptc_cldata::milling::{Milled, Milling, Plain, Raised};
 use aptc_cldata::{NameRef, Position};
 use aptc_geometry::surface::kept::between;
-use aptc_geometry::{Form, Profile};
+use aptc_geometry::{Form, Profile, Shell};
 
 use crate::between::{angle, between_poses};
 use crate::certificate::{Fault, SurfaceBound};
@@ -18,7 +18,7 @@ use crate::scallop::{Cusps, Left};
 use crate::search::{Aim, FOLD, Moved, TURNED, clearance_from};
 use crate::sheet::Sheet;
 use crate::sheets::Sheets;
-use crate::statement::{PLACES, Seen, Statement};
+use crate::statement::{PLACES, Seen, Statement, keep};
 use crate::swath::Swath;
 use crate::sweep::Sweep;
 use crate::tool::{Pose, Tool};
@@ -41,6 +41,9 @@ const FINE: f64 = 0.3;
 const LED: &str = "it is held to the one place that the path leads along; CHKSRF/PS,ON holds it to all of the surface, and AVCTRL takes it out \
     where it does not fit";
 
+/// What there is to say of a tool all in a body.
+const HELD: &str = "the tool stands inside of the body that the triangles bound; so deep it is where it touches none";
+
 /// The surfaces of a statement of regional milling.
 #[derive(Debug)]
 pub(crate) struct Region {
@@ -56,6 +59,8 @@ pub(crate) struct Region {
 #[derive(Clone, Debug)]
 pub(crate) struct MilledSurface {
     body: Body,
+    /// What its triangles bound, if they close.
+    shell: Option<Arc<Shell>>,
     name: String,
     role: &'static str,
     /// What keeps clear of it beside the cutter itself: of shank and holder one solid, or the axis below them.
@@ -132,6 +137,25 @@ impl Region {
         &self.surfaces
     }
 
+    /// The worst fault on the way of the tool to its first position.
+    pub(crate) fn arrives(
+        &self,
+        profile: &Profile,
+        from: &Position,
+        to: &Position,
+        pad: f64,
+    ) -> Option<Fault> {
+        let mut fault = None;
+        for s in &self.surfaces {
+            let found = s.vector(profile, from, to, pad, 1, &mut Seen::default());
+            keep(&mut fault, found);
+        }
+        fault.map(|f| Fault {
+            surface: format!("{} on the way to its first position", f.surface),
+            ..f
+        })
+    }
+
     /// What is known of the gaps, shank and holder as one.
     pub(crate) fn bounds(&self, seen: &[Seen]) -> Vec<SurfaceBound> {
         let mut all: Vec<SurfaceBound> = Vec::with_capacity(self.surfaces.len());
@@ -185,6 +209,7 @@ impl MilledSurface {
         let (least, most) = (thick - milling.intol, thick + milling.outtol);
         Self {
             body: Body::Sheet(sheet),
+            shell: of.body.clone(),
             name: name_of(&of.name),
             role,
             holder: None,
@@ -205,6 +230,7 @@ impl MilledSurface {
         let sheet = || sheets.of_form(&of.form).filter(|_| !thick).map(Body::Sheet);
         Self {
             body: sided().or_else(sheet).unwrap_or(Body::Unknown),
+            shell: None,
             name: name_of(&of.name),
             role: "checked",
             holder: None,
@@ -226,10 +252,7 @@ impl MilledSurface {
         vector: u64,
         seen: &mut Seen,
     ) -> Option<Fault> {
-        let tool = match &self.holder {
-            Some(Raised { profile, up }) => Tool::Raised(profile, *up),
-            None => Tool::Solid(profile),
-        };
+        let tool = self.tool(profile);
         let [from, most] = self.band;
         let warm = &mut seen.warm;
         let verdict = match &self.body {
@@ -242,12 +265,7 @@ impl MilledSurface {
             Body::Sided(kept) => kept.judge(&tool, a, b, pad, warm),
             Body::Unknown => Verdict::Undecided { at_most: f64::INFINITY, te: a.te },
         };
-        let with = match (&self.holder, self.between) {
-            (None, _) => "",
-            (Some(_), false) => " with the holder",
-            (Some(_), true) => " with the axis between cutter and holder",
-        };
-        let surface = || format!("{} surface {}{with}", self.role, self.name);
+        let surface = || self.told();
         match verdict {
             Verdict::Proved { low, high } => {
                 seen.take(low, high, Some(b.te));
@@ -283,6 +301,39 @@ impl MilledSurface {
                 why: None,
             }),
         }
+    }
+
+    /// The solid that is held against it.
+    fn tool<'a>(&'a self, cutter: &'a Profile) -> Tool<'a> {
+        match &self.holder {
+            Some(Raised { profile, up }) => Tool::Raised(profile, *up),
+            None => Tool::Solid(cutter),
+        }
+    }
+
+    fn told(&self) -> String {
+        let with = match (&self.holder, self.between) {
+            (None, _) => "",
+            (Some(_), false) => " with the holder",
+            (Some(_), true) => " with the axis between cutter and holder",
+        };
+        format!("{} surface {}{with}", self.role, self.name)
+    }
+
+    /// A tool that stands in a body whose triangles it does not touch, wherever it goes on to without touching them.
+    pub(crate) fn holds(&self, cutter: &Profile, at: &Position) -> Option<Fault> {
+        let inner = self.tool(cutter).inner(&Pose { te: at.te, ta: at.ta });
+        let depth = self.shell.as_ref()?.holds(inner)?;
+        Some(Fault {
+            refuted: true,
+            surface: self.told(),
+            vector: 1,
+            te: at.te.into(),
+            depth,
+            gouge: true,
+            ends: false,
+            why: Some(Cow::Borrowed(HELD)),
+        })
     }
 
     /// What is known of the gap; nothing before a vector was proved.

@@ -2,6 +2,7 @@
 
 use std::sync::{Arc, OnceLock};
 
+use aptc_cldata::milling::Milling;
 use aptc_cldata::{Control, Position};
 use aptc_diagnostics::Origin;
 use aptc_geometry::{Profile, Vec3};
@@ -29,6 +30,8 @@ pub(crate) struct Statement {
     pub(crate) start: Option<Position>,
     /// Where it was before in any case: from there it comes to surfaces that it keeps to a side of.
     pub(crate) before: Option<Position>,
+    /// From where it comes to a statement of regional milling that does not begin there.
+    pub(crate) way: Option<Position>,
     pub(crate) points: Vec<Position>,
     pub(crate) profile: Profile,
     /// Allowance for rounding.
@@ -102,8 +105,8 @@ pub(crate) struct Judgement {
 #[derive(Debug)]
 pub(crate) enum Ready {
     Guided(Box<Guided>),
-    /// `None` when one of them has no charts.
-    Milled(Option<Box<Region>>),
+    /// `None` when one of them has no charts. Beside them what the way to the first position is held against.
+    Milled(Option<Box<Region>>, Option<Box<Region>>),
 }
 
 /// Drive, part and check surface.
@@ -134,7 +137,7 @@ impl Statement {
 
     pub(crate) fn judge(&self, share: &Share) -> Answer {
         match (self.ready(), share) {
-            (Ready::Milled(Some(region)), Share::Between(i)) => {
+            (Ready::Milled(Some(region), _), Share::Between(i)) => {
                 Answer { left: region.between(self, *i), ..Answer::default() }
             }
             (_, Share::Between(_)) => Answer::default(),
@@ -145,7 +148,7 @@ impl Statement {
                     |i, a: &_, b: &_, answer: &mut _| guided.vector(self, i, [a, b], &rows, answer);
                 self.vectors(*from, answer, judge)
             }
-            (Ready::Milled(region), Share::Vectors(from)) => {
+            (Ready::Milled(region, arrival), Share::Vectors(from)) => {
                 let surfaces = region.as_ref().map_or(&[][..], |r| r.surfaces());
                 let judge = |i: usize, a: &_, b: &_, answer: &mut Answer| {
                     if surfaces.is_empty() {
@@ -157,6 +160,16 @@ impl Statement {
                             &mut fault,
                             s.vector(&self.profile, a, b, self.pad, i as u64 + 1, seen),
                         );
+                    }
+                    if i == 0 {
+                        let at = self.way.as_ref().unwrap_or(a);
+                        let held = surfaces.iter().filter_map(|s| s.holds(&self.profile, at));
+                        held.for_each(|f| keep(&mut fault, Some(f)));
+                    }
+                    // What is wrong where it arrives is told alone.
+                    let arrives = i == 0 && fault.as_ref().is_none_or(|f| !f.refuted);
+                    if let (true, Some(arrival), Some(way)) = (arrives, arrival, &self.way) {
+                        keep(&mut fault, arrival.arrives(&self.profile, way, b, self.pad));
                     }
                     fault
                 };
@@ -234,8 +247,8 @@ impl Statement {
                 let bounds = guided.surfaces().zip(&seen).filter_map(|(s, seen)| s.bound(seen));
                 proof.surfaces = bounds.collect();
             }
-            Ready::Milled(None) => {}
-            Ready::Milled(Some(region)) => {
+            Ready::Milled(None, _) => {}
+            Ready::Milled(Some(region), _) => {
                 proof.method = "branch and bound";
                 proof.surfaces = region.bounds(&seen);
                 if let Some(left) = left {
@@ -314,10 +327,12 @@ impl Statement {
     fn ready(&self) -> &Ready {
         self.ready.get_or_init(|| match &self.control.milling {
             Some(milling) => {
-                let from = self.before.as_ref().or(self.points.first());
-                let region =
-                    from.and_then(|p| Region::new(milling, &self.sheets, &self.profile, p));
-                Ready::Milled(region.map(Box::new))
+                let from = self.before.as_ref().or(self.way.as_ref()).or(self.points.first());
+                let region = |milling: &Milling| {
+                    Region::new(milling, &self.sheets, &self.profile, from?).map(Box::new)
+                };
+                let arrival = self.way.map(|_| milling.arrival()).filter(Milling::asks);
+                Ready::Milled(region(milling), arrival.as_ref().and_then(region))
             }
             None => Ready::Guided(Box::new(Guided::new(self))),
         })
@@ -414,7 +429,7 @@ impl Seen {
 
 /// Keeps the worse of two faults: a refuted one before one not decided, the deeper before the other, the first of
 /// equal ones.
-fn keep(worst: &mut Option<Fault>, new: Option<Fault>) {
+pub(crate) fn keep(worst: &mut Option<Fault>, new: Option<Fault>) {
     let Some(new) = new else { return };
     let rank = |f: &Fault| (f.refuted, f.depth);
     if worst.as_ref().is_none_or(|old| rank(&new) > rank(old)) {

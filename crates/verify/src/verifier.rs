@@ -81,6 +81,7 @@ struct Open {
     origin: Origin,
     start: Option<Position>,
     before: Option<Position>,
+    way: Option<Position>,
     points: Vec<Position>,
     profile: Profile,
 }
@@ -268,15 +269,17 @@ impl Verifier {
         match &mut self.open {
             Some(open) => open.points.extend_from_slice(&motion.points),
             None => {
-                // How the tool comes to a region is not its promise.
+                // How the tool comes to a region is held against what CHKSRF names alone.
                 let joined = control.milling.as_ref().is_none_or(|m| m.joined && !rapid);
                 let start = self.last.filter(|_| joined);
+                let way = self.last.filter(|_| !joined);
                 self.open = Some(Open {
                     control: Arc::clone(control),
                     startup,
                     origin: origin.clone(),
                     start,
                     before: self.statement.2,
+                    way,
                     points: motion.points.clone(),
                     profile,
                 });
@@ -338,7 +341,7 @@ impl Verifier {
 
     fn close(&mut self) {
         let Some(open) = self.open.take() else { return };
-        let Open { control, startup, origin, start, before, points, profile } = open;
+        let Open { control, startup, origin, start, before, way, points, profile } = open;
         let pad = self.pad(&points, &profile);
         self.n_waiting += points.len();
         self.waiting.push(Event::Along(Box::new(Statement {
@@ -347,6 +350,7 @@ impl Verifier {
             origin,
             start,
             before,
+            way,
             points,
             profile,
             pad,

@@ -23,7 +23,7 @@ fn square(z: impl Fn(f64, f64) -> f64) -> Arc<Sculptured> {
 
 fn milled(name: &str, surface: &Arc<Sculptured>, thick: f64) -> Milled {
     let name = NameRef { name: name.into(), subscript: 0 };
-    Milled { name, surface: Arc::clone(surface), side: 1.0, thick }
+    Milled { name, surface: Arc::clone(surface), side: 1.0, thick, body: None }
 }
 
 fn milling(surface: &Arc<Sculptured>, scallop: Option<f64>) -> Milling {

@@ -183,6 +183,20 @@ impl SurfaceDefinition {
         }
     }
 
+    /// All of its triangles, where it holds nothing else.
+    pub fn triangles(&self) -> Option<Vec<[Vec3; 3]>> {
+        let all = match &self.shape {
+            SurfaceShape::Facets(all) => all.clone(),
+            SurfaceShape::Combined(parts) => {
+                let parts: Option<Vec<_>> = parts.iter().map(|p| p.triangles()).collect();
+                parts?.concat()
+            }
+            _ => return None,
+        };
+        let Some(map) = &self.map else { return Some(all) };
+        Some(all.into_iter().map(|t| t.map(|p| map.point(p))).collect())
+    }
+
     /// SMESH through the points of splines in order, without anything asked of them.
     pub fn mesh(spacing: MeshSpacing, splines: impl IntoIterator<Item = Vec<Vec3>>) -> Self {
         let knot = |point: Vec3| Knot { point, ..Knot::default() };

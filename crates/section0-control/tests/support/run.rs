@@ -9,6 +9,8 @@ pub(crate) struct Ran {
     pub(crate) told: Vec<(String, String)>,
     /// Tool ends of all motions.
     pub(crate) places: Vec<[f64; 3]>,
+    /// The tool axis at each.
+    pub(crate) axes: Vec<[f64; 3]>,
 }
 
 /// Compiles a program without a post processor.
@@ -17,16 +19,17 @@ pub(crate) fn run(text: &str, verify: Verify) -> Ran {
     let source = Source { name: "part".into(), text: text.into() };
     let compiled = compile(source, &mut Disk::new(Vec::new(), 0), &options);
     let told = compiled.diagnostics.iter().map(|d| (d.code.to_string(), d.message.clone()));
-    let mut places = Vec::new();
+    let (mut places, mut axes) = (Vec::new(), Vec::new());
     for part in &compiled.parts {
         let take = |r: &aptc_cldata::Record| {
             if let aptc_cldata::Kind::Motion(m) = &r.kind {
                 places.extend(m.points.iter().map(|p| <[f64; 3]>::from(p.te)));
+                axes.extend(m.points.iter().map(|p| <[f64; 3]>::from(p.ta)));
             }
         };
         part.computed.for_each(take).expect("they can be read");
     }
-    Ran { told: told.collect(), places }
+    Ran { told: told.collect(), places, axes }
 }
 
 impl Ran {

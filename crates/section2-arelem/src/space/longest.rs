@@ -46,6 +46,14 @@ const LESSONS: u32 = 3;
 const LOST: f64 = 0.5;
 /// Share of the band by which such a vertex is moved at least.
 const EDGES_APART: f64 = 1e-9;
+/// Share of a length that fits, and could be so many times as long for its chord, to which it is found how far there are
+/// places at all.
+const TO_THE_END: f64 = 1.0 / 16.0;
+const FREE: f64 = 2.0;
+/// Share of the band below which no length is tried where there was no place at any.
+const NOWHERE: f64 = 1e-3;
+/// The same of a way behind which there are none: the motion ends there.
+const NO_MORE: f64 = 1e-4;
 /// Greatest turn of the track in one cut vector, radians.
 const MOST_TURN: f64 = 2.0;
 
@@ -106,6 +114,10 @@ impl Track {
         let long_enough = if self.axis.turns() { LONG_ENOUGH_TURNING } else { LONG_ENOUGH };
         // Share by which a length is foretold shorter than the band allows.
         let aim = 0.25 * long_enough;
+        let narrow = self.bands[0].width.min(self.bands[1].width);
+        if pace.left.is_some_and(|left| left <= NO_MORE * narrow) {
+            return Err(Trouble::Contact);
+        }
         let mut bends = pace.expected_bends();
         let mut bent = None;
         let mut plan = self.plan(from, bends, cap);
@@ -114,6 +126,8 @@ impl Track {
             // Nothing bends here, which may end soon.
             s = s.min(FARTHER * pace.length);
         }
+        // Behind a place beyond which none was found the next is as far as there.
+        s = pace.left.map_or(s, |left| s.min(left));
         let (mut good, mut bad): (Option<Stride<T::Place>>, f64) = (None, f64::INFINITY);
         let mut last: Option<Stride<T::Place>> = None;
         // One that fits with its vertex elsewhere, where none does that has it in the right place.
@@ -126,6 +140,9 @@ impl Track {
         let mut learnt = 0;
         // A chord that does not fit though its ratio says so is shortened more each time.
         let mut back: f64 = 0.0;
+        // Is there no place at the length that is too long, and at no other so far? And may the one that fits be far longer?
+        let (mut ends, mut none, mut free) = (false, true, false);
+        let least = NOWHERE * narrow;
         // Does the first chord go on to another length?
         let mut over = false;
         // With an axis that turns trials also move the vertices, and do not fall evenly.
@@ -204,11 +221,13 @@ impl Track {
                         if !too_long || good.is_none() {
                             good = tried.ok();
                         }
+                        free = fit.ratio >= FREE;
                     } else if over {
                         break;
                     } else {
-                        bad = bad.min(s);
+                        (bad, ends) = (bad.min(s), ends && s >= bad);
                     }
+                    none = false;
                     let ratio = if fit.fits { fit.ratio } else { fit.ratio.min(1.0 - back) };
                     if !fit.fits && good.is_none() {
                         back = (4.0 * back).clamp(long_enough, 0.5);
@@ -233,13 +252,19 @@ impl Track {
                 Err(t) if !T::FINAL => return Err(t),
                 Err(t) => {
                     trouble = t;
-                    bad = bad.min(s);
+                    // With a fixed axis a corner may be there, to which the tool comes by ever shorter vectors.
+                    (bad, ends) = (bad.min(s), self.axis.turns());
+                    if ends && none && s <= least {
+                        break;
+                    }
                     0.5 * s
                 }
             };
             last = tried.ok().or(last);
             let low = good.as_ref().map_or(0.0, |g| g.length);
-            if bad - low <= fine * long_enough * low || s <= self.exact {
+            // How far there are places is no matter to the last digits.
+            let at_end = ends && free && bad - low <= TO_THE_END * low;
+            if at_end || bad - low <= fine * long_enough * low || s <= self.exact {
                 break;
             }
             s = next.min(plan.most);
@@ -251,8 +276,10 @@ impl Track {
                 s = 0.5 * (low + bad);
             }
         }
+        let left = good.as_ref().filter(|_| ends && free).map(|g| bad - g.length);
         let stride = good.or(spare).ok_or(trouble)?;
         pace.learn(stride.length, 1.0, plan.length);
+        pace.left = left;
         if let Some(bends) = bent.filter(|_| self.axis.turns()) {
             pace.learn_bends(bends);
         }

@@ -15,6 +15,8 @@ pub(crate) struct Pace {
     pub(super) growth: f64,
     /// The length of the last one.
     pub(super) length: f64,
+    /// How far from its end there are places at most, where one farther on was not found.
+    pub(super) left: Option<f64>,
     /// Way for which no other place of contact can become the deepest, and whether that was looked for where it is now.
     pub(super) room: f64,
     pub(super) looked: bool,
@@ -33,6 +35,7 @@ impl Pace {
             trend: 0.0,
             growth: 0.0,
             length: 0.0,
+            left: None,
             room: 0.0,
             looked: false,
             careful: 0,
@@ -66,7 +69,7 @@ impl Pace {
     /// A cut vector was this long where `plan` was foretold, and could be longer by the ratio `rest`.
     #[inline]
     pub(super) fn learn(&mut self, length: f64, rest: f64, plan: f64) {
-        self.length = length;
+        (self.length, self.left) = (length, None);
         let ratio = (length * rest / plan).clamp(0.2, 2.0);
         let trend = self.ratio.map_or(0.0, |last| ratio - last);
         let trend = if trend.abs() <= EVEN { trend } else { 0.0 };

@@ -15,6 +15,10 @@ use crate::scene::Wall;
 
 /// Rounds of the iteration.
 const ROUNDS: usize = 200;
+/// Rounds in which it must come nearer by this part at least with a fixed axis: each may be a search all round the tool. One
+/// that turns comes to rest by steps that are made ever shorter.
+const IDLE: usize = 40;
+const NEARER: f64 = 0.01;
 /// The same for an axis that turns with the place.
 const TURNS: usize = 30;
 /// Rounds of an axis at one place after which its turn must become less each time.
@@ -213,6 +217,7 @@ impl Solver<'_> {
         let strict = !self.axis.turns();
         let band = self.aims.iter().map(|a| a.keep.width()).fold(f64::INFINITY, f64::min);
         let mut targets = self.targets(&pose, &gaps);
+        let mut progress = Progress::default();
         for _ in 0..ROUNDS {
             let ta = self.turned(&pose, &gaps);
             let origin = if pinned { from.te } else { pose.te };
@@ -244,6 +249,9 @@ impl Solver<'_> {
                 }
                 (best_step, factor) = (f64::INFINITY, 1.0);
             }
+            if strict && off > band && progress.is_over(off) {
+                break;
+            }
         }
         // The least way is not known to the last digit; the place on the surfaces shall be.
         let strictly = strict.then(|| self.settle(pose, gaps.clone(), true)).flatten();
@@ -273,8 +281,13 @@ impl Solver<'_> {
         // Where a surface bends otherwise on the other side of an edge, gaps that are asked for anew each round
         // would never come to rest; these lie within the band too.
         let targets = self.targets(&pose, &gaps);
+        let band = self.aims.iter().map(|a| a.keep.width()).fold(f64::INFINITY, f64::min);
+        let mut progress = Progress::default();
         for _ in 0..ROUNDS {
             let off = gaps.iter().zip(&targets).map(|(g, t)| (g.g - t).abs()).fold(0.0, f64::max);
+            if !self.axis.turns() && off > band && progress.is_over(off) {
+                return None;
+            }
             let enough = 1e-13 * self.size(&pose) + 1e-9 * self.aims[0].keep.width();
             if off <= enough && !self.deeper(&pose, &mut gaps, strict) {
                 return Some(pose);
@@ -469,6 +482,24 @@ impl Solver<'_> {
             }
         }
         None
+    }
+}
+
+/// Whether rounds still come nearer.
+#[derive(Default)]
+struct Progress {
+    best: Option<f64>,
+    idle: usize,
+}
+
+impl Progress {
+    /// Has none of some rounds come nearer?
+    fn is_over(&mut self, off: f64) -> bool {
+        self.idle += 1;
+        if self.best.is_none_or(|best| off < best * (1.0 - NEARER)) {
+            (self.best, self.idle) = (Some(off), 0);
+        }
+        self.idle >= IDLE
     }
 }
 

@@ -15,6 +15,10 @@ const ROUNDS: usize = 60;
 /// The same with an axis whose turn is known; three or four are usual.
 const ROUNDS_WITH_AXIS: usize = 8;
 
+/// Halvings of one step to places where nothing faces the tool: each is a search all round it, and a step that leads there
+/// by a part of it this small leads nowhere.
+pub(super) const MISSED: u32 = 5;
+
 /// Sine between two surfaces below which they run side by side.
 pub(super) const SIDE_BY_SIDE: f64 = 1e-7;
 
@@ -261,11 +265,16 @@ impl Track {
         let mut pose = start;
         let mut near = *near;
         let mut last = (f64::INFINITY, pose, Vec3::zeros());
+        let mut missed = 0;
         for _ in 0..ROUNDS {
             let gaps = match self.gaps(&pose, Some(&near)) {
-                Ok(gaps) => gaps,
-                Err(trouble) if last.0.is_infinite() => return Err(trouble),
+                Ok(gaps) => {
+                    missed = 0;
+                    gaps
+                }
+                Err(trouble) if last.0.is_infinite() || missed >= MISSED => return Err(trouble),
                 Err(_) => {
+                    missed += 1;
                     last.2 *= 0.5;
                     pose.te = last.1.te + last.2;
                     continue;

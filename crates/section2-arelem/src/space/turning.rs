@@ -8,7 +8,7 @@ use aptc_contact::Gap;
 use aptc_geometry::Vec3;
 
 use super::keep::Pose;
-use super::track::{Aim, Node, Track, Trouble, direction};
+use super::track::{Aim, MISSED, Node, Track, Trouble, direction};
 use crate::axis::Around;
 
 /// Rounds of Newton's method.
@@ -60,13 +60,16 @@ impl Track {
                 }
             }
             let by = meet([slopes[0], slopes[1], across], now).ok_or(Trouble::SideBySide)?;
-            let mut share = 1.0;
+            let (mut share, mut missed) = (1.0, 0);
             (pose, gaps) = loop {
                 let next = Pose { te: pose.te + by * share, ..pose };
-                if let Ok(next) = self.with_axis(next, &gaps, hint.course.along)
-                    && (worst(&off(&next.0, &next.1)) < worst(&now) || share < LEAST)
-                {
-                    break next;
+                match self.with_axis(next, &gaps, hint.course.along) {
+                    Ok(next) if worst(&off(&next.0, &next.1)) < worst(&now) || share < LEAST => {
+                        break next;
+                    }
+                    Ok(_) => missed = 0,
+                    Err(trouble) if missed >= MISSED => return Err(trouble),
+                    Err(_) => missed += 1,
                 }
                 if share < LEAST {
                     return Err(Trouble::Stuck);

@@ -1,0 +1,110 @@
+//! The way to the first position of a statement of regional milling in a CL file that is held against the program.
+
+#[path = "support/run.rs"]
+mod run;
+
+use std::fmt::Write as _;
+
+use aptc_control::{ClFile, Disk, Options, Source, Verify, verify};
+
+/// A floor milled behind something that stands in the way; the tool is led over it.
+fn program(wall: &str, mill: &str) -> String {
+    format!(
+        "PARTNO ARRIVALS
+UNITS/MM
+FLOOR=SSURF/SMESH,XYZ,SPLINE,(-18,-15,0),(0,-15,1),(18,-15,0),$
+ SPLINE,(-18,15,0),(0,15,1),(18,15,0)
+K1={wall}
+UP=VECTOR/0,0,1
+CUTTER/10,5,0,5,0,0,30
+HOLDER/14,45,30,95
+INTOL/.01
+OUTTOL/.01
+FROM/-90,0,20
+GOTO/-90,0,200
+GOTO/0,0,200
+SCON/DS,FLOOR,PARAM,0,2,0,1,AT,UP
+SCON/PS,TO,FLOOR,PLUS,0
+SCON/AXIS,UP
+CHKSRF/K1,ON
+{mill}
+END
+FINI
+"
+    )
+}
+
+/// The places of a path as a CL file, without some of them.
+fn file(ran: &run::Ran, left_out: std::ops::Range<usize>) -> Vec<u8> {
+    let mut text = String::from("PARTNO ARRIVALS\nUNITS/MM\nMULTAX/ON\n");
+    let all = ran.places.iter().zip(&ran.axes).enumerate();
+    for (i, ([x, y, z], [a, b, c])) in all.filter(|(i, _)| !left_out.contains(i)) {
+        let word = if i == 0 { "FROM" } else { "GOTO" };
+        writeln!(text, "{word}/{x:.9},{y:.9},{z:.9},{a:.9},{b:.9},{c:.9}")
+            .expect("memory takes it");
+    }
+    text.push_str("FINI\n");
+    text.into_bytes()
+}
+
+/// What the proof of a file tells.
+fn told(text: &str, bytes: Vec<u8>) -> Vec<String> {
+    let options = Options { verify: Verify::Full, post: false, ..Options::default() };
+    let source = Source { name: "part".into(), text: text.into() };
+    let file = ClFile { name: "part.cl".into(), bytes };
+    let found = verify(source, &mut Disk::new(Vec::new(), 0), &options, Some(file));
+    let wrong = found.diagnostics.iter().filter(|d| d.code.to_string().starts_with("APT5"));
+    wrong.map(|d| format!("{} {}", d.code, d.message)).collect()
+}
+
+const MILLS: [&str; 4] = [
+    "SMIL/PATH,DS,PARAM,.2,.5,TANSPL,PLUS",
+    "SMIL/POSN,DS,PARAM,.2,.5,INCR,0",
+    "GOLOFT/FLOOR,VCONST,.5",
+    "GOMILL/FLOOR,VCONST,.5,STEPOV,.5",
+];
+
+/// A sculptured wall, a bar that only the holder meets, a ball and a cylinder.
+const WALLS: [&str; 4] = [
+    "SSURF/SMESH,XYZ,SPLINE,(-60,-90,-40),(-60,-90,90),$\n SPLINE,(-60,90,-40),(-60,90,90)",
+    "SSURF/SMESH,XYZ,SPLINE,(-60,-1,100),(-60,1,100),$\n SPLINE,(-50,-1,100),(-50,1,100)",
+    "SPHERE/-50,0,20,25",
+    "CYLNDR/-50,0,20,0,1,0,25",
+];
+
+#[test]
+fn a_file_whose_way_to_the_first_position_goes_through_a_surface_is_refuted() {
+    for wall in WALLS {
+        for mill in MILLS {
+            let text = program(wall, mill);
+            let ran = run::run(&text, Verify::Off);
+            assert_eq!(told(&text, file(&ran, 0..0)), Vec::<String>::new(), "{text}");
+            // It goes straight there.
+            let mut said = told(&text, file(&ran, 1..3));
+            said.retain(|d| !d.starts_with("APT5003"));
+            let way = " on the way to its first position by ";
+            let met = |d: &String| {
+                d.starts_with("APT5001 cut vector 1 cuts into checked surface K1")
+                    && d.contains(way)
+                    && d.contains(" at tool end ")
+            };
+            assert!(said.len() == 1 && said.iter().all(met), "{said:?}\n{text}");
+        }
+    }
+}
+
+/// The machine takes the tool away: how it comes back is not known, and of a rapid motion a file is told as the program is.
+#[test]
+fn words_between_motions_count_in_a_file_as_in_the_program() {
+    let text = program(WALLS[0], &format!("RETRCT\n{}", MILLS[0]));
+    let ran = run::run(&text, Verify::Off);
+    let said = told(&text, file(&ran, 1..3));
+    assert!(said.iter().all(|d| d.starts_with("APT5003")), "{said:?}");
+    let text = "PARTNO RAPID\nUNITS/MM\nCUTTER/10\nINTOL/.01\nOUTTOL/.01\nL1=LINE/0,0,100,0\nL2=LINE/60,-100,60,100\n\
+                FLOOR=PLANE/0,0,1,0\nFROM/-20,-20,30\nGO/TO,L1,TO,FLOOR\nTLRGT,GORGT/L1,PAST,L2\nRAPID\nGOTO/0,0,-9\n\
+                GOTO/0,0,50\nFINI\n";
+    let own = run::run(text, Verify::Full);
+    let of_file = told(text, file(&own, 0..0));
+    let own: Vec<_> = own.told.iter().map(|(code, text)| format!("{code} {text}")).collect();
+    assert_eq!((of_file.len(), &of_file), (1, &own));
+}
