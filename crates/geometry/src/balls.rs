@@ -28,6 +28,13 @@ pub enum Below {
 pub type Held = (Vec3, f64, Vec3);
 
 impl Ball {
+    /// Is its box nearer to a point than the other one, or its centre where both boxes are as near?
+    #[inline]
+    pub(crate) fn nearer(&self, other: &Self, p: Vec3) -> bool {
+        let far = |ball: &Self| (ball.apart(p), (ball.center - p).norm_squared());
+        far(self) < far(other)
+    }
+
     /// The square of the distance of a point from the box; zero within.
     #[inline]
     pub fn apart(&self, p: Vec3) -> f64 {
@@ -93,6 +100,8 @@ fn grow(
         let one = grow(tree, held, one, first, leaf);
         let other = grow(tree, held, other, first + mid, leaf);
         tree[here].below = Below::Balls([one, other]);
+    } else {
+        order.sort_unstable();
     }
     here
 }

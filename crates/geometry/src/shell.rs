@@ -63,7 +63,10 @@ impl Shell {
         if edges.is_empty() || edges.values().any(|([up, down], _)| (up + down) % 2 == 1) {
             return None;
         }
-        let triangles = numbered.iter().map(|ids| ids.map(|i| corners.places[i])).collect();
+        // A ray could meet one without area at its edges alone.
+        let wide = |[a, b, c]: &&[usize; 3]| a != b && b != c && c != a;
+        let triangles = numbered.iter().filter(wide).map(|ids| ids.map(|i| corners.places[i]));
+        let triangles = triangles.collect();
         let first = corners.places[0];
         let bounds = corners.places.iter().fold([first; 2], |[a, b], p| [a.inf(p), b.sup(p)]);
         Some(Self { triangles, turned, bounds })
@@ -232,6 +235,17 @@ mod tests {
                 assert!(found.is_none_or(|d| (d - (4.0 - r)).abs() < 0.05), "{found:?} {r}");
             }
         }
+    }
+
+    #[test]
+    fn a_speck_does_not_open_a_body() {
+        let mut all = cuboid(Vec3::zeros(), Vec3::new(3.0, 2.0, 1.0), true);
+        let p = all[0][0];
+        all.push([p, p + Vec3::x() * 1e-7, p + Vec3::y() * 1e-7]);
+        all.push([p, p + Vec3::x() * 1e-7, all[0][1]]);
+        let shell = Shell::closed(&all).unwrap();
+        assert!(shell.holds(Vec3::new(0.1, 0.2, 0.3)).is_some());
+        assert_eq!(shell.holds(Vec3::new(0.1, 2.2, 0.3)), None);
     }
 
     #[test]

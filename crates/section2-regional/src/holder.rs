@@ -17,6 +17,7 @@ impl Regional {
     /// Kept as convex solids one above the other, so that any outline is held exactly.
     pub(crate) fn holder(&mut self, args: &[Arg]) -> Result<(), Failure> {
         let mut w = Words(args);
+        self.watch.outside.clear();
         if w.take("OFF") {
             self.holder.clear();
             return Ok(());

@@ -15,7 +15,7 @@ pub(crate) struct Watch {
     profile: Option<Profile>,
     /// Where the way to the next point begins.
     pub(crate) last: Option<(Vec3, Vec3)>,
-    /// Surfaces of triangles outside of which the tool is known to be since it moves on from place to place.
+    /// Surfaces of triangles of which it is known, or told, where the tool is since it moves on from place to place.
     pub(crate) outside: Vec<Arc<Sculptured>>,
 }
 
@@ -56,7 +56,6 @@ impl Regional {
         let Some(end) = cut else { return Ok(()) };
         records.truncate(end);
         (self.watch.last, self.stand) = (None, None);
-        self.watch.outside.clear();
         Err(Failed)
     }
 
@@ -69,12 +68,9 @@ impl Regional {
         });
         let milling = motion.and_then(|m| m.control.as_ref()?.milling.as_ref());
         let to = motion.and_then(|m| m.points.first()).map(|p| (p.te, p.ta));
-        let (Some(milling), Some(to)) = (milling, to) else { return Ok(()) };
-        if self.is_recording() {
-            return Ok(());
-        }
+        let Some(to) = to.filter(|_| !self.is_recording()) else { return Ok(()) };
         let here = self.watch.last;
-        if let Some(here) = here.filter(|_| !milling.joined) {
+        if let (Some(here), Some(milling)) = (here, milling.filter(|m| !m.joined)) {
             let holder = self.holder.clone();
             let mut guard = self.guarded(None).unwrap_or(Guard { holder, ..Guard::default() });
             if let Some(part) = milling.part.as_ref().filter(|_| milling.guarded) {
@@ -132,20 +128,20 @@ impl Regional {
         }
     }
 
-    /// That the tool stands in no body of triangles, none of which it touches. It is asked once: wherever the tool goes on to
-    /// it would touch them first.
+    /// That the tool stands in no body of triangles, none of which it touches. It is asked once: wherever a tool wider than it may
+    /// touch goes on to it would touch them first, and what is told once need not be told again.
     fn stands_outside(&mut self, cutter: &Profile, at: (Vec3, Vec3)) -> Result<(), Failure> {
         let known = |c: &&Checked| self.watch.outside.iter().any(|s| Arc::ptr_eq(s, &c.surface));
         let new = |c: &&Checked| c.body.is_some() && !known(c);
         let surfaces: Vec<Checked> = self.checked.iter().filter(new).cloned().collect();
         let holder = self.holder.clone();
         let guard = Guard { surfaces, holder, intol: self.touching(), ..Guard::default() };
-        if let Some(gouge) = guard.held(cutter, at) {
-            let (te, ta) = at;
-            return Err(Failure::Held(Box::new(Deep { gouge, te, ta, avoids: false })));
-        }
+        let held = guard.held(cutter, at);
         self.watch.outside.extend(guard.surfaces.into_iter().map(|c| c.surface));
-        Ok(())
+        held.map_or(Ok(()), |gouge| {
+            let (te, ta) = at;
+            Err(Failure::Held(Box::new(Deep { gouge, te, ta, avoids: false })))
+        })
     }
 
     /// The first of some points that regional milling goes to from point to point the way to which gouges, the tool coming

@@ -207,7 +207,7 @@ fn put_together(items: &[Item], assigned: &[Option<(usize, usize)>], points: &[P
     let mut out = Matched::default();
     let mut used = 0;
     let mut last = None;
-    // Behind the motion that came last: what the machine does before the next moves the tool too.
+    // Behind the motion that came last, in the file or not: what the machine does before the next moves the tool too.
     let mut behind = 0;
     // The motion along surfaces that came last, and where the file has its end.
     let mut before: Option<(&Item, usize)> = None;
@@ -222,11 +222,13 @@ fn put_together(items: &[Item], assigned: &[Option<(usize, usize)>], points: &[P
                 out.missing.push(item.record.origin.clone());
             }
             last = motion.points.last().copied();
+            behind = out.records.len();
             continue;
         };
         last = motion.points.last().copied();
         let Some(back) = item.map.map_or(Some(Transform::identity()), |m| m.inverse()) else {
             out.missing.push(item.record.origin.clone());
+            behind = out.records.len();
             continue;
         };
         used += to - from;

@@ -212,6 +212,8 @@ impl<'a> Walk<'a> {
     fn arrive(&mut self, i: usize, mut halt: Halt) -> Option<Path> {
         let Begin { track, turned, astray, .. } = self.begin;
         let node = &self.node;
+        // It was told from the end of the cut vector that is made anew.
+        self.pace.left = None;
         // A place that the cut vector before ended at needs no other. The last one ends where the gaps were to be farther on;
         // where the surface changes its bend on the way that does not fit, and a cut vector made for that length does.
         let here = halt.s <= track.exact && !self.points.is_empty();

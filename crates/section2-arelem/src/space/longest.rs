@@ -115,9 +115,7 @@ impl Track {
         // Share by which a length is foretold shorter than the band allows.
         let aim = 0.25 * long_enough;
         let narrow = self.bands[0].width.min(self.bands[1].width);
-        if pace.left.is_some_and(|left| left <= NO_MORE * narrow) {
-            return Err(Trouble::Contact);
-        }
+        let over_the_end = pace.left.is_some_and(|left| left <= NO_MORE * narrow);
         let mut bends = pace.expected_bends();
         let mut bent = None;
         let mut plan = self.plan(from, bends, cap);
@@ -126,8 +124,8 @@ impl Track {
             // Nothing bends here, which may end soon.
             s = s.min(FARTHER * pace.length);
         }
-        // Behind a place beyond which none was found the next is as far as there.
-        s = pace.left.map_or(s, |left| s.min(left));
+        // Behind a place beyond which none was found the next is as far as there; at its end one may be beyond.
+        s = pace.left.filter(|_| !over_the_end).map_or(s, |left| s.min(left));
         let (mut good, mut bad): (Option<Stride<T::Place>>, f64) = (None, f64::INFINITY);
         let mut last: Option<Stride<T::Place>> = None;
         // One that fits with its vertex elsewhere, where none does that has it in the right place.
@@ -249,11 +247,11 @@ impl Track {
                     before = older(next, Some((s, ratio)), before);
                     next
                 }
-                Err(t) if !T::FINAL => return Err(t),
+                Err(t) if !T::FINAL || over_the_end && good.is_none() => return Err(t),
                 Err(t) => {
                     trouble = t;
                     // With a fixed axis a corner may be there, to which the tool comes by ever shorter vectors.
-                    (bad, ends) = (bad.min(s), self.axis.turns());
+                    (bad, ends) = (bad.min(s), self.axis.turns() && matches!(t, Trouble::Contact));
                     if ends && none && s <= least {
                         break;
                     }

@@ -247,7 +247,7 @@ impl Solver<'_> {
                 if !self.deeper(&pose, &mut gaps, strict) {
                     return Ok(pose);
                 }
-                (best_step, factor) = (f64::INFINITY, 1.0);
+                (best_step, factor, progress) = (f64::INFINITY, 1.0, Progress::default());
             }
             if strict && off > band && progress.is_over(off) {
                 break;
@@ -289,8 +289,11 @@ impl Solver<'_> {
                 return None;
             }
             let enough = 1e-13 * self.size(&pose) + 1e-9 * self.aims[0].keep.width();
-            if off <= enough && !self.deeper(&pose, &mut gaps, strict) {
-                return Some(pose);
+            if off <= enough {
+                if !self.deeper(&pose, &mut gaps, strict) {
+                    return Some(pose);
+                }
+                progress = Progress::default();
             }
             let te = self.least(pose.te, &pose, &gaps, &targets)?;
             pose = Pose { te, ta: self.turned(&pose, &gaps) };

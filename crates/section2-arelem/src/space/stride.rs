@@ -43,7 +43,7 @@ impl Track {
     /// The same, of which nobody has looked on the way, and the way from its start for which nothing else could touch.
     fn stride_to(&self, from: &Node, cap: f64, pace: &mut Pace) -> Result<(Stride, f64), Trouble> {
         let looked = std::mem::take(&mut pace.looked);
-        let mut free = pace.room;
+        let (mut free, left) = (pace.room, pace.left);
         if pace.careful == 0 {
             let guided = self.guided(from, cap, pace);
             if let Some(stride) = guided
@@ -83,7 +83,7 @@ impl Track {
             pace.careful = CAREFUL;
         }
         pace.careful -= 1;
-        pace.room = 0.0;
+        (pace.room, pace.left) = (0.0, left);
         Ok((self.by_contacts(from, cap, pace, true)?, free))
     }
 

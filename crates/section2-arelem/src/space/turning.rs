@@ -69,7 +69,7 @@ impl Track {
                     }
                     Ok(_) => missed = 0,
                     Err(trouble) if missed >= MISSED => return Err(trouble),
-                    Err(_) => missed += 1,
+                    Err(trouble) => missed += u32::from(matches!(trouble, Trouble::Contact)),
                 }
                 if share < LEAST {
                     return Err(Trouble::Stuck);

@@ -2,7 +2,7 @@
 //! by a line.
 //!
 //! A cell is held by a parallelogram `c + s a + t b` with `s`, `t` from -1 to 1, and by balls about its second
-//! derivatives, which say how far it bends out of it. Cells stand in a tree of balls; one that bends too much to
+//! derivatives, which say how far it bends out of it. Cells stand in a tree of boxes; one that bends too much to
 //! be judged is cut in four, a few times.
 
 mod clear;
@@ -159,9 +159,9 @@ impl Cells {
             }
             match ball.below {
                 Below::Balls(pair) => {
-                    let far = pair.map(|i| self.tree[i].apart(p));
                     // The nearer one is looked at first.
-                    let pair = if far[0] < far[1] { [pair[1], pair[0]] } else { pair };
+                    let first = self.tree[pair[0]].nearer(&self.tree[pair[1]], p);
+                    let pair = if first { [pair[1], pair[0]] } else { pair };
                     for i in pair {
                         if n < WAITING {
                             waiting[n] = i;
@@ -218,7 +218,7 @@ impl Cells {
             match ball.below {
                 Below::Balls(pair) => {
                     let [a, b] = pair.map(|i| &self.tree[i]);
-                    ball = if b.apart(p) < a.apart(p) { b } else { a };
+                    ball = if b.nearer(a, p) { b } else { a };
                 }
                 Below::Things(from, to) => {
                     let all = self.cells[from..to].iter().map(|c| (c, c.toward(p)));
