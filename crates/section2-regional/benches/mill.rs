@@ -161,9 +161,20 @@ fn line(v: f64) -> Kind {
     statement("SMIL", args)
 }
 
-/// Positions of eleven lines of 100 mm.
+/// Positions of eleven lines of 100 mm, to each of which the tool comes down.
 fn lines(regional: &mut Regional) -> usize {
-    (0..11).map(|k| mill(regional, vec![line(1.0 + f64::from(k))])).sum()
+    (1..12).map(|k| down(regional, f64::from(k))).sum()
+}
+
+/// Positions of the line at `v`, from above its beginning.
+fn down(regional: &mut Regional, v: f64) -> usize {
+    let points = vec![cl::Position { te: Vec3::new(10.0, 10.0 * v, 60.0), ta: Vec3::z() }];
+    let from = cl::Motion { kind: cl::MotionKind::From, points, ..cl::Motion::default() };
+    let kind = cl::Kind::Motion(from);
+    let record = cl::Record { origin: aptc_diagnostics::Origin::default(), kind };
+    let stands = regional.watch(&mut vec![record], 0);
+    assert!(stands.is_ok(), "{:?}", regional.take_diagnostics());
+    mill(regional, vec![line(v)])
 }
 
 /// Pages of memory in use.
@@ -221,7 +232,7 @@ fn main() {
         let part = form(&bumps);
         for (cutter_name, cutter) in cutters() {
             let mut regional = prepared_over(&part, n, cutter, 0.005, true);
-            let mut work = || mill(&mut regional, vec![line(0.5 * f64::from(n))]);
+            let mut work = || down(&mut regional, 0.5 * f64::from(n));
             let points = work() as f64;
             let name = format!("{name}, path, {cutter_name}");
             bench::rate(&name, points, "positions/s", None, work);
