@@ -97,16 +97,11 @@ pub(crate) fn faced(
     if out < 0.0 || !arc(out, up) {
         return None;
     }
-    let [least, greatest] = part.curvature;
-    let [hollow, round] = match side {
-        Side::Positive => [-least, greatest],
-        Side::Negative | Side::Open => [greatest, -least],
-    };
     let across = match side {
         Side::Positive => part.across[0],
         Side::Negative | Side::Open => -part.across[1],
     };
-    let (hollow, round) = (hollow.max(0.0), round.max(0.0));
+    let [hollow, round] = bends(part.curvature, side);
     let ridge = hollow < THIN * across;
     if deepest * hollow >= BEND {
         return None;
@@ -147,6 +142,15 @@ pub(crate) fn alone(
     Some(way.max(kept).min(most))
 }
 
+/// How hollow and how round a surface with these least and greatest curvatures is seen from a side.
+fn bends([least, most]: [f64; 2], side: Side) -> [f64; 2] {
+    let seen = match side {
+        Side::Positive => [-least, most],
+        Side::Negative | Side::Open => [most, -least],
+    };
+    seen.map(|k| k.max(0.0))
+}
+
 /// A way for which the contact is likely to be shown to be the only one, as the surface bends at the `known` place, for a tool of
 /// that `size`; `None` where there is hardly one.
 pub(crate) fn likely(
@@ -158,11 +162,8 @@ pub(crate) fn likely(
 ) -> Option<f64> {
     let (profile, upright) = (tool.profile, known.normal.dot(&tool.ta));
     let [most, least] = surface.place(known.spot()).shape.principal();
-    let [hollow, round] = match side {
-        Side::Positive => [-least, most],
-        Side::Negative | Side::Open => [most, -least],
-    };
-    let (hollow, bend) = (hollow.max(0.0), hollow.max(round));
+    let [hollow, round] = bends([least, most], side);
+    let bend = hollow.max(round);
     let [rho, _] = profile.corner();
     let deep = (known.raw + profile.corner_radius()).abs() + rho;
     // Where the way adds more to that, the surface is not followed along its normals.
@@ -175,9 +176,9 @@ pub(crate) fn likely(
         let most = room.min(MOST * size);
         let hollow = hollow / (1.0 - (deep + most) * hollow);
         let across = (1.0 - upright * upright).max(0.0).sqrt();
-        let bends = [bend.max(hollow), hollow];
-        let kept = followed([across, rho], [bends[0], hollow, bends[0]]);
-        LIKELY * within([across, rho], bends)?.max(kept).min(MOST * size)
+        let bend = bend.max(hollow);
+        let kept = followed([across, rho], [bend, hollow, bend]);
+        LIKELY * within([across, rho], [bend, hollow])?.max(kept).min(MOST * size)
     };
     let way = way.min(room);
     (way >= WORTH * size).then_some(way)

@@ -103,6 +103,19 @@ impl Derivatives {
         Some(Shape { frame, k: [of(a, a), of(a, b), of(b, b)] })
     }
 
+    /// Of a place on a border those so far beyond it by both parameters, where the surface goes on straight; the third ones are by
+    /// u, u, v and by u, v, v. Along a border it bends as that does, and by how much the slope across it does farther out.
+    pub(crate) fn beyond(&self, s: f64, t: f64, [uuv, uvv]: [Vec3; 2]) -> Self {
+        Self {
+            point: self.point + self.u * s + self.v * t + self.uv * (s * t),
+            u: self.u + self.uv * t,
+            v: self.v + self.uv * s,
+            uu: if s == 0.0 { self.uu + uuv * t } else { Vec3::zeros() },
+            uv: self.uv,
+            vv: if t == 0.0 { self.vv + uvv * s } else { Vec3::zeros() },
+        }
+    }
+
     /// The same place when u and v run `a` and `b` times as fast.
     #[must_use]
     pub fn rated(self, a: f64, b: f64) -> Self {

@@ -285,16 +285,8 @@ fn prolonged(p: &Patch, u: f64, v: f64) -> Derivatives {
     if s == 0.0 && t == 0.0 {
         return d;
     }
-    // Along a border it bends as that does, and by how much the slope across it does farther out.
-    let [uuv, uvv] = if s == 0.0 || t == 0.0 { p.thirds(&d, a, b) } else { [Vec3::zeros(); 2] };
-    Derivatives {
-        point: d.point + d.u * s + d.v * t + d.uv * (s * t),
-        u: d.u + d.uv * t,
-        v: d.v + d.uv * s,
-        uu: if s == 0.0 { d.uu + uuv * t } else { Vec3::zeros() },
-        uv: d.uv,
-        vv: if t == 0.0 { d.vv + uvv * s } else { Vec3::zeros() },
-    }
+    let along = s == 0.0 || t == 0.0;
+    d.beyond(s, t, if along { p.thirds(&d, a, b) } else { [Vec3::zeros(); 2] })
 }
 
 #[cfg(test)]

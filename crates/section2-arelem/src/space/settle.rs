@@ -126,6 +126,11 @@ impl Solver<'_> {
             .collect()
     }
 
+    /// The width of the narrowest band.
+    pub(super) fn narrowest(&self) -> f64 {
+        self.aims.iter().map(|a| a.keep.width()).fold(f64::INFINITY, f64::min)
+    }
+
     /// Gap asked of each surface at a contact: within the band, outside at round and inside at hollow ones,
     /// so that the motion that follows has the whole band for its first cut vector. A flank that an axis lays along a
     /// surface touches all along it: what is not told apart there stays away from the border of the band.
@@ -215,7 +220,7 @@ impl Solver<'_> {
         let pinned = self.nearest_of_all(from.ta);
         // With an axis that turns the gaps asked for keep so far from the edge.
         let strict = !self.axis.turns();
-        let band = self.aims.iter().map(|a| a.keep.width()).fold(f64::INFINITY, f64::min);
+        let band = self.narrowest();
         let mut targets = self.targets(&pose, &gaps);
         let mut progress = Progress::default();
         for _ in 0..ROUNDS {
@@ -265,7 +270,7 @@ impl Solver<'_> {
     /// A side that lies along a ruling touches at all of it: with an axis that turns the place of contact, and
     /// the axis with it, then jumps within the band for ever. A tenth of the band is near enough there, inside of it.
     fn near_enough(&self, (off, pose, gaps): &(f64, Pose, Vec<Gap>)) -> Option<Pose> {
-        let least = self.aims.iter().map(|a| a.keep.width()).fold(f64::INFINITY, f64::min);
+        let least = self.narrowest();
         let inside = |(a, g): (&Aim<'_>, &Gap)| {
             // Another place of it may be deeper by as much as counts as one.
             let (limits, alike) = (a.keep.limits(), self.alike(pose, &a.keep));
@@ -281,7 +286,7 @@ impl Solver<'_> {
         // Where a surface bends otherwise on the other side of an edge, gaps that are asked for anew each round
         // would never come to rest; these lie within the band too.
         let targets = self.targets(&pose, &gaps);
-        let band = self.aims.iter().map(|a| a.keep.width()).fold(f64::INFINITY, f64::min);
+        let band = self.narrowest();
         let mut progress = Progress::default();
         for _ in 0..ROUNDS {
             let off = gaps.iter().zip(&targets).map(|(g, t)| (g.g - t).abs()).fold(0.0, f64::max);

@@ -143,7 +143,7 @@ fn rivals(go: &Start, aims: &[Aim<'_>], pose: Pose, end: Pose) -> Vec<Candidate>
     }
     let axis = coming(&go.axis, aims, &pose);
     let solver = Solver { aims, axis: &axis, onwards: onwards(&axis, aims, &pose), held: None };
-    let band = aims.iter().map(|a| a.keep.width()).fold(f64::INFINITY, f64::min);
+    let band = solver.narrowest();
     let by = end.te - pose.te;
     let near = 1e-3 * band + 1e-9 * solver.size(&pose);
     for aim in aims.iter().filter(|a| !a.keep.is_plane()) {

@@ -1,6 +1,7 @@
 //! Value and derivatives of a surface at a place: the places beside it, the second fundamental form, tangents as parameters.
 
 use crate::Vec3;
+use crate::sculpt::Derivatives;
 use crate::surface::Shape;
 
 /// Value and derivatives at a place.
@@ -25,19 +26,11 @@ impl Jet {
             ..*self
         }
     }
+}
 
-    /// A place beyond the ends by `a` and `b`, from the jet at the end itself with the third derivatives by u, u, v and by u, v,
-    /// v: along an end it bends as that does, and by how much the slope across it does farther out.
-    pub(super) fn beyond(&self, a: f64, b: f64, [uuv, uvv]: [Vec3; 2]) -> Self {
-        let zero = Vec3::zeros();
-        Self {
-            s: self.s + self.su * a + self.sv * b + self.suv * (a * b),
-            su: self.su + self.suv * b,
-            sv: self.sv + self.suv * a,
-            suu: if a == 0.0 { self.suu + uuv * b } else { zero },
-            suv: self.suv,
-            svv: if b == 0.0 { self.svv + uvv * a } else { zero },
-        }
+impl From<Derivatives> for Jet {
+    fn from(d: Derivatives) -> Self {
+        Self { s: d.point, su: d.u, sv: d.v, suu: d.uu, suv: d.uv, svv: d.vv }
     }
 }
 

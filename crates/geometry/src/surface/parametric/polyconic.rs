@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::sculpt::Derivatives;
 use crate::{ControlCurve, Polyconic, Transform, Vec2, Vec3};
 
 use super::{Domain, Jet};
@@ -37,8 +38,9 @@ impl Sections {
     pub(super) fn jet(&self, u: f64, v: f64) -> Jet {
         let (cu, cv) = (u.clamp(0.0, 1.0), v.clamp(0.0, 1.0));
         let (a, b) = (u - cu, v - cv);
-        let (jet, thirds) = self.inner(cu, cv, a != 0.0 || b != 0.0);
-        jet.beyond(a, b, thirds)
+        let beyond = a != 0.0 || b != 0.0;
+        let (inner, thirds) = self.inner(cu, cv, beyond);
+        if beyond { inner.beyond(a, b, thirds) } else { inner }.into()
     }
 
     /// Unit normal of the planes in which the sections lie.
@@ -68,7 +70,7 @@ impl Sections {
     }
 
     /// What is at a place between the ends, and with `more` the third derivatives by u, u, v and by u, v, v.
-    fn inner(&self, u: f64, t: f64, more: bool) -> (Jet, [Vec3; 2]) {
+    fn inner(&self, u: f64, t: f64, more: bool) -> (Derivatives, [Vec3; 2]) {
         let [a, b, c, e, l, h, p] = std::array::from_fn(|i| self.control(&self.form.curves[i], u));
         let pair = |x: Along<f64>, y: Along<f64>| [0, 1, 2].map(|i| Vec2::new(x[i], y[i]));
         let plus = |x: Along<Vec2>, y: Along<Vec2>| [0, 1, 2].map(|i| x[i] + y[i]);
@@ -107,21 +109,21 @@ impl Sections {
         let place = self.form.origin + length * at;
         let lift = |along: f64, x: Vec2| self.vector(Vec3::new(along, x.x, x.y));
         let s = Vec3::new(place, x.x, x.y);
-        let jet = Jet {
-            s: self.transform.as_ref().map_or(s, |m| m.point(s)),
-            su: lift(length * rate, xu),
-            sv: lift(0.0, xv),
-            suu: lift(length * bend, xuu),
-            suv: lift(0.0, xuv),
-            svv: lift(0.0, xvv),
+        let own = Derivatives {
+            point: self.transform.as_ref().map_or(s, |m| m.point(s)),
+            u: lift(length * rate, xu),
+            v: lift(0.0, xv),
+            uu: lift(length * bend, xuu),
+            uv: lift(0.0, xuv),
+            vv: lift(0.0, xvv),
         };
         if !more {
-            return (jet, [Vec3::zeros(); 2]);
+            return (own, [Vec3::zeros(); 2]);
         }
         let uuv = xv * den(2, 0) + (xu * den(1, 1) + xuv * den(1, 0)) * 2.0 + xuu * den(0, 1);
         let uvv = xu * den(0, 2) + (xv * den(1, 1) + xuv * den(0, 1)) * 2.0 + xvv * den(1, 0);
         let third = |i: usize, j: usize, known: Vec2| (num(i, j) - x * den(i, j) - known) / d;
-        (jet, [third(2, 1, uuv), third(1, 2, uvv)].map(|x| lift(0.0, x)))
+        (own, [third(2, 1, uuv), third(1, 2, uvv)].map(|x| lift(0.0, x)))
     }
 
     fn vector(&self, v: Vec3) -> Vec3 {

@@ -153,8 +153,7 @@ pub(super) fn jet(surface: &Sculptured, patch: Option<[usize; 2]>, u: f64, v: f6
         Some(patch) => surface.at_patch(patch, u * nu, v * nv),
         None => surface.at(u * nu, v * nv),
     };
-    let d = d.rated(nu, nv);
-    Jet { s: d.point, su: d.u, sv: d.v, suu: d.uu, suv: d.uv, svv: d.vv }
+    d.rated(nu, nv).into()
 }
 
 /// How far the surface goes, beyond 0 to 1 straight on.
