@@ -107,14 +107,23 @@ pub struct Scallop {
     pub links: Vec<[Position; 2]>,
 }
 
+/// An outline of straight lines in the parameters u and v of a surface, which do not cross: the contacts of the first and the last pass,
+/// and the ends of those between. It is closed, but for where the surface closes in itself or ends in a point.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Outline {
+    /// The lines.
+    pub lines: Vec<[[f64; 2]; 2]>,
+    /// The parameter along which what it holds is told: from a place in it, this parameter rising, an odd number of lines is met.
+    pub along: usize,
+}
+
 /// A region of the part surface, by its parameters u and v, between the contacts of the first and the last pass.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Extent {
     /// Least and greatest u and v.
     Box([[f64; 2]; 2]),
-    /// What a closed outline of straight lines holds that does not cross itself, by its corners: the contacts of the
-    /// first and the last pass, and the ends of those between.
-    Outline(Vec<[f64; 2]>),
+    /// What an outline holds.
+    Outline(Outline),
     /// It is not known, for this reason.
     Unknown(&'static str),
 }

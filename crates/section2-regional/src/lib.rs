@@ -44,6 +44,7 @@ mod report;
 mod retract;
 mod ridge;
 mod roll;
+mod round;
 mod scon;
 mod settings;
 mod smil;

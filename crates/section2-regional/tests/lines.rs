@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use aptc_cldata as cl;
-use aptc_cldata::milling::Extent;
+use aptc_cldata::milling::{Extent, Outline};
 use aptc_diagnostics::{Diagnostic, codes};
 use aptc_geometry::sculpt::fit_curve;
 use aptc_geometry::sculptured::{
@@ -226,18 +226,17 @@ fn the_region_of_passes_that_another_surface_leads() {
     };
     for turned in [false, true] {
         // Nothing but the rectangle that the lid casts.
-        let Extent::Outline(corners) = region(turned, "AT") else {
+        let Extent::Outline(Outline { lines, .. }) = region(turned, "AT") else {
             panic!("a region");
         };
         let mut range = [0, 1].map(|k| {
-            let all = corners.iter().map(|uv| uv[k]);
+            let all = lines.iter().map(|line| line[0][k]);
             all.fold([f64::INFINITY, f64::NEG_INFINITY], |r, x| [r[0].min(x), r[1].max(x)])
         });
         if turned {
             range.swap(0, 1);
         }
-        let next = corners.iter().cycle().skip(1);
-        let area: f64 = corners.iter().zip(next).map(|(a, b)| a[0] * b[1] - a[1] * b[0]).sum();
+        let area: f64 = lines.iter().map(|[a, b]| a[0] * b[1] - a[1] * b[0]).sum();
         assert!((0.5 * area.abs() - 3.0 * 2.4).abs() < 1e-2, "{area}");
         for (found, asked) in range.iter().flatten().zip([1.5, 4.5, 1.2, 3.6]) {
             // The contact keeps to the line that is cast but for the tolerance.

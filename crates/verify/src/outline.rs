@@ -1,11 +1,14 @@
 //! A region of a surface's parameters that is bounded by straight lines.
 
+use aptc_cldata::milling;
+
 use crate::sheet::Patch;
 
-/// What a closed outline that does not cross itself holds.
+/// What an outline holds.
 #[derive(Debug)]
 pub(crate) struct Outline {
     edges: Vec<[[f64; 2]; 2]>,
+    along: usize,
 }
 
 /// What of a piece lies in it.
@@ -23,15 +26,14 @@ pub(crate) enum Share {
 const ROUNDING: f64 = 1e-12;
 
 impl Outline {
-    pub(crate) fn new(corners: &[[f64; 2]]) -> Self {
-        let next = corners.iter().cycle().skip(1);
-        Self { edges: corners.iter().zip(next).map(|(a, b)| [*a, *b]).collect() }
+    pub(crate) fn new(outline: &milling::Outline) -> Self {
+        Self { edges: outline.lines.clone(), along: outline.along }
     }
 
-    /// Least and greatest parameters.
+    /// Least and greatest parameters of its lines.
     pub(crate) fn range(&self) -> [[f64; 2]; 2] {
         [0, 1].map(|k| {
-            let all = self.edges.iter().map(|e| e[0][k]);
+            let all = self.edges.iter().flatten().map(|end| end[k]);
             all.fold([f64::INFINITY, f64::NEG_INFINITY], |r, x| [r[0].min(x), r[1].max(x)])
         })
     }
@@ -49,9 +51,12 @@ impl Outline {
     }
 
     /// Does a ray from the place meet the lines an odd number of times?
-    fn holds(&self, [u, v]: [f64; 2]) -> bool {
-        let meets = |[[a, b], [c, d]]: &[[f64; 2]; 2]| {
-            (*b > v) != (*d > v) && u < a + (c - a) * ((v - b) / (d - b))
+    fn holds(&self, at: [f64; 2]) -> bool {
+        let turned = |uv: &[f64; 2]| [uv[self.along], uv[1 - self.along]];
+        let [u, v] = turned(&at);
+        let meets = |edge: &[[f64; 2]; 2]| {
+            let [[a, b], [c, d]] = edge.each_ref().map(turned);
+            (b > v) != (d > v) && u < a + (c - a) * ((v - b) / (d - b))
         };
         self.edges.iter().filter(|e| meets(e)).count() % 2 == 1
     }
@@ -83,22 +88,29 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
+    fn outline(corners: &[[f64; 2]], along: usize) -> Outline {
+        let next = corners.iter().cycle().skip(1);
+        let lines = corners.iter().zip(next).map(|(a, b)| [*a, *b]).collect();
+        Outline::new(&milling::Outline { lines, along })
+    }
+
     /// A star of five points about (2, 1).
-    fn star() -> Outline {
+    fn star(along: usize) -> Outline {
         let corner = |i: i32| {
             let (s, c) = aptc_geometry::trig::sin_cos(f64::from(i) * std::f64::consts::PI / 5.0);
             let r = if i % 2 == 0 { 1.5 } else { 0.6 };
             [2.0 + r * c, 1.0 + r * s]
         };
-        Outline::new(&(0..10).map(corner).collect::<Vec<_>>())
+        outline(&(0..10).map(corner).collect::<Vec<_>>(), along)
     }
 
     proptest! {
         #[test]
         fn pieces_are_within_and_without_as_their_places_are(
             at in prop::array::uniform2(-0.5..3.5_f64), half in prop::array::uniform2(0.0..0.6_f64),
+            along in 0_usize..2,
         ) {
-            let o = star();
+            let o = star(along);
             let share = o.share(&Patch { at, half, ..Patch::default() });
             for i in 0..=20_i32 {
                 for j in 0..=20_i32 {
@@ -121,7 +133,7 @@ mod tests {
 
     #[test]
     fn the_range_is_that_of_the_corners() {
-        let o = Outline::new(&[[0.0, 1.0], [2.0, 0.5], [1.0, 3.0]]);
+        let o = outline(&[[0.0, 1.0], [2.0, 0.5], [1.0, 3.0]], 0);
         assert_eq!(o.range(), [[0.0, 2.0], [0.5, 3.0]]);
     }
 }

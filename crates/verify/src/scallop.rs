@@ -93,8 +93,8 @@ impl Cusps {
         let room = asked.height + outtol;
         let (range, outline) = match &asked.extent {
             Extent::Box(range) => (Ok(*range), None),
-            Extent::Outline(corners) => {
-                let outline = Outline::new(corners);
+            Extent::Outline(outline) => {
+                let outline = Outline::new(outline);
                 (Ok(outline.range()), Some(outline))
             }
             Extent::Unknown(why) => (Err(*why), None),

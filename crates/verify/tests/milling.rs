@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use aptc_cldata::milling::{Extent, Milled, Milling, Plain, Raised, Scallop};
+use aptc_cldata::milling::{Extent, Milled, Milling, Outline, Plain, Raised, Scallop};
 use aptc_cldata::{Control, Kind, Motion, MotionKind, NameRef, Position, Record};
 use aptc_diagnostics::{Diagnostic, Origin, codes};
 use aptc_geometry::sculpt::{SplinePoint, mesh};
@@ -335,8 +335,9 @@ fn what_is_left_between_askew_passes_is_bounded_within_their_outline() {
     let outline = |size: f64, along: f64| {
         let ends = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
         let uv = |p: Vec3| [p.x / 5.0, p.y / 5.0];
-        let corners = ends.map(|(s, t)| uv(place(s * along, t * size))).to_vec();
-        Extent::Outline(corners)
+        let corners = ends.map(|(s, t)| uv(place(s * along, t * size)));
+        let lines = (0..4).map(|i| [corners[i], corners[(i + 1) % 4]]).collect();
+        Extent::Outline(Outline { lines, along: 0 })
     };
     let asked = |height: f64, extent: Extent| Milling {
         scallop: Some(Scallop { height, extent, avoided: false, links: Vec::new() }),

@@ -28,24 +28,18 @@ pub enum Border {
 impl Sculptured {
     /// The first and the last border of u, and of v.
     pub fn borders(&self) -> [[Border; 2]; 2] {
-        let size = self.extent();
-        let same = |a: [f64; 2], b: [f64; 2]| {
-            (self.place(a).point - self.place(b).point).norm() <= SAME * size
-        };
-        let joined = |axis: usize| along(axis, 0.0).zip(along(axis, 1.0)).all(|(a, b)| same(a, b));
         let even =
             |axis: usize| along(axis, 0.0).zip(along(axis, 1.0)).all(|(a, b)| self.alike(a, b));
-        let joins = [0, 1].map(joined);
+        let joins = [0, 1].map(|axis| self.closes(axis));
         let seams = [0, 1].map(|axis| joins[axis] && even(axis));
         [0, 1].map(|axis| {
-            [0.0, 1.0].map(|end| {
-                let point = along(axis, end)
-                    .all(|uv| same(uv, if axis == 0 { [end, 0.5] } else { [0.5, end] }));
+            [0_u8, 1].map(|last| {
+                let end = f64::from(last);
                 let flat = || {
                     let mut beside = along(axis, end + (0.5 - end) * BESIDE);
                     beside.next().is_some_and(|a| beside.all(|b| self.alike(a, b)))
                 };
-                match (point, joins[axis]) {
+                match (self.is_point(axis, last == 1), joins[axis]) {
                     (true, _) if seams[1 - axis] && flat() => Border::Pole,
                     (false, true) if seams[axis] => Border::Seam,
                     (false, false) => Border::Free,
@@ -53,6 +47,23 @@ impl Sculptured {
                 }
             })
         })
+    }
+
+    /// Is the first border of u (0) or v (1) in the same place as the last?
+    pub fn closes(&self, axis: usize) -> bool {
+        let size = self.extent();
+        along(axis, 0.0).zip(along(axis, 1.0)).all(|(a, b)| self.same(a, b, size))
+    }
+
+    /// Is the first, or the last, border of u (0) or v (1) one point?
+    pub fn is_point(&self, axis: usize, last: bool) -> bool {
+        let (size, end) = (self.extent(), f64::from(u8::from(last)));
+        let middle = if axis == 0 { [end, 0.5] } else { [0.5, end] };
+        along(axis, end).all(|uv| self.same(uv, middle, size))
+    }
+
+    fn same(&self, a: [f64; 2], b: [f64; 2], size: f64) -> bool {
+        (self.place(a).point - self.place(b).point).norm() <= SAME * size
     }
 
     /// The place by shares of the whole surface.

@@ -24,6 +24,7 @@ mod meet;
 mod mesh;
 mod nearest;
 mod network;
+mod normals;
 mod patch;
 mod patches;
 mod smooth;

@@ -281,6 +281,18 @@ impl Patch {
         Self { net: self.net.map(|r| r.map(|h| carry(h, m))), rational: self.rational }
     }
 
+    /// Is its first or last border of u (0) or v (1) one point, but for rounding? From there it does not go on.
+    pub(crate) fn ends_in_point(&self, axis: usize, end: usize) -> bool {
+        let at = |k: usize, border: usize| {
+            let h = if axis == 0 { self.net[k][border] } else { self.net[border][k] };
+            h.xyz() / h.w
+        };
+        let wide = |border: usize| {
+            (1..4).map(|k| (at(k, border) - at(0, border)).norm()).fold(0.0, f64::max)
+        };
+        wide(3 * end) <= 1e-13 * (wide(3 - 3 * end) + at(0, 3 * end).norm())
+    }
+
     /// Least and greatest coordinates of the control points: a box that holds the patch.
     pub fn bounds(&self) -> [Vec3; 2] {
         let mut b = [Vec3::repeat(f64::INFINITY), Vec3::repeat(f64::NEG_INFINITY)];

@@ -22,6 +22,11 @@ pub(crate) trait Cells {
     fn at(&self, i: usize, j: usize, u: f64, v: f64) -> Derivatives;
     /// Bounds of the derivatives over the cell.
     fn bend(&self, i: usize, j: usize) -> Bend;
+    /// How far the unit normals over a part of the cell stand from a unit vector at most, where that is told of one beside a
+    /// corner in which there is none.
+    fn normals(&self, _i: usize, _j: usize, _range: [[f64; 2]; 2], _n: Vec3) -> Option<f64> {
+        None
+    }
 }
 
 /// Where a parameter runs.
@@ -79,6 +84,10 @@ struct Chart {
     beyond: [f64; 2],
     /// For each parameter: is the border of the cell at its low and at its high end one point?
     points: [[bool; 2]; 2],
+    /// Has a corner of the cell no normal?
+    bare: bool,
+    /// Would it go on from a border that is one point? There is nothing there.
+    none: bool,
 }
 
 impl Chart {
@@ -146,7 +155,7 @@ impl Patched {
         }
         new.smooth = vec![OnceLock::new(); new.charts.len()];
         let mut leaves = Vec::with_capacity(new.charts.len());
-        for (i, c) in new.charts.iter().enumerate() {
+        for (i, c) in new.charts.iter().enumerate().filter(|(_, c)| !c.none) {
             let leaf = new.leaf(i);
             if !(leaf.radius.is_finite()
                 && leaf.center.iter().all(|x| x.is_finite())
@@ -181,11 +190,26 @@ impl Patched {
             [false, true] => ([b.uu, b.uv, 0.0], [[b.uuu, 0.0], [b.uuv, 0.0], none], [b.uuv, 0.0]),
             [true, true] => ([0.0, b.uv, 0.0], [none; 3], none),
         };
-        let mut chart =
-            Chart { range, cell, within, second, third, beyond, points: [[false; 2]; 2] };
+        let mut chart = Chart {
+            range,
+            cell,
+            within,
+            second,
+            third,
+            beyond,
+            points: [[false; 2]; 2],
+            bare: false,
+            none: false,
+        };
         if over.iter().all(|o| *o <= 0.0) {
             chart.points = [0, 1].map(|k| [0, 1].map(|end| self.is_point(&chart, k, end)));
+        } else if matches!(self.kind, Kind::Sculpted(_)) {
+            let from = |k: usize| usize::from(range[k][0] >= within[k][1]);
+            chart.none = (0..2).any(|k| over[k] > 0.0 && self.is_point(&chart, k, from(k)));
         }
+        let [u, v] = within;
+        let corners = [[u[0], v[0]], [u[1], v[0]], [u[0], v[1]], [u[1], v[1]]];
+        chart.bare = corners.iter().any(|at| self.at(&chart, *at).normal().is_none());
         chart
     }
 
@@ -271,6 +295,9 @@ impl Patched {
     fn meets(&self, chart: usize, other: usize, k: usize, end: usize) -> bool {
         const PLACES: u32 = 16;
         let [one, other] = [chart, other].map(|i| &self.charts[i]);
+        if other.none {
+            return false;
+        }
         let [from, to] = one.range[1 - k];
         let size = self.nodes.last().map_or(0.0, |root| root.radius);
         (0..=PLACES).all(|i| {
@@ -353,7 +380,7 @@ impl Patched {
     /// The charts over a range of the parameters.
     pub(crate) fn pieces(&self, range: &[[f64; 2]; 2]) -> Vec<Patch> {
         let mut out = Vec::new();
-        for (i, chart) in self.charts.iter().enumerate() {
+        for (i, chart) in self.charts.iter().enumerate().filter(|(_, c)| !c.none) {
             let mut patch = Patch { kept: Kept::Nowhere, ..self.patch(i) };
             let mut empty = false;
             for (k, [from, to]) in range.iter().enumerate() {
@@ -480,7 +507,9 @@ impl Patched {
         if rest > 0.5 * n {
             return change.map(|c| c / rest);
         }
-        if let Some(turned) = self.turn_at_pole(patch, jet) {
+        if let Some(turned) =
+            self.turn_at_pole(patch, jet).or_else(|| self.turn_at_corner(patch, jet))
+        {
             return turned;
         }
         change.map(|c| 2.0 * c / (change[0] + change[1]).max(f64::MIN_POSITIVE))
@@ -517,6 +546,18 @@ impl Patched {
         (rest > 0.5 * n).then_some(turned)
     }
 
+    /// The same of a piece of a cell that has a corner without a normal; half of it counts for each parameter.
+    fn turn_at_corner(&self, patch: &Patch, jet: &Jet) -> Option<[f64; 2]> {
+        let chart = &self.charts[patch.chart];
+        let range = [0, 1].map(|k| [patch.at[k] - patch.half[k], patch.at[k] + patch.half[k]]);
+        let [i, j] = chart.cell;
+        let far = match &self.kind {
+            Kind::Sculpted(s) if chart.bare => s.normals(i, j, range, jet.n),
+            _ => None,
+        }?;
+        Some([0.5 * far; 2])
+    }
+
     /// The same place in the chart next to it when the parameters left theirs; at a border the border.
     pub(crate) fn settle(&self, spot: Spot) -> Spot {
         let columns = self.columns();
@@ -528,10 +569,14 @@ impl Patched {
             let range = self.charts[place[1] * columns + place[0]].range[k];
             let joined = self.grid.sides[k].joined;
             // No farther than into the neighbour: what lies beyond is looked at from there.
+            let from = place[k];
             if at[k] > range[1] && joined && place[k] + 1 < n {
                 place[k] += 1;
             } else if at[k] < range[0] && joined && place[k] > 0 {
                 place[k] -= 1;
+            }
+            if self.charts[place[1] * columns + place[0]].none {
+                place[k] = from;
             }
             let range = self.charts[place[1] * columns + place[0]].range[k];
             at[k] = at[k].clamp(range[0], range[1]);

@@ -1,9 +1,9 @@
 //! SSURF: the cells are its patches, cut in four where they are few.
 
-use aptc_geometry::Sculptured;
 use aptc_geometry::sculpt::{Derivatives, Layout, Patch};
 use aptc_geometry::sculptured::SurfaceDefinition;
 use aptc_geometry::surface::{Continued, continued};
+use aptc_geometry::{Sculptured, Vec3};
 
 use super::bend::{Bend, of_patch};
 use super::patched::{Cells, Grid, Side};
@@ -88,6 +88,17 @@ impl Cells for Sculpted {
             [from, from + 1.0 / n]
         };
         of_patch(&patch.part(part(i), part(j))).rated(a * n, b * n)
+    }
+
+    fn normals(&self, i: usize, j: usize, range: [[f64; 2]; 2], n: Vec3) -> Option<f64> {
+        /// So near to a border of the patch counts as there.
+        const NEAR: f64 = 1e-12;
+        let (patch, from, rate) = self.patch(i, j);
+        let [u, v] = [0, 1].map(|k| {
+            let snap = |x: f64| if (x - x.round()).abs() < NEAR { x.round() } else { x };
+            range[k].map(|x| snap((x - from[k]) * rate[k]))
+        });
+        patch.normals_about(n, u, v)
     }
 }
 

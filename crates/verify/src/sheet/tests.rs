@@ -327,3 +327,56 @@ fn a_piece_at_a_corner_of_the_surface_does_not_go_on() {
         }
     }
 }
+
+/// A round foot along a side and about its corner, where a border of the surface is one point.
+fn foot() -> Sheet {
+    use aptc_geometry::sculpt::Patch as Bicubic;
+    let (x, y, z, o) = (Vec3::x(), Vec3::y(), Vec3::z(), Vec3::zeros());
+    let at = Vec3::new;
+    let side = [
+        [at(3.0, 1.0, 0.0), at(3.0, 1.0, 2.0), z * 2.0, z * 2.0],
+        [at(2.0, 0.0, 0.0), at(2.0, 0.0, 2.0), z * 2.0, z * 2.0],
+        [-y, -y, o, o],
+        [-x, -x, o, o],
+    ];
+    let tip = at(2.0, 0.0, 2.0);
+    let corner = [
+        [at(3.0, 1.0, 2.0), at(2.0, 1.0, 3.0), z, -x],
+        [tip, tip, o, o],
+        [-y, -y, o, o],
+        [-x, -z, o, o],
+    ];
+    let patches = [side, corner].map(Bicubic::hermite).to_vec();
+    Sheet::reaching(&Sculptured::grid(patches, 2, 1).unwrap()).unwrap()
+}
+
+/// Beyond the point there is nothing, where lines straight on from it would cross: all that lies there looks the same way as the
+/// rest. Beside it pieces are told to turn the less the smaller they are.
+#[test]
+fn nothing_goes_on_from_a_point() {
+    let sheet = foot();
+    let whole = [[f64::NEG_INFINITY, f64::INFINITY]; 2];
+    let all = sheet.pieces(&whole);
+    let beyond = |p: &&Patch| p.at[1] > 1.0;
+    assert!(all.iter().any(|p| p.at[1] > 1.0 && p.at[0] < 1.0));
+    assert!(!all.iter().filter(beyond).any(|p| p.at[0] > 1.0 && p.at[0] < 2.0));
+    for p in all.iter().filter(beyond) {
+        assert!(sheet.jet(&p.spot()).n.y < -0.9, "{p:?}");
+        let step = Spot { at: [p.at[0] + 0.6, p.at[1]], ..p.spot() };
+        assert!(sheet.jet(&sheet.settle(step)).n.y < -0.9, "{p:?}");
+    }
+    let beside = |p: &&Patch| p.at[0] > 1.0 && p.at[0] < 2.0 && p.at[1] > 0.75 && p.at[1] < 1.0;
+    let mut found = 0;
+    for p in all.iter().filter(beside) {
+        let mut piece = *p;
+        for _ in 0..5 {
+            // Towards the tip, and to both corners there.
+            let along = usize::from(piece.at[0] > 1.5);
+            piece = piece.halves(1)[1].halves(0)[along];
+        }
+        let [by_u, by_v] = sheet.tile(&piece).turn;
+        assert!(by_u + by_v < 0.1, "{by_u} {by_v} {piece:?}");
+        found += 1;
+    }
+    assert_eq!(found, 4);
+}

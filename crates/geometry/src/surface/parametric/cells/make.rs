@@ -62,7 +62,7 @@ impl Put<'_> {
             [0, 1].map(|end| {
                 let last = if end == 0 { at[k] == 0 } else { at[k] + 1 == count[k] };
                 if last || !mesh {
-                    return last && mesh && continued[k][end];
+                    return last && mesh && continued[k][end] && !patch.ends_in_point(k, end);
                 }
                 let other = if end == 0 { index - step } else { index + step };
                 let other = &self.surface.patches[other];
@@ -111,10 +111,11 @@ impl Put<'_> {
         }
         let out = [0, 1].map(|k| {
             let ends = if k == 0 { domain.u } else { domain.v };
-            let last = place[k] + 1 == count[k];
+            let (first, last) = (place[k] == 0, place[k] + 1 == count[k]);
+            let goes_on = |end: usize| !patch.ends_in_point(k, end);
             [
-                (place[k] == 0 && ends[0] < 0.0).then_some([0.0, ends[0]]),
-                (last && ends[1] > 1.0).then_some([1.0, ends[1]]),
+                (first && ends[0] < 0.0 && goes_on(0)).then_some([0.0, ends[0]]),
+                (last && ends[1] > 1.0 && goes_on(1)).then_some([1.0, ends[1]]),
             ]
         });
         // Beyond the borders across u, then across v.
