@@ -4,15 +4,25 @@ use aptc_geometry::{Tool, Vec3};
 
 use crate::under::{Cell, Low, under};
 
+/// Value, slope and how fast that turns: see [`Convex::near`].
+pub(crate) type Near = (f64, Vec3, f64);
+
 /// A convex body with its signed distance, negative inside, and a gradient of it.
 pub trait Convex {
     /// A value `d` at `q` and a slope `n`, `|n| <= 1`, such that no point `p` is nearer to the body than
     /// `d + n . (p - q)`, but for [`Convex::slack`]; and how fast the slope turns across itself, as a guess.
-    fn near(&self, q: Vec3) -> (f64, Vec3, f64);
+    fn near(&self, q: Vec3) -> Near;
 
     /// As `near`, for who only asks whether the value reaches `enough`: less exact, and faster, where it does.
-    fn near_enough(&self, q: Vec3, _enough: f64) -> (f64, Vec3, f64) {
+    fn near_enough(&self, q: Vec3, _enough: f64) -> Near {
         self.near(q)
+    }
+
+    /// As `near`, for who asks whether the value, less what `lost` says of the slope, reaches `aim`: less exact, and faster, once it
+    /// does or is sure not to. With what the distance at `q` is at most.
+    fn near_until(&self, q: Vec3, _aim: f64, _lost: impl Fn(Vec3) -> f64) -> (Near, f64) {
+        let near = self.near(q);
+        (near, near.0)
     }
 
     /// Is the body certain to be farther than `reach` from `q`? As fast as can be: a no says nothing.
@@ -81,25 +91,56 @@ const ROUNDS: usize = 80;
 const CLOSE: f64 = 1e-12;
 
 impl Convex for Swept<'_> {
-    /// The distance is convex along the way: tangents at two places with slopes of both signs meet below its
-    /// least value, and so do the planes through them, mixed until they do not rise along the way.
-    fn near(&self, q: Vec3) -> (f64, Vec3, f64) {
+    fn near(&self, q: Vec3) -> Near {
         self.near_enough(q, f64::INFINITY)
     }
 
-    fn near_enough(&self, q: Vec3, enough: f64) -> (f64, Vec3, f64) {
+    fn near_enough(&self, q: Vec3, enough: f64) -> Near {
+        self.closed_in(q, |cut, _, _| cut >= enough).0
+    }
+
+    fn near_until(&self, q: Vec3, aim: f64, lost: impl Fn(Vec3) -> f64) -> (Near, f64) {
+        self.closed_in(q, |cut, slope, most| {
+            let lost = lost(slope());
+            cut - lost >= aim || most - lost < aim
+        })
+    }
+
+    #[inline]
+    fn misses(&self, q: Vec3, reach: f64) -> bool {
+        outside(&self.tool, self.by, q, reach)
+    }
+
+    #[inline]
+    fn under(&self, cell: &Cell, aim: f64) -> Option<Low> {
+        under(&self.tool, self.by, cell, aim)
+    }
+}
+
+impl Swept<'_> {
+    /// What is near a place, and what its distance is at most, by rounds that are over when `told` says so of what the distance is at least, of
+    /// the slope there and of what it is at most.
+    ///
+    /// The distance is convex along the way: tangents at two places with slopes of both signs meet below its
+    /// least value, and so do the planes through them, mixed until they do not rise along the way.
+    fn closed_in(
+        &self,
+        q: Vec3,
+        told: impl Fn(f64, &dyn Fn() -> Vec3, f64) -> bool,
+    ) -> (Near, f64) {
         let at = |t: f64| {
             let (d, n, bend) = Convex::near(&self.tool, q - self.by * t);
             (t, d, n, -n.dot(&self.by), bend)
         };
         let mut low = at(0.0);
         if low.3 >= 0.0 || self.by == Vec3::zeros() {
-            return (low.1, low.2, low.4);
+            return ((low.1, low.2, low.4), low.1);
         }
         let mut high = at(1.0);
         if high.3 <= 0.0 {
-            return (high.1, high.2, high.4);
+            return ((high.1, high.2, high.4), high.1);
         }
+        let mut most = low.1.min(high.1);
         let close = CLOSE * (self.tool.profile.reach() + self.by.norm());
         // Where the tool end, or the middle of a ball, passes is a good first guess.
         let bend = high.3 - low.3;
@@ -108,15 +149,16 @@ impl Convex for Swept<'_> {
         let (mut counts, mut stays) = ([1.0_f64; 2], 0_i32);
         for _ in 0..ROUNDS {
             let cut = meet(&low, &high);
-            if cut >= enough {
+            if told(cut, &|| mixed(&low, &high), most) {
                 break;
             }
             let here = at(t);
+            most = most.min(here.1);
             if here.1 - cut <= close || high.0 - low.0 <= 1e-14 {
                 break;
             }
             if here.3 == 0.0 {
-                return (here.1, here.2, here.4);
+                return ((here.1, here.2, here.4), here.1);
             }
             // Illinois: an end that stays twice counts half, three times a quarter and so on, so that both close in: beside
             // an edge of the tool the slopes of the two differ by orders of magnitude.
@@ -134,23 +176,18 @@ impl Convex for Swept<'_> {
             let margin = 1e-3 * (high.0 - low.0);
             t = next.clamp(low.0 + margin, high.0 - margin);
         }
-        let share = -low.3 / (high.3 - low.3);
-        (meet(&low, &high), low.2 * (1.0 - share) + high.2 * share, low.4)
-    }
-
-    #[inline]
-    fn misses(&self, q: Vec3, reach: f64) -> bool {
-        outside(&self.tool, self.by, q, reach)
-    }
-
-    #[inline]
-    fn under(&self, cell: &Cell, aim: f64) -> Option<Low> {
-        under(&self.tool, self.by, cell, aim)
+        ((meet(&low, &high), mixed(&low, &high), low.4), most)
     }
 }
 
 /// A place of the way with value, gradient, slope along the way and bend.
 type Place = (f64, f64, Vec3, f64, f64);
+
+/// The slope of the plane that is mixed of those at two places and does not rise along the way.
+fn mixed(a: &Place, b: &Place) -> Vec3 {
+    let share = -a.3 / (b.3 - a.3);
+    a.2 * (1.0 - share) + b.2 * share
+}
 
 /// Value at which the tangents at two places meet.
 fn meet(a: &Place, b: &Place) -> f64 {
@@ -191,6 +228,15 @@ mod tests {
                 for enough in [0.5 * d, d - 1.0, d - 1e-3] {
                     let (e, m, _) = swept.near_enough(q, enough);
                     assert!(e <= d + 1e-12 && (e >= enough || d < enough + 1e-3), "{k} {e} {d}");
+                    assert!(places().zip(&least).all(|(p, l)| e + m.dot(&(p - q)) <= l + 1e-9));
+                }
+                // So does who asks for a value less something of the slope, and is told no sooner.
+                for aim in [d - 4.0, d - 1.0, d - 0.5, d] {
+                    let lost = |n: Vec3| 1.0 + n.x.abs();
+                    let ((e, m, _), most) = swept.near_until(q, aim, lost);
+                    assert!(e <= d + 1e-12 && most >= d - 1e-12);
+                    let told = e - lost(m) >= aim || most - lost(m) < aim;
+                    assert!(told || most - e <= 1e-9, "{k} {e} {d} {most}");
                     assert!(places().zip(&least).all(|(p, l)| e + m.dot(&(p - q)) <= l + 1e-9));
                 }
                 // The plane lies below the distance everywhere, also where the tool has edges.

@@ -7,7 +7,7 @@
 
 use aptc_geometry::{Profile, Tool, Vec3, trig};
 
-use crate::bodies::{Convex, Swept};
+use crate::bodies::{Convex, Near, Swept};
 use crate::under::{Cell, Low};
 
 /// A tool that moves straight while its axis turns evenly in the plane of both.
@@ -66,12 +66,16 @@ impl<'a> Turned<'a> {
 }
 
 impl Convex for Turned<'_> {
-    fn near(&self, q: Vec3) -> (f64, Vec3, f64) {
+    fn near(&self, q: Vec3) -> Near {
         self.seen(q).near(q)
     }
 
-    fn near_enough(&self, q: Vec3, enough: f64) -> (f64, Vec3, f64) {
+    fn near_enough(&self, q: Vec3, enough: f64) -> Near {
         self.seen(q).near_enough(q, enough)
+    }
+
+    fn near_until(&self, q: Vec3, aim: f64, lost: impl Fn(Vec3) -> f64) -> (Near, f64) {
+        self.seen(q).near_until(q, aim, lost)
     }
 
     fn misses(&self, q: Vec3, reach: f64) -> bool {

@@ -166,12 +166,12 @@ fn tangents(
     aim: f64,
 ) -> (f64, f64) {
     let [a, b] = cell.first;
-    let (distance, n, turn) = body.near_enough(cell.point, aim + cell.far);
+    let below = |n: Vec3| lowest([n.dot(&a), n.dot(&b)], bends.rises(n, half));
+    let ((distance, n, turn), most) = body.near_until(cell.point, aim, |n| -below(n));
     let (x, y) = (n.dot(&a), n.dot(&b));
-    let rises = bends.rises(n, half);
-    let bound = distance + lowest([x, y], rises);
+    let bound = distance + below(n);
     // A second bound lies below the distance of the middle less what bends: worth it only above the aim.
-    if bound >= aim || distance + lowest([0.0; 2], rises) < aim {
+    if bound >= aim || most + lowest([0.0; 2], bends.rises(n, half)) < aim {
         return (distance, bound);
     }
     // Once more from where the parallelogram comes nearest, by how fast the slope turns: a tangent there
@@ -180,9 +180,9 @@ fn tangents(
     let (s, t) = (to(x, &a), to(y, &b));
     let (s, t) = (if s.is_nan() { 0.0 } else { s }, if t.is_nan() { 0.0 } else { t });
     let w = -(a * s + b * t);
-    let (e, m, _) = body.near(cell.point - w);
-    let slopes = [m.dot(&a), m.dot(&b)];
-    let beside = e + m.dot(&w) + lowest(slopes, bends.rises(m, half));
+    let beside = |m: Vec3| m.dot(&w) + below(m);
+    let ((e, m, _), _) = body.near_until(cell.point - w, aim, |m| -beside(m));
+    let beside = e + beside(m);
     (distance, bound.max(beside - body.slacks(cell)[1]))
 }
 
