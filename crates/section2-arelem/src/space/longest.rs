@@ -251,7 +251,7 @@ impl Track {
                 Err(t) => {
                     trouble = t;
                     // With a fixed axis a corner may be there, to which the tool comes by ever shorter vectors.
-                    (bad, ends) = (bad.min(s), self.axis.turns() && matches!(t, Trouble::Contact));
+                    (bad, ends) = (bad.min(s), self.axis.turns());
                     if ends && none && s <= least {
                         break;
                     }
@@ -274,7 +274,9 @@ impl Track {
                 s = 0.5 * (low + bad);
             }
         }
-        let left = good.as_ref().filter(|_| ends && free).map(|g| bad - g.length);
+        // What only was not found may be beyond from nearer by.
+        let over = ends && free && matches!(trouble, Trouble::Contact);
+        let left = good.as_ref().filter(|_| over).map(|g| bad - g.length);
         let stride = good.or(spare).ok_or(trouble)?;
         pace.learn(stride.length, 1.0, plan.length);
         pace.left = left;
