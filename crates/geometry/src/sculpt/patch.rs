@@ -118,6 +118,7 @@ impl Derivatives {
 
     /// The same place when u and v run `a` and `b` times as fast.
     #[must_use]
+    #[inline(always)]
     pub fn rated(self, a: f64, b: f64) -> Self {
         Self {
             point: self.point,

@@ -96,6 +96,7 @@ impl Sculptured {
     }
 
     /// Index of the patch over (u, v) with its own parameters and how fast they run.
+    #[inline(always)]
     fn cell(&self, u: f64, v: f64) -> (usize, [f64; 2], [f64; 2]) {
         match &self.layout {
             Layout::Mesh { u: ku, v: kv } => {
@@ -111,6 +112,7 @@ impl Sculptured {
     }
 
     /// Point and derivatives at (u, v); beyond the borders the outermost patches go on in a straight line.
+    #[inline]
     pub fn at(&self, u: f64, v: f64) -> Derivatives {
         let (i, [a, b], [da, db]) = self.cell(u, v);
         prolonged(&self.patches[i], a, b).rated(da, db)
@@ -149,6 +151,7 @@ impl Sculptured {
 
     /// Point and derivatives at (u, v), kept to the patch of column `i` and row `j`, also on its borders; beyond those of the
     /// surface it goes on in a straight line.
+    #[inline]
     pub(crate) fn at_patch(&self, [i, j]: [usize; 2], u: f64, v: f64) -> Derivatives {
         let kept = |t: f64, i: usize, n: usize| {
             let low = if i == 0 { f64::NEG_INFINITY } else { 0.0 };
@@ -259,6 +262,7 @@ impl Sculptured {
 }
 
 /// The interval of rising knots in which `t` lies, the place in it and the rate.
+#[inline(always)]
 fn interval(knots: &[f64], t: f64) -> (usize, f64, f64) {
     let last = knots.len() - 2;
     let i = knots.partition_point(|k| *k <= t).saturating_sub(1).min(last);
@@ -278,6 +282,7 @@ fn within(knots: &[f64], span: usize, t: f64) -> (usize, f64, f64) {
 }
 
 /// Within the unit square the patch, outside its linear continuation over the border.
+#[inline(always)]
 fn prolonged(p: &Patch, u: f64, v: f64) -> Derivatives {
     let (a, b) = (u.clamp(0.0, 1.0), v.clamp(0.0, 1.0));
     let d = p.at(a, b);

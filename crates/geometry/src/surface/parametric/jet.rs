@@ -29,6 +29,7 @@ impl Jet {
 }
 
 impl From<Derivatives> for Jet {
+    #[inline(always)]
     fn from(d: Derivatives) -> Self {
         Self { s: d.point, su: d.u, sv: d.v, suu: d.uu, suv: d.uv, svv: d.vv }
     }

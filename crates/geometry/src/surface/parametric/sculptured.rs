@@ -147,6 +147,7 @@ impl Spans {
 }
 
 /// The place by parameters from 0 to 1, straight on beyond; of the patch that is named, also on its borders.
+#[inline]
 pub(super) fn jet(surface: &Sculptured, patch: Option<[usize; 2]>, u: f64, v: f64) -> Jet {
     let [nu, nv] = surface.spans();
     let d = match patch {
