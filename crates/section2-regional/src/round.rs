@@ -4,8 +4,10 @@ use aptc_cldata::milling::Outline;
 use aptc_geometry::sculpt::{Layout, nearest_on};
 use aptc_geometry::{Sculptured, Vec3};
 
-/// How often a line that goes round beside a point is cut in two: of that which comes over it a share of 1e-9 is left.
-const STRAIGHTER: u32 = 30;
+/// Share of the surface's size up to which two places are one.
+const SAME: f64 = 1e-9;
+/// Lines more than an outline has corners into which it is cut at most.
+const MORE: usize = 4096;
 /// A line is straight enough whose middle is this share of its length beside that of the straight line in space.
 const BESIDE: f64 = 0.1;
 
@@ -34,14 +36,15 @@ pub(crate) fn round(passes: &[&[[f64; 2]]], surface: &Sculptured) -> Result<Outl
     let spans = surface.spans();
     let periods = [0, 1].map(|k| surface.closes(k).then_some(spans[k]));
     let next = corners.iter().cycle().skip(1);
-    let mut lines = Vec::with_capacity(corners.len());
+    let mut round = Round { surface, periods, least: SAME * surface.extent(), lines: Vec::new() };
     for (a, b) in corners.iter().zip(next) {
-        Line::between(*a, *b, periods).straight(surface, periods, STRAIGHTER, &mut lines);
+        round.add(Line::between(*a, *b, periods), corners.len() + MORE);
     }
+    let Round { least, lines, .. } = round;
     // A line of the outline that leaves the surface between its ends is none: the contact jumps, or the parameters do.
     let strays = lines.iter().any(|line| {
         let [p, middle, q] = [0.0, 0.5, 1.0].map(|t| line.place(surface, t));
-        (middle - 0.5 * (p + q)).norm() > (q - p).norm()
+        (middle - 0.5 * (p + q)).norm() > (q - p).norm() + least
     });
     if strays {
         return Err("the contacts of its passes jump");
@@ -71,6 +74,36 @@ pub(crate) fn round(passes: &[&[[f64; 2]]], surface: &Sculptured) -> Result<Outl
     Ok(Outline { lines, along })
 }
 
+/// An outline as it is made.
+struct Round<'a> {
+    surface: &'a Sculptured,
+    periods: [Option<f64>; 2],
+    /// Places so near are one.
+    least: f64,
+    lines: Vec<Line>,
+}
+
+impl Round<'_> {
+    /// Adds a line, in so many parts that it goes straight in space too where the surface lets it: beside a point, round which a
+    /// parameter runs, a line in the parameters goes round. Up to so many lines in all.
+    fn add(&mut self, line: Line, most: usize) {
+        let [p, middle, q] = [0.0, 0.5, 1.0].map(|t| line.place(self.surface, t));
+        let (wanted, length) = (0.5 * (p + q), (q - p).norm());
+        let off = (middle - wanted).norm();
+        if length > self.least && off > BESIDE * length && self.lines.len() < most {
+            let hit = nearest_on(self.surface, wanted);
+            // Its parts are shorter.
+            if hit.distance < 0.5 * off.min(length) {
+                let [a, b] = line.ends;
+                self.add(Line::between(a, hit.uv, self.periods), most);
+                self.add(Line::between(hit.uv, b, self.periods), most);
+                return;
+            }
+        }
+        self.lines.push(line);
+    }
+}
+
 /// A line of an outline, which may come over an end of a parameter to where that begins.
 struct Line {
     ends: [[f64; 2]; 2],
@@ -83,31 +116,6 @@ impl Line {
     fn between(a: [f64; 2], b: [f64; 2], periods: [Option<f64>; 2]) -> Self {
         let over = [0, 1].map(|k| periods[k].map_or(0.0, |p| p * ((a[k] - b[k]) / p).round()));
         Self { ends: [a, b], over }
-    }
-
-    /// Adds the line to others in so many parts that it goes straight in space too, where the surface lets it: beside a point, round
-    /// which a parameter runs, a line in the parameters goes round.
-    fn straight(
-        self,
-        surface: &Sculptured,
-        periods: [Option<f64>; 2],
-        cuts: u32,
-        lines: &mut Vec<Self>,
-    ) {
-        let [p, middle, q] = [0.0, 0.5, 1.0].map(|t| self.place(surface, t));
-        let wanted = 0.5 * (p + q);
-        let off = (middle - wanted).norm();
-        if cuts > 0 && off > BESIDE * (q - p).norm() {
-            let hit = nearest_on(surface, wanted);
-            if hit.distance < 0.5 * off {
-                let [a, b] = self.ends;
-                for [a, b] in [[a, hit.uv], [hit.uv, b]] {
-                    Self::between(a, b, periods).straight(surface, periods, cuts - 1, lines);
-                }
-                return;
-            }
-        }
-        lines.push(self);
     }
 
     /// A place of the surface by its share of the line.
