@@ -11,7 +11,7 @@ use aptc_geometry::sculpt::{SplinePoint, mesh};
 use aptc_geometry::sculptured::{MeshSpacing, SurfaceDefinition};
 use aptc_geometry::{Cutter, Form, Profile, Sculptured, Vec3, trig};
 use aptc_protap::{Arg, Kind, NameRef, Record};
-use aptc_regional::{Probe, Regional, Shot};
+use aptc_regional::{Ends, Probe, Regional, Shot};
 use aptc_testkit::bench;
 
 /// Heights of hills and hollows over -10 to 110 mm, slopes up to about 35 degrees.
@@ -54,14 +54,14 @@ fn cutters() -> [(&'static str, Cutter); 2] {
 /// Positions along ten lines, each from the last, with a proof that they are clear where `check` says so.
 fn drops(s: &Sculptured, tree: &PatchTree, cutter: &Cutter, step: f64, check: bool) {
     let profile = Profile::new(cutter).expect("a mill");
-    let (extent, borders) = (s.extent(), s.borders());
+    let (extent, ends) = (s.extent(), Ends::of(s));
     let ta = Vec3::z();
     for k in 0..10 {
         let y = 2.0 + 10.0 * f64::from(k);
         let shot = |x: f64| Shot {
             surface: s,
             extent,
-            borders,
+            ends,
             side: 1.0,
             from: Vec3::new(x, y, 60.0),
             along: -ta,

@@ -3,12 +3,12 @@
 use std::sync::Arc;
 
 use aptc_contact::PatchTree;
-use aptc_geometry::sculpt::Border;
 use aptc_geometry::surface::ParametricSurface;
 use aptc_geometry::{Plane, Profile, Sculptured, SpaceCurve, Vec3};
 use aptc_protap::NameRef;
 
 use crate::failure::Failure;
+use crate::project::Ends;
 
 /// What guides the tool.
 #[derive(Clone, Debug)]
@@ -65,7 +65,7 @@ pub(crate) struct PartArea {
     /// A length that says how large its numbers are.
     pub(crate) extent: f64,
     /// How it goes on at its borders.
-    pub(crate) borders: [[Border; 2]; 2],
+    pub(crate) ends: Ends,
     /// TO: the cutter touches; ON when false: the tool end lies on it.
     pub(crate) touches: bool,
     /// +1 on the side of dU x dV.

@@ -8,7 +8,7 @@ use aptc_geometry::{Form, Sculptured, Surface, Vec3};
 use aptc_protap::Arg;
 
 use crate::failure::Failure;
-use crate::project::{Probe, Shot};
+use crate::project::{Ends, Probe, Shot};
 use crate::regional::Regional;
 use crate::scon::Words;
 
@@ -214,9 +214,9 @@ impl Target {
             Self::Sculptured(s, tree) => [1.0, -1.0]
                 .into_iter()
                 .filter_map(|side| {
-                    let (surface, extent, borders) = (&**s, s.extent(), s.borders());
+                    let (surface, extent, ends) = (&**s, s.extent(), Ends::of(s));
                     let probe = Probe::Ball(0.0);
-                    Shot { surface, extent, borders, side, from, along: ta, probe }.first(tree)
+                    Shot { surface, extent, ends, side, from, along: ta, probe }.first(tree)
                 })
                 .map(|m| m.way)
                 .filter(ahead)

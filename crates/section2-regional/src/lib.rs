@@ -58,5 +58,5 @@ mod watch;
 mod within;
 
 pub use crew::{Alone, Crew};
-pub use project::{Met, Probe, Shot};
+pub use project::{Ends, Met, Probe, Shot};
 pub use regional::{Failed, Regional, Stand};

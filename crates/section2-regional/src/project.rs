@@ -50,6 +50,28 @@ pub struct Met {
     pub way: f64,
 }
 
+/// How a surface goes on at its borders.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ends {
+    borders: [[Border; 2]; 2],
+    /// How far its continuation is followed from each, in spans.
+    beyond: [[f64; 2]; 2],
+}
+
+impl Ends {
+    /// Of a surface.
+    pub fn of(surface: &Sculptured) -> Self {
+        let (borders, spans) = (surface.borders(), surface.spans());
+        let beyond = [0, 1].map(|k| {
+            [0, 1].map(|end| match borders[k][end] {
+                Border::Free => BEYOND.min(spans[k] * surface.runs_on(k, end == 1)),
+                _ => 0.0,
+            })
+        });
+        Self { borders, beyond }
+    }
+}
+
 /// The line of projection and the surface with the side of the tool.
 #[derive(Clone, Copy, Debug)]
 pub struct Shot<'a> {
@@ -58,7 +80,7 @@ pub struct Shot<'a> {
     /// A length that says how large its numbers are.
     pub extent: f64,
     /// How it goes on at its borders.
-    pub borders: [[Border; 2]; 2],
+    pub ends: Ends,
     /// +1 when the tool is on the side of dU x dV.
     pub side: f64,
     /// A point of the line.
@@ -160,7 +182,7 @@ impl Shot<'_> {
         let cap = (0.5 / by[0].abs().max(by[1].abs())).min(1.0);
         let mut to = [0, 1].map(|k| from[k] + by[k] * cap);
         for k in 0..2 {
-            let [first, last] = self.borders[k];
+            let [first, last] = self.ends.borders[k];
             let (low, high) = (to[k] < 0.0, to[k] > spans[k]);
             if low && first == Border::Pole || high && last == Border::Pole {
                 to[k] = if low { -to[k] } else { 2.0 * spans[k] - to[k] };
@@ -168,12 +190,11 @@ impl Shot<'_> {
             }
         }
         [0, 1].map(|k| {
-            let [first, last] = self.borders[k];
-            if first == Border::Seam {
+            if self.ends.borders[k][0] == Border::Seam {
                 return to[k].rem_euclid(spans[k]);
             }
-            let beyond = |border| if border == Border::Free { BEYOND } else { 0.0 };
-            to[k].clamp(-beyond(first), spans[k] + beyond(last))
+            let [first, last] = self.ends.beyond[k];
+            to[k].clamp(-first, spans[k] + last)
         })
     }
 
@@ -388,7 +409,7 @@ mod tests {
         let shot = |probe| Shot {
             surface: &s,
             extent: s.extent(),
-            borders: s.borders(),
+            ends: Ends::of(&s),
             side: 1.0,
             from: Vec3::new(3.3, 4.1, 20.0),
             along: -Vec3::z(),
@@ -417,8 +438,8 @@ mod tests {
                 let from = Vec3::new(summit.x + off, summit.y - 0.4, 20.0);
                 let probe = Probe::Cutter { profile: &profile, ta: Vec3::z(), thick: 0.0 };
                 let extent = s.extent();
-                let (borders, along) = (s.borders(), -Vec3::z());
-                let shot = Shot { surface: &s, extent, borders, side: 1.0, from, along, probe };
+                let (ends, along) = (Ends::of(&s), -Vec3::z());
+                let shot = Shot { surface: &s, extent, ends, side: 1.0, from, along, probe };
                 let tree = PatchTree::new(&s);
                 let met = shot.first(&tree).unwrap();
                 assert!((shot.fall(&tree).unwrap().way - met.way).abs() < 1e-7);
@@ -468,7 +489,7 @@ mod tests {
         let shot = |x: f64, y: f64| Shot {
             surface: &s,
             extent: s.extent(),
-            borders: [u, v],
+            ends: Ends::of(&s),
             side: 1.0,
             from: Vec3::new(x, y, 60.0),
             along: -Vec3::z(),
@@ -504,8 +525,8 @@ mod tests {
         let profile = Profile::new(&Cutter::mill(2.0, 0.3, 10.0)).unwrap();
         let from = Vec3::new(5.2, 3.7, 20.0);
         let probe = Probe::Cutter { profile: &profile, ta: Vec3::z(), thick: 0.0 };
-        let (extent, borders) = (s.extent(), s.borders());
-        let shot = Shot { surface: &s, extent, borders, side: 1.0, from, along: -Vec3::z(), probe };
+        let (extent, ends) = (s.extent(), Ends::of(&s));
+        let shot = Shot { surface: &s, extent, ends, side: 1.0, from, along: -Vec3::z(), probe };
         let m = shot.first(&PatchTree::new(&s)).unwrap();
         let te = from - Vec3::z() * m.way;
         let tool = Tool { profile: &profile, te, ta: Vec3::z() };

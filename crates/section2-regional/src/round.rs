@@ -15,7 +15,7 @@ const BESIDE: f64 = 0.1;
 /// the reason why there is none. Passes by the parameters of what they touch, all in one direction.
 ///
 /// Where the surface closes in itself, as one that is turned about an axis does, a line goes the shorter way round. One that goes round
-/// as a whole holds what lies towards the point that the surface ends in, as a dome on its top.
+/// as a whole holds what lies on the side of the passes between, to the end of the surface there: of a dome to its top.
 pub(crate) fn round(passes: &[&[[f64; 2]]], surface: &Sculptured) -> Result<Outline, &'static str> {
     let one = matches!(surface.layout, Layout::Mesh { .. }) || surface.patches.len() == 1;
     if !one {
@@ -62,12 +62,15 @@ pub(crate) fn round(passes: &[&[[f64; 2]]], surface: &Sculptured) -> Result<Outl
     }
     let along = around.map_or(0, |k| 1 - k);
     if let Some(k) = around.filter(|_| turns.abs() > 0.5) {
-        let Some(point) = point(passes, surface, along) else {
-            return Err("its passes go round its part surface, and it ends in no point");
+        let Some(border_at) = side(between, &lines, along)
+            .map(|low| if low { 0.0 } else { spans[along] })
+            .or_else(|| point(passes, surface, along))
+        else {
+            return Err("its passes go round its part surface, and nothing lies between them");
         };
         let mut border = [[0.0; 2]; 2];
         for (end, at) in border.iter_mut().zip([0.0, spans[k]]) {
-            (end[k], end[along]) = (at, point);
+            (end[k], end[along]) = (at, border_at);
         }
         lines.push(border);
     }
@@ -147,6 +150,22 @@ impl Line {
         };
         parts.into_iter().flatten()
     }
+}
+
+/// Do the passes between the first and the last run on the lower side of an outline that goes round, by their middles? `None` where
+/// there are none.
+fn side(between: &[&[[f64; 2]]], lines: &[[[f64; 2]; 2]], along: usize) -> Option<bool> {
+    let (mut low, mut all) = (0, 0);
+    for at in between.iter().filter(|t| t.len() > 2).map(|t| t[t.len() / 2]) {
+        let [x, y] = [at[along], at[1 - along]];
+        let met = lines.iter().filter(|line| {
+            let [[a, c], [b, d]] = line.map(|end| [end[along], end[1 - along]]);
+            (c > y) != (d > y) && x < a + (b - a) * ((y - c) / (d - c))
+        });
+        low += met.count() % 2;
+        all += 1;
+    }
+    (all > 0).then_some(2 * low > all)
 }
 
 /// At which end of the parameter is the surface a point that passes go round, or over? Of two the one that a pass comes nearer to.
@@ -233,7 +252,7 @@ mod tests {
         fn places_of_a_cone_are_within_as_in_a_plan(
             by in -180.0..180.0_f64, exchanged: bool, falling: bool,
             middle in prop::array::uniform2(-4.0..4.0_f64), half in prop::array::uniform2(0.5..3.0_f64),
-            angle in 0.0..6.0_f64, places in prop::array::uniform8(prop::array::uniform2(-2.0..2.0_f64)),
+            angle in 0.0..6.0_f64, inner in 1..3, places in prop::array::uniform8(prop::array::uniform2(-2.0..2.0_f64)),
         ) {
             let s = cone(by, exchanged, falling);
             let (sin, cos) = trig::sin_cos(angle);
@@ -242,9 +261,9 @@ mod tests {
                 [middle[0] + p * cos - q * sin, middle[1] + p * sin + q * cos]
             };
             let steps = |n: i32| (0..=n).map(move |i| f64::from(2 * i - n) / f64::from(n));
-            // Of those between the ends are enough.
+            // Of those between the ends are enough, with one place more or without.
             let pass = |b: f64| {
-                let n = if b.abs() < 1.0 { 1 } else { 60 };
+                let n = if b.abs() < 1.0 { inner } else { 60 };
                 steps(n).map(|a| on(&s, plan([a, b]))).collect()
             };
             let passes: Vec<Vec<[f64; 2]>> = steps(20).map(pass).collect();

@@ -10,6 +10,7 @@ use aptc_protap::{Arg, NameRef};
 use crate::area::{AxisArea, DriveArea, Guide, Hold, PartArea, Projection, StepoverArea};
 use crate::failure::Failure;
 use crate::outline::same_form;
+use crate::project::Ends;
 use crate::regional::Regional;
 
 /// A ruled cylinder over a curve reaches so many inches to both sides (APT4).
@@ -204,8 +205,8 @@ impl Regional {
         let surface = self.surface(name, form)?;
         let side = w.sign();
         let thick = need(w.number(), "the thickness")?;
-        let (tree, extent, borders) = (self.tree(&surface), surface.extent(), surface.borders());
-        Ok(PartArea { name: name.clone(), surface, tree, extent, borders, touches, side, thick })
+        let (tree, extent, ends) = (self.tree(&surface), surface.extent(), Ends::of(&surface));
+        Ok(PartArea { name: name.clone(), surface, tree, extent, ends, touches, side, thick })
     }
 
     fn feed_area(&mut self, w: &mut Words<'_>) -> Result<(), Failure> {

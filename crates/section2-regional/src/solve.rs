@@ -241,7 +241,7 @@ impl Setup<'_> {
         Shot {
             surface: &self.part.surface,
             extent: self.part.extent,
-            borders: self.part.borders,
+            ends: self.part.ends,
             side: self.part.side,
             // The tip moves up by the thickness and down by the offset before the projection.
             from: p.point + ta * (self.thick() - self.drive.offset),

@@ -9,6 +9,8 @@ const SAME: f64 = 1e-9;
 const PLACES: u8 = 16;
 /// Difference of the normals on both sides of a seam, or round a pole, up to which the surface is smooth there.
 const ALIKE: f64 = 1e-4;
+/// So much of the way to where lines cross that go on from a border.
+const CLEAR: f64 = 0.999;
 /// Share of its way across at which a surface is looked at beside its borders.
 const BESIDE: f64 = 1e-6;
 
@@ -62,6 +64,29 @@ impl Sculptured {
         along(axis, end).all(|uv| self.same(uv, middle, size))
     }
 
+    /// How far beyond the first or last border of u (0) or v (1) the lines go on straight, in shares of the surface, before they
+    /// cross, as round a hole they do on its axis. Of a border that closes in itself to the first place where two do; of another, a
+    /// corner of which alone may be round, to where all are turned over. Infinite where they do not.
+    pub fn runs_on(&self, axis: usize, last: bool) -> f64 {
+        let (border, out) = if last { (1.0, 1.0) } else { (0.0, -1.0) };
+        let [nu, nv] = self.spans();
+        let to_crossing = |uv: [f64; 2]| {
+            let d = self.place(uv).rated(nu, nv);
+            let (way, side) = if axis == 0 { (d.u, d.v) } else { (d.v, d.u) };
+            // With what lies along the border the normal comes to go against what it was.
+            let (normal, turned) = (way.cross(&side), way.cross(&d.uv) * out);
+            let falls = -normal.dot(&turned);
+            if falls > 0.0 { normal.norm_squared() / falls } else { f64::INFINITY }
+        };
+        let all = along(axis, border).map(to_crossing);
+        CLEAR
+            * if self.closes(1 - axis) {
+                all.fold(f64::INFINITY, f64::min)
+            } else {
+                all.fold(0.0, f64::max)
+            }
+    }
+
     fn same(&self, a: [f64; 2], b: [f64; 2], size: f64) -> bool {
         (self.place(a).point - self.place(b).point).norm() <= SAME * size
     }
@@ -87,4 +112,47 @@ fn along(axis: usize, at: f64) -> impl Iterator<Item = [f64; 2]> {
         let w = BESIDE + (1.0 - 2.0 * BESIDE) * f64::from(k) / f64::from(PLACES);
         if axis == 0 { [at, w] } else { [w, at] }
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{CubicArc, Patch, SpaceCurve, revolve};
+    use super::*;
+
+    fn turned(from: f64, to: f64, angles: [f64; 2]) -> Sculptured {
+        let [a, b] = [from, to].map(|r| Vec3::new(r, 0.0, 9.0 - 0.5 * r));
+        let curve = SpaceCurve::new(vec![CubicArc::hermite(a, b, b - a, b - a)]);
+        revolve(&curve, Vec3::zeros(), Vec3::z(), angles, true).unwrap()
+    }
+
+    /// Towards the axis, which is half as far from the rim of the hole as that is wide, and outwards without end.
+    #[test]
+    fn lines_round_a_hole_cross_on_its_axis() {
+        for angles in [[0.0, 360.0], [30.0, 170.0]] {
+            let s = turned(4.0, 12.0, angles);
+            assert!((s.runs_on(0, false) - 0.4995).abs() < 1e-9, "{}", s.runs_on(0, false));
+            for (axis, last) in [(0, true), (1, false), (1, true)] {
+                assert!(s.runs_on(axis, last) > 1e9, "{axis} {last}");
+            }
+        }
+    }
+
+    /// One corner of a border is round: along the rest of it the surface goes on.
+    #[test]
+    fn a_round_corner_does_not_end_all_of_a_border() {
+        let flat = |a: Vec3, b: Vec3, out: [Vec3; 2], along: [Vec3; 2]| {
+            let twist = out[1] - out[0];
+            Patch::hermite([
+                [a - out[0], b - out[1], along[0], along[1]],
+                [a, b, along[0], along[1]],
+                [out[0], out[1], twist, twist],
+                [out[0], out[1], twist, twist],
+            ])
+        };
+        let (x, y) = (Vec3::x(), Vec3::y());
+        let straight = flat(Vec3::zeros(), x * 5.0, [y; 2], [x * 5.0; 2]);
+        let corner = flat(x * 5.0, x * 6.0 + y, [y, -x], [x * 2.0, y * 2.0]);
+        let s = Sculptured::grid(vec![straight, corner], 2, 1).unwrap();
+        assert_eq!(s.runs_on(1, true), f64::INFINITY);
+    }
 }

@@ -15,6 +15,7 @@ use crate::drive::Course;
 use crate::failure::{self, Failure};
 use crate::gclear::Spot;
 use crate::position::Chosen;
+use crate::project::Ends;
 use crate::regional::{Regional, Stand};
 use crate::report::reports;
 use crate::scon::Words;
@@ -224,9 +225,9 @@ impl Regional {
         (side, thick): (f64, f64),
     ) -> Result<PartArea, Failure> {
         let surface = self.surface(name, form)?;
-        let (tree, extent, borders) = (self.tree(&surface), surface.extent(), surface.borders());
+        let (tree, extent, ends) = (self.tree(&surface), surface.extent(), Ends::of(&surface));
         let (name, touches) = (name.clone(), true);
-        Ok(PartArea { name, surface, tree, extent, borders, touches, side, thick })
+        Ok(PartArea { name, surface, tree, extent, ends, touches, side, thick })
     }
 
     /// What holds along lines of a surface that is its own drive.

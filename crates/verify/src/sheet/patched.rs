@@ -16,6 +16,9 @@ use super::{Jet, Kept, Patch, Spot, Tile, fall};
 /// Length of the difference of two unit normals that count as one.
 pub(crate) const SMOOTH: f64 = 1e-9;
 
+/// A cell that is so much narrower at a corner than long, or whose sides there are so nearly parallel, counts as without normal there.
+const NARROW: f64 = 1e-2;
+
 /// Evaluation of the cells of a grid.
 pub(crate) trait Cells {
     /// Point and derivatives at a place of the cell in column `i` and row `j`.
@@ -84,7 +87,7 @@ struct Chart {
     beyond: [f64; 2],
     /// For each parameter: is the border of the cell at its low and at its high end one point?
     points: [[bool; 2]; 2],
-    /// Has a corner of the cell no normal?
+    /// Has a corner of the cell no normal, or next to none?
     bare: bool,
     /// Would it go on from a border that is one point? There is nothing there.
     none: bool,
@@ -209,7 +212,11 @@ impl Patched {
         }
         let [u, v] = within;
         let corners = [[u[0], v[0]], [u[1], v[0]], [u[0], v[1]], [u[1], v[1]]];
-        chart.bare = corners.iter().any(|at| self.at(&chart, *at).normal().is_none());
+        chart.bare = corners.iter().any(|at| {
+            let d = self.at(&chart, *at).rated(u[1] - u[0], v[1] - v[0]);
+            let most = d.u.norm_squared().max(d.v.norm_squared());
+            d.u.cross(&d.v).norm() <= NARROW * most
+        });
         chart
     }
 
@@ -546,7 +553,7 @@ impl Patched {
         (rest > 0.5 * n).then_some(turned)
     }
 
-    /// The same of a piece of a cell that has a corner without a normal; half of it counts for each parameter.
+    /// The same of a piece of a cell that has a corner without a normal, or next to; half of it counts for each parameter.
     fn turn_at_corner(&self, patch: &Patch, jet: &Jet) -> Option<[f64; 2]> {
         let chart = &self.charts[patch.chart];
         let range = [0, 1].map(|k| [patch.at[k] - patch.half[k], patch.at[k] + patch.half[k]]);

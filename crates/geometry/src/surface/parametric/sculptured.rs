@@ -178,7 +178,7 @@ fn shortened(bare: &Spans, free: &Domain) -> Domain {
         if far == 0.0 {
             continue;
         }
-        let mut reach = far;
+        let mut reach = far.min(bare.surface.runs_on(axis, end == 1));
         for k in 0..RAYS {
             let along = (k as f64 + 0.5) / RAYS as f64;
             let [u, v] = if axis == 0 { [border, along] } else { [along, border] };
@@ -194,13 +194,13 @@ fn shortened(bare: &Spans, free: &Domain) -> Domain {
             while t < reach {
                 let away = away(t);
                 if away < MEETS * t {
-                    reach = t;
+                    reach = CLEAR * t;
                 }
                 t += away.max(FIRST * far);
             }
         }
         if reach < far {
-            range[end] = border + (range[end] - border).signum() * CLEAR * reach;
+            range[end] = border + (range[end] - border).signum() * reach;
         }
     }
     domain
