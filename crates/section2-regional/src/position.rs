@@ -72,9 +72,18 @@ pub(crate) fn tool_end(
         let out = -(last - ta * last.dot(&ta)).try_normalize(0.0).unwrap_or_else(Vec3::zeros);
         out * rho + ta * lowest
     } else {
-        tool.support(-n).point
+        tool.support(-level(n, ta)).point
     };
     contact + n * thick - place
+}
+
+/// The normal at a contact of the flank, square to the axis where it is but for digits: the rim of the top does not count as what touches
+/// for those of an arc that ends level.
+pub(crate) fn level(n: Vec3, ta: Vec3) -> Vec3 {
+    /// Sine up to which it is. A flank a hundred times as long as the surface is exact is no farther off.
+    const EVEN: f64 = 1e-9;
+    let up = n.dot(&ta);
+    if up.abs() > EVEN { n } else { (n - ta * up).normalize() }
 }
 
 /// RADIUS and HIGHT of TLAXIS: where on its bottom or its flank the cutter is to touch.
@@ -110,7 +119,7 @@ impl Chosen {
         n: Vec3,
     ) -> Option<(Segment, Option<f64>, [f64; 2])> {
         let [lower, upper] = profile.joints();
-        let segment = Tool { profile, te: Vec3::zeros(), ta }.support(-n).segment;
+        let segment = Tool { profile, te: Vec3::zeros(), ta }.support(-level(n, ta)).segment;
         match segment {
             Segment::LowerLine => Some((segment, self.radius, [0.0, lower[0]])),
             Segment::UpperLine => Some((segment, self.height, [upper[1], profile.height()])),

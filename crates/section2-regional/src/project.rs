@@ -4,6 +4,8 @@ use aptc_contact::{Clear, PatchTree, Tool};
 use aptc_geometry::sculpt::{Border, Derivatives};
 use aptc_geometry::{Profile, Sculptured, Vec3};
 
+use crate::position::level;
+
 /// How far beyond the borders of the part surface, in spans, its linear continuation is followed.
 const BEYOND: f64 = 10.0;
 /// Share of one derivative that the other is at a pole.
@@ -331,7 +333,7 @@ impl Shot<'_> {
                 Reach { to: n * r, frame: [Vec3::zeros(); 2], radii: [0.0; 2], even: r }
             }
             Probe::Cutter { profile, ta, thick } => {
-                let s = Tool { profile, te: Vec3::zeros(), ta }.support(-n);
+                let s = Tool { profile, te: Vec3::zeros(), ta }.support(-level(n, ta));
                 // On a face the contact would jump: a large radius keeps Newton's method moving.
                 let most = 1e3 * profile.reach();
                 let radii = s.radii.map(|r| r.min(most));

@@ -11,7 +11,7 @@ use crate::axis;
 use crate::drive::{Course, DrivePoint};
 use crate::failure::Failure;
 use crate::guard::Guard;
-use crate::position::{Chosen, Position, tool_end, toward_axis};
+use crate::position::{Chosen, Position, level, tool_end, toward_axis};
 use crate::project::{Met, Probe, Shot};
 use crate::settings::{Band, Settings};
 
@@ -281,7 +281,7 @@ impl Setup<'_> {
             met.at.point + n * shift
         };
         let segment = if self.part.touches && self.profile.widest() > 0.0 {
-            Tool { profile: self.profile, te, ta }.support(-n).segment
+            Tool { profile: self.profile, te, ta }.support(-level(n, ta)).segment
         } else {
             Segment::Arc
         };

@@ -257,7 +257,12 @@ impl ParametricSurface {
         let distance = normal.dot(&away);
         let across = (away - normal * distance).norm();
         if across > 1e-6 * size && size > 1e-12 * self.extent && self.ends_at([u, v]) {
-            let side = if distance < 0.0 { -1.0 } else { 1.0 };
+            // In a tip any of its normals may be that of the place: what lies beside it is told by all of them.
+            let over = match &self.patch {
+                Patch::Sculptured(s) => s.tip([u, v]).map_or(distance, |mean| mean.dot(&away)),
+                _ => distance,
+            };
+            let side = if over < 0.0 { -1.0 } else { 1.0 };
             let normal = away * (side / size);
             let shape = Shape { frame: frame_about(normal), k: [f64::INFINITY * side, 0.0, 0.0] };
             return Foot { point, normal, distance: side * size, shape, at };

@@ -37,6 +37,8 @@ pub(super) struct Spans {
     surface: Sculptured,
     domain: Domain,
     borders: [[Border; 2]; 2],
+    /// Of borders that are one point without one normal, as the tip of a cone, the mean of those there.
+    tips: [[Option<Vec3>; 2]; 2],
     /// Is it straight along u, and bent along v?
     ruled_along: bool,
     cells: Cells,
@@ -87,7 +89,8 @@ impl Spans {
         let borders = surface.borders();
         let itself = Domain { u: [0.0, 1.0], v: [0.0, 1.0] };
         let cells = Cells::new(&surface, &itself)?;
-        let bare = Self { surface, domain: itself, borders, ruled_along, cells };
+        let tips = [0, 1].map(|k| [0, 1].map(|end| tip(&surface, &borders, k, end)));
+        let bare = Self { surface, domain: itself, borders, tips, ruled_along, cells };
         let domain = shortened(&bare, &domain(&borders));
         let cells = Cells::new(&bare.surface, &domain)?;
         Some(Self { domain, cells, ..bare })
@@ -119,6 +122,13 @@ impl Spans {
             t <= low && !goes_on(first) || t >= high && !goes_on(last)
         };
         ends(u, self.domain.u, self.borders[0]) || ends(v, self.domain.v, self.borders[1])
+    }
+
+    /// The mean of the normals of a tip in which the place lies.
+    pub(super) fn tip(&self, uv: [f64; 2]) -> Option<Vec3> {
+        (0..2).find_map(|k| {
+            self.tips[k][0].filter(|_| uv[k] <= 0.0).or(self.tips[k][1].filter(|_| uv[k] >= 1.0))
+        })
     }
 
     /// Where the way towards `p` goes on across a seam, or round a pole, at which it is held fast along the parameters `fixed`.
@@ -155,6 +165,20 @@ pub(super) fn jet(surface: &Sculptured, patch: Option<[usize; 2]>, u: f64, v: f6
         None => surface.at(u * nu, v * nv),
     };
     d.rated(nu, nv).into()
+}
+
+/// The mean of the normals round a border that is a point and no pole.
+fn tip(surface: &Sculptured, borders: &[[Border; 2]; 2], k: usize, end: usize) -> Option<Vec3> {
+    if borders[k][end] != Border::Edge || !surface.is_point(k, end == 1) {
+        return None;
+    }
+    let spans = surface.spans();
+    let normal = |i: u8| {
+        let mut at = [end as f64 * spans[k]; 2];
+        at[1 - k] = spans[1 - k] * (f64::from(i) + 0.5) / f64::from(PLACES);
+        surface.normal_at(at[0], at[1])
+    };
+    (0..PLACES).filter_map(normal).sum::<Vec3>().try_normalize(1e-9)
 }
 
 /// How far the surface goes, beyond 0 to 1 straight on.
