@@ -2,11 +2,13 @@
 
 use std::sync::Arc;
 
-use aptc_geometry::Form;
-use aptc_protap::Arg;
+use aptc_cldata::milling;
+use aptc_geometry::{Form, Sculptured};
+use aptc_protap::{Arg, NameRef};
 
 use crate::failure::Failure;
 use crate::regional::Regional;
+use crate::round::{closed, is_before};
 use crate::scon::Words;
 
 /// What a section of CLDAT went round on one surface.
@@ -24,8 +26,17 @@ pub(crate) struct Outline {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Outlines {
     recorded: Vec<Outline>,
-    /// Number, and whether the inside is milled.
-    active: Vec<(f64, bool)>,
+    active: Vec<Active>,
+}
+
+/// An outline that limits lines.
+#[derive(Clone, Debug)]
+struct Active {
+    number: f64,
+    /// Is the inside milled?
+    inside: bool,
+    /// What it went round: of places that lie in an odd number of them.
+    held: Vec<milling::Outline>,
 }
 
 impl Regional {
@@ -53,9 +64,18 @@ impl Regional {
                 what: "REGION of a section without an outline on an SSURF",
             });
         }
-        self.outlines.active.retain(|a| !same(a.0, number));
+        let (form, loops) = (outline.form.clone(), outline.loops.clone());
+        self.outlines.active.retain(|a| !same(a.number, number));
         if !w.take("OFF") {
-            self.outlines.active.push((number, w.take("IN")));
+            let inside = w.take("IN");
+            let form = form.ok_or(Failure::Undone { what: "REGION of a section on no surface" })?;
+            let surface = self.surface(&NameRef::default(), &form)?;
+            let corners = loops.iter().filter(|l| l.len() >= 3);
+            let held: Result<_, _> = corners.map(|l| held(l, &surface)).collect();
+            let held = held.map_err(|_| Failure::Undone {
+                what: "REGION of an outline that goes round a surface that ends in no point",
+            })?;
+            self.outlines.active.push(Active { number, inside, held });
         }
         Ok(())
     }
@@ -93,13 +113,13 @@ impl Outlines {
         ends: [f64; 2],
     ) -> Vec<[f64; 2]> {
         let mut left = vec![ends];
-        for (number, inside) in &self.active {
+        for active in &self.active {
             let on_it = |o: &Outline| o.form.as_ref().is_some_and(|f| same_form(f, form));
-            let of = |o: &&Outline| same(o.number, *number) && on_it(o);
-            let Some(outline) = self.recorded.iter().find(of) else { continue };
-            let cuts = outline.crossings(running, fixed);
-            let within: Vec<[f64; 2]> = cuts.chunks_exact(2).map(|c| [c[0], c[1]]).collect();
-            let kept = if *inside { within } else { between(&within) };
+            let of = |o: &&Outline| same(o.number, active.number) && on_it(o);
+            if !self.recorded.iter().any(|o| of(&o)) {
+                continue;
+            }
+            let kept = active.stretches(running, fixed, ends);
             left = left
                 .iter()
                 .flat_map(|a| kept.iter().map(|b| [a[0].max(b[0]), a[1].min(b[1])]))
@@ -110,16 +130,43 @@ impl Outlines {
     }
 }
 
-/// The stretches between others.
-fn between(within: &[[f64; 2]]) -> Vec<[f64; 2]> {
-    let mut from = f64::NEG_INFINITY;
-    let mut all = Vec::with_capacity(within.len() + 1);
-    for s in within {
-        all.push([from, s[0]]);
-        from = s[1];
+impl Active {
+    /// What is milled of the line, rising.
+    fn stretches(&self, running: usize, fixed: f64, [from, to]: [f64; 2]) -> Vec<[f64; 2]> {
+        let mut cuts = vec![from, to];
+        for [a, b] in self.held.iter().flat_map(|o| &o.lines) {
+            let (x, y) = (a[1 - running] - fixed, b[1 - running] - fixed);
+            if (x > 0.0) != (y > 0.0) {
+                cuts.push(a[running] + (b[running] - a[running]) * (x / (x - y)));
+            }
+        }
+        cuts.retain(|x| (from..=to).contains(x));
+        cuts.sort_by(f64::total_cmp);
+        let is_milled = |middle: f64| {
+            let mut at = [fixed; 2];
+            at[running] = middle;
+            let held = self.held.iter().filter(|o| is_before(&o.lines, o.along, at)).count();
+            (held % 2 == 1) == self.inside
+        };
+        let mut all: Vec<[f64; 2]> = Vec::new();
+        for w in cuts.windows(2).filter(|w| w[0] < w[1] && is_milled(0.5 * (w[0] + w[1]))) {
+            match all.last_mut() {
+                Some(last) if last[1] >= w[0] => last[1] = w[1],
+                _ => all.push([w[0], w[1]]),
+            }
+        }
+        all
     }
-    all.push([from, f64::INFINITY]);
-    all
+}
+
+/// What a loop of corners holds. On a surface that nowhere closes its lines may cross.
+fn held(corners: &[[f64; 2]], surface: &Sculptured) -> Result<milling::Outline, &'static str> {
+    if surface.closes(0) || surface.closes(1) {
+        return closed(corners, surface);
+    }
+    let next = corners.iter().cycle().skip(1);
+    let lines = corners.iter().zip(next).map(|(a, b)| [*a, *b]).collect();
+    Ok(milling::Outline { lines, along: 0 })
 }
 
 impl Outline {
@@ -151,23 +198,6 @@ impl Outline {
     fn encloses(&self) -> bool {
         self.loops.iter().any(|l| l.len() >= 3)
     }
-
-    /// Where its sides cross the line, rising; always an even number of them.
-    fn crossings(&self, running: usize, fixed: f64) -> Vec<f64> {
-        let mut all = Vec::new();
-        for corners in &self.loops {
-            for (i, a) in corners.iter().enumerate() {
-                let b = &corners[(i + 1) % corners.len()];
-                let (x, y) = (a[1 - running] - fixed, b[1 - running] - fixed);
-                if (x > 0.0) != (y > 0.0) {
-                    let share = x / (x - y);
-                    all.push(a[running] + (b[running] - a[running]) * share);
-                }
-            }
-        }
-        all.sort_by(f64::total_cmp);
-        all
-    }
 }
 
 #[cfg(test)]
@@ -179,9 +209,12 @@ mod tests {
         let form = Arc::new(Form::Point(aptc_geometry::Vec3::zeros()));
         let corners = vec![[1.0, 1.0], [2.0, 1.0], [2.0, 3.0], [1.0, 3.0]];
         let mut outline = Outline::new(1.0);
-        outline.add(Some(&form), corners.into_iter(), true);
+        outline.add(Some(&form), corners.iter().copied(), true);
         let clip = |inside: bool, fixed: f64| {
-            let active = vec![(1.0, inside)];
+            let next = corners.iter().cycle().skip(1);
+            let lines = corners.iter().zip(next).map(|(a, b)| [*a, *b]).collect();
+            let held = vec![milling::Outline { lines, along: 0 }];
+            let active = vec![Active { number: 1.0, inside, held }];
             let all = Outlines { recorded: vec![outline.clone()], active };
             all.clip(&form, 0, fixed, [0.0, 4.0])
         };

@@ -33,6 +33,27 @@ pub(crate) fn round(passes: &[&[[f64; 2]]], surface: &Sculptured) -> Result<Outl
     if corners.len() > 1 && corners.first() == corners.last() {
         corners.pop();
     }
+    enclosed(&corners, surface, true, |lines, along| {
+        let low = side(between, lines, along);
+        low.map(|low| if low { 0.0 } else { surface.spans()[along] })
+            .or_else(|| point(passes, surface, along))
+    })
+}
+
+/// What a closed curve holds by its corners, which may cross itself; round a surface that closes in itself what lies towards the
+/// point that that ends in.
+pub(crate) fn closed(corners: &[[f64; 2]], surface: &Sculptured) -> Result<Outline, &'static str> {
+    enclosed(corners, surface, false, |_, along| point(&[corners], surface, along))
+}
+
+/// What an outline holds by its corners, of one that is to be `simple` or the reason why it is not; where it goes round by one parameter, to the border of the other that `border` tells of its
+/// lines.
+fn enclosed(
+    corners: &[[f64; 2]],
+    surface: &Sculptured,
+    simple: bool,
+    border: impl Fn(&[[[f64; 2]; 2]], usize) -> Option<f64>,
+) -> Result<Outline, &'static str> {
     let spans = surface.spans();
     let periods = [0, 1].map(|k| surface.closes(k).then_some(spans[k]));
     let next = corners.iter().cycle().skip(1);
@@ -42,10 +63,11 @@ pub(crate) fn round(passes: &[&[[f64; 2]]], surface: &Sculptured) -> Result<Outl
     }
     let Round { least, lines, .. } = round;
     // A line of the outline that leaves the surface between its ends is none: the contact jumps, or the parameters do.
-    let strays = lines.iter().any(|line| {
-        let [p, middle, q] = [0.0, 0.5, 1.0].map(|t| line.place(surface, t));
-        (middle - 0.5 * (p + q)).norm() > (q - p).norm() + least
-    });
+    let strays = simple
+        && lines.iter().any(|line| {
+            let [p, middle, q] = [0.0, 0.5, 1.0].map(|t| line.place(surface, t));
+            (middle - 0.5 * (p + q)).norm() > (q - p).norm() + least
+        });
     if strays {
         return Err("the contacts of its passes jump");
     }
@@ -57,15 +79,12 @@ pub(crate) fn round(passes: &[&[[f64; 2]]], surface: &Sculptured) -> Result<Outl
     let turns =
         around.map_or(0.0, |k| lines.iter().map(|line| line.over[k]).sum::<f64>() / spans[k]);
     let mut lines: Vec<_> = lines.iter().flat_map(Line::within).collect();
-    if crosses(&lines) {
+    if simple && crosses(&lines) {
         return Err("the contacts of its passes cross");
     }
     let along = around.map_or(0, |k| 1 - k);
     if let Some(k) = around.filter(|_| turns.abs() > 0.5) {
-        let Some(border_at) = side(between, &lines, along)
-            .map(|low| if low { 0.0 } else { spans[along] })
-            .or_else(|| point(passes, surface, along))
-        else {
+        let Some(border_at) = border(&lines, along) else {
             return Err("its passes go round its part surface, and nothing lies between them");
         };
         let mut border = [[0.0; 2]; 2];
@@ -157,15 +176,20 @@ impl Line {
 fn side(between: &[&[[f64; 2]]], lines: &[[[f64; 2]; 2]], along: usize) -> Option<bool> {
     let (mut low, mut all) = (0, 0);
     for at in between.iter().filter(|t| t.len() > 2).map(|t| t[t.len() / 2]) {
-        let [x, y] = [at[along], at[1 - along]];
-        let met = lines.iter().filter(|line| {
-            let [[a, c], [b, d]] = line.map(|end| [end[along], end[1 - along]]);
-            (c > y) != (d > y) && x < a + (b - a) * ((y - c) / (d - c))
-        });
-        low += met.count() % 2;
+        low += usize::from(is_before(lines, along, at));
         all += 1;
     }
     (all > 0).then_some(2 * low > all)
+}
+
+/// Does an odd number of lines lie before a place, its parameter `along` rising?
+pub(crate) fn is_before(lines: &[[[f64; 2]; 2]], along: usize, at: [f64; 2]) -> bool {
+    let [x, y] = [at[along], at[1 - along]];
+    let met = lines.iter().filter(|line| {
+        let [[a, c], [b, d]] = line.map(|end| [end[along], end[1 - along]]);
+        (c > y) != (d > y) && x < a + (b - a) * ((y - c) / (d - c))
+    });
+    met.count() % 2 == 1
 }
 
 /// At which end of the parameter is the surface a point that passes go round, or over? Of two the one that a pass comes nearer to.
@@ -238,12 +262,7 @@ mod tests {
     }
 
     fn holds(o: &Outline, at: [f64; 2]) -> bool {
-        let (x, y) = (at[o.along], at[1 - o.along]);
-        let met = o.lines.iter().filter(|[a, b]| {
-            let [[a, c], [b, d]] = [a, b].map(|e| [e[o.along], e[1 - o.along]]);
-            (c > y) != (d > y) && x < a + (b - a) * ((y - c) / (d - c))
-        });
-        met.count() % 2 == 1
+        is_before(&o.lines, o.along, at)
     }
 
     proptest! {
