@@ -68,11 +68,15 @@ pub(crate) fn parameter_step(
     for (i, p) in points.iter().enumerate() {
         let place = drive.place(p.drive_uv, course);
         // The part of the step that leads away from the path, as seen on the part surface.
-        let side = side_of(points, i);
         near = [near[1], near[2], round(i + 1)];
+        let across = laid(place.speed, place.direction, p.normal);
+        // A pass that is one place, as at the top of a dome, has no direction: the next lies all round it.
+        let side = match side_of(points, i) {
+            side if side != Vec3::zeros() => side,
+            _ => across.try_normalize(0.0).unwrap_or_else(Vec3::zeros),
+        };
         let k = across_curvature(setup, p, side);
         let radius = radius_across(profile, &near);
-        let across = laid(place.speed, place.direction, p.normal);
         let mut speed = across.dot(&side).abs();
         if setup.part.touches && drive.hold == Hold::On {
             // It is the tool that is led: in a hollow its contact moves faster, on a hump more slowly.
@@ -83,14 +87,16 @@ pub(crate) fn parameter_step(
         }
         let mut width = if by_parameter || area.most == 0.0 { f64::INFINITY } else { area.most };
         let height = kept(area.scallop, setup);
-        let allowed = scallop_width(radius, height, k);
+        let thick = if setup.part.touches { setup.thick() } else { 0.0 };
+        // What is left stands on the surface with its thickness, which is as much wider as it is rounder.
+        let wider = (1.0 - k * thick).max(LEAST);
+        let allowed = scallop_width(radius, height, k / wider) / wider;
         if allowed > 0.0 {
             width = width.min(allowed);
         }
         // A ball is as round everywhere, so that the formula tells it all; its flank and the rim of its top are not.
         let ball = profile.is_round() && p.segment == Segment::Arc;
         if height > 0.0 && !ball {
-            let thick = if setup.part.touches { setup.thick() } else { 0.0 };
             let along = path_direction(points, i);
             let strip = Pass { profile, at: p, along, side, curvature: k }.strip(thick + height);
             // Its chords may leave the lines sideways; few of them do by all that they may, and where the strip is no wider the
