@@ -175,11 +175,12 @@ impl Regional {
         };
         // A curve goes on beyond its ends, as APT4 has it; a surface's limits lie on it.
         let room = if matches!(guide, Guide::Curve(_)) { 1.0 } else { 1e-9 };
-        for ([a, b], span) in [(u, spans[0]), (v, spans[1])] {
+        let limits = [("a limit of u of the drive", u), ("a limit of v of the drive", v)];
+        for ((what, [a, b]), span) in limits.into_iter().zip(spans) {
             for value in [a, b] {
                 if value < -room || value > span + room {
                     let need = format!("between 0 and {span}").into();
-                    return Err(Failure::Value { what: "a limit of the drive", value, need });
+                    return Err(Failure::Value { what, value, need });
                 }
             }
         }
