@@ -168,12 +168,12 @@ impl Failure {
             Self::NoAxis { uv } => (
                 codes::NO_AXIS,
                 format!(
-                    "at the drive point u {}, v {} no tool axis is defined",
+                    "at the drive point u {}, v {} there is no normal of the surface, or no tool axis",
                     short(uv[0]),
                     short(uv[1])
                 ),
-                "the normal vanishes there, or the path runs along the direction of projection; a drive curve has \
-                 one only with CRSSPL at its ends"
+                "where a corner or border has no normal leave it out by the limits (PARAM, START); a path may not run along \
+                 the direction of projection, and a drive curve has an axis only with CRSSPL at its ends"
                     .into(),
             ),
             Self::ThickBeyond { part, uv, thick, radius } => (

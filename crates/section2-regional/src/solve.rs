@@ -160,8 +160,7 @@ impl Setup<'_> {
         take: Take,
     ) -> Result<(Position, Memory), Failure> {
         let p = self.drive.place(uv, course);
-        let direction =
-            p.direction.ok_or(Failure::NoDirection { what: "the direction of projection" })?;
+        let direction = p.direction.ok_or(Failure::NoAxis { uv: p.uv })?;
         let forward = (p.along * sense).try_normalize(0.0).ok_or(Failure::NoAxis { uv })?;
         let mut ta = axis::at_drive(&self.axis, &p, forward).ok_or(Failure::NoAxis { uv })?;
         let behind = if self.centred { Vec3::zeros() } else { -forward };
