@@ -207,7 +207,7 @@ mod tests {
     #[test]
     fn a_square_is_cut_in_and_out() {
         let form = Arc::new(Form::Point(aptc_geometry::Vec3::zeros()));
-        let corners = vec![[1.0, 1.0], [2.0, 1.0], [2.0, 3.0], [1.0, 3.0]];
+        let corners = [[1.0, 1.0], [2.0, 1.0], [2.0, 3.0], [1.0, 3.0]];
         let mut outline = Outline::new(1.0);
         outline.add(Some(&form), corners.iter().copied(), true);
         let clip = |inside: bool, fixed: f64| {
