@@ -113,7 +113,7 @@ impl Regional {
         self.gather(&mut open, out)?;
         let Recording { kept, points, outline, .. } = open;
         if kept.iter().any(|k| matches!(&**k, "UVPPS" | "UVPDS")) {
-            self.outlines.keep(outline);
+            self.keep_outline(outline)?;
         }
         self.saved.push(CutVectors { section: Some(number), kept, points, canon: false });
         Ok(())

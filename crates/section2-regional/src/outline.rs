@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use aptc_cldata::milling;
+use aptc_geometry::sculpt::Layout;
 use aptc_geometry::{Form, Sculptured};
 use aptc_protap::{Arg, NameRef};
 
@@ -64,20 +65,39 @@ impl Regional {
                 what: "REGION of a section without an outline on an SSURF",
             });
         }
-        let (form, loops) = (outline.form.clone(), outline.loops.clone());
+        let outline = outline.clone();
+        let active = match w.take("OFF") {
+            true => None,
+            false => Some(Active { number, inside: w.take("IN"), held: self.held(&outline)? }),
+        };
         self.outlines.active.retain(|a| !same(a.number, number));
-        if !w.take("OFF") {
-            let inside = w.take("IN");
-            let form = form.ok_or(Failure::Undone { what: "REGION of a section on no surface" })?;
-            let surface = self.surface(&NameRef::default(), &form)?;
-            let corners = loops.iter().filter(|l| l.len() >= 3);
-            let held: Result<_, _> = corners.map(|l| held(l, &surface)).collect();
-            let held = held.map_err(|_| Failure::Undone {
-                what: "REGION of an outline that goes round a surface that ends in no point",
-            })?;
-            self.outlines.active.push(Active { number, inside, held });
-        }
+        self.outlines.active.extend(active);
         Ok(())
+    }
+
+    /// Keeps an outline, in the place of one of the same number, also where that limits lines now.
+    pub(crate) fn keep_outline(&mut self, outline: Outline) -> Result<(), Failure> {
+        let of = |a: &Active| same(a.number, outline.number);
+        if self.outlines.active.iter().any(of) && outline.encloses() && !outline.scattered {
+            let held = self.held(&outline)?;
+            let active = self.outlines.active.iter_mut().filter(|a| of(a));
+            active.for_each(|a| a.held.clone_from(&held));
+        }
+        self.outlines.recorded.retain(|o| !same(o.number, outline.number));
+        self.outlines.recorded.push(outline);
+        Ok(())
+    }
+
+    /// What the loops of an outline hold.
+    fn held(&mut self, outline: &Outline) -> Result<Vec<milling::Outline>, Failure> {
+        let Some(form) = &outline.form else {
+            return Err(Failure::Undone { what: "REGION of a section on no surface" });
+        };
+        let surface = self.surface(&NameRef::default(), form)?;
+        let corners = outline.loops.iter().filter(|l| l.len() >= 3);
+        corners.map(|l| held(l, &surface)).collect::<Result<_, _>>().map_err(|_| Failure::Undone {
+            what: "REGION of an outline that goes round a surface that ends in no point",
+        })
     }
 }
 
@@ -92,12 +112,6 @@ pub(crate) fn same_form(a: &Arc<Form>, b: &Arc<Form>) -> bool {
 }
 
 impl Outlines {
-    /// Keeps an outline, in the place of one of the same number.
-    pub(crate) fn keep(&mut self, outline: Outline) {
-        self.recorded.retain(|o| !same(o.number, outline.number));
-        self.recorded.push(outline);
-    }
-
     /// Does REGION limit lines now?
     pub(crate) fn is_active(&self) -> bool {
         !self.active.is_empty()
@@ -161,7 +175,8 @@ impl Active {
 
 /// What a loop of corners holds. On a surface that nowhere closes its lines may cross.
 fn held(corners: &[[f64; 2]], surface: &Sculptured) -> Result<milling::Outline, &'static str> {
-    if surface.closes(0) || surface.closes(1) {
+    let one = matches!(surface.layout, Layout::Mesh { .. }) || surface.patches.len() == 1;
+    if one && (surface.closes(0) || surface.closes(1)) {
         return closed(corners, surface);
     }
     let next = corners.iter().cycle().skip(1);

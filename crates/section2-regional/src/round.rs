@@ -33,11 +33,27 @@ pub(crate) fn round(passes: &[&[[f64; 2]]], surface: &Sculptured) -> Result<Outl
     if corners.len() > 1 && corners.first() == corners.last() {
         corners.pop();
     }
-    enclosed(&corners, surface, true, |lines, along| {
+    let whole = enclosed(&corners, surface, true, |lines, along| {
         let low = side(between, lines, along);
         low.map(|low| if low { 0.0 } else { surface.spans()[along] })
             .or_else(|| point(passes, surface, along))
-    })
+    })?;
+    // Round a whole ball the outline holds nothing: its lines lie on its seam, to and fro.
+    // Over a hole a pass goes on beyond the border.
+    let spans = surface.spans();
+    let inside = |at: [f64; 2], k: usize| at[k].clamp(SAME * spans[k], (1.0 - SAME) * spans[k]);
+    let holds =
+        |at: &[f64; 2]| is_before(&whole.lines, whole.along, [0, 1].map(|k| inside(*at, k)));
+    let middle = |t: &&[[f64; 2]]| t[t.len() / 2];
+    let mut within: Vec<[f64; 2]> = between.iter().filter(|t| t.len() > 2).map(middle).collect();
+    if within.is_empty() {
+        let [p, q] = [middle(first), middle(last)].map(|[u, v]| surface.at(u, v).point);
+        within.push(nearest_on(surface, 0.5 * (p + q)).uv);
+    }
+    if 2 * within.iter().filter(|at| holds(at)).count() <= within.len() {
+        return Err("its outline does not hold its passes");
+    }
+    Ok(whole)
 }
 
 /// What a closed curve holds by its corners, which may cross itself; round a surface that closes in itself what lies towards the
@@ -83,7 +99,8 @@ fn enclosed(
         return Err("the contacts of its passes cross");
     }
     let along = around.map_or(0, |k| 1 - k);
-    if let Some(k) = around.filter(|_| turns.abs() > 0.5) {
+    let is_odd = (0.5 * turns.round()).fract() != 0.0;
+    if let Some(k) = around.filter(|_| is_odd) {
         let Some(border_at) = border(&lines, along) else {
             return Err("its passes go round its part surface, and nothing lies between them");
         };
@@ -136,7 +153,12 @@ struct Line {
 impl Line {
     /// The shorter way round where a parameter has a period.
     fn between(a: [f64; 2], b: [f64; 2], periods: [Option<f64>; 2]) -> Self {
-        let over = [0, 1].map(|k| periods[k].map_or(0.0, |p| p * ((a[k] - b[k]) / p).round()));
+        /// A line that goes half round goes as its corners say.
+        const HALF: f64 = 0.5 + 1e-9;
+        let over = [0, 1].map(|k| {
+            let ways = periods[k].map_or(0.0, |p| (a[k] - b[k]) / p);
+            if ways.abs() <= HALF { 0.0 } else { periods[k].map_or(0.0, |p| p * ways.round()) }
+        });
         Self { ends: [a, b], over }
     }
 
@@ -158,7 +180,9 @@ impl Line {
             Some(k) => {
                 let (out, into) =
                     if self.over[k] > 0.0 { (self.over[k], 0.0) } else { (0.0, -self.over[k]) };
-                let share = (out - a[k]) / (b[k] + self.over[k] - a[k]);
+                let length = b[k] + self.over[k] - a[k];
+                // From one end to the other, which is the same place.
+                let share = if length == 0.0 { 0.0 } else { (out - a[k]) / length };
                 let middle = |at: f64| {
                     let mut middle = [0, 1].map(|i| a[i] + (b[i] - a[i]) * share);
                     middle[k] = at;
@@ -314,6 +338,35 @@ mod tests {
             assert!(inside.iter().all(|p| holds(&o, on(&s, *p))));
             assert!(!outside.iter().any(|p| holds(&o, on(&s, *p))));
         }
+    }
+
+    /// Rings from the tip on: the first is one place, and the outline holds what lies between it and the last, or is told not to.
+    #[test]
+    fn rings_from_a_tip_hold_what_lies_between_or_nothing_is_told() {
+        let s = cone(0.0, false, false);
+        let span = s.spans();
+        let ring =
+            |r: f64| (0..=24).map(|i| [span[0] * r, span[1] * f64::from(i) / 24.0]).collect();
+        let rings: Vec<Vec<[f64; 2]>> = [0.2, 0.4, 0.6].map(ring).to_vec();
+        let all: Vec<&[[f64; 2]]> = rings.iter().map(|r| &r[..]).collect();
+        let o = round(&all, &s).unwrap();
+        assert!(holds(&o, [span[0] * 0.3, 1.1]) && !holds(&o, [span[0] * 0.1, 1.1]));
+        let tip = [[0.0, 0.0]];
+        let from_tip: Vec<&[[f64; 2]]> = std::iter::once(&tip[..]).chain(all).collect();
+        match round(&from_tip, &s) {
+            Ok(o) => assert!(holds(&o, [span[0] * 0.1, 1.1]) && holds(&o, [span[0] * 0.5, 2.0])),
+            Err(why) => assert!(why.contains("hold"), "{why}"),
+        }
+    }
+
+    /// Lines half round go as their corners say, and from one end to the other is no way.
+    #[test]
+    fn lines_half_and_all_round() {
+        let periods = [None, Some(3.0)];
+        let over = |to: f64| Line::between([0.5, 0.0], [0.5, to], periods).over[1];
+        assert!(over(1.5).abs() < 1e-12 && (over(1.6) + 3.0).abs() < 1e-12);
+        let all: Vec<_> = Line::between([0.5, 3.0], [0.6, 0.0], periods).within().collect();
+        assert!(all.iter().flatten().flatten().all(|x| x.is_finite()), "{all:?}");
     }
 
     /// A tube has no point that passes could go round, and passes all round it do not close over an end.

@@ -5,7 +5,7 @@ use aptc_contact::Tool;
 use crate::drive::Course;
 use crate::failure::Failure;
 use crate::judge::{Judged, Way, Worst};
-use crate::position::Position;
+use crate::position::{Position, level};
 use crate::solve::{CLOSE, LOOSE, Memory, Setup, Take};
 
 /// Halvings of a step before the path gives up.
@@ -139,7 +139,7 @@ impl Setup<'_> {
     fn sharp(&self, p: &Position) -> Option<Failure> {
         let thick = self.thick();
         let tool = Tool { profile: self.profile, te: p.te, ta: p.ta };
-        let radius = tool.support(-p.normal).radii[0];
+        let radius = tool.support(-level(p.normal, p.ta)).radii[0];
         // Beside a face that lies on the surface its edge touches next.
         let radius = if radius.is_finite() { radius } else { self.profile.corner_radius() };
         let part = || self.part.name.name.as_str().into();

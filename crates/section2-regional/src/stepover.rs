@@ -4,7 +4,7 @@ use aptc_geometry::{Profile, Segment, Vec3};
 
 use crate::area::{Hold, StepoverArea};
 use crate::drive::Course;
-use crate::position::Position;
+use crate::position::{Position, level};
 use crate::ridge::Pass;
 use crate::settings::Band;
 use crate::solve::Setup;
@@ -77,17 +77,17 @@ pub(crate) fn parameter_step(
         };
         let k = across_curvature(setup, p, side);
         let radius = radius_across(profile, &near);
+        let thick = if setup.part.touches { setup.thick() } else { 0.0 };
         let mut speed = across.dot(&side).abs();
         if setup.part.touches && drive.hold == Hold::On {
             // It is the tool that is led: in a hollow its contact moves faster, on a hump more slowly.
-            speed /= (1.0 - k * radius).max(LEAST);
+            speed /= (1.0 - k * (radius + thick)).max(LEAST);
         }
         if speed <= 1e-12 * across.norm() || speed == 0.0 {
             continue;
         }
         let mut width = if by_parameter || area.most == 0.0 { f64::INFINITY } else { area.most };
         let height = kept(area.scallop, setup);
-        let thick = if setup.part.touches { setup.thick() } else { 0.0 };
         // What is left stands on the surface with its thickness, which is as much wider as it is rounder.
         let wider = (1.0 - k * thick).max(LEAST);
         let allowed = scallop_width(radius, height, k / wider) / wider;
@@ -161,7 +161,7 @@ impl Round {
     /// Of a cutter with the axis `ta` at a surface with that normal.
     fn at(profile: &Profile, ta: Vec3, normal: Vec3, side: Vec3) -> Self {
         let tool = aptc_contact::Tool { profile, te: Vec3::zeros(), ta };
-        let s = tool.support(-normal);
+        let s = tool.support(-level(normal, ta));
         let [along, around] = s.frame.map(|e| e.dot(&side));
         let flat = s.radii.iter().all(|r| r.is_infinite());
         Self { radii: s.radii, turn: aptc_geometry::trig::atan2(around, along), flat }

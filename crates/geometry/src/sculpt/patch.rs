@@ -283,7 +283,7 @@ impl Patch {
     }
 
     /// Is its first or last border of u (0) or v (1) one point, but for rounding? From there it does not go on.
-    pub(crate) fn ends_in_point(&self, axis: usize, end: usize) -> bool {
+    pub fn ends_in_point(&self, axis: usize, end: usize) -> bool {
         let at = |k: usize, border: usize| {
             let h = if axis == 0 { self.net[k][border] } else { self.net[border][k] };
             h.xyz() / h.w

@@ -206,9 +206,9 @@ impl Patched {
         };
         if over.iter().all(|o| *o <= 0.0) {
             chart.points = [0, 1].map(|k| [0, 1].map(|end| self.is_point(&chart, k, end)));
-        } else if matches!(self.kind, Kind::Sculpted(_)) {
+        } else if let Kind::Sculpted(s) = &self.kind {
             let from = |k: usize| usize::from(range[k][0] >= within[k][1]);
-            chart.none = (0..2).any(|k| over[k] > 0.0 && self.is_point(&chart, k, from(k)));
+            chart.none = (0..2).any(|k| over[k] > 0.0 && s.ends_in_point(cell, k, from(k)));
         }
         let [u, v] = within;
         let corners = [[u[0], v[0]], [u[1], v[0]], [u[0], v[1]], [u[1], v[1]]];

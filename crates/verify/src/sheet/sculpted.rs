@@ -65,6 +65,11 @@ impl Sculpted {
         (cells, Grid { sides })
     }
 
+    /// Is the border of the patch of a cell one point?
+    pub(crate) fn ends_in_point(&self, [i, j]: [usize; 2], k: usize, end: usize) -> bool {
+        self.patch(i, j).0.ends_in_point(k, end)
+    }
+
     /// The patch of a cell with where it begins and how fast its parameters run.
     fn patch(&self, i: usize, j: usize) -> (&Patch, [f64; 2], [f64; 2]) {
         let (i, j) = (i / self.cut, j / self.cut);
