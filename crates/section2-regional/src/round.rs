@@ -257,7 +257,7 @@ fn crosses(lines: &[[[f64; 2]; 2]]) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use aptc_geometry::sculpt::{CubicArc, Patch, SpaceCurve, revolve};
+    use aptc_geometry::sculpt::{CubicArc, SpaceCurve, revolve};
     use aptc_geometry::trig;
     use proptest::prelude::*;
 
@@ -274,10 +274,7 @@ mod tests {
         }
         let Layout::Mesh { u, v } = &s.layout else { unreachable!() };
         let [m, n] = [u.len() - 1, v.len() - 1];
-        let of = |k: usize| {
-            let p = &s.patches[k / n + k % n * m];
-            Patch::new(core::array::from_fn(|j| core::array::from_fn(|i| p.net[i][j])))
-        };
+        let of = |k: usize| s.patches[k / n + k % n * m].exchanged();
         Sculptured::grid((0..m * n).map(of).collect(), n, m).unwrap()
     }
 

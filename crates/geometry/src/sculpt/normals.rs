@@ -43,12 +43,6 @@ impl Patch {
         any.then_some(far)
     }
 
-    /// With u and v exchanged.
-    fn exchanged(&self) -> Self {
-        let net = core::array::from_fn(|j| core::array::from_fn(|i| self.net[i][j]));
-        Self { net, rational: self.rational }
-    }
-
     /// The straight continuation by v over a range beyond a border, and where in it the range lies; within the borders the same.
     fn straight_on(&self, [from, to]: [f64; 2]) -> (Self, [f64; 2]) {
         let [first, second, third, last] = self.net;

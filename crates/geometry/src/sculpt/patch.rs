@@ -282,6 +282,13 @@ impl Patch {
         Self { net: self.net.map(|r| r.map(|h| carry(h, m))), rational: self.rational }
     }
 
+    /// With u and v exchanged.
+    #[must_use]
+    pub fn exchanged(&self) -> Self {
+        let net = core::array::from_fn(|j| core::array::from_fn(|i| self.net[i][j]));
+        Self { net, rational: self.rational }
+    }
+
     /// Is its first or last border of u (0) or v (1) one point, but for rounding? From there it does not go on.
     pub fn ends_in_point(&self, axis: usize, end: usize) -> bool {
         let at = |k: usize, border: usize| {

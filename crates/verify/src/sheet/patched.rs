@@ -25,11 +25,6 @@ pub(crate) trait Cells {
     fn at(&self, i: usize, j: usize, u: f64, v: f64) -> Derivatives;
     /// Bounds of the derivatives over the cell.
     fn bend(&self, i: usize, j: usize) -> Bend;
-    /// How far the unit normals over a part of the cell stand from a unit vector at most, where that is told of one beside a
-    /// corner in which there is none.
-    fn normals(&self, _i: usize, _j: usize, _range: [[f64; 2]; 2], _n: Vec3) -> Option<f64> {
-        None
-    }
 }
 
 /// Where a parameter runs.
@@ -559,7 +554,7 @@ impl Patched {
         let range = [0, 1].map(|k| [patch.at[k] - patch.half[k], patch.at[k] + patch.half[k]]);
         let [i, j] = chart.cell;
         let far = match &self.kind {
-            Kind::Sculpted(s) if chart.bare => s.normals(i, j, range, jet.n),
+            Kind::Sculpted(s) if chart.bare => s.normals([i, j], range, jet.n),
             _ => None,
         }?;
         Some([0.5 * far; 2])

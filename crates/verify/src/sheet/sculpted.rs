@@ -70,6 +70,18 @@ impl Sculpted {
         self.patch(i, j).0.ends_in_point(k, end)
     }
 
+    /// How far the unit normals over a part of a cell, or of what goes on from it, stand from a unit vector at most.
+    pub(crate) fn normals(&self, [i, j]: [usize; 2], range: [[f64; 2]; 2], n: Vec3) -> Option<f64> {
+        /// So near to a border of the patch counts as there.
+        const NEAR: f64 = 1e-12;
+        let (patch, from, rate) = self.patch(i, j);
+        let [u, v] = [0, 1].map(|k| {
+            let snap = |x: f64| if (x - x.round()).abs() < NEAR { x.round() } else { x };
+            range[k].map(|x| snap((x - from[k]) * rate[k]))
+        });
+        patch.normals_about(n, u, v)
+    }
+
     /// The patch of a cell with where it begins and how fast its parameters run.
     fn patch(&self, i: usize, j: usize) -> (&Patch, [f64; 2], [f64; 2]) {
         let (i, j) = (i / self.cut, j / self.cut);
@@ -93,17 +105,6 @@ impl Cells for Sculpted {
             [from, from + 1.0 / n]
         };
         of_patch(&patch.part(part(i), part(j))).rated(a * n, b * n)
-    }
-
-    fn normals(&self, i: usize, j: usize, range: [[f64; 2]; 2], n: Vec3) -> Option<f64> {
-        /// So near to a border of the patch counts as there.
-        const NEAR: f64 = 1e-12;
-        let (patch, from, rate) = self.patch(i, j);
-        let [u, v] = [0, 1].map(|k| {
-            let snap = |x: f64| if (x - x.round()).abs() < NEAR { x.round() } else { x };
-            range[k].map(|x| snap((x - from[k]) * rate[k]))
-        });
-        patch.normals_about(n, u, v)
     }
 }
 

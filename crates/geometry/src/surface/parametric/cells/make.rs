@@ -69,7 +69,7 @@ impl Put<'_> {
                 let [low, high] = if end == 0 { [other, patch] } else { [patch, other] };
                 match k {
                     0 => goes_on(low, high),
-                    _ => goes_on(&turned(low), &turned(high)),
+                    _ => goes_on(&low.exchanged(), &high.exchanged()),
                 }
             })
         })
@@ -126,7 +126,7 @@ impl Put<'_> {
                     let part = if k == 0 {
                         patch.part([0.0, 1.0], share(i))
                     } else {
-                        turned(&patch.part(share(i), [0.0, 1.0]))
+                        patch.part(share(i), [0.0, 1.0]).exchanged()
                     };
                     let edge = Edge::of(&part, side);
                     for (mid_out, half_out, far) in stretches(*range) {
@@ -197,12 +197,6 @@ fn stretches([border, end]: [f64; 2]) -> impl Iterator<Item = (f64, f64, f64)> {
 fn outwards(end: usize, [border, last]: [f64; 2], far: f64) -> [bool; 2] {
     let goes_on = far < (last - border).abs();
     if end == 0 { [goes_on, true] } else { [true, goes_on] }
-}
-
-/// The patch with u and v exchanged.
-fn turned(patch: &Patch) -> Patch {
-    let net = array::from_fn(|j| array::from_fn(|i| patch.net[i][j]));
-    Patch { net, rational: patch.rational }
 }
 
 /// A ball that holds the control points.
