@@ -107,8 +107,7 @@ pub struct Scallop {
     pub links: Vec<[Position; 2]>,
 }
 
-/// An outline of straight lines in the parameters u and v of a surface, which do not cross: the contacts of the first and the last pass,
-/// and the ends of those between. It is closed, but for where the surface closes in itself or ends in a point.
+/// An outline of straight lines in the parameters u and v of a surface. It is closed, but for where the surface closes in itself.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outline {
     /// The lines.
@@ -117,12 +116,24 @@ pub struct Outline {
     pub along: usize,
 }
 
+impl Outline {
+    /// Does it hold the place?
+    pub fn holds(&self, at: [f64; 2]) -> bool {
+        let [x, y] = [at[self.along], at[1 - self.along]];
+        let met = self.lines.iter().filter(|line| {
+            let [[a, c], [b, d]] = line.map(|end| [end[self.along], end[1 - self.along]]);
+            (c > y) != (d > y) && x < a + (b - a) * ((y - c) / (d - c))
+        });
+        met.count() % 2 == 1
+    }
+}
+
 /// A region of the part surface, by its parameters u and v, between the contacts of the first and the last pass.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Extent {
     /// Least and greatest u and v.
     Box([[f64; 2]; 2]),
-    /// What an outline holds.
+    /// What an outline holds: the contacts of the first and the last pass, and the ends of those between. Its lines do not cross.
     Outline(Outline),
     /// It is not known, for this reason.
     Unknown(&'static str),

@@ -100,8 +100,8 @@ impl Convex for Swept<'_> {
     }
 
     fn near_until(&self, q: Vec3, aim: f64, lost: impl Fn(Vec3) -> f64) -> (Near, f64) {
-        self.closed_in(q, |cut, slope, most| {
-            let lost = lost(slope());
+        self.closed_in(q, |cut, [a, b], most| {
+            let lost = lost(mixed(a, b));
             cut - lost >= aim || most - lost < aim
         })
     }
@@ -118,16 +118,12 @@ impl Convex for Swept<'_> {
 }
 
 impl Swept<'_> {
-    /// What is near a place, and what its distance is at most, by rounds that are over when `told` says so of what the distance is at least, of
-    /// the slope there and of what it is at most.
+    /// What is near a place, and what its distance is at most, by rounds that are over when `told` says so of what the distance is at
+    /// least, of the places on both sides of the nearest, and of what it is at most.
     ///
     /// The distance is convex along the way: tangents at two places with slopes of both signs meet below its
     /// least value, and so do the planes through them, mixed until they do not rise along the way.
-    fn closed_in(
-        &self,
-        q: Vec3,
-        told: impl Fn(f64, &dyn Fn() -> Vec3, f64) -> bool,
-    ) -> (Near, f64) {
+    fn closed_in(&self, q: Vec3, told: impl Fn(f64, [&Place; 2], f64) -> bool) -> (Near, f64) {
         let at = |t: f64| {
             let (d, n, bend) = Convex::near(&self.tool, q - self.by * t);
             (t, d, n, -n.dot(&self.by), bend)
@@ -149,7 +145,7 @@ impl Swept<'_> {
         let (mut counts, mut stays) = ([1.0_f64; 2], 0_i32);
         for _ in 0..ROUNDS {
             let cut = meet(&low, &high);
-            if told(cut, &|| mixed(&low, &high), most) {
+            if told(cut, [&low, &high], most) {
                 break;
             }
             let here = at(t);

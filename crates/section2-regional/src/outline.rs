@@ -3,13 +3,12 @@
 use std::sync::Arc;
 
 use aptc_cldata::milling;
-use aptc_geometry::sculpt::Layout;
 use aptc_geometry::{Form, Sculptured};
 use aptc_protap::{Arg, NameRef};
 
 use crate::failure::Failure;
 use crate::regional::Regional;
-use crate::round::{closed, is_before};
+use crate::round::{closed, is_one};
 use crate::scon::Words;
 
 /// What a section of CLDAT went round on one surface.
@@ -78,7 +77,7 @@ impl Regional {
     /// Keeps an outline, in the place of one of the same number, also where that limits lines now.
     pub(crate) fn keep_outline(&mut self, outline: Outline) -> Result<(), Failure> {
         let of = |a: &Active| same(a.number, outline.number);
-        if self.outlines.active.iter().any(of) && outline.encloses() && !outline.scattered {
+        if self.outlines.active.iter().any(of) {
             let held = self.held(&outline)?;
             let active = self.outlines.active.iter_mut().filter(|a| of(a));
             active.for_each(|a| a.held.clone_from(&held));
@@ -90,9 +89,7 @@ impl Regional {
 
     /// What the loops of an outline hold.
     fn held(&mut self, outline: &Outline) -> Result<Vec<milling::Outline>, Failure> {
-        let Some(form) = &outline.form else {
-            return Err(Failure::Undone { what: "REGION of a section on no surface" });
-        };
+        let Some(form) = &outline.form else { return Ok(Vec::new()) };
         let surface = self.surface(&NameRef::default(), form)?;
         let corners = outline.loops.iter().filter(|l| l.len() >= 3);
         corners.map(|l| held(l, &surface)).collect::<Result<_, _>>().map_err(|_| Failure::Undone {
@@ -129,8 +126,7 @@ impl Outlines {
         let mut left = vec![ends];
         for active in &self.active {
             let on_it = |o: &Outline| o.form.as_ref().is_some_and(|f| same_form(f, form));
-            let of = |o: &&Outline| same(o.number, active.number) && on_it(o);
-            if !self.recorded.iter().any(|o| of(&o)) {
+            if !self.recorded.iter().any(|o| same(o.number, active.number) && on_it(o)) {
                 continue;
             }
             let kept = active.stretches(running, fixed, ends);
@@ -159,7 +155,7 @@ impl Active {
         let is_milled = |middle: f64| {
             let mut at = [fixed; 2];
             at[running] = middle;
-            let held = self.held.iter().filter(|o| is_before(&o.lines, o.along, at)).count();
+            let held = self.held.iter().filter(|o| o.holds(at)).count();
             (held % 2 == 1) == self.inside
         };
         let mut all: Vec<[f64; 2]> = Vec::new();
@@ -175,8 +171,7 @@ impl Active {
 
 /// What a loop of corners holds. On a surface that nowhere closes its lines may cross.
 fn held(corners: &[[f64; 2]], surface: &Sculptured) -> Result<milling::Outline, &'static str> {
-    let one = matches!(surface.layout, Layout::Mesh { .. }) || surface.patches.len() == 1;
-    if one && (surface.closes(0) || surface.closes(1)) {
+    if is_one(surface) && (surface.closes(0) || surface.closes(1)) {
         return closed(corners, surface);
     }
     let next = corners.iter().cycle().skip(1);

@@ -17,8 +17,7 @@ const BESIDE: f64 = 0.1;
 /// Where the surface closes in itself, as one that is turned about an axis does, a line goes the shorter way round. One that goes round
 /// as a whole holds what lies on the side of the passes between, to the end of the surface there: of a dome to its top.
 pub(crate) fn round(passes: &[&[[f64; 2]]], surface: &Sculptured) -> Result<Outline, &'static str> {
-    let one = matches!(surface.layout, Layout::Mesh { .. }) || surface.patches.len() == 1;
-    if !one {
+    if !is_one(surface) {
         return Err("the parameters of its part surface do not run through from patch to patch");
     }
     let [first, between @ .., last] = passes else { return Err("it has fewer than two passes") };
@@ -33,42 +32,44 @@ pub(crate) fn round(passes: &[&[[f64; 2]]], surface: &Sculptured) -> Result<Outl
     if corners.len() > 1 && corners.first() == corners.last() {
         corners.pop();
     }
-    let whole = enclosed(&corners, surface, true, |lines, along| {
-        let low = side(between, lines, along);
-        low.map(|low| if low { 0.0 } else { surface.spans()[along] })
-            .or_else(|| point(passes, surface, along))
-    })?;
-    // Round a whole ball the outline holds nothing: its lines lie on its seam, to and fro.
     // Over a hole a pass goes on beyond the border.
     let spans = surface.spans();
     let inside = |at: [f64; 2], k: usize| at[k].clamp(SAME * spans[k], (1.0 - SAME) * spans[k]);
-    let holds =
-        |at: &[f64; 2]| is_before(&whole.lines, whole.along, [0, 1].map(|k| inside(*at, k)));
-    let middle = |t: &&[[f64; 2]]| t[t.len() / 2];
-    let mut within: Vec<[f64; 2]> = between.iter().filter(|t| t.len() > 2).map(middle).collect();
+    let middle = |t: &[[f64; 2]]| [0, 1].map(|k| inside(t[t.len() / 2], k));
+    let mut within: Vec<[f64; 2]> =
+        between.iter().filter(|t| t.len() > 2).map(|t| middle(t)).collect();
+    let whole = enclosed(&corners, surface, true, |outline| {
+        if within.is_empty() {
+            return point(passes, surface, outline.along);
+        }
+        Some(if most(outline, &within) { 0.0 } else { spans[outline.along] })
+    })?;
+    // Round a whole ball the outline holds nothing: its lines lie on its seam, to and fro.
     if within.is_empty() {
-        let [p, q] = [middle(first), middle(last)].map(|[u, v]| surface.at(u, v).point);
+        let [p, q] = [first, last].map(|t| middle(t)).map(|[u, v]| surface.at(u, v).point);
         within.push(nearest_on(surface, 0.5 * (p + q)).uv);
     }
-    if 2 * within.iter().filter(|at| holds(at)).count() <= within.len() {
-        return Err("its outline does not hold its passes");
-    }
-    Ok(whole)
+    if most(&whole, &within) { Ok(whole) } else { Err("its outline does not hold its passes") }
+}
+
+/// Do the parameters of a surface run through from patch to patch?
+pub(crate) fn is_one(surface: &Sculptured) -> bool {
+    matches!(surface.layout, Layout::Mesh { .. }) || surface.patches.len() == 1
 }
 
 /// What a closed curve holds by its corners, which may cross itself; round a surface that closes in itself what lies towards the
 /// point that that ends in.
 pub(crate) fn closed(corners: &[[f64; 2]], surface: &Sculptured) -> Result<Outline, &'static str> {
-    enclosed(corners, surface, false, |_, along| point(&[corners], surface, along))
+    enclosed(corners, surface, false, |outline| point(&[corners], surface, outline.along))
 }
 
-/// What an outline holds by its corners, of one that is to be `simple` or the reason why it is not; where it goes round by one parameter, to the border of the other that `border` tells of its
-/// lines.
+/// What an outline holds by its corners, of one that is to be `simple` or the reason why it is not; where it goes round by one
+/// parameter, to the border of the other that `border` tells, within which it lies where that is at 0.
 fn enclosed(
     corners: &[[f64; 2]],
     surface: &Sculptured,
     simple: bool,
-    border: impl Fn(&[[[f64; 2]; 2]], usize) -> Option<f64>,
+    border: impl Fn(&Outline) -> Option<f64>,
 ) -> Result<Outline, &'static str> {
     let spans = surface.spans();
     let periods = [0, 1].map(|k| surface.closes(k).then_some(spans[k]));
@@ -94,23 +95,23 @@ fn enclosed(
     };
     let turns =
         around.map_or(0.0, |k| lines.iter().map(|line| line.over[k]).sum::<f64>() / spans[k]);
-    let mut lines: Vec<_> = lines.iter().flat_map(Line::within).collect();
-    if simple && crosses(&lines) {
+    let along = around.map_or(0, |k| 1 - k);
+    let mut outline = Outline { lines: lines.iter().flat_map(Line::within).collect(), along };
+    if simple && crosses(&outline.lines) {
         return Err("the contacts of its passes cross");
     }
-    let along = around.map_or(0, |k| 1 - k);
     let is_odd = (0.5 * turns.round()).fract() != 0.0;
     if let Some(k) = around.filter(|_| is_odd) {
-        let Some(border_at) = border(&lines, along) else {
+        let Some(border_at) = border(&outline) else {
             return Err("its passes go round its part surface, and nothing lies between them");
         };
         let mut border = [[0.0; 2]; 2];
         for (end, at) in border.iter_mut().zip([0.0, spans[k]]) {
             (end[k], end[along]) = (at, border_at);
         }
-        lines.push(border);
+        outline.lines.push(border);
     }
-    Ok(Outline { lines, along })
+    Ok(outline)
 }
 
 /// An outline as it is made.
@@ -195,25 +196,9 @@ impl Line {
     }
 }
 
-/// Do the passes between the first and the last run on the lower side of an outline that goes round, by their middles? `None` where
-/// there are none.
-fn side(between: &[&[[f64; 2]]], lines: &[[[f64; 2]; 2]], along: usize) -> Option<bool> {
-    let (mut low, mut all) = (0, 0);
-    for at in between.iter().filter(|t| t.len() > 2).map(|t| t[t.len() / 2]) {
-        low += usize::from(is_before(lines, along, at));
-        all += 1;
-    }
-    (all > 0).then_some(2 * low > all)
-}
-
-/// Does an odd number of lines lie before a place, its parameter `along` rising?
-pub(crate) fn is_before(lines: &[[[f64; 2]; 2]], along: usize, at: [f64; 2]) -> bool {
-    let [x, y] = [at[along], at[1 - along]];
-    let met = lines.iter().filter(|line| {
-        let [[a, c], [b, d]] = line.map(|end| [end[along], end[1 - along]]);
-        (c > y) != (d > y) && x < a + (b - a) * ((y - c) / (d - c))
-    });
-    met.count() % 2 == 1
+/// Do most of these places lie within?
+fn most(outline: &Outline, places: &[[f64; 2]]) -> bool {
+    2 * places.iter().filter(|at| outline.holds(**at)).count() > places.len()
 }
 
 /// At which end of the parameter is the surface a point that passes go round, or over? Of two the one that a pass comes nearer to.
@@ -282,10 +267,6 @@ mod tests {
         nearest_on(s, Vec3::new(x, y, 6.0 - 0.5 * (x * x + y * y).sqrt())).uv
     }
 
-    fn holds(o: &Outline, at: [f64; 2]) -> bool {
-        is_before(&o.lines, o.along, at)
-    }
-
     proptest! {
         /// Rectangles on a cone, askew: over its tip, beside it, over its seam.
         #[test]
@@ -313,7 +294,7 @@ mod tests {
                 let out = a.abs().max(b.abs());
                 // Lines in the parameters are bent in the plan.
                 if (out - 1.0).abs() > 0.1 {
-                    prop_assert_eq!(holds(&o, on(&s, plan([a, b]))), out < 1.0);
+                    prop_assert_eq!(o.holds(on(&s, plan([a, b]))), out < 1.0);
                 }
             }
         }
@@ -332,8 +313,8 @@ mod tests {
             let o = round(&passes.each_ref().map(|p| &p[..]), &s).unwrap();
             let inside = [[0.01, 0.02], [-0.1, 0.02], [4.5, 0.3], [-4.5, 2.8], [0.0, 2.9]];
             let outside = [[0.01, -0.02], [-0.1, -0.02], [4.5, -0.3], [-4.5, 3.2], [5.5, 1.0]];
-            assert!(inside.iter().all(|p| holds(&o, on(&s, *p))));
-            assert!(!outside.iter().any(|p| holds(&o, on(&s, *p))));
+            assert!(inside.iter().all(|p| o.holds(on(&s, *p))));
+            assert!(!outside.iter().any(|p| o.holds(on(&s, *p))));
         }
     }
 
@@ -347,11 +328,11 @@ mod tests {
         let rings: Vec<Vec<[f64; 2]>> = [0.2, 0.4, 0.6].map(ring).to_vec();
         let all: Vec<&[[f64; 2]]> = rings.iter().map(|r| &r[..]).collect();
         let o = round(&all, &s).unwrap();
-        assert!(holds(&o, [span[0] * 0.3, 1.1]) && !holds(&o, [span[0] * 0.1, 1.1]));
+        assert!(o.holds([span[0] * 0.3, 1.1]) && !o.holds([span[0] * 0.1, 1.1]));
         let tip = [[0.0, 0.0]];
         let from_tip: Vec<&[[f64; 2]]> = std::iter::once(&tip[..]).chain(all).collect();
         match round(&from_tip, &s) {
-            Ok(o) => assert!(holds(&o, [span[0] * 0.1, 1.1]) && holds(&o, [span[0] * 0.5, 2.0])),
+            Ok(o) => assert!(o.holds([span[0] * 0.1, 1.1]) && o.holds([span[0] * 0.5, 2.0])),
             Err(why) => assert!(why.contains("hold"), "{why}"),
         }
     }

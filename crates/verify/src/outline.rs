@@ -6,10 +6,7 @@ use crate::sheet::Patch;
 
 /// What an outline holds.
 #[derive(Debug)]
-pub(crate) struct Outline {
-    edges: Vec<[[f64; 2]; 2]>,
-    along: usize,
-}
+pub(crate) struct Outline(milling::Outline);
 
 /// What of a piece lies in it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,13 +24,13 @@ const ROUNDING: f64 = 1e-12;
 
 impl Outline {
     pub(crate) fn new(outline: &milling::Outline) -> Self {
-        Self { edges: outline.lines.clone(), along: outline.along }
+        Self(outline.clone())
     }
 
     /// Least and greatest parameters of its lines.
     pub(crate) fn range(&self) -> [[f64; 2]; 2] {
         [0, 1].map(|k| {
-            let all = self.edges.iter().flatten().map(|end| end[k]);
+            let all = self.0.lines.iter().flatten().map(|end| end[k]);
             all.fold([f64::INFINITY, f64::NEG_INFINITY], |r, x| [r[0].min(x), r[1].max(x)])
         })
     }
@@ -41,24 +38,13 @@ impl Outline {
     /// A piece through which no line goes is as its middle is.
     pub(crate) fn share(&self, patch: &Patch) -> Share {
         let half = [0, 1].map(|k| patch.half[k] + ROUNDING * (patch.at[k].abs() + patch.half[k]));
-        let through = self.edges.iter().find(|e| meets(**e, patch.at, half));
-        match (through, self.holds(patch.at)) {
+        let through = self.0.lines.iter().find(|e| meets(**e, patch.at, half));
+        match (through, self.0.holds(patch.at)) {
             (None, true) => Share::All,
             (Some(_), true) => Share::Middle,
             (Some(edge), false) => Share::Rest(beside(*edge, patch.at, half)),
             (None, false) => Share::None,
         }
-    }
-
-    /// Does a ray from the place meet the lines an odd number of times?
-    fn holds(&self, at: [f64; 2]) -> bool {
-        let turned = |uv: &[f64; 2]| [uv[self.along], uv[1 - self.along]];
-        let [u, v] = turned(&at);
-        let meets = |edge: &[[f64; 2]; 2]| {
-            let [[a, b], [c, d]] = edge.each_ref().map(turned);
-            (b > v) != (d > v) && u < a + (c - a) * ((v - b) / (d - b))
-        };
-        self.edges.iter().filter(|e| meets(e)).count() % 2 == 1
     }
 }
 
@@ -115,7 +101,7 @@ mod tests {
             for i in 0..=20_i32 {
                 for j in 0..=20_i32 {
                     let [s, t] = [i, j].map(|i| 0.1 * f64::from(i) - 1.0);
-                    let held = o.holds([at[0] + s * half[0], at[1] + t * half[1]]);
+                    let held = o.0.holds([at[0] + s * half[0], at[1] + t * half[1]]);
                     match share {
                         Share::All => prop_assert!(held),
                         Share::None => prop_assert!(!held),
@@ -127,7 +113,7 @@ mod tests {
                 let off = |k: usize| (x[k] - at[k]).abs() <= 1.5 * half[k] + 1e-9;
                 prop_assert!(off(0) && off(1), "{x:?}");
             }
-            prop_assert_eq!(o.holds(at), matches!(share, Share::All | Share::Middle));
+            prop_assert_eq!(o.0.holds(at), matches!(share, Share::All | Share::Middle));
         }
     }
 

@@ -71,8 +71,8 @@ pub(crate) fn cases() -> Cases {
         let (name, text) = (format!("milled {seed}"), milled::program(seed));
         let source = Source { name: name.as_str().into(), text: text.into() };
         let messages = compiled(&name, source, &mut Disk::new(Vec::new(), 0), &mut out);
-        // The tool gets into something where it does not get out of the way, on the way to a region too, and passes leave what they leave. A statement that
-        // is not understood would leave the rest without what is to be looked at.
+        // The tool gets into something where it does not get out of the way, on the way to a region too, and passes leave what
+        // they leave. A statement that is not understood would leave the rest without what is to be looked at.
         let strange = messages
             .iter()
             .find(|d| !["APT2046", "APT2049", "APT2053"].contains(&&*d.code.to_string()));
