@@ -134,6 +134,42 @@ mod tests {
     use aptc_geometry::{Cutter, Sculptured, Tool};
     use proptest::prelude::*;
 
+    /// A third of a cone 40 high and 50 wide.
+    fn cone() -> PatchTree {
+        let sin = aptc_geometry::trig::sin_deg(60.0);
+        let corners = [(1.0, 0.0, 1.0), (0.5, sin, 0.5), (-0.5, sin, 1.0)];
+        let [a, b, c] = corners.map(|(x, y, w)| Vec4::new(25.0 * x, 25.0 * y, 0.0, w));
+        let rim = [a, (a + b * 2.0) / 3.0, (b * 2.0 + c) / 3.0, c];
+        let net = rim.map(|end| {
+            let tip = Vec4::new(0.0, 0.0, 40.0 * end.w, end.w);
+            core::array::from_fn(|i| tip + (end - tip) * (i as f64 / 3.0))
+        });
+        PatchTree::new(&Sculptured::grid(vec![Patch::new(net)], 1, 1).unwrap())
+    }
+
+    /// A flat bottom that lies on a cone along its rulings, up to the tip, where pieces are far longer by one parameter than by
+    /// the other.
+    #[test]
+    fn a_bottom_lies_on_a_cone() {
+        let (tree, tip) = (cone(), Vec3::new(0.0, 0.0, 40.0));
+        let profile = Profile::new(&Cutter::mill(10.0, 0.0, 60.0)).unwrap();
+        let at = |turn: f64| {
+            let (sin, cos) = aptc_geometry::trig::sin_cos(turn);
+            let foot = Vec3::new(25.0 * cos, 25.0 * sin, 0.0);
+            (foot, Vec3::new(40.0 * cos, 40.0 * sin, 25.0).normalize())
+        };
+        for turn in [0.1, 0.8, 1.9] {
+            let (foot, ta) = at(turn);
+            for ends in [[(tip, ta), (foot, ta)], [(tip, ta), (tip, at(2.0 - turn).1)]] {
+                let clear = |allowed| tree.clear_turning((&profile, 0.0), ends, allowed);
+                assert_eq!(clear(0.01), Clear::Yes, "{turn}");
+                let down = ends.map(|(te, ta)| (te - ta * 0.02, ta));
+                let deep = tree.clear_turning((&profile, 0.0), down, 0.01);
+                assert!(matches!(deep, Clear::No(_)), "{turn} {deep:?}");
+            }
+        }
+    }
+
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(24))]
         /// What is answered on both sides of the deepest place of many on the way.

@@ -51,6 +51,16 @@ impl Cell {
         a + b + p + q + r + (self.rests[0] + self.rests[1]) * v.norm()
     }
 
+    /// By how much it rises at least along the unit vector `n`, or one that is shorter, where a parameter goes from the middle to the
+    /// border, twice as much and without its slope. Negative where it may fall.
+    #[inline]
+    pub(crate) fn rises(&self, n: Vec3) -> [f64; 2] {
+        let [p, q, r] = self.second.map(|d| d.dot(&n));
+        // Of the middle term each parameter takes one half.
+        let [s, t] = self.rests;
+        [2.0 * (p - s) - q.abs(), 2.0 * (r - t) - q.abs()]
+    }
+
     /// At most the least of what the places are along the vector from the middle, times the vector's length.
     #[inline]
     fn lowest(&self, v: Vec3) -> f64 {

@@ -188,3 +188,49 @@ GOMILL/DOME,UCONST,0,STEPOV,.1,PICKFD,RETR,(PLANE/0,0,1,50)",
     within([-8.0, 7.0], [-6.0, 9.0]);
     within([-20.0, -10.0], [-6.0, 6.0]);
 }
+
+/// A half of a ball of 60 whose pole stands at this height, and a flat end of 12.
+fn quarter(pole: i32, work: &str) -> String {
+    let at = f64::from(pole) * core::f64::consts::FRAC_1_SQRT_2;
+    let arc = format!("CURSEG,$\n (0,0,{pole}),({},0,{at}),(30,0,0)", at.abs());
+    program(0.0, "12,0", work)
+        .replace("SPLINE,(0,0,20),TANSPL,$\n (VECTOR/1,0,0),(25,0,14),(40,0,0)", &arc)
+}
+
+/// A flat bottom that lies on a ball all along is touched behind all the way round, so that passes to and fro stand abreast.
+#[test]
+fn a_flat_bottom_goes_round_a_ball_behind_which_it_touches() {
+    let work = "MULTAX
+SCON/DS,DOME,PARAM,.2,.9,0,3,AT,(VECTOR/0,0,1)
+SCON/PS,TO,DOME,PLUS,0
+SCON/AXIS,NORMDS
+SCON/FEED,0,0,0,0
+SCON/STEPOV,.1,4,0,0
+SMIL/ZIGZAG,DS,PARAM,.2,0,CRSSPL,PLUS,STEPOV,PLUS";
+    let text = quarter(30, work);
+    let ran = run::run(&text, Verify::Full);
+    assert_eq!(ran.faults(), Vec::<String>::new());
+    // As near to the contact as the bottom is wide: on a sphere of that radius, but for the chords.
+    let radius = f64::hypot(30.0, 6.0);
+    let beside =
+        ran.places.iter().filter(|p| (aptc_geometry::Vec3::from(**p).norm() - radius).abs() < 0.02);
+    assert!(beside.count() + 1 == ran.places.len(), "{}", ran.places.len());
+    assert!(ran.places.len() < 1500, "{}", ran.places.len());
+}
+
+/// One that is led over the bottom of a bowl has no summit below it that a pass could go over.
+#[test]
+fn a_flat_bottom_is_led_over_that_of_a_bowl() {
+    let work = "SCON/DS,OVER,PARAM,0,1,0,1,ON,DOWN
+SCON/PS,TO,DOME,PLUS,0
+SCON/AXIS,(VECTOR/0,0,1)
+SCON/FEED,0,0,0,0
+SCON/STEPOV,1,3,0,0
+SMIL/ZIGZAG,DS,PARAM,0,0,TANSPL,PLUS,STEPOV,PLUS";
+    let text = quarter(-30, work);
+    let ran = run::run(&text, Verify::Full);
+    assert!(ran.faults().iter().all(|code| code == "APT5002"), "{:?}", ran.told);
+    let low = ran.places.iter().map(|p| p[2]).fold(f64::INFINITY, f64::min);
+    assert!((low + (900.0_f64 - 36.0).sqrt()).abs() < 0.05, "{low} {:?}", ran.told);
+    assert!(ran.places.len() < 1500, "{}", ran.places.len());
+}

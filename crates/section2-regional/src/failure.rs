@@ -103,6 +103,9 @@ pub(crate) struct Deep {
 }
 
 impl Failure {
+    /// What was told at an earlier statement.
+    pub(crate) const TOLD: Self = Self::NotSet { areas: Vec::new() };
+
     pub(crate) fn gouge(gouge: Gouge, te: Vec3, ta: Vec3, avoids: bool) -> Self {
         Self::Gouge(Box::new(Deep { gouge, te, ta, avoids }))
     }

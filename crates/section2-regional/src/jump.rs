@@ -18,6 +18,8 @@ const MOST: f64 = 4_000.0;
 /// Halvings of a stretch along which the contact swings, down to this part of how far the passes are apart.
 const HALVINGS: u32 = 12;
 const FINE: f64 = 0.25;
+/// Part of a jump by which the contact of a pass may go on within a stretch that is looked at no closer.
+const STEADY: f64 = 0.25;
 /// Places between the contacts of two passes.
 const BETWEEN: u32 = 12;
 /// A step at which something is left is made shorter so many times, by this factor.
@@ -59,9 +61,9 @@ impl Pair {
 impl Region<'_> {
     /// The step across, shorter where the contact jumps and something higher than the scallop would be left: to a summit
     /// between the two, or less.
-    pub(crate) fn closed(&self, lane: &Lane, mut step: f64) -> f64 {
+    pub(crate) fn closed(&self, lane: &Lane, wide: f64) -> f64 {
         let high = self.setup.thick() + self.stepover.scallop;
-        let mut summits = 0;
+        let (mut step, mut summits) = (wide, 0);
         for _ in 0..CLOSER {
             let mut stands = None;
             self.jumps(lane, step, &mut |pair| {
@@ -69,12 +71,13 @@ impl Region<'_> {
                 stands = (!clear).then_some(*pair);
                 clear
             });
-            let Some(pair) = stands else { break };
+            let Some(pair) = stands else { return step };
             let summit = (summits < SUMMITS).then(|| self.summit(lane, step, &pair)).flatten();
             summits += u32::from(summit.is_some());
             step = summit.unwrap_or(SHORTER * step);
         }
-        step
+        // Where a far shorter one leaves something too that is no matter of the step.
+        wide
     }
 
     /// The highest of what is left between passes where the contact jumps; `ways` has the positions of each.
@@ -116,6 +119,11 @@ impl Region<'_> {
             let all = [a[0], a[1], b[0], b[1]];
             all.iter().any(|p| all.iter().any(|q| (p - q).norm() > jump))
         };
+        // Where passes go to and fro the bottom may lie on the surface all along with its one side and its other.
+        let steady = |a: &Pair, b: &Pair| {
+            let (a, b) = (a.arms(), b.arms());
+            (0..2).all(|k| (a[k] - b[k]).norm() <= STEADY * jump)
+        };
         let mut before: Option<Pair> = None;
         let mut i = 0.0;
         while i <= n {
@@ -131,7 +139,8 @@ impl Region<'_> {
             while let Some((a, b, halvings)) = stack.pop() {
                 let long = (b.both[0].0.contact - a.both[0].0.contact).norm();
                 let fine = FINE * a.apart().max(b.apart());
-                if halvings >= HALVINGS || long <= fine || !swings(a.arms(), b.arms()) {
+                let swings_on = swings(a.arms(), b.arms()) && !steady(&a, &b);
+                if halvings >= HALVINGS || long <= fine || !swings_on {
                     continue;
                 }
                 let Some(mid) = pair(0.5 * (a.t + b.t), Some(&a)) else { continue };

@@ -49,6 +49,8 @@ pub struct Regional {
     pub(crate) settings: Settings,
     pub(crate) areas: Areas,
     pub(crate) fitted: Vec<(Arc<Form>, Arc<Sculptured>)>,
+    /// Those that cannot be fitted, curves too.
+    pub(crate) unfit: Vec<Arc<Form>>,
     /// Surfaces prepared for questions.
     pub(crate) trees: Vec<(Arc<Sculptured>, Arc<PatchTree>)>,
     /// Surfaces prepared for the places nearest to points.

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use aptc_contact::PatchTree;
-use aptc_geometry::sculpt::{fit_curve, fit_surface};
+use aptc_geometry::sculpt::{FitFault, fit_curve, fit_surface};
 use aptc_geometry::{Form, Sculptured, SpaceCurve, Vec3};
 use aptc_protap::{Arg, NameRef};
 
@@ -236,8 +236,7 @@ impl Regional {
         let Form::Scurv(d) = form.shape() else {
             return Err(Failure::Undone { what: "a drive that is no sculptured curve" });
         };
-        let fitted = fit_curve(d).map_err(|why| unfit(name, &why))?;
-        Ok(Arc::new(fitted))
+        fit_curve(d).map(Arc::new).map_err(|why| self.unfit((name, form), &why))
     }
 
     /// The surface prepared for questions; each is prepared once.
@@ -264,15 +263,21 @@ impl Regional {
             return Err(Failure::Undone { what: "a surface that is not sculptured" });
         };
         let reach = REACH_INCHES * self.settings.inch();
-        let fitted = Arc::new(fit_surface(d, reach).map_err(|why| unfit(name, &why))?);
+        let fitted = fit_surface(d, reach).map_err(|why| self.unfit((name, form), &why))?;
+        let fitted = Arc::new(fitted);
         self.fitted.push((Arc::clone(form), Arc::clone(&fitted)));
         Ok(fitted)
     }
-}
 
-fn unfit(name: &NameRef, why: &aptc_geometry::sculpt::FitFault) -> Failure {
-    let name = if name.name.is_empty() { "the curve or surface" } else { name.name.as_str() };
-    Failure::Unfit { name: name.into(), why: why.to_string().into() }
+    /// What cannot be fitted is told where it is used first.
+    fn unfit(&mut self, (name, form): (&NameRef, &Arc<Form>), why: &FitFault) -> Failure {
+        if self.unfit.iter().any(|known| same_form(known, form)) {
+            return Failure::TOLD;
+        }
+        self.unfit.push(Arc::clone(form));
+        let name = if name.name.is_empty() { "the curve or surface" } else { name.name.as_str() };
+        Failure::Unfit { name: name.into(), why: why.to_string().into() }
+    }
 }
 
 fn axis_area(w: &mut Words<'_>) -> Result<AxisArea, Failure> {

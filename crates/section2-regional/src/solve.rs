@@ -72,12 +72,34 @@ pub(crate) struct Memory {
     pub(crate) part_uv: [f64; 2],
     /// From the contact to the axis.
     toward: Vec3,
+    /// Where the path went, and the axis.
+    forward: Vec3,
+    ta: Vec3,
 }
 
 impl Memory {
     /// The same with the search starting elsewhere.
     pub(crate) fn at(self, part_uv: [f64; 2]) -> Self {
         Self { part_uv, ..self }
+    }
+
+    /// From the contact to the axis for another axis and the way there: where both turn it turns with them, so that a bottom
+    /// that lies on the surface all along is touched behind all along.
+    fn toward(&self, forward: Vec3, ta: Vec3) -> Vec3 {
+        /// Axes that differ by less do not turn.
+        const TURNS: f64 = 1e-12;
+        if (ta - self.ta).norm() <= TURNS {
+            return self.toward;
+        }
+        let frame = |forward: Vec3, ta: Vec3| {
+            let level = (forward - ta * forward.dot(&ta)).try_normalize(0.0)?;
+            Some([level, ta.cross(&level)])
+        };
+        let turned = || {
+            let [from, to] = [frame(self.forward, self.ta)?, frame(forward, ta)?];
+            Some(to[0] * from[0].dot(&self.toward) + to[1] * from[1].dot(&self.toward))
+        };
+        turned().unwrap_or(self.toward)
     }
 }
 
@@ -164,7 +186,6 @@ impl Setup<'_> {
         let forward = (p.along * sense).try_normalize(0.0).ok_or(Failure::NoAxis { uv })?;
         let mut ta = axis::at_drive(&self.axis, &p, forward).ok_or(Failure::NoAxis { uv })?;
         let behind = if self.centred { Vec3::zeros() } else { -forward };
-        let toward = memory.map_or(behind, |m| m.toward);
         let mut start = memory.map(|m| m.part_uv);
         let mut settled = false;
         for _ in 0..ROUNDS {
@@ -183,6 +204,7 @@ impl Setup<'_> {
                 settled = true;
             }
             if settled {
+                let toward = memory.map_or(behind, |m| m.toward(forward, ta));
                 return self.finish(&p, &met, ta, toward, forward, take);
             }
         }
@@ -300,7 +322,7 @@ impl Setup<'_> {
             segment,
             lift: Vec3::zeros(),
         };
-        Ok((position, Memory { part_uv: met.uv, toward }))
+        Ok((position, Memory { part_uv: met.uv, toward, forward, ta }))
     }
 
     /// As [`Setup::position`], and where the tool end stays on the line of projection the first contact on it; elsewhere

@@ -50,13 +50,13 @@ impl Region<'_> {
         for _ in 0..WIDER {
             let (mut low, mut high) = ((t - reach).max(from), (t + reach).min(to));
             reach *= 2.0;
-            let first = ahead(low)?;
-            if first * ahead(high)? >= 0.0 {
+            // In a hollow it goes from before the contact to behind it, and no pass clears what is below the bottom.
+            if ahead(low)? >= 0.0 || ahead(high)? <= 0.0 {
                 continue;
             }
             for _ in 0..HALVINGS {
                 let middle = 0.5 * (low + high);
-                *(if ahead(middle)? * first > 0.0 { &mut low } else { &mut high }) = middle;
+                *(if ahead(middle)? < 0.0 { &mut low } else { &mut high }) = middle;
             }
             let p = at(0.5 * (low + high))?;
             return Some((p.te - p.contact).dot(&over));

@@ -166,12 +166,16 @@ fn tangents(
     aim: f64,
 ) -> (f64, f64) {
     let [a, b] = cell.first;
-    let below = |n: Vec3| lowest([n.dot(&a), n.dot(&b)], bends.rises(n, half));
+    // The bends of the whole patch tell more of large pieces, those of the middle more of small ones.
+    let falls = |slopes: [f64; 2], n: Vec3| {
+        lowest(slopes, bends.rises(n, half)).max(lowest(slopes, cell.rises(n)))
+    };
+    let below = |n: Vec3| falls([n.dot(&a), n.dot(&b)], n);
     let ((distance, n, turn), most) = body.near_until(cell.point, aim, |n| -below(n));
     let (x, y) = (n.dot(&a), n.dot(&b));
     let bound = distance + below(n);
     // A second bound lies below the distance of the middle less what bends: worth it only above the aim.
-    if bound >= aim || most + lowest([0.0; 2], bends.rises(n, half)) < aim {
+    if bound >= aim || most + falls([0.0; 2], n) < aim {
         return (distance, bound);
     }
     // Once more from where the parallelogram comes nearest, by how fast the slope turns: a tangent there
