@@ -31,15 +31,21 @@ impl Judged {
         Self::with(demand, c, role)
     }
 
-    /// That the tool does not pass the check surface before it stops there. `None` where it may: it stops
-    /// at a later meeting, runs in tangentially, or has passed it when the motion begins.
+    /// That the tool does not pass a check surface before it stops there, or at another. `None` where it may: it stops
+    /// at a later meeting, runs in tangentially, or has passed it when the motion begins. With `either` its side is not known.
     pub(crate) fn never_past(
         c: &Controlled,
         profile: &Profile,
         start: &Position,
         pad: f64,
         sheets: &Sheets,
+        either: bool,
     ) -> Option<Self> {
+        if either && c.relation != Relation::On {
+            let sides = [c.side, -c.side].map(|side| Controlled { side, ..c.clone() });
+            let never = |c| Self::never_past(c, profile, start, pad, sheets, false);
+            return sides.iter().find_map(never);
+        }
         if c.nth > 1 {
             return None;
         }

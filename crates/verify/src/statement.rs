@@ -60,16 +60,16 @@ pub(crate) struct Answer {
     real: Option<Fault>,
     /// What was seen of each surface.
     seen: Vec<Seen>,
-    /// The same of the check surface before the end.
-    never: Seen,
+    /// The same of the check surfaces before the end.
+    never: Vec<Seen>,
     left: Option<Left>,
 }
 
 /// Of which surfaces all vectors of a part are proved at once.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Debug, Default)]
 struct Rows {
     along: [bool; 2],
-    never: bool,
+    never: Vec<bool>,
 }
 
 /// What came of a vector.
@@ -114,13 +114,15 @@ pub(crate) enum Ready {
 pub(crate) struct Guided {
     along: Vec<Judged>,
     check: Option<Judged>,
-    never: Option<Judged>,
+    /// The check surfaces that are not to be passed.
+    never: Vec<Judged>,
 }
 
 impl Answer {
-    /// Of a part along so many surfaces, before it is judged.
-    fn of(n_surfaces: usize) -> Self {
-        Self { seen: vec![Seen::default(); n_surfaces], ..Self::default() }
+    /// Of a part along so many surfaces, of which so many others are not to be passed, before it is judged.
+    fn of(n_surfaces: usize, n_never: usize) -> Self {
+        let seen = |n| vec![Seen::default(); n];
+        Self { seen: seen(n_surfaces), never: seen(n_never), ..Self::default() }
     }
 }
 
@@ -142,7 +144,7 @@ impl Statement {
             }
             (_, Share::Between(_)) => Answer::default(),
             (Ready::Guided(guided), Share::Vectors(from)) => {
-                let mut answer = Answer::of(guided.surfaces().count());
+                let mut answer = Answer::of(guided.surfaces().count(), guided.never.len());
                 let rows = guided.rows(self, *from, &mut answer);
                 let judge =
                     |i, a: &_, b: &_, answer: &mut _| guided.vector(self, i, [a, b], &rows, answer);
@@ -173,7 +175,7 @@ impl Statement {
                     }
                     fault
                 };
-                self.vectors(*from, Answer::of(surfaces.len()), judge)
+                self.vectors(*from, Answer::of(surfaces.len(), 0), judge)
             }
         }
     }
@@ -346,14 +348,11 @@ impl Guided {
             .into_iter()
             .filter_map(|(role, c)| c.as_ref().map(|c| Judged::new(c, role, &s.sheets)))
             .collect();
-        let check = control.checks.first();
-        let never = match (check, &s.start) {
-            (Some(c), Some(start)) if !s.startup => {
-                Judged::never_past(c, &s.profile, start, s.pad, &s.sheets)
-            }
-            _ => None,
-        };
-        Self { along, check: check.map(|c| Judged::new(c, "check", &s.sheets)), never }
+        let check = control.checks.first().map(|c| Judged::new(c, "check", &s.sheets));
+        let start = s.start.as_ref().filter(|_| !s.startup);
+        // It stops at the first; the others it may have been on the other side of when it began.
+        let never = |(i, c)| Judged::never_past(c, &s.profile, start?, s.pad, &s.sheets, i > 0);
+        Self { along, check, never: control.checks.iter().enumerate().filter_map(never).collect() }
     }
 
     /// Those of which bounds are told, drive first.
@@ -375,7 +374,8 @@ impl Guided {
         {
             *proved = row(judged, seen);
         }
-        rows.never = self.never.as_ref().is_some_and(|judged| row(judged, &mut answer.never));
+        let never = self.never.iter().zip(&mut answer.never);
+        rows.never = never.map(|(judged, seen)| row(judged, seen)).collect();
         rows
     }
 
@@ -398,9 +398,10 @@ impl Guided {
             }
             keep(&mut answer.real, judged.real_cutter(profile, start, to, *pad, number));
         }
-        if let (Some(judged), false) = (&self.never, rows.never) {
-            let seen = &mut answer.never;
-            keep(&mut fault, judged.vector(profile, start, to, *pad, number, seen));
+        for (k, (judged, seen)) in self.never.iter().zip(&mut answer.never).enumerate() {
+            if !rows.never.get(k).is_some_and(|proved| *proved) {
+                keep(&mut fault, judged.vector(profile, start, to, *pad, number, seen));
+            }
         }
         if i + 1 == s.points.len()
             && let (Some(judged), Some(seen)) = (&self.check, answer.seen.last_mut())

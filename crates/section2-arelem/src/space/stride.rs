@@ -24,6 +24,13 @@ pub(crate) struct Stride<To = Node> {
     pub(crate) targets: [f64; 2],
 }
 
+impl Stride {
+    /// The way of the tool end at most, about: where the track ends to bend on it the tool moves by more than the length.
+    pub(crate) fn most(&self, from: &Node) -> f64 {
+        self.length.max((self.to.pose.te - from.pose.te).norm())
+    }
+}
+
 impl Track {
     /// The longest cut vector from a node, no longer than `cap`.
     ///
@@ -178,8 +185,11 @@ impl Track {
                 Some(found.length)
             });
             match length {
-                Some(length) if length < free && take([at.te, next.te], next.course.along) => {
-                    free -= length;
+                Some(length)
+                    if length.max((next.te - at.te).norm()) < free
+                        && take([at.te, next.te], next.course.along) =>
+                {
+                    free -= length.max((next.te - at.te).norm());
                     (pace.room, pace.looked) = (pace.room - length, false);
                     (at, gone) = (next, true);
                 }

@@ -240,7 +240,8 @@ impl Watch {
         let keep = &self.gauges[i].keep;
         let node = way.settled(crossing.s)?;
         let gap = read(keep, &node, None)?;
-        let at = Sample { s: crossing.s, gap, slope: way.slope(&node, &gap) };
+        let (te, slope) = (node.pose.te, way.slope(&node, &gap));
+        let at = Sample { s: crossing.s, te, gap, slope };
         let s = if matches!(self.relation, Relation::Tanto | Relation::Pstan) {
             None
         } else if self.relation == Relation::To && at.slope.abs() < GRAZING {
@@ -268,7 +269,9 @@ impl Watch {
         // in the check surface.
         let beyond = met.g > self.loose && keep.goes_round_an_end(&met);
         let deeper = || keep.deeper(&node.pose, &met, self.loose, true).0.is_some();
-        if crosses && (met.g < -self.loose || beyond || deeper()) {
+        // Of a plane there is no other place: the crossing was not come to, and is sought on a shorter way.
+        let one = keep.is_plane() || keep.condition == Condition::On && simple(keep);
+        if crosses && (met.g < -self.loose && !one || beyond || deeper()) {
             return Ok(None);
         }
         let (side, reading) = (keep.side, met.g);
@@ -318,7 +321,8 @@ fn grazed(way: &Way<'_>, keep: &Keep, a: Sample, b: Sample) -> Option<Crossing> 
 fn grazing(way: &Way<'_>, keep: &Keep, at: &Sample) -> Option<f64> {
     let left = left(keep);
     let gap = keep.gap_from(&way.from.pose, Some(&at.gap)).ok()?;
-    let start = Sample { s: 0.0, gap, slope: way.slope(way.from, &gap) };
+    let (te, slope) = (way.from.pose.te, way.slope(way.from, &gap));
+    let start = Sample { s: 0.0, te, gap, slope };
     let over = |p: &Sample| p.gap.g - left;
     if over(&start) <= 0.0 || over(at) >= 0.0 {
         return None;
@@ -365,7 +369,7 @@ impl Gauge {
             let gap = keep.gap_from(&node.pose, last.as_ref());
             let gap = gap.or_else(|_| keep.gap_from(&node.pose, known.as_ref())).ok();
             let gap = gap.or_else(|| sunk(keep, node))?;
-            Some(Sample { s, gap, slope: way.slope(node, &gap) })
+            Some(Sample { s, te: node.pose.te, gap, slope: way.slope(node, &gap) })
         };
         let to = &way.stride.to;
         // Where several places may touch the last one says nothing of the others.
@@ -373,7 +377,10 @@ impl Gauge {
         let last = self.last.filter(|_| !whole);
         let b = at(&self.keep, to, way.stride.length, last);
         let a = match last {
-            Some(gap) => Some(Sample { s: 0.0, gap, slope: way.slope(way.from, &gap) }),
+            Some(gap) => {
+                let (te, slope) = (way.from.pose.te, way.slope(way.from, &gap));
+                Some(Sample { s: 0.0, te, gap, slope })
+            }
             None => at(&self.keep, way.from, 0.0, None),
         };
         self.last = b.map(|b| b.gap);

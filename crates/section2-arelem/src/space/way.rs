@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 
 use aptc_contact::{Condition, Gap, Side, on};
-use aptc_geometry::Segment;
+use aptc_geometry::{Segment, Vec3};
 
 use super::keep::Keep;
 use super::stride::Stride;
@@ -22,6 +22,9 @@ pub(super) const HALVINGS: u32 = 6;
 /// Rate of change of a gap along the track that is never exceeded, the turning of the axis apart.
 pub(super) const RATE: f64 = 1.5;
 
+/// Share of a zero's value that a step of Newton's method is to leave of it at most.
+const SLOW: f64 = 0.5;
+
 /// Sine of the angle below which a check surface is met at a graze.
 pub(super) const GRAZING: f64 = 0.1;
 
@@ -29,6 +32,7 @@ pub(super) const GRAZING: f64 = 0.1;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sample {
     pub(super) s: f64,
+    pub(super) te: Vec3,
     pub(super) gap: Gap,
     pub(super) slope: f64,
 }
@@ -39,7 +43,7 @@ pub(super) struct Way<'a> {
     pub(super) from: &'a Node,
     pub(super) stride: &'a Stride,
     /// Turning of the axis over the length.
-    pub(super) turn: aptc_geometry::Vec3,
+    pub(super) turn: Vec3,
 }
 
 /// A place where a gauge reads zero.
@@ -112,6 +116,8 @@ impl Way<'_> {
         mut node: Node,
         wanted: f64,
     ) -> Result<(f64, Node), Trouble> {
+        // The last place with its reading: where the tool moves by more than `s` the slope along the track alone leads too far.
+        let mut last: Option<(f64, f64)> = None;
         for _ in 0..8 {
             let gap = read(keep, &node, None)?;
             let off = gap.g - wanted;
@@ -119,6 +125,9 @@ impl Way<'_> {
             if off.abs() <= self.track.exact || slope.abs() < GRAZING {
                 break;
             }
+            let chord = last.map(|(at, was)| (off - was) / (s - at));
+            let slope = chord.filter(|c| c * slope > slope * slope).unwrap_or(slope);
+            last = Some((s, off));
             let next = s - off / slope;
             if !(0.0..=self.stride.length).contains(&next) {
                 break;
@@ -146,7 +155,8 @@ impl Way<'_> {
             let middle = node.pose.te + node.pose.ta * half;
             keep.surface.distance(middle).abs() - around
         };
-        let change = self.stride.length * (RATE + self.turn.norm() * keep.profile.reach());
+        let change = self.stride.most(self.from) * RATE
+            + self.stride.length * self.turn.norm() * keep.profile.reach();
         clear(self.from) + clear(&self.stride.to) <= change
     }
 
@@ -155,7 +165,7 @@ impl Way<'_> {
         let whole = if simple(keep) { None } else { read(keep, &node, None).ok() };
         let gap = whole.map_or_else(|| read(keep, &node, Some(&near.gap)), Ok);
         let gap = gap.or_else(|t| sunk(keep, &node).ok_or(t))?;
-        Ok(Sample { s, gap, slope: self.slope(&node, &gap) })
+        Ok(Sample { s, te: node.pose.te, gap, slope: self.slope(&node, &gap) })
     }
 
     /// The last place after `a`, about, where something of the surface faces the cutter.
@@ -208,9 +218,11 @@ impl Way<'_> {
                 }
                 side = -1;
             }
-            if f(&at).abs() < f(&best).abs() {
+            let (was, is) = (f(&best).abs(), f(&at).abs());
+            if is < was {
                 best = at;
-            } else if newton(&best).is_some() {
+            }
+            if is > SLOW * was && newton(&best).is_some() {
                 // Newton's method does not help here.
                 let mid = self.sample(keep, 0.5 * (a.s + b.s), &best)?;
                 let value = f(&mid);
@@ -336,7 +348,7 @@ impl Way<'_> {
     pub(super) fn alongside(&self, keep: &Keep, loose: f64) -> Result<Option<f64>, Trouble> {
         let at = |node: &Node, s: f64| -> Result<Sample, Trouble> {
             let gap = read(keep, node, None)?;
-            Ok(Sample { s, gap, slope: self.slope(node, &gap) })
+            Ok(Sample { s, te: node.pose.te, gap, slope: self.slope(node, &gap) })
         };
         let start = at(self.from, 0.0)?;
         if start.gap.g.abs() > loose || start.slope.abs() > LEVEL {
@@ -458,7 +470,9 @@ pub(super) fn tangencies(
     tangencies(way, keep, m, b, loose, halvings - 1, alike, out)
 }
 
-/// How much a gap can change between two samples.
+/// How much a gap can change between two samples. Where the track ends to bend the planes across it meet it far ahead, and the
+/// tool moves by more than `s`.
 fn reach(way: &Way<'_>, keep: &Keep, a: &Sample, b: &Sample) -> f64 {
-    (b.s - a.s) * (RATE + way.turn.norm() * keep.profile.reach())
+    let by = b.s - a.s;
+    RATE * by.max((b.te - a.te).norm()) + by * way.turn.norm() * keep.profile.reach()
 }
