@@ -6,6 +6,7 @@
 use aptc_geometry::profile::Segment;
 use aptc_geometry::{Foot, Reason, Shape, Spot, Surface, Tool, Vec3};
 
+use crate::edges;
 use crate::gap::{Gap, Side};
 
 /// Bound of one local search. Newton's method takes 3 to 8 steps; the rest is for places where the surface
@@ -52,6 +53,9 @@ pub(crate) fn local(
                 segment: Some(here.segment),
                 residual,
             });
+        }
+        if let Some(gap) = edges::at(tool, surface, side, here.q.point) {
+            return Ok(gap);
         }
         failure = Reason::NotConverged { best: here.q.point, residual };
         foot = surface.place(here.q);

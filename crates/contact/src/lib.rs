@@ -26,6 +26,7 @@ mod curvature;
 mod descent;
 mod dips;
 mod disk;
+mod edges;
 mod gap;
 mod guide;
 mod open;

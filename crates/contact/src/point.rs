@@ -79,6 +79,10 @@ impl Guide for PointGuide {
         side: Side,
         thick: f64,
     ) -> Option<Self> {
+        // About an edge the gap is another function than beside it.
+        if matches!(surface, Surface::Parametric(s) if !s.edges().is_empty()) {
+            return None;
+        }
         let closed = ClosedGuide::new(tool, surface, condition, side, thick).map(Self::Closed);
         let point = || Point::new(tool, surface, condition, side, thick).map(Self::Point);
         let ring = || Ring::new(tool, surface, condition, side, thick).map(Self::Ring);

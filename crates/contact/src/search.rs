@@ -8,10 +8,29 @@ use crate::closed::{along_axis, is_axis};
 use crate::descent::local;
 use crate::gap::{Gap, Side, deeper};
 use crate::stations::{SEEDS, Seeds, Stations, seeds};
-use crate::{disk, ridge, ring, rings, shank};
+use crate::{disk, edges, ridge, ring, rings, shank};
 
 /// Gap to a surface without closed form.
 pub(crate) fn general(
+    tool: &Tool<'_>,
+    surface: &Surface,
+    side: Side,
+    start: Option<Spot>,
+) -> Result<Gap, Reason> {
+    let found = faces(tool, surface, side, start);
+    // With a start the search stays where it is.
+    let Some(edge) = edges::all(tool, surface, side).filter(|_| start.is_none()) else {
+        return found;
+    };
+    match (found, edge.deepest) {
+        (Ok(gap), Some(edge)) if !deeper(tool, edge.raw, gap.raw) => Ok(gap),
+        (_, Some(edge)) => Ok(edge),
+        (found, None) => found,
+    }
+}
+
+/// The same but for edges.
+fn faces(
     tool: &Tool<'_>,
     surface: &Surface,
     side: Side,
@@ -147,6 +166,22 @@ pub(crate) fn several(tool: &Tool<'_>, surface: &Surface, side: Side) -> bool {
 /// A deeper place of contact than the `known` one, and how far the tool can move before another place of
 /// contact can become the deepest: two gaps change against each other by twice the way at most.
 pub(crate) fn elsewhere(
+    tool: &Tool<'_>,
+    surface: &Surface,
+    side: Side,
+    known: &Gap,
+    stands: bool,
+) -> (Option<Gap>, f64) {
+    let (found, room) = elsewhere_on_faces(tool, surface, side, known, stands);
+    let Some(edges) = edges::all(tool, surface, side) else { return (found, room) };
+    let least = found.map_or(known.raw, |gap| gap.raw.min(known.raw));
+    let edge = edges.deepest.filter(|edge| deeper(tool, edge.raw, least));
+    let until = 0.5 * (edges.least - known.raw).max(0.0);
+    (edge.or(found), room.min(until))
+}
+
+/// The same but for edges.
+fn elsewhere_on_faces(
     tool: &Tool<'_>,
     surface: &Surface,
     side: Side,

@@ -161,11 +161,19 @@ impl Sculptured {
             let rate = 1.0 / (knots[i + 1] - knots[i]);
             (kept((t - knots[i]) * rate, i, knots.len() - 1), rate)
         };
-        let (index, (a, da), (b, db)) = match &self.layout {
-            Layout::Mesh { u: ku, v: kv } => (j * (ku.len() - 1) + i, own(ku, i, u), own(kv, j, v)),
-            Layout::Patches => (i, (kept(u - i as f64, i, self.patches.len()), 1.0), (v, 1.0)),
+        let ((a, da), (b, db)) = match &self.layout {
+            Layout::Mesh { u: ku, v: kv } => (own(ku, i, u), own(kv, j, v)),
+            Layout::Patches => ((kept(u - i as f64, i, self.patches.len()), 1.0), (v, 1.0)),
         };
-        prolonged(&self.patches[index], a, b).rated(da, db)
+        prolonged(&self.patches[self.index_of([i, j])], a, b).rated(da, db)
+    }
+
+    /// Which patch stands in a column and a row; loose ones are columns.
+    pub(crate) fn index_of(&self, [i, j]: [usize; 2]) -> usize {
+        match &self.layout {
+            Layout::Mesh { u, .. } => j * (u.len() - 1) + i,
+            Layout::Patches => i,
+        }
     }
 
     /// Point and derivatives at (u, v) of the n-th span of the grid, counted from 1 along u first, by the

@@ -19,7 +19,9 @@ use std::sync::Arc;
 
 pub use cone::vertex_side;
 pub use opened::OpenedQuadric;
-pub use parametric::{Continued, ParametricSurface, Part, Sample, continued, continued_of};
+pub use parametric::{
+    Continued, Edge, OnEdge, ParametricSurface, Part, Sample, continued, continued_of,
+};
 pub use probe::{Aimed, ajundo, ccurv, control, radar};
 pub use quadric::QuadricSurface;
 pub use shape::{Frame, Shape, frame_about};
@@ -297,7 +299,7 @@ impl Surface {
             Self::Cone(s) => s.shape_at(q, n),
             Self::Quadric(s) => s.shape_at(q, n),
             Self::Tabcyl(s) => s.shape_at(spot),
-            Self::Parametric(s) => s.shape_at(spot),
+            Self::Parametric(s) => s.shape_at(spot, n),
         }
     }
 

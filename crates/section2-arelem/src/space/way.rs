@@ -15,6 +15,9 @@ pub(super) const ROUNDS: usize = 80;
 /// Halvings in the search for the last place that faces a surface with ends.
 const FACING: u32 = 14;
 
+/// How often the places of a tool's axis are looked at twice as close for one that is in a surface.
+const CLOSER: u32 = 8;
+
 /// How often a piece of a cut vector over a surface of mixed curvature is halved. Where more halvings are left the piece is
 /// too long for its ends to tell how often the gap changes its sign in between.
 pub(super) const HALVINGS: u32 = 6;
@@ -80,14 +83,27 @@ pub(super) fn sunk(keep: &Keep, node: &Node) -> Option<Gap> {
     if keep.condition == Condition::On || keep.side == Side::Open {
         return None;
     }
-    let at = |share: f64| {
-        let p = node.pose.te + node.pose.ta * (share * keep.profile.height());
-        let gap = on(p, &keep.surface, keep.side);
+    let (te, ta, height) = (node.pose.te, node.pose.ta, keep.profile.height());
+    let at = |up: f64| {
+        let gap = on(te + ta * up, &keep.surface, keep.side);
         Gap { g: gap.raw - keep.thick, ..gap }
     };
-    let deepest =
-        [0.0, 0.25, 0.5, 0.75, 1.0].map(at).into_iter().min_by(|a, b| a.g.total_cmp(&b.g));
-    deepest.filter(|gap| gap.g < -keep.width())
+    let deepest = |ups: [f64; 5]| {
+        let all = ups.map(|up| (up, at(up)));
+        all.into_iter().min_by(|a, b| a.1.g.total_cmp(&b.1.g))
+    };
+    let mut part = 0.25 * height;
+    let (mut up, mut gap) = deepest([0.0, 1.0, 2.0, 3.0, 4.0].map(|k| k * part))?;
+    // A small body may lie between two of those.
+    for _ in 0..CLOSER {
+        if gap.g < -keep.width() {
+            return Some(gap);
+        }
+        part *= 0.5;
+        let beside = [-2.0, -1.0, 0.0, 1.0, 2.0].map(|k| (up + k * part).clamp(0.0, height));
+        (up, gap) = deepest(beside)?;
+    }
+    None
 }
 
 impl Way<'_> {

@@ -5,6 +5,7 @@
 mod cells;
 #[cfg(test)]
 mod dips_tests;
+mod edges;
 mod jet;
 mod nearest;
 mod part;
@@ -23,6 +24,7 @@ use std::sync::Arc;
 
 use crate::surface::{Foot, Shape, Spot, frame_about};
 use crate::{Place, Polyconic, Reason, RuledSurface, Vec3};
+pub use edges::{Edge, OnEdge};
 use jet::{Jet, by_sides};
 pub use part::Part;
 use part::Strips;
@@ -36,6 +38,8 @@ pub use waves::Sample;
 
 /// Bound of one search; Newton's method takes some six steps.
 const MAX_STEPS: usize = 60;
+/// Square of the sine between a normal and that of a face which does not have it.
+const EDGE: f64 = 1e-10;
 /// Samples along each side of a sculptured surface that tell how large its numbers are.
 const SHARES: u32 = 24;
 
@@ -179,11 +183,38 @@ impl ParametricSurface {
         Ok(foot.normal)
     }
 
-    /// Curvature at a point of the surface.
-    pub fn shape_at(&self, spot: Spot) -> Shape {
+    /// Curvature at a point of the surface that is touched along the unit normal `n`, on edges and tips any between their sides'.
+    pub fn shape_at(&self, spot: Spot, n: Vec3) -> Shape {
         let Some([u, v]) = spot.at else { return self.foot(spot.point).shape };
         let jet = self.patch.jet(u, v);
-        self.bend(&jet, self.normal_at(u, v, &jet))
+        let normal = self.normal_at(u, v, &jet);
+        if let Patch::Sculptured(spans) = &self.patch
+            && (n - normal).norm_squared() > EDGE
+            && let Some(shape) = spans.edges().iter().find_map(|e| e.shape_at(spans, [u, v], n))
+        {
+            return shape;
+        }
+        self.bend(&jet, normal)
+    }
+
+    /// Joints of the patches of a sculptured surface at which its normal jumps, and tips.
+    pub fn edges(&self) -> &[Edge] {
+        match &self.patch {
+            Patch::Sculptured(spans) => spans.edges(),
+            _ => &[],
+        }
+    }
+
+    /// The place at the share `t` of an edge; `None` of a surface that has none.
+    pub fn on_edge(&self, edge: &Edge, t: f64) -> Option<OnEdge> {
+        let Patch::Sculptured(spans) = &self.patch else { return None };
+        Some(edge.at(spans, t))
+    }
+
+    /// Do all unit directions from there into the surface?
+    pub fn inwards_of(&self, edge: &Edge, t: f64, does: impl Fn(Vec3) -> bool) -> bool {
+        let Patch::Sculptured(spans) = &self.patch else { return false };
+        edge.all_inwards(spans, t, does)
     }
 
     /// Does the surface end at the place with these parameters?
@@ -266,6 +297,15 @@ impl ParametricSurface {
             let normal = away * (side / size);
             let shape = Shape { frame: frame_about(normal), k: [f64::INFINITY * side, 0.0, 0.0] };
             return Foot { point, normal, distance: side * size, shape, at };
+        }
+        if across > 1e-6 * size
+            && size > 1e-12 * self.extent
+            && let Patch::Sculptured(spans) = &self.patch
+            && let Some(mean) = spans.edges().iter().find_map(|e| e.mean_at(spans, [u, v]))
+        {
+            let side = if mean.dot(&away) < 0.0 { -1.0 } else { 1.0 };
+            let normal = away * (side / size);
+            return Foot { point, normal, distance: side * size, shape: Shape::flat(normal), at };
         }
         Foot { point, normal, distance, shape: self.bend(&jet, normal), at }
     }

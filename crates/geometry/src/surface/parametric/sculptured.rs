@@ -7,7 +7,10 @@ use crate::Vec3;
 use crate::sculpt::{Border, Layout, Patch, Sculptured};
 use crate::sculptured::SurfaceDefinition;
 
+use std::sync::OnceLock;
+
 use super::cells::Cells;
+use super::edges::{Edge, edges};
 use super::{Domain, Jet, ParametricSurface};
 
 /// A ruled cylinder over a curve reaches ten units to both sides, as APT4 has it; the continuation goes on.
@@ -42,6 +45,8 @@ pub(super) struct Spans {
     /// Is it straight along u, and bent along v?
     ruled_along: bool,
     cells: Cells,
+    /// Its edges, once they are asked for.
+    edges: OnceLock<Vec<Edge>>,
 }
 
 /// A sculptured surface with how far it goes straight on, in shares of itself: 0 to 1 is the surface.
@@ -90,10 +95,21 @@ impl Spans {
         let itself = Domain { u: [0.0, 1.0], v: [0.0, 1.0] };
         let cells = Cells::new(&surface, &itself)?;
         let tips = [0, 1].map(|k| [0, 1].map(|end| tip(&surface, &borders, k, end)));
-        let bare = Self { surface, domain: itself, borders, tips, ruled_along, cells };
+        let edges = OnceLock::new();
+        let bare = Self { surface, domain: itself, borders, tips, ruled_along, cells, edges };
         let domain = shortened(&bare, &domain(&borders));
         let cells = Cells::new(&bare.surface, &domain)?;
-        Some(Self { domain, cells, ..bare })
+        Some(Self { domain, cells, edges: OnceLock::new(), ..bare })
+    }
+
+    /// How large its numbers are.
+    pub(super) fn size(&self) -> f64 {
+        self.surface.extent()
+    }
+
+    /// Its edges and tips.
+    pub(super) fn edges(&self) -> &[Edge] {
+        self.edges.get_or_init(|| edges(&self.surface, self))
     }
 
     /// Where it may be nearest to a point, or be met by a line.

@@ -1,0 +1,155 @@
+//! A cutter against edges and tips of a sculptured surface, where it touches with a normal between those of the sides.
+
+use aptc_geometry::surface::{Edge, OnEdge, ParametricSurface};
+use aptc_geometry::{Surface, Tool, Vec3};
+
+use crate::gap::{Gap, Side};
+
+/// Parts of an edge that are looked at for a least distance each, and halvings of one.
+const PARTS: u8 = 12;
+const HALVINGS: u32 = 50;
+/// Sine by which what leads into the surface may come nearer to the tool.
+const LEVEL: f64 = 1e-9;
+/// Share of the tool's size by which a place may lie off an edge.
+const ON: f64 = 1e-6;
+
+/// What all edges of a surface tell.
+pub(crate) struct Edges {
+    /// The deepest place at which one touches.
+    pub(crate) deepest: Option<Gap>,
+    /// No place of them is nearer to the tool.
+    pub(crate) least: f64,
+}
+
+/// All edges of a surface; `None` of one that has none.
+pub(crate) fn all(tool: &Tool<'_>, surface: &Surface, side: Side) -> Option<Edges> {
+    let surface = edged(surface)?;
+    let mut all = Edges { deepest: None, least: f64::INFINITY };
+    for edge in surface.edges() {
+        // What is farther away than the deepest tells nothing.
+        let known = all.deepest.map_or(f64::INFINITY, |gap| gap.raw);
+        let bound = tool.distance(edge.center) - edge.radius;
+        if bound > known.min(all.least) {
+            continue;
+        }
+        each_least(tool, surface, edge, &mut |t, distance| {
+            all.least = all.least.min(distance);
+            if all.deepest.is_none_or(|gap| distance < gap.raw) {
+                all.deepest = touching(tool, surface, side, edge, t).or(all.deepest);
+            }
+        });
+    }
+    Some(all)
+}
+
+/// The place at which an edge touches on which the point `q` lies; `None` where it lies on none, and where that does not touch.
+pub(crate) fn at(tool: &Tool<'_>, surface: &Surface, side: Side, q: Vec3) -> Option<Gap> {
+    let surface = edged(surface)?;
+    let near = ON * tool.profile.reach();
+    let mut best: Option<Gap> = None;
+    for edge in surface.edges().iter().filter(|e| (e.center - q).norm() <= e.radius + near) {
+        if !passes(surface, edge, q, near) {
+            continue;
+        }
+        each_least(tool, surface, edge, &mut |t, distance| {
+            if best.is_none_or(|gap| distance < gap.raw) {
+                best = touching(tool, surface, side, edge, t).or(best);
+            }
+        });
+    }
+    best
+}
+
+fn edged(surface: &Surface) -> Option<&ParametricSurface> {
+    match surface {
+        Surface::Parametric(s) if !s.edges().is_empty() => Some(s),
+        _ => None,
+    }
+}
+
+/// Does an edge pass within `near` of a point?
+fn passes(surface: &ParametricSurface, edge: &Edge, q: Vec3, near: f64) -> bool {
+    if edge.is_tip() {
+        return true;
+    }
+    let mut found = false;
+    let away = |p: &OnEdge| ((p.point - q).norm(), (p.point - q).dot(&p.along));
+    least(surface, edge, &away, &mut |_, distance| found |= distance <= near);
+    found
+}
+
+/// Calls `take` for each place of an edge at which the tool is nearest, with its distance.
+fn each_least(
+    tool: &Tool<'_>,
+    surface: &ParametricSurface,
+    edge: &Edge,
+    take: &mut dyn FnMut(f64, f64),
+) {
+    let value = |p: &OnEdge| {
+        let near = tool.near(p.point);
+        (near.distance, near.normal.dot(&p.along))
+    };
+    if edge.is_tip() {
+        take(0.0, tool.distance(edge.center));
+        return;
+    }
+    least(surface, edge, &value, take);
+}
+
+/// The places of an edge at which a value is least; `value` tells its slope along the edge too.
+fn least(
+    surface: &ParametricSurface,
+    edge: &Edge,
+    value: &dyn Fn(&OnEdge) -> (f64, f64),
+    take: &mut dyn FnMut(f64, f64),
+) {
+    let at = |t: f64| surface.on_edge(edge, t).map(|p| value(&p));
+    let part = |i: u8| f64::from(i) / f64::from(PARTS);
+    let Some(mut before) = at(0.0) else { return };
+    if before.1 >= 0.0 {
+        take(0.0, before.0);
+    }
+    for i in 1..=PARTS {
+        let Some(now) = at(part(i)) else { return };
+        if before.1 < 0.0 && now.1 >= 0.0 {
+            let (mut low, mut high) = (part(i - 1), part(i));
+            for _ in 0..HALVINGS {
+                let middle = 0.5 * (low + high);
+                let falls = at(middle).is_some_and(|(_, slope)| slope < 0.0);
+                *(if falls { &mut low } else { &mut high }) = middle;
+            }
+            if let Some((distance, _)) = at(high) {
+                take(high, distance);
+            }
+        }
+        before = now;
+    }
+    if before.1 < 0.0 {
+        take(1.0, before.0);
+    }
+}
+
+/// The gap at a place of an edge, where the surface falls off to all sides of it.
+fn touching(
+    tool: &Tool<'_>,
+    surface: &ParametricSurface,
+    side: Side,
+    edge: &Edge,
+    t: f64,
+) -> Option<Gap> {
+    let place = surface.on_edge(edge, t)?;
+    let near = tool.near(place.point);
+    let normal = -near.normal;
+    let faces = normal.dot(&place.mean) * side.sign() > 0.0;
+    let falls = |into: Vec3| near.normal.dot(&into) >= -LEVEL;
+    (faces && surface.inwards_of(edge, t, falls)).then_some(Gap {
+        g: near.distance,
+        raw: near.distance,
+        tool_point: near.point,
+        surface_point: place.point,
+        at: Some(place.at),
+        normal,
+        segment: Some(near.segment),
+        residual: 0.0,
+    })
+}
