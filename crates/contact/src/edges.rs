@@ -1,7 +1,7 @@
 //! A cutter against edges and tips of a sculptured surface, where it touches with a normal between those of the sides.
 
 use aptc_geometry::surface::{Edge, OnEdge, ParametricSurface};
-use aptc_geometry::{Surface, Tool, Vec3};
+use aptc_geometry::{Surface, Tool, ToolNear, Vec3};
 
 use crate::gap::{Gap, Side};
 
@@ -10,6 +10,9 @@ const PARTS: u8 = 12;
 const HALVINGS: u32 = 50;
 /// Sine by which what leads into the surface may come nearer to the tool.
 const LEVEL: f64 = 1e-9;
+/// Share of the tool's size below which the place of contact is found with the edge moved back, and rounds of that.
+const CLOSE: f64 = 1e-6;
+const ROUNDS: u32 = 60;
 /// Share of the tool's size by which a place may lie off an edge.
 const ON: f64 = 1e-6;
 
@@ -139,17 +142,52 @@ fn touching(
 ) -> Option<Gap> {
     let place = surface.on_edge(edge, t)?;
     let near = tool.near(place.point);
-    let normal = -near.normal;
-    let faces = normal.dot(&place.mean) * side.sign() > 0.0;
-    let falls = |into: Vec3| near.normal.dot(&into) >= -LEVEL;
-    (faces && surface.inwards_of(edge, t, falls)).then_some(Gap {
-        g: near.distance,
-        raw: near.distance,
-        tool_point: near.point,
-        surface_point: place.point,
-        at: Some(place.at),
-        normal,
-        segment: Some(near.segment),
-        residual: 0.0,
-    })
+    let touches = |t: f64, place: &OnEdge, near: &ToolNear, raw: f64| {
+        let normal = -near.normal;
+        let faces = normal.dot(&place.mean) * side.sign() > 0.0;
+        let falls = |into: Vec3| near.normal.dot(&into) >= -LEVEL;
+        (faces && surface.inwards_of(edge, t, falls)).then_some(Gap {
+            g: raw,
+            raw,
+            tool_point: near.point,
+            surface_point: place.point,
+            at: Some(place.at),
+            normal,
+            segment: Some(near.segment),
+            residual: 0.0,
+        })
+    };
+    let size = tool.profile.widest().max(0.1 * tool.profile.reach());
+    if near.distance > CLOSE * size {
+        return touches(t, &place, &near, near.distance);
+    }
+    // At the tool's own edges its normal is anything where they touch: with the edge moved away from the tool it is one.
+    let back = 0.25 * size + 2.0 * (-near.distance).max(0.0);
+    let mut normal = (place.mean * side.sign()).try_normalize(0.0)?;
+    for _ in 0..ROUNDS {
+        let moved = |p: &OnEdge| tool.near(p.point - normal * back);
+        let (mut at, mut lowest) = (t, f64::INFINITY);
+        let mut take = |t: f64, distance: f64| {
+            if distance < lowest {
+                (at, lowest) = (t, distance);
+            }
+        };
+        if edge.is_tip() {
+            take(0.0, 0.0);
+        } else {
+            let value = |p: &OnEdge| {
+                let near = moved(p);
+                (near.distance, near.normal.dot(&p.along))
+            };
+            least(surface, edge, &value, &mut take);
+        }
+        let place = surface.on_edge(edge, at)?;
+        let near = moved(&place);
+        let turned = (near.normal + normal).norm();
+        normal = -near.normal;
+        if turned <= LEVEL {
+            return touches(at, &place, &near, near.distance - back);
+        }
+    }
+    None
 }

@@ -67,7 +67,7 @@ pub(super) fn in_limits(keep: &Keep, gap: f64, exact: f64) -> bool {
 
 /// Gap to the check surface, near a gap that is known.
 pub(super) fn read(keep: &Keep, node: &Node, near: Option<&Gap>) -> Result<Gap, Trouble> {
-    keep.gap_from(&node.pose, near).map_err(|_| Trouble::Check)
+    keep.gap_from(&node.pose, near).or_else(|_| sunk(keep, node).ok_or(Trouble::Check))
 }
 
 /// A gap that changes less than this with the way keeps its value: far above rounding, and a round surface of a
@@ -75,7 +75,7 @@ pub(super) fn read(keep: &Keep, node: &Node, near: Option<&Gap>) -> Result<Gap, 
 const LEVEL: f64 = 1e-10;
 
 /// A bound of the gap of a cutter that is so deep in the surface that no pair of points faces each other: the depth of a point
-/// of its axis. `None` where none of those looked at is in it.
+/// of its axis, or of a place of the surface in it. `None` where none of those looked at is in it.
 ///
 /// On the way through a small ellipsoid a cutter is there for a while. The gap is at most that of any point of the cutter,
 /// so that it is negative with the bound; where it is zero there is a pair.
@@ -88,9 +88,19 @@ pub(super) fn sunk(keep: &Keep, node: &Node) -> Option<Gap> {
         let gap = on(te + ta * up, &keep.surface, keep.side);
         Gap { g: gap.raw - keep.thick, ..gap }
     };
+    // A place of the surface next to them may be in the tool.
+    let tool = keep.tool(&node.pose);
+    let holds = |gap: &Gap| {
+        let near = tool.near(gap.surface_point);
+        let g = near.distance - keep.thick;
+        Gap { g, raw: near.distance, tool_point: near.point, ..*gap }
+    };
+    let deeper = |a: Gap, b: Gap| if b.g < a.g { b } else { a };
     let deepest = |ups: [f64; 5]| {
         let all = ups.map(|up| (up, at(up)));
-        all.into_iter().min_by(|a, b| a.1.g.total_cmp(&b.1.g))
+        let held = all.map(|(_, gap)| holds(&gap)).into_iter().reduce(deeper)?;
+        let (up, gap) = all.into_iter().min_by(|a, b| a.1.g.total_cmp(&b.1.g))?;
+        Some((up, deeper(gap, held)))
     };
     let mut part = 0.25 * height;
     let (mut up, mut gap) = deepest([0.0, 1.0, 2.0, 3.0, 4.0].map(|k| k * part))?;
@@ -179,8 +189,7 @@ impl Way<'_> {
     pub(super) fn sample(&self, keep: &Keep, s: f64, near: &Sample) -> Result<Sample, Trouble> {
         let node = self.node(s)?;
         let whole = if simple(keep) { None } else { read(keep, &node, None).ok() };
-        let gap = whole.map_or_else(|| read(keep, &node, Some(&near.gap)), Ok);
-        let gap = gap.or_else(|t| sunk(keep, &node).ok_or(t))?;
+        let gap = whole.map_or_else(|| read(keep, &node, Some(&near.gap)), Ok)?;
         Ok(Sample { s, te: node.pose.te, gap, slope: self.slope(&node, &gap) })
     }
 
