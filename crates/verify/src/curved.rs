@@ -10,7 +10,7 @@ use crate::deep::deepest;
 use crate::demand::Verdict;
 use crate::outside::Stood;
 use crate::pile::Pile;
-use crate::search::{Aim, FINE_FOLD, FOLD, Lead, Moved, TURNED, clearance, clearance_from};
+use crate::search::{Aim, FINE_FOLD, FOLD, Lead, Moved, TURNED, clearance_from};
 use crate::sheet::{Sheet, Spot};
 use crate::sweep::Sweep;
 use crate::tool::{Pose, Tool};
@@ -173,26 +173,10 @@ impl Curved<'_> {
 
     /// The gap at a position, from below and to a thousandth of the tool; `None` when it is not found.
     pub(crate) fn gap(&self, tool: &Tool<'_>, pose: &Pose) -> Option<f64> {
-        /// Searches one after another.
-        const SEARCHES: u32 = 5;
         let pose = self.sheet.local(pose);
-        let sweep = Sweep::still(tool, pose);
         // Nothing is near enough to end the search before the nearest is found.
         let enough = 4.0 * tool.reach().max(self.most.abs().min(1.0));
-        let moved = Moved { sheet: self.sheet, side: self.side, shift: 0.0, fold: FOLD };
-        // Each search comes to a tenth of what the one before left; where the surface goes through the tool one is enough.
-        let mut nearest = None;
-        let mut within = enough;
-        for _ in 0..SEARCHES {
-            match clearance(&sweep, &moved, within, Aim::Nearest).nearest {
-                Some((d, _, spot)) if nearest.is_none() || d < within => nearest = Some((d, spot)),
-                _ => break,
-            }
-            within = nearest.map_or(enough, |n| n.0);
-            if within <= 0.0 {
-                break;
-            }
-        }
+        let nearest = self.next_to(tool, &pose, enough);
         let (distance, spot) = nearest?;
         let inner = pose.te + pose.ta * (0.5 * tool.reach());
         let right = if self.on { pose.te } else { inner };

@@ -36,14 +36,11 @@ impl Curved<'_> {
     /// On which side of the surface the tool stands that does not pass through it: that of its point nearest
     /// to the surface; 0 where that does not tell.
     pub(super) fn stands(&self, tool: &Tool<'_>, pose: &Pose) -> f64 {
-        let sweep = Sweep::still(tool, *pose);
-        let moved = Moved { sheet: self.sheet, side: 1.0, shift: 0.0, fold: FOLD };
         let band = [self.least, self.most].into_iter().filter(|x| x.is_finite());
         let near = 4.0 * band.fold(1e-6 * tool.reach(), |m, x| m.max(x.abs()));
         let mut enough = near.max(f64::MIN_POSITIVE);
         for _ in 0..WIDER {
-            if let Some((distance, _, spot)) =
-                clearance(&sweep, &moved, enough, Aim::Nearest).nearest
+            if let Some((distance, spot)) = self.next_to(tool, pose, enough)
                 && distance < enough
             {
                 return self.facing(tool, pose, &spot);
@@ -53,11 +50,40 @@ impl Curved<'_> {
         0.0
     }
 
+    /// The place of the surface next to the tool, and its distance, where that is less than `enough`: of a body with edges another
+    /// place that is nearly as near may face the other way.
+    pub(super) fn next_to(&self, tool: &Tool<'_>, pose: &Pose, enough: f64) -> Option<(f64, Spot)> {
+        /// Searches one after another.
+        const SEARCHES: u32 = 5;
+        let sweep = Sweep::still(tool, *pose);
+        let moved = Moved { sheet: self.sheet, side: self.side, shift: 0.0, fold: FOLD };
+        // Each search comes to a tenth of what the one before left; where the surface goes through the tool one is enough.
+        let mut nearest = None;
+        let mut within = enough;
+        for _ in 0..SEARCHES {
+            match clearance(&sweep, &moved, within, Aim::Nearest).nearest {
+                Some((d, _, spot)) if nearest.is_none() || d < within => nearest = Some((d, spot)),
+                _ => break,
+            }
+            within = nearest.map_or(enough, |n: (f64, Spot)| n.0);
+            if within <= 0.0 {
+                break;
+            }
+        }
+        nearest
+    }
+
     /// The side of the surface at the place next to `spot` on which the tool stands: that to which it reaches farther
     /// along the normal. An edge of the tool that is in the surface by its tolerance does not tell: what is next to a
     /// place inside of it may be its other face. 0 where the tool lies beside the place.
     pub(super) fn facing(&self, tool: &Tool<'_>, pose: &Pose, spot: &Spot) -> f64 {
+        /// Cosine between the normal and the way from the tool, beside an edge, from which it tells.
+        const TELLS: f64 = 0.6;
         let (.., jet) = descend(tool, pose, self.sheet, *spot);
+        let (distance, way) = tool.near(pose, jet.p);
+        if distance > 1e-6 * tool.reach() && way.dot(&jet.n).abs() < TELLS {
+            return 0.0;
+        }
         Self::faces(tool, pose, &jet)
     }
 
