@@ -224,10 +224,15 @@ impl Curved<'_> {
             return Half::Holds(f64::NEG_INFINITY);
         }
         // A tool without thickness would pass through the surface without holding any of its points: the
-        // surface is moved farther back, and the tool stays farther away from it.
-        let thin = if tool.is_thin() { self.back(least, pad) } else { 0.0 };
+        // surface is moved farther back, and the tool stays farther away from it. At an edge what is moved out to the side of the
+        // tool gapes: there it stays away from the surface itself.
+        let thin = match tool.is_thin() {
+            true => self.back(least, pad),
+            false if least > 0.0 && self.sheet.has_edges() => least,
+            false => 0.0,
+        };
         // Both the surface farther back and the distance from it are rounded.
-        let enough = if tool.is_thin() { thin - 2.0 * pad } else { -pad };
+        let enough = if thin > 0.0 { thin - 2.0 * pad } else { -pad };
         let moved = Moved { sheet: self.sheet, side, shift: least - thin, fold };
         let mut low = f64::INFINITY;
         let mut open = (0.0, 0.0);

@@ -249,6 +249,14 @@ impl Sheet {
         }
     }
 
+    /// May the surface have an edge?
+    pub(crate) fn has_edges(&self) -> bool {
+        match &self.kind {
+            Kind::Quadric(_) | Kind::Tabcyl(_) => false,
+            Kind::Patched(p) => p.has_edges(),
+        }
+    }
+
     /// Does the surface go on without an edge wherever a piece lies at a border of its chart? Of what is not in a grid of
     /// charts nothing is told.
     pub(crate) fn goes_on(&self, patch: &Patch) -> bool {

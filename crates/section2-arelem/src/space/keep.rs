@@ -29,6 +29,22 @@ pub(crate) struct Keep {
     pub(crate) outtol: f64,
 }
 
+/// How deep what touches may be. The faces beside an edge, moved in by INTOL, cross each other there and end outside of each other:
+/// what keeps outside of both is nowhere deeper than this.
+fn deep(wall: &Wall, surface: &Surface) -> f64 {
+    /// Part of the band that is to be left.
+    const LEFT: f64 = 0.1;
+    let band = wall.band;
+    let cos = match surface {
+        Surface::Parametric(s) if !wall.on && wall.thick <= 0.0 => {
+            s.edges().iter().map(|edge| edge.cos).fold(1.0, f64::min)
+        }
+        _ => 1.0,
+    };
+    let deep = band.intol * cos.max(0.0);
+    if deep + band.outtol < LEFT * (band.intol + band.outtol) { band.intol } else { deep }
+}
+
 /// Least and greatest gap allowed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Limits {
@@ -55,14 +71,15 @@ impl Keep {
     /// What is asked of the tool at a wall, on the positive side of its surface.
     pub(crate) fn of(wall: &Wall) -> Result<Self, Failure> {
         let unusable = || Failure::Unsupported { surface: wall.surface.clone() };
+        let surface = wall.fitted.clone().ok_or_else(unusable)?;
         Ok(Self {
             profile: wall.profile,
-            surface: wall.fitted.clone().ok_or_else(unusable)?,
             condition: if wall.on { Condition::On } else { Condition::Touch },
             side: Side::Positive,
             thick: wall.thick,
-            intol: wall.band.intol,
+            intol: deep(wall, &surface),
             outtol: wall.band.outtol,
+            surface,
         })
     }
 

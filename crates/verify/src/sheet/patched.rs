@@ -65,6 +65,8 @@ pub(crate) struct Patched {
     nodes: Vec<Node>,
     /// For each chart and parameter: does the surface go on smoothly at its low and at its high end?
     smooth: Vec<OnceLock<[[bool; 2]; 2]>>,
+    /// May it have an edge?
+    edged: OnceLock<bool>,
 }
 
 /// A cell, or the continuation of one.
@@ -145,7 +147,7 @@ impl Patched {
     pub(crate) fn new(kind: Kind, grid: Grid) -> Option<Self> {
         let [us, vs] = [0, 1].map(|k| grid.sides[k].ranges());
         let (charts, tiles, nodes, smooth) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        let mut new = Self { kind, grid, charts, tiles, nodes, smooth };
+        let mut new = Self { kind, grid, charts, tiles, nodes, smooth, edged: OnceLock::new() };
         for &(v, j) in &vs {
             for &(u, i) in &us {
                 new.charts.push(new.chart([u, v], [i, j]));
@@ -272,6 +274,27 @@ impl Patched {
             let near = NEAR * (range[k][1] - range[k][0]);
             (from > range[k][0] + near || smooth()[k][0])
                 && (to < range[k][1] - near || smooth()[k][1])
+        })
+    }
+
+    /// May the surface have an edge, inside or where it closes?
+    pub(crate) fn has_edges(&self) -> bool {
+        *self.edged.get_or_init(|| self.seek_edges())
+    }
+
+    fn seek_edges(&self) -> bool {
+        let columns = self.columns();
+        let counts = [columns, self.charts.len() / columns];
+        (0..self.charts.len()).any(|chart| {
+            let place = [chart % columns, chart / columns];
+            let smooth = self.smooth[chart].get_or_init(|| self.smooth(chart));
+            (0..2).any(|k| {
+                let side = &self.grid.sides[k];
+                // At its last border it goes on, closes, or ends in a point.
+                let goes_on = [side.before, side.behind].map(|end| end.is_some());
+                let last = [place[k] == 0, place[k] + 1 == counts[k]];
+                (0..2).any(|end| !smooth[k][end] && !(last[end] && goes_on[end]))
+            })
         })
     }
 

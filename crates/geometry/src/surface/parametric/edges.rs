@@ -8,7 +8,7 @@ use crate::Vec3;
 use crate::sculpt::{Layout, Sculptured};
 use crate::surface::{Shape, frame_about};
 
-/// Normals whose sine is greater jump: patches fitted as one differ by rounding.
+/// Normals that differ by more jump: those of patches fitted as one differ by rounding.
 const JUMPS: f64 = 1e-9;
 /// Borders that are no farther apart than this share of the surface's size are one.
 const SAME: f64 = 1e-6;
@@ -30,6 +30,8 @@ pub struct Edge {
     pub center: Vec3,
     /// Its radius.
     pub radius: f64,
+    /// Least cosine between normals of both sides, or about a tip.
+    pub cos: f64,
 }
 
 /// What lies on both sides of an edge, or all round a tip.
@@ -175,18 +177,22 @@ pub(super) fn edges(surface: &Sculptured, spans: &Spans) -> Vec<Edge> {
         Layout::Patches => of_patches(surface, spans),
     };
     let edges = joints.into_iter().filter_map(|sides| {
-        let looks = || (0..=LOOKS).map(|i| f64::from(i) / f64::from(LOOKS));
-        let jumps = looks().any(|t| {
+        let mut jumps = false;
+        let mut cos = 1.0_f64;
+        for i in 0..=LOOKS {
+            let t = f64::from(i) / f64::from(LOOKS);
             let [a, b] = sides.map(|side| unit_normal(&side.jet(spans, t).1));
-            a.zip(b).is_some_and(|(a, b)| a.cross(&b).norm() > JUMPS || a.dot(&b) < 0.0)
-        });
+            let Some((a, b)) = a.zip(b) else { continue };
+            jumps |= (a - b).norm() > JUMPS;
+            cos = cos.min(a.dot(&b));
+        }
         jumps.then(|| {
             let [low, high] = surface.patches[surface.index_of(sides[0].patch)].bounds();
             let center = (low + high) * 0.5;
             // Beyond the patch it goes straight on.
             let ends = [0.0, 1.0].map(|t| (sides[0].jet(spans, t).1.s - center).norm());
             let radius = ends.into_iter().fold(0.5 * (high - low).norm(), f64::max);
-            Edge { sides: Sides::Joint(sides), center, radius }
+            Edge { sides: Sides::Joint(sides), center, radius, cos }
         })
     });
     edges.chain(tips(spans)).collect()
@@ -271,12 +277,16 @@ fn tips(spans: &Spans) -> Vec<Edge> {
             let at = place(0.5, 0.0);
             let Some(mean) = spans.tip(at) else { continue };
             let point = spans.jet(at[0], at[1]).s;
-            let inwards = (0..ROUND).filter_map(|i| {
+            let beside = |i: u8| {
                 let [u, v] = place((f64::from(i) + 0.5) / f64::from(ROUND), BESIDE);
-                (spans.jet(u, v).s - point).try_normalize(0.0)
-            });
+                spans.jet(u, v)
+            };
+            let inwards = (0..ROUND).filter_map(|i| (beside(i).s - point).try_normalize(0.0));
+            let normals: Vec<Vec3> = (0..ROUND).filter_map(|i| unit_normal(&beside(i))).collect();
+            let pairs = normals.iter().flat_map(|a| normals.iter().map(|b| a.dot(b)));
+            let cos = pairs.fold(1.0, f64::min);
             let sides = Sides::Tip { at, inwards: inwards.collect(), mean };
-            all.push(Edge { sides, center: point, radius: 0.0 });
+            all.push(Edge { sides, center: point, radius: 0.0, cos });
         }
     }
     all
