@@ -12,7 +12,7 @@ use super::keep::{Keep, Pose};
 use super::stride::Stride;
 use super::track::{Node, Track, Trouble};
 use super::way::{
-    Crossing, GRAZING, HALVINGS, RATE, ROUNDS, Sample, Way, crossings, in_limits, read, simple,
+    Crossing, GRAZING, HALVINGS, Lost, RATE, ROUNDS, Sample, Way, crossings, in_limits, read, simple,
     sunk, tangencies,
 };
 
@@ -182,6 +182,8 @@ impl Watch {
         let way = Way { track, from, stride, turn };
         let tangent = matches!(self.relation, Relation::Tanto | Relation::Pstan);
         let mut found: Vec<(Crossing, usize)> = Vec::new();
+        // How far all is found: what a long cut vector leads to far behind a check surface does not matter.
+        let mut lost: Option<Lost> = None;
         for i in 0..self.gauges.len() {
             let (near, loose) = (self.near, self.loose);
             let gauge = &mut self.gauges[i];
@@ -207,7 +209,11 @@ impl Watch {
             if tangent {
                 tangencies(&way, keep, a, b, loose, halvings, &mut self.alike, &mut out)?;
             } else {
-                crossings(&way, keep, a, b, halvings, &mut out)?;
+                if let Err(now) = crossings(&way, keep, a, b, halvings, &mut out)
+                    && lost.as_ref().is_none_or(|before| now.s < before.s)
+                {
+                    lost = Some(now);
+                }
                 if self.relation == Relation::To && self.met + 1 >= self.nth && out.is_empty() {
                     out.extend(grazed(&way, keep, a, b));
                 }
@@ -216,6 +222,9 @@ impl Watch {
         }
         found.sort_by(|a, b| a.0.s.total_cmp(&b.0.s));
         for (crossing, i) in found {
+            if lost.as_ref().is_some_and(|lost| crossing.s > lost.s) {
+                break;
+            }
             let wanted = match self.relation {
                 Relation::To => crossing.touch || crossing.falls,
                 Relation::Past => crossing.touch || !crossing.falls,
@@ -231,7 +240,7 @@ impl Watch {
                 return Ok(Some(halt));
             }
         }
-        Ok(None)
+        lost.map_or(Ok(None), |lost| Err(lost.trouble))
     }
 
     /// The node at a crossing; `None` where the cutter is much deeper in the check surface elsewhere: the shank may stand

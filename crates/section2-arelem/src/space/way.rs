@@ -390,7 +390,13 @@ pub(super) fn simple(keep: &Keep) -> bool {
     keep.surface.convex() || keep.surface.concave()
 }
 
-/// The zeros of the gap between two samples.
+/// Where a search for zeros could go no farther: all of those before that place are found.
+pub(super) struct Lost {
+    pub(super) s: f64,
+    pub(super) trouble: Trouble,
+}
+
+/// The zeros of the gap between two samples, the nearest first.
 pub(super) fn crossings(
     way: &Way<'_>,
     keep: &Keep,
@@ -398,10 +404,11 @@ pub(super) fn crossings(
     b: Sample,
     halvings: u32,
     out: &mut Vec<Crossing>,
-) -> Result<(), Trouble> {
+) -> Result<(), Lost> {
     if b.s <= a.s {
         return Ok(());
     }
+    let lost = |trouble| Lost { s: a.s, trouble };
     let (fa, fb) = (a.gap.g, b.gap.g);
     let gap = |p: &Sample| p.gap.g;
     let newton = |p: &Sample| (p.slope != 0.0).then(|| p.s - p.gap.g / p.slope);
@@ -410,7 +417,7 @@ pub(super) fn crossings(
         let falls = fb < fa;
         let runs = |p: &Sample| (p.slope < 0.0) == falls;
         if !coarse && (halvings == 0 || simple(keep) || (runs(&a) && runs(&b))) {
-            let root = way.zero(keep, a, b, gap, newton, way.track.exact)?;
+            let root = way.zero(keep, a, b, gap, newton, way.track.exact).map_err(lost)?;
             out.push(Crossing { s: root.s, touch: false, falls });
             return Ok(());
         }
@@ -420,7 +427,7 @@ pub(super) fn crossings(
         }
         let towards = if fa > 0.0 { -1.0 } else { 1.0 };
         if !coarse && a.slope * towards > 0.0 && b.slope * towards < 0.0 {
-            let m = way.extreme(keep, a, b, 1e-9, true)?;
+            let m = way.extreme(keep, a, b, 1e-9, true).map_err(lost)?;
             if (m.gap.g > 0.0) != (fa > 0.0) {
                 crossings(way, keep, a, m, 0, out)?;
                 return crossings(way, keep, m, b, 0, out);
@@ -437,7 +444,7 @@ pub(super) fn crossings(
     let m = match way.sample(keep, 0.5 * (a.s + b.s), &a) {
         // Where nothing faces the cutter the ends have to do.
         Err(_) if coarse => return crossings(way, keep, a, b, HALVINGS, out),
-        m => m?,
+        m => m.map_err(lost)?,
     };
     crossings(way, keep, a, m, halvings - 1, out)?;
     crossings(way, keep, m, b, halvings - 1, out)
