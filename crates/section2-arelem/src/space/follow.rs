@@ -14,6 +14,7 @@ use super::refusal::{blocked, not_reached, trouble_at};
 use super::stride::Stride;
 use super::track::{Node, Trouble};
 use super::watch::{Halt, Mark, Watch, clearance};
+use super::way::Lost;
 use crate::failure::Failure;
 use crate::scene::{Check, Path, Scene, Wall, to_or_on};
 
@@ -192,20 +193,24 @@ impl<'a> Walk<'a> {
         self.marks.clear();
         self.marks.extend(self.watches.iter().map(Watch::mark));
         let mut stop: Option<(usize, Halt)> = None;
+        let mut lost: Option<(usize, Lost)> = None;
         for (i, w) in self.watches.iter_mut().enumerate() {
-            let check = &scene.checks[i].wall;
-            let unmet = |t| match t {
-                Trouble::Check => Failure::NoContact { surface: check.surface.clone() },
-                t => trouble_at(scene, &node.pose, t),
-            };
-            let halt = w.scan(&begin.track, &node, stride).map_err(unmet)?;
-            if let Some(h) = halt
-                && stop.as_ref().is_none_or(|(_, s)| h.s < s.s)
-            {
-                stop = Some((i, h));
+            match w.scan(&begin.track, &node, stride) {
+                Ok(Some(h)) if stop.as_ref().is_none_or(|(_, s)| h.s < s.s) => stop = Some((i, h)),
+                Ok(_) => {}
+                Err(l) if lost.as_ref().is_none_or(|(_, known)| l.s < known.s) => lost = Some((i, l)),
+                Err(_) => {}
             }
         }
-        Ok(stop)
+        // What is behind the place where another check surface stops it does not matter.
+        let matters = |l: &Lost| stop.as_ref().is_none_or(|(_, s)| l.s < s.s);
+        match lost.filter(|(_, l)| matters(l)) {
+            Some((i, Lost { trouble: Trouble::Check, .. })) => {
+                Err(Failure::NoContact { surface: scene.checks[i].wall.surface.clone() })
+            }
+            Some((_, Lost { trouble, .. })) => Err(trouble_at(scene, &node.pose, trouble)),
+            None => Ok(stop),
+        }
     }
 
     /// The whole path, which ends so at the check surface `i`; `None` where one cut vector more must go there.
@@ -226,6 +231,7 @@ impl<'a> Walk<'a> {
                     self.watches.iter_mut().zip(&self.marks).for_each(|(w, m)| w.back_to(m));
                     self.reach = 0.5 * halt.s;
                     self.shortened += 1;
+                    self.straight = false;
                     return None;
                 }
                 // The proof of the path says by how much it is off.

@@ -171,12 +171,26 @@ impl Watch {
         self.gauges.iter().filter_map(to).fold(0.0, f64::max)
     }
 
-    /// Where the check surface stops the motion between a node and the end of a cut vector.
+    /// Where the check surface stops the motion between a node and the end of a cut vector; else whether that is not known from
+    /// some place on.
     pub(crate) fn scan(
         &mut self,
         track: &Track,
         from: &Node,
         stride: &Stride,
+    ) -> Result<Option<Halt>, Lost> {
+        let mut known = 0.0;
+        let found = self.seek(track, from, stride, &mut known);
+        found.map_err(|trouble| Lost { s: known, trouble })
+    }
+
+    /// The same; until `known` it is.
+    fn seek(
+        &mut self,
+        track: &Track,
+        from: &Node,
+        stride: &Stride,
+        known: &mut f64,
     ) -> Result<Option<Halt>, Trouble> {
         let turn = from.pose.ta.cross(&stride.to.pose.ta) / stride.length;
         let way = Way { track, from, stride, turn };
@@ -240,7 +254,9 @@ impl Watch {
                 return Ok(Some(halt));
             }
         }
-        lost.map_or(Ok(None), |lost| Err(lost.trouble))
+        let Some(lost) = lost else { return Ok(None) };
+        *known = lost.s;
+        Err(lost.trouble)
     }
 
     /// The node at a crossing; `None` where the cutter is much deeper in the check surface elsewhere: the shank may stand

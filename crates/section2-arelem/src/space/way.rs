@@ -391,9 +391,9 @@ pub(super) fn simple(keep: &Keep) -> bool {
 }
 
 /// Where a search for zeros could go no farther: all of those before that place are found.
-pub(super) struct Lost {
-    pub(super) s: f64,
-    pub(super) trouble: Trouble,
+pub(crate) struct Lost {
+    pub(crate) s: f64,
+    pub(crate) trouble: Trouble,
 }
 
 /// The zeros of the gap between two samples, the nearest first.
