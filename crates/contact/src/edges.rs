@@ -144,7 +144,9 @@ fn touching(
     let near = tool.near(place.point);
     let touches = |t: f64, place: &OnEdge, near: &ToolNear, raw: f64| {
         let normal = -near.normal;
-        let faces = normal.dot(&place.mean) * side.sign() > 0.0;
+        // Through a body an edge on its far side is seen from inside.
+        let before = || raw <= 0.0 || side.sign() * surface.foot(near.point).distance >= 0.0;
+        let faces = normal.dot(&place.mean) * side.sign() > 0.0 && before();
         let falls = |into: Vec3| near.normal.dot(&into) >= -LEVEL;
         (faces && surface.inwards_of(edge, t, falls)).then_some(Gap {
             g: raw,

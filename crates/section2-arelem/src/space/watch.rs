@@ -12,8 +12,8 @@ use super::keep::{Keep, Pose};
 use super::stride::Stride;
 use super::track::{Node, Track, Trouble};
 use super::way::{
-    Crossing, GRAZING, HALVINGS, Lost, RATE, ROUNDS, Sample, Way, crossings, in_limits, read, simple,
-    sunk, tangencies,
+    Crossing, GRAZING, HALVINGS, Lost, RATE, ROUNDS, Sample, Way, crossings, in_limits, read,
+    simple, sunk, tangencies,
 };
 
 /// How often a long cut vector over a surface of mixed curvature is halved at most.
