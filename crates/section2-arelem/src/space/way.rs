@@ -15,6 +15,9 @@ pub(super) const ROUNDS: usize = 80;
 /// Halvings in the search for the last place that faces a surface with ends.
 const FACING: u32 = 14;
 
+/// How often a way is halved towards its beginning in search of a place that can be read.
+const NEARER: i32 = 8;
+
 /// How often the places of a tool's axis are looked at twice as close for one that is in a surface.
 const CLOSER: u32 = 8;
 
@@ -444,7 +447,16 @@ pub(super) fn crossings(
     let m = match way.sample(keep, 0.5 * (a.s + b.s), &a) {
         // Where nothing faces the cutter the ends have to do.
         Err(_) if coarse => return crossings(way, keep, a, b, HALVINGS, out),
-        m => m.map_err(lost)?,
+        // What is before the place that cannot be read is found all the same.
+        Err(trouble) => {
+            let mut places = (2..=NEARER).map(|k| a.s + 0.5_f64.powi(k) * (b.s - a.s));
+            let Some(m) = places.find_map(|s| way.sample(keep, s, &a).ok()) else {
+                return Err(lost(trouble));
+            };
+            crossings(way, keep, a, m, halvings - 1, out)?;
+            return Err(Lost { s: m.s, trouble });
+        }
+        Ok(m) => m,
     };
     crossings(way, keep, a, m, halvings - 1, out)?;
     crossings(way, keep, m, b, halvings - 1, out)

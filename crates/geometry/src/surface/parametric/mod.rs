@@ -287,25 +287,21 @@ impl ParametricSurface {
         let size = away.norm();
         let distance = normal.dot(&away);
         let across = (away - normal * distance).norm();
-        if across > 1e-6 * size && size > 1e-12 * self.extent && self.ends_at([u, v]) {
-            // In a tip any of its normals may be that of the place: what lies beside it is told by all of them.
-            let over = match &self.patch {
-                Patch::Sculptured(s) => s.tip([u, v]).map_or(distance, |mean| mean.dot(&away)),
-                _ => distance,
+        if across > 1e-6 * size && size > 1e-12 * self.extent {
+            let ends = self.ends_at([u, v]);
+            // On an edge, or in a tip, any of its normals may be that of the place: what lies beside it is told by all of them.
+            let mean = match &self.patch {
+                Patch::Sculptured(s) => s.tip([u, v]).filter(|_| ends).or_else(|| s.edge([u, v])),
+                _ => None,
             };
-            let side = if over < 0.0 { -1.0 } else { 1.0 };
-            let normal = away * (side / size);
-            let shape = Shape { frame: frame_about(normal), k: [f64::INFINITY * side, 0.0, 0.0] };
-            return Foot { point, normal, distance: side * size, shape, at };
-        }
-        if across > 1e-6 * size
-            && size > 1e-12 * self.extent
-            && let Patch::Sculptured(spans) = &self.patch
-            && let Some(mean) = spans.edges().iter().find_map(|e| e.mean_at(spans, [u, v]))
-        {
-            let side = if mean.dot(&away) < 0.0 { -1.0 } else { 1.0 };
-            let normal = away * (side / size);
-            return Foot { point, normal, distance: side * size, shape: Shape::flat(normal), at };
+            if ends || mean.is_some() {
+                let over = mean.map_or(distance, |mean| mean.dot(&away));
+                let side = if over < 0.0 { -1.0 } else { 1.0 };
+                let normal = away * (side / size);
+                let k = if ends { [f64::INFINITY * side, 0.0, 0.0] } else { [0.0; 3] };
+                let shape = Shape { frame: frame_about(normal), k };
+                return Foot { point, normal, distance: side * size, shape, at };
+            }
         }
         Foot { point, normal, distance, shape: self.bend(&jet, normal), at }
     }

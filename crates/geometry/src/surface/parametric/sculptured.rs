@@ -147,6 +147,11 @@ impl Spans {
         })
     }
 
+    /// The mean of the normals of an edge on which the place lies.
+    pub(super) fn edge(&self, uv: [f64; 2]) -> Option<Vec3> {
+        self.edges().iter().find_map(|edge| edge.mean_at(self, uv))
+    }
+
     /// Where the way towards `p` goes on across a seam, or round a pole, at which it is held fast along the parameters `fixed`.
     pub(super) fn beyond(&self, uv: [f64; 2], fixed: [bool; 2], p: Vec3) -> Option<[f64; 2]> {
         let border = |axis: usize| self.borders[axis][usize::from(uv[axis] > 0.5)];
