@@ -420,9 +420,15 @@ pub(super) fn crossings(
         let falls = fb < fa;
         let runs = |p: &Sample| (p.slope < 0.0) == falls;
         if !coarse && (halvings == 0 || simple(keep) || (runs(&a) && runs(&b))) {
-            let root = way.zero(keep, a, b, gap, newton, way.track.exact).map_err(lost)?;
-            out.push(Crossing { s: root.s, touch: false, falls });
-            return Ok(());
+            match way.zero(keep, a, b, gap, newton, way.track.exact) {
+                Ok(root) => {
+                    out.push(Crossing { s: root.s, touch: false, falls });
+                    return Ok(());
+                }
+                Err(trouble) if halvings == 0 || simple(keep) => return Err(lost(trouble)),
+                // A shorter stretch may be read all along.
+                Err(_) => {}
+            }
         }
     } else {
         if fa.abs() + fb.abs() > reach(way, keep, &a, &b) {
@@ -430,14 +436,17 @@ pub(super) fn crossings(
         }
         let towards = if fa > 0.0 { -1.0 } else { 1.0 };
         if !coarse && a.slope * towards > 0.0 && b.slope * towards < 0.0 {
-            let m = way.extreme(keep, a, b, 1e-9, true).map_err(lost)?;
-            if (m.gap.g > 0.0) != (fa > 0.0) {
-                crossings(way, keep, a, m, 0, out)?;
-                return crossings(way, keep, m, b, 0, out);
-            }
-            if in_limits(keep, m.gap.g, way.track.exact) {
-                out.push(Crossing { s: m.s, touch: true, falls: fa > 0.0 });
-                return Ok(());
+            match way.extreme(keep, a, b, 1e-9, true) {
+                Ok(m) if (m.gap.g > 0.0) != (fa > 0.0) => {
+                    crossings(way, keep, a, m, 0, out)?;
+                    return crossings(way, keep, m, b, 0, out);
+                }
+                Ok(m) if in_limits(keep, m.gap.g, way.track.exact) => {
+                    out.push(Crossing { s: m.s, touch: true, falls: fa > 0.0 });
+                    return Ok(());
+                }
+                Err(trouble) if halvings == 0 || simple(keep) => return Err(lost(trouble)),
+                _ => {}
             }
         }
         if halvings == 0 || simple(keep) {
