@@ -87,8 +87,14 @@ impl Curved<'_> {
         Self::faces(tool, pose, &jet)
     }
 
-    /// The same at a place itself.
+    /// The same at a place itself. Where a border runs together in a point the normal is rounding, and tells nothing.
     pub(super) fn faces(tool: &Tool<'_>, pose: &Pose, jet: &Jet) -> f64 {
+        /// Share of one derivative that the other is there.
+        const POINT: f64 = 1e-9;
+        let [u, v] = jet.d.map(|d| d.norm());
+        if u.min(v) <= POINT * u.max(v) {
+            return 0.0;
+        }
         let reach = |n: Vec3| tool.height(pose, n) - n.dot(&jet.p);
         let (right, left) = (reach(jet.n), reach(-jet.n));
         if right > 2.0 * left {
