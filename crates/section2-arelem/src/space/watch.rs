@@ -249,9 +249,15 @@ impl Watch {
             }
             if self.met + 1 < self.nth {
                 self.met += 1;
-            } else if let Some(halt) = self.halt(&way, crossing, i)? {
+                continue;
+            }
+            let halt = match self.halt(&way, crossing, i)? {
+                None if self.relation == Relation::To => self.before(&way, crossing.s, i)?,
+                halt => halt,
+            };
+            if halt.is_some() {
                 self.met += 1;
-                return Ok(Some(halt));
+                return Ok(halt);
             }
         }
         let Some(lost) = lost else { return Ok(None) };
@@ -302,6 +308,33 @@ impl Watch {
         let (side, reading) = (keep.side, met.g);
         let beside = crosses && !in_limits(keep, met.g, exact);
         Ok(Some(Halt { s, node, side, gauge: i, reading, crosses, beside }))
+    }
+
+    /// Where on the way to `s`, at which the cutter is deeper in the check surface elsewhere, it came to be so; `None` where it was
+    /// from the beginning on. Of a place that goes through a sheet, as a shank does, nothing is left to be read after a while.
+    fn before(&self, way: &Way<'_>, s: f64, i: usize) -> Result<Option<Halt>, Trouble> {
+        let keep = &self.gauges[i].keep;
+        let at = |node: &Node| -> Result<Gap, Trouble> {
+            let gap = read(keep, node, None)?;
+            Ok(keep.deeper(&node.pose, &gap, self.loose, true).0.unwrap_or(gap))
+        };
+        let (mut low, mut high) = (0.0, s);
+        if at(way.from)?.g <= self.near || at(&way.settled(s)?)?.g > -self.loose {
+            return Ok(None);
+        }
+        for _ in 0..ROUNDS {
+            if high - low <= way.track.exact {
+                break;
+            }
+            let middle = 0.5 * (low + high);
+            let clear = at(&way.settled(middle)?)?.g > 0.0;
+            *(if clear { &mut low } else { &mut high }) = middle;
+        }
+        let node = way.settled(low)?;
+        let reading = at(&node)?.g;
+        let beside = !in_limits(keep, reading, way.track.exact);
+        let side = keep.side;
+        Ok(Some(Halt { s: low, node, side, gauge: i, reading, crosses: true, beside }))
     }
 
     /// The same halt on the way of another cut vector from the same node.
