@@ -12,6 +12,8 @@ use crate::jump::Stands;
 pub(crate) enum Failure {
     /// A curve or surface that cannot be fitted.
     Unfit { name: Box<str>, why: Box<str> },
+    /// Triangles, along which no lines run.
+    Facets { name: Box<str> },
     /// Areas that a statement needs are not set; none where their own statements failed, which was told there.
     NotSet { areas: Vec<&'static str> },
     /// A number that is out of its range.
@@ -65,7 +67,7 @@ pub(crate) fn touches_with(origin: &Origin, place: &str, at: Vec3) -> Diagnostic
     let text = format!("at the tool end {} the cutter touches with {place}", point(at));
     Diagnostic::warning(codes::ODD_CONTACT, origin.span, text)
         .within(origin.trace.clone())
-        .help("lean the tool axis, so that the corner or the side cuts")
+        .help("where the tool stands on the wrong side of the part surface give MINUS for PLUS with it, or PLUS for MINUS; else lean the tool axis, so that the corner or the side cuts")
 }
 
 /// Passes that are to run out of the region from its border.
@@ -136,6 +138,12 @@ impl Failure {
                 codes::UNFIT_SURFACE,
                 format!("{name} cannot be fitted: {why}"),
                 "correct its definition".into(),
+            ),
+            Self::Facets { name } => (
+                codes::UNSUPPORTED_MOTION,
+                format!("{name} is made of triangles, along which no lines run"),
+                "lead the tool over another surface (SCON/DS), and hold it off the triangles by CHKSRF"
+                    .into(),
             ),
             Self::NotSet { areas } => (
                 codes::AREA_NOT_SET,

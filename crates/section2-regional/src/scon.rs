@@ -162,7 +162,7 @@ impl Regional {
         };
         let guide = match form.shape() {
             Form::Scurv(_) => Guide::Curve(self.curve(name, form)?),
-            _ => Guide::Surface(self.surface(name, form)?),
+            _ => Guide::Surface(self.lined(name, form)?),
         };
         w.take("PARAM");
         let mut limit = |what| need(w.number(), what);
@@ -267,6 +267,20 @@ impl Regional {
         let fitted = Arc::new(fitted);
         self.fitted.push((Arc::clone(form), Arc::clone(&fitted)));
         Ok(fitted)
+    }
+
+    /// The same of a surface along whose lines the tool is led.
+    pub(crate) fn lined(
+        &mut self,
+        name: &NameRef,
+        form: &Arc<Form>,
+    ) -> Result<Arc<Sculptured>, Failure> {
+        match form.shape() {
+            Form::Ssurf(d) if d.only_checks() => {
+                Err(Failure::Facets { name: name.name.as_str().into() })
+            }
+            _ => self.surface(name, form),
+        }
     }
 
     /// What cannot be fitted is told where it is used first.

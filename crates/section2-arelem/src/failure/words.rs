@@ -238,7 +238,12 @@ impl Failure {
             Self::Unsupported { surface } => (
                 codes::UNSUPPORTED_MOTION,
                 format!("motion with {} cannot be computed{}", called(surface), unfit(surface)),
-                "use another surface, or give the positions with GOTO".into(),
+                match surface.form.shape() {
+                    aptc_geometry::Form::Ssurf(d) if !d.only_checks() => {
+                        "correct the definition of the surface, or of a curve or surface in it".into()
+                    }
+                    _ => "use another surface, or give the positions with GOTO".into(),
+                },
             ),
         }
     }

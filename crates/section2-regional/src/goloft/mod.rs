@@ -224,7 +224,7 @@ impl Regional {
         form: &Arc<Form>,
         (side, thick): (f64, f64),
     ) -> Result<PartArea, Failure> {
-        let surface = self.surface(name, form)?;
+        let surface = self.lined(name, form)?;
         let (tree, extent, ends) = (self.tree(&surface), surface.extent(), Ends::of(&surface));
         let (name, touches) = (name.clone(), true);
         Ok(PartArea { name, surface, tree, extent, ends, touches, side, thick })
