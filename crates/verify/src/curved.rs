@@ -301,7 +301,7 @@ impl Curved<'_> {
                 warm.near.map_or(0.0, |near| Self::faces(tool, &start, &near[0].jet(self.sheet)))
             };
             let then = if first == 0.0 { self.stands(tool, &start) } else { first };
-            if then == 0.0 { self.lies(inner, near) } else { then }
+            if then == 0.0 { self.lies_about(tool, &start, near) } else { then }
         });
         let sign = sign * side;
         if sign > 0.0 || self.nearest(inner, 2.0 * near).0 <= near {

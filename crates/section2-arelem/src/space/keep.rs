@@ -30,7 +30,7 @@ pub(crate) struct Keep {
 }
 
 /// How deep what touches may be. The faces beside an edge, moved in by INTOL, cross each other there and end outside of each other:
-/// what keeps outside of both is nowhere deeper than this.
+/// what keeps outside of both is nowhere deeper than this, and beside a sharp edge it stands off.
 fn deep(wall: &Wall, surface: &Surface) -> f64 {
     /// Part of the band that is to be left.
     const LEFT: f64 = 0.1;
@@ -41,7 +41,7 @@ fn deep(wall: &Wall, surface: &Surface) -> f64 {
         }
         _ => 1.0,
     };
-    let deep = band.intol * cos.max(0.0);
+    let deep = band.intol * cos;
     if deep + band.outtol < LEFT * (band.intol + band.outtol) { band.intol } else { deep }
 }
 

@@ -95,7 +95,7 @@ fn arrive(go: &Start, aims: &mut [Aim<'_>], pose: Pose) -> Result<Pose, Failure>
     let open = solve(go, aims, pose);
     let sides: Vec<Side> = aims.iter().map(|a| a.keep.side).collect();
     if let Ok(end) = &open {
-        put(aims, &|a| !fits(&a.keep, end, -1.01 * a.keep.intol));
+        put(aims, &|a| !fits(&a.keep, end, -1.01 * a.keep.intol.max(0.0)));
         if aims.iter().all(|a| a.keep.side != Side::Open) {
             return open;
         }

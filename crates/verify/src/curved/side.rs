@@ -1,6 +1,7 @@
 //! The place of the surface next to a point, and the side of it on which a point or the tool stands.
 
-use aptc_geometry::Vec3;
+use aptc_geometry::surface::frame_about;
+use aptc_geometry::{Vec3, trig};
 
 use super::Curved;
 use crate::search::{Aim, FOLD, Moved, clearance};
@@ -31,6 +32,22 @@ impl Curved<'_> {
         let jet = self.sheet.jet(&spot);
         let off = (p - jet.p).dot(&jet.n);
         if off.abs() > 0.5 * far { off.signum() } else { 0.0 }
+    }
+
+    /// The same of a tool, none of whose points is nearer: of its middle, or of others round it. Next to an edge the middle may not be
+    /// seen from the face that is looked at, and others are.
+    pub(super) fn lies_about(&self, tool: &Tool<'_>, pose: &Pose, near: f64) -> f64 {
+        /// Directions round the axis, and the share of the way from the middle to the border.
+        const ROUND: u32 = 8;
+        const OUT: f64 = 0.8;
+        let inner = tool.inner(pose);
+        let [a, b] = frame_about(pose.ta);
+        let round = (0..ROUND).map(|k| {
+            let (s, c) = trig::sin_cos(f64::from(k) * std::f64::consts::FRAC_PI_4);
+            inner + (tool.farthest(pose, a * c + b * s) - inner) * OUT
+        });
+        let sides = std::iter::once(inner).chain(round).map(|p| self.lies(p, near));
+        sides.into_iter().find(|side| *side != 0.0).unwrap_or(0.0)
     }
 
     /// On which side of the surface the tool stands that does not pass through it: that of its point nearest
