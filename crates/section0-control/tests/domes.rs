@@ -211,7 +211,7 @@ SMIL/ZIGZAG,DS,PARAM,.2,0,CRSSPL,PLUS,STEPOV,PLUS";
     let ran = run::run(&text, Verify::Full);
     assert_eq!(ran.faults(), Vec::<String>::new());
     // As near to the contact as the bottom is wide: on a sphere of that radius, but for the chords.
-    let radius = f64::hypot(30.0, 6.0);
+    let radius = aptc_geometry::trig::hypot(30.0, 6.0);
     let beside =
         ran.places.iter().filter(|p| (aptc_geometry::Vec3::from(**p).norm() - radius).abs() < 0.02);
     assert!(beside.count() + 1 == ran.places.len(), "{}", ran.places.len());

@@ -151,7 +151,7 @@ FINI
     );
     let ran = run::run(&text, Verify::Full);
     assert!(ran.faults().iter().all(|code| code == "APT2005"), "{:?}", ran.told);
-    let beside = |p: &[f64; 3]| f64::hypot(p[0] - 50.0, p[1] - 25.0);
+    let beside = |p: &[f64; 3]| aptc_geometry::trig::hypot(p[0] - 50.0, p[1] - 25.0);
     let least = ran.places.windows(2).flat_map(|w| {
         let [a, b] = [w[0], w[1]];
         (0..=50).map(move |i| core::array::from_fn(|k| a[k] + (b[k] - a[k]) * f64::from(i) / 50.0))

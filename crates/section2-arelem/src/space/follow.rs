@@ -199,7 +199,7 @@ impl<'a> Walk<'a> {
                 Ok(Some(h)) if stop.as_ref().is_none_or(|(_, s)| h.s < s.s) => stop = Some((i, h)),
                 Ok(_) => {}
                 Err(l) if lost.as_ref().is_none_or(|(_, known)| l.s < known.s) => {
-                    lost = Some((i, l))
+                    lost = Some((i, l));
                 }
                 Err(_) => {}
             }

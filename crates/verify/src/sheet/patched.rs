@@ -293,7 +293,7 @@ impl Patched {
                 // At its last border it goes on, closes, or ends in a point.
                 let goes_on = [side.before, side.behind].map(|end| end.is_some());
                 let last = [place[k] == 0, place[k] + 1 == counts[k]];
-                (0..2).any(|end| !smooth[k][end] && !(last[end] && goes_on[end]))
+                !(0..2).all(|end| smooth[k][end] || last[end] && goes_on[end])
             })
         })
     }
