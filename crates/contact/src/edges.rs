@@ -5,12 +5,13 @@ use aptc_geometry::{Surface, Tool, ToolNear, Vec3};
 
 use crate::gap::{Gap, Side};
 
-/// Parts of an edge that are looked at for a least distance each, and halvings of one.
+/// Parts of an edge that are looked at for a least distance each, and the share of the slopes at its ends that is none.
 const PARTS: u8 = 12;
-const HALVINGS: u32 = 50;
+const EVEN: f64 = 1e-14;
 /// Sine by which what leads into the surface may come nearer to the tool.
 const LEVEL: f64 = 1e-9;
-/// Share of the tool's size below which the place of contact is found with the edge moved back, and rounds of that.
+/// Share of the tool's size below which the place of contact is found with the edge moved back, and rounds of that and of other
+/// searches.
 const CLOSE: f64 = 1e-6;
 const ROUNDS: u32 = 60;
 /// Share of the tool's size by which a place may lie off an edge.
@@ -24,18 +25,29 @@ pub(crate) struct Edges {
     pub(crate) least: f64,
 }
 
-/// All edges of a surface; `None` of one that has none.
-pub(crate) fn all(tool: &Tool<'_>, surface: &Surface, side: Side) -> Option<Edges> {
+/// The edges of a surface that may come nearer than `limit`, but for the place of them that is `known`; `None` of one that has none.
+pub(crate) fn all(
+    tool: &Tool<'_>,
+    surface: &Surface,
+    side: Side,
+    limit: f64,
+    known: Option<&Gap>,
+) -> Option<Edges> {
     let surface = edged(surface)?;
+    let same = ON * tool.profile.reach();
     let mut all = Edges { deepest: None, least: f64::INFINITY };
     for edge in surface.edges() {
-        // What is farther away than the deepest tells nothing.
-        let known = all.deepest.map_or(f64::INFINITY, |gap| gap.raw);
         let bound = tool.distance(edge.center) - edge.radius;
-        if bound > known.min(all.least) {
+        let deepest = all.deepest.map_or(f64::INFINITY, |gap| gap.raw);
+        if bound > limit || bound > deepest && bound > all.least {
             continue;
         }
         each_least(tool, surface, edge, &mut |t, distance| {
+            let place = surface.on_edge(edge, t).map(|p| p.point);
+            let is_known = |k: &Gap| place.is_some_and(|p| (p - k.surface_point).norm() <= same);
+            if known.is_some_and(is_known) {
+                return;
+            }
             all.least = all.least.min(distance);
             if all.deepest.is_none_or(|gap| distance < gap.raw) {
                 all.deepest = touching(tool, surface, side, edge, t).or(all.deepest);
@@ -115,15 +127,25 @@ fn least(
     for i in 1..=PARTS {
         let Some(now) = at(part(i)) else { return };
         if before.1 < 0.0 && now.1 >= 0.0 {
-            let (mut low, mut high) = (part(i - 1), part(i));
-            for _ in 0..HALVINGS {
-                let middle = 0.5 * (low + high);
-                let falls = at(middle).is_some_and(|(_, slope)| slope < 0.0);
-                *(if falls { &mut low } else { &mut high }) = middle;
+            let (mut low, mut high) = ((part(i - 1), before.1), (part(i), now.1));
+            let mut best = (high.0, now.0);
+            for round in 0..ROUNDS {
+                // The zero of the chord of the slopes, and every third time the middle.
+                let chord = low.0 - low.1 * (high.0 - low.0) / (high.1 - low.1);
+                let inside = chord > low.0 && chord < high.0 && round % 3 != 2;
+                let t = if inside { chord } else { 0.5 * (low.0 + high.0) };
+                let Some((distance, slope)) = at(t) else { break };
+                if distance < best.1 {
+                    best = (t, distance);
+                }
+                *(if slope < 0.0 { &mut low } else { &mut high }) = (t, slope);
+                let size = before.1.abs().max(now.1.abs());
+                if slope.abs() <= EVEN * size || high.0 - low.0 <= f64::EPSILON {
+                    best = (t, distance);
+                    break;
+                }
             }
-            if let Some((distance, _)) = at(high) {
-                take(high, distance);
-            }
+            take(best.0, best.1);
         }
         before = now;
     }

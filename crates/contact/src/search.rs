@@ -10,7 +10,7 @@ use crate::gap::{Gap, Side, deeper};
 use crate::stations::{SEEDS, Seeds, Stations, seeds};
 use crate::{disk, edges, ridge, ring, rings, shank};
 
-/// Gap to a surface without closed form.
+/// Gap to a surface without closed form, of faces and of edges.
 pub(crate) fn general(
     tool: &Tool<'_>,
     surface: &Surface,
@@ -19,9 +19,11 @@ pub(crate) fn general(
 ) -> Result<Gap, Reason> {
     let found = faces(tool, surface, side, start);
     // With a start the search stays where it is.
-    let Some(edge) = edges::all(tool, surface, side).filter(|_| start.is_none()) else {
+    if start.is_some() {
         return found;
-    };
+    }
+    let limit = found.as_ref().map_or(f64::INFINITY, |gap| gap.raw);
+    let Some(edge) = edges::all(tool, surface, side, limit, None) else { return found };
     match (found, edge.deepest) {
         (Ok(gap), Some(edge)) if !deeper(tool, edge.raw, gap.raw) => Ok(gap),
         (_, Some(edge)) => Ok(edge),
@@ -29,7 +31,7 @@ pub(crate) fn general(
     }
 }
 
-/// The same but for edges.
+/// The gap to the faces alone.
 fn faces(
     tool: &Tool<'_>,
     surface: &Surface,
@@ -173,14 +175,17 @@ pub(crate) fn elsewhere(
     stands: bool,
 ) -> (Option<Gap>, f64) {
     let (found, room) = elsewhere_on_faces(tool, surface, side, known, stands);
-    let Some(edges) = edges::all(tool, surface, side) else { return (found, room) };
+    let limit = known.raw + 2.0 * room;
+    let Some(edges) = edges::all(tool, surface, side, limit, Some(known)) else {
+        return (found, room);
+    };
     let least = found.map_or(known.raw, |gap| gap.raw.min(known.raw));
     let edge = edges.deepest.filter(|edge| deeper(tool, edge.raw, least));
     let until = 0.5 * (edges.least - known.raw).max(0.0);
     (edge.or(found), room.min(until))
 }
 
-/// The same but for edges.
+/// The same of the faces alone.
 fn elsewhere_on_faces(
     tool: &Tool<'_>,
     surface: &Surface,

@@ -8,8 +8,8 @@ use crate::Vec3;
 use crate::sculpt::{Layout, Sculptured};
 use crate::surface::{Shape, frame_about};
 
-/// Normals that differ by more jump: those of patches fitted as one differ by rounding.
-const JUMPS: f64 = 1e-9;
+/// Normals that differ by more jump: those of patches fitted as one differ by rounding, and searches for contacts end at half as much.
+const JUMPS: f64 = 5e-8;
 /// Borders that are no farther apart than this share of the surface's size are one.
 const SAME: f64 = 1e-6;
 /// Parts of a joint at whose ends it is looked whether it is an edge.
@@ -17,6 +17,8 @@ const LOOKS: u8 = 4;
 /// Share of a tip's surface at which its directions are taken, and how many.
 const BESIDE: f64 = 1e-6;
 const ROUND: u8 = 16;
+/// By so much of the parameters a place on an edge is taken to lie inside of its patch.
+const INTO: f64 = 1e-12;
 /// Radius of an edge, as a part of the surface's size, its inverse.
 const SHARP: f64 = 1e9;
 /// Share of the parameters by which a place on an edge may lie beside it.
@@ -79,6 +81,8 @@ impl Edge {
             Sides::Joint([a, b]) => {
                 let (at, jet) = a.jet(spans, t);
                 let (_, other) = b.jet(spans, t);
+                // Of loose patches the border's parameters may be those of another.
+                let at = [0, 1].map(|k| at[k] + INTO * a.inwards[k]);
                 let by = a.by();
                 let along = jet.su * by[0] + jet.sv * by[1];
                 let mean = unit_normal(&jet).unwrap_or_else(Vec3::zeros)
@@ -105,7 +109,7 @@ impl Edge {
 
     /// The mean of the normals, if the place with these parameters lies on it.
     pub(super) fn mean_at(&self, spans: &Spans, uv: [f64; 2]) -> Option<Vec3> {
-        let (_, t) = self.holds(uv)?;
+        let (_, t) = self.holds(spans, uv)?;
         self.at(spans, t).mean.try_normalize(0.0)
     }
 
@@ -113,11 +117,11 @@ impl Edge {
     /// nearly as a corner, along it as it runs.
     pub(super) fn shape_at(&self, spans: &Spans, uv: [f64; 2], n: Vec3) -> Option<Shape> {
         if let Sides::Tip { at, .. } = &self.sides {
-            let here = (self.center - spans.jet(uv[0], uv[1]).s).norm() <= ON
+            let here = (self.center - spans.jet(uv[0], uv[1]).s).norm() <= SAME * spans.size()
                 && at.iter().zip(uv).any(|(a, b)| (a - b).abs() <= ON);
             return here.then(|| Shape { frame: frame_about(n), k: [f64::INFINITY, 0.0, 0.0] });
         }
-        let (side, t) = self.holds(uv)?;
+        let (side, t) = self.holds(spans, uv)?;
         let jet = side.jet(spans, t).1;
         let [x, y] = side.by();
         let (along, turn) = (
@@ -131,11 +135,13 @@ impl Edge {
     }
 
     /// The side of it that a place with these parameters lies on, and the share of its length.
-    fn holds(&self, uv: [f64; 2]) -> Option<(&Beside, f64)> {
+    fn holds(&self, spans: &Spans, uv: [f64; 2]) -> Option<(&Beside, f64)> {
         let Sides::Joint(sides) = &self.sides else { return None };
         let side = sides.iter().find(|side| side.holds(uv))?;
         let (by, off) = (side.by(), [0, 1].map(|k| uv[k] - side.from[k]));
-        Some((side, (off[0] * by[0] + off[1] * by[1]) / (by[0] * by[0] + by[1] * by[1])))
+        let t = (off[0] * by[0] + off[1] * by[1]) / (by[0] * by[0] + by[1] * by[1]);
+        let away = side.jet(spans, t).1.s - spans.jet(uv[0], uv[1]).s;
+        (away.norm() <= SAME * spans.size()).then_some((side, t))
     }
 }
 
