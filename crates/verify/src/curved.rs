@@ -11,7 +11,7 @@ use crate::demand::Verdict;
 use crate::outside::Stood;
 use crate::pile::Pile;
 use crate::search::{Aim, FINE_FOLD, FOLD, Lead, Moved, TURNED, clearance_from};
-use crate::sheet::{Sheet, Spot};
+use crate::sheet::{Hollow, Sheet, Spot};
 use crate::sweep::Sweep;
 use crate::tool::{Pose, Tool};
 use crate::upright::distances;
@@ -226,14 +226,10 @@ impl Curved<'_> {
         // A tool without thickness would pass through the surface without holding any of its points: the
         // surface is moved farther back, and the tool stays farther away from it. At an edge what is moved out to the side of the
         // tool gapes: there it stays away from the surface itself.
-        let thin = match tool.is_thin() {
-            true => self.back(least, pad),
-            false if least > 0.0 && self.sheet.has_edges() => least,
-            false => 0.0,
-        };
+        let (held, thin) = self.held(tool, [&pose(0.0), &pose(1.0)], turn, side, least, pad);
         // Both the surface farther back and the distance from it are rounded.
         let enough = if thin > 0.0 { thin - 2.0 * pad } else { -pad };
-        let moved = Moved { sheet: self.sheet, side, shift: least - thin, fold };
+        let moved = Moved { sheet: self.sheet, side, shift: held - thin, fold };
         let mut low = f64::INFINITY;
         let mut open = (0.0, 0.0);
         let mut stack = Pile::<(f64, f64, u32), 32>::new();
@@ -247,7 +243,7 @@ impl Curved<'_> {
             let found = clearance_from(&sweep, &moved, enough, Aim::Clear, &mut warm.lead);
             let shown = found.least - thin;
             if found.least >= enough {
-                low = low.min(least + shown);
+                low = low.min(held + shown);
                 continue;
             }
             if let Some((distance, t, spot)) = found.nearest
@@ -297,6 +293,9 @@ impl Curved<'_> {
         let sign = self.sheet.sign(inner).unwrap_or_else(|| {
             let first = if tool.is_thin() {
                 self.lies(inner, near)
+            } else if self.sheet.edged().is_some() {
+                // Another face may be nearer.
+                0.0
             } else {
                 warm.near.map_or(0.0, |near| Self::faces(tool, &start, &near[0].jet(self.sheet)))
             };
@@ -311,6 +310,41 @@ impl Curved<'_> {
         } else {
             Half::Open(0.0, f64::INFINITY)
         }
+    }
+
+    /// What the gap is held above, for that `least`, and how much farther back the surface is moved, from which the tool then stays away
+    /// by as much.
+    ///
+    /// Where it has hollow edges its faces part as they are moved back, and a sharp tool would pass between. A place on the middle of
+    /// both, as deep below the edge as it may be, is to be no farther from the faces than the tool stays away.
+    fn held(
+        &self,
+        tool: &Tool<'_>,
+        [start, end]: [&Pose; 2],
+        turn: f64,
+        side: f64,
+        least: f64,
+        pad: f64,
+    ) -> (f64, f64) {
+        /// How far back, in depths that the tool may have.
+        const BACK: f64 = 8.0;
+        let thin = if tool.is_thin() { self.back(least, pad) } else { 0.0 };
+        let Some(edged) = self.sheet.edged() else { return (least, thin) };
+        if least >= 0.0 {
+            return (least, thin.max(least));
+        }
+        // Those that the tool may come to.
+        let away = (end.te - start.te).norm() + turn * tool.reach() - BACK * least + thin;
+        let comes = |h: &&Hollow| tool.near(start, h.center).0 - h.radius <= away;
+        let hollow = edged.hollow[usize::from(side < 0.0)].iter().filter(comes);
+        let half = hollow.map(|h| h.half).fold(0.0, f64::max);
+        if half <= 0.0 {
+            return (least, thin);
+        }
+        let (deep, cos) = (-least, (1.0 - half * half).max(0.0).sqrt());
+        let back = (BACK * deep).max(deep + thin);
+        let away = (back * back - 2.0 * back * deep * cos + deep * deep).sqrt();
+        (away - back, away)
     }
 
     /// How much farther back the surface is moved for a tool without thickness.
@@ -343,10 +377,7 @@ impl Curved<'_> {
         // How far the deepest point of the tool is from the whole surface.
         let near = inside.abs().max(deep.gap.abs()) + least.abs();
         let (far, place) = self.nearest(deep.p, 2.0 * near);
-        let sign = self.sheet.sign(deep.p).or_else(|| {
-            let jet = self.sheet.jet(&place?);
-            Some((deep.p - jet.p).dot(&jet.n).signum())
-        })?;
+        let sign = self.sheet.sign(deep.p).or_else(|| Some(self.off(deep.p, &place?).signum()))?;
         let gap = if sign * side > 0.0 { far } else { -far };
         let gap = if least >= 0.0 && !tool.is_thin() { gap.min(seen) } else { gap };
         (gap < least - pad).then_some(gap)

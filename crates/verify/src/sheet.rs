@@ -20,8 +20,9 @@ use aptc_geometry::{Form, Sculptured, Vec3};
 use crate::pile::Pile;
 use crate::tool::Pose;
 
+pub(crate) use patched::Hollow;
 pub(crate) use patched::Node;
-use patched::Patched;
+use patched::{Edged, Patched};
 pub(crate) use quadric::Quadric;
 pub(crate) use tabcyl::{Flat, Tabcyl};
 
@@ -229,6 +230,14 @@ impl Sheet {
         }
     }
 
+    /// What is at a place, of charts with borders also on those beside it.
+    pub(crate) fn around(&self, spot: &Spot) -> Vec<Jet> {
+        match &self.kind {
+            Kind::Quadric(_) | Kind::Tabcyl(_) => vec![self.jet(spot)],
+            Kind::Patched(p) => p.around(spot),
+        }
+    }
+
     /// The same with the second derivatives: uu, uv, vv. What goes on straight along a bent border counts as bent
     /// as the border.
     pub(crate) fn bent(&self, spot: &Spot) -> (Jet, [Vec3; 3]) {
@@ -249,11 +258,11 @@ impl Sheet {
         }
     }
 
-    /// May the surface have an edge?
-    pub(crate) fn has_edges(&self) -> bool {
+    /// The edges of the surface, if it has any.
+    pub(crate) fn edged(&self) -> Option<&Edged> {
         match &self.kind {
-            Kind::Quadric(_) | Kind::Tabcyl(_) => false,
-            Kind::Patched(p) => p.has_edges(),
+            Kind::Quadric(_) | Kind::Tabcyl(_) => None,
+            Kind::Patched(p) => Some(p.edged()).filter(|e| e.any),
         }
     }
 

@@ -29,9 +29,16 @@ impl Curved<'_> {
     /// On which side of the surface a point lies that is farther than `near`; 0 beside a border.
     pub(super) fn lies(&self, p: Vec3, near: f64) -> f64 {
         let (far, Some(spot)) = self.beyond(p, near) else { return 0.0 };
-        let jet = self.sheet.jet(&spot);
-        let off = (p - jet.p).dot(&jet.n);
-        if off.abs() > 0.5 * far { off.signum() } else { 0.0 }
+        let off = self.off(p, &spot);
+        if off.abs() > 0.25 * far { off.signum() } else { 0.0 }
+    }
+
+    /// How far a point is off the surface along the normal at the place next to it; at an edge along that of the face which is seen
+    /// best: from before two faces that is the nearer of both normals, and on its right side.
+    pub(super) fn off(&self, p: Vec3, spot: &Spot) -> f64 {
+        let way = p - self.sheet.jet(spot).p;
+        let offs = self.sheet.around(spot).into_iter().map(|jet| way.dot(&jet.n));
+        offs.max_by(|a, b| a.abs().total_cmp(&b.abs())).unwrap_or(0.0)
     }
 
     /// The same of a tool, none of whose points is nearer: of its middle, or of others round it. Next to an edge the middle may not be
@@ -95,9 +102,12 @@ impl Curved<'_> {
     /// place inside of it may be its other face. 0 where the tool lies beside the place.
     pub(super) fn facing(&self, tool: &Tool<'_>, pose: &Pose, spot: &Spot) -> f64 {
         /// Cosine between the normal and the way from the tool, beside an edge, from which it tells.
-        const TELLS: f64 = 0.6;
-        let (.., jet) = descend(tool, pose, self.sheet, *spot);
+        const TELLS: f64 = 0.25;
+        let (_, spot, jet) = descend(tool, pose, self.sheet, *spot);
         let (distance, way) = tool.near(pose, jet.p);
+        let seen = |jet: &Jet| way.dot(&jet.n).abs();
+        let around = self.sheet.around(&spot).into_iter();
+        let jet = around.max_by(|a, b| seen(a).total_cmp(&seen(b))).unwrap_or(jet);
         if distance > 1e-6 * tool.reach() && way.dot(&jet.n).abs() < TELLS {
             return 0.0;
         }

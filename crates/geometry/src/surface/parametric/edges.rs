@@ -163,6 +163,15 @@ impl Beside {
         })
     }
 
+    /// The share of its length at the share `t` of what lies on the surface, not on its continuation.
+    fn within(&self, t: f64) -> f64 {
+        let by = self.by();
+        let k = usize::from(by[1].abs() > by[0].abs());
+        let at = |x: f64| ((x.clamp(0.0, 1.0) - self.from[k]) / by[k]).clamp(0.0, 1.0);
+        let (low, high) = (at(self.from[k]), at(self.to[k]));
+        low + (high - low) * t
+    }
+
     /// The same from the other end.
     fn turned(self) -> Self {
         Self { from: self.to, to: self.from, ..self }
@@ -186,7 +195,7 @@ pub(super) fn edges(surface: &Sculptured, spans: &Spans) -> Vec<Edge> {
         let mut jumps = false;
         let mut cos = 1.0_f64;
         for i in 0..=LOOKS {
-            let t = f64::from(i) / f64::from(LOOKS);
+            let t = sides[0].within(f64::from(i) / f64::from(LOOKS));
             let [a, b] = sides.map(|side| unit_normal(&side.jet(spans, t).1));
             let Some((a, b)) = a.zip(b) else { continue };
             jumps |= (a - b).norm() > JUMPS;
