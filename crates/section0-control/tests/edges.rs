@@ -3,7 +3,7 @@
 #[path = "support/run.rs"]
 mod run;
 
-use aptc_control::Verify;
+use aptc_control::{ClFile, Disk, Options, Source, Verify, verify};
 
 const HEAD: &str = "PARTNO EDGES
 UNITS/MM
@@ -158,4 +158,64 @@ FINI
     });
     let least = least.map(|p: [f64; 3]| beside(&p)).fold(f64::INFINITY, f64::min);
     assert!(least > 6.979 && least < 7.021, "{least}");
+}
+
+/// What the proof says of a CL file against a program: codes.
+fn judged(program: &str, cl: &str) -> Vec<String> {
+    let source = Source { name: "part".into(), text: program.into() };
+    let file = ClFile { name: "path.cl".into(), bytes: cl.as_bytes().to_vec() };
+    let options = Options { verify: Verify::Full, post: false, ..Options::default() };
+    let judged = verify(source, &mut Disk::new(Vec::new(), 0), &options, Some(file));
+    let codes = judged.diagnostics.iter().map(|d| d.code.to_string());
+    codes.filter(|c| c.starts_with("APT5")).collect()
+}
+
+/// A sharp tool below the bottom of a groove, by more than INTOL and by less: the two faces moved back part there.
+#[test]
+fn a_tool_does_not_pass_between_the_faces_of_a_groove() {
+    let program = format!(
+        "{HEAD}R=SSURF/SMESH,RULED,SPLINE,(0,0,30),(60,0,30),$
+ SPLINE,(0,30,0),(60,30,0),SPLINE,(0,60,30),(60,60,30)
+CUTTER/10,0,0,0,70,0,60
+D=PLANE/0,1,0,30
+FROM/2,30,90
+GO/ON,D,TO,R,ON,(PLANE/1,0,0,8)
+INDIRV/1,0,0
+TLON,GOFWD/D,ON,(PLANE/1,0,0,52)
+END
+FINI
+"
+    );
+    for (z, right) in [(-0.015, true), (-0.021, false), (-0.05, false), (-0.5, false)] {
+        let cl = format!(
+            "PARTNO EDGES\nUNITS/MM\nCUTTER/10,0,0,0,70,0,60\nFROM/2,30,90\nGOTO/8,30,{z}\nGOTO/52,30,{z}\nFINI\n"
+        );
+        let codes = judged(&program, &cl);
+        assert_eq!(codes.is_empty(), right, "{z}: {codes:?}");
+        assert!(right || codes.contains(&"APT5001".to_owned()), "{z}: {codes:?}");
+    }
+}
+
+/// A path that goes past one check surface and stops at another.
+#[test]
+fn the_proof_holds_a_path_to_all_check_surfaces() {
+    let program = format!(
+        "{HEAD}{RIDGE}CUTTER/10
+W=PLANE/0,1,0,25
+FROM/5,20,50
+GO/ON,W,TO,F,ON,(PLANE/1,0,0,10)
+INDIRV/1,0,0
+TLON,GOFWD/W,TO,K,A1,TO,(PLANE/1,0,0,190),A2
+A1) CONTIN
+A2) CONTIN
+END
+FINI
+"
+    );
+    for (x, right) in [(45.0, true), (46.0, false), (185.0, false)] {
+        let cl = format!(
+            "PARTNO EDGES\nUNITS/MM\nCUTTER/10\nFROM/5,20,50\nGOTO/10,25,0\nGOTO/{x},25,0\nFINI\n"
+        );
+        assert_eq!(judged(&program, &cl).is_empty(), right, "{x}: {:?}", judged(&program, &cl));
+    }
 }

@@ -22,6 +22,9 @@ const NARROW: f64 = 1e-2;
 /// How sharp an edge is of which nothing is known, and the share of a chart beside a point at which its normals are looked at.
 const UNKNOWN: f64 = 0.71;
 const NEAR_POINT: f64 = 1e-4;
+/// Share of one derivative below which the other is none, and how many times as far apart as in one chart the normals round a point are.
+const BARE: f64 = 1e-9;
+const ALL_ROUND: f64 = 4.0;
 
 /// The edges of a surface.
 #[derive(Clone, Debug, Default)]
@@ -304,7 +307,7 @@ impl Patched {
     pub(crate) fn edged(&self) -> &Edged {
         self.edged.get_or_init(|| {
             let mut all = Edged::default();
-            for chart in 0..self.charts.len() {
+            for chart in (0..self.charts.len()).filter(|chart| !self.charts[*chart].none) {
                 let smooth = self.smooth[chart].get_or_init(|| self.smooth(chart));
                 for (k, end) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
                     if !smooth[k][end] {
@@ -383,8 +386,16 @@ impl Patched {
                 // Nothing is beside it.
                 return;
             }
-            let Some((m, n)) = a.normal().zip(b.normal()) else { continue };
+            // At a border that is one point the normal is rounding.
+            let bare = |d: &Derivatives| {
+                let (u, v) = (d.u.norm(), d.v.norm());
+                u.min(v) <= BARE * u.max(v)
+            };
+            let normals = if bare(&a) || bare(&b) { None } else { a.normal().zip(b.normal()) };
+            let Some((m, n)) = normals else { continue };
             let half = 0.5 * (m - n).norm();
+            // Round a point the other charts have normals farther off.
+            let half = if point { half.max(UNKNOWN.min(ALL_ROUND * half)) } else { half };
             if half <= SMOOTH.max(if point { 1e-3 } else { 0.0 }) {
                 continue;
             }
