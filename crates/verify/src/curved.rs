@@ -379,7 +379,13 @@ impl Curved<'_> {
         let (far, place) = self.nearest(deep.p, 2.0 * near);
         let sign = self.sheet.sign(deep.p).or_else(|| Some(self.off(deep.p, &place?).signum()))?;
         let gap = if sign * side > 0.0 { far } else { -far };
-        let gap = if least >= 0.0 && !tool.is_thin() { gap.min(seen) } else { gap };
+        // An edge is deeper in the tool than the tool is below the faces beside it.
+        let place = tool.near(pose, self.sheet.jet(spot).p).0;
+        let gap = match tool.is_thin() {
+            true => gap,
+            false if least >= 0.0 => gap.min(seen),
+            false => gap.min(place),
+        };
         (gap < least - pad).then_some(gap)
     }
 
