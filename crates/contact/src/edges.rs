@@ -42,7 +42,7 @@ pub(crate) fn all(
         if bound > limit || bound > deepest && bound > all.least {
             continue;
         }
-        each_least(tool, surface, edge, &mut |t, distance| {
+        each_least(tool, surface, edge, Vec3::zeros(), &mut |t, distance| {
             let place = surface.on_edge(edge, t).map(|p| p.point);
             let is_known = |k: &Gap| place.is_some_and(|p| (p - k.surface_point).norm() <= same);
             if known.is_some_and(is_known) {
@@ -66,7 +66,7 @@ pub(crate) fn at(tool: &Tool<'_>, surface: &Surface, side: Side, q: Vec3) -> Opt
         if !passes(surface, edge, q, near) {
             continue;
         }
-        each_least(tool, surface, edge, &mut |t, distance| {
+        each_least(tool, surface, edge, Vec3::zeros(), &mut |t, distance| {
             if best.is_none_or(|gap| distance < gap.raw) {
                 best = touching(tool, surface, side, edge, t).or(best);
             }
@@ -93,19 +93,20 @@ fn passes(surface: &ParametricSurface, edge: &Edge, q: Vec3, near: f64) -> bool 
     found
 }
 
-/// Calls `take` for each place of an edge at which the tool is nearest, with its distance.
+/// Calls `take` for each place of an edge, moved `by`, at which the tool is nearest, with its distance.
 fn each_least(
     tool: &Tool<'_>,
     surface: &ParametricSurface,
     edge: &Edge,
+    by: Vec3,
     take: &mut dyn FnMut(f64, f64),
 ) {
     let value = |p: &OnEdge| {
-        let near = tool.near(p.point);
+        let near = tool.near(p.point + by);
         (near.distance, near.normal.dot(&p.along))
     };
     if edge.is_tip() {
-        take(0.0, tool.distance(edge.center));
+        take(0.0, tool.distance(edge.center + by));
         return;
     }
     least(surface, edge, &value, take);
@@ -189,24 +190,15 @@ fn touching(
     let back = 0.25 * size + 2.0 * (-near.distance).max(0.0);
     let mut normal = (place.mean * side.sign()).try_normalize(0.0)?;
     for _ in 0..ROUNDS {
-        let moved = |p: &OnEdge| tool.near(p.point - normal * back);
+        let by = -normal * back;
         let (mut at, mut lowest) = (t, f64::INFINITY);
-        let mut take = |t: f64, distance: f64| {
+        each_least(tool, surface, edge, by, &mut |t, distance| {
             if distance < lowest {
                 (at, lowest) = (t, distance);
             }
-        };
-        if edge.is_tip() {
-            take(0.0, 0.0);
-        } else {
-            let value = |p: &OnEdge| {
-                let near = moved(p);
-                (near.distance, near.normal.dot(&p.along))
-            };
-            least(surface, edge, &value, &mut take);
-        }
+        });
         let place = surface.on_edge(edge, at)?;
-        let near = moved(&place);
+        let near = tool.near(place.point + by);
         let turned = (near.normal + normal).norm();
         normal = -near.normal;
         if turned <= LEVEL {

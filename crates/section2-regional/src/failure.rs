@@ -12,6 +12,8 @@ use crate::jump::Stands;
 pub(crate) enum Failure {
     /// A curve or surface that cannot be fitted.
     Unfit { name: Box<str>, why: Box<str> },
+    /// What was told at an earlier statement.
+    Told,
     /// Triangles, along which no lines run.
     Facets { name: Box<str> },
     /// Areas that a statement needs are not set; none where their own statements failed, which was told there.
@@ -105,25 +107,21 @@ pub(crate) struct Deep {
 }
 
 impl Failure {
-    /// What was told at an earlier statement.
-    pub(crate) const TOLD: Self = Self::NotSet { areas: Vec::new() };
-
     pub(crate) fn gouge(gouge: Gouge, te: Vec3, ta: Vec3, avoids: bool) -> Self {
         Self::Gouge(Box::new(Deep { gouge, te, ta, avoids }))
     }
 
     /// The words, at the statement; `None` where it was told before.
     pub(crate) fn explain(&self, origin: &Origin) -> Option<Diagnostic> {
-        if matches!(self, Self::NotSet { areas } if areas.is_empty()) {
-            return None;
-        }
-        let (code, text, help) = self.words();
+        let (code, text, help) = self.words()?;
         let said = Diagnostic::error(code, origin.span, text).within(origin.trace.clone());
         Some(said.help(help))
     }
 
-    fn words(&self) -> (Code, String, String) {
-        match self {
+    fn words(&self) -> Option<(Code, String, String)> {
+        Some(match self {
+            Self::Told => return None,
+            Self::NotSet { areas } if areas.is_empty() => return None,
             Self::Gouge(deep)
             | Self::PickFeed(deep)
             | Self::Skipped(deep)
@@ -298,7 +296,7 @@ impl Failure {
                 format!("{what} cannot be computed yet"),
                 "use SMIL".into(),
             ),
-        }
+        })
     }
 }
 

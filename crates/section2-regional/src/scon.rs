@@ -286,7 +286,7 @@ impl Regional {
     /// What cannot be fitted is told where it is used first.
     fn unfit(&mut self, (name, form): (&NameRef, &Arc<Form>), why: &FitFault) -> Failure {
         if self.unfit.iter().any(|known| same_form(known, form)) {
-            return Failure::TOLD;
+            return Failure::Told;
         }
         self.unfit.push(Arc::clone(form));
         let name = if name.name.is_empty() { "the curve or surface" } else { name.name.as_str() };

@@ -20,9 +20,8 @@ use aptc_geometry::{Form, Sculptured, Vec3};
 use crate::pile::Pile;
 use crate::tool::Pose;
 
-pub(crate) use patched::Hollow;
-pub(crate) use patched::Node;
 use patched::{Edged, Patched};
+pub(crate) use patched::{Hollow, Node, bare};
 pub(crate) use quadric::Quadric;
 pub(crate) use tabcyl::{Flat, Tabcyl};
 

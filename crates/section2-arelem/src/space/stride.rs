@@ -65,7 +65,7 @@ impl Track {
             if let Ok(stride) = stride {
                 let turn = (stride.to.pose.ta - from.pose.ta).norm();
                 let reach = self.keeps[0].profile.reach().max(self.keeps[1].profile.reach());
-                pace.room -= stride.length + turn * reach;
+                pace.room -= stride.most(from) + turn * reach;
                 if pace.room > 0.0 {
                     return Ok((stride, free));
                 }
@@ -76,8 +76,8 @@ impl Track {
                     if none(&deeper) {
                         free = free.max(room);
                     }
-                    if free > stride.length {
-                        pace.room = free - stride.length;
+                    if free > stride.most(from) {
+                        pace.room = free - stride.most(from);
                         return Ok((stride, free));
                     }
                 }
@@ -184,13 +184,10 @@ impl Track {
                 next = found.to;
                 Some(found.length)
             });
-            match length {
-                Some(length)
-                    if length.max((next.te - at.te).norm()) < free
-                        && take([at.te, next.te], next.course.along) =>
-                {
-                    free -= length.max((next.te - at.te).norm());
-                    (pace.room, pace.looked) = (pace.room - length, false);
+            match length.map(|length| length.max((next.te - at.te).norm())) {
+                Some(way) if way < free && take([at.te, next.te], next.course.along) => {
+                    free -= way;
+                    (pace.room, pace.looked) = (pace.room - way, false);
                     (at, gone) = (next, true);
                 }
                 _ => {

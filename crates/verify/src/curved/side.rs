@@ -5,7 +5,7 @@ use aptc_geometry::{Vec3, trig};
 
 use super::Curved;
 use crate::search::{Aim, FOLD, Moved, clearance};
-use crate::sheet::{Jet, Spot};
+use crate::sheet::{Jet, Spot, bare};
 use crate::sweep::Sweep;
 use crate::tool::{Pose, Tool};
 use crate::witness::descend;
@@ -116,10 +116,7 @@ impl Curved<'_> {
 
     /// The same at a place itself. Where a border runs together in a point the normal is rounding, and tells nothing.
     pub(super) fn faces(tool: &Tool<'_>, pose: &Pose, jet: &Jet) -> f64 {
-        /// Share of one derivative that the other is there.
-        const POINT: f64 = 1e-9;
-        let [u, v] = jet.d.map(|d| d.norm());
-        if u.min(v) <= POINT * u.max(v) {
+        if bare(jet.d) {
             return 0.0;
         }
         let reach = |n: Vec3| tool.height(pose, n) - n.dot(&jet.p);

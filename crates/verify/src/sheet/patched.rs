@@ -1,6 +1,8 @@
 //! Surfaces by two parameters: RLDSRF, POLCON and SSURF. A grid of cells, each with constant bounds of its
 //! derivatives, in a tree of spheres; beyond the borders they go on straight.
 
+mod edged;
+
 use std::sync::OnceLock;
 
 use aptc_geometry::Vec3;
@@ -12,38 +14,13 @@ use super::polyconic::Sections;
 use super::ruled::Rulings;
 use super::sculpted::Sculpted;
 use super::{Jet, Kept, Patch, Spot, Tile, fall};
+pub(crate) use edged::{Edged, Hollow, bare};
 
 /// Length of the difference of two unit normals that count as one.
 pub(crate) const SMOOTH: f64 = 1e-9;
 
 /// A cell that is so much narrower at a corner than long, or whose sides there are so nearly parallel, counts as without normal there.
 const NARROW: f64 = 1e-2;
-
-/// How sharp an edge is of which nothing is known, and the share of a chart beside a point at which its normals are looked at.
-const UNKNOWN: f64 = 0.71;
-const NEAR_POINT: f64 = 1e-4;
-/// Share of one derivative below which the other is none, and how many times as far apart as in one chart the normals round a point are.
-const BARE: f64 = 1e-9;
-const ALL_ROUND: f64 = 4.0;
-
-/// The edges of a surface.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Edged {
-    /// Is there one?
-    pub(crate) any: bool,
-    /// Those that are hollow, seen from the positive and from the negative side.
-    pub(crate) hollow: [Vec<Hollow>; 2],
-}
-
-/// A hollow edge.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Hollow {
-    /// A ball that holds it.
-    pub(crate) center: Vec3,
-    pub(crate) radius: f64,
-    /// Greatest sine of half the angle between the normals.
-    pub(crate) half: f64,
-}
 
 /// Evaluation of the cells of a grid.
 pub(crate) trait Cells {
@@ -303,114 +280,6 @@ impl Patched {
         })
     }
 
-    /// What edges the surface has, inside, where it closes and where a border runs together in a point.
-    pub(crate) fn edged(&self) -> &Edged {
-        self.edged.get_or_init(|| {
-            let mut all = Edged::default();
-            for chart in (0..self.charts.len()).filter(|chart| !self.charts[*chart].none) {
-                let smooth = self.smooth[chart].get_or_init(|| self.smooth(chart));
-                for (k, end) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
-                    if !smooth[k][end] {
-                        self.look_over(chart, k, end, &mut all);
-                    }
-                }
-            }
-            all
-        })
-    }
-
-    /// How the surface turns at an end of a chart, which is not smooth.
-    fn look_over(&self, chart: usize, k: usize, end: usize, all: &mut Edged) {
-        const PLACES: u32 = 16;
-        let (columns, one) = (self.columns(), &self.charts[chart]);
-        let counts = [columns, self.charts.len() / columns];
-        let mut place = [chart % columns, chart / columns];
-        let last = if end == 0 { place[k] == 0 } else { place[k] + 1 == counts[k] };
-        let side = &self.grid.sides[k];
-        if last && [side.before, side.behind][end].is_some() {
-            // It ends, far out.
-            return;
-        }
-        // A ball about the border with its continuation.
-        let along = |share: f64| {
-            let mut at = [one.range[k][end]; 2];
-            let [low, high] = one.range[1 - k];
-            at[1 - k] = low + (high - low) * share;
-            self.at(one, at).point
-        };
-        let line: Vec<Vec3> =
-            (0..=PLACES).map(|i| along(f64::from(i) / f64::from(PLACES))).collect();
-        let center = (line[0] + line[line.len() - 1]) * 0.5;
-        let most = line.windows(2).map(|w| (w[1] - w[0]).norm()).fold(0.0, f64::max);
-        let radius = line.iter().map(|p| (p - center).norm()).fold(most, |r, x| r.max(x + most));
-        if !side.joined {
-            all.any = true;
-            all.hollow.iter_mut().for_each(|h| h.push(Hollow { center, radius, half: UNKNOWN }));
-            return;
-        }
-        let mut sharpest = [0.0_f64; 2];
-        place[k] = match (last, end) {
-            (true, 0) => counts[k] - 1,
-            (true, _) => 0,
-            (false, 0) => place[k] - 1,
-            (false, _) => place[k] + 1,
-        };
-        let other = &self.charts[place[0] + columns * place[1]];
-        // Beyond the borders it goes on as it is on them, as far as that goes.
-        let [low, high] = one.within[1 - k];
-        let [from, to] = one.range[1 - k].map(|t| t.clamp(low, high));
-        let at = |share: f64, border: f64| {
-            let mut at = [border; 2];
-            at[1 - k] = from + (to - from) * share;
-            at
-        };
-        let size = self.nodes.last().map_or(0.0, |root| root.radius);
-        let point = one.points[k][end];
-        for i in 0..=PLACES {
-            let t = f64::from(i) / f64::from(PLACES);
-            // Of a point what lies across it, half of the border on.
-            let across = if point { (t + 0.5).fract() } else { t };
-            let border = one.range[k][end];
-            let a = self.at(one, at(t, border));
-            let b = if point {
-                self.at(one, at(across, border + (0.5 - end as f64) * NEAR_POINT))
-            } else {
-                self.at(other, at(t, if last { other.range[k][1 - end] } else { border }))
-            };
-            let a = if point {
-                self.at(one, at(t, border + (0.5 - end as f64) * NEAR_POINT))
-            } else {
-                a
-            };
-            if !point && (a.point - b.point).norm() > 1e-9 * size {
-                // Nothing is beside it.
-                return;
-            }
-            // At a border that is one point the normal is rounding.
-            let bare = |d: &Derivatives| {
-                let (u, v) = (d.u.norm(), d.v.norm());
-                u.min(v) <= BARE * u.max(v)
-            };
-            let normals = if bare(&a) || bare(&b) { None } else { a.normal().zip(b.normal()) };
-            let Some((m, n)) = normals else { continue };
-            let half = 0.5 * (m - n).norm();
-            // Round a point the other charts have normals farther off.
-            let half = if point { half.max(UNKNOWN.min(ALL_ROUND * half)) } else { half };
-            if half <= SMOOTH.max(if point { 1e-3 } else { 0.0 }) {
-                continue;
-            }
-            all.any = true;
-            let into = if k == 0 { b.u } else { b.v } * (2.0 * end as f64 - 1.0);
-            let into = if point { -into } else { into };
-            // Seen from the positive side it rises from the first face: a hollow.
-            let seen = usize::from(m.dot(&into) <= 0.0);
-            sharpest[seen] = sharpest[seen].max(half);
-        }
-        for (found, half) in all.hollow.iter_mut().zip(sharpest).filter(|(_, half)| *half > 0.0) {
-            found.push(Hollow { center, radius, half });
-        }
-    }
-
     /// At which ends of its parameters has a chart the points and the normals of the one beside it?
     fn smooth(&self, chart: usize) -> [[bool; 2]; 2] {
         let columns = self.columns();
@@ -556,44 +425,6 @@ impl Patched {
 
     pub(crate) fn jet(&self, spot: &Spot) -> Jet {
         self.look(spot).0
-    }
-
-    /// What is at a place and, beside a border of its chart, at the same place of the charts there, also where the surface closes.
-    pub(crate) fn around(&self, spot: &Spot) -> Vec<Jet> {
-        /// Share of a chart up to which a place is beside its border.
-        const BESIDE: f64 = 1e-2;
-        let columns = self.columns();
-        let counts = [columns, self.charts.len() / columns];
-        let place = [spot.chart % columns, spot.chart / columns];
-        let here = &self.charts[spot.chart];
-        let mut all = vec![self.jet(spot)];
-        let size = BESIDE * self.nodes.last().map_or(0.0, |root| root.radius);
-        for (du, dv) in [(true, false), (false, true), (true, true)] {
-            let mut next = place;
-            let mut at = spot.at;
-            let mut beside = true;
-            for k in (0..2).filter(|k| [du, dv][*k]) {
-                let [low, high] = here.range[k];
-                let upper = spot.at[k] > 0.5 * (low + high);
-                let border = if upper { high } else { low };
-                beside &= (spot.at[k] - border).abs() <= BESIDE * (high - low);
-                next[k] = match (upper, place[k]) {
-                    (true, i) if i + 1 == counts[k] => 0,
-                    (true, i) => i + 1,
-                    (false, 0) => counts[k] - 1,
-                    (false, i) => i - 1,
-                };
-                let chart = &self.charts[next[0] + columns * next[1]];
-                at[k] = chart.range[k][usize::from(!upper)];
-            }
-            let chart = next[0] + columns * next[1];
-            let jet = self.jet(&Spot { chart, at });
-            // Of a surface that does not close the first chart is not beside the last.
-            if beside && !self.charts[chart].none && (jet.p - all[0].p).norm() <= size {
-                all.push(jet);
-            }
-        }
-        all
     }
 
     /// The middle of a piece, the second derivatives there, and how much they differ on it at most: uu, uv, vv.

@@ -85,8 +85,8 @@ impl Edge {
                 let at = [0, 1].map(|k| at[k] + INTO * a.inwards[k]);
                 let by = a.by();
                 let along = jet.su * by[0] + jet.sv * by[1];
-                let mean = unit_normal(&jet).unwrap_or_else(Vec3::zeros)
-                    + unit_normal(&other).unwrap_or_else(Vec3::zeros);
+                let mean = jet.normal().unwrap_or_else(Vec3::zeros)
+                    + other.normal().unwrap_or_else(Vec3::zeros);
                 OnEdge { at, point: jet.s, along, mean }
             }
         }
@@ -178,13 +178,6 @@ impl Beside {
     }
 }
 
-fn unit_normal(jet: &Jet) -> Option<Vec3> {
-    let n = jet.su.cross(&jet.sv);
-    let square = n.norm_squared();
-    let flat = square <= 1e-18 * jet.su.norm_squared() * jet.sv.norm_squared();
-    (!flat).then(|| n / square.sqrt())
-}
-
 /// The edges of a surface.
 pub(super) fn edges(surface: &Sculptured, spans: &Spans) -> Vec<Edge> {
     let joints = match &surface.layout {
@@ -196,7 +189,7 @@ pub(super) fn edges(surface: &Sculptured, spans: &Spans) -> Vec<Edge> {
         let mut cos = 1.0_f64;
         for i in 0..=LOOKS {
             let t = sides[0].within(f64::from(i) / f64::from(LOOKS));
-            let [a, b] = sides.map(|side| unit_normal(&side.jet(spans, t).1));
+            let [a, b] = sides.map(|side| side.jet(spans, t).1.normal());
             let Some((a, b)) = a.zip(b) else { continue };
             jumps |= (a - b).norm() > JUMPS;
             cos = cos.min(a.dot(&b));
@@ -297,7 +290,7 @@ fn tips(spans: &Spans) -> Vec<Edge> {
                 spans.jet(u, v)
             };
             let inwards = (0..ROUND).filter_map(|i| (beside(i).s - point).try_normalize(0.0));
-            let normals: Vec<Vec3> = (0..ROUND).filter_map(|i| unit_normal(&beside(i))).collect();
+            let normals: Vec<Vec3> = (0..ROUND).filter_map(|i| beside(i).normal()).collect();
             let pairs = normals.iter().flat_map(|a| normals.iter().map(|b| a.dot(b)));
             let cos = pairs.fold(1.0, f64::min);
             let sides = Sides::Tip { at, inwards: inwards.collect(), mean };

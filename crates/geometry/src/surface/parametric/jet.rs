@@ -16,6 +16,11 @@ pub(super) struct Jet {
 }
 
 impl Jet {
+    /// The unit normal; none where the derivatives have no area.
+    pub(super) fn normal(&self) -> Option<Vec3> {
+        across(self.su, self.sv)
+    }
+
     /// A place beside it where it is smooth, to second order.
     pub(super) fn beside(&self, a: f64, b: f64) -> Self {
         let (su, sv) = (self.suu * a + self.suv * b, self.suv * a + self.svv * b);
@@ -33,6 +38,14 @@ impl From<Derivatives> for Jet {
     fn from(d: Derivatives) -> Self {
         Self { s: d.point, su: d.u, sv: d.v, suu: d.uu, suv: d.uv, svv: d.vv }
     }
+}
+
+/// The unit vector across two others; none where they have no area.
+pub(super) fn across(su: Vec3, sv: Vec3) -> Option<Vec3> {
+    let n = su.cross(&sv);
+    let square = n.norm_squared();
+    let flat = square <= 1e-18 * su.norm_squared() * sv.norm_squared();
+    (!flat).then(|| n / square.sqrt())
 }
 
 /// The second fundamental form from the derivatives, positive where the surface bends away from its normal.

@@ -25,7 +25,7 @@ use std::sync::Arc;
 use crate::surface::{Foot, Shape, Spot, frame_about};
 use crate::{Place, Polyconic, Reason, RuledSurface, Vec3};
 pub use edges::{Edge, OnEdge};
-use jet::{Jet, by_sides};
+use jet::{Jet, across, by_sides};
 pub use part::Part;
 use part::Strips;
 use polyconic::Sections;
@@ -307,13 +307,6 @@ impl ParametricSurface {
     }
 
     fn normal_at(&self, u: f64, v: f64, jet: &Jet) -> Vec3 {
-        let across = |su: Vec3, sv: Vec3| {
-            let n = su.cross(&sv);
-            let square = n.norm_squared();
-            let flat = square <= 1e-18 * su.norm_squared() * sv.norm_squared();
-            (!flat).then(|| n / square.sqrt())
-        };
-        let cross = |jet: &Jet| across(jet.su, jet.sv);
         // Where a border shrinks to a point, its derivative along it is rounding: what the normals beside it come to.
         let none = 1e-12 * jet.su.norm().max(jet.sv.norm());
         let inwards = |x: f64| if x < 0.5 { 1.0 } else { -1.0 };
@@ -325,8 +318,8 @@ impl ParametricSurface {
             None
         };
         let beside = |x: f64| x + (0.5 - x) * 1e-5;
-        pole.or_else(|| cross(jet))
-            .or_else(|| cross(&self.patch.jet(beside(u), beside(v))))
+        pole.or_else(|| jet.normal())
+            .or_else(|| self.patch.jet(beside(u), beside(v)).normal())
             .unwrap_or_else(Vec3::z)
     }
 

@@ -3,11 +3,11 @@
 //! Both parameters run from 0 to 1 over the whole surface. Beyond its borders the surface goes on straight
 //! for a few times its own length, but where it closes on itself or shrinks to a point.
 
+use std::sync::OnceLock;
+
 use crate::Vec3;
 use crate::sculpt::{Border, Layout, Patch, Sculptured};
 use crate::sculptured::SurfaceDefinition;
-
-use std::sync::OnceLock;
 
 use super::cells::Cells;
 use super::edges::{Edge, edges};

@@ -1,0 +1,179 @@
+//! Edges of a surface of charts: where its normal jumps, and whether a hollow or a ridge is there.
+
+use aptc_geometry::Vec3;
+use aptc_geometry::sculpt::Derivatives;
+
+use super::{Chart, Jet, Patched, SMOOTH, Spot};
+
+/// How sharp an edge is of which nothing is known.
+const UNKNOWN: f64 = 0.71;
+/// Parts of a border at whose ends it is looked at.
+const PARTS: u32 = 16;
+/// Share of a chart beside a border that is one point at which the normals round it are looked at, how many times as far apart as in one
+/// chart they are in all, and up to which half of the difference they count as one.
+const BESIDE_POINT: f64 = 1e-4;
+const ALL_ROUND: f64 = 4.0;
+const BLUNT: f64 = 1e-3;
+/// Share of the surface's size by which charts that meet lie apart.
+const MEET: f64 = 1e-9;
+
+/// The edges of a surface.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Edged {
+    /// Is there one?
+    pub(crate) any: bool,
+    /// Those that are hollow, seen from the positive and from the negative side.
+    pub(crate) hollow: [Vec<Hollow>; 2],
+}
+
+/// A hollow edge.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Hollow {
+    /// A ball that holds it.
+    pub(crate) center: Vec3,
+    pub(crate) radius: f64,
+    /// Greatest sine of half the angle between the normals.
+    pub(crate) half: f64,
+}
+
+/// Is one of two derivatives but rounding, as at a border that is one point? The normal is rounding, too.
+pub(crate) fn bare([u, v]: [Vec3; 2]) -> bool {
+    /// Share of the other that it is.
+    const NONE: f64 = 1e-9;
+    let (u, v) = (u.norm(), v.norm());
+    u.min(v) <= NONE * u.max(v)
+}
+
+impl Patched {
+    /// What edges the surface has, inside, where it closes and where a border runs together in a point.
+    pub(crate) fn edged(&self) -> &Edged {
+        self.edged.get_or_init(|| {
+            let mut all = Edged::default();
+            for chart in (0..self.charts.len()).filter(|chart| !self.charts[*chart].none) {
+                let smooth = self.smooth[chart].get_or_init(|| self.smooth(chart));
+                for (k, end) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
+                    if !smooth[k][end] {
+                        self.look_over(chart, k, end, &mut all);
+                    }
+                }
+            }
+            all
+        })
+    }
+
+    /// How the surface turns at an end of a chart, which is not smooth.
+    fn look_over(&self, chart: usize, k: usize, end: usize, all: &mut Edged) {
+        let columns = self.columns();
+        let counts = [columns, self.charts.len() / columns];
+        let place = [chart % columns, chart / columns];
+        let last = place[k] == if end == 0 { 0 } else { counts[k] - 1 };
+        let side = &self.grid.sides[k];
+        if last && [side.before, side.behind][end].is_some() {
+            // It ends, far out.
+            return;
+        }
+        let one = &self.charts[chart];
+        let next = beside(place, counts, k, end == 1);
+        let other = &self.charts[next[0] + columns * next[1]];
+        // On the border of the cell: beyond, it goes on as there.
+        let [from, to] =
+            one.range[1 - k].map(|t| t.clamp(one.within[1 - k][0], one.within[1 - k][1]));
+        let at = |chart: &Chart, t: f64, across: f64| {
+            let mut at = [across; 2];
+            at[1 - k] = from + (to - from) * t;
+            self.at(chart, at)
+        };
+        let (border, point, end_at) = (one.range[k][end], one.points[k][end], end as f64);
+        // Of a point both sides are parts of the one chart, half of the border apart, and a little away.
+        let [near, there, sense, least] = if point {
+            let near = border + (0.5 - end_at) * BESIDE_POINT;
+            [near, near, 1.0 - 2.0 * end_at, BLUNT]
+        } else {
+            let there = if last { other.range[k][1 - end] } else { border };
+            [border, there, 2.0 * end_at - 1.0, SMOOTH]
+        };
+        let both = |t: f64| {
+            let far = if point { at(one, (t + 0.5).fract(), there) } else { at(other, t, there) };
+            [at(one, t, near), far]
+        };
+        let size = self.nodes.last().map_or(0.0, |root| root.radius);
+        let mut sharpest = if side.joined { [0.0_f64; 2] } else { [UNKNOWN; 2] };
+        for i in (0..=PARTS).filter(|_| side.joined) {
+            let [a, b] = both(f64::from(i) / f64::from(PARTS));
+            if !point && (a.point - b.point).norm() > MEET * size {
+                // Nothing is beside it.
+                return;
+            }
+            let told = |d: &Derivatives| if bare([d.u, d.v]) { None } else { d.normal() };
+            let Some((m, n)) = told(&a).zip(told(&b)) else { continue };
+            let half = 0.5 * (m - n).norm();
+            let half = if point { half.max(UNKNOWN.min(ALL_ROUND * half)) } else { half };
+            if half > least {
+                // Seen from where it rises from the first face it is a hollow.
+                let into = if k == 0 { b.u } else { b.v } * sense;
+                let seen = usize::from(m.dot(&into) <= 0.0);
+                sharpest[seen] = sharpest[seen].max(half);
+            }
+        }
+        let (center, radius) = self.ball_of(one, k, border);
+        for (found, half) in all.hollow.iter_mut().zip(sharpest).filter(|(_, half)| *half > 0.0) {
+            all.any = true;
+            found.push(Hollow { center, radius, half });
+        }
+    }
+
+    /// A ball about a border of a chart, with its continuation.
+    fn ball_of(&self, chart: &Chart, k: usize, border: f64) -> (Vec3, f64) {
+        let [low, high] = chart.range[1 - k];
+        let at = |i: u32| {
+            let mut at = [border; 2];
+            at[1 - k] = low + (high - low) * f64::from(i) / f64::from(PARTS);
+            self.at(chart, at).point
+        };
+        let line: Vec<Vec3> = (0..=PARTS).map(at).collect();
+        let center = (line[0] + line[line.len() - 1]) * 0.5;
+        let gap = line.windows(2).map(|w| (w[1] - w[0]).norm()).fold(0.0, f64::max);
+        let radius = line.iter().map(|p| (p - center).norm()).fold(0.0, f64::max);
+        (center, radius + gap)
+    }
+
+    /// What is at a place and, beside a border of its chart, at the same place of the charts there, also where the surface closes.
+    pub(crate) fn around(&self, spot: &Spot) -> Vec<Jet> {
+        /// Share of a chart up to which a place is beside its border.
+        const BESIDE: f64 = 1e-2;
+        let columns = self.columns();
+        let counts = [columns, self.charts.len() / columns];
+        let place = [spot.chart % columns, spot.chart / columns];
+        let here = &self.charts[spot.chart];
+        let upper = [0, 1].map(|k| spot.at[k] > 0.5 * (here.range[k][0] + here.range[k][1]));
+        let close = [0, 1].map(|k| {
+            let [low, high] = here.range[k];
+            let border = if upper[k] { high } else { low };
+            (spot.at[k] - border).abs() <= BESIDE * (high - low)
+        });
+        let mut all = vec![self.jet(spot)];
+        let size = BESIDE * self.nodes.last().map_or(0.0, |root| root.radius);
+        for over in [[true, false], [false, true], [true, true]] {
+            if (0..2).any(|k| over[k] && !close[k]) {
+                continue;
+            }
+            let across = || (0..2).filter(|k| over[*k]);
+            let next = across().fold(place, |place, k| beside(place, counts, k, upper[k]));
+            let chart = next[0] + columns * next[1];
+            let mut at = spot.at;
+            across().for_each(|k| at[k] = self.charts[chart].range[k][usize::from(!upper[k])]);
+            let jet = self.jet(&Spot { chart, at });
+            // Of a surface that does not close the first chart is not beside the last.
+            if !self.charts[chart].none && (jet.p - all[0].p).norm() <= size {
+                all.push(jet);
+            }
+        }
+        all
+    }
+}
+
+/// Column and row of the chart beside one along the parameter `k`: behind the last comes the first.
+fn beside(mut place: [usize; 2], counts: [usize; 2], k: usize, upper: bool) -> [usize; 2] {
+    place[k] = (place[k] + if upper { 1 } else { counts[k] - 1 }) % counts[k];
+    place
+}
