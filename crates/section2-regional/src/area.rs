@@ -105,6 +105,17 @@ pub(crate) enum AxisArea {
     },
 }
 
+impl AxisArea {
+    /// The same on the way from a place with the axis `ta`: of two axes the one that goes on from it.
+    pub(crate) fn on_from(self, ta: Vec3) -> Self {
+        match self {
+            Self::Ruling(_) => Self::Ruling(ta),
+            Self::Square { to, side, alpha, .. } => Self::Square { to, side, alpha, last: ta },
+            Self::Fixed(_) | Self::NormDs(_) | Self::Angle { .. } => self,
+        }
+    }
+}
+
 /// SCON/STEPOV.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct StepoverArea {

@@ -7,6 +7,9 @@ use crate::area::AxisArea;
 use crate::drive::DrivePoint;
 use crate::failure::Failure;
 
+/// Two axes are equally near to a third where their cosines to it differ by no more: digits do not choose between them.
+const TIE: f64 = 1e-9;
+
 /// The axis before the part surface is met; for an axis tilted against the part surface this is where the
 /// search for it starts.
 ///
@@ -29,7 +32,7 @@ pub(crate) fn at_drive(area: &AxisArea, p: &DrivePoint, forward: Vec3) -> Option
         }
         AxisArea::Ruling(last) => {
             let along = p.across.try_normalize(0.0)?;
-            Some(if along.dot(&last) < 0.0 { -along } else { along })
+            Some(if along.dot(&last) < -TIE { -along } else { along })
         }
         AxisArea::Square { to, side, alpha, last } => {
             // In the plane square to `to` the normal's part of length c: cos alpha = c cos of the turn from it.
@@ -45,7 +48,7 @@ pub(crate) fn at_drive(area: &AxisArea, p: &DrivePoint, forward: Vec3) -> Option
             let turn = trig::acos_clamped(cos / c);
             let at = |turn: f64| e * trig::cos(turn) + f * trig::sin(turn);
             let [a, b] = [at(turn), at(-turn)];
-            Some(if b.dot(&last) > a.dot(&last) { b } else { a })
+            Some(if b.dot(&last) > a.dot(&last) + TIE { b } else { a })
         }
     }
 }

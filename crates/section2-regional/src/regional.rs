@@ -7,7 +7,7 @@ use aptc_contact::PatchTree;
 use aptc_diagnostics::Diagnostic;
 use aptc_geometry::surface::ParametricSurface;
 use aptc_geometry::{Form, Profile, Sculptured, Shell, Vec3};
-use aptc_protap::{CutVectors, Kind, Record};
+use aptc_protap::{CutVectors, Kind, Record, ToolAxis};
 
 use crate::area::Areas;
 use crate::avoid::Avoid;
@@ -178,6 +178,11 @@ impl Regional {
             Kind::From(p) | Kind::Goto(p) => {
                 let ta = p.axis.or(self.stand.map(|s| s.ta)).unwrap_or_else(Vec3::z);
                 self.stand = Some(Stand { te: p.point, ta, along: Vec3::zeros() });
+            }
+            Kind::ToolAxis(ToolAxis::Fixed(v)) => {
+                if let (Some(stand), Some(ta)) = (&mut self.stand, v.try_normalize(0.0)) {
+                    stand.ta = ta;
+                }
             }
             Kind::Post { word, args } if word == "FEDRAT" => {
                 self.feed = args.iter().filter_map(post_arg).collect();

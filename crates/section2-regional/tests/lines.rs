@@ -10,7 +10,7 @@ use aptc_geometry::sculptured::{
     CurveDefinition, CurveShape, Knot, MeshSpacing, Smoothing, SurfaceDefinition,
 };
 use aptc_geometry::{Cutter, Form, Profile, Tool, Vec3};
-use aptc_protap::{Arg, AxisAngle, Kind, NameRef, OptionSurface, Record, ToolAxis, Units};
+use aptc_protap::{Arg, AxisAngle, Kind, NameRef, OptionSurface, Place, Record, ToolAxis, Units};
 use aptc_regional::Regional;
 
 const TOL: f64 = 0.01;
@@ -88,6 +88,42 @@ fn a_flank_along_rulings_touches_at_its_hight() {
     let (none, told) = goloft(Some(60.0));
     assert!(none.is_empty());
     assert_eq!(told.iter().map(|d| d.code).collect::<Vec<_>>(), [codes::REGION_VALUE]);
+}
+
+/// Level rulings are square to an upright axis, which says nothing of the end to which the tool is to point: it keeps the one it took
+/// first, and the one that an axis given before is nearer to.
+#[test]
+fn along_level_rulings_the_axis_keeps_its_end() {
+    let arc = |y: f64| {
+        let at = |x: f64, z: f64| Vec3::new(x, y, z);
+        vec![at(0.0, 0.0), at(30.0, -8.0), at(60.0, 0.0)]
+    };
+    let trough = SurfaceDefinition::mesh(MeshSpacing::Ruled, [arc(0.0), arc(60.0)]);
+    let axes = |before: Option<Vec3>| {
+        let axis = ToolAxis::Parallel { surface: OptionSurface::Part, radius: None, height: None };
+        let mut all = prepared(Cutter::mill(6.0, 3.0, 40.0), axis.clone());
+        let point = Vec3::new(30.0, 30.0, 150.0);
+        let from = Place { name: NameRef::default(), point, axis: None };
+        all.push(Kind::From(from));
+        all.extend(before.map(|v| Kind::ToolAxis(ToolAxis::Fixed(v))));
+        all.push(Kind::ToolAxis(axis));
+        let line = [word("VCONST"), Arg::Number(0.7)];
+        let args = [vec![of(Form::Ssurf(Arc::new(trough.clone())))], line.to_vec()].concat();
+        all.push(regional("GOLOFT", args));
+        let (cut, told) = run(all);
+        assert!(told.is_empty(), "{told:?}");
+        assert!(cut.len() > 4);
+        cut
+    };
+    for (before, y) in [
+        (None, None),
+        (Some(Vec3::new(0.0, 0.1, 1.0)), Some(1.0)),
+        (Some(Vec3::new(0.0, -0.1, 1.0)), Some(-1.0)),
+    ] {
+        let cut = axes(before);
+        let along = y.unwrap_or(cut[0].1.y);
+        assert!(cut.iter().all(|(_, ta)| (ta - Vec3::y() * along).norm() < 1e-9), "{cut:?}");
+    }
 }
 
 /// A round corner touches at one place alone: the numbers do not count, and that is said once.
