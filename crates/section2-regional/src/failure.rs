@@ -432,6 +432,17 @@ pub(crate) fn left_standing(origin: &Origin, surface: &str, left: &Stands) -> Di
         .help("a scallop height in STEPOV lays the passes as close there as it asks for")
 }
 
+/// What CHKSRF names is no deeper in a tool than half its width, which is no more than is allowed.
+pub(crate) fn too_thin(origin: &Origin, surface: &str, allowed: f64) -> Diagnostic {
+    let text = format!(
+        "the cutter is so thin that nothing can be more than {}, which may be, deep in it: CHKSRF does not see it go through {surface}",
+        short(allowed)
+    );
+    Diagnostic::warning(codes::TOO_THIN, origin.span, text)
+        .within(origin.trace.clone())
+        .help("give CUTTER the diameter of the tool that cuts, or a smaller INTOL")
+}
+
 fn join(words: &[&str]) -> String {
     match words {
         [one] => format!("SCON/{one} is"),

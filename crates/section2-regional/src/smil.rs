@@ -311,7 +311,7 @@ impl Regional {
     /// The same beside passes on another part surface.
     pub(crate) fn ways_of(&self, part: Option<&PartArea>) -> Guard {
         let mut guard = self.guarded(part).unwrap_or_default();
-        guard.intol = self.settings.band().intol;
+        guard.intol = self.touching();
         let Some(part) = part.filter(|p| p.touches) else { return guard };
         guard.thick = part.thick;
         if !guard.surfaces.iter().any(|c| Arc::ptr_eq(&c.surface, &part.surface)) {

@@ -3,9 +3,10 @@
 use std::sync::Arc;
 
 use aptc_cldata as cl;
+use aptc_diagnostics::Origin;
 use aptc_geometry::{Form, Profile, Sculptured, Vec3};
 
-use crate::failure::{Deep, Failure};
+use crate::failure::{Deep, Failure, too_thin};
 use crate::guard::{Checked, Guard};
 use crate::regional::{Failed, Regional};
 
@@ -17,6 +18,8 @@ pub(crate) struct Watch {
     pub(crate) last: Option<(Vec3, Vec3)>,
     /// Surfaces of triangles of which it is known, or told, where the tool is since it moves on from place to place.
     pub(crate) outside: Vec<Arc<Sculptured>>,
+    /// Is it told that the tool is too thin to be seen?
+    thin: bool,
 }
 
 impl Regional {
@@ -34,6 +37,9 @@ impl Regional {
                 cl::Kind::Cutter(c) => self.watch.profile = Profile::new(c).ok(),
                 cl::Kind::Motion(motion) => {
                     let (found, recorded) = (self.watched(motion, came), self.is_recording());
+                    if motion.kind != cl::MotionKind::From {
+                        self.tells_thin(&record.origin, motion.control.is_some());
+                    }
                     if let Err((k, failure)) = found {
                         cut_short(motion, k);
                         self.put_out(motion);
@@ -107,6 +113,21 @@ impl Regional {
         self.came = motion.points.last().map(|p| (p.te, p.ta)).or(self.came);
     }
 
+    /// Tells once that the cutter goes unseen through sheets and triangles that are checked: half its width is no more than it may
+    /// touch. The part surface counts where the motion is `along` surfaces.
+    pub(crate) fn tells_thin(&mut self, origin: &Origin, along: bool) {
+        let Some(profile) = self.settings.profile.filter(|_| !self.watch.thin) else { return };
+        let half = profile.widest().min(0.5 * (profile.height() - profile.bottom()));
+        let named = self.checked.first().map(|c| c.name.as_str());
+        let part = self.areas.part.as_ref().map_or("the part surface", |p| p.name.name.as_str());
+        let surface = named.or_else(|| (along && self.check_part).then_some(part));
+        if let Some(surface) = surface.filter(|_| half <= self.touching()) {
+            let told = too_thin(origin, surface, self.touching());
+            self.watch.thin = true;
+            self.diagnostics.push(told);
+        }
+    }
+
     /// The first point whose way gouges; the tool came to the statement from `came`.
     fn watched(
         &mut self,
@@ -161,7 +182,7 @@ impl Regional {
     }
 
     /// How deep a tool that just touches may be in.
-    fn touching(&self) -> f64 {
+    pub(crate) fn touching(&self) -> f64 {
         let band = self.settings.band();
         cl::milling::Milling::touching(band.intol, band.outtol)
     }

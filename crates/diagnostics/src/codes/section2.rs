@@ -48,4 +48,5 @@ codes! {
     NO_MEETING = 2051, "surfaces of INTSEC whose curves are not found";
     MEETING = 2052, "the curves that INTSEC found";
     LEFT_STANDING = 2053, "passes that leave material where the contact jumps";
+    TOO_THIN = 2054, "a tool too thin to be seen by CHKSRF";
 }
