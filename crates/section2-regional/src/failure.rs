@@ -30,6 +30,8 @@ pub(crate) enum Failure {
     NoAxis { uv: [f64; 2] },
     /// No chord keeps the tolerance; or none by which the tool moves so far, and the path does but creep.
     NoStep { uv: [f64; 2], part_uv: [f64; 2], worst: Worst, creeps: Option<f64> },
+    /// The drive goes on elsewhere beyond a joint.
+    Torn { drive: Box<str>, uv: [f64; 2], ends: [Vec3; 2] },
     /// The cutter is to go into the surface by more than it is round where it touches.
     ThickBeyond { part: Box<str>, uv: [f64; 2], thick: f64, radius: f64 },
     /// More points than NUMPTS.
@@ -201,6 +203,18 @@ impl Failure {
                 codes::NO_CHORD,
                 no_chord(*uv, *part_uv, worst, *creeps),
                 worst.help().into(),
+            ),
+            Self::Torn { drive, uv, ends: [before, behind] } => (
+                codes::NO_CHORD,
+                format!(
+                    "at u {}, v {} the line jumps from {} to {}: the patches of {drive} do not lie side by side there",
+                    short(uv[0]),
+                    short(uv[1]),
+                    point(*before),
+                    point(*behind)
+                ),
+                "define the surfaces of COMBIN so that one begins, with the same parameter, where the one before ends; or mill each by itself"
+                    .into(),
             ),
             Self::TooMany { limit, uv } => (
                 codes::PATH_TOO_LONG,

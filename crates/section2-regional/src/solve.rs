@@ -143,7 +143,7 @@ impl Setup<'_> {
     }
 
     /// Is the drive the part surface itself?
-    fn same_surface(&self) -> bool {
+    pub(crate) fn same_surface(&self) -> bool {
         matches!(&self.drive.guide, Guide::Surface(s) if Arc::ptr_eq(s, &self.part.surface))
     }
 

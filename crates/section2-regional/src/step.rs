@@ -126,12 +126,36 @@ impl Setup<'_> {
             worst = judged.unwrap_or(worst);
             length *= (AIM / used.sqrt()).clamp(0.1, least);
         }
-        Err(self.sharp(here).unwrap_or(Failure::NoStep {
+        let torn = || self.torn(here, course);
+        Err(self.sharp(here).or_else(torn).unwrap_or(Failure::NoStep {
             uv: here.drive_uv,
             part_uv: worst.part_uv,
             worst: worst.worst,
             creeps,
         }))
+    }
+
+    /// The path ends at a joint of the drive that is none: beyond it the drive goes on elsewhere.
+    fn torn(&self, p: &Position, course: Course) -> Option<Failure> {
+        /// Parameters by which the path ends before a joint at most, and beside which the drive is looked at.
+        const BEFORE: f64 = 1e-6;
+        const BESIDE: f64 = 1e-9;
+        let mut uv = p.drive_uv;
+        let t = uv[course.index()];
+        let mut beside = |by: f64| {
+            uv[course.index()] = t.round() + by;
+            self.drive.place(uv, course).point
+        };
+        let [before, behind] = [-BESIDE, BESIDE].map(&mut beside);
+        let [low, high] = self.drive.limits(course);
+        let inside = (low + BESIDE..high).contains(&t.round()) && (t - t.round()).abs() < BEFORE;
+        let apart = (before - behind).norm() > self.band.intol + self.band.outtol;
+        let drive = if self.same_surface() { &self.part.name } else { &self.drive.name };
+        (inside && apart).then(|| Failure::Torn {
+            drive: drive.name.as_str().into(),
+            uv: p.drive_uv,
+            ends: [before, behind],
+        })
     }
 
     /// Why no chord keeps to a surface that the cutter is to be in by more than it is round where it touches: turned
