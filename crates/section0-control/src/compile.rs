@@ -378,6 +378,13 @@ pub(crate) fn once_each(diagnostics: &mut Vec<Diagnostic>) {
         !matches!(d.code, codes::WORD_UNKNOWN | codes::UNREAD_BY_POST)
             || !unknown.contains(&d.span.start)
     });
+    // Where CHKSRF ends a statement with a gouge, one that the proof finds in the same is of the same mistake.
+    let gouge = |d: &&Diagnostic| {
+        d.is_error() && matches!(d.code, codes::INTERFERENCE | codes::BETWEEN_PASSES)
+    };
+    let gouged = diagnostics.iter().filter(gouge).map(|d| (d.span, d.trace.clone()));
+    let gouged: Vec<_> = gouged.collect();
+    diagnostics.retain(|d| !is_refutation(d) || !gouged.contains(&(d.span, d.trace.clone())));
     let mut told = BTreeSet::new();
     diagnostics.retain(|d| told.insert((d.code, d.span, d.message.clone())));
     let frames = |d: &Diagnostic| std::iter::successors(d.trace.clone(), |f| f.outer.clone());
