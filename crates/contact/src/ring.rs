@@ -22,7 +22,7 @@ const STEPS: usize = 8;
 /// square.
 const FACING: f64 = 1e-10;
 /// Share of it by which a place lies so close by another that this tells where and how it is.
-const CLOSE: f64 = 1e-5;
+const CLOSE: f64 = 1e-4;
 /// Sine between normal and tool axis below which the corner is left.
 const FLAT: f64 = 1e-6;
 /// Slope towards the upper line from which it may touch as well: its far end comes down with the next step, where nothing is

@@ -106,7 +106,7 @@ fn what_is_broken_is_refused() {
 fn silent(entities: &[(u32, usize, String)]) -> Vec<Sculptured> {
     let file = all(&iges(2, entities)).expect("a file");
     assert!(file.notes.is_empty(), "{:?}", file.notes);
-    file.surfaces.iter().map(|s| fit_surface(s, 1.0).expect("a surface")).collect()
+    file.surfaces.iter().map(|s| fit_surface(s).expect("a surface")).collect()
 }
 
 fn line(a: [f64; 3], b: [f64; 3]) -> (u32, usize, String) {
@@ -343,7 +343,7 @@ fn a_rounded_cube_of_another_program() {
     assert!(file.notes.len() == 1 && file.notes[0].contains("not a box"), "{:?}", file.notes);
     let mut round = 0;
     for d in &file.surfaces {
-        let s = fit_surface(d, 1.0).expect("a surface");
+        let s = fit_surface(d).expect("a surface");
         for p in corners(&s) {
             // All corners are those of the cube or of the round.
             let on = |x: f64| [-25.0, -10.0, 10.0, 25.0].iter().any(|y| (x - y).abs() < 1e-6);

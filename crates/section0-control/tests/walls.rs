@@ -142,3 +142,61 @@ FINI
     let (codes, end) = run(&text, Verify::Off);
     assert_eq!(codes, ["APT2021"], "{end:?} {text}");
 }
+
+/// RULED,AXIS goes ten inches to both sides of its curve, whatever the unit; the tool that comes to it far from the curve is
+/// stopped, and a start finds it.
+#[test]
+fn rulings_along_an_axis_reach_ten_inches() {
+    for (units, mm) in [("MM", 1.0), ("INCHES", 25.4)] {
+        let n = |x: f64| format!("{:.5}", x / mm);
+        let along = |from: f64, close: &str| {
+            format!(
+                "UNITS/{units}
+S1=SCURV/CURSEG,(POINT/{},{},{}),$
+(POINT/{},0,{}),(POINT/{},{},{})
+WALL=SSURF/RULED,S1,AXIS,(VECTOR/1,0,0)
+FLOOR=PLANE/0,0,1,0
+SIDE=PLANE/1,0,0,0
+CUTTER/{},0,{},0,0,0,{}
+INTOL/{}
+OUTTOL/{}
+FROM/0,{},{}
+{close}
+FINI
+",
+                n(from),
+                n(-8.0),
+                n(-20.0),
+                n(from),
+                n(20.0),
+                n(from),
+                n(-8.0),
+                n(60.0),
+                n(20.0),
+                n(10.0),
+                n(40.0),
+                n(0.01),
+                n(0.01),
+                n(-60.0),
+                n(30.0),
+            )
+        };
+        let far = n(50.0);
+        for from in [-30.0, -100.0, 240.0] {
+            let led = format!(
+                "GO/ON,SIDE,TO,FLOOR,ON,(PLANE/0,1,0,{})\nINDIRV/0,1,0\nTLON,GOFWD/SIDE,TO,WALL,L1,ON,$\n(PLANE/0,1,0,{far}),L2\nL1) CONTIN\nL2) CONTIN",
+                n(-60.0)
+            );
+            let start = "INDIRV/0,1,0\nGO/TO,WALL,TO,FLOOR,ON,SIDE".to_owned();
+            for close in [led, start] {
+                let text = along(from, &close);
+                let (codes, [x, y, z]) = run(&text, Verify::Full);
+                assert!(codes.is_empty(), "{codes:?} {text}");
+                // The rims of the flank are in the hollow of a radius of 104.
+                let stop = (104.0_f64 * 104.0 - 400.0).sqrt() - 104.0 - 10.0;
+                assert!((y * mm - stop).abs() < 0.011, "{y} {stop} {text}");
+                assert!(x.abs() < 1e-9 && z.abs() < 1e-5, "{x} {z}");
+            }
+        }
+    }
+}

@@ -13,9 +13,6 @@ use crate::outline::same_form;
 use crate::project::Ends;
 use crate::regional::Regional;
 
-/// A ruled cylinder over a curve reaches so many inches to both sides (APT4).
-const REACH_INCHES: f64 = 10.0;
-
 /// Arguments read one after the other.
 pub(crate) struct Words<'a>(pub(crate) &'a [Arg]);
 
@@ -262,8 +259,7 @@ impl Regional {
         let Form::Ssurf(d) = form.shape() else {
             return Err(Failure::Undone { what: "a surface that is not sculptured" });
         };
-        let reach = REACH_INCHES * self.settings.inch();
-        let fitted = fit_surface(d, reach).map_err(|why| self.unfit((name, form), &why))?;
+        let fitted = fit_surface(d).map_err(|why| self.unfit((name, form), &why))?;
         let fitted = Arc::new(fitted);
         self.fitted.push((Arc::clone(form), Arc::clone(&fitted)));
         Ok(fitted)

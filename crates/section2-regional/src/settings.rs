@@ -68,11 +68,6 @@ impl Settings {
         }
     }
 
-    /// One inch in the unit of the program.
-    pub(crate) fn inch(&self) -> f64 {
-        25.4 / self.units.mm()
-    }
-
     /// Tolerance on the part surface; never of no width.
     pub(crate) fn band(&self) -> Band {
         let default = OUTTOL_MM / self.units.mm();

@@ -70,7 +70,7 @@ fn region(
 
 /// How far places of the inner part, so high over the surface, are from what the cutter sweeps: the farthest.
 fn farthest(part: &SurfaceDefinition, cutter: &Cutter, path: &[Vec3], high: f64) -> f64 {
-    let surface = fit_surface(part, 10.0).expect("a mesh");
+    let surface = fit_surface(part).expect("a mesh");
     let profile = Profile::new(cutter).expect("a cutter");
     let grid = || (0..=80).map(|i| 1.1 + 1.8 * f64::from(i) / 80.0);
     let mut farthest = f64::NEG_INFINITY;

@@ -76,7 +76,7 @@ fn line(part: &SurfaceDefinition, cutter: Cutter, v: f64) -> Vec<Vec3> {
 #[test]
 fn the_contact_may_jump() {
     let part = mesh(hills);
-    let tree = PatchTree::new(&fit_surface(&part, 10.0).expect("an even mesh"));
+    let tree = PatchTree::new(&fit_surface(&part).expect("an even mesh"));
     for cutter in [
         Cutter::mill(12.0, 2.0, 60.0),
         Cutter::mill(10.0, 0.5, 60.0),
@@ -183,7 +183,7 @@ fn nearest(s: &Sculptured, p: Vec3) -> Derivatives {
 
 fn led(height: fn(f64, f64) -> f64) {
     let part = mesh(height);
-    let fitted = fit_surface(&part, 10.0).expect("an even mesh");
+    let fitted = fit_surface(&part).expect("an even mesh");
     let of = |form: Form| Arg::Form { name: NameRef::default(), form: Arc::new(form) };
     let word = |w: &str| Arg::Word(w.into());
     let regional = |word: &str, args: Vec<Arg>| Kind::Regional { word: word.into(), args };

@@ -73,7 +73,7 @@ fn a_flank_along_rulings_touches_at_its_hight() {
     let (low, told) = goloft(Some(12.0));
     assert!(told.iter().all(|d| d.code != codes::CONTACT_NOT_CHOSEN), "{told:?}");
     assert!(low.len() > 4);
-    let surface = aptc_geometry::sculpt::fit_surface(&wall, 10.0).expect("a ruled mesh");
+    let surface = aptc_geometry::sculpt::fit_surface(&wall).expect("a ruled mesh");
     for (te, ta) in &low {
         // The place of the flank 12 above the tool end is 5 off the axis, next to the line.
         let axis = te + ta * 12.0;
@@ -301,7 +301,7 @@ fn the_rim_of_a_flat_end_keeps_the_band_in_a_hollow() {
         all.push(regional("GOLOFT", [line, ends.to_vec()].concat()));
         let (stops, told) = run(all);
         assert!(told.is_empty() && stops.len() > 4, "{told:?}");
-        let surface = aptc_geometry::sculpt::fit_surface(&bowl, 10.0).expect("a mesh");
+        let surface = aptc_geometry::sculpt::fit_surface(&bowl).expect("a mesh");
         let grid = |n: i32| (0..=n).map(move |i| 4.0 * f64::from(i) / f64::from(n));
         let places = grid(160).flat_map(|u| grid(160).map(move |v| [u, v]));
         let places: Vec<Vec3> = places.map(|[u, v]| surface.at(u, v).point).collect();

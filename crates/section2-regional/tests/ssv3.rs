@@ -94,7 +94,7 @@ fn positions_are_those_of_ssv3() {
 /// Along every cut vector the deepest place stays within INTOL, and every vertex within OUTTOL.
 #[test]
 fn cut_vectors_keep_the_tolerance() {
-    let tree = PatchTree::new(&fit_surface(&surface(), 10.0).expect("an even mesh"));
+    let tree = PatchTree::new(&fit_surface(&surface()).expect("an even mesh"));
     let profile = Profile::new(&cutter()).expect("a ball");
     for (ds, smil) in [
         (DS_AT, "SMIL/PATH,DS,PARAM,0.5,1.8,CRSSPL,MINUS"),

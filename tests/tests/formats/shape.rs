@@ -92,7 +92,7 @@ pub(crate) fn shape(item: &Item, room: Option<&Bounds>, flat: bool) -> Shape {
             }
         }
         Form::Ssurf(d) => {
-            if let Ok(f) = fit_surface(d, SWEPT) {
+            if let Ok(f) = fit_surface(d) {
                 let [m, n] = f.spans();
                 match f.layout {
                     Layout::Mesh { .. } => {
@@ -124,9 +124,6 @@ pub(crate) fn shape(item: &Item, room: Option<&Bounds>, flat: bool) -> Shape {
     }
     s
 }
-
-/// How far a surface along an axis goes without an end of its own.
-const SWEPT: f64 = 30.0;
 
 /// The path with an arrow on each way, the cutter where a motion ends, and where it begins.
 fn way(s: &mut Shape, path: &Path) {

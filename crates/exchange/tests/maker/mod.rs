@@ -119,7 +119,7 @@ fn flag(b: bool) -> &'static str {
 
 /// Places all over the first surface, its corners among them.
 pub(crate) fn places(file: &Outside) -> Vec<Vec3> {
-    let s: Sculptured = fit_surface(&file.surfaces[0], 1.0).expect("a surface");
+    let s: Sculptured = fit_surface(&file.surfaces[0]).expect("a surface");
     let [nu, nv] = s.spans();
     let share = |k: i32| f64::from(k) / 12.0;
     (0..=12)

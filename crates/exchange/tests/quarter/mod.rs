@@ -8,7 +8,7 @@ pub(crate) fn all(text: &str) -> Result<Outside, Fault> {
 }
 
 pub(crate) fn fitted(file: &Outside) -> Sculptured {
-    fit_surface(&file.surfaces[0], 1.0).expect("a surface")
+    fit_surface(&file.surfaces[0]).expect("a surface")
 }
 
 /// A quarter of a cylinder of radius 5 about z, 8 long, as `u` along the arc and `v` along z.

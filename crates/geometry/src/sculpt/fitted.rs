@@ -145,10 +145,9 @@ pub fn fit_curve(d: &CurveDefinition) -> Result<SpaceCurve, FitFault> {
     curve(d, DEPTH)
 }
 
-/// The surface of a definition. `reach` is how far a cylinder by RULED,AXIS goes to both sides of its
-/// curve (APT4: ten inches).
-pub fn fit_surface(d: &SurfaceDefinition, reach: f64) -> Result<Sculptured, FitFault> {
-    surface(d, reach, DEPTH)
+/// The surface of a definition.
+pub fn fit_surface(d: &SurfaceDefinition) -> Result<Sculptured, FitFault> {
+    surface(d, DEPTH)
 }
 
 fn curve(d: &CurveDefinition, depth: usize) -> Result<SpaceCurve, FitFault> {
@@ -278,7 +277,7 @@ fn law(s: &FlowSpan, ends: [Vec3; 2]) -> Result<FlowKind, FitFault> {
     })
 }
 
-fn surface(d: &SurfaceDefinition, reach: f64, depth: usize) -> Result<Sculptured, FitFault> {
+fn surface(d: &SurfaceDefinition, depth: usize) -> Result<Sculptured, FitFault> {
     let depth = depth.checked_sub(1).ok_or(FitFault::TooDeep)?;
     let one = |c: &Arc<CurveDefinition>| curve(c, depth);
     let all = |c: &[Arc<CurveDefinition>]| c.iter().map(one).collect::<Result<Vec<_>, _>>();
@@ -302,7 +301,7 @@ fn surface(d: &SurfaceDefinition, reach: f64, depth: usize) -> Result<Sculptured
                 loft(&[a, b], &[]).map_err(FitFault::Loft)?
             }
         }
-        SurfaceShape::RuledAlong { curve, axis } => swept(&one(curve)?, *axis, reach)?,
+        SurfaceShape::RuledAlong { curve, axis, reach } => swept(&one(curve)?, *axis, *reach)?,
         SurfaceShape::General { curves, cross } => {
             loft(&all(curves)?, &all(cross)?).map_err(FitFault::Loft)?
         }
@@ -310,8 +309,7 @@ fn surface(d: &SurfaceDefinition, reach: f64, depth: usize) -> Result<Sculptured
             cross_product(product(*motion), &one(curve)?, &one(guide)?)?
         }
         SurfaceShape::Combined(parts) => {
-            let parts =
-                parts.iter().map(|p| surface(p, reach, depth)).collect::<Result<Vec<_>, _>>()?;
+            let parts = parts.iter().map(|p| surface(p, depth)).collect::<Result<Vec<_>, _>>()?;
             Sculptured::combined(&parts)?
         }
         SurfaceShape::Canonical(e) => canon::surface(e).ok_or(FitFault::Canonical)??,

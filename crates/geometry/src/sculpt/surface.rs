@@ -111,6 +111,14 @@ impl Sculptured {
         }
     }
 
+    /// Does the second place lie inside of the patch of the first? Between the two the surface is smooth.
+    #[inline]
+    pub(crate) fn is_one_patch(&self, from: [f64; 2], to: [f64; 2]) -> bool {
+        let (first, ..) = self.cell(from[0], from[1]);
+        let (second, at, _) = self.cell(to[0], to[1]);
+        first == second && at.iter().all(|x| *x > 0.0 && *x < 1.0)
+    }
+
     /// Point and derivatives at (u, v); beyond the borders the outermost patches go on in a straight line.
     #[inline]
     pub fn at(&self, u: f64, v: f64) -> Derivatives {

@@ -58,8 +58,10 @@ pub enum SurfaceShape {
     RuledAlong {
         /// The curve.
         curve: Arc<CurveDefinition>,
-        /// Direction and length of the rulings: the vector, or from the first point to the second.
+        /// Direction of the rulings: the vector, or from the first point to the second.
         axis: Vec3,
+        /// How far they go to both sides of the curve (APT4: ten inches).
+        reach: f64,
     },
     /// GENCUR: a surface through curves, and with CROSS through curves across them.
     General {
@@ -263,7 +265,7 @@ impl SurfaceDefinition {
                 out.extend(angles_deg);
             }
             SurfaceShape::RuledBetween(curves) => push_curves(&mut out, curves),
-            SurfaceShape::RuledAlong { curve, axis } => {
+            SurfaceShape::RuledAlong { curve, axis, .. } => {
                 out.extend(curve.numbers());
                 push(&mut out, &[*axis]);
             }

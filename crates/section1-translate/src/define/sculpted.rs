@@ -203,8 +203,7 @@ fn cuts(c: &SpaceCurve, plane: &Plane) -> Vec<(f64, ArcPoint)> {
 
 fn surface(a: &Args<'_>) -> Result<Sculptured, Fault> {
     let Form::Ssurf(s) = a.form(1)? else { return Err(Fault::Kind { at: 1 }) };
-    fit_surface(s, a.context.tabcyl_end)
-        .map_err(|why| Fault::NotFitted { at: 1, why: why.to_string() })
+    fit_surface(s).map_err(|why| Fault::NotFitted { at: 1, why: why.to_string() })
 }
 
 /// `SSURF,[PARAM,]u,v[,n]` and `SSURF,P[,P|V[,P]]`.

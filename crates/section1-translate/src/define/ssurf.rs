@@ -161,7 +161,8 @@ fn ruled_along(a: &Args<'_>) -> Result<Form, Fault> {
     c.at = end;
     let map = c.map()?;
     c.end("TRFORM or the end")?;
-    made(a, SurfaceDefinition { shape: SurfaceShape::RuledAlong { curve, axis }, map })
+    let reach = a.context.tabcyl_end;
+    made(a, SurfaceDefinition { shape: SurfaceShape::RuledAlong { curve, axis, reach }, map })
 }
 
 fn general(a: &Args<'_>) -> Result<Form, Fault> {

@@ -316,7 +316,7 @@ impl Interpreter<'_> {
         if surface.extent().points > FEW_POINTS || surface.only_checks() {
             return Ok(());
         }
-        let Ok(fitted) = fit_surface(surface, self.prolongation()) else { return Ok(()) };
+        let Ok(fitted) = fit_surface(surface) else { return Ok(()) };
         if fitted.has_area() {
             return Ok(());
         }

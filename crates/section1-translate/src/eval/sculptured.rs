@@ -31,7 +31,7 @@ impl Interpreter<'_> {
                 },
                 Err(why) => Err(self.not_fitted(span, &why.to_string())),
             }),
-            Form::Ssurf(s) => Some(match fit_surface(s, self.prolongation()) {
+            Form::Ssurf(s) => Some(match fit_surface(s) {
                 Ok(s) => match (what, &s.layout) {
                     (None | Some(("PATCH", _)), _) => Ok(count(s.patches.len())),
                     (Some(("SPLINE", _)), Layout::Mesh { .. }) => Ok(s.spans()[1] + 1.0),

@@ -323,7 +323,7 @@ fn unfit(surface: &SurfaceRef) -> String {
         aptc_geometry::Form::Ssurf(d) if d.only_checks() => {
             ": its triangles serve CHKSRF only".into()
         }
-        aptc_geometry::Form::Ssurf(d) => aptc_geometry::sculpt::fit_surface(d, 1.0)
+        aptc_geometry::Form::Ssurf(d) => aptc_geometry::sculpt::fit_surface(d)
             .err()
             .map_or_else(String::new, |why| format!(": {why}")),
         aptc_geometry::Form::Polyconic(_) => {

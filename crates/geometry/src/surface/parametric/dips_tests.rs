@@ -96,3 +96,30 @@ proptest! {
         check(&roof(slope), p, limit, nearest_two_of_roof(slope, p))?;
     }
 }
+
+#[test]
+fn what_lies_close_by_is_told_within_a_patch_and_not_over_a_ridge() {
+    let wavy = ParametricSurface::of_sculptured(&waves(1.5, 0.3)).expect("a surface");
+    let mut told = 0;
+    for i in 0..60 {
+        let share = |k: u32| 0.03 + 0.94 * (f64::from(i * k % 61) / 61.0);
+        let (place, sides) = wavy.place_with_sides([share(7), share(23)]);
+        let size = 1e-4 * wavy.extent;
+        let by = (place.shape.frame[0] * cos(f64::from(i))
+            + place.shape.frame[1] * sin(f64::from(i)))
+            * size;
+        let Some(near) = wavy.close_by(&place, sides, by) else { continue };
+        told += 1;
+        let is = wavy.place(near.at.expect("parameters"));
+        let off = near.point - is.point;
+        assert!(off.norm() < 9.0 * size * size, "{i}: {off}");
+        assert!(off.dot(&is.normal).abs() < 9.0 * size.powi(3) + 1e-13, "{i}: {off}");
+        let turned = (near.normal - is.normal).norm();
+        assert!(turned < 40.0 * size * size, "{i}: {turned}");
+    }
+    assert!(told > 50, "{told}");
+    let ridge = ParametricSurface::of_sculptured(&roof(0.4)).expect("a surface");
+    let (place, sides) = ridge.place_with_sides([0.5 - 1e-5, 0.3]);
+    assert!(ridge.close_by(&place, sides, -Vec3::x() * 1e-6).is_some());
+    assert!(ridge.close_by(&place, sides, Vec3::x() * 1e-3).is_none());
+}

@@ -271,11 +271,19 @@ impl ParametricSurface {
 
     /// What [`Self::beside`] finds of a smooth surface for a short way, from a foot that is a place of it.
     pub fn close_by(&self, foot: &Foot, [su, sv]: [Vec3; 2], by: Vec3) -> Option<Foot> {
-        self.strips.as_ref()?;
         let [u, v] = foot.at?;
         let (du, dv) = by_sides([su, sv], by)?;
-        let (u, v) = (u + du, v + dv);
-        (!self.patch.domain().border(u, v)).then(|| Foot { at: Some([u, v]), ..foot.close_by(by) })
+        let to = [u + du, v + dv];
+        self.is_smooth_between([u, v], to).then(|| Foot { at: Some(to), ..foot.close_by(by) })
+    }
+
+    /// Is it known without a look to be smooth between two places, of which none is on a border?
+    #[inline]
+    fn is_smooth_between(&self, from: [f64; 2], to: [f64; 2]) -> bool {
+        match &self.patch {
+            Patch::Sculptured(s) => s.is_smooth_between(from, to),
+            _ => self.strips.is_some() && !self.patch.domain().border(to[0], to[1]),
+        }
     }
 
     fn foot_at(&self, p: Vec3, place: &Placed) -> Foot {

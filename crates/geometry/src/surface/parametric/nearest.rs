@@ -112,13 +112,14 @@ impl ParametricSurface {
             if moved <= tiny {
                 break;
             }
-            if moved <= BESIDE * self.extent && self.strips.is_some() {
-                let to = (u + du, v + dv);
-                if !domain.border(to.0, to.1) {
-                    ((u, v), jet) = (to, jet.beside(du, dv));
-                    square = (jet.s - p).norm_squared();
-                    break;
-                }
+            let to = [u + du, v + dv];
+            if moved <= BESIDE * self.extent
+                && !domain.border(to[0], to[1])
+                && self.is_smooth_between([u, v], to)
+            {
+                ([u, v], jet) = (to, jet.beside(du, dv));
+                square = (jet.s - p).norm_squared();
+                break;
             }
             let mut factor = (0.5 / du.abs().max(1e-300)).min(1.0);
             let mut better = None;

@@ -13,9 +13,6 @@ use super::cells::Cells;
 use super::edges::{Edge, edges};
 use super::{Domain, Jet, ParametricSurface};
 
-/// A ruled cylinder over a curve reaches ten units to both sides, as APT4 has it; the continuation goes on.
-const REACH: f64 = 10.0;
-
 /// How far the continuation goes, in lengths of the surface.
 const BEYOND: f64 = 3.0;
 
@@ -84,7 +81,7 @@ impl Spans {
         if definition.only_checks() {
             return None;
         }
-        Some(joined(&crate::sculpt::fit_surface(definition, REACH).ok()?))
+        Some(joined(&crate::sculpt::fit_surface(definition).ok()?))
     }
 
     /// `None` where a point of the surface is not finite.
@@ -170,6 +167,14 @@ impl Spans {
         });
         let away = |[u, v]: [f64; 2]| (self.jet(u, v).s - p).norm_squared();
         round.min_by(|a, b| away(*a).total_cmp(&away(*b)))
+    }
+
+    /// Is the surface smooth between two places?
+    #[inline]
+    pub(super) fn is_smooth_between(&self, from: [f64; 2], to: [f64; 2]) -> bool {
+        let [nu, nv] = self.surface.spans();
+        let of = |[u, v]: [f64; 2]| [u * nu, v * nv];
+        self.surface.is_one_patch(of(from), of(to))
     }
 
     pub(super) fn jet(&self, u: f64, v: f64) -> Jet {

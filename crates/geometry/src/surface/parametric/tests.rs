@@ -156,7 +156,7 @@ fn a_sculptured_surface_has_feet_and_goes_on_straight() {
     let place = |x: f64, y: f64| Vec3::new(x, y, (x * x + y * y) / 20.0);
     let spline = |y: f64| [-4.0, 0.0, 4.0].map(|x| place(x, y)).to_vec();
     let definition = SurfaceDefinition::mesh(MeshSpacing::Xyz, [-4.0, 0.0, 4.0].map(spline));
-    let fitted = crate::sculpt::fit_surface(&definition, 10.0).unwrap();
+    let fitted = crate::sculpt::fit_surface(&definition).unwrap();
     let s = Surface::from_form(&Form::Ssurf(Arc::new(definition))).unwrap();
     for k in 0..40 {
         let f = f64::from(k);
