@@ -123,9 +123,6 @@ impl Arelem {
                 }
                 self.settings.astray_told = path.astray.is_some();
                 let name = forward::name(&d.drive.name);
-                if let Some(turned) = path.turned {
-                    self.turn_in_place(origin, name.clone(), turned, &path.control, out);
-                }
                 self.arrive(origin, cl::MotionKind::Continuous, name, path, out)
             }
             Err(f) => {
@@ -191,27 +188,6 @@ impl Arelem {
             self.settings.set_cutter(Cutter::mill(0.0, 0.0, 0.0), 0);
             self.diagnostics.push(warning::point_taken(origin, surface));
         }
-    }
-
-    /// Puts out a tool that turns where it stands, which is a start-up to the proof.
-    fn turn_in_place(
-        &self,
-        origin: &Origin,
-        name: cl::NameRef,
-        to: cl::Position,
-        control: &cl::Control,
-        out: &mut Vec<cl::Record>,
-    ) {
-        let control = cl::Control { checks: Vec::new(), ..control.clone() };
-        let motion = cl::Motion {
-            kind: cl::MotionKind::Startup,
-            name,
-            arc: None,
-            points: vec![to],
-            with_axis: self.settings.multax,
-            control: Some(Arc::new(control)),
-        };
-        self.put_motion(origin, motion, out);
     }
 
     /// Keeps the situation of the first failure for a picture.

@@ -119,8 +119,6 @@ pub(crate) struct Path {
     pub(crate) points: Vec<cl::Position>,
     /// The circle of the tool end.
     pub(crate) arc: Option<cl::Arc>,
-    /// Where the tool turns first into the axis that TLAXIS asks for with this direction of motion.
-    pub(crate) turned: Option<cl::Position>,
     /// Which check surface stopped it.
     pub(crate) check: usize,
     /// Direction at the end.
@@ -139,9 +137,9 @@ pub(crate) struct Path {
 impl Path {
     /// That of a start-up.
     pub(crate) fn started(points: Vec<cl::Position>, forward: Vec3, control: cl::Control) -> Self {
-        let (arc, turned, fouls, astray) = (None, None, None, None);
+        let (arc, fouls, astray) = (None, None, None);
         let rivals = Vec::new();
-        Self { points, arc, turned, check: 0, forward, control, fouls, astray, rivals }
+        Self { points, arc, check: 0, forward, control, fouls, astray, rivals }
     }
 }
 

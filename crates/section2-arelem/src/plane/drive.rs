@@ -79,7 +79,6 @@ fn follow(scene: &Scene, plan: &Plan) -> Result<Path, Failure> {
     Ok(Path {
         points,
         arc,
-        turned: None,
         check,
         forward: floor.lift(frame, begin.course.direction(s)),
         control: control(scene, plan, &begin, end, check),

@@ -20,10 +20,8 @@ use crate::scene::{Astray, Scene, Stance, Wall};
 pub(super) struct Begin {
     pub(super) track: Track,
     pub(super) node: Node,
-    /// The first position when the tool must first be put in place.
-    pub(super) first: Option<Position>,
-    /// The first position when the tool must first turn there.
-    pub(super) turned: Option<Position>,
+    /// The first positions, when the tool must first be put in place or turn there.
+    pub(super) first: Vec<Position>,
     pub(super) astray: Option<Astray>,
 }
 
@@ -93,13 +91,13 @@ pub(super) fn begin(scene: &Scene) -> Result<Begin, Failure> {
         .map_err(|t| trouble_at(scene, &pose, t))?;
     if off_drive <= 1.0 && off_part <= 1.0 {
         let turned = turn(&track, &node, scene.limits.step);
-        let node = turned.unwrap_or(node);
-        let turned = turned.map(|n| n.pose.position());
-        return Ok(Begin { track, node, first: None, turned, astray });
+        let node = turned.last().copied().unwrap_or(node);
+        let first = turned.iter().map(|n| n.pose.position()).collect();
+        return Ok(Begin { track, node, first, astray });
     }
     let node = track.settle(pose, &Aim::at(&node)).map_err(|t| trouble_at(scene, &pose, t))?;
-    let first = Some(node.pose.position());
-    Ok(Begin { track, node, first, turned: None, astray })
+    let first = vec![node.pose.position()];
+    Ok(Begin { track, node, first, astray })
 }
 
 /// The rule of the axis with the side of the other surface to which it leans, where the tool end lies on that: as the
@@ -118,10 +116,50 @@ fn sided(scene: &Scene, keeps: &[Keep; 2], around: &Around<'_>) -> AxisRule {
     }
 }
 
-/// The place at the start with the axis that the rule asks for there, when the tool stands with another one:
-/// GO does not know the direction of the motion that follows, on which CUTANG depends. `None` when the axis can
-/// turn with the first cut vector.
-fn turn(track: &Track, node: &Node, cap: f64) -> Option<Node> {
+/// The way in place to the axis that the rule asks for at the start, when the tool stands with another one: GO does not know the
+/// direction of the motion that follows, on which CUTANG depends. Empty when the axis can turn with the first cut vector.
+fn turn(track: &Track, node: &Node, cap: f64) -> Vec<Node> {
+    turned(track, node, cap).map_or_else(Vec::new, |to| {
+        let all = turning(track, node, to);
+        // The proof tells by how much it is off.
+        all.unwrap_or_else(|| vec![to])
+    })
+}
+
+/// The way from one axis to the other, each chord in both bands, with the fewest places by how high in their bands these lie; `None`
+/// where there is none.
+fn turning(track: &Track, from: &Node, to: Node) -> Option<Vec<Node>> {
+    /// In the middle, above and below: a chord dips or rises between its ends.
+    const HIGH: [f64; 3] = [0.5, 0.9, 0.1];
+    let ways = HIGH.into_iter().filter_map(|high| turning_so(track, from, to, high));
+    ways.min_by_key(Vec::len)
+}
+
+/// The same with the places so high in their bands.
+fn turning_so(track: &Track, from: &Node, to: Node, high: f64) -> Option<Vec<Node>> {
+    /// Halvings and places at most.
+    const MOST: usize = 200;
+    let still = Track { axis: AxisRule::Fixed, guides: None, ..track.clone() };
+    let targets = track.keeps.each_ref().map(|keep| {
+        let limits = keep.limits();
+        limits.low + high * (limits.high - limits.low)
+    });
+    let (mut way, mut ahead) = (vec![*from], vec![to]);
+    for _ in 0..MOST {
+        let (Some(here), Some(next)) = (way.last().copied(), ahead.last().copied()) else { break };
+        if track.holds(&here, &next) {
+            way.extend(ahead.pop());
+            continue;
+        }
+        let ta = (here.pose.ta + next.pose.ta).try_normalize(0.0)?;
+        let pose = Pose { te: (here.pose.te + next.pose.te) * 0.5, ta };
+        ahead.push(still.settle(pose, &Aim { targets, ..Aim::at(&here) }).ok()?);
+    }
+    ahead.is_empty().then(|| way.split_off(1))
+}
+
+/// The end of that way.
+fn turned(track: &Track, node: &Node, cap: f64) -> Option<Node> {
     /// What APT-360 allows an axis to be off, radians; so much the first cut vector takes up.
     const LEAST: f64 = 0.01;
     /// Share of the usual length that the first cut vector must have if the axis is to turn with it.

@@ -121,7 +121,7 @@ impl<'a> Walk<'a> {
             least: track.keeps.iter().map(Keep::width).fold(f64::INFINITY, f64::min),
             far,
             node: begin.node,
-            points: begin.first.iter().copied().collect(),
+            points: begin.first.clone(),
             loops: Loops::new(&begin.node),
             pace: Pace::new(),
             gone: 0.0,
@@ -217,7 +217,7 @@ impl<'a> Walk<'a> {
 
     /// The whole path, which ends so at the check surface `i`; `None` where one cut vector more must go there.
     fn arrive(&mut self, i: usize, mut halt: Halt) -> Option<Path> {
-        let Begin { track, turned, astray, .. } = self.begin;
+        let Begin { track, astray, .. } = self.begin;
         let node = &self.node;
         // It was told from the end of the cut vector that is made anew.
         self.pace.left = None;
@@ -246,7 +246,6 @@ impl<'a> Walk<'a> {
         Some(Path {
             points: std::mem::take(&mut self.points),
             arc: None,
-            turned: *turned,
             check: i,
             forward: halt.node.course.along,
             control: self.control(i, &halt),

@@ -33,6 +33,11 @@ impl Track {
         self.fit(from, to, true).is_ok_and(|f| f.fits)
     }
 
+    /// The same of a tool that turns in place.
+    pub(super) fn holds(&self, from: &Node, to: &Node) -> bool {
+        (0..2).all(|i| self.fit_one(i, from, to, true).is_ok_and(|(fits, ..)| fits))
+    }
+
     /// Does the chord stay in both bands, and how much longer could it be? With `between` it is looked at as a whole where the
     /// contact goes over from one place to another.
     pub(super) fn fit(&self, from: &Node, to: &Node, between: bool) -> Result<Fit, Trouble> {
