@@ -109,3 +109,52 @@ fn directions_for_several_surfaces_lead_to_the_nearest_position_behind_them() {
         assert!(p.iter().zip(there).all(|(a, b)| (a - b).abs() < 2e-3), "{p:?} {there:?}");
     }
 }
+
+/// What goes on straight beyond the corner of a twisted surface does not turn back over it: from however high the tool comes down
+/// to the surface itself.
+#[test]
+fn a_tool_from_above_comes_down_to_the_surface_and_not_to_what_goes_on_beyond_a_corner() {
+    use aptc_geometry::sculpt::{SplinePoint, mesh, nearest_on};
+    use aptc_geometry::{Vec3, sculptured::MeshSpacing};
+    let mut state = 7_u64;
+    let mut draw = |size: i64| {
+        state =
+            state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        let share = i64::try_from(state >> 40).expect("24 bits");
+        share % (2 * size + 1) - size
+    };
+    let mut climbs = 0;
+    for _ in 0..40 {
+        let rows: Vec<Vec<[i64; 3]>> = (0..4_i64)
+            .map(|j| {
+                let at = |i: i64| [40 * i - 60 + draw(14), 40 * j - 60 + draw(14), draw(14)];
+                (0..4).map(at).collect()
+            })
+            .collect();
+        let vec = |p: &[i64; 3]| Vec3::from(p.map(|x| f64::from(i32::try_from(x).expect("small"))));
+        let knots: Vec<Vec<_>> = rows
+            .iter()
+            .map(|row| row.iter().map(|p| SplinePoint::plain(vec(p))).collect())
+            .collect();
+        let surface = mesh(&knots, MeshSpacing::Xyz).expect("a mesh");
+        let spline = |row: &Vec<[i64; 3]>| {
+            let points = row.iter().map(|[x, y, z]| format!("({x},{y},{z})"));
+            format!("SPLINE,{}", points.collect::<Vec<_>>().join(",$\n"))
+        };
+        let all = rows.iter().map(spline).collect::<Vec<_>>().join(",$\n");
+        for from in [40, 90] {
+            let text = format!(
+                "UNITS/MM\nF=SSURF/SMESH,XYZ,$\n{all}\nCUTTER/8,4,0,4,0,0,60\nINTOL/.01\nOUTTOL/.01\n\
+                 FROM/-12,30,{from}\nINDIRV/0,-1,0\nGO/ON,(PLANE/0,1,0,8),TO,F,$\nON,(PLANE/1,0,0,-9)\nFINI\n"
+            );
+            let ran = run::run(&text, Verify::Full);
+            assert!(ran.faults().is_empty(), "{:?} {text}", ran.told);
+            let te = Vec3::from(*ran.places.last().expect("it goes"));
+            let middle = te + Vec3::z() * 4.0;
+            let foot = nearest_on(&surface, middle);
+            assert!((foot.distance - 4.0).abs() < 0.0101, "{} {te} {text}", foot.distance);
+            climbs += u32::from(te.z > 30.0);
+        }
+    }
+    assert_eq!(climbs, 0);
+}
