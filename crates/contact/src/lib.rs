@@ -53,7 +53,7 @@ pub use chord::{Chord, Exact, Extreme, chord};
 pub use curvature::second;
 pub use gap::{Condition, Gap, Side, distance, elsewhere, gap, gap_at, gap_near, on, surrounds};
 pub use guide::{ClosedGuide, End, Guide, Reading};
-pub use patches::{Clear, PatchPlace, PatchTree};
+pub use patches::{Clear, PIECES, PatchPlace, PatchTree};
 pub use point::PointGuide;
 pub use turned::{axis_between, bulge};
 pub use under::{Cell, Low};

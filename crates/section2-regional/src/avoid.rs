@@ -37,6 +37,9 @@ const TILTS: u32 = 90;
 /// room that it is given: nearer to the place where it is just clear each answer takes a longer proof.
 const HALVINGS: u32 = 24;
 const FINE: f64 = 0.1;
+/// Looks by which a tilt or a lift is to be seen to clear. Beside the least that does each answer takes ever more, and a little
+/// more of it few.
+pub(crate) const LOOKS: usize = 4000;
 /// Places that are kept of those seen in the tool.
 const SEEN: usize = 8;
 
@@ -87,7 +90,8 @@ impl Case<'_> {
             seen[..=i].rotate_right(1);
             return false;
         }
-        let Err(gouge) = self.guard.way_within(self.profile, [at, at], intol) else { return true };
+        let found = self.guard.way_within(self.profile, [at, at], intol, LOOKS);
+        let Err(gouge) = found else { return true };
         seen.truncate(SEEN - 1);
         seen.splice(0..0, gouge.seen.map(|seen| *seen));
         false

@@ -4,7 +4,7 @@ use aptc_contact::{Clear, PatchPlace, Tool};
 
 use crate::position::Position;
 use crate::settings::Band;
-use crate::solve::Setup;
+use crate::solve::{LOOKS, Setup};
 
 /// Times that a position is raised.
 const TIMES: usize = 4;
@@ -33,7 +33,7 @@ impl Setup<'_> {
         let mut now = p;
         for _ in 0..TIMES {
             let tool = Tool { profile: self.profile, te: now.te, ta: now.ta };
-            let seen = match tree.clear(&tool, allowed) {
+            let seen = match tree.clear_by(&tool, allowed, LOOKS) {
                 Clear::Yes => return now,
                 Clear::No(place) | Clear::Unknown(place) => place,
             };

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use aptc_contact::{Clear, PatchPlace, PatchTree, Swept, Tool};
+use aptc_contact::{Clear, PIECES, PatchPlace, PatchTree, Swept, Tool};
 use aptc_geometry::surface::kept;
 use aptc_geometry::{Profile, Sculptured, Shell, Vec3};
 
@@ -156,11 +156,6 @@ impl Guard {
         all.next()
     }
 
-    /// Is the tool clear at `te`?
-    pub(crate) fn position(&self, profile: &Profile, te: Vec3, ta: Vec3) -> Result<(), Gouge> {
-        self.way(profile, [(te, ta), (te, ta)])
-    }
-
     pub(crate) fn told(&self, s: &Checked, place: PatchPlace, by: Solid) -> Gouge {
         let [u, v] = s.surface.global(place.patch, place.uv[0], place.uv[1]);
         let thick = if s.part { self.thick } else { 0.0 };
@@ -187,15 +182,16 @@ impl Guard {
     /// Is the tool with its holder clear all the way from one tool end and axis to the other? An axis that
     /// turns is proved stretch by stretch.
     pub(crate) fn way(&self, cutter: &Profile, ends: [(Vec3, Vec3); 2]) -> Result<(), Gouge> {
-        self.way_within(cutter, ends, self.intol)
+        self.way_within(cutter, ends, self.intol, PIECES)
     }
 
-    /// The same with nothing deeper than `intol`.
+    /// The same with nothing deeper than `intol`; a tool that stands is looked at for so many `looks` beside each surface.
     pub(crate) fn way_within(
         &self,
         cutter: &Profile,
         ends: [(Vec3, Vec3); 2],
         intol: f64,
+        looks: usize,
     ) -> Result<(), Gouge> {
         for (by, (profile, up)) in self.solids(cutter) {
             let [a, b] = ends;
@@ -204,7 +200,7 @@ impl Guard {
                 let allowed = intol - thick;
                 let tool = Tool { profile: &profile, te: a.0 + a.1 * up, ta: a.1 };
                 let found = if a == b {
-                    s.tree.clear(&tool, allowed)
+                    s.tree.clear_by(&tool, allowed, looks)
                 } else if (a.1 - b.1).norm() <= 1e-12 {
                     s.tree.clear(&Swept { tool, by: b.0 - a.0 }, allowed)
                 } else {

@@ -2,10 +2,10 @@
 
 use std::cell::RefCell;
 
-use aptc_contact::Tool;
+use aptc_contact::{PIECES, Tool};
 use aptc_geometry::Vec3;
 
-use crate::avoid::{Avoided, Case};
+use crate::avoid::{Avoided, Case, LOOKS};
 use crate::drive::Course;
 use crate::failure::Failure;
 use crate::guard::Guard;
@@ -113,7 +113,10 @@ impl Setup<'_> {
         let Some((guard, avoid)) = self.guard else { return Ok(()) };
         let out = |p: &Position| away.map_or((p.te, p.ta), |r| r.above((p.te, p.ta)));
         let (te, ta) = out(p);
-        let Err(gouge) = guard.position(self.profile, te, ta) else { return Ok(()) };
+        // Where it can be avoided, to be unsure is enough.
+        let looks = if avoid.on { LOOKS } else { PIECES };
+        let found = guard.way_within(self.profile, [(te, ta); 2], guard.intol, looks);
+        let Err(gouge) = found else { return Ok(()) };
         let gouge = || guard.deepest(self.profile, [(te, ta); 2], gouge);
         let place = self.drive.place(p.drive_uv, course);
         let unit = |v: Vec3| v.try_normalize(0.0).unwrap_or_else(Vec3::zeros);

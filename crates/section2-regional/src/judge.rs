@@ -6,7 +6,7 @@ use aptc_geometry::{Vec3, trig};
 use crate::drive::Course;
 use crate::position::Position;
 use crate::settings::Band;
-use crate::solve::{Memory, Setup, Take};
+use crate::solve::{LOOKS, Memory, Setup, Take};
 
 /// Places between the ends at which a chord is judged first, the most telling before the others.
 const JUDGED: [usize; 3] = [2, 1, 3];
@@ -285,14 +285,14 @@ impl Setup<'_> {
         let tree = &self.part.tree;
         let tool = |p: &Position| Tool { profile: self.profile, te: p.te, ta: p.ta };
         let found = if a.ta == b.ta {
-            tree.clear(&Swept { tool: tool(a), by: b.te - a.te }, allowed)
+            tree.clear_by(&Swept { tool: tool(a), by: b.te - a.te }, allowed, LOOKS)
         } else {
             tree.clear_turning((self.profile, 0.0), [(a.te, a.ta), (b.te, b.ta)], allowed)
         };
         let (Clear::No(place) | Clear::Unknown(place)) = found else {
             return Judged { way: Way::Clear, ..judged };
         };
-        let clear = |p: &Position| tree.clear(&tool(p), allowed) == Clear::Yes;
+        let clear = |p: &Position| tree.clear_by(&tool(p), allowed, LOOKS) == Clear::Yes;
         if !clear(b) || !known && !clear(a) {
             return Judged { way: Way::End, ..judged };
         }

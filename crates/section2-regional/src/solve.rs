@@ -17,6 +17,9 @@ use crate::settings::{Band, Settings};
 
 /// Rounds that settle an axis that depends on the contact.
 const ROUNDS: usize = 50;
+/// Looks by which a position or a cut vector is to be seen to keep out of the part surface; one that but touches it takes ever
+/// more, and the path has others.
+pub(crate) const LOOKS: usize = 20_000;
 /// Another place may be nearer by this part of the band: with what a position takes it stays within INTOL.
 pub(crate) const CLOSE: f64 = 0.04;
 /// And by this part where the way is proved anyway: the proof of a narrow part takes much longer.

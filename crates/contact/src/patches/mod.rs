@@ -43,7 +43,7 @@ pub enum Clear {
 }
 
 /// Pieces that one question looks at, at most.
-pub(crate) const PIECES: usize = 400_000;
+pub const PIECES: usize = 400_000;
 /// Patches in a leaf.
 const LEAF: usize = 4;
 /// Pieces that may be kept in all.
@@ -146,6 +146,11 @@ impl PatchTree {
     /// depth alone decides, and the answer is a proof but for rounding. The witness of a No is the deepest
     /// place seen until then.
     pub fn clear(&self, body: &impl Convex, allowed: f64) -> Clear {
+        self.clear_by(body, allowed, PIECES)
+    }
+
+    /// The same with so many looks at most, after which it is unknown.
+    pub fn clear_by(&self, body: &impl Convex, allowed: f64, looks: usize) -> Clear {
         let limit = -allowed;
         let mut stack = self.suspects(body, limit);
         // The most suspicious first.
@@ -168,7 +173,7 @@ impl PatchTree {
             if bound >= limit {
                 continue;
             }
-            if looked > PIECES {
+            if looked > looks {
                 return Clear::Unknown(deepest.unwrap_or(place));
             }
             // Is it as deep as it seems? Then it need not be halved until a middle happens to be so.
