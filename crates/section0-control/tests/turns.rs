@@ -80,3 +80,43 @@ fn a_turn_in_place_keeps_to_the_surfaces() {
         }
     }
 }
+
+/// Along a wall that winds to and fro the plane square to the vector nearly holds the motion, now on this side, now on that: the axis
+/// stays on the side on which the motion began.
+#[test]
+fn an_axis_square_to_a_vector_stays_on_its_side() {
+    for (angle, word) in [(9.0, "TLRGT"), (-9.0, "TLRGT"), (6.0, "TLON")] {
+        let start = if word == "TLON" { "ON" } else { "TO" };
+        let text = format!(
+            "UNITS/MM
+W1=SCURV/SPLINE,(-50,0,-20),(-25,3,-20),(0,-3,-20),(25,3,-20),$
+ (50,0,-20)
+W2=SCURV/COMBIN,W1,TRFORM,(MATRIX/TRANSL,0,0,80)
+WALL=SSURF/RULED,W1,W2
+FLOOR=SSURF/SMESH,XYZ,SPLINE,(-60,-40,0),(0,-40,2),(60,-40,-1),$
+ SPLINE,(-60,0,1),(0,0,0),(60,0,2),$
+ SPLINE,(-60,40,-1),(0,40,1),(60,40,0)
+CUTTER/8,1,3,1,0,0,30
+INTOL/.01
+OUTTOL/.01
+MULTAX
+FROM/-40,-30,60
+TLAXIS/ATANGL,1,{angle},(VECTOR/0,1,0)
+INDIRV/0,1,0
+GO/{start},WALL,TO,FLOOR,ON,(PLANE/1,0,0,-40)
+INDIRV/1,0,0
+{word},GOFWD/WALL,ON,(PLANE/1,0,0,40)
+FINI
+"
+        );
+        let ran = run::run(&text, Verify::Full);
+        assert_eq!(ran.faults(), Vec::<String>::new(), "{:?} {text}", ran.told);
+        let [first, .., last] = ran.places.as_slice() else { panic!("it goes") };
+        assert!(first[0] < -39.0 && last[0] > 39.9, "{text}");
+        // Behind GO, which does not know the motion.
+        let leans: Vec<f64> = ran.axes[3..].iter().map(|ta| ta[0]).collect();
+        let side = leans[0].signum();
+        assert!(leans.iter().all(|x| x * side > 0.05), "{leans:?} {text}");
+        assert!(ran.axes[3..].iter().all(|ta| ta[1].abs() < 1e-9));
+    }
+}

@@ -23,6 +23,9 @@ pub(crate) enum AxisRule {
     Rulings(OptionSurface),
     /// At an angle to the normal.
     Angle(AxisAngle, Came),
+    /// The same square to the reference of the angle, of the two such axes always the one that a motion began with: +1 or -1 for
+    /// where it is from the normal about the reference.
+    InPlane(AxisAngle, f64),
     /// Square to a direction.
     Square(Vec3),
 }
@@ -142,7 +145,7 @@ impl AxisRule {
     /// The surface that controls an angle, when there is one.
     pub(crate) fn angle_to(&self) -> Option<OptionSurface> {
         match self {
-            Self::Angle(a, _) => Some(a.surface),
+            Self::Angle(a, _) | Self::InPlane(a, _) => Some(a.surface),
             _ => None,
         }
     }
@@ -174,6 +177,25 @@ impl AxisRule {
         }
     }
 
+    /// The same rule for all of a motion that begins there: where the plane square to the reference nearly holds the motion the side
+    /// that the sign of the angle says would change with each bend.
+    pub(crate) fn begun(self, around: &Around<'_>, keeps: [&Keep; 2]) -> Self {
+        let Self::Angle(a, _) = &self else { return self };
+        let sense = || {
+            let (v, ta) = (unit(a.reference?)?, self.at(around, keeps)?);
+            let (gap, keep) = match a.surface {
+                OptionSurface::Part => (around.part, keeps[1]),
+                OptionSurface::Drive => (around.drive, keeps[0]),
+            };
+            let sense = v.cross(&outward(gap, keep, around.ta)).dot(&ta);
+            (sense != 0.0).then(|| sense.signum())
+        };
+        match sense() {
+            Some(sense) => Self::InPlane(a.clone(), sense),
+            None => self,
+        }
+    }
+
     /// The axis at a place; `None` when the conditions contradict each other. `keeps` are drive and part.
     pub(crate) fn at(&self, around: &Around<'_>, keeps: [&Keep; 2]) -> Option<Vec3> {
         let pick = |s: OptionSurface| match s {
@@ -195,6 +217,12 @@ impl AxisRule {
                 let n = outward(gap, keep, around.ta);
                 let sign = if other.segment.is_none() { came.onwards() } else { 1.0 };
                 lean(a, n, other.normal * sign, around.along)
+            }
+            Self::InPlane(a, sense) => {
+                let (gap, _, keep) = pick(a.surface);
+                let (u, w, [c, s]) =
+                    in_plane(a.angle_deg, outward(gap, keep, around.ta), unit(a.reference?)?)?;
+                unit(u * c + w * (s * sense))
             }
             Self::Square(v) => {
                 let v = unit(*v)?;
@@ -270,7 +298,11 @@ fn lean(a: &AxisAngle, n: Vec3, other: Vec3, along: Vec3) -> Option<Vec3> {
     let side = n.cross(&t);
     let m = if side.dot(&other) < 0.0 { -side } else { side };
     if let Some(v) = a.reference {
-        return in_plane(a.angle_deg, cos, n, m, t, unit(v)?);
+        let (u, w, [c, s]) = in_plane(a.angle_deg, n, unit(v)?)?;
+        // Of the two the one on the side that the sign says; where the plane holds the motion, along it.
+        let towards = if w.dot(&m).abs() > 1e-6 { m } else { t };
+        let sign = if (w.dot(&towards) >= 0.0) == (a.angle_deg >= 0.0) { 1.0 } else { -1.0 };
+        return unit(u * c + w * (s * sign));
     }
     let lead = a.cutting_deg.map_or(0.0, trig::sin_deg);
     let rest = sin * sin - lead * lead;
@@ -281,8 +313,10 @@ fn lean(a: &AxisAngle, n: Vec3, other: Vec3, along: Vec3) -> Option<Vec3> {
     unit(n * cos + t * lead + m * across)
 }
 
-/// The axis square to `v` whose cosine with `n` is `cos`.
-fn in_plane(angle: f64, cos: f64, n: Vec3, m: Vec3, t: Vec3, v: Vec3) -> Option<Vec3> {
+/// The two axes square to `v` that make the angle with `n`: the part of `n` square to `v` and a direction across both, with cosine and
+/// sine of the turn between that part and the axes.
+fn in_plane(angle_deg: f64, n: Vec3, v: Vec3) -> Option<(Vec3, Vec3, [f64; 2])> {
+    let cos = trig::cos_deg(angle_deg);
     let flat = n - v * n.dot(&v);
     let size = flat.norm();
     if size < cos.abs() - 1e-12 || size <= 1e-9 {
@@ -292,8 +326,5 @@ fn in_plane(angle: f64, cos: f64, n: Vec3, m: Vec3, t: Vec3, v: Vec3) -> Option<
     let w = v.cross(&u);
     let c = (cos / size).clamp(-1.0, 1.0);
     let s = ((1.0 - c) * (1.0 + c)).max(0.0).sqrt();
-    // Of the two the one on the side that the sign says; where the plane holds the motion, along it.
-    let towards = if w.dot(&m).abs() > 1e-6 { m } else { t };
-    let sign = if (w.dot(&towards) >= 0.0) == (angle >= 0.0) { 1.0 } else { -1.0 };
-    unit(u * c + w * (s * sign))
+    Some((u, w, [c, s]))
 }

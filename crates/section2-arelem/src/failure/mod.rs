@@ -63,6 +63,8 @@ pub(crate) enum Failure {
     SideBySide { drive: SurfaceRef, part: SurfaceRef },
     /// No tool axis satisfies TLAXIS.
     NoAxis { place: Vec3 },
+    /// None square to the vector is so near to the normal as the angle asks; degrees.
+    NoneSquare { place: Vec3, least: f64, asked: f64 },
     /// TLAXIS/PARLEL along a surface that has no rulings, beside one that has them.
     NoRulings { role: OptionSurface, surface: SurfaceRef, other: Option<SurfaceRef> },
     /// The cutter cannot be at both surfaces.
@@ -141,6 +143,7 @@ impl Failure {
         match self {
             Self::NotReached { place, .. }
             | Self::NoAxis { place }
+            | Self::NoneSquare { place, .. }
             | Self::NoPlace { place, .. } => Some(*place),
             Self::Blocked(b) => Some(b.place),
             Self::NoStart { place, .. } => *place,

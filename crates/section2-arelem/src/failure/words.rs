@@ -190,6 +190,17 @@ impl Failure {
                  no more than it"
                     .into(),
             ),
+            Self::NoneSquare { place, least, asked } => (
+                codes::NO_AXIS,
+                format!(
+                    "no tool axis satisfies TLAXIS {} {}: square to the vector it is {} degrees off the normal at least, and {} are asked",
+                    if *least < asked.abs() { "beyond" } else { "at" },
+                    coordinates(*place),
+                    number(*least),
+                    number(*asked)
+                ),
+                "give ATANGL a greater angle, or another vector".into(),
+            ),
             Self::NoRulings { role, surface, other } => {
                 let (mine, others, one) = match role {
                     OptionSurface::Part => ("PARLEL,1", "PARLEL,2", "part"),

@@ -82,7 +82,7 @@ pub(super) fn begin(scene: &Scene) -> Result<Begin, Failure> {
     let keeps = [drive, part];
     let (te, ta) = (pose.te, pose.ta);
     let around = Around { te, ta, part: &part_gap, drive: &drive_gap, along: heading };
-    let axis = sided(scene, &keeps, &around);
+    let axis = sided(scene, &keeps, &around).begun(&around, [&keeps[0], &keeps[1]]);
     let guides = Guides::new(&keeps, &axis, &pose);
     let bands = keeps.each_ref().map(|keep| Band::new(keep, size, axis.turns()));
     let track = Track { keeps, bands, axis, guides, exact, size };

@@ -1,6 +1,7 @@
 //! Why a motion fails: what is told of a track that ends, or that meets no check surface.
 
 use aptc_cldata::Position;
+use aptc_geometry::trig;
 use aptc_protap::{OptionSurface, Relation};
 
 use super::begin::Begin;
@@ -12,12 +13,19 @@ use super::watch::{Watch, clearance};
 use crate::axis::AxisRule;
 use crate::failure::{Blocked, Failure, Hindrance};
 use crate::scene::{Scene, Wall};
+use crate::state::unit;
+
+/// Degrees that are left of the angle of an axis square to a vector where a motion comes to the end of such axes.
+const NEARLY_DEG: f64 = 0.05;
 
 pub(super) fn trouble_at(scene: &Scene, pose: &Pose, t: Trouble) -> Failure {
     let (drive, part) = (scene.drive.surface.clone(), scene.part.surface.clone());
     match t {
         Trouble::SideBySide => Failure::SideBySide { drive, part },
-        Trouble::Axis => unruled(scene, pose).unwrap_or(Failure::NoAxis { place: pose.te }),
+        Trouble::Axis => {
+            let why = unruled(scene, pose).or_else(|| none_square(scene, pose, 0.0));
+            why.unwrap_or(Failure::NoAxis { place: pose.te })
+        }
         Trouble::Contact | Trouble::Check | Trouble::Stuck => {
             Failure::NoPlace { surfaces: vec![drive, part], place: pose.te }
         }
@@ -34,6 +42,22 @@ fn unruled(scene: &Scene, pose: &Pose) -> Option<Failure> {
     let ruled = |w: &Wall| w.fitted.as_ref().is_some_and(|s| s.ruling(pose.te).is_some());
     let other = ruled(other).then(|| other.surface.clone());
     (!ruled(wall)).then(|| Failure::NoRulings { role, surface: wall.surface.clone(), other })
+}
+
+/// TLAXIS/ATANGL,..,V where the normal leans out of the plane square to V by more than the angle, or less by so many degrees: where
+/// that is used up the axis turns without end.
+fn none_square(scene: &Scene, pose: &Pose, nearly_deg: f64) -> Option<Failure> {
+    let (AxisRule::Angle(angle, _) | AxisRule::InPlane(angle, _)) = &scene.axis else {
+        return None;
+    };
+    let v = unit(angle.reference?)?;
+    let wall = if angle.surface == OptionSurface::Part { &scene.part } else { &scene.drive };
+    let keep = Keep::of(wall).ok()?;
+    let normal = keep.gap(pose, None).ok()?.normal;
+    let least = trig::asin(normal.dot(&v).abs().min(1.0)).to_degrees();
+    let asked = angle.angle_deg;
+    let none = least > asked.abs() - nearly_deg;
+    none.then_some(Failure::NoneSquare { place: pose.te, least, asked })
 }
 
 /// The track ends before a check surface: the cutter does not fit on, or the surfaces end.
@@ -58,6 +82,9 @@ pub(super) fn blocked(
     };
     if matches!(t, Trouble::Axis | Trouble::SideBySide) {
         return trouble_at(scene, &node.pose, t);
+    }
+    if let Some(none) = none_square(scene, &node.pose, NEARLY_DEG) {
+        return none;
     }
     let now = Keep::of(&check.wall).ok().and_then(|k| clearance(&k, &node.pose).ok());
     let closest = now.map_or(f64::INFINITY, |g| g.0.abs()).min(watch.account().1.abs());
