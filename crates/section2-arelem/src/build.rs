@@ -186,7 +186,7 @@ impl Arelem {
             (*q, reversed) = (Arc::new(other), true);
         }
         let (surface, band) = (surface.clone(), s.band(role));
-        Ok(Wall { surface, fitted, reversed, profile, disk, on, thick, band })
+        Ok(Wall { surface, fitted, reversed, profile, disk, on, thick, band, outside: false })
     }
 
     /// A part plane square to the axis is touched by the tool end of any cutter.

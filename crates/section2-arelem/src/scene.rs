@@ -32,6 +32,8 @@ pub(crate) struct Wall {
     /// Thickness left on it; 0 when the tool end is on it.
     pub(crate) thick: f64,
     pub(crate) band: Band,
+    /// Are the ends of cut vectors to keep outside of it?
+    pub(crate) outside: bool,
 }
 
 /// A check surface.

@@ -339,4 +339,21 @@ mod tests {
         assert_eq!(p.joints()[0], [0.0, 0.0]);
         assert_eq!(p.widest(), 8.0);
     }
+
+    #[test]
+    fn what_is_pointed() {
+        for (numbers, pointed) in [
+            ([10.0, 0.0, 5.0, 0.0, 0.0, 0.0, 30.0], false),
+            ([10.0, 5.0, 0.0, 5.0, 0.0, 0.0, 30.0], false),
+            ([10.0, 2.0, 3.0, 2.0, 0.0, 0.0, 30.0], false),
+            (
+                [8.0, 0.0, 4.0, 4.0 * trig::sin_deg(20.0) / trig::cos_deg(20.0), 20.0, 0.0, 25.0],
+                true,
+            ),
+            ([16.0, 13.0, -5.0, 12.0, 0.0, 0.0, 30.0], true),
+        ] {
+            let p = Profile::new(&cutter(numbers)).unwrap();
+            assert_eq!(p.is_pointed(), pointed, "{numbers:?}");
+        }
+    }
 }

@@ -172,6 +172,13 @@ impl Profile {
         self.c.x == 0.0
     }
 
+    /// Is the tool end a point of the cutter, and not the middle of a flat or round bottom?
+    pub fn is_pointed(&self) -> bool {
+        /// Sine of the slope of a bottom that counts as flat.
+        const FLAT: f64 = 1e-6;
+        !self.is_round() && self.support(FLAT, -1.0).point[0] <= FLAT * self.widest
+    }
+
     /// Radius of the sphere about the tool end that holds the cutter.
     pub fn reach(&self) -> f64 {
         let arc = self.c.norm() + self.r;

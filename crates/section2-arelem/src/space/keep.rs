@@ -27,6 +27,8 @@ pub(crate) struct Keep {
     pub(crate) thick: f64,
     pub(crate) intol: f64,
     pub(crate) outtol: f64,
+    /// Do the ends of cut vectors keep outside of the surface?
+    pub(crate) outside: bool,
 }
 
 /// How deep what touches may be. The faces beside an edge, moved in by INTOL, cross each other there and end outside of each other:
@@ -79,6 +81,7 @@ impl Keep {
             thick: wall.thick,
             intol: deep(wall, &surface),
             outtol: wall.band.outtol,
+            outside: wall.outside,
             surface,
         })
     }
@@ -237,6 +240,7 @@ impl Keep {
     /// Where in the band vertices lie at least and at most.
     pub(super) fn vertices(&self) -> [f64; 2] {
         let (Limits { low, high }, edge) = (self.limits(), self.edge());
+        let low = if self.outside && high > 2.0 * edge { low.max(0.0) } else { low };
         [low + edge, high - edge]
     }
 
@@ -320,6 +324,7 @@ mod tests {
                 thick: 0.1 * f64::from(k % 5),
                 intol: 0.01,
                 outtol: 0.01,
+                outside: false,
             };
             let lean = Vec3::new(trig::sin(f), trig::sin(1.7 * f), 2.0).normalize();
             let te = Vec3::new(

@@ -5,13 +5,38 @@ use aptc_geometry::Profile;
 use super::begin::begin;
 use super::follow::follow;
 use crate::failure::Failure;
-use crate::scene::{Path, Scene};
+use crate::scene::{Path, Scene, Wall};
 
 /// The path of a motion.
 ///
 /// A turning axis may lay the cutter's side into a hollow drive surface that its lower edge just touches.
 /// Then the motion follows the lower edge, and says how deep the rest cuts in.
+///
+/// What is in a pointed tool may be as near to its face on all sides, and no normal leads out from there: a motion that comes to no
+/// further place is tried once more with the tool outside of what its point touches.
 pub(crate) fn run(scene: &Scene) -> Result<Path, Failure> {
+    match run_along(scene) {
+        Err(f @ Failure::Blocked(_)) => match outside(scene) {
+            Some(scene) => run_along(&scene).map_err(|_| f),
+            None => Err(f),
+        },
+        found => found,
+    }
+}
+
+/// The scene with the ends of cut vectors outside of the surfaces that the cutter touches; `None` where it is not pointed.
+fn outside(scene: &Scene) -> Option<Scene> {
+    let pointed = |w: &Wall| !w.on && w.profile.is_pointed();
+    if !pointed(&scene.drive) && !pointed(&scene.part) {
+        return None;
+    }
+    let mut other = scene.clone();
+    other.drive.outside = pointed(&scene.drive);
+    other.part.outside = pointed(&scene.part);
+    Some(other)
+}
+
+fn run_along(scene: &Scene) -> Result<Path, Failure> {
     let failure = match begin(scene) {
         Ok(begin) => return follow(scene, &begin),
         Err(f) => f,
