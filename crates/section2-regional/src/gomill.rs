@@ -10,7 +10,7 @@ use aptc_protap::{Arg, NameRef};
 use crate::area::StepoverArea;
 use crate::crew::Crew;
 use crate::drive::Course;
-use crate::failure::{Failure, left_standing};
+use crate::failure::{Failure, left_standing, through};
 use crate::goloft::{CurveWish, at_line, chosen_counts, own_drive};
 use crate::path::Path;
 use crate::put::Put;
@@ -34,12 +34,14 @@ struct Wish {
     start: Option<f64>,
     thru: Option<f64>,
     inverse: bool,
+    /// Is the other side of the surface milled than that of its normal?
+    mirror: bool,
     at: Option<f64>,
 }
 
 impl Regional {
     /// `GOMILL/surface,UCONST|VCONST,c,STEPOV,s[,PICKFD|ZIGZAG][,SCALOP,h][,MAXSTP,m][,RETR,d|vector|plane]`
-    /// `[,START,a][,THRU,b][,INVERS][,AT,x]`: lines from the one named on, by steps of the parameter of at most
+    /// `[,START,a][,THRU,b][,INVERS][,MIRROR][,AT,x]`: lines from the one named on, by steps of the parameter of at most
     /// |s| towards its sign, narrower where SCALOP or MAXSTP ask for it, up to the border; back and forth, or
     /// with PICKFD in one direction, led back by RETR. Of the lines only what REGION leaves is milled, with RETR
     /// between. AT touches each line at one place and leaves it by RETR.
@@ -63,7 +65,8 @@ impl Regional {
         w.take("VCONST");
         let first = w.number().unwrap_or(0.0);
         let wish = wish(&mut w)?;
-        let part = self.own_part(name, form, (1.0, self.settings.thick))?;
+        let side = if wish.mirror { -1.0 } else { 1.0 };
+        let part = self.own_part(name, form, (side, self.settings.thick))?;
         let mut drive = own_drive(&part);
         let spans = part.surface.spans();
         let most = spans[course.across().index()];
@@ -90,11 +93,14 @@ impl Regional {
         }
         let start_uv = at_line(course, first, if wish.inverse { thru } else { start });
         let sense = if wish.inverse { -1.0 } else { 1.0 };
-        let setup = self.line_setup(&drive, &part, 1.0)?;
+        let setup = self.line_setup(&drive, &part, side)?;
         let unchosen = chosen_counts(origin, &setup, (start_uv, course, sense))?;
+        let first_place = setup.position(start_uv, course, sense, None, Take::Nothing);
+        let passes = first_place.is_ok_and(|(p, _)| p.stands_through());
         self.diagnostics.extend(unchosen);
+        self.diagnostics.extend(passes.then(|| through(origin, &name.name)));
         let guard = self.guarded(Some(&part));
-        let mut setup = self.line_setup(&drive, &part, 1.0)?;
+        let mut setup = self.line_setup(&drive, &part, side)?;
         // The first place within REGION is not known yet.
         let guard = match guard {
             Some(g) if !self.outlines.is_active() => {
@@ -289,6 +295,7 @@ fn wish(w: &mut Words<'_>) -> Result<Wish, Failure> {
             "START" => wish.start = w.number(),
             "THRU" => wish.thru = w.number(),
             "INVERS" => wish.inverse = true,
+            "MIRROR" => wish.mirror = true,
             "AT" => wish.at = w.number(),
             _ => {}
         }

@@ -27,6 +27,13 @@ pub(crate) struct Position {
     pub(crate) lift: Vec3,
 }
 
+impl Position {
+    /// Does the tool stand on the side to which its axis does not point, so that its shank passes through the surface?
+    pub(crate) fn stands_through(&self) -> bool {
+        self.normal.dot(&self.ta) < -1e-6
+    }
+}
+
 /// The first tool ends at which the cutter touches with a place that does not cut well.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Odd {

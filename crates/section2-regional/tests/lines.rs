@@ -126,6 +126,29 @@ fn along_level_rulings_the_axis_keeps_its_end() {
     }
 }
 
+/// Where the normal, u across v, points down the tool stands below with its shank through the surface, and is told so; MIRROR mills
+/// the other side.
+#[test]
+fn gomill_mills_the_other_side_with_mirror() {
+    let row = |x: f64| (0..4).map(|i| Vec3::new(x, 10.0 * f64::from(i), 0.02 * x * x)).collect();
+    let sheet = SurfaceDefinition::mesh(MeshSpacing::Xyz, [row(0.0), row(10.0), row(20.0)]);
+    let gomill = |more: &[Arg]| {
+        let mut all = prepared(Cutter::mill(8.0, 2.0, 50.0), ToolAxis::Fixed(Vec3::z()));
+        let line = [word("VCONST"), Arg::Number(0.0), word("STEPOV"), Arg::Number(0.25)];
+        let form = of(Form::Ssurf(Arc::new(sheet.clone())));
+        let args = [vec![form], line.to_vec(), more.to_vec()].concat();
+        all.push(regional("GOMILL", args));
+        run(all)
+    };
+    let (below, told) = gomill(&[]);
+    assert!(told.iter().any(|d| d.code == codes::SIDE_FOULS), "{told:?}");
+    assert!(below.iter().all(|(te, _)| te.z < -40.0));
+    let (above, told) = gomill(&[word("MIRROR")]);
+    assert!(told.is_empty(), "{told:?}");
+    assert!(above.len() > 20);
+    assert!(above.iter().all(|(te, _)| te.z > -0.02 && te.z < 8.1), "{above:?}");
+}
+
 /// A round corner touches at one place alone: the numbers do not count, and that is said once.
 #[test]
 fn where_the_shape_says_it_radius_does_not_count() {

@@ -209,6 +209,7 @@ const RETRACTS: &[&[Item]] = &[
     &[W(word::START), START],
     &[W(word::THRU), THRU],
     &[W(word::INVERS)],
+    &[W(word::MIRROR)],
     &[W(word::AT), AT],
 ];
 const GOMILL: &[Shape] = &[

@@ -62,7 +62,7 @@ pub(super) struct Milled {
 impl Milled {
     pub(super) fn take(&mut self, path: Path) {
         let spot = |p: &Position| Spot { te: p.te, ta: p.ta, normal: p.normal };
-        self.through |= path.points.iter().any(|p| p.normal.dot(&p.ta) < -1e-6);
+        self.through |= path.points.iter().any(Position::stands_through);
         self.stretches.push(path.points.iter().map(spot).collect());
         self.notes.extend(path.notes);
     }
