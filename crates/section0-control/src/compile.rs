@@ -384,7 +384,10 @@ pub(crate) fn once_each(diagnostics: &mut Vec<Diagnostic>) {
     };
     let gouged = diagnostics.iter().filter(gouge).map(|d| (d.span, d.trace.clone()));
     let gouged: Vec<_> = gouged.collect();
-    diagnostics.retain(|d| !is_refutation(d) || !gouged.contains(&(d.span, d.trace.clone())));
+    diagnostics.retain(|d| {
+        let same = d.code == codes::REFUTED && d.message.contains(" cuts into ");
+        !same || !gouged.contains(&(d.span, d.trace.clone()))
+    });
     let mut told = BTreeSet::new();
     diagnostics.retain(|d| told.insert((d.code, d.span, d.message.clone())));
     let frames = |d: &Diagnostic| std::iter::successors(d.trace.clone(), |f| f.outer.clone());

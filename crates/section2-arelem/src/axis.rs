@@ -180,6 +180,8 @@ impl AxisRule {
     /// The same rule for all of a motion that begins there: where the plane square to the reference nearly holds the motion the side
     /// that the sign of the angle says would change with each bend.
     pub(crate) fn begun(self, around: &Around<'_>, keeps: [&Keep; 2]) -> Self {
+        /// Sine of a lean from the normal that is rounding.
+        const EVEN: f64 = 1e-9;
         let Self::Angle(a, _) = &self else { return self };
         let sense = || {
             let (v, ta) = (unit(a.reference?)?, self.at(around, keeps)?);
@@ -188,7 +190,7 @@ impl AxisRule {
                 OptionSurface::Drive => (around.drive, keeps[0]),
             };
             let sense = v.cross(&outward(gap, keep, around.ta)).dot(&ta);
-            (sense != 0.0).then(|| sense.signum())
+            (sense.abs() > EVEN).then(|| sense.signum())
         };
         match sense() {
             Some(sense) => Self::InPlane(a.clone(), sense),

@@ -39,7 +39,7 @@ const HALVINGS: u32 = 24;
 const FINE: f64 = 0.1;
 /// Looks by which a tilt or a lift is to be seen to clear. Beside the least that does each answer takes ever more, and a little
 /// more of it few.
-pub(crate) const LOOKS: usize = 4000;
+pub(crate) const AVOIDING: usize = 4000;
 /// Places that are kept of those seen in the tool.
 const SEEN: usize = 8;
 
@@ -90,7 +90,7 @@ impl Case<'_> {
             seen[..=i].rotate_right(1);
             return false;
         }
-        let found = self.guard.way_within(self.profile, [at, at], intol, LOOKS);
+        let found = self.guard.way_within(self.profile, [at, at], intol, AVOIDING);
         let Err(gouge) = found else { return true };
         seen.truncate(SEEN - 1);
         seen.splice(0..0, gouge.seen.map(|seen| *seen));

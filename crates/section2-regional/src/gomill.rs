@@ -100,6 +100,7 @@ impl Regional {
         self.diagnostics.extend(unchosen);
         self.diagnostics.extend(passes.then(|| through(origin, &name.name)));
         let guard = self.guarded(Some(&part));
+        self.tells_thin(origin, guard.as_ref());
         let mut setup = self.line_setup(&drive, &part, side)?;
         // The first place within REGION is not known yet.
         let guard = match guard {

@@ -5,7 +5,7 @@ use std::cell::RefCell;
 use aptc_contact::{PIECES, Tool};
 use aptc_geometry::Vec3;
 
-use crate::avoid::{Avoided, Case, LOOKS};
+use crate::avoid::{AVOIDING, Avoided, Case};
 use crate::drive::Course;
 use crate::failure::Failure;
 use crate::guard::Guard;
@@ -114,7 +114,7 @@ impl Setup<'_> {
         let out = |p: &Position| away.map_or((p.te, p.ta), |r| r.above((p.te, p.ta)));
         let (te, ta) = out(p);
         // Where it can be avoided, to be unsure is enough.
-        let looks = if avoid.on { LOOKS } else { PIECES };
+        let looks = if avoid.on { AVOIDING } else { PIECES };
         let found = guard.way_within(self.profile, [(te, ta); 2], guard.intol, looks);
         let Err(gouge) = found else { return Ok(()) };
         let gouge = || guard.deepest(self.profile, [(te, ta); 2], gouge);
@@ -133,6 +133,10 @@ impl Setup<'_> {
             seen: RefCell::default(),
         };
         let Some(how) = avoid.around(p, &case) else {
+            // It may be clear for all that.
+            if avoid.on && guard.way(self.profile, [(te, ta); 2]).is_ok() {
+                return Ok(());
+            }
             return Err(Failure::gouge(gouge(), te, ta, avoid.on));
         };
         p.lift = how.lift.map_or_else(Vec3::zeros, |_| how.te - p.te);

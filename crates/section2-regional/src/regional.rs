@@ -133,9 +133,6 @@ impl Regional {
             return Ok(None);
         };
         let known = out.len();
-        if matches!(word.as_str(), "SMIL" | "GOLOFT" | "GOMILL" | "TLPROJ") {
-            self.tells_thin(&record.origin, word != "TLPROJ");
-        }
         let done = match word.as_str() {
             "SCON" => self.scon(args).map(|()| None),
             "SMIL" => self.smil(&record.origin, args, crew, out),

@@ -68,6 +68,7 @@ impl Regional {
         w.take("PARAM");
         let from = [w.number().unwrap_or(0.0), w.number().unwrap_or(0.0)];
         let guard = self.guard();
+        self.tells_thin(origin, guard.as_ref());
         let mut done = match word {
             "POSN" => self.point(from, &mut w, guard)?,
             "PATH" => self.line(from, &mut w, guard)?,

@@ -36,10 +36,8 @@ impl Regional {
             match &mut record.kind {
                 cl::Kind::Cutter(c) => self.watch.profile = Profile::new(c).ok(),
                 cl::Kind::Motion(motion) => {
-                    let (found, recorded) = (self.watched(motion, came), self.is_recording());
-                    if motion.kind != cl::MotionKind::From {
-                        self.tells_thin(&record.origin, motion.control.is_some());
-                    }
+                    let found = self.watched(&record.origin, motion, came);
+                    let recorded = self.is_recording();
                     if let Err((k, failure)) = found {
                         cut_short(motion, k);
                         self.put_out(motion);
@@ -113,24 +111,27 @@ impl Regional {
         self.came = motion.points.last().map(|p| (p.te, p.ta)).or(self.came);
     }
 
-    /// Tells once that the cutter goes unseen through sheets and triangles that are checked: half its width is no more than it may
-    /// touch. The part surface counts where the motion is `along` surfaces.
-    pub(crate) fn tells_thin(&mut self, origin: &Origin, along: bool) {
-        let Some(profile) = self.settings.profile.filter(|_| !self.watch.thin) else { return };
-        let half = profile.widest().min(0.5 * (profile.height() - profile.bottom()));
-        let named = self.checked.first().map(|c| c.name.as_str());
-        let part = self.areas.part.as_ref().map_or("the part surface", |p| p.name.name.as_str());
-        let surface = named.or_else(|| (along && self.check_part).then_some(part));
-        if let Some(surface) = surface.filter(|_| half <= self.touching()) {
-            let told = too_thin(origin, surface, self.touching());
+    /// Tells once that the cutter goes unseen through a sheet or triangles that are checked: nothing gets as deep in it as may be.
+    pub(crate) fn tells_thin(&mut self, origin: &Origin, guard: Option<&Guard>) {
+        let (Some(profile), false) = (self.settings.profile, self.watch.thin) else { return };
+        let deepest = profile.widest().min(0.5 * (profile.height() - profile.bottom()));
+        let allowed = |s: &Checked, guard: &Guard| {
+            self.touching().max(guard.intol) - if s.part { guard.thick } else { 0.0 }
+        };
+        let thin = guard.and_then(|guard| {
+            let mut all = guard.surfaces.iter().map(|s| (s, allowed(s, guard)));
+            all.find(|(_, allowed)| deepest <= *allowed)
+        });
+        if let Some((surface, allowed)) = thin {
+            self.diagnostics.push(too_thin(origin, &surface.name, allowed));
             self.watch.thin = true;
-            self.diagnostics.push(told);
         }
     }
 
     /// The first point whose way gouges; the tool came to the statement from `came`.
     fn watched(
         &mut self,
+        origin: &Origin,
         motion: &cl::Motion,
         came: Option<(Vec3, Vec3)>,
     ) -> Result<(), (usize, Failure)> {
@@ -138,6 +139,7 @@ impl Regional {
         let (Some(profile), true) = (self.watch.profile, moves) else { return Ok(()) };
         let first = motion.points.first().map(|p| (p.te, p.ta));
         let Some(mut guard) = self.motion_guard(motion).map_err(|f| (0, f))? else { return Ok(()) };
+        self.tells_thin(origin, Some(&guard));
         if let Some(from) = came.or(first) {
             guard.come_from(&profile, from);
         }

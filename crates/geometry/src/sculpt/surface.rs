@@ -111,12 +111,13 @@ impl Sculptured {
         }
     }
 
-    /// Does the second place lie inside of the patch of the first? Between the two the surface is smooth.
+    /// Does the second place lie inside of the patch that the first lies in or on the border of? Between the two the surface is smooth.
     #[inline]
     pub(crate) fn is_one_patch(&self, from: [f64; 2], to: [f64; 2]) -> bool {
-        let (first, ..) = self.cell(from[0], from[1]);
-        let (second, at, _) = self.cell(to[0], to[1]);
-        first == second && at.iter().all(|x| *x > 0.0 && *x < 1.0)
+        let (first, start, _) = self.cell(from[0], from[1]);
+        let (second, end, _) = self.cell(to[0], to[1]);
+        let inside = start.iter().all(|x| (0.0..=1.0).contains(x));
+        first == second && inside && end.iter().all(|x| *x > 0.0 && *x < 1.0)
     }
 
     /// Point and derivatives at (u, v); beyond the borders the outermost patches go on in a straight line.

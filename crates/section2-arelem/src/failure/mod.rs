@@ -63,6 +63,8 @@ pub(crate) enum Failure {
     SideBySide { drive: SurfaceRef, part: SurfaceRef },
     /// No tool axis satisfies TLAXIS.
     NoAxis { place: Vec3 },
+    /// The tool cannot turn in place from one axis to the other and keep its bands on the way.
+    NoTurn { place: Vec3, axes: [Vec3; 2] },
     /// None square to the vector is so near to the normal as the angle asks; degrees.
     NoneSquare { place: Vec3, least: f64, asked: f64 },
     /// TLAXIS/PARLEL along a surface that has no rulings, beside one that has them.
@@ -143,6 +145,7 @@ impl Failure {
         match self {
             Self::NotReached { place, .. }
             | Self::NoAxis { place }
+            | Self::NoTurn { place, .. }
             | Self::NoneSquare { place, .. }
             | Self::NoPlace { place, .. } => Some(*place),
             Self::Blocked(b) => Some(b.place),

@@ -190,6 +190,16 @@ impl Failure {
                  no more than it"
                     .into(),
             ),
+            Self::NoTurn { place, axes: [from, to] } => (
+                codes::NO_AXIS,
+                format!(
+                    "the tool cannot turn in place at {} from the axis {} that GO left it with to {}, which TLAXIS asks for along this motion, within tolerance",
+                    coordinates(*place),
+                    coordinates(*from),
+                    coordinates(*to)
+                ),
+                "give GO the axis of the motion by TLAXIS/i,j,k, or wider tolerances".into(),
+            ),
             Self::NoneSquare { place, least, asked } => (
                 codes::NO_AXIS,
                 format!(

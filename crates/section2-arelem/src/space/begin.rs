@@ -90,7 +90,7 @@ pub(super) fn begin(scene: &Scene) -> Result<Begin, Failure> {
         .finish(pose, [drive_gap, part_gap], heading)
         .map_err(|t| trouble_at(scene, &pose, t))?;
     if off_drive <= 1.0 && off_part <= 1.0 {
-        let turned = turn(&track, &node, scene.limits.step);
+        let turned = turn(&track, &node, scene.limits.step)?;
         let node = turned.last().copied().unwrap_or(node);
         let first = turned.iter().map(|n| n.pose.position()).collect();
         return Ok(Begin { track, node, first, astray });
@@ -118,32 +118,26 @@ fn sided(scene: &Scene, keeps: &[Keep; 2], around: &Around<'_>) -> AxisRule {
 
 /// The way in place to the axis that the rule asks for at the start, when the tool stands with another one: GO does not know the
 /// direction of the motion that follows, on which CUTANG depends. Empty when the axis can turn with the first cut vector.
-fn turn(track: &Track, node: &Node, cap: f64) -> Vec<Node> {
-    turned(track, node, cap).map_or_else(Vec::new, |to| {
-        let all = turning(track, node, to);
-        // The proof tells by how much it is off.
-        all.unwrap_or_else(|| vec![to])
-    })
-}
-
-/// The way from one axis to the other, each chord in both bands, with the fewest places by how high in their bands these lie; `None`
-/// where there is none.
-fn turning(track: &Track, from: &Node, to: Node) -> Option<Vec<Node>> {
-    /// In the middle, above and below: a chord dips or rises between its ends.
+fn turn(track: &Track, node: &Node, cap: f64) -> Result<Vec<Node>, Failure> {
+    /// How high in their bands the places of the way lie, the first that serves: a chord dips or rises between its ends.
     const HIGH: [f64; 3] = [0.5, 0.9, 0.1];
-    let ways = HIGH.into_iter().filter_map(|high| turning_so(track, from, to, high));
-    ways.min_by_key(Vec::len)
+    let Some(to) = turned(track, node, cap) else { return Ok(Vec::new()) };
+    let way = HIGH.into_iter().find_map(|high| turning(track, node, to, high));
+    way.ok_or_else(|| Failure::NoTurn { place: node.pose.te, axes: [node.pose.ta, to.pose.ta] })
 }
 
-/// The same with the places so high in their bands.
-fn turning_so(track: &Track, from: &Node, to: Node, high: f64) -> Option<Vec<Node>> {
-    /// Halvings and places at most.
-    const MOST: usize = 200;
+/// The way from one axis to the other by places so high in their bands, each chord in both bands; `None` where there is none.
+fn turning(track: &Track, from: &Node, to: Node, high: f64) -> Option<Vec<Node>> {
+    /// Places and halvings at most.
+    const MOST: usize = 4000;
+    /// Axes closer to each other have no way between them.
+    const LEAST: f64 = 1e-6;
     let still = Track { axis: AxisRule::Fixed, guides: None, ..track.clone() };
     let targets = track.keeps.each_ref().map(|keep| {
         let limits = keep.limits();
         limits.low + high * (limits.high - limits.low)
     });
+    let across = from.course.along;
     let (mut way, mut ahead) = (vec![*from], vec![to]);
     for _ in 0..MOST {
         let (Some(here), Some(next)) = (way.last().copied(), ahead.last().copied()) else { break };
@@ -151,9 +145,15 @@ fn turning_so(track: &Track, from: &Node, to: Node, high: f64) -> Option<Vec<Nod
             way.extend(ahead.pop());
             continue;
         }
+        if (here.pose.ta - next.pose.ta).norm() <= LEAST {
+            return None;
+        }
         let ta = (here.pose.ta + next.pose.ta).try_normalize(0.0)?;
-        let pose = Pose { te: (here.pose.te + next.pose.te) * 0.5, ta };
-        ahead.push(still.settle(pose, &Aim { targets, ..Aim::at(&here) }).ok()?);
+        // All in the plane across the track at the start: on the way along it check surfaces may stand.
+        let middle = (here.pose.te + next.pose.te) * 0.5;
+        let te = middle + across * across.dot(&(from.pose.te - middle));
+        let aim = Aim { across, targets, ..Aim::at(&here) };
+        ahead.push(still.settle(Pose { te, ta }, &aim).ok()?);
     }
     ahead.is_empty().then(|| way.split_off(1))
 }

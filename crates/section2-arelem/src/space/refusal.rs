@@ -17,6 +17,8 @@ use crate::state::unit;
 
 /// Degrees that are left of the angle of an axis square to a vector where a motion comes to the end of such axes.
 const NEARLY_DEG: f64 = 0.05;
+/// So many are left at the beginning of such a motion.
+const MUCH_DEG: f64 = 0.5;
 
 pub(super) fn trouble_at(scene: &Scene, pose: &Pose, t: Trouble) -> Failure {
     let (drive, part) = (scene.drive.surface.clone(), scene.part.surface.clone());
@@ -83,13 +85,18 @@ pub(super) fn blocked(
     if matches!(t, Trouble::Axis | Trouble::SideBySide) {
         return trouble_at(scene, &node.pose, t);
     }
-    if let Some(none) = none_square(scene, &node.pose, NEARLY_DEG) {
-        return none;
-    }
     let now = Keep::of(&check.wall).ok().and_then(|k| clearance(&k, &node.pose).ok());
     let closest = now.map_or(f64::INFINITY, |g| g.0.abs()).min(watch.account().1.abs());
     let named = |i: usize| walls[i].surface.clone();
-    let why = match cause(&begin.track, node) {
+    let why = cause(&begin.track, node);
+    // Nothing stands in the way but that the axis, which had more room at first, turns without end.
+    let uses_up = || none_square(scene, &begin.node.pose, MUCH_DEG).is_none();
+    if matches!(why, Cause::Tight)
+        && let Some(none) = none_square(scene, &node.pose, NEARLY_DEG).filter(|_| uses_up())
+    {
+        return none;
+    }
+    let why = match why {
         Cause::Ends(i) => Hindrance::Ends(named(i)),
         Cause::Again(i, at) => Hindrance::Again { surface: named(i), at },
         Cause::Tight => Hindrance::Tight,

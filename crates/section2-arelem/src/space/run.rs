@@ -1,6 +1,6 @@
 //! One motion along any two surfaces (APT: `AREPRE`, `ARLM3`).
 
-use aptc_geometry::Profile;
+use aptc_geometry::{Profile, Surface};
 
 use super::begin::begin;
 use super::follow::follow;
@@ -26,7 +26,10 @@ pub(crate) fn run(scene: &Scene) -> Result<Path, Failure> {
 
 /// The scene with the ends of cut vectors outside of the surfaces that the cutter touches; `None` where it is not pointed.
 fn outside(scene: &Scene) -> Option<Scene> {
-    let pointed = |w: &Wall| !w.on && w.profile.is_pointed();
+    let pointed = |w: &Wall| {
+        let searched = matches!(w.fitted, Some(Surface::Parametric(_)));
+        searched && !w.on && w.band.outtol > 0.0 && w.profile.is_pointed()
+    };
     if !pointed(&scene.drive) && !pointed(&scene.part) {
         return None;
     }

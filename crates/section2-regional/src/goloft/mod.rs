@@ -86,6 +86,7 @@ impl Regional {
         self.line = Some((Arc::clone(form), course, fixed));
         let drive = own_drive(&part);
         let guard = self.guarded(Some(&part));
+        self.tells_thin(origin, guard.as_ref());
         let mut setup = wish.asked(self.line_setup(&drive, &part, side)?);
         let sense = if wish.inverse { -1.0 } else { 1.0 };
         setup.over = self.nearer_axis(setup, course, fixed, sense);

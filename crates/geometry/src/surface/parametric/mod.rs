@@ -277,9 +277,14 @@ impl ParametricSurface {
         self.is_smooth_between([u, v], to).then(|| Foot { at: Some(to), ..foot.close_by(by) })
     }
 
-    /// Is it known without a look to be smooth between two places, of which none is on a border?
+    /// Is it known without a look to be smooth between two places with parameters close to each other, the second not on a border?
     #[inline]
     fn is_smooth_between(&self, from: [f64; 2], to: [f64; 2]) -> bool {
+        /// Beside a point in which a border runs together parameters change by much on a short way.
+        const NEAR: f64 = 1e-2;
+        if (to[0] - from[0]).abs() > NEAR || (to[1] - from[1]).abs() > NEAR {
+            return false;
+        }
         match &self.patch {
             Patch::Sculptured(s) => s.is_smooth_between(from, to),
             _ => self.strips.is_some() && !self.patch.domain().border(to[0], to[1]),

@@ -216,49 +216,46 @@ fn domain(borders: &[[Border; 2]; 2]) -> Domain {
     Domain { u: range(borders[0]), v: range(borders[1]) }
 }
 
-/// The domain, its continuation cut off before it folds back: where the lines that go on from a border come together, and where
-/// twisted ones do beyond a corner.
+/// The domain, its continuation cut off before it folds back: where the lines that go on from a border come together anywhere, and
+/// where twisted ones do beyond a corner. The whole border ends there; what is lost of it lies off the surface, and what folds back
+/// would stand over it.
 fn unfolded(bare: &Spans, mut domain: Domain) -> Domain {
     /// Share of the size of the normal, before it is made a unit vector, that is to be left of it.
     const LEAST: f64 = 0.2;
-    // By how much of itself the normal shrinks with the way beyond a border by u and by v.
+    /// Sine between both derivatives at a place below which it tells nothing.
+    const FLAT: f64 = 1e-9;
+    // By how much of itself the normal shrinks with the way beyond a border by u and by v: evenly.
     let shrinks = |u: f64, v: f64| {
         let jet = bare.jet(u, v);
         let n = jet.su.cross(&jet.sv);
-        let shrink = |by: Vec3, end: f64| {
-            let share = -by.dot(&n) / n.norm_squared() * (2.0 * end - 1.0);
-            if share.is_finite() { share.max(0.0) } else { 0.0 }
-        };
-        [shrink(jet.su.cross(&jet.suv), u), shrink(jet.suv.cross(&jet.sv), v)]
+        let square = n.norm_squared();
+        let tells = n.norm() > FLAT * jet.su.norm() * jet.sv.norm();
+        let shrink = |by: Vec3, end: f64| (-by.dot(&n) / square * (2.0 * end - 1.0)).max(0.0);
+        let both = [shrink(jet.su.cross(&jet.suv), u), shrink(jet.suv.cross(&jet.sv), v)];
+        if tells { both } else { [0.0; 2] }
     };
     let room = 1.0 - LEAST;
-    let most = |share: f64, far: f64| if share * far > room { room / share } else { far };
-    let far = |domain: &Domain, axis: usize, end: usize| {
-        let range = if axis == 0 { domain.u } else { domain.v };
-        (range[end] - end as f64).abs()
-    };
-    let cut = |domain: &mut Domain, axis: usize, end: usize, reach: f64| {
-        let range = if axis == 0 { &mut domain.u } else { &mut domain.v };
-        range[end] = end as f64 + (2.0 * end as f64 - 1.0) * reach;
-    };
     for (axis, end) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
-        let mut reach = far(&domain, axis, end);
-        for k in 0..=RAYS {
-            let (border, along) = (end as f64, k as f64 / RAYS as f64);
+        let border = end as f64;
+        let most = (0..=RAYS).map(|k| k as f64 / RAYS as f64).map(|along| {
             let [u, v] = if axis == 0 { [border, along] } else { [along, border] };
-            reach = most(shrinks(u, v)[axis], reach);
-        }
-        if reach < far(&domain, axis, end) {
-            cut(&mut domain, axis, end, reach);
+            shrinks(u, v)[axis]
+        });
+        let most = most.fold(0.0, f64::max);
+        let range = if axis == 0 { &mut domain.u } else { &mut domain.v };
+        let far = range[end] - border;
+        if most * far.abs() > room {
+            range[end] = border + room / most * far.signum();
         }
     }
     for [i, j] in [[0, 0], [0, 1], [1, 0], [1, 1]] {
-        let [a, b] = [far(&domain, 0, i), far(&domain, 1, j)];
-        let [by_u, by_v] = shrinks(i as f64, j as f64);
-        let share = a * by_u + b * by_v;
-        if a > 0.0 && b > 0.0 && share > room {
-            cut(&mut domain, 0, i, a * room / share);
-            cut(&mut domain, 1, j, b * room / share);
+        let (u, v) = (i as f64, j as f64);
+        let [a, b] = [domain.u[i] - u, domain.v[j] - v];
+        let [by_u, by_v] = shrinks(u, v);
+        let share = room / (a.abs() * by_u + b.abs() * by_v);
+        if a != 0.0 && b != 0.0 && share < 1.0 {
+            domain.u[i] = u + a * share;
+            domain.v[j] = v + b * share;
         }
     }
     domain
