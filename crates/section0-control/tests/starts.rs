@@ -142,7 +142,7 @@ fn a_tool_from_above_comes_down_to_the_surface_and_not_to_what_goes_on_beyond_a_
             format!("SPLINE,{}", points.collect::<Vec<_>>().join(",$\n"))
         };
         let all = rows.iter().map(spline).collect::<Vec<_>>().join(",$\n");
-        for from in [40, 90] {
+        for from in [40, 90, 300, 900] {
             let text = format!(
                 "UNITS/MM\nF=SSURF/SMESH,XYZ,$\n{all}\nCUTTER/8,4,0,4,0,0,60\nINTOL/.01\nOUTTOL/.01\n\
                  FROM/-12,30,{from}\nINDIRV/0,-1,0\nGO/ON,(PLANE/0,1,0,8),TO,F,$\nON,(PLANE/1,0,0,-9)\nFINI\n"

@@ -309,7 +309,7 @@ mod tests {
         let profile = Profile::new(&Cutter::mill(4.0, 2.0, 30.0)).unwrap();
         let guard = wall();
         let p = position(&profile);
-        assert!(guard.position(&profile, p.te, p.ta).is_err());
+        assert!(guard.way(&profile, [(p.te, p.ta); 2]).is_err());
         let case = case(&profile, &guard);
         let tilt = |range: [f64; 3], limit| Avoid {
             on: true,
@@ -322,7 +322,7 @@ mod tests {
             tilt([1.5, -60.0, 60.0], None).around(&p, &case).unwrap();
         assert!(by.is_some_and(|(deg, rolls)| deg < 0.0 && !rolls) && lift.is_none());
         assert!(ta.x < p.ta.x && ta.y.abs() < 1e-12);
-        assert!(guard.position(&profile, te, ta).is_ok());
+        assert!(guard.way(&profile, [(te, ta); 2]).is_ok());
         // The ball still touches the same contact.
         assert!((te + ta * 2.0 - Vec3::z() * 2.0).norm() < 1e-12);
         let least = tilt([0.0, -60.0, 60.0], None).around(&p, &case).unwrap().ta;
@@ -332,7 +332,7 @@ mod tests {
         let Avoided { te, ta, lift, .. } = tilt([0.0, -2.0, 2.0], None).around(&p, &case).unwrap();
         assert!(lift.is_some_and(|(_, normal)| normal));
         assert!(ta == p.ta && te.z > 5.0, "{te}");
-        assert!(guard.position(&profile, te, ta).is_ok());
+        assert!(guard.way(&profile, [(te, ta); 2]).is_ok());
         assert!(tilt([0.0, -2.0, 2.0], Some(1.0)).around(&p, &case).is_none());
         // A range that does not hold 0: no tilt outside of it, and its nearest end where that suffices.
         let by = |range| tilt(range, Some(1.0)).around(&p, &case).and_then(|a| a.tilt);

@@ -123,7 +123,7 @@ fn turn(track: &Track, node: &Node, cap: f64) -> Result<Vec<Node>, Failure> {
     const HIGH: [f64; 3] = [0.5, 0.9, 0.1];
     let Some(to) = turned(track, node, cap) else { return Ok(Vec::new()) };
     let way = HIGH.into_iter().find_map(|high| turning(track, node, to, high));
-    way.ok_or_else(|| Failure::NoTurn { place: node.pose.te, axes: [node.pose.ta, to.pose.ta] })
+    way.ok_or(Failure::NoTurn { place: node.pose.te, axes: [node.pose.ta, to.pose.ta] })
 }
 
 /// The way from one axis to the other by places so high in their bands, each chord in both bands; `None` where there is none.

@@ -319,8 +319,10 @@ impl<'a> Walk<'a> {
 
     /// `spent` are the cut vectors after which it was given up.
     fn not_reached(&self, spent: Option<u32>) -> Failure {
-        let start = self.begin.node.pose;
-        not_reached(self.scene, &self.watches, start, &self.points, self.gone, spent)
+        // Behind what puts the tool in place and turns it there.
+        let (start, first) = (self.begin.node.pose, self.begin.first.len());
+        let points = self.points.get(first..).unwrap_or_default();
+        not_reached(self.scene, &self.watches, start, points, self.gone, spent)
     }
 
     /// What holds of the path that stopped at a check surface.

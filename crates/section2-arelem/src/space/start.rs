@@ -2,8 +2,8 @@
 
 use aptc_cldata::{Control, Controlled};
 use aptc_contact::{Condition, Gap, Side, opens};
-use aptc_geometry::Vec3;
 use aptc_geometry::surface::frame_about;
+use aptc_geometry::{Surface, Vec3};
 use aptc_protap::{OptionSurface, Relation};
 
 use super::keep::{Keep, Pose};
@@ -21,8 +21,35 @@ pub(super) struct Aim<'a> {
     pub(super) along: Option<Vec3>,
 }
 
-/// The position of a start-up.
+/// The position of a start-up. Where surfaces leave one position or a few, one on sculptured surfaces themselves counts before those
+/// on what goes on straight beyond their borders, which may stand over them.
 pub(crate) fn start(go: &Start) -> Result<Path, Failure> {
+    let on_itself = on_itself(go).map(|itself| start_on(&itself, true));
+    on_itself.and_then(Result::ok).map_or_else(|| start_on(go, false), Ok)
+}
+
+/// The same start-up without what goes on straight; `None` where surfaces leave a choice, or nothing does.
+fn on_itself(go: &Start) -> Option<Start> {
+    const ALL: usize = 3;
+    if go.surfaces.len() < ALL || go.offset {
+        return None;
+    }
+    let mut itself = go.clone();
+    let mut some = false;
+    for (_, wall) in &mut itself.surfaces {
+        if let Some(Surface::Parametric(surface)) = &wall.fitted
+            && let Some(own) = surface.without_continuation()
+        {
+            wall.fitted = Some(Surface::Parametric(own));
+            some = true;
+        }
+    }
+    some.then_some(itself)
+}
+
+/// The position by the surfaces as they are, with `all` of the cutter on the side that is meant: the search goes by the places of
+/// contact about it alone.
+fn start_on(go: &Start, all: bool) -> Result<Path, Failure> {
     let pose = Pose { te: go.tool.te, ta: go.tool.ta };
     let mut aims = Vec::new();
     let named = go.surfaces.iter().enumerate().map(|(i, s)| (s, Some(i)));
@@ -44,7 +71,9 @@ pub(crate) fn start(go: &Start) -> Result<Path, Failure> {
     };
     let rivals = rivals(go, &aims, pose, end);
     for aim in &aims {
-        let gap = aim.keep.gap(&end, None).ok().filter(|g| !aim.keep.goes_round_an_end(g));
+        let deep = |g: &Gap| all && g.g < -2.0 * aim.keep.width();
+        let gap = aim.keep.gap(&end, None).ok();
+        let gap = gap.filter(|g| !aim.keep.goes_round_an_end(g) && !deep(g));
         gap.ok_or_else(|| Failure::NoContact { surface: aim.wall.surface.clone() })?;
     }
     let mut sides = aims.iter().map(|a| a.wall.beside(a.relation, a.keep.side));
@@ -251,6 +280,7 @@ fn aim(
             if n.dot(&v) > 0.0 { keep.inner(pose) } else { Side::Positive }
         }
         None if let Some(side) = rests_on(&keep, pose, outside.as_ref(), rules) => side,
+        None if let Some(side) = beside_itself(&keep, pose) => side,
         None if both(&keep, pose, 1.0) => Side::Positive,
         None if both(&keep, pose, -1.0) => keep.inner(pose),
         None if let Some(side) = cut_through(&keep, pose, outside.as_ref()) => side,
@@ -279,6 +309,16 @@ fn aim(
         _ => near,
     };
     Ok(keep)
+}
+
+/// The side of a sculptured surface itself on which tool end and middle of the cutter both lie: from far away what goes on straight
+/// beyond its borders may be nearer, and stand over it.
+fn beside_itself(keep: &Keep, pose: &Pose) -> Option<Side> {
+    let Surface::Parametric(surface) = &keep.surface else { return None };
+    let middle = pose.te + pose.ta * (0.5 * keep.profile.height());
+    let [end, above] = [pose.te, middle].map(|p| surface.side_of_itself(p));
+    let side = end.filter(|_| end == above)?;
+    Some(if side > 0.0 { Side::Positive } else { keep.inner(pose) })
 }
 
 /// Are tool end and the middle of the cutter both outside of a surface that closes round the tool (`sign` 1), or inside of

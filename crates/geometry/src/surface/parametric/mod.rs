@@ -231,6 +231,39 @@ impl ParametricSurface {
         self.foot_at(p, &place)
     }
 
+    /// A sculptured surface without its straight continuation; `None` of others, and of one that has none.
+    pub fn without_continuation(&self) -> Option<Arc<Self>> {
+        let Patch::Sculptured(spans) = &self.patch else { return None };
+        spans.without_continuation().cloned()
+    }
+
+    /// On which side of a sculptured surface itself a point lies, +1 or -1, whatever its straight continuation does; `None` of others,
+    /// and beside a border where a point lies but little above or below.
+    pub fn side_of_itself(&self, p: Vec3) -> Option<f64> {
+        /// Sine of the direction to the point over the tangent plane at a border, or one square to the mean normal, from which on it
+        /// is above or below.
+        const CLEAR: f64 = 0.3;
+        /// Length of the mean of the normals of a surface that bends too much to have an upper side.
+        const BENT: f64 = 0.5;
+        let Patch::Sculptured(spans) = &self.patch else { return None };
+        let own = match spans.without_continuation() {
+            Some(own) => own,
+            // It is one without already, or one that closes.
+            None if spans.is_open() => self,
+            None => return None,
+        };
+        let foot = own.foot(p);
+        let at = foot.at?;
+        if !own.ends_at(at) {
+            return (foot.distance != 0.0).then(|| foot.distance.signum());
+        }
+        let away = (p - foot.point).try_normalize(0.0)?;
+        let mean = spans.mean_normal();
+        let mean = (mean.norm() > BENT).then(|| mean.normalize());
+        let ups = [spans.own_normal(at), mean].map(|n| n.map(|n| n.dot(&away)));
+        ups.into_iter().flatten().find(|up| up.abs() > CLEAR).map(f64::signum)
+    }
+
     /// The foot into which the place with the parameters `at` runs downhill.
     pub fn foot_from(&self, p: Vec3, at: [f64; 2]) -> Foot {
         self.foot_at(p, &self.descend_free(p, at).1)

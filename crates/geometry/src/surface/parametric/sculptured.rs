@@ -3,7 +3,7 @@
 //! Both parameters run from 0 to 1 over the whole surface. Beyond its borders the surface goes on straight
 //! for a few times its own length, but where it closes on itself or shrinks to a point.
 
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use crate::Vec3;
 use crate::sculpt::{Border, Layout, Patch, Sculptured};
@@ -44,6 +44,8 @@ pub(super) struct Spans {
     cells: Cells,
     /// Its edges, once they are asked for.
     edges: OnceLock<Vec<Edge>>,
+    /// The same without its continuation, where there is one.
+    itself: OnceLock<Option<Arc<ParametricSurface>>>,
 }
 
 /// A sculptured surface with how far it goes straight on, in shares of itself: 0 to 1 is the surface.
@@ -93,15 +95,51 @@ impl Spans {
         let cells = Cells::new(&surface, &itself)?;
         let tips = [0, 1].map(|k| [0, 1].map(|end| tip(&surface, &borders, k, end)));
         let edges = OnceLock::new();
-        let bare = Self { surface, domain: itself, borders, tips, ruled_along, cells, edges };
+        let own = OnceLock::new();
+        let bare =
+            Self { surface, domain: itself, borders, tips, ruled_along, cells, edges, itself: own };
         let domain = shortened(&bare, &unfolded(&bare, domain(&borders)));
         let cells = Cells::new(&bare.surface, &domain)?;
-        Some(Self { domain, cells, edges: OnceLock::new(), ..bare })
+        Some(Self { domain, cells, edges: OnceLock::new(), itself: OnceLock::new(), ..bare })
     }
 
     /// How large its numbers are.
     pub(super) fn size(&self) -> f64 {
         self.surface.extent()
+    }
+
+    /// The surface without its continuation; `None` where it has none.
+    pub(super) fn without_continuation(&self) -> Option<&Arc<ParametricSurface>> {
+        let made = || {
+            let domain = Domain { u: [0.0, 1.0], v: [0.0, 1.0] };
+            let [u, v] = [self.domain.u, self.domain.v];
+            let goes_on = u[0] < 0.0 || u[1] > 1.0 || v[0] < 0.0 || v[1] > 1.0;
+            let cells = goes_on.then(|| Cells::new(&self.surface, &domain)).flatten()?;
+            let (edges, itself) = (OnceLock::new(), OnceLock::new());
+            let own = Self { domain, cells, edges, itself, ..self.clone() };
+            Some(Arc::new(ParametricSurface::of_spans(own)))
+        };
+        self.itself.get_or_init(made).as_ref()
+    }
+
+    /// The mean of its normals.
+    pub(super) fn mean_normal(&self) -> Vec3 {
+        const SIDE: u32 = 5;
+        let share = |i: u32| (f64::from(i) + 0.5) / f64::from(SIDE);
+        let all =
+            (0..SIDE * SIDE).filter_map(|k| self.own_normal([share(k % SIDE), share(k / SIDE)]));
+        all.sum::<Vec3>() / f64::from(SIDE * SIDE)
+    }
+
+    /// Has it a border beyond which it could go on straight?
+    pub(super) fn is_open(&self) -> bool {
+        self.borders.iter().flatten().any(|border| *border == Border::Free)
+    }
+
+    /// Its unit normal at parameters from 0 to 1.
+    pub(super) fn own_normal(&self, [u, v]: [f64; 2]) -> Option<Vec3> {
+        let [nu, nv] = self.surface.spans();
+        self.surface.normal_at(u * nu, v * nv)
     }
 
     /// Its edges and tips.
