@@ -7,6 +7,7 @@ use aptc_geometry::surface::ParametricSurface;
 use aptc_geometry::{Plane, Profile, Sculptured, SpaceCurve, Vec3};
 use aptc_protap::NameRef;
 
+use crate::drive::Course;
 use crate::failure::Failure;
 use crate::project::Ends;
 
@@ -90,8 +91,13 @@ pub(crate) enum AxisArea {
         /// Tilt along the path, radians, positive leading.
         beta: f64,
     },
-    /// Along the rulings across the path, nearest to this axis.
-    Ruling(Vec3),
+    /// Along the rulings across lines with this running parameter: towards rising ones of the other, +1, or falling ones, -1.
+    Ruling {
+        /// The parameter that runs along the lines.
+        lines: Course,
+        /// +1 or -1.
+        sense: f64,
+    },
     /// At an angle to the drive normal of this sign, square to a unit vector, and of the two nearest to an axis.
     Square {
         /// The unit vector.
@@ -109,9 +115,8 @@ impl AxisArea {
     /// The same on the way from a place with the axis `ta`: of two axes the one that goes on from it.
     pub(crate) fn on_from(self, ta: Vec3) -> Self {
         match self {
-            Self::Ruling(_) => Self::Ruling(ta),
             Self::Square { to, side, alpha, .. } => Self::Square { to, side, alpha, last: ta },
-            Self::Fixed(_) | Self::NormDs(_) | Self::Angle { .. } => self,
+            Self::Fixed(_) | Self::NormDs(_) | Self::Angle { .. } | Self::Ruling { .. } => self,
         }
     }
 }

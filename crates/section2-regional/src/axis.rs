@@ -30,9 +30,10 @@ pub(crate) fn at_drive(area: &AxisArea, p: &DrivePoint, forward: Vec3) -> Option
             }
             Some(slewed * cb + square(forward, slewed)? * sb)
         }
-        AxisArea::Ruling(last) => {
-            let along = p.across.try_normalize(0.0)?;
-            Some(if along.dot(&last) < -TIE { -along } else { along })
+        AxisArea::Ruling { lines, sense } => {
+            // From one line to the next the path goes along the rulings.
+            let along = if p.course == lines { p.across } else { p.along };
+            along.try_normalize(0.0).map(|along| along * sense)
         }
         AxisArea::Square { to, side, alpha, last } => {
             // In the plane square to `to` the normal's part of length c: cos alpha = c cos of the turn from it.
@@ -53,14 +54,25 @@ pub(crate) fn at_drive(area: &AxisArea, p: &DrivePoint, forward: Vec3) -> Option
     }
 }
 
-/// The rule of TLAXIS for lines of a surface whose tool stands on `side` of dU x dV; `last` is the axis before.
-pub(crate) fn of_line(axis: Option<&ToolAxis>, side: f64, last: Vec3) -> Result<AxisArea, Failure> {
+/// The rule of TLAXIS for lines of a surface whose tool stands on `side` of dU x dV; `last` is the axis before, and the first line
+/// begins at the place `start`.
+pub(crate) fn of_line(
+    axis: Option<&ToolAxis>,
+    side: f64,
+    last: Vec3,
+    start: &DrivePoint,
+) -> Result<AxisArea, Failure> {
     Ok(match axis {
         None => AxisArea::Fixed(Vec3::z()),
         Some(ToolAxis::Fixed(v)) => AxisArea::Fixed(v.try_normalize(0.0).unwrap_or_else(Vec3::z)),
         Some(ToolAxis::Keep) => AxisArea::Fixed(last),
         Some(ToolAxis::NormPs | ToolAxis::NormDs) => AxisArea::NormDs(side),
-        Some(ToolAxis::Parallel { .. }) => AxisArea::Ruling(last),
+        Some(ToolAxis::Parallel { .. }) => {
+            // The end that is nearer to the axis before, for all lines.
+            let along = start.across.try_normalize(0.0).unwrap_or_else(Vec3::zeros);
+            let sense = if along.dot(&last) < -TIE { -1.0 } else { 1.0 };
+            AxisArea::Ruling { lines: start.course, sense }
+        }
         Some(ToolAxis::PerpTo(v)) => {
             let to = v.try_normalize(0.0);
             let to = to.ok_or(Failure::NoDirection { what: "the vector of PERPTO" })?;
@@ -129,11 +141,13 @@ fn square(v: Vec3, n: Vec3) -> Option<Vec3> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::drive::Course;
     use aptc_protap::{AxisAngle, OptionSurface};
 
     fn place(across: Vec3) -> DrivePoint {
         DrivePoint {
             uv: [0.0; 2],
+            course: Course::V,
             point: Vec3::zeros(),
             along: Vec3::y(),
             across,
@@ -169,7 +183,7 @@ mod tests {
                 radius: None,
                 height: None,
             });
-            of_line(Some(&axis), 1.0, Vec3::z())
+            of_line(Some(&axis), 1.0, Vec3::z(), &place(Vec3::x()))
         };
         let n = Vec3::new(0.1, -0.2, 1.0).normalize();
         for (alpha, beta) in [(20.0, 15.0), (20.0, -20.0), (-30.0, 5.0), (40.0, 0.0), (90.0, 30.0)]

@@ -10,6 +10,8 @@ use crate::area::{DriveArea, Guide, Projection};
 pub(crate) struct DrivePoint {
     /// Its parameters.
     pub(crate) uv: [f64; 2],
+    /// Which of them runs along the path.
+    pub(crate) course: Course,
     /// The point.
     pub(crate) point: Vec3,
     /// Derivative along the path, in the direction of rising parameter; where a border runs together in a point the
@@ -76,6 +78,7 @@ impl DriveArea {
                 let (point, along) = (p.point, p.first);
                 DrivePoint {
                     uv,
+                    course,
                     point,
                     along,
                     across,
@@ -102,7 +105,17 @@ impl DriveArea {
                     Projection::Cross => (across.try_normalize(0.0), None),
                     Projection::Foot(surface, side) => foot(surface, *side, d.point),
                 };
-                DrivePoint { uv, point: d.point, along, across, speed, normal, direction, foot }
+                DrivePoint {
+                    uv,
+                    course,
+                    point: d.point,
+                    along,
+                    across,
+                    speed,
+                    normal,
+                    direction,
+                    foot,
+                }
             }
         }
     }

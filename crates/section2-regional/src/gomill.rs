@@ -93,7 +93,8 @@ impl Regional {
         }
         let start_uv = at_line(course, first, if wish.inverse { thru } else { start });
         let sense = if wish.inverse { -1.0 } else { 1.0 };
-        let setup = self.line_setup(&drive, &part, side)?;
+        let begins = drive.place(start_uv, course);
+        let setup = self.line_setup(&drive, &part, side, &begins)?;
         let unchosen = chosen_counts(origin, &setup, (start_uv, course, sense))?;
         let first_place = setup.position(start_uv, course, sense, None, Take::Nothing);
         let passes = first_place.is_ok_and(|(p, _)| p.stands_through());
@@ -101,7 +102,7 @@ impl Regional {
         self.diagnostics.extend(passes.then(|| through(origin, &name.name)));
         let guard = self.guarded(Some(&part));
         self.tells_thin(origin, guard.as_ref());
-        let mut setup = self.line_setup(&drive, &part, side)?;
+        let mut setup = self.line_setup(&drive, &part, side, &begins)?;
         // The first place within REGION is not known yet.
         let guard = match guard {
             Some(g) if !self.outlines.is_active() => {

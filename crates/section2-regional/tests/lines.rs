@@ -126,6 +126,26 @@ fn along_level_rulings_the_axis_keeps_its_end() {
     }
 }
 
+/// Along the rulings across lines of a dome the axis neither swings at the steps from line to line nor turns end for end at the top.
+#[test]
+fn along_rulings_the_axis_goes_on_from_line_to_line() {
+    let height =
+        |x: f64, y: f64| 10.0 - 5.0 * (x / 30.0 - 1.0).powi(2) - 5.0 * (y / 30.0 - 1.0).powi(2);
+    let row = |y: f64| [0.0, 30.0, 60.0].map(|x| Vec3::new(x, y, height(x, y))).to_vec();
+    let dome = SurfaceDefinition::mesh(MeshSpacing::Xyz, [row(0.0), row(30.0), row(60.0)]);
+    let axis = ToolAxis::Parallel { surface: OptionSurface::Part, radius: None, height: None };
+    let mut all = prepared(Cutter::mill(12.0, 0.0, 30.0), axis);
+    let form = of(Form::Ssurf(Arc::new(dome)));
+    let args = [form, word("VCONST"), Arg::Number(0.0), word("STEPOV"), Arg::Number(0.5)];
+    all.push(regional("GOMILL", args.to_vec()));
+    let (cut, told) = run(all);
+    assert!(told.is_empty(), "{told:?}");
+    assert!(cut.len() > 60);
+    for pair in cut.windows(2) {
+        assert!(pair[0].1.dot(&pair[1].1) > 0.98, "{pair:?}");
+    }
+}
+
 /// Where the normal, u across v, points down the tool stands below with its shank through the surface, and is told so; MIRROR mills
 /// the other side.
 #[test]

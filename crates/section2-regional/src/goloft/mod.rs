@@ -11,7 +11,7 @@ use aptc_geometry::{Form, Segment, Vec3};
 use aptc_protap::{Arg, NameRef};
 
 use crate::area::{DriveArea, Guide, Hold, PartArea, Projection};
-use crate::drive::Course;
+use crate::drive::{Course, DrivePoint};
 use crate::failure::{self, Failure};
 use crate::gclear::Spot;
 use crate::position::Chosen;
@@ -87,8 +87,10 @@ impl Regional {
         let drive = own_drive(&part);
         let guard = self.guarded(Some(&part));
         self.tells_thin(origin, guard.as_ref());
-        let mut setup = wish.asked(self.line_setup(&drive, &part, side)?);
         let sense = if wish.inverse { -1.0 } else { 1.0 };
+        let end = if wish.inverse { spans[course.index()] } else { 0.0 };
+        let begins = drive.place(at_line(course, fixed, end), course);
+        let mut setup = wish.asked(self.line_setup(&drive, &part, side, &begins)?);
         setup.over = self.nearer_axis(setup, course, fixed, sense);
         let line = Line::Surface(Box::new(setup), course, fixed, sense);
         let mut milled = Milled::default();
@@ -237,9 +239,10 @@ impl Regional {
         drive: &'a DriveArea,
         part: &'a PartArea,
         side: f64,
+        start: &DrivePoint,
     ) -> Result<Setup<'a>, Failure> {
         let last = self.stand.map_or_else(Vec3::z, |s| s.ta);
-        let axis = crate::axis::of_line(self.settings.axis.as_ref(), side, last)?;
+        let axis = crate::axis::of_line(self.settings.axis.as_ref(), side, last, start)?;
         let setup = Setup::new(&self.settings, drive, part, axis)?;
         let chosen = Chosen::of(self.settings.axis.as_ref());
         Ok(Setup { numpts: POSITIONS, length: None, centred: true, chosen, ..setup })
