@@ -1,6 +1,7 @@
 //! From a form to curves, patches, dots and arrows in space.
 
 use aptc_geometry::sculpt::{Layout, fit_curve, fit_surface};
+use aptc_geometry::sculptured::{SurfaceDefinition, SurfaceShape};
 use aptc_geometry::{
     Circle, Cone, Cylinder, Form, Plane, Quadric, RuledSurface, Sphere, Tabcyl, Transform, Vec3,
     trig,
@@ -92,7 +93,7 @@ pub(crate) fn shape(item: &Item, room: Option<&Bounds>, flat: bool) -> Shape {
             }
         }
         Form::Ssurf(d) => {
-            if let Ok(f) = fit_surface(d) {
+            if let Ok(f) = fit_surface(&near(d)) {
                 let [m, n] = f.spans();
                 match f.layout {
                     Layout::Mesh { .. } => {
@@ -123,6 +124,16 @@ pub(crate) fn shape(item: &Item, room: Option<&Bounds>, flat: bool) -> Shape {
         Form::Written(_) => {}
     }
     s
+}
+
+/// The same, but what goes along an axis to where the picture ends.
+fn near(d: &SurfaceDefinition) -> SurfaceDefinition {
+    const SWEPT: f64 = 30.0;
+    let mut near = d.clone();
+    if let SurfaceShape::RuledAlong { reach, .. } = &mut near.shape {
+        *reach = SWEPT;
+    }
+    near
 }
 
 /// The path with an arrow on each way, the cutter where a motion ends, and where it begins.
