@@ -14,7 +14,7 @@ use aptc_regional::{Regional, Stand};
 use aptc_translate::{
     Entry, FileError, FileRequest, Files, Interpreter, LoadedFile, Quantity, Step,
 };
-use aptc_verify::Certificate;
+use aptc_verify::{Certificate, tells_gouge};
 
 use crate::geometry_json::Named;
 use crate::post::{Nc, post_part};
@@ -384,10 +384,7 @@ pub(crate) fn once_each(diagnostics: &mut Vec<Diagnostic>) {
     };
     let gouged = diagnostics.iter().filter(gouge).map(|d| (d.span, d.trace.clone()));
     let gouged: Vec<_> = gouged.collect();
-    diagnostics.retain(|d| {
-        let same = d.code == codes::REFUTED && d.message.contains(" cuts into ");
-        !same || !gouged.contains(&(d.span, d.trace.clone()))
-    });
+    diagnostics.retain(|d| !tells_gouge(d) || !gouged.contains(&(d.span, d.trace.clone())));
     let mut told = BTreeSet::new();
     diagnostics.retain(|d| told.insert((d.code, d.span, d.message.clone())));
     let frames = |d: &Diagnostic| std::iter::successors(d.trace.clone(), |f| f.outer.clone());

@@ -98,7 +98,7 @@ pub(crate) enum AxisArea {
         /// +1 or -1.
         sense: f64,
     },
-    /// At an angle to the drive normal of this sign, square to a unit vector, and of the two nearest to an axis.
+    /// At an angle to the drive normal of this sign, square to a unit vector, and of the two always the same.
     Square {
         /// The unit vector.
         to: Vec3,
@@ -106,19 +106,9 @@ pub(crate) enum AxisArea {
         side: f64,
         /// The angle, radians; none: as near to the normal as can be.
         alpha: Option<f64>,
-        /// The axis before.
-        last: Vec3,
+        /// The one that is turned about the vector from the normal, +1, or back, -1.
+        sense: f64,
     },
-}
-
-impl AxisArea {
-    /// The same on the way from a place with the axis `ta`: of two axes the one that goes on from it.
-    pub(crate) fn on_from(self, ta: Vec3) -> Self {
-        match self {
-            Self::Square { to, side, alpha, .. } => Self::Square { to, side, alpha, last: ta },
-            Self::Fixed(_) | Self::NormDs(_) | Self::Angle { .. } | Self::Ruling { .. } => self,
-        }
-    }
 }
 
 /// SCON/STEPOV.

@@ -35,7 +35,7 @@ pub(crate) fn at_drive(area: &AxisArea, p: &DrivePoint, forward: Vec3) -> Option
             let along = if p.course == lines { p.across } else { p.along };
             along.try_normalize(0.0).map(|along| along * sense)
         }
-        AxisArea::Square { to, side, alpha, last } => {
+        AxisArea::Square { to, side, alpha, sense } => {
             // In the plane square to `to` the normal's part of length c: cos alpha = c cos of the turn from it.
             let n = p.normal? * side;
             let part = n - to * to.dot(&n);
@@ -47,15 +47,20 @@ pub(crate) fn at_drive(area: &AxisArea, p: &DrivePoint, forward: Vec3) -> Option
             }
             let (e, f) = (part / c, to.cross(&part) / c);
             let turn = trig::acos_clamped(cos / c);
-            let at = |turn: f64| e * trig::cos(turn) + f * trig::sin(turn);
-            let [a, b] = [at(turn), at(-turn)];
-            Some(if b.dot(&last) > a.dot(&last) + TIE { b } else { a })
+            Some(e * trig::cos(turn) + f * (trig::sin(turn) * sense))
         }
     }
 }
 
+/// Of two axes that differ by the sense of an area, +1 or -1, that of the one at a place which is nearer to the axis `last`.
+fn nearer(area: impl Fn(f64) -> AxisArea, start: &DrivePoint, last: Vec3) -> AxisArea {
+    let cos =
+        |sense: f64| at_drive(&area(sense), start, start.along).map_or(-1.0, |ta| ta.dot(&last));
+    area(if cos(-1.0) > cos(1.0) + TIE { -1.0 } else { 1.0 })
+}
+
 /// The rule of TLAXIS for lines of a surface whose tool stands on `side` of dU x dV; `last` is the axis before, and the first line
-/// begins at the place `start`.
+/// begins at the place `start`. Of two axes that satisfy it all lines have that which is nearer to the axis before there.
 pub(crate) fn of_line(
     axis: Option<&ToolAxis>,
     side: f64,
@@ -68,16 +73,13 @@ pub(crate) fn of_line(
         Some(ToolAxis::Keep) => AxisArea::Fixed(last),
         Some(ToolAxis::NormPs | ToolAxis::NormDs) => AxisArea::NormDs(side),
         Some(ToolAxis::Parallel { .. }) => {
-            // The end that is nearer to the axis before, for all lines.
-            let along = start.across.try_normalize(0.0).unwrap_or_else(Vec3::zeros);
-            let sense = if along.dot(&last) < -TIE { -1.0 } else { 1.0 };
-            AxisArea::Ruling { lines: start.course, sense }
+            nearer(|sense| AxisArea::Ruling { lines: start.course, sense }, start, last)
         }
         Some(ToolAxis::PerpTo(v)) => {
             let to = v.try_normalize(0.0);
             let to = to.ok_or(Failure::NoDirection { what: "the vector of PERPTO" })?;
             // Square to the vector and as near to the normal as that lets it be.
-            AxisArea::Square { to, side, alpha: None, last }
+            AxisArea::Square { to, side, alpha: None, sense: 1.0 }
         }
         Some(ToolAxis::Angle(a)) => {
             let alpha = a.angle_deg.to_radians();
@@ -91,7 +93,10 @@ pub(crate) fn of_line(
                     let what = "GOLOFT with ATANGL square to a vector and CUTANG";
                     return Err(Failure::Undone { what });
                 }
-                Some(to) => AxisArea::Square { to, side, alpha: Some(alpha), last },
+                Some(to) => {
+                    let alpha = Some(alpha);
+                    nearer(|sense| AxisArea::Square { to, side, alpha, sense }, start, last)
+                }
             }
         }
         Some(ToolAxis::Last) => {

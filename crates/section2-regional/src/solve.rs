@@ -187,8 +187,7 @@ impl Setup<'_> {
         let p = self.drive.place(uv, course);
         let direction = p.direction.ok_or(Failure::NoAxis { uv: p.uv })?;
         let forward = (p.along * sense).try_normalize(0.0).ok_or(Failure::NoAxis { uv })?;
-        let area = memory.map_or(self.axis, |m| self.axis.on_from(m.ta));
-        let mut ta = axis::at_drive(&area, &p, forward).ok_or(Failure::NoAxis { uv })?;
+        let mut ta = axis::at_drive(&self.axis, &p, forward).ok_or(Failure::NoAxis { uv })?;
         let behind = if self.centred { Vec3::zeros() } else { -forward };
         let mut start = memory.map(|m| m.part_uv);
         let mut settled = false;

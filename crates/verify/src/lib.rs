@@ -47,4 +47,4 @@ pub use batch::Batch;
 pub use certificate::{Certificate, Fault, RapidCut, StatementProof, SurfaceBound};
 pub use deviation::deviation_svg;
 pub use foreign::{Astray, Marks, Matched, matched, times_as_large};
-pub use verifier::{Effort, Verifier};
+pub use verifier::{Effort, Verifier, tells_gouge};

@@ -19,6 +19,14 @@ const ROUNDING: f64 = 1e-11;
 /// The same for files of others, which were calculated with fewer digits or written with fewer.
 const FOREIGN_ROUNDING: f64 = 1e-7;
 
+/// What a refuted cut vector does that is too deep.
+const CUTS: &str = "cuts into";
+
+/// Does a message tell of a cut vector that cuts in?
+pub fn tells_gouge(d: &Diagnostic) -> bool {
+    d.code == codes::REFUTED && d.message.contains(CUTS)
+}
+
 /// How many vectors are judged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Effort {
@@ -379,7 +387,7 @@ impl Verifier {
         }
         let Some(f) = &proof.fault else { return };
         let d = if f.refuted {
-            let what = if f.gouge { "cuts into" } else { "leaves material on" };
+            let what = if f.gouge { CUTS } else { "leaves material on" };
             // What no cutter came over has no height.
             let by = if f.depth < f64::INFINITY {
                 format!("{} by {} beyond tolerance", f.surface, length(f.depth))

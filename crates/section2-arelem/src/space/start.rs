@@ -47,8 +47,8 @@ fn on_itself(go: &Start) -> Option<Start> {
     some.then_some(itself)
 }
 
-/// The position by the surfaces as they are, with `all` of the cutter on the side that is meant: the search goes by the places of
-/// contact about it alone.
+/// The position by the surfaces as they are. Where they are tried first, others follow: `all` of the cutter is to be on the side that
+/// is meant, for the search goes by the places of contact about it alone, and no other way is sought.
 fn start_on(go: &Start, all: bool) -> Result<Path, Failure> {
     let pose = Pose { te: go.tool.te, ta: go.tool.ta };
     let mut aims = Vec::new();
@@ -63,7 +63,7 @@ fn start_on(go: &Start, all: bool) -> Result<Path, Failure> {
     }
     let end = match arrive(go, &mut aims, pose) {
         Ok(end) => end,
-        Err(Failure::NoStart { surfaces, why, place, left, .. }) => {
+        Err(Failure::NoStart { surfaces, why, place, left, .. }) if !all => {
             let others = reachable(go, &mut aims, pose);
             return Err(Failure::NoStart { surfaces, why, place, left, others });
         }
