@@ -168,6 +168,10 @@ pub(crate) fn likely(
     let deep = (known.raw + profile.corner_radius()).abs() + rho;
     // Where the way adds more to that, the surface is not followed along its normals.
     let room = if hollow > 0.0 { LIKELY * BEND / hollow - deep } else { f64::INFINITY };
+    // Nor is there a way beside where the surface ends: it bends there without bound.
+    if room < WORTH * size {
+        return None;
+    }
     let way = if rho <= 0.0 {
         // Some of the way after which the surface stands up beside it.
         let turned = (bend * size).max(f64::MIN_POSITIVE);
@@ -264,6 +268,32 @@ mod tests {
             mesh([high(0), high(1)], 0.3 * lift, 0.02 * lift)
         };
         nowhere_deeper(400, waves);
+    }
+
+    #[test]
+    fn beyond_where_a_surface_ends_no_place_is_likely_to_be_alone() {
+        let Surface::Parametric(whole) = mesh([2.0, 2.0], 0.0, 0.0) else { panic!("a mesh") };
+        let surface = Surface::Parametric(whole.without_continuation().unwrap());
+        let profile = Profile::new(&Cutter::mill(6.0, 1.0, 40.0)).unwrap();
+        let beyond = Vec3::new(50.0, 3.0, 9.0);
+        let end = surface.foot(beyond);
+        let [most, least] = end.shape.principal();
+        assert!(!(most - least).is_finite(), "{most} {least}");
+        for side in [Side::Positive, Side::Negative] {
+            let normal = end.normal * side.sign();
+            let tool = Tool { profile: &profile, te: beyond, ta: normal };
+            let known = Gap {
+                g: 0.0,
+                raw: 0.0,
+                tool_point: beyond,
+                surface_point: beyond,
+                at: None,
+                normal,
+                segment: Some(Segment::Arc),
+                residual: 0.0,
+            };
+            assert_eq!(likely(&tool, &surface, side, &known, 3.0), None);
+        }
     }
 
     fn nowhere_deeper(cases: u32, surface: impl Fn([f64; 2], [f64; 2], f64) -> Surface) {
