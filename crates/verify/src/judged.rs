@@ -92,15 +92,8 @@ impl Judged {
     }
 
     fn with(demand: Demand, c: &Controlled, role: &'static str) -> Self {
-        let name = match (c.name.name.as_str(), c.name.subscript) {
-            ("", _) => c.form.kind().word().to_owned(),
-            (n, 0) => n.to_owned(),
-            (n, i) => format!("{n}({i})"),
-        };
         let disk = c.disk.and_then(|[radius, height]| Profile::disk(radius, height).ok());
-        let called =
-            if c.name.is_in_words() { name.clone() } else { format!("{role} surface {name}") };
-        Self { demand, disk, name, called, role }
+        Self { demand, disk, name: name(c), called: called(c, role), role }
     }
 
     /// Judges a cut vector; the fault, if there is one, else `seen` takes its bounds.
@@ -203,4 +196,17 @@ impl Judged {
             at: seen.at.map(Into::into),
         })
     }
+}
+
+fn name(c: &Controlled) -> String {
+    match (c.name.name.as_str(), c.name.subscript) {
+        ("", _) => c.form.kind().word().to_owned(),
+        (n, 0) => n.to_owned(),
+        (n, i) => format!("{n}({i})"),
+    }
+}
+
+/// A surface with its role, as messages call it.
+pub(crate) fn called(c: &Controlled, role: &str) -> String {
+    if c.name.is_in_words() { name(c) } else { format!("{role} surface {}", name(c)) }
 }

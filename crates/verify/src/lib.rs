@@ -9,6 +9,7 @@ mod beside;
 mod between;
 mod bound;
 mod certificate;
+mod coming;
 mod curved;
 mod cut;
 mod deep;

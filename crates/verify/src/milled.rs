@@ -242,6 +242,32 @@ impl MilledSurface {
         }
     }
 
+    /// Any surface that may be in the tool by `depth`; `None` of those that have neither charts nor sides.
+    pub(crate) fn beside(
+        form: &Arc<Form>,
+        depth: f64,
+        sheets: &Sheets,
+        from: (&Profile, &Position),
+    ) -> Option<Self> {
+        let sided = || Some(Body::Sided(Box::new(Kept::new(form, depth, sheets, from)?)));
+        let sheet = || match form.shape() {
+            Form::Ssurf(_) => sheets.alone(form),
+            _ => sheets.of_form(form),
+        };
+        Some(Self {
+            body: sided().or_else(|| sheet().map(Body::Sheet))?,
+            shell: None,
+            name: String::new(),
+            role: "",
+            holder: None,
+            between: false,
+            on: false,
+            side: 1.0,
+            led: false,
+            band: [-depth, f64::INFINITY],
+        })
+    }
+
     /// Judges a cut vector; the fault, if there is one, else `seen` takes its bounds.
     pub(crate) fn vector(
         &self,

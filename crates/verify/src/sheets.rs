@@ -2,6 +2,7 @@
 
 use std::sync::{Arc, Mutex, PoisonError};
 
+use aptc_geometry::sculpt::fit_surface;
 use aptc_geometry::{Form, Sculptured};
 
 use crate::sheet::Sheet;
@@ -14,6 +15,8 @@ pub(crate) struct Sheets {
     led: Arc<Mutex<Vec<Known<Sculptured>>>>,
     /// Those that guide the tool, the last [`FORMS`].
     forms: Arc<Mutex<Vec<Known<Form>>>>,
+    /// The same without their continuation.
+    alone: Arc<Mutex<Vec<Known<Form>>>>,
 }
 
 /// A surface with its charts.
@@ -25,39 +28,43 @@ const FORMS: usize = 64;
 impl Sheets {
     /// The surface with charts; `None` where it has none.
     pub(crate) fn of(&self, surface: &Arc<Sculptured>) -> Option<Arc<Sheet>> {
-        known(&self.milled, surface, Sheet::bare)
+        known(&self.milled, surface, usize::MAX, Sheet::bare)
     }
 
     /// The surface with charts of itself and of what goes straight on beyond its borders, along which a tool end is led.
     pub(crate) fn on(&self, surface: &Arc<Sculptured>) -> Option<Arc<Sheet>> {
-        known(&self.led, surface, |s| Sheet::reaching(s).or_else(|| Sheet::bare(s)))
+        known(&self.led, surface, usize::MAX, |s| Sheet::reaching(s).or_else(|| Sheet::bare(s)))
     }
 
     /// The charts of a form; `None` for those without.
     pub(crate) fn of_form(&self, form: &Arc<Form>) -> Option<Arc<Sheet>> {
-        let mut known = self.forms.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some((_, sheet)) = known.iter().find(|(f, _)| Arc::ptr_eq(f, form)) {
-            return Some(Arc::clone(sheet));
-        }
-        let sheet = Arc::new(Sheet::new(form)?);
-        if known.len() >= FORMS {
-            known.remove(0);
-        }
-        known.push((Arc::clone(form), Arc::clone(&sheet)));
-        Some(sheet)
+        known(&self.forms, form, FORMS, Sheet::new)
+    }
+
+    /// The charts of a sculptured form without its continuation.
+    pub(crate) fn alone(&self, form: &Arc<Form>) -> Option<Arc<Sheet>> {
+        known(&self.alone, form, FORMS, |form| match form.shape() {
+            Form::Ssurf(d) => Sheet::bare(&fit_surface(d).ok()?),
+            _ => None,
+        })
     }
 }
 
-fn known(
-    kept: &Mutex<Vec<Known<Sculptured>>>,
-    surface: &Arc<Sculptured>,
-    make: impl Fn(&Sculptured) -> Option<Sheet>,
+/// The charts that are kept, or made; of more than `most` the oldest are let go.
+fn known<T>(
+    kept: &Mutex<Vec<Known<T>>>,
+    surface: &Arc<T>,
+    most: usize,
+    make: impl Fn(&T) -> Option<Sheet>,
 ) -> Option<Arc<Sheet>> {
     let mut known = kept.lock().unwrap_or_else(PoisonError::into_inner);
     if let Some((_, sheet)) = known.iter().find(|(s, _)| Arc::ptr_eq(s, surface)) {
         return Some(Arc::clone(sheet));
     }
     let sheet = Arc::new(make(surface)?);
+    if known.len() >= most {
+        known.remove(0);
+    }
     known.push((Arc::clone(surface), Arc::clone(&sheet)));
     Some(sheet)
 }

@@ -8,6 +8,7 @@ use aptc_diagnostics::Origin;
 use aptc_geometry::{Profile, Vec3};
 
 use crate::certificate::{Fault, StatementProof, SurfaceBound};
+use crate::coming::Coming;
 use crate::curved::Warm;
 use crate::judged::Judged;
 use crate::milled::Region;
@@ -25,6 +26,8 @@ pub(crate) const PLACES: usize = 32;
 pub(crate) struct Statement {
     pub(crate) control: Arc<Control>,
     pub(crate) startup: bool,
+    /// Is it a start-up at rapid?
+    pub(crate) rapid: bool,
     pub(crate) origin: Origin,
     /// Where the tool was before; `None` where how it came is not judged.
     pub(crate) start: Option<Position>,
@@ -58,6 +61,8 @@ pub(crate) struct Answer {
     /// The worst fault, and that of the cutter behind its disk.
     fault: Option<Fault>,
     real: Option<Fault>,
+    /// What a start-up goes through on its way.
+    through: Option<Fault>,
     /// What was seen of each surface.
     seen: Vec<Seen>,
     /// The same of the check surfaces before the end.
@@ -99,6 +104,7 @@ pub(crate) struct Judgement {
     /// What came of each vector.
     pub(crate) vectors: Vec<Outcome>,
     pub(crate) real: Option<Fault>,
+    pub(crate) through: Option<Fault>,
 }
 
 /// The surfaces of a statement, prepared.
@@ -116,6 +122,8 @@ pub(crate) struct Guided {
     check: Option<Judged>,
     /// The check surfaces that are not to be passed.
     never: Vec<Judged>,
+    /// What a start-up is not to go through.
+    coming: Option<Coming>,
 }
 
 impl Answer {
@@ -220,7 +228,7 @@ impl Statement {
         answers: impl Iterator<Item = (&'a Share, &'a Answer)>,
     ) -> Judgement {
         let mut vectors = Vec::with_capacity(self.points.len());
-        let (mut fault, mut real) = (None, None);
+        let (mut fault, mut real, mut through) = (None, None, None);
         let mut seen: Vec<Seen> = Vec::new();
         let mut left: Option<Left> = None;
         let mut open = false;
@@ -228,6 +236,7 @@ impl Statement {
             vectors.extend_from_slice(&answer.vectors);
             keep(&mut fault, answer.fault.clone());
             keep(&mut real, answer.real.clone());
+            keep(&mut through, answer.through.clone());
             seen.resize(seen.len().max(answer.seen.len()), Seen::default());
             seen.iter_mut().zip(&answer.seen).for_each(|(s, a)| s.take(a.low, a.high, a.at));
             if let (Share::Between(_), Some(more), false) = (share, answer.left, open) {
@@ -262,7 +271,7 @@ impl Statement {
             |wanted: &dyn Fn(&Outcome) -> bool| vectors.iter().filter(|o| wanted(o)).count();
         proof.vectors = count(&|o| *o != Outcome::LeftOut) as u64;
         proof.proved = count(&|o| *o == Outcome::Proved) as u64;
-        Judgement { proof, vectors, real }
+        Judgement { proof, vectors, real, through }
     }
 
     /// What is left between the passes; the nearest vector answers for it.
@@ -352,7 +361,10 @@ impl Guided {
         let start = s.start.as_ref().filter(|_| !s.startup);
         // It stops at the first; the others it may have been on the other side of when it began.
         let never = |(i, c)| Judged::never_past(c, &s.profile, start?, s.pad, &s.sheets, i > 0);
-        Self { along, check, never: control.checks.iter().enumerate().filter_map(never).collect() }
+        let came = s.start.as_ref().filter(|_| s.startup);
+        let coming = came.map(|from| Coming::new(control, &s.sheets, &s.profile, from, s.rapid));
+        let never = control.checks.iter().enumerate().filter_map(never).collect();
+        Self { along, check, never, coming }
     }
 
     /// Those of which bounds are told, drive first.
@@ -390,6 +402,7 @@ impl Guided {
         let Statement { profile, pad, .. } = s;
         let number = i as u64 + 1;
         // A start-up comes through the air: what it promises is where it ends.
+        let came = start;
         let start = if s.startup { to } else { start };
         let mut fault: Option<Fault> = None;
         for ((judged, seen), proved) in self.along.iter().zip(&mut answer.seen).zip(rows.along) {
@@ -407,6 +420,9 @@ impl Guided {
             && let (Some(judged), Some(seen)) = (&self.check, answer.seen.last_mut())
         {
             keep(&mut fault, judged.vector(profile, to, to, *pad, number, seen));
+        }
+        if let Some(coming) = self.coming.as_ref().filter(|_| fault.is_none()) {
+            answer.through = coming.fault(profile, came, to, *pad);
         }
         fault
     }

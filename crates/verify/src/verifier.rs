@@ -86,6 +86,7 @@ pub struct Verifier {
 struct Open {
     control: Arc<Control>,
     startup: bool,
+    rapid: bool,
     origin: Origin,
     start: Option<Position>,
     before: Option<Position>,
@@ -200,6 +201,7 @@ impl Verifier {
                         } += 1;
                     }
                     self.report(&judgement.proof, judgement.real);
+                    self.went_through(statement, judgement.through);
                     self.certificate.statements.push(judgement.proof);
                     let at = statement.points.last();
                     if let (Some(part), Some(at)) = (&statement.control.part, at) {
@@ -284,6 +286,7 @@ impl Verifier {
                 self.open = Some(Open {
                     control: Arc::clone(control),
                     startup,
+                    rapid,
                     origin: origin.clone(),
                     start,
                     before: self.statement.2,
@@ -349,12 +352,13 @@ impl Verifier {
 
     fn close(&mut self) {
         let Some(open) = self.open.take() else { return };
-        let Open { control, startup, origin, start, before, way, points, profile } = open;
+        let Open { control, startup, rapid, origin, start, before, way, points, profile } = open;
         let pad = self.pad(&points, &profile);
         self.n_waiting += points.len();
         self.waiting.push(Event::Along(Box::new(Statement {
             control,
             startup,
+            rapid,
             origin,
             start,
             before,
@@ -371,6 +375,20 @@ impl Verifier {
     fn pad(&self, points: &[Position], profile: &Profile) -> f64 {
         let size = points.iter().chain(&self.last).map(|p| p.te.norm()).fold(0.0, f64::max);
         self.certificate.rounding * size.max(profile.reach()).max(f64::MIN_POSITIVE)
+    }
+
+    /// A start-up that ends where it should and goes through a surface before.
+    fn went_through(&mut self, statement: &Statement, fault: Option<Fault>) {
+        let Some(f) = fault else { return };
+        let message = format!(
+            "on its way the start-up goes into {} by {} beyond tolerance {}",
+            f.surface,
+            length(f.depth),
+            f.place()
+        );
+        let d = Diagnostic::warning(codes::THROUGH, statement.origin.span, message);
+        let d = d.help("lead the tool round it before, with GOTO or GODLTA");
+        self.diagnostics.push(d.within(statement.origin.trace.clone()));
     }
 
     fn report(&mut self, proof: &StatementProof, real: Option<Fault>) {
