@@ -1,7 +1,7 @@
 //! A record carried by a map: TRACUT, and each copy of a COPY.
 
-use aptc_cldata::{Arc, Arg, Course, Kind, Motion, Position, flatten};
-use aptc_geometry::{Circle, Transform};
+use aptc_cldata::{Arc, Arg, Control, Course, Kind, Motion, Position, flatten};
+use aptc_geometry::{Circle, Form, Transform};
 
 /// What could not be carried properly.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -12,6 +12,8 @@ pub(crate) enum Trouble {
     Axis,
     /// The map tilts the tool, and the positions have no axis to say so.
     Tilt,
+    /// The map scales the path of a cutter beside a surface, and not the cutter.
+    Scale,
 }
 
 /// The map with what is needed to carry records.
@@ -21,13 +23,19 @@ pub(crate) struct Carrier {
     scale: Option<f64>,
     mirrors: bool,
     tilts: bool,
+    scales: bool,
 }
+
+/// A factor so near to one moves nothing that could be measured.
+const SCALED: f64 = 1e-6;
 
 impl Carrier {
     pub(crate) fn new(map: Transform) -> Self {
         let z = map.linear.column(2);
         let tilts = z[0].abs().max(z[1].abs()) > 1e-9 * z.norm() || z[2] <= 0.0;
-        Self { map, scale: map.uniform_scale(), mirrors: map.mirrors(), tilts }
+        let scale = map.uniform_scale();
+        let scales = scale.is_none_or(|s| (s - 1.0).abs() > SCALED);
+        Self { map, scale, mirrors: map.mirrors(), tilts, scales }
     }
 
     /// Carries the record. `start` is the position before a motion, not carried; `tolerance` is that of the
@@ -57,7 +65,8 @@ impl Carrier {
 
     fn motion(&self, m: &mut Motion, start: Option<Position>, tol: f64) -> Result<(), Trouble> {
         // The surfaces lie where they lay: they do not govern the carried path.
-        m.control = None;
+        let control = m.control.take();
+        let scaled = self.scales && control.is_some_and(|c| is_beside(&c));
         if let Some(arc) = &mut m.arc {
             match self.scale {
                 Some(scale) => self.arc(arc, scale),
@@ -67,7 +76,13 @@ impl Carrier {
                 }
             }
         }
-        let mut done = if self.tilts && !m.with_axis { Err(Trouble::Tilt) } else { Ok(()) };
+        let mut done = if self.tilts && !m.with_axis {
+            Err(Trouble::Tilt)
+        } else if scaled {
+            Err(Trouble::Scale)
+        } else {
+            Ok(())
+        };
         for p in &mut m.points {
             p.te = self.map.point(p.te);
             if m.with_axis {
@@ -91,6 +106,14 @@ impl Carrier {
             radius: c.radius * scale,
         };
     }
+}
+
+/// Is it the cutter that touches one of the surfaces, and not the tool end alone?
+fn is_beside(control: &Control) -> bool {
+    // A plane that lies below a cutter is touched with the tool end.
+    let part = control.part.iter().filter(|c| !matches!(c.form.shape(), Form::Plane(_)));
+    let milled = control.milling.as_ref().is_some_and(|m| m.part.is_some() && !m.on);
+    milled || control.drive.iter().chain(part).any(|c| c.side != 0)
 }
 
 #[cfg(test)]

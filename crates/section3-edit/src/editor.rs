@@ -398,6 +398,11 @@ impl Editor {
                 "the matrix tilts the tool, but the positions have no axis that says so",
                 "write MULTAX before the motion",
             ),
+            Trouble::Scale => (
+                Severity::Warning,
+                "the matrix scales the path and not the cutter, which no longer touches what it touched",
+                "define the part in its size, or take a cutter as much larger or smaller",
+            ),
         };
         if self.said.contains(&(codes::CL_NOT_CARRIED, what)) {
             return;
