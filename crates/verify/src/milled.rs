@@ -250,12 +250,14 @@ impl MilledSurface {
         from: (&Profile, &Position),
     ) -> Option<Self> {
         let sided = || Some(Body::Sided(Box::new(Kept::new(form, depth, sheets, from)?)));
-        let sheet = || match form.shape() {
-            Form::Ssurf(_) => sheets.alone(form),
-            _ => sheets.of_form(form),
+        let sheet = || sheets.of_form(form).map(Body::Sheet);
+        let body = match form.shape() {
+            Form::Ssurf(_) => sheets.alone(form).map(Body::Sheet),
+            Form::Tabcyl(_) | Form::Ruled(_) | Form::Polyconic(_) => sheet(),
+            _ => sided().or_else(sheet),
         };
         Some(Self {
-            body: sided().or_else(|| sheet().map(Body::Sheet))?,
+            body: body?,
             shell: None,
             name: String::new(),
             role: "",
