@@ -158,3 +158,28 @@ fn a_tool_from_above_comes_down_to_the_surface_and_not_to_what_goes_on_beyond_a_
     }
     assert_eq!(climbs, 0);
 }
+
+/// A tool over a lying cylinder in a ball goes along that to the wall of the ball, and not down to the bottom of the ball first,
+/// through the cylinder.
+#[test]
+fn a_tool_in_a_hollow_goes_along_what_stands_in_it() {
+    for center in [-55.0, -40.0, -20.0, 20.0, 40.0, 55.0] {
+        let text = format!(
+            "UNITS/MM\nCYL=CYLNDR/0,0,-60,0,1,0,60\nBALL=SPHERE/{center},0,0,100\n\
+             CUTTER/10,5,0,5,0,0,20\nOUTTOL/.01\nFROM/0,0,20\n\
+             GO/ON,(PLANE/0,1,0,0),TO,CYL,TO,BALL\nFINI\n"
+        );
+        let ran = run::run(&text, Verify::Full);
+        let [x, y, z] = *ran.places.last().expect("the tool goes");
+        // The middle of the cutter's ball: 5 above the cylinder and 5 inside of the ball.
+        let apart = |from: [f64; 2]| ((x - from[0]).powi(2) + (z + 5.0 - from[1]).powi(2)).sqrt();
+        let (over, under) = (apart([0.0, -60.0]) - 65.0, 95.0 - apart([center, 0.0]));
+        assert!(
+            (-1e-9..=0.01).contains(&over) && (-1e-9..=0.01).contains(&under),
+            "{text} {x} {z}"
+        );
+        // On the side of the cylinder's top and where the wall is nearer.
+        assert!(y.abs() < 1e-9 && z > -60.0 && x * center <= 0.0, "{center} {x} {z}");
+        assert!(ran.faults().iter().all(|code| code == "APT5009"), "{:?} {text}", ran.told);
+    }
+}

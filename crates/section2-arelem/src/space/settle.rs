@@ -99,8 +99,8 @@ impl Solver<'_> {
         })
     }
 
-    /// Above an open hollow, where only the walls that run on straight up face the tool, it is let down into
-    /// the hollow first.
+    /// Above an open hollow, where only the walls that run on straight up face the tool, it is let down first: into the hollow, or
+    /// to what else it is to touch and meets before.
     pub(super) fn let_down(&self, pose: Pose) -> Pose {
         let above = |a: &&Aim<'_>| {
             let beside = |g: Gap| g.normal.dot(&pose.ta).abs() <= 1e-9;
@@ -108,8 +108,13 @@ impl Solver<'_> {
                 && a.along.is_none()
                 && a.keep.gap(&pose, None).is_ok_and(beside)
         };
-        let aim = self.aims.iter().find(above);
-        aim.and_then(|aim| self.run(aim, pose, -pose.ta)).unwrap_or(pose)
+        if !self.aims.iter().any(|a| above(&a)) {
+            return pose;
+        }
+        let touches = |a: &&Aim<'_>| a.keep.condition == Condition::Touch;
+        let downs = self.aims.iter().filter(touches).filter_map(|a| self.run(a, pose, -pose.ta));
+        let way = |p: &Pose| (p.te - pose.te).norm();
+        downs.min_by(|a, b| way(a).total_cmp(&way(b))).unwrap_or(pose)
     }
 
     fn gaps(&self, pose: &Pose, last: Option<&[Gap]>) -> Result<Vec<Gap>, Failure> {
