@@ -51,10 +51,11 @@ pub(crate) fn passes(p: &Pocket, settings: &Settings, tool: &Tool) -> Result<Pas
     let points = if kind >= 2 { project(&p.vertices, settings, tool)? } else { p.vertices.clone() };
     let mut figure = Figure::new(&points)?;
     if kind % 2 == 1 {
+        let wide = beside_walls(settings).unwrap_or(cutter);
         // The walls stand along the tool axis, so over a sloping bottom the way in its plane is longer.
         let way = |s: &Side| {
             let wall = tool.ta.cross(&s.along).normalize();
-            cutter / figure.inwards(s).dot(&wall).abs()
+            wide / figure.inwards(s).dot(&wall).abs()
         };
         figure = figure.inset_by(way).ok_or("the cutter does not fit into the pocket")?;
     }
@@ -101,6 +102,13 @@ pub(crate) fn passes(p: &Pocket, settings: &Settings, tool: &Tool) -> Result<Pas
         cut = p.cut * cutter;
     }
     Err("the cut is too small for the pocket".into())
+}
+
+/// How wide a cutter is beside upright walls whose sides lean in: half its diameter is measured where the lines of its outline meet,
+/// beyond its corner. What widens upwards leaves walls that lean, from the corners at the floor on.
+fn beside_walls(settings: &Settings) -> Option<f64> {
+    settings.cutter.filter(|c| c.beta_deg < 0.0)?;
+    Some(settings.profile(Role::Drive)?.ok()?.widest())
 }
 
 /// What stands between the passes higher than OUTTOL, on a floor square to the tool axis.

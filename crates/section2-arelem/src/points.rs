@@ -8,7 +8,7 @@ use aptc_protap::{Outcome, ToolAxis};
 
 use crate::arelem::Arelem;
 use crate::failure::Failure;
-use crate::state::{Tool, unit};
+use crate::state::{Role, Tool, unit};
 use crate::{forward, pocket, warning};
 
 impl Arelem {
@@ -134,6 +134,9 @@ impl Arelem {
             return Outcome::Failed;
         }
         let Some(tool) = self.tool else { return self.fail(origin, &Failure::NoPosition) };
+        if let Some(Err(why)) = self.settings.profile(Role::Drive) {
+            return self.fail(origin, &Failure::BadCutter { why });
+        }
         let passes = match pocket::passes(p, &self.settings, &tool) {
             Ok(passes) => {
                 self.no_thickness(origin);
