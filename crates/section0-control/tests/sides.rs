@@ -114,3 +114,49 @@ fn a_sheet_between_cutter_and_holder_is_met() {
         }
     }
 }
+
+/// A tool end led on a surface (TLONPS) goes INTOL below it and OUTTOL above, as the cutter stands, whichever way the surface's
+/// normal points.
+#[test]
+fn a_tool_end_on_a_surface_keeps_to_the_band_on_its_own_side() {
+    let arc = |z: [i32; 2]| {
+        format!(
+            "A=SCURV/CURSEG,(POINT/-60,-50,{0}),(POINT/0,-50,{1}),(POINT/60,-50,{0})\n\
+             B=SCURV/CURSEG,(POINT/-60,50,{0}),(POINT/0,50,{1}),(POINT/60,50,{0})\n",
+            z[0], z[1]
+        )
+    };
+    // Circles of radius 100 about (0,0,80) and (0,0,-80): 20 below their middles at x = +-60.
+    let (bowl, dome) = (arc([0, -20]), arc([0, 20]));
+    for (surface, hollow) in [
+        ("S=SPHERE/0,0,80,100".to_owned(), true),
+        ("S=SPHERE/0,0,-80,100".to_owned(), false),
+        ("S=CYLNDR/0,0,80,0,1,0,100".to_owned(), true),
+        (format!("{bowl}S=SSURF/RULED,A,B"), true),
+        (format!("{bowl}S=SSURF/RULED,B,A"), true),
+        (format!("{dome}S=SSURF/RULED,A,B"), false),
+        (format!("{dome}S=SSURF/RULED,B,A"), false),
+    ] {
+        for [intol, outtol] in [[0.0, 0.05], [0.05, 0.0], [0.02, 0.03]] {
+            let text = format!(
+                "UNITS/MM\n{surface}\nCUTTER/10,5\nINTOL/{intol}\nOUTTOL/{outtol}\nFROM/-30,0,30\n\
+                 GO/ON,(PLANE/0,1,0,0),ON,S\nINDIRV/1,0,0\n\
+                 TLON,TLONPS,GOFWD/(PLANE/0,1,0,0),ON,(PLANE/1,0,0,40)\nFINI\n"
+            );
+            let ran = run::run(&text, Verify::Full);
+            assert_eq!(ran.faults(), Vec::<String>::new(), "{text}");
+            let above = |[x, _, z]: [f64; 3]| {
+                let center = if hollow { 80.0 } else { -80.0 };
+                let out = (x * x + (z - center) * (z - center)).sqrt() - 100.0;
+                if hollow { -out } else { out }
+            };
+            let path = &ran.places[1..];
+            assert!(path.len() > 5, "{text}");
+            let middles = path.windows(2).map(|w| [0, 1, 2].map(|i| 0.5 * (w[0][i] + w[1][i])));
+            for p in path.iter().copied().chain(middles) {
+                let up = above(p);
+                assert!(up >= -intol - 1e-6 && up <= outtol + 1e-6, "{up} at {p:?} {text}");
+            }
+        }
+    }
+}

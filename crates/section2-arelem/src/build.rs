@@ -185,8 +185,19 @@ impl Arelem {
         {
             (*q, reversed) = (Arc::new(other), true);
         }
-        let (surface, band) = (surface.clone(), s.band(role));
+        let (surface, mut band) = (surface.clone(), s.band(role));
+        if on && role == Role::Part && self.is_below(fitted.as_ref()) {
+            (band.intol, band.outtol) = (band.outtol, band.intol);
+        }
         Ok(Wall { surface, fitted, reversed, profile, disk, on, thick, band, outside: false })
+    }
+
+    /// Does the normal of a surface on which the tool end lies point away from the cutter? What stays is then on the side to which
+    /// it points, and the band of the surface is the other way round. Both sides of a plane have the wider one.
+    fn is_below(&self, surface: Option<&Surface>) -> bool {
+        let curved = surface.filter(|s| !matches!(s, Surface::Plane(_)));
+        let faces = |(s, t): (&Surface, Tool)| s.foot(t.te).normal.dot(&t.ta) < 0.0;
+        curved.zip(self.tool).is_some_and(faces)
     }
 
     /// A part plane square to the axis is touched by the tool end of any cutter.
