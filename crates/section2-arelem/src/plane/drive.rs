@@ -9,6 +9,7 @@ use super::course::Course;
 use super::curve::Curve;
 use super::floor::{Floor, Height};
 use super::frame::{Frame, Vec2, angle, left};
+use super::meet::{Touched, into_both};
 use super::stop::{Stop, Target, stop};
 use crate::failure::Failure;
 use crate::prepare::way;
@@ -48,6 +49,7 @@ struct Plan {
 fn follow(scene: &Scene, plan: &Plan) -> Result<Path, Failure> {
     let begin = begin(scene, plan)?;
     let (s, check) = first_stop(scene, plan, &begin.course)?;
+    let shift = shift(scene, plan, &begin, begin.course.at(s), check);
     let mut corners: Vec<Vec2> = Vec::new();
     if begin.reposition {
         corners.push(begin.course.at(0.0));
@@ -55,7 +57,9 @@ fn follow(scene: &Scene, plan: &Plan) -> Result<Path, Failure> {
     match begin.course {
         Course::Straight { .. } => corners.push(begin.course.at(s)),
         Course::Round { c, r, start, sense } => {
-            let ring = begin.ring(scene, r);
+            let mut ring = begin.ring(scene, r);
+            // The last chord goes as much farther in as its end.
+            ring.inner = (ring.inner - shift.norm()).max(0.0);
             let first = if begin.reposition { r } else { (begin.place - c).norm() };
             corners.extend(
                 chords(ring, first, s)
@@ -63,6 +67,9 @@ fn follow(scene: &Scene, plan: &Plan) -> Result<Path, Failure> {
                     .map(|v| c + super::frame::ray(start + sense * v.angle) * v.radius),
             );
         }
+    }
+    if let Some(last) = corners.last_mut() {
+        *last += shift;
     }
     let (frame, floor) = (&plan.frame, &plan.floor);
     let place = |q: Vec2| frame.space(q, floor.height(frame, q));
@@ -86,6 +93,20 @@ fn follow(scene: &Scene, plan: &Plan) -> Result<Path, Failure> {
         astray: begin.astray,
         rivals: Vec::new(),
     })
+}
+
+/// By how much the end of the course at a tangent check surface is to be moved into the bands of both.
+fn shift(scene: &Scene, plan: &Plan, begin: &Begin, end: Vec2, check: usize) -> Vec2 {
+    let (target, wall) = (&plan.targets[check], &scene.checks[check].wall);
+    if target.relation != Relation::Tanto {
+        return Vec2::zeros();
+    }
+    let (drive, on) = (&scene.drive, scene.drive.on);
+    let drive =
+        Touched { curve: plan.curve, side: begin.side, reach: drive.reach(), band: drive.band };
+    let side = if on { 0.0 } else { target.curve.distance(end).signum() };
+    let check = Touched { curve: target.curve, side, reach: target.reach, band: wall.band };
+    into_both(end, &drive, &check)
 }
 
 /// The course of the tool end and how the tool stands at its start.

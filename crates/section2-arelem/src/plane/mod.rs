@@ -8,6 +8,7 @@ mod curve;
 mod drive;
 mod floor;
 mod frame;
+mod meet;
 mod start;
 mod stop;
 
