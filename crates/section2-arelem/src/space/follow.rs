@@ -241,6 +241,11 @@ impl<'a> Walk<'a> {
             }
         }
         if !here {
+            let tangent = self.watches[i].tangent(&halt);
+            let both = tangent.and_then(|(k, check)| track.into_both(&halt.node, k, check));
+            if let Some(both) = both.filter(|both| track.fits(node, both)) {
+                halt.node = both;
+            }
             self.points.push(halt.node.pose.position());
         }
         Some(Path {

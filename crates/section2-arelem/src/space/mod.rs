@@ -13,6 +13,7 @@ mod kinks;
 mod lengths;
 mod longest;
 mod loops;
+mod meet;
 mod nearest;
 mod overlooked;
 mod pace;

@@ -337,6 +337,16 @@ impl Watch {
         Ok(Some(Halt { s: low, node, side, gauge: i, reading, crosses: true, beside }))
     }
 
+    /// The surface that the check surface is tangent to, 0 for drive and 1 for part, and how this was met.
+    pub(crate) fn tangent(&self, halt: &Halt) -> Option<(usize, &Keep)> {
+        let i = match self.relation {
+            Relation::Tanto => 0,
+            Relation::Pstan => 1,
+            _ => return None,
+        };
+        Some((i, &self.gauges[halt.gauge].keep))
+    }
+
     /// The same halt on the way of another cut vector from the same node.
     pub(crate) fn again(
         &self,
