@@ -43,3 +43,65 @@ fn a_flat_end_stops_over_the_line_where_a_hump_begins() {
         }
     }
 }
+
+/// Onto a sphere that touches the drive surface from within, and from outside of a hollow one: the cutter ends in the bands of both,
+/// though chords lie at the edge of that of the drive surface before.
+#[test]
+fn a_motion_to_a_tangent_sphere_ends_in_the_bands_of_both() {
+    for (k, radius) in [30.0, 42.0, 20.0, 47.0, 12.0].into_iter().enumerate() {
+        let up = 0.25 + 0.13 * f64::from(u32::try_from(k).expect("few"));
+        let out = (1.0 - up * up).sqrt();
+        for [intol, outtol] in [[0.0, 0.02], [0.02, 0.02], [0.0, 0.005], [0.05, 0.0]] {
+            let z = 55.0 * up - 5.0;
+            let text = format!(
+                "UNITS/MM\nDR=SPHERE/0,0,0,50\nCH=SPHERE/{},0,{},{radius}\nPA=PLANE/0,0,1,{z}\n\
+                 EN=PLANE/0,1,0,8\nCUTTER/10,5,0,5,0,0,20\nINTOL/{intol}\nOUTTOL/{outtol}\n\
+                 FROM/{},-18,{}\nGO/TO,DR,TO,PA\nINDIRV/0,1,0\nTLRGT,GOFWD/DR,TANTO,CH\n\
+                 GOFWD/CH,ON,EN\nFINI\n",
+                (50.0 - radius) * out,
+                (50.0 - radius) * up,
+                55.0 * out + 5.0,
+                z + 10.0,
+            );
+            let ran = run::run(&text, Verify::Full);
+            assert_eq!(ran.codes(), Vec::<String>::new(), "{:?} {text}", ran.told);
+            let near = |p: &&[f64; 3]| p[1].abs() < 1.0;
+            assert!(ran.places.iter().any(|p| near(&p)), "{:?} {text}", ran.places);
+        }
+    }
+}
+
+/// A wave that cuts in by more than the bands where it comes near first is not tangent there, when it is tangent farther on; with
+/// nothing farther on the first place counts, and the proof tells what is wrong with it.
+#[test]
+fn a_near_miss_is_passed_by_where_a_tangency_follows() {
+    let stops = |second: f64| {
+        let text = format!(
+            "UNITS/MM\nW=PLANE/0,1,0,0\nC=TABCYL/NOZ,SPLINE,-30,6,-20,4,-10,2,0,2,10,-.05,20,2,$\n\
+             30,2,40,{second},50,2,60,2,70,4,80,6\nCUTTER/6\nINTOL/.01\nOUTTOL/.02\n\
+             FROM/-20,-20,5\nINDIRV/0,1,0\nGO/TO,W,TO,(PLANE/0,0,1,0)\nINDIRV/1,0,0\n\
+             TLRGT,GOFWD/W,TANTO,C\nFINI\n"
+        );
+        let ran = run::run(&text, Verify::Full);
+        (ran.places.last().expect("it goes")[0], ran.faults())
+    };
+    let (x, faults) = stops(0.0);
+    assert!((x - 40.0).abs() < 0.5 && faults.is_empty(), "{x} {faults:?}");
+    let (x, faults) = stops(1.0);
+    assert!((x - 10.0).abs() < 0.5 && faults == ["APT5001"], "{x} {faults:?}");
+}
+
+/// What keeps a cutter from being tangent to both is told: another thickness, or a hollow that it does not fit.
+#[test]
+fn why_surfaces_are_not_tangent_is_told() {
+    for (cutter, why) in [("10,5\nTHICK/.2,.5", "0.3 deep"), ("10,0,5,0,0,0,15", "deep in that")] {
+        let text = format!(
+            "UNITS/MM\nFL=PLANE/0,0,1,0\nG=CYLNDR/0,0,20,0,1,0,20\nCUTTER/{cutter}\nOUTTOL/.01\n\
+             FROM/-40,-20,30\nGO/TO,(PLANE/0,1,0,0),TO,FL\nINDIRV/1,0,0\n\
+             TLRGT,GOFWD/(PLANE/0,1,0,0),PSTAN,G\nFINI\n"
+        );
+        let ran = run::run(&text, Verify::Full);
+        assert_eq!(ran.faults(), ["APT2009"], "{:?}", ran.told);
+        assert!(ran.told.iter().any(|(_, m)| m.contains(why)), "{:?}", ran.told);
+    }
+}

@@ -37,7 +37,15 @@ pub(crate) enum Failure {
     /// The track ends before its check surface is met.
     Blocked(Box<Blocked>),
     /// Nowhere tangent.
-    NoTangency { surface: SurfaceRef, other: SurfaceRef, closest: f64, allowed: f64 },
+    NoTangency {
+        surface: SurfaceRef,
+        other: SurfaceRef,
+        /// Negative when the cutter is in the other.
+        closest: f64,
+        allowed: f64,
+        /// Thickness left on each.
+        thick: [f64; 2],
+    },
     /// The cutter does not fit into a round surface.
     TooLarge { surface: SurfaceRef, radius: f64, cutter: f64 },
     /// Start-up without a position that does what is asked.

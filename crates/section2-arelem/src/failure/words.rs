@@ -97,21 +97,32 @@ impl Failure {
                 }
                 .into(),
             ),
-            Self::NoTangency { surface, other, closest, allowed } => (
-                codes::NO_TANGENCY,
-                if closest.is_finite() {
+            Self::NoTangency { surface, other, closest, allowed, thick } => {
+                let (one, other) = (called(surface), called(other));
+                let (by, most) = (number(closest.abs()), number(*allowed));
+                let uneven = (thick[0] - thick[1]).abs() > *allowed;
+                let text = if !closest.is_finite() {
+                    format!("{one} is nowhere tangent to {other} ahead")
+                } else if *closest < 0.0 {
                     format!(
-                        "{} is not tangent to {}: {} apart where they run alike, allowed {}",
-                        called(surface),
-                        called(other),
-                        number(closest.abs()),
-                        number(*allowed)
+                        "{one} is not tangent to {other} for this cutter, which is {by} deep in that where they run alike, \
+                         allowed {most}"
                     )
                 } else {
-                    format!("{} is nowhere tangent to {} ahead", called(surface), called(other))
-                },
-                "use TO, ON or PAST, or define one of them tangent to the other".into(),
-            ),
+                    format!(
+                        "{one} is not tangent to {other}: {by} apart where they run alike, allowed {most}"
+                    )
+                };
+                let help = if uneven {
+                    let [a, b] = thick.map(number);
+                    format!("their thicknesses are {a} and {b}: give both the same in THICK/part,drive,check")
+                } else if *closest < 0.0 {
+                    "use a cutter that fits there, or TO, ON or PAST, or define one of them tangent to the other".into()
+                } else {
+                    "use TO, ON or PAST, or define one of them tangent to the other".into()
+                };
+                (codes::NO_TANGENCY, text, help)
+            }
             Self::TooLarge { surface, radius, cutter } => (
                 codes::CUTTER_TOO_LARGE,
                 format!(

@@ -245,6 +245,7 @@ fn first_stop(scene: &Scene, plan: &Plan, course: &Course) -> Result<(f64, usize
                 other: check.wall.surface.clone(),
                 closest: *closest,
                 allowed: plan.targets[0].loose,
+                thick: [scene.drive.thick, check.wall.thick],
             },
             _ => Failure::NoCheck { word: scene.direction },
         }

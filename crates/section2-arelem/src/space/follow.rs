@@ -35,29 +35,15 @@ const PARALLEL: f64 = 1e-9;
 /// Cut vectors of one motion when NUMPTS does not say.
 const MOST_VECTORS: u32 = 20_000;
 
-/// The path of a motion from its beginning to its check surface.
+/// The path of a motion from its beginning to its check surface. Where one is to be tangent a place at which it misses that by more
+/// than the bands counts only when none comes after it.
 pub(super) fn follow(scene: &Scene, begin: &Begin) -> Result<Path, Failure> {
-    let mut walk = Walk::new(scene, begin)?;
-    while walk.vectors < walk.most {
-        if walk.cruise() {
-            return Err(walk.not_reached(None));
-        }
-        if walk.vectors >= walk.most {
-            break;
-        }
-        let (stride, leave) = walk.next()?;
-        if let Some((i, halt)) = walk.halt(&stride)? {
-            match walk.arrive(i, halt) {
-                Some(path) => return Ok(path),
-                None => continue,
-            }
-        }
-        walk.caught(&stride, leave.is_some())?;
-        if walk.advance(&stride, leave) {
-            return Err(walk.not_reached(None));
-        }
+    let mut walk = Walk::new(scene, begin, true)?;
+    let found = walk.walk_on();
+    if found.is_err() && walk.watches.iter().any(|w| w.passed_by) {
+        return Walk::new(scene, begin, false)?.walk_on();
     }
-    Err(walk.not_reached(Some(walk.most)))
+    found
 }
 
 /// A motion on its way.
@@ -97,11 +83,12 @@ struct Walk<'a> {
 }
 
 impl<'a> Walk<'a> {
-    fn new(scene: &'a Scene, begin: &'a Begin) -> Result<Self, Failure> {
+    fn new(scene: &'a Scene, begin: &'a Begin, strict: bool) -> Result<Self, Failure> {
         let mut watches: Vec<Watch> = Vec::with_capacity(scene.checks.len());
         for check in &scene.checks {
             let keep = Keep::of(&check.wall)?;
-            watches.push(Watch::new(&keep, check.relation, check.nth, &begin.node.pose));
+            let watch = Watch::new(&keep, check.relation, check.nth, &begin.node.pose);
+            watches.push(if strict { watch.strict() } else { watch });
         }
         let track = &begin.track;
         let (cap, straight) = longest(scene, begin, &watches);
@@ -136,6 +123,29 @@ impl<'a> Walk<'a> {
             scene,
             begin,
         })
+    }
+
+    fn walk_on(&mut self) -> Result<Path, Failure> {
+        while self.vectors < self.most {
+            if self.cruise() {
+                return Err(self.not_reached(None));
+            }
+            if self.vectors >= self.most {
+                break;
+            }
+            let (stride, leave) = self.next()?;
+            if let Some((i, halt)) = self.halt(&stride)? {
+                match self.arrive(i, halt) {
+                    Some(path) => return Ok(path),
+                    None => continue,
+                }
+            }
+            self.caught(&stride, leave.is_some())?;
+            if self.advance(&stride, leave) {
+                return Err(self.not_reached(None));
+            }
+        }
+        Err(self.not_reached(Some(self.most)))
     }
 
     /// Goes on along guides while all check surfaces are far, as most of a path is. Has it come back to its start?
@@ -242,7 +252,7 @@ impl<'a> Walk<'a> {
         }
         if !here {
             let tangent = self.watches[i].tangent(&halt);
-            let both = tangent.and_then(|(k, check)| track.into_both(&halt.node, k, check));
+            let both = tangent.and_then(|(k, check)| track.met_by_both(&halt.node, k, check));
             if let Some(both) = both.filter(|both| track.fits(node, both)) {
                 halt.node = both;
             }

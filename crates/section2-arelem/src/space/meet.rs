@@ -14,7 +14,7 @@ impl Track {
     /// The node beside `at` that is in the bands of surface `i` and of the check surface that is tangent to it: moved along
     /// their normal as little as that takes, and no farther than the band of surface `i` goes. `None` where nothing is to be
     /// moved, or could be; the axis must not turn.
-    pub(crate) fn into_both(&self, at: &Node, i: usize, check: &Keep) -> Option<Node> {
+    pub(crate) fn met_by_both(&self, at: &Node, i: usize, check: &Keep) -> Option<Node> {
         if self.axis.turns() {
             return None;
         }

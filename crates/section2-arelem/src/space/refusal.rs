@@ -130,6 +130,7 @@ pub(super) fn not_reached(
             other: check.wall.surface.clone(),
             closest: watch.alike,
             allowed: 2.0 * (check.wall.band.intol + check.wall.band.outtol),
+            thick: [own.thick, check.wall.thick],
         };
     }
     let path: Vec<Pose> =

@@ -30,6 +30,9 @@ pub(crate) struct Watch {
     near: f64,
     /// A tangency may be this far from exact.
     loose: f64,
+    /// Does one count only where both bands can take up by what it is not? One that did not count is told.
+    strict: bool,
+    pub(crate) passed_by: bool,
     closest: (f64, Pose),
     /// Least gap at a place that runs alike, for the report.
     pub(crate) alike: f64,
@@ -91,6 +94,11 @@ impl Watch {
         }
     }
 
+    /// The same that stops at no tangency but one that the bands can take up.
+    pub(crate) fn strict(self) -> Self {
+        Self { strict: true, ..self }
+    }
+
     /// The gauges of a check surface for a motion that starts at `pose`.
     pub(crate) fn new(keep: &Keep, relation: Relation, nth: u32, pose: &Pose) -> Self {
         let inner = match keep.condition {
@@ -128,6 +136,8 @@ impl Watch {
             met: 0,
             near,
             loose: 2.0 * keep.width(),
+            strict: false,
+            passed_by: false,
             closest: (closest, *pose),
             alike: f64::INFINITY,
         }
@@ -252,6 +262,10 @@ impl Watch {
                 continue;
             }
             let halt = match self.halt(&way, crossing, i)? {
+                Some(halt) if tangent && !self.serves(track, &halt) => {
+                    self.passed_by = true;
+                    continue;
+                }
                 None if self.relation == Relation::To => self.before(&way, crossing.s, i)?,
                 halt => halt,
             };
@@ -335,6 +349,15 @@ impl Watch {
         let beside = !in_limits(keep, reading, way.track.exact);
         let side = keep.side;
         Ok(Some(Halt { s: low, node, side, gauge: i, reading, crosses: true, beside }))
+    }
+
+    /// Can the bands of the check surface and of that which is tangent to it take up together by what these miss each other?
+    fn serves(&self, track: &Track, halt: &Halt) -> bool {
+        let Some((i, check)) = self.tangent(halt).filter(|_| self.strict) else { return true };
+        let limits = check.limits();
+        (limits.low..=limits.high).contains(&halt.reading)
+            || track.axis.turns()
+            || track.met_by_both(&halt.node, i, check).is_some()
     }
 
     /// The surface that the check surface is tangent to, 0 for drive and 1 for part, and how this was met.
