@@ -98,3 +98,25 @@ fn what_a_tool_is_to_go_through_is_not_told() {
         assert!(ran.places.len() == 2, "{from} {go}");
     }
 }
+
+/// Of a circle that turns away before the cutter is through a line; by the manual PAST is where it touches it the second time.
+#[test]
+fn past_that_never_gets_past_is_told() {
+    for space in ["", "3DCALC\n"] {
+        for line in 26..44 {
+            let text = format!(
+                "UNITS/MM\n{space}C=CIRCLE/0,0,30\nL=LINE/PARLEL,(LINE/XAXIS),YLARGE,{line}.5\n\
+                 CUTTER/10\nOUTTOL/.01\nFROM/-50,0,10\nGO/TO,C,TO,(PLANE/0,0,1,0)\n\
+                 TLLFT,GOLFT/C,PAST,L\nFINI\n"
+            );
+            let ran = run::run(&text, Verify::Full);
+            // The tool end comes to y = 35.
+            let told: &[&str] = match line {
+                ..30 => &[],
+                30..40 => &["APT2055"],
+                _ => &["APT2008"],
+            };
+            assert_eq!(ran.faults(), told, "{:?} {text}", ran.told);
+        }
+    }
+}

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use aptc_cldata as cl;
+use aptc_contact::Side;
 use aptc_diagnostics::Origin;
 use aptc_geometry::{Cutter, FormKind};
 use aptc_protap as protap;
@@ -14,6 +15,7 @@ use crate::failure::{Candidate, Failure};
 use crate::feed::divide;
 use crate::points::put_feed;
 use crate::scene::Path;
+use crate::space::{Keep, Pose};
 use crate::state::{Role, Tool};
 use crate::warning;
 use crate::{forward, plane, space};
@@ -111,6 +113,9 @@ impl Arelem {
                 if let Some(depth) = path.fouls {
                     self.diagnostics.push(warning::fouls(origin, &d.drive, depth));
                 }
+                if let Some(surface) = self.comes_back(d, &tool, &path) {
+                    self.diagnostics.push(warning::comes_back(origin, surface));
+                }
                 if stays_on {
                     self.diagnostics.push(warning::stays_on(origin, &d.drive));
                 }
@@ -139,6 +144,27 @@ impl Arelem {
                 }
             }
         }
+    }
+
+    /// The plane at which PAST stopped a tool that is on the side from which it came: it went in and out again, which by the manual
+    /// is where it is past.
+    fn comes_back<'d>(
+        &self,
+        d: &'d protap::Drive,
+        tool: &Tool,
+        path: &Path,
+    ) -> Option<&'d SurfaceRef> {
+        let check = d.checks.get(path.check).filter(|c| c.relation == Relation::Past)?;
+        let keep = Keep::of(&self.wall(&check.surface, Role::Check, false).ok()?).ok()?;
+        let (start, end) = (Pose { te: tool.te, ta: tool.ta }, path.points.last()?);
+        let end = Pose { te: end.te, ta: end.ta };
+        let beside = |side: Side, pose: &Pose, least: f64| {
+            keep.on_side(side).gap(pose, None).is_ok_and(|g| g.g >= least)
+        };
+        let width = keep.width();
+        let back = |side| beside(side, &start, 2.0 * width) && beside(side, &end, -2.0 * width);
+        let same = keep.is_plane() && [Side::Positive, Side::Negative].into_iter().any(back);
+        same.then_some(&check.surface)
     }
 
     fn path(&self, d: &protap::Drive, tool: Tool) -> Result<Path, Failure> {

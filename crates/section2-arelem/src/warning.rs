@@ -129,6 +129,17 @@ pub(crate) fn fouls(origin: &Origin, surface: &SurfaceRef, depth: f64) -> Diagno
         .help("write CUTTER/OPTION,2,radius,height if that is meant, or use a shorter cutter")
 }
 
+/// PAST at a plane that the tool never gets past.
+pub(crate) fn comes_back(origin: &Origin, surface: &SurfaceRef) -> Diagnostic {
+    let text = format!(
+        "the cutter never gets past {}: it stops where it comes out of it on the side from which it came",
+        called(surface)
+    );
+    Diagnostic::warning(codes::COMES_BACK, origin.span, text)
+        .within(origin.trace.clone())
+        .help("if it is to stop before, write TO or ON, else a check surface that it gets past")
+}
+
 /// RADIUS or HIGHT of TLAXIS, which say where on the cutter it touches, before a motion in which its shape does.
 pub(crate) fn contact_not_chosen(origin: &Origin) -> Diagnostic {
     let text = "RADIUS and HIGHT of TLAXIS do not count along surfaces: the cutter touches where its shape does";

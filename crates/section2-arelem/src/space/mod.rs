@@ -27,6 +27,6 @@ mod turning;
 mod watch;
 mod way;
 
-pub(crate) use keep::Keep;
+pub(crate) use keep::{Keep, Pose};
 pub(crate) use run::run;
 pub(crate) use start::start;
