@@ -105,3 +105,27 @@ fn why_surfaces_are_not_tangent_is_told() {
         assert!(ran.told.iter().any(|(_, m)| m.contains(why)), "{:?}", ran.told);
     }
 }
+
+/// Out of a round groove between two ramps, whatever the height of the cutter: one that would fit in the middle of the cylinder and
+/// not where ramp and groove meet has the groove open above it, as a taller one has.
+#[test]
+fn a_groove_is_open_for_a_cutter_that_does_not_fit_below_its_cylinder_there() {
+    for height in [10.0, 25.0, 33.0, 34.5, 35.0, 36.0, 37.5, 39.0, 40.0, 127.0] {
+        let text = format!(
+            "UNITS/MM\nR1=PLANE/.5,0,.866025403784439,0\nR2=PLANE/-.5,0,.866025403784439,0\n\
+             G=CYLNDR/0,0,23.094010767585,0,1,0,20\nDR=PLANE/0,1,0,0\nCUTTER/4,2,0,2,0,0,{height}\n\
+             OUTTOL/.02\nFROM/-40,0,60\nGO/ON,DR,TO,R1\nINDIRV/1,0,0\nTLON,GOFWD/DR,PSTAN,G\n\
+             PSIS/G\nGOFWD/DR,PSTAN,R2\nPSIS/R2\nGOFWD/DR,ON,(PLANE/1,0,0,40)\nFINI\n"
+        );
+        let ran = run::run(&text, Verify::Full);
+        assert_eq!(ran.codes(), Vec::<String>::new(), "{:?} {text}", ran.told);
+        // The middle of the ball is 18 below that of the groove, and 2 above the ramps.
+        for [x, _, z] in ran.places.into_iter().skip(1) {
+            let low = z + 2.0 - 23.094010767585;
+            let groove = 18.0 - (x * x + low * low).sqrt();
+            let ramps = (z + 2.0) * 0.866025403784439 - x.abs() * 0.5 - 2.0;
+            let above = if x.abs() < 9.0 { groove } else { ramps };
+            assert!((-1e-6..=0.021).contains(&above), "{above} at {x}, {z} {text}");
+        }
+    }
+}

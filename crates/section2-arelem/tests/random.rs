@@ -2,6 +2,7 @@
 
 mod support;
 
+use aptc_diagnostics::codes;
 use aptc_geometry::{Surface, Vec3};
 use support::{Forms, Run, assert_in_bands, form, run};
 
@@ -159,7 +160,8 @@ fn solvable_scenes_are_solved_within_their_bands() {
     let (mut solved, mut refused, mut vectors) = (0, Vec::new(), 0);
     for seed in 0..1500 {
         let Some((ran, what)) = one(seed, 1.0) else { continue };
-        if ran.diagnostics.is_empty() {
+        // A surface that turns away before the cutter is past is solved too, with a warning.
+        if ran.diagnostics.iter().all(|d| d.code == codes::COMES_BACK) {
             vectors += assert_in_bands(&ran, 8);
             solved += 1;
         } else {

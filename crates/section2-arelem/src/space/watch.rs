@@ -109,8 +109,7 @@ impl Watch {
         let inner = inner.map(|s| if keep.on_side(s).clears(pose) { s } else { Side::Negative });
         // A fillet that the cutter is too tall for is tangent to its wall or floor all the same.
         let tangent = matches!(relation, Relation::Tanto | Relation::Pstan);
-        let open =
-            (tangent && keep.taller(pose) && inner != Some(Side::Open)).then_some(Side::Open);
+        let open = (tangent && keep.opens(pose) && inner != Some(Side::Open)).then_some(Side::Open);
         let near = keep.intol.max(keep.outtol);
         let piece = 4.0 * keep.profile.widest().max(keep.surface.extent() / 256.0);
         let gauge = |side: Side| {
