@@ -4,11 +4,13 @@ use aptc_cldata::milling::Milling;
 use aptc_cldata::{Control, Controlled, Position, Relation};
 use aptc_geometry::{Form, Profile};
 
+use crate::between::{NO_TURN, angle, between_poses};
 use crate::certificate::Fault;
 use crate::judged::called;
 use crate::milled::MilledSurface;
 use crate::sheets::Sheets;
 use crate::statement::{Seen, keep};
+use crate::tool::Pose;
 
 /// The surfaces that the tool ends beside, each held against its way there.
 #[derive(Debug)]
@@ -20,6 +22,13 @@ struct Beside {
     called: String,
     /// The disk of CUTTER/OPTION, which stands for the cutter.
     disk: Option<Profile>,
+}
+
+/// Places at which a tool that turns on its way is looked at: that it goes in nowhere is not promised, and need not be proved.
+const LOOKS: u32 = 64;
+
+fn share(i: u32) -> f64 {
+    f64::from(i) / f64::from(LOOKS)
 }
 
 impl Coming {
@@ -62,12 +71,23 @@ impl Coming {
         let mut worst = None;
         for Beside { surface, called, disk } in &self.0 {
             let profile = disk.as_ref().unwrap_or(profile);
-            let judge = |a, b| {
+            let judge = |a: &Position, b: &Position| {
                 let fault = surface.vector(profile, a, b, pad, 1, &mut Seen::default());
                 fault.filter(|f| f.refuted)
             };
             // On which side it began is not known of a tool that stands in the surface.
-            let fault = judge(from, to).filter(|_| judge(from, from).is_none());
+            let fault = if angle(from.ta, to.ta) > NO_TURN {
+                let mut deepest = None;
+                (1..LOOKS).for_each(|i| {
+                    let at = between_poses(&Pose::of(from), &Pose::of(to), share(i));
+                    let at = Position { te: at.te, ta: at.ta };
+                    keep(&mut deepest, judge(&at, &at));
+                });
+                deepest
+            } else {
+                judge(from, to)
+            };
+            let fault = fault.filter(|_| judge(from, from).is_none());
             keep(&mut worst, fault.map(|f| Fault { surface: called.clone(), ..f }));
         }
         worst

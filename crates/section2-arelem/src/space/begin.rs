@@ -58,7 +58,7 @@ pub(super) fn begin(scene: &Scene) -> Result<Begin, Failure> {
         } else if wanted > 0.0 {
             Side::Positive
         } else {
-            drive.inner(&pose)
+            drive.below(&pose)
         };
     }
     let astray = across(scene, &mut drive, &pose);

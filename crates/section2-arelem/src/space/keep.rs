@@ -116,8 +116,7 @@ impl Keep {
 
     /// The sides on which the tool may be.
     pub(crate) fn sides(&self, pose: &Pose) -> impl Iterator<Item = Side> + use<> {
-        let open = self.taller(pose) || self.inner(pose) == Side::Open;
-        let open = open.then_some(Side::Open);
+        let open = (self.taller(pose) || self.reaches_the_roof(pose)).then_some(Side::Open);
         [Side::Positive, Side::Negative].into_iter().chain(open)
     }
 
@@ -138,6 +137,18 @@ impl Keep {
         self.condition == Condition::Touch && opens(&self.surface, pose.ta) && around > radius
     }
 
+    /// The inside of a surface that the cutter touches: open above one that reaches the roof.
+    pub(crate) fn below(&self, pose: &Pose) -> Side {
+        if self.reaches_the_roof(pose) { Side::Open } else { self.inner(pose) }
+    }
+
+    /// Does the cutter stand on the floor of a hollow in the middle of which it would fit, and not there?
+    fn reaches_the_roof(&self, pose: &Pose) -> bool {
+        let clears = |side: Side| self.on_side(side).clears(pose);
+        let whole = || clears(Side::Negative) || clears(Side::Positive);
+        self.opens(pose) && clears(Side::Open) && !whole()
+    }
+
     /// Is it touched, and a hollow that can be open along the axis?
     pub(crate) fn opens(&self, pose: &Pose) -> bool {
         self.condition == Condition::Touch && opens(&self.surface, pose.ta)
@@ -145,15 +156,10 @@ impl Keep {
 
     /// The inside of the surface: as a whole where the cutter fits into it, else open along its axis.
     pub(crate) fn inner(&self, pose: &Pose) -> Side {
-        if !self.opens(pose) {
-            return Side::Negative;
-        }
         let clears = |side: Side| self.on_side(side).clears(pose);
         // A cutter outside may well stand where the hollow would be open.
-        let whole = clears(Side::Negative) || clears(Side::Positive);
-        // One that would fit in the middle of the hollow may not at its floor beside that.
-        let under = || self.taller(pose) || clears(Side::Open);
-        if !whole && under() { Side::Open } else { Side::Negative }
+        let whole = !self.taller(pose) || clears(Side::Negative) || clears(Side::Positive);
+        if whole { Side::Negative } else { Side::Open }
     }
 
     /// Is the cutter clear of the surface but for two bands?
