@@ -113,7 +113,7 @@ fn past_that_never_gets_past_is_told() {
             // The tool end comes to y = 35.
             let told: &[&str] = match line {
                 ..30 => &[],
-                30..40 => &["APT2055"],
+                30..40 => &["APT2056"],
                 _ => &["APT2008"],
             };
             assert_eq!(ran.faults(), told, "{:?} {text}", ran.told);

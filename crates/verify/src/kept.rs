@@ -56,6 +56,11 @@ impl Kept {
         Some(Self { surface, from: at.te, side, beside, opened, least: -intol })
     }
 
+    /// Does the tool come from the inside?
+    pub(crate) fn is_inside(&self) -> bool {
+        self.side < 0.0
+    }
+
     /// Judges the vector of a solid of the tool from `a` to `b`: a trough along which the tool comes to stand is a bore.
     pub(crate) fn judge(
         &self,

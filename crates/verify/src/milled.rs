@@ -242,19 +242,22 @@ impl MilledSurface {
         }
     }
 
-    /// Any surface that may be in the tool by `depth`; `None` of those that have neither charts nor sides.
+    /// Any surface that may be in the tool by `depth`; `None` of those that have neither charts nor sides, and of a round one in
+    /// which the tool is: between two places inside of it a straight way stays inside.
     pub(crate) fn beside(
         form: &Arc<Form>,
         depth: f64,
         sheets: &Sheets,
         from: (&Profile, &Position),
     ) -> Option<Self> {
-        let sided = || Some(Body::Sided(Box::new(Kept::new(form, depth, sheets, from)?)));
         let sheet = || sheets.of_form(form).map(Body::Sheet);
         let body = match form.shape() {
             Form::Ssurf(_) => sheets.alone(form).map(Body::Sheet),
             Form::Tabcyl(_) | Form::Ruled(_) | Form::Polyconic(_) => sheet(),
-            _ => sided().or_else(sheet),
+            _ => match Kept::new(form, depth, sheets, from) {
+                Some(kept) => (!kept.is_inside()).then(|| Body::Sided(Box::new(kept))),
+                None => sheet(),
+            },
         };
         Some(Self {
             body: body?,
