@@ -262,7 +262,7 @@ impl Outline {
             );
         }
         let mut lines: Vec<[[f64; 2]; 2]> = held.iter().flat_map(|o| o.lines.clone()).collect();
-        lines.retain(|line| line[0] != line[1] && !on_border(*line, spans));
+        lines.retain(|line| !on_border(*line, spans));
         if crosses(&lines) {
             return Some("its curves cross");
         }
@@ -271,7 +271,8 @@ impl Outline {
             ends.sort_unstable();
             ends
         };
-        let mut keys: Vec<_> = lines.iter().map(key).collect();
+        // From the end of a closed curve to its beginning there is no way.
+        let mut keys: Vec<_> = lines.iter().map(key).filter(|[a, b]| a != b).collect();
         keys.sort_unstable();
         keys.windows(2).any(|w| w[0] == w[1]).then_some("a curve is in it twice")
     }
