@@ -147,7 +147,7 @@ impl Regional {
             for ((points, closed), uvs) in curves.iter().zip(uvs) {
                 open.points.extend(points);
                 let corners = uvs.iter().map(|uv| uv[usize::from(!of_drive)]);
-                open.outline.add(form, corners, *closed);
+                open.outline.add_curve(form, corners, *closed);
             }
             self.recording = Some(open);
         }

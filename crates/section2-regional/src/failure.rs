@@ -62,6 +62,8 @@ pub(crate) enum Failure {
     Held(Box<Deep>),
     /// Surfaces of INTSEC whose curves are not found.
     NotCut { why: Box<str> },
+    /// Curves of INTSEC that make no outline of REGION.
+    Outline { why: &'static str },
     /// A statement that is not done here.
     Undone { what: &'static str },
 }
@@ -304,6 +306,11 @@ impl Failure {
                 codes::NO_MEETING,
                 format!("the curves of INTSEC are not found: {why}"),
                 "raise the tolerances, or move one of the two by THICK".into(),
+            ),
+            Self::Outline { why } => (
+                codes::NO_OUTLINE,
+                format!("what REGION holds is not certain: {why}"),
+                "close the curves, along the borders by motions; give each its own section".into(),
             ),
             Self::Undone { what } => (
                 codes::UNSUPPORTED_MOTION,

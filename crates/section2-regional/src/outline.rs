@@ -8,8 +8,11 @@ use aptc_protap::{Arg, NameRef};
 
 use crate::failure::Failure;
 use crate::regional::Regional;
-use crate::round::{closed, is_one};
+use crate::round::{closed, crosses, is_one};
 use crate::scon::Words;
+
+/// Parameters so near to a border are on it.
+const AT_BORDER: f64 = 1e-6;
 
 /// What a section of CLDAT went round on one surface.
 #[derive(Clone, Debug)]
@@ -18,6 +21,10 @@ pub(crate) struct Outline {
     form: Option<Arc<Form>>,
     /// Corners, u and v: of all motions and open curves together, then of each closed curve.
     loops: Vec<Vec<[f64; 2]>>,
+    /// The first and the last corner of each open curve of INTSEC among all motions.
+    open: Vec<[usize; 2]>,
+    /// Is there a curve of INTSEC?
+    curved: bool,
     /// Does it go over more than one surface?
     scattered: bool,
 }
@@ -92,9 +99,16 @@ impl Regional {
         let Some(form) = &outline.form else { return Ok(Vec::new()) };
         let surface = self.surface(&NameRef::default(), form)?;
         let corners = outline.loops.iter().filter(|l| l.len() >= 3);
-        corners.map(|l| held(l, &surface)).collect::<Result<_, _>>().map_err(|_| Failure::Undone {
-            what: "REGION of an outline that goes round a surface that ends in no point",
-        })
+        let held: Vec<_> =
+            corners.map(|l| held(l, &surface)).collect::<Result<_, _>>().map_err(|_| {
+                Failure::Undone {
+                    what: "REGION of an outline that goes round a surface that ends in no point",
+                }
+            })?;
+        match outline.fault(&held, surface.spans()) {
+            Some(why) => Err(Failure::Outline { why }),
+            None => Ok(held),
+        }
     }
 }
 
@@ -182,7 +196,29 @@ fn held(corners: &[[f64; 2]], surface: &Sculptured) -> Result<milling::Outline, 
 impl Outline {
     /// Nothing yet, of the section `number`.
     pub(crate) fn new(number: f64) -> Self {
-        Self { number, form: None, loops: vec![Vec::new()], scattered: false }
+        Self {
+            number,
+            form: None,
+            loops: vec![Vec::new()],
+            open: Vec::new(),
+            curved: false,
+            scattered: false,
+        }
+    }
+
+    /// Corners of a curve of INTSEC.
+    pub(crate) fn add_curve(
+        &mut self,
+        form: Option<&Arc<Form>>,
+        corners: impl Iterator<Item = [f64; 2]>,
+        closed: bool,
+    ) {
+        let from = self.loops[0].len();
+        self.add(form, corners, closed);
+        self.curved = true;
+        if self.loops[0].len() > from {
+            self.open.push([from, self.loops[0].len() - 1]);
+        }
     }
 
     /// Corners on the surface `form`; a closed curve goes round something of its own.
@@ -208,11 +244,78 @@ impl Outline {
     fn encloses(&self) -> bool {
         self.loops.iter().any(|l| l.len() >= 3)
     }
+
+    /// Why curves of INTSEC hold nothing for certain. What motions go round is as they say.
+    fn fault(&self, held: &[milling::Outline], spans: [f64; 2]) -> Option<&'static str> {
+        if !self.curved {
+            return None;
+        }
+        let all = &self.loops[0];
+        let leads_in = self.open.iter().any(|[_, last]| {
+            let next = (last + 1) % all.len();
+            let to_curve = self.open.iter().any(|[first, _]| *first == next);
+            to_curve && !on_border([all[*last], all[next]], spans)
+        });
+        if leads_in {
+            return Some(
+                "a curve of INTSEC ends at a border, and the next begins at another or is the same",
+            );
+        }
+        let mut lines: Vec<[[f64; 2]; 2]> = held.iter().flat_map(|o| o.lines.clone()).collect();
+        lines.retain(|line| !on_border(*line, spans));
+        if crosses(&lines) {
+            return Some("its curves cross");
+        }
+        let key = |line: &[[f64; 2]; 2]| {
+            let mut ends = line.map(|end| end.map(f64::to_bits));
+            ends.sort_unstable();
+            ends
+        };
+        // From the end of a closed curve to its beginning there is no way.
+        let mut keys: Vec<_> = lines.iter().map(key).filter(|[a, b]| a != b).collect();
+        keys.sort_unstable();
+        keys.windows(2).any(|w| w[0] == w[1]).then_some("a curve is in it twice")
+    }
+}
+
+/// Does a line run along a border of the surface?
+fn on_border([a, b]: [[f64; 2]; 2], spans: [f64; 2]) -> bool {
+    let near = |x: f64, to: f64| (x - to).abs() <= AT_BORDER;
+    (0..2).any(|k| [0.0, spans[k]].iter().any(|to| near(a[k], *to) && near(b[k], *to)))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn curves_that_hold_nothing_for_certain_are_told() {
+        let form = Arc::new(Form::Point(aptc_geometry::Vec3::zeros()));
+        let square = |x: f64| [[x, x], [x + 1.0, x], [x + 1.0, x + 1.0], [x, x + 1.0], [x, x]];
+        let told = |curves: &[(&[[f64; 2]], bool)]| {
+            let mut outline = Outline::new(1.0);
+            for (corners, closed) in curves {
+                outline.add_curve(Some(&form), corners.iter().copied(), *closed);
+            }
+            let line = |l: &Vec<[f64; 2]>| {
+                let next = l.iter().cycle().skip(1);
+                let lines = l.iter().zip(next).map(|(a, b)| [*a, *b]).collect();
+                milling::Outline { lines, along: 0 }
+            };
+            let held: Vec<_> = outline.loops.iter().map(line).collect();
+            outline.fault(&held, [4.0, 4.0])
+        };
+        assert_eq!(told(&[(&square(0.5), true), (&square(2.0), true)]), None);
+        assert!(told(&[(&square(0.5), true), (&square(1.0), true)]).is_some());
+        assert!(told(&[(&square(0.5), true), (&square(0.5), true)]).is_some());
+        // From side to side and back, each time to where it began, in a bow, and round a corner.
+        let over = |y: f64| [[0.0, y], [2.0, y + 0.3], [4.0, y]];
+        let back = |y: f64| [[4.0, y], [2.0, y + 0.3], [0.0, y]];
+        assert_eq!(told(&[(&over(1.0), false), (&back(2.0), false)]), None);
+        assert_eq!(told(&[(&[[0.0, 1.0], [1.0, 1.5], [0.0, 2.0]], false)]), None);
+        assert!(told(&[(&over(1.0), false), (&over(2.0), false)]).is_some());
+        assert!(told(&[(&[[0.0, 1.0], [0.7, 0.7], [1.0, 0.0]], false)]).is_some());
+    }
 
     #[test]
     fn a_square_is_cut_in_and_out() {

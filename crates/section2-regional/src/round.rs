@@ -215,7 +215,7 @@ fn point(passes: &[&[[f64; 2]]], surface: &Sculptured, along: usize) -> Option<f
 
 /// Do lines cross each other? Looked over along the parameter that they are shorter in, so that few lie beside each other: along v
 /// where passes do.
-fn crosses(lines: &[[[f64; 2]; 2]]) -> bool {
+pub(crate) fn crosses(lines: &[[[f64; 2]; 2]]) -> bool {
     let mut all = lines.to_vec();
     let share = |k: usize| {
         let ways: f64 = all.iter().map(|[a, b]| (b[k] - a[k]).abs()).sum();

@@ -49,5 +49,6 @@ codes! {
     MEETING = 2052, "the curves that INTSEC found";
     LEFT_STANDING = 2053, "passes that leave material where the contact jumps";
     TOO_THIN = 2054, "a tool too thin to be seen by CHKSRF";
+    NO_OUTLINE = 2055, "curves of INTSEC that make no outline of REGION";
     COMES_BACK = 2056, "PAST where the cutter never gets past";
 }

@@ -1,6 +1,7 @@
 //! Places from which curves are followed: pairs of cells in which two sheets cross.
 
 use super::MeetFault;
+use super::level;
 use super::sheet::{Shape, Sheet};
 use super::trace::{State, Tracer, Uvs};
 use crate::sculpt::Patch;
@@ -27,7 +28,7 @@ impl Budget {
         Self(MOST)
     }
 
-    fn spend(&mut self) -> Result<(), MeetFault> {
+    pub(super) fn spend(&mut self) -> Result<(), MeetFault> {
         self.0 = self.0.checked_sub(1).ok_or(MeetFault::Alike(MOST))?;
         Ok(())
     }
@@ -46,6 +47,14 @@ struct Cell {
 
 /// Places of all curves in which the two sheets meet, some of them more than once.
 pub(super) fn seeds(t: &Tracer<'_>, budget: &mut Budget) -> Result<Vec<State>, MeetFault> {
+    if let (Shape::Plane { origin, normal, .. }, Shape::Patch(patch)) =
+        (t.sheets[0].shape, t.sheets[1].shape)
+        && t.sheets[1].thick.abs() <= 0.0
+    {
+        let plane = (normal, normal.dot(&origin) + t.sheets[0].thick);
+        let starts = level::starts(patch, plane, t.tolerance, budget)?;
+        return Ok(starts.into_iter().filter_map(|start| t.place(start)).collect());
+    }
     let mut found = Vec::new();
     let mut stack = vec![t.sheets.map(whole)];
     while let Some([a, b]) = stack.pop() {

@@ -1,13 +1,18 @@
 //! Curves in which sculptured surfaces meet a plane or one another.
 //!
 //! Pairs of cells of the patches whose hulls overlap are halved until the surfaces cross in them at an angle,
-//! and Newton's method finds a place there ([`cells`]). From it the curve is followed to the borders of both
-//! patches or round to itself ([`trace`]), in chords that keep a tolerance. The pieces are put together where
-//! they meet ([`join()`]).
+//! and Newton's method finds a place there ([`cells`]); of a plane and a patch, until no curve closes in a cell, and
+//! each one is met on its sides ([`level`]). From a place that lies on no curve yet the curve is followed to the
+//! borders of both patches or round to itself ([`trace`]), in chords that keep a tolerance. The pieces are put
+//! together where they meet ([`join()`]); a curve that ends where no surface does is told, and not used.
 
 mod cells;
+#[cfg(test)]
+mod hills;
 mod join;
+mod level;
 mod sheet;
+mod strays;
 #[cfg(test)]
 mod tests;
 mod trace;
@@ -17,9 +22,9 @@ use std::fmt;
 use super::surface::Sculptured;
 use crate::{Plane, Vec3};
 use cells::Budget;
-use join::join;
+use join::{join, loose_end};
 use sheet::Sheet;
-use trace::{Knot, Piece, Touch, Tracer, near_any};
+use trace::{Knot, Piece, Touch, Tracer};
 
 /// What is cut by surfaces: a plane, or surfaces themselves.
 #[derive(Clone, Debug)]
@@ -64,12 +69,14 @@ pub struct MeetCurve {
 }
 
 /// Why the curves were not found.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum MeetFault {
     /// The two lie so near to one another over a stretch that more cells would have to be looked at than this.
     Alike(usize),
     /// A curve has more places than this.
     Long(usize),
+    /// A curve is lost here, where no surface ends.
+    Lost(Vec3),
 }
 
 impl fmt::Display for MeetFault {
@@ -77,6 +84,13 @@ impl fmt::Display for MeetFault {
         match self {
             Self::Alike(_) => write!(f, "the two lie within one another over a whole stretch"),
             Self::Long(n) => write!(f, "a curve would have more than {n} points"),
+            Self::Lost(p) => {
+                write!(
+                    f,
+                    "a curve is lost at {:.4}, {:.4}, {:.4}, where no surface ends",
+                    p.x, p.y, p.z
+                )
+            }
         }
     }
 }
@@ -85,8 +99,8 @@ impl fmt::Display for MeetFault {
 /// surface u across v).
 ///
 /// The places lie on both to rounding; the chords between them leave the curve by `tolerance` at most. Loops
-/// that are smaller than some tolerances or a 256th of a patch may be missed, as may places where the two touch
-/// without crossing. The order is that of the patches, whatever the number of threads.
+/// that are smaller than some tolerances may be missed (of two sculptured surfaces, and with thickness, those smaller
+/// than a 256th of a patch), as may places where the two touch without crossing. The order is that of the patches, whatever the number of threads.
 ///
 /// APT: `INTSEC`.
 pub fn meet(
@@ -102,27 +116,69 @@ pub fn meet(
         }
         Cutting::Surfaces(all) => sheets(all, first.1),
     };
-    let others = sheets(second.0, second.1);
     let mut budget = Budget::new();
-    let mut pieces = Vec::new();
+    let mut found: Vec<Found<'_>> = Vec::new();
+    let others = sheets(second.0, second.1);
     for other in &others {
         for one in ones.iter().filter(|one| one.may_meet(other)) {
             let tracer = Tracer::new(one, other, tolerance);
+            let mut own: Vec<Found<'_>> = Vec::new();
             for seed in cells::seeds(&tracer, &mut budget)? {
-                if near_any(&pieces, tracer.point(&seed), tolerance) {
+                let at = (tracer.point(&seed), seed.along());
+                if own.iter().any(|f| f.holds(at)) {
                     continue;
                 }
                 if let Some(piece) = tracer.trace(seed)? {
-                    pieces.push(piece);
+                    own.push(Found::new(tracer, piece));
                 }
             }
+            // A curve along the border of two patches, or just over it and back, is met in both.
+            own.retain(|piece| !found.iter().any(|f| piece.lies_on(f)));
+            found.retain(|piece| !own.iter().any(|f| piece.lies_on(f)));
+            found.append(&mut own);
         }
     }
     let surfaces = match first.0 {
         Cutting::Plane(_) => &[][..],
         Cutting::Surfaces(all) => all.as_slice(),
     };
-    Ok(join(pieces, tolerance).iter().map(|c| c.told([surfaces, second.0])).collect())
+    let surfaces = [surfaces, second.0];
+    let curves = join(found.into_iter().map(|f| f.piece).collect(), tolerance);
+    if let Some(p) = loose_end(&curves, surfaces) {
+        return Err(MeetFault::Lost(p));
+    }
+    Ok(curves.iter().map(|c| c.told(surfaces)).collect())
+}
+
+/// A piece with the sheets that it is of.
+struct Found<'a> {
+    tracer: Tracer<'a>,
+    piece: Piece,
+    /// A box round it.
+    bounds: [Vec3; 2],
+    /// A place within it, and its direction there.
+    middle: Option<(Vec3, Vec3)>,
+}
+
+impl<'a> Found<'a> {
+    fn new(tracer: Tracer<'a>, piece: Piece) -> Self {
+        let room = Vec3::repeat(2.0 * tracer.tolerance);
+        let start = [Vec3::repeat(f64::INFINITY), Vec3::repeat(f64::NEG_INFINITY)];
+        let points = piece.knots.iter().map(|k| k.point);
+        let [lo, hi] = points.fold(start, |[lo, hi], p| [lo.inf(&p), hi.sup(&p)]);
+        let middle = tracer.middle(&piece);
+        Self { tracer, piece, bounds: [lo - room, hi + room], middle }
+    }
+
+    /// Does a place with the direction of its curve lie on the piece?
+    fn holds(&self, (p, along): (Vec3, Vec3)) -> bool {
+        let [lo, hi] = self.bounds;
+        (0..3).all(|k| lo[k] <= p[k] && p[k] <= hi[k]) && self.tracer.holds(&self.piece, p, along)
+    }
+
+    fn lies_on(&self, other: &Self) -> bool {
+        self.middle.is_some_and(|at| other.holds(at))
+    }
 }
 
 fn sheets<'a>(surfaces: &[&'a Sculptured], thick: f64) -> Vec<Sheet<'a>> {

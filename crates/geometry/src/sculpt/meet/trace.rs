@@ -2,6 +2,7 @@
 
 use super::MeetFault;
 use super::sheet::{Sheet, Spot};
+use super::strays::strays;
 use crate::Vec3;
 
 /// Rounds of Newton's method.
@@ -16,6 +17,13 @@ const OVER: f64 = 1e-9;
 const TURN: f64 = 0.9;
 /// Share of the size of numbers to which places are found.
 const EXACT: f64 = 1e-13;
+/// Share of the tolerance up to which two places of a curve, across which it goes in one direction, are one. Curves so near to
+/// each other, with the same side of the surface on their left, have another between them.
+const SAME: f64 = 1e-3;
+/// Places of a chord at which it is held against its curve. In the middle alone the chord of a bend to and fro seems exact.
+const HELD: [f64; 3] = [0.25, 0.5, 0.75];
+/// By how much more the curve may leave a chord elsewhere.
+const MORE: f64 = 1.1;
 
 /// A place on one of the two sheets.
 #[derive(Clone, Copy, Debug)]
@@ -36,7 +44,7 @@ pub(super) struct Knot {
     pub(super) sides: [Touch; 2],
 }
 
-/// A curve, or the part of it in one pair of patches.
+/// A curve, or the part of it in one pair of patches: on its left the second sheet lies on one side of the first.
 #[derive(Clone, Debug)]
 pub(super) struct Piece {
     pub(super) knots: Vec<Knot>,
@@ -67,6 +75,7 @@ pub(super) struct State {
 }
 
 /// Two sheets and the tolerance of their curves.
+#[derive(Clone, Copy)]
 pub(super) struct Tracer<'a> {
     pub(super) sheets: [&'a Sheet<'a>; 2],
     pub(super) tolerance: f64,
@@ -98,52 +107,47 @@ impl<'a> Tracer<'a> {
             back.append(&mut knots);
             knots = back;
         }
-        let long = knots.windows(2).any(|w| (w[1].point - w[0].point).norm() > self.exact);
+        let start = knots[0].point;
+        let long = knots.iter().any(|k| (k.point - start).norm() > self.least());
         Ok((knots.len() > 1 && long).then_some(Piece { knots, closed }))
     }
 
-    /// Along the curve from `seed`, `sense` times its direction. Has it come back?
+    /// Shorter than this no chord is made, and no curve is told.
+    fn least(&self) -> f64 {
+        1e-3 * self.tolerance
+    }
+
+    /// Along the curve from `seed`, `sense` times its direction, to a border, round to the seed, or to where both sheets are tangent.
+    /// Has it come back?
     fn follow(&self, seed: State, sense: f64) -> Result<(Vec<Knot>, bool), MeetFault> {
-        let start = self.point(&seed);
-        let along = |s: &State, before: Vec3| {
-            if s.along.dot(&before) < 0.0 { -s.along } else { s.along }
-        };
         let mut here = seed;
-        let mut t = seed.along * sense;
-        let mut knots = vec![self.knot(&here, t * sense)];
-        let least = 1e-3 * self.tolerance;
+        let mut knots = vec![self.knot(&here)];
         let mut h = self.first_step(&seed);
-        while h > least {
+        while h > self.least() {
             if knots.len() > MOST {
                 return Err(MeetFault::Long(MOST));
             }
-            let Some((mut next, mut ended)) = self.step(&here, t, h) else {
+            let Some((mut next, mut ended)) = self.step(&here, here.along * sense, h) else {
                 h *= 0.5;
                 continue;
             };
-            let mut way = self.point(&next) - self.point(&here);
-            // The curve is closed where a chord passes its start.
-            let from = self.point(&here);
-            let w = start - from;
-            let at = w.dot(&way) / way.norm_squared();
-            let beside = (w - way * at).norm();
-            let again = knots.len() > 2
-                && (0.0..=1.0).contains(&at)
-                && beside <= 2.0 * self.tolerance
-                && t.dot(&(seed.along * sense)) > TURN;
+            let again = knots.len() > 2 && self.comes_by(&here, &next, &seed);
             if again {
-                (next, ended, way) = (seed, true, w);
+                (next, ended) = (seed, true);
             }
-            if way.norm() <= self.exact {
+            let way = (self.point(&next) - self.point(&here)).norm();
+            if way <= self.exact {
+                if let (true, Some(last)) = (again, knots.last_mut()) {
+                    *last = self.knot(&seed);
+                }
                 return Ok((knots, again));
             }
-            let off = self.off(&here, &next);
+            let off = self.off(&here, &next).filter(|_| !self.strays(&here, &next));
             if off.is_none_or(|off| off > self.tolerance) {
-                h = 0.5 * h.min(way.norm());
+                h = 0.5 * h.min(way);
                 continue;
             }
-            t = along(&next, t);
-            knots.push(self.knot(&next, t * sense));
+            knots.push(self.knot(&next));
             if ended {
                 return Ok((knots, again));
             }
@@ -154,14 +158,57 @@ impl<'a> Tracer<'a> {
         Ok((knots, false))
     }
 
-    fn knot(&self, s: &State, along: Vec3) -> Knot {
+    /// Does the curve between two of its places go through the seed?
+    fn comes_by(&self, here: &State, next: &State, seed: &State) -> bool {
+        let ends = [here, next].map(|s| (self.point(s), s.uvs));
+        self.same(ends, [-1e-9, 1.0 + 1e-9], self.point(seed))
+            .is_some_and(|m| m.along.dot(&seed.along) > TURN)
+    }
+
+    /// A place within a piece, and the direction of its curve there.
+    pub(super) fn middle(&self, piece: &Piece) -> Option<(Vec3, Vec3)> {
+        let i = piece.knots.len().checked_sub(2)? / 2;
+        let [a, b] = [&piece.knots[i], &piece.knots[i + 1]];
+        let (t, p) = ((b.point - a.point).try_normalize(0.0)?, (a.point + b.point) * 0.5);
+        let start = between(&a.sides.map(|s| s.uv), &b.sides.map(|s| s.uv), 0.5);
+        let m = self.settle(start, Demand::Across(t, t.dot(&p)))?;
+        Some((self.point(&m), m.along))
+    }
+
+    /// Does a place of these or other sheets, with the direction of the curve there, lie on the piece?
+    ///
+    /// Beside each chord in question the curve itself is met in the plane across.
+    pub(super) fn holds(&self, piece: &Piece, p: Vec3, along: Vec3) -> bool {
+        piece.knots.windows(2).any(|w| {
+            let ends = [0, 1].map(|i| (w[i].point, w[i].sides.map(|s| s.uv)));
+            // At a corner between chords the curve is beside neither.
+            let met = self.same(ends, [-0.5, 1.5], p);
+            met.is_some_and(|m| self.crossed(&m.uvs).is_none() && m.along.dot(&along).abs() > TURN)
+        })
+    }
+
+    /// The place of the curve of a chord across which `p` lies, between these shares of it, if it is `p`.
+    fn same(&self, ends: [(Vec3, Uvs); 2], shares: [f64; 2], p: Vec3) -> Option<State> {
+        let [(a, from), (b, to)] = ends;
+        let way = b - a;
+        let share = (p - a).dot(&way) / way.norm_squared();
+        let beside = (a + way * share - p).norm();
+        if !(shares[0]..=shares[1]).contains(&share) || beside > 2.0 * self.tolerance {
+            return None;
+        }
+        let t = way.try_normalize(0.0)?;
+        let m = self.settle(between(&from, &to, share), Demand::Across(t, t.dot(&p)))?;
+        ((self.point(&m) - p).norm() <= SAME * self.tolerance + self.exact).then_some(m)
+    }
+
+    fn knot(&self, s: &State) -> Knot {
         let touch = |i: usize| Touch {
             of: self.sheets[i].of,
             uv: s.uvs[i],
             foot: s.spots[i].foot,
             normal: s.spots[i].normal,
         };
-        Knot { point: self.point(s), along, sides: [touch(0), touch(1)] }
+        Knot { point: self.point(s), along: s.along, sides: [touch(0), touch(1)] }
     }
 
     /// A fifth of the way through the patch.
@@ -173,13 +220,15 @@ impl<'a> Tracer<'a> {
         way(0).into_iter().chain(way(1)).fold(f64::INFINITY, f64::min)
     }
 
-    /// The place a way `h` on, or the end of the curve at a border before it.
+    /// The place a way `h` on in the direction `t`, or the end of the curve at a border before it.
+    ///
+    /// Of two curves side by side the one has on its left what the other has on its right: their directions tell them apart.
     fn step(&self, from: &State, t: Vec3, h: f64) -> Option<(State, bool)> {
         let p = self.point(from);
         let start = self.moved(from, t * h)?;
         let to = self.settle(start, Demand::Across(t, t.dot(&p) + h))?;
         let far = (self.point(&to) - p).norm() > 2.0 * h;
-        if far || to.along.dot(&t).abs() < TURN {
+        if far || to.along.dot(&from.along) < TURN {
             return None;
         }
         let mut to = to;
@@ -189,13 +238,15 @@ impl<'a> Tracer<'a> {
             let Some((i, k, value)) = self.crossed(&to.uvs) else { return Some((to, ended)) };
             let (a, b) = (from.uvs[i][k], to.uvs[i][k]);
             let share = ((value - a) / (b - a)).clamp(0.0, 1.0);
-            let mix = |i: usize| {
-                let (a, b) = (from.uvs[i], to.uvs[i]);
-                [0, 1].map(|k| a[k] + (b[k] - a[k]) * share)
-            };
-            to = self.settle([mix(0), mix(1)], Demand::Border(i, k, value))?;
+            to = self.settle(between(&from.uvs, &to.uvs, share), Demand::Border(i, k, value))?;
             let ahead = (self.point(&to) - p).dot(&t);
-            if ahead < -1e-6 * h || ahead > h * (1.0 + 1e-6) {
+            let beyond = ahead < -1e-6 * h || ahead > h * (1.0 + 1e-6);
+            if beyond || to.along.dot(&from.along) < TURN {
+                return None;
+            }
+            // There it goes out: where it goes in is but where it began.
+            let way = to.along * t.dot(&to.along).signum();
+            if to.spots[i].components(way)?[k] * (value - 0.5) < 0.0 {
                 return None;
             }
             ended = true;
@@ -217,15 +268,31 @@ impl<'a> Tracer<'a> {
         worst.map(|w| w.1)
     }
 
-    /// How far the curve leaves the chord in its middle.
+    /// How far the curve leaves the chord; `None` where it is not found beside it.
     fn off(&self, a: &State, b: &State) -> Option<f64> {
         let (p, q) = (self.point(a), self.point(b));
         let t = (q - p).try_normalize(0.0)?;
-        let mid = (p + q) * 0.5;
-        let half = |i: usize| [0, 1].map(|k| 0.5 * (a.uvs[i][k] + b.uvs[i][k]));
-        let m = self.settle([half(0), half(1)], Demand::Across(t, t.dot(&mid)))?;
-        // A little more than in the middle, as the greatest distance need not be there.
-        Some(1.05 * (self.point(&m) - mid).norm())
+        let mut most = 0.0_f64;
+        for share in HELD {
+            let on = p + (q - p) * share;
+            let m = self.settle(between(&a.uvs, &b.uvs, share), Demand::Across(t, t.dot(&on)))?;
+            if m.along.dot(&a.along) < TURN {
+                return None;
+            }
+            most = most.max((self.point(&m) - on).norm());
+        }
+        Some(MORE * most)
+    }
+
+    /// May the curve go over a border between two of its places within, by the cubic with its directions there?
+    fn strays(&self, a: &State, b: &State) -> bool {
+        let way = self.point(b) - self.point(a);
+        let way = |s: &State| s.along * way.dot(&s.along).signum() * way.norm();
+        (0..2).filter(|i| self.sheets[*i].ends()).any(|i| {
+            let ways = [a, b].map(|s| s.spots[i].components(way(s)));
+            let [Some(from), Some(to)] = ways else { return true };
+            (0..2).any(|k| strays([a.uvs[i][k], b.uvs[i][k]], [from[k], to[k]]))
+        })
     }
 
     fn moved(&self, s: &State, w: Vec3) -> Option<Uvs> {
@@ -301,18 +368,17 @@ fn three(spots: &[Spot; 2], t: Vec3, level: f64) -> Option<Vec3> {
     Some((b.cross(&t) * rhs[0] + t.cross(&a) * rhs[1] + ab * rhs[2]) / det)
 }
 
+/// Parameters at a share of the way.
+fn between(from: &Uvs, to: &Uvs, share: f64) -> Uvs {
+    [0, 1].map(|i| [0, 1].map(|k| from[i][k] + (to[i][k] - from[i][k]) * share))
+}
+
 impl State {
     pub(super) fn uvs(&self) -> &Uvs {
         &self.uvs
     }
-}
 
-/// Does a point lie on one of the pieces?
-pub(super) fn near_any(pieces: &[Piece], p: Vec3, tolerance: f64) -> bool {
-    let beside = |w: &[Knot]| {
-        let (a, d) = (w[0].point, w[1].point - w[0].point);
-        let t = ((p - a).dot(&d) / d.norm_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
-        (a + d * t - p).norm() <= 1.5 * tolerance
-    };
-    pieces.iter().any(|piece| piece.knots.windows(2).any(beside))
+    pub(super) fn along(&self) -> Vec3 {
+        self.along
+    }
 }
