@@ -226,9 +226,9 @@ impl Numbers {
         while !over && !rest.trim().is_empty() {
             let (held, after, last) = field(rest, file.marks)?;
             let digits = held.trim().replace(['D', 'd'], "E");
-            let x = if digits.is_empty() { Ok(0.0) } else { digits.parse::<f64>() };
+            let x = if digits.is_empty() { Some(0.0) } else { digits.parse().ok() };
             let first = lines.first().map_or(e.line, |l| l.1);
-            all.push(x.map_err(|_| Fault::Broken {
+            all.push(x.filter(|x: &f64| x.is_finite()).ok_or_else(|| Fault::Broken {
                 what: format!("{} is no number, among the parameters", held.trim()),
                 line: Some(first),
             })?);
