@@ -8,6 +8,7 @@ mod curves;
 mod faces;
 mod lines;
 mod splines;
+mod units;
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -64,14 +65,17 @@ struct File<'t> {
     /// Between parameters, and behind the last.
     marks: [char; 2],
     unit_mm: Option<f64>,
+    /// What is to tell of the unit.
+    notes: Vec<String>,
     /// How long what is a unit long on the part is in the file.
     scale: f64,
 }
 
 pub(crate) fn read(text: &str, limits: &Limits) -> Result<Outside, Fault> {
-    let file = sections(text)?;
+    let mut file = sections(text)?;
     let mut out = Collected::new(limits);
     out.file.unit_mm = file.unit_mm;
+    out.file.notes.append(&mut file.notes);
     if (file.scale - 1.0).abs() > 1e-12 {
         let told =
             if file.unit_mm.is_some() { "regarded" } else { "not regarded, as it has no unit" };
@@ -205,6 +209,12 @@ impl Left {
     }
 }
 
+/// A number, whose power of ten may stand behind a D; `None` for what is none, or not finite.
+fn number(text: &str) -> Option<f64> {
+    let x = text.trim().replace(['D', 'd'], "E").parse().ok();
+    x.filter(|x: &f64| x.is_finite())
+}
+
 /// The numbers of an entity, behind its type.
 struct Numbers {
     all: Vec<f64>,
@@ -225,10 +235,9 @@ impl Numbers {
         let (mut rest, mut all, mut over) = (text.as_str(), Vec::new(), false);
         while !over && !rest.trim().is_empty() {
             let (held, after, last) = field(rest, file.marks)?;
-            let digits = held.trim().replace(['D', 'd'], "E");
-            let x = if digits.is_empty() { Some(0.0) } else { digits.parse().ok() };
+            let x = if held.trim().is_empty() { Some(0.0) } else { number(&held) };
             let first = lines.first().map_or(e.line, |l| l.1);
-            all.push(x.filter(|x: &f64| x.is_finite()).ok_or_else(|| Fault::Broken {
+            all.push(x.ok_or_else(|| Fault::Broken {
                 what: format!("{} is no number, among the parameters", held.trim()),
                 line: Some(first),
             })?);

@@ -8,6 +8,7 @@ pub(crate) mod curves;
 pub(crate) mod edges;
 mod faces;
 pub(crate) mod forms;
+mod units;
 
 use std::collections::BTreeMap;
 
@@ -45,8 +46,8 @@ pub(crate) fn read(text: &str, limits: &Limits) -> Result<Outside, Fault> {
         })
         .collect();
     let mut out = Collected::new(limits);
-    out.file.unit_mm = unit(&entities)?;
-    let angle = angle(&entities);
+    out.file.unit_mm = units::length(&entities, &mut out.file.notes)?;
+    let angle = units::angle(&entities, &mut out.file.notes)?;
     let mut faces_of = BTreeMap::<u64, Vec<Face>>::new();
     for face in faces(&entities) {
         faces_of.entry(face.surface).or_default().push(face);
@@ -352,60 +353,4 @@ fn steps(degree: usize, n: usize, even: bool, bezier: bool) -> Option<Vec<f64>> 
             })
             .collect(),
     )
-}
-
-/// Millimetres of the unit of length; several that differ are refused.
-fn unit(entities: &Entities<'_>) -> Result<Option<f64>, Fault> {
-    let mut named: Vec<u64> = Vec::new();
-    for records in entities.values() {
-        if let Some(all) = of(records, "GLOBAL_UNIT_ASSIGNED_CONTEXT").and_then(|p| p.first()) {
-            named.extend(list(all).unwrap_or_default().iter().filter_map(reference));
-        }
-    }
-    let mut found: Option<f64> = None;
-    for id in named {
-        let Some(mm) = length(entities, id, 0) else { continue };
-        if found.is_some_and(|f| (f - mm).abs() > 1e-9 * mm) {
-            return Err(Fault::Unsupported("it has several units of length".into()));
-        }
-        found = Some(mm);
-    }
-    Ok(found)
-}
-
-fn length(entities: &Entities<'_>, id: u64, depth: usize) -> Option<f64> {
-    let records = entities.get(&id)?;
-    records.iter().find(|r| r.name == "LENGTH_UNIT")?;
-    if let Some([prefix, ..]) = of(records, "SI_UNIT") {
-        let metre = 1000.0;
-        return Some(match prefix {
-            Parameter::Enumeration(e) => match e.as_str() {
-                "MILLI" => 1.0,
-                "CENTI" => 10.0,
-                "DECI" => 100.0,
-                "MICRO" => 1e-3,
-                "KILO" => 1e6,
-                _ => return None,
-            },
-            _ => metre,
-        });
-    }
-    let measure = reference(of(records, "CONVERSION_BASED_UNIT")?.get(1)?)?;
-    let measure = entities.get(&measure)?.first().and_then(|r| list(&r.parameter))?;
-    let [value, base] = measure else { return None };
-    (depth < 4).then(|| Some(real(value)? * length(entities, reference(base)?, depth + 1)?))?
-}
-
-/// Radians of the file's unit of plane angles; 1 where it does not say.
-fn angle(entities: &Entities<'_>) -> f64 {
-    let contexts = entities.values().filter_map(|r| of(r, "GLOBAL_UNIT_ASSIGNED_CONTEXT")?.first());
-    let named = contexts.flat_map(|p| list(p).unwrap_or_default()).filter_map(reference);
-    let of_unit = |id: u64| {
-        let records = entities.get(&id)?;
-        records.iter().find(|r| r.name == "PLANE_ANGLE_UNIT")?;
-        let measure = reference(of(records, "CONVERSION_BASED_UNIT")?.get(1)?)?;
-        let measure = entities.get(&measure)?.first().and_then(|r| list(&r.parameter))?;
-        real(measure.first()?)
-    };
-    named.filter_map(of_unit).next().unwrap_or(1.0)
 }

@@ -36,10 +36,14 @@ fn json_is_read_or_refused() {
     assert!(matches!(all(&trimmed.replace('N', "1")), Err(Fault::Unsupported(_))));
 }
 
+/// In millimetres, where the data does not tell another unit.
 fn step(data: &str) -> String {
+    let unit = "#901=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.));\n\
+        #902=(GLOBAL_UNIT_ASSIGNED_CONTEXT((#901))REPRESENTATION_CONTEXT('',''));\n";
+    let unit = if data.contains("UNIT_ASSIGNED") { "" } else { unit };
     format!(
         "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_NAME('a','b',(''),(''),'c','d','');\n\
-         FILE_SCHEMA(('CONFIG_CONTROL_DESIGN'));\nENDSEC;\nDATA;\n{data}ENDSEC;\nEND-ISO-10303-21;\n"
+         FILE_SCHEMA(('CONFIG_CONTROL_DESIGN'));\nENDSEC;\nDATA;\n{unit}{data}ENDSEC;\nEND-ISO-10303-21;\n"
     )
 }
 

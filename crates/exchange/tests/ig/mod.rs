@@ -2,10 +2,15 @@
 
 /// A file of IGES of entities: type (with a thousand times its form), directory line of the matrix, parameters.
 pub(crate) fn iges(unit: u32, entities: &[(u32, usize, String)]) -> String {
+    told(&format!("1.,{unit},2HMM"), entities)
+}
+
+/// The same with the scale, the flag of the unit and its name as they are given.
+pub(crate) fn told(unit: &str, entities: &[(u32, usize, String)]) -> String {
     let line = |body: &str, section: char, n: usize| format!("{body:<72}{section}{n:>7}\n");
     let mut out = line("made by a test", 'S', 1);
     let global =
-        format!("1H,,1H;,4Htest,8Ha;b,c.ig,4Htest,1H1,32,38,6,308,15,4Htest,1.,{unit},2HMM,1,0.1;");
+        format!("1H,,1H;,4Htest,8Ha;b,c.ig,4Htest,1H1,32,38,6,308,15,4Htest,{unit},1,0.1;");
     for (k, part) in global.as_bytes().chunks(72).enumerate() {
         out += &line(std::str::from_utf8(part).expect("ASCII"), 'G', k + 1);
     }
