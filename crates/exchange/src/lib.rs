@@ -14,6 +14,7 @@ mod border;
 mod curve;
 mod follow;
 mod iges;
+mod instances;
 mod json;
 mod step;
 mod stl;
@@ -128,12 +129,14 @@ fn broken(what: impl Into<String>) -> Fault {
 struct Collected<'l> {
     file: Outside,
     points: usize,
+    /// The points of each surface.
+    sizes: Vec<usize>,
     limits: &'l Limits,
 }
 
 impl<'l> Collected<'l> {
     fn new(limits: &'l Limits) -> Self {
-        Self { file: Outside::default(), points: 0, limits }
+        Self { file: Outside::default(), points: 0, sizes: Vec::new(), limits }
     }
 
     /// A B-spline surface that the file calls `name`; it is fitted once to see that it is one.
@@ -172,6 +175,7 @@ impl<'l> Collected<'l> {
             return Err(Fault::TooLarge(format!("more than {} surfaces", self.limits.surfaces)));
         }
         self.file.surfaces.push(SurfaceDefinition { shape, map });
+        self.sizes.push(points);
         Ok(())
     }
 }

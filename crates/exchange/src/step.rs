@@ -8,6 +8,7 @@ pub(crate) mod curves;
 pub(crate) mod edges;
 mod faces;
 pub(crate) mod forms;
+mod places;
 mod units;
 
 use std::collections::BTreeMap;
@@ -20,6 +21,7 @@ use crate::{Collected, Fault, Limits, Outside, broken, named};
 use edges::Curves;
 use faces::{Face, border, faces};
 use forms::{Form, NAMES};
+use places::Drawn;
 
 /// Brackets within each other: the reader of the text calls itself for each.
 const DEPTH: usize = 64;
@@ -49,10 +51,14 @@ pub(crate) fn read(text: &str, limits: &Limits) -> Result<Outside, Fault> {
     out.file.unit_mm = units::length(&entities, &mut out.file.notes)?;
     let angle = units::angle(&entities, &mut out.file.notes)?;
     let mut faces_of = BTreeMap::<u64, Vec<Face>>::new();
+    let mut surface_of = BTreeMap::new();
     for face in faces(&entities) {
+        surface_of.insert(face.id, face.surface);
         faces_of.entry(face.surface).or_default().push(face);
     }
     let mut other = BTreeMap::<&str, Left>::new();
+    // The face or surface that each of the surfaces is.
+    let mut read = Vec::new();
     // Faces that are not the box of their parameters, those of which the box is not known, and those that make no surface.
     let (mut cut, mut unbounded, mut none) = (Vec::new(), Vec::new(), Vec::new());
     let mut curves = Curves::new(&entities, limits);
@@ -78,8 +84,12 @@ pub(crate) fn read(text: &str, limits: &Limits) -> Result<Outside, Fault> {
                 form.patch(border.range),
                 None,
             ) {
-                Ok(()) if border.whole => {}
-                Ok(()) => cut.push(face.id),
+                Ok(()) => {
+                    read.push(face.id);
+                    if !border.whole {
+                        cut.push(face.id);
+                    }
+                }
                 Err(why @ Fault::TooLarge(_)) => return Err(why),
                 Err(_) => none.push(face.id),
             }
@@ -88,6 +98,7 @@ pub(crate) fn read(text: &str, limits: &Limits) -> Result<Outside, Fault> {
             Some(surface) if left => {
                 unbounded.append(&mut faces);
                 out.bspline(&format!("#{id}"), surface, None)?;
+                read.push(*id);
             }
             _ => {}
         }
@@ -126,6 +137,13 @@ pub(crate) fn read(text: &str, limits: &Limits) -> Result<Outside, Fault> {
             "faces of which the border is not read are taken as the whole of their surface: {}",
             named("#", &unbounded)
         ));
+    }
+    let drawn = Drawn { faces: surface_of, read: &read };
+    if let Some(assembly) = places::assembly(&entities, &drawn, &mut out.file.notes)? {
+        out.place(&read, &assembly)?;
+        if out.file.surfaces.is_empty() {
+            return Err(Fault::NoSurface(out.file.notes.join("; ")));
+        }
     }
     Ok(out.file)
 }
