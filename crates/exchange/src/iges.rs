@@ -1,5 +1,5 @@
 //! IGES 5.3: B-spline surfaces (128), parametric spline surfaces (114), ruled surfaces (118), those of revolution (120) and tabulated
-//! cylinders (122), also trimmed (143, 144), with their matrices (124).
+//! cylinders (122), also trimmed (143, 144), with their matrices (124), in subfigures (308, 408).
 //!
 //! No library of the registry reads IGES. Source of the layout: IGES 5.3 (US PRO, 1996), chapters 2 and 4.
 
@@ -8,6 +8,7 @@ mod curves;
 mod faces;
 mod lines;
 mod splines;
+mod subfigures;
 mod units;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -91,6 +92,8 @@ pub(crate) fn read(text: &str, limits: &Limits) -> Result<Outside, Fault> {
     // surface, by their lines.
     let (mut cut, mut unbounded, mut none) = (Vec::new(), Vec::new(), Vec::new());
     let mut work = Work::new();
+    // The lines of the directory of what the surfaces are.
+    let mut drawn = Vec::new();
     for (at, e) in &file.entries {
         let mut name = format!("entity {} of line {}", e.kind, e.line);
         let (base, trim) = match e.kind {
@@ -114,10 +117,13 @@ pub(crate) fn read(text: &str, limits: &Limits) -> Result<Outside, Fault> {
             }
             continue;
         };
+        // What is trimmed is placed by its own matrix behind that of its surface.
+        let place = if trim.is_some() { file.map(e.matrix)? } else { None };
         let base = match found {
             Held::Exact(base) => base,
             Held::Followed(shape, n, map) => {
-                out.push(shape, n, map)?;
+                out.push(shape, n, then(map, place))?;
+                drawn.push(subfigures::number(*at));
                 if trim.is_some() {
                     unbounded.push(e.line);
                 }
@@ -142,8 +148,11 @@ pub(crate) fn read(text: &str, limits: &Limits) -> Result<Outside, Fault> {
             left.entry(e.kind).or_default().add(e);
             continue;
         };
-        match out.bspline(&name, patch, base.map) {
-            Ok(()) => told.into_iter().for_each(|lines| lines.push(e.line)),
+        match out.bspline(&name, patch, then(base.map, place)) {
+            Ok(()) => {
+                drawn.push(subfigures::number(*at));
+                told.into_iter().for_each(|lines| lines.push(e.line));
+            }
             // A trimmed one that has no extent leaves the others.
             Err(Fault::Broken { .. }) if trim.is_some() => none.push(e.line),
             Err(why) => return Err(why),
@@ -182,7 +191,21 @@ pub(crate) fn read(text: &str, limits: &Limits) -> Result<Outside, Fault> {
         (false, false) => out.file.notes.push(format!("not read: {}", left.join(", "))),
         _ => {}
     }
+    if let Some(assembly) = subfigures::assembly(&file, limits, &mut out.file.notes)? {
+        out.place(&drawn, &assembly)?;
+        if out.file.surfaces.is_empty() {
+            return Err(Fault::NoSurface(out.file.notes.join("; ")));
+        }
+    }
     Ok(out.file)
+}
+
+/// One map after the other.
+fn then(first: Option<Transform>, next: Option<Transform>) -> Option<Transform> {
+    match (first, next) {
+        (Some(a), Some(b)) => Some(a.then(&b)),
+        (a, b) => a.or(b),
+    }
 }
 
 /// Surfaces of a type that are not read, and the lines of those that are trimmed.
@@ -225,6 +248,15 @@ struct Numbers {
 
 impl Numbers {
     fn of(file: &File<'_>, e: &Entry) -> Result<Self, Fault> {
+        Self::read(file, e, false)
+    }
+
+    /// Those of an entity that holds texts too, which are no numbers; so is what is left out.
+    fn loose(file: &File<'_>, e: &Entry) -> Result<Self, Fault> {
+        Self::read(file, e, true)
+    }
+
+    fn read(file: &File<'_>, e: &Entry, loose: bool) -> Result<Self, Fault> {
         let wrong = |what: &str| Fault::Broken { what: what.to_owned(), line: Some(e.line) };
         let lines = e
             .from
@@ -235,7 +267,11 @@ impl Numbers {
         let (mut rest, mut all, mut over) = (text.as_str(), Vec::new(), false);
         while !over && !rest.trim().is_empty() {
             let (held, after, last) = field(rest, file.marks)?;
-            let x = if held.trim().is_empty() { Some(0.0) } else { number(&held) };
+            let x = match number(&held) {
+                None if loose => Some(f64::NAN),
+                None if held.trim().is_empty() => Some(0.0),
+                x => x,
+            };
             let first = lines.first().map_or(e.line, |l| l.1);
             all.push(x.ok_or_else(|| Fault::Broken {
                 what: format!("{} is no number, among the parameters", held.trim()),

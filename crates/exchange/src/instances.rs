@@ -13,8 +13,9 @@ const PLACED: usize = 100_000;
 const FAR: f64 = 1e75;
 
 /// Things that hold surfaces and place each other, by numbers of their own; [`Assembly::FILE`] is the file.
-#[derive(Default)]
 pub(crate) struct Assembly {
+    /// What stands before a number in a message.
+    mark: &'static str,
     /// Surfaces that each holds, by the numbers under which they are drawn.
     pub(crate) held: BTreeMap<u64, BTreeSet<u64>>,
     /// What each places, and where, in the order of the file.
@@ -47,6 +48,15 @@ impl Assembly {
     /// The file itself.
     pub(crate) const FILE: u64 = 0;
 
+    pub(crate) fn new(mark: &'static str) -> Self {
+        Self { mark, held: BTreeMap::new(), placed: BTreeMap::new() }
+    }
+
+    /// A thing that would have no end.
+    pub(crate) fn endless(&self, thing: u64) -> Fault {
+        broken(format!("{}{thing} is placed within itself", self.mark))
+    }
+
     /// Everything that is placed from the file on.
     fn groups(&self) -> Result<Groups, Fault> {
         let mut groups = Groups::default();
@@ -58,7 +68,7 @@ impl Assembly {
 impl Groups {
     fn add(&mut self, all: &Assembly, thing: u64, map: &Transform) -> Result<(), Fault> {
         if self.path.contains(&thing) {
-            return Err(broken(format!("#{thing} is placed within itself")));
+            return Err(all.endless(thing));
         }
         self.n_placed += 1;
         if self.path.len() >= DEPTH || self.n_placed > PLACED {

@@ -11,7 +11,7 @@ use ruststep::ast::{Parameter, Record};
 use super::curves::single;
 use super::{Entities, list, of, reference};
 use crate::instances::{Assembly, is_place};
-use crate::{Fault, broken, named};
+use crate::{Fault, named};
 use operators::{mapped, operator};
 
 /// Entities that representations reach, all together.
@@ -204,12 +204,12 @@ fn joined(
 ) -> Result<Assembly, Fault> {
     placements.sort_by_key(|p| p.id);
     let mut inside = BTreeMap::<u64, Vec<u64>>::new();
-    let mut placed = BTreeMap::<u64, Vec<(u64, Transform)>>::new();
+    let mut all = Assembly::new("#");
     let mut unread = Vec::new();
     for p in &placements {
         inside.entry(p.whole).or_default().push(p.part);
         match p.map.filter(is_place) {
-            Some(map) => placed.entry(p.whole).or_default().push((p.part, map)),
+            Some(map) => all.placed.entry(p.whole).or_default().push((p.part, map)),
             None => unread.push(p.id),
         }
     }
@@ -227,7 +227,7 @@ fn joined(
         open.extend(inside.get(&at).into_iter().flatten().filter(|p| met.insert(**p)));
     }
     if let Some(lost) = parts.difference(&met).next() {
-        return Err(broken(format!("#{lost} is placed within itself")));
+        return Err(all.endless(*lost));
     }
     // A representation of no product and without parts, as of features, draws nothing that others have.
     let (aside, own): (BTreeSet<u64>, BTreeSet<u64>) = held
@@ -240,8 +240,10 @@ fn joined(
     let known: BTreeSet<u64> = held.values().flatten().copied().collect();
     let rest = drawn.read.iter().filter(|id| !known.contains(id)).copied().collect();
     held.insert(Assembly::FILE, rest);
-    placed.insert(Assembly::FILE, roots.into_iter().map(|r| (r, Transform::identity())).collect());
-    Ok(Assembly { held, placed })
+    all.held = held;
+    let drawn = roots.into_iter().map(|r| (r, Transform::identity())).collect();
+    all.placed.insert(Assembly::FILE, drawn);
+    Ok(all)
 }
 
 /// The ends of a relation of representations, and what transforms the first into the second.
