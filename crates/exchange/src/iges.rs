@@ -197,7 +197,7 @@ pub(crate) fn read(text: &str, limits: &Limits) -> Result<Outside, Fault> {
             return Err(Fault::NoSurface(out.file.notes.join("; ")));
         }
     }
-    Ok(out.file)
+    Ok(out.done())
 }
 
 /// One map after the other.

@@ -145,7 +145,7 @@ pub(crate) fn read(text: &str, limits: &Limits) -> Result<Outside, Fault> {
             return Err(Fault::NoSurface(out.file.notes.join("; ")));
         }
     }
-    Ok(out.file)
+    Ok(out.done())
 }
 
 /// Surfaces of a kind that are not read, or not for these faces.

@@ -82,6 +82,21 @@ fn step_with_complex_instances() {
     assert!((q - p).norm() < 1e-14);
 }
 
+/// Several surfaces of a high degree are told at once.
+#[test]
+fn surfaces_of_a_high_degree_are_told_together() {
+    let surface = r#"{"degree": [4, 1], "knots": [[0,0,0,0,0,1,1,1,1,1], [0,0,1,1]], "points":
+        [[[0,0,0],[1,0,4],[2,0,-3],[3,0,5],[4,0,0]], [[0,9,0],[1,9,4],[2,9,-3],[3,9,5],[4,9,0]]]}"#;
+    let notes = |n: usize| {
+        let all = vec![surface; n].join(",");
+        self::all(&format!(r#"{{"surfaces": [{all}]}}"#)).unwrap().notes
+    };
+    let one = notes(1);
+    assert!(one.len() == 1 && one[0].starts_with("surface 1 is of degree 4 by 1;"), "{one:?}");
+    let many = notes(15);
+    assert!(many.len() == 1 && many[0].ends_with("surface 12 and 3 more"), "{many:?}");
+}
+
 #[test]
 fn step_that_is_broken_is_refused() {
     let why = |data: &str| all(&step(data)).unwrap_err().to_string();
