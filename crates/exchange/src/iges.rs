@@ -16,12 +16,15 @@ use std::collections::{BTreeMap, BTreeSet};
 use aptc_geometry::Transform;
 
 use crate::follow::{WORK, Work};
+use crate::instances::is_place;
 use crate::{Collected, Fault, Limits, Outside, broken, named};
 use borders::{border, trimmed};
 use faces::{Held, held};
 pub(crate) use lines::is;
 use lines::{field, sections};
 use splines::{bspline, cells, joined};
+
+const MATRIX: u32 = 124;
 
 /// Matrices that refer to each other.
 const MATRICES: usize = 8;
@@ -81,6 +84,13 @@ pub(crate) fn read(text: &str, limits: &Limits) -> Result<Outside, Fault> {
         let told =
             if file.unit_mm.is_some() { "regarded" } else { "not regarded, as it has no unit" };
         out.file.notes.push(format!("its model has the scale {}, which is {told}", file.scale));
+    }
+    let unlike = file.unlike_rotations();
+    if !unlike.is_empty() {
+        out.file.notes.push(format!(
+            "matrices (124) that are no rotations are applied as they are: line {}",
+            named("", &unlike)
+        ));
     }
     // What a trimmed surface is cut from is no surface of its own.
     let mut cut_from = BTreeSet::new();
@@ -314,6 +324,32 @@ impl Numbers {
 }
 
 impl File<'_> {
+    fn matrix(&self, e: &Entry) -> Result<Transform, Fault> {
+        let rows: [f64; 12] = Numbers::of(self, e)?
+            .take(12)?
+            .try_into()
+            .map_err(|_| broken("a matrix has twelve numbers"))?;
+        Ok(Transform::from_rows(&rows))
+    }
+
+    /// Lines of matrices that others refer to and that are no rotations, as the standard wants them.
+    fn unlike_rotations(&self) -> Vec<usize> {
+        /// How far products of columns may miss, for numbers of few digits.
+        const DIGITS: f64 = 1e-4;
+        let used: BTreeSet<usize> = self.entries.values().map(|e| e.matrix).collect();
+        let matrices = used.iter().filter_map(|at| self.entries.get(at));
+        let unlike = |e: &&Entry| {
+            let Ok(m) = self.matrix(e) else { return false };
+            let columns = [0, 1, 2].map(|k| m.linear.column(k).into_owned());
+            let off = |i: usize, k: usize| {
+                let due = if i == k { 1.0 } else { 0.0 };
+                (columns[i].dot(&columns[k]) - due).abs() > DIGITS
+            };
+            (0..3).any(|i| (0..=i).any(|k| off(i, k)))
+        };
+        matrices.filter(|e| e.kind == MATRIX).filter(unlike).map(|e| e.line).collect()
+    }
+
     /// The map of the matrix at a directory line, those that it refers to after it.
     fn map(&self, matrix: usize) -> Result<Option<Transform>, Fault> {
         let (mut at, mut map) = (matrix, None);
@@ -321,14 +357,14 @@ impl File<'_> {
             if at == 0 {
                 return Ok(map);
             }
-            let Some(e) = self.entries.get(&at).filter(|e| e.kind == 124) else {
+            let Some(e) = self.entries.get(&at).filter(|e| e.kind == MATRIX) else {
                 return Err(broken(format!("directory line {at} is no matrix (124)")));
             };
-            let rows: [f64; 12] = Numbers::of(self, e)?
-                .take(12)?
-                .try_into()
-                .map_err(|_| broken("a matrix has twelve numbers"))?;
-            let own = Transform::from_rows(&rows);
+            let own = self.matrix(e)?;
+            if !is_place(&own) {
+                let what = "a matrix (124) flattens what it carries".to_owned();
+                return Err(Fault::Broken { what, line: Some(e.line) });
+            }
             map = Some(map.map_or(own, |m: Transform| m.then(&own)));
             at = e.matrix;
         }

@@ -11,7 +11,7 @@ pub(crate) mod forms;
 mod places;
 mod units;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use aptc_geometry::sculptured::BsplineSurface;
 use ruststep::ast::{EntityInstance, Name, Parameter, Record};
@@ -38,16 +38,25 @@ pub(crate) fn read(text: &str, limits: &Limits) -> Result<Outside, Fault> {
         let first = e.to_string();
         broken(format!("this is no STEP file: {}", first.lines().next().unwrap_or_default()))
     })?;
-    let entities: Entities<'_> = file
-        .data
-        .iter()
-        .flat_map(|d| &d.entities)
-        .map(|e| match e {
+    let mut out = Collected::new(limits);
+    let mut entities = Entities::new();
+    let mut twice = BTreeSet::new();
+    for e in file.data.iter().flat_map(|d| &d.entities) {
+        let (id, records) = match e {
             EntityInstance::Simple { id, record } => (*id, std::slice::from_ref(record)),
             EntityInstance::Complex { id, subsuper } => (*id, subsuper.0.as_slice()),
-        })
-        .collect();
-    let mut out = Collected::new(limits);
+        };
+        if entities.insert(id, records).is_some() {
+            twice.insert(id);
+        }
+    }
+    if !twice.is_empty() {
+        let twice: Vec<u64> = twice.into_iter().collect();
+        out.file.notes.push(format!(
+            "numbers of several entities stand for the last of them: {}",
+            named("#", &twice)
+        ));
+    }
     out.file.unit_mm = units::length(&entities, &mut out.file.notes)?;
     let angle = units::angle(&entities, &mut out.file.notes)?;
     let mut faces_of = BTreeMap::<u64, Vec<Face>>::new();

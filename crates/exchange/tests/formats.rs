@@ -82,6 +82,16 @@ fn step_with_complex_instances() {
     assert!((q - p).norm() < 1e-14);
 }
 
+#[test]
+fn numbers_of_several_entities_of_step_are_told() {
+    let twice = format!(
+        "{POINTS}#6=CARTESIAN_POINT('',(0.,5.,9.));\n#10=BEZIER_SURFACE('',1,1,((#1,#2),(#5,#6)),.U.,.F.,.F.,.F.);\n"
+    );
+    let file = all(&step(&twice)).unwrap();
+    assert_eq!(file.notes, ["numbers of several entities stand for the last of them: #6"]);
+    assert!((fitted(&file).at(1.0, 1.0).point.z - 9.0).abs() < 1e-12);
+}
+
 /// Several surfaces of a high degree are told at once.
 #[test]
 fn surfaces_of_a_high_degree_are_told_together() {

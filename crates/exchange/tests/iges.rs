@@ -69,6 +69,12 @@ fn what_is_broken_is_refused() {
             Fault::Broken { .. } | Fault::TooLarge(_)
         ));
     }
+    // Weights of 0, as STEP says it.
+    let flat = (128, 0, quarter("0.,1.").replace("1.D0", "0."));
+    for more in [vec![], vec![of(144, "1,0,0,0")]] {
+        let why = refused(&[vec![flat.clone()], more].concat()).to_string();
+        assert!(why.ends_with("entity 128 is no surface: a control point is not finite, or a weight is not above zero"), "{why}");
+    }
     // A matrix that refers to itself ends.
     let around = (124, 1, "1.,0.,0.,0.,0.,1.,0.,0.,0.,0.,1.,0.".to_owned());
     assert!(matches!(refused(&[around, (128, 1, quarter("0.,1."))]), Fault::TooLarge(_)));

@@ -200,3 +200,32 @@ fn subfigures_that_are_broken_are_refused() {
     ];
     assert_eq!(tried(&groups).unwrap().surfaces.len(), 1);
 }
+
+/// What is no rotation is told and applied; what flattens is refused.
+#[test]
+fn matrices_that_are_no_rotations() {
+    for (rows, map) in [
+        ("2.,0.,0.,0.,0.,2.,0.,0.,0.,0.,2.,0.", [2.0, 2.0, 2.0]),
+        ("1.,0.,0.,0.,0.,1.,0.,0.,0.,0.,1.001,0.", [1.0, 1.0, 1.001]),
+    ] {
+        let file = tried(&[plate(3), of(124, 0, rows)]).unwrap();
+        assert!(
+            file.notes.len() == 1 && file.notes[0].contains("no rotations"),
+            "{:?}",
+            file.notes
+        );
+        stands(&file, &[&|p| p.component_mul(&Vec3::from(map))]);
+    }
+    // A mirror, and numbers of few digits.
+    for rows in
+        ["1.,0.,0.,0.,0.,1.,0.,0.,0.,0.,-1.,0.", ".8660,-.5,0.,0.,.5,.8660,0.,0.,0.,0.,1.,0."]
+    {
+        silent(&[plate(3), of(124, 0, rows)]);
+    }
+    for rows in ["0.,0.,0.,0.,0.,0.,0.,0.,0.,0.,0.,0.", "1.,0.,0.,0.,0.,1.,0.,0.,0.,0.,0.,0."] {
+        let why = tried(&[plate(3), of(124, 0, rows)]).unwrap_err().to_string();
+        assert!(why.ends_with("a matrix (124) flattens what it carries"), "{why}");
+    }
+    // One that nothing refers to counts for nothing.
+    silent(&[plate(0), of(124, 0, "0.,0.,0.,0.,0.,0.,0.,0.,0.,0.,0.,0.")]);
+}

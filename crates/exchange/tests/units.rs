@@ -85,6 +85,20 @@ fn step_in_units_that_are_not_known() {
     }
 }
 
+/// A context in another unit of which no shape is says nothing; of two that have shapes no unit is that of all.
+#[test]
+fn step_in_several_units() {
+    let other = "#40=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT($,.METRE.));\n\
+        #41=(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNIT_ASSIGNED_CONTEXT((#40))REPRESENTATION_CONTEXT('',''));\n\
+        #42=REPRESENTATION('volume',(#40),#41);\n";
+    let own =
+        format!("{CONTEXT}#10=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.));\n{other}");
+    let file = step(&own).unwrap();
+    assert!(file.notes.is_empty() && file.unit_mm == Some(1.0), "{:?}", file.notes);
+    let why = step(&format!("{own}#43=SHAPE_REPRESENTATION('',(#5),#41);\n")).unwrap_err();
+    assert_eq!(why.to_string(), "it has several units of length");
+}
+
 /// A plane patch in IGES with these fields: the scale, the flag of the unit and its name.
 fn iges(fields: &str) -> Result<Outside, Fault> {
     let surface = "1,1,1,1,0,0,1,0,0,0.,0.,1.,1.,0.,0.,1.,1.,1.,1.,1.,1.,0.,0.,0.,10.,0.,0.,0.,20.,0.,10.,20.,0.,\

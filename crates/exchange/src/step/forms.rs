@@ -3,7 +3,7 @@
 use core::cell::Cell;
 use core::f64::consts::{FRAC_PI_2, TAU};
 
-use aptc_geometry::sculpt::{self, Layout, Sculptured, nearest_from, nearest_on};
+use aptc_geometry::sculpt::{self, BsplineFault, Layout, Sculptured, nearest_from, nearest_on};
 use aptc_geometry::sculptured::BsplineSurface;
 use aptc_geometry::{Vec3, trig};
 
@@ -71,7 +71,7 @@ impl Form {
     ) -> Option<Self> {
         let records = *entities.get(&id)?;
         if let Some(own) = own {
-            return Self::spline(own.clone());
+            return Self::spline(own.clone()).ok();
         }
         let [one] = records else { return None };
         let all = super::list(&one.parameter)?;
@@ -102,8 +102,8 @@ impl Form {
         })
     }
 
-    pub(crate) fn spline(surface: BsplineSurface) -> Option<Self> {
-        let (fitted, _) = sculpt::bspline(&surface).ok()?;
+    pub(crate) fn spline(surface: BsplineSurface) -> Result<Self, BsplineFault> {
+        let (fitted, _) = sculpt::bspline(&surface)?;
         let borders = [0, 1].map(|k| {
             let (p, n) = (surface.degree[k], surface.counts[k]);
             // The knots that the fitted surface counts.
@@ -135,7 +135,7 @@ impl Form {
                 all.iter().all(|p| (p - all[0]).norm() <= one).then_some(all[0])
             })
         });
-        Some(Self::Spline(Box::new(Spline {
+        Ok(Self::Spline(Box::new(Spline {
             surface,
             fitted,
             borders,

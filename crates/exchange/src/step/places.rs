@@ -50,12 +50,9 @@ struct Frames {
 }
 
 /// Does its name say that a representation holds shapes? Others, as those of colours, refer to what these hold.
-fn is_shape(r: &Record) -> bool {
-    const OTHERS: [&str; 3] = [
-        "REPRESENTATION",
-        "SHAPE_REPRESENTATION_WITH_PARAMETERS",
-        "CONSTRUCTIVE_GEOMETRY_REPRESENTATION",
-    ];
+pub(super) fn is_shape(r: &Record) -> bool {
+    const OTHERS: [&str; 2] =
+        ["SHAPE_REPRESENTATION_WITH_PARAMETERS", "CONSTRUCTIVE_GEOMETRY_REPRESENTATION"];
     r.name.ends_with("SHAPE_REPRESENTATION") || OTHERS.contains(&r.name.as_str())
 }
 
@@ -64,7 +61,7 @@ impl Frames {
     fn of(entities: &Entities<'_>) -> Self {
         let mut all = Self::default();
         for (id, records) in entities {
-            if !records.iter().any(is_shape) {
+            if !records.iter().any(|r| is_shape(r) || r.name == "REPRESENTATION") {
                 continue;
             }
             let items = records.iter().find_map(|r| match list(&r.parameter)? {

@@ -1,7 +1,10 @@
 //! Units of STEP.
 
+use std::collections::BTreeSet;
+
 use ruststep::ast::{Parameter, Record};
 
+use super::places::is_shape;
 use super::{Entities, list, of, real, reference};
 use crate::{Fault, broken, named};
 
@@ -78,10 +81,24 @@ pub(super) fn angle(entities: &Entities<'_>, notes: &mut Vec<String>) -> Result<
     Ok(known.first().copied().unwrap_or(1.0))
 }
 
+/// Contexts of the representations of shapes; others, of which files may have some, say nothing of these.
+fn used(entities: &Entities<'_>) -> BTreeSet<u64> {
+    let shapes = entities.values().filter(|r| r.iter().any(is_shape));
+    let context = |r: &&[Record]| match r.iter().find_map(|r| list(&r.parameter)?.get(..3))? {
+        [_, _, context] => reference(context),
+        _ => None,
+    };
+    shapes.filter_map(context).collect()
+}
+
 /// The units of a kind that the contexts name, those that are known by their sizes and others by their numbers.
 fn found(entities: &Entities<'_>, kind: Kind) -> Result<(Vec<f64>, Vec<u64>), Fault> {
     let (mut known, mut unknown) = (Vec::new(), Vec::new());
-    for records in entities.values() {
+    let used = used(entities);
+    for (context, records) in entities {
+        if !used.is_empty() && !used.contains(context) {
+            continue;
+        }
         let all = of(records, "GLOBAL_UNIT_ASSIGNED_CONTEXT").and_then(|p| list(p.first()?));
         for id in all.unwrap_or_default().iter().filter_map(reference) {
             match size(entities, id, kind, 0)? {
