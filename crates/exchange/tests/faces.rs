@@ -175,6 +175,31 @@ fn curves_that_are_turned_or_moved() {
     }
 }
 
+/// A cone of 45 degrees, whatever the entities that tell what a degree is.
+#[test]
+fn angles_in_degrees() {
+    let degree = "PLANE_ANGLE_MEASURE(0.017453292519943295)";
+    for measure in ["PLANE_ANGLE_MEASURE_WITH_UNIT()MEASURE_WITH_UNIT", "MEASURE_WITH_UNIT"] {
+        let mut step = Step::default();
+        let mm = step.add("(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.))".into());
+        let radian = step.add("(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.))".into());
+        let measure = step.add(format!("({measure}({degree},#{radian}))"));
+        let unit = step.add(format!(
+            "(CONVERSION_BASED_UNIT('DEGREE',#{measure})NAMED_UNIT(*)PLANE_ANGLE_UNIT())"
+        ));
+        step.add(format!(
+            "(GLOBAL_UNIT_ASSIGNED_CONTEXT((#{mm},#{unit}))REPRESENTATION_CONTEXT('',''))"
+        ));
+        let frame = step.frame([0.0; 3], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]);
+        let cone = step.add(format!("CONICAL_SURFACE('',#{frame},5.,45.)"));
+        ring(&mut step, cone, [5.0, 0.0], [9.0, 4.0], true);
+        let file = step.read();
+        assert!(file.notes.is_empty(), "{:?}", file.notes);
+        let [low, high] = bounds(&places(&file));
+        assert!(near(low, [-9.0, -9.0, 0.0]) && near(high, [9.0, 9.0, 4.0]), "{low} {high}");
+    }
+}
+
 /// Places of a border follow each other also on a surface of many pieces whose boxes overlap: to look through all of them for each
 /// place took seconds.
 #[test]

@@ -95,6 +95,9 @@ fn step_in_several_units() {
         format!("{CONTEXT}#10=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.));\n{other}");
     let file = step(&own).unwrap();
     assert!(file.notes.is_empty() && file.unit_mm == Some(1.0), "{:?}", file.notes);
+    // The context of the shape names none.
+    let bare = "#9=(GEOMETRIC_REPRESENTATION_CONTEXT(3)REPRESENTATION_CONTEXT('',''));\n";
+    assert_eq!(step(&format!("{bare}{other}")).unwrap().unit_mm, Some(1000.0));
     let why = step(&format!("{own}#43=SHAPE_REPRESENTATION('',(#5),#41);\n")).unwrap_err();
     assert_eq!(why.to_string(), "it has several units of length");
 }

@@ -91,14 +91,26 @@ fn used(entities: &Entities<'_>) -> BTreeSet<u64> {
     shapes.filter_map(context).collect()
 }
 
-/// The units of a kind that the contexts name, those that are known by their sizes and others by their numbers.
-fn found(entities: &Entities<'_>, kind: Kind) -> Result<(Vec<f64>, Vec<u64>), Fault> {
-    let (mut known, mut unknown) = (Vec::new(), Vec::new());
+/// Units that are known, by their sizes, and others by their numbers.
+type Units = (Vec<f64>, Vec<u64>);
+
+/// The units of a kind that the contexts of shapes name, or any context where these name none.
+fn found(entities: &Entities<'_>, kind: Kind) -> Result<Units, Fault> {
     let used = used(entities);
-    for (context, records) in entities {
-        if !used.is_empty() && !used.contains(context) {
-            continue;
-        }
+    let found = named_by(entities, kind, |context| used.contains(&context))?;
+    if found.0.is_empty() && found.1.is_empty() {
+        return named_by(entities, kind, |_| true);
+    }
+    Ok(found)
+}
+
+fn named_by(
+    entities: &Entities<'_>,
+    kind: Kind,
+    is_used: impl Fn(u64) -> bool,
+) -> Result<Units, Fault> {
+    let (mut known, mut unknown) = (Vec::new(), Vec::new());
+    for (_, records) in entities.iter().filter(|(id, _)| is_used(**id)) {
         let all = of(records, "GLOBAL_UNIT_ASSIGNED_CONTEXT").and_then(|p| list(p.first()?));
         for id in all.unwrap_or_default().iter().filter_map(reference) {
             match size(entities, id, kind, 0)? {
