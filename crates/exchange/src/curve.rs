@@ -75,17 +75,17 @@ impl Curve {
         let n = points.len();
         let rising = knots.windows(2).all(|w| w[0] <= w[1]) && knots.iter().all(|t| t.is_finite());
         let sound = points.iter().all(|p| p.iter().all(|x| x.is_finite()) && p[3] > 0.0);
-        if degree == 0 || degree > MAX_DEGREE || n <= degree || knots.len() != n + degree + 1 {
+        let fits = (1..=MAX_DEGREE).contains(&degree) && n > degree;
+        if !rising || !sound || !fits || knots.len() != n + degree + 1 {
             return None;
         }
         let all = [knots[degree], knots[n]];
         let range = range.unwrap_or(all);
-        let range = [range[0].clamp(all[0], all[1]), range[1].clamp(all[0], all[1])];
-        if !rising || !sound || range[0] >= range[1] {
-            return None;
-        }
+        let range = range.map(|t| t.clamp(all[0], all[1]));
         let points = points.iter().map(|p| weighted(Vec3::new(p[0], p[1], p[2]), p[3])).collect();
-        Some(Self { degree, knots, points, range })
+        // Of ends that are no numbers, or too far apart for one, the length is none above zero.
+        let length = range[1] - range[0];
+        (length > 0.0 && length.is_finite()).then_some(Self { degree, knots, points, range })
     }
 
     /// The straight line, over 0 to 1.

@@ -1,5 +1,5 @@
 //! IGES 5.3: B-spline surfaces (128), parametric spline surfaces (114), ruled surfaces (118), those of revolution (120) and tabulated
-//! cylinders (122), also trimmed (143, 144), with their matrices (124).
+//! cylinders (122), also trimmed (143, 144), with their matrices (124), in subfigures (308, 408).
 //!
 //! No library of the registry reads IGES. Source of the layout: IGES 5.3 (US PRO, 1996), chapters 2 and 4.
 
@@ -8,18 +8,23 @@ mod curves;
 mod faces;
 mod lines;
 mod splines;
+mod subfigures;
+mod units;
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use aptc_geometry::Transform;
 
 use crate::follow::{WORK, Work};
+use crate::instances::is_place;
 use crate::{Collected, Fault, Limits, Outside, broken, named};
 use borders::{border, trimmed};
 use faces::{Held, held};
 pub(crate) use lines::is;
 use lines::{field, sections};
 use splines::{bspline, cells, joined};
+
+const MATRIX: u32 = 124;
 
 /// Matrices that refer to each other.
 const MATRICES: usize = 8;
@@ -64,18 +69,28 @@ struct File<'t> {
     /// Between parameters, and behind the last.
     marks: [char; 2],
     unit_mm: Option<f64>,
+    /// What is to tell of the unit.
+    notes: Vec<String>,
     /// How long what is a unit long on the part is in the file.
     scale: f64,
 }
 
 pub(crate) fn read(text: &str, limits: &Limits) -> Result<Outside, Fault> {
-    let file = sections(text)?;
+    let mut file = sections(text)?;
     let mut out = Collected::new(limits);
     out.file.unit_mm = file.unit_mm;
+    out.file.notes.append(&mut file.notes);
     if (file.scale - 1.0).abs() > 1e-12 {
         let told =
             if file.unit_mm.is_some() { "regarded" } else { "not regarded, as it has no unit" };
         out.file.notes.push(format!("its model has the scale {}, which is {told}", file.scale));
+    }
+    let unlike = file.unlike_rotations();
+    if !unlike.is_empty() {
+        out.file.notes.push(format!(
+            "matrices (124) that are no rotations are applied as they are: line {}",
+            named("", &unlike)
+        ));
     }
     // What a trimmed surface is cut from is no surface of its own.
     let mut cut_from = BTreeSet::new();
@@ -87,6 +102,8 @@ pub(crate) fn read(text: &str, limits: &Limits) -> Result<Outside, Fault> {
     // surface, by their lines.
     let (mut cut, mut unbounded, mut none) = (Vec::new(), Vec::new(), Vec::new());
     let mut work = Work::new();
+    // The lines of the directory of what the surfaces are.
+    let mut drawn = Vec::new();
     for (at, e) in &file.entries {
         let mut name = format!("entity {} of line {}", e.kind, e.line);
         let (base, trim) = match e.kind {
@@ -110,10 +127,13 @@ pub(crate) fn read(text: &str, limits: &Limits) -> Result<Outside, Fault> {
             }
             continue;
         };
+        // What is trimmed is placed by its own matrix behind that of its surface.
+        let place = if trim.is_some() { file.map(e.matrix)? } else { None };
         let base = match found {
             Held::Exact(base) => base,
             Held::Followed(shape, n, map) => {
-                out.push(shape, n, map)?;
+                out.push(shape, n, then(map, place))?;
+                drawn.push(subfigures::number(*at));
                 if trim.is_some() {
                     unbounded.push(e.line);
                 }
@@ -138,8 +158,11 @@ pub(crate) fn read(text: &str, limits: &Limits) -> Result<Outside, Fault> {
             left.entry(e.kind).or_default().add(e);
             continue;
         };
-        match out.bspline(&name, patch, base.map) {
-            Ok(()) => told.into_iter().for_each(|lines| lines.push(e.line)),
+        match out.bspline(&name, patch, then(base.map, place)) {
+            Ok(()) => {
+                drawn.push(subfigures::number(*at));
+                told.into_iter().for_each(|lines| lines.push(e.line));
+            }
             // A trimmed one that has no extent leaves the others.
             Err(Fault::Broken { .. }) if trim.is_some() => none.push(e.line),
             Err(why) => return Err(why),
@@ -178,7 +201,21 @@ pub(crate) fn read(text: &str, limits: &Limits) -> Result<Outside, Fault> {
         (false, false) => out.file.notes.push(format!("not read: {}", left.join(", "))),
         _ => {}
     }
-    Ok(out.file)
+    if let Some(assembly) = subfigures::assembly(&file, limits, &mut out.file.notes)? {
+        out.place(&drawn, &assembly)?;
+        if out.file.surfaces.is_empty() {
+            return Err(Fault::NoSurface(out.file.notes.join("; ")));
+        }
+    }
+    Ok(out.done())
+}
+
+/// One map after the other.
+fn then(first: Option<Transform>, next: Option<Transform>) -> Option<Transform> {
+    match (first, next) {
+        (Some(a), Some(b)) => Some(a.then(&b)),
+        (a, b) => a.or(b),
+    }
 }
 
 /// Surfaces of a type that are not read, and the lines of those that are trimmed.
@@ -205,6 +242,12 @@ impl Left {
     }
 }
 
+/// A number, whose power of ten may stand behind a D; `None` for what is none, or not finite.
+fn number(text: &str) -> Option<f64> {
+    let x = text.trim().replace(['D', 'd'], "E").parse().ok();
+    x.filter(|x: &f64| x.is_finite())
+}
+
 /// The numbers of an entity, behind its type.
 struct Numbers {
     all: Vec<f64>,
@@ -215,6 +258,15 @@ struct Numbers {
 
 impl Numbers {
     fn of(file: &File<'_>, e: &Entry) -> Result<Self, Fault> {
+        Self::read(file, e, false)
+    }
+
+    /// Those of an entity that holds texts too, which are no numbers; so is what is left out.
+    fn loose(file: &File<'_>, e: &Entry) -> Result<Self, Fault> {
+        Self::read(file, e, true)
+    }
+
+    fn read(file: &File<'_>, e: &Entry, loose: bool) -> Result<Self, Fault> {
         let wrong = |what: &str| Fault::Broken { what: what.to_owned(), line: Some(e.line) };
         let lines = e
             .from
@@ -225,10 +277,13 @@ impl Numbers {
         let (mut rest, mut all, mut over) = (text.as_str(), Vec::new(), false);
         while !over && !rest.trim().is_empty() {
             let (held, after, last) = field(rest, file.marks)?;
-            let digits = held.trim().replace(['D', 'd'], "E");
-            let x = if digits.is_empty() { Ok(0.0) } else { digits.parse::<f64>() };
+            let x = match number(&held) {
+                None if loose => Some(f64::NAN),
+                None if held.trim().is_empty() => Some(0.0),
+                x => x,
+            };
             let first = lines.first().map_or(e.line, |l| l.1);
-            all.push(x.map_err(|_| Fault::Broken {
+            all.push(x.ok_or_else(|| Fault::Broken {
                 what: format!("{} is no number, among the parameters", held.trim()),
                 line: Some(first),
             })?);
@@ -269,6 +324,32 @@ impl Numbers {
 }
 
 impl File<'_> {
+    fn matrix(&self, e: &Entry) -> Result<Transform, Fault> {
+        let rows: [f64; 12] = Numbers::of(self, e)?
+            .take(12)?
+            .try_into()
+            .map_err(|_| broken("a matrix has twelve numbers"))?;
+        Ok(Transform::from_rows(&rows))
+    }
+
+    /// Lines of matrices that others refer to and that are no rotations, as the standard wants them.
+    fn unlike_rotations(&self) -> Vec<usize> {
+        /// How far products of columns may miss, for numbers of few digits.
+        const DIGITS: f64 = 1e-4;
+        let used: BTreeSet<usize> = self.entries.values().map(|e| e.matrix).collect();
+        let matrices = used.iter().filter_map(|at| self.entries.get(at));
+        let unlike = |e: &&Entry| {
+            let Ok(m) = self.matrix(e) else { return false };
+            let columns = [0, 1, 2].map(|k| m.linear.column(k).into_owned());
+            let off = |i: usize, k: usize| {
+                let due = if i == k { 1.0 } else { 0.0 };
+                (columns[i].dot(&columns[k]) - due).abs() > DIGITS
+            };
+            (0..3).any(|i| (0..=i).any(|k| off(i, k)))
+        };
+        matrices.filter(|e| e.kind == MATRIX).filter(unlike).map(|e| e.line).collect()
+    }
+
     /// The map of the matrix at a directory line, those that it refers to after it.
     fn map(&self, matrix: usize) -> Result<Option<Transform>, Fault> {
         let (mut at, mut map) = (matrix, None);
@@ -276,14 +357,14 @@ impl File<'_> {
             if at == 0 {
                 return Ok(map);
             }
-            let Some(e) = self.entries.get(&at).filter(|e| e.kind == 124) else {
+            let Some(e) = self.entries.get(&at).filter(|e| e.kind == MATRIX) else {
                 return Err(broken(format!("directory line {at} is no matrix (124)")));
             };
-            let rows: [f64; 12] = Numbers::of(self, e)?
-                .take(12)?
-                .try_into()
-                .map_err(|_| broken("a matrix has twelve numbers"))?;
-            let own = Transform::from_rows(&rows);
+            let own = self.matrix(e)?;
+            if !is_place(&own) {
+                let what = "a matrix (124) flattens what it carries".to_owned();
+                return Err(Fault::Broken { what, line: Some(e.line) });
+            }
             map = Some(map.map_or(own, |m: Transform| m.then(&own)));
             at = e.matrix;
         }

@@ -99,7 +99,7 @@ pub(crate) fn read(text: &str, limits: &Limits) -> Result<Outside, Fault> {
             BsplineSurface { degree: s.degree, knots: s.knots, counts, points, range: [None; 2] };
         out.bspline(&name, surface, None)?;
     }
-    Ok(out.file)
+    Ok(out.done())
 }
 
 fn unit(name: &str) -> Result<f64, Fault> {
@@ -150,5 +150,5 @@ fn geomdl(file: Geomdl, limits: &Limits) -> Result<Outside, Fault> {
         };
         out.bspline(&name, surface, None)?;
     }
-    Ok(out.file)
+    Ok(out.done())
 }

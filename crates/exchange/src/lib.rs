@@ -14,6 +14,7 @@ mod border;
 mod curve;
 mod follow;
 mod iges;
+mod instances;
 mod json;
 mod step;
 mod stl;
@@ -128,12 +129,22 @@ fn broken(what: impl Into<String>) -> Fault {
 struct Collected<'l> {
     file: Outside,
     points: usize,
+    /// The points of each surface.
+    sizes: Vec<usize>,
+    /// Surfaces that cubic patches follow, with their degrees and how near.
+    followed: Vec<(String, [usize; 2], f64)>,
     limits: &'l Limits,
 }
 
 impl<'l> Collected<'l> {
     fn new(limits: &'l Limits) -> Self {
-        Self { file: Outside::default(), points: 0, limits }
+        Self {
+            file: Outside::default(),
+            points: 0,
+            sizes: Vec::new(),
+            followed: Vec::new(),
+            limits,
+        }
     }
 
     /// A B-spline surface that the file calls `name`; it is fitted once to see that it is one.
@@ -150,12 +161,26 @@ impl<'l> Collected<'l> {
             return Err(broken(format!("{name} has no area: its control points lie on one line")));
         }
         if off > 0.0 {
-            let [p, q] = surface.degree;
-            self.file.notes.push(format!(
-                "{name} is of degree {p} by {q}; cubic patches follow it within {off:.1e}"
-            ));
+            self.followed.push((name.to_owned(), surface.degree, off));
         }
         self.push(SurfaceShape::Bspline(Box::new(surface)), points, map)
+    }
+
+    /// The file, with what is left to tell.
+    fn done(mut self) -> Outside {
+        let names: Vec<&str> = self.followed.iter().map(|f| f.0.as_str()).collect();
+        let off = self.followed.iter().fold(0.0_f64, |m, f| m.max(f.2));
+        match &self.followed[..] {
+            [] => {}
+            [(name, [p, q], _)] => self.file.notes.push(format!(
+                "{name} is of degree {p} by {q}; cubic patches follow it within {off:.1e}"
+            )),
+            _ => self.file.notes.push(format!(
+                "surfaces of a degree above three, which cubic patches follow within {off:.1e}: {}",
+                named("", &names)
+            )),
+        }
+        self.file
     }
 
     fn push(
@@ -172,6 +197,7 @@ impl<'l> Collected<'l> {
             return Err(Fault::TooLarge(format!("more than {} surfaces", self.limits.surfaces)));
         }
         self.file.surfaces.push(SurfaceDefinition { shape, map });
+        self.sizes.push(points);
         Ok(())
     }
 }

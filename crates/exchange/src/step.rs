@@ -8,8 +8,10 @@ pub(crate) mod curves;
 pub(crate) mod edges;
 mod faces;
 pub(crate) mod forms;
+mod places;
+mod units;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use aptc_geometry::sculptured::BsplineSurface;
 use ruststep::ast::{EntityInstance, Name, Parameter, Record};
@@ -19,6 +21,7 @@ use crate::{Collected, Fault, Limits, Outside, broken, named};
 use edges::Curves;
 use faces::{Face, border, faces};
 use forms::{Form, NAMES};
+use places::Drawn;
 
 /// Brackets within each other: the reader of the text calls itself for each.
 const DEPTH: usize = 64;
@@ -35,23 +38,36 @@ pub(crate) fn read(text: &str, limits: &Limits) -> Result<Outside, Fault> {
         let first = e.to_string();
         broken(format!("this is no STEP file: {}", first.lines().next().unwrap_or_default()))
     })?;
-    let entities: Entities<'_> = file
-        .data
-        .iter()
-        .flat_map(|d| &d.entities)
-        .map(|e| match e {
+    let mut out = Collected::new(limits);
+    let mut entities = Entities::new();
+    let mut twice = BTreeSet::new();
+    for e in file.data.iter().flat_map(|d| &d.entities) {
+        let (id, records) = match e {
             EntityInstance::Simple { id, record } => (*id, std::slice::from_ref(record)),
             EntityInstance::Complex { id, subsuper } => (*id, subsuper.0.as_slice()),
-        })
-        .collect();
-    let mut out = Collected::new(limits);
-    out.file.unit_mm = unit(&entities)?;
-    let angle = angle(&entities);
+        };
+        if entities.insert(id, records).is_some() {
+            twice.insert(id);
+        }
+    }
+    if !twice.is_empty() {
+        let twice: Vec<u64> = twice.into_iter().collect();
+        out.file.notes.push(format!(
+            "numbers of several entities stand for the last of them: {}",
+            named("#", &twice)
+        ));
+    }
+    out.file.unit_mm = units::length(&entities, &mut out.file.notes)?;
+    let angle = units::angle(&entities, &mut out.file.notes)?;
     let mut faces_of = BTreeMap::<u64, Vec<Face>>::new();
+    let mut surface_of = BTreeMap::new();
     for face in faces(&entities) {
+        surface_of.insert(face.id, face.surface);
         faces_of.entry(face.surface).or_default().push(face);
     }
     let mut other = BTreeMap::<&str, Left>::new();
+    // The face or surface that each of the surfaces is.
+    let mut read = Vec::new();
     // Faces that are not the box of their parameters, those of which the box is not known, and those that make no surface.
     let (mut cut, mut unbounded, mut none) = (Vec::new(), Vec::new(), Vec::new());
     let mut curves = Curves::new(&entities, limits);
@@ -77,8 +93,12 @@ pub(crate) fn read(text: &str, limits: &Limits) -> Result<Outside, Fault> {
                 form.patch(border.range),
                 None,
             ) {
-                Ok(()) if border.whole => {}
-                Ok(()) => cut.push(face.id),
+                Ok(()) => {
+                    read.push(face.id);
+                    if !border.whole {
+                        cut.push(face.id);
+                    }
+                }
                 Err(why @ Fault::TooLarge(_)) => return Err(why),
                 Err(_) => none.push(face.id),
             }
@@ -87,6 +107,7 @@ pub(crate) fn read(text: &str, limits: &Limits) -> Result<Outside, Fault> {
             Some(surface) if left => {
                 unbounded.append(&mut faces);
                 out.bspline(&format!("#{id}"), surface, None)?;
+                read.push(*id);
             }
             _ => {}
         }
@@ -126,7 +147,14 @@ pub(crate) fn read(text: &str, limits: &Limits) -> Result<Outside, Fault> {
             named("#", &unbounded)
         ));
     }
-    Ok(out.file)
+    let drawn = Drawn { faces: surface_of, read: &read };
+    if let Some(assembly) = places::assembly(&entities, &drawn, &mut out.file.notes)? {
+        out.place(&read, &assembly)?;
+        if out.file.surfaces.is_empty() {
+            return Err(Fault::NoSurface(out.file.notes.join("; ")));
+        }
+    }
+    Ok(out.done())
 }
 
 /// Surfaces of a kind that are not read, or not for these faces.
@@ -352,60 +380,4 @@ fn steps(degree: usize, n: usize, even: bool, bezier: bool) -> Option<Vec<f64>> 
             })
             .collect(),
     )
-}
-
-/// Millimetres of the unit of length; several that differ are refused.
-fn unit(entities: &Entities<'_>) -> Result<Option<f64>, Fault> {
-    let mut named: Vec<u64> = Vec::new();
-    for records in entities.values() {
-        if let Some(all) = of(records, "GLOBAL_UNIT_ASSIGNED_CONTEXT").and_then(|p| p.first()) {
-            named.extend(list(all).unwrap_or_default().iter().filter_map(reference));
-        }
-    }
-    let mut found: Option<f64> = None;
-    for id in named {
-        let Some(mm) = length(entities, id, 0) else { continue };
-        if found.is_some_and(|f| (f - mm).abs() > 1e-9 * mm) {
-            return Err(Fault::Unsupported("it has several units of length".into()));
-        }
-        found = Some(mm);
-    }
-    Ok(found)
-}
-
-fn length(entities: &Entities<'_>, id: u64, depth: usize) -> Option<f64> {
-    let records = entities.get(&id)?;
-    records.iter().find(|r| r.name == "LENGTH_UNIT")?;
-    if let Some([prefix, ..]) = of(records, "SI_UNIT") {
-        let metre = 1000.0;
-        return Some(match prefix {
-            Parameter::Enumeration(e) => match e.as_str() {
-                "MILLI" => 1.0,
-                "CENTI" => 10.0,
-                "DECI" => 100.0,
-                "MICRO" => 1e-3,
-                "KILO" => 1e6,
-                _ => return None,
-            },
-            _ => metre,
-        });
-    }
-    let measure = reference(of(records, "CONVERSION_BASED_UNIT")?.get(1)?)?;
-    let measure = entities.get(&measure)?.first().and_then(|r| list(&r.parameter))?;
-    let [value, base] = measure else { return None };
-    (depth < 4).then(|| Some(real(value)? * length(entities, reference(base)?, depth + 1)?))?
-}
-
-/// Radians of the file's unit of plane angles; 1 where it does not say.
-fn angle(entities: &Entities<'_>) -> f64 {
-    let contexts = entities.values().filter_map(|r| of(r, "GLOBAL_UNIT_ASSIGNED_CONTEXT")?.first());
-    let named = contexts.flat_map(|p| list(p).unwrap_or_default()).filter_map(reference);
-    let of_unit = |id: u64| {
-        let records = entities.get(&id)?;
-        records.iter().find(|r| r.name == "PLANE_ANGLE_UNIT")?;
-        let measure = reference(of(records, "CONVERSION_BASED_UNIT")?.get(1)?)?;
-        let measure = entities.get(&measure)?.first().and_then(|r| list(&r.parameter))?;
-        real(measure.first()?)
-    };
-    named.filter_map(of_unit).next().unwrap_or(1.0)
 }

@@ -101,7 +101,7 @@ pub(crate) fn read(text: &str, limits: &Limits) -> Result<Outside, Fault> {
     out.file.notes.extend(open::told(&all));
     let n = 3 * all.len();
     out.push(SurfaceShape::Facets(all), n, None)?;
-    Ok(out.file)
+    Ok(out.done())
 }
 
 /// The triangles of a file.

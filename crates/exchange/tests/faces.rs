@@ -174,3 +174,76 @@ fn curves_that_are_turned_or_moved() {
         assert!((low.z).abs() < 1e-9 && near(high, most), "{low} {high}");
     }
 }
+
+/// A cone of 45 degrees, whatever the entities that tell what a degree is.
+#[test]
+fn angles_in_degrees() {
+    let degree = "PLANE_ANGLE_MEASURE(0.017453292519943295)";
+    for measure in ["PLANE_ANGLE_MEASURE_WITH_UNIT()MEASURE_WITH_UNIT", "MEASURE_WITH_UNIT"] {
+        let mut step = Step::default();
+        let mm = step.add("(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.))".into());
+        let radian = step.add("(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.))".into());
+        let measure = step.add(format!("({measure}({degree},#{radian}))"));
+        let unit = step.add(format!(
+            "(CONVERSION_BASED_UNIT('DEGREE',#{measure})NAMED_UNIT(*)PLANE_ANGLE_UNIT())"
+        ));
+        step.add(format!(
+            "(GLOBAL_UNIT_ASSIGNED_CONTEXT((#{mm},#{unit}))REPRESENTATION_CONTEXT('',''))"
+        ));
+        let frame = step.frame([0.0; 3], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]);
+        let cone = step.add(format!("CONICAL_SURFACE('',#{frame},5.,45.)"));
+        ring(&mut step, cone, [5.0, 0.0], [9.0, 4.0], true);
+        let file = step.read();
+        assert!(file.notes.is_empty(), "{:?}", file.notes);
+        let [low, high] = bounds(&places(&file));
+        assert!(near(low, [-9.0, -9.0, 0.0]) && near(high, [9.0, 9.0, 4.0]), "{low} {high}");
+    }
+}
+
+/// Places of a border follow each other also on a surface of many pieces whose boxes overlap: to look through all of them for each
+/// place took seconds.
+#[test]
+fn a_face_of_a_high_degree() {
+    let mut step = Step::default();
+    // Half of x + y runs evenly along u, half of x - y along v, and z waves with u.
+    let at = |k: f64, y: f64, z: f64| [k + y, k - y, z];
+    let row = |step: &mut Step, y: f64| {
+        let point = |k: i32| at(f64::from(k), y, if k % 2 == 0 { 0.1 } else { -0.1 });
+        (0..=14).map(|k| format!("#{}", step.point(point(k)))).collect::<Vec<_>>()
+    };
+    let (low, high) = (row(&mut step, 0.0), row(&mut step, 10.0));
+    let net: Vec<String> = low.iter().zip(&high).map(|(a, b)| format!("({a},{b})")).collect();
+    let kind = ".UNSPECIFIED.,.F.,.F.";
+    let surface = step.add(format!("BEZIER_SURFACE('',14,1,({}),{kind},.F.)", net.join(",")));
+    let sides = [2.5, 7.5].map(|y| {
+        let points = row(&mut step, y).join(",");
+        step.add(format!("BEZIER_CURVE('',14,({points}),{kind})"))
+    });
+    let corners = [at(0.0, 2.5, 0.1), at(14.0, 2.5, 0.1), at(14.0, 7.5, 0.1), at(0.0, 7.5, 0.1)];
+    let vertices = corners.map(|p| step.vertex(p));
+    let ends = [step.line(corners[1], corners[2]), step.line(corners[0], corners[3])];
+    let edges = [
+        (step.edge([vertices[0], vertices[1]], sides[0], true), true),
+        (step.edge([vertices[1], vertices[2]], ends[0], true), true),
+        (step.edge([vertices[3], vertices[2]], sides[1], true), false),
+        (step.edge([vertices[0], vertices[3]], ends[1], true), false),
+    ];
+    let bound = step.bound(&edges);
+    for _ in 0..40 {
+        step.face(&[bound], surface);
+    }
+    let began = std::time::Instant::now();
+    let file = step.read();
+    // A fortieth of that as a rule.
+    assert!(began.elapsed().as_secs() < 4);
+    assert_eq!(file.surfaces.len(), 40);
+    assert!(file.notes.len() == 1 && file.notes[0].contains("degree"), "{:?}", file.notes);
+    let own: Vec<Vec3> = places(&file)
+        .iter()
+        .map(|p| Vec3::new(0.5 * (p.x + p.y), 0.5 * (p.x - p.y), p.z))
+        .collect();
+    let [low, high] = bounds(&own);
+    for (a, b) in [(low, [0.0, 2.5]), (high, [14.0, 7.5])] {
+        assert!((a.x - b[0]).abs() < 1e-6 && (a.y - b[1]).abs() < 1e-6, "{low} {high}");
+    }
+}

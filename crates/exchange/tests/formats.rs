@@ -36,10 +36,14 @@ fn json_is_read_or_refused() {
     assert!(matches!(all(&trimmed.replace('N', "1")), Err(Fault::Unsupported(_))));
 }
 
+/// In millimetres, where the data does not tell another unit.
 fn step(data: &str) -> String {
+    let unit = "#901=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.));\n\
+        #902=(GLOBAL_UNIT_ASSIGNED_CONTEXT((#901))REPRESENTATION_CONTEXT('',''));\n";
+    let unit = if data.contains("UNIT_ASSIGNED") { "" } else { unit };
     format!(
         "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_NAME('a','b',(''),(''),'c','d','');\n\
-         FILE_SCHEMA(('CONFIG_CONTROL_DESIGN'));\nENDSEC;\nDATA;\n{data}ENDSEC;\nEND-ISO-10303-21;\n"
+         FILE_SCHEMA(('CONFIG_CONTROL_DESIGN'));\nENDSEC;\nDATA;\n{unit}{data}ENDSEC;\nEND-ISO-10303-21;\n"
     )
 }
 
@@ -76,6 +80,31 @@ fn step_with_complex_instances() {
     );
     let q = fitted(&all(&step(&implied)).unwrap()).at(0.5, 0.5).point;
     assert!((q - p).norm() < 1e-14);
+}
+
+#[test]
+fn numbers_of_several_entities_of_step_are_told() {
+    let twice = format!(
+        "{POINTS}#6=CARTESIAN_POINT('',(0.,5.,9.));\n#10=BEZIER_SURFACE('',1,1,((#1,#2),(#5,#6)),.U.,.F.,.F.,.F.);\n"
+    );
+    let file = all(&step(&twice)).unwrap();
+    assert_eq!(file.notes, ["numbers of several entities stand for the last of them: #6"]);
+    assert!((fitted(&file).at(1.0, 1.0).point.z - 9.0).abs() < 1e-12);
+}
+
+/// Several surfaces of a high degree are told at once.
+#[test]
+fn surfaces_of_a_high_degree_are_told_together() {
+    let surface = r#"{"degree": [4, 1], "knots": [[0,0,0,0,0,1,1,1,1,1], [0,0,1,1]], "points":
+        [[[0,0,0],[1,0,4],[2,0,-3],[3,0,5],[4,0,0]], [[0,9,0],[1,9,4],[2,9,-3],[3,9,5],[4,9,0]]]}"#;
+    let notes = |n: usize| {
+        let all = vec![surface; n].join(",");
+        self::all(&format!(r#"{{"surfaces": [{all}]}}"#)).unwrap().notes
+    };
+    let one = notes(1);
+    assert!(one.len() == 1 && one[0].starts_with("surface 1 is of degree 4 by 1;"), "{one:?}");
+    let many = notes(15);
+    assert!(many.len() == 1 && many[0].ends_with("surface 12 and 3 more"), "{many:?}");
 }
 
 #[test]

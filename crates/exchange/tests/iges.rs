@@ -1,41 +1,13 @@
 //! IGES against shapes that are known, and against files that are broken.
 
+mod ig;
 mod quarter;
 
 use aptc_exchange::{Fault, Outside};
 use aptc_geometry::sculpt::{Sculptured, fit_surface};
 use aptc_geometry::{Vec3, trig};
+use ig::iges;
 use quarter::{W, all, fitted, is_quarter};
-
-/// A file of IGES of entities: type (with a thousand times its form), directory line of the matrix, parameters.
-fn iges(unit: u32, entities: &[(u32, usize, String)]) -> String {
-    let line = |body: &str, section: char, n: usize| format!("{body:<72}{section}{n:>7}\n");
-    let mut out = line("made by a test", 'S', 1);
-    let global =
-        format!("1H,,1H;,4Htest,8Ha;b,c.ig,4Htest,1H1,32,38,6,308,15,4Htest,1.,{unit},2HMM,1,0.1;");
-    for (k, part) in global.as_bytes().chunks(72).enumerate() {
-        out += &line(std::str::from_utf8(part).expect("ASCII"), 'G', k + 1);
-    }
-    let (mut directory, mut parameters) = (String::new(), String::new());
-    let mut n = 0;
-    for (k, (kind, matrix, text)) in entities.iter().enumerate() {
-        let (form, kind) = (kind / 1000, kind % 1000);
-        let (first, body) = (n + 1, format!("{kind},{text};"));
-        for part in body.as_bytes().chunks(64) {
-            n += 1;
-            let held = format!("{:<64}{:>8}", std::str::from_utf8(part).expect("ASCII"), 2 * k + 1);
-            parameters += &line(&held, 'P', n);
-        }
-        let head = format!(
-            "{kind:>8}{first:>8}{:>8}{:>8}{:>8}{:>8}{matrix:>8}{:>8}{:>8}",
-            0, 0, 0, 0, 0, 0
-        );
-        directory += &line(&head, 'D', 2 * k + 1);
-        let tail = format!("{kind:>8}{:>8}{:>8}{:>8}{form:>8}", 0, 0, n + 1 - first);
-        directory += &line(&tail, 'D', 2 * k + 2);
-    }
-    out + &directory + &parameters + &line("", 'T', 1)
-}
 
 fn quarter(range: &str) -> String {
     let points = "5.,0.,0.,5.,5.,0.,0.,5.,0.,5.,0.,8.,5.,5.,8.,0.,5.,8.";
@@ -96,6 +68,12 @@ fn what_is_broken_is_refused() {
             refused(&[(128, 0, text.into())]),
             Fault::Broken { .. } | Fault::TooLarge(_)
         ));
+    }
+    // Weights of 0, as STEP says it.
+    let flat = (128, 0, quarter("0.,1.").replace("1.D0", "0."));
+    for more in [vec![], vec![of(144, "1,0,0,0")]] {
+        let why = refused(&[vec![flat.clone()], more].concat()).to_string();
+        assert!(why.ends_with("entity 128 is no surface: a control point is not finite, or a weight is not above zero"), "{why}");
     }
     // A matrix that refers to itself ends.
     let around = (124, 1, "1.,0.,0.,0.,0.,1.,0.,0.,0.,0.,1.,0.".to_owned());

@@ -185,6 +185,31 @@ fn saved_definitions_are_read_by_their_names() {
     assert_eq!(run("READ/1\nFINI\n").told(), [(1095, 1)]);
 }
 
+/// All that is to know of a file of surfaces comes with one message: of several at one place the first alone would be told.
+#[test]
+fn what_a_file_of_surfaces_holds_besides_is_told_whole() {
+    let points: String = [[0, 0, 0], [0, 8, 0], [5, 0, 0], [5, 8, 1]]
+        .iter()
+        .zip(1..)
+        .map(|([x, y, z], k)| format!("#{k}=CARTESIAN_POINT('',({x}.,{y}.,{z}.));\n"))
+        .collect();
+    let text = format!(
+        "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_NAME('a','b',(''),(''),'c','d','');\n\
+         FILE_SCHEMA(('CONFIG_CONTROL_DESIGN'));\nENDSEC;\nDATA;\n{points}\
+         #5=BEZIER_SURFACE('',1,1,((#1,#2),(#3,#4)),.UNSPECIFIED.,.F.,.F.,.F.);\n#6=OFFSET_SURFACE('',#5,1.,.F.);\n\
+         ENDSEC;\nEND-ISO-10303-21;\n"
+    );
+    let mut shelf = Shelf(BTreeMap::from([("LID", &*text)]));
+    let ran = run_with("READ/1,LID\nFINI\n", &mut shelf, Options::default(), |_| Outcome::None);
+    let [told] = &ran.diagnostics[..] else { panic!("{}", ran.messages()) };
+    assert_eq!(told.code.number(), 1114);
+    assert_eq!(
+        told.message,
+        "LID: it names no unit of length; that of the program is taken (1 of 2 notes)"
+    );
+    assert_eq!(told.notes, ["not read: 1 OFFSET_SURFACE"]);
+}
+
 #[test]
 fn several_programs_in_a_file_know_nothing_of_each_other() {
     let text = "PARTNO ONE\nA=1\nM=MACRO/\nTERMAC\nGOTO/A,0,0\nFINI\nPARTNO TWO\nA=POINT/2,0\n\

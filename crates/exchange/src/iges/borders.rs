@@ -268,7 +268,9 @@ fn bound(
         }
         Ok::<_, Fault>((!out.is_empty()).then_some(out))
     };
-    let space = edges(&space, Some(back))?.filter(|all| linked(all));
+    // A matrix of the border carries its curves in space.
+    let back = file.map(e.matrix)?.map_or(*back, |m| m.then(back));
+    let space = edges(&space, Some(&back))?.filter(|all| linked(all));
     let flat = edges(&flat, None)?;
     Ok(Some(Bound { space, flat, prefers }))
 }

@@ -77,7 +77,7 @@ pub(super) fn held(
         // The form has all of the knots' range; the part that belongs to the surface is taken of it.
         let range = std::mem::take(&mut s.range);
         let form = Form::spline(s);
-        let whole = form.as_ref().map(|f| {
+        let whole = form.as_ref().ok().map(|f| {
             [0, 1].map(|k| {
                 let ends = f.plane().ends[k].map(|x| x.unwrap_or(0.0));
                 let r = range[k].unwrap_or(ends);
@@ -93,7 +93,7 @@ pub(super) fn held(
             match joined(&cells).filter(|_| trimmed) {
                 Some(s) => {
                     let (form, whole) = of_spline(s);
-                    exact(form, whole, None)
+                    exact(form.ok(), whole, None)
                 }
                 None => {
                     let n = cells.net.len() / 4;
@@ -110,7 +110,7 @@ pub(super) fn held(
             }
             if alike(&a, &b, e.form == 1) {
                 let (form, whole) = of_spline(a.curve.ruled(&b.curve));
-                return exact(form, whole, None);
+                return exact(form.ok(), whole, None);
             }
             Ok(if e.form == 1 { None } else { by_length(&a, &b, map) })
         }
@@ -139,7 +139,11 @@ pub(super) fn held(
         }
         128 => {
             let (form, whole) = of_spline(bspline(p, limits)?);
-            exact(form, whole, None)
+            let form = form.map_err(|why| Fault::Broken {
+                what: format!("entity {} is no surface: {why}", e.kind),
+                line: Some(e.line),
+            });
+            exact(Some(form?), whole, None)
         }
         _ => Ok(None),
     }

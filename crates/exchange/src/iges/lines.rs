@@ -3,6 +3,7 @@
 
 use std::collections::BTreeMap;
 
+use super::units::{scale, unit};
 use super::{Entry, File};
 use crate::{Fault, broken};
 
@@ -104,10 +105,9 @@ pub(super) fn sections(text: &str) -> Result<File<'_>, Fault> {
         return Err(broken("its global section, which says its unit, is not there"));
     }
     let (fields, marks) = globals(&global)?;
-    let number = |i: usize| fields.get(i).and_then(|f| f.trim().parse::<f64>().ok());
-    // Lengths of the model for lengths of the part.
-    let scale = number(12).filter(|s| *s > 0.0 && s.is_finite()).unwrap_or(1.0);
-    let unit_mm = unit(number(13), fields.get(14).map(String::as_str)).map(|mm| mm / scale);
+    let mut notes = Vec::new();
+    let scale = scale(&fields)?;
+    let unit_mm = unit(&fields, &mut notes).map(|mm| mm / scale);
     let mut entries = BTreeMap::new();
     for (k, pair) in directory.chunks(2).enumerate() {
         let [(first, line), (second, _)] = pair else {
@@ -130,7 +130,7 @@ pub(super) fn sections(text: &str) -> Result<File<'_>, Fault> {
         let form = get(second, 4)?;
         entries.insert(2 * k + 1, Entry { kind, form, from, lines, matrix, line: *line });
     }
-    Ok(File { entries, parameters, marks, unit_mm, scale })
+    Ok(File { entries, parameters, marks, unit_mm, scale, notes })
 }
 
 /// The fields of the global section and the two marks that it sets.
@@ -181,37 +181,5 @@ pub(super) fn field(text: &str, [between, end]: [char; 2]) -> Result<(String, &s
             Ok((start[..at].to_owned(), &start[at + c.len_utf8()..], c == end))
         }
         None => Ok((start.to_owned(), "", true)),
-    }
-}
-
-/// Millimetres of the unit: its number, or its name where the number is 3.
-fn unit(flag: Option<f64>, name: Option<&str>) -> Option<f64> {
-    let by_name = || {
-        Some(match name?.trim().to_ascii_uppercase().as_str() {
-            "IN" | "INCH" => 25.4,
-            "MM" => 1.0,
-            "FT" => 304.8,
-            "M" => 1000.0,
-            "CM" => 10.0,
-            "KM" => 1e6,
-            "MI" => 1_609_344.0,
-            "UM" => 1e-3,
-            "MIL" => 0.0254,
-            "UIN" => 25.4e-6,
-            _ => return None,
-        })
-    };
-    match flag {
-        Some(1.0) => Some(25.4),
-        Some(2.0) => Some(1.0),
-        Some(4.0) => Some(304.8),
-        Some(5.0) => Some(1_609_344.0),
-        Some(6.0) => Some(1000.0),
-        Some(7.0) => Some(1e6),
-        Some(8.0) => Some(0.0254),
-        Some(9.0) => Some(1e-3),
-        Some(10.0) => Some(10.0),
-        Some(11.0) => Some(25.4e-6),
-        _ => by_name(),
     }
 }

@@ -36,7 +36,7 @@ pub(super) fn point(entities: &Entities<'_>, p: &Parameter) -> Option<Vec3> {
     place(entities, reference(p)?).map(Vec3::from)
 }
 
-fn direction(entities: &Entities<'_>, p: &Parameter) -> Option<Vec3> {
+pub(super) fn direction(entities: &Entities<'_>, p: &Parameter) -> Option<Vec3> {
     let all = single(entities, reference(p)?, "DIRECTION")?;
     let [x, y, z] = list(all.get(1)?)? else { return None };
     Vec3::new(real(x)?, real(y)?, real(z)?).try_normalize(0.0)

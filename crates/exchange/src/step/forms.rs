@@ -1,8 +1,9 @@
 //! Surfaces of STEP by their parameters: what a place has for parameters, and the exact patch over a box of them.
 
+use core::cell::Cell;
 use core::f64::consts::{FRAC_PI_2, TAU};
 
-use aptc_geometry::sculpt::{self, Layout, Sculptured, nearest_on};
+use aptc_geometry::sculpt::{self, BsplineFault, Layout, Sculptured, nearest_from, nearest_on};
 use aptc_geometry::sculptured::BsplineSurface;
 use aptc_geometry::{Vec3, trig};
 
@@ -54,6 +55,8 @@ pub(crate) struct Spline {
     periods: [Option<f64>; 2],
     /// Points into which sides of the surface shrink: of each parameter at the ends of the other one.
     poles: [[Option<Vec3>; 2]; 2],
+    /// The last place that was looked for: places of a border follow each other.
+    last: Cell<Option<[f64; 2]>>,
 }
 
 impl Form {
@@ -68,7 +71,7 @@ impl Form {
     ) -> Option<Self> {
         let records = *entities.get(&id)?;
         if let Some(own) = own {
-            return Self::spline(own.clone());
+            return Self::spline(own.clone()).ok();
         }
         let [one] = records else { return None };
         let all = super::list(&one.parameter)?;
@@ -99,8 +102,8 @@ impl Form {
         })
     }
 
-    pub(crate) fn spline(surface: BsplineSurface) -> Option<Self> {
-        let (fitted, _) = sculpt::bspline(&surface).ok()?;
+    pub(crate) fn spline(surface: BsplineSurface) -> Result<Self, BsplineFault> {
+        let (fitted, _) = sculpt::bspline(&surface)?;
         let borders = [0, 1].map(|k| {
             let (p, n) = (surface.degree[k], surface.counts[k]);
             // The knots that the fitted surface counts.
@@ -132,7 +135,14 @@ impl Form {
                 all.iter().all(|p| (p - all[0]).norm() <= one).then_some(all[0])
             })
         });
-        Some(Self::Spline(Box::new(Spline { surface, fitted, borders, periods, poles })))
+        Ok(Self::Spline(Box::new(Spline {
+            surface,
+            fitted,
+            borders,
+            periods,
+            poles,
+            last: Cell::new(None),
+        })))
     }
 
     /// A line that is turned is a cylinder or a cone, or a plane.
@@ -313,7 +323,7 @@ impl Form {
                         return own;
                     }
                 }
-                let uv = nearest_on(&s.fitted, p).uv;
+                let uv = s.near(p);
                 [0, 1].map(|k| Some(s.knot(k, uv[k])))
             }
         }
@@ -400,6 +410,18 @@ fn around(curve: &Curve, t: f64) -> Vec3 {
 }
 
 impl Spline {
+    /// The place of the fitted surface nearest to `p`: about the last one where `p` is on the surface there, for to look
+    /// through all patches of a high degree takes seconds.
+    fn near(&self, p: Vec3) -> [f64; 2] {
+        /// How far a border is off its surface at most, as a share of its size, and still on it.
+        const ON: f64 = 1e-5;
+        let about = self.last.get().map(|uv| nearest_from(&self.fitted, p, uv));
+        let about = about.filter(|hit| hit.distance <= ON * self.fitted.extent());
+        let uv = about.unwrap_or_else(|| nearest_on(&self.fitted, p)).uv;
+        self.last.set(Some(uv));
+        uv
+    }
+
     /// The last parameter of the fitted surface, and the spans between knots.
     fn length(&self, k: usize) -> (f64, usize) {
         let last = match &self.fitted.layout {

@@ -96,6 +96,18 @@ impl Step {
         for (k, entity) in self.0.iter().enumerate() {
             writeln!(data, "#{}={entity};", k + 1).expect("a string");
         }
+        if !data.contains("UNIT_ASSIGNED") {
+            let n = self.0.len();
+            let context = format!("GLOBAL_UNIT_ASSIGNED_CONTEXT((#{}))", n + 1);
+            let unit = "(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.))";
+            write!(
+                data,
+                "#{}={unit};\n#{}=({context}REPRESENTATION_CONTEXT('',''));\n",
+                n + 1,
+                n + 2
+            )
+            .expect("a string");
+        }
         let text = format!(
             "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_NAME('a','b',(''),(''),'c','d','');\n\
              FILE_SCHEMA(('CONFIG_CONTROL_DESIGN'));\nENDSEC;\nDATA;\n{data}ENDSEC;\nEND-ISO-10303-21;\n"

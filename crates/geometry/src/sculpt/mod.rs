@@ -44,7 +44,7 @@ pub use flow::{Flow, FlowKind, FlowSpan, SegmentKind, SegmentSpan};
 pub use loft::{LoftFault, loft};
 pub use meet::{Cutting, MeetCurve, MeetFault, MeetPoint, MeetSide, meet};
 pub use mesh::{MeshFault, mesh};
-pub use nearest::{SurfaceHit, along_line, nearest_on};
+pub use nearest::{SurfaceHit, along_line, nearest_from, nearest_on};
 pub use patch::{Derivatives, Patch};
 pub use patches::{filled, from_points, from_polygon, from_vectors};
 pub use smooth::smooth;

@@ -35,7 +35,7 @@ pub fn nearest_on(s: &Sculptured, p: Vec3) -> SurfaceHit {
             if best.is_some_and(|b| (start - p).norm() > b.distance + (hi - lo).norm() / 3.0) {
                 continue;
             }
-            let [u, v] = descend(|u, v| patch.at(u, v), p, [u, v]);
+            let [u, v] = descend(|u, v| patch.at(u, v), p, [u, v], [1.0; 2]);
             let at = patch.at(u, v);
             let distance = (at.point - p).norm();
             if best.is_none_or(|b| distance < b.distance) {
@@ -53,9 +53,21 @@ fn starts() -> impl Iterator<Item = (f64, f64)> {
     (0..STARTS * STARTS).map(move |k| (t(k % STARTS), t(k / STARTS)))
 }
 
-/// Descent to the nearest point within the unit square: Newton's step where it descends, else the
+/// The place to which the distance from `p` falls from a place of the surface: the nearest about it, which need be no nearest of all.
+pub fn nearest_from(s: &Sculptured, p: Vec3, uv: [f64; 2]) -> SurfaceHit {
+    let uv = descend(|u, v| s.at(u, v), p, uv, s.spans());
+    let at = s.at(uv[0], uv[1]);
+    SurfaceHit { uv, at, distance: (at.point - p).norm() }
+}
+
+/// Descent to the nearest point with parameters from 0 to these ends: Newton's step where it descends, else the
 /// projection on the tangent plane, halved until the distance falls.
-fn descend(f: impl Fn(f64, f64) -> Derivatives, p: Vec3, start: [f64; 2]) -> [f64; 2] {
+fn descend(
+    f: impl Fn(f64, f64) -> Derivatives,
+    p: Vec3,
+    start: [f64; 2],
+    ends: [f64; 2],
+) -> [f64; 2] {
     let [mut u, mut v] = start;
     let mut d = f(u, v);
     for _ in 0..STEPS {
@@ -63,8 +75,8 @@ fn descend(f: impl Fn(f64, f64) -> Derivatives, p: Vec3, start: [f64; 2]) -> [f6
         let value = w.norm_squared();
         let (gu, gv) = (w.dot(&d.u), w.dot(&d.v));
         let (free_u, free_v) = (
-            !(u <= 0.0 && gu > 0.0 || u >= 1.0 && gu < 0.0),
-            !(v <= 0.0 && gv > 0.0 || v >= 1.0 && gv < 0.0),
+            !(u <= 0.0 && gu > 0.0 || u >= ends[0] && gu < 0.0),
+            !(v <= 0.0 && gv > 0.0 || v >= ends[1] && gv < 0.0),
         );
         let (auu, auv, avv) = (
             d.u.dot(&d.u) + w.dot(&d.uu),
@@ -90,7 +102,7 @@ fn descend(f: impl Fn(f64, f64) -> Derivatives, p: Vec3, start: [f64; 2]) -> [f6
         }
         let mut moved = false;
         for _ in 0..30 {
-            let (a, b) = ((u + du).clamp(0.0, 1.0), (v + dv).clamp(0.0, 1.0));
+            let (a, b) = ((u + du).clamp(0.0, ends[0]), (v + dv).clamp(0.0, ends[1]));
             let e = f(a, b);
             if (e.point - p).norm_squared() < value {
                 moved = (a - u).abs() + (b - v).abs() > 1e-16;
@@ -199,6 +211,21 @@ mod tests {
             assert!(hit.distance <= least + 1e-12, "{k}: {} {least}", hit.distance);
             assert!(least - hit.distance < 0.01);
         }
+    }
+
+    #[test]
+    fn a_place_near_by_leads_to_the_nearest_one() {
+        let s = surface();
+        let d = s.at(2.4, 1.7);
+        let p = d.point + d.u.cross(&d.v).normalize() * 0.05;
+        // Over borders of patches, and from a corner along two sides.
+        for start in [[2.4, 1.7], [1.3, 2.9], [3.9, 0.2]] {
+            let (near, all) = (nearest_from(&s, p, start), nearest_on(&s, p));
+            assert!((near.at.point - all.at.point).norm() < 1e-9, "{near:?} {all:?}");
+            assert!((near.distance - 0.05).abs() < 1e-9);
+        }
+        let corner = nearest_from(&s, s.at(4.0, 4.0).point + Vec3::new(9.0, 9.0, 0.0), [2.0, 2.0]);
+        assert!(corner.uv.iter().all(|t| (t - 4.0).abs() < 1e-12), "{corner:?}");
     }
 
     #[test]

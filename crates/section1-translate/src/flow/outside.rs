@@ -66,15 +66,16 @@ impl Interpreter<'_> {
 
     /// The surfaces in program units and in the base system; what the user should know of them is said.
     fn told(&mut self, name: &Expr, file: &LoadedFile, outside: Outside) -> Vec<Form> {
-        for note in &outside.notes {
-            self.error(
-                Diagnostic::warning(
-                    codes::PART_OF_FILE,
-                    name.span,
-                    format!("{}: {note}", file.name),
-                )
-                .help("make sure that the surfaces that are read are all that the cut needs"),
-            );
+        if let Some((first, more)) = outside.notes.split_first() {
+            // One message, for of several of one code at one place the first alone is told.
+            let count = match more.len() {
+                0 => String::new(),
+                n => format!(" (1 of {} notes)", n + 1),
+            };
+            let message = format!("{}: {first}{count}", file.name);
+            let message = Diagnostic::warning(codes::PART_OF_FILE, name.span, message)
+                .help("make sure that the surfaces that are read are all that the cut needs");
+            self.error(more.iter().fold(message, |m, note| m.note(note.clone())));
         }
         let scale = outside.unit_mm.map(|mm| mm / self.state.unit.mm());
         let scale = scale.filter(|s| (s - 1.0).abs() > 1e-12).map(Transform::scale);

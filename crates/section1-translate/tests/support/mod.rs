@@ -21,9 +21,9 @@ pub(crate) struct Ran {
 
 /// Files by name.
 #[derive(Default)]
-pub(crate) struct Shelf(pub(crate) BTreeMap<&'static str, &'static str>);
+pub(crate) struct Shelf<'t>(pub(crate) BTreeMap<&'static str, &'t str>);
 
-impl Files for Shelf {
+impl Files for Shelf<'_> {
     fn read(&mut self, request: &FileRequest) -> Result<LoadedFile, FileError> {
         match self.0.get(&*request.name) {
             Some(text) => Ok(LoadedFile { name: request.name.clone(), text: (*text).into() }),
