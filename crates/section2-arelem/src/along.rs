@@ -154,7 +154,8 @@ impl Arelem {
         tool: &Tool,
         path: &Path,
     ) -> Option<&'d SurfaceRef> {
-        let check = d.checks.get(path.check).filter(|c| c.relation == Relation::Past)?;
+        let first = |c: &&protap::Check| c.relation == Relation::Past && c.nth <= 1;
+        let check = d.checks.get(path.check).filter(first)?;
         let keep = Keep::of(&self.wall(&check.surface, Role::Check, false).ok()?).ok()?;
         let (start, end) = (Pose { te: tool.te, ta: tool.ta }, path.points.last()?);
         let end = Pose { te: end.te, ta: end.ta };

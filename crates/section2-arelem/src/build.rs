@@ -186,7 +186,7 @@ impl Arelem {
             (*q, reversed) = (Arc::new(other), true);
         }
         let (surface, mut band) = (surface.clone(), s.band(role));
-        if on && role == Role::Part && self.is_below(fitted.as_ref()) {
+        if on && self.is_below(fitted.as_ref()) {
             (band.intol, band.outtol) = (band.outtol, band.intol);
         }
         Ok(Wall { surface, fitted, reversed, profile, disk, on, thick, band, outside: false })
@@ -195,8 +195,10 @@ impl Arelem {
     /// Does the normal of a surface on which the tool end lies point away from the cutter? What stays is then on the side to which
     /// it points, and the band of the surface is the other way round. Both sides of a plane have the wider one.
     fn is_below(&self, surface: Option<&Surface>) -> bool {
+        /// Cosine of the angle between normal and axis from which the surface counts as a wall, whose band is as it is.
+        const WALL: f64 = 0.2;
         let curved = surface.filter(|s| !matches!(s, Surface::Plane(_)));
-        let faces = |(s, t): (&Surface, Tool)| s.foot(t.te).normal.dot(&t.ta) < 0.0;
+        let faces = |(s, t): (&Surface, Tool)| s.foot(t.te).normal.dot(&t.ta) < -WALL;
         curved.zip(self.tool).is_some_and(faces)
     }
 

@@ -71,6 +71,9 @@ impl Coming {
         let mut worst = None;
         for Beside { surface, called, disk } in &self.0 {
             let profile = disk.as_ref().unwrap_or(profile);
+            if surface.encloses(profile, to) {
+                continue;
+            }
             let judge = |a: &Position, b: &Position| {
                 let fault = surface.vector(profile, a, b, pad, 1, &mut Seen::default());
                 fault.filter(|f| f.refuted)

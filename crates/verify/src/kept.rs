@@ -56,9 +56,9 @@ impl Kept {
         Some(Self { surface, from: at.te, side, beside, opened, least: -intol })
     }
 
-    /// Does the tool come from the inside?
-    pub(crate) fn is_inside(&self) -> bool {
-        self.side < 0.0
+    /// Does the tool come from the inside, and is the point there too?
+    pub(crate) fn encloses(&self, p: Vec3) -> bool {
+        self.side < 0.0 && self.surface.distance(p) < 0.0
     }
 
     /// Judges the vector of a solid of the tool from `a` to `b`: a trough along which the tool comes to stand is a bore.

@@ -242,8 +242,8 @@ impl MilledSurface {
         }
     }
 
-    /// Any surface that may be in the tool by `depth`; `None` of those that have neither charts nor sides, and of a round one in
-    /// which the tool is: between two places inside of it a straight way stays inside.
+    /// Any surface that may be in the tool by `depth`; `None` of those that have neither charts nor sides, and of a POLCON with a
+    /// thickness, whose working surface is another one.
     pub(crate) fn beside(
         form: &Arc<Form>,
         depth: f64,
@@ -251,13 +251,12 @@ impl MilledSurface {
         from: (&Profile, &Position),
     ) -> Option<Self> {
         let sheet = || sheets.of_form(form).map(Body::Sheet);
+        let sided = || Some(Body::Sided(Box::new(Kept::new(form, depth, sheets, from)?)));
         let body = match form.shape() {
             Form::Ssurf(_) => sheets.alone(form).map(Body::Sheet),
+            Form::Polyconic(p) if p.thickness != 0.0 => None,
             Form::Tabcyl(_) | Form::Ruled(_) | Form::Polyconic(_) => sheet(),
-            _ => match Kept::new(form, depth, sheets, from) {
-                Some(kept) => (!kept.is_inside()).then(|| Body::Sided(Box::new(kept))),
-                None => sheet(),
-            },
+            _ => sided().or_else(sheet),
         };
         Some(Self {
             body: body?,
@@ -271,6 +270,14 @@ impl MilledSurface {
             led: false,
             band: [-depth, f64::INFINITY],
         })
+    }
+
+    /// Is it a round surface in which the tool is before a way and after it? A straight one stays inside.
+    pub(crate) fn encloses(&self, profile: &Profile, to: &Position) -> bool {
+        match &self.body {
+            Body::Sided(kept) => kept.encloses(self.tool(profile).inner(&Pose::of(to))),
+            _ => false,
+        }
     }
 
     /// Judges a cut vector; the fault, if there is one, else `seen` takes its bounds.

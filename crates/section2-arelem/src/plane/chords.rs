@@ -20,23 +20,24 @@ pub(crate) struct Vertex {
     pub(crate) radius: f64,
 }
 
-/// Ends of the chords that follow an arc of `sweep` radians from a vertex at radius `start` to one at the
-/// nominal radius, as few as possible.
+/// Ends of the chords that follow an arc of `sweep` radians from a vertex at the first radius to one at the second, both in the
+/// band, as few as possible.
 ///
 /// A chord between the circles spans most when both its ends lie on the outer one and it touches the inner
-/// one: 2 acos((R - inner) / (R + outer)). The first and the last chord have one end on the nominal
+/// one: 2 acos((R - inner) / (R + outer)). The first and the last chord have one end at those radii, mostly on the nominal
 /// circle. When the number is found, the share of the band that is used is made as small as the number
 /// allows, so that nothing lies on the very edge of the band.
-pub(crate) fn chords(ring: Ring, start: f64, sweep: f64) -> Vec<Vertex> {
-    let end = Vertex { angle: sweep, radius: ring.radius };
-    let n = count(ring, start, sweep);
+pub(crate) fn chords(ring: Ring, ends: [f64; 2], sweep: f64) -> Vec<Vertex> {
+    let [start, radius] = ends;
+    let end = Vertex { angle: sweep, radius };
+    let n = count(ring, ends, sweep);
     if n <= 1 {
         return vec![end];
     }
-    let share = share(ring, start, sweep, n);
+    let share = share(ring, ends, sweep, n);
     let (low, high) = (ring.radius - share * ring.inner, ring.radius + share * ring.outer);
     let (first, step) = (half(low, start) + half(low, high), 2.0 * half(low, high));
-    let last = half(low, ring.radius) + half(low, high);
+    let last = half(low, radius) + half(low, high);
     // What rounding left goes into all chords alike.
     let planned = first + last + step * f64::from(n - 2);
     let scale = sweep / planned;
@@ -48,13 +49,13 @@ pub(crate) fn chords(ring: Ring, start: f64, sweep: f64) -> Vec<Vertex> {
 }
 
 /// The least number of chords.
-pub(crate) fn count(ring: Ring, start: f64, sweep: f64) -> u32 {
+pub(crate) fn count(ring: Ring, [start, end]: [f64; 2], sweep: f64) -> u32 {
     let (low, high) = (ring.radius - ring.inner, ring.radius + ring.outer);
     if low <= 0.0 {
         // The band holds the centre, so any chord of the circle lies in it.
         return 1;
     }
-    let ends = half(low, start) + half(low, ring.radius);
+    let ends = half(low, start) + half(low, end);
     if sweep <= ends + 1e-12 {
         return 1;
     }
@@ -71,13 +72,13 @@ fn half(low: f64, r: f64) -> f64 {
 }
 
 /// The least share of the band with which `n` chords suffice.
-fn share(ring: Ring, start: f64, sweep: f64, n: u32) -> f64 {
+fn share(ring: Ring, [start, end]: [f64; 2], sweep: f64, n: u32) -> f64 {
     let reach = |share: f64| {
         let (low, high) = (ring.radius - share * ring.inner, ring.radius + share * ring.outer);
         if low <= 0.0 {
             return f64::INFINITY;
         }
-        half(low, start) + half(low, ring.radius) + 2.0 * f64::from(n - 1) * half(low, high)
+        half(low, start) + half(low, end) + 2.0 * f64::from(n - 1) * half(low, high)
     };
     let (mut a, mut b) = (0.0, 1.0);
     for _ in 0..60 {
@@ -92,7 +93,7 @@ mod tests {
     use super::*;
 
     fn fixed_ends(r: f64, inner: f64, outer: f64, sweep: f64) -> u32 {
-        count(Ring { radius: r, inner, outer }, r, sweep)
+        count(Ring { radius: r, inner, outer }, [r, r], sweep)
     }
 
     #[test]
@@ -111,7 +112,7 @@ mod tests {
         for (inner, outer) in [(0.0, 1e-3), (1e-3, 0.0), (5e-4, 2e-3)] {
             for sweep in [0.01, 0.3, 1.0, 3.0, 6.0] {
                 let ring = Ring { radius: 2.0, inner, outer };
-                let v = chords(ring, 2.0, sweep);
+                let v = chords(ring, [2.0, 2.0], sweep);
                 assert_eq!(v.last().map(|v| (v.angle, v.radius)), Some((sweep, 2.0)));
                 let mut p = Vertex { angle: 0.0, radius: 2.0 };
                 for q in v {

@@ -55,21 +55,17 @@ fn follow(scene: &Scene, plan: &Plan) -> Result<Path, Failure> {
         corners.push(begin.course.at(0.0));
     }
     match begin.course {
-        Course::Straight { .. } => corners.push(begin.course.at(s)),
+        Course::Straight { .. } => corners.push(begin.course.at(s) + shift),
         Course::Round { c, r, start, sense } => {
-            let mut ring = begin.ring(scene, r);
-            // The last chord goes as much farther in as its end.
-            ring.inner = (ring.inner - shift.norm()).max(0.0);
+            let ring = begin.ring(scene, r);
+            let last = r + shift.dot(&super::frame::ray(start + sense * s));
             let first = if begin.reposition { r } else { (begin.place - c).norm() };
             corners.extend(
-                chords(ring, first, s)
+                chords(ring, [first, last], s)
                     .into_iter()
                     .map(|v| c + super::frame::ray(start + sense * v.angle) * v.radius),
             );
         }
-    }
-    if let Some(last) = corners.last_mut() {
-        *last += shift;
     }
     let (frame, floor) = (&plan.frame, &plan.floor);
     let place = |q: Vec2| frame.space(q, floor.height(frame, q));

@@ -34,7 +34,7 @@ impl Touched {
 }
 
 /// By how much the end `p` at the drive curve, where the check curve is to be tangent to it, lies outside of the band of that: the
-/// least way along the normal to a place in both bands, as far as that of the drive curve goes.
+/// least way along the normal to a place in both bands; none where there is no such place.
 ///
 /// Coordinates of a drawing have some decimals: a line and a circle that are meant to be tangent miss it by as much.
 pub(super) fn into_both(p: Vec2, drive: &Touched, check: &Touched) -> Vec2 {
@@ -46,8 +46,10 @@ pub(super) fn into_both(p: Vec2, drive: &Touched, check: &Touched) -> Vec2 {
     }
     let [[low, high], [least, most]] = [drive.allowed(), check.allowed()];
     let miss = apart.clamp(least, most) - apart;
-    if miss.abs() <= 0.0 {
+    let there = gap + miss / cos;
+    // What both bands cannot take up stays as it is, and is told by the proof.
+    if miss.abs() <= 0.0 || !(low..=high).contains(&there) {
         return Vec2::zeros();
     }
-    out * ((gap + miss / cos).clamp(low, high) - gap)
+    out * (there - gap)
 }

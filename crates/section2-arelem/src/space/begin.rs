@@ -233,11 +233,11 @@ fn nearer(keep: &Keep, pose: &Pose) -> Option<(Gap, Side)> {
 fn placed(keep: &Keep, gap: &Gap) -> f64 {
     let slack = 1e-6 * keep.width();
     let (low, high) = match keep.condition {
-        Condition::On => {
+        Condition::On if keep.is_plane() => {
             let most = keep.intol.max(keep.outtol);
             (-most, most)
         }
-        Condition::Touch => (-keep.intol, keep.outtol),
+        _ => (-keep.intol, keep.outtol),
     };
     if gap.g >= low - slack && gap.g <= high + slack {
         return 0.0;

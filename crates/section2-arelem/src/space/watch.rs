@@ -244,7 +244,12 @@ impl Watch {
             found.extend(out.into_iter().map(|c| (c, i)));
         }
         found.sort_by(|a, b| a.0.s.total_cmp(&b.0.s));
+        let mut last = f64::NEG_INFINITY;
         for (crossing, i) in found {
+            // A place at which the cutter touches with the hollow whole and open is one.
+            if tangent && crossing.s - std::mem::replace(&mut last, crossing.s) <= self.near {
+                continue;
+            }
             if lost.as_ref().is_some_and(|lost| crossing.s > lost.s) {
                 break;
             }
@@ -256,15 +261,17 @@ impl Watch {
             if !wanted {
                 continue;
             }
-            if self.met + 1 < self.nth {
+            let before = self.met + 1 < self.nth;
+            let halt = if before && !tangent { None } else { self.halt(&way, crossing, i)? };
+            if tangent && halt.as_ref().is_some_and(|halt| !self.serves(track, halt)) {
+                self.passed_by = true;
+                continue;
+            }
+            if before {
                 self.met += 1;
                 continue;
             }
-            let halt = match self.halt(&way, crossing, i)? {
-                Some(halt) if tangent && !self.serves(track, &halt) => {
-                    self.passed_by = true;
-                    continue;
-                }
+            let halt = match halt {
                 None if self.relation == Relation::To => self.before(&way, crossing.s, i)?,
                 halt => halt,
             };
