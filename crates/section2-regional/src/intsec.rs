@@ -66,6 +66,8 @@ impl Regional {
             None => [ones.names.join(", ").into(), others.names.join(", ").into()],
         };
         self.diagnostics.push(told(origin, &shown, &curves));
+        self.diagnostics
+            .extend(curves.iter().find_map(|c| c.lost).map(|p| lost(origin, &shown, p)));
         let ta = self.stand.map_or_else(Vec3::z, |s| s.ta);
         let uvs: Vec<Vec<[[f64; 2]; 2]>> = curves
             .iter()
@@ -152,4 +154,15 @@ fn told(origin: &Origin, [one, other]: &[Box<str>; 2], curves: &[MeetCurve]) -> 
     }
     let text = format!("{one} and {other} meet in {n} {noun}: {}", parts.join(", "));
     Diagnostic::note_at(codes::MEETING, origin.span, text).within(origin.trace.clone())
+}
+
+/// A curve that ends where no surface does.
+fn lost(origin: &Origin, [one, other]: &[Box<str>; 2], p: Vec3) -> Diagnostic {
+    let text = format!(
+        "a curve of {one} and {other} ends at {:.4}, {:.4}, {:.4}, where no surface ends: it may go on there",
+        p.x, p.y, p.z
+    );
+    Diagnostic::warning(codes::NO_MEETING, origin.span, text)
+        .within(origin.trace.clone())
+        .help("move the plane, or one of the two by THICK, a little; REGION takes no such curve")
 }

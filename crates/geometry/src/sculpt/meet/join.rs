@@ -89,8 +89,8 @@ fn turn(knots: &mut [Knot]) {
 }
 
 /// An end of an open curve that lies on no border of a surface that ends there.
-pub(super) fn loose_end(curves: &[Piece], surfaces: [&[&Sculptured]; 2]) -> Option<Vec3> {
-    let ends = curves.iter().filter(|c| !c.closed).flat_map(|c| [c.knots.first(), c.knots.last()]);
+pub(super) fn loose_end(curve: &Piece, surfaces: [&[&Sculptured]; 2]) -> Option<Vec3> {
+    let ends = [curve.knots.first(), curve.knots.last()].into_iter().filter(|_| !curve.closed);
     let at_border = |k: &Knot| (0..2).any(|i| is_border(&k.sides[i], surfaces[i]));
     ends.flatten().find(|k| !at_border(k)).map(|k| k.point)
 }

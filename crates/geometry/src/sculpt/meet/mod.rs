@@ -66,6 +66,8 @@ pub struct MeetCurve {
     pub points: Vec<MeetPoint>,
     /// Does it come back to its beginning?
     pub closed: bool,
+    /// An end of it where no surface ends: it may go on there, as beside places where the two touch.
+    pub lost: Option<Vec3>,
 }
 
 /// Why the curves were not found.
@@ -75,8 +77,6 @@ pub enum MeetFault {
     Alike(usize),
     /// A curve has more places than this.
     Long(usize),
-    /// A curve is lost here, where no surface ends.
-    Lost(Vec3),
 }
 
 impl fmt::Display for MeetFault {
@@ -84,13 +84,6 @@ impl fmt::Display for MeetFault {
         match self {
             Self::Alike(_) => write!(f, "the two lie within one another over a whole stretch"),
             Self::Long(n) => write!(f, "a curve would have more than {n} points"),
-            Self::Lost(p) => {
-                write!(
-                    f,
-                    "a curve is lost at {:.4}, {:.4}, {:.4}, where no surface ends",
-                    p.x, p.y, p.z
-                )
-            }
         }
     }
 }
@@ -144,9 +137,6 @@ pub fn meet(
     };
     let surfaces = [surfaces, second.0];
     let curves = join(found.into_iter().map(|f| f.piece).collect(), tolerance);
-    if let Some(p) = loose_end(&curves, surfaces) {
-        return Err(MeetFault::Lost(p));
-    }
     Ok(curves.iter().map(|c| c.told(surfaces)).collect())
 }
 
@@ -205,6 +195,7 @@ impl Piece {
             along: k.along,
             sides: [side(&k.sides[0], surfaces[0]), side(&k.sides[1], surfaces[1])],
         };
-        MeetCurve { points: self.knots.iter().map(told).collect(), closed: self.closed }
+        let points = self.knots.iter().map(told).collect();
+        MeetCurve { points, closed: self.closed, lost: loose_end(self, surfaces) }
     }
 }
