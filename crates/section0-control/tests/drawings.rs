@@ -45,3 +45,37 @@ fn fillets_with_the_decimals_of_a_drawing_are_proved() {
         }
     }
 }
+
+/// A line that a circle misses by shares of the bands together, inside of it and outside: what both bands take up is proved, what
+/// they do not is told, and neither takes more chords.
+#[test]
+fn what_the_bands_do_not_take_up_is_told() {
+    for [intol, outtol] in [[0.0, 0.02], [0.02, 0.0], [0.01, 0.01], [0.005, 0.02]] {
+        for share in [0.3, 0.7, 0.99, 1.01, 1.4, 1.9] {
+            for hollow in [true, false] {
+                let miss = share * (intol + outtol);
+                let (from, stance, y) = if hollow {
+                    ("20,0,10", "TLRGT,GORGT", -30.0 + miss)
+                } else {
+                    ("-38,9,10", "TLLFT,GOLFT", -40.0 + miss)
+                };
+                // Outside the line is on the other side of the cutter's circle, below it.
+                let y = if hollow { y } else { y + 10.0 };
+                let text = format!(
+                    "UNITS/MM\nC1=CIRCLE/0,0,0,30\nL1=LINE/(POINT/-40,{y}),(POINT/40,{y})\n\
+                     CUTTER/10\nINTOL/{intol}\nOUTTOL/{outtol}\nFROM/{from}\nINDIRV/1,0,0\n\
+                     GO/TO,C1,TO,(PLANE/0,0,1,0)\n{stance}/C1,TANTO,L1\nFINI\n"
+                );
+                let ran = run::run(&text, Verify::Full);
+                assert!(ran.places.len() < 140, "{} {text}", ran.places.len());
+                let faults = ran.faults();
+                let other = |c: &String| c != "APT5001" && c != "APT2009" && c != "APT2005";
+                assert!(!faults.iter().any(other), "{:?} {text}", ran.told);
+                if hollow {
+                    let told = faults.iter().any(|c| c == "APT5001");
+                    assert_eq!(told, share > 1.0, "{share} {:?} {text}", ran.told);
+                }
+            }
+        }
+    }
+}

@@ -160,3 +160,28 @@ fn a_tool_end_on_a_surface_keeps_to_the_band_on_its_own_side() {
         }
     }
 }
+
+/// The band is that of the surface, whether it is met as a check surface, in a start-up, or led along.
+#[test]
+fn a_tool_end_that_comes_to_a_hollow_stays_in_its_band() {
+    let lead = "INDIRV/1,0,0\nTLON,TLONPS,GOFWD/D";
+    let ways = [
+        format!("GO/ON,D,ON,F\n{lead},ON,S\nPSIS/S\nGOFWD/D,ON,E"),
+        format!("GO/ON,S,ON,D\nPSIS/S\n{lead},ON,E"),
+        format!("GO/ON,D,ON,S\n{lead},PSTAN,T\nPSIS/T\nGOFWD/D,ON,E"),
+    ];
+    for surface in ["SPHERE/0,0,80,100", "CYLNDR/0,0,80,0,1,0,100"] {
+        for [intol, outtol] in [[0.0, 0.05], [0.01, 0.05], [0.05, 0.0]] {
+            for way in &ways {
+                let text = format!(
+                    "UNITS/MM\nS={surface}\nT=CYLNDR/0,0,90,0,1,0,110\nD=PLANE/0,1,0,0\n\
+                     F=PLANE/0,0,1,-10\nE=PLANE/1,0,0,55\nCUTTER/10,5\nINTOL/{intol}\n\
+                     OUTTOL/{outtol}\nFROM/-30,0,10\n{way}\nFINI\n"
+                );
+                let ran = run::run(&text, Verify::Full);
+                assert_eq!(ran.faults(), Vec::<String>::new(), "{:?} {text}", ran.told);
+                assert!(ran.places.len() > 4, "{text}");
+            }
+        }
+    }
+}

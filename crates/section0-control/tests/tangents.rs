@@ -129,3 +129,32 @@ fn a_groove_is_open_for_a_cutter_that_does_not_fit_below_its_cylinder_there() {
         }
     }
 }
+
+/// Behind a place where the cutter is in its check surface no other check surface ends the motion.
+#[test]
+fn a_near_miss_is_not_passed_by_for_another_check_surface() {
+    let text = "UNITS/MM\nW=PLANE/0,1,0,0\nC=TABCYL/NOZ,SPLINE,-30,6,-20,4,-10,2,0,2,10,-.05,20,2,$\n\
+                30,2,40,4,50,4,60,4,70,4,80,6\nE=PLANE/1,0,0,60\nCUTTER/6\nINTOL/.01\nOUTTOL/.02\n\
+                FROM/-20,-20,5\nINDIRV/0,1,0\nGO/TO,W,TO,(PLANE/0,0,1,0)\nINDIRV/1,0,0\n\
+                TLRGT,GOFWD/W,TANTO,C,LA,ON,E,LB\nLA)GODLTA/0,0,1\nLB)GODLTA/0,0,1\nFINI\n";
+    let ran = run::run(text, Verify::Full);
+    assert_eq!(ran.faults(), ["APT5001"], "{:?}", ran.told);
+    assert!(ran.places.iter().all(|p| p[0] < 11.0), "{:?}", ran.places);
+}
+
+/// A place at which a cutter touches a hollow as a whole and as an open one is one place.
+#[test]
+fn one_tangency_counts_once() {
+    for height in [20, 30, 60] {
+        for (nth, faults) in [("", &[][..]), ("2,INTOF,", &["APT2009"])] {
+            let text = format!(
+                "UNITS/MM\nFL=PLANE/0,0,1,0\nG=CYLNDR/0,0,20,0,1,0,20\n\
+                 CUTTER/10,5,0,5,0,0,{height}\nOUTTOL/.01\nFROM/-40,-20,30\n\
+                 GO/TO,(PLANE/0,1,0,0),TO,FL\nINDIRV/1,0,0\n\
+                 TLRGT,GOFWD/(PLANE/0,1,0,0),PSTAN,{nth}G\nFINI\n"
+            );
+            let ran = run::run(&text, Verify::Full);
+            assert_eq!(ran.faults(), faults, "{:?} {text}", ran.told);
+        }
+    }
+}

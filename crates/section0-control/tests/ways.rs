@@ -99,6 +99,15 @@ fn what_a_tool_is_to_go_through_is_not_told() {
     }
 }
 
+/// SRFVCT leads a tool from inside of a round surface through it.
+#[test]
+fn a_way_out_of_a_round_surface_is_told() {
+    let text = "UNITS/MM\nC=CYLNDR/0,0,0,0,0,1,40\nCUTTER/10\nOUTTOL/.02\nFROM/0,5,30\n\
+                SRFVCT/0,-1,0\nGO/TO,C,TO,(PLANE/0,0,1,0)\nFINI\n";
+    let ran = run::run(text, Verify::Full);
+    assert_eq!(ran.faults(), ["APT5009"], "{:?}", ran.told);
+}
+
 /// Of a circle that turns away before the cutter is through a line; by the manual PAST is where it touches it the second time.
 #[test]
 fn past_that_never_gets_past_is_told() {

@@ -1,7 +1,8 @@
 //! A record carried by a map: TRACUT, and each copy of a COPY.
 
-use aptc_cldata::{Arc, Arg, Control, Course, Kind, Motion, Position, flatten};
-use aptc_geometry::{Circle, Form, Transform};
+use aptc_cldata::{Arc, Arg, Control, Controlled, Course, Kind, Motion, Position, flatten};
+use aptc_geometry::surface::frame_about;
+use aptc_geometry::{Circle, Form, Transform, Vec3};
 
 /// What could not be carried properly.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -66,7 +67,8 @@ impl Carrier {
     fn motion(&self, m: &mut Motion, start: Option<Position>, tol: f64) -> Result<(), Trouble> {
         // The surfaces lie where they lay: they do not govern the carried path.
         let control = m.control.take();
-        let scaled = self.scales && control.is_some_and(|c| is_beside(&c));
+        let upright = m.points.last().map(|p| p.ta);
+        let scaled = self.scales && control.is_some_and(|c| self.parts(&c, upright));
         if let Some(arc) = &mut m.arc {
             match self.scale {
                 Some(scale) => self.arc(arc, scale),
@@ -95,6 +97,33 @@ impl Carrier {
         done
     }
 
+    /// Does the map move a cutter off a surface that it touches, and not with its end alone?
+    fn parts(&self, control: &Control, ta: Option<Vec3>) -> bool {
+        let below = |n: &Vec3| ta.is_some_and(|ta| n.cross(&ta).norm() <= SCALED);
+        let off = |c: &&Controlled| match c.form.shape() {
+            Form::Plane(p) => !below(&p.n) && self.stretches(p.n),
+            Form::Line(l) => self.stretches(l.plane().n),
+            Form::Circle(c) => self.stretches_across(c.axis),
+            Form::Cylinder(c) => self.stretches_across(c.axis),
+            _ => true,
+        };
+        let milled = control.milling.as_ref().is_some_and(|m| m.part.is_some() && !m.on);
+        let touched = control.drive.iter().chain(&control.part).filter(|c| c.side != 0);
+        milled || touched.into_iter().any(|c| off(&c))
+    }
+
+    /// Are planes with this normal farther apart after the map, or nearer?
+    fn stretches(&self, n: Vec3) -> bool {
+        let inverse = self.map.linear.try_inverse();
+        inverse.is_none_or(|i| ((i.transpose() * n).norm() - 1.0).abs() > SCALED)
+    }
+
+    /// Is it so of planes along the axis?
+    fn stretches_across(&self, axis: Vec3) -> bool {
+        let [a, b] = frame_about(axis);
+        [a, b, (a + b) / 2.0_f64.sqrt()].into_iter().any(|n| self.stretches(n))
+    }
+
     fn arc(&self, arc: &mut Arc, scale: f64) {
         let c = arc.circle;
         let axis = self.map.vector(c.axis) / scale;
@@ -106,14 +135,6 @@ impl Carrier {
             radius: c.radius * scale,
         };
     }
-}
-
-/// Is it the cutter that touches one of the surfaces, and not the tool end alone?
-fn is_beside(control: &Control) -> bool {
-    // A plane that lies below a cutter is touched with the tool end.
-    let part = control.part.iter().filter(|c| !matches!(c.form.shape(), Form::Plane(_)));
-    let milled = control.milling.as_ref().is_some_and(|m| m.part.is_some() && !m.on);
-    milled || control.drive.iter().chain(part).any(|c| c.side != 0)
 }
 
 #[cfg(test)]

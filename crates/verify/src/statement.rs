@@ -422,7 +422,7 @@ impl Guided {
             keep(&mut fault, judged.vector(profile, to, to, *pad, number, seen));
         }
         if let Some(coming) = self.coming.as_ref().filter(|_| fault.is_none()) {
-            answer.through = coming.fault(profile, came, to, *pad);
+            keep(&mut answer.through, coming.fault(profile, came, to, *pad));
         }
         fault
     }

@@ -15,6 +15,9 @@ use crate::failure::Failure;
 use crate::prepare::way;
 use crate::scene::{Astray, Path, Scene, Stance, to_or_on};
 
+/// Share of the band by which the end of an arc may lie off its circle.
+const ON_ARC: f64 = 0.05;
+
 /// The path of a motion; `None` when the scene is not one for the plane routine.
 pub(crate) fn run(scene: &Scene) -> Option<Result<Path, Failure>> {
     let frame = Frame::of(scene.tool.ta);
@@ -72,7 +75,12 @@ fn follow(scene: &Scene, plan: &Plan) -> Result<Path, Failure> {
     let points: Vec<Position> =
         corners.into_iter().map(|q| Position { te: place(q), ta: scene.tool.ta }).collect();
     let arc = match begin.course {
-        Course::Round { c, r, .. } if r > 0.0 && floor.is_level(frame) => {
+        // A control goes along arcs to ends on their circle.
+        Course::Round { c, r, .. }
+            if r > 0.0
+                && floor.is_level(frame)
+                && shift.norm() <= ON_ARC * (scene.drive.band.intol + scene.drive.band.outtol) =>
+        {
             let circle = Circle { center: place(c), axis: scene.tool.ta, radius: r };
             Some(Arc { circle, course: ArcCourse::Chords })
         }

@@ -99,22 +99,22 @@ impl Solver<'_> {
         })
     }
 
-    /// Above an open hollow, where only the walls that run on straight up face the tool, it is let down first: into the hollow, or
-    /// to what else it is to touch and meets before.
-    pub(super) fn let_down(&self, pose: Pose) -> Pose {
+    /// Where it is best begun. Above an open hollow, where only the walls that run on straight up face the tool, it is let down
+    /// first: into the hollow, or to what else it is to touch and meets before.
+    pub(super) fn let_down(&self, pose: Pose) -> Vec<Pose> {
         let above = |a: &&Aim<'_>| {
             let beside = |g: Gap| g.normal.dot(&pose.ta).abs() <= 1e-9;
             a.keep.side == Side::Open
                 && a.along.is_none()
                 && a.keep.gap(&pose, None).is_ok_and(beside)
         };
-        if !self.aims.iter().any(|a| above(&a)) {
-            return pose;
-        }
+        let Some(hollow) = self.aims.iter().find(above) else { return vec![pose] };
+        let Some(floor) = self.run(hollow, pose, -pose.ta) else { return vec![pose] };
+        let way = |p: &Pose| (p.te - pose.te).norm();
         let touches = |a: &&Aim<'_>| a.keep.condition == Condition::Touch;
         let downs = self.aims.iter().filter(touches).filter_map(|a| self.run(a, pose, -pose.ta));
-        let way = |p: &Pose| (p.te - pose.te).norm();
-        downs.min_by(|a, b| way(a).total_cmp(&way(b))).unwrap_or(pose)
+        let first = downs.min_by(|a, b| way(a).total_cmp(&way(b)));
+        first.into_iter().filter(|p| way(p) < way(&floor)).chain([floor]).collect()
     }
 
     fn gaps(&self, pose: &Pose, last: Option<&[Gap]>) -> Result<Vec<Gap>, Failure> {

@@ -251,8 +251,13 @@ fn solve(go: &Start, aims: &[Aim<'_>], pose: Pose) -> Result<Pose, Failure> {
             })
         }
         _ => {
-            let from = solver.let_down(solver.approach(pose));
-            let found = solver.nearest(from, pose);
+            let starts = solver.let_down(solver.approach(pose));
+            let ends: Vec<_> = starts.into_iter().map(|from| solver.nearest(from, pose)).collect();
+            let far = |end: &Result<Pose, Failure>| {
+                end.as_ref().map_or(f64::INFINITY, |p| (p.te - pose.te).norm())
+            };
+            let found = ends.into_iter().min_by(|a, b| far(a).total_cmp(&far(b)));
+            let found = found.unwrap_or(Ok(pose));
             found.or_else(|failure| solver.by_a_plane(pose).ok_or(failure))
         }
     }
