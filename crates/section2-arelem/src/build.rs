@@ -185,21 +185,11 @@ impl Arelem {
         {
             (*q, reversed) = (Arc::new(other), true);
         }
-        let (surface, mut band) = (surface.clone(), s.band(role));
-        if on && self.is_below(fitted.as_ref()) {
-            (band.intol, band.outtol) = (band.outtol, band.intol);
-        }
-        Ok(Wall { surface, fitted, reversed, profile, disk, on, thick, band, outside: false })
-    }
-
-    /// Does the normal of a surface on which the tool end lies point away from the cutter? What stays is then on the side to which
-    /// it points, and the band of the surface is the other way round. Both sides of a plane have the wider one.
-    fn is_below(&self, surface: Option<&Surface>) -> bool {
-        /// Cosine of the angle between normal and axis from which the surface counts as a wall, whose band is as it is.
-        const WALL: f64 = 0.2;
-        let curved = surface.filter(|s| !matches!(s, Surface::Plane(_)));
-        let faces = |(s, t): (&Surface, Tool)| s.foot(t.te).normal.dot(&t.ta) < -WALL;
-        curved.zip(self.tool).is_some_and(faces)
+        let (surface, band) = (surface.clone(), s.band(role));
+        let (below, outside) = (false, false);
+        let wall =
+            Wall { surface, fitted, reversed, profile, disk, on, thick, band, below, outside };
+        Ok(self.tool.map_or_else(|| wall.clone(), |t| wall.seen_from(t.te, t.ta)))
     }
 
     /// A part plane square to the axis is touched by the tool end of any cutter.

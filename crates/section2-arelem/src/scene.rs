@@ -32,6 +32,8 @@ pub(crate) struct Wall {
     /// Thickness left on it; 0 when the tool end is on it.
     pub(crate) thick: f64,
     pub(crate) band: Band,
+    /// Is the band the other way round, for the normal points away from the cutter?
+    pub(crate) below: bool,
     /// Are the ends of cut vectors to keep outside of it?
     pub(crate) outside: bool,
 }
@@ -153,6 +155,22 @@ pub(crate) struct Astray {
 }
 
 impl Wall {
+    /// The surface with its band as it is where the tool stands.
+    ///
+    /// Where the normal of a surface on which the tool end lies points away from the cutter, what stays is on the side to which it
+    /// points, and INTOL and OUTTOL are the other way round. Both sides of a plane have the wider one, and a wall has its own.
+    pub(crate) fn seen_from(&self, te: Vec3, ta: Vec3) -> Self {
+        /// Cosine of the angle between normal and axis from which the surface is no wall.
+        const FLOOR: f64 = 0.2;
+        let curved = self.fitted.as_ref().filter(|s| self.on && !matches!(s, Surface::Plane(_)));
+        let below = curved.is_some_and(|s| s.foot(te).normal.dot(&ta) < -FLOOR);
+        let mut wall = Self { below, ..self.clone() };
+        if below != self.below {
+            (wall.band.intol, wall.band.outtol) = (wall.band.outtol, wall.band.intol);
+        }
+        wall
+    }
+
     /// Distance between surface and tool axis for a surface along the axis.
     pub(crate) fn reach(&self) -> f64 {
         if self.on { 0.0 } else { self.profile.widest() + self.thick }

@@ -24,8 +24,28 @@ pub(super) struct Aim<'a> {
 /// The position of a start-up. Where surfaces leave one position or a few, one on sculptured surfaces themselves counts before those
 /// on what goes on straight beyond their borders, which may stand over them.
 pub(crate) fn start(go: &Start) -> Result<Path, Failure> {
+    let path = start_there(go)?;
+    // The bands of surfaces on which the tool end comes to lie are those where it does.
+    let there = path.points.last().and_then(|end| seen_from(go, end.te, end.ta));
+    Ok(there.and_then(|go| start_there(&go).ok()).unwrap_or(path))
+}
+
+fn start_there(go: &Start) -> Result<Path, Failure> {
     let on_itself = on_itself(go).map(|itself| start_on(&itself, true));
     on_itself.and_then(Result::ok).map_or_else(|| start_on(go, false), Ok)
+}
+
+/// The same start-up with the bands of another place; `None` where they are those of this one.
+fn seen_from(go: &Start, te: Vec3, ta: Vec3) -> Option<Start> {
+    let mut other = go.clone();
+    let walls = other.surfaces.iter_mut().chain(other.part.iter_mut()).map(|(_, wall)| wall);
+    let mut changed = false;
+    for wall in walls {
+        let seen = wall.seen_from(te, ta);
+        changed |= seen.below != wall.below;
+        *wall = seen;
+    }
+    changed.then_some(other)
 }
 
 /// The same start-up without what goes on straight; `None` where surfaces leave a choice, or nothing does.
