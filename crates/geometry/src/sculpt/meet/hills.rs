@@ -1,8 +1,10 @@
 //! Levels of random hills against the number of curves that a fine grid sees.
 
-use super::*;
+use super::{Cutting, meet};
+use crate::sculpt::Sculptured;
 use crate::sculpt::bspline;
 use crate::sculptured::BsplineSurface;
+use crate::{Plane, Vec3};
 
 /// Lines of the coarser grid in each direction; the finer one has twice as many.
 const LINES: usize = 160;
