@@ -163,8 +163,13 @@ impl Arelem {
             keep.on_side(side).gap(pose, None).is_ok_and(|g| g.g >= least)
         };
         let width = keep.width();
-        let back = |side| beside(side, &start, 2.0 * width) && beside(side, &end, -2.0 * width);
-        let same = keep.is_plane() && [Side::Positive, Side::Negative].into_iter().any(back);
+        // A point that touches is on both sides.
+        let back = |[side, other]: [Side; 2]| {
+            let comes = beside(side, &start, 2.0 * width);
+            comes && beside(side, &end, -2.0 * width) && !beside(other, &end, -2.0 * width)
+        };
+        let sides = [Side::Positive, Side::Negative];
+        let same = keep.is_plane() && [sides, [sides[1], sides[0]]].into_iter().any(back);
         same.then_some(&check.surface)
     }
 

@@ -15,6 +15,8 @@ pub(super) struct Touched {
 
 /// Cosine of the angle between two normals that are those of one tangent.
 const ALIKE: f64 = 0.9;
+/// Share of the size of the scene that is rounding, far below what the proof allows for it.
+const EXACT: f64 = 1e-14;
 
 impl Touched {
     /// The way out at a place, to the side of the tool, and the gap there.
@@ -47,8 +49,9 @@ pub(super) fn into_both(p: Vec2, drive: &Touched, check: &Touched) -> Vec2 {
     let [[low, high], [least, most]] = [drive.allowed(), check.allowed()];
     let miss = apart.clamp(least, most) - apart;
     let there = gap + miss / cos;
+    let rounding = EXACT * (p.norm() + drive.reach + check.reach);
     // What both bands cannot take up stays as it is, and is told by the proof.
-    if miss.abs() <= 0.0 || !(low..=high).contains(&there) {
+    if miss.abs() <= rounding || !(low..=high).contains(&there) {
         return Vec2::zeros();
     }
     out * (there - gap)
