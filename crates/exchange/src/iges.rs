@@ -16,7 +16,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use aptc_geometry::Transform;
 
 use crate::follow::{WORK, Work};
-use crate::instances::is_place;
+use crate::instances::{is_place, then};
 use crate::{Collected, Fault, Limits, Outside, broken, named};
 use borders::{border, trimmed};
 use faces::{Held, held};
@@ -210,14 +210,6 @@ pub(crate) fn read(text: &str, limits: &Limits) -> Result<Outside, Fault> {
     Ok(out.done())
 }
 
-/// One map after the other.
-fn then(first: Option<Transform>, next: Option<Transform>) -> Option<Transform> {
-    match (first, next) {
-        (Some(a), Some(b)) => Some(a.then(&b)),
-        (a, b) => a.or(b),
-    }
-}
-
 /// Surfaces of a type that are not read, and the lines of those that are trimmed.
 #[derive(Default)]
 struct Left {
@@ -365,7 +357,7 @@ impl File<'_> {
                 let what = "a matrix (124) flattens what it carries".to_owned();
                 return Err(Fault::Broken { what, line: Some(e.line) });
             }
-            map = Some(map.map_or(own, |m: Transform| m.then(&own)));
+            map = then(map, Some(own));
             at = e.matrix;
         }
         Err(Fault::TooLarge(format!("more than {MATRICES} matrices refer to each other")))

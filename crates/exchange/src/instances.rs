@@ -39,6 +39,14 @@ struct Groups {
     path: Vec<u64>,
 }
 
+/// One map after the other, each of which may be none.
+pub(crate) fn then(first: Option<Transform>, next: Option<Transform>) -> Option<Transform> {
+    match (first, next) {
+        (Some(a), Some(b)) => Some(a.then(&b)),
+        (a, b) => a.or(b),
+    }
+}
+
 /// Can a map place something? Its numbers are finite, and it does not flatten space.
 pub(crate) fn is_place(map: &Transform) -> bool {
     map.rows().iter().all(|x| x.abs() < FAR) && map.inverse().is_some()
@@ -116,11 +124,7 @@ impl Collected<'_> {
                 things.iter().filter_map(|t| read.get(t)).flatten().copied().collect();
             for k in own {
                 let s = &surfaces[k];
-                let map = match (&s.map, map) {
-                    (Some(own), Some(place)) => Some(own.then(place)),
-                    (own, place) => own.as_ref().or(place.as_ref()).copied(),
-                };
-                self.push(s.shape.clone(), sizes[k], map)?;
+                self.push(s.shape.clone(), sizes[k], then(s.map, *map))?;
             }
         }
         Ok(())

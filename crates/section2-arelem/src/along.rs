@@ -159,18 +159,13 @@ impl Arelem {
         let keep = Keep::of(&self.wall(&check.surface, Role::Check, false).ok()?).ok()?;
         let (start, end) = (Pose { te: tool.te, ta: tool.ta }, path.points.last()?);
         let end = Pose { te: end.te, ta: end.ta };
-        let beside = |side: Side, pose: &Pose, least: f64| {
-            keep.on_side(side).gap(pose, None).is_ok_and(|g| g.g >= least)
+        // Of what touches on both sides, as a point, neither is that from which it came.
+        let on = |pose: &Pose| {
+            let [a, b] = [Side::Positive, Side::Negative].map(|s| keep.on_side(s).clears(pose));
+            (a != b).then_some(a)
         };
-        let width = keep.width();
-        // A point that touches is on both sides.
-        let back = |[side, other]: [Side; 2]| {
-            let comes = beside(side, &start, 2.0 * width);
-            comes && beside(side, &end, -2.0 * width) && !beside(other, &end, -2.0 * width)
-        };
-        let sides = [Side::Positive, Side::Negative];
-        let same = keep.is_plane() && [sides, [sides[1], sides[0]]].into_iter().any(back);
-        same.then_some(&check.surface)
+        let back = keep.is_plane() && on(&start).is_some_and(|side| on(&end) == Some(side));
+        back.then_some(&check.surface)
     }
 
     fn path(&self, d: &protap::Drive, tool: Tool) -> Result<Path, Failure> {

@@ -189,7 +189,10 @@ impl Arelem {
         let (below, outside) = (false, false);
         let wall =
             Wall { surface, fitted, reversed, profile, disk, on, thick, band, below, outside };
-        Ok(self.tool.map_or_else(|| wall.clone(), |t| wall.seen_from(t.te, t.ta)))
+        Ok(match self.tool {
+            Some(tool) => wall.seen_from(tool.te, tool.ta),
+            None => wall,
+        })
     }
 
     /// A part plane square to the axis is touched by the tool end of any cutter.

@@ -159,16 +159,15 @@ impl Wall {
     ///
     /// Where the normal of a surface on which the tool end lies points away from the cutter, what stays is on the side to which it
     /// points, and INTOL and OUTTOL are the other way round. Both sides of a plane have the wider one, and a wall has its own.
-    pub(crate) fn seen_from(&self, te: Vec3, ta: Vec3) -> Self {
+    pub(crate) fn seen_from(mut self, te: Vec3, ta: Vec3) -> Self {
         /// Cosine of the angle between normal and axis from which the surface is no wall.
         const FLOOR: f64 = 0.2;
         let curved = self.fitted.as_ref().filter(|s| self.on && !matches!(s, Surface::Plane(_)));
         let below = curved.is_some_and(|s| s.foot(te).normal.dot(&ta) < -FLOOR);
-        let mut wall = Self { below, ..self.clone() };
         if below != self.below {
-            (wall.band.intol, wall.band.outtol) = (wall.band.outtol, wall.band.intol);
+            (self.band.intol, self.band.outtol) = (self.band.outtol, self.band.intol);
         }
-        wall
+        Self { below, ..self }
     }
 
     /// Distance between surface and tool axis for a surface along the axis.

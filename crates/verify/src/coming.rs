@@ -6,7 +6,7 @@ use aptc_geometry::{Form, Profile};
 
 use crate::between::{NO_TURN, angle, between_poses};
 use crate::certificate::Fault;
-use crate::judged::called;
+use crate::judged::{called, disk};
 use crate::milled::MilledSurface;
 use crate::sheets::Sheets;
 use crate::statement::{Seen, keep};
@@ -26,10 +26,6 @@ struct Beside {
 
 /// Places at which a tool that turns on its way is looked at: that it goes in nowhere is not promised, and need not be proved.
 const LOOKS: u32 = 64;
-
-fn share(i: u32) -> f64 {
-    f64::from(i) / f64::from(LOOKS)
-}
 
 impl Coming {
     /// Of a start-up of the tool from `from`. What it ends on (ON) or goes past it may go through, a plane only where SRFVCT
@@ -52,7 +48,7 @@ impl Coming {
         let beside = |(c, role): (&Controlled, &'static str)| {
             // A thickness is left at the end of the way, where its surface is not to be met before.
             let depth = Milling::touching(c.intol, c.outtol) - c.thick.min(0.0);
-            let disk = c.disk.and_then(|[radius, height]| Profile::disk(radius, height).ok());
+            let disk = disk(c);
             let from = (disk.as_ref().unwrap_or(profile), from);
             let surface = MilledSurface::beside(&c.form, depth, sheets, from)?;
             Some(Beside { surface, called: called(c, role), disk })
@@ -82,7 +78,8 @@ impl Coming {
             let fault = if angle(from.ta, to.ta) > NO_TURN {
                 let mut deepest = None;
                 (1..LOOKS).for_each(|i| {
-                    let at = between_poses(&Pose::of(from), &Pose::of(to), share(i));
+                    let share = f64::from(i) / f64::from(LOOKS);
+                    let at = between_poses(&Pose::of(from), &Pose::of(to), share);
                     let at = Position { te: at.te, ta: at.ta };
                     keep(&mut deepest, judge(&at, &at));
                 });

@@ -92,8 +92,7 @@ impl Judged {
     }
 
     fn with(demand: Demand, c: &Controlled, role: &'static str) -> Self {
-        let disk = c.disk.and_then(|[radius, height]| Profile::disk(radius, height).ok());
-        Self { demand, disk, name: name(c), called: called(c, role), role }
+        Self { demand, disk: disk(c), name: name(c), called: called(c, role), role }
     }
 
     /// Judges a cut vector; the fault, if there is one, else `seen` takes its bounds.
@@ -196,6 +195,11 @@ impl Judged {
             at: seen.at.map(Into::into),
         })
     }
+}
+
+/// The disk of CUTTER/OPTION that stands for the cutter against a surface.
+pub(crate) fn disk(c: &Controlled) -> Option<Profile> {
+    c.disk.and_then(|[radius, height]| Profile::disk(radius, height).ok())
 }
 
 fn name(c: &Controlled) -> String {

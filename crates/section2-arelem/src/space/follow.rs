@@ -41,9 +41,9 @@ pub(super) fn follow(scene: &Scene, begin: &Begin) -> Result<Path, Failure> {
     let mut walk = Walk::new(scene, begin, true)?;
     let found = walk.walk_on();
     // What another check surface stopped behind such a place has gone through it.
-    let passed_by = |i: usize| walk.watches.get(i).is_some_and(|w| w.passed_by);
-    let others = |i: usize| (0..walk.watches.len()).any(|k| k != i && passed_by(k));
-    if found.as_ref().map_or_else(|_| others(usize::MAX), |path| others(path.check)) {
+    let stopped_by = found.as_ref().ok().map(|path| path.check);
+    let mut watches = walk.watches.iter().enumerate();
+    if watches.any(|(i, w)| w.passed_by && stopped_by != Some(i)) {
         return Walk::new(scene, begin, false)?.walk_on();
     }
     found

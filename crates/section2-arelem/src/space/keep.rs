@@ -142,11 +142,18 @@ impl Keep {
         if self.reaches_the_roof(pose) { Side::Open } else { self.inner(pose) }
     }
 
-    /// Does the cutter stand on the floor of a hollow in the middle of which it would fit, and not there?
+    /// Does the cutter stand on the floor of a hollow in the middle of which it would fit, and is it there deeper in the roof than in
+    /// the floor, and than its band lets it be?
     fn reaches_the_roof(&self, pose: &Pose) -> bool {
-        let clears = |side: Side| self.on_side(side).clears(pose);
-        let whole = || clears(Side::Negative) || clears(Side::Positive);
-        self.opens(pose) && clears(Side::Open) && !whole()
+        let gap =
+            |side: Side| self.on_side(side).gap(pose, None).map_or(f64::NEG_INFINITY, |g| g.g);
+        let outside = || self.on_side(Side::Positive).clears(pose);
+        if !self.opens(pose) {
+            return false;
+        }
+        let floor = gap(Side::Open);
+        let most = floor.min(self.limits().low) - 1e-6 * self.width();
+        floor >= -2.0 * self.width() && gap(Side::Negative) < most && !outside()
     }
 
     /// Is it touched, and a hollow that can be open along the axis?

@@ -100,21 +100,21 @@ impl Solver<'_> {
     }
 
     /// Where it is best begun. Above an open hollow, where only the walls that run on straight up face the tool, it is let down
-    /// first: into the hollow, or to what else it is to touch and meets before.
-    pub(super) fn let_down(&self, pose: Pose) -> Vec<Pose> {
+    /// first: into the hollow, and before to what else it is to touch and meets on the way there.
+    pub(super) fn let_down(&self, pose: Pose) -> (Pose, Option<Pose>) {
         let above = |a: &&Aim<'_>| {
             let beside = |g: Gap| g.normal.dot(&pose.ta).abs() <= 1e-9;
             a.keep.side == Side::Open
                 && a.along.is_none()
                 && a.keep.gap(&pose, None).is_ok_and(beside)
         };
-        let Some(hollow) = self.aims.iter().find(above) else { return vec![pose] };
-        let Some(floor) = self.run(hollow, pose, -pose.ta) else { return vec![pose] };
+        let Some(hollow) = self.aims.iter().find(above) else { return (pose, None) };
+        let Some(floor) = self.run(hollow, pose, -pose.ta) else { return (pose, None) };
         let way = |p: &Pose| (p.te - pose.te).norm();
         let touches = |a: &&Aim<'_>| a.keep.condition == Condition::Touch;
         let downs = self.aims.iter().filter(touches).filter_map(|a| self.run(a, pose, -pose.ta));
         let first = downs.min_by(|a, b| way(a).total_cmp(&way(b)));
-        first.into_iter().filter(|p| way(p) < way(&floor)).chain([floor]).collect()
+        (floor, first.filter(|p| way(p) < way(&floor)))
     }
 
     fn gaps(&self, pose: &Pose, last: Option<&[Gap]>) -> Result<Vec<Gap>, Failure> {

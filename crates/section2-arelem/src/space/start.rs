@@ -41,7 +41,7 @@ fn seen_from(go: &Start, te: Vec3, ta: Vec3) -> Option<Start> {
     let walls = other.surfaces.iter_mut().chain(other.part.iter_mut()).map(|(_, wall)| wall);
     let mut changed = false;
     for wall in walls {
-        let seen = wall.seen_from(te, ta);
+        let seen = wall.clone().seen_from(te, ta);
         changed |= seen.below != wall.below;
         *wall = seen;
     }
@@ -271,13 +271,12 @@ fn solve(go: &Start, aims: &[Aim<'_>], pose: Pose) -> Result<Pose, Failure> {
             })
         }
         _ => {
-            let starts = solver.let_down(solver.approach(pose));
-            let ends: Vec<_> = starts.into_iter().map(|from| solver.nearest(from, pose)).collect();
-            let far = |end: &Result<Pose, Failure>| {
-                end.as_ref().map_or(f64::INFINITY, |p| (p.te - pose.te).norm())
-            };
-            let found = ends.into_iter().min_by(|a, b| far(a).total_cmp(&far(b)));
-            let found = found.unwrap_or(Ok(pose));
+            let (from, before) = solver.let_down(solver.approach(pose));
+            let found = solver.nearest(from, pose);
+            let other = before.and_then(|from| solver.nearest(from, pose).ok());
+            let far = |end: &Pose| (end.te - pose.te).norm();
+            let nearer = |other: &Pose| found.as_ref().map_or(true, |end| far(other) < far(end));
+            let found = other.filter(nearer).map_or(found, Ok);
             found.or_else(|failure| solver.by_a_plane(pose).ok_or(failure))
         }
     }

@@ -244,10 +244,10 @@ impl Watch {
             found.extend(out.into_iter().map(|c| (c, i)));
         }
         found.sort_by(|a, b| a.0.s.total_cmp(&b.0.s));
-        let mut last = f64::NEG_INFINITY;
+        // The place that counted last: one at which the cutter touches with the hollow whole and open is one.
+        let mut counted = f64::NEG_INFINITY;
         for (crossing, i) in found {
-            // A place at which the cutter touches with the hollow whole and open is one.
-            if tangent && crossing.s - std::mem::replace(&mut last, crossing.s) <= self.near {
+            if tangent && crossing.s - counted <= self.near {
                 continue;
             }
             if lost.as_ref().is_some_and(|lost| crossing.s > lost.s) {
@@ -262,13 +262,15 @@ impl Watch {
                 continue;
             }
             let before = self.met + 1 < self.nth;
-            let halt = if before && !tangent { None } else { self.halt(&way, crossing, i)? };
-            if tangent && halt.as_ref().is_some_and(|halt| !self.serves(track, halt)) {
+            let asked = tangent && self.strict;
+            let halt = if before && !asked { None } else { self.halt(&way, crossing, i)? };
+            if asked && halt.as_ref().is_some_and(|halt| !self.serves(track, halt)) {
                 self.passed_by = true;
                 continue;
             }
             if before {
                 self.met += 1;
+                counted = crossing.s;
                 continue;
             }
             let halt = match halt {
@@ -359,7 +361,7 @@ impl Watch {
 
     /// Can the bands of the check surface and of that which is tangent to it take up together by what these miss each other?
     fn serves(&self, track: &Track, halt: &Halt) -> bool {
-        let Some((i, check)) = self.tangent(halt).filter(|_| self.strict) else { return true };
+        let Some((i, check)) = self.tangent(halt) else { return true };
         let limits = check.limits();
         (limits.low..=limits.high).contains(&halt.reading)
             || track.axis.turns()

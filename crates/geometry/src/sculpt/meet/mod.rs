@@ -4,7 +4,7 @@
 //! and Newton's method finds a place there ([`cells`]); of a plane and a patch, until no curve closes in a cell, and
 //! each one is met on its sides ([`level`]). From a place that lies on no curve yet the curve is followed to the
 //! borders of both patches or round to itself ([`trace`]), in chords that keep a tolerance. The pieces are put
-//! together where they meet ([`join()`]); a curve that ends where no surface does is told, and not used.
+//! together where they meet ([`join()`]); one that ends where no surface does is told as such.
 
 mod cells;
 #[cfg(test)]
