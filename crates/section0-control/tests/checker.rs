@@ -22,7 +22,7 @@ use std::sync::Arc;
 
 use aptc_cldata::Control;
 use aptc_geometry::{Cutter, Profile, Vec3};
-use proved::{Case, HELD, Random, asked, cases, judge};
+use proved::{Case, HELD, Random, asked, cases, cases_of, judge};
 use skin::{Brute, between};
 
 /// Places of a vector of a spoiled motion at which the judge looks.
@@ -170,4 +170,34 @@ fn what_was_spoiled_is_refuted_in_the_right_place() {
     println!(
         "moved, removed, larger tool, overrun, wider holder: {spoiled:?} refuted: {kinds:?}; {harmless} changes left the path right"
     );
+}
+
+/// Most points of the tool that lie behind one face's plane are far from the face, whose edge is what the tool is too near.
+#[test]
+fn a_vector_taken_away_round_an_edge_is_refuted_by_as_much() {
+    const BAND: f64 = 0.02;
+    const ALONG: u32 = 32;
+    let mut found = 0;
+    for whole in cases_of("motion/prow") {
+        for i in 0..whole.points.len() - 1 {
+            let mut case = whole.clone();
+            case.points.remove(i);
+            let Some(brute) = Brute::new(&case.cutter, &case.control, &case.start) else {
+                continue;
+            };
+            let from = if i == 0 { case.start } else { case.points[i - 1] };
+            let share = |k: u32| f64::from(k) / f64::from(ALONG);
+            let at = |k| brute.at(&between(&from, &case.points[i], share(k)), false);
+            let worst = (0..=ALONG).map(at).fold(0.0, f64::max);
+            if worst < BAND / 20.0 {
+                continue;
+            }
+            let fault = judge(&case).statements[0].fault.clone().expect("a fault");
+            let what = format!("vector {i}: {worst} {fault:?}");
+            assert!(fault.refuted, "{what}");
+            assert!((fault.depth - worst).abs() <= 0.2 * worst + 0.02 * BAND, "{what}");
+            found += 1;
+        }
+    }
+    assert!(found >= 20, "{found}");
 }

@@ -371,13 +371,17 @@ impl Curved<'_> {
     ) -> Option<f64> {
         let seen = least + inside;
         let deep = deepest(tool, pose, self.sheet, side, *spot, least - pad);
-        if least >= 0.0 && deep.gap >= 0.0 && !tool.is_thin() {
-            return Some(seen.min(deep.gap));
+        // Of a surface moved towards the tool the place itself is as near, on whichever side.
+        let known = (least >= 0.0 && !tool.is_thin()).then_some(seen);
+        if let Some(seen) = known.filter(|_| deep.gap >= 0.0) {
+            return Some(seen.min((deep.p - self.sheet.jet(&deep.spot).p).norm()));
         }
         // How far the deepest point of the tool is from the whole surface.
         let near = inside.abs().max(deep.gap.abs()) + least.abs();
         let (far, place) = self.nearest(deep.p, 2.0 * near);
-        let sign = self.sheet.sign(deep.p).or_else(|| Some(self.off(deep.p, &place?).signum()))?;
+        let off = || Some(self.off(deep.p, &place?).signum());
+        // Beside an edge what is deep below the one face is far from it.
+        let Some(sign) = self.sheet.sign(deep.p).or_else(off) else { return known };
         let gap = if sign * side > 0.0 { far } else { -far };
         // An edge is deeper in the tool than the tool is below the faces beside it.
         let place = tool.near(pose, self.sheet.jet(spot).p).0;

@@ -1,7 +1,7 @@
 //! Motions along surfaces that are proved: of the corpus, of random programs and of random scenes.
 
 use std::collections::BTreeMap;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::milled;
@@ -13,6 +13,7 @@ use aptc_diagnostics::{Diagnostic, Origin};
 use aptc_geometry::{Cutter, Form, Surface, Vec3};
 use aptc_verify::{Certificate, Effort, Verifier};
 
+const CORPUS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../corpus");
 /// Cut vectors held against brute force in the normal tests.
 const VECTORS: usize = 400;
 /// The first random scene that is looked through for surfaces that are rare in the corpus; so many are, more where more
@@ -52,18 +53,15 @@ impl Cases {
 }
 
 pub(crate) fn cases() -> Cases {
-    let corpus = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../corpus");
     let mut out = Vec::new();
     for topic in ["mill", "motion", "multiaxis"] {
-        let mut programs: Vec<_> = std::fs::read_dir(corpus.join(topic))
+        let mut programs: Vec<_> = std::fs::read_dir(Path::new(CORPUS).join(topic))
             .expect("the corpus")
             .map(|e| e.expect("a folder").path())
             .collect();
         programs.sort();
         for folder in programs {
-            let name = folder.file_name().expect("a name").to_string_lossy().into_owned();
-            let Ok(source) = Disk::open(&folder.join("program.apt"), 1 << 20) else { continue };
-            compiled(&name, source, &mut Disk::new(vec![folder], 1 << 20), &mut out);
+            from_folder(folder, &mut out);
         }
     }
     // None of its regional milling has a holder beside surfaces that are not sculptured.
@@ -95,6 +93,20 @@ pub(crate) fn cases() -> Cases {
     }
     assert!(kinds.contains_key(HELD), "none of the random programs");
     Cases { all: out, kinds: kinds.into_iter().collect() }
+}
+
+/// Those of one program of the corpus.
+pub(crate) fn cases_of(program: &str) -> Vec<Case> {
+    let mut out = Vec::new();
+    from_folder(Path::new(CORPUS).join(program), &mut out);
+    out
+}
+
+fn from_folder(folder: PathBuf, out: &mut Vec<Case>) {
+    let name = folder.file_name().expect("a name").to_string_lossy().into_owned();
+    if let Ok(source) = Disk::open(&folder.join("program.apt"), 1 << 20) {
+        compiled(&name, source, &mut Disk::new(vec![folder], 1 << 20), out);
+    }
 }
 
 /// Takes what is proved of a program; its messages.
