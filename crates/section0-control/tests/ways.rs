@@ -99,6 +99,35 @@ fn what_a_tool_is_to_go_through_is_not_told() {
     }
 }
 
+/// Half of the way round a cylinder is not put out: the chord cuts in by what an arc is high, less the tolerance.
+#[test]
+fn what_dntcut_leaves_a_tool_to_go_through_is_told() {
+    const RADIUS: f64 = 20.0;
+    let program = |[from, to]: [f64; 2], before: &str, after: &str| {
+        format!(
+            "UNITS/MM\nS=CYLNDR/0,0,0,0,0,1,{RADIUS}\nF=PLANE/0,0,1,0\nCUTTER/10\nINTOL/{INTOL}\n\
+             OUTTOL/.01\nFROM/-60,0,9\nGO/TO,S,TO,F\nINDIRV/0,1,0\n\
+             TLLFT,GOFWD/S,ON,(PLANE/(SINF({from})),(-COSF({from})),0,0)\n{before}\n\
+             GOFWD/S,ON,(PLANE/(SINF({to})),(-COSF({to})),0,0)\n{after}\n\
+             GOFWD/S,ON,(PLANE/0,1,0,0)\nFINI\n"
+        )
+    };
+    for (from, to) in [(160.0, 110.0), (100.0, 20.0), (170.0, 10.0), (44.0, 40.0), (51.0, 50.0)] {
+        let half = f64::to_radians(0.5 * (from - to));
+        let deep = (RADIUS + CUTTER) * (1.0 - half.cos()) - INTOL;
+        let ran = run::run(&program([from, to], "DNTCUT", "CUT"), Verify::Full);
+        let told = ran.told.iter().find(|(c, _)| c == "APT5009");
+        assert_eq!(told.is_some(), deep > 0.0, "{deep} {:?}", ran.told);
+        if let Some((_, message)) = told {
+            let by = message.split(" by ").nth(1).and_then(|s| s.split(' ').next());
+            let by: f64 = by.and_then(|s| s.parse().ok()).expect("a depth");
+            assert!((by - deep).abs() <= 0.1 * deep, "{by} {deep} {message}");
+        }
+        let ran = run::run(&program([from, to], "", ""), Verify::Full);
+        assert!(ran.told.iter().all(|(c, _)| c != "APT5009"), "{:?}", ran.told);
+    }
+}
+
 /// SRFVCT leads a tool from inside of a round surface through it.
 #[test]
 fn a_way_out_of_a_round_surface_is_told() {

@@ -1,12 +1,13 @@
 //! Statements that wait to be judged, in parts that can be shared out.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Condvar, Mutex, OnceLock, PoisonError};
+use std::sync::{Arc, Condvar, Mutex, OnceLock, PoisonError};
 
 use aptc_cldata::{Motion, Position};
 use aptc_diagnostics::Origin;
 
 use crate::free::Rapid;
+use crate::joined::Joined;
 use crate::statement::{Answer, Share, Statement};
 
 /// Work for any number of threads: whoever has a batch may work at it. The answers are the same whoever did it.
@@ -30,6 +31,8 @@ pub(crate) enum Event {
     Unknown(Motion, Origin),
     /// A motion after RAPID.
     Rapid(Box<Rapid>),
+    /// The way from DNTCUT to CUT.
+    Joined(Arc<Joined>),
     /// Where the motion from point to point ends that comes next after one at rapid.
     Feed(Position),
 }

@@ -19,6 +19,7 @@ mod foreign;
 mod free;
 mod hollow;
 mod inside;
+mod joined;
 mod judged;
 mod kept;
 mod level;

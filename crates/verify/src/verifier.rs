@@ -3,13 +3,14 @@
 use std::sync::{Arc, OnceLock};
 
 use aptc_cldata::milling::Milling;
-use aptc_cldata::{Arg, Control, Kind, Motion, MotionKind, Position, Record};
+use aptc_cldata::{Arg, Control, Kind, Motion, MotionKind, Output, Position, Record};
 use aptc_diagnostics::{Diagnostic, Origin, codes};
 use aptc_geometry::{Cutter, Form, Plane, Profile};
 
 use crate::batch::{Batch, Event};
 use crate::certificate::{Certificate, Fault, StatementProof, length};
 use crate::free::{Free, Rapid};
+use crate::joined::{Joined, Joins};
 use crate::sheets::Sheets;
 use crate::statement::{Outcome, Statement};
 
@@ -71,12 +72,15 @@ pub struct Verifier {
     was_rapid: bool,
     /// A cycle of the machine works at each point.
     cycle: bool,
+    /// DNTCUT was said: the next position is where CUT puts the tool out again.
+    silent: bool,
     clearance: Option<Plane>,
     sheets: Sheets,
     /// What is not judged yet, and its vectors.
     waiting: Vec<Event>,
     n_waiting: usize,
     free: Free,
+    joins: Joins,
     certificate: Certificate,
     diagnostics: Vec<Diagnostic>,
 }
@@ -118,11 +122,13 @@ impl Verifier {
             rapid: false,
             was_rapid: false,
             cycle: false,
+            silent: false,
             clearance: None,
             sheets: Sheets::default(),
             waiting: Vec::new(),
             n_waiting: 0,
             free: Free::default(),
+            joins: Joins::default(),
             certificate,
             diagnostics: Vec::new(),
         }
@@ -151,6 +157,7 @@ impl Verifier {
                 }
                 _ => {}
             },
+            Kind::Output(output) => self.silent = *output == Output::Dntcut,
             Kind::Motion(motion) => {
                 self.comes(motion, &record.origin);
                 self.motion(motion, &record.origin);
@@ -203,6 +210,7 @@ impl Verifier {
                     self.report(&judgement.proof, judgement.real);
                     self.went_through(statement, judgement.through);
                     self.certificate.statements.push(judgement.proof);
+                    self.diagnostics.extend(self.joins.along(statement));
                     let at = statement.points.last();
                     if let (Some(part), Some(at)) = (&statement.control.part, at) {
                         self.free.along(part, at, &statement.profile);
@@ -210,6 +218,7 @@ impl Verifier {
                 }
                 Event::Unknown(motion, origin) => self.without_proof(motion, origin),
                 Event::Rapid(rapid) => self.free.rapid(rapid),
+                Event::Joined(joined) => self.diagnostics.extend(self.joins.next(joined)),
                 Event::Feed(end) => self.free.next(end),
             }
             self.diagnostics.append(&mut self.free.said);
@@ -273,6 +282,12 @@ impl Verifier {
             let (origin, clearance) = (origin.clone(), self.clearance);
             let rapid = Rapid { origin, points, profile, pad, clearance, cycle: self.cycle };
             self.waiting.push(Event::Rapid(Box::new(rapid)));
+            self.n_waiting += 1;
+        }
+        if let (true, Some(from), [to]) = (self.silent && !rapid, self.last, &motion.points[..]) {
+            let pad = self.pad(&motion.points, &profile);
+            let joined = Joined { origin: origin.clone(), from, to: *to, profile, pad };
+            self.waiting.push(Event::Joined(Arc::new(joined)));
             self.n_waiting += 1;
         }
         let Some(control) = control else { return };

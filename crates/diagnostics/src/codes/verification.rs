@@ -12,6 +12,6 @@ codes! {
     RAPID_LOW = 5006, "a rapid motion below the clearance plane";
     CORNERS = 5007, "corners that stand at the ends of passes, or beside edges";
     RAPID_ENDS_LOW = 5008, "a rapid motion that ends below the part surface";
-    THROUGH = 5009, "a start-up that goes through a surface";
+    THROUGH = 5009, "a way that goes through a surface";
     NOT_THE_CL = 5401, "machine code that does not do what the CL data says";
 }
