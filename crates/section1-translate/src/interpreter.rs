@@ -17,6 +17,7 @@ use aptc_vocabulary::{Word, word};
 use smol_str::SmolStr;
 
 use crate::define::Found;
+use crate::eval::Unfit;
 use crate::level::{Level, LevelKind};
 use crate::listing::{Entry, EntryKind};
 use crate::memory::{Memory, Place, Value};
@@ -62,6 +63,8 @@ pub struct Interpreter<'w> {
     /// The name without a value for whose sake the present statement is left out, and where it should
     /// have got one.
     pub(crate) blamed: Option<(Place, Span)>,
+    /// Curves and surfaces that cannot be fitted.
+    pub(crate) unfit: Unfit,
     finished: Vec<(NameRef, Quantity)>,
     /// Does the program ask for the path of its last motion (CLDATA)?
     pub(crate) asks_for_paths: bool,
@@ -168,6 +171,7 @@ impl<'w> Interpreter<'w> {
             executed: 0,
             failed_at: None,
             blamed: None,
+            unfit: Unfit::default(),
             finished: Vec::new(),
             asks_for_paths: false,
         };
@@ -333,6 +337,7 @@ impl<'w> Interpreter<'w> {
     /// Ends the part program and stands before the next one of the file.
     pub(crate) fn finish(&mut self) {
         self.report_unused();
+        self.report_unfit();
         self.emit(Kind::Fini);
         let mut values = std::mem::take(&mut self.finished);
         self.add_geometry(&mut values);
@@ -556,7 +561,12 @@ impl<'w> Interpreter<'w> {
         done
     }
 
-    fn push(&mut self, message: Diagnostic) {
+    /// Is what comes left untold?
+    pub(crate) fn is_muted(&self) -> bool {
+        self.reports.muted
+    }
+
+    pub(crate) fn push(&mut self, message: Diagnostic) {
         self.reports.push(message, self.options.limits.messages);
     }
 

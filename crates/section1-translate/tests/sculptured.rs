@@ -68,11 +68,15 @@ fn mistake(text: &str) -> (u16, u32) {
 
 #[test]
 fn a_conic_segment_keeps_points_and_directions() {
-    let c = curve("C=SCURV/CURSEG,P1,TANSPL,V1,P2,P4,CRSSPL,V2,NORMAL,(VECTOR/0,1,0)");
+    // Of the circle about (2, -1).
+    let c = curve("C=SCURV/CURSEG,P1,TANSPL,(VECTOR/1,2,0),P2,P4,CRSSPL,V2,NORMAL,(VECTOR/2,1,0)");
     let CurveShape::Conic(knots) = c.shape else { panic!("a conic") };
     assert_eq!(knots.len(), 3);
-    assert_eq!(knots[0].tangent, Some(Vec3::new(1.0, 1.0, 0.0)));
-    assert_eq!((knots[2].cross, knots[2].normal), (Some(Vec3::z()), Some(Vec3::y())));
+    assert_eq!(knots[0].tangent, Some(Vec3::new(1.0, 2.0, 0.0)));
+    assert_eq!(
+        (knots[2].cross, knots[2].normal),
+        (Some(Vec3::z()), Some(Vec3::new(2.0, 1.0, 0.0)))
+    );
     assert_eq!(c.map, None);
 }
 
@@ -200,7 +204,9 @@ fn surfaces_of_curves() {
         let SurfaceShape::RuledAlong { axis, .. } = s.shape else { panic!("a cylinder") };
         assert_eq!(axis, Vec3::z());
     }
-    let s = surface(&format!("{two}S=SSURF/GENCUR,A,B,A,CROSS,B,A"));
+    let across = "C=SCURV/SPLINE,(0,0,9),(1,1,9),(3,1,9)\nX=SCURV/SPLINE,P1,(0,0,5),(0,0,9)\n\
+                  Y=SCURV/SPLINE,P3,(3,1,5),(3,1,9)\n";
+    let s = surface(&format!("{two}{across}S=SSURF/GENCUR,A,B,C,CROSS,X,Y"));
     let SurfaceShape::General { curves, cross } = s.shape else { panic!("through curves") };
     assert_eq!((curves.len(), cross.len()), (3, 2));
     for (word, motion) in [
@@ -508,4 +514,27 @@ fn a_surface_without_area_is_refused() {
     // Of the formats that begin with the word that is written one is told.
     let ran = free(&format!("{head}S=SSURF/TRANSL,C1,C2"));
     assert!(ran.messages().contains("CROSS is missing"), "{}", ran.messages());
+}
+
+/// One message where the curve is defined, however often it and what is made of it are used; a warning where it never is.
+#[test]
+fn what_cannot_be_fitted_is_told_once_where_it_is_defined() {
+    let half = "C=SCURV/CURSEG,(0,0,0),(4,4,0),(8,0,0)";
+    let cases: [(&str, &[bool]); 7] = [
+        (half, &[false]),
+        (&format!("{half}\nQ=POINT/INTOF,C,PARAM,.5\nGOTO/Q"), &[true]),
+        (&format!("{half}\nS=SSURF/RULED,C,C\nQ=POINT/INTOF,S,PARAM,.5,.5"), &[true]),
+        (&format!("{half}\nGOTO/(POINT/INTOF,C,PARAM,.5)\nGOTO/(POINT/INTOF,C,PARAM,.4)"), &[true]),
+        ("Q=POINT/INTOF,(SCURV/CURSEG,(0,0,0),(4,4,0),(8,0,0)),PARAM,.5", &[true]),
+        // In a line, but there and back.
+        ("C=SCURV/CURSEG,(0,0,0),(8,0,0),(4,0,0)\nGOTO/(POINT/INTOF,C,PARAM,.5)", &[true]),
+        ("D=SCURV/CURSEG,(0,0,0),(4,0,0),(8,0,0)\nGOTO/(POINT/INTOF,D,PARAM,.5)", &[]),
+    ];
+    for (text, wanted) in cases {
+        let ran = free(text);
+        let told: Vec<(u16, bool)> =
+            ran.diagnostics.iter().map(|d| (d.code.number(), d.is_error())).collect();
+        let wanted: Vec<(u16, bool)> = wanted.iter().map(|error| (2045, *error)).collect();
+        assert_eq!(told, wanted, "{text}\n{}", ran.messages());
+    }
 }

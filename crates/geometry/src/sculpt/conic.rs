@@ -60,7 +60,8 @@ pub fn conic_arc(given: &[ConicCondition]) -> Result<CubicArc, ConicFault> {
     }
     let frame = Frame::of(given, size)?;
     if frame.straight {
-        return Ok(CubicArc::line(first.point, last.point));
+        let goes_on = frame.goes_on(given);
+        return goes_on.then(|| CubicArc::line(first.point, last.point)).ok_or(ConicFault::Turns);
     }
     if !frame.turns_one_way(given) {
         return Err(ConicFault::Turns);
@@ -173,6 +174,12 @@ impl Frame {
             return Err(ConicFault::NoArc);
         }
         Ok(v.row(least).transpose())
+    }
+
+    /// Of conditions on a line, do they follow one another from one end to the other?
+    fn goes_on(&self, given: &[ConicCondition]) -> bool {
+        let along = |w: &[ConicCondition]| self.x.dot(&(w[1].point - w[0].point)) > 0.0;
+        given.windows(2).all(along)
     }
 
     /// Does the way over the points turn right at each, with all of them on one side of each tangent?

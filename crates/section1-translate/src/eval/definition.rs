@@ -21,7 +21,7 @@ use crate::statement::refused::no_geometry;
 /// How far a TABCYL goes straight on at both ends, inches.
 const TABCYL_END_INCHES: f64 = 10.0;
 /// Surfaces of more points are fitted where they are needed, not where they are defined: it takes time.
-const FEW_POINTS: usize = 400;
+pub(super) const FEW_POINTS: usize = 400;
 
 impl Interpreter<'_> {
     /// The form of a definition and its name; a name in it gets the form.
@@ -34,6 +34,7 @@ impl Interpreter<'_> {
         match &definition.target {
             Some(target) => self.name_form(target, form, self.by_canon(definition)),
             None => {
+                self.told_at_once();
                 let form = form?;
                 self.list_form(&NameRef::default(), &form);
                 Ok((form, NameRef::default()))
@@ -62,6 +63,7 @@ impl Interpreter<'_> {
     ) -> Known<(Arc<Form>, NameRef)> {
         let place = self.target(target)?;
         let Ok(form) = form else {
+            self.told_when_used(target.span);
             self.memory.set(place, Value::Poison, target.span);
             return Err(Poisoned);
         };
@@ -140,6 +142,7 @@ impl Interpreter<'_> {
                 self.inner_slope(head, args);
                 self.patch_side(head, args);
                 self.ruled_ends(head, args);
+                self.fits(&form, span)?;
                 self.area(&form, args, span)?;
                 if let Some(beyond) = context.beyond.take() {
                     self.beyond_end(args[beyond.at].span, beyond);

@@ -13,6 +13,7 @@ mod names;
 mod ruled_ends;
 mod sculptured;
 mod subscript;
+mod unfit;
 
 use std::sync::Arc;
 
@@ -22,6 +23,8 @@ use aptc_syntax::tree::{BinaryOp, Expr, ExprKind, Target, UnaryOp};
 
 use crate::Interpreter;
 use crate::memory::{Place, Value};
+
+pub(crate) use unfit::Unfit;
 
 pub(crate) use argument::{Arg, ArgKind, Names};
 pub(crate) use definition::describe;

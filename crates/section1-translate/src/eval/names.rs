@@ -24,7 +24,9 @@ impl Interpreter<'_> {
                 None => Err(self.undefined(name)),
             },
             Value::Poison => {
-                self.blamed = Some((place, slot.given));
+                let given = slot.given;
+                self.blamed = Some((place, given));
+                self.blame_unfit(given);
                 Err(Poisoned)
             }
             Value::Array(_) => Err(self.subscript_missing(place, name.span)),

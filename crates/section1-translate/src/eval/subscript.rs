@@ -58,7 +58,9 @@ impl Interpreter<'_> {
         match &slot.value {
             Value::Unset => Err(self.unset_element(element, span)),
             Value::Poison => {
-                self.blamed = Some((element, slot.given));
+                let given = slot.given;
+                self.blamed = Some((element, given));
+                self.blame_unfit(given);
                 Err(Poisoned)
             }
             value => {
