@@ -38,8 +38,18 @@ pub(crate) struct Side {
     /// Where the straight continuation ends before the first and behind the last.
     pub(crate) before: Option<f64>,
     pub(crate) behind: Option<f64>,
-    /// Do neighbouring cells touch?
-    pub(crate) joined: bool,
+    /// Of loose patches, how many cells one has: of those of two nothing tells that they touch.
+    pub(crate) loose: Option<usize>,
+}
+
+impl Side {
+    /// Does a cell, counted with the continuation, touch the one before it (`end` 0) or behind it?
+    pub(crate) fn joins(&self, cell: usize, end: usize) -> bool {
+        let Some(n) = self.loose else { return true };
+        let behind = cell + end;
+        let first = usize::from(self.before.is_some());
+        behind.checked_sub(first).is_some_and(|k| k % n != 0)
+    }
 }
 
 /// Both parameters.
@@ -290,7 +300,7 @@ impl Patched {
                 let last = if end == 0 { place[k] == 0 } else { place[k] + 1 == counts[k] };
                 let step = if k == 0 { 1 } else { columns };
                 !last
-                    && self.grid.sides[k].joined
+                    && self.grid.sides[k].joins(place[k], end)
                     && self.meets(chart, if end == 0 { chart - step } else { chart + step }, k, end)
             })
         })
@@ -574,12 +584,12 @@ impl Patched {
         for k in 0..2 {
             let n = [columns, rows][k];
             let range = self.charts[place[1] * columns + place[0]].range[k];
-            let joined = self.grid.sides[k].joined;
+            let side = &self.grid.sides[k];
             // No farther than into the neighbour: what lies beyond is looked at from there.
             let from = place[k];
-            if at[k] > range[1] && joined && place[k] + 1 < n {
+            if at[k] > range[1] && place[k] + 1 < n && side.joins(place[k], 1) {
                 place[k] += 1;
-            } else if at[k] < range[0] && joined && place[k] > 0 {
+            } else if at[k] < range[0] && place[k] > 0 && side.joins(place[k], 0) {
                 place[k] -= 1;
             }
             if self.charts[place[1] * columns + place[0]].none {

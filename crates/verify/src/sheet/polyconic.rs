@@ -49,7 +49,7 @@ impl Sections {
             knots: halved(&[0.0, 1.0], n),
             before: Some(-BEYOND),
             behind: Some(1.0 + BEYOND),
-            joined: true,
+            loose: None,
         };
         (conic && form.length > 0.0 && !form.is_skew())
             .then(|| (new, Grid { sides: CELLS.map(side) }))

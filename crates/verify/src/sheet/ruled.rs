@@ -70,9 +70,9 @@ impl Rulings {
             knots: new.us.clone(),
             before: Some(-RAILS),
             behind: Some(1.0 + RAILS),
-            joined: true,
+            loose: None,
         };
-        let rulings = Side { knots: new.vs.clone(), before: None, behind: None, joined: true };
+        let rulings = Side { knots: new.vs.clone(), before: None, behind: None, loose: None };
         Some((new, Grid { sides: [straight, rulings] }))
     }
 

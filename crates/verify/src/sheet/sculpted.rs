@@ -50,16 +50,16 @@ impl Sculpted {
             _ => 1,
         };
         let whole = |n: usize| (0..=n).map(|k| k as f64).collect::<Vec<_>>();
-        let (knots, joined) = match &surface.layout {
-            Layout::Mesh { u, v } => ([u.clone(), v.clone()], true),
-            Layout::Patches => ([whole(surface.patches.len()), whole(1)], false),
+        let (knots, loose) = match &surface.layout {
+            Layout::Mesh { u, v } => ([u.clone(), v.clone()], None),
+            Layout::Patches => ([whole(surface.patches.len()), whole(1)], Some(cut)),
         };
         let columns = knots[0].len() - 1;
         let sides = [0, 1].map(|k| Side {
             knots: halved(&knots[k], cut),
             before: None,
             behind: None,
-            joined: joined || k == 1,
+            loose: loose.filter(|_| k == 0),
         });
         let cells = Self { patches: surface.patches.clone(), columns, cut, knots };
         (cells, Grid { sides })

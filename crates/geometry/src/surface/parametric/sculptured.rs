@@ -361,7 +361,7 @@ fn joined(surface: &Sculptured) -> Sculptured {
 
 /// Loose patches that fit together into a rectangle, as one grid; `None` when they do not.
 fn as_grid(surface: &Sculptured) -> Option<Sculptured> {
-    if !matches!(surface.layout, Layout::Patches) || surface.patches.len() < 2 {
+    if !matches!(surface.layout, Layout::Patches) {
         return None;
     }
     let size = surface.extent();

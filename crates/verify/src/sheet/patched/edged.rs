@@ -97,8 +97,9 @@ impl Patched {
             [at(one, t, near), far]
         };
         let size = self.nodes.last().map_or(0.0, |root| root.radius);
-        let mut sharpest = if side.joined { [0.0_f64; 2] } else { [UNKNOWN; 2] };
-        for i in (0..=PARTS).filter(|_| side.joined) {
+        let joins = side.joins(place[k], end);
+        let mut sharpest = if joins { [0.0_f64; 2] } else { [UNKNOWN; 2] };
+        for i in (0..=PARTS).filter(|_| joins) {
             let [a, b] = both(f64::from(i) / f64::from(PARTS));
             if !point && (a.point - b.point).norm() > MEET * size {
                 // Nothing is beside it.
