@@ -62,7 +62,9 @@ fn offset_goes_down_to_the_nearer_place_of_its_part_surface() {
     let p = end(&program("PLANE/0,1,0,0"));
     assert!((p[1] + 0.5).abs() < 1e-6 && (p[2] - low(0.5)).abs() < 0.003, "{p:?}");
     // From the wall y = -.4 z it parts on its way down.
-    let p = end(&program("PLANE/0,1,.4,0"));
+    let ran = run::run(&program("PLANE/0,1,.4,0"), Verify::Full);
+    assert_eq!(ran.codes(), ["APT2058"], "{:?}", ran.told);
+    let p = *ran.places.last().expect("the tool goes");
     assert!(p[1] < -1.0 && (p[2] - low(p[1])).abs() < 0.003, "{p:?}");
 }
 
@@ -182,4 +184,25 @@ fn a_tool_in_a_hollow_goes_along_what_stands_in_it() {
         assert!(y.abs() < 1e-9 && z > -60.0 && x * center <= 0.0, "{center} {x} {z}");
         assert!(ran.faults().iter().all(|code| code == "APT5009"), "{:?} {text}", ran.told);
     }
+}
+
+/// OFFSET comes to the wall first, and then up to the floor: from a wall that leans by 3 in 4 six tenths of that way away.
+#[test]
+fn what_offset_leaves_is_told() {
+    let program = |first: &str, direction: &str| {
+        format!(
+            "UNITS/MM\nWALL=PLANE/0,.8,.6,0\nFLOOR=PLANE/0,0,1,0\nCUTTER/16,8\nINTOL/.01\nOUTTOL/.01\n\
+             FROM/0,60,-30\n{direction}\n{first},FLOOR\nFINI\n"
+        )
+    };
+    let ran = run::run(&program("OFFSET/TO,WALL,TO", "INDIRV/0,-1,0"), Verify::Full);
+    let end = ran.places.last().expect("it goes there");
+    // The ball of 8 comes to the wall 28.08 below the floor.
+    let up = 30.0 - 3.2 * 0.6;
+    assert!((end[1] - (22.5 + 3.2 * 0.8)).abs() < 1e-9 && end[2].abs() < 1e-9, "{end:?}");
+    let [(code, message)] = &ran.told[..] else { panic!("{:?}", ran.told) };
+    assert_eq!(code, "APT2058");
+    assert!(message.contains(&format!("{:.3}", 0.6 * up)), "{message}");
+    let ran = run::run(&program("GO/TO,WALL,TO", "INDIRV/0,-1,0"), Verify::Full);
+    assert!(ran.told.is_empty(), "{:?}", ran.told);
 }

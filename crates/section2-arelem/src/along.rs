@@ -71,6 +71,9 @@ impl Arelem {
             let taken = Candidate::of(tool.te, end.te);
             self.diagnostics.push(warning::ambiguous(origin, &taken, &path.rivals));
         }
+        if let (Some(far), [(_, drive), ..]) = (path.left, &go.surfaces[..]) {
+            self.diagnostics.push(warning::left(origin, drive, far));
+        }
         if let (1, Some(end)) = (go.surfaces.len(), path.points.last())
             && self.settings.lifts(tool.te.z, end.te.z)
         {

@@ -136,6 +136,8 @@ pub(crate) struct Path {
     pub(crate) astray: Option<Astray>,
     /// Other positions that are just as near, of a start-up.
     pub(crate) rivals: Vec<Candidate>,
+    /// How far OFFSET ended from its drive surface, which leans.
+    pub(crate) left: Option<f64>,
 }
 
 impl Path {
@@ -143,7 +145,7 @@ impl Path {
     pub(crate) fn started(points: Vec<cl::Position>, forward: Vec3, control: cl::Control) -> Self {
         let (arc, fouls, astray) = (None, None, None);
         let rivals = Vec::new();
-        Self { points, arc, check: 0, forward, control, fouls, astray, rivals }
+        Self { points, arc, check: 0, forward, control, fouls, astray, rivals, left: None }
     }
 }
 

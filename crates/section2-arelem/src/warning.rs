@@ -28,6 +28,18 @@ pub(crate) fn lifted(origin: &Origin, z: f64) -> Diagnostic {
         .help("give PSIS/surface before it, or the part surface with it: GO/TO,drive surface,TO,part surface")
 }
 
+/// OFFSET that left its drive surface on the way to the part surface.
+pub(crate) fn left(origin: &Origin, drive: &SurfaceRef, far: f64) -> Diagnostic {
+    let text = format!(
+        "OFFSET ends {} from {}: it came to it, and then went along the tool axis to the part surface",
+        number(far),
+        called(drive)
+    );
+    Diagnostic::warning(codes::LEFT_BY_OFFSET, origin.span, text)
+        .within(origin.trace.clone())
+        .help("GO comes to both surfaces at once")
+}
+
 /// A tool that leans without MULTAX.
 pub(crate) fn no_multax(origin: &Origin) -> Diagnostic {
     let text = "the tool leans from here on, and without MULTAX the CL data do not have its axis";

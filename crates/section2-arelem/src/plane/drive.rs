@@ -96,6 +96,7 @@ fn follow(scene: &Scene, plan: &Plan) -> Result<Path, Failure> {
         fouls: None,
         astray: begin.astray,
         rivals: Vec::new(),
+        left: None,
     })
 }
 

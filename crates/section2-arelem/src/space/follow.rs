@@ -270,6 +270,7 @@ impl<'a> Walk<'a> {
             fouls: None,
             astray: *astray,
             rivals: Vec::new(),
+            left: None,
         })
     }
 

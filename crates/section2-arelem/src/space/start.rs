@@ -98,24 +98,26 @@ fn start_on(go: &Start, all: bool) -> Result<Path, Failure> {
     }
     let mut sides = aims.iter().map(|a| a.wall.beside(a.relation, a.keep.side));
     let (mut drive, part) = (sides.next(), sides.next());
+    let mut left = None;
     if go.offset && part.is_some() {
-        drive = drive.and_then(|drive| left_by_offset(drive, &aims[0], &end));
+        let gap = aims[0].keep.gap(&end, None).map_or(0.0, |gap| gap.g);
+        if gap.abs() > aims[0].keep.width() {
+            drive = drive.filter(|_| !aims[0].wall.on);
+            drive = drive.map(|drive| left_by_offset(drive, aims[0].keep.width(), gap));
+            left = Some(gap.abs()).filter(|_| gap > 0.0 || aims[0].wall.on);
+        }
     }
     let control = Control { drive, part, checks: sides.collect(), milling: None };
     let points = vec![end.position()];
     let forward = end.te - go.tool.te;
-    Ok(Path { rivals, ..Path::started(points, forward, control) })
+    Ok(Path { rivals, left, ..Path::started(points, forward, control) })
 }
 
 /// What OFFSET promises of its drive surface once it has gone along the axis to the part surface: not to cut in. It may well
 /// have left a surface that leans.
-fn left_by_offset(drive: Controlled, aim: &Aim<'_>, end: &Pose) -> Option<Controlled> {
-    let gap = aim.keep.gap(end, None).ok()?.g;
-    if gap.abs() <= aim.keep.width() {
-        return Some(drive);
-    }
-    let outtol = drive.outtol.max(gap + aim.keep.width());
-    (!aim.wall.on).then_some(Controlled { outtol, ..drive })
+fn left_by_offset(drive: Controlled, width: f64, gap: f64) -> Controlled {
+    let outtol = drive.outtol.max(gap + width);
+    Controlled { outtol, ..drive }
 }
 
 /// The position; where a hollow may count as open, its side is decided.
