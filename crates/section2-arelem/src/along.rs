@@ -173,7 +173,8 @@ impl Arelem {
 
     fn path(&self, d: &protap::Drive, tool: Tool) -> Result<Path, Failure> {
         let scene = self.scene(d, tool)?;
-        let flat = self.plane_allowed(&scene.axis).then(|| plane::run(&scene)).flatten();
+        let flat = self.plane_allowed(&scene.axis) && scene.tool.stands();
+        let flat = flat.then(|| plane::run(&scene)).flatten();
         flat.unwrap_or_else(|| space::run(&scene)).map_err(|f| match f {
             Failure::NoTangency { allowed, .. } => scene.too_tight(allowed).unwrap_or(f),
             f => f,
@@ -243,8 +244,7 @@ impl Arelem {
     ) -> Outcome {
         let start = self.tool.map(|t| t.te);
         if let (Some(end), Some(tool)) = (path.points.last(), &mut self.tool) {
-            tool.te = end.te;
-            tool.ta = end.ta;
+            (tool.te, tool.ta, tool.stood) = (end.te, end.ta, None);
             tool.turn(path.forward);
         }
         let motion = cl::Motion {

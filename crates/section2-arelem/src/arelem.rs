@@ -93,7 +93,8 @@ impl Arelem {
             return;
         };
         let before = self.tool;
-        let mut tool = before.unwrap_or(Tool { te, ta, forward: Vec3::x(), assumed: true });
+        let mut tool =
+            before.unwrap_or(Tool { te, ta, forward: Vec3::x(), assumed: true, stood: None });
         (tool.te, tool.ta) = (te, ta);
         tool.turn(along);
         self.tool = Some(tool);
@@ -236,6 +237,7 @@ impl Arelem {
                 let kept = ToolAxis::Fixed(self.tool.map_or_else(Vec3::z, |t| t.ta));
                 s.set_axis(if matches!(a, ToolAxis::Keep) { kept } else { a.clone() });
                 if let (ToolAxis::Fixed(v), Some(t)) = (&s.axis, &mut self.tool) {
+                    t.stood.get_or_insert(t.ta);
                     t.ta = unit(*v).unwrap_or(t.ta);
                 }
             }

@@ -72,7 +72,7 @@ impl Arelem {
         match &mut self.tool {
             Some(t) => {
                 t.turn(te - t.te);
-                t.te = te;
+                (t.te, t.stood) = (te, None);
             }
             None => self.tool = Some(self.first(te)),
         }
@@ -85,7 +85,13 @@ impl Arelem {
             ToolAxis::Fixed(v) => unit(*v),
             _ => None,
         };
-        Tool { te, ta: fixed.unwrap_or_else(Vec3::z), forward: Vec3::x(), assumed: true }
+        Tool {
+            te,
+            ta: fixed.unwrap_or_else(Vec3::z),
+            forward: Vec3::x(),
+            assumed: true,
+            stood: None,
+        }
     }
 
     /// A start without a position before it begins at 0,0,0, as in APT-360, and says so: where it begins only tells the way to

@@ -99,6 +99,8 @@ pub(crate) struct Tool {
     pub(crate) forward: Vec3,
     /// Was there none yet?
     pub(crate) assumed: bool,
+    /// The axis with which it stands there, when another one was given since.
+    pub(crate) stood: Option<Vec3>,
 }
 
 impl Default for Settings {
@@ -322,6 +324,12 @@ pub(crate) fn auto_part(te: Vec3, ta: Vec3) -> SurfaceRef {
 }
 
 impl Tool {
+    /// Does it stand with its axis, not with the one before it?
+    pub(crate) fn stands(&self) -> bool {
+        const SAME: f64 = 1e-9;
+        self.stood.is_none_or(|stood| (stood - self.ta).norm() <= SAME)
+    }
+
     /// Takes the direction of a move unless it ran along the axis or nowhere.
     pub(crate) fn turn(&mut self, along: Vec3) {
         let length = along.norm();

@@ -3,6 +3,7 @@
 
 use aptc_cldata::Position;
 use aptc_contact::{Condition, Gap, Side};
+use aptc_geometry::Vec3;
 use aptc_protap::OptionSurface;
 
 use super::band::Band;
@@ -15,6 +16,7 @@ use crate::axis::{Around, AxisRule};
 use crate::failure::Failure;
 use crate::prepare::way;
 use crate::scene::{Astray, Scene, Stance, Wall};
+use crate::state::Tool;
 
 /// The tool at the start of a motion.
 pub(super) struct Begin {
@@ -25,7 +27,44 @@ pub(super) struct Begin {
     pub(super) astray: Option<Astray>,
 }
 
-pub(super) fn begin(scene: &Scene) -> Result<Begin, Failure> {
+/// Does the axis turn in place when a motion begins?
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum InPlace {
+    /// Where it cannot turn with the first cut vector.
+    AsNeeded,
+    /// However little it turns.
+    Always,
+}
+
+pub(super) fn begin(scene: &Scene, turns: InPlace) -> Result<Begin, Failure> {
+    let turns_first = !scene.tool.stands() && !scene.axis.turns();
+    match scene.tool.stood.filter(|_| turns_first) {
+        Some(stood) => to_fixed(scene, stood),
+        None => as_it_stands(scene, turns),
+    }
+}
+
+/// The start of a motion with a fixed axis of a tool that stands there with another one: it turns in place.
+fn to_fixed(scene: &Scene, stood: Vec3) -> Result<Begin, Failure> {
+    let with = |te: Vec3, ta: Vec3| {
+        let tool = Tool { te, ta, stood: None, ..scene.tool };
+        as_it_stands(&Scene { tool, ..scene.clone() }, InPlace::AsNeeded)
+    };
+    let Begin { track, node, mut first, .. } = with(scene.tool.te, stood)?;
+    let still = Track { guides: None, ..track };
+    let axes = [stood, scene.tool.ta];
+    let pose = Pose { ta: scene.tool.ta, ..node.pose };
+    let to = still.settle(pose, &Aim::at(&node)).ok();
+    let way = to.and_then(|to| way_to(&still, &node, to));
+    let way = way.ok_or(Failure::NoTurn { place: node.pose.te, axes })?;
+    first.extend(way.iter().map(|n| n.pose.position()));
+    let end = way.last().map_or(node.pose.te, |n| n.pose.te);
+    let turned = with(end, scene.tool.ta)?;
+    first.extend(&turned.first);
+    Ok(Begin { first, ..turned })
+}
+
+fn as_it_stands(scene: &Scene, turns: InPlace) -> Result<Begin, Failure> {
     let tool = &scene.tool;
     let mut part = Keep::of(&scene.part)?;
     let pose = upright(scene, &part);
@@ -90,7 +129,7 @@ pub(super) fn begin(scene: &Scene) -> Result<Begin, Failure> {
         .finish(pose, [drive_gap, part_gap], heading)
         .map_err(|t| trouble_at(scene, &pose, t))?;
     if off_drive <= 1.0 && off_part <= 1.0 {
-        let turned = turn(&track, &node, scene.limits.step)?;
+        let turned = turn(&track, &node, scene.limits.step, turns)?;
         let node = turned.last().copied().unwrap_or(node);
         let first = turned.iter().map(|n| n.pose.position()).collect();
         return Ok(Begin { track, node, first, astray });
@@ -118,12 +157,16 @@ fn sided(scene: &Scene, keeps: &[Keep; 2], around: &Around<'_>) -> AxisRule {
 
 /// The way in place to the axis that the rule asks for at the start, when the tool stands with another one: GO does not know the
 /// direction of the motion that follows, on which CUTANG depends. Empty when the axis can turn with the first cut vector.
-fn turn(track: &Track, node: &Node, cap: f64) -> Result<Vec<Node>, Failure> {
+fn turn(track: &Track, node: &Node, cap: f64, turns: InPlace) -> Result<Vec<Node>, Failure> {
+    let Some(to) = turned(track, node, cap, turns) else { return Ok(Vec::new()) };
+    let axes = [node.pose.ta, to.pose.ta];
+    way_to(track, node, to).ok_or(Failure::NoTurn { place: node.pose.te, axes })
+}
+
+fn way_to(track: &Track, node: &Node, to: Node) -> Option<Vec<Node>> {
     /// How high in their bands the places of the way lie, the first that serves: a chord dips or rises between its ends.
     const HIGH: [f64; 3] = [0.5, 0.9, 0.1];
-    let Some(to) = turned(track, node, cap) else { return Ok(Vec::new()) };
-    let way = HIGH.into_iter().find_map(|high| turning(track, node, to, high));
-    way.ok_or(Failure::NoTurn { place: node.pose.te, axes: [node.pose.ta, to.pose.ta] })
+    HIGH.into_iter().find_map(|high| turning(track, node, to, high))
 }
 
 /// The way from one axis to the other by places so high in their bands, each chord in both bands; `None` where there is none.
@@ -159,7 +202,7 @@ fn turning(track: &Track, from: &Node, to: Node, high: f64) -> Option<Vec<Node>>
 }
 
 /// The end of that way.
-fn turned(track: &Track, node: &Node, cap: f64) -> Option<Node> {
+fn turned(track: &Track, node: &Node, cap: f64, turns: InPlace) -> Option<Node> {
     /// What APT-360 allows an axis to be off, radians; so much the first cut vector takes up.
     const LEAST: f64 = 0.01;
     /// Share of the usual length that the first cut vector must have if the axis is to turn with it.
@@ -175,6 +218,9 @@ fn turned(track: &Track, node: &Node, cap: f64) -> Option<Node> {
         return None;
     }
     let turned = track.settle(Pose { ta, ..node.pose }, &Aim::at(node)).ok()?;
+    if turns == InPlace::Always {
+        return Some(turned);
+    }
     let length = |node: &Node| track.stride(node, cap, &mut Pace::new()).map_or(0.0, |s| s.length);
     (length(node) < WORTH * length(&turned)).then_some(turned)
 }

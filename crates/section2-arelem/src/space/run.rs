@@ -2,7 +2,7 @@
 
 use aptc_geometry::{Profile, Surface};
 
-use super::begin::begin;
+use super::begin::{InPlace, begin};
 use super::follow::follow;
 use crate::failure::Failure;
 use crate::scene::{Path, Scene, Wall};
@@ -12,16 +12,26 @@ use crate::scene::{Path, Scene, Wall};
 /// A turning axis may lay the cutter's side into a hollow drive surface that its lower edge just touches.
 /// Then the motion follows the lower edge, and says how deep the rest cuts in.
 ///
+/// An axis from elsewhere turns with the first cut vector where it can, and a check surface may stand nearer than that one's end: then it
+/// turns in place first.
+///
 /// What is in a pointed tool may be as near to its face on all sides, and no normal leads out from there: a motion that comes to no
 /// further place is tried once more with the tool outside of what its point touches.
 pub(crate) fn run(scene: &Scene) -> Result<Path, Failure> {
-    match run_along(scene) {
-        Err(f @ Failure::Blocked(_)) => match outside(scene) {
-            Some(scene) => run_along(&scene).map_err(|_| f),
-            None => Err(f),
-        },
-        found => found,
+    let blocked = match run_along(scene) {
+        Err(Failure::Blocked(blocked)) => blocked,
+        found => return found,
+    };
+    if scene.axis.turns()
+        && blocked.gone <= 0.0
+        && let Ok(begin) = begin(scene, InPlace::Always)
+        && !begin.first.is_empty()
+        && let Ok(path) = follow(scene, &begin)
+    {
+        return Ok(path);
     }
+    let again = outside(scene).map(|scene| run_along(&scene));
+    again.and_then(Result::ok).ok_or(Failure::Blocked(blocked))
 }
 
 /// The scene with the ends of cut vectors outside of the surfaces that the cutter touches; `None` where it is not pointed.
@@ -40,7 +50,7 @@ fn outside(scene: &Scene) -> Option<Scene> {
 }
 
 fn run_along(scene: &Scene) -> Result<Path, Failure> {
-    let failure = match begin(scene) {
+    let failure = match begin(scene, InPlace::AsNeeded) {
         Ok(begin) => return follow(scene, &begin),
         Err(f) => f,
     };
@@ -53,7 +63,7 @@ fn run_along(scene: &Scene) -> Result<Path, Failure> {
     let mut lower = scene.clone();
     lower.drive.profile = edge;
     lower.drive.disk = Some([radius, height]);
-    match begin(&lower) {
+    match begin(&lower, InPlace::AsNeeded) {
         Ok(begin) => follow(&lower, &begin).map(|path| Path { fouls: Some(-off), ..path }),
         Err(_) => Err(failure),
     }

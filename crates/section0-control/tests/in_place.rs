@@ -1,0 +1,85 @@
+//! Axes that change where the tool stands: they turn in place where they must, and each cut vector of it is proved.
+
+#[path = "support/run.rs"]
+mod run;
+
+use aptc_control::Verify;
+
+/// GO does not know the way that follows: the ball leans to the other side then, and where a check surface stands nearer than the
+/// first cut vector would have to go to turn on it, it turns before.
+#[test]
+fn a_ball_that_leans_to_the_other_side_comes_to_a_near_check_surface() {
+    for angle in 3..=10 {
+        for (intol, outtol) in
+            [(0.005, 0.02), (0.0, 0.02), (0.005, 0.05), (0.02, 0.02), (0.02, 0.01)]
+        {
+            let text = format!(
+                "UNITS/MM\nPA=CYLNDR/0,0,-3000,0,1,0,3000\nDR=PLANE/0,1,0,1\nCUTTER/8,4\nINTOL/{intol}\n\
+                 OUTTOL/{outtol}\nMULTAX\nFROM/-45,1,30\nTLAXIS/ATANGL,1,{angle},(VECTOR/0,1,0)\n\
+                 GO/ON,DR,TO,PA,ON,(PLANE/1,0,0,-45)\nINDIRV/1,0,0\nTLON,GOFWD/DR,ON,(PLANE/1,0,0,-20)\n\
+                 FINI\n"
+            );
+            let ran = run::run(&text, Verify::Full);
+            assert!(ran.told.is_empty(), "{angle} {intol} {outtol} {:?}", ran.told);
+            let end = ran.places.last().expect("the tool goes");
+            assert!((end[0] + 20.0).abs() < 1e-6, "{end:?}");
+        }
+    }
+}
+
+/// A fixed axis in the middle of a pass: the ball turns about the place where it touches, its middle stays where it is.
+#[test]
+fn a_fixed_axis_in_the_middle_of_a_pass_turns_in_place() {
+    const RADIUS: f64 = 6.0;
+    for (first, axis) in [
+        ("NORMPS", [0.0, 0.0, 1.0]),
+        ("NORMPS", [0.1, 0.05, 1.0]),
+        ("NORMPS", [-0.12, 0.0, 1.0]),
+        ("0,0,1", [0.2, -0.1, 1.0]),
+        ("ATANGL,1,12", [0.0, 0.3, 1.0]),
+    ] {
+        let [i, j, k] = axis;
+        let text = format!(
+            "UNITS/MM\nPA=SPHERE/0,0,-200,200\nDR=PLANE/0,1,0,0\nCUTTER/12,6\nINTOL/.01\nOUTTOL/.02\nMULTAX\n\
+             FROM/-45,0,30\nTLAXIS/{first}\nGO/ON,DR,TO,PA,ON,(PLANE/1,0,0,-45)\nINDIRV/1,0,0\n\
+             TLON,GOFWD/DR,ON,(PLANE/1,0,0,-25)\nTLAXIS/{i},{j},{k}\nGOFWD/DR,ON,(PLANE/1,0,0,0)\nFINI\n"
+        );
+        let ran = run::run(&text, Verify::Full);
+        assert!(ran.told.is_empty(), "{first} {axis:?} {:?}", ran.told);
+        let size = f64::sqrt(i * i + j * j + k * k);
+        let turned = |ta: &[f64; 3]| {
+            let off = [ta[0] - i / size, ta[1] - j / size, ta[2] - k / size];
+            off.iter().all(|x| x.abs() < 1e-9)
+        };
+        let at = 1 + ran.axes.iter().rposition(|ta| !turned(ta)).expect("it turns");
+        assert!(at + 1 < ran.places.len(), "on the way, not at its end");
+        // In place: the tool end goes no farther than the turn about the ball takes it.
+        assert!((ran.places[at][0] + 25.0).abs() < 0.05 + RADIUS * 0.3, "{:?}", ran.places[at]);
+        let middle = |n: usize| {
+            let (te, ta) = (ran.places[n], ran.axes[n]);
+            [0, 1, 2].map(|i| te[i] + RADIUS * ta[i])
+        };
+        let far = |p: [f64; 3]| (p[0] * p[0] + p[1] * p[1] + (p[2] + 200.0).powi(2)).sqrt();
+        for n in 1..ran.places.len() {
+            let gap = far(middle(n)) - 200.0 - RADIUS;
+            assert!((-0.0101..=0.0201).contains(&gap), "{n} {gap}");
+        }
+    }
+}
+
+/// The same axis once more, or one given before a GO, turns nothing.
+#[test]
+fn an_axis_that_stays_turns_nothing() {
+    let program = |axis: &str| {
+        format!(
+            "UNITS/MM\nPA=SPHERE/0,0,-200,200\nDR=PLANE/0,1,0,0\nCUTTER/12,6\nINTOL/.01\nOUTTOL/.02\nMULTAX\n\
+             FROM/-45,0,30\nTLAXIS/.1,0,1\nGO/ON,DR,TO,PA,ON,(PLANE/1,0,0,-45)\nINDIRV/1,0,0\n\
+             TLON,GOFWD/DR,ON,(PLANE/1,0,0,-25)\n{axis}\nGOFWD/DR,ON,(PLANE/1,0,0,0)\nFINI\n"
+        )
+    };
+    let plain = run::run(&program(""), Verify::Full);
+    for axis in ["TLAXIS/.1,0,1", "TLAXIS/.2,0,2", "TLAXIS/1\nTLAXIS/.1,0,1"] {
+        let ran = run::run(&program(axis), Verify::Full);
+        assert_eq!((ran.places.len(), ran.told), (plain.places.len(), vec![]), "{axis}");
+    }
+}
