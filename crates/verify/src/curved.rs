@@ -1,5 +1,6 @@
 //! One cut vector against a surface with charts.
 
+mod edges;
 mod side;
 mod sunk;
 
@@ -10,8 +11,8 @@ use crate::deep::deepest;
 use crate::demand::Verdict;
 use crate::outside::Stood;
 use crate::pile::Pile;
-use crate::search::{Aim, FINE_FOLD, FOLD, Lead, Moved, TURNED, clearance_from};
-use crate::sheet::{Hollow, Sheet, Spot};
+use crate::search::{Aim, FINE_FOLD, FOLD, Lead, Moved, TURNED, clearance, clearance_from};
+use crate::sheet::{Sheet, Spot};
 use crate::sweep::Sweep;
 use crate::tool::{Pose, Tool};
 use crate::upright::distances;
@@ -226,10 +227,13 @@ impl Curved<'_> {
         // A tool without thickness would pass through the surface without holding any of its points: the
         // surface is moved farther back, and the tool stays farther away from it. At an edge what is moved out to the side of the
         // tool gapes: there it stays away from the surface itself.
-        let (held, thin) = self.held(tool, [&pose(0.0), &pose(1.0)], turn, side, least, pad);
+        let held = self.held(tool, [&pose(0.0), &pose(1.0)], turn, side, least, pad);
+        let moved =
+            Moved { sheet: self.sheet, side, shift: held.least - held.thin, fold, only: None };
+        let edges = Moved { only: Some(&held.edges), ..moved };
         // Both the surface farther back and the distance from it are rounded.
+        let thin = held.thin;
         let enough = if thin > 0.0 { thin - 2.0 * pad } else { -pad };
-        let moved = Moved { sheet: self.sheet, side, shift: held - thin, fold };
         let mut low = f64::INFINITY;
         let mut open = (0.0, 0.0);
         let mut stack = Pile::<(f64, f64, u32), 32>::new();
@@ -240,10 +244,14 @@ impl Curved<'_> {
             let bend = turn * (t1 - t0);
             let sweep = Sweep::new(tool, pose(t0), pose(t1), bend);
             let turned = sweep.turned();
-            let found = clearance_from(&sweep, &moved, enough, Aim::Clear, &mut warm.lead);
-            let shown = found.least - thin;
+            let mut found = clearance_from(&sweep, &moved, enough, Aim::Clear, &mut warm.lead);
+            let mut shown = found.least - thin;
+            if found.least >= enough && !held.edges.is_empty() {
+                found = clearance(&sweep, &edges, enough, Aim::Any);
+                shown = shown.min(found.least - thin);
+            }
             if found.least >= enough {
-                low = low.min(held + shown);
+                low = low.min(held.least + shown);
                 continue;
             }
             if let Some((distance, t, spot)) = found.nearest
@@ -252,6 +260,7 @@ impl Curved<'_> {
                 let t = t0 + t * (t1 - t0);
                 let pose = pose(t);
                 let distance = tool.near(&pose, moved.place(&spot)).0;
+                let spot = self.sheet.on_face(spot);
                 let gap = if distance < enough {
                     self.confirm(tool, side, least, &pose, &spot, distance - thin, pad)
                 } else {
@@ -310,41 +319,6 @@ impl Curved<'_> {
         } else {
             Half::Open(0.0, f64::INFINITY)
         }
-    }
-
-    /// What the gap is held above, for that `least`, and how much farther back the surface is moved, from which the tool then stays away
-    /// by as much.
-    ///
-    /// Where it has hollow edges its faces part as they are moved back, and a sharp tool would pass between. A place on the middle of
-    /// both, as deep below the edge as it may be, is to be no farther from the faces than the tool stays away.
-    fn held(
-        &self,
-        tool: &Tool<'_>,
-        [start, end]: [&Pose; 2],
-        turn: f64,
-        side: f64,
-        least: f64,
-        pad: f64,
-    ) -> (f64, f64) {
-        /// How far back, in depths that the tool may have.
-        const BACK: f64 = 8.0;
-        let thin = if tool.is_thin() { self.back(least, pad) } else { 0.0 };
-        let Some(edged) = self.sheet.edged() else { return (least, thin) };
-        if least >= 0.0 {
-            return (least, thin.max(least));
-        }
-        // Those that the tool may come to.
-        let away = (end.te - start.te).norm() + turn * tool.reach() - BACK * least + thin;
-        let comes = |h: &&Hollow| tool.near(start, h.center).0 - h.radius <= away;
-        let hollow = edged.hollow[usize::from(side < 0.0)].iter().filter(comes);
-        let half = hollow.map(|h| h.half).fold(0.0, f64::max);
-        if half <= 0.0 {
-            return (least, thin);
-        }
-        let (deep, cos) = (-least, (1.0 - half * half).max(0.0).sqrt());
-        let back = (BACK * deep).max(deep + thin);
-        let away = (back * back - 2.0 * back * deep * cos + deep * deep).sqrt();
-        (away - back, away)
     }
 
     /// How much farther back the surface is moved for a tool without thickness.

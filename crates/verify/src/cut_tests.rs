@@ -57,7 +57,7 @@ proptest! {
         let profile = Profile::new(&Cutter::mill(2.0, corner, 6.0)).unwrap();
         let tools = [Tool::End, Tool::Raised(&profile, 3.0), Tool::Solid(&profile)];
         let side = if right { 1.0 } else { -1.0 };
-        let moved = |side| Moved { sheet: &sheet, side, shift, fold: FOLD };
+        let moved = |side| Moved { sheet: &sheet, side, shift, fold: FOLD, only: None };
         let points = |side| -> Vec<Vec3> {
             places(&sheet).iter().map(|spot| moved(side).place(spot)).collect()
         };
@@ -99,7 +99,7 @@ proptest! {
         let sheet = Sheet::new(&forms::parametric()[which]).expect("it has charts");
         let profile = Profile::new(&Cutter::mill(0.5, 0.25 * corner, 3.0)).unwrap();
         let tool = if end { Tool::End } else { Tool::Solid(&profile) };
-        let moved = Moved { sheet: &sheet, side: 1.0, shift, fold: FOLD };
+        let moved = Moved::whole(&sheet, 1.0, shift);
         let points: Vec<Vec3> = places(&sheet).iter().map(|spot| moved.place(spot)).collect();
         let near = |pose: &Pose| {
             let all = points.iter().map(|p| (tool.near(pose, *p).0, *p));
@@ -129,7 +129,7 @@ fn a_cut_serves_what_it_was_made_for() {
     let sheet = Sheet::new(&forms::parametric()[7]).expect("it has charts");
     let [ball, flat] = [1.0, 0.2].map(|r| Profile::new(&Cutter::mill(2.0, r, 6.0)).unwrap());
     let [tool, high] = [Tool::Solid(&ball), Tool::Raised(&ball, 1.0)];
-    let moved = Moved { sheet: &sheet, side: 1.0, shift: 0.1, fold: FOLD };
+    let moved = Moved::whole(&sheet, 1.0, 0.1);
     let at = |x: f64| Pose { te: Vec3::new(x, 0.3, 1.5), ta: Vec3::z() };
     let search = |lead: &mut Lead, tool: &Tool<'_>, moved: &Moved<'_>, enough: f64, x: f64| {
         let sweep = Sweep::new(tool, at(x), at(x + 0.01), 0.0);

@@ -15,7 +15,7 @@ use crate::demand::Verdict;
 use crate::kept::Kept;
 use crate::pile::Pile;
 use crate::scallop::{Cusps, Left};
-use crate::search::{Aim, FOLD, Moved, TURNED, clearance_from};
+use crate::search::{Aim, Moved, TURNED, clearance_from};
 use crate::sheet::Sheet;
 use crate::sheets::Sheets;
 use crate::statement::{PLACES, Seen, Statement, keep};
@@ -426,7 +426,7 @@ fn keeps_off(
     least: f64,
     warm: &mut Warm,
 ) -> Half {
-    let moved = Moved { sheet, side: 1.0, shift: 0.0, fold: FOLD };
+    let moved = Moved::whole(sheet, 1.0, 0.0);
     let mut low = f64::INFINITY;
     let mut open = (0.0, 0.0);
     // Room for those stretches and for one more at each halving.

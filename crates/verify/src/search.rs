@@ -11,7 +11,7 @@ use aptc_geometry::Vec3;
 
 use crate::beside::Begin;
 use crate::cut::Cut;
-use crate::sheet::{Sheet, Spot};
+use crate::sheet::{Patch, Sheet, Spot};
 use crate::sweep::Sweep;
 use looks::search;
 
@@ -41,9 +41,16 @@ pub(crate) struct Moved<'a> {
     pub(crate) shift: f64,
     /// Share of the shift below which a piece of it counts as a fold.
     pub(crate) fold: f64,
+    /// Pieces that are looked at alone.
+    pub(crate) only: Option<&'a [Patch]>,
 }
 
-impl Moved<'_> {
+impl<'a> Moved<'a> {
+    /// All of the surface.
+    pub(crate) fn whole(sheet: &'a Sheet, side: f64, shift: f64) -> Self {
+        Self { sheet, side, shift, fold: FOLD, only: None }
+    }
+
     /// Where a place of the surface is moved to.
     pub(crate) fn place(&self, spot: &Spot) -> Vec3 {
         let jet = self.sheet.jet(spot);

@@ -277,7 +277,19 @@ impl Sheet {
     pub(crate) fn tile(&self, patch: &Patch) -> Tile {
         match &self.kind {
             Kind::Patched(p) if patch.kept == Kept::Chart => *p.tile(patch.chart),
+            Kind::Patched(p) => match p.on_edge(patch.chart) {
+                Some(edge) => p.edge_tile(edge, patch, |patch| self.made(patch)),
+                None => self.made(patch),
+            },
             _ => self.made(patch),
+        }
+    }
+
+    /// Of a place on an edge the same on a face beside it.
+    pub(crate) fn on_face(&self, spot: Spot) -> Spot {
+        match &self.kind {
+            Kind::Patched(p) => p.on_face(spot),
+            _ => spot,
         }
     }
 

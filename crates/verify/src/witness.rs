@@ -11,7 +11,7 @@ use aptc_geometry::{Vec3, trig};
 use crate::between::parabola;
 use crate::deep::slide;
 use crate::pile::Pile;
-use crate::search::{Aim, Clearance, FOLD, Moved, clearance};
+use crate::search::{Aim, Clearance, Moved, clearance};
 use crate::sheet::{Jet, Patch, Sheet, Spot};
 use crate::sweep::Sweep;
 use crate::tool::{Pose, Tool};
@@ -86,7 +86,7 @@ pub(crate) fn excess(
     };
     let globally = |t: f64, enough: f64| {
         let sweep = Sweep::still(tool, pose(t));
-        clearance(&sweep, &Moved { sheet, side, shift: 0.0, fold: FOLD }, enough, Aim::Any)
+        clearance(&sweep, &Moved::whole(sheet, side, 0.0), enough, Aim::Any)
     };
     let asked = Cell::new(0_u32);
     // Any place in the reach of the tool is good to begin with, or any at all.

@@ -4,7 +4,7 @@ use aptc_geometry::surface::frame_about;
 use aptc_geometry::{Vec3, trig};
 
 use super::Curved;
-use crate::search::{Aim, FOLD, Moved, clearance};
+use crate::search::{Aim, Moved, clearance};
 use crate::sheet::{Jet, Spot, bare};
 use crate::sweep::Sweep;
 use crate::tool::{Pose, Tool};
@@ -80,7 +80,7 @@ impl Curved<'_> {
         /// Searches one after another.
         const SEARCHES: u32 = 5;
         let sweep = Sweep::still(tool, *pose);
-        let moved = Moved { sheet: self.sheet, side: self.side, shift: 0.0, fold: FOLD };
+        let moved = Moved::whole(self.sheet, self.side, 0.0);
         // Each search comes to a tenth of what the one before left; where the surface goes through the tool one is enough.
         let mut nearest = None;
         let mut within = enough;
@@ -134,7 +134,7 @@ impl Curved<'_> {
     pub(super) fn nearest(&self, p: Vec3, enough: f64) -> (f64, Option<Spot>) {
         let pose = Pose { te: p, ta: Vec3::z() };
         let sweep = Sweep::still(&Tool::End, pose);
-        let moved = Moved { sheet: self.sheet, side: 1.0, shift: 0.0, fold: FOLD };
+        let moved = Moved::whole(self.sheet, 1.0, 0.0);
         let (mut far, mut place) = (enough, None);
         let mut within = enough;
         for _ in 0..5 {

@@ -6,7 +6,7 @@ use super::{Curved, DEPTH, Half, Warm};
 use crate::between::bulge;
 use crate::deep::{Deep, deepest, on_faces};
 use crate::pile::Pile;
-use crate::search::{Aim, FOLD, Moved, clearance};
+use crate::search::{Aim, Moved, clearance};
 use crate::sheet::Spot;
 use crate::sweep::Sweep;
 use crate::tool::{Pose, Tool, carry};
@@ -25,7 +25,7 @@ impl Curved<'_> {
         const STRETCHES: u32 = 40;
         let Tool::Solid(_) = tool else { return None };
         let sweep = Sweep::still(tool, pose(0.0));
-        let moved = Moved { sheet: self.sheet, side: self.side, shift: 0.0, fold: FOLD };
+        let moved = Moved::whole(self.sheet, self.side, 0.0);
         let any = || clearance(&sweep, &moved, self.most + tool.reach(), Aim::Any).nearest;
         let mut spot = match self.within(tool, &pose(0.0)) {
             Some(spot) => spot,
@@ -105,7 +105,7 @@ impl Curved<'_> {
 
     /// A place of the surface that lies in the tool when it is moved by the greatest gap: as deep the tool is there.
     fn within(&self, tool: &Tool<'_>, at: &Pose) -> Option<Spot> {
-        let moved = Moved { sheet: self.sheet, side: self.side, shift: self.most, fold: FOLD };
+        let moved = Moved::whole(self.sheet, self.side, self.most);
         let found = clearance(&Sweep::still(tool, *at), &moved, 0.0, Aim::Nearest).nearest?;
         (found.0 < 0.0).then_some(found.2)
     }

@@ -31,7 +31,14 @@ pub(super) fn search(
     let mut out = Clearance { least: f64::INFINITY, nearest: None, turned: false };
     // What is farther than `enough` need not be looked at, and the rest of the surface is.
     let within = radius + moved.shift.abs() + enough.abs();
-    let cutting = match moved.sheet.tree().filter(|_| aim == Aim::Clear) {
+    let tree = moved.sheet.tree().filter(|_| aim == Aim::Clear && moved.only.is_none());
+    let cutting = match tree {
+        None if let Some(only) = moved.only => {
+            if !only.iter().all(|patch| pile.push(*patch)) {
+                return Clearance { least: f64::NEG_INFINITY, ..out };
+            }
+            None
+        }
         Some(root) => Some(lead.cut.begin(sweep, moved, enough, root, &mut pile)),
         None if moved.sheet.roots(center, within, &mut pile) => None,
         None => return Clearance { least: f64::NEG_INFINITY, ..out },

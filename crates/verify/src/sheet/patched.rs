@@ -42,16 +42,6 @@ pub(crate) struct Side {
     pub(crate) loose: Option<usize>,
 }
 
-impl Side {
-    /// Does a cell, counted with the continuation, touch the one before it (`end` 0) or behind it?
-    pub(crate) fn joins(&self, cell: usize, end: usize) -> bool {
-        let Some(n) = self.loose else { return true };
-        let behind = cell + end;
-        let first = usize::from(self.before.is_some());
-        behind.checked_sub(first).is_some_and(|k| k % n != 0)
-    }
-}
-
 /// Both parameters.
 #[derive(Clone, Debug)]
 pub(crate) struct Grid {
@@ -434,7 +424,7 @@ impl Patched {
     }
 
     pub(crate) fn jet(&self, spot: &Spot) -> Jet {
-        self.look(spot).0
+        self.on_edge(spot.chart).map_or_else(|| self.look(spot).0, |edge| self.edge_jet(edge, spot))
     }
 
     /// The middle of a piece, the second derivatives there, and how much they differ on it at most: uu, uv, vv.

@@ -3,7 +3,8 @@
 use aptc_geometry::Vec3;
 use aptc_geometry::sculpt::Derivatives;
 
-use super::{Chart, Jet, Patched, SMOOTH, Spot};
+use super::{Chart, Jet, Patch, Patched, SMOOTH, Side, Spot, Tile};
+use crate::solid::unit_or;
 
 /// How sharp an edge is of which nothing is known.
 const UNKNOWN: f64 = 0.71;
@@ -22,6 +23,8 @@ const MEET: f64 = 1e-9;
 pub(crate) struct Edged {
     /// Is there one?
     pub(crate) any: bool,
+    /// The hollow ones between two charts that are known, which count as charts themselves, behind the others.
+    edges: Vec<Edge>,
     /// Those that are hollow, seen from the positive and from the negative side.
     pub(crate) hollow: [Vec<Hollow>; 2],
 }
@@ -34,6 +37,28 @@ pub(crate) struct Hollow {
     pub(crate) radius: f64,
     /// Greatest sine of half the angle between the normals.
     pub(crate) half: f64,
+    /// The normals at it, from one face to the other, where both are known: moved by these it closes the gap between faces that are
+    /// moved back.
+    pub(crate) rolled: Option<Patch>,
+}
+
+/// A border that two charts share, with all unit normals between those of both: by the parameter along it and by the share from one
+/// normal to the other.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Edge {
+    charts: [usize; 2],
+    /// The parameter that is constant along it, and its value in either chart.
+    k: usize,
+    across: [f64; 2],
+}
+
+impl Edge {
+    /// A part of it as a border of one of its charts.
+    fn border(&self, i: usize, patch: &Patch) -> Patch {
+        let (mut at, mut half) = ([self.across[i]; 2], [0.0; 2]);
+        (at[1 - self.k], half[1 - self.k]) = (patch.at[0], patch.half[0]);
+        Patch { chart: self.charts[i], at, half, ..Patch::default() }
+    }
 }
 
 /// Is one of two derivatives but rounding, as at a border that is one point? The normal is rounding, too.
@@ -117,9 +142,72 @@ impl Patched {
             }
         }
         let (center, radius) = self.ball_of(one, k, border);
+        let known = joins && !point && sharpest.iter().any(|half| *half > 0.0);
+        let rolled = known.then(|| {
+            let charts = [chart, next[0] + columns * next[1]];
+            all.edges.push(Edge { charts, k, across: [near, there] });
+            let (at, half) = ([0.5 * (from + to), 0.5], [0.5 * (to - from), 0.5]);
+            let chart = self.charts.len() + all.edges.len() - 1;
+            Patch { chart, at, half, ..Patch::default() }
+        });
         for (found, half) in all.hollow.iter_mut().zip(sharpest).filter(|(_, half)| *half > 0.0) {
             all.any = true;
-            found.push(Hollow { center, radius, half });
+            found.push(Hollow { center, radius, half, rolled });
+        }
+    }
+
+    /// The edge that counts as a chart with this number.
+    pub(crate) fn on_edge(&self, chart: usize) -> Option<&Edge> {
+        let n = chart.checked_sub(self.charts.len())?;
+        self.edged.get()?.edges.get(n)
+    }
+
+    /// The same place on a face beside the edge.
+    pub(crate) fn on_face(&self, spot: Spot) -> Spot {
+        let at = Patch { at: spot.at, ..Patch::default() };
+        self.on_edge(spot.chart).map_or(spot, |edge| edge.border(0, &at).spot())
+    }
+
+    /// A place of an edge, with one of its normals.
+    pub(crate) fn edge_jet(&self, edge: &Edge, spot: &Spot) -> Jet {
+        let at = Patch { at: spot.at, ..Patch::default() };
+        let [a, b] = [0, 1].map(|i| self.look(&edge.border(i, &at).spot()).0);
+        let share = spot.at[1];
+        let n = unit_or(a.n * (1.0 - share) + b.n * share, a.n);
+        Jet { p: a.p, d: [a.d[1 - edge.k], Vec3::zeros()], n }
+    }
+
+    /// What holds a part of an edge with the normals between two shares, by what holds it on both faces.
+    ///
+    /// With t the most by which either normal turns along it, h half the part from one to the other and l the least length of what is
+    /// between both, a unit normal is off by no more than t and `h |m - n|` over l.
+    pub(crate) fn edge_tile(
+        &self,
+        edge: &Edge,
+        patch: &Patch,
+        made: impl Fn(&Patch) -> Tile,
+    ) -> Tile {
+        /// Of unit vectors any two differ by no more.
+        const MOST: f64 = 2.0;
+        let [a, b] = [0, 1].map(|i| made(&edge.border(i, patch)));
+        let along = 1 - edge.k;
+        let (share, h) = (patch.at[1], patch.half[1]);
+        let n = a.n * (1.0 - share) + b.n * share;
+        let turn = a.turn[along].max(b.turn[along]);
+        let from_to = h * ((a.n - b.n).norm() + 2.0 * turn);
+        // Of unit vectors the middle of both is the shortest between them.
+        let shortest = 0.5_f64.clamp(share - h, share + h);
+        let least = (a.n * (1.0 - shortest) + b.n * shortest).norm() - turn;
+        let by = |x: f64| if least > 0.0 { (x / least).min(MOST) } else { MOST };
+        let none = Vec3::zeros();
+        Tile {
+            c: a.c,
+            side: [a.side[along], none],
+            stray: [a.stray[along], 0.0],
+            bend: [a.bend[2 * along], none, none],
+            vary: [a.vary[2 * along], 0.0, 0.0],
+            n: unit_or(n, a.n),
+            turn: [by(turn), by(from_to)],
         }
     }
 
@@ -170,6 +258,16 @@ impl Patched {
             }
         }
         all
+    }
+}
+
+impl Side {
+    /// Does a cell, counted with the continuation, touch the one before it (`end` 0) or behind it?
+    pub(crate) fn joins(&self, cell: usize, end: usize) -> bool {
+        let Some(n) = self.loose else { return true };
+        let behind = cell + end;
+        let first = usize::from(self.before.is_some());
+        behind.checked_sub(first).is_some_and(|k| k % n != 0)
     }
 }
 
