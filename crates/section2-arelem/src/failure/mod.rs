@@ -102,6 +102,8 @@ pub(crate) struct Blocked {
     pub(crate) gone: f64,
     /// How far the check surface is at the nearest.
     pub(crate) closest: f64,
+    /// How often it was met, of how many times.
+    pub(crate) met: [u32; 2],
 }
 
 /// What keeps the cutter from going on.

@@ -295,7 +295,14 @@ impl Failure {
             }
             Self::Blocked(b) => {
                 let (check, closest, gone) = (called(&b.check), number(b.closest), number(b.gone));
-                vec![format!("{closest} from {check} at the nearest, after {gone} of travel")]
+                vec![match b.met {
+                    [0, _] => {
+                        format!("{closest} from {check} at the nearest, after {gone} of travel")
+                    }
+                    [met, of] => {
+                        format!("{check} was met {met} of {of} times, after {gone} of travel")
+                    }
+                }]
             }
             Self::NotReached { surface, closest, place, gone, spent, within, stuck, .. } => {
                 let (place, closest) = (coordinates(*place), number(closest.abs()));

@@ -108,6 +108,7 @@ pub(super) fn blocked(
         place: node.pose.te,
         gone,
         closest,
+        met: [watch.account().0, check.nth],
     }))
 }
 
