@@ -22,9 +22,9 @@ const ROUNDS: usize = 40;
 const DEPTH: u32 = 24;
 /// Searches of the whole surface for one vector, each where a descent ended in a place that is too far.
 const SEARCHES: u32 = 48;
-/// So many of these may come to no end, which each takes a thousand times as long as one that does: what is not seen then is not
-/// seen from a place beside it either.
-const LOST: u32 = 6;
+/// So many searches for one vector may come to no end in all, also once it is known to be too far somewhere: each takes a thousand
+/// times as long as one that does.
+const LOST: u32 = SEARCHES;
 /// Positions at which one vector is looked at.
 const MOST: u32 = 2000;
 /// Positions at which a vector is looked at once it is known to be too far somewhere: how far it is at most is asked
