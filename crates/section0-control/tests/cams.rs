@@ -129,8 +129,8 @@ fn chance(k: u32) -> Cam {
     let cutter = format!("{:.3},{:.4}", diameter, (corner - 1e-3).max(0.0));
     let lobes = f64::from(k % 4);
     Cam {
-        n: [18, 24, 36, 60][(share(3) * 4.0) as usize % 4],
-        seam: if k % 2 > 0 { 0.0 } else { 360.0 * share(4) },
+        n: [18, 24, 36, 60][(k / 2 % 4) as usize],
+        seam: if k.is_multiple_of(2) { 360.0 * share(4) } else { 0.0 },
         ccw: share(5) < 0.5,
         radius: 30.0 + 20.0 * share(6),
         lift: 6.0 * share(7) / (1.0 + lobes * lobes),
@@ -139,8 +139,8 @@ fn chance(k: u32) -> Cam {
         cutter,
         start: 360.0 * share(8),
         way: if share(9) < 0.5 { 1.0 } else { -1.0 },
-        band: [0.001, 0.01, 0.05][(share(10) * 3.0) as usize % 3],
-        intersections: 1 + (5.0 * share(11)) as u32,
+        band: [0.001, 0.01, 0.05][(k / 8 % 3) as usize],
+        intersections: 1 + k / 3 % 5,
         ..round()
     }
 }
