@@ -117,22 +117,33 @@ impl<'a> Crests<'a> {
     /// Those of the spans not farther than `reach` from the tool axis.
     fn along_directrix(&mut self, surface: &TabcylSurface, reach: f64) {
         let (tool, side) = (self.tool, self.side);
-        let mut before: Option<(usize, Look)> = None;
+        let (mut before, mut begin): (Option<(usize, Look)>, Option<Look>) = (None, None);
+        let joint = |last: &Look, first: &Look| last.ahead > 0.0 && first.ahead <= 0.0;
         for (span, length) in surface.spans_near(tool.te, self.top, reach) {
             let look = |s: f64| Look::at(tool, surface, side, span, s);
             let first = look(0.0);
             // A corner between two spans.
             if let Some((last, l)) = before
                 && last + 1 == span
-                && l.ahead > 0.0
-                && first.ahead <= 0.0
+                && joint(&l, &first)
             {
                 self.offer(&first);
+            }
+            if span == 0 {
+                begin = Some(first);
             }
             let last = look(length);
             let part = Part { from: (0.0, first), to: (length, last), scale: 1.0 };
             part.contacts(&look, &mut |l| self.offer(l), LEVELS);
             before = Some((span, last));
+        }
+        // The corner where the curve closes.
+        if let (Some((last, l)), Some(first)) = (before, begin)
+            && last > 0
+            && surface.form().span_after(last) == Some(0)
+            && joint(&l, &first)
+        {
+            self.offer(&first);
         }
     }
 

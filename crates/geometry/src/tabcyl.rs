@@ -2,7 +2,8 @@
 //!
 //! The directrix lies in the plane of the axes u and v, the generatrix runs along w. Over each chord of
 //! the directrix stands one cubic `a s^3 + b s^2 - (a L^2 + b L) s`, s along the chord of length L, the
-//! offset positive to the left. The first and the last span are straight: they prolong the curve.
+//! offset positive to the left. The first and the last span are straight: they prolong the curve. One whose last point is its
+//! first goes round, and has none.
 
 use nalgebra::{Matrix3, Vector2};
 use serde::{Deserialize, Serialize};
@@ -17,7 +18,7 @@ pub type Vec2 = Vector2<f64>;
 pub struct Tabcyl {
     /// Rows: the unit axes u, v, w (right-handed) in the part's system.
     pub axes: Matrix3<f64>,
-    /// The spans in order, the straight ones at both ends included.
+    /// The spans in order, the straight ones at both ends included, if it does not go round.
     pub spans: Vec<TabcylSpan>,
     /// Far end of the last span.
     pub end: Vec2,
@@ -88,6 +89,23 @@ impl Tabcyl {
     /// The point of space at (u, v) and at height w.
     pub fn lift(&self, p: Vec2, w: f64) -> Vec3 {
         self.u() * p.x + self.v() * p.y + self.w() * w
+    }
+
+    /// Does the curve go round, its last point being its first? Then nothing prolongs it.
+    pub fn closed(&self) -> bool {
+        self.spans.first().is_some_and(|first| first.start == self.end)
+    }
+
+    /// The span that ends where span `i` begins.
+    pub fn span_before(&self, i: usize) -> Option<usize> {
+        let round = || self.closed().then(|| self.spans.len() - 1);
+        i.checked_sub(1).or_else(round)
+    }
+
+    /// The span that begins where span `i` ends.
+    pub fn span_after(&self, i: usize) -> Option<usize> {
+        let next = i + 1;
+        if next < self.spans.len() { Some(next) } else { self.closed().then_some(0) }
     }
 
     /// Far end of the chord of span `i`.

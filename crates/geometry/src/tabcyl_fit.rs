@@ -59,7 +59,8 @@ pub(crate) const STEEPEST: f64 = 85.0 / 180.0 * std::f64::consts::PI;
 
 impl Tabcyl {
     /// The TABCYL through `knots` in the plane of the rows u and v of `axes`, prolonged straight by
-    /// `extension` at both ends.
+    /// `extension` at both ends; where the last point is the first but for rounding the curve goes round, and nothing prolongs
+    /// it. The tangents at that point are those of both ends of the same curve if it were open, and may differ.
     ///
     /// Where the straight ends would cross each other they stop a hundredth before the crossing, as
     /// APT-360's do.
@@ -69,6 +70,12 @@ impl Tabcyl {
         axes: Matrix3<f64>,
         extension: f64,
     ) -> Result<Self, FitError> {
+        let closed = closes(knots);
+        let mut knots = knots.to_vec();
+        if closed && let [first, .., last] = &mut knots[..] {
+            last.point = first.point;
+        }
+        let knots = &knots[..];
         let chords = chords(knots)?;
         let slopes = match fit {
             Fit::Spline => between_tangents(&chords, &spline(&free_within(knots), &chords)?),
@@ -89,15 +96,30 @@ impl Tabcyl {
         let end = along(last, slopes[chords.len() - 1][1]);
         let tip = knots[knots.len() - 1].point;
         let lengths = extensions(knots[0].point, -first, tip, end, extension);
-        spans.push(straight(knots[0].point - first * lengths[0], lengths[0]));
+        if !closed {
+            spans.push(straight(knots[0].point - first * lengths[0], lengths[0]));
+        }
         for (i, (chord, [m0, m1])) in chords.iter().zip(&slopes).enumerate() {
             let l = chord.length;
             let (a, b) = ((m0 + m1) / (l * l), -(2.0 * m0 + m1) / l);
             spans.push(span(knots[i].point, a, b, l));
         }
+        if closed {
+            return Ok(Self { axes, spans, end: tip });
+        }
         spans.push(straight(tip, lengths[1]));
         Ok(Self { axes, spans, end: tip + end * lengths[1] })
     }
+}
+
+/// Share of the size of the points within which the last one is the first: a few digits are lost where points are computed.
+const CLOSED: f64 = 1e-9;
+
+/// Is the last point the first, with an area between?
+fn closes(knots: &[Knot]) -> bool {
+    let [first, _, _, .., last] = knots else { return false };
+    let size = knots.iter().map(|k| k.point.amax()).fold(0.0, f64::max);
+    (last.point - first.point).norm() <= CLOSED * size
 }
 
 /// The points without the slopes of those between the ends.
@@ -368,6 +390,43 @@ mod tests {
             let p = t.point(i, 0.5 * t.spans[i].length);
             assert!((p.norm() - 3.0).abs() < 1e-5, "{}", p.norm() - 3.0);
         }
+    }
+
+    /// Twelve points of a circle, the last of them the first: the slopes at the ends are the same by symmetry, and no place is beyond
+    /// an end.
+    #[test]
+    fn what_ends_where_it_begins_goes_round() {
+        let at = |i: u32| {
+            let a = f64::from(i) * 30.0 + 7.0;
+            [20.0 + 3.0 * trig::cos_deg(a), 3.0 * trig::sin_deg(a) - 4.0]
+        };
+        let mut points: Vec<[f64; 2]> = (0..=12).map(at).collect();
+        for off in [0.0, 3e-9] {
+            points[12] = [points[0][0] + off, points[0][1]];
+            for fit in [Fit::Spline, Fit::TwoPoint, Fit::FourPoint] {
+                let t = fitted(&free(&points), fit);
+                assert!(t.closed() && t.spans.len() == 12 && t.end == t.spans[0].start);
+                assert!(t.transformed(&crate::Transform::identity()).is_some_and(|t| t.closed()));
+                assert_eq!(
+                    (t.span_before(0), t.span_after(11), t.span_after(3)),
+                    (Some(11), Some(0), Some(4))
+                );
+                let turn =
+                    t.tangent(11, t.spans[11].length).normalize() - t.tangent(0, 0.0).normalize();
+                // FOURPT takes both points beside the last chord from one side of it.
+                assert!(fit == Fit::FourPoint || turn.norm() < 1e-9, "{fit:?}: {turn}");
+                // The line through the first point and the centre meets it there once, and on the other side.
+                let n = left(Vec2::new(20.0, -4.0) - t.end).normalize();
+                assert_eq!(t.meets_line(n, n.dot(&t.end)).len(), 2, "{fit:?}");
+                // From the centre all of it is 3 away, nearly.
+                let near = t.nearest_to(Vec2::new(20.0, -4.0)).expect("a place");
+                let far = (near.point - Vec2::new(20.0, -4.0)).norm();
+                assert!(fit == Fit::FourPoint || far > 2.99, "{fit:?}: {far}");
+            }
+        }
+        points[12][0] += 1e-6;
+        let t = fitted(&free(&points), Fit::Spline);
+        assert!(!t.closed() && t.spans.len() == 14);
     }
 
     #[test]

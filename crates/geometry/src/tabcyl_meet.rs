@@ -172,8 +172,9 @@ impl Tabcyl {
     ) -> Vec<CurveFoot> {
         let mut found: Vec<CurveFoot> = Vec::new();
         let last = self.spans.len().saturating_sub(1);
+        let straight = !ends && !self.closed();
         for (i, span) in self.spans.iter().enumerate() {
-            if !ends && (i == 0 || i == last) {
+            if straight && (i == 0 || i == last) {
                 continue;
             }
             let c = make(span, self.chord(i), &Unit::of(span));
@@ -181,10 +182,11 @@ impl Tabcyl {
             for t in polynomial::roots(&c, -JOINT, 1.0 + JOINT, TOUCH * size) {
                 let s = t.clamp(0.0, 1.0) * span.length;
                 let point = self.point(i, s);
-                let twice = found.last().is_some_and(|f: &CurveFoot| {
-                    f.span + 1 == i && (f.point - point).norm() <= 4.0 * JOINT * span.length
-                });
-                if !twice {
+                let same = |f: &CurveFoot| (f.point - point).norm() <= 4.0 * JOINT * span.length;
+                let before = found.last().filter(|f: &&CurveFoot| f.span + 1 == i);
+                let first = found.first().filter(|f| i == last && i > 0 && f.span == 0);
+                let joined = first.filter(|_| self.closed());
+                if !(before.is_some_and(same) || joined.is_some_and(same)) {
                     found.push(CurveFoot { span: i, s, point });
                 }
             }

@@ -433,11 +433,11 @@ fn beside(c: &Controlled) -> Option<(Oval, Side)> {
     })
 }
 
-/// The negative side of a quadric, or its positive one, where that is convex.
+/// The negative side of a quadric, or its positive one, where that is convex and its middle is known.
 fn convex(c: &Controlled, positive: bool) -> Option<Oval> {
     let Form::Quadric(q) = c.form.shape() else { return None };
     let c = if positive { q.c.map(|x| -x) } else { q.c };
-    Oval::new(&QuadricSurface::new(&Quadric { kind: q.kind, c })?)
+    Oval::new(&QuadricSurface::new(&Quadric { kind: q.kind, c })?).filter(|oval| !oval.is_slack())
 }
 
 #[cfg(test)]

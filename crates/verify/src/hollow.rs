@@ -18,6 +18,8 @@ use crate::tool::{Pose, Tool};
 const DEPTH: u32 = 120;
 /// Cones that are looked at for one gap.
 const MOST: u32 = 20_000;
+/// The same where it hardly bends along an axis, so that most directions meet it far away: what is not shown soon is not shown.
+const FEW: u32 = 1_000;
 /// Largest sine by which a direction may miss the bounded ones and still count as rounding.
 const ROUNDING: f64 = 1e-12;
 
@@ -32,6 +34,7 @@ impl Walls for Oval {
         }
         let clear = |x: Vec3, m: Vec3| x.dot(&m) - tool.height(pose, m);
         let mut pile = self.cones(pose.ta, up);
+        let enough = if self.is_slack() { FEW } else { MOST };
         let (mut low, mut best) = (f64::INFINITY, (f64::INFINITY, -pose.ta));
         let mut seen = 0;
         while let Some((corners, halvings)) = pile.pop() {
@@ -60,7 +63,7 @@ impl Walls for Oval {
             let short = corners.iter().map(|c| c.dot(&middle)).fold(1.0, f64::min).max(0.1);
             let bound = if least < 0.0 { least / short } else { least };
             let size = x.norm() + pose.te.norm() + tool.reach();
-            if bound >= best.0 - 1e-13 * size || halvings >= DEPTH || seen > MOST {
+            if bound >= best.0 - 1e-13 * size || halvings >= DEPTH || seen > enough {
                 low = low.min(bound);
                 continue;
             }

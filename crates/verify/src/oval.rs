@@ -3,6 +3,7 @@
 use aptc_geometry::surface::QuadricSurface;
 use aptc_geometry::{Vec3, trig};
 
+use crate::sheet::SLACK;
 use crate::solid::{Supported, any_across, square_to_both, unit_or, without};
 use crate::tool::{Pose, Tool};
 
@@ -66,6 +67,12 @@ impl Oval {
         // The normal curvature is the form's over the length of half its gradient.
         let gradient = if size > 0.0 { size } else { (least * depth.max(0.0)).sqrt() };
         Some(Self { axes, linear, depth, roundest: gradient / most })
+    }
+
+    /// Does it hardly bend along an axis, so that its middle is far off and what is told from there is lost in rounding?
+    pub(crate) fn is_slack(&self) -> bool {
+        let bends = || self.axes.iter().map(|a| a.bend).filter(|bend| *bend > 0.0);
+        bends().fold(f64::INFINITY, f64::min) < SLACK * bends().fold(0.0, f64::max)
     }
 
     /// No radius of curvature is less: a ball of that radius within it touches it anywhere.

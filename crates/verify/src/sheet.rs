@@ -12,6 +12,7 @@ mod quadric;
 mod rail;
 mod ruled;
 mod sculpted;
+mod slack;
 mod tabcyl;
 
 use aptc_geometry::surface::continued_of;
@@ -23,6 +24,7 @@ use crate::tool::Pose;
 use patched::{Edged, Patched};
 pub(crate) use patched::{Hollow, Node, bare};
 pub(crate) use quadric::Quadric;
+pub(crate) use slack::SLACK;
 pub(crate) use tabcyl::{Flat, Tabcyl};
 
 /// A surface in a system of its own.
@@ -301,10 +303,7 @@ impl Sheet {
         let stray = [0.5 * uu * hu * hu + cross, 0.5 * vv * hv * hv + cross];
         let side = [jet.d[0] * hu, jet.d[1] * hv];
         let turn = match &self.kind {
-            Kind::Quadric(q) => {
-                let reach = |i: usize| side[i].norm() + stray[i];
-                q.turn(jet.p, [reach(0), reach(1)])
-            }
+            Kind::Quadric(q) => q.turn(patch.chart, jet.p, side, stray),
             Kind::Tabcyl(_) => [uu * hu, 0.0],
             Kind::Patched(p) => p.turn(patch, &jet),
         };

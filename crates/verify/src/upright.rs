@@ -91,14 +91,17 @@ fn foot(curve: &Tabcyl, p: Vec2, chart: usize, x: f64) -> Option<At> {
             return None;
         }
         let next = x + step.clamp(-span.length, span.length);
-        let (before, after) = (next < 0.0 && chart > 0, next > span.length);
         let done = step.abs() <= 1e-12 * span.length;
-        if before {
-            chart -= 1;
+        if next < 0.0
+            && let Some(before) = curve.before(chart)
+        {
+            chart = before;
             x = (curve.flat(chart)?.length + next).max(0.0);
-        } else if after && let Some(following) = curve.flat(chart + 1) {
-            chart += 1;
-            x = (next - span.length).min(following.length);
+        } else if next > span.length
+            && let Some(after) = curve.after(chart)
+        {
+            chart = after;
+            x = (next - span.length).min(curve.flat(chart)?.length);
         } else {
             x = next.clamp(0.0, span.length);
         }
@@ -246,16 +249,20 @@ impl Tabcyl {
     /// The greatest distance of the curve from the way in the direction `m`, between two places.
     fn greatest(&self, way: &Way, m: Vec2, ends: [&At; 2]) -> Option<f64> {
         let [a, b] = ends;
-        let [a, b] = if (a.chart, a.x) <= (b.chart, b.x) { [a, b] } else { [b, a] };
+        let by = self.ahead(a.chart, b.chart);
+        let [a, b] = if by > 0 || by == 0 && a.x <= b.x { [a, b] } else { [b, a] };
         let lean = m.dot(&way.square);
-        if lean <= 0.1 || b.chart - a.chart > DEPTH as usize {
+        let by = by.unsigned_abs();
+        if lean <= 0.1 || by > DEPTH as usize {
             return None;
         }
         let mut most = f64::NEG_INFINITY;
-        for chart in a.chart..=b.chart {
+        let mut chart = a.chart;
+        for i in 0..=by {
             let span = self.flat(chart)?;
-            let x0 = if chart == a.chart { a.x } else { 0.0 };
-            let x1 = if chart == b.chart { b.x } else { span.length };
+            let x0 = if i == 0 { a.x } else { 0.0 };
+            let x1 = if i == by { b.x } else { span.length };
+            chart = self.after(chart).unwrap_or(chart);
             let [least, greatest] = Cubic::of(&span, way.from, way.square).range(x0, x1);
             if least <= 0.0 {
                 return None;
@@ -275,8 +282,8 @@ impl Tabcyl {
             return Some(At { chart: a.chart, x, p: self.flat(a.chart)?.jet(x)[0] });
         }
         // A joint on the way; the other place from the last on.
-        let up = b.chart > a.chart;
-        let (chart, x) = if up { (a.chart + 1, 0.0) } else { (a.chart, 0.0) };
+        let up = self.ahead(a.chart, b.chart) > 0;
+        let (chart, x) = if up { (self.after(a.chart)?, 0.0) } else { (a.chart, 0.0) };
         let p = self.flat(chart)?.jet(x)[0];
         let whole = (b.p - a.p).norm();
         if (p - a.p).norm() >= share * whole { Some(At { chart, x, p }) } else { Some(*b) }

@@ -22,6 +22,9 @@ const ROUNDS: usize = 40;
 const DEPTH: u32 = 24;
 /// Searches of the whole surface for one vector, each where a descent ended in a place that is too far.
 const SEARCHES: u32 = 48;
+/// So many searches for one vector may come to no end in all, also once it is known to be too far somewhere: each takes a thousand
+/// times as long as one that does.
+const LOST: u32 = SEARCHES;
 /// Positions at which one vector is looked at.
 const MOST: u32 = 2000;
 /// Positions at which a vector is looked at once it is known to be too far somewhere: how far it is at most is asked
@@ -88,7 +91,7 @@ pub(crate) fn excess(
         let sweep = Sweep::still(tool, pose(t));
         clearance(&sweep, &Moved::whole(sheet, side, 0.0), enough, Aim::Any)
     };
-    let asked = Cell::new(0_u32);
+    let (asked, lost) = (Cell::new(0_u32), Cell::new(0_u32));
     // Any place in the reach of the tool is good to begin with, or any at all.
     let somewhere = |t: f64| {
         let mut wide = most + tool.reach();
@@ -111,11 +114,12 @@ pub(crate) fn excess(
             && let Some(share) = shares.next()
         {
             asked.set(asked.get() + 1);
-            if asked.get() > SEARCHES {
+            if asked.get() > SEARCHES || lost.get() >= LOST {
                 break;
             }
             let enough = most + share * (now.gap - most);
             let Clearance { least, nearest, .. } = globally(now.t, enough);
+            lost.set(lost.get() + u32::from(least == f64::NEG_INFINITY));
             if least > most {
                 return (now, Some(least));
             }

@@ -22,7 +22,7 @@ impl QuadricSurface {
     /// is open already (a paraboloid about the axis, a bore) and where it opens down.
     pub fn opened(&self, up: Vec3) -> Option<OpenedQuadric<'_>> {
         /// Share of the greatest coefficient below which a line along the axis meets the surface but once.
-        const ONCE: f64 = 1e-12;
+        const ONCE: f64 = 1e-6;
         if self.convexity() != 1 {
             return None;
         }

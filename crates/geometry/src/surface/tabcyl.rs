@@ -67,10 +67,11 @@ impl TabcylSurface {
             let high = 0.5 * (span.max - span.min);
             let radius = (0.25 * l * l + high * high).sqrt() * (1.0 + 1e-12);
             let bend = span.second(0.0).abs().max(span.second(l).abs());
-            let corner = i > 0 && {
-                let before = form.tangent(i - 1, form.spans[i - 1].length).normalize();
-                before.perp(&form.tangent(i, 0.0).normalize()).abs() > 1e-9
-            };
+            let corner = form.span_before(i).is_some_and(|before| {
+                let before = form.tangent(before, form.spans[before].length).normalize();
+                let here = form.tangent(i, 0.0).normalize();
+                before.perp(&here).abs() > 1e-9 || before.dot(&here) < 0.0
+            });
             extent = extent.max(center.norm() + radius);
             let disk = Disk { center, radius };
             spans.push(Prepared { span: *span, chord, disk, bend, rise, corner });
@@ -189,6 +190,14 @@ impl TabcylSurface {
         self.shape(left(tangent), k)
     }
 
+    /// By how many spans two of them are apart, the shorter way round.
+    pub fn spans_between(&self, a: f64, b: f64) -> f64 {
+        let apart = (a - b).abs();
+        #[expect(clippy::cast_precision_loss, reason = "thousands at most")]
+        let all = self.spans.len() as f64;
+        if self.form.closed() { apart.min(all - apart) } else { apart }
+    }
+
     /// The spans that may come nearer than `reach` to the straight way from `a` to `b`, in their order, with the
     /// lengths of their chords.
     pub fn spans_near(&self, a: Vec3, b: Vec3, reach: f64) -> impl Iterator<Item = (usize, f64)> {
@@ -228,6 +237,9 @@ impl TabcylSurface {
 
     /// Is the place at an end of the curve?
     pub(crate) fn ends_at(&self, [span, s]: [f64; 2]) -> bool {
+        if self.form.closed() {
+            return false;
+        }
         let (span, last) = (self.span(span), self.spans.len() - 1);
         span == 0 && s <= 0.0 || span == last && s >= self.spans[last].span.length
     }
@@ -236,9 +248,9 @@ impl TabcylSurface {
     fn free_end(&self, near: &Near) -> bool {
         let span = &self.spans[near.span];
         if near.s <= 0.0 {
-            near.span == 0 || span.corner
+            span.corner || self.form.span_before(near.span).is_none()
         } else if near.s >= span.span.length {
-            self.spans.get(near.span + 1).is_none_or(|next| next.corner)
+            self.form.span_after(near.span).is_none_or(|next| self.spans[next].corner)
         } else {
             false
         }
@@ -247,13 +259,17 @@ impl TabcylSurface {
     /// +1 on the left of a corner or an end, else -1.
     fn side(&self, near: &Near, away: Vec2) -> f64 {
         let f = &self.form;
-        let joint = if near.s <= 0.0 { near.span } else { near.span + 1 };
+        let (before, after) = if near.s <= 0.0 {
+            (f.span_before(near.span), Some(near.span))
+        } else {
+            (Some(near.span), f.span_after(near.span))
+        };
         let mut normal = Vec2::zeros();
-        if joint > 0 {
-            normal += left(f.tangent(joint - 1, f.spans[joint - 1].length).normalize());
+        if let Some(before) = before {
+            normal += left(f.tangent(before, f.spans[before].length).normalize());
         }
-        if joint < f.spans.len() {
-            normal += left(f.tangent(joint, 0.0).normalize());
+        if let Some(after) = after {
+            normal += left(f.tangent(after, 0.0).normalize());
         }
         if normal.dot(&away) < 0.0 { -1.0 } else { 1.0 }
     }
@@ -454,6 +470,36 @@ mod tests {
         let end = 5.0 + 10.0 * std::f64::consts::FRAC_1_SQRT_2;
         assert!((f.point - Vec3::new(end, end, 0.0)).norm() < 1e-12);
         assert!(f.distance < 0.0 && f.shape.k[0].is_infinite());
+    }
+
+    /// A square of four points, with corners by its straight sides: outside of each the normal points from it, also of the one where
+    /// the curve closes.
+    #[test]
+    fn a_curve_that_closes_has_a_corner_there_and_no_end() {
+        let knot = |(x, y): (f64, f64)| Knot { point: Vec2::new(x, y), tangent: None };
+        let square = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0), (1.0, 1.0)];
+        let straight = square.map(knot);
+        let form = {
+            let mut t = Tabcyl::fit(&straight, Fit::TwoPoint, Matrix3::identity(), 10.0).unwrap();
+            t.spans.iter_mut().for_each(|s| *s = TabcylSpan::new(s.start, 0.0, 0.0, s.length));
+            t
+        };
+        let s = TabcylSurface::new(&Arc::new(form)).unwrap();
+        for (x, y) in &square {
+            let corner = Vec3::new(*x, *y, 0.0);
+            // Against the clock the left is inside.
+            let (out, within) = (s.foot(corner * 1.5), s.foot(corner * 0.5));
+            assert!(
+                (out.distance + 0.5_f64.sqrt()).abs() < 1e-12
+                    && (out.point - corner).norm() < 1e-12
+            );
+            assert!(
+                (out.normal + corner.normalize()).norm() < 1e-12 && out.shape.k[0].is_infinite()
+            );
+            assert!((within.distance - 0.5).abs() < 1e-12);
+            assert!(!s.ends_at(out.at.unwrap()));
+        }
+        assert!((s.spans_between(0.0, 3.0) - 1.0).abs() < 1e-12);
     }
 
     proptest! {

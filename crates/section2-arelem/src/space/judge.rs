@@ -159,7 +159,7 @@ impl Track {
         let [p, q] = [a, b].map(|(gap, te)| gap.tool_point - te);
         let flat = |gap: &Gap| gap.at.filter(|_| gap.segment == Some(Segment::LowerLine));
         let spans = || match (&keep.surface, flat(a.0)?, flat(b.0)?) {
-            (Surface::Tabcyl(_), a, b) => Some((a[0] - b[0]).abs()),
+            (Surface::Tabcyl(s), a, b) => Some(s.spans_between(a[0], b[0])),
             (Surface::Parametric(s), a, b) => s.spans_between(a, b),
             _ => None,
         };

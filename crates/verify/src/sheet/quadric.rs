@@ -2,6 +2,7 @@
 
 use aptc_geometry::{Vec3, trig};
 
+use super::slack::{SLACK, Slack};
 use super::{Jet, Patch, Patches, Spot};
 
 /// Eigenvalues and linear terms below this fraction of the greatest are rounding.
@@ -14,6 +15,35 @@ pub(crate) struct Quadric {
     beta: Vec3,
     k: f64,
     shape: Shape,
+    /// Where it hardly bends along an axis: all of it about the origin.
+    slack: Option<Loose>,
+}
+
+/// A quadric that hardly bends along an axis, in the system of its sheet.
+#[derive(Clone, Debug)]
+struct Loose {
+    charts: Slack,
+    /// Which of the axes here are those of the quadric's own system, in which its shape is given, and where the middle of that
+    /// is, along the axes here.
+    order: [usize; 3],
+    middle: Vec3,
+}
+
+impl Loose {
+    /// A vector of the quadric's own system.
+    fn turned(&self, y: Vec3) -> Vec3 {
+        let mut x = Vec3::zeros();
+        for (i, at) in self.order.into_iter().enumerate() {
+            x[at] = y[i];
+        }
+        x
+    }
+
+    /// A place in the quadric's own system.
+    fn own(&self, x: Vec3) -> Vec3 {
+        let x = x - self.middle;
+        Vec3::from(self.order.map(|i| x[i]))
+    }
 }
 
 /// What it is; lengths are semi-axes.
@@ -64,6 +94,7 @@ impl Quadric {
                 (axes[i], axes[j]) = (w.cross(&other), w);
             }
         }
+        let loose = Self::loose(&axes, lambda, linear, k);
         let mut beta = axes.map(|e| e.dot(&linear));
         let mut origin = Vec3::zeros();
         let mut k = k;
@@ -83,11 +114,54 @@ impl Quadric {
         }
         let (order, shape) = classify(lambda, beta, k)?;
         let pick = |x: [f64; 3]| Vec3::new(x[order[0]], x[order[1]], x[order[2]]);
-        let own = Self { lambda: pick(lambda), beta: pick(beta), k, shape };
-        Some((order.map(|i| axes[i]), origin, own))
+        let mut own = Self { lambda: pick(lambda), beta: pick(beta), k, shape, slack: None };
+        let Some((at, begin, charts)) = loose else {
+            return Some((order.map(|i| axes[i]), origin, own));
+        };
+        // The axes of the sheet are those of its charts.
+        let place = |i: usize| at.iter().position(|a| *a == i).unwrap_or(i);
+        let middle = Vec3::from(at.map(|i| axes[i].dot(&(origin - begin))));
+        own.slack = Some(Loose { charts, order: order.map(place), middle });
+        Some((at.map(|i| axes[i]), begin, own))
+    }
+
+    /// The order of the axes with one last that hardly bends, where the system begins, and the charts about there; `None` where
+    /// all bend or are straight.
+    fn loose(
+        axes: &[Vec3; 3],
+        lambda: [f64; 3],
+        linear: Vec3,
+        mut k: f64,
+    ) -> Option<([usize; 3], Vec3, Slack)> {
+        let top = lambda.iter().fold(0.0_f64, |m, l| m.max(l.abs()));
+        let slack = |i: usize| lambda[i].abs() <= SLACK * top;
+        let mut beta = axes.map(|e| e.dot(&linear));
+        let rounded =
+            |i: usize| lambda[i] != 0.0 || beta[i] != 0.0 && beta[i].abs() <= SLACK * linear.norm();
+        if !(0..3).any(|i| slack(i) && rounded(i)) {
+            return None;
+        }
+        let mut origin = Vec3::zeros();
+        for i in (0..3).filter(|&i| !slack(i)) {
+            origin -= axes[i] * (beta[i] / lambda[i]);
+            k -= beta[i] * beta[i] / lambda[i];
+            beta[i] = 0.0;
+        }
+        let steep = |&i: &usize, &j: &usize| beta[i].abs().total_cmp(&beta[j].abs());
+        let last = (0..3).filter(|&i| slack(i)).max_by(steep)?;
+        let mut order = [(last + 1) % 3, (last + 2) % 3, last];
+        // What opens to both sides does so along the first.
+        if lambda[order[0]] * k > 0.0 {
+            order.swap(0, 1);
+        }
+        let pick = |x: [f64; 3]| Vec3::from(order.map(|i| x[i]));
+        Some((order, origin, Slack::new(pick(lambda), pick(beta), k)?))
     }
 
     pub(crate) fn value(&self, y: Vec3) -> f64 {
+        if let Some(Loose { charts: s, .. }) = &self.slack {
+            return (s.half_gradient(y) + s.beta).dot(&y) + s.k;
+        }
         self.lambda.component_mul(&y).dot(&y) + 2.0 * self.beta.dot(&y) + self.k
     }
 
@@ -95,8 +169,21 @@ impl Quadric {
         self.lambda.component_mul(&y) + self.beta
     }
 
-    /// Bounds of the change of the unit normal over distances from `y`, split between two parameters.
-    pub(crate) fn turn(&self, y: Vec3, reach: [f64; 2]) -> [f64; 2] {
+    /// Bounds of the change of the unit normal over a piece with the middle `y` and these half sides, from which it strays so far,
+    /// split between two parameters.
+    pub(crate) fn turn(&self, chart: usize, y: Vec3, side: [Vec3; 2], stray: [f64; 2]) -> [f64; 2] {
+        let reach = [0, 1].map(|i| side[i].norm() + stray[i]);
+        let Some(loose) = &self.slack else { return self.turn_within(y, reach) };
+        if !Slack::has(chart) {
+            return self.turn_within(loose.own(y), reach);
+        }
+        let s = &loose.charts;
+        let by = |i: usize| s.lambda.component_mul(&side[i]).norm() + s.lambda.amax() * stray[i];
+        turned(s.half_gradient(y).norm(), [by(0), by(1)])
+    }
+
+    /// The same over distances from a place of the own system.
+    fn turn_within(&self, y: Vec3, reach: [f64; 2]) -> [f64; 2] {
         let g = self.half_gradient(y).norm();
         // Along a ruling of a cylinder the normal stays, and of a cone as far as its vertex.
         let reach = match self.shape {
@@ -106,16 +193,16 @@ impl Quadric {
             }
             _ => reach,
         };
-        let change = reach.map(|r| self.lambda.amax() * r);
-        let rest = g - change[0] - change[1];
-        if rest > 0.5 * g {
-            return change.map(|c| c / rest);
-        }
-        // Unit normals are never farther apart; the greater share is to the parameter that turns more.
-        change.map(|c| 2.0 * c / (change[0] + change[1]).max(f64::MIN_POSITIVE))
+        turned(g, reach.map(|r| self.lambda.amax() * r))
     }
 
     pub(crate) fn roots(&self, center: Vec3, radius: f64, out: &mut Patches) -> bool {
+        let Some(loose) = &self.slack else { return self.own_roots(center, radius, out) };
+        let told = loose.charts.roots(center, radius, out);
+        told.unwrap_or_else(|| self.own_roots(loose.own(center), radius, out))
+    }
+
+    fn own_roots(&self, center: Vec3, radius: f64, out: &mut Patches) -> bool {
         const PI: f64 = std::f64::consts::PI;
         let mut push = |chart: usize, at: [f64; 2], half: [f64; 2]| {
             out.push(Patch { chart, at, half, ..Patch::default() })
@@ -136,6 +223,16 @@ impl Quadric {
     }
 
     pub(crate) fn jet(&self, spot: &Spot) -> Jet {
+        let Some(loose) = &self.slack else { return self.own_jet(spot) };
+        if Slack::has(spot.chart) {
+            return loose.charts.jet(spot);
+        }
+        let Jet { p, d, n } = self.own_jet(spot);
+        let d = d.map(|d| loose.turned(d));
+        Jet { p: loose.turned(p) + loose.middle, d, n: loose.turned(n) }
+    }
+
+    fn own_jet(&self, spot: &Spot) -> Jet {
         let [u, v] = spot.at;
         let sheet = if spot.chart == 0 { 1.0 } else { -1.0 };
         let (p, du, dv) = match self.shape {
@@ -181,6 +278,9 @@ impl Quadric {
     }
 
     pub(crate) fn settle(&self, spot: Spot) -> Spot {
+        if let Some(loose) = self.slack.as_ref().filter(|_| Slack::has(spot.chart)) {
+            return loose.charts.settle(spot);
+        }
         let Shape::Ellipsoid(s) = self.shape else { return spot };
         if spot.at.iter().all(|x| x.abs() <= 1.5) {
             return spot;
@@ -195,6 +295,9 @@ impl Quadric {
     }
 
     pub(crate) fn second(&self, patch: &Patch) -> [f64; 3] {
+        if let Some(loose) = self.slack.as_ref().filter(|_| Slack::has(patch.chart)) {
+            return loose.charts.second(patch);
+        }
         let far = |i: usize| patch.at[i].abs() + patch.half[i];
         match self.shape {
             // Those of the unit sphere, stretched by the semi-axes.
@@ -223,6 +326,15 @@ impl Quadric {
 
     /// Second derivatives in the middle of a piece, and how much they differ on it: uu, uv, vv.
     pub(crate) fn bend(&self, patch: &Patch) -> ([Vec3; 3], [f64; 3]) {
+        let Some(loose) = &self.slack else { return self.own_bend(patch) };
+        if Slack::has(patch.chart) {
+            return loose.charts.bend(patch);
+        }
+        let (bend, vary) = self.own_bend(patch);
+        (bend.map(|b| loose.turned(b)), vary)
+    }
+
+    fn own_bend(&self, patch: &Patch) -> ([Vec3; 3], [f64; 3]) {
         let [u, v] = patch.at;
         let [hu, hv] = patch.half;
         let none = Vec3::zeros();
@@ -260,6 +372,16 @@ impl Quadric {
             Shape::TwoSheets(_) => ([none; 3], self.second(patch)),
         }
     }
+}
+
+/// Bounds of the change of a unit normal along which the gradient `g` has half its length, which changes by so much.
+fn turned(g: f64, change: [f64; 2]) -> [f64; 2] {
+    let rest = g - change[0] - change[1];
+    if rest > 0.5 * g {
+        return change.map(|c| c / rest);
+    }
+    // Unit normals are never farther apart; the greater share is to the parameter that turns more.
+    change.map(|c| 2.0 * c / (change[0] + change[1]).max(f64::MIN_POSITIVE))
 }
 
 /// Bound of the third derivative of `sqrt(1 + u^2)`.

@@ -12,6 +12,8 @@ const GROUP: usize = 8;
 pub(crate) struct Tabcyl {
     spans: Vec<Span>,
     groups: Vec<Disk>,
+    /// Does the last span end where the first begins?
+    closed: bool,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -76,7 +78,7 @@ impl Tabcyl {
                 Disk { center: mean, radius: g.iter().map(reach).fold(0.0, f64::max) }
             })
             .collect();
-        Some(Self { spans, groups })
+        Some(Self { spans, groups, closed: form.closed() })
     }
 
     pub(crate) fn roots(&self, center: Vec3, radius: f64, out: &mut Patches) -> bool {
@@ -105,6 +107,31 @@ impl Tabcyl {
     /// A span of the directrix.
     pub(crate) fn flat(&self, chart: usize) -> Option<Flat> {
         self.spans.get(chart).map(|s| s.flat)
+    }
+
+    /// The span that begins where this one ends.
+    pub(crate) fn after(&self, chart: usize) -> Option<usize> {
+        let next = chart + 1;
+        if next < self.spans.len() { Some(next) } else { self.closed.then_some(0) }
+    }
+
+    /// The span that ends where this one begins.
+    pub(crate) fn before(&self, chart: usize) -> Option<usize> {
+        chart.checked_sub(1).or_else(|| self.closed.then(|| self.spans.len() - 1))
+    }
+
+    /// How many spans ahead the span `to` is of the span `from`, less than none for one behind it; of a curve that goes round
+    /// the shorter way.
+    pub(crate) fn ahead(&self, from: usize, to: usize) -> isize {
+        let all = self.spans.len() as isize;
+        let by = to as isize - from as isize;
+        if !self.closed || 2 * by.abs() <= all {
+            by
+        } else if by > 0 {
+            by - all
+        } else {
+            by + all
+        }
     }
 
     /// The spans of which a part may be within `radius` of a point of the plane.
@@ -149,13 +176,15 @@ impl Tabcyl {
     pub(crate) fn settle(&self, spot: Spot) -> Spot {
         let [x, w] = spot.at;
         let length = self.spans[spot.chart].flat.length;
-        if x > length && spot.chart + 1 < self.spans.len() {
-            let chart = spot.chart + 1;
+        if x > length
+            && let Some(chart) = self.after(spot.chart)
+        {
             let x = (x - length).min(self.spans[chart].flat.length);
             return Spot { chart, at: [x, w] };
         }
-        if x < 0.0 && spot.chart > 0 {
-            let chart = spot.chart - 1;
+        if x < 0.0
+            && let Some(chart) = self.before(spot.chart)
+        {
             let l = self.spans[chart].flat.length;
             return Spot { chart, at: [(l + x).max(0.0), w] };
         }
@@ -186,6 +215,9 @@ impl Tabcyl {
 
     /// Is a point beyond an end of the curve, seen along it there?
     fn beyond(&self, flat: Vec2) -> bool {
+        if self.closed {
+            return false;
+        }
         let last = self.spans.len() - 1;
         let ahead = |chart: usize, x: f64, way: f64| {
             let jet = self.jet(&Spot { chart, at: [x, 0.0] });

@@ -86,7 +86,7 @@ proptest! {
 
 /// A quadric of each kind, turned and moved.
 pub(crate) fn quadrics() -> Vec<Form> {
-    let diagonal: [[f64; 10]; 9] = [
+    let diagonal: [[f64; 10]; 14] = [
         [0.04, 0.1, 0.2, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
         [0.2, 0.1, -0.05, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
         [-0.2, -0.1, 0.05, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
@@ -96,6 +96,12 @@ pub(crate) fn quadrics() -> Vec<Form> {
         [0.1, 0.3, 0.0, -2.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
         [0.1, -0.3, 0.0, -2.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
         [0.1, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.3, -1.0],
+        // Hardly bent along an axis or two.
+        [0.1, 0.3, 1e-6, -2.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1e-6],
+        [0.1, -0.3, -1e-6, -2.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1e-6],
+        [-0.1, 0.3, 1e-12, -2.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1e-12],
+        [0.2, 0.1, -1e-6, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0],
+        [0.1, 1e-9, -1e-12, 0.0, 0.0, 0.0, 0.0, 0.0, 0.3, -1.0],
     ];
     let map = aptc_geometry::Transform::rotation(Vec3::new(1.0, 2.0, 2.0) / 3.0, 40.0)
         .then(&aptc_geometry::Transform::translation(Vec3::new(0.3, -0.2, 0.5)));
@@ -180,7 +186,7 @@ fn world(sheet: &Sheet, y: Vec3) -> Vec3 {
 proptest! {
     #[test]
     fn a_tile_holds_its_piece(
-        which in 0_usize..9, root in 0_usize..6, at in prop::array::uniform2(-1.0..1.0_f64),
+        which in 0_usize..14, root in 0_usize..6, at in prop::array::uniform2(-1.0..1.0_f64),
         half in prop::array::uniform2(0.001..0.5_f64), in_piece in prop::array::uniform2(-1.0..1.0_f64),
         lean in prop::array::uniform3(-1.0..1.0_f64),
     ) {
@@ -224,7 +230,7 @@ proptest! {
 
     #[test]
     fn the_roots_cover_the_surface(
-        which in 0_usize..9, from in prop::array::uniform3(-2.0..2.0_f64),
+        which in 0_usize..14, from in prop::array::uniform3(-2.0..2.0_f64),
         to in prop::array::uniform3(-1.0..1.0_f64),
     ) {
         let form = &quadrics()[which];

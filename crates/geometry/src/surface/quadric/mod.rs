@@ -14,6 +14,11 @@ use eigen::eigen;
 /// Eigenvalues below this fraction of the greatest are rounding, and the surface is straight that way.
 const STRAIGHT: f64 = 1e-13;
 
+/// Where the surface bends along an axis by less than this share of what it bends most, its middle along that axis may be rounding
+/// of the coefficients, as of a cylinder that was printed: nothing is measured by it. So it is with where an axis meets the surface
+/// along which the form rises by less than that other share of what it rises most.
+const SLACK: [f64; 2] = [1e-3, 1e-2];
+
 /// A quadric prepared for evaluation. Its positive side is where the form is positive.
 #[derive(Clone, Debug)]
 pub struct QuadricSurface {
@@ -65,10 +70,10 @@ impl QuadricSurface {
         let straight = (0..3).find(|&i| lambda[i] == 0.0 && beta[i] == 0.0);
         let mut extent = 0.0_f64;
         for i in 0..3 {
-            if lambda[i] != 0.0 {
+            if lambda[i].abs() > SLACK[0] * top {
                 extent = extent.max((beta[i] / lambda[i]).abs());
                 extent = extent.max((d.abs() / lambda[i].abs()).sqrt());
-            } else if beta[i] != 0.0 {
+            } else if beta[i].abs() > SLACK[1] * lin {
                 extent = extent.max((d / beta[i]).abs());
             }
         }
@@ -118,7 +123,7 @@ impl QuadricSurface {
         self.generator
     }
 
-    /// A length of the size of its axes and of its centre's distance from the origin.
+    /// A length of the size of its axes and of its centre's distance from the origin, but for those along which it hardly bends.
     pub fn extent(&self) -> f64 {
         self.extent
     }
