@@ -69,6 +69,8 @@ pub struct Regional {
     pub(crate) line: Option<(Arc<Form>, Course, f64)>,
     /// GCLEAR.
     pub(crate) clears: Clears,
+    /// Is it told, since REGION was given, that a line goes straight through what it leaves out?
+    pub(crate) told_over: bool,
     /// The last FEDRAT before the statement.
     pub(crate) feed: Vec<cl::Arg>,
     /// CHKSRF/PS.
