@@ -32,6 +32,8 @@ pub struct Milling {
     /// Does the first vector begin on the surface, where the statement before ended? Else it is how the tool
     /// comes there.
     pub joined: bool,
+    /// Does each motion begin, straight from where the one before ended, beyond what REGION leaves out?
+    pub over: bool,
 }
 
 impl Milling {

@@ -114,7 +114,7 @@ fn what_dntcut_leaves_a_tool_to_go_through_is_told() {
     };
     for (from, to) in [(160.0, 110.0), (100.0, 20.0), (170.0, 10.0), (44.0, 40.0), (51.0, 50.0)] {
         let half = f64::to_radians(0.5 * (from - to));
-        let deep = (RADIUS + CUTTER) * (1.0 - half.cos()) - INTOL;
+        let deep = (RADIUS + CUTTER) * (1.0 - aptc_geometry::trig::cos(half)) - INTOL;
         let ran = run::run(&program([from, to], "DNTCUT", "CUT"), Verify::Full);
         let told = ran.told.iter().find(|(c, _)| c == "APT5009");
         assert_eq!(told.is_some(), deep > 0.0, "{deep} {:?}", ran.told);

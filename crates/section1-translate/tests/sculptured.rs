@@ -313,6 +313,19 @@ fn near(text: &str, wanted: [f64; 3]) {
     assert!(off < 1e-9, "{text}: {got:?} instead of {wanted:?}");
 }
 
+/// It is the line that misses the surface, and not the point that it goes through.
+#[test]
+fn a_line_that_misses_is_told_as_a_line() {
+    for (line, said) in [
+        ("Q1,V2", "the line through POINT Q1 along VECTOR V2 does not meet SSURF S"),
+        ("Q1,Q2", "the line through POINT Q1 and POINT Q2 does not meet SSURF S"),
+    ] {
+        let ran = free(&format!("{SQUARE}Q1=POINT/9,0,5\nQ2=POINT/9,0,6\nX=POINT/INTOF,S,{line}"));
+        let told = ran.messages();
+        assert!(told.contains(said), "{told}");
+    }
+}
+
 #[test]
 fn points_and_vectors_of_a_plane_square() {
     for text in [

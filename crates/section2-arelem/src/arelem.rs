@@ -39,6 +39,8 @@ pub struct Arelem {
     pub(crate) poisoned: bool,
     /// Was there a statement that could not be translated?
     pub(crate) failed_before: bool,
+    /// Is it told, since the last CUTTER, that there is none?
+    told_no_cutter: bool,
     /// A motion that waits for its check surface, and the records since.
     pending: Option<Box<(Origin, protap::Drive)>>,
     deferred: Vec<protap::Record>,
@@ -224,7 +226,10 @@ impl Arelem {
         let s = &mut self.settings;
         match kind {
             Kind::Units(u) => s.units = *u,
-            Kind::Cutter(c) => s.set_cutter(*c, line),
+            Kind::Cutter(c) => {
+                s.set_cutter(*c, line);
+                self.told_no_cutter = false;
+            }
             Kind::CutterOption { surface, disk } => s.set_disk(*surface, *disk),
             Kind::Intol(t) => s.set_intol(*t),
             Kind::Outtol(t) => s.set_outtol(*t),
@@ -276,8 +281,10 @@ impl Arelem {
     }
 
     pub(crate) fn fail(&mut self, origin: &Origin, failure: &Failure) -> Outcome {
-        // A CUTTER that could not be translated was told of.
-        if !(self.failed_before && matches!(failure, Failure::NoCutter { .. })) {
+        // A CUTTER that could not be translated was told of, and that there is none is told once.
+        let told = matches!(failure, Failure::NoCutter { .. })
+            && (std::mem::replace(&mut self.told_no_cutter, true) || self.failed_before);
+        if !told {
             self.diagnostics.push(failure.explain(origin));
         }
         self.give_up()

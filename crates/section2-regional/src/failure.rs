@@ -56,6 +56,8 @@ pub(crate) enum Failure {
     Approach(Box<Deep>),
     /// The way to where a statement begins does.
     WayIn(Box<Deep>),
+    /// The way from one stretch of a line to the next, over what REGION leaves out, does.
+    Over(Box<Deep>),
     /// A motion from point to point, or along surfaces, does.
     Way(Box<Deep>),
     /// The tool stands in a body of triangles and touches none.
@@ -74,6 +76,27 @@ pub(crate) fn touches_with(origin: &Origin, place: &str, at: Vec3) -> Diagnostic
     Diagnostic::warning(codes::ODD_CONTACT, origin.span, text)
         .within(origin.trace.clone())
         .help("where the tool stands on the wrong side of the part surface give MINUS for PLUS with it, or PLUS for MINUS; else lean the tool axis, so that the corner or the side cuts")
+}
+
+/// How a line goes round what REGION leaves out.
+const ROUND: &str =
+    "lead the tool away and back by GCLEAR/AWAY and GCLEAR/BACK, with NORMAL,h or CLEARS,plane";
+
+/// A line goes straight through what REGION leaves out, so many times.
+pub(crate) fn straight_over(origin: &Origin, [from, to]: [Vec3; 2], times: usize) -> Diagnostic {
+    let more = match times {
+        0 | 1 => String::new(),
+        2 => "; and once more".into(),
+        n => format!("; and {} times more", n - 1),
+    };
+    let text = format!(
+        "from the tool end {} the tool goes straight, at feed, to the next stretch of the line at {}, through what REGION leaves out{more}",
+        point(from),
+        point(to)
+    );
+    Diagnostic::warning(codes::STRAIGHT_OVER, origin.span, text)
+        .within(origin.trace.clone())
+        .help(ROUND)
 }
 
 /// Passes that are to run out of the region from its border.
@@ -131,6 +154,7 @@ impl Failure {
             | Self::Skipped(deep)
             | Self::Approach(deep)
             | Self::WayIn(deep)
+            | Self::Over(deep)
             | Self::Way(deep)
                 if let Some((text, help)) = deep.entered() =>
             {
@@ -250,6 +274,11 @@ impl Failure {
                 codes::INTERFERENCE,
                 deep.said(""),
                 "lead the tool round it, or use a smaller cutter".into(),
+            ),
+            Self::Over(deep) => (
+                codes::INTERFERENCE,
+                deep.said("on the way over what REGION leaves out of the line "),
+                ROUND.into(),
             ),
             Self::WayIn(deep) => (
                 codes::BETWEEN_PASSES,

@@ -53,6 +53,8 @@ pub(crate) struct Leg {
     pub(crate) feed: Feed,
     /// Does it belong to GCLEAR?
     pub(crate) extra: bool,
+    /// Does the way to its first point lead over what REGION leaves out, from one stretch of the line to the next?
+    pub(crate) over: bool,
 }
 
 /// What happens to the feed before a motion.
@@ -151,24 +153,26 @@ impl Clears {
                 _ => (Vec3::zeros(), Vec3::zeros()),
             };
             let to = &self.0[if i == 0 { START } else { BACK }];
+            let mut over = i > 0;
             if let Some(mut points) = to.beside(&first, -out)? {
                 points.reverse();
-                legs.push(Leg { points, feed: to.feed(again), extra: true });
+                legs.push(Leg { points, feed: to.feed(again), extra: true, over });
+                over = false;
                 again = to.feed.is_some();
             }
             let feed = if again { Feed::Again } else { Feed::Keep };
             let points = stretch.iter().map(|s| (s.te, s.ta)).collect();
-            legs.push(Leg { points, feed, extra: false });
+            legs.push(Leg { points, feed, extra: false, over });
             again = false;
             let from = &self.0[if i + 1 == stretches.len() { THRU } else { AWAY }];
             if let Some(points) = from.beside(&last, home)? {
-                legs.push(Leg { points, feed: from.feed(false), extra: true });
+                legs.push(Leg { points, feed: from.feed(false), extra: true, over: false });
                 again = from.feed.is_some();
             }
         }
         if again {
             // The program's feed comes back behind the last extra motion.
-            legs.push(Leg { points: Vec::new(), feed: Feed::Again, extra: true });
+            legs.push(Leg { points: Vec::new(), feed: Feed::Again, extra: true, over: false });
         }
         Ok(legs)
     }

@@ -52,6 +52,7 @@ impl Regional {
     /// APT: `REGION`.
     pub(crate) fn region(&mut self, args: &[Arg]) -> Result<(), Failure> {
         let mut w = Words(args);
+        self.told_over = false;
         let Some(number) = w.number() else {
             self.outlines.active.clear();
             return Ok(());

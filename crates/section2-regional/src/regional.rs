@@ -14,6 +14,7 @@ use crate::avoid::Avoid;
 use crate::crew::{Alone, Crew};
 use crate::cut_vectors::Recording;
 use crate::drive::Course;
+use crate::failure::Failure;
 use crate::gclear::{Clears, post_arg};
 use crate::guard::Checked;
 use crate::outline::Outlines;
@@ -69,6 +70,8 @@ pub struct Regional {
     pub(crate) line: Option<(Arc<Form>, Course, f64)>,
     /// GCLEAR.
     pub(crate) clears: Clears,
+    /// Is it told, since REGION was given, that a line goes straight through what it leaves out?
+    pub(crate) told_over: bool,
     /// The last FEDRAT before the statement.
     pub(crate) feed: Vec<cl::Arg>,
     /// CHKSRF/PS.
@@ -164,7 +167,11 @@ impl Regional {
             Err(_) => self.stand = None,
         }
         done.map_err(|failure| {
-            let failure = self.areas.once(failure);
+            let told = &mut self.settings.told_no_cutter;
+            let failure = match self.areas.once(failure) {
+                Failure::NoCutter if std::mem::replace(told, true) => Failure::Told,
+                failure => failure,
+            };
             self.diagnostics.extend(failure.explain(&record.origin));
             Failed
         })

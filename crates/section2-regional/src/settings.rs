@@ -15,6 +15,8 @@ pub(crate) struct Settings {
     pub(crate) units: Units,
     pub(crate) cutter: Option<Cutter>,
     pub(crate) profile: Option<Profile>,
+    /// Is it told, since the last CUTTER, that there is none that is a solid?
+    pub(crate) told_no_cutter: bool,
     intol: Option<[f64; 4]>,
     outtol: Option<[f64; 4]>,
     maxdp: Option<f64>,
@@ -45,6 +47,7 @@ impl Settings {
             Kind::Cutter(c) => {
                 self.cutter = Some(*c);
                 self.profile = Profile::new(c).ok();
+                self.told_no_cutter = false;
             }
             Kind::Intol(t) => self.intol = Some(*t),
             Kind::Outtol(t) => self.outtol = Some(*t),

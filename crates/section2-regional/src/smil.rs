@@ -388,6 +388,7 @@ impl Regional {
             outtol: band.outtol,
             scallop,
             joined,
+            over: false,
         };
         Arc::new(cl::Control { milling: Some(milling), ..cl::Control::default() })
     }

@@ -64,6 +64,7 @@ fn milling(intol: f64) -> Milling {
         outtol: intol,
         scallop: None,
         joined: false,
+        over: false,
     }
 }
 

@@ -21,6 +21,9 @@ const VECTORS: usize = 32;
 /// Parts in which it is looked what is left between the passes of a region.
 pub(crate) const PLACES: usize = 32;
 
+/// Why a line limited by REGION can be deep in a surface.
+const OVER: &str = "it is the straight way from one stretch of the line to the next, over what REGION leaves out: GCLEAR/AWAY and GCLEAR/BACK lead the tool round";
+
 /// A motion along surfaces with all that its judgement hangs on.
 #[derive(Debug)]
 pub(crate) struct Statement {
@@ -36,6 +39,8 @@ pub(crate) struct Statement {
     /// From where it comes to a statement of regional milling that does not begin there.
     pub(crate) way: Option<Position>,
     pub(crate) points: Vec<Position>,
+    /// The vectors that lead over what REGION leaves out, counted from 1.
+    pub(crate) over: Vec<u64>,
     pub(crate) profile: Profile,
     /// Allowance for rounding.
     pub(crate) pad: f64,
@@ -228,7 +233,7 @@ impl Statement {
         answers: impl Iterator<Item = (&'a Share, &'a Answer)>,
     ) -> Judgement {
         let mut vectors = Vec::with_capacity(self.points.len());
-        let (mut fault, mut real, mut through) = (None, None, None);
+        let (mut fault, mut real, mut through): (Option<Fault>, _, _) = (None, None, None);
         let mut seen: Vec<Seen> = Vec::new();
         let mut left: Option<Left> = None;
         let mut open = false;
@@ -243,6 +248,9 @@ impl Statement {
                 left = Some(left.map_or(more, |left| left.then(more)));
                 open = matches!(more, Left::Open(..));
             }
+        }
+        if let Some(f) = fault.as_mut().filter(|f| f.gouge && self.over.contains(&f.vector)) {
+            f.why = Some(OVER.into());
         }
         let mut proof = StatementProof {
             origin: self.origin.clone(),

@@ -96,6 +96,8 @@ struct Open {
     before: Option<Position>,
     way: Option<Position>,
     points: Vec<Position>,
+    /// The vectors from one motion to the next, counted from 1, over what REGION leaves out.
+    over: Vec<u64>,
     profile: Profile,
 }
 
@@ -292,7 +294,12 @@ impl Verifier {
         }
         let Some(control) = control else { return };
         match &mut self.open {
-            Some(open) => open.points.extend_from_slice(&motion.points),
+            Some(open) => {
+                if control.milling.as_ref().is_some_and(|m| m.over) {
+                    open.over.push(open.points.len() as u64 + 1);
+                }
+                open.points.extend_from_slice(&motion.points);
+            }
             None => {
                 // How the tool comes to a region is held against what CHKSRF names alone.
                 let joined = control.milling.as_ref().is_none_or(|m| m.joined && !rapid);
@@ -307,6 +314,7 @@ impl Verifier {
                     before: self.statement.2,
                     way,
                     points: motion.points.clone(),
+                    over: Vec::new(),
                     profile,
                 });
             }
@@ -367,7 +375,8 @@ impl Verifier {
 
     fn close(&mut self) {
         let Some(open) = self.open.take() else { return };
-        let Open { control, startup, rapid, origin, start, before, way, points, profile } = open;
+        let Open { control, startup, rapid, origin, start, before, way, points, over, profile } =
+            open;
         let pad = self.pad(&points, &profile);
         self.n_waiting += points.len();
         self.waiting.push(Event::Along(Box::new(Statement {
@@ -379,6 +388,7 @@ impl Verifier {
             before,
             way,
             points,
+            over,
             profile,
             pad,
             effort: self.effort,

@@ -42,6 +42,7 @@ fn milling(surface: &Arc<Sculptured>, scallop: Option<f64>) -> Milling {
             Scallop { height, extent, avoided: false, links: Vec::new() }
         }),
         joined: false,
+        over: false,
     }
 }
 

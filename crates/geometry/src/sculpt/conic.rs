@@ -38,7 +38,7 @@ pub fn line_arc(a: Vec3, b: Vec3) -> CubicArc {
 
 /// The arc from the first to the last point. Three conditions give a circle, five any conic. Four give, of the conics
 /// x x + b y y + c x y + d x + e y = 0 with x along the chord, the ellipse b = 1 + c c / 2, else the parabola b = c c / 4, as SSV3 does; a tangent
-/// at an end may lean less than a right angle from the chord.
+/// at an end may lean less than a right angle from the chord. Tangents are lines to touch, as SSV3 turns them to lead with the points.
 ///
 /// Of the weights the ends' ratio is that of the tangents' lengths to where they meet, so that the
 /// parameter starts and ends equally fast.
@@ -68,7 +68,52 @@ pub fn conic_arc(given: &[ConicCondition]) -> Result<CubicArc, ConicFault> {
     }
     let conic = frame.conic(given, count)?;
     let (a, b) = (frame.flat(first.point), frame.flat(last.point));
-    arc_of(&frame, conic, a, b)
+    let q = apex(&conic, a, b)?;
+    // Any other arc of the conic between the ends is half a turn or more, or goes through infinity.
+    let between = &given[1..given.len() - 1];
+    let meets = if between.is_empty() {
+        leads_along([first, last].map(|c| frame.way(c)), [q - a, b - q], b - a)
+    } else {
+        between.iter().all(|c| within(frame.flat(c.point), [a, q, b]))
+    };
+    if !meets {
+        return Err(ConicFault::NoArc);
+    }
+    arc_of(&frame, conic, [a, q, b])
+}
+
+/// Is a point of the conic on the arc that has its ends and tangents in common with this triangle, whose base is on the x axis?
+fn within(p: Vec2, [a, q, b]: [Vec2; 3]) -> bool {
+    let cross = |u: Vec2, v: Vec2| u.x * v.y - u.y * v.x;
+    let least = -1e-12 * (1.0 + q.norm());
+    let inside = |u: Vec2, v: Vec2| cross(u - p, v - p) * -q.y.signum() > least;
+    p.y * q.y > 0.0 && inside(a, q) && inside(q, b)
+}
+
+/// Do what is given of the directions at the two ends and those of the arc there agree: as they are given, or each turned
+/// round that leans more than a right angle from the chord? A normal is taken the latter way.
+fn leads_along(given: [Way; 2], arc: [Vec2; 2], chord: Vec2) -> bool {
+    let agree = |turned: bool| {
+        given.iter().zip(arc).all(|(way, along)| {
+            let (t, turned) = match way {
+                Way::Free => return true,
+                Way::Tangent(t) => (t, turned),
+                Way::Line(t) => (t, true),
+            };
+            let sense = if turned { chord.dot(t).signum() } else { 1.0 };
+            sense * t.dot(&along) > 0.0
+        })
+    };
+    agree(false) || agree(true)
+}
+
+/// What is given of the direction at a point.
+#[derive(Clone, Copy, Debug)]
+enum Way {
+    Free,
+    Tangent(Vec2),
+    /// Along it or back.
+    Line(Vec2),
 }
 
 /// The plane of the conic: origin, axes, and the length of one unit.
@@ -107,20 +152,18 @@ impl Frame {
             normal.try_normalize(1e-10).unwrap_or_else(|| crate::surface::frame_about(chord)[0]);
         let y = z.cross(&chord);
         // The arc lies where y is positive: that is told by points inside, else by the tangents at the ends.
-        let side = |i: usize, c: &ConicCondition| {
-            let inside = y.dot(&(c.point - origin));
+        let inside = |c: &ConicCondition| y.dot(&(c.point - origin)) / unit;
+        let lean = |i: usize, c: &ConicCondition| {
             let way = c.tangent.or_else(|| c.normal.map(|n| n.cross(&z)));
+            let way = way.and_then(|t| t.try_normalize(0.0));
             let lean = way.map_or(0.0, |t| y.dot(&t) * chord.dot(&t).signum());
-            if inside.abs() > 1e-9 * unit {
-                inside
-            } else if i == 0 {
-                lean
-            } else {
-                -lean
-            }
+            if i == 0 { lean } else { -lean }
         };
-        let most = given.iter().enumerate().map(|(i, c)| side(i, c));
-        let most = most.fold(0.0_f64, |m, s| if s.abs() > m.abs() { s } else { m });
+        let greatest = |m: f64, s: f64| if s.abs() > m.abs() { s } else { m };
+        let mut most = given.iter().map(inside).fold(0.0, greatest);
+        if most.abs() <= 1e-9 {
+            most = given.iter().enumerate().map(|(i, c)| lean(i, c)).fold(0.0, greatest);
+        }
         let frame = Self { origin, x: chord, y: y * most.signum(), unit, straight };
         let off = |v: Vec3, s: f64| z.dot(&v).abs() > 1e-6 * s;
         let out = given
@@ -139,6 +182,14 @@ impl Frame {
 
     fn lift(&self, p: Vec2) -> Vec3 {
         self.origin + (self.x * p.x + self.y * p.y) * self.unit
+    }
+
+    fn way(&self, c: &ConicCondition) -> Way {
+        if let Some(t) = c.tangent {
+            return Way::Tangent(self.turned(t));
+        }
+        let normal = c.normal.map(|n| self.turned(n));
+        normal.map_or(Way::Free, |n| Way::Line(Vec2::new(-n.y, n.x)))
     }
 
     /// Coefficients of x x, x y, y y, x, y, 1.
@@ -242,16 +293,19 @@ fn gradient(c: &Vector6<f64>, p: Vec2) -> Vec2 {
     Vec2::new(2.0 * c[0] * p.x + c[1] * p.y + c[3], c[1] * p.x + 2.0 * c[2] * p.y + c[4])
 }
 
-/// The rational quadratic from `a` to `b` on the conic `c`.
-fn arc_of(frame: &Frame, c: Vector6<f64>, a: Vec2, b: Vec2) -> Result<CubicArc, ConicFault> {
-    let (ga, gb) = (gradient(&c, a), gradient(&c, b));
+/// Where the tangents at `a` and `b` meet.
+fn apex(c: &Vector6<f64>, a: Vec2, b: Vec2) -> Result<Vec2, ConicFault> {
+    let (ga, gb) = (gradient(c, a), gradient(c, b));
     let det = ga.x * gb.y - ga.y * gb.x;
     if det.abs() <= 1e-9 * ga.norm() * gb.norm() {
         return Err(ConicFault::NoArc);
     }
-    // Where the tangents meet.
     let (da, db) = (ga.dot(&a), gb.dot(&b));
-    let q = Vec2::new((da * gb.y - db * ga.y) / det, (ga.x * db - gb.x * da) / det);
+    Ok(Vec2::new((da * gb.y - db * ga.y) / det, (ga.x * db - gb.x * da) / det))
+}
+
+/// The rational quadratic from `a` to `b` on the conic `c`, whose tangents there meet in `q`.
+fn arc_of(frame: &Frame, c: Vector6<f64>, [a, q, b]: [Vec2; 3]) -> Result<CubicArc, ConicFault> {
     let pair = |p: Vec2, r: Vec2| {
         c[0] * p.x * r.x
             + 0.5 * c[1] * (p.x * r.y + p.y * r.x)
@@ -275,7 +329,10 @@ fn arc_of(frame: &Frame, c: Vector6<f64>, a: Vec2, b: Vec2) -> Result<CubicArc, 
 
 #[cfg(test)]
 mod tests {
+    use proptest::prelude::*;
+
     use super::*;
+    use crate::trig;
 
     fn at(x: f64, y: f64) -> ConicCondition {
         ConicCondition { point: Vec3::new(x, y, 0.0), tangent: None, normal: None }
@@ -355,7 +412,7 @@ mod tests {
         let arc = conic_arc(&[
             at(1.0, 0.0),
             at(0.0, 1.0),
-            at(crate::trig::cos_deg(179.0), crate::trig::sin_deg(179.0)),
+            at(trig::cos_deg(179.0), trig::sin_deg(179.0)),
         ])
         .unwrap();
         assert!((arc.at(0.3).point.norm() - 1.0).abs() < 1e-9);
@@ -364,6 +421,144 @@ mod tests {
         assert_eq!(conic_arc(&zigzag), Err(ConicFault::Turns));
         let through = ConicCondition { tangent: Some(Vec3::y()), ..at(1.0, 1.0) };
         assert_eq!(conic_arc(&[at(0.0, 0.0), through, at(4.0, 0.0)]), Err(ConicFault::Turns));
+    }
+
+    /// How far the arc is from a point, and how far its direction there is from `tangent`.
+    fn off(arc: &CubicArc, p: Vec3, tangent: Option<Vec3>) -> (f64, f64) {
+        let away = |t: f64| (arc.at(t).point - p).norm();
+        let near = (0..=1000).map(|k| f64::from(k) / 1000.0);
+        let near = near.min_by(|a, b| away(*a).total_cmp(&away(*b))).unwrap();
+        let (mut a, mut b) = ((near - 1e-3).max(0.0), (near + 1e-3).min(1.0));
+        for _ in 0..120 {
+            let (c, d) = (a + (b - a) / 3.0, b - (b - a) / 3.0);
+            if away(c) < away(d) { b = d } else { a = c }
+        }
+        let t = 0.5 * (a + b);
+        let way = arc.at(t).first.normalize();
+        (away(t), tangent.map_or(0.0, |w| way.cross(&w.normalize()).norm()))
+    }
+
+    fn all_met(arc: &CubicArc, given: &[ConicCondition]) {
+        let size = given.iter().map(|c| (c.point - given[0].point).norm()).fold(0.0, f64::max);
+        for c in given {
+            let (place, way) = off(arc, c.point, c.tangent);
+            assert!(place < 1e-9 * size && way < 1e-6, "{place:e} {way:e} {given:?}");
+        }
+        let ends = [given[0].point, given[given.len() - 1].point];
+        assert!((arc.at(0.0).point - ends[0]).norm() < 1e-9 * size);
+        assert!((arc.at(1.0).point - ends[1]).norm() < 1e-9 * size);
+    }
+
+    /// The conditions of a curve at some of its parameters, with tangents of any length at those of `lines`, laid somewhere in space.
+    fn laid(
+        curve: impl Fn(f64) -> (Vec2, Vec2),
+        at: &[f64],
+        (lines, stretch): (&[usize], f64),
+        turn: Vec3,
+    ) -> Vec<ConicCondition> {
+        let turn = nalgebra::Rotation3::new(turn);
+        let lay = |v: Vec2| turn * Vec3::new(v.x, v.y, 0.0);
+        let one = |(i, t): (usize, &f64)| {
+            let (p, way) = curve(*t);
+            let tangent = lines.contains(&i).then(|| lay(way) * stretch);
+            ConicCondition { point: lay(p) + Vec3::new(7.0, -3.0, 2.0), tangent, normal: None }
+        };
+        at.iter().enumerate().map(one).collect()
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(400))]
+
+        /// Parts of ellipses: five conditions or, of circles, three give that part if it is less than half a turn and nothing if it is
+        /// more. Four give another conic, which meets them.
+        #[test]
+        fn parts_of_ellipses(
+            half in prop::array::uniform2(2.0_f64..40.0),
+            from in 0.0_f64..360.0,
+            sweep in prop_oneof![15.0_f64..178.0, 182.0_f64..345.0],
+            shares in prop::array::uniform3(0.2_f64..0.8),
+            turn in prop::array::uniform3(-2.0_f64..2.0),
+            stretch in prop_oneof![1e-3_f64..1.0, -1e3_f64..1e3],
+            kind in 0_usize..8,
+        ) {
+            let circle = kind > 5;
+            let half = if circle { [half[0]; 2] } else { half };
+            let curve = |t: f64| {
+                let (c, s) = (trig::cos_deg(t), trig::sin_deg(t));
+                (Vec2::new(half[0] * c, half[1] * s), Vec2::new(-half[0] * s, half[1] * c))
+            };
+            let (inner, lines): (usize, &[usize]) = match kind {
+                0 | 1 => (3, &[]),
+                2 => (1, &[0, 2]),
+                3 => (2, &[3]),
+                4 => (1, &[0, 1]),
+                5 => (2, &[]),
+                6 => (1, &[]),
+                _ => (0, &[0]),
+            };
+            let step = 1.0 / (inner as f64 + 1.0);
+            let share = |k: usize| (k as f64 + 0.6 * shares[k.min(2)] + 0.7) * step;
+            let mut at = vec![0.0];
+            at.extend((0..inner).map(share));
+            at.push(1.0);
+            let at: Vec<_> = at.iter().map(|s| from + sweep * s).collect();
+            prop_assume!(stretch.abs() > 1e-6);
+            let given = laid(curve, &at, (lines, stretch), Vec3::from(turn));
+            match conic_arc(&given) {
+                // A tangent alone is turned round to lead with the chord: it begins the other part of the circle.
+                Ok(arc) => {
+                    prop_assert!(sweep < 180.0 || matches!(kind, 5 | 7), "{sweep} {given:?}");
+                    all_met(&arc, &given);
+                }
+                Err(why) => prop_assert!(sweep > 180.0 || kind == 5, "{why:?} {given:?}"),
+            }
+        }
+
+        /// A branch of a hyperbola is met from any five conditions of it, and never its other branch.
+        #[test]
+        fn parts_of_hyperbolas(
+            half in prop::array::uniform2(2.0_f64..40.0),
+            ends in prop::array::uniform2(0.3_f64..1.5),
+            turn in prop::array::uniform3(-2.0_f64..2.0),
+            lines in any::<bool>(),
+            other in any::<bool>(),
+        ) {
+            let [a, b] = [-ends[0], ends[1]];
+            let curve = |t: f64| {
+                let (c, s) = (trig::cosh(t), trig::sinh(t));
+                (Vec2::new(half[0] * c, half[1] * s), Vec2::new(half[0] * s, half[1] * c))
+            };
+            let given = if lines {
+                laid(curve, &[a, 0.1 * a, b], (&[0, 2], 5.0), Vec3::from(turn))
+            } else {
+                laid(curve, &[a, 0.5 * a, 0.1, 0.5 * b, b], (&[], 1.0), Vec3::from(turn))
+            };
+            if other && !lines {
+                let far = |t: f64| (-curve(t).0, curve(t).1);
+                let mut mixed = given.clone();
+                mixed[2] = laid(far, &[0.1], (&[], 1.0), Vec3::from(turn))[0];
+                prop_assert!(conic_arc(&mixed).is_err());
+            }
+            all_met(&conic_arc(&given).unwrap(), &given);
+        }
+    }
+
+    /// Tangents are lines to touch: they are turned to lead with the chord. What bends both ways is refused.
+    #[test]
+    fn tangents_turned_round() {
+        let with = |x, y, t: [f64; 2]| ConicCondition {
+            tangent: Some(Vec3::new(t[0], t[1], 0.0)),
+            ..at(x, y)
+        };
+        let back = conic_arc(&[with(10.0, 0.0, [1.0, 1.0]), at(0.0, 0.0)]).unwrap();
+        let ahead = conic_arc(&[with(10.0, 0.0, [-1.0, -1.0]), at(0.0, 0.0)]).unwrap();
+        assert!((back.at(0.5).point - ahead.at(0.5).point).norm() < 1e-12);
+        assert!((back.at(0.5).point - Vec3::new(5.0, 5.0 - 50.0_f64.sqrt(), 0.0)).norm() < 1e-9);
+        let bent = [with(0.0, 0.0, [1.0, 1.0]), with(10.0, 0.0, [1.0, 0.5])];
+        assert_eq!(conic_arc(&bent), Err(ConicFault::NoArc));
+        // As they are given, one leaning more than a right angle.
+        let far = [with(0.0, 0.0, [-0.5, 0.8]), with(10.0, 0.0, [0.9, -0.5])];
+        all_met(&conic_arc(&far).unwrap(), &far);
     }
 
     #[test]

@@ -57,6 +57,8 @@ pub enum Fault {
     OneDirection { planes: [usize; 3], along: Vec3 },
     /// Curves that miss each other.
     Apart { a: usize, b: usize, gap: f64 },
+    /// A line through a point, along a vector or to another point, that misses a surface.
+    LineMisses { p: usize, to: usize, on: usize },
     /// Two curves that no circle of the radius touches at once.
     OutOfReach { a: usize, b: usize, gap: f64 },
     /// Points, centres or curves that fall together.

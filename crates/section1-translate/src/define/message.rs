@@ -1,7 +1,7 @@
 //! The messages of definitions that fail: one place for all their words.
 
 use aptc_diagnostics::{Code, Diagnostic, Span, codes};
-use aptc_geometry::{NotCarried, Vec3, trig};
+use aptc_geometry::{Form, NotCarried, Vec3, trig};
 use aptc_vocabulary::{Class, Word, word};
 
 use super::arg::{in_words, short};
@@ -219,6 +219,17 @@ impl Words<'_> {
                     "they have no point in common".to_owned()
                 };
                 self.both(codes::APART, *a, *b, format!("{x} and {y} do not meet: {gap}"))
+            }
+            Fault::LineMisses { p, to, on } => {
+                let (x, y, s) = (self.name(*p), self.name(*to), self.name(*on));
+                let joins = match self.args.get(*to).and_then(Arg::form) {
+                    Some(Form::Vector(_)) => "along",
+                    _ => "and",
+                };
+                let text = format!("the line through {x} {joins} {y} does not meet {s}");
+                self.both(codes::APART, *p, *on, text)
+                    .also(self.span(*to), self.name(*to))
+                    .note(self.full(*to))
             }
             Fault::OutOfReach { a, b, gap } => {
                 let (x, y) = (self.name(*a), self.name(*b));

@@ -244,7 +244,7 @@ fn on_surface(a: &Args<'_>) -> Result<(Place, usize), Fault> {
             a.context.found.replace(Some(found_on(&s, hit.uv)));
             Ok((Place::Surface(hit.at), next))
         }
-        None => Err(Fault::Apart { a: at, b: 1, gap: f64::INFINITY }),
+        None => Err(Fault::LineMisses { p: at, to: at + 1, on: 1 }),
     }
 }
 

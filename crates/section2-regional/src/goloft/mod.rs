@@ -119,7 +119,10 @@ impl Regional {
                 }
             }
         }
-        let control = self.milling_control(&part, None, false);
+        let mut control = self.milling_control(&part, None, false);
+        if let Some(c) = Arc::get_mut(&mut control).and_then(|c| c.milling.as_mut()) {
+            c.over = milled.stretches.len() > 1;
+        }
         if milled.through {
             self.diagnostics.push(failure::through(origin, &name.name));
         }
@@ -251,7 +254,7 @@ impl Regional {
     /// The stretches with what GCLEAR adds to them, as motions. The line itself was checked along its surface, which is `on`; what is
     /// added, and a curve, which no surface governs, are motion from point to point that CHKSRF watches here.
     pub(crate) fn put_line(
-        &self,
+        &mut self,
         origin: &Origin,
         name: &NameRef,
         stretches: &[Vec<Spot>],
@@ -263,16 +266,27 @@ impl Regional {
         let control = on.as_ref().map(|on| &on.0);
         let mut stand = None;
         let mut here = self.watch.last;
+        let mut straight = Vec::new();
+        let mut from_line = false;
         for mut leg in all {
             let extra = leg.extra || control.is_none();
             // How the tool comes to the line from elsewhere is not known here, between its stretches it is.
             let free = if extra { leg.points.len() } else { usize::from(stand.is_some()) };
             let free = &leg.points[..free.min(leg.points.len())];
             let blocked = guard.as_ref().and_then(|g| self.blocked(g, here, free));
+            if let (true, Some(from), Some(to)) =
+                (leg.over && from_line && !leg.extra, here, leg.points.first())
+            {
+                straight.push([from.0, to.0]);
+            }
+            from_line = !leg.extra;
             here = leg.points.last().copied().or(here);
             let why = blocked.map(|(k, why)| {
                 leg.points.truncate(k);
-                why
+                match why {
+                    Failure::Way(deep) if leg.over && k == 0 => Failure::Over(deep),
+                    why => why,
+                }
             });
             if self.settings.cut != Some(false)
                 && let Some(args) = leg.feed.args(&self.feed)
@@ -302,6 +316,11 @@ impl Regional {
             };
             out.push(cl::Record { origin: origin.clone(), kind: cl::Kind::Motion(motion) });
             why.map_or(Ok(()), Err)?;
+        }
+        let moves = self.settings.cut != Some(false) && !self.is_recording();
+        if let (true, Some(first)) = (moves && !self.told_over, straight.first()) {
+            self.told_over = true;
+            self.diagnostics.push(failure::straight_over(origin, *first, straight.len()));
         }
         Ok(stand)
     }
