@@ -97,7 +97,7 @@ impl Arelem {
         let before = self.tool;
         let mut tool =
             before.unwrap_or(Tool { te, ta, forward: Vec3::x(), assumed: true, stood: None });
-        (tool.te, tool.ta) = (te, ta);
+        (tool.te, tool.ta, tool.stood) = (te, ta, None);
         tool.turn(along);
         self.tool = Some(tool);
         self.poisoned = false;

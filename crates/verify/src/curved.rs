@@ -11,7 +11,7 @@ use crate::deep::deepest;
 use crate::demand::Verdict;
 use crate::outside::Stood;
 use crate::pile::Pile;
-use crate::search::{Aim, FINE_FOLD, FOLD, Lead, Moved, TURNED, clearance, clearance_from};
+use crate::search::{Aim, FINE_FOLD, FOLD, Lead, Moved, TURNED, clearance_from};
 use crate::sheet::{Sheet, Spot};
 use crate::sweep::Sweep;
 use crate::tool::{Pose, Tool};
@@ -230,7 +230,6 @@ impl Curved<'_> {
         let held = self.held(tool, [&pose(0.0), &pose(1.0)], turn, side, least, pad);
         let moved =
             Moved { sheet: self.sheet, side, shift: held.least - held.thin, fold, only: None };
-        let edges = Moved { only: Some(&held.edges), ..moved };
         // Both the surface farther back and the distance from it are rounded.
         let thin = held.thin;
         let enough = if thin > 0.0 { thin - 2.0 * pad } else { -pad };
@@ -246,8 +245,10 @@ impl Curved<'_> {
             let turned = sweep.turned();
             let mut found = clearance_from(&sweep, &moved, enough, Aim::Clear, &mut warm.lead);
             let mut shown = found.least - thin;
-            if found.least >= enough && !held.edges.is_empty() {
-                found = clearance(&sweep, &edges, enough, Aim::Any);
+            if found.least >= enough
+                && let Some(near) = held.edges
+            {
+                found = self.clear_of_edges(tool, near, &sweep, &moved, enough);
                 shown = shown.min(found.least - thin);
             }
             if found.least >= enough {

@@ -279,8 +279,8 @@ impl Sheet {
     pub(crate) fn tile(&self, patch: &Patch) -> Tile {
         match &self.kind {
             Kind::Patched(p) if patch.kept == Kept::Chart => *p.tile(patch.chart),
-            Kind::Patched(p) => match p.on_edge(patch.chart) {
-                Some(edge) => p.edge_tile(edge, patch, |patch| self.made(patch)),
+            Kind::Patched(p) => match p.on_rolled(patch.chart) {
+                Some(rolled) => p.rolled_tile(rolled, patch, |patch| self.made(&patch)),
                 None => self.made(patch),
             },
             _ => self.made(patch),

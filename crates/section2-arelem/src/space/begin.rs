@@ -44,13 +44,16 @@ pub(super) fn begin(scene: &Scene, turns: InPlace) -> Result<Begin, Failure> {
     }
 }
 
-/// The start of a motion with a fixed axis of a tool that stands there with another one: it turns in place.
+/// The start of a motion with a fixed axis of a tool that stands there with another one: it turns in place. Where it does not stand
+/// in place with that, as after FROM, it has the new one.
 fn to_fixed(scene: &Scene, stood: Vec3) -> Result<Begin, Failure> {
     let with = |te: Vec3, ta: Vec3| {
         let tool = Tool { te, ta, stood: None, ..scene.tool };
         as_it_stands(&Scene { tool, ..scene.clone() }, InPlace::AsNeeded)
     };
-    let Begin { track, node, mut first, .. } = with(scene.tool.te, stood)?;
+    let Ok(Begin { track, node, mut first, .. }) = with(scene.tool.te, stood) else {
+        return with(scene.tool.te, scene.tool.ta);
+    };
     let still = Track { guides: None, ..track };
     let axes = [stood, scene.tool.ta];
     let pose = Pose { ta: scene.tool.ta, ..node.pose };

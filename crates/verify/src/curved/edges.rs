@@ -2,11 +2,19 @@
 //!
 //! With the unit normals m and n of both faces at a place e of the edge, what is as deep as it may be is on the arc
 //! `e + d u` between `e + d m` and `e + d n`, which closes the gap between faces moved back by d. So the edge counts as a face of its own
-//! that has all normals in between, and is moved as the others are.
+//! that has all normals in between, and is moved as the others are. The arcs that end at one corner leave a hole on the sphere of radius d
+//! about it: a corner of four faces counts as one that has all normals between theirs.
+
+use arrayvec::ArrayVec;
 
 use super::Curved;
+use crate::search::{Aim, Clearance, Moved, clearance};
 use crate::sheet::{Hollow, Patch};
+use crate::sweep::Sweep;
 use crate::tool::{Pose, Tool};
+
+/// Edges that are looked at in one search.
+const AT_ONCE: usize = 32;
 
 /// What a gap is held above, and by what.
 #[derive(Debug)]
@@ -15,7 +23,15 @@ pub(super) struct Held {
     /// How much farther back the surface is moved, from which the tool then stays away by as much.
     pub(super) thin: f64,
     /// The hollow edges that the tool may come to.
-    pub(super) edges: Vec<Patch>,
+    pub(super) edges: Option<Near>,
+}
+
+/// Hollow edges about a way: those that are no farther than this from the tool at its start.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Near {
+    start: Pose,
+    side: f64,
+    away: f64,
 }
 
 impl Curved<'_> {
@@ -35,21 +51,23 @@ impl Curved<'_> {
         /// How far back, in depths that the tool may have.
         const BACK: f64 = 8.0;
         let thin = if tool.is_thin() { self.back(least, pad) } else { 0.0 };
-        let faces = |least: f64, thin: f64| Held { least, thin, edges: Vec::new() };
-        let Some(edged) = self.sheet.edged() else { return faces(least, thin) };
+        let faces = |least: f64, thin: f64| Held { least, thin, edges: None };
+        if self.sheet.edged().is_none() {
+            return faces(least, thin);
+        }
         if least >= 0.0 {
             return faces(least, thin.max(least));
         }
-        // Those that the tool may come to.
         let away = (end.te - start.te).norm() + turn * tool.reach() - BACK * least + thin;
-        let comes = |h: &&Hollow| tool.near(start, h.center).0 - h.radius <= away;
-        let hollow = || edged.hollow[usize::from(side < 0.0)].iter().filter(comes);
-        let half = hollow().map(|h| h.half).fold(0.0, f64::max);
+        let near = Near { start: *start, side, away };
+        let (half, known) = self
+            .hollow(tool, near)
+            .fold((0.0_f64, true), |(m, known), h| (m.max(h.half), known && h.rolled.is_some()));
         if half <= 0.0 {
             return faces(least, thin);
         }
-        if hollow().all(|h| h.rolled.is_some()) {
-            return Held { least, thin, edges: hollow().filter_map(|h| h.rolled).collect() };
+        if known {
+            return Held { least, thin, edges: Some(near) };
         }
         // A place on the middle of both faces, as deep below the edge as it may be, is to be no farther from the faces than the tool
         // stays away.
@@ -57,6 +75,38 @@ impl Curved<'_> {
         let back = (BACK * deep).max(deep + thin);
         let away = (back * back - 2.0 * back * deep * cos + deep * deep).sqrt();
         faces(away - back, away)
+    }
+
+    /// The hollow edges and corners near the tool.
+    fn hollow<'h>(&'h self, tool: &'h Tool<'h>, near: Near) -> impl Iterator<Item = &'h Hollow> {
+        let all = self.sheet.edged().map(|edged| &edged.hollow[usize::from(near.side < 0.0)][..]);
+        let comes = move |h: &&Hollow| tool.near(&near.start, h.center).0 - h.radius <= near.away;
+        all.unwrap_or_default().iter().filter(comes)
+    }
+
+    /// How far the tool is from what closes the gaps at edges; no closer than to `enough`.
+    pub(super) fn clear_of_edges(
+        &self,
+        tool: &Tool<'_>,
+        near: Near,
+        sweep: &Sweep<'_>,
+        moved: &Moved<'_>,
+        enough: f64,
+    ) -> Clearance {
+        let mut edges = self.hollow(tool, near).filter_map(|h| h.rolled);
+        let mut all = Clearance { least: f64::INFINITY, nearest: None, turned: false };
+        loop {
+            let some: ArrayVec<Patch, AT_ONCE> = edges.by_ref().take(AT_ONCE).collect();
+            if some.is_empty() {
+                return all;
+            }
+            let only = Moved { only: Some(&some), ..*moved };
+            let found = clearance(sweep, &only, enough, Aim::Any);
+            if found.least < enough {
+                return found;
+            }
+            all.least = all.least.min(found.least);
+        }
     }
 }
 

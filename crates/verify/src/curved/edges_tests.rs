@@ -1,10 +1,11 @@
-//! Valleys of two flat faces, against the distance of points in closed form.
+//! Valleys of two flat faces and pits of four, against the distance of points in closed form.
 
 use std::sync::Arc;
 
 use aptc_cldata::{Controlled, NameRef, Position, Relation};
 use aptc_geometry::sculptured::{
-    Knot, MeshKind, MeshSpacing, MeshSpline, Smoothing, SurfaceDefinition, SurfaceShape,
+    BsplineSurface, Knot, MeshKind, MeshSpacing, MeshSpline, Smoothing, SurfaceDefinition,
+    SurfaceShape,
 };
 use aptc_geometry::{Cutter, Form, Profile, Vec3, trig};
 use proptest::prelude::*;
@@ -30,8 +31,47 @@ fn valley(slope: f64) -> Form {
     Form::Ssurf(Arc::new(SurfaceDefinition::plain(shape)))
 }
 
-/// Signed distance of a point, negative below the faces, which go on beyond their borders.
-fn distance(p: Vec3, slope: f64) -> f64 {
+/// Faces over the quadrants of the plane that rise by `slope` along x and y, in cells as wide.
+fn pit(slope: f64, cells: u32) -> Form {
+    let last = f64::from(cells);
+    let at = |i: u32| WIDE * (2.0 * f64::from(i) / last - 1.0);
+    let places = (0..=cells).flat_map(|j| (0..=cells).map(move |i| (at(i), at(j))));
+    let points = places.map(|(x, y)| [x, y, slope * (x.abs() + y.abs()), 1.0]).collect();
+    let inner = (0..=cells).map(f64::from);
+    let knots: Vec<f64> = std::iter::once(0.0).chain(inner).chain(std::iter::once(last)).collect();
+    let counts = [cells as usize + 1; 2];
+    let surface = BsplineSurface {
+        degree: [1, 1],
+        knots: [knots.clone(), knots],
+        counts,
+        points,
+        range: [None; 2],
+    };
+    Form::Ssurf(Arc::new(SurfaceDefinition::plain(SurfaceShape::Bspline(Box::new(surface)))))
+}
+
+/// Signed distance of a point from the pit, negative below it, without its borders.
+fn above_pit(p: Vec3, slope: f64) -> f64 {
+    let below = p.z < slope * (p.x.abs() + p.y.abs());
+    let ray = |way: Vec3| {
+        let way = way.normalize();
+        (p - way * way.dot(&p).max(0.0)).norm()
+    };
+    let face = |[x, y]: [f64; 2]| {
+        let n = Vec3::new(-slope * x, -slope * y, 1.0).normalize();
+        let foot = p - n * n.dot(&p);
+        let inside = foot.x * x >= 0.0 && foot.y * y >= 0.0;
+        if inside { n.dot(&p).abs() } else { f64::INFINITY }
+    };
+    let signs = [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]];
+    let edges =
+        signs.iter().flat_map(|[x, y]| [Vec3::new(*x, 0.0, slope), Vec3::new(0.0, *y, slope)]);
+    let far = signs.map(face).into_iter().chain(edges.map(ray)).fold(f64::INFINITY, f64::min);
+    if below { -far } else { far }
+}
+
+/// Signed distance of a point from the valley, negative below the faces, without their borders.
+fn above_valley(p: Vec3, slope: f64) -> f64 {
     let size = (1.0 + slope * slope).sqrt();
     let (y, z) = (p.y.abs(), p.z);
     // Along the nearer face from the edge, and off it.
@@ -41,60 +81,96 @@ fn distance(p: Vec3, slope: f64) -> f64 {
 }
 
 /// The deepest of the points of a tool.
-fn deepest(profile: &Profile, at: &Position, slope: f64) -> f64 {
+fn deepest(profile: &Profile, at: &Position, distance: impl Fn(Vec3) -> f64) -> f64 {
     const AROUND: u32 = 90;
-    const HIGH: u32 = 24;
+    const HIGH: u32 = 48;
     let u = crate::solid::any_across(at.ta);
     let w = at.ta.cross(&u);
     let mut least = f64::INFINITY;
     for i in 0..=HIGH {
-        let (s, c) = trig::sin_cos(f64::from(i) / f64::from(HIGH) * std::f64::consts::FRAC_PI_2);
+        let (s, c) = trig::sin_cos(f64::from(i) / f64::from(HIGH) * std::f64::consts::PI);
         let [r, z] = profile.support(s, -c).point;
         for k in 0..AROUND {
             let (s, c) = trig::sin_cos(f64::from(k) / f64::from(AROUND) * std::f64::consts::TAU);
-            least = least.min(distance(at.te + at.ta * z + (u * c + w * s) * r, slope));
+            least = least.min(distance(at.te + at.ta * z + (u * c + w * s) * r));
         }
     }
     least
 }
 
+fn cutters() -> [Cutter; 5] {
+    [
+        Cutter::mill(0.02, 0.0, 5.0),
+        Cutter::mill(0.1, 0.05, 5.0),
+        Cutter::mill(1.0, 0.0, 5.0),
+        Cutter::mill(1.0, 0.2, 5.0),
+        Cutter { e: 0.0, beta_deg: 20.0, ..Cutter::mill(0.002, 0.0, 3.0) },
+    ]
+}
+
+fn judge(form: &Arc<Form>, profile: &Profile, [a, b]: [&Position; 2], least: f64) -> Verdict {
+    let controlled = Controlled {
+        name: NameRef::default(),
+        form: Arc::clone(form),
+        relation: Relation::To,
+        side: 1,
+        open: false,
+        nth: 1,
+        thick: 0.0,
+        disk: None,
+        intol: -least,
+        outtol: 1.0,
+    };
+    Demand::new(&controlled, &Sheets::default()).judge(profile, a, b, 1e-11)
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(300))]
-    /// A tool that goes deeper in at a hollow edge than it may is never proved, however thin it is; one that does not mostly is.
+    /// A tool that goes deeper in at a hollow edge or a corner of four than it may is never proved, however thin it is; one that
+    /// does not is.
     #[test]
     fn a_tool_at_a_hollow_edge_is_proved_to_its_depth_and_no_deeper(
         slope in 0.02..1.5_f64, te in prop::array::uniform3(-0.4..0.4_f64), v in prop::array::uniform2(-0.5..0.5_f64),
-        lean in prop::array::uniform2(-0.5..0.5_f64), which in 0_usize..5,
+        lean in prop::array::uniform2(-0.5..0.5_f64), which in 0_usize..5, cells in 0_u32..3, deep in 0.0..1.0_f64,
     ) {
-        let cutter = [
-            Cutter::mill(0.02, 0.0, 5.0),
-            Cutter::mill(0.1, 0.05, 5.0),
-            Cutter::mill(1.0, 0.0, 5.0),
-            Cutter::mill(1.0, 0.2, 5.0),
-            Cutter { e: 0.0, beta_deg: 20.0, ..Cutter::mill(0.002, 0.0, 3.0) },
-        ][which];
-        let profile = Profile::new(&cutter).unwrap();
+        let profile = Profile::new(&cutters()[which]).unwrap();
         let ta = Vec3::new(lean[0], lean[1], 1.0).normalize();
-        let a = Position { te: Vec3::new(te[0], te[1], 0.3 * te[2]), ta };
+        // Over the valley also where it goes on beyond its border.
+        let along = if cells == 0 && te[2] > 0.2 { 6.0 } else { 0.0 };
+        let a = Position { te: Vec3::new(te[0] + along, te[1], 0.3 * te[2] - 0.3 * deep), ta };
         let b = Position { te: a.te + Vec3::new(v[0], v[1], 0.0), ta };
+        let distance = |p: Vec3| if cells == 0 { above_valley(p, slope) } else { above_pit(p, slope) };
         let gaps = [0.0, 0.25, 0.5, 0.75, 1.0].map(|t| {
             let at = Position { te: a.te + (b.te - a.te) * t, ta };
-            deepest(&profile, &at, slope)
+            deepest(&profile, &at, distance)
         });
         let gap = gaps.into_iter().fold(f64::INFINITY, f64::min);
         prop_assume!(gap < -0.01);
-        let form = Arc::new(valley(slope));
-        let judge = |least: f64| {
-            let controlled = Controlled {
-                name: NameRef::default(), form: Arc::clone(&form), relation: Relation::To, side: 1, open: false, nth: 1,
-                thick: 0.0, disk: None, intol: -least, outtol: 1.0,
-            };
-            Demand::new(&controlled, &Sheets::default()).judge(&profile, &a, &b, 1e-11)
-        };
-        let shallow = judge(gap + 1e-6);
+        let form = Arc::new(if cells == 0 { valley(slope) } else { pit(slope, 2 * cells) });
+        let shallow = judge(&form, &profile, [&a, &b], gap + 1e-6);
         prop_assert!(!matches!(shallow, Verdict::Proved { .. }), "{} {:?}", gap, shallow);
         // What lies between the points and places that are looked at is deeper by less.
-        let deep = judge(1.02 * gap - 0.003);
+        let deep = judge(&form, &profile, [&a, &b], 1.02 * gap - 0.003);
         prop_assert!(matches!(deep, Verdict::Proved { .. }), "{} {:?}", gap, deep);
+    }
+}
+
+/// However many edges are near: a ball in a hollow of facets.
+#[test]
+fn a_ball_over_many_facets_is_proved() {
+    let profile = Profile::new(&Cutter::mill(6.0, 3.0, 10.0)).unwrap();
+    for cells in [4, 10, 24] {
+        let form = Arc::new(pit(0.1, cells));
+        let at = |x: f64| Position::upright(Vec3::new(x, 0.4, 0.1 * (x.abs() + 0.4)));
+        let [a, b] = [at(0.3), at(0.6)];
+        let places = (0..=20).map(|k| {
+            let at = Position { te: a.te + (b.te - a.te) * (0.05 * f64::from(k)), ..a };
+            above_pit(at.te + Vec3::z() * 3.0, 0.1) - 3.0
+        });
+        let gap = places.fold(f64::INFINITY, f64::min);
+        let verdict = judge(&form, &profile, [&a, &b], gap - 1e-4);
+        assert!(matches!(verdict, Verdict::Proved { .. }), "{cells} {gap} {verdict:?}");
+        let verdict = judge(&form, &profile, [&a, &b], gap + 1e-3);
+        assert!(matches!(verdict, Verdict::Refuted { .. }), "{cells} {gap} {verdict:?}");
     }
 }

@@ -313,7 +313,8 @@ impl Looks<'_, '_> {
             self.out.turned = true;
             return Break(());
         }
-        if piece.tile.radius() <= self.moved.fold * self.moved.shift.abs() {
+        let folds = self.moved.only.is_none();
+        if folds && piece.tile.radius() <= self.moved.fold * self.moved.shift.abs() {
             // What is left is the normal, which turns by as much however small the piece: the moved surface
             // has a fold or a tip here.
             self.keep((patch, piece.tile), low, Plane::NONE);

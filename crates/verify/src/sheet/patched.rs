@@ -424,7 +424,7 @@ impl Patched {
     }
 
     pub(crate) fn jet(&self, spot: &Spot) -> Jet {
-        self.on_edge(spot.chart).map_or_else(|| self.look(spot).0, |edge| self.edge_jet(edge, spot))
+        self.on_rolled(spot.chart).map_or_else(|| self.look(spot).0, |r| self.rolled_jet(r, spot))
     }
 
     /// The middle of a piece, the second derivatives there, and how much they differ on it at most: uu, uv, vv.

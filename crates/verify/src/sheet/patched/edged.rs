@@ -6,8 +6,8 @@ use aptc_geometry::sculpt::Derivatives;
 use super::{Chart, Jet, Patch, Patched, SMOOTH, Side, Spot, Tile};
 use crate::solid::unit_or;
 
-/// How sharp an edge is of which nothing is known.
-const UNKNOWN: f64 = 0.71;
+/// How sharp an edge is of which nothing is known: as three square faces are about their corner.
+const UNKNOWN: f64 = 0.82;
 /// Parts of a border at whose ends it is looked at.
 const PARTS: u32 = 16;
 /// Share of a chart beside a border that is one point at which the normals round it are looked at, how many times as far apart as in one
@@ -23,13 +23,13 @@ const MEET: f64 = 1e-9;
 pub(crate) struct Edged {
     /// Is there one?
     pub(crate) any: bool,
-    /// The hollow ones between two charts that are known, which count as charts themselves, behind the others.
-    edges: Vec<Edge>,
+    /// What closes the gaps at the hollow ones between charts that are known: they count as charts, behind the others.
+    rolled: Vec<Rolled>,
     /// Those that are hollow, seen from the positive and from the negative side.
     pub(crate) hollow: [Vec<Hollow>; 2],
 }
 
-/// A hollow edge.
+/// A hollow edge, or a corner at which one ends.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Hollow {
     /// A ball that holds it.
@@ -37,28 +37,22 @@ pub(crate) struct Hollow {
     pub(crate) radius: f64,
     /// Greatest sine of half the angle between the normals.
     pub(crate) half: f64,
-    /// The normals at it, from one face to the other, where both are known: moved by these it closes the gap between faces that are
-    /// moved back.
+    /// What closes the gap there, where the faces are known.
     pub(crate) rolled: Option<Patch>,
 }
 
-/// A border that two charts share, with all unit normals between those of both: by the parameter along it and by the share from one
-/// normal to the other.
+/// What closes the gap between faces that are moved back: places with all unit normals between those of the faces there.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Edge {
-    charts: [usize; 2],
-    /// The parameter that is constant along it, and its value in either chart.
-    k: usize,
-    across: [f64; 2],
-}
-
-impl Edge {
-    /// A part of it as a border of one of its charts.
-    fn border(&self, i: usize, patch: &Patch) -> Patch {
-        let (mut at, mut half) = ([self.across[i]; 2], [0.0; 2]);
-        (at[1 - self.k], half[1 - self.k]) = (patch.at[0], patch.half[0]);
-        Patch { chart: self.charts[i], at, half, ..Patch::default() }
-    }
+pub(crate) enum Rolled {
+    /// A border that two charts share: by the parameter along it and by the share from one normal to the other.
+    Edge {
+        charts: [usize; 2],
+        /// The parameter that is constant along it, and its value in either chart.
+        k: usize,
+        across: [f64; 2],
+    },
+    /// A corner of four charts, in their order round it: by the shares from the first to the second and from the first to the last.
+    Corner([Spot; 4]),
 }
 
 /// Is one of two derivatives but rounding, as at a border that is one point? The normal is rounding, too.
@@ -67,6 +61,39 @@ pub(crate) fn bare([u, v]: [Vec3; 2]) -> bool {
     const NONE: f64 = 1e-9;
     let (u, v) = (u.norm(), v.norm());
     u.min(v) <= NONE * u.max(v)
+}
+
+impl Rolled {
+    /// A part of it on the faces beside it; of an edge each stands twice.
+    fn faces(&self, patch: &Patch) -> [Patch; 4] {
+        match self {
+            Self::Edge { charts, k, across } => [0, 1, 1, 0].map(|i: usize| {
+                let (mut at, mut half) = ([across[i]; 2], [0.0; 2]);
+                (at[1 - k], half[1 - k]) = (patch.at[0], patch.half[0]);
+                Patch { chart: charts[i], at, half, ..Patch::default() }
+            }),
+            Self::Corner(spots) => {
+                spots.map(|s| Patch { chart: s.chart, at: s.at, ..Patch::default() })
+            }
+        }
+    }
+
+    /// Between the normals of the faces, by two shares or, of an edge, by the second.
+    fn between(&self, [a, b, c, d]: [Vec3; 4], at: [f64; 2]) -> Vec3 {
+        let blend = |p: Vec3, q: Vec3, share: f64| p * (1.0 - share) + q * share;
+        match self {
+            Self::Edge { .. } => blend(a, b, at[1]),
+            Self::Corner(_) => blend(blend(a, b, at[0]), blend(d, c, at[0]), at[1]),
+        }
+    }
+
+    /// The parameter of the faces that runs along it.
+    fn along(&self) -> Option<usize> {
+        match self {
+            Self::Edge { k, .. } => Some(1 - k),
+            Self::Corner(_) => None,
+        }
+    }
 }
 
 impl Patched {
@@ -141,72 +168,138 @@ impl Patched {
                 sharpest[seen] = sharpest[seen].max(half);
             }
         }
+        if sharpest.iter().all(|half| *half <= 0.0) {
+            return;
+        }
+        all.any = true;
+        let known = joins && !point;
+        // Of two charts that share a border the first has it.
+        if known && end == 0 && !other.none {
+            return;
+        }
         let (center, radius) = self.ball_of(one, k, border);
-        let known = joins && !point && sharpest.iter().any(|half| *half > 0.0);
-        let rolled = known.then(|| {
-            let charts = [chart, next[0] + columns * next[1]];
-            all.edges.push(Edge { charts, k, across: [near, there] });
+        let charts = [chart, next[0] + columns * next[1]];
+        let mut rolled = |rolled: Rolled, [from, to]: [f64; 2]| {
+            all.rolled.push(rolled);
             let (at, half) = ([0.5 * (from + to), 0.5], [0.5 * (to - from), 0.5]);
-            let chart = self.charts.len() + all.edges.len() - 1;
+            let chart = self.charts.len() + all.rolled.len() - 1;
             Patch { chart, at, half, ..Patch::default() }
+        };
+        let edge = Rolled::Edge { charts, k, across: [near, there] };
+        let edge = known.then(|| rolled(edge, one.range[1 - k]));
+        let corners = [0, 1].map(|to| {
+            let corner = self.corner([place, next], k, [end, to]).filter(|_| known)?;
+            Some((self.look(&corner[0]).0.p, rolled(Rolled::Corner(corner), [0.0, 1.0])))
         });
         for (found, half) in all.hollow.iter_mut().zip(sharpest).filter(|(_, half)| *half > 0.0) {
-            all.any = true;
-            found.push(Hollow { center, radius, half, rolled });
+            found.push(Hollow { center, radius, half, rolled: edge });
+            for (center, corner) in corners.iter().flatten() {
+                found.push(Hollow { center: *center, radius: 0.0, half, rolled: Some(*corner) });
+            }
         }
     }
 
-    /// The edge that counts as a chart with this number.
-    pub(crate) fn on_edge(&self, chart: usize) -> Option<&Edge> {
+    /// The corner of four charts at an end `to` of the border between two of them, the first at its end `end` by the parameter `k`;
+    /// `None` where the surface ends there.
+    fn corner(
+        &self,
+        places: [[usize; 2]; 2],
+        k: usize,
+        [end, to]: [usize; 2],
+    ) -> Option<[Spot; 4]> {
+        let columns = self.columns();
+        let counts = [columns, self.charts.len() / columns];
+        let [one, next] = places;
+        let behind = places.map(|place| beside(place, counts, 1 - k, to == 1));
+        let spot = |place: [usize; 2], across: usize, along: usize| {
+            let chart = place[0] + columns * place[1];
+            let mut at = [0.0; 2];
+            (at[k], at[1 - k]) =
+                (self.charts[chart].range[k][across], self.charts[chart].range[1 - k][along]);
+            Spot { chart, at }
+        };
+        let all = [
+            spot(one, end, to),
+            spot(next, 1 - end, to),
+            spot(behind[1], 1 - end, 1 - to),
+            spot(behind[0], end, 1 - to),
+        ];
+        let size = self.nodes.last().map_or(0.0, |root| root.radius);
+        let first = self.look(&all[0]).0.p;
+        let meets = |s: &Spot| {
+            !self.charts[s.chart].none && (self.look(s).0.p - first).norm() <= MEET * size
+        };
+        all.iter().all(meets).then_some(all)
+    }
+
+    /// What closes a gap and counts as a chart with this number.
+    pub(crate) fn on_rolled(&self, chart: usize) -> Option<&Rolled> {
         let n = chart.checked_sub(self.charts.len())?;
-        self.edged.get()?.edges.get(n)
+        self.edged.get()?.rolled.get(n)
     }
 
     /// The same place on a face beside the edge.
     pub(crate) fn on_face(&self, spot: Spot) -> Spot {
         let at = Patch { at: spot.at, ..Patch::default() };
-        self.on_edge(spot.chart).map_or(spot, |edge| edge.border(0, &at).spot())
+        self.on_rolled(spot.chart).map_or(spot, |rolled| rolled.faces(&at)[0].spot())
     }
 
-    /// A place of an edge, with one of its normals.
-    pub(crate) fn edge_jet(&self, edge: &Edge, spot: &Spot) -> Jet {
-        let at = Patch { at: spot.at, ..Patch::default() };
-        let [a, b] = [0, 1].map(|i| self.look(&edge.border(i, &at).spot()).0);
-        let share = spot.at[1];
-        let n = unit_or(a.n * (1.0 - share) + b.n * share, a.n);
-        Jet { p: a.p, d: [a.d[1 - edge.k], Vec3::zeros()], n }
+    /// A place of what closes a gap, with one of its normals.
+    pub(crate) fn rolled_jet(&self, rolled: &Rolled, spot: &Spot) -> Jet {
+        let faces = rolled.faces(&Patch { at: spot.at, ..Patch::default() });
+        let faces = faces.map(|face| self.look(&face.spot()).0);
+        let n = rolled.between(faces.map(|jet| jet.n), spot.at);
+        let along = rolled.along().map_or_else(Vec3::zeros, |along| faces[0].d[along]);
+        Jet { p: faces[0].p, d: [along, Vec3::zeros()], n: unit_or(n, faces[0].n) }
     }
 
-    /// What holds a part of an edge with the normals between two shares, by what holds it on both faces.
+    /// What holds a part of it, by what holds it on the faces.
     ///
-    /// With t the most by which either normal turns along it, h half the part from one to the other and l the least length of what is
-    /// between both, a unit normal is off by no more than t and `h |m - n|` over l.
-    pub(crate) fn edge_tile(
+    /// With t the most by which a normal of a face turns along it, b what is between the normals of the faces from the middle of the
+    /// part on and l the least length of that, a unit normal is off by no more than t and b over l.
+    pub(crate) fn rolled_tile(
         &self,
-        edge: &Edge,
+        rolled: &Rolled,
         patch: &Patch,
-        made: impl Fn(&Patch) -> Tile,
+        made: impl Fn(Patch) -> Tile,
     ) -> Tile {
         /// Of unit vectors any two differ by no more.
         const MOST: f64 = 2.0;
-        let [a, b] = [0, 1].map(|i| made(&edge.border(i, patch)));
-        let along = 1 - edge.k;
-        let (share, h) = (patch.at[1], patch.half[1]);
-        let n = a.n * (1.0 - share) + b.n * share;
-        let turn = a.turn[along].max(b.turn[along]);
-        let from_to = h * ((a.n - b.n).norm() + 2.0 * turn);
-        // Of unit vectors the middle of both is the shortest between them.
-        let shortest = 0.5_f64.clamp(share - h, share + h);
-        let least = (a.n * (1.0 - shortest) + b.n * shortest).norm() - turn;
-        let by = |x: f64| if least > 0.0 { (x / least).min(MOST) } else { MOST };
         let none = Vec3::zeros();
+        let faces = rolled.faces(patch).map(made);
+        let normals = faces.map(|face| face.n);
+        let n = rolled.between(normals, patch.at);
+        let [a, b, c, d] = normals;
+        let Some(along) = rolled.along() else {
+            let by = [(b - a).norm().max((c - d).norm()), (d - a).norm().max((c - b).norm())];
+            let by = [0, 1].map(|i| patch.half[i] * by[i]);
+            let least = n.norm() - by[0] - by[1];
+            let turn = by.map(|x| if least > 0.0 { (x / least).min(MOST) } else { x * MOST });
+            let n = unit_or(n, a);
+            return Tile {
+                side: [none; 2],
+                bend: [none; 3],
+                vary: [0.0; 3],
+                stray: [0.0; 2],
+                n,
+                turn,
+                ..faces[0]
+            };
+        };
+        let turn = faces[0].turn[along].max(faces[1].turn[along]);
+        let h = patch.half[1];
+        let from_to = h * ((a - b).norm() + 2.0 * turn);
+        // Of unit vectors the middle of both is the shortest between them.
+        let shortest = 0.5_f64.clamp(patch.at[1] - h, patch.at[1] + h);
+        let least = (a * (1.0 - shortest) + b * shortest).norm() - turn;
+        let by = |x: f64| if least > 0.0 { (x / least).min(MOST) } else { MOST };
         Tile {
-            c: a.c,
-            side: [a.side[along], none],
-            stray: [a.stray[along], 0.0],
-            bend: [a.bend[2 * along], none, none],
-            vary: [a.vary[2 * along], 0.0, 0.0],
-            n: unit_or(n, a.n),
+            c: faces[0].c,
+            side: [faces[0].side[along], none],
+            stray: [faces[0].stray[along], 0.0],
+            bend: [faces[0].bend[2 * along], none, none],
+            vary: [faces[0].vary[2 * along], 0.0, 0.0],
+            n: unit_or(n, a),
             turn: [by(turn), by(from_to)],
         }
     }
