@@ -337,7 +337,6 @@ impl<'w> Interpreter<'w> {
     /// Ends the part program and stands before the next one of the file.
     pub(crate) fn finish(&mut self) {
         self.report_unused();
-        self.report_unfit();
         self.emit(Kind::Fini);
         let mut values = std::mem::take(&mut self.finished);
         self.add_geometry(&mut values);
@@ -559,11 +558,6 @@ impl<'w> Interpreter<'w> {
         let done = work(self);
         self.reports.muted = before;
         done
-    }
-
-    /// Is what comes left untold?
-    pub(crate) fn is_muted(&self) -> bool {
-        self.reports.muted
     }
 
     pub(crate) fn push(&mut self, message: Diagnostic) {

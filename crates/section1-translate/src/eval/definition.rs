@@ -31,10 +31,10 @@ impl Interpreter<'_> {
         span: Span,
     ) -> Known<(Arc<Form>, NameRef)> {
         let form = self.define(definition, span);
+        self.unfit_in_place();
         match &definition.target {
             Some(target) => self.name_form(target, form, self.by_canon(definition)),
             None => {
-                self.told_at_once();
                 let form = form?;
                 self.list_form(&NameRef::default(), &form);
                 Ok((form, NameRef::default()))
@@ -63,7 +63,7 @@ impl Interpreter<'_> {
     ) -> Known<(Arc<Form>, NameRef)> {
         let place = self.target(target)?;
         let Ok(form) = form else {
-            self.told_when_used(target.span);
+            self.unfit_named(target.name.symbol, target.span);
             self.memory.set(place, Value::Poison, target.span);
             return Err(Poisoned);
         };

@@ -24,9 +24,7 @@ impl Interpreter<'_> {
                 None => Err(self.undefined(name)),
             },
             Value::Poison => {
-                let given = slot.given;
-                self.blamed = Some((place, given));
-                self.blame_unfit(given);
+                self.blamed = Some((place, slot.given));
                 Err(Poisoned)
             }
             Value::Array(_) => Err(self.subscript_missing(place, name.span)),

@@ -58,9 +58,7 @@ impl Interpreter<'_> {
         match &slot.value {
             Value::Unset => Err(self.unset_element(element, span)),
             Value::Poison => {
-                let given = slot.given;
-                self.blamed = Some((element, given));
-                self.blame_unfit(given);
+                self.blamed = Some((element, slot.given));
                 Err(Poisoned)
             }
             value => {

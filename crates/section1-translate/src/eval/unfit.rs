@@ -1,23 +1,24 @@
 //! Sculptured curves and surfaces that nothing meets: told where they are defined, as an error once they are used.
 
-use std::collections::BTreeMap;
+use std::collections::BTreeSet;
 
 use aptc_diagnostics::{Diagnostic, Severity, Span, codes};
 use aptc_geometry::Form;
 use aptc_geometry::sculpt::{FitFault, fit_curve, fit_surface};
+use aptc_syntax::Symbol;
 use aptc_vocabulary::word;
 
 use super::definition::FEW_POINTS;
 use super::{Known, Poisoned};
 use crate::Interpreter;
 
-/// Messages about definitions that are not used yet.
+/// Messages about definitions that cannot be fitted.
 #[derive(Debug, Default)]
 pub(crate) struct Unfit {
     /// Of the definition just made, which has no name yet.
     now: Option<Diagnostic>,
-    /// By the place of the name that was given.
-    named: BTreeMap<Span, Diagnostic>,
+    /// The places of names that were told.
+    told: BTreeSet<Span>,
 }
 
 impl Interpreter<'_> {
@@ -39,30 +40,29 @@ impl Interpreter<'_> {
         Err(Poisoned)
     }
 
-    /// What has no name is used where it stands.
-    pub(super) fn told_at_once(&mut self) {
-        let told = self.unfit.now.take();
-        told.into_iter().for_each(|d| self.push(d));
+    /// What is defined within a statement is used where it stands.
+    pub(super) fn unfit_in_place(&mut self) {
+        let now = self.unfit.now.take();
+        now.into_iter().for_each(|d| self.push(d));
     }
 
-    /// The name given at `span` has no value.
-    pub(super) fn told_when_used(&mut self, span: Span) {
-        self.unfit.named.extend(self.unfit.now.take().map(|d| (span, d)));
-    }
-
-    /// A name that was given at `span` is used, and has no value.
-    pub(super) fn blame_unfit(&mut self, span: Span) {
-        if self.is_muted() {
+    /// What is given a name is an error where that stands elsewhere in what was read, too.
+    pub(super) fn unfit_named(&mut self, name: Symbol, span: Span) {
+        let Some(d) = self.unfit.now.take() else { return };
+        if !self.unfit.told.insert(span) {
             return;
         }
-        let told = self.unfit.named.remove(&span);
-        told.into_iter().for_each(|d| self.push(d));
+        let severity =
+            if self.stands_elsewhere(name) { Severity::Error } else { Severity::Warning };
+        self.push(Diagnostic { severity, ..d });
     }
 
-    /// At the end of the program, what was never used is no error.
-    pub(crate) fn report_unfit(&mut self) {
-        for (_, d) in std::mem::take(&mut self.unfit.named) {
-            self.push(Diagnostic { severity: Severity::Warning, ..d });
-        }
+    /// Does a name stand in more than one place of all that was read? Of a text that is not kept it counts as if it did.
+    fn stands_elsewhere(&self, name: Symbol) -> bool {
+        let name = self.interner.text(name);
+        let files = || self.sources.iter().map(|(_, file)| file);
+        let words = files().flat_map(|file| file.text.split(|c: char| !c.is_ascii_alphanumeric()));
+        let named = words.filter(|word| word.eq_ignore_ascii_case(name));
+        files().any(|file| !file.is_kept()) || named.take(2).count() > 1
     }
 }
