@@ -533,8 +533,11 @@ fn a_surface_without_area_is_refused() {
 #[test]
 fn what_cannot_be_fitted_is_told_once_where_it_is_defined() {
     let half = "C=SCURV/CURSEG,(0,0,0),(4,4,0),(8,0,0)";
-    let cases: [(&str, &[bool]); 7] = [
+    let cases: [(&str, &[bool]); 9] = [
         (half, &[false]),
+        // What is said of it is no use of it.
+        (&format!("{half} $$ C is half a turn\nREMARK C\nPPRINT C"), &[false]),
+        (&format!("{half}\nGOTO/(POINT/INTOF,C,PARAM,.5) $$ C"), &[true]),
         (&format!("{half}\nQ=POINT/INTOF,C,PARAM,.5\nGOTO/Q"), &[true]),
         (&format!("{half}\nS=SSURF/RULED,C,C\nQ=POINT/INTOF,S,PARAM,.5,.5"), &[true]),
         (&format!("{half}\nGOTO/(POINT/INTOF,C,PARAM,.5)\nGOTO/(POINT/INTOF,C,PARAM,.4)"), &[true]),

@@ -57,11 +57,20 @@ impl Interpreter<'_> {
         self.push(Diagnostic { severity, ..d });
     }
 
-    /// Does a name stand in more than one place of all that was read? Of a text that is not kept it counts as if it did.
+    /// Does a name stand in more than one place of all that was read, but for what is said of it? Of a text that is not kept it counts
+    /// as if it did.
     fn stands_elsewhere(&self, name: Symbol) -> bool {
+        const SAID: [&str; 5] = ["REMARK", "PARTNO", "PPRINT", "TITLES", "LETTER"];
         let name = self.interner.text(name);
         let files = || self.sources.iter().map(|(_, file)| file);
-        let words = files().flat_map(|file| file.text.split(|c: char| !c.is_ascii_alphanumeric()));
+        let said = |line: &&str| {
+            let begins =
+                |word: &&str| line.get(..word.len()).is_some_and(|x| x.eq_ignore_ascii_case(word));
+            SAID.iter().any(begins)
+        };
+        let lines = files().flat_map(|file| file.text.lines()).map(str::trim_start);
+        let lines = lines.filter(|line| !said(line)).filter_map(|line| line.split("$$").next());
+        let words = lines.flat_map(|line| line.split(|c: char| !c.is_ascii_alphanumeric()));
         let named = words.filter(|word| word.eq_ignore_ascii_case(name));
         files().any(|file| !file.is_kept()) || named.take(2).count() > 1
     }

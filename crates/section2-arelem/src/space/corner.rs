@@ -78,7 +78,7 @@ impl Track {
         let start = (from.pose, [from.gaps[i], new, from.gaps[1 - i]]);
         let kept = [within(from.gaps[i].g), within(new.g), from.gaps[1 - i].g];
         let here = self.touched(i, start, kept, far)?;
-        let leave = self.leaving(here.0, i, here.1)?;
+        let leave = self.leaving(here.0, i, here.1, from.course.along)?;
         // The way on tells how the surface bends along it, and so where in the band it would best begin. Where the
         // hollow becomes tighter than the cutter on the way, the old place may end before.
         let best = within(keep.onwards(&leave.pose, leave.course.bends[i]));
@@ -116,7 +116,7 @@ impl Track {
         if !free || self.keeps[1 - i].deeper(&pose, &other, 4.0 * self.exact, true).0.is_some() {
             return None;
         }
-        let leave = self.leaving(pose, i, [old, new, other])?;
+        let leave = self.leaving(pose, i, [old, new, other], from.course.along)?;
         let mut gaps = [other; 2];
         gaps[i] = old;
         let to = self.finish(pose, gaps, from.course.along).ok()?;
@@ -124,13 +124,21 @@ impl Track {
         Some(Corner { arrive: Stride { length, to, targets: gaps.map(|g| g.g) }, leave })
     }
 
-    /// The node that goes on along the new place, away from the old one.
-    fn leaving(&self, pose: Pose, i: usize, [old, new, other]: [Gap; 3]) -> Option<Node> {
+    /// The node that goes on along the new place, away from the old one, with the surface on the same hand as it was on the way
+    /// `heading` to the old one: the other way leads back.
+    fn leaving(
+        &self,
+        pose: Pose,
+        i: usize,
+        [old, new, other]: [Gap; 3],
+        heading: Vec3,
+    ) -> Option<Node> {
         let mut gaps = [other; 2];
         gaps[i] = new;
         let along: Vec3 = new.normal.cross(&other.normal).try_normalize(1e-7)?;
         let rise = along.dot(&old.normal);
-        if rise.abs() <= 1e-9 {
+        let hand = heading.dot(&old.normal.cross(&other.normal));
+        if rise.abs() <= 1e-9 || rise * hand <= 0.0 {
             return None;
         }
         self.finish(pose, gaps, along * rise.signum()).ok()

@@ -283,6 +283,10 @@ impl<'a> Walk<'a> {
         if returns && (0..2).any(ends) {
             return Err(self.blocked(Trouble::Contact));
         }
+        // Where the place of contact goes over to another one, the way on may be taken for the way back: the surfaces lie on the other hand.
+        if self.node.hand() * stride.to.hand() < 0.0 {
+            return Err(self.blocked(Trouble::Stuck));
+        }
         self.back += u32::from(returns);
         self.last = if cornered { Vec3::zeros() } else { way };
         if self.back >= MOST_BACK {

@@ -159,6 +159,14 @@ impl From<Reason> for Trouble {
     }
 }
 
+impl Node {
+    /// On which hand of the way drive and part surface lie: one sign for all of a motion.
+    pub(crate) fn hand(&self) -> f64 {
+        let [drive, part] = &self.gaps;
+        self.course.along.dot(&drive.normal.cross(&part.normal))
+    }
+}
+
 impl Track {
     /// Gaps at a pose.
     #[inline]
