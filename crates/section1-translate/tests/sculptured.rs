@@ -3,6 +3,8 @@
 
 mod support;
 
+use std::collections::BTreeMap;
+
 use aptc_geometry::sculptured::{
     CurveDefinition, CurveShape, FlowLaw, MeshSpacing, PatchKind, Side, SurfaceDefinition,
     SurfaceShape, Sweep,
@@ -10,7 +12,7 @@ use aptc_geometry::sculptured::{
 use aptc_geometry::{Form, Vec3};
 use aptc_protap::{Kind, Outcome};
 use aptc_translate::{NoFiles, Options};
-use support::{Ran, run_with};
+use support::{Ran, Shelf, run_with};
 
 const POINTS: &str = "P1=POINT/0,0,0\nP2=POINT/1,1,0\nP3=POINT/3,1,0\nP4=POINT/4,0,0\n\
                       V1=VECTOR/1,1,0\nV2=VECTOR/0,0,1\n";
@@ -527,6 +529,17 @@ fn a_surface_without_area_is_refused() {
     // Of the formats that begin with the word that is written one is told.
     let ran = free(&format!("{head}S=SSURF/TRANSL,C1,C2"));
     assert!(ran.messages().contains("CROSS is missing"), "{}", ran.messages());
+}
+
+/// What is read later may use what cannot be fitted.
+#[test]
+fn what_cannot_be_fitted_is_an_error_where_more_is_read() {
+    let mut shelf = Shelf(BTreeMap::from([("REST", "GOTO/(POINT/INTOF,C,PARAM,.5)\n")]));
+    let text = "C=SCURV/CURSEG,(POINT/0,0,0),(POINT/4,4,0),(POINT/8,0,0)\nINCLUD/REST\nFINI\n";
+    let ran = run_with(text, &mut shelf, Options::default(), |_| Outcome::None);
+    let told: Vec<(u16, bool)> =
+        ran.diagnostics.iter().map(|d| (d.code.number(), d.is_error())).collect();
+    assert_eq!(told, [(2045, true)], "{}", ran.messages());
 }
 
 /// One message where the curve is defined, however often it and what is made of it are used; a warning where it never is.

@@ -61,9 +61,9 @@ impl Interpreter<'_> {
         form: Known<Arc<Form>>,
         again: bool,
     ) -> Known<(Arc<Form>, NameRef)> {
+        self.unfit_named(target.name.symbol, target.span);
         let place = self.target(target)?;
         let Ok(form) = form else {
-            self.unfit_named(target.name.symbol, target.span);
             self.memory.set(place, Value::Poison, target.span);
             return Err(Poisoned);
         };

@@ -1,4 +1,4 @@
-//! Sculptured curves and surfaces that nothing meets: told where they are defined, as an error once they are used.
+//! Sculptured curves and surfaces that nothing meets: told where they are defined, as an error where they may be used.
 
 use std::collections::BTreeSet;
 
@@ -57,9 +57,10 @@ impl Interpreter<'_> {
         self.push(Diagnostic { severity, ..d });
     }
 
-    /// Does a name stand in more than one place of all that was read, but for what is said of it? Of a text that is not kept it counts
-    /// as if it did.
+    /// Does a name stand in more than one place of all that was read, but for what is said of it? Where a text is not kept, or more is
+    /// read, it counts as if it did.
     fn stands_elsewhere(&self, name: Symbol) -> bool {
+        const READS: [&str; 2] = ["INCLUD", "READ"];
         const SAID: [&str; 5] = ["REMARK", "PARTNO", "PPRINT", "TITLES", "LETTER"];
         let name = self.interner.text(name);
         let files = || self.sources.iter().map(|(_, file)| file);
@@ -70,8 +71,11 @@ impl Interpreter<'_> {
         };
         let lines = files().flat_map(|file| file.text.lines()).map(str::trim_start);
         let lines = lines.filter(|line| !said(line)).filter_map(|line| line.split("$$").next());
-        let words = lines.flat_map(|line| line.split(|c: char| !c.is_ascii_alphanumeric()));
-        let named = words.filter(|word| word.eq_ignore_ascii_case(name));
-        files().any(|file| !file.is_kept()) || named.take(2).count() > 1
+        let (mut named, mut more) = (0, files().any(|file| !file.is_kept()));
+        for word in lines.flat_map(|line| line.split(|c: char| !c.is_ascii_alphanumeric())) {
+            named += usize::from(word.eq_ignore_ascii_case(name));
+            more |= READS.iter().any(|read| word.eq_ignore_ascii_case(read));
+        }
+        more || named > 1
     }
 }

@@ -64,16 +64,19 @@ pub(crate) fn bare([u, v]: [Vec3; 2]) -> bool {
 }
 
 impl Rolled {
-    /// A part of it on the faces beside it; of an edge each stands twice.
-    fn faces(&self, patch: &Patch) -> [Patch; 4] {
+    /// What is made of a part of it on the faces beside it; of an edge each stands twice.
+    fn on_faces<T: Copy>(&self, patch: &Patch, make: impl Fn(Patch) -> T) -> [T; 4] {
         match self {
-            Self::Edge { charts, k, across } => [0, 1, 1, 0].map(|i: usize| {
-                let (mut at, mut half) = ([across[i]; 2], [0.0; 2]);
-                (at[1 - k], half[1 - k]) = (patch.at[0], patch.half[0]);
-                Patch { chart: charts[i], at, half, ..Patch::default() }
-            }),
+            Self::Edge { charts, k, across } => {
+                let [a, b] = [0, 1].map(|i: usize| {
+                    let (mut at, mut half) = ([across[i]; 2], [0.0; 2]);
+                    (at[1 - k], half[1 - k]) = (patch.at[0], patch.half[0]);
+                    make(Patch { chart: charts[i], at, half, ..Patch::default() })
+                });
+                [a, b, b, a]
+            }
             Self::Corner(spots) => {
-                spots.map(|s| Patch { chart: s.chart, at: s.at, ..Patch::default() })
+                spots.map(|s| make(Patch { chart: s.chart, at: s.at, ..Patch::default() }))
             }
         }
     }
@@ -241,13 +244,13 @@ impl Patched {
     /// The same place on a face beside the edge.
     pub(crate) fn on_face(&self, spot: Spot) -> Spot {
         let at = Patch { at: spot.at, ..Patch::default() };
-        self.on_rolled(spot.chart).map_or(spot, |rolled| rolled.faces(&at)[0].spot())
+        self.on_rolled(spot.chart).map_or(spot, |rolled| rolled.on_faces(&at, |p| p)[0].spot())
     }
 
     /// A place of what closes a gap, with one of its normals.
     pub(crate) fn rolled_jet(&self, rolled: &Rolled, spot: &Spot) -> Jet {
-        let faces = rolled.faces(&Patch { at: spot.at, ..Patch::default() });
-        let faces = faces.map(|face| self.look(&face.spot()).0);
+        let at = Patch { at: spot.at, ..Patch::default() };
+        let faces = rolled.on_faces(&at, |face| self.look(&face.spot()).0);
         let n = rolled.between(faces.map(|jet| jet.n), spot.at);
         let along = rolled.along().map_or_else(Vec3::zeros, |along| faces[0].d[along]);
         Jet { p: faces[0].p, d: [along, Vec3::zeros()], n: unit_or(n, faces[0].n) }
@@ -266,7 +269,7 @@ impl Patched {
         /// Of unit vectors any two differ by no more.
         const MOST: f64 = 2.0;
         let none = Vec3::zeros();
-        let faces = rolled.faces(patch).map(made);
+        let faces = rolled.on_faces(patch, made);
         let normals = faces.map(|face| face.n);
         let n = rolled.between(normals, patch.at);
         let [a, b, c, d] = normals;
