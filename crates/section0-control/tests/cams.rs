@@ -189,3 +189,18 @@ fn a_leaning_tool_goes_round() {
         assert!(gone >= 180.0 * f64::from(cam.intersections - 1), "{k}: {gone}");
     }
 }
+
+/// Splines through few points bend where they close: the tool rolls round the tip there, or comes out of the corner, also where it
+/// begins on it.
+#[test]
+fn the_tool_goes_round_the_corner_where_a_cam_closes() {
+    let corners = |k: u32| {
+        let cam = chance(k);
+        let n = [7, 8, 10, 12][(k % 4) as usize];
+        let cutter = format!("{:.3}", 6.0 + 8.0 * share(k, 14));
+        Cam { n, cutter, inside: k.is_multiple_of(2), lift: 0.0, intersections: 4, ..cam }
+    };
+    let faults: Vec<String> =
+        (0..80).filter_map(|k| Some(format!("{k}: {}", corners(k).fault("")?))).collect();
+    assert!(faults.is_empty(), "{faults:#?}");
+}

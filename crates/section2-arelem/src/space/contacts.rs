@@ -51,8 +51,9 @@ impl Trials for Contacts<'_> {
         let flat = |(keep, gap): (&Keep, &Gap)| {
             let from_axis = (gap.tool_point - te).dot(&to.course.along);
             let [[radius, _], _] = keep.profile.joints();
-            let touches =
-                gap.segment == Some(Segment::LowerLine) && to.course.along.dot(&ta).abs() < LEVEL;
+            let level = to.course.along.dot(&ta).abs() < LEVEL;
+            // What does not bend is left with no bend.
+            let touches = gap.segment == Some(Segment::LowerLine) && level && !keep.is_plane();
             touches.then_some(radius + from_axis)
         };
         self.track.keeps.iter().zip(&to.gaps).filter_map(flat).min_by(f64::total_cmp)
