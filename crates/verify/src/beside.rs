@@ -1,7 +1,10 @@
 //! The place of a surface next to the corner of a tool, from one search to the next.
 
+use std::cell::OnceCell;
+
 use aptc_geometry::Vec3;
 
+use crate::each::two;
 use crate::paraboloid::{At, Corner, Place, Seen};
 use crate::sheet::{Patch, Sheet, Spot, Tile};
 use crate::sweep::Sweep;
@@ -44,7 +47,7 @@ impl Last {
     fn ahead(&self) -> Spot {
         match self.before {
             Some(before) if before.chart == self.spot.chart => {
-                let at = [0, 1].map(|i| 2.0 * self.spot.at[i] - before.at[i]);
+                let at = two([0, 1], |i| 2.0 * self.spot.at[i] - before.at[i]);
                 Spot { at, ..self.spot }
             }
             _ => self.spot,
@@ -56,12 +59,19 @@ impl Last {
 #[derive(Debug)]
 pub(crate) struct Ways<'a> {
     pub(crate) whole: &'a Sweep<'a>,
-    pub(crate) ends: [Sweep<'a>; 2],
+    /// Only hollows ask for them.
+    ends: OnceCell<[Sweep<'a>; 2]>,
 }
 
 impl<'a> Ways<'a> {
     pub(crate) fn new(whole: &'a Sweep<'a>) -> Self {
-        Self { whole, ends: [whole.a, whole.b].map(|at| Sweep::still(whole.tool, at)) }
+        Self { whole, ends: OnceCell::new() }
+    }
+
+    /// The tool where it stands at both ends.
+    pub(crate) fn ends(&self) -> &[Sweep<'a>; 2] {
+        let Sweep { tool, a, b, .. } = *self.whole;
+        self.ends.get_or_init(|| [Sweep::still(tool, a), Sweep::still(tool, b)])
     }
 }
 
@@ -115,7 +125,7 @@ impl<'a> Beside<'a> {
     fn find(&mut self, corner: &Corner<'a>, sheet: &Sheet, patch: &Patch, tile: &Tile) {
         let last = self.begin.last.take();
         let valley = |spot: Spot, m: Vec3| {
-            Valley::new(&self.ways.ends, self.ways.whole, corner, sheet, spot, m)
+            Valley::new(self.ways.ends(), self.ways.whole, corner, sheet, spot, m)
         };
         let crest = |last: Last| corner.find(sheet, last.ahead(), last.at, last.m);
         let hollow = last.filter(|_| self.begin.valley);

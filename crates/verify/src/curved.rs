@@ -9,6 +9,7 @@ use aptc_cldata::Position;
 use crate::between::Way;
 use crate::deep::deepest;
 use crate::demand::Verdict;
+use crate::each::two;
 use crate::outside::Stood;
 use crate::pile::Pile;
 use crate::search::{Aim, FINE_FOLD, FOLD, Lead, Moved, TURNED, clearance_from};
@@ -160,7 +161,7 @@ impl Curved<'_> {
         let curve = self.sheet.curve()?;
         let near = warm.near?[1].spot;
         // How far the tool reaches sideways where its axis leans by rounding.
-        let leans = [a, b].map(|pose| tool.reach() * pose.ta.xy().norm());
+        let leans = two([a, b], |pose| tool.reach() * pose.ta.xy().norm());
         if self.on || leans[0].max(leans[1]) > 0.5 * pad {
             return None;
         }
@@ -384,10 +385,10 @@ impl Curved<'_> {
         let most = self.most + pad;
         let found = excess(tool, self.sheet, self.side, pose, turn, most, &mut warm.near);
         if let Some(near) = &warm.near {
-            let [a, b] = near.map(|near| near.jet(self.sheet));
+            let [a, b] = two(*near, |near| near.jet(self.sheet));
             if let Some(m) = (a.n + b.n).try_normalize(1e-3) {
                 let sweep = Sweep::new(tool, pose(0.0), pose(1.0), turn);
-                warm.lead.direction = Some(sweep.level(m * -self.side, a.p)[1].m);
+                warm.lead.direction = Some(sweep.square(m * -self.side, a.p));
                 warm.lead.begin.offer(near[0].spot, a.n * -self.side);
             }
         }

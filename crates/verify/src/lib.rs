@@ -15,6 +15,7 @@ mod cut;
 mod deep;
 mod demand;
 mod deviation;
+mod each;
 mod foreign;
 mod free;
 mod hollow;

@@ -13,6 +13,7 @@
 
 use aptc_geometry::Vec3;
 
+use crate::each::{three, two};
 use crate::sheet::{Patch, Sheet, Spot, Tile, fall};
 use crate::solid::unit_or;
 use crate::sweep::Sweep;
@@ -147,7 +148,7 @@ impl<'a> Corner<'a> {
             };
             let bowl = about.bowl(about.lean);
             let (_, slope) = bowl.value(jet.p);
-            let g = jet.d.map(|d| slope.dot(&d));
+            let g = two(jet.d, |d| slope.dot(&d));
             let [a, b, c] = bowl.second(slope, jet.d, bend);
             let det = a * c - b * b;
             if !(a > 0.0 && det > 0.0) {
@@ -281,38 +282,38 @@ impl<'a> Corner<'a> {
             false => Seen::Near,
         };
         let from = tile.c - held.p;
-        let beside = held.across.map(|(n, _)| {
+        let beside = two(held.across, |(n, _)| {
             let (middle, by) = (n.dot(&from), spread(n, 0) + spread(n, 1));
             [middle - by, middle + by]
         });
         let leans = held.least_lean(beside);
         let bowl = held.bowl(leans);
         // The greatest w on the piece, by both directions.
-        let lean = [0, 1].map(|i| beside[i].map(|y| bowl.across[i].1 * y));
+        let lean = two([0, 1], |i| two(beside[i], |y| bowl.across[i].1 * y));
         if !(held.leans(leans) && self.faces(held, lean)) {
             // The halves of a piece may face it whose middle does.
-            let middle = beside.map(|[a, b]| [0.5 * (a + b); 2]);
+            let middle = two(beside, |[a, b]| [0.5 * (a + b); 2]);
             let leans = held.least_lean(middle);
             let around = held.bowl(leans);
             let inside = held.leans(leans)
-                && self.faces(held, [0, 1].map(|i| middle[i].map(|y| around.across[i].1 * y)));
+                && self.faces(held, two([0, 1], |i| two(middle[i], |y| around.across[i].1 * y)));
             let across = |i| held.across.iter().map(|(n, _)| spread(*n, i)).sum::<f64>();
             return if inside { cut([across(0), across(1)]) } else { Seen::Near };
         }
         let ta = self.sweep.a.ta;
         let te = [self.sweep.a.te, self.sweep.b.te];
-        let above = te.map(|te| (tile.c - te).dot(&ta));
+        let above = two(te, |te| (tile.c - te).dot(&ta));
         if above[0].max(above[1]) + tile.radius() > self.top {
             let inside = above[0].max(above[1]) < self.top;
-            return if inside { cut([0, 1].map(|i| spread(ta, i))) } else { Seen::Near };
+            return if inside { cut(two([0, 1], |i| spread(ta, i))) } else { Seen::Near };
         }
         let clear = |value: f64, slope: Vec3| {
-            let longest = lean.map(|[a, b]| a.abs().max(b.abs()));
+            let longest = two(lean, |[a, b]| a.abs().max(b.abs()));
             let [x, y] = longest;
             Seen::Clear(value / (1.0 + x * x + y * y).sqrt(), unit_or(slope, held.m))
         };
         let (value, slope) = bowl.value(tile.c);
-        let g = tile.side.map(|d| slope.dot(&d));
+        let g = two(tile.side, |d| slope.dot(&d));
         let [uu, uv, vv] = bowl.second(slope, tile.side, tile.bend);
         let [off_uu, off_uv, off_vv] = bowl.vary(tile, slope.norm());
         let (a, b, c) = (uu - off_uu, uv.abs() + off_uv, vv - off_vv);
@@ -323,7 +324,7 @@ impl<'a> Corner<'a> {
         if !(a > 0.0 && c > 0.0 && a * c >= b * b) {
             // The halves of a piece may be convex that is so in its middle.
             let convex = uu > 0.0 && uu * vv > TWICE * uv * uv;
-            let size = [0, 1].map(|i| tile.side[i].norm() + tile.stray[i]);
+            let size = two([0, 1], |i| tile.side[i].norm() + tile.stray[i]);
             return if convex { cut(size) } else { Seen::Near };
         }
         let lost = |g: [f64; 2], s: [f64; 2]| {
@@ -335,17 +336,19 @@ impl<'a> Corner<'a> {
         let mut s = [0.0; 2];
         for look in 0..STEPS {
             // The place next to the tool is the least of the piece it lies in.
-            let known = [0, 1].map(|i| (spot.at[i] - patch.at[i]) / patch.half[i]);
+            let known = two([0, 1], |i| (spot.at[i] - patch.at[i]) / patch.half[i]);
             let within = spot.chart == patch.chart && known.iter().all(|x| x.abs() <= 1.0);
             s = if look == 0 && within { known } else { step(s, now.1, now.2) };
-            let place =
-                Spot { chart: patch.chart, at: [0, 1].map(|i| patch.at[i] + s[i] * patch.half[i]) };
+            let place = Spot {
+                chart: patch.chart,
+                at: two([0, 1], |i| patch.at[i] + s[i] * patch.half[i]),
+            };
             let (jet, bend) = sheet.bent(&place);
             let (value, slope) = bowl.value(jet.p);
-            let side = [0, 1].map(|i| jet.d[i] * patch.half[i]);
+            let side = two([0, 1], |i| jet.d[i] * patch.half[i]);
             let [hu, hv] = patch.half;
             let bend = [bend[0] * (hu * hu), bend[1] * (hu * hv), bend[2] * (hv * hv)];
-            let g = side.map(|d| slope.dot(&d));
+            let g = two(side, |d| slope.dot(&d));
             now = (value, g, bowl.second(slope, side, bend));
             let least = value - lost(g, s);
             if least >= 0.0 {
@@ -381,7 +384,7 @@ impl Paraboloid {
     /// What holds the corner for directions that lean by as much at least.
     fn bowl(&self, lean: f64) -> Bowl {
         let ring = if self.rho > 0.0 { self.rho / lean } else { 0.0 };
-        let across = self.across.map(|(n, by)| (n, 1.0 / (self.radius + ring * by)));
+        let across = two(self.across, |(n, by)| (n, 1.0 / (self.radius + ring * by)));
         Bowl { m: self.m, p: self.p, radius: self.radius, across }
     }
 
@@ -427,7 +430,7 @@ impl Bowl {
 
     /// Its second derivatives by the parameters, where they have these derivatives: uu, uv, vv.
     fn second(&self, slope: Vec3, [u, v]: [Vec3; 2], bend: [Vec3; 3]) -> [f64; 3] {
-        let mut out = bend.map(|b| slope.dot(&b));
+        let mut out = three(bend, |b| slope.dot(&b));
         for (n, k) in self.across {
             let (x, y) = (n.dot(&u), n.dot(&v));
             out = [out[0] + k * x * x, out[1] + k * x * y, out[2] + k * y * y];
@@ -438,12 +441,12 @@ impl Bowl {
     /// By how much they may be others on a piece.
     fn vary(&self, tile: &Tile, slope: f64) -> [f64; 3] {
         // By how much the derivatives themselves differ.
-        let [du, dv] = tile.stray.map(|s| 2.0 * s);
+        let [du, dv] = two(tile.stray, |s| 2.0 * s);
         let far = tile.radius();
-        let mut out = tile.vary.map(|vary| slope * vary);
+        let mut out = three(tile.vary, |vary| slope * vary);
         for (n, k) in self.across {
-            let [x, y] = tile.side.map(|d| n.dot(&d).abs());
-            let bent = [0, 1, 2].map(|i| far * (n.dot(&tile.bend[i]).abs() + tile.vary[i]));
+            let [x, y] = two(tile.side, |d| n.dot(&d).abs());
+            let bent = three([0, 1, 2], |i| far * (n.dot(&tile.bend[i]).abs() + tile.vary[i]));
             out[0] += k * (du * (2.0 * x + du) + bent[0]);
             out[1] += k * (x * dv + y * du + du * dv + bent[1]);
             out[2] += k * (dv * (2.0 * y + dv) + bent[2]);
@@ -461,7 +464,7 @@ fn step(s: [f64; 2], g: [f64; 2], [a, b, c]: [f64; 3]) -> [f64; 2] {
         return free;
     }
     // Along one parameter after the other.
-    let mut to = if det > 0.0 { free.map(inside) } else { s };
+    let mut to = if det > 0.0 { two(free, inside) } else { s };
     for _ in 0..2 {
         to[0] = inside(s[0] - (g[0] + b * (to[1] - s[1])) / a);
         to[1] = inside(s[1] - (g[1] + b * (to[0] - s[0])) / c);

@@ -18,6 +18,7 @@ mod tabcyl;
 use aptc_geometry::surface::continued_of;
 use aptc_geometry::{Form, Sculptured, Vec3};
 
+use crate::each::{three, two};
 use crate::pile::Pile;
 use crate::tool::Pose;
 
@@ -308,8 +309,8 @@ impl Sheet {
             Kind::Patched(p) => p.turn(patch, &jet),
         };
         let area = [hu * hu, hu * hv, hv * hv];
-        let bend = [0, 1, 2].map(|i| bend[i] * area[i]);
-        let vary = [0, 1, 2].map(|i| vary[i] * area[i]);
+        let bend = three([0, 1, 2], |i| bend[i] * area[i]);
+        let vary = three([0, 1, 2], |i| vary[i] * area[i]);
         Tile { c: jet.p, side, stray, bend, vary, n: jet.n, turn }
     }
 
@@ -338,8 +339,8 @@ impl Sheet {
         if a.chart != b.chart {
             return f64::INFINITY;
         }
-        let half = [0, 1].map(|i| 0.5 * (b.at[i] - a.at[i]).abs());
-        let at = [0, 1].map(|i| 0.5 * (b.at[i] + a.at[i]));
+        let half = two([0, 1], |i| 0.5 * (b.at[i] - a.at[i]).abs());
+        let at = two([0, 1], |i| 0.5 * (b.at[i] + a.at[i]));
         let [uu, uv, vv] = self.second(&Patch { chart: a.chart, at, half, ..Patch::default() });
         let [hu, hv] = half;
         0.5 * (uu * hu * hu + 2.0 * uv * hu * hv + vv * hv * hv)
@@ -380,7 +381,7 @@ impl Patch {
     /// Both halves across parameter `i`.
     pub(crate) fn halves(&self, i: usize) -> [Self; 2] {
         let h = 0.5 * self.half[i];
-        [-h, h].map(|shift| {
+        two([-h, h], |shift| {
             let mut p = *self;
             (p.half[i], p.kept) = (h, Kept::Nowhere);
             p.at[i] += shift;

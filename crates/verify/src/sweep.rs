@@ -3,6 +3,7 @@
 use aptc_geometry::Vec3;
 
 use crate::between::{bulge, parabola};
+use crate::each::two;
 use crate::solid::unit_or;
 use crate::tool::{Pose, Tool, Turn};
 
@@ -147,7 +148,7 @@ impl Sweep<'_> {
     /// The middle of a sphere that holds all of the way, and its radius.
     pub(crate) fn sphere(&self) -> (Vec3, f64) {
         let (up, radius) = self.tool.middle();
-        let [a, b] = [self.a, self.b].map(|at| at.te + at.ta * up);
+        let [a, b] = two([self.a, self.b], |at| at.te + at.ta * up);
         let half = 0.5 * (b - a);
         (a + half, half.norm() + radius + self.pad)
     }
@@ -259,7 +260,7 @@ impl Sweep<'_> {
         let [from, to] = self.seen(x);
         let way = to - from;
         let still = Pose { te: Vec3::zeros(), ta: self.a.ta };
-        let [a, b] = [from, to].map(|q| self.tool.near(&still, q).1);
+        let [a, b] = two([from, to], |q| self.tool.near(&still, q).1);
         let (falls, rises) = (a.dot(&way), b.dot(&way));
         self.along(if falls >= 0.0 {
             a
@@ -274,7 +275,14 @@ impl Sweep<'_> {
     pub(crate) fn level(&self, m: Vec3, x: Vec3) -> [Meeting; 2] {
         let [from, to] = self.seen(x);
         let own = self.own(m);
-        [own, square(own, to - from).unwrap_or(own)].map(|m| self.along(m))
+        two([own, square(own, to - from).unwrap_or(own)], |m| self.along(m))
+    }
+
+    /// A given direction in the middle of the way, made square to the way of `x`.
+    pub(crate) fn square(&self, m: Vec3, x: Vec3) -> Vec3 {
+        let [from, to] = self.seen(x);
+        let own = self.own(m);
+        square(own, to - from).unwrap_or(own)
     }
 
     /// Meetings with a given direction made square to the ring of the tool at the share `t` of the way of `x`, and to

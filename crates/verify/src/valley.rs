@@ -17,6 +17,7 @@
 
 use aptc_geometry::Vec3;
 
+use crate::each::{three, two};
 use crate::paraboloid::{At, Corner, Place, Seen};
 use crate::sheet::{Patch, Sheet, Spot, Tile};
 use crate::solid::unit_or;
@@ -88,7 +89,7 @@ impl<'a> Valley<'a> {
         m: Vec3,
     ) -> Option<Self> {
         let along = (whole.b.te - whole.a.te).try_normalize(0.0)?;
-        let [first, last] = [first, last].map(|sweep| corner.standing(sweep));
+        let [first, last] = two([first, last], |sweep| corner.standing(sweep));
         let begin = first.find(sheet, spot, At::Start, m)?;
         let end = last.find(sheet, begin.1, At::Start, begin.0.m)?;
         let up = across(begin.0.m, along).try_normalize(0.0)?;
@@ -111,7 +112,7 @@ impl<'a> Valley<'a> {
         match self.met(tile).map(|met| self.bent(tile, &met)) {
             None | Some(Bent::Otherwise) => return Seen::Near,
             Some(Bent::Smaller) => {
-                let size = [0, 1].map(|i| tile.side[i].norm() + tile.stray[i]);
+                let size = two([0, 1], |i| tile.side[i].norm() + tile.stray[i]);
                 let longer = usize::from(size[1] > size[0]);
                 let worth = size[longer] > SMALL * self.radius;
                 return if worth { Seen::Large(longer) } else { Seen::Near };
@@ -211,7 +212,7 @@ impl<'a> Valley<'a> {
         let bow = normal.dot(&bend);
         let rise = |slope: f64, upright: f64| (slope / upright) * (slope / upright) / deep;
         // By how much n, N and B may be others on the piece.
-        let [x, y] = [0, 1].map(|i| across(tile.side[i], self.along).norm() + tile.stray[i]);
+        let [x, y] = two([0, 1], |i| across(tile.side[i], self.along).norm() + tile.stray[i]);
         let other = (x + y) / deep + off;
         let lift = n.dot(&self.up) - other;
         let turn = tile.turn[0] + tile.turn[1];
@@ -237,12 +238,12 @@ impl<'a> Valley<'a> {
     /// By how much `B(x', x')` may be another on a piece than in its middle, infinite where its derivatives change too much.
     fn vary(&self, tile: &Tile, line: [f64; 2]) -> f64 {
         let (rows, det) = self.rows(tile.side);
-        let most = [0, 1, 2].map(|i| tile.bend[i].norm() + tile.vary[i]);
+        let most = three([0, 1, 2], |i| tile.bend[i].norm() + tile.vary[i]);
         let change = (most[0] + 2.0 * most[1] + most[2]) * rows / det;
         if change > CHANGE {
             return f64::INFINITY;
         }
-        let [a, b] = line.map(f64::abs);
+        let [a, b] = two(line, f64::abs);
         let d = (a + b) * change / (1.0 - change);
         let here = a * a * tile.vary[0] + 2.0 * a * b * tile.vary[1] + b * b * tile.vary[2];
         let other = most[0] * (2.0 * a + d) + 2.0 * most[1] * (a + b + d) + most[2] * (2.0 * b + d);
@@ -251,7 +252,7 @@ impl<'a> Valley<'a> {
 
     /// The sum of all numbers of the derivatives seen from upright, and their determinant.
     fn rows(&self, side: [Vec3; 2]) -> (f64, f64) {
-        let [[a, b], [c, d]] = side.map(|s| [s.dot(&self.along), s.dot(&self.beside)]);
+        let [[a, b], [c, d]] = two(side, |s| [s.dot(&self.along), s.dot(&self.beside)]);
         (a.abs() + b.abs() + c.abs() + d.abs(), (a * d - b * c).abs())
     }
 }

@@ -107,7 +107,7 @@ fn nothing_in_a_piece_is_nearer_than_its_border() {
             for p in beside.iter().flat_map(quarters).flat_map(|p| quarters(&p)) {
                 let tile = sheet.tile(&p);
                 let valley =
-                    Valley::new(&ways.ends, &sweep, &corner, &sheet, p.spot(), corner.met(&tile));
+                    Valley::new(ways.ends(), &sweep, &corner, &sheet, p.spot(), corner.met(&tile));
                 let Some(valley) = valley else { continue };
                 if let Some(met) = valley.met(&tile).filter(|met| met.off < 0.1) {
                     is_met(&valley, &tile, &met)?;

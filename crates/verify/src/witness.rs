@@ -10,6 +10,7 @@ use aptc_geometry::{Vec3, trig};
 
 use crate::between::parabola;
 use crate::deep::slide;
+use crate::each::two;
 use crate::pile::Pile;
 use crate::search::{Aim, Clearance, Moved, clearance};
 use crate::sheet::{Jet, Patch, Sheet, Spot};
@@ -136,25 +137,34 @@ pub(crate) fn excess(
         (now, None)
     };
     // Where the vector before ended this one begins.
-    let again = |near: Near| match near.touch.filter(|touch| touch.pose == pose(0.0)) {
-        Some(touch) => Touch { t: 0.0, ..touch },
-        None => touch(0.0, near.spot),
+    let again = |near: &Near| match &near.touch {
+        Some(known) if known.pose == pose(0.0) => Touch { t: 0.0, ..*known },
+        _ => touch(0.0, near.spot),
     };
     let before = near.take();
-    let known = before.map(|n| again(n[1])).filter(|t| t.gap <= most);
+    let known = before.as_ref().map(|n| again(&n[1])).filter(|t| t.gap <= most);
     let first = match known.map_or_else(|| somewhere(0.0), Ok) {
         Ok(touch) => touch,
         Err(open) => return open,
     };
     // As far ahead as the vector before came.
-    let ahead = |[from, to]: [Near; 2]| {
-        let at = [0, 1].map(|i| 2.0 * to.spot.at[i] - from.spot.at[i]);
+    let ahead = |[from, to]: &[Near; 2]| {
+        let at = two([0, 1], |i| 2.0 * to.spot.at[i] - from.spot.at[i]);
         let same = from.spot.chart == to.spot.chart && first.spot == to.spot;
         same.then_some(Spot { at, ..to.spot })
     };
-    let last = touch(1.0, before.and_then(ahead).unwrap_or(first.spot));
+    let last = touch(1.0, before.as_ref().and_then(ahead).unwrap_or(first.spot));
+    let bound = |a: &Touch, b: &Touch| between(tool, sheet, [a, b], turn, most);
+    // As most are: nothing else is to be looked for.
+    let within = first.gap <= most && last.gap <= most;
+    let known = within.then(|| bound(&first, &last));
+    if let Some(all) = known.filter(|all| *all <= most) {
+        let next = |touch: Touch| Near { spot: touch.spot, touch: Some(touch) };
+        *near = Some([next(first), next(last)]);
+        return Excess::Within(all);
+    }
     let ends = [settle(first), settle(last)];
-    let [first, last] = ends.map(|(touch, _)| touch);
+    let [first, last] = two(ends, |(touch, _)| touch);
     // Where the most was shown that is too much: share of the way, gap.
     let mut top: Option<(f64, f64)> = None;
     let raise = |top: &mut Option<(f64, f64)>, (touch, shown): &(Touch, Option<f64>)| {
@@ -168,10 +178,9 @@ pub(crate) fn excess(
     match [first, last].into_iter().find(|end| end.gap > most) {
         Some(end) if top.is_none() => return Excess::Open(end.t, end.gap),
         Some(_) => {}
-        None => *near = Some([first, last].map(|t| Near { spot: t.spot, touch: Some(t) })),
+        None => *near = Some(two([first, last], |t| Near { spot: t.spot, touch: Some(t) })),
     }
-    let bound = |a: &Touch, b: &Touch| between(tool, sheet, [a, b], turn, most);
-    let all = bound(&first, &last);
+    let all = known.unwrap_or_else(|| bound(&first, &last));
     if top.is_none() && all <= most {
         return Excess::Within(all);
     }
@@ -245,8 +254,8 @@ fn rise(tool: &Tool<'_>, sheet: &Sheet, a: &Touch, b: &Touch, drift: f64) -> Opt
     if a.spot.chart != b.spot.chart {
         return None;
     }
-    let [du, dv] = [0, 1].map(|i| b.spot.at[i] - a.spot.at[i]);
-    let at = [0, 1].map(|i| 0.5 * (a.spot.at[i] + b.spot.at[i]));
+    let [du, dv] = two([0, 1], |i| b.spot.at[i] - a.spot.at[i]);
+    let at = two([0, 1], |i| 0.5 * (a.spot.at[i] + b.spot.at[i]));
     let half = [0.5 * du.abs(), 0.5 * dv.abs()];
     let piece = Patch { chart: a.spot.chart, at, half, ..Patch::default() };
     let (_, bend, vary) = sheet.middle(&piece);
@@ -383,7 +392,7 @@ fn descend_to(
                 (spot, now, moved) = (next, there, true);
                 break;
             }
-            step = step.map(|s| 0.25 * s);
+            step = two(step, |s| 0.25 * s);
         }
         if !moved {
             way = match way {

@@ -7,6 +7,7 @@ use aptc_geometry::Vec3;
 use super::{Aim, Clearance, Lead, Moved};
 use crate::beside::{Beside, Ways};
 use crate::cut::{Cutting, Plane};
+use crate::each::two;
 use crate::paraboloid::Seen;
 use crate::sheet::{Node, Patch, Patches, Tile};
 use crate::sweep::{Meeting, Slack, Sweep};
@@ -397,7 +398,7 @@ fn slack(tile: &Tile, m: Vec3, shift: f64) -> Slack {
     let along = m.dot(&tile.n);
     let across = (m - tile.n * along).norm();
     let whole = tile.turn[0] + tile.turn[1];
-    let turned = tile.turn.map(|t| shift * t * (across + 0.5 * whole * along.abs()));
-    let by = [0, 1].map(|i| m.dot(&tile.side[i]).abs() + tile.stray[i] + turned[i]);
+    let turned = two(tile.turn, |t| shift * t * (across + 0.5 * whole * along.abs()));
+    let by = two([0, 1], |i| m.dot(&tile.side[i]).abs() + tile.stray[i] + turned[i]);
     Slack { by, all: tile.dip(m) + turned[0] + turned[1] }
 }

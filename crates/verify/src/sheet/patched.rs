@@ -2,6 +2,7 @@
 //! derivatives, in a tree of spheres; beyond the borders they go on straight.
 
 mod edged;
+mod smooth;
 
 use std::sync::OnceLock;
 
@@ -14,10 +15,9 @@ use super::polyconic::Sections;
 use super::ruled::Rulings;
 use super::sculpted::Sculpted;
 use super::{Jet, Kept, Patch, Spot, Tile, fall};
+use crate::each::{three, two};
 pub(crate) use edged::{Edged, Hollow, bare};
-
-/// Length of the difference of two unit normals that count as one.
-pub(crate) const SMOOTH: f64 = 1e-9;
+pub(crate) use smooth::SMOOTH;
 
 /// A cell that is so much narrower at a corner than long, or whose sides there are so nearly parallel, counts as without normal there.
 const NARROW: f64 = 1e-2;
@@ -66,8 +66,8 @@ pub(crate) struct Patched {
     /// What holds each of them.
     tiles: Vec<Tile>,
     nodes: Vec<Node>,
-    /// For each chart and parameter: does the surface go on smoothly at its low and at its high end?
-    smooth: Vec<OnceLock<[[bool; 2]; 2]>>,
+    /// For each chart and parameter: does the surface go on smoothly at its low end?
+    smooth: Vec<OnceLock<[bool; 2]>>,
     /// Its edges, once they are asked for.
     edged: OnceLock<Edged>,
 }
@@ -96,7 +96,7 @@ struct Chart {
 impl Chart {
     /// How much the second derivatives of a piece may differ from those on the border of the cell at most.
     fn more(&self, patch: &Patch) -> [f64; 3] {
-        let [u, v] = [0, 1].map(|k| {
+        let [u, v] = two([0, 1], |k| {
             let [from, to] = [patch.at[k] - patch.half[k], patch.at[k] + patch.half[k]];
             (self.within[k][0] - from).max(to - self.within[k][1]).max(0.0)
         });
@@ -148,7 +148,7 @@ impl Side {
 
 impl Patched {
     pub(crate) fn new(kind: Kind, grid: Grid) -> Option<Self> {
-        let [us, vs] = [0, 1].map(|k| grid.sides[k].ranges());
+        let [us, vs] = two([0, 1], |k| grid.sides[k].ranges());
         let (charts, tiles, nodes, smooth) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         let mut new = Self { kind, grid, charts, tiles, nodes, smooth, edged: OnceLock::new() };
         for &(v, j) in &vs {
@@ -173,18 +173,18 @@ impl Patched {
     }
 
     fn chart(&self, range: [[f64; 2]; 2], cell: [usize; 2]) -> Chart {
-        let within = [0, 1].map(|k| {
+        let within = two([0, 1], |k| {
             let knots = &self.grid.sides[k].knots;
             [knots[cell[k]], knots[cell[k] + 1]]
         });
         let b = self.bend(cell);
         // How far the chart is beyond its cell.
         let over =
-            [0, 1].map(|k| (within[k][0] - range[k][0]).max(range[k][1] - within[k][1]).max(0.0));
+            two([0, 1], |k| (within[k][0] - range[k][0]).max(range[k][1] - within[k][1]).max(0.0));
         // Beyond u the place is `b(v) + s b_u(v)`, so that `vv` is that on the border and `s` times `uvv` there at most; by v
         // it changes as that on the border does, the rest counts as a whole.
         let none = [0.0; 2];
-        let (second, third, beyond) = match over.map(|o| o > 0.0) {
+        let (second, third, beyond) = match two(over, |o| o > 0.0) {
             [false, false] => {
                 let third = [[b.uuu, b.uuv], [b.uuv, b.uvv], [b.uvv, b.vvv]];
                 ([b.uu, b.uv, b.vv], third, none)
@@ -205,7 +205,7 @@ impl Patched {
             none: false,
         };
         if over.iter().all(|o| *o <= 0.0) {
-            chart.points = [0, 1].map(|k| [0, 1].map(|end| self.is_point(&chart, k, end)));
+            chart.points = two([0, 1], |k| two([0, 1], |end| self.is_point(&chart, k, end)));
         } else if let Kind::Sculpted(s) = &self.kind {
             let from = |k: usize| usize::from(range[k][0] >= within[k][1]);
             chart.none = (0..2).any(|k| over[k] > 0.0 && s.ends_in_point(cell, k, from(k)));
@@ -246,8 +246,8 @@ impl Patched {
         let [hu, hv] = patch.half;
         let side = [jet.d[0] * hu, jet.d[1] * hv];
         let area = [0.5 * hu * hu, hu * hv, 0.5 * hv * hv];
-        let bow = [0, 2].map(|i| area[i] * bend[i].dot(&jet.n));
-        let beside = [0, 2].map(|i| area[i] * (bend[i] - jet.n * bend[i].dot(&jet.n)).norm());
+        let bow = two([0, 2], |i| area[i] * bend[i].dot(&jet.n));
+        let beside = two([0, 2], |i| area[i] * (bend[i] - jet.n * bend[i].dot(&jet.n)).norm());
         let rest = (0..3).map(|i| area[i] * vary[i]).sum::<f64>();
         let thick = beside[0] + beside[1] + area[1] * bend[1].norm() + rest;
         let [uu, uv, vv] = self.second(&patch);
@@ -261,60 +261,9 @@ impl Patched {
     /// The whole of a chart.
     fn patch(&self, chart: usize) -> Patch {
         let range = &self.charts[chart].range;
-        let at = [0, 1].map(|k| 0.5 * (range[k][0] + range[k][1]));
-        let half = [0, 1].map(|k| 0.5 * (range[k][1] - range[k][0]));
+        let at = two([0, 1], |k| 0.5 * (range[k][0] + range[k][1]));
+        let half = two([0, 1], |k| 0.5 * (range[k][1] - range[k][0]));
         Patch { chart, at, half, kept: Kept::Chart, ..Patch::default() }
-    }
-
-    /// Does the surface go on without an edge wherever a piece lies at a border of its chart?
-    pub(crate) fn goes_on(&self, patch: &Patch) -> bool {
-        /// Share of a chart up to which what is near a border counts as on it: halving rounds.
-        const NEAR: f64 = 1e-9;
-        let range = &self.charts[patch.chart].range;
-        let smooth = || self.smooth[patch.chart].get_or_init(|| self.smooth(patch.chart));
-        (0..2).all(|k| {
-            let [from, to] = [patch.at[k] - patch.half[k], patch.at[k] + patch.half[k]];
-            let near = NEAR * (range[k][1] - range[k][0]);
-            (from > range[k][0] + near || smooth()[k][0])
-                && (to < range[k][1] - near || smooth()[k][1])
-        })
-    }
-
-    /// At which ends of its parameters has a chart the points and the normals of the one beside it?
-    fn smooth(&self, chart: usize) -> [[bool; 2]; 2] {
-        let columns = self.columns();
-        let counts = [columns, self.charts.len() / columns];
-        let place = [chart % columns, chart / columns];
-        [0, 1].map(|k| {
-            [0, 1].map(|end| {
-                let last = if end == 0 { place[k] == 0 } else { place[k] + 1 == counts[k] };
-                let step = if k == 0 { 1 } else { columns };
-                !last
-                    && self.grid.sides[k].joins(place[k], end)
-                    && self.meets(chart, if end == 0 { chart - step } else { chart + step }, k, end)
-            })
-        })
-    }
-
-    /// Meets a chart the other at this end of the parameter as if both were one?
-    ///
-    /// Places along the border tell: along it both are cubics, or rulings with rails that run alike.
-    fn meets(&self, chart: usize, other: usize, k: usize, end: usize) -> bool {
-        const PLACES: u32 = 16;
-        let [one, other] = [chart, other].map(|i| &self.charts[i]);
-        if other.none {
-            return false;
-        }
-        let [from, to] = one.range[1 - k];
-        let size = self.nodes.last().map_or(0.0, |root| root.radius);
-        (0..=PLACES).all(|i| {
-            let mut at = [one.range[k][end]; 2];
-            at[1 - k] = from + (to - from) * f64::from(i) / f64::from(PLACES);
-            let [a, b] = [one, other].map(|c| self.at(c, at));
-            let [m, n] = [&a, &b].map(Derivatives::normal);
-            let turned = m.zip(n).map_or(f64::INFINITY, |(m, n)| (m - n).norm());
-            (a.point - b.point).norm() <= 1e-13 * size && turned <= SMOOTH
-        })
     }
 
     /// All charts.
@@ -365,7 +314,7 @@ impl Patched {
         });
         let middle_of = |i: usize| 0.5 * (sides[i].0 + sides[i].1);
         let center = (0..3).map(|i| e[i] * middle_of(i)).sum::<Vec3>();
-        let lengths = [0, 1, 2].map(|i| 0.5 * (sides[i].1 - sides[i].0));
+        let lengths = three([0, 1, 2], |i| 0.5 * (sides[i].1 - sides[i].0));
         let frame = Frame { center, e, lengths };
         let bow = frame.bow(leaves);
         let [low, high] = frame.heights(bow, leaves);
@@ -455,7 +404,7 @@ impl Patched {
         let flat = n.norm() <= 1e-9 * d.u.norm() * d.v.norm();
         let n = if flat || n.norm() == 0.0 {
             // Where a derivative vanishes the normal of a place beside it.
-            let at = [0, 1].map(|k| {
+            let at = two([0, 1], |k| {
                 let middle = 0.5 * (chart.range[k][0] + chart.range[k][1]);
                 spot.at[k] + (middle - spot.at[k]) * 1e-5
             });
@@ -470,7 +419,7 @@ impl Patched {
 
     /// Point and derivatives, straight on beyond the cell.
     fn at(&self, chart: &Chart, at: [f64; 2]) -> Derivatives {
-        let inside = [0, 1].map(|k| at[k].clamp(chart.within[k][0], chart.within[k][1]));
+        let inside = two([0, 1], |k| at[k].clamp(chart.within[k][0], chart.within[k][1]));
         let [i, j] = chart.cell;
         let mut d = match &self.kind {
             Kind::Sculpted(s) => s.at(i, j, inside[0], inside[1]),
@@ -500,7 +449,7 @@ impl Patched {
     pub(crate) fn second(&self, patch: &Patch) -> [f64; 3] {
         let chart = &self.charts[patch.chart];
         let more = chart.more(patch);
-        [0, 1, 2].map(|i| chart.second[i] + more[i])
+        three([0, 1, 2], |i| chart.second[i] + more[i])
     }
 
     /// Bounds of the change of the unit normal over a piece, by parameter.
@@ -512,14 +461,14 @@ impl Patched {
         let n = jet.d[0].cross(&jet.d[1]).norm();
         let rest = n - change[0] - change[1];
         if rest > 0.5 * n {
-            return change.map(|c| c / rest);
+            return two(change, |c| c / rest);
         }
         if let Some(turned) =
             self.turn_at_pole(patch, jet).or_else(|| self.turn_at_corner(patch, jet))
         {
             return turned;
         }
-        change.map(|c| 2.0 * c / (change[0] + change[1]).max(f64::MIN_POSITIVE))
+        two(change, |c| 2.0 * c / (change[0] + change[1]).max(f64::MIN_POSITIVE))
     }
 
     /// The same of a piece of a cell a border of which is one point, where it turns by less than half of a unit.
@@ -556,7 +505,7 @@ impl Patched {
     /// The same of a piece of a cell that has a corner without a normal, or next to; half of it counts for each parameter.
     fn turn_at_corner(&self, patch: &Patch, jet: &Jet) -> Option<[f64; 2]> {
         let chart = &self.charts[patch.chart];
-        let range = [0, 1].map(|k| [patch.at[k] - patch.half[k], patch.at[k] + patch.half[k]]);
+        let range = two([0, 1], |k| [patch.at[k] - patch.half[k], patch.at[k] + patch.half[k]]);
         let [i, j] = chart.cell;
         let far = match &self.kind {
             Kind::Sculpted(s) if chart.bare => s.normals([i, j], range, jet.n),

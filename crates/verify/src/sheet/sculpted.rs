@@ -82,6 +82,11 @@ impl Sculpted {
         patch.normals_about(n, u, v)
     }
 
+    /// Are two cells parts of one patch?
+    pub(crate) fn is_one_patch(&self, one: [usize; 2], other: [usize; 2]) -> bool {
+        (0..2).all(|k| one[k] / self.cut == other[k] / self.cut)
+    }
+
     /// The patch of a cell with where it begins and how fast its parameters run.
     fn patch(&self, i: usize, j: usize) -> (&Patch, [f64; 2], [f64; 2]) {
         let (i, j) = (i / self.cut, j / self.cut);

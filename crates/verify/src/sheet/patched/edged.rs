@@ -105,7 +105,7 @@ impl Patched {
         self.edged.get_or_init(|| {
             let mut all = Edged::default();
             for chart in (0..self.charts.len()).filter(|chart| !self.charts[*chart].none) {
-                let smooth = self.smooth[chart].get_or_init(|| self.smooth(chart));
+                let smooth = self.smooth(chart);
                 for (k, end) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
                     if !smooth[k][end] {
                         self.look_over(chart, k, end, &mut all);
