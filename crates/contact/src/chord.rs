@@ -1,10 +1,11 @@
 //! The gap along a cut vector: where it is least and greatest while the tool end moves straight, its axis fixed
 //! or turning evenly.
 
+use aptc_geometry::profile::Segment;
 use aptc_geometry::{Reason, Spot, Surface, Tool, Vec3, trig};
 
 use crate::centred;
-use crate::dips::{Sample, dip, single, tangents_meet};
+use crate::dips::{Sample, cubic_at, dip, single, tangents_meet};
 use crate::gap::{Condition, Gap, Side, distance};
 
 /// Share of the cutter's radius by which two places of contact lie apart.
@@ -281,6 +282,30 @@ impl Run<'_, '_> {
         (t > a.t && t < b.t).then_some(Extreme { t, g: g + bent })
     }
 
+    /// Where the contact comes from the corner onto the flat end on a piece, or back: there the gap goes on as steeply, and bends
+    /// otherwise. Cut there, each part is soon as its cubic says; in halves it would be cut until the edge is of no account.
+    ///
+    /// On the flat end the gap hardly bends, along a ridge not at all: so the edge is where a parabola from the one end goes over into
+    /// the tangent of the other, which both ends tell. `None` where that is hardly on the piece.
+    fn edge(&self, a: &Place, b: &Place) -> Option<f64> {
+        /// Share of the piece from its ends.
+        const INSIDE: f64 = 0.02;
+        if self.turn.is_some() {
+            return None;
+        }
+        let (h, rise) = (b.t - a.t, b.gap.g - a.gap.g);
+        let share = match [a, b].map(|p| p.gap.segment) {
+            [Some(Segment::Arc), Some(Segment::LowerLine)] => {
+                2.0 * (rise / h - b.slope) / (a.slope - b.slope)
+            }
+            [Some(Segment::LowerLine), Some(Segment::Arc)] => {
+                1.0 - 2.0 * (a.slope - rise / h) / (a.slope - b.slope)
+            }
+            _ => return None,
+        };
+        (share > INSIDE && share < 1.0 - INSIDE).then(|| a.t + share * h)
+    }
+
     /// How far the places of the cutter are from one another that touch at two places of the chord.
     fn apart(&self, a: &Place, b: &Place) -> f64 {
         (a.gap.tool_point - b.gap.tool_point - self.v * (a.t - b.t)).norm()
@@ -332,21 +357,22 @@ impl Run<'_, '_> {
         let (mut low, mut high) =
             if a.gap.g < b.gap.g { (at(&a), at(&b)) } else { (at(&b), at(&a)) };
         let bow = b.slope - a.slope;
-        let mut todo: Vec<(Place, Place)> = Vec::with_capacity(exact.looks.len() + 1);
+        let mut todo: Vec<(Place, Place, bool)> = Vec::with_capacity(exact.looks.len() + 1);
         let mut last = a;
         for t in exact.looks {
             let here = self.looked(*t, [&last, &b])?;
             low = if here.gap.g < low.g { at(&here) } else { low };
             high = if here.gap.g > high.g { at(&here) } else { high };
-            todo.push((last, here));
+            todo.push((last, here, true));
             last = here;
         }
-        todo.push((last, b));
+        todo.push((last, b, true));
         let (mut floor, mut roof) = (low, high);
         let mut pieces = 0;
-        while let Some((a, b)) = todo.pop() {
+        while let Some((a, b, whole)) = todo.pop() {
             pieces += 1;
-            let m = self.between(&a, &b, 0.5 * (a.t + b.t))?;
+            let edge = if whole { self.edge(&a, &b) } else { None };
+            let m = self.between(&a, &b, edge.unwrap_or(0.5 * (a.t + b.t)))?;
             if m.gap.g < low.g {
                 low = at(&m);
             }
@@ -354,8 +380,13 @@ impl Run<'_, '_> {
                 high = at(&m);
             }
             let h = b.t - a.t;
-            let foretold = 0.5 * (a.gap.g + b.gap.g) + h * (a.slope - b.slope) / 8.0;
-            let lean = 1.5 * (b.gap.g - a.gap.g) / h - 0.25 * (a.slope + b.slope);
+            let [foretold, lean] = match edge {
+                Some(t) => cubic_at(&a.sample(), &b.sample(), t),
+                None => [
+                    0.5 * (a.gap.g + b.gap.g) + h * (a.slope - b.slope) / 8.0,
+                    1.5 * (b.gap.g - a.gap.g) / h - 0.25 * (a.slope + b.slope),
+                ],
+            };
             // The halves have the value and the slope of the middle: their cubics are off by an eighth of
             // this at most where the third derivative jumps once, and by less where it does not.
             let off = 0.25 * ((m.gap.g - foretold).abs() + 0.25 * h * (m.slope - lean).abs());
@@ -383,8 +414,8 @@ impl Run<'_, '_> {
             }
             let open = beyond[0] && off > 0.25 * fine_low || beyond[1] && rough > 0.25 * fine_high;
             if open && pieces < MAX_PIECES {
-                todo.push((a, m));
-                todo.push((m, b));
+                todo.push((a, m, edge.is_none()));
+                todo.push((m, b, edge.is_none()));
             } else {
                 (floor, roof) = (under, over);
             }

@@ -99,7 +99,7 @@ pub(crate) fn single<P: Copy>(
     let depth = 0.125 * (end.t - begin.t) * (sb - sa);
     let (mut low, mut high) = ((a, begin), (b, end));
     let mut t = cubic_minimum(&begin, &end, sa, sb, value(&begin), value(&end));
-    let foretold = cubic_at(&begin, &end, t);
+    let [foretold, _] = cubic_at(&begin, &end, t);
     for round in 0..SINGLE {
         let found = between(&low.0, &high.0, t)?;
         let at = sample(&found);
@@ -130,14 +130,14 @@ pub(crate) fn single<P: Copy>(
     Ok(None)
 }
 
-/// The cubic through values and slopes of two places.
-fn cubic_at(a: &Sample, b: &Sample, t: f64) -> f64 {
+/// The cubic through values and slopes of two places, and its slope.
+pub(crate) fn cubic_at(a: &Sample, b: &Sample, t: f64) -> [f64; 2] {
     let h = b.t - a.t;
     let x = (t - a.t) / h;
     let (c1, rise) = (a.slope * h, b.g - a.g);
     let c2 = 3.0 * rise - 2.0 * c1 - b.slope * h;
     let c3 = c1 + b.slope * h - 2.0 * rise;
-    a.g + x * (c1 + x * (c2 + x * c3))
+    [a.g + x * (c1 + x * (c2 + x * c3)), (c1 + x * (2.0 * c2 + x * (3.0 * c3))) / h]
 }
 
 /// Where the tangents at the ends of a bracket meet.

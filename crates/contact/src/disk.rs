@@ -52,7 +52,8 @@ pub(crate) fn below(
 pub(crate) fn beside(tool: &Tool<'_>, surface: &Surface, side: Side, near: Spot) -> Option<Gap> {
     let disk = Disk::of(tool, side)?;
     let radius = tool.profile.corner_radius();
-    let [enough, rounded] = [FACING, ROUNDED].map(|share| share * tool.profile.widest());
+    let widest = tool.profile.widest();
+    let (enough, rounded) = (FACING * widest, ROUNDED * widest);
     let mut last = f64::INFINITY;
     let (mut foot, mut sides): (Foot, _) = surface.place_with_sides(near);
     let mut x = disk.above(foot.point, foot.normal * disk.sign)?;
@@ -80,7 +81,8 @@ pub(crate) fn beside(tool: &Tool<'_>, surface: &Surface, side: Side, near: Spot)
         };
         let turned = |by: Vec2| a * (k11 * by.x + k12 * by.y) + b * (k12 * by.x + k22 * by.y);
         let slope = disk.across(normal + turned(foot_by(off)));
-        let bend = [disk.e[0], disk.e[1]].map(|e| disk.across(turned(foot_by(e))));
+        let bend_along = |e: Vec3| disk.across(turned(foot_by(e)));
+        let bend = [bend_along(disk.e[0]), bend_along(disk.e[1])];
         let to = disk.least(x, slope, bend, ALIKE * tool.profile.widest())?;
         let go = disk.point(to) - disk.point(x);
         let left = (off.norm_squared() + go.norm_squared()).sqrt();
