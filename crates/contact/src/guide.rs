@@ -43,6 +43,9 @@ pub trait Guide: Sized {
     /// The place of a gap.
     fn at(gap: &Gap) -> Self::At;
 
+    /// About where the place is after one that came from `before`, on a way so many times as long.
+    fn ahead(before: Self::At, here: Self::At, factor: f64) -> Self::At;
+
     /// May another place of contact than that read become the deepest, so that it has to be looked for?
     fn several(&self) -> bool;
 
@@ -214,6 +217,9 @@ impl Guide for ClosedGuide {
 
     #[inline]
     fn at(_: &Gap) {}
+
+    #[inline]
+    fn ahead((): (), (): (), _: f64) {}
 
     #[inline]
     fn several(&self) -> bool {

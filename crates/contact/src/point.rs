@@ -95,6 +95,11 @@ impl Guide for PointGuide {
     }
 
     #[inline]
+    fn ahead(before: Spot, here: Spot, factor: f64) -> Spot {
+        onwards(&before, &here, 1.0 + factor).unwrap_or(here)
+    }
+
+    #[inline]
     fn several(&self) -> bool {
         match self {
             Self::Closed(_) => false,
@@ -216,11 +221,27 @@ fn least_and_greatest(
     if apart {
         return None;
     }
-    let between = |a: &Known, b: &Known, t: f64| {
-        look(t, Some(if t - a.0.t <= b.0.t - t { &a.1 } else { &b.1 }))
-    };
+    let between = |a: &Known, b: &Known, t: f64| look(t, Some(&between(a, b, t)));
     let found = single(a, b, resolution, |k| k.0, between).ok()??;
     Some([low.min(found.g), high.max(found.g)])
+}
+
+/// About where the place of a chord is between two that are known; where their parameters tell nothing, as on both sides of a seam,
+/// the nearer of both.
+fn between(a: &Known, b: &Known, t: f64) -> Spot {
+    let share = (t - a.0.t) / (b.0.t - a.0.t);
+    onwards(&a.1, &b.1, share).unwrap_or(if share <= 0.5 { a.1 } else { b.1 })
+}
+
+/// The place as far from `a` as `b` is, times a factor, by parameters that change evenly; `None` where they lie far apart.
+fn onwards(a: &Spot, b: &Spot, factor: f64) -> Option<Spot> {
+    /// How far the parameters are apart at most, of a surface over which each runs by 1.
+    const NEAR: f64 = 1e-2;
+    let (from, to) = (a.at?, b.at?);
+    let by = [to[0] - from[0], to[1] - from[1]];
+    let near = by[0].abs() <= NEAR && by[1].abs() <= NEAR;
+    let at = [from[0] + by[0] * factor, from[1] + by[1] * factor];
+    near.then(|| Spot { point: a.point + (b.point - a.point) * factor, at: Some(at) })
 }
 
 impl Point {

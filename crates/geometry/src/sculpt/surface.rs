@@ -282,10 +282,18 @@ impl Sculptured {
 #[inline(always)]
 fn interval(knots: &[f64], t: f64) -> (usize, f64, f64) {
     let last = knots.len() - 2;
-    let i = knots.partition_point(|k| *k <= t).saturating_sub(1).min(last);
+    let i = match knots.len() {
+        // Of few it is told sooner by all of them.
+        0..=FEW => knots.iter().map(|k| usize::from(*k <= t)).sum(),
+        _ => knots.partition_point(|k| *k <= t),
+    };
+    let i = usize::saturating_sub(i, 1).min(last);
     let rate = 1.0 / (knots[i + 1] - knots[i]);
     (i, (t - knots[i]) * rate, rate)
 }
+
+/// Knots that are looked at one by one.
+const FEW: usize = 12;
 
 /// The same within the span that begins at the whole number `span`: its end belongs to it.
 fn within(knots: &[f64], span: usize, t: f64) -> (usize, f64, f64) {

@@ -4,6 +4,8 @@
 //! The same places as those of the general trials, to rounding, found several times as fast. Whatever is out of the
 //! ordinary is left to those.
 
+use std::cell::Cell;
+
 use aptc_contact::{ClosedGuide, End, Gap, Guide, PointGuide, Reading};
 use aptc_geometry::Vec3;
 
@@ -58,6 +60,24 @@ pub(super) struct Guided<'a, G: Guide> {
     pub(super) track: &'a Track,
     pub(super) guides: &'a [G; 2],
     pub(super) from: &'a Place<G::At>,
+    /// The first trial, where it was made at once and others are to follow.
+    tried: Cell<Option<Tried<G::At>>>,
+}
+
+/// A trial by its length, and that of cut vectors about there, with what came of it.
+#[derive(Clone, Copy)]
+struct Tried<At> {
+    length: f64,
+    usual: f64,
+    end: Result<Stride<Place<At>>, Trouble>,
+    fit: Result<Fit, Trouble>,
+}
+
+impl<'a, G: Guide> Guided<'a, G> {
+    #[inline(always)]
+    pub(super) fn new(track: &'a Track, guides: &'a [G; 2], from: &'a Place<G::At>) -> Self {
+        Self { track, guides, from, tried: Cell::new(None) }
+    }
 }
 
 /// A place on the track as guides read it.
@@ -66,6 +86,8 @@ pub(super) struct Place<At> {
     pub(super) te: Vec3,
     gaps: [End<At>; 2],
     pub(super) course: Course,
+    /// The places of the surfaces at the one before, and the way from there.
+    before: Option<([At; 2], f64)>,
 }
 
 impl<At: Copy> Place<At> {
@@ -73,7 +95,19 @@ impl<At: Copy> Place<At> {
     pub(super) fn of<G: Guide<At = At>>(node: &Node) -> Self {
         let [a, b] = &node.gaps;
         let end = |gap: &Gap| End { g: gap.g, normal: gap.normal, at: G::at(gap) };
-        Self { te: node.pose.te, gaps: [end(a), end(b)], course: node.course }
+        Self { te: node.pose.te, gaps: [end(a), end(b)], course: node.course, before: None }
+    }
+
+    /// Where the places of the surfaces are after a way of `s`, about: as far ahead as they came from those before.
+    #[inline(always)]
+    fn ahead<G: Guide<At = At>>(&self, s: f64) -> [At; 2] {
+        let [a, b] = [self.gaps[0].at, self.gaps[1].at];
+        match self.before {
+            Some(([from, other], way)) if way > 0.0 => {
+                [G::ahead(from, a, s / way), G::ahead(other, b, s / way)]
+            }
+            _ => [a, b],
+        }
     }
 
     #[inline(always)]
@@ -98,13 +132,38 @@ impl<G: Guide> Trials for Guided<'_, G> {
         bends: Option<[f64; 2]>,
         _: Option<&Stride<Self::Place>>,
     ) -> Result<Stride<Self::Place>, Trouble> {
+        let same =
+            |t: &Tried<G::At>| t.length.total_cmp(&s).is_eq() && t.usual.total_cmp(&usual).is_eq();
+        if let Some(tried) = self.tried.get().filter(|t| bends.is_none() && same(t)) {
+            return tried.end;
+        }
         let mut to = *self.from;
         let targets = self.go(s, usual, bends, &mut to)?;
         Ok(Stride { length: s, to, targets })
     }
 
-    #[inline(always)]
     fn fit(&self, to: &Self::Place) -> Result<Fit, Trouble> {
+        let same = |t: &Tried<G::At>| t.end.as_ref().is_ok_and(|end| end.to.te == to.te);
+        match self.tried.take().filter(same) {
+            Some(tried) => tried.fit,
+            None => self.fits(to),
+        }
+    }
+
+    fn below(&self, _: &Self::Place) -> Option<f64> {
+        None
+    }
+
+    #[inline(always)]
+    fn course<'p>(&self, to: &'p Self::Place) -> &'p Course {
+        &to.course
+    }
+}
+
+impl<G: Guide> Guided<'_, G> {
+    /// How the chord to it lies in both bands, and how much longer it could be.
+    #[inline(always)]
+    fn fits(&self, to: &Place<G::At>) -> Result<Fit, Trouble> {
         let (track, from) = (self.track, self.from);
         let v = to.te - from.te;
         let mut all = Fit { fits: true, ratio: f64::INFINITY, bends: [0.0; 2] };
@@ -137,29 +196,23 @@ impl<G: Guide> Trials for Guided<'_, G> {
         Ok(all)
     }
 
-    fn below(&self, _: &Self::Place) -> Option<f64> {
-        None
-    }
-
-    #[inline(always)]
-    fn course<'p>(&self, to: &'p Self::Place) -> &'p Course {
-        &to.course
-    }
-}
-
-impl<G: Guide> Guided<'_, G> {
     /// The cut vector that is as long as foretold, as most are: what [`Track::longest`] takes with its first trial. Its end comes
     /// to `to`; gives its length, `None` where other lengths are to be tried.
     #[inline(always)]
     pub(super) fn at_once(&self, cap: f64, pace: &mut Pace, to: &mut Place<G::At>) -> Option<f64> {
         let track = self.track;
         let (plan, s) = track.foretold(&self.from.course, cap, pace)?;
-        self.go(s, plan, None, to).ok()?;
-        let ratio = self.fit(to).ok().filter(|fit| fit.fits)?.ratio;
-        track.enough_at_once(ratio).then(|| {
+        let end = self.go(s, plan, None, to);
+        let fit = end.and_then(|_| self.fits(to));
+        if let Ok(Fit { fits: true, ratio, .. }) = fit
+            && track.enough_at_once(ratio)
+        {
             pace.learn(s, ratio, plan);
-            s
-        })
+            return Some(s);
+        }
+        let end = end.map(|targets| Stride { length: s, to: *to, targets });
+        self.tried.set(Some(Tried { length: s, usual: plan, end, fit }));
+        None
     }
 
     /// To the place at distance `s`, as [`Trials::reach`].
@@ -175,7 +228,7 @@ impl<G: Guide> Guided<'_, G> {
         let mut targets = track.aims(from.gaps(), bends.unwrap_or(from.course.bends), usual);
         let (step, across) = from.course.ahead(s);
         let start = from.te + step;
-        self.settle(start, start, across, targets, [from.gaps[0].at, from.gaps[1].at], to)?;
+        self.settle(start, start, across, targets, from.ahead::<G>(s), to)?;
         let other = track.other_aims(self.start(), bends, to.course.bends, usual, targets);
         if let Some(aims) = other {
             let (begin, near) = (to.te, [to.gaps[0].at, to.gaps[1].at]);
@@ -260,7 +313,9 @@ impl<G: Guide> Guided<'_, G> {
         }
         let bends = [G::second(a, along), G::second(b, along)];
         let course = Course::across(normals, sine, along, bends);
-        *to = Place { te, gaps: [a.end, b.end], course };
+        let from = [self.from.gaps[0].at, self.from.gaps[1].at];
+        let before = Some((from, (te - self.from.te).norm()));
+        *to = Place { te, gaps: [a.end, b.end], course, before };
         Ok(())
     }
 }

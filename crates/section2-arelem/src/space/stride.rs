@@ -140,7 +140,7 @@ impl Track {
         pace: &mut Pace,
     ) -> Option<Stride> {
         let place = Place::of::<G>(from);
-        let guided = Guided { track: self, guides, from: &place };
+        let guided = Guided::new(self, guides, &place);
         let Stride { length, to, targets } = self.longest(&guided, cap, pace).ok()?;
         Some(Stride { length, to: guided.node(from.pose.ta, &to), targets })
     }
@@ -177,7 +177,7 @@ impl Track {
         let mut at = Place::of::<G>(from);
         let (mut next, mut gone) = (at, false);
         loop {
-            let guided = Guided { track: self, guides, from: &at };
+            let guided = Guided::new(self, guides, &at);
             let before = *pace;
             let length = guided.at_once(cap, pace, &mut next).or_else(|| {
                 let found = self.longest(&guided, cap, pace).ok()?;

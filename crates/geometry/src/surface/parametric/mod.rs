@@ -276,9 +276,16 @@ impl ParametricSurface {
 
     /// The same with the derivatives by both parameters.
     pub fn place_with_sides(&self, [u, v]: [f64; 2]) -> (Foot, [Vec3; 2]) {
-        let place = Placed::new(&self.patch, u, v);
-        let (point, sides) = self.working(&place);
-        (self.foot_at(point, &place), sides)
+        self.foot_on(&Placed::new(&self.patch, u, v))
+    }
+
+    /// A place as the foot of itself, with the derivatives by both parameters.
+    fn foot_on(&self, place: &Placed) -> (Foot, [Vec3; 2]) {
+        let Placed { u, v, jet } = place;
+        let (point, sides) = self.working(place);
+        let normal = self.normal_at(*u, *v, jet);
+        let shape = self.bend(jet, normal);
+        (Foot { point, normal, distance: 0.0, shape, at: Some([*u, *v]) }, sides)
     }
 
     /// The place beside that with the parameters `at` by the tangent `by`, with its derivatives by both parameters;
@@ -297,9 +304,7 @@ impl ParametricSurface {
         if !(inside(u, domain.u) && inside(v, domain.v)) {
             return None;
         }
-        let place = Placed::new(&self.patch, u, v);
-        let (point, sides) = self.working(&place);
-        Some((self.foot_at(point, &place), sides))
+        Some(self.foot_on(&Placed::new(&self.patch, u, v)))
     }
 
     /// What [`Self::beside`] finds of a smooth surface for a short way, from a foot that is a place of it.
@@ -354,11 +359,12 @@ impl ParametricSurface {
 
     fn normal_at(&self, u: f64, v: f64, jet: &Jet) -> Vec3 {
         // Where a border shrinks to a point, its derivative along it is rounding: what the normals beside it come to.
-        let none = 1e-12 * jet.su.norm().max(jet.sv.norm());
+        let (along, aside) = (jet.su.norm_squared(), jet.sv.norm_squared());
+        let none = 1e-24 * along.max(aside);
         let inwards = |x: f64| if x < 0.5 { 1.0 } else { -1.0 };
-        let pole = if jet.su.norm() <= none {
+        let pole = if along <= none {
             across(jet.suv * inwards(v), jet.sv)
-        } else if jet.sv.norm() <= none {
+        } else if aside <= none {
             across(jet.su, jet.suv * inwards(u))
         } else {
             None
