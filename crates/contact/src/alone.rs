@@ -28,6 +28,8 @@ const LIKELY: f64 = 0.9;
 const MOST: f64 = 0.8;
 const FAR: f64 = 32.0;
 pub(crate) const WORTH: f64 = 0.02;
+/// Share of the greater curvature of a dome that the less is.
+const ROUND: f64 = 0.05;
 /// Share of the way to where the surface stands up beside a round end for which that may be.
 const TOWARDS: f64 = 0.4;
 
@@ -103,7 +105,8 @@ pub(crate) fn faced(
     };
     let [hollow, round] = bends(part.curvature, side);
     let ridge = hollow < THIN * across;
-    if deepest * hollow >= BEND {
+    // Of what is no number nothing is known.
+    if deepest * hollow >= BEND || part.curvature.iter().any(|k| k.is_nan()) {
         return None;
     }
     // The second derivatives at the distance d are k / (1 + d k). No point of the disk is much deeper than the known one, for
@@ -118,6 +121,10 @@ pub(crate) fn faced(
 
 /// A way that the tool can go, its axis standing, no longer than `most`, on which no place of it touches but that of the
 /// corner with the `known` gap, wherever this goes; `None` where that is not seen.
+///
+/// Where nothing of the surface there is hollow, the distance is convex over all that the disk of the corner's middles sweeps: its
+/// second derivatives are `k / (1 + d k)`. Of a convex function each least place is the deepest, so that none is deeper than the
+/// known one, be it below the flat end, wherever the tool goes on that way.
 pub(crate) fn alone(
     tool: &Tool<'_>,
     surface: &Surface,
@@ -125,14 +132,16 @@ pub(crate) fn alone(
     known: &Gap,
     most: f64,
 ) -> Option<f64> {
-    if known.segment != Some(Segment::Arc) {
+    let (n, [rho, _]) = (known.normal, tool.profile.corner());
+    let corner = known.segment == Some(Segment::Arc);
+    if !corner && !is_dome(principal(surface, known), side) {
         return None;
     }
     let Faced { hollow, bend, ruling, lean, twist, .. } = faced(tool, surface, side, known, most)?;
-    let (n, [rho, _]) = (known.normal, tool.profile.corner());
-    if rho <= 0.0 {
+    if rho <= 0.0 && corner || hollow <= 0.0 {
         return Some(most);
     }
+    corner.then_some(())?;
     let across = (n - tool.ta * n.dot(&tool.ta)).norm();
     let way = within([across, rho], [bend, hollow])?;
     // No second derivative by the direction of the corner's circle and another is greater there.
@@ -140,6 +149,21 @@ pub(crate) fn alone(
     let beside = (around - ruling).norm().min((around + ruling).norm());
     let kept = followed([across, rho], [bend, hollow, bend * (beside + lean) + twist]);
     Some(way.max(kept).min(most))
+}
+
+/// The least and the greatest curvature at the known place.
+fn principal(surface: &Surface, known: &Gap) -> [f64; 2] {
+    let [most, least] = surface.place(known.spot()).shape.principal();
+    [least, most]
+}
+
+/// Is a place with these curvatures round both ways, seen from a side, so that what is about it is so, most likely?
+fn is_dome([least, most]: [f64; 2], side: Side) -> bool {
+    let [flatter, rounder] = match side {
+        Side::Positive => [least, most],
+        Side::Negative | Side::Open => [-most, -least],
+    };
+    rounder.is_finite() && rounder > 0.0 && flatter >= ROUND * rounder
 }
 
 /// How hollow and how round a surface with these least and greatest curvatures is seen from a side.
@@ -161,8 +185,8 @@ pub(crate) fn likely(
     size: f64,
 ) -> Option<f64> {
     let (profile, upright) = (tool.profile, known.normal.dot(&tool.ta));
-    let [most, least] = surface.place(known.spot()).shape.principal();
-    let [hollow, round] = bends([least, most], side);
+    let principal = principal(surface, known);
+    let [hollow, round] = bends(principal, side);
     let bend = hollow.max(round);
     let [rho, _] = profile.corner();
     let deep = (known.raw + profile.corner_radius()).abs() + rho;
@@ -176,6 +200,9 @@ pub(crate) fn likely(
         // Some of the way after which the surface stands up beside it.
         let turned = (bend * size).max(f64::MIN_POSITIVE);
         (TOWARDS * upright / turned).clamp(1.0, FAR) * size
+    } else if is_dome(principal, side) {
+        // As long as nothing there is hollow.
+        MOST * size
     } else {
         let most = room.min(MOST * size);
         let hollow = hollow / (1.0 - (deep + most) * hollow);

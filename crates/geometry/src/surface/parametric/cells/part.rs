@@ -105,9 +105,9 @@ impl Cells {
                 }
                 Below::Things(from, to) => {
                     for (number, cell) in (from..to).zip(&self.cells[from..to]) {
-                        let [.., last] = balls else { return None };
+                        let [first @ .., last] = balls else { return None };
                         let last = cell.comes_into(last);
-                        if last || balls.iter().any(|b| cell.comes_into(b)) {
+                        if last || first.iter().any(|b| cell.comes_into(b)) {
                             put(number, last)?;
                         }
                     }
@@ -144,8 +144,11 @@ fn size(all: &Rectangle) -> usize {
 impl Cell {
     /// May a point of it be in the ball?
     fn comes_into(&self, (center, radius): &(Vec3, f64)) -> bool {
-        (self.c - center).norm() <= radius + self.reach
-            && self.bound(*center, self.toward(*center)) <= *radius
+        let far = (self.c - center).norm_squared();
+        // Its middle is a point of it.
+        far <= radius * radius
+            || far <= (radius + self.reach) * (radius + self.reach)
+                && self.bound(*center, self.toward(*center)) <= *radius
     }
 
     /// The normal in the middle, and by how much the others differ from it, as vectors.
