@@ -95,7 +95,12 @@ impl Curved<'_> {
         let ends = tool.ends(a, b);
         let way = Way::new(ends[0], ends[1]);
         let (world, turn) = (|t: f64| way.at(t), way.turn);
-        let pose = |t: f64| self.sheet.local(&world(t));
+        let [begin, end] = [self.sheet.local(&world(0.0)), self.sheet.local(&world(1.0))];
+        let pose = |t: f64| match t {
+            t if t <= 0.0 => begin,
+            t if t >= 1.0 => end,
+            t => self.sheet.local(&world(t)),
+        };
         if ends[0].ta.dot(&ends[1].ta) > 0.0
             && let Some([low, high]) = self.upright(tool, [&pose(0.0), &pose(1.0)], pad, warm)
         {

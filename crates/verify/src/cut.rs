@@ -128,7 +128,9 @@ pub(crate) struct Cutting<'c> {
 
 /// How much farther a point of the tool may be from the surface, or nearer, at another position.
 fn way(sweep: &Sweep<'_>, from: &Pose, to: &Pose) -> f64 {
-    (to.te - from.te).norm() + sweep.tool.reach() * (to.ta - from.ta).norm()
+    let turned = if same(to.ta, from.ta) { 0.0 } else { (to.ta - from.ta).norm() };
+    let along = (to.te - from.te).norm();
+    if turned == 0.0 { along } else { along + sweep.tool.reach() * turned }
 }
 
 /// A sum of ways rounded up: what its roundings and those of the last way take is less than is put on, so that many short

@@ -15,7 +15,7 @@ use crate::pile::Pile;
 use crate::search::{Aim, Clearance, Moved, clearance};
 use crate::sheet::{Jet, Patch, Sheet, Spot};
 use crate::sweep::Sweep;
-use crate::tool::{Pose, Tool};
+use crate::tool::{Change, Pose, Tool};
 
 /// Rounds of the descent to the nearest place.
 const ROUNDS: usize = 40;
@@ -323,10 +323,7 @@ fn descend_to(
     let look = |spot: &Spot| {
         let (jet, second) = sheet.bent(spot);
         let (f, m, change) = tool.bent(pose, jet.p);
-        let bend = |i: usize, x: Vec3, y: Vec3| m.dot(&second[i]) + change.along(x, y);
-        let [u, v] = jet.d;
-        let hessian = [bend(0, u, u), bend(1, u, v), bend(2, v, v)];
-        Look { f, g: slopes(m, &jet), hessian, sharp: change.sharpness(), jet }
+        Look { f, g: slopes(m, &jet), m, second, change, jet }
     };
     let slope = |spot: &Spot| {
         let jet = sheet.jet(spot);
@@ -339,7 +336,7 @@ fn descend_to(
         if round == ROUNDS {
             way = Way::Fine;
         }
-        let Look { f, g, jet: Jet { d, p, .. }, .. } = now;
+        let &Look { f, g, jet: Jet { d, p, .. }, .. } = &now;
         if round > 0 && f <= enough {
             break;
         }
@@ -350,8 +347,8 @@ fn descend_to(
         // Differences over a small share of the tool, or of the distance.
         let scene = (tool.reach() + (p - pose.te).norm()).max(1e-300);
         let coarse = 1e-5 * scene;
-        let [a, b, c] = if way == Way::Exact && now.sharp * coarse < 1.0 {
-            now.hessian
+        let [a, b, c] = if way == Way::Exact && now.change.sharpness() * coarse < 1.0 {
+            now.hessian()
         } else {
             let fine = (0.1 * f.abs()).clamp(1e-8 * scene, coarse);
             let h = if way == Way::Fine { fine } else { coarse };
@@ -429,15 +426,26 @@ fn downhill(g: [f64; 2], [a, b, c]: [f64; 3], size: [f64; 2], scene: f64) -> [f6
     [(p * x - q * y) / size[0], (q * x + p * y) / size[1]]
 }
 
-/// A place on the way down: distance, its slopes and second derivatives by the parameters, the greatest curvature
-/// of the tool's distance, and what is there.
+/// A place on the way down: distance, its slopes by the parameters, its gradient, the second derivatives of the surface and of the
+/// tool's distance, and what is there.
 #[derive(Clone, Copy, Debug)]
 struct Look {
     f: f64,
     g: [f64; 2],
-    hessian: [f64; 3],
-    sharp: f64,
+    m: Vec3,
+    second: [Vec3; 3],
+    change: Change,
     jet: Jet,
+}
+
+impl Look {
+    /// The second derivatives of the distance by the parameters.
+    fn hessian(&self) -> [f64; 3] {
+        let bend =
+            |i: usize, x: Vec3, y: Vec3| self.m.dot(&self.second[i]) + self.change.along(x, y);
+        let [u, v] = self.jet.d;
+        [bend(0, u, u), bend(1, u, v), bend(2, v, v)]
+    }
 }
 
 /// Where the second derivatives come from: the closed form, which serves but next to edges of the tool; differences

@@ -13,7 +13,7 @@ use super::bend::Bend;
 use super::bow::Frame;
 use super::polyconic::Sections;
 use super::ruled::Rulings;
-use super::sculpted::Sculpted;
+use super::sculpted::{Own, Sculpted};
 use super::{Jet, Kept, Patch, Spot, Tile, fall};
 use crate::each::{three, two};
 pub(crate) use edged::{Edged, Hollow, bare};
@@ -91,6 +91,8 @@ struct Chart {
     bare: bool,
     /// Would it go on from a border that is one point? There is nothing there.
     none: bool,
+    /// Of a sculptured surface the patch of the cell.
+    own: Own,
 }
 
 impl Chart {
@@ -203,6 +205,10 @@ impl Patched {
             points: [[false; 2]; 2],
             bare: false,
             none: false,
+            own: match &self.kind {
+                Kind::Sculpted(s) => s.own(cell),
+                Kind::Ruled(_) | Kind::Polyconic(_) => Own::default(),
+            },
         };
         if over.iter().all(|o| *o <= 0.0) {
             chart.points = two([0, 1], |k| two([0, 1], |end| self.is_point(&chart, k, end)));
@@ -401,8 +407,9 @@ impl Patched {
         let d = self.at(chart, spot.at);
         let bend = [d.uu, d.uv, d.vv];
         let n = d.u.cross(&d.v);
-        let flat = n.norm() <= 1e-9 * d.u.norm() * d.v.norm();
-        let n = if flat || n.norm() == 0.0 {
+        let square = n.norm_squared();
+        let flat = square <= 1e-18 * d.u.norm_squared() * d.v.norm_squared();
+        let n = if flat || square == 0.0 {
             // Where a derivative vanishes the normal of a place beside it.
             let at = two([0, 1], |k| {
                 let middle = 0.5 * (chart.range[k][0] + chart.range[k][1]);
@@ -418,11 +425,12 @@ impl Patched {
     }
 
     /// Point and derivatives, straight on beyond the cell.
+    #[inline]
     fn at(&self, chart: &Chart, at: [f64; 2]) -> Derivatives {
         let inside = two([0, 1], |k| at[k].clamp(chart.within[k][0], chart.within[k][1]));
         let [i, j] = chart.cell;
         let mut d = match &self.kind {
-            Kind::Sculpted(s) => s.at(i, j, inside[0], inside[1]),
+            Kind::Sculpted(s) => s.on(&chart.own, inside),
             Kind::Ruled(s) => s.at(i, j, inside[0], inside[1]),
             Kind::Polyconic(s) => s.at(i, j, inside[0], inside[1]),
         };

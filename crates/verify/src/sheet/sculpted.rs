@@ -23,6 +23,14 @@ pub(crate) struct Sculpted {
     knots: [Vec<f64>; 2],
 }
 
+/// The patch of a cell: its number, where it begins and how fast its parameters run.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Own {
+    patch: usize,
+    from: [f64; 2],
+    rate: [f64; 2],
+}
+
 impl Sculpted {
     /// The surface of a definition with its straight continuation, over 0 to 1.
     pub(crate) fn with_continuation(definition: &SurfaceDefinition) -> Option<(Self, Grid)> {
@@ -87,19 +95,31 @@ impl Sculpted {
         (0..2).all(|k| one[k] / self.cut == other[k] / self.cut)
     }
 
-    /// The patch of a cell with where it begins and how fast its parameters run.
-    fn patch(&self, i: usize, j: usize) -> (&Patch, [f64; 2], [f64; 2]) {
+    /// The patch of a cell.
+    pub(crate) fn own(&self, [i, j]: [usize; 2]) -> Own {
         let (i, j) = (i / self.cut, j / self.cut);
         let [u, v] = &self.knots;
         let rate = [1.0 / (u[i + 1] - u[i]), 1.0 / (v[j + 1] - v[j])];
-        (&self.patches[j * self.columns + i], [u[i], v[j]], rate)
+        Own { patch: j * self.columns + i, from: [u[i], v[j]], rate }
+    }
+
+    /// Point and derivatives at a place of a cell with that patch.
+    #[inline]
+    pub(crate) fn on(&self, own: &Own, [u, v]: [f64; 2]) -> Derivatives {
+        let Own { patch, from, rate: [a, b] } = own;
+        self.patches[*patch].at((u - from[0]) * a, (v - from[1]) * b).rated(*a, *b)
+    }
+
+    /// The patch of a cell with where it begins and how fast its parameters run.
+    fn patch(&self, i: usize, j: usize) -> (&Patch, [f64; 2], [f64; 2]) {
+        let Own { patch, from, rate } = self.own([i, j]);
+        (&self.patches[patch], from, rate)
     }
 }
 
 impl Cells for Sculpted {
     fn at(&self, i: usize, j: usize, u: f64, v: f64) -> Derivatives {
-        let (patch, from, [a, b]) = self.patch(i, j);
-        patch.at((u - from[0]) * a, (v - from[1]) * b).rated(a, b)
+        self.on(&self.own([i, j]), [u, v])
     }
 
     fn bend(&self, i: usize, j: usize) -> Bend {

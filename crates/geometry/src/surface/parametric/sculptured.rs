@@ -61,13 +61,16 @@ pub struct Continued {
 
 /// The surface of a definition as it guides the tool; `None` when it cannot be fitted.
 pub fn continued(definition: &SurfaceDefinition) -> Option<Continued> {
-    let Spans { surface, domain, .. } = Spans::new(definition)?;
-    Some(Continued { surface, u: domain.u, v: domain.v })
+    continued_itself(Spans::fitted(definition)?)
 }
 
 /// The same of a surface that is fitted; `None` where a point of it is not finite.
 pub fn continued_of(surface: &Sculptured) -> Option<Continued> {
-    let Spans { surface, domain, .. } = Spans::of_surface(surface.clone())?;
+    continued_itself(surface.clone())
+}
+
+fn continued_itself(surface: Sculptured) -> Option<Continued> {
+    let (Spans { surface, .. }, domain) = Spans::extended(surface)?;
     Some(Continued { surface, u: domain.u, v: domain.v })
 }
 
@@ -88,6 +91,13 @@ impl Spans {
 
     /// `None` where a point of the surface is not finite.
     pub(super) fn of_surface(surface: Sculptured) -> Option<Self> {
+        let (bare, domain) = Self::extended(surface)?;
+        let cells = Cells::new(&bare.surface, &domain)?;
+        Some(Self { domain, cells, edges: OnceLock::new(), itself: OnceLock::new(), ..bare })
+    }
+
+    /// The surface alone, and how far it goes straight on.
+    fn extended(surface: Sculptured) -> Option<(Self, Domain)> {
         let size = surface.extent();
         let ruled_along = straight(&surface, size, true) && !straight(&surface, size, false);
         let borders = surface.borders();
@@ -99,8 +109,7 @@ impl Spans {
         let bare =
             Self { surface, domain: itself, borders, tips, ruled_along, cells, edges, itself: own };
         let domain = shortened(&bare, &unfolded(&bare, domain(&borders)));
-        let cells = Cells::new(&bare.surface, &domain)?;
-        Some(Self { domain, cells, edges: OnceLock::new(), itself: OnceLock::new(), ..bare })
+        Some((bare, domain))
     }
 
     /// How large its numbers are.
