@@ -303,7 +303,7 @@ impl Run<'_, '_> {
             }
             _ => return None,
         };
-        (share > INSIDE && share < 1.0 - INSIDE).then(|| a.t + share * h)
+        (share > INSIDE && share < 1.0 - INSIDE).then_some(a.t + share * h)
     }
 
     /// How far the places of the cutter are from one another that touch at two places of the chord.
