@@ -83,6 +83,8 @@ pub struct Plain {
     pub name: NameRef,
     /// Its canonical form in the part frame.
     pub form: Shared<Form>,
+    /// Thickness left on it.
+    pub thick: f64,
 }
 
 /// A solid about the tool axis that goes along with the cutter.

@@ -184,7 +184,8 @@ impl Avoid {
 
     /// Tool ends above two places close to each other between whose axes the answers jump, as from a tilt forward to one
     /// across, or that a lift leads to while the axis turns: straight up from the one, over, and down to the other, `to`, all
-    /// clear and within LIMIT.
+    /// clear and within LIMIT. Where a lift is along the normal, which may lead through a wall beside which the tool is clear, up and
+    /// down are along the axis if they cannot be along the normal.
     pub(crate) fn over(
         &self,
         profile: &Profile,
@@ -195,22 +196,26 @@ impl Avoid {
         if !self.on {
             return None;
         }
-        let along = |axis: Vec3| if self.along_normal { to.normal } else { axis };
+        let normal = self.along_normal.then_some(to.normal);
         let clear = |p, q| guard.way(profile, [p, q]).is_ok();
         let most = self.limit.map_or(1e3 * profile.reach(), |limit| limit - to.lift.norm());
-        let mut high = 1e-3 * profile.reach();
-        for _ in 0..DOUBLINGS {
-            if high > most {
-                break;
+        let over = |normal: Option<Vec3>| {
+            let along = |axis: Vec3| normal.unwrap_or(axis);
+            let mut high = 1e-3 * profile.reach();
+            for _ in 0..DOUBLINGS {
+                if high > most {
+                    break;
+                }
+                let (up, down) = (a.0 + along(a.1) * high, b.0 + along(b.1) * high);
+                let [above, below] = [(up, a.1), (down, b.1)];
+                if clear(a, above) && clear(above, below) && clear(below, b) {
+                    return Some([up, down]);
+                }
+                high *= 2.0;
             }
-            let (up, down) = (a.0 + along(a.1) * high, b.0 + along(b.1) * high);
-            let [above, below] = [(up, a.1), (down, b.1)];
-            if clear(a, above) && clear(above, below) && clear(below, b) {
-                return Some([up, down]);
-            }
-            high *= 2.0;
-        }
-        None
+            None
+        };
+        over(normal).or_else(|| normal.and_then(|_| over(None)))
     }
 
     /// The least lift that clears.
@@ -265,6 +270,8 @@ mod tests {
             surface: s,
             tree,
             part: false,
+            thick: 0.0,
+            own: None,
             facets: false,
             body: None,
         };

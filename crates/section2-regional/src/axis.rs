@@ -14,11 +14,11 @@ const TIE: f64 = 1e-9;
 /// search for it starts.
 ///
 /// APT: `AXSET`. The slew is towards the direction across the path, laid square to the normal, the tilt
-/// towards the motion. `None` where normal or directions vanish.
+/// towards the motion. Along a curve NORMDS is its CRSSPL. `None` where normal or directions vanish.
 pub(crate) fn at_drive(area: &AxisArea, p: &DrivePoint, forward: Vec3) -> Option<Vec3> {
     match *area {
         AxisArea::Fixed(v) => Some(v),
-        AxisArea::NormDs(sign) => p.normal.map(|n| n * sign),
+        AxisArea::NormDs(sign) => p.normal.or(p.cross).map(|n| n * sign),
         AxisArea::Angle { part: true, .. } => p.normal.or_else(|| p.direction.map(|d| -d)),
         AxisArea::Angle { part: false, alpha, beta } => {
             let n = p.normal?;
@@ -158,6 +158,7 @@ mod tests {
             across,
             speed: across,
             normal: Some(Vec3::z()),
+            cross: None,
             direction: Some(-Vec3::z()),
             foot: None,
         }

@@ -55,8 +55,9 @@ impl Regional {
                     let tree = self.tree(&surface);
                     let facets = definition.only_checks();
                     let body = self.body(&surface, definition);
-                    let part = false;
-                    self.checked.push(Checked { name: label, surface, tree, part, facets, body });
+                    let (name, part, thick, own) = (label, false, 0.0, None);
+                    let checked = Checked { name, surface, tree, part, thick, own, facets, body };
+                    self.checked.push(checked);
                 }
                 continue;
             }
@@ -150,16 +151,30 @@ impl Regional {
         self.guarded(self.areas.part.as_ref())
     }
 
+    /// What CHKSRF names, with the thickness that check surfaces have now: the third number of THICK.
+    pub(crate) fn named(&self) -> (Vec<Checked>, Vec<Plain>) {
+        let thick = self.settings.thick_check;
+        let checked = self.checked.iter().map(|c| Checked { thick, ..c.clone() });
+        let plain = self.plain.iter().map(|p| Plain { thick, ..p.clone() });
+        (checked.collect(), plain.collect())
+    }
+
     /// The same with the part surface given.
     pub(crate) fn guarded(&self, part: Option<&PartArea>) -> Option<Guard> {
-        let mut surfaces = self.checked.clone();
+        let (mut surfaces, plain) = self.named();
+        for s in &mut surfaces {
+            let other = |p: &&PartArea| {
+                Arc::ptr_eq(&s.surface, &p.surface) && (p.thick - s.thick).abs() > 0.0
+            };
+            s.own = part.filter(other).map(|p| p.thick);
+        }
         if let Some(p) = part.filter(|p| self.check_part && p.touches) {
             let (surface, tree) = (Arc::clone(&p.surface), Arc::clone(&p.tree));
             Checked::part(p.name.name.to_string(), surface, tree).put(&mut surfaces);
         }
         let thick = part.map_or(0.0, |p| p.thick);
         let intol = self.settings.band().intol;
-        let (holder, report, plain) = (self.holder.clone(), self.report, self.plain.clone());
+        let (holder, report) = (self.holder.clone(), self.report);
         let mut guard = Guard { surfaces, plain, intol, thick, holder, report };
         if let (Some(cutter), Some(came)) = (&self.settings.profile, self.came) {
             guard.come_from(cutter, came);

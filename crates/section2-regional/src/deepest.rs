@@ -8,7 +8,7 @@ use aptc_geometry::{Profile, Vec3, trig};
 
 use crate::guard::{Gouge, Guard, Stood};
 use crate::inside::{Found, deepest, hull};
-use crate::plain::Plain;
+use crate::plain::{Plain, about};
 
 /// Parts of a way at whose ends a place is looked at, and rounds that close in on where it is deepest.
 const PARTS: u32 = 8;
@@ -48,7 +48,8 @@ impl Guard {
         }
         let Some(p) = self.plain.iter().find(|p| p.name == gouge.surface) else { return gouge };
         let found = solids()
-            .filter_map(|(profile, up)| p.deepest((&profile, up), ends, self.intol))
+            .filter_map(|(profile, up)| p.deepest((&profile, up), ends, self.intol - p.thick))
+            .map(|found| Found { depth: found.depth + p.thick, ..found })
             .max_by(|a, b| a.depth.total_cmp(&b.depth));
         match found {
             Some(Found { depth, place, t })
@@ -79,7 +80,7 @@ impl Plain {
         let body = Swept { tool, by: b.0 - a.0 };
         let turn = 2.0 * trig::sin(0.25 * trig::angle_between(a.1, b.1));
         let slack = turn * (up + profile.reach());
-        let [low, high] = hull(profile, &tool, body.by);
+        let [low, high] = about(hull(profile, &tool, body.by), allowed);
         let about = [low.add_scalar(-slack), high.add_scalar(slack)];
         let real = |place| deep_at((profile, up), ends, place);
         deepest(&body, about, &self.surface, (allowed, slack, profile.widest()), real)

@@ -117,7 +117,8 @@ fn a_turning_tool_is_as_deep_as_the_place_that_is_told() {
     let surface = Arc::new(mesh(&[row(-10.0), row(60.0)], MeshSpacing::Ruled).unwrap());
     let tree = Arc::new(PatchTree::new(&surface));
     let name = "WALL".into();
-    let checked = Checked { name, surface, tree, part: false, facets: false, body: None };
+    let (thick, own, body) = (0.0, None, None);
+    let checked = Checked { name, surface, tree, part: false, thick, own, facets: false, body };
     let guard = Guard { surfaces: vec![checked], intol: 0.01, ..Guard::default() };
     let profile = Profile::new(&Cutter::mill(8.0, 4.0, 50.0)).unwrap();
     let mut told = 0;

@@ -23,6 +23,8 @@ pub(crate) struct DrivePoint {
     pub(crate) speed: Vec3,
     /// Unit normal of the drive surface along dU x dV; `None` for a curve and where it vanishes.
     pub(crate) normal: Option<Vec3>,
+    /// Unit direction of CRSSPL of a curve that has it, which stands for a normal.
+    pub(crate) cross: Option<Vec3>,
     /// Unit direction of projection; `None` where it is not defined.
     pub(crate) direction: Option<Vec3>,
     /// Where the projection ends, in shares of the part surface, if that is known beforehand.
@@ -84,6 +86,7 @@ impl DriveArea {
                     across,
                     speed: across,
                     normal: None,
+                    cross: across.try_normalize(0.0),
                     direction,
                     foot,
                 }
@@ -113,6 +116,7 @@ impl DriveArea {
                     across,
                     speed,
                     normal,
+                    cross: None,
                     direction,
                     foot,
                 }

@@ -3,6 +3,7 @@
 use aptc_diagnostics::{Code, Diagnostic, Origin, codes};
 use aptc_geometry::Vec3;
 
+use crate::avoid::Avoid;
 use crate::guard::{Gouge, Solid};
 use crate::judge::{Limit, Worst};
 use crate::jump::Stands;
@@ -42,6 +43,8 @@ pub(crate) enum Failure {
     Gouge(Box<Deep>),
     /// The way from one pass to the next goes through a surface.
     PickFeed(Box<Deep>),
+    /// A pass stands in a surface where it ends, or where the next begins: more than where it is led along is in the cutter.
+    Stands(Box<Deep>, &'static str),
     /// The first point is left out, and the way to the second goes through a surface.
     Skipped(Box<Deep>),
     /// The work was called off.
@@ -75,7 +78,7 @@ pub(crate) fn touches_with(origin: &Origin, place: &str, at: Vec3) -> Diagnostic
     let text = format!("at the tool end {} the cutter touches with {place}", point(at));
     Diagnostic::warning(codes::ODD_CONTACT, origin.span, text)
         .within(origin.trace.clone())
-        .help("where the tool stands on the wrong side of the part surface give MINUS for PLUS with it, or PLUS for MINUS; else lean the tool axis, so that the corner or the side cuts")
+        .help("where the tool stands on the wrong side of the part surface give MINUS for PLUS with it, or PLUS for MINUS, or turn the axis round; else lean the tool axis, so that the corner or the side cuts")
 }
 
 /// How a line goes round what REGION leaves out.
@@ -99,24 +102,23 @@ pub(crate) fn straight_over(origin: &Origin, [from, to]: [Vec3; 2], times: usize
         .help(ROUND)
 }
 
-/// Passes that are to run out of the region from its border.
-pub(crate) fn leads_out(origin: &Origin, [u, v]: [f64; 2], sense: f64) -> Diagnostic {
-    let [out, into] = if sense > 0.0 { ["PLUS", "MINUS"] } else { ["MINUS", "PLUS"] };
-    let text = format!(
-        "the passes have no length: from {},{} {out} leads out of the limits of DS",
-        short(u),
-        short(v)
-    );
-    Diagnostic::warning(codes::REGION_VALUE, origin.span, text)
-        .within(origin.trace.clone())
-        .help(format!("write {into} behind TANSPL or CRSSPL, which leads into the region"))
-}
-
 /// The first point of a path, which was to be left out, is put out.
 pub(crate) fn put_out(origin: &Origin, at: Vec3) -> Diagnostic {
     let text = format!(
         "the first point {} is put out: the tool stands elsewhere, and the way to the second goes through the surface",
         point(at)
+    );
+    Diagnostic::warning(codes::FIRST_POINT, origin.span, text)
+        .within(origin.trace.clone())
+        .help("bring the tool to the first point before, or leave the last number away")
+}
+
+/// The first point of a path is left out, and the tool stands elsewhere.
+pub(crate) fn left_out(origin: &Origin, first: Vec3, stands: Vec3) -> Diagnostic {
+    let text = format!(
+        "the first point {} is left out, and the tool does not stand there but at {}: what lies between it and the second is not milled",
+        point(first),
+        point(stands)
     );
     Diagnostic::warning(codes::FIRST_POINT, origin.span, text)
         .within(origin.trace.clone())
@@ -129,12 +131,12 @@ pub(crate) struct Deep {
     pub(crate) gouge: Gouge,
     pub(crate) te: Vec3,
     pub(crate) ta: Vec3,
-    /// Is AVCTRL on?
-    pub(crate) avoids: bool,
+    /// What AVCTRL says.
+    pub(crate) avoids: Avoid,
 }
 
 impl Failure {
-    pub(crate) fn gouge(gouge: Gouge, te: Vec3, ta: Vec3, avoids: bool) -> Self {
+    pub(crate) fn gouge(gouge: Gouge, te: Vec3, ta: Vec3, avoids: Avoid) -> Self {
         Self::Gouge(Box::new(Deep { gouge, te, ta, avoids }))
     }
 
@@ -151,6 +153,7 @@ impl Failure {
             Self::NotSet { areas } if areas.is_empty() => return None,
             Self::Gouge(deep)
             | Self::PickFeed(deep)
+            | Self::Stands(deep, _)
             | Self::Skipped(deep)
             | Self::Approach(deep)
             | Self::WayIn(deep)
@@ -210,7 +213,7 @@ impl Failure {
                     short(uv[1])
                 ),
                 "where a corner or border has no normal leave it out by the limits (PARAM, START); a path may not run along \
-                 the direction of projection, and a drive curve has an axis only with CRSSPL at its ends"
+                 the direction of projection; along a drive curve NORMDS is its CRSSPL, given at its ends, and an angle is one to PS"
                     .into(),
             ),
             Self::ThickBeyond { part, uv, thick, radius } => (
@@ -264,11 +267,7 @@ impl Failure {
             Self::Gouge(deep) => (
                 codes::INTERFERENCE,
                 deep.said(""),
-                if deep.avoids {
-                    "widen RANGE or LIMIT of AVCTRL, or use a smaller cutter".into()
-                } else {
-                    "switch AVCTRL on, or use a smaller cutter".into()
-                },
+                deep.help(),
             ),
             Self::Way(deep) => (
                 codes::INTERFERENCE,
@@ -296,6 +295,12 @@ impl Failure {
                 "give SCON/FEED a plane, or GOMILL a RETR, that the tool clears from one pass to the next"
                     .into(),
             ),
+            Self::Stands(deep, word) => (
+                codes::BETWEEN_PASSES,
+                deep.said(&format!("where a pass {word} ")),
+                "CHKSRF/PS,ON holds the passes to all of the surface, and AVCTRL takes the cutter out where it does not fit; or use a smaller cutter"
+                    .into(),
+            ),
             Self::Skipped(deep) => (
                 codes::BETWEEN_PASSES,
                 deep.said("the first point is left out, and on the way to the second "),
@@ -314,7 +319,7 @@ impl Failure {
                     short(part_uv[0]),
                     short(part_uv[1])
                 ),
-                "turn the tool axis towards the side of PLUS or MINUS that SCON/PS names".into(),
+                "turn the tool axis towards the side of PLUS or MINUS that SCON/PS names; MINUS behind NORMDS turns it round".into(),
             ),
             Self::PlaneMissed { word } => (
                 codes::PART_NOT_MET,
@@ -418,6 +423,22 @@ impl Deep {
         )
     }
 
+    /// What to do about a place where the tool gouges.
+    fn help(&self) -> String {
+        let Gouge { surface, left, .. } = &self.gouge;
+        match left.as_ref().and_then(|left| left.own) {
+            Some(thick) => format!(
+                "name it PS in CHKSRF: with the name {surface} in its place the thickness {} of the part surface does not count",
+                short(thick)
+            ),
+            None if self.avoids.on && self.avoids.along_normal => {
+                "lift along the tool axis (AVCTRL/AXIS), which clears walls that go up along it; or widen RANGE or LIMIT, or use a smaller cutter".into()
+            }
+            None if self.avoids.on => "widen RANGE or LIMIT of AVCTRL, or use a smaller cutter".into(),
+            None => "switch AVCTRL on, or use a smaller cutter".into(),
+        }
+    }
+
     fn said(&self, way: &str) -> String {
         let Gouge { surface, depth, stood, .. } = &self.gouge;
         let who = self.who();
@@ -434,7 +455,7 @@ impl Deep {
     /// What is said of a tool that came from outside of a solid which could be a bowl, and what to do.
     fn entered(&self) -> Option<(String, String)> {
         let Gouge { surface, entered, .. } = &self.gouge;
-        let from = point((*entered)?);
+        let from = point(**entered.as_ref()?);
         let (te, ta) = (point(self.te), point(self.ta));
         let text = format!(
             "the tool came from {from}, outside of {surface}, which counts as solid; here, at the tool end {te} with axis {ta}, it stands inside"

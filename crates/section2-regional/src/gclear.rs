@@ -22,7 +22,11 @@ pub(crate) struct Spot {
 
 /// START, AWAY, BACK, THRU.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Clears([Clear; 4]);
+pub(crate) struct Clears {
+    at: [Clear; 4],
+    /// Did it shape a line since it was given?
+    pub(crate) used: bool,
+}
 
 /// The extra motion at one of them.
 #[derive(Clone, Debug, Default)]
@@ -82,6 +86,13 @@ const AWAY: usize = 1;
 const BACK: usize = 2;
 const THRU: usize = 3;
 
+impl Clears {
+    /// Is any of it on that shaped no line since it was given?
+    pub(crate) fn is_idle(&self) -> bool {
+        !self.used && self.at.iter().any(|c| c.on)
+    }
+}
+
 impl Regional {
     /// GCLEAR/[START|AWAY|BACK|THRU,]ON|OFF and what follows. Without a place it is meant for all four; what
     /// is given of the motion switches it on.
@@ -89,6 +100,7 @@ impl Regional {
     /// APT: `GCLEAR`.
     pub(crate) fn gclear(&mut self, args: &[Arg]) -> Result<(), Failure> {
         let mut w = Words(args);
+        self.clears.used = false;
         let places: &[usize] =
             match [("START", START), ("AWAY", AWAY), ("BACK", BACK), ("THRU", THRU)]
                 .into_iter()
@@ -102,12 +114,12 @@ impl Regional {
             };
         if w.take("OFF") {
             for k in places {
-                self.clears.0[*k].on = false;
+                self.clears.at[*k].on = false;
             }
             return Ok(());
         }
         w.take("ON");
-        let mut wanted = self.clears.0[places[0]].clone();
+        let mut wanted = self.clears.at[places[0]].clone();
         wanted.on = true;
         while let Some(word) = w.word() {
             match word {
@@ -132,7 +144,7 @@ impl Regional {
             }
         }
         for k in places {
-            self.clears.0[*k] = wanted.clone();
+            self.clears.at[*k] = wanted.clone();
         }
         Ok(())
     }
@@ -152,7 +164,7 @@ impl Clears {
                 [a, b, ..] => (way(a, b), way(&stretch[stretch.len() - 2], &last)),
                 _ => (Vec3::zeros(), Vec3::zeros()),
             };
-            let to = &self.0[if i == 0 { START } else { BACK }];
+            let to = &self.at[if i == 0 { START } else { BACK }];
             let mut over = i > 0;
             if let Some(mut points) = to.beside(&first, -out)? {
                 points.reverse();
@@ -164,7 +176,7 @@ impl Clears {
             let points = stretch.iter().map(|s| (s.te, s.ta)).collect();
             legs.push(Leg { points, feed, extra: false, over });
             again = false;
-            let from = &self.0[if i + 1 == stretches.len() { THRU } else { AWAY }];
+            let from = &self.at[if i + 1 == stretches.len() { THRU } else { AWAY }];
             if let Some(points) = from.beside(&last, home)? {
                 legs.push(Leg { points, feed: from.feed(false), extra: true, over: false });
                 again = from.feed.is_some();

@@ -21,6 +21,7 @@ use crate::retract::Retract;
 use crate::scon::Words;
 use crate::solve::Take;
 use crate::touched::along_lines;
+use crate::unused::{Milling, lines_out};
 use crate::within::{self, Stretch};
 
 /// What the statement says besides surface and first line.
@@ -65,6 +66,8 @@ impl Regional {
         w.take("VCONST");
         let first = w.number().unwrap_or(0.0);
         let wish = wish(&mut w)?;
+        self.tells_unused(origin, Milling::Gomill);
+        self.settings.axis_idle = false;
         let side = if wish.mirror { -1.0 } else { 1.0 };
         let part = self.own_part(name, form, (side, self.settings.thick))?;
         let mut drive = own_drive(&part);
@@ -92,6 +95,11 @@ impl Regional {
             Course::V => drive.v = [start, thru],
         }
         let start_uv = at_line(course, first, if wish.inverse { thru } else { start });
+        let over = if wish.step.is_some_and(|s| s < 0.0) { -1.0 } else { 1.0 };
+        if (first - if over > 0.0 { most } else { 0.0 }).abs() <= 1e-9 {
+            let word = if course == Course::V { "UCONST" } else { "VCONST" };
+            self.diagnostics.push(lines_out(origin, &name.name, (word, first, wish.step)));
+        }
         let sense = if wish.inverse { -1.0 } else { 1.0 };
         let begins = drive.place(start_uv, course);
         let setup = self.line_setup(&drive, &part, side, &begins)?;
@@ -111,7 +119,6 @@ impl Regional {
             other => other,
         };
         setup.guard = guard.as_ref().map(|g| (g, self.avoid));
-        let over = if wish.step.is_some_and(|s| s < 0.0) { -1.0 } else { 1.0 };
         setup.over = over;
         let parameter = wish.step.map(f64::abs);
         let plain = wish.scallop <= 0.0 && wish.most <= 0.0;

@@ -15,8 +15,12 @@ pub(crate) struct Checked {
     pub(crate) name: String,
     pub(crate) surface: Arc<Sculptured>,
     pub(crate) tree: Arc<PatchTree>,
-    /// Is it the part surface, which keeps its thickness?
+    /// Is it the part surface, which keeps its own thickness?
     pub(crate) part: bool,
+    /// Left on it where it is another: that of check surfaces.
+    pub(crate) thick: f64,
+    /// What is left on it as the part surface, where its name stands in place of PS and that is something else.
+    pub(crate) own: Option<f64>,
     /// Is it of triangles, whose numbers say nothing?
     pub(crate) facets: bool,
     /// What they bound, if they close.
@@ -46,14 +50,30 @@ pub(crate) struct Gouge {
     pub(crate) span: Option<(usize, [f64; 2])>,
     /// How deep, the thickness counted.
     pub(crate) depth: f64,
+    /// That thickness; none where there is none.
+    pub(crate) left: Option<Box<Left>>,
     /// What is in the surface.
     pub(crate) by: Solid,
     /// From where the tool came to stand in a solid that could be a bowl, if it came from outside.
-    pub(crate) entered: Option<Vec3>,
+    pub(crate) entered: Option<Box<Vec3>>,
     /// The place of a sculptured surface.
     pub(crate) seen: Option<Box<Seen>>,
     /// Where the tool is deepest on its way, as [`Guard::deepest`] tells.
     pub(crate) stood: Option<Box<Stood>>,
+}
+
+/// What is left on a surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Left {
+    pub(crate) thick: f64,
+    /// As [`Checked::own`].
+    pub(crate) own: Option<f64>,
+}
+
+impl Left {
+    fn of(thick: f64, own: Option<f64>) -> Option<Box<Self>> {
+        (thick != 0.0 || own.is_some()).then(|| Box::new(Self { thick, own }))
+    }
 }
 
 /// The tool where a surface is deepest in it.
@@ -87,7 +107,8 @@ pub(crate) enum Solid {
 impl Checked {
     /// The part surface.
     pub(crate) fn part(name: String, surface: Arc<Sculptured>, tree: Arc<PatchTree>) -> Self {
-        Self { name, surface, tree, part: true, facets: false, body: None }
+        let (part, facets, body) = (true, false, None);
+        Self { name, surface, tree, part, thick: 0.0, own: None, facets, body }
     }
 
     /// Among others, in place of the same surface.
@@ -98,13 +119,17 @@ impl Checked {
 }
 
 impl Gouge {
-    /// Where on its surface: the patch of a sculptured one, the place of another.
+    /// Where on its surface: the patch of a sculptured one, the place of another; and the thickness on it.
     pub(crate) fn placed(&self) -> String {
         let stood = self.stood.as_ref().map(|s| s.place);
-        match (self.span, stood.or(self.seen.as_ref().map(|s| s.place))) {
+        let place = match (self.span, stood.or(self.seen.as_ref().map(|s| s.place))) {
             (Some((n, [u, v])), _) => format!(", patch {n}, u {}, v {}", short(u), short(v)),
             (None, Some(place)) => format!(" at {}", point(place)),
             (None, None) => String::new(),
+        };
+        match self.left.as_ref().map(|left| left.thick).filter(|thick| *thick != 0.0) {
+            Some(thick) => format!("{place}, with the thickness {} on it", short(thick)),
+            None => place,
         }
     }
 }
@@ -149,20 +174,27 @@ impl Guard {
             self.solids(cutter).filter_map(move |(by, (profile, up))| {
                 let middle = te + ta * (up + 0.5 * (profile.bottom() + profile.height()));
                 let depth = body.holds(middle)?;
-                let (surface, span) = (s.name.clone(), None);
-                Some(Gouge { surface, span, depth, by, entered: None, seen: None, stood: None })
+                let (surface, span, left) = (s.name.clone(), None, None);
+                let (entered, seen, stood) = (None, None, None);
+                Some(Gouge { surface, span, depth, left, by, entered, seen, stood })
             })
         });
         all.next()
     }
 
+    /// The thickness left on a surface.
+    pub(crate) fn left_on(&self, s: &Checked) -> f64 {
+        if s.part { self.thick } else { s.thick }
+    }
+
     pub(crate) fn told(&self, s: &Checked, place: PatchPlace, by: Solid) -> Gouge {
         let [u, v] = s.surface.global(place.patch, place.uv[0], place.uv[1]);
-        let thick = if s.part { self.thick } else { 0.0 };
+        let thick = self.left_on(s);
         let span = (!s.facets).then(|| s.surface.span_of(u, v));
         let depth = thick - place.distance;
         let seen = Some(Box::new(Seen { place: s.surface.at(u, v).point, by, thick }));
-        Gouge { surface: s.name.clone(), span, depth, by, entered: None, seen, stood: None }
+        let (surface, left) = (s.name.clone(), Left::of(thick, s.own));
+        Gouge { surface, span, depth, left, by, entered: None, seen, stood: None }
     }
 
     /// Is a place that was in the tool somewhere else deeper than `intol` in it here too?
@@ -196,8 +228,7 @@ impl Guard {
         for (by, (profile, up)) in self.solids(cutter) {
             let [a, b] = ends;
             for s in &self.surfaces {
-                let thick = if s.part { self.thick } else { 0.0 };
-                let allowed = intol - thick;
+                let allowed = intol - self.left_on(s);
                 let tool = Tool { profile: &profile, te: a.0 + a.1 * up, ta: a.1 };
                 let found = if a == b {
                     s.tree.clear_by(&tool, allowed, looks)
@@ -213,9 +244,11 @@ impl Guard {
             }
             for p in &self.plain {
                 if let Some((depth, _)) = p.deep(cutter, (&profile, up), ends, intol) {
-                    let (surface, entered) = (p.name.clone(), p.entered(cutter, ends[1]));
+                    let entered = p.entered(cutter, ends[1]).map(Box::new);
+                    let surface = p.name.clone();
+                    let (depth, left) = (depth + p.thick, Left::of(p.thick, None));
                     let (span, seen, stood) = (None, None, None);
-                    return Err(Gouge { surface, span, depth, by, entered, seen, stood });
+                    return Err(Gouge { surface, span, depth, left, by, entered, seen, stood });
                 }
             }
         }

@@ -77,7 +77,7 @@ impl Setup<'_> {
                     if left == 0 || (uv[k] - last.drive_uv[k]).abs() < 1e-9 {
                         let ends = [(last.te, last.ta), (p.te, p.ta)];
                         let deepest = |gouge| guard.deepest(self.profile, ends, gouge);
-                        blocked.map_err(|g| Failure::gouge(deepest(g), p.te, p.ta, avoid.on))?;
+                        blocked.map_err(|g| Failure::gouge(deepest(g), p.te, p.ta, avoid))?;
                     }
                     left -= 1;
                     let (mid, _) = self.settled(uv, course, sense, Some(memory), Take::Band)?;
@@ -137,7 +137,7 @@ impl Setup<'_> {
             if avoid.on && guard.way(self.profile, [(te, ta); 2]).is_ok() {
                 return Ok(());
             }
-            return Err(Failure::gouge(gouge(), te, ta, avoid.on));
+            return Err(Failure::gouge(gouge(), te, ta, avoid));
         };
         p.lift = how.lift.map_or_else(Vec3::zeros, |_| how.te - p.te);
         (p.te, p.ta) = (how.te, how.ta);

@@ -23,24 +23,24 @@ pub(crate) const MOST: usize = 20_000;
 pub(crate) const FEW: usize = 1_000;
 pub(crate) const SOON: usize = 256;
 pub(crate) const FIRST: usize = 32;
-/// Part of what is allowed, and of the tool's size, to which a depth is told.
+/// Part of INTOL, and of the tool's size, to which a depth is told.
 const FINE: f64 = 0.02;
 const LEAST: f64 = 1e-6;
 /// Boxes that are looked at for the deepest place, and steps along the surface to it: a foot on rulings takes milliseconds.
 const TOLD: usize = 250;
 const STEPS: u32 = 60;
 
-/// Is a place of the surface deeper in the body than `allowed`? The body is known but for `slack`, and lies between the
-/// corners of a box; `most` boxes are looked at.
+/// Is a place of the surface deeper in the body than `allowed`, INTOL less a thickness? The body is known but for `slack`; what may be
+/// so deep lies between the corners of a box; `most` boxes are looked at.
 pub(crate) fn inside(
     body: &impl Convex,
     [low, high]: [Vec3; 2],
     surface: &Surface,
-    (allowed, slack): (f64, f64),
+    (allowed, slack, intol): (f64, f64, f64),
     most: usize,
 ) -> Inside {
     let size = (high - low).norm();
-    let fine = (FINE * allowed).max(LEAST * size);
+    let fine = (FINE * intol).max(LEAST * size);
     let mut stack = vec![(0.5 * (low + high), 0.5 * (high - low))];
     let mut seen = 0;
     let mut unknown = false;
@@ -132,7 +132,7 @@ fn climbed(
     surface: &Surface,
     real: &impl Fn(Vec3) -> (f64, f64),
 ) -> Found {
-    let mut step = best.depth;
+    let mut step = best.depth.abs();
     for _ in 0..STEPS {
         let place = surface.foot(best.place - body.near(best.place).1 * step).point;
         let (depth, t) = real(place);

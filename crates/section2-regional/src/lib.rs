@@ -54,6 +54,7 @@ mod stepover;
 mod summit;
 mod tlproj;
 mod touched;
+mod unused;
 mod watch;
 mod within;
 

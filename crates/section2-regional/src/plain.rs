@@ -17,6 +17,8 @@ pub(crate) struct Plain {
     pub(crate) surface: Arc<Surface>,
     /// From where the tool comes; `None` where nothing is known of it.
     pub(crate) from: Option<Came>,
+    /// Left on it: the thickness of check surfaces.
+    pub(crate) thick: f64,
 }
 
 /// From where the tool comes to a statement.
@@ -40,7 +42,7 @@ impl Plain {
     pub(crate) fn new(name: String, form: &Arc<Form>) -> Option<Self> {
         let surface = Surface::from_form(form)?;
         let surface = Arc::new(kept::with_inside(&surface).unwrap_or(surface));
-        Some(Self { name, form: Arc::clone(form), surface, from: None })
+        Some(Self { name, form: Arc::clone(form), surface, from: None, thick: 0.0 })
     }
 
     /// The tool comes to a statement from there.
@@ -61,7 +63,8 @@ impl Plain {
     }
 
     /// How deep a solid whose lower end is `up` above the tool end gets into the surface on its way, and where (of what is
-    /// found box by box where the way begins), if that is deeper than `allowed`. What cannot be computed is not taken for clear: its depth is infinite.
+    /// found box by box where the way begins), if that is deeper than `intol` less the thickness on it; negative where it is but nearer
+    /// than that. What cannot be computed is not taken for clear: its depth is infinite.
     ///
     /// A stretch of the way is held against the surface with the axis of its middle, which is off by first order in the
     /// turn, and by what its ends bound, off by second order ([`Plain::between`]).
@@ -70,8 +73,9 @@ impl Plain {
         cutter: &Profile,
         (profile, up): (&Profile, f64),
         [a, b]: [(Vec3, Vec3); 2],
-        allowed: f64,
+        intol: f64,
     ) -> Option<(f64, Vec3)> {
+        let allowed = intol - self.thick;
         let reach = profile.reach();
         let axis = |t: f64| match t {
             0.0 => a.1,
@@ -79,7 +83,7 @@ impl Plain {
             _ => axis_between(a.1, b.1, t),
         };
         // Of a tool that comes from nowhere its first place tells.
-        let kept = self.from.map_or_else(|| self.side(cutter, a, allowed), |from| from.side);
+        let kept = self.from.map_or_else(|| self.side(cutter, a, intol), |from| from.side);
         let side = match kept {
             Some(side) if side > 0.0 => Side::Positive,
             // A trough along which the tool comes to stand is a bore.
@@ -112,8 +116,8 @@ impl Plain {
         // What is in the tool on a stretch, whatever faces it. What lies above a hollow that is open counts for nothing.
         let search = |from: Vec3, to: Vec3, ta: Vec3, slack: f64, most: usize| {
             let body = Swept { tool: at((from, ta)), by: to - from };
-            let about = hull(profile, &body.tool, body.by);
-            match inside(&body, about, &self.surface, (allowed, slack), most) {
+            let about = about(hull(profile, &body.tool, body.by), allowed);
+            match inside(&body, about, &self.surface, (allowed, slack, intol), most) {
                 Inside::Deep(_) if side == Side::Open => Inside::Unknown,
                 found => found,
             }
@@ -252,6 +256,12 @@ struct Stood {
     ta: Vec3,
     /// `None` where no place of the surface faces the tool.
     g: Option<f64>,
+}
+
+/// A box about what is deeper in a tool than `allowed`, from the box about the tool: what is negative is beside it.
+pub(crate) fn about([low, high]: [Vec3; 2], allowed: f64) -> [Vec3; 2] {
+    let beside = (-allowed).max(0.0);
+    [low.add_scalar(-beside), high.add_scalar(beside)]
 }
 
 /// The radius of balls of which the solid on the negative side is made: its least radius of curvature. 0 where it has

@@ -5,7 +5,7 @@ use aptc_geometry::{Cutter, Cylinder, Plane, Quadric, QuadricKind, Sphere};
 
 fn plain(surface: Surface) -> Plain {
     let form = Arc::new(Form::Point(Vec3::zeros()));
-    Plain { name: "K".into(), form, surface: Arc::new(surface), from: None }
+    Plain { name: "K".into(), form, surface: Arc::new(surface), from: None, thick: 0.0 }
 }
 
 #[test]

@@ -10,6 +10,7 @@ use aptc_cldata::milling::{Extent, Scallop};
 use aptc_geometry::Vec3;
 
 use crate::area::StepoverArea;
+use crate::avoid::Avoid;
 use crate::crew::Crew;
 use crate::drive::Course;
 use crate::failure::{Deep, Failure};
@@ -263,7 +264,7 @@ impl Region<'_> {
                 let ends = [(last.te, last.ta), corner];
                 let deepest = |gouge| guard.deepest(setup.profile, ends, gouge);
                 let way = guard.way(setup.profile, ends);
-                way.map_err(|g| Failure::gouge(deepest(g), corner.0, corner.1, avoid.on))?;
+                way.map_err(|g| Failure::gouge(deepest(g), corner.0, corner.1, avoid))?;
             }
             out.puts.push(Put::Feed(self.feeds[2]));
             out.puts.push(Put::Move(vec![corner]));
@@ -300,7 +301,7 @@ impl Region<'_> {
             Some([up, down]) => Ok(Joint::Over([(up, stand.1), (down, start.1)])),
             None => {
                 let gouge = guard.deepest(setup.profile, [stand, start], gouge);
-                Err(Failure::gouge(gouge, start.0, start.1, avoid.on))
+                Err(Failure::gouge(gouge, start.0, start.1, avoid))
             }
         }
     }
@@ -324,13 +325,26 @@ impl Region<'_> {
 
     /// A way between passes goes through no surface.
     pub(crate) fn clear(&self, from: (Vec3, Vec3), way: &[(Vec3, Vec3)]) -> Result<(), Failure> {
+        let profile = self.setup.profile;
+        // What stands in a surface where it is would do so on any way.
+        let stands = |at: (Vec3, Vec3), word| {
+            let gouge = self.ways.way(profile, [at, at]).err()?;
+            let gouge = self.ways.deepest(profile, [at, at], gouge);
+            let (te, ta) = at;
+            Some(Failure::Stands(Box::new(Deep { gouge, te, ta, avoids: Avoid::default() }), word))
+        };
         let mut here = from;
         for &to in way {
-            let found = self.ways.way(self.setup.profile, [here, to]);
+            let found = self.ways.way(profile, [here, to]);
             found.map_err(|gouge| {
-                let gouge = self.ways.deepest(self.setup.profile, [here, to], gouge);
+                let ends = if here == from { stands(from, "ends") } else { None };
+                let begins = || if way.last() == Some(&to) { stands(to, "begins") } else { None };
+                if let Some(why) = ends.or_else(begins) {
+                    return why;
+                }
+                let gouge = self.ways.deepest(profile, [here, to], gouge);
                 let (te, ta) = to;
-                Failure::PickFeed(Box::new(Deep { gouge, te, ta, avoids: false }))
+                Failure::PickFeed(Box::new(Deep { gouge, te, ta, avoids: Avoid::default() }))
             })?;
             here = to;
         }

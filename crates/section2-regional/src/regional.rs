@@ -62,6 +62,8 @@ pub struct Regional {
     pub(crate) came: Option<(Vec3, Vec3)>,
     /// HOLDER: solids with their height above the tool end.
     pub(crate) holder: Vec<(Profile, f64)>,
+    /// What was told of words that have no effect.
+    pub(crate) told_unused: Vec<String>,
     /// PRINT/AVPRT.
     pub(crate) report: bool,
     /// CHKSRF in ordinary motion.
@@ -137,7 +139,7 @@ impl Regional {
         };
         let known = out.len();
         let done = match word.as_str() {
-            "SCON" => self.scon(args).map(|()| None),
+            "SCON" => self.scon(&record.origin, args).map(|()| None),
             "SMIL" => self.smil(&record.origin, args, crew, out),
             "CHKSRF" => self.chksrf(args).map(|()| None),
             "AVCTRL" => self.avctrl(args).map(|()| None),

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use aptc_contact::PatchTree;
+use aptc_diagnostics::Origin;
 use aptc_geometry::sculpt::{FitFault, fit_curve, fit_surface};
 use aptc_geometry::{Form, Sculptured, SpaceCurve, Vec3};
 use aptc_protap::{Arg, NameRef};
@@ -12,6 +13,7 @@ use crate::failure::Failure;
 use crate::outline::same_form;
 use crate::project::Ends;
 use crate::regional::Regional;
+use crate::unused::on_with_thickness;
 
 /// Arguments read one after the other.
 pub(crate) struct Words<'a>(pub(crate) &'a [Arg]);
@@ -113,7 +115,7 @@ impl Regional {
     /// Sets or clears areas.
     ///
     /// APT: `SCON`.
-    pub(crate) fn scon(&mut self, args: &[Arg]) -> Result<(), Failure> {
+    pub(crate) fn scon(&mut self, origin: &Origin, args: &[Arg]) -> Result<(), Failure> {
         let mut w = Words(args);
         let word = w.word().unwrap_or("");
         if word == "INIT" {
@@ -124,6 +126,9 @@ impl Regional {
             return Err(Failure::Undone { what: "this form of SCON" });
         };
         let done = self.set_area(area, &mut w);
+        let on = |p: &&PartArea| area == "PS" && !p.touches && p.thick != 0.0;
+        let part = self.areas.part.as_ref().filter(|_| done.is_ok()).filter(on);
+        self.diagnostics.extend(part.map(|part| on_with_thickness(origin, part)));
         let areas = &mut self.areas;
         if done.is_err() {
             // What was set before is not what the program goes on with.

@@ -1,7 +1,7 @@
 //! The modal words that regional milling obeys.
 
 use aptc_geometry::{Cutter, Profile};
-use aptc_protap::{Kind, ToolAxis, Units};
+use aptc_protap::{Kind, OptionSurface, ToolAxis, Units};
 
 /// Historic defaults, in millimetres: they were inches and are converted to the unit of the program.
 const OUTTOL_MM: f64 = 0.0005 * 25.4;
@@ -28,8 +28,14 @@ pub(crate) struct Settings {
     pub(crate) thick: f64,
     /// Left on the drive surface.
     pub(crate) thick_drive: f64,
+    /// Left on check surfaces.
+    pub(crate) thick_check: f64,
+    /// CUTTER/OPTION against part and drive surface: radius and height.
+    pub(crate) disks: [Option<(f64, f64)>; 2],
     /// TLAXIS; `None` before any.
     pub(crate) axis: Option<ToolAxis>,
+    /// Was it given by TLAXIS itself, and led no motion since?
+    pub(crate) axis_idle: bool,
 }
 
 /// Allowed violation and excess.
@@ -60,11 +66,16 @@ impl Settings {
             Kind::Numpts(n) => self.numpts = Some(*n),
             Kind::Multax(on) => self.multax = *on,
             Kind::Cut(on) => self.cut = Some(*on),
-            Kind::Thick(t) => [self.thick, self.thick_drive] = [t[0], t[1]],
-            Kind::ToolAxis(axis) => self.axis = Some(axis.clone()),
+            Kind::CutterOption { surface, disk } => {
+                self.disks[usize::from(*surface == OptionSurface::Drive)] = *disk;
+            }
+            Kind::Thick([part, drive, check, _]) => {
+                [self.thick, self.thick_drive, self.thick_check] = [*part, *drive, *check];
+            }
+            Kind::ToolAxis(axis) => (self.axis, self.axis_idle) = (Some(axis.clone()), true),
             Kind::From(p) | Kind::Goto(p) => {
                 if let Some(ta) = p.axis {
-                    self.axis = Some(ToolAxis::Fixed(ta));
+                    (self.axis, self.axis_idle) = (Some(ToolAxis::Fixed(ta)), false);
                 }
             }
             _ => {}

@@ -9,9 +9,10 @@ use aptc_geometry::{Form, Vec3};
 use aptc_protap::{Arg, NameRef};
 
 use crate::area::{Areas, AxisArea, DriveArea, Guide, Hold, PartArea};
+use crate::avoid::Avoid;
 use crate::crew::Crew;
 use crate::drive::Course;
-use crate::failure::{Deep, Failure, leads_out, left_standing, put_out, touches_with};
+use crate::failure::{Deep, Failure, left_out, left_standing, put_out, touches_with};
 use crate::guard::{Checked, Guard};
 use crate::jump::Stands;
 use crate::path::{Broken, Path};
@@ -25,6 +26,7 @@ use crate::scon::Words;
 use crate::settings::Band;
 use crate::solve::{Setup, Take};
 use crate::touched::{along_lines, led};
+use crate::unused::{Milling as Before, leads_out, steps_out};
 
 /// What a statement gives.
 #[derive(Default)]
@@ -49,6 +51,8 @@ struct Done {
     away: bool,
     /// Does the way of its passes lead out of the limits at once? The start and the sense.
     outward: Option<([f64; 2], f64)>,
+    /// Does the step from the first pass to the next?
+    sideways: Option<([f64; 2], f64)>,
 }
 
 impl Regional {
@@ -67,6 +71,7 @@ impl Regional {
         w.take("DS");
         w.take("PARAM");
         let from = [w.number().unwrap_or(0.0), w.number().unwrap_or(0.0)];
+        self.tells_unused(origin, if word == "POSN" { Before::Posn } else { Before::Smil });
         let guard = self.guard();
         self.tells_thin(origin, guard.as_ref());
         let mut done = match word {
@@ -88,6 +93,7 @@ impl Regional {
         self.diagnostics.extend(reports(origin, &done.notes));
         self.odd(origin, done.odd);
         self.diagnostics.extend(done.outward.map(|(from, sense)| leads_out(origin, from, sense)));
+        self.diagnostics.extend(done.sideways.map(|(from, sense)| steps_out(origin, from, sense)));
         let part = self.areas.part.as_ref().map_or("", |p| &p.name.name);
         let left = done.stands.map(|s| left_standing(origin, part, &s));
         self.diagnostics.extend(left);
@@ -238,6 +244,10 @@ impl Regional {
         let senses = [along, over];
         let to = setup.drive.limits(course)[usize::from(along > 0.0)];
         let outward = is_at(from, course, to).then_some((from, along));
+        let wide = setup.drive.limits(course.across());
+        let steps = stepover.paths != Some(1) && !is_at([wide[0]; 2], course, wide[1]);
+        let aside = is_at(from, course.across(), wide[usize::from(over > 0.0)]) && steps;
+        let sideways = aside.then_some((from, over));
         let same =
             matches!(&setup.drive.guide, Guide::Surface(s) if Arc::ptr_eq(s, &setup.part.surface));
         let ways = &self.ways();
@@ -261,7 +271,20 @@ impl Regional {
         let crate::region::Done { puts, notes, odd, first, why, stands, .. } = done;
         let (joined, picks) = (skip, pick);
         let away = false;
-        Ok(Done { puts, notes, odd, first, picks, why, scallop, stands, joined, away, outward })
+        Ok(Done {
+            puts,
+            notes,
+            odd,
+            first,
+            picks,
+            why,
+            scallop,
+            stands,
+            joined,
+            away,
+            outward,
+            sideways,
+        })
     }
 
     /// The first point of the statement is left out, as the tool is to stand there. Where it does not, and the
@@ -285,7 +308,10 @@ impl Regional {
         }
         let ways = self.ways();
         let here = (stand.te, stand.ta);
-        let Err(gouge) = ways.way(profile, [here, second]) else { return Ok(()) };
+        let Err(gouge) = ways.way(profile, [here, second]) else {
+            self.diagnostics.push(left_out(origin, first.0, here.0));
+            return Ok(());
+        };
         let plane = self.areas.clearance.filter(|_| done.picks);
         let way = match &plane {
             Some(plane) => Retract::Plane(*plane).over(here, first).to_vec(),
@@ -296,7 +322,12 @@ impl Regional {
         if blocked {
             let gouge = ways.deepest(profile, [here, second], gouge);
             let (te, ta) = second;
-            return Err(Failure::Skipped(Box::new(Deep { gouge, te, ta, avoids: false })));
+            return Err(Failure::Skipped(Box::new(Deep {
+                gouge,
+                te,
+                ta,
+                avoids: Avoid::default(),
+            })));
         }
         self.diagnostics.push(put_out(origin, first.0));
         done.puts.insert(0, Put::Move(way));
@@ -367,12 +398,13 @@ impl Regional {
             name: cl::NameRef { name: c.name.as_str().into(), subscript: 0 },
             surface: Arc::clone(&c.surface),
             side: 1.0,
-            thick: 0.0,
+            thick: self.settings.thick_check,
             body: c.body.clone(),
         });
         let plain = self.plain.iter().map(|p| Plain {
             name: cl::NameRef { name: p.name.as_str().into(), subscript: 0 },
             form: Arc::clone(&p.form),
+            thick: self.settings.thick_check,
         });
         let holder = self.holder.iter().map(|&(profile, up)| Raised { profile, up });
         let band = self.settings.band();

@@ -9,6 +9,7 @@ use aptc_geometry::surface::ParametricSurface;
 use aptc_protap::{Arg, NameRef};
 
 use crate::area::{AxisArea, DriveArea, Guide, Hold, Projection};
+use crate::avoid::Avoid;
 use crate::drive::Course;
 use crate::failure::{Deep, Failure};
 use crate::path::{Broken, Path};
@@ -216,7 +217,12 @@ impl Regional {
         let way = [(stand.te, stand.ta), (to.te, to.ta)];
         ways.way(profile, way).map_err(|gouge| {
             let gouge = ways.deepest(profile, way, gouge);
-            Failure::Approach(Box::new(Deep { gouge, te: to.te, ta: to.ta, avoids: false }))
+            Failure::Approach(Box::new(Deep {
+                gouge,
+                te: to.te,
+                ta: to.ta,
+                avoids: Avoid::default(),
+            }))
         })
     }
 }

@@ -6,8 +6,11 @@ use aptc_cldata as cl;
 use aptc_diagnostics::Origin;
 use aptc_geometry::{Form, Profile, Sculptured, Vec3};
 
+use crate::avoid::Avoid;
 use crate::failure::{Deep, Failure, too_thin};
 use crate::guard::{Checked, Guard};
+use crate::outline::same_form;
+use crate::plain::Plain;
 use crate::regional::{Failed, Regional};
 
 /// What is known of the tool along the records.
@@ -115,9 +118,8 @@ impl Regional {
     pub(crate) fn tells_thin(&mut self, origin: &Origin, guard: Option<&Guard>) {
         let (Some(profile), false) = (self.settings.profile, self.watch.thin) else { return };
         let deepest = profile.widest().min(0.5 * (profile.height() - profile.bottom()));
-        let allowed = |s: &Checked, guard: &Guard| {
-            self.touching().max(guard.intol) - if s.part { guard.thick } else { 0.0 }
-        };
+        let allowed =
+            |s: &Checked, guard: &Guard| self.touching().max(guard.intol) - guard.left_on(s);
         let thin = guard.and_then(|guard| {
             let mut all = guard.surfaces.iter().map(|s| (s, allowed(s, guard)));
             all.find(|(_, allowed)| deepest <= *allowed)
@@ -138,6 +140,10 @@ impl Regional {
         let moves = motion.kind != cl::MotionKind::From && !self.is_recording();
         let (Some(profile), true) = (self.watch.profile, moves) else { return Ok(()) };
         let first = motion.points.first().map(|p| (p.te, p.ta));
+        if motion.control.as_ref().is_some_and(|c| c.part.is_some()) {
+            self.settings.axis_idle = false;
+            self.tells_bare_holder(origin);
+        }
         let Some(mut guard) = self.motion_guard(motion).map_err(|f| (0, f))? else { return Ok(()) };
         self.tells_thin(origin, Some(&guard));
         if let Some(from) = came.or(first) {
@@ -163,7 +169,7 @@ impl Regional {
         self.watch.outside.extend(guard.surfaces.into_iter().map(|c| c.surface));
         held.map_or(Ok(()), |gouge| {
             let (te, ta) = at;
-            Err(Failure::Held(Box::new(Deep { gouge, te, ta, avoids: false })))
+            Err(Failure::Held(Box::new(Deep { gouge, te, ta, avoids: Avoid::default() })))
         })
     }
 
@@ -190,10 +196,19 @@ impl Regional {
     }
 
     fn motion_guard(&mut self, motion: &cl::Motion) -> Result<Option<Guard>, Failure> {
-        let mut surfaces = self.checked.clone();
+        let (mut surfaces, mut plain) = self.named();
         let mut thick = 0.0;
-        let part =
-            motion.control.as_ref().and_then(|c| c.part.as_ref()).filter(|_| self.check_part);
+        let control = motion.control.as_deref();
+        // Where the motion itself is led along one of them it leaves no more than that asks for.
+        let led = control.iter().flat_map(|c| c.drive.iter().chain(&c.part).chain(&c.checks));
+        for led in led {
+            let known = self.fitted.iter().find(|(f, _)| same_form(f, &led.form));
+            let same = |s: &&mut Checked| known.is_some_and(|k| Arc::ptr_eq(&k.1, &s.surface));
+            surfaces.iter_mut().filter(same).for_each(|s| s.thick = s.thick.min(led.thick));
+            let same = |p: &&mut Plain| same_form(&p.form, &led.form);
+            plain.iter_mut().filter(same).for_each(|p| p.thick = p.thick.min(led.thick));
+        }
+        let part = control.and_then(|c| c.part.as_ref()).filter(|_| self.check_part);
         if let Some(part) = part.filter(|p| p.side != 0 && matches!(p.form.shape(), Form::Ssurf(_)))
         {
             let name = aptc_protap::NameRef {
@@ -206,7 +221,7 @@ impl Regional {
             thick = part.thick;
         }
         let intol = self.touching();
-        let (holder, report, plain) = (self.holder.clone(), false, self.plain.clone());
+        let (holder, report) = (self.holder.clone(), false);
         let guard = Guard { surfaces, plain, intol, thick, holder, report };
         Ok((!guard.is_empty()).then_some(guard))
     }
@@ -234,7 +249,7 @@ fn first_gouge(
         let ends = [here.unwrap_or(to), to];
         if let Err(gouge) = guard.way(profile, ends) {
             let gouge = guard.deepest(profile, ends, gouge);
-            let deep = Deep { gouge, te: to.0, ta: to.1, avoids: false };
+            let deep = Deep { gouge, te: to.0, ta: to.1, avoids: Avoid::default() };
             return Some((k, Failure::Way(Box::new(deep))));
         }
         here = Some(to);

@@ -37,23 +37,24 @@ enum Beside {
 }
 
 impl Kept {
-    /// `None` of surfaces that have no sides.
+    /// Nothing of the surface is deeper in the tool than `depth`; a lower end no farther than `near` from it is on it. `None` of
+    /// surfaces that have no sides.
     pub(crate) fn new(
         form: &Arc<Form>,
-        intol: f64,
+        [near, depth]: [f64; 2],
         sheets: &Sheets,
         (cutter, at): (&Profile, &Position),
     ) -> Option<Self> {
         let surface = with_inside(&Surface::from_form(form)?)?;
-        let side = side_from(&surface, cutter, (at.te, at.ta), intol)?;
+        let side = side_from(&surface, cutter, (at.te, at.ta), near)?;
         let (beside, opened) = if let Surface::Quadric(quadric) = &surface {
-            let opened = if side < 0.0 { Demand::hollow(quadric, intol) } else { None };
+            let opened = if side < 0.0 { Demand::hollow(quadric, depth) } else { None };
             (Beside::Sheet(sheets.of_form(form)?), opened)
         } else {
-            let opened = if side < 0.0 { Demand::clear(form, side, true, intol) } else { None };
-            (Beside::Solid(Box::new(Demand::clear(form, side, false, intol)?)), opened)
+            let opened = if side < 0.0 { Demand::clear(form, side, true, depth) } else { None };
+            (Beside::Solid(Box::new(Demand::clear(form, side, false, depth)?)), opened)
         };
-        Some(Self { surface, from: at.te, side, beside, opened, least: -intol })
+        Some(Self { surface, from: at.te, side, beside, opened, least: -depth })
     }
 
     /// Does the tool come from the inside, and is the point there too?

@@ -223,8 +223,9 @@ impl MilledSurface {
 
     /// A surface that is not sculptured. Its straight continuations belong to it.
     fn plain(of: &Plain, milling: &Milling, sheets: &Sheets, from: (&Profile, &Position)) -> Self {
-        let sided =
-            || Some(Body::Sided(Box::new(Kept::new(&of.form, milling.intol, sheets, from)?)));
+        let depth = milling.intol - of.thick;
+        let deep = [milling.intol, depth];
+        let sided = || Some(Body::Sided(Box::new(Kept::new(&of.form, deep, sheets, from)?)));
         // The working surface of a POLCON with a thickness is another one.
         let thick = matches!(of.form.shape(), Form::Polyconic(p) if p.thickness != 0.0);
         let sheet = || sheets.of_form(&of.form).filter(|_| !thick).map(Body::Sheet);
@@ -238,7 +239,7 @@ impl MilledSurface {
             on: false,
             side: 1.0,
             led: false,
-            band: [-milling.intol, f64::INFINITY],
+            band: [-depth, f64::INFINITY],
         }
     }
 
@@ -251,7 +252,7 @@ impl MilledSurface {
         from: (&Profile, &Position),
     ) -> Option<Self> {
         let sheet = || sheets.of_form(form).map(Body::Sheet);
-        let sided = || Some(Body::Sided(Box::new(Kept::new(form, depth, sheets, from)?)));
+        let sided = || Some(Body::Sided(Box::new(Kept::new(form, [depth; 2], sheets, from)?)));
         let body = match form.shape() {
             Form::Ssurf(_) => sheets.alone(form).map(Body::Sheet),
             Form::Polyconic(p) if p.thickness != 0.0 => None,

@@ -192,7 +192,7 @@ proptest! {
         if kept::with_inside(&surface).is_some() && surface.distance(middle).abs() <= intol {
             return Ok(());
         }
-        let plain = Plain { name: NameRef::default(), form: Arc::new(form.clone()) };
+        let plain = Plain { name: NameRef::default(), form: Arc::new(form.clone()), thick: 0.0 };
         // The cutter itself is far away where the holder is judged.
         let cutter = Profile::new(&Cutter::mill(0.1, 0.0, 0.1)).unwrap();
         // The middle of the solid tells the side: a tool without size that comes from there.
@@ -237,7 +237,7 @@ proptest! {
 fn told(form: Form, from: Option<Vec3>) -> Vec<(bool, f64)> {
     let profile = Profile::new(&Cutter::mill(10.0, 5.0, 40.0)).unwrap();
     let chuck = Raised { profile: Profile::new(&Cutter::mill(16.0, 0.0, 20.0)).unwrap(), up: 50.0 };
-    let plain = vec![Plain { name: NameRef::default(), form: Arc::new(form) }];
+    let plain = vec![Plain { name: NameRef::default(), form: Arc::new(form), thick: 0.0 }];
     let milling = Milling { plain, holder: vec![chuck], ..milling(0.01) };
     let at = |x: f64| Position { te: Vec3::x() * x, ta: Vec3::z() };
     let (a, b) = (at(-1.0), at(1.0));
@@ -333,7 +333,7 @@ fn the_axis_between_cutter_and_holder_meets_what_stands_there() {
 fn told_after(before: Vec<aptc_cldata::Kind>) -> f64 {
     use aptc_cldata::{Control, Kind, Motion, MotionKind, Record};
     let plain = Form::Plane(Plane { n: Vec3::z(), d: 45.0 });
-    let plain = vec![Plain { name: NameRef::default(), form: Arc::new(plain) }];
+    let plain = vec![Plain { name: NameRef::default(), form: Arc::new(plain), thick: 0.0 }];
     let control =
         Control { milling: Some(Milling { plain, ..milling(0.01) }), ..Control::default() };
     let at = |x: f64| Position { te: Vec3::x() * x, ta: Vec3::z() };
@@ -391,8 +391,11 @@ fn a_ruled_wall_is_told_as_deep_as_it_is_nearer_than_the_radius() {
     };
     let second = aptc_geometry::Second::Rail(arc(80.0));
     let ruled = aptc_geometry::RuledSurface { first: arc(-20.0), second };
-    let plain =
-        vec![Plain { name: NameRef::default(), form: Arc::new(Form::Ruled(Arc::new(ruled))) }];
+    let plain = vec![Plain {
+        name: NameRef::default(),
+        form: Arc::new(Form::Ruled(Arc::new(ruled))),
+        thick: 0.0,
+    }];
     let milling = Milling { plain, ..milling(0.01) };
     let at = |rho: f64, along: f64| {
         let te = Vec3::new(rho - along, rho + along, 0.0) * 0.5_f64.sqrt();

@@ -124,7 +124,7 @@ fn a_chord_over_a_crest_cuts_by_its_sagitta_and_a_checked_wall_is_held_off() {
 }
 
 fn plain(name: &str, form: Form) -> Plain {
-    Plain { name: NameRef { name: name.into(), subscript: 0 }, form: Arc::new(form) }
+    Plain { name: NameRef { name: name.into(), subscript: 0 }, form: Arc::new(form), thick: 0.0 }
 }
 
 /// A holder of radius 8 that begins 30 above the tool end.
@@ -146,6 +146,7 @@ fn surfaces_of_other_kinds_are_held_off_by_cutter_and_holder() {
         let point = Vec3::new(10.0, -13.0, 0.0);
         plain("POST", Form::Cylinder(Cylinder { point, axis: Vec3::z(), radius }))
     };
+    let left = |thick: f64, p: Plain| Plain { thick, ..p };
     let with = |p: &Plain, held: bool| {
         let holder = if held { vec![holder()] } else { Vec::new() };
         let own = Milling { plain: vec![p.clone()], holder, ..milling(&flat, None) };
@@ -158,6 +159,11 @@ fn surfaces_of_other_kinds_are_held_off_by_cutter_and_holder() {
         (wall(28.0 - 0.9 * BAND), true, "holder", -0.9 * BAND),
         (post(8.0 + 0.9 * BAND), false, "checked", -0.9 * BAND),
         (post(5.0 + 0.9 * BAND), true, "holder", -0.9 * BAND),
+        // With a thickness on it.
+        (left(2.0, wall(27.0 - 0.9 * BAND)), false, "checked", 2.0 - 0.9 * BAND),
+        (left(2.0, post(6.0 + 0.9 * BAND)), false, "checked", 2.0 - 0.9 * BAND),
+        (left(2.0, wall(30.0 - 0.9 * BAND)), true, "holder", 2.0 - 0.9 * BAND),
+        (left(-0.3, wall(24.7 - 0.9 * BAND)), false, "checked", -0.3 - 0.9 * BAND),
     ] {
         let (c, said) = with(&p, held);
         assert!(c.is_proved(), "{said:?}");
@@ -170,6 +176,15 @@ fn surfaces_of_other_kinds_are_held_off_by_cutter_and_holder() {
         (post(8.0 + 3.0 * BAND), true, "checked surface POST with the holder", 3.0 + 2.0 * BAND),
         (post(5.0 + 3.0 * BAND), true, "checked surface POST with the holder", 2.0 * BAND),
         (boss(4.0), true, "checked surface BOSS with the holder", 5.0),
+        (left(2.0, wall(27.0 - 1.5 * BAND)), false, "checked surface WALL", 0.5 * BAND),
+        (left(2.0, post(6.0 + 3.0 * BAND)), false, "checked surface POST", 2.0 * BAND),
+        (
+            left(2.0, wall(30.0 - 1.5 * BAND)),
+            true,
+            "checked surface WALL with the holder",
+            0.5 * BAND,
+        ),
+        (left(-0.3, wall(24.7 - 1.5 * BAND)), false, "checked surface WALL", 0.5 * BAND),
     ] {
         let (c, _) = with(&p, held);
         let fault = c.statements[0].fault.clone().expect("a fault");

@@ -53,4 +53,6 @@ codes! {
     COMES_BACK = 2056, "PAST where the cutter never gets past";
     STRAIGHT_OVER = 2057, "a line that goes straight through what REGION leaves out";
     LEFT_BY_OFFSET = 2058, "OFFSET that leaves its drive surface";
+    NO_EFFECT = 2059, "a word that has no effect on regional milling";
+    BARE_HOLDER = 2060, "HOLDER while nothing is checked";
 }

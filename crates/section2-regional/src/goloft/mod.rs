@@ -20,6 +20,7 @@ use crate::regional::{Regional, Stand};
 use crate::report::reports;
 use crate::scon::Words;
 use crate::solve::{Setup, Take};
+use crate::unused::Milling;
 pub(crate) use line::at_line;
 use line::{Line, Milled, Stop, Stretch};
 pub(crate) use wish::{End, Wish};
@@ -84,6 +85,8 @@ impl Regional {
             return Err(Failure::Value { what, value: fixed, need });
         }
         self.line = Some((Arc::clone(form), course, fixed));
+        self.tells_unused(origin, Milling::Goloft);
+        self.settings.axis_idle = false;
         let drive = own_drive(&part);
         let guard = self.guarded(Some(&part));
         self.tells_thin(origin, guard.as_ref());
@@ -262,6 +265,7 @@ impl Regional {
         out: &mut Vec<cl::Record>,
     ) -> Result<Option<Stand>, Failure> {
         let all = self.clears.around(stretches)?;
+        self.clears.used = true;
         let guard = self.guarded(on.as_ref().map(|on| on.1)).filter(|_| !self.is_recording());
         let control = on.as_ref().map(|on| &on.0);
         let mut stand = None;
