@@ -201,7 +201,7 @@ impl Regional {
         let control = motion.control.as_deref();
         // Where the motion itself is led along one of them it leaves no more than that asks for.
         let led = control.iter().flat_map(|c| c.drive.iter().chain(&c.part).chain(&c.checks));
-        for led in led {
+        for led in led.filter(|led| led.thick < self.settings.thick_check) {
             let known = self.fitted.iter().find(|(f, _)| same_form(f, &led.form));
             let same = |s: &&mut Checked| known.is_some_and(|k| Arc::ptr_eq(&k.1, &s.surface));
             surfaces.iter_mut().filter(same).for_each(|s| s.thick = s.thick.min(led.thick));
