@@ -536,6 +536,7 @@ pub(crate) fn point(p: Vec3) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::guard::Left;
 
     #[test]
     fn what_no_chord_keeps_is_told_by_its_own_limit() {
@@ -565,5 +566,22 @@ mod tests {
             creeps,
             "from the drive point u 0.5, v 1 no chord that moves the tool by 0.02 or more is found: the path does but creep"
         );
+    }
+
+    #[test]
+    fn what_to_do_about_a_gouge_is_what_helps() {
+        let help = |thick: Option<f64>, avoids: Avoid| {
+            let left = Some(Box::new(Left { thick: 0.0, own: thick }));
+            let (surface, span, by) = ("F".into(), None, Solid::Cutter);
+            let (entered, seen, stood) = (None, None, None);
+            let gouge = Gouge { surface, span, depth: 0.5, left, by, entered, seen, stood };
+            Deep { gouge, te: Vec3::zeros(), ta: Vec3::z(), avoids }.help()
+        };
+        let off = Avoid::default();
+        assert!(help(Some(-0.5), off).starts_with("name it PS in CHKSRF"));
+        assert!(help(None, off).starts_with("switch AVCTRL on"));
+        let axis = Avoid { on: true, ..off };
+        assert!(help(None, axis).starts_with("widen RANGE or LIMIT"));
+        assert!(help(None, Avoid { along_normal: true, ..axis }).contains("(AVCTRL/AXIS)"));
     }
 }
