@@ -6,6 +6,7 @@ use aptc_geometry::{Reason, Spot, Surface, Tool, Vec3, trig};
 
 use crate::centred;
 use crate::dips::{Sample, cubic_at, dip, single, tangents_meet};
+use crate::edges::has_edges;
 use crate::gap::{Condition, Gap, Side, distance};
 
 /// Share of the cutter's radius by which two places of contact lie apart.
@@ -18,6 +19,9 @@ const BESIDE: f64 = 1e-3;
 const BENT: f64 = 0.05;
 /// Share of its way to a limit to which an extreme gap is found.
 const BY: f64 = 0.01;
+/// Looks along a chord that comes by corners, and halvings between two of them.
+const CORNERED: u8 = 12;
+const HALVINGS: u8 = 40;
 /// Greatest number of pieces into which a chord over a surface of mixed curvature is cut.
 const MAX_PIECES: usize = 256;
 
@@ -154,6 +158,8 @@ pub fn chord(
     } else if near {
         let high = run.dip(a, b, -1.0, resolution)?;
         Ok(Chord { low: extreme(&ends[0]), high, bow, proved: true })
+    } else if run.comes_to_corners(&a, &b) {
+        run.cornered(a, b, exact)
     } else {
         match run.single(a, b, resolution)? {
             Some(chord) => Ok(chord),
@@ -347,6 +353,37 @@ impl Run<'_, '_> {
         let outer = Extreme { t: ends.t, g: ends.gap.g };
         let (low, high) = if rises { (inner, outer) } else { (outer, inner) };
         Ok(Some(Chord { low, high, bow: b.slope - a.slope, proved: false }))
+    }
+
+    /// Does the contact go from one span of a TABCYL with corners to another?
+    fn comes_to_corners(&self, a: &Place, b: &Place) -> bool {
+        let alike =
+            a.gap.at.map(|at| at[0]) == b.gap.at.map(|at| at[0]) && a.gap.segment == b.gap.segment;
+        !alike && matches!(self.surface, Surface::Tabcyl(_)) && has_edges(self.tool, self.surface)
+    }
+
+    /// Any curvature, and the least gap where its slope jumps, or nearly so, as at corners: between looks it is halved to where the
+    /// slope changes its sign.
+    fn cornered(&self, a: Place, b: Place, exact: Exact) -> Result<Chord, Reason> {
+        let Chord { mut low, high, bow, proved } = self.mixed(a, b, exact)?;
+        let mut last = a;
+        for i in 1..=CORNERED {
+            let t = f64::from(i) / f64::from(CORNERED);
+            let here = if i == CORNERED { b } else { self.between(&last, &b, t)? };
+            let (mut from, mut to) = (last, here);
+            for _ in 0..HALVINGS {
+                // Tangents meet no farther below than so.
+                let below = from.slope.abs().min(to.slope) * (to.t - from.t);
+                if from.slope >= 0.0 || to.slope <= 0.0 || below <= exact.resolution {
+                    break;
+                }
+                let m = self.between(&from, &to, 0.5 * (from.t + to.t))?;
+                low = if m.gap.g < low.g { Extreme { t: m.t, g: m.gap.g } } else { low };
+                *(if m.slope < 0.0 { &mut from } else { &mut to }) = m;
+            }
+            last = here;
+        }
+        Ok(Chord { low, high, bow, proved })
     }
 
     /// Any curvature: halves of a piece are bounded by the cubics through their ends and slopes and by how far

@@ -17,6 +17,8 @@ use crate::stations::{FAR, SEEDS, Seeds};
 const PARTS: u32 = 4;
 /// How often parts are divided at most.
 pub(crate) const LEVELS: u32 = 3;
+/// Halvings to where a span faces the end of the tool.
+const FACING: u32 = 24;
 /// Halvings between two looks.
 const HALVINGS: u32 = 10;
 /// Rounds to the place of a ruling that the cutter's point lies beside, and from the next one on it.
@@ -119,12 +121,16 @@ impl<'a> Crests<'a> {
         let (tool, side) = (self.tool, self.side);
         let (mut before, mut begin): (Option<(usize, Look)>, Option<Look>) = (None, None);
         let joint = |last: &Look, first: &Look| last.ahead > 0.0 && first.ahead <= 0.0;
+        let mut rises = Rises::default();
         for (span, length) in surface.spans_near(tool.te, self.top, reach) {
             let look = |s: f64| Look::at(tool, surface, side, span, s);
             let first = look(0.0);
+            let follows = before.is_some_and(|(last, _)| last + 1 == span);
+            if !follows {
+                rises = Rises { least: rises.least, ..Rises::default() };
+            }
             // A corner between two spans.
-            if let Some((last, l)) = before
-                && last + 1 == span
+            if let Some((_, l)) = before.filter(|_| follows)
                 && joint(&l, &first)
             {
                 self.offer(&first);
@@ -133,10 +139,15 @@ impl<'a> Crests<'a> {
                 begin = Some(first);
             }
             let last = look(length);
+            if self.known.is_some() {
+                rises.along(tool, &look, [(0.0, first), (length, last)]);
+            }
             let part = Part { from: (0.0, first), to: (length, last), scale: 1.0 };
             part.contacts(&look, &mut |l| self.offer(l), LEVELS);
             before = Some((span, last));
         }
+        // Half of a way counts, as two places come nearer to each other by twice of it.
+        self.way = self.way.min(2.0 * rises.least);
         // The corner where the curve closes.
         if let (Some((last, l)), Some(first)) = (before, begin)
             && last > 0
@@ -170,6 +181,62 @@ impl<'a> Crests<'a> {
         let way = next.min(self.way).max(0.0);
         let spot = |i: usize| self.found.get(i).copied().flatten().map(|f| f.1);
         Some(Seeds { found: std::array::from_fn(spot), deepest: self.deepest, way })
+    }
+}
+
+/// How far the cutter is from where another place of contact would begin: where it is ahead by less again, after by more, before it
+/// comes to a place of contact, and behind by less after one. As the tool moves that changes by its way at most.
+#[derive(Clone, Copy)]
+struct Rises {
+    least: f64,
+    last: Option<f64>,
+    rising: bool,
+}
+
+impl Default for Rises {
+    fn default() -> Self {
+        Self { least: f64::INFINITY, last: None, rising: false }
+    }
+}
+
+impl Rises {
+    /// Takes places of a span from one end to the other, and what is seen on both sides of those that face the end of the tool: there
+    /// the cutter's farthest point goes over from one edge of a flat end to the other.
+    fn along(&mut self, tool: &Tool<'_>, look: &impl Fn(f64) -> Look, ends: [(f64, Look); 2]) {
+        let flat = tool.profile.corner()[0] > 0.0;
+        let leans = |l: &Look| l.along.dot(&tool.ta) > 0.0;
+        let [mut from, end] = ends;
+        self.take(&from.1);
+        for part in 1..=PARTS {
+            let s = end.0 * (f64::from(part) / f64::from(PARTS));
+            let to = if part == PARTS { end } else { (s, look(s)) };
+            if flat && leans(&from.1) != leans(&to.1) {
+                let (mut low, mut high) = (from, to);
+                for _ in 0..FACING {
+                    let s = 0.5 * (low.0 + high.0);
+                    let middle = (s, look(s));
+                    *(if leans(&middle.1) == leans(&low.1) { &mut low } else { &mut high }) =
+                        middle;
+                }
+                self.take(&low.1);
+                self.take(&high.1);
+            }
+            self.take(&to.1);
+            from = to;
+        }
+    }
+
+    /// Takes the next place of the directrix.
+    fn take(&mut self, look: &Look) {
+        let ahead = look.ahead;
+        let Some(last) = self.last.replace(ahead) else { return };
+        let rising = ahead > last;
+        // A place at which it ceases to rise is a highest one, and one at which it begins to is a lowest one.
+        let nearly = if rising { last } else { -last };
+        if rising != self.rising && nearly >= 0.0 {
+            self.least = self.least.min(nearly);
+        }
+        self.rising = rising;
     }
 }
 
@@ -224,6 +291,8 @@ pub(crate) struct Look {
     /// How far the cutter's farthest point in is before the tangent plane, and how far ahead across the rulings.
     depth: f64,
     ahead: f64,
+    /// Unit direction across the rulings.
+    along: Vec3,
     /// Unit direction of the ruling, none on a section, and how fast the surface goes by across it.
     ruling: Vec3,
     rate: f64,
@@ -246,6 +315,7 @@ impl Look {
             tool_point,
             depth: normal.dot(&away),
             ahead: along.dot(&away),
+            along,
             ruling,
             rate: 1.0,
         }
@@ -295,8 +365,9 @@ impl Look {
         let away = tool_point - place.point;
         let across = across - ruling * ruling.dot(&across);
         let (rate, depth) = (across.norm(), normal.dot(&away));
-        let ahead = across.dot(&away) / rate;
-        Self { spot: place.spot(), tool_point, depth, ahead, ruling, rate }
+        let along = across / rate;
+        let ahead = along.dot(&away);
+        Self { spot: place.spot(), tool_point, depth, ahead, along, ruling, rate }
     }
 
     /// The same of a place that is none of a ruling.

@@ -1,8 +1,10 @@
-//! A cutter against edges and tips of a sculptured surface, where it touches with a normal between those of the sides.
+//! A cutter against edges and tips of a surface, where it touches with a normal between those of the sides.
 
 use aptc_geometry::surface::{Edge, OnEdge, ParametricSurface};
 use aptc_geometry::{Surface, Tool, ToolNear, Vec3};
 
+use crate::closed::is_axis;
+use crate::corners::Corner;
 use crate::gap::{Gap, Side};
 
 /// Parts of an edge that are looked at for a least distance each, and the share of the slopes at its ends that is none.
@@ -25,6 +27,27 @@ pub(crate) struct Edges {
     pub(crate) least: f64,
 }
 
+/// An edge or a tip, its places told by a number.
+pub(crate) trait Sharp {
+    /// Calls `take` for each place, with all of it moved `by`, at which the tool is nearest, with its distance.
+    fn each_least(&self, tool: &Tool<'_>, by: Vec3, take: &mut dyn FnMut(f64, f64));
+
+    /// A place of it.
+    fn place(&self, t: f64) -> Option<OnEdge>;
+
+    /// Do all unit directions from a place into the surface?
+    fn all_inwards(&self, t: f64, does: &dyn Fn(Vec3) -> bool) -> bool;
+}
+
+/// Has a surface edges that a tool may touch otherwise than its faces? What stands along all of them rolls about them as about a face.
+pub(crate) fn has_edges(tool: &Tool<'_>, surface: &Surface) -> bool {
+    match surface {
+        Surface::Parametric(s) => !s.edges().is_empty(),
+        Surface::Tabcyl(s) => s.has_corners() && !is_axis(tool, s.generator()),
+        _ => false,
+    }
+}
+
 /// The edges of a surface that may come nearer than `limit`, but for the place of them that is `known`; `None` of one that has none.
 pub(crate) fn all(
     tool: &Tool<'_>,
@@ -33,17 +56,14 @@ pub(crate) fn all(
     limit: f64,
     known: Option<&Gap>,
 ) -> Option<Edges> {
-    let surface = edged(surface)?;
+    if !has_edges(tool, surface) {
+        return None;
+    }
     let same = ON * tool.profile.reach();
     let mut all = Edges { deepest: None, least: f64::INFINITY };
-    for edge in surface.edges() {
-        let bound = tool.distance(edge.center) - edge.radius;
-        let deepest = all.deepest.map_or(f64::INFINITY, |gap| gap.raw);
-        if bound > limit || bound > deepest && bound > all.least {
-            continue;
-        }
-        each_least(tool, surface, edge, Vec3::zeros(), &mut |t, distance| {
-            let place = surface.on_edge(edge, t).map(|p| p.point);
+    let look = |edge: &dyn Sharp, all: &mut Edges| {
+        edge.each_least(tool, Vec3::zeros(), &mut |t, distance| {
+            let place = edge.place(t).map(|p| p.point);
             let is_known = |k: &Gap| place.is_some_and(|p| (p - k.surface_point).norm() <= same);
             if known.is_some_and(is_known) {
                 return;
@@ -53,32 +73,89 @@ pub(crate) fn all(
                 all.deepest = touching(tool, surface, side, edge, t).or(all.deepest);
             }
         });
+    };
+    match surface {
+        Surface::Parametric(s) => {
+            for edge in s.edges() {
+                let bound = tool.distance(edge.center) - edge.radius;
+                let deepest = all.deepest.map_or(f64::INFINITY, |gap| gap.raw);
+                if bound > limit || bound > deepest && bound > all.least {
+                    continue;
+                }
+                look(&Joint { surface: s, edge }, &mut all);
+            }
+        }
+        Surface::Tabcyl(s) => {
+            let top = tool.te + tool.ta * tool.profile.height();
+            let reach = limit + tool.profile.widest();
+            for corner in s.corners_near(tool.te, top, reach) {
+                look(&Corner { corner, along: s.generator() }, &mut all);
+            }
+        }
+        _ => {}
     }
     Some(all)
 }
 
 /// The place at which an edge touches on which the point `q` lies; `None` where it lies on none, and where that does not touch.
 pub(crate) fn at(tool: &Tool<'_>, surface: &Surface, side: Side, q: Vec3) -> Option<Gap> {
-    let surface = edged(surface)?;
+    if !has_edges(tool, surface) {
+        return None;
+    }
     let near = ON * tool.profile.reach();
     let mut best: Option<Gap> = None;
-    for edge in surface.edges().iter().filter(|e| (e.center - q).norm() <= e.radius + near) {
-        if !passes(surface, edge, q, near) {
-            continue;
-        }
-        each_least(tool, surface, edge, Vec3::zeros(), &mut |t, distance| {
+    let mut look = |edge: &dyn Sharp| {
+        edge.each_least(tool, Vec3::zeros(), &mut |t, distance| {
             if best.is_none_or(|gap| distance < gap.raw) {
                 best = touching(tool, surface, side, edge, t).or(best);
             }
         });
+    };
+    match surface {
+        Surface::Parametric(s) => {
+            for edge in s.edges().iter().filter(|e| (e.center - q).norm() <= e.radius + near) {
+                if passes(s, edge, q, near) {
+                    look(&Joint { surface: s, edge });
+                }
+            }
+        }
+        Surface::Tabcyl(s) => {
+            let along = s.generator();
+            let away = |p: Vec3| (q - p - along * along.dot(&(q - p))).norm();
+            for corner in s.corners_near(q, q, near).filter(|c| away(c.point) <= near) {
+                look(&Corner { corner, along });
+            }
+        }
+        _ => {}
     }
     best
 }
 
-fn edged(surface: &Surface) -> Option<&ParametricSurface> {
-    match surface {
-        Surface::Parametric(s) if !s.edges().is_empty() => Some(s),
-        _ => None,
+/// An edge or a tip of a sculptured surface.
+struct Joint<'a> {
+    surface: &'a ParametricSurface,
+    edge: &'a Edge,
+}
+
+impl Sharp for Joint<'_> {
+    fn each_least(&self, tool: &Tool<'_>, by: Vec3, take: &mut dyn FnMut(f64, f64)) {
+        let value = |p: &OnEdge| {
+            let near = tool.near(p.point + by);
+            (near.distance, near.normal.dot(&p.along))
+        };
+        if self.edge.is_tip() {
+            take(0.0, tool.distance(self.edge.center + by));
+            return;
+        }
+        least(self.surface, self.edge, &value, take);
+    }
+
+    fn place(&self, t: f64) -> Option<OnEdge> {
+        self.surface.on_edge(self.edge, t)
+    }
+
+    fn all_inwards(&self, t: f64, does: &dyn Fn(Vec3) -> bool) -> bool {
+        self.surface.inwards_of(self.edge, t, does)
     }
 }
 
@@ -91,25 +168,6 @@ fn passes(surface: &ParametricSurface, edge: &Edge, q: Vec3, near: f64) -> bool 
     let away = |p: &OnEdge| ((p.point - q).norm(), (p.point - q).dot(&p.along));
     least(surface, edge, &away, &mut |_, distance| found |= distance <= near);
     found
-}
-
-/// Calls `take` for each place of an edge, moved `by`, at which the tool is nearest, with its distance.
-fn each_least(
-    tool: &Tool<'_>,
-    surface: &ParametricSurface,
-    edge: &Edge,
-    by: Vec3,
-    take: &mut dyn FnMut(f64, f64),
-) {
-    let value = |p: &OnEdge| {
-        let near = tool.near(p.point + by);
-        (near.distance, near.normal.dot(&p.along))
-    };
-    if edge.is_tip() {
-        take(0.0, tool.distance(edge.center + by));
-        return;
-    }
-    least(surface, edge, &value, take);
 }
 
 /// The places of an edge at which a value is least; `value` tells its slope along the edge too.
@@ -158,12 +216,12 @@ fn least(
 /// The gap at a place of an edge, where the surface falls off to all sides of it.
 fn touching(
     tool: &Tool<'_>,
-    surface: &ParametricSurface,
+    surface: &Surface,
     side: Side,
-    edge: &Edge,
+    edge: &dyn Sharp,
     t: f64,
 ) -> Option<Gap> {
-    let place = surface.on_edge(edge, t)?;
+    let place = edge.place(t)?;
     let near = tool.near(place.point);
     let touches = |t: f64, place: &OnEdge, near: &ToolNear, raw: f64| {
         let normal = -near.normal;
@@ -171,7 +229,7 @@ fn touching(
         let before = || raw <= 0.0 || side.sign() * surface.foot(near.point).distance >= 0.0;
         let faces = normal.dot(&place.mean) * side.sign() > 0.0 && before();
         let falls = |into: Vec3| near.normal.dot(&into) >= -LEVEL;
-        (faces && surface.inwards_of(edge, t, falls)).then_some(Gap {
+        (faces && edge.all_inwards(t, &falls)).then_some(Gap {
             g: raw,
             raw,
             tool_point: near.point,
@@ -192,12 +250,12 @@ fn touching(
     for _ in 0..ROUNDS {
         let by = -normal * back;
         let (mut at, mut lowest) = (t, f64::INFINITY);
-        each_least(tool, surface, edge, by, &mut |t, distance| {
+        edge.each_least(tool, by, &mut |t, distance| {
             if distance < lowest {
                 (at, lowest) = (t, distance);
             }
         });
-        let place = surface.on_edge(edge, at)?;
+        let place = edge.place(at)?;
         let near = tool.near(place.point + by);
         let turned = (near.normal + normal).norm();
         normal = -near.normal;

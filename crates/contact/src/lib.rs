@@ -21,6 +21,7 @@ mod bodies;
 mod centred;
 mod chord;
 mod closed;
+mod corners;
 mod crests;
 mod curvature;
 mod descent;

@@ -7,6 +7,7 @@ use aptc_geometry::{Profile, Reason, Shape, Spot, Surface, Tool, Vec3};
 
 use crate::closed::is_axis;
 use crate::dips::{Sample, dip, single};
+use crate::edges;
 use crate::gap::{Condition, Gap, Side};
 use crate::guide::{Bends, ClosedGuide, End, Guide, Reading, is_ball};
 use crate::ring::Ring;
@@ -80,12 +81,16 @@ impl Guide for PointGuide {
         thick: f64,
     ) -> Option<Self> {
         // About an edge the gap is another function than beside it.
-        if matches!(surface, Surface::Parametric(s) if !s.edges().is_empty()) {
+        let edged = edges::has_edges(tool, surface);
+        if edged && matches!(surface, Surface::Parametric(_)) {
             return None;
         }
         let closed = ClosedGuide::new(tool, surface, condition, side, thick).map(Self::Closed);
         let point = || Point::new(tool, surface, condition, side, thick).map(Self::Point);
-        let ring = || Ring::new(tool, surface, condition, side, thick).map(Self::Ring);
+        let ring = || match edged {
+            true => None,
+            false => Ring::new(tool, surface, condition, side, thick).map(Self::Ring),
+        };
         closed.or_else(point).or_else(ring)
     }
 

@@ -121,7 +121,7 @@ fn square(tool: &Tool<'_>, s: &Cylinder, side: Side) -> Gap {
 }
 
 /// The tool's distance from the axis: a convex function of the place on the axis.
-fn oblique_outside(tool: &Tool<'_>, s: &Cylinder) -> Gap {
+pub(crate) fn oblique_outside(tool: &Tool<'_>, s: &Cylinder) -> Gap {
     let t = s.axis;
     let base = t.dot(&s.point);
     let mut hi = tool.support(t).reach - base;

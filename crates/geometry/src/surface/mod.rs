@@ -25,7 +25,7 @@ pub use parametric::{
 pub use probe::{Aimed, ajundo, ccurv, control, radar};
 pub use quadric::QuadricSurface;
 pub use shape::{Frame, Shape, frame_about};
-pub use tabcyl::TabcylSurface;
+pub use tabcyl::{TabcylCorner, TabcylSurface};
 
 use crate::{Cone, Cylinder, Form, Place, Plane, Reason, Sphere, Vec3};
 
@@ -264,6 +264,7 @@ impl Surface {
                 Some((foot, Some(sides)))
             }
             (Self::Quadric(s), _) => Some((s.beside(near.point, by)?, None)),
+            (Self::Tabcyl(s), Some(at)) => Some((s.beside(near.point, at, by)?, None)),
             _ => None,
         }
     }
@@ -298,7 +299,7 @@ impl Surface {
             Self::Cylinder(s) => s.shape(n),
             Self::Cone(s) => s.shape_at(q, n),
             Self::Quadric(s) => s.shape_at(q, n),
-            Self::Tabcyl(s) => s.shape_at(spot),
+            Self::Tabcyl(s) => s.shape_at(spot, n),
             Self::Parametric(s) => s.shape_at(spot, n),
         }
     }

@@ -1,6 +1,10 @@
 //! TABCYL as a surface: prepared so that the nearest point is found without looking at every span.
 
+mod corners;
+
 use std::sync::Arc;
+
+pub use corners::TabcylCorner;
 
 use crate::surface::{EPS_LEN, Foot, Shape, Spot};
 use crate::tabcyl::left;
@@ -25,6 +29,8 @@ pub struct TabcylSurface {
     groups: Vec<Disk>,
     axes: [Vec3; 3],
     extent: f64,
+    /// Is there a corner?
+    cornered: bool,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -86,7 +92,15 @@ impl TabcylSurface {
             })
             .collect();
         let axes = [form.u(), form.v(), form.w()];
-        (!spans.is_empty()).then(|| Self { form: form.clone(), spans, groups, axes, extent })
+        let cornered = spans.iter().any(|span| span.corner);
+        (!spans.is_empty()).then(|| Self {
+            form: form.clone(),
+            spans,
+            groups,
+            axes,
+            extent,
+            cornered,
+        })
     }
 
     /// The form.
@@ -183,11 +197,12 @@ impl TabcylSurface {
         }
     }
 
-    /// Curvature at a point of the surface.
-    pub fn shape_at(&self, spot: Spot) -> Shape {
+    /// Curvature at a point of the surface that is touched along the unit normal `n`, at corners any between those of the sides.
+    pub fn shape_at(&self, spot: Spot, n: Vec3) -> Shape {
         let Some([span, s]) = spot.at else { return self.foot(spot.point).shape };
-        let Bent { tangent, k, .. } = self.spans[self.span(span)].bent(s);
-        self.shape(left(tangent), k)
+        let span = self.span(span);
+        let Bent { tangent, k, .. } = self.spans[span].bent(s);
+        self.sharp(span, s, n).unwrap_or_else(|| self.shape(left(tangent), k))
     }
 
     /// By how many spans two of them are apart, the shorter way round.
