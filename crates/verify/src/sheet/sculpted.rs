@@ -70,6 +70,21 @@ impl Sculpted {
         self.patch(i, j).0.ends_in_point(k, end)
     }
 
+    /// How far apart places with one parameter lie at most along the border between two cells, at the end of the first by the
+    /// parameter `k`; `None` where weights differ along it.
+    pub(crate) fn apart(&self, cells: [[usize; 2]; 2], k: usize, end: usize) -> Option<f64> {
+        let border = |[i, j]: [usize; 2], end: usize| {
+            let patch = self.patch(i, j).0;
+            let at = 3 * end;
+            let row =
+                [0, 1, 2, 3].map(|n| if k == 0 { patch.net[n][at] } else { patch.net[at][n] });
+            let even = row.iter().all(|h| (h.w - row[0].w).abs() <= 1e-12 * row[0].w.abs());
+            even.then(|| row.map(|h| h.xyz() / h.w))
+        };
+        let (a, b) = border(cells[0], end).zip(border(cells[1], 1 - end))?;
+        Some(a.iter().zip(&b).map(|(a, b)| (a - b).norm()).fold(0.0, f64::max))
+    }
+
     /// How far the unit normals over a part of a cell, or of what goes on from it, stand from a unit vector at most.
     pub(crate) fn normals(&self, [i, j]: [usize; 2], range: [[f64; 2]; 2], n: Vec3) -> Option<f64> {
         /// So near to a border of the patch counts as there.
