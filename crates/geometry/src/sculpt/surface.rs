@@ -240,7 +240,7 @@ impl Sculptured {
     pub fn span_of(&self, u: f64, v: f64) -> (usize, [f64; 2]) {
         if let Some(origins) = &self.origins {
             let [u, v] = self.told([u, v]);
-            let patch = whole(u).min(origins.len() - 1);
+            let patch = whole(u).min(origins.iter().flatten().count().max(1) - 1);
             return (patch + 1, [u - patch as f64, v]);
         }
         let [nu, nv] = self.spans();

@@ -2,20 +2,25 @@
 //!
 //! Meshes through the same points rarely have the same border to the last digit: the tangents of a mesh are as long as the mean of its
 //! chords, and both have other means. So borders count as one whose ends are in one place and that nowhere part by more than a small share
-//! of their length; each patch stays what it is, and the grid has a crack there that is as narrow.
+//! of their length; each patch stays what it is, and the grid has a crack there that is as narrow. What is missing of a rectangle, as of an L,
+//! is closed by patches that go on smoothly: they count as the continuation of the surface beyond its borders.
 
 use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
+use super::arc::Vec4;
 use super::patch::Patch;
 use super::surface::{Layout, Sculptured};
+use super::whole;
 use crate::Vec3;
 
 /// Ends of borders that are no farther apart than this share of the surface's size are in one place.
 const SAME: f64 = 1e-6;
 /// Share of its length by which a border may leave the one that it is joined to.
 const CRACK: f64 = 1e-2;
+/// Cells of a grid for each patch at most.
+const MOST: usize = 4;
 /// Places along a border at which it is held against others.
 const PLACES: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 
@@ -93,8 +98,8 @@ impl Origin {
 }
 
 impl Sculptured {
-    /// Loose patches that fit together into a rectangle, as one grid with the directions and the normals of the first; `None` when they
-    /// do not, and of a grid.
+    /// Loose patches that fit together into a rectangle, or a part of one, as one grid with the directions and the normals of the first;
+    /// `None` when they do not, and of a grid.
     #[must_use]
     pub fn together(&self) -> Option<Self> {
         if !matches!(self.layout, Layout::Patches) || self.patches.len() < 2 {
@@ -130,10 +135,11 @@ impl Sculptured {
         let count =
             |g: usize| usize::try_from(all.iter().map(|(p, _)| p[g] - low[g]).max()? + 1).ok();
         let (columns, rows) = (count(0)?, count(1)?);
-        if columns.checked_mul(rows)? != n {
+        let cells_in_all = columns.checked_mul(rows)?;
+        if cells_in_all > MOST * n {
             return None;
         }
-        let mut cells: Vec<Option<Origin>> = vec![None; n];
+        let mut cells: Vec<Option<Origin>> = vec![None; cells_in_all];
         for (place, origin) in &all {
             let [i, j] = [0, 1].map(|g| usize::try_from(place[g] - low[g]).unwrap_or(0));
             let cell = &mut cells[j * columns + i];
@@ -141,40 +147,71 @@ impl Sculptured {
                 return None;
             }
         }
-        let cells: Vec<Origin> = cells.into_iter().collect::<Option<_>>()?;
-        // What is side by side in the grid is so in space.
+        // What is side by side in the grid is so in space, and where the grid has holes the other way about.
+        let mut joints = 0;
         for (k, cell) in cells.iter().enumerate() {
-            let next = [(k + 1) % columns != 0, k + columns < n];
+            let Some(cell) = cell else { continue };
+            let next = [(k + 1) % columns != 0, k + columns < cells.len()];
             for grid in (0..2).filter(|g| next[*g]) {
+                let Some(there) = &cells[k + if grid == 0 { 1 } else { columns }] else { continue };
                 let axis = cell.along(grid);
                 let end = usize::from(!cell.back[grid]);
                 let other = beside[4 * cell.patch + 2 * axis + end]?;
-                let there = &cells[k + if grid == 0 { 1 } else { columns }];
                 if *there != cell.next(axis, end, other) {
                     return None;
                 }
+                joints += 1;
             }
         }
-        let patches = cells.iter().map(|c| c.laid(&self.patches[c.patch])).collect();
+        if n < cells.len() && beside.iter().flatten().count() != 2 * joints {
+            return None;
+        }
+        let laid = |c: &Option<Origin>| c.as_ref().map(|c| c.laid(&self.patches[c.patch]));
+        let patches = closed(cells.iter().map(laid).collect(), columns)?;
         let grid = Self::grid(patches, columns, rows).ok()?;
         Some(Self { origins: Some(cells.into()), ..grid })
     }
 
+    /// Does the patch with this number close a hole of a grid that was put together? It is no part of the surface, which goes on there.
+    pub fn is_hole(&self, patch: usize) -> bool {
+        self.origins.as_ref().is_some_and(|all| all[patch].is_none())
+    }
+
+    /// Has it such patches?
+    pub fn has_holes(&self) -> bool {
+        self.origins.as_ref().is_some_and(|all| all.iter().any(Option::is_none))
+    }
+
+    /// Does a place lie in a patch that closes a hole?
+    pub fn is_in_hole(&self, uv: [f64; 2]) -> bool {
+        self.origins.as_ref().is_some_and(|all| all[self.local(uv).0].is_none())
+    }
+
     /// Are normals of patches against those of the grid that they were put together to?
     pub fn is_mirrored(&self) -> bool {
-        self.origins.iter().flat_map(|all| all.iter()).any(Origin::is_mirrored)
+        self.origins.iter().flat_map(|all| all.iter().flatten()).any(Origin::is_mirrored)
     }
 
     /// The parameters by which a place is told: of a grid that was put together those of the loose patches. Beyond a border those of the
     /// border.
     pub fn told(&self, uv: [f64; 2]) -> [f64; 2] {
         let Some(origins) = &self.origins else { return uv };
-        let (cell, at) = self.local(uv);
-        let origin = &origins[cell];
-        let [u, v] = origin.own(at).map(|x| x.clamp(0.0, 1.0));
+        let [columns, rows] = self.spans().map(whole);
+        let at =
+            |cell: usize| [(uv[0] - (cell % columns) as f64), (uv[1] - (cell / columns) as f64)];
+        // Of what closes a hole the nearest place beside it.
+        let cells = (0..columns * rows).filter_map(|k| Some((k, origins[k]?)));
+        let off =
+            |k: usize| at(k).map(|x| x - x.clamp(0.0, 1.0)).iter().map(|x| x * x).sum::<f64>();
+        let found = match self.local(uv).0 {
+            k if origins[k].is_some() => origins[k].map(|origin| (k, origin)),
+            _ => cells.min_by(|a, b| off(a.0).total_cmp(&off(b.0))),
+        };
+        let Some((cell, origin)) = found else { return uv };
+        let [u, v] = origin.own(at(cell)).map(|x| x.clamp(0.0, 1.0));
         let first = origin.patch as f64;
         // The end of a patch is the beginning of the next, which may be anywhere.
-        let last = origin.patch + 1 == origins.len();
+        let last = origin.patch + 1 == origins.iter().flatten().count();
         let u = if last { first + u } else { (first + u).min((first + 1.0).next_down()) };
         [u, v]
     }
@@ -226,8 +263,81 @@ impl Sculptured {
     }
 }
 
-/// What the cells of a grid were.
-pub(super) type Origins = Arc<[Origin]>;
+/// A grid of patches some of which are missing, each hole closed by one that goes on from those beside it: along their borders with their
+/// derivatives across, elsewhere by the sum of both ways. `None` where nothing is beside a hole along both parameters, and of rational ones.
+fn closed(mut cells: Vec<Option<Patch>>, columns: usize) -> Option<Vec<Patch>> {
+    let rows = cells.len() / columns;
+    while let Some(first) = cells.iter().position(Option::is_none) {
+        let beside = |k: usize| -> [[Option<&Patch>; 2]; 2] {
+            let (i, j) = (k % columns, k / columns);
+            let at = |there: bool, k: usize| if there { cells[k].as_ref() } else { None };
+            [
+                [at(i > 0, k.wrapping_sub(1)), at(i + 1 < columns, k + 1)],
+                [at(j > 0, k.wrapping_sub(columns)), at(j + 1 < rows, k + columns)],
+            ]
+        };
+        let known = |k: &usize| {
+            cells[*k].is_none() && beside(*k).iter().all(|ends| ends.iter().any(Option::is_some))
+        };
+        let k = (first..cells.len()).find(known)?;
+        let made = closing(beside(k))?;
+        cells[k] = Some(made);
+    }
+    cells.into_iter().collect()
+}
+
+/// The patch between those at the ends of u and v.
+fn closing(beside: [[Option<&Patch>; 2]; 2]) -> Option<Patch> {
+    if beside.iter().flatten().flatten().any(|p| p.rational) {
+        return None;
+    }
+    // Control points by the way along u and across: the border itself, and the next row by going on straight.
+    let mut on: [[Vec<Vec4>; 4]; 4] =
+        core::array::from_fn(|_| core::array::from_fn(|_| Vec::new()));
+    let mut near = on.clone();
+    for (axis, ends) in beside.iter().enumerate() {
+        for (end, patch) in ends.iter().enumerate() {
+            let Some(patch) = patch else { continue };
+            for n in 0..4 {
+                // Of the other patch by how far from the border that both share.
+                let of = |away: usize| {
+                    let m = if end == 0 { 3 - away } else { away };
+                    let h = if axis == 0 { patch.net[n][m] } else { patch.net[m][n] };
+                    h / h.w
+                };
+                for (away, h) in [(0, of(0)), (1, of(0) * 2.0 - of(1))] {
+                    let m = if end == 0 { away } else { 3 - away };
+                    let (i, j) = if axis == 0 { (m, n) } else { (n, m) };
+                    if away == 0 { on[j][i].push(h) } else { near[j][i].push(h) }
+                }
+            }
+        }
+    }
+    let mean = |all: &[Vec4]| all.iter().sum::<Vec4>() / all.len() as f64;
+    let mut net = [[Vec4::zeros(); 4]; 4];
+    let flip = [0, 1].map(|axis| beside[axis][0].is_none());
+    let at = |axis: usize, i: usize| if flip[axis] { 3 - i } else { i };
+    for j in 0..4 {
+        for i in 0..4 {
+            let (x, y) = (at(0, i), at(1, j));
+            net[y][x] = match (on[y][x].as_slice(), near[y][x].as_slice()) {
+                ([], []) => {
+                    let twist =
+                        |f: &dyn Fn(usize, usize) -> Vec4| f(1, 1) - f(1, 0) - f(0, 1) + f(0, 0);
+                    let of = |i: usize, j: usize| net[at(1, j)][at(0, i)];
+                    let share = (i - 1) as f64 * (j - 1) as f64;
+                    of(i, 1) + of(1, j) - of(1, 1) + twist(&of) * share
+                }
+                ([], near) => mean(near),
+                (on, _) => mean(on),
+            };
+        }
+    }
+    Some(Patch::new(net))
+}
+
+/// What the cells of a grid were; those that close a hole were nothing.
+pub(super) type Origins = Arc<[Option<Origin>]>;
 
 #[cfg(test)]
 mod tests {
@@ -294,10 +404,39 @@ mod tests {
             Sculptured::loose(all.iter().map(|(i, j)| patch(*i, *j)).collect()).unwrap()
         };
         assert!(of(&[(0, 0), (1, 0), (2, 0)]).together().is_some());
-        // A corner is missing, a gap is between them, or three meet in one border.
-        assert!(of(&[(0, 0), (1, 0), (0, 1)]).together().is_none());
+        // A gap is between them, or three meet in one border.
         assert!(of(&[(0, 0), (2, 0)]).together().is_none());
         assert!(of(&[(0, 0), (1, 0), (1, 0)]).together().is_none());
+    }
+
+    /// A surface of the second degree goes on into the corner that an L leaves out as itself along its borders, and is smooth there.
+    #[test]
+    fn a_corner_that_is_missing_is_closed() {
+        for missing in 0..4 {
+            let cells = (0..4).filter(|k| *k != missing).map(|k| patch(k % 2, k / 2));
+            let grid = Sculptured::loose(cells.collect()).unwrap().together().expect("an L");
+            let [i, j] = [0, 1].map(|axis| {
+                let at = [1, 0, 3, 2][missing];
+                let found =
+                    grid.patches.iter().position(|p| p.net == patch(at % 2, at / 2).net).unwrap();
+                [found % 2, found / 2][axis]
+            });
+            // In the row of the hole, on its other side.
+            let hole = 2 * j + (1 - i);
+            assert!(grid.is_hole(hole) && grid.has_holes() && !grid.is_hole(3 - hole));
+            let middle = [(1 - i) as f64 + 0.5, j as f64 + 0.5];
+            assert!(grid.is_in_hole(middle));
+            let n = grid.normal_at(middle[0], middle[1]).unwrap();
+            assert!(n.z.abs() > 0.5, "{n}");
+            for t in [0.1, 0.5, 0.9] {
+                let [before, behind] =
+                    [1.0 - 1e-9, 1.0 + 1e-9].map(|u| grid.normal_at(u, j as f64 + t).unwrap());
+                assert!((before - behind).norm() < 1e-6);
+            }
+            // It is told by what is beside it.
+            let [u, v] = grid.told(middle);
+            assert!((0.0..=3.0).contains(&u) && (0.0..=1.0).contains(&v));
+        }
     }
 
     /// Two meshes through the same points of a border have other tangents there, as the mean of their chords differs.

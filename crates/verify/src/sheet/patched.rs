@@ -210,6 +210,9 @@ impl Patched {
             let from = |k: usize| usize::from(range[k][0] >= within[k][1]);
             chart.none = (0..2).any(|k| over[k] > 0.0 && s.ends_in_point(cell, k, from(k)));
         }
+        if let Kind::Sculpted(s) = &self.kind {
+            chart.none |= s.is_hole(cell);
+        }
         let [u, v] = within;
         let corners = [[u[0], v[0]], [u[1], v[0]], [u[0], v[1]], [u[1], v[1]]];
         chart.bare = corners.iter().any(|at| {

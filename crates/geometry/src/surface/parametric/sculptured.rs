@@ -114,7 +114,8 @@ impl Spans {
         let made = || {
             let domain = Domain { u: [0.0, 1.0], v: [0.0, 1.0] };
             let [u, v] = [self.domain.u, self.domain.v];
-            let goes_on = u[0] < 0.0 || u[1] > 1.0 || v[0] < 0.0 || v[1] > 1.0;
+            let out = |[low, high]: [f64; 2]| low < 0.0 || high > 1.0;
+            let goes_on = out(u) || out(v) || self.surface.has_holes();
             let cells = goes_on.then(|| Cells::new(&self.surface, &domain)).flatten()?;
             let (edges, itself) = (OnceLock::new(), OnceLock::new());
             let own = Self { domain, cells, edges, itself, ..self.clone() };

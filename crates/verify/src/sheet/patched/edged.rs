@@ -158,7 +158,8 @@ impl Patched {
         let size = self.nodes.last().map_or(0.0, |root| root.radius);
         let joins = side.joins(place[k], end);
         let mut sharpest = if joins { [0.0_f64; 2] } else { [UNKNOWN; 2] };
-        let mut cracked = false;
+        let (mut cracked, mut steps) = (false, 0.0_f64);
+        let mut before: Option<Vec3> = None;
         for i in (0..=PARTS).filter(|_| joins) {
             let [a, b] = both(f64::from(i) / f64::from(PARTS));
             if !point && (a.point - b.point).norm() > MEET * size {
@@ -170,6 +171,8 @@ impl Patched {
             }
             let told = |d: &Derivatives| if bare([d.u, d.v]) { None } else { d.normal() };
             let Some((m, n)) = told(&a).zip(told(&b)) else { continue };
+            // How the normals of the other face change from one look to the next, farther than a crack reaches.
+            steps = before.replace(n).map_or(steps, |b| steps.max((b - n).norm()));
             let half = 0.5 * (m - n).norm();
             let half = if point { half.max(UNKNOWN.min(ALL_ROUND * half)) } else { half };
             if half > least {
@@ -180,7 +183,7 @@ impl Patched {
             }
         }
         if cracked {
-            self.crack(place, (k, end), sharpest, all);
+            self.crack(place, (k, end), sharpest.map(|half| half + steps), all);
             return;
         }
         if sharpest.iter().all(|half| *half <= 0.0) {
@@ -206,6 +209,9 @@ impl Patched {
             let corner = self.corner([place, next], k, [end, to]).filter(|_| known)?;
             Some((self.look(&corner[0]).0.p, rolled(Rolled::Corner(corner), [0.0, 1.0])))
         });
+        if known {
+            self.reentrant([place, next], (k, end), all);
+        }
         for (found, half) in all.hollow.iter_mut().zip(sharpest).filter(|(_, half)| *half > 0.0) {
             let crack = 0.0;
             found.push(Hollow { center, radius, half, rolled: edge, crack });
@@ -216,13 +222,34 @@ impl Patched {
         }
     }
 
+    /// Ends of an edge about which three faces lie and a hole: what closes gaps at edges leaves one there of which nothing is known.
+    fn reentrant(&self, both: [[usize; 2]; 2], (k, end): (usize, usize), all: &mut Edged) {
+        let columns = self.columns();
+        let counts = [columns, self.charts.len() / columns];
+        for to in [0, 1] {
+            let behind = both.map(|at| beside(at, counts, 1 - k, to == 1));
+            let charts = behind.map(|at| &self.charts[at[0] + columns * at[1]]);
+            if charts[0].none == charts[1].none {
+                continue;
+            }
+            let chart = both[0][0] + columns * both[0][1];
+            let mut at = [self.charts[chart].range[k][end]; 2];
+            at[1 - k] = self.charts[chart].range[1 - k][to];
+            let center = self.look(&Spot { chart, at }).0.p;
+            for found in &mut all.hollow {
+                let (radius, half, rolled, crack) = (0.0, UNKNOWN, None, 0.0);
+                found.push(Hollow { center, radius, half, rolled, crack });
+            }
+        }
+    }
+
     /// A border within the surface along which the faces do not meet, as patches that were fitted apart do not: a hollow from both sides.
     ///
-    /// Both sides of the border are cubics of which no two places with one parameter are farther apart than their control points are,
-    /// where weights are even. With `half` the greatest half of the difference between the normals, whatever direction lies between
+    /// With `half` the greatest half of the difference between the normals, whatever direction lies between
     /// both normals at a place is no farther from one of them than by the angle of that sine. About an end up to four faces meet: a
     /// direction among their normals is no farther from one of them than any two of these are from each other. So there the whole of
-    /// the difference counts for the half, and all that is between the ends too, and the face may begin by the crack elsewhere.
+    /// the difference counts for the half, and all that is between the ends too. The place of the other face next to it may be one beside
+    /// that with the same parameter: `half` has how far the normals turn up to there.
     fn crack(&self, place: [usize; 2], (k, end): (usize, usize), half: [f64; 2], all: &mut Edged) {
         let columns = self.columns();
         let counts = [columns, self.charts.len() / columns];
@@ -230,10 +257,33 @@ impl Patched {
         let charts = [place, next].map(|at| at[0] + columns * at[1]);
         let [one, other] = charts.map(|at| &self.charts[at]);
         let border = one.range[k][end];
+        let ahead = [0, 1].map(|to| one.range[1 - k][to] - one.within[1 - k][to]);
+        let beyond = if one.range[1 - k][0] >= one.within[1 - k][1] { ahead[1] } else { ahead[0] };
+        let goes_on = one.range[1 - k] != one.within[1 - k];
+        let at = |chart: &Chart, share: f64| {
+            let mut at = [border; 2];
+            at[1 - k] = one.range[1 - k][0] + (one.range[1 - k][1] - one.range[1 - k][0]) * share;
+            self.at(chart, at)
+        };
         let apart = match &self.kind {
+            // Both go straight on, from one place but for a gap; along the line of the other it may be as far as that goes.
+            Kind::Sculpted(_) if goes_on => {
+                let share = if beyond > 0.0 { 0.0 } else { 1.0 };
+                let [a, b] = [one, other].map(|chart| at(chart, share));
+                let [to, along] = [a, b].map(|d| if k == 0 { d.v } else { d.u });
+                let leaves = to.cross(&along).norm() / along.norm();
+                let most = (a.point - b.point).norm() + beyond.abs() * leaves;
+                most.is_finite().then_some(most)
+            }
             Kind::Sculpted(s) => s.apart([one.cell, other.cell], k, end),
             _ => None,
         };
+        let mut half = half[0].max(half[1]);
+        for i in 0..=PARTS {
+            let share = f64::from(i) / f64::from(PARTS);
+            let normals = at(one, share).normal().zip(at(other, share).normal());
+            half = half.max(normals.map_or(UNKNOWN, |(m, n)| 0.5 * (m - n).norm()));
+        }
         let size = self.nodes.last().map_or(0.0, |root| root.radius);
         // On the border; beyond its ends the faces go on straight from there, and may part.
         let ends = [0, 1].map(|to| {
@@ -261,16 +311,19 @@ impl Patched {
                     most = [most[0].max(turned), most[1].max((a.point - b.point).norm())];
                 }
             }
-            most
+            // Elsewhere all four lie along one border of two patches, and `apart` tells.
+            let corner = match &self.kind {
+                Kind::Sculpted(_) if goes_on => (to == 0) == (beyond > 0.0),
+                Kind::Sculpted(s) => s.is_corner(one.cell, 1 - k, to),
+                _ => true,
+            };
+            if corner { most } else { [most[0], 0.0] }
         });
         let (turned, wide) =
             ends.iter().fold((0.0_f64, 0.0_f64), |m, e| (m.0.max(e[0]), m.1.max(e[1])));
-        let along = 2.0 * half[0].max(half[1]);
-        let half = turned.max(along).max(SMOOTH);
-        let within = one.range.iter().zip(&one.within).all(|(a, b)| a == b);
-        let (half, crack) = match apart.filter(|_| within && half < UNKNOWN) {
+        let half = turned.max(2.0 * half).max(SMOOTH);
+        let (half, crack) = match apart.filter(|_| half < UNKNOWN) {
             Some(apart) => (half, apart.max(wide)),
-            // Of what goes on straight nothing tells how far apart it comes to be.
             None => (UNKNOWN, 0.0),
         };
         all.any = true;
