@@ -69,15 +69,11 @@ impl Sculpted {
         (cells, Grid { sides })
     }
 
-    /// Is the cell none of the surface?
-    pub(crate) fn is_hole(&self, [i, j]: [usize; 2]) -> bool {
+    /// Is a cell, or what goes on from it beyond the ends that are given, none of the surface?
+    pub(crate) fn is_nothing(&self, [i, j]: [usize; 2], beyond: [Option<usize>; 2]) -> bool {
         let at = j / self.cut * self.columns + i / self.cut;
-        self.holes.get(at).is_some_and(|hole| *hole)
-    }
-
-    /// Is the border of the patch of a cell one point?
-    pub(crate) fn ends_in_point(&self, [i, j]: [usize; 2], k: usize, end: usize) -> bool {
-        self.patch(i, j).0.ends_in_point(k, end)
+        let ends = |k: usize| beyond[k].is_some_and(|end| self.patch(i, j).0.ends_in_point(k, end));
+        self.holes.get(at).is_some_and(|hole| *hole) || (0..2).any(ends)
     }
 
     /// Does a cell end by the parameter `k` where its patch does?
