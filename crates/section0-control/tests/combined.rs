@@ -114,13 +114,10 @@ FINI
                     run::run(&text, Verify::Full)
                 };
                 let (ran, one) = (of(combined(z, cut, order, None)), of(single(z, cut)));
-                // What a tool end that is led leaves between the passes is not judged, whatever the surface is made of.
-                assert_eq!(ran.told, one.told, "{cut:?} {order} {hold}");
-                assert!(
-                    ran.faults().iter().all(|f| f == "APT5002"),
-                    "{cut:?} {hold}: {:?}",
-                    ran.told
-                );
+                // What is left between the passes may not be decided, whatever the surface is made of.
+                let told =
+                    |t: &(String, String)| t.0 == "APT5002" && t.1.contains("between the passes");
+                assert!(ran.told.iter().all(told), "{cut:?} {order} {hold}: {:?}", ran.told);
                 let (a, b) = (ran.places.len(), one.places.len());
                 assert!(a.abs_diff(b) <= 2 + b / 4, "{cut:?} {hold} {a} {b}");
                 for te in &ran.places[1..] {

@@ -78,7 +78,7 @@ impl Sculpted {
 
     /// Does a cell end by the parameter `k` where its patch does?
     pub(crate) fn is_corner(&self, cell: [usize; 2], k: usize, end: usize) -> bool {
-        (cell[k] + end) % self.cut == 0
+        (cell[k] + end).is_multiple_of(self.cut)
     }
 
     /// How far any place of the border between two cells, at the end of the first by the parameter `k`, lies from the border of the other

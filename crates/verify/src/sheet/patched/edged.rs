@@ -259,7 +259,8 @@ impl Patched {
         let border = one.range[k][end];
         let ahead = [0, 1].map(|to| one.range[1 - k][to] - one.within[1 - k][to]);
         let beyond = if one.range[1 - k][0] >= one.within[1 - k][1] { ahead[1] } else { ahead[0] };
-        let goes_on = one.range[1 - k] != one.within[1 - k];
+        // Beyond its cell a chart lies all of it.
+        let goes_on = one.range[1 - k][0] < one.within[1 - k][0] || beyond > 0.0;
         let at = |chart: &Chart, share: f64| {
             let mut at = [border; 2];
             at[1 - k] = one.range[1 - k][0] + (one.range[1 - k][1] - one.range[1 - k][0]) * share;
