@@ -60,9 +60,12 @@ pub(crate) struct DriveArea {
 #[derive(Clone, Debug)]
 pub(crate) struct PartArea {
     pub(crate) name: NameRef,
+    /// The surface along which the tool is led; loose patches that fit together are one grid, but for lines of the surface itself.
     pub(crate) surface: Arc<Sculptured>,
     /// It, prepared for questions.
     pub(crate) tree: Arc<PatchTree>,
+    /// The grid in any case, as which it is checked, and that prepared for questions.
+    pub(crate) whole: (Arc<Sculptured>, Arc<PatchTree>),
     /// A length that says how large its numbers are.
     pub(crate) extent: f64,
     /// How it goes on at its borders.

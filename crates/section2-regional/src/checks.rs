@@ -49,11 +49,12 @@ impl Regional {
             let label = name.name.to_string();
             if let Form::Ssurf(definition) = form.shape() {
                 let surface = self.surface(name, form)?;
+                let facets = definition.only_checks();
+                let surface = if facets { surface } else { self.whole(&surface) };
                 self.checked.retain(|c| !Arc::ptr_eq(&c.surface, &surface));
                 self.watch.outside.retain(|s| !Arc::ptr_eq(s, &surface));
                 if on {
                     let tree = self.tree(&surface);
-                    let facets = definition.only_checks();
                     let body = self.body(&surface, definition);
                     let (name, part, thick, own) = (label, false, 0.0, None);
                     let checked = Checked { name, surface, tree, part, thick, own, facets, body };
@@ -169,7 +170,7 @@ impl Regional {
             s.own = part.filter(other).map(|p| p.thick);
         }
         if let Some(p) = part.filter(|p| self.check_part && p.touches) {
-            let (surface, tree) = (Arc::clone(&p.surface), Arc::clone(&p.tree));
+            let (surface, tree) = p.whole.clone();
             Checked::part(p.name.name.to_string(), surface, tree).put(&mut surfaces);
         }
         let thick = part.map_or(0.0, |p| p.thick);

@@ -45,7 +45,8 @@ impl Guided {
         let normal = at.normal()?;
         let normal = if normal.dot(&p.ta) < 0.0 { -normal } else { normal };
         let patch = Some(patch_of(&self.surface, uv));
-        Some(Contact { place: CutContact { point: at.point, normal, patch }, uv: Some(uv) })
+        let uv = Some(self.surface.told(uv));
+        Some(Contact { place: CutContact { point: at.point, normal, patch }, uv })
     }
 }
 
@@ -270,11 +271,14 @@ impl Regional {
         let at = surface.at(uv[0], uv[1]);
         let normal = at.normal()? * milled.side;
         let patch = Some(patch_of(surface, uv));
-        Some(Contact { place: CutContact { point: at.point, normal, patch }, uv: Some(uv) })
+        let uv = Some(surface.told(uv));
+        Some(Contact { place: CutContact { point: at.point, normal, patch }, uv })
     }
 
     /// The definition of a surface that is fitted.
     fn form_of(&self, surface: &Arc<Sculptured>) -> Option<Arc<Form>> {
+        let loose = self.wholes.iter().find(|(_, whole)| Arc::ptr_eq(whole, surface));
+        let surface = loose.map_or(surface, |(loose, _)| loose);
         let same = self.fitted.iter().find(|(_, s)| Arc::ptr_eq(s, surface));
         same.map(|(form, _)| Arc::clone(form))
     }

@@ -398,7 +398,9 @@ impl Worst {
     fn help(&self) -> &'static str {
         match self.what {
             Limit::Deep | Limit::Unknown => "the cutter does not fit there, or INTOL is too narrow",
-            Limit::Off => "the cutter does not reach the surface there, or OUTTOL is too narrow",
+            Limit::Off => {
+                "the cutter does not reach the surface there, it has a step or a gap there, or OUTTOL is too narrow"
+            }
             Limit::Beside => "give OUTTOL a second number, for the drive surface, that is wider",
             Limit::Sags => "the surface has an edge there, or INTOL and OUTTOL are too narrow",
         }

@@ -93,6 +93,10 @@ impl Setup<'_> {
                 step = across.filter(|a| on(a) > on(&step)).unwrap_or(step);
             }
             let Step { next, kept, proved } = step;
+            // Where the drive jumps at the end of the path, that ends just before.
+            if (next.drive_uv[k] - here.drive_uv[k]) * sense <= 0.0 && next.te == here.te {
+                return Ok(());
+            }
             gone += (next.te - here.te).norm();
             let uv = here.drive_uv;
             self.may_go_on(path, uv)?;

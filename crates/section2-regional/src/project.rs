@@ -244,7 +244,8 @@ impl Shot<'_> {
     /// Is it on the surface, not on its continuation?
     fn inside(&self, m: &Met) -> bool {
         let [nu, nv] = self.surface.spans();
-        (-1e-9..=nu + 1e-9).contains(&m.uv[0]) && (-1e-9..=nv + 1e-9).contains(&m.uv[1])
+        let within = |x: f64, n: f64| (-1e-9..=n + 1e-9).contains(&x);
+        within(m.uv[0], nu) && within(m.uv[1], nv) && !self.surface.is_in_hole(m.uv)
     }
 
     /// The first of the meetings that searches from all over some patches reach.

@@ -52,6 +52,8 @@ pub struct Regional {
     pub(crate) fitted: Vec<(Arc<Form>, Arc<Sculptured>)>,
     /// Those that cannot be fitted, curves too.
     pub(crate) unfit: Vec<Arc<Form>>,
+    /// Surfaces with what they are where their loose patches are one grid.
+    pub(crate) wholes: Vec<(Arc<Sculptured>, Arc<Sculptured>)>,
     /// Surfaces prepared for questions.
     pub(crate) trees: Vec<(Arc<Sculptured>, Arc<PatchTree>)>,
     /// Surfaces prepared for the places nearest to points.

@@ -148,6 +148,7 @@ impl Regional {
             "FEED" => self.feed_area(w)?,
             _ => self.areas.stepover = Some(stepover_area(w)?),
         }
+        self.agree();
         Ok(())
     }
 
@@ -206,10 +207,52 @@ impl Regional {
             return Err(Failure::Undone { what: "SCON/PS without a sculptured surface" });
         };
         let surface = self.surface(name, form)?;
+        let surface = self.whole(&surface);
         let side = w.sign();
         let thick = need(w.number(), "the thickness")?;
+        Ok(self.part(name, surface, touches, (side, thick)))
+    }
+
+    /// A part surface.
+    pub(crate) fn part(
+        &mut self,
+        name: &NameRef,
+        surface: Arc<Sculptured>,
+        touches: bool,
+        (side, thick): (f64, f64),
+    ) -> PartArea {
         let (tree, extent, ends) = (self.tree(&surface), surface.extent(), Ends::of(&surface));
-        Ok(PartArea { name: name.clone(), surface, tree, extent, ends, touches, side, thick })
+        let whole = self.whole(&surface);
+        let whole = (Arc::clone(&whole), self.tree(&whole));
+        PartArea { name: name.clone(), surface, tree, whole, extent, ends, touches, side, thick }
+    }
+
+    /// Along its own lines a part surface is as they are told: loose patches then stay loose. Over another drive they are one grid.
+    fn agree(&mut self) {
+        let Some(DriveArea { guide: Guide::Surface(lined), hold, offset, .. }) = &self.areas.drive
+        else {
+            return;
+        };
+        let (lined, led) = (Arc::clone(lined), *hold == Hold::At && *offset == 0.0);
+        let own = self.whole(&lined);
+        let Some(part) = &self.areas.part else { return };
+        let own = led && Arc::ptr_eq(&own, &part.whole.0);
+        let surface = if own { lined } else { Arc::clone(&part.whole.0) };
+        if !Arc::ptr_eq(&surface, &part.surface) {
+            let (name, touches) = (part.name.clone(), part.touches);
+            let kept = (part.side, part.thick);
+            self.areas.part = Some(self.part(&name, surface, touches, kept));
+        }
+    }
+
+    /// A surface whose loose patches are one grid, if they fit together; each is put together once.
+    pub(crate) fn whole(&mut self, surface: &Arc<Sculptured>) -> Arc<Sculptured> {
+        if let Some((_, whole)) = self.wholes.iter().find(|(s, _)| Arc::ptr_eq(s, surface)) {
+            return Arc::clone(whole);
+        }
+        let whole = surface.together().map_or_else(|| Arc::clone(surface), Arc::new);
+        self.wholes.push((Arc::clone(surface), Arc::clone(&whole)));
+        whole
     }
 
     fn feed_area(&mut self, w: &mut Words<'_>) -> Result<(), Failure> {

@@ -346,8 +346,8 @@ impl Regional {
         guard.intol = self.touching();
         let Some(part) = part.filter(|p| p.touches) else { return guard };
         guard.thick = part.thick;
-        if !guard.surfaces.iter().any(|c| Arc::ptr_eq(&c.surface, &part.surface)) {
-            let (surface, tree) = (Arc::clone(&part.surface), Arc::clone(&part.tree));
+        let (surface, tree) = part.whole.clone();
+        if !guard.surfaces.iter().any(|c| Arc::ptr_eq(&c.surface, &surface)) {
             guard.surfaces.push(Checked::part(part.name.name.to_string(), surface, tree));
         }
         guard
@@ -393,7 +393,7 @@ impl Regional {
             thick: part.thick,
             body: None,
         };
-        let others = self.checked.iter().filter(|c| !Arc::ptr_eq(&c.surface, &part.surface));
+        let others = self.checked.iter().filter(|c| !Arc::ptr_eq(&c.surface, &part.whole.0));
         let checked = others.map(|c| Milled {
             name: cl::NameRef { name: c.name.as_str().into(), subscript: 0 },
             surface: Arc::clone(&c.surface),

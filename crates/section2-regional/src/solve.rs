@@ -311,7 +311,7 @@ impl Setup<'_> {
         };
         if segment == Segment::Top && !self.centred {
             let part = self.part.name.name.as_str().into();
-            return Err(Failure::Sphere { part, part_uv: met.uv, te });
+            return Err(Failure::Sphere { part, part_uv: self.part.surface.told(met.uv), te });
         }
         let toward = toward_axis(n, ta).unwrap_or(toward);
         let position = Position {

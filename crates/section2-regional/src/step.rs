@@ -129,7 +129,7 @@ impl Setup<'_> {
         let torn = || self.torn(here, course);
         Err(self.sharp(here).or_else(torn).unwrap_or(Failure::NoStep {
             uv: here.drive_uv,
-            part_uv: worst.part_uv,
+            part_uv: self.part.surface.told(worst.part_uv),
             worst: worst.worst,
             creeps,
         }))

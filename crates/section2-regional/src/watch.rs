@@ -81,7 +81,7 @@ impl Regional {
             let holder = self.holder.clone();
             let mut guard = self.guarded(None).unwrap_or(Guard { holder, ..Guard::default() });
             if let Some(part) = milling.part.as_ref().filter(|_| milling.guarded) {
-                let surface = Arc::clone(&part.surface);
+                let surface = self.whole(&part.surface);
                 let (name, tree) = (part.name.name.to_string(), self.tree(&surface));
                 Checked::part(name, surface, tree).put(&mut guard.surfaces);
                 guard.thick = part.thick;

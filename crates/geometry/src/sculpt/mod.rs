@@ -30,6 +30,7 @@ mod patches;
 mod smooth;
 mod spline;
 mod surface;
+mod together;
 mod trimmed;
 
 pub use arc::{ArcPoint, CubicArc, Vec4, flat, weighted};
@@ -50,6 +51,7 @@ pub use patches::{filled, from_points, from_polygon, from_vectors};
 pub use smooth::smooth;
 pub use spline::{SplineFault, SplinePoint, spline, tangents};
 pub use surface::{Layout, SculptFault, Sculptured};
+pub use together::Origin;
 pub use trimmed::circle_between;
 
 /// The whole number at or below `x`, 0 for negative numbers and those that are none.

@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::patch::{Derivatives, Patch};
+use super::together::Origins;
 use super::whole;
 use crate::{Transform, Vec3};
 
@@ -40,6 +41,9 @@ pub struct Sculptured {
     pub patches: Vec<Patch>,
     /// How they lie.
     pub layout: Layout,
+    /// Of loose patches that were put together, what each was.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(super) origins: Option<Origins>,
 }
 
 impl Sculptured {
@@ -69,7 +73,11 @@ impl Sculptured {
             .iter()
             .flat_map(|p| p.net.iter().flatten())
             .all(|h| h.iter().all(|x| x.is_finite()) && h.w > 0.0);
-        if sound { Ok(Self { patches, layout }) } else { Err(SculptFault::NotFinite) }
+        if sound {
+            Ok(Self { patches, layout, origins: None })
+        } else {
+            Err(SculptFault::NotFinite)
+        }
     }
 
     /// Does it extend both ways anywhere? Curves laid upon each other give one that does not.
@@ -109,6 +117,12 @@ impl Sculptured {
                 (i, [u - i as f64, v], [1.0, 1.0])
             }
         }
+    }
+
+    /// The number of the patch over (u, v) with its own parameters.
+    pub(super) fn local(&self, [u, v]: [f64; 2]) -> (usize, [f64; 2]) {
+        let (index, own, _) = self.cell(u, v);
+        (index, own)
     }
 
     /// Does the second place lie inside of the patch that the first lies in or on the border of? Between the two the surface is smooth.
@@ -222,8 +236,13 @@ impl Sculptured {
         }
     }
 
-    /// The number of the span, counted from 1, with the parameters in it.
+    /// The number of the span, counted from 1, with the parameters in it; of a grid that was put together those of the loose patches.
     pub fn span_of(&self, u: f64, v: f64) -> (usize, [f64; 2]) {
+        if let Some(origins) = &self.origins {
+            let [u, v] = self.told([u, v]);
+            let patch = whole(u).min(origins.iter().flatten().count().max(1) - 1);
+            return (patch + 1, [u - patch as f64, v]);
+        }
         let [nu, nv] = self.spans();
         let cut = |t: f64, n: f64| t.max(0.0).floor().min(n - 1.0);
         let (i, j) = (cut(u, nu), cut(v, nv));
@@ -236,6 +255,7 @@ impl Sculptured {
         Self {
             patches: self.patches.iter().map(|p| p.transformed(m)).collect(),
             layout: self.layout.clone(),
+            origins: self.origins.clone(),
         }
     }
 

@@ -15,7 +15,6 @@ use crate::drive::{Course, DrivePoint};
 use crate::failure::{self, Failure};
 use crate::gclear::Spot;
 use crate::position::Chosen;
-use crate::project::Ends;
 use crate::regional::{Regional, Stand};
 use crate::report::reports;
 use crate::scon::Words;
@@ -234,9 +233,7 @@ impl Regional {
         (side, thick): (f64, f64),
     ) -> Result<PartArea, Failure> {
         let surface = self.lined(name, form)?;
-        let (tree, extent, ends) = (self.tree(&surface), surface.extent(), Ends::of(&surface));
-        let (name, touches) = (name.clone(), true);
-        Ok(PartArea { name, surface, tree, extent, ends, touches, side, thick })
+        Ok(self.part(name, surface, true, (side, thick)))
     }
 
     /// What holds along lines of a surface that is its own drive.

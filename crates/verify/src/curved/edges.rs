@@ -37,7 +37,7 @@ pub(super) struct Near {
 impl Curved<'_> {
     /// How the gap is held above `least` on a way.
     ///
-    /// Where the border of an edge is not known, as of loose patches and at tips, the tool stays away from the faces all over: what is
+    /// Where the border of an edge is not known, as of loose patches, of faces that do not quite meet and at tips, the tool stays away from the faces all over: what is
     /// held is less deep then than it may be.
     pub(super) fn held(
         &self,
@@ -60,9 +60,10 @@ impl Curved<'_> {
         }
         let away = (end.te - start.te).norm() + turn * tool.reach() - BACK * least + thin;
         let near = Near { start: *start, side, away };
-        let (half, known) = self
-            .hollow(tool, near)
-            .fold((0.0_f64, true), |(m, known), h| (m.max(h.half), known && h.rolled.is_some()));
+        let (half, known, crack) =
+            self.hollow(tool, near).fold((0.0_f64, true, 0.0_f64), |(m, known, crack), h| {
+                (m.max(h.half), known && h.rolled.is_some(), crack.max(h.crack))
+            });
         if half <= 0.0 {
             return faces(least, thin);
         }
@@ -70,11 +71,11 @@ impl Curved<'_> {
             return Held { least, thin, edges: Some(near) };
         }
         // A place on the middle of both faces, as deep below the edge as it may be, is to be no farther from the faces than the tool
-        // stays away.
+        // stays away. Where the faces do not meet it is seen from the edge of the one, and that of the other lies a crack away.
         let (deep, cos) = (-least, (1.0 - half * half).max(0.0).sqrt());
         let back = (BACK * deep).max(deep + thin);
         let away = (back * back - 2.0 * back * deep * cos + deep * deep).sqrt();
-        faces(away - back, away)
+        faces(away - back + crack, away + crack)
     }
 
     /// The hollow edges and corners near the tool.

@@ -89,7 +89,7 @@ struct Chart {
     points: [[bool; 2]; 2],
     /// Has a corner of the cell no normal, or next to none?
     bare: bool,
-    /// Would it go on from a border that is one point? There is nothing there.
+    /// Would it go on from a border that is one point, or does it close a hole? There is nothing there.
     none: bool,
     /// Of a sculptured surface the patch of the cell.
     own: Own,
@@ -212,9 +212,10 @@ impl Patched {
         };
         if over.iter().all(|o| *o <= 0.0) {
             chart.points = two([0, 1], |k| two([0, 1], |end| self.is_point(&chart, k, end)));
-        } else if let Kind::Sculpted(s) = &self.kind {
-            let from = |k: usize| usize::from(range[k][0] >= within[k][1]);
-            chart.none = (0..2).any(|k| over[k] > 0.0 && s.ends_in_point(cell, k, from(k)));
+        }
+        if let Kind::Sculpted(s) = &self.kind {
+            let end = |k: usize| usize::from(range[k][0] >= within[k][1]);
+            chart.none = s.is_nothing(cell, [0, 1].map(|k| (over[k] > 0.0).then(|| end(k))));
         }
         let [u, v] = within;
         let corners = [[u[0], v[0]], [u[1], v[0]], [u[0], v[1]], [u[1], v[1]]];
@@ -333,8 +334,7 @@ impl Patched {
         // Directions of unit length and square to each other but for rounding.
         let thick = 1e-12 * (radius + center.norm());
         let (a, b) = leaves.split_at_mut(middle);
-        let pair = [self.grow(a), self.grow(b)];
-        let below = Below::Nodes(pair);
+        let below = Below::Nodes([self.grow(a), self.grow(b)]);
         self.nodes.push(Node { center, radius, half, bow, thick, normal: e[2], below });
         self.nodes.len() - 1
     }

@@ -21,6 +21,8 @@ pub(crate) struct Sculpted {
     cut: usize,
     /// Borders of the patches.
     knots: [Vec<f64>; 2],
+    /// Of each patch whether it closes a hole and is none of the surface; none do of one with its continuation.
+    holes: Vec<bool>,
 }
 
 /// The patch of a cell: its number, where it begins and how fast its parameters run.
@@ -40,7 +42,8 @@ impl Sculpted {
     /// A surface with its straight continuation.
     pub(crate) fn reaching(whole: &Continued) -> (Self, Grid) {
         let spans = whole.surface.spans();
-        let (cells, mut grid) = Self::new(&whole.surface);
+        let (mut cells, mut grid) = Self::new(&whole.surface);
+        cells.holes.clear();
         // There the parameters run from 0 to 1.
         for (k, range) in [whole.u, whole.v].into_iter().enumerate() {
             let side = &mut grid.sides[k];
@@ -69,13 +72,69 @@ impl Sculpted {
             behind: None,
             loose: loose.filter(|_| k == 0),
         });
-        let cells = Self { patches: surface.patches.clone(), columns, cut, knots };
+        let holes = (0..surface.patches.len()).map(|k| surface.is_hole(k)).collect();
+        let cells = Self { patches: surface.patches.clone(), columns, cut, knots, holes };
         (cells, Grid { sides })
     }
 
-    /// Is the border of the patch of a cell one point?
-    pub(crate) fn ends_in_point(&self, [i, j]: [usize; 2], k: usize, end: usize) -> bool {
-        self.patch(i, j).0.ends_in_point(k, end)
+    /// Is a cell, or what goes on from it beyond the ends that are given, none of the surface?
+    pub(crate) fn is_nothing(&self, [i, j]: [usize; 2], beyond: [Option<usize>; 2]) -> bool {
+        let at = j / self.cut * self.columns + i / self.cut;
+        let ends = |k: usize| beyond[k].is_some_and(|end| self.patch(i, j).0.ends_in_point(k, end));
+        self.holes.get(at).is_some_and(|hole| *hole) || (0..2).any(ends)
+    }
+
+    /// Does a cell end by the parameter `k` where its patch does?
+    pub(crate) fn is_corner(&self, cell: [usize; 2], k: usize, end: usize) -> bool {
+        (cell[k] + end).is_multiple_of(self.cut)
+    }
+
+    /// How far any place of the border between two cells, at the end of the first by the parameter `k`, lies from the border of the other
+    /// at most; `None` where weights differ along it.
+    ///
+    /// On a short part of the border, c being the direction of its chord, the way from a place to that of the other with the same parameter
+    /// goes by `across` from c at most and by `along` along it: so much do the control points of both. To come back along c the other's
+    /// parameter changes by no more than `along` over its least derivative along c, which takes it from c by that times its greatest
+    /// derivative square to c; both are bounded by its control points on the part and as far again on both sides. At the ends of the
+    /// border, beyond which it does not go, both begin in one place but for `ends`.
+    pub(crate) fn apart(&self, cells: [[usize; 2]; 2], k: usize, end: usize) -> Option<f64> {
+        /// Parts of the border of a cell.
+        const PARTS: u32 = 16;
+        let border = |[i, j]: [usize; 2], end: usize| {
+            let patch = self.patch(i, j).0;
+            let at = 3 * end;
+            let row =
+                [0, 1, 2, 3].map(|n| if k == 0 { patch.net[n][at] } else { patch.net[at][n] });
+            let even = row.iter().all(|h| (h.w - row[0].w).abs() <= 1e-12 * row[0].w.abs());
+            even.then(|| row.map(|h| h.xyz() / h.w))
+        };
+        let (a, b) = border(cells[0], end).zip(border(cells[1], 1 - end))?;
+        let gap = |n: usize| (a[n] - b[n]).norm();
+        let ends = gap(0).max(gap(3));
+        let width = 1.0 / (self.cut as f64 * f64::from(PARTS));
+        let first = (cells[0][1 - k] % self.cut) as f64 / self.cut as f64;
+        let mut most = 0.0_f64;
+        for n in 0..PARTS {
+            let from = first + f64::from(n) * width;
+            let [p, q] = [a, b].map(|row| cut_out(row, [from, from + width]));
+            let far = [(from - width).max(0.0), (from + 2.0 * width).min(1.0)];
+            let wide = cut_out(b, far);
+            let slopes = [0, 1, 2].map(|i| (wide[i + 1] - wide[i]) * (3.0 / (far[1] - far[0])));
+            let plain = (0..4).map(|i| (p[i] - q[i]).norm()).fold(0.0, f64::max);
+            let Some(c) = (p[3] - p[0]).try_normalize(0.0) else {
+                most = most.max(plain);
+                continue;
+            };
+            let square = |w: Vec3| (w - c * w.dot(&c)).norm();
+            let across = (0..4).map(|i| square(p[i] - q[i])).fold(0.0, f64::max);
+            let along = (0..4).map(|i| (p[i] - q[i]).dot(&c).abs()).fold(0.0, f64::max);
+            let least = slopes.iter().map(|s| s.dot(&c)).fold(f64::INFINITY, f64::min);
+            let aside = slopes.iter().map(|s| square(*s)).fold(0.0, f64::max);
+            let fits = least > 0.0 && along <= least * width;
+            let told = if fits { across + along * aside / least } else { plain };
+            most = most.max(told.min(plain));
+        }
+        Some(most + ends)
     }
 
     /// How far the unit normals over a part of a cell, or of what goes on from it, stand from a unit vector at most.
@@ -131,6 +190,21 @@ impl Cells for Sculpted {
         };
         of_patch(&patch.part(part(i), part(j))).rated(a * n, b * n)
     }
+}
+
+/// The control points of a part of a cubic.
+fn cut_out(row: [Vec3; 4], [from, to]: [f64; 2]) -> [Vec3; 4] {
+    // By its polar form: the parameters that a control point has.
+    let polar = |t: [f64; 3]| {
+        let mut p = row;
+        for (k, t) in t.into_iter().enumerate() {
+            for i in 0..3 - k {
+                p[i] = p[i] * (1.0 - t) + p[i + 1] * t;
+            }
+        }
+        p[0]
+    };
+    [[from; 3], [from, from, to], [from, to, to], [to; 3]].map(polar)
 }
 
 /// Rising numbers with `cut` steps between two of them.

@@ -6,7 +6,7 @@
 use std::sync::{Arc, OnceLock};
 
 use crate::Vec3;
-use crate::sculpt::{Border, Layout, Patch, Sculptured};
+use crate::sculpt::{Border, Patch, Sculptured};
 use crate::sculptured::SurfaceDefinition;
 
 use super::cells::Cells;
@@ -86,7 +86,8 @@ impl Spans {
         if definition.only_checks() {
             return None;
         }
-        Some(joined(&crate::sculpt::fit_surface(definition).ok()?))
+        let fitted = crate::sculpt::fit_surface(definition).ok()?;
+        Some(fitted.together().unwrap_or(fitted))
     }
 
     /// `None` where a point of the surface is not finite.
@@ -122,7 +123,8 @@ impl Spans {
         let made = || {
             let domain = Domain { u: [0.0, 1.0], v: [0.0, 1.0] };
             let [u, v] = [self.domain.u, self.domain.v];
-            let goes_on = u[0] < 0.0 || u[1] > 1.0 || v[0] < 0.0 || v[1] > 1.0;
+            let out = |[low, high]: [f64; 2]| low < 0.0 || high > 1.0;
+            let goes_on = out(u) || out(v) || self.surface.has_holes();
             let cells = goes_on.then(|| Cells::new(&self.surface, &domain)).flatten()?;
             let (edges, itself) = (OnceLock::new(), OnceLock::new());
             let own = Self { domain, cells, edges, itself, ..self.clone() };
@@ -361,58 +363,6 @@ fn straight(surface: &Sculptured, size: f64, along: bool) -> bool {
         [q[1], q[2]].iter().all(|r| (r - q[0]).cross(&w).norm() <= 1e-9 * size * w.norm())
     };
     surface.patches.iter().all(|p| (0..4).all(|k| line(row(p, k))))
-}
-
-/// Loose patches that fit together are one grid; other surfaces stay what they are.
-fn joined(surface: &Sculptured) -> Sculptured {
-    as_grid(surface).unwrap_or_else(|| surface.clone())
-}
-
-/// Loose patches that fit together into a rectangle, as one grid; `None` when they do not.
-fn as_grid(surface: &Sculptured) -> Option<Sculptured> {
-    if !matches!(surface.layout, Layout::Patches) {
-        return None;
-    }
-    let size = surface.extent();
-    let corner = |p: &Patch, u: f64, v: f64| p.point(u, v);
-    let same = |a: Vec3, b: Vec3| (a - b).norm() <= 1e-6 * size;
-    let beside = |p: &Patch, q: &Patch| {
-        [0.0, 0.5, 1.0].iter().all(|t| same(corner(p, 1.0, *t), corner(q, 0.0, *t)))
-    };
-    let above = |p: &Patch, q: &Patch| {
-        [0.0, 0.5, 1.0].iter().all(|t| same(corner(p, *t, 1.0), corner(q, *t, 0.0)))
-    };
-    let n = surface.patches.len();
-    let mut place: Vec<Option<(usize, usize)>> = vec![None; n];
-    // Each patch finds its place from one that has it; the first stands at the lower left.
-    place[0] = Some((0, 0));
-    for _ in 0..n {
-        for k in 0..n {
-            let Some((i, j)) = place[k] else { continue };
-            for (m, other) in surface.patches.iter().enumerate() {
-                if place[m].is_some() {
-                    continue;
-                }
-                if beside(&surface.patches[k], other) {
-                    place[m] = Some((i + 1, j));
-                } else if above(&surface.patches[k], other) {
-                    place[m] = Some((i, j + 1));
-                }
-            }
-        }
-    }
-    let places: Vec<(usize, usize)> = place.into_iter().collect::<Option<_>>()?;
-    let columns = places.iter().map(|p| p.0).max()? + 1;
-    let rows = places.iter().map(|p| p.1).max()? + 1;
-    if columns * rows != n {
-        return None;
-    }
-    let mut order = vec![None; n];
-    for (k, (i, j)) in places.into_iter().enumerate() {
-        order[j * columns + i] = Some(surface.patches[k].clone());
-    }
-    let patches = order.into_iter().collect::<Option<Vec<_>>>()?;
-    Sculptured::grid(patches, columns, rows).ok()
 }
 
 #[cfg(test)]

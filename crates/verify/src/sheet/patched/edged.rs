@@ -3,7 +3,7 @@
 use aptc_geometry::Vec3;
 use aptc_geometry::sculpt::Derivatives;
 
-use super::{Chart, Jet, Patch, Patched, SMOOTH, Side, Spot, Tile};
+use super::{Chart, Jet, Kind, Patch, Patched, SMOOTH, Side, Spot, Tile};
 use crate::solid::unit_or;
 
 /// How sharp an edge is of which nothing is known: as three square faces are about their corner.
@@ -17,6 +17,8 @@ const ALL_ROUND: f64 = 4.0;
 const BLUNT: f64 = 1e-3;
 /// Share of the surface's size by which charts that meet lie apart.
 const MEET: f64 = 1e-9;
+/// Up to this share of it they are side by side.
+const CRACKS: f64 = 1e-2;
 
 /// The edges of a surface.
 #[derive(Clone, Debug, Default)]
@@ -39,6 +41,8 @@ pub(crate) struct Hollow {
     pub(crate) half: f64,
     /// What closes the gap there, where the faces are known.
     pub(crate) rolled: Option<Patch>,
+    /// How far apart the faces lie there at most, for they do not meet.
+    pub(crate) crack: f64,
 }
 
 /// What closes the gap between faces that are moved back: places with all unit normals between those of the faces there.
@@ -154,14 +158,21 @@ impl Patched {
         let size = self.nodes.last().map_or(0.0, |root| root.radius);
         let joins = side.joins(place[k], end);
         let mut sharpest = if joins { [0.0_f64; 2] } else { [UNKNOWN; 2] };
+        let (mut cracked, mut steps) = (false, 0.0_f64);
+        let mut before: Option<Vec3> = None;
         for i in (0..=PARTS).filter(|_| joins) {
             let [a, b] = both(f64::from(i) / f64::from(PARTS));
             if !point && (a.point - b.point).norm() > MEET * size {
-                // Nothing is beside it.
-                return;
+                if last || one.none || other.none {
+                    // Nothing is beside it.
+                    return;
+                }
+                cracked = true;
             }
             let told = |d: &Derivatives| if bare([d.u, d.v]) { None } else { d.normal() };
             let Some((m, n)) = told(&a).zip(told(&b)) else { continue };
+            // How the normals of the other face change from one look to the next, farther than a crack reaches.
+            steps = before.replace(n).map_or(steps, |b| steps.max((b - n).norm()));
             let half = 0.5 * (m - n).norm();
             let half = if point { half.max(UNKNOWN.min(ALL_ROUND * half)) } else { half };
             if half > least {
@@ -170,6 +181,10 @@ impl Patched {
                 let seen = usize::from(m.dot(&into) <= 0.0);
                 sharpest[seen] = sharpest[seen].max(half);
             }
+        }
+        if cracked {
+            self.crack(place, (k, end), sharpest.map(|half| half + steps), all);
+            return;
         }
         if sharpest.iter().all(|half| *half <= 0.0) {
             return;
@@ -194,11 +209,128 @@ impl Patched {
             let corner = self.corner([place, next], k, [end, to]).filter(|_| known)?;
             Some((self.look(&corner[0]).0.p, rolled(Rolled::Corner(corner), [0.0, 1.0])))
         });
+        if known {
+            self.reentrant([place, next], (k, end), all);
+        }
         for (found, half) in all.hollow.iter_mut().zip(sharpest).filter(|(_, half)| *half > 0.0) {
-            found.push(Hollow { center, radius, half, rolled: edge });
+            let crack = 0.0;
+            found.push(Hollow { center, radius, half, rolled: edge, crack });
             for (center, corner) in corners.iter().flatten() {
-                found.push(Hollow { center: *center, radius: 0.0, half, rolled: Some(*corner) });
+                let (center, rolled) = (*center, Some(*corner));
+                found.push(Hollow { center, radius: 0.0, half, rolled, crack });
             }
+        }
+    }
+
+    /// Ends of an edge about which three faces lie and a hole: what closes gaps at edges leaves one there of which nothing is known.
+    fn reentrant(&self, both: [[usize; 2]; 2], (k, end): (usize, usize), all: &mut Edged) {
+        let columns = self.columns();
+        let counts = [columns, self.charts.len() / columns];
+        for to in [0, 1] {
+            let behind = both.map(|at| beside(at, counts, 1 - k, to == 1));
+            let charts = behind.map(|at| &self.charts[at[0] + columns * at[1]]);
+            if charts[0].none == charts[1].none {
+                continue;
+            }
+            let chart = both[0][0] + columns * both[0][1];
+            let mut at = [self.charts[chart].range[k][end]; 2];
+            at[1 - k] = self.charts[chart].range[1 - k][to];
+            let center = self.look(&Spot { chart, at }).0.p;
+            for found in &mut all.hollow {
+                let (radius, half, rolled, crack) = (0.0, UNKNOWN, None, 0.0);
+                found.push(Hollow { center, radius, half, rolled, crack });
+            }
+        }
+    }
+
+    /// A border within the surface along which the faces do not meet, as patches that were fitted apart do not: a hollow from both sides.
+    ///
+    /// With `half` the greatest half of the difference between the normals, whatever direction lies between
+    /// both normals at a place is no farther from one of them than by the angle of that sine. About an end up to four faces meet: a
+    /// direction among their normals is no farther from one of them than any two of these are from each other. So there the whole of
+    /// the difference counts for the half, and all that is between the ends too. The place of the other face next to it may be one beside
+    /// that with the same parameter: `half` has how far the normals turn up to there.
+    fn crack(&self, place: [usize; 2], (k, end): (usize, usize), half: [f64; 2], all: &mut Edged) {
+        let columns = self.columns();
+        let counts = [columns, self.charts.len() / columns];
+        let next = beside(place, counts, k, end == 1);
+        let charts = [place, next].map(|at| at[0] + columns * at[1]);
+        let [one, other] = charts.map(|at| &self.charts[at]);
+        let border = one.range[k][end];
+        let ahead = [0, 1].map(|to| one.range[1 - k][to] - one.within[1 - k][to]);
+        let beyond = if one.range[1 - k][0] >= one.within[1 - k][1] { ahead[1] } else { ahead[0] };
+        // Beyond its cell a chart lies all of it.
+        let goes_on = one.range[1 - k][0] < one.within[1 - k][0] || beyond > 0.0;
+        let at = |chart: &Chart, share: f64| {
+            let mut at = [border; 2];
+            at[1 - k] = one.range[1 - k][0] + (one.range[1 - k][1] - one.range[1 - k][0]) * share;
+            self.at(chart, at)
+        };
+        let apart = match &self.kind {
+            // Both go straight on, from one place but for a gap; along the line of the other it may be as far as that goes.
+            Kind::Sculpted(_) if goes_on => {
+                let share = if beyond > 0.0 { 0.0 } else { 1.0 };
+                let [a, b] = [one, other].map(|chart| at(chart, share));
+                let [to, along] = [a, b].map(|d| if k == 0 { d.v } else { d.u });
+                let leaves = to.cross(&along).norm() / along.norm();
+                let most = (a.point - b.point).norm() + beyond.abs() * leaves;
+                most.is_finite().then_some(most)
+            }
+            Kind::Sculpted(s) => s.apart([one.cell, other.cell], k, end),
+            _ => None,
+        };
+        let mut half = half[0].max(half[1]);
+        for i in 0..=PARTS {
+            let share = f64::from(i) / f64::from(PARTS);
+            let normals = at(one, share).normal().zip(at(other, share).normal());
+            half = half.max(normals.map_or(UNKNOWN, |(m, n)| 0.5 * (m - n).norm()));
+        }
+        let size = self.nodes.last().map_or(0.0, |root| root.radius);
+        // On the border; beyond its ends the faces go on straight from there, and may part.
+        let ends = [0, 1].map(|to| {
+            let behind = [place, next].map(|at| beside(at, counts, 1 - k, to == 1));
+            let corner = [place, next, behind[0], behind[1]].map(|at| at[0] + columns * at[1]);
+            let at = one.range[1 - k][to];
+            let looks = corner.map(|chart| {
+                let chart = &self.charts[chart];
+                let mut spot = [at; 2];
+                spot[k] = border;
+                for (x, [low, high]) in spot.iter_mut().zip(chart.range) {
+                    *x = x.clamp(low, high);
+                }
+                self.at(chart, spot)
+            });
+            let first = looks[0].point;
+            // Those that go round the end of the surface lie elsewhere.
+            let here = |d: &&Derivatives| (d.point - first).norm() <= CRACKS * size;
+            let near: Vec<&Derivatives> = looks.iter().filter(here).collect();
+            let mut most = [0.0_f64; 2];
+            for (i, a) in near.iter().enumerate() {
+                for b in &near[i + 1..] {
+                    let normals = a.normal().zip(b.normal());
+                    let turned = normals.map_or(UNKNOWN, |(m, n)| (m - n).norm());
+                    most = [most[0].max(turned), most[1].max((a.point - b.point).norm())];
+                }
+            }
+            // Elsewhere all four lie along one border of two patches, and `apart` tells.
+            let corner = match &self.kind {
+                Kind::Sculpted(_) if goes_on => (to == 0) == (beyond > 0.0),
+                Kind::Sculpted(s) => s.is_corner(one.cell, 1 - k, to),
+                _ => true,
+            };
+            if corner { most } else { [most[0], 0.0] }
+        });
+        let (turned, wide) =
+            ends.iter().fold((0.0_f64, 0.0_f64), |m, e| (m.0.max(e[0]), m.1.max(e[1])));
+        let half = turned.max(2.0 * half).max(SMOOTH);
+        let (half, crack) = match apart.filter(|_| half < UNKNOWN) {
+            Some(apart) => (half, apart.max(wide)),
+            None => (UNKNOWN, 0.0),
+        };
+        all.any = true;
+        let (center, radius) = self.ball_of(one, k, border);
+        for found in &mut all.hollow {
+            found.push(Hollow { center, radius, half, rolled: None, crack });
         }
     }
 

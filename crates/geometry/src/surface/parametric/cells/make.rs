@@ -25,7 +25,12 @@ pub(super) fn cells(surface: &Sculptured, domain: &Domain) -> Vec<Cell> {
         _ => 1,
     };
     let mut put = Put { cells: Vec::new(), surface, place: [0; 2] };
+    // What closes a hole is a continuation, as all that lies beyond the borders.
+    let alone = [domain.u, domain.v].iter().all(|[low, high]| *low >= 0.0 && *high <= 1.0);
     for (index, patch) in surface.patches.iter().enumerate() {
+        if alone && surface.is_hole(index) {
+            continue;
+        }
         put.patch(patch, index, &knots, cut, domain);
     }
     put.cells
