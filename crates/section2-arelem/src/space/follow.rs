@@ -112,7 +112,7 @@ impl<'a> Walk<'a> {
             far,
             node: begin.node,
             points: begin.first.clone(),
-            loops: Loops::new(&begin.node),
+            loops: Loops::new(&begin.node, track.keeps.iter().map(Keep::width).sum()),
             pace: Pace::new(),
             gone: 0.0,
             last: Vec3::zeros(),

@@ -20,12 +20,15 @@ pub(super) struct Loops {
     /// Vectors in all, and those at which the next place counts as the start.
     gone: u32,
     next: u32,
+    /// How far beside a place on the way one may pass that has come back to it: both keep to the same bands.
+    width: f64,
 }
 
 impl Loops {
-    pub(super) fn new(node: &Node) -> Self {
+    /// On a track whose bands are together so wide.
+    pub(super) fn new(node: &Node, width: f64) -> Self {
         let (start, along) = (node.pose.te, node.course.along);
-        Self { start, along, vectors: 0, met: 0, gone: 0, next: ONWARDS }
+        Self { start, along, vectors: 0, met: 0, gone: 0, next: ONWARDS, width }
     }
 
     /// Has it passed its start again without meeting anything on the round?
@@ -42,9 +45,11 @@ impl Loops {
         let length = v.norm();
         let t = w.dot(&v) / (length * length);
         let beside = (w - v * t).norm();
+        let onwards = self.gone >= ONWARDS;
+        let most = if onwards { self.width.min(BESIDE * length) } else { BESIDE * length };
         let again = self.vectors > 3
             && (0.0..=1.0).contains(&t)
-            && beside <= BESIDE * length
+            && beside <= most
             && self.along.dot(&along) > 0.5;
         if !again {
             return false;

@@ -37,8 +37,8 @@ pub(super) struct Near {
 impl Curved<'_> {
     /// How the gap is held above `least` on a way.
     ///
-    /// Where the border of an edge is not known, as of loose patches, of faces that do not quite meet and at tips, the tool stays away from the faces all over: what is
-    /// held is less deep then than it may be.
+    /// Where the border of an edge is not known, as of loose patches, of faces that do not quite meet and at tips, the tool stays away
+    /// from the faces all over: what is held is less deep then than it may be. So does a needle at the hollow corners of a TABCYL.
     pub(super) fn held(
         &self,
         tool: &Tool<'_>,
@@ -52,11 +52,28 @@ impl Curved<'_> {
         const BACK: f64 = 8.0;
         let thin = if tool.is_thin() { self.back(least, pad) } else { 0.0 };
         let faces = |least: f64, thin: f64| Held { least, thin, edges: None };
-        if self.sheet.edged().is_none() {
+        let corner = self.sheet.curve().map_or((0.0, false), |curve| curve.corners(side));
+        if self.sheet.edged().is_none() && !corner.1 {
             return faces(least, thin);
         }
         if least >= 0.0 {
             return faces(least, thin.max(least));
+        }
+        // Of a place on the middle of both faces, as deep below the edge as it may be, the distance from faces that are seen from `back`
+        // away.
+        let between = |half: f64| {
+            let (deep, cos) = (-least, (1.0 - half * half).max(0.0).sqrt());
+            let back = (BACK * deep).max(deep + thin);
+            let away = (back * back - 2.0 * back * deep * cos + deep * deep).sqrt();
+            (away - back, away)
+        };
+        if self.sheet.edged().is_none() {
+            // What is no wider than the faces part may go between them at a corner.
+            if corner.0 <= 0.0 || tool.end_width() > -2.0 * least * corner.0 {
+                return faces(least, thin);
+            }
+            let (least, away) = between(corner.0);
+            return faces(least, away);
         }
         let away = (end.te - start.te).norm() + turn * tool.reach() - BACK * least + thin;
         let near = Near { start: *start, side, away };
@@ -70,12 +87,10 @@ impl Curved<'_> {
         if known {
             return Held { least, thin, edges: Some(near) };
         }
-        // A place on the middle of both faces, as deep below the edge as it may be, is to be no farther from the faces than the tool
-        // stays away. Where the faces do not meet it is seen from the edge of the one, and that of the other lies a crack away.
-        let (deep, cos) = (-least, (1.0 - half * half).max(0.0).sqrt());
-        let back = (BACK * deep).max(deep + thin);
-        let away = (back * back - 2.0 * back * deep * cos + deep * deep).sqrt();
-        faces(away - back + crack, away + crack)
+        // A place on the middle of both faces is to be no farther from them than the tool stays away. Where they do not meet it is seen
+        // from the edge of the one, and that of the other lies a crack away.
+        let (least, away) = between(half);
+        faces(least + crack, away + crack)
     }
 
     /// The hollow edges and corners near the tool.

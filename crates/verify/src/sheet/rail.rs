@@ -83,7 +83,7 @@ impl Rail {
         }
     }
 
-    /// Fractions of the base line where its third derivative jumps.
+    /// Fractions of the base line where its third derivative jumps, at corners the first.
     pub(super) fn joints(&self) -> Vec<f64> {
         match &self.height {
             Height::Conic(_) => Vec::new(),
@@ -98,12 +98,22 @@ impl Rail {
 
     /// Height and derivatives over `t`, away from a steep end.
     pub(super) fn at(&self, t: f64) -> Option<Profile> {
+        self.at_beside(t, t)
+    }
+
+    /// The same at an end of a span as of the one in which `inside` lies: at a corner both have slopes of their own.
+    pub(super) fn at_beside(&self, t: f64, inside: f64) -> Option<Profile> {
         match &self.height {
             Height::Conic(c) => c.at(t),
-            Height::Spans(spans) => {
-                let i = spans.partition_point(|s| s.t[1] < t).min(spans.len() - 1);
-                spans[i].at(t)
-            }
+            Height::Spans(spans) => spans[span_at(spans, inside)].at(t),
+        }
+    }
+
+    /// The span in which `t` lies.
+    pub(super) fn span(&self, t: f64) -> usize {
+        match &self.height {
+            Height::Conic(_) => 0,
+            Height::Spans(spans) => span_at(spans, t),
         }
     }
 
@@ -296,6 +306,10 @@ fn spans(form: &Tabcyl, rail: &Definition, toward: Vec3) -> Option<Vec<Span>> {
     let adjoin = out.windows(2).all(|w| (w[0].t[1] - w[1].t[0]).abs() < 1e-9);
     let whole = out.first()?.t[0] < 1e-7 && out.last()?.t[1] > 1.0 - 1e-7;
     (rising && adjoin && whole).then_some(out)
+}
+
+fn span_at(spans: &[Span], t: f64) -> usize {
+    spans.partition_point(|s| s.t[1] < t).min(spans.len() - 1)
 }
 
 impl Span {

@@ -212,13 +212,25 @@ impl Rulings {
         r
     }
 
-    /// A rail at `u` with its derivatives.
-    fn line(&self, rail: &Rail, u: f64) -> [Vec3; 3] {
+    /// Is it evaluated alike in two cells along the rails?
+    pub(crate) fn is_one_map(&self, one: usize, other: usize) -> bool {
+        let [a, b] = [one, other].map(|i| self.fraction(self.middle(i))[0]);
+        self.rails().all(|rail| rail.span(a) == rail.span(b))
+    }
+
+    /// The middle of a cell along the rails.
+    fn middle(&self, i: usize) -> f64 {
+        0.5 * (self.us[i] + self.us[i + 1])
+    }
+
+    /// A rail at `u` with its derivatives, as of the cell `i`.
+    fn line(&self, rail: &Rail, i: usize, u: f64) -> [Vec3; 3] {
         let [t, t1, t2] = self.fraction(u);
         let y = match rail.root() {
             Some(root) => self.steep_height(&root, rail.steep(), u),
             None => {
-                let [y, y1, y2] = rail.at(t).unwrap_or([f64::NAN; 3]);
+                let inside = self.fraction(self.middle(i))[0];
+                let [y, y1, y2] = rail.at_beside(t, inside).unwrap_or([f64::NAN; 3]);
                 [y, y1 * t1, y2 * t1 * t1 + y1 * t2]
             }
         };
@@ -255,10 +267,10 @@ impl Rulings {
 }
 
 impl Cells for Rulings {
-    fn at(&self, _: usize, _: usize, u: f64, v: f64) -> Derivatives {
-        let a = self.line(&self.first, u);
+    fn at(&self, i: usize, _: usize, u: f64, v: f64) -> Derivatives {
+        let a = self.line(&self.first, i, u);
         let b = match &self.second {
-            Far::Rail(rail) => self.line(rail, u),
+            Far::Rail(rail) => self.line(rail, i, u),
             Far::Apex(p) => [*p, Vec3::zeros(), Vec3::zeros()],
         };
         Derivatives {

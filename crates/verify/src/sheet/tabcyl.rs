@@ -4,6 +4,8 @@ use aptc_geometry::{Tabcyl as Form, Vec2, Vec3};
 
 use super::{Jet, Patch, Patches, Spot};
 
+/// Length of the difference of two unit tangents from which on there is a corner between them, halved.
+const CORNER: f64 = 1e-9;
 /// Spans that share a bounding circle.
 const GROUP: usize = 8;
 
@@ -14,6 +16,9 @@ pub(crate) struct Tabcyl {
     groups: Vec<Disk>,
     /// Does the last span end where the first begins?
     closed: bool,
+    /// Sines of half the greatest angles by which it turns at once, to the right and to the left: corners that are hollow seen from
+    /// the right and from the left.
+    corners: [f64; 2],
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -78,7 +83,26 @@ impl Tabcyl {
                 Disk { center: mean, radius: g.iter().map(reach).fold(0.0, f64::max) }
             })
             .collect();
-        Some(Self { spans, groups, closed: form.closed() })
+        let mut new = Self { spans, groups, closed: form.closed(), corners: [0.0; 2] };
+        for chart in 0..new.spans.len() {
+            let Some(before) = new.before(chart) else { continue };
+            let before = &new.spans[before].flat;
+            let [m, n] = [before.jet(before.length)[1], new.spans[chart].flat.jet(0.0)[1]];
+            let (m, n) = (m.normalize(), n.normalize());
+            let (turn, half) = (m.perp(&n), 0.5 * (n - m).norm());
+            if half > CORNER {
+                let left = usize::from(turn > 0.0);
+                new.corners[left] = new.corners[left].max(half);
+            }
+        }
+        Some(new)
+    }
+
+    /// The sine of half the greatest angle by which faces stand to each other at a corner that is hollow on this side, none where there
+    /// is none; and whether there is any corner.
+    pub(crate) fn corners(&self, side: f64) -> (f64, bool) {
+        let [right, left] = self.corners;
+        (if side > 0.0 { left } else { right }, right.max(left) > 0.0)
     }
 
     pub(crate) fn roots(&self, center: Vec3, radius: f64, out: &mut Patches) -> bool {

@@ -59,7 +59,7 @@ impl Patched {
         if one.none || other.none {
             return false;
         }
-        // Cells of one map have the same points and derivatives where they meet.
+        // Cells of one map have the same points and derivatives where they meet; at the corner of a rail they are of two.
         let same = self.is_one_map(one.cell, other.cell);
         let [from, to] = one.range[1 - k];
         let size = self.nodes.last().map_or(0.0, |root| root.radius);
@@ -81,7 +81,7 @@ impl Patched {
     fn is_one_map(&self, one: [usize; 2], other: [usize; 2]) -> bool {
         match &self.kind {
             Kind::Sculpted(s) => s.is_one_patch(one, other),
-            Kind::Ruled(_) => true,
+            Kind::Ruled(s) => s.is_one_map(one[0], other[0]),
             Kind::Polyconic(_) => one == other,
         }
     }
