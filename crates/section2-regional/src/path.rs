@@ -12,6 +12,8 @@ use crate::step::{Gait, Step};
 
 /// A tool end that moves so many times as far as the contact swings about it.
 const SWING: f64 = 4.0;
+/// Share of a path up to which its drive may jump at its end.
+const END: f64 = 1e-6;
 
 /// A path, with the gouges that were avoided on it.
 #[derive(Clone, Debug, Default)]
@@ -94,7 +96,9 @@ impl Setup<'_> {
             }
             let Step { next, kept, proved } = step;
             // Where the drive jumps at the end of the path, that ends just before.
-            if (next.drive_uv[k] - here.drive_uv[k]) * sense <= 0.0 && next.te == here.te {
+            let at_end = (to - here.drive_uv[k]) * sense <= END * span.max(1.0);
+            if at_end && (next.drive_uv[k] - here.drive_uv[k]) * sense <= 0.0 && next.te == here.te
+            {
                 return Ok(());
             }
             gone += (next.te - here.te).norm();

@@ -17,8 +17,16 @@ use crate::Vec3;
 
 /// Ends of borders that are no farther apart than this share of the surface's size are in one place.
 const SAME: f64 = 1e-6;
-/// Share of its length by which a border may leave the one that it is joined to.
-const CRACK: f64 = 1e-2;
+/// Share of its length by which a border may part from the one that it is joined to, and by which places of both with one parameter
+/// may: tangents of meshes differ in length more than borders part.
+const CRACK: f64 = 1e-4;
+const SHIFT: f64 = 1e-2;
+/// Cosine of the directions into both patches above which one goes back under the other.
+const FOLD: f64 = 0.5;
+/// Share of a patch at which the direction into it is taken.
+const INTO: f64 = 0.05;
+/// Rounds to the nearest place of a border.
+const ROUNDS: u32 = 24;
 /// Cells of a grid for each patch at most.
 const MOST: usize = 4;
 /// Places along a border at which it is held against others.
@@ -240,7 +248,7 @@ impl Sculptured {
             let long = a.at.windows(2).map(|w| (w[1] - w[0]).norm()).sum::<f64>();
             let alike = |b: &Side, turned: bool| {
                 (0..5).all(|i| {
-                    let most = if i % 4 == 0 { same } else { same.max(CRACK * long) };
+                    let most = if i % 4 == 0 { same } else { same.max(SHIFT * long) };
                     (a.at[i] - b.at[if turned { 4 - i } else { i }]).norm() <= most
                 })
             };
@@ -248,6 +256,9 @@ impl Sculptured {
             for b in near {
                 let turned = !alike(b, false);
                 if turned && !alike(b, true) {
+                    continue;
+                }
+                if self.parts(a, b, turned) > same.max(CRACK * long) || self.folds(a, b, turned) {
                     continue;
                 }
                 for (one, other) in [(a, b), (b, a)] {
@@ -260,6 +271,43 @@ impl Sculptured {
             }
         }
         Some(found)
+    }
+
+    /// By how much a border parts from another, at some places.
+    fn parts(&self, a: &Side, b: &Side, turned: bool) -> f64 {
+        let apart = |i: usize| {
+            let t = if turned { 1.0 - PLACES[i] } else { PLACES[i] };
+            let away = |t: f64| (self.border(b, t) - a.at[i]).norm();
+            let (mut low, mut high) = ((t - 0.1).max(0.0), (t + 0.1).min(1.0));
+            for _ in 0..ROUNDS {
+                let third = (high - low) / 3.0;
+                if away(low + third) < away(high - third) { high -= third } else { low += third }
+            }
+            away(0.5 * (low + high))
+        };
+        (1..4).map(apart).fold(0.0, f64::max)
+    }
+
+    /// Goes one patch back under the other at a border of both? Then it is no sheet that a tool goes along.
+    fn folds(&self, a: &Side, b: &Side, turned: bool) -> bool {
+        let into = |s: &Side, t: f64| -> Option<Vec3> {
+            let along = (s.at[4] - s.at[0]).try_normalize(0.0)?;
+            let within = if s.end == 0 { INTO } else { 1.0 - INTO };
+            let p = &self.patches[s.patch];
+            let inner = if s.axis == 0 { p.point(within, t) } else { p.point(t, within) };
+            let way = inner - self.border(s, t);
+            (way - along * along.dot(&way)).try_normalize(0.0)
+        };
+        [0.25, 0.5, 0.75].into_iter().any(|t| {
+            let ways = into(a, t).zip(into(b, if turned { 1.0 - t } else { t }));
+            ways.is_none_or(|(m, n)| m.dot(&n) > FOLD)
+        })
+    }
+
+    /// A place of a border.
+    fn border(&self, s: &Side, t: f64) -> Vec3 {
+        let p = &self.patches[s.patch];
+        if s.axis == 0 { p.point(s.end as f64, t) } else { p.point(t, s.end as f64) }
     }
 }
 
