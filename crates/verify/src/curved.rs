@@ -7,7 +7,7 @@ mod sunk;
 use aptc_cldata::Position;
 
 use crate::between::Way;
-use crate::deep::deepest;
+use crate::deep::{deepest, inside};
 use crate::demand::Verdict;
 use crate::each::two;
 use crate::outside::Stood;
@@ -337,7 +337,7 @@ impl Curved<'_> {
         (4.0 * beside).max(4.0 * band).max(1e3 * pad)
     }
 
-    /// A place of the surface moved by `least` is in the tool by `-inside`. The gap where that means what it
+    /// A place of the surface moved by `least` is in the tool by `-inside_by`. The gap where that means what it
     /// seems to; moved surfaces fold where the surface is bent too much.
     #[expect(clippy::too_many_arguments, reason = "one place and all that is known of it")]
     fn confirm(
@@ -347,10 +347,10 @@ impl Curved<'_> {
         least: f64,
         pose: &Pose,
         spot: &Spot,
-        inside: f64,
+        inside_by: f64,
         pad: f64,
     ) -> Option<f64> {
-        let seen = least + inside;
+        let seen = least + inside_by;
         let deep = deepest(tool, pose, self.sheet, side, *spot, least - pad);
         // Of a surface moved towards the tool the place itself is as near, on whichever side.
         let known = (least >= 0.0 && !tool.is_thin()).then_some(seen);
@@ -358,14 +358,17 @@ impl Curved<'_> {
             return Some(seen.min((deep.p - self.sheet.jet(&deep.spot).p).norm()));
         }
         // How far the deepest point of the tool is from the whole surface.
-        let near = inside.abs().max(deep.gap.abs()) + least.abs();
+        let near = inside_by.abs().max(deep.gap.abs()) + least.abs();
         let (far, place) = self.nearest(deep.p, 2.0 * near);
         let off = || Some(self.off(deep.p, &place?).signum());
         // Beside an edge what is deep below the one face is far from it.
         let Some(sign) = self.sheet.sign(deep.p).or_else(off) else { return known };
         let gap = if sign * side > 0.0 { far } else { -far };
         // An edge is deeper in the tool than the tool is below the faces beside it.
-        let place = tool.near(pose, self.sheet.jet(spot).p).0;
+        let place = match self.sheet.edged() {
+            Some(_) => inside(tool, pose, self.sheet, *spot, least.abs().max(inside_by.abs())),
+            None => tool.near(pose, self.sheet.jet(spot).p).0,
+        };
         let gap = match tool.is_thin() {
             true => gap,
             false if least >= 0.0 => gap.min(seen),

@@ -87,6 +87,35 @@ pub(crate) fn deepest(
     other.map(down).filter(|o| o.gap < first.gap).unwrap_or(first)
 }
 
+/// How deep the surface is in the tool about a place of it, downhill over the surface in steps that begin with `size`, across its edges:
+/// less than none inside.
+pub(crate) fn inside(tool: &Tool<'_>, pose: &Pose, sheet: &Sheet, spot: Spot, size: f64) -> f64 {
+    /// Steps at most, and share of the first below which no other counts.
+    const STEPS: u32 = 80;
+    const LEAST: f64 = 1e-4;
+    let look = |spot: Spot| {
+        let jet = sheet.jet(&spot);
+        (tool.near(pose, jet.p).0, spot, jet.d)
+    };
+    let mut best = look(spot);
+    let mut step = size;
+    for _ in 0..STEPS {
+        let ways = [(0, step), (0, -step), (1, step), (1, -step)];
+        let next = ways.into_iter().filter_map(|(k, by)| {
+            let rate = best.2[k].norm();
+            let mut spot = best.1;
+            spot.at[k] += by / rate;
+            (rate > 0.0).then(|| look(sheet.settle(spot)))
+        });
+        match next.min_by(|a, b| a.0.total_cmp(&b.0)).filter(|n| n.0 < best.0) {
+            Some(next) => best = next,
+            None if step <= LEAST * size => break,
+            None => step *= 0.5,
+        }
+    }
+    best.0
+}
+
 /// A deeper point than `first`, if there is one, on the flat end or the flank of the tool. It may be deep in a surface that
 /// it is beside of, whose nearest place is another: what it says is to be shown.
 pub(crate) fn on_faces(
