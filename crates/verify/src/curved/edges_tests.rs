@@ -7,7 +7,10 @@ use aptc_geometry::sculptured::{
     BsplineSurface, Knot, MeshKind, MeshSpacing, MeshSpline, Smoothing, SurfaceDefinition,
     SurfaceShape,
 };
-use aptc_geometry::{Cutter, Form, Profile, Vec3, trig};
+use aptc_geometry::{
+    Cutter, Fit, Form, Knot as CurveKnot, Profile, Rail, RuledSurface, Second, Tabcyl, TabcylSpan,
+    Vec2, Vec3, trig,
+};
 use proptest::prelude::*;
 
 use crate::demand::{Demand, Verdict};
@@ -29,6 +32,27 @@ fn valley(slope: f64) -> Form {
         splines: [-WIDE, 0.0, WIDE].map(row).to_vec(),
     };
     Form::Ssurf(Arc::new(SurfaceDefinition::plain(shape)))
+}
+
+/// The same, or a ridge where it falls, as a TABCYL with a corner or with rulings between two of them.
+fn folded(slope: f64, ruled: bool) -> Form {
+    let knot = |y: f64| CurveKnot { point: Vec2::new(y, slope * y.abs()), tangent: None };
+    let row = |k: Vec3, own: Vec3| k * own.transpose();
+    let axes = row(Vec3::x(), Vec3::y()) + row(Vec3::y(), Vec3::z()) + row(Vec3::z(), Vec3::x());
+    let knots = [-WIDE, 0.0, WIDE].map(knot);
+    let mut curve = Tabcyl::fit(&knots, Fit::TwoPoint, axes, 10.0).unwrap();
+    curve.spans.iter_mut().for_each(|s| *s = TabcylSpan::new(s.start, 0.0, 0.0, s.length));
+    let surface = Arc::new(Form::Tabcyl(Arc::new(curve)));
+    if !ruled {
+        return Arc::unwrap_or_clone(surface);
+    }
+    let rail = |x: f64| {
+        let end = |y: f64| Vec3::new(x, y, slope * y.abs());
+        let toward = Vec3::z() * -slope.signum();
+        Rail { surface: surface.clone(), start: end(-WIDE), end: end(WIDE), toward }
+    };
+    let second = Second::Rail(rail(2.0 * WIDE));
+    Form::Ruled(Arc::new(RuledSurface { first: rail(-2.0 * WIDE), second }))
 }
 
 /// Faces over the quadrants of the plane that rise by `slope` along x and y, in cells as wide.
@@ -108,7 +132,16 @@ fn cutters() -> [Cutter; 5] {
     ]
 }
 
-fn judge(form: &Arc<Form>, profile: &Profile, [a, b]: [&Position; 2], least: f64) -> Verdict {
+fn judge(form: &Arc<Form>, profile: &Profile, ends: [&Position; 2], least: f64) -> Verdict {
+    judge_with(form, profile, ends, [0.0, -least])
+}
+
+fn judge_with(
+    form: &Arc<Form>,
+    profile: &Profile,
+    [a, b]: [&Position; 2],
+    [thick, intol]: [f64; 2],
+) -> Verdict {
     let controlled = Controlled {
         name: NameRef::default(),
         form: Arc::clone(form),
@@ -116,9 +149,9 @@ fn judge(form: &Arc<Form>, profile: &Profile, [a, b]: [&Position; 2], least: f64
         side: 1,
         open: false,
         nth: 1,
-        thick: 0.0,
+        thick,
         disk: None,
-        intol: -least,
+        intol,
         outtol: 1.0,
     };
     Demand::new(&controlled, &Sheets::default()).judge(profile, a, b, 1e-11)
@@ -152,6 +185,61 @@ proptest! {
         // What lies between the points and places that are looked at is deeper by less.
         let deep = judge(&form, &profile, [&a, &b], 1.02 * gap - 0.003);
         prop_assert!(matches!(deep, Verdict::Proved { .. }), "{} {:?}", gap, deep);
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(200))]
+    /// Corners of a TABCYL and of rails: no needle is proved between the faces where they part, hollow where these are moved back and
+    /// on a ridge where THICK moves them out. In a hollow the edge of another tool may go as deep again as half of what is allowed.
+    #[test]
+    fn no_tool_is_proved_between_faces_that_part_at_a_corner(
+        slope in 0.02..1.0_f64, hollow: bool, ruled: bool, te in prop::array::uniform3(-0.4..0.4_f64),
+        v in prop::array::uniform2(-0.5..0.5_f64), lean in prop::array::uniform2(-0.5..0.5_f64), which in 0_usize..5,
+        off in 0.05..1.0_f64,
+    ) {
+        let profile = Profile::new(&cutters()[which]).unwrap();
+        let ta = Vec3::new(lean[0], lean[1], 1.0).normalize();
+        let slope = if hollow { slope } else { -slope };
+        let high = if hollow { -off } else { off };
+        let a = Position { te: Vec3::new(te[0], 0.3 * te[1], 0.1 * te[2] + high), ta };
+        let b = Position { te: a.te + Vec3::new(v[0], v[1], 0.0), ta };
+        let gaps = [0.0, 0.25, 0.5, 0.75, 1.0].map(|t| {
+            let at = Position { te: a.te + (b.te - a.te) * t, ta };
+            deepest(&profile, &at, |p| above_valley(p, slope))
+        });
+        let gap = gaps.into_iter().fold(f64::INFINITY, f64::min);
+        let form = Arc::new(folded(slope, ruled));
+        if hollow {
+            prop_assume!(gap < -0.02);
+            let verdict = judge(&form, &profile, [&a, &b], 0.6 * gap);
+            prop_assert!(!matches!(verdict, Verdict::Proved { .. }), "{} {:?}", gap, verdict);
+        } else {
+            prop_assume!(gap > 0.02);
+            let intol = 0.1 * gap;
+            let verdict = judge_with(&form, &profile, [&a, &b], [gap + intol + 1e-4, intol]);
+            prop_assert!(!matches!(verdict, Verdict::Proved { .. }), "{} {:?}", gap, verdict);
+        }
+    }
+}
+
+/// A ball that goes straight through the corner of the rails, from one face to the other.
+#[test]
+fn a_ball_through_a_ridge_between_rails_is_refuted() {
+    let profile = Profile::new(&Cutter::mill(10.0, 5.0, 30.0)).unwrap();
+    for slope in [-0.05, -0.2, -0.5] {
+        for ruled in [false, true] {
+            let form = Arc::new(folded(slope, ruled));
+            let at = |y: f64| {
+                let lift = 5.0 * (1.0 + slope * slope).sqrt() - 5.0;
+                Position::upright(Vec3::new(1.0, y, slope * y.abs() + lift))
+            };
+            // Where the middle of the way is below the ridge.
+            for far in [1.0, 3.0, 4.0].into_iter().filter(|y| at(*y).te.z < -0.02) {
+                let verdict = judge(&form, &profile, [&at(-far), &at(far)], -0.01);
+                assert!(matches!(verdict, Verdict::Refuted { .. }), "{slope} {far} {verdict:?}");
+            }
+        }
     }
 }
 
