@@ -124,7 +124,8 @@ impl<'a> Crests<'a> {
         let mut rises = Rises::default();
         for (span, length) in surface.spans_near(tool.te, self.top, reach) {
             let look = |s: f64| Look::at(tool, surface, side, span, s);
-            let first = look(0.0);
+            let places = divided(length, &look);
+            let [(_, first), .., (_, last)] = places;
             let follows = before.is_some_and(|(last, _)| last + 1 == span);
             if !follows {
                 rises = Rises { least: rises.least, ..Rises::default() };
@@ -138,12 +139,13 @@ impl<'a> Crests<'a> {
             if span == 0 {
                 begin = Some(first);
             }
-            let last = look(length);
             if self.known.is_some() {
-                rises.along(tool, &look, [(0.0, first), (length, last)]);
+                rises.along(tool, &look, &places);
             }
-            let part = Part { from: (0.0, first), to: (length, last), scale: 1.0 };
-            part.contacts(&look, &mut |l| self.offer(l), LEVELS);
+            for ends in places.windows(2) {
+                let part = Part { from: ends[0], to: ends[1], scale: 1.0 };
+                part.contacts(&look, &mut |l| self.offer(l), LEVELS - 1);
+            }
             before = Some((span, last));
         }
         // Half of a way counts, as two places come nearer to each other by twice of it.
@@ -202,16 +204,18 @@ impl Default for Rises {
 impl Rises {
     /// Takes places of a span from one end to the other, and what is seen on both sides of those that face the end of the tool: there
     /// the cutter's farthest point goes over from one edge of a flat end to the other.
-    fn along(&mut self, tool: &Tool<'_>, look: &impl Fn(f64) -> Look, ends: [(f64, Look); 2]) {
+    fn along(
+        &mut self,
+        tool: &Tool<'_>,
+        look: &impl Fn(f64) -> Look,
+        places: &[(f64, Look); PARTS as usize + 1],
+    ) {
         let flat = tool.profile.corner()[0] > 0.0;
         let leans = |l: &Look| l.along.dot(&tool.ta) > 0.0;
-        let [mut from, end] = ends;
-        self.take(&from.1);
-        for part in 1..=PARTS {
-            let s = end.0 * (f64::from(part) / f64::from(PARTS));
-            let to = if part == PARTS { end } else { (s, look(s)) };
-            if flat && leans(&from.1) != leans(&to.1) {
-                let (mut low, mut high) = (from, to);
+        self.take(&places[0].1);
+        for ends in places.windows(2) {
+            let (mut low, mut high) = (ends[0], ends[1]);
+            if flat && leans(&low.1) != leans(&high.1) {
                 for _ in 0..FACING {
                     let s = 0.5 * (low.0 + high.0);
                     let middle = (s, look(s));
@@ -221,8 +225,7 @@ impl Rises {
                 self.take(&low.1);
                 self.take(&high.1);
             }
-            self.take(&to.1);
-            from = to;
+            self.take(&ends[1].1);
         }
     }
 
@@ -238,6 +241,16 @@ impl Rises {
         }
         self.rising = rising;
     }
+}
+
+/// What is seen at the ends of the parts of a span.
+fn divided(length: f64, look: &impl Fn(f64) -> Look) -> [(f64, Look); PARTS as usize + 1] {
+    let mut part = 0;
+    std::array::from_fn(|_| {
+        let s = length * (f64::from(part) / f64::from(PARTS));
+        part += 1;
+        (s, look(s))
+    })
 }
 
 /// A part of a span, or of the way from a ruling to the next, between two looks.
@@ -260,7 +273,7 @@ impl Part {
         let Self { from: (low, a), to: (high, b), scale } = self;
         let (a_ahead, b_ahead) = (a.ahead > 0.0, b.ahead > 0.0);
         let near = a.ahead.abs().min(b.ahead.abs()) < (high - low) * scale;
-        if levels == LEVELS || levels > 0 && a_ahead == b_ahead && near {
+        if levels > 0 && a_ahead == b_ahead && near {
             let mut from = self.from;
             for part in 1..=PARTS {
                 let s = low + (high - low) * (f64::from(part) / f64::from(PARTS));

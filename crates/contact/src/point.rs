@@ -87,11 +87,8 @@ impl Guide for PointGuide {
         }
         let closed = ClosedGuide::new(tool, surface, condition, side, thick).map(Self::Closed);
         let point = || Point::new(tool, surface, condition, side, thick).map(Self::Point);
-        let ring = || match edged {
-            true => None,
-            false => Ring::new(tool, surface, condition, side, thick).map(Self::Ring),
-        };
-        closed.or_else(point).or_else(ring)
+        let ring = || Ring::new(tool, surface, condition, side, thick).map(Self::Ring);
+        closed.or_else(point).or_else(|| if edged { None } else { ring() })
     }
 
     #[inline]

@@ -22,6 +22,8 @@ pub(crate) struct Rulings {
     steep: [bool; 2],
     us: Vec<f64>,
     vs: Vec<f64>,
+    /// Fractions of the base lines in the middles of the cells along u.
+    middles: Vec<f64>,
     /// Bounds of the second derivatives of both rails and of the third ones, by cell along u.
     bends: Vec<[[f64; 2]; 2]>,
 }
@@ -55,8 +57,15 @@ impl Rulings {
         if far {
             vs.extend([2.0, 1.0 + RULINGS]);
         }
-        let mut new =
-            Self { first, second, steep: [false; 2], us: Vec::new(), vs, bends: Vec::new() };
+        let mut new = Self {
+            first,
+            second,
+            steep: [false; 2],
+            us: Vec::new(),
+            vs,
+            middles: Vec::new(),
+            bends: Vec::new(),
+        };
         new.steep = [0, 1].map(|k| new.rails().any(|r| r.steep()[k]));
         let mut us = halved(&[0.0, 1.0], CELLS);
         for t in new.rails().flat_map(Rail::joints).collect::<Vec<_>>() {
@@ -64,6 +73,7 @@ impl Rulings {
         }
         us.sort_by(f64::total_cmp);
         us.dedup_by(|b, a| *b - *a < 1e-9);
+        new.middles = us.windows(2).map(|w| new.fraction(0.5 * (w[0] + w[1]))[0]).collect();
         new.bends = us.windows(2).map(|w| new.cell_bends(w[0], w[1])).collect();
         new.us = us;
         let straight = Side {
@@ -214,13 +224,8 @@ impl Rulings {
 
     /// Is it evaluated alike in two cells along the rails?
     pub(crate) fn is_one_map(&self, one: usize, other: usize) -> bool {
-        let [a, b] = [one, other].map(|i| self.fraction(self.middle(i))[0]);
+        let (a, b) = (self.middles[one], self.middles[other]);
         self.rails().all(|rail| rail.span(a) == rail.span(b))
-    }
-
-    /// The middle of a cell along the rails.
-    fn middle(&self, i: usize) -> f64 {
-        0.5 * (self.us[i] + self.us[i + 1])
     }
 
     /// A rail at `u` with its derivatives, as of the cell `i`.
@@ -229,8 +234,7 @@ impl Rulings {
         let y = match rail.root() {
             Some(root) => self.steep_height(&root, rail.steep(), u),
             None => {
-                let inside = self.fraction(self.middle(i))[0];
-                let [y, y1, y2] = rail.at_beside(t, inside).unwrap_or([f64::NAN; 3]);
+                let [y, y1, y2] = rail.at_beside(t, self.middles[i]).unwrap_or([f64::NAN; 3]);
                 [y, y1 * t1, y2 * t1 * t1 + y1 * t2]
             }
         };
