@@ -279,7 +279,7 @@ impl Looks<'_, '_> {
         // What is lost of the two faces by whose edge it passes hangs on them alone.
         let met = match within.filter(|_| best.low < known) {
             Some(within) => {
-                let slack = |m| slack(piece.tile, m, moved.shift.abs());
+                let slack = |m| slack(piece.tile, m, moved);
                 let (low, slack, rise) = sweep.turning(&within, piece.x, piece.within, &slack);
                 Shown { low, own: low, slack, rise, meeting }
             }
@@ -297,7 +297,7 @@ impl Looks<'_, '_> {
         let plane = || {
             // What shows most at the end may show it for longer.
             let (distance, m) = sweep.tool.near(&sweep.b, piece.x);
-            let at_end = distance - slack(piece.tile, m, self.moved.shift.abs()).all;
+            let at_end = distance - slack(piece.tile, m, self.moved).all;
             let plane = Plane::along(sweep, shown.meeting.m, shown.own);
             plane.or(Plane::at_end(sweep, m, at_end), sweep)
         };
@@ -359,7 +359,7 @@ struct Piece<'t> {
 impl Piece<'_> {
     /// What the direction of a meeting shows.
     fn shown(&self, sweep: &Sweep<'_>, moved: &Moved<'_>, meeting: Meeting, known: f64) -> Shown {
-        let slack = |m| slack(self.tile, m, moved.shift.abs());
+        let slack = |m| slack(self.tile, m, moved);
         let (low, slack, rise) = sweep.proved(&meeting, self.x, self.within, known, slack);
         Shown { low, own: low, meeting, slack, rise }
     }
@@ -393,12 +393,16 @@ impl Shown {
 }
 
 /// By how much the distance may be less on the piece than in its middle.
+///
+/// A normal that turns goes down along itself, by half the square of the turn: what is moved towards the tool goes away from it.
 #[inline]
-fn slack(tile: &Tile, m: Vec3, shift: f64) -> Slack {
+fn slack(tile: &Tile, m: Vec3, moved: &Moved<'_>) -> Slack {
+    let shift = moved.side * moved.shift;
     let along = m.dot(&tile.n);
     let across = (m - tile.n * along).norm();
     let whole = tile.turn[0] + tile.turn[1];
-    let turned = two(tile.turn, |t| shift * t * (across + 0.5 * whole * along.abs()));
+    let (round, down) = (shift.abs() * across, (0.5 * shift * along).max(0.0));
+    let turned = two(tile.turn, |t| t * (round + whole * down));
     let by = two([0, 1], |i| m.dot(&tile.side[i]).abs() + tile.stray[i] + turned[i]);
     Slack { by, all: tile.dip(m) + turned[0] + turned[1] }
 }
