@@ -298,7 +298,10 @@ impl Sheet {
 
     fn made(&self, patch: &Patch) -> Tile {
         let (jet, bend, vary) = self.middle(patch);
-        let [uu, uv, vv] = self.second(patch);
+        let most = self.second(patch);
+        // No more than in the middle and by how much they differ: of quotients the norms alone say little.
+        let second = three([0, 1, 2], |i| most[i].min(bend[i].norm() + vary[i]));
+        let [uu, uv, vv] = second;
         let [hu, hv] = patch.half;
         let cross = 0.5 * uv * hu * hv;
         let stray = [0.5 * uu * hu * hu + cross, 0.5 * vv * hv * hv + cross];
@@ -306,7 +309,7 @@ impl Sheet {
         let turn = match &self.kind {
             Kind::Quadric(q) => q.turn(patch.chart, jet.p, side, stray),
             Kind::Tabcyl(_) => [uu * hu, 0.0],
-            Kind::Patched(p) => p.turn(patch, &jet),
+            Kind::Patched(p) => p.turn(patch, &jet, second),
         };
         let area = [hu * hu, hu * hv, hv * hv];
         let bend = three([0, 1, 2], |i| bend[i] * area[i]);

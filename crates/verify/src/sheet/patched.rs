@@ -460,9 +460,8 @@ impl Patched {
         three([0, 1, 2], |i| chart.second[i] + more[i])
     }
 
-    /// Bounds of the change of the unit normal over a piece, by parameter.
-    pub(crate) fn turn(&self, patch: &Patch, jet: &Jet) -> [f64; 2] {
-        let [uu, uv, vv] = self.second(patch);
+    /// Bounds of the change of the unit normal over a piece, by parameter, from those of the second derivatives on it.
+    pub(crate) fn turn(&self, patch: &Patch, jet: &Jet, [uu, uv, vv]: [f64; 3]) -> [f64; 2] {
         let [hu, hv] = patch.half;
         let (su, sv) = (jet.d[0].norm() + uu * hu + uv * hv, jet.d[1].norm() + uv * hu + vv * hv);
         let change = [(uu * sv + su * uv) * hu, (uv * sv + su * vv) * hv];

@@ -44,7 +44,7 @@ fn turned(form: &Form, chart: usize, share: [[f64; 2]; 2], place: [f64; 2]) -> (
     let middle = sheet.jet(&Spot { chart: patch.chart, at: patch.at });
     let at = [0, 1].map(|k| patch.at[k] + place[k] * patch.half[k]);
     let there = sheet.jet(&Spot { chart: patch.chart, at });
-    let [by_u, by_v] = patched.turn(&patch, &middle);
+    let [by_u, by_v] = sheet.made(&patch).turn;
     (by_u + by_v, (there.n - middle.n).norm())
 }
 
