@@ -284,7 +284,8 @@ impl Sheet {
                 Some(rolled) => p.rolled_tile(rolled, patch, |patch| self.made(&patch)),
                 None => self.made(patch),
             },
-            _ => self.made(patch),
+            Kind::Tabcyl(t) => t.rolled_tile(patch).unwrap_or_else(|| self.made(patch)),
+            Kind::Quadric(_) => self.made(patch),
         }
     }
 
@@ -292,7 +293,8 @@ impl Sheet {
     pub(crate) fn on_face(&self, spot: Spot) -> Spot {
         match &self.kind {
             Kind::Patched(p) => p.on_face(spot),
-            _ => spot,
+            Kind::Tabcyl(t) => t.on_face(spot),
+            Kind::Quadric(_) => spot,
         }
     }
 

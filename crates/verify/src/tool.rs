@@ -222,11 +222,6 @@ impl<'a> Tool<'a> {
         self.solid().is_none_or(|(p, _)| p.widest() <= 0.0 || p.height() <= p.bottom())
     }
 
-    /// How wide its end is: what is narrower keeps it out, but for its edge.
-    pub(crate) fn end_width(&self) -> f64 {
-        self.solid().map_or(0.0, |(p, _)| 2.0 * p.joints()[0][0].max(p.corner_radius()))
-    }
-
     /// A point well inside.
     pub(crate) fn inner(&self, pose: &Pose) -> Vec3 {
         pose.te + pose.ta * self.middle().0

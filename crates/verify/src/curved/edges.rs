@@ -9,7 +9,7 @@ use arrayvec::ArrayVec;
 
 use super::Curved;
 use crate::search::{Aim, Clearance, Moved, clearance};
-use crate::sheet::{Hollow, Patch};
+use crate::sheet::{Hollow, Patch, Tabcyl};
 use crate::sweep::Sweep;
 use crate::tool::{Pose, Tool};
 
@@ -38,7 +38,7 @@ impl Curved<'_> {
     /// How the gap is held above `least` on a way.
     ///
     /// Where the border of an edge is not known, as of loose patches, of faces that do not quite meet and at tips, the tool stays away
-    /// from the faces all over: what is held is less deep then than it may be. So does a needle at the hollow corners of a TABCYL.
+    /// from the faces all over: what is held is less deep then than it may be. So does it where a TABCYL turns back on itself.
     pub(super) fn held(
         &self,
         tool: &Tool<'_>,
@@ -50,13 +50,22 @@ impl Curved<'_> {
     ) -> Held {
         /// How far back, in depths that the tool may have.
         const BACK: f64 = 8.0;
+        /// Sine of half the angle by which a corner turns that has no middle between its normals.
+        const CUSP: f64 = 0.999;
         let thin = if tool.is_thin() { self.back(least, pad) } else { 0.0 };
         let faces = |least: f64, thin: f64| Held { least, thin, edges: None };
-        let corner = self.sheet.curve().map_or((0.0, false), |curve| curve.corners(side));
-        if self.sheet.edged().is_none() && !corner.1 {
+        let sharpest = self.sheet.curve().map_or(0.0, Tabcyl::sharpest);
+        if self.sheet.edged().is_none() && sharpest <= 0.0 {
             return faces(least, thin);
         }
+        let away = (end.te - start.te).norm() + turn * tool.reach() - BACK * least + thin;
+        let near = Near { start: *start, side, away };
+        let cusped = sharpest > CUSP;
         if least >= 0.0 {
+            if self.sheet.curve().is_some() && !cusped && thin <= 0.0 {
+                // Moved out, the faces part where they are hollow seen from the other side.
+                return Held { least, thin, edges: Some(Near { side: -side, ..near }) };
+            }
             return faces(least, thin.max(least));
         }
         // Of a place on the middle of both faces, as deep below the edge as it may be, the distance from faces that are seen from `back`
@@ -68,15 +77,12 @@ impl Curved<'_> {
             (away - back, away)
         };
         if self.sheet.edged().is_none() {
-            // What is no wider than the faces part may go between them at a corner.
-            if corner.0 <= 0.0 || tool.end_width() > -2.0 * least * corner.0 {
-                return faces(least, thin);
+            if cusped {
+                let (least, away) = between(sharpest);
+                return faces(least, away);
             }
-            let (least, away) = between(corner.0);
-            return faces(least, away);
+            return Held { least, thin, edges: Some(near) };
         }
-        let away = (end.te - start.te).norm() + turn * tool.reach() - BACK * least + thin;
-        let near = Near { start: *start, side, away };
         let (half, known, crack) =
             self.hollow(tool, near).fold((0.0_f64, true, 0.0_f64), |(m, known, crack), h| {
                 (m.max(h.half), known && h.rolled.is_some(), crack.max(h.crack))
@@ -109,7 +115,10 @@ impl Curved<'_> {
         moved: &Moved<'_>,
         enough: f64,
     ) -> Clearance {
-        let mut edges = self.hollow(tool, near).filter_map(|h| h.rolled);
+        let (middle, radius) = sweep.sphere();
+        let within = (middle, radius + moved.shift.abs() + enough.max(0.0));
+        let corners = self.sheet.curve().into_iter().flat_map(|c| c.rolled(near.side, within));
+        let mut edges = self.hollow(tool, near).filter_map(|h| h.rolled).chain(corners);
         let mut all = Clearance { least: f64::INFINITY, nearest: None, turned: false };
         loop {
             let some: ArrayVec<Patch, AT_ONCE> = edges.by_ref().take(AT_ONCE).collect();

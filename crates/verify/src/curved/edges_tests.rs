@@ -51,8 +51,9 @@ fn folded(slope: f64, ruled: bool) -> Form {
         let toward = Vec3::z() * -slope.signum();
         Rail { surface: surface.clone(), start: end(-WIDE), end: end(WIDE), toward }
     };
-    let second = Second::Rail(rail(2.0 * WIDE));
-    Form::Ruled(Arc::new(RuledSurface { first: rail(-2.0 * WIDE), second }))
+    // Its upper side is the positive one.
+    let second = Second::Rail(rail(-2.0 * WIDE));
+    Form::Ruled(Arc::new(RuledSurface { first: rail(2.0 * WIDE), second }))
 }
 
 /// Faces over the quadrants of the plane that rise by `slope` along x and y, in cells as wide.
@@ -190,8 +191,8 @@ proptest! {
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(200))]
-    /// Corners of a TABCYL and of rails: no needle is proved between the faces where they part, hollow where these are moved back and
-    /// on a ridge where THICK moves them out. In a hollow the edge of another tool may go as deep again as half of what is allowed.
+    /// Corners of a TABCYL and of rails: no tool is proved between the faces where they part, hollow where these are moved back and
+    /// on a ridge where THICK moves them out.
     #[test]
     fn no_tool_is_proved_between_faces_that_part_at_a_corner(
         slope in 0.02..1.0_f64, hollow: bool, ruled: bool, te in prop::array::uniform3(-0.4..0.4_f64),
@@ -212,13 +213,17 @@ proptest! {
         let form = Arc::new(folded(slope, ruled));
         if hollow {
             prop_assume!(gap < -0.02);
-            let verdict = judge(&form, &profile, [&a, &b], 0.6 * gap);
+            let verdict = judge(&form, &profile, [&a, &b], gap + 1e-4);
             prop_assert!(!matches!(verdict, Verdict::Proved { .. }), "{} {:?}", gap, verdict);
+            let verdict = judge(&form, &profile, [&a, &b], 1.02 * gap - 0.003);
+            prop_assert!(matches!(verdict, Verdict::Proved { .. }), "{} {:?}", gap, verdict);
         } else {
             prop_assume!(gap > 0.02);
             let intol = 0.1 * gap;
             let verdict = judge_with(&form, &profile, [&a, &b], [gap + intol + 1e-4, intol]);
             prop_assert!(!matches!(verdict, Verdict::Proved { .. }), "{} {:?}", gap, verdict);
+            let verdict = judge_with(&form, &profile, [&a, &b], [0.98 * gap + intol - 0.003, intol]);
+            prop_assert!(matches!(verdict, Verdict::Proved { .. }), "{} {:?}", gap, verdict);
         }
     }
 }

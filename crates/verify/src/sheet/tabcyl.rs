@@ -2,7 +2,7 @@
 
 use aptc_geometry::{Tabcyl as Form, Vec2, Vec3};
 
-use super::{Jet, Patch, Patches, Spot};
+use super::{Jet, Patch, Patches, Spot, Tile};
 
 /// Length of the difference of two unit tangents from which on there is a corner between them, halved.
 const CORNER: f64 = 1e-9;
@@ -16,9 +16,31 @@ pub(crate) struct Tabcyl {
     groups: Vec<Disk>,
     /// Does the last span end where the first begins?
     closed: bool,
-    /// Sines of half the greatest angles by which it turns at once, to the right and to the left: corners that are hollow seen from
-    /// the right and from the left.
-    corners: [f64; 2],
+    /// Where it turns at once: what closes the gaps there counts as charts, behind the spans.
+    corners: Vec<Corner>,
+}
+
+/// Where the directrix turns at once, from one unit normal to the other.
+#[derive(Clone, Copy, Debug)]
+struct Corner {
+    /// The span that begins there.
+    span: usize,
+    point: Vec2,
+    normals: [Vec2; 2],
+}
+
+impl Corner {
+    /// Is it hollow seen from this side?
+    fn is_hollow(&self, side: f64) -> bool {
+        let [m, n] = self.normals;
+        side * m.perp(&n) > 0.0
+    }
+
+    /// The sine of half the angle by which it turns.
+    fn half(&self) -> f64 {
+        let [m, n] = self.normals;
+        0.5 * (n - m).norm()
+    }
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -83,26 +105,67 @@ impl Tabcyl {
                 Disk { center: mean, radius: g.iter().map(reach).fold(0.0, f64::max) }
             })
             .collect();
-        let mut new = Self { spans, groups, closed: form.closed(), corners: [0.0; 2] };
+        let mut new = Self { spans, groups, closed: form.closed(), corners: Vec::new() };
         for chart in 0..new.spans.len() {
             let Some(before) = new.before(chart) else { continue };
             let before = &new.spans[before].flat;
-            let [m, n] = [before.jet(before.length)[1], new.spans[chart].flat.jet(0.0)[1]];
-            let (m, n) = (m.normalize(), n.normalize());
-            let (turn, half) = (m.perp(&n), 0.5 * (n - m).norm());
-            if half > CORNER {
-                let left = usize::from(turn > 0.0);
-                new.corners[left] = new.corners[left].max(half);
+            let own = &new.spans[chart].flat;
+            let left = |d: Vec2| Vec2::new(-d.y, d.x).normalize();
+            let normals = [left(before.jet(before.length)[1]), left(own.jet(0.0)[1])];
+            let corner = Corner { span: chart, point: own.start, normals };
+            if corner.half() > CORNER {
+                new.corners.push(corner);
             }
         }
         Some(new)
     }
 
-    /// The sine of half the greatest angle by which faces stand to each other at a corner that is hollow on this side, none where there
-    /// is none; and whether there is any corner.
-    pub(crate) fn corners(&self, side: f64) -> (f64, bool) {
-        let [right, left] = self.corners;
-        (if side > 0.0 { left } else { right }, right.max(left) > 0.0)
+    /// The sine of half the greatest angle by which it turns at once; none where it does nowhere.
+    pub(crate) fn sharpest(&self) -> f64 {
+        self.corners.iter().map(Corner::half).fold(0.0, f64::max)
+    }
+
+    /// What closes the gaps at corners that are hollow seen from this side, within a sphere.
+    pub(crate) fn rolled(
+        &self,
+        side: f64,
+        (center, radius): (Vec3, f64),
+    ) -> impl Iterator<Item = Patch> {
+        let flat = center.xy();
+        let near = move |c: &Corner| c.is_hollow(side) && (c.point - flat).norm() <= radius;
+        let all = self.corners.iter().enumerate().filter(move |(_, c)| near(c));
+        all.map(move |(i, _)| Patch {
+            chart: self.spans.len() + i,
+            at: [0.5, center.z],
+            half: [0.5, radius],
+            ..Patch::default()
+        })
+    }
+
+    /// The corner that a chart closes the gap at.
+    fn corner(&self, chart: usize) -> Option<&Corner> {
+        self.corners.get(chart.checked_sub(self.spans.len())?)
+    }
+
+    /// The same place on a face beside the corner.
+    pub(crate) fn on_face(&self, spot: Spot) -> Spot {
+        let on = |c: &Corner| Spot { chart: c.span, at: [0.0, spot.at[1]] };
+        self.corner(spot.chart).map_or(spot, on)
+    }
+
+    /// What holds a part of what closes a gap; `None` of a part of a span.
+    ///
+    /// Between unit normals m and n the chord from one to the other is nowhere nearer to the middle than half of m + n, and a unit
+    /// vector turns by no more than that on it does, over its length.
+    pub(crate) fn rolled_tile(&self, patch: &Patch) -> Option<Tile> {
+        let corner = self.corner(patch.chart)?;
+        let [m, n] = corner.normals;
+        let least = 0.5 * (m + n).norm();
+        let turn = [patch.half[0] * (n - m).norm() / least.max(f64::MIN_POSITIVE), 0.0];
+        let jet = self.jet(&patch.spot());
+        let side = [Vec3::zeros(), Vec3::z() * patch.half[1]];
+        let none = [Vec3::zeros(); 3];
+        Some(Tile { c: jet.p, side, stray: [0.0; 2], bend: none, vary: [0.0; 3], n: jet.n, turn })
     }
 
     pub(crate) fn roots(&self, center: Vec3, radius: f64, out: &mut Patches) -> bool {
@@ -169,6 +232,12 @@ impl Tabcyl {
     }
 
     pub(crate) fn jet(&self, spot: &Spot) -> Jet {
+        if let Some(corner) = self.corner(spot.chart) {
+            let [share, w] = spot.at;
+            let [m, n] = corner.normals;
+            let n = crate::solid::unit_or((m * (1.0 - share) + n * share).push(0.0), m.push(0.0));
+            return Jet { p: corner.point.push(w), d: [Vec3::zeros(), Vec3::z()], n };
+        }
         let s = &self.spans[spot.chart].flat;
         let [x, w] = spot.at;
         let left = Vec2::new(-s.chord.y, s.chord.x);
