@@ -63,6 +63,7 @@ impl Sculpted {
         let whole = |n: usize| (0..=n).map(|k| k as f64).collect::<Vec<_>>();
         let (knots, loose) = match &surface.layout {
             Layout::Mesh { u, v } => ([u.clone(), v.clone()], None),
+            Layout::Patches if surface.patches.len() == 1 => ([whole(1), whole(1)], None),
             Layout::Patches => ([whole(surface.patches.len()), whole(1)], Some(cut)),
         };
         let columns = knots[0].len() - 1;

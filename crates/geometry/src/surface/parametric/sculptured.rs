@@ -14,7 +14,9 @@ use super::edges::{Edge, edges};
 use super::{Domain, Jet, ParametricSurface};
 
 /// How far the continuation goes, in lengths of the surface.
-const BEYOND: f64 = 3.0;
+const BEYOND: f64 = 12.0;
+/// The same along rulings, which are long lines as they are: a flank beside a low wall is as tall as many of its heights.
+const BEYOND_RULINGS: f64 = 32.0;
 
 /// Places along a border from which its continuation is followed.
 const RAYS: usize = 16;
@@ -100,7 +102,8 @@ impl Spans {
     /// The surface alone, and how far it goes straight on.
     fn extended(surface: Sculptured) -> Option<(Self, Domain)> {
         let size = surface.extent();
-        let ruled_along = straight(&surface, size, true) && !straight(&surface, size, false);
+        let rulings = [true, false].map(|along| straight(&surface, size, along));
+        let ruled_along = rulings == [true, false];
         let borders = surface.borders();
         let itself = Domain { u: [0.0, 1.0], v: [0.0, 1.0] };
         let cells = Cells::new(&surface, &itself)?;
@@ -109,7 +112,7 @@ impl Spans {
         let own = OnceLock::new();
         let bare =
             Self { surface, domain: itself, borders, tips, ruled_along, cells, edges, itself: own };
-        let domain = shortened(&bare, &unfolded(&bare, domain(&borders)));
+        let domain = shortened(&bare, &unfolded(&bare, domain(&borders, rulings)));
         Some((bare, domain))
     }
 
@@ -257,12 +260,13 @@ fn tip(surface: &Sculptured, borders: &[[Border; 2]; 2], k: usize, end: usize) -
 }
 
 /// How far the surface goes, beyond 0 to 1 straight on.
-fn domain(borders: &[[Border; 2]; 2]) -> Domain {
-    let range = |[first, last]: [Border; 2]| {
-        let beyond = |border, far: f64, end: f64| if border == Border::Free { far } else { end };
-        [beyond(first, -BEYOND, 0.0), beyond(last, 1.0 + BEYOND, 1.0)]
+fn domain(borders: &[[Border; 2]; 2], rulings: [bool; 2]) -> Domain {
+    let range = |k: usize| {
+        let far = if rulings[k] { BEYOND_RULINGS } else { BEYOND };
+        let beyond = |end: usize| if borders[k][end] == Border::Free { far } else { 0.0 };
+        [-beyond(0), 1.0 + beyond(1)]
     };
-    Domain { u: range(borders[0]), v: range(borders[1]) }
+    Domain { u: range(0), v: range(1) }
 }
 
 /// The domain, its continuation cut off before it folds back: where the lines that go on from a border come together anywhere, and

@@ -493,9 +493,11 @@ impl Side {
     /// Does a cell, counted with the continuation, touch the one before it (`end` 0) or behind it?
     pub(crate) fn joins(&self, cell: usize, end: usize) -> bool {
         let Some(n) = self.loose else { return true };
-        let behind = cell + end;
-        let first = usize::from(self.before.is_some());
-        behind.checked_sub(first).is_some_and(|k| k % n != 0)
+        let (behind, first) = (cell + end, usize::from(self.before.is_some()));
+        let all = self.knots.len() - 1;
+        // What goes on does so from one patch.
+        let goes_on = |k: usize| k == 0 && first == 1 || k == all && self.behind.is_some();
+        behind.checked_sub(first).is_some_and(|k| k % n != 0 || goes_on(k))
     }
 }
 
