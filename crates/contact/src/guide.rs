@@ -294,7 +294,10 @@ impl Guide for ClosedGuide {
         match &self.form {
             Form::Plane { .. } => Some([low, high]),
             Form::Round { along, sign, level, up, .. } => {
-                if sign * up.dot(&begin.normal) < 0.0 {
+                // A level normal is that of the flank above the ball.
+                let lean = sign * up.dot(&begin.normal);
+                let level_off = lean <= 0.0 || lean * lean <= SQUARE * SQUARE * up.norm_squared();
+                if matches!(self.touch, Touch::Ball) && level_off {
                     return None;
                 }
                 // The nearest place of the chord, by how far it comes in there.
@@ -449,6 +452,26 @@ mod tests {
                 let g = whole(te + v * (f64::from(i) / 20.0)).g;
                 prop_assert!((low - NEAR..=high + NEAR).contains(&g), "{g} in {low} {high}");
             }
+        }
+    }
+
+    /// Beside the flank the normal is level, as it is where the ball begins: a chord from there is none of the ball.
+    #[test]
+    fn a_chord_that_begins_beside_the_flank_is_none_of_the_ball() {
+        let profile = Profile::new(&Cutter::mill(10.0, 5.0, 40.0)).unwrap();
+        let surface = Surface::Sphere(Sphere { center: Vec3::zeros(), radius: 25.0 });
+        let (ta, touch, side) = (Vec3::z(), Condition::Touch, Side::Positive);
+        for lean in [0.0, 1e-17, -1e-17] {
+            let te = Vec3::new(29.0, 8.0, -5.5);
+            let tool = Tool { profile: &profile, te, ta };
+            let guide = ClosedGuide::new(&tool, &surface, touch, side, 0.0).unwrap();
+            let mut begin = distance(&tool, &surface, touch, side, 0.0, None).unwrap();
+            assert_eq!(begin.segment, Some(Segment::UpperLine));
+            begin.normal.z = lean;
+            let begin = End { g: begin.g, normal: begin.normal, at: () };
+            let v = Vec3::new(0.5, -4.0, 3.0);
+            let end = guide.read(&surface, te + v, ()).unwrap().end;
+            assert!(guide.chord(&surface, te, v, [&begin, &end], 1e-9).is_none());
         }
     }
 }

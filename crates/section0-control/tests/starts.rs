@@ -206,3 +206,23 @@ fn what_offset_leaves_is_told() {
     let ran = run::run(&program("GO/TO,WALL,TO", "INDIRV/0,-1,0"), Verify::Full);
     assert!(ran.told.is_empty(), "{:?}", ran.told);
 }
+
+/// Past a thin bar that lies there is no place for a tall cutter that comes from above: not in the air over it, beside what runs
+/// straight up from its outline. The directions that lead to one are told, and do.
+#[test]
+fn a_cutter_does_not_stop_above_a_bar_that_it_is_to_be_past() {
+    for bar in ["CYLNDR/0,0,0,0,1,0,7", "CONE/(POINT/0,-60,0),(VECTOR/0,1,-.2),13"] {
+        let program = |way: &str| {
+            format!(
+                "UNITS/MM\nBAR={bar}\nDS=PLANE/0,1,0,5\nCUTTER/8,0,4,0,0,0,20\nTOLER/.01\nFROM/-24,-24,27\n\
+                 {way}\nGO/ON,DS,PAST,BAR\nFINI\n"
+            )
+        };
+        let ran = run::run(&program(""), Verify::Full);
+        assert_eq!(ran.codes(), ["APT2011"], "{bar} {:?}", ran.told);
+        let ran = run::run(&program("INDIRV/1,0,0"), Verify::Full);
+        assert_eq!(ran.faults(), Vec::<String>::new(), "{bar} {:?}", ran.told);
+        let [.., z] = *ran.places.last().expect("the tool goes");
+        assert!(z < 0.0, "{bar} {z}");
+    }
+}

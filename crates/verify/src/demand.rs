@@ -184,7 +184,25 @@ impl Demand {
         };
         let [from, to] = tool.ends(a, b);
         let told = warm.told.unwrap_or(f64::INFINITY);
-        self.halving(tool, Way::new(from, to), convex, [self.least - pad, self.most + pad], told)
+        let band = [self.least - pad, self.most + pad];
+        let verdict = self.halving(tool, Way::new(from, to), convex, band, told);
+        let off = self.above(tool, [from, to], convex).filter(|(gap, _)| *gap > band[1]);
+        match (verdict, off) {
+            (Verdict::Proved { .. }, Some((gap, te))) => Verdict::Refuted { gap, te },
+            _ => verdict,
+        }
+    }
+
+    /// How far outside of a hollow that counts as open a tool stands that is to touch it: above it, beside what runs straight up from
+    /// its outline. Between two ends that are no farther it is not either.
+    fn above(&self, tool: &Tool<'_>, ends: [Pose; 2], convex: Convex<'_>) -> Option<(f64, Vec3)> {
+        let gap = |pose: &Pose| match convex {
+            Convex::Solid(solid) => solid.touch(tool, pose, None).low,
+            Convex::Hollow(hollow) => hollow.touch(tool, pose, None).low,
+        };
+        let open = self.within && self.open && self.most.is_finite();
+        let ends = ends.map(|pose| (if open { gap(&pose) } else { f64::INFINITY }, pose.te));
+        ends.into_iter().filter(|e| e.0.is_finite()).max_by(|a, b| a.0.total_cmp(&b.0))
     }
 
     /// Bounds of all vectors from `start` through the points, where the surface is a plane, the axis stands still and they are

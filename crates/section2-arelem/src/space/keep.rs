@@ -156,6 +156,12 @@ impl Keep {
         floor >= -2.0 * self.width() && gap(Side::Negative) < most && !outside()
     }
 
+    /// Is it a hollow that counts as open, above all of which the tool stands, beside what runs straight up from its outline?
+    pub(crate) fn stands_above(&self, pose: &Pose) -> bool {
+        let off = |g: Gap| g.g > 2.0 * self.width();
+        self.side == Side::Open && self.on_side(Side::Positive).gap(pose, None).is_ok_and(off)
+    }
+
     /// Is it touched, and a hollow that can be open along the axis?
     pub(crate) fn opens(&self, pose: &Pose) -> bool {
         self.condition == Condition::Touch && opens(&self.surface, pose.ta)

@@ -120,12 +120,34 @@ fn left_by_offset(drive: Controlled, width: f64, gap: f64) -> Controlled {
     Controlled { outtol, ..drive }
 }
 
+/// The position, which is none where the tool stands above all of a hollow, beside what runs straight up from its outline.
+fn arrive(go: &Start, aims: &mut [Aim<'_>], pose: Pose) -> Result<Pose, Failure> {
+    let end = arrive_in(go, aims, pose)?;
+    if !aims.iter().any(|a| a.keep.stands_above(&end)) {
+        return Ok(end);
+    }
+    let off = |a: &Aim<'_>| {
+        let outside = a.keep.on_side(Side::Positive).gap(&end, None);
+        (
+            a.wall.surface.clone(),
+            outside.map_or(0.0, |g| if a.keep.stands_above(&end) { g.g } else { 0.0 }),
+        )
+    };
+    Err(Failure::NoStart {
+        surfaces: aims.iter().map(|a| a.wall.surface.clone()).collect(),
+        why: "the tool would stand above all of the hollow that it is to be in",
+        place: Some(end.te),
+        left: aims.iter().map(off).collect(),
+        others: Vec::new(),
+    })
+}
+
 /// The position; where a hollow may count as open, its side is decided.
 ///
 /// A machinist means the bottom of a hollow, so that it is looked for as if it were open. A cutter that fits
 /// below the rest of the hollow there has the hollow as it is. One that does not, but fits where it stands,
 /// is to touch the hollow's roof if it can: only a cutter taller than the hollow makes it open.
-fn arrive(go: &Start, aims: &mut [Aim<'_>], pose: Pose) -> Result<Pose, Failure> {
+fn arrive_in(go: &Start, aims: &mut [Aim<'_>], pose: Pose) -> Result<Pose, Failure> {
     let hollow = |a: &Aim<'_>| {
         let touches = a.keep.condition == Condition::Touch;
         touches && a.keep.side != Side::Positive && opens(&a.keep.surface, pose.ta)
