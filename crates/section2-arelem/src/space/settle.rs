@@ -273,7 +273,7 @@ impl Solver<'_> {
     }
 
     /// A side that lies along a ruling touches at all of it: with an axis that turns the place of contact, and
-    /// the axis with it, then jumps within the band for ever. A tenth of the band is near enough there, inside of it.
+    /// the axis with it, then jumps within the band for ever. Inside of the band is near enough there.
     fn near_enough(&self, (off, pose, gaps): &(f64, Pose, Vec<Gap>)) -> Option<Pose> {
         let least = self.narrowest();
         let inside = |(a, g): (&Aim<'_>, &Gap)| {
@@ -281,9 +281,12 @@ impl Solver<'_> {
             let (limits, alike) = (a.keep.limits(), self.alike(pose, &a.keep));
             (limits.low + alike..=limits.high).contains(&g.g)
         };
-        let there = *off <= 0.1 * least && self.aims.iter().zip(gaps).all(inside);
-        let there = self.axis.turns() && there;
-        (there && !self.deeper(pose, &mut gaps.clone(), false)).then_some(*pose)
+        let all_inside = |gaps: &[Gap]| self.aims.iter().zip(gaps).all(inside);
+        if !self.axis.turns() || *off > least || !all_inside(gaps) {
+            return None;
+        }
+        let mut deepest = gaps.clone();
+        (!self.deeper(pose, &mut deepest, false) || all_inside(&deepest)).then_some(*pose)
     }
 
     /// The nearest place on all surfaces, by Newton's method with steps of least length.
@@ -421,13 +424,21 @@ impl Solver<'_> {
             }
         }
         let (_, pose, gaps) = closest;
-        let left = self.aims.iter().zip(gaps).map(|(a, g)| (a.wall.surface.clone(), g.g)).collect();
+        let mut gaps = gaps.clone();
+        let there = |(a, g): (&Aim<'_>, &Gap)| g.g.abs() <= 2.0 * a.keep.width();
+        let elsewhere =
+            self.aims.iter().zip(&gaps).all(there) && self.deeper(pose, &mut gaps, false);
+        let left =
+            self.aims.iter().zip(&gaps).map(|(a, g)| (a.wall.surface.clone(), g.g)).collect();
         Failure::NoStart {
             left,
             place: Some(pose.te),
             others: Vec::new(),
             surfaces: self.aims.iter().map(|a| a.wall.surface.clone()).collect(),
-            why: "no common position was found",
+            why: match elsewhere {
+                true => "where it comes to them, another part of the cutter is in one of them",
+                false => "no common position was found",
+            },
         }
     }
 
