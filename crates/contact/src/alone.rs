@@ -23,9 +23,10 @@ const SHANKS: usize = 6;
 
 /// Share of the way that the known place tells for which it may be shown.
 const LIKELY: f64 = 0.9;
-/// Share of the cutter's size for which it is looked at most, with a corner about a circle and with a round end, and from which that
-/// is worth more than a look.
+/// Share of the cutter's size for which it is looked at most with a corner about a circle, of its half width over a dome, and of its
+/// size with a round end; and from which that is worth more than a look.
 const MOST: f64 = 0.8;
+const WIDE: f64 = 1.2;
 const FAR: f64 = 32.0;
 pub(crate) const WORTH: f64 = 0.02;
 /// Share of the greater curvature of a dome that the less is.
@@ -201,8 +202,8 @@ pub(crate) fn likely(
         let turned = (bend * size).max(f64::MIN_POSITIVE);
         (TOWARDS * upright / turned).clamp(1.0, FAR) * size
     } else if is_dome(principal, side) {
-        // As long as nothing there is hollow.
-        MOST * size
+        // As long as nothing there is hollow. What has to be looked at grows with the square of the way and the width together.
+        (MOST * size).min(WIDE * profile.widest())
     } else {
         let most = room.min(MOST * size);
         let hollow = hollow / (1.0 - (deep + most) * hollow);

@@ -152,15 +152,15 @@ pub fn surrounds(surface: &Surface, side: Side) -> bool {
 
 /// Of a tool with the `known` gap a deeper one, if there is one, and the way that the tool can go (the way of
 /// its top when it turns, which it does not where it `stands`) until a place of contact far from the known one may be the
-/// deepest.
+/// deepest; where it stands a way longer than `most` is not asked for.
 pub fn elsewhere(
     tool: &Tool<'_>,
     surface: &Surface,
     side: Side,
     known: &Gap,
-    stands: bool,
+    (stands, most): (bool, f64),
 ) -> (Option<Gap>, f64) {
-    let (deeper, room) = search::elsewhere(tool, surface, side, known, stands);
+    let (deeper, room) = search::elsewhere(tool, surface, side, known, (stands, most));
     let thick = known.raw - known.g;
     (deeper.map(|gap| Gap { g: gap.raw - thick, ..gap }), room)
 }

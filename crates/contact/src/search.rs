@@ -172,9 +172,9 @@ pub(crate) fn elsewhere(
     surface: &Surface,
     side: Side,
     known: &Gap,
-    stands: bool,
+    (stands, most): (bool, f64),
 ) -> (Option<Gap>, f64) {
-    let (found, room) = elsewhere_on_faces(tool, surface, side, known, stands);
+    let (found, room) = elsewhere_on_faces(tool, surface, side, known, (stands, most));
     let limit = known.raw + 2.0 * room;
     let Some(edges) = edges::all(tool, surface, side, limit, Some(known)) else {
         return (found, room);
@@ -191,7 +191,7 @@ fn elsewhere_on_faces(
     surface: &Surface,
     side: Side,
     known: &Gap,
-    stands: bool,
+    (stands, most): (bool, f64),
 ) -> (Option<Gap>, f64) {
     // An opened hollow is looked at as a whole each time.
     if side == Side::Open || !several(tool, surface, side) {
@@ -202,8 +202,10 @@ fn elsewhere_on_faces(
     let size = if wide > 0.0 { wide.max(0.1 * reach) } else { reach };
     if stands && matches!(surface, Surface::Parametric(_)) {
         let free = |first: f64| {
-            let mut ways = TRIED.into_iter().map(|share| share * first);
-            ways.find_map(|most| alone(tool, surface, side, known, most))
+            // Those that are too long need not be tried, but one is.
+            let wanted = |share: &f64| share * first <= most || *share <= TRIED[TRIED.len() - 1];
+            let mut ways = TRIED.into_iter().filter(wanted).map(|share| share * first);
+            ways.find_map(|way| alone(tool, surface, side, known, way))
         };
         let free = likely(tool, surface, side, known, size).and_then(free);
         if let Some(way) = free.filter(|way| *way >= WORTH * size) {

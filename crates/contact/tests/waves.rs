@@ -84,7 +84,7 @@ proptest! {
             // The same from the last place of contact, with a look for others.
             if let Some(spot) = known {
                 let near = gap_near(&tool, &surface, Side::Positive, 0.0, Some(spot)).unwrap();
-                let (deeper, room) = elsewhere(&tool, &surface, Side::Positive, &near, true);
+                let (deeper, room) = elsewhere(&tool, &surface, Side::Positive, &near, (true, f64::INFINITY));
                 let found = deeper.unwrap_or(near);
                 prop_assert!(found.g.abs() < 1e-6, "{} {near:?} {found:?}", te.x);
                 // Nothing else touches before the tool has gone that way.

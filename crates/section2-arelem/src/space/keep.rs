@@ -198,10 +198,21 @@ impl Keep {
         exact: f64,
         stands: bool,
     ) -> (Option<Gap>, f64) {
+        self.deeper_on(pose, known, exact, (stands, f64::INFINITY))
+    }
+
+    /// The same, where no way longer than `most` is asked for.
+    pub(crate) fn deeper_on(
+        &self,
+        pose: &Pose,
+        known: &Gap,
+        exact: f64,
+        way: (bool, f64),
+    ) -> (Option<Gap>, f64) {
         if self.condition == Condition::On || self.profile.reach() == 0.0 {
             return (None, f64::INFINITY);
         }
-        let (deeper, room) = elsewhere(&self.tool(pose), &self.surface, self.side, known, stands);
+        let (deeper, room) = elsewhere(&self.tool(pose), &self.surface, self.side, known, way);
         (deeper.filter(|g| g.g < known.g - exact), room)
     }
 

@@ -17,12 +17,17 @@ pub(super) struct Lengths {
     last: [Option<(f64, f64)>; 2],
     /// How far both ends were apart at the last trials.
     apart: [Option<f64>; 2],
+    /// The least length that was to use the whole of the band at most, once it was told; does it fall slower than that?
+    least: Option<f64>,
+    slow: bool,
 }
 
 impl Lengths {
     /// One that uses so much.
     pub(super) fn take(&mut self, s: f64, uses: f64) {
         let here = (s, uses.min(MOST));
+        let told = self.least.is_some_and(|least| (least - s).abs() <= SAME * s);
+        self.slow |= told && uses > 0.0 && uses < MOST;
         let (same, other) = match uses <= 0.0 {
             true => (&mut self.short, &mut self.long),
             false => (&mut self.long, &mut self.short),
@@ -40,7 +45,7 @@ impl Lengths {
 
     /// Where the whole of the band is used, by the secant of the last two while it comes nearer, else by that of both ends;
     /// `None` where that is not seen. Along a chord longer than `usual`, the length foretold from a bend, it falls no slower
-    /// than along the parabola of that length.
+    /// than along the parabola of that length, unless a length at which it was to be short enough for that is not.
     pub(super) fn next(&mut self, usual: f64) -> Option<f64> {
         let secant = |(s, f): (f64, f64), (t, g): (f64, f64)| {
             let next = t - g * (t - s) / (g - f);
@@ -50,21 +55,28 @@ impl Lengths {
             let (s, uses) = self.short?;
             return (s > 2.0 * usual && uses > -0.5).then_some(s - uses * usual);
         };
-        let least = long.0 - long.1 * usual;
+        let least = if self.slow { short.0 } else { long.0 - long.1 * usual };
         let inside = |x: &f64| *x > short.0 && *x < long.0;
         let nearer = |a: (f64, f64), b: (f64, f64)| b.1.abs() <= 0.5 * a.1.abs();
+        let comes_nearer = matches!(self.last, [Some(b), Some(a)] if nearer(a, b));
         let near = match self.last {
-            [Some(b), Some(a)] if nearer(a, b) || a.1 > 0.0 && b.1 > 0.0 => secant(a, b),
+            [Some(b), Some(a)] if comes_nearer || a.1 > 0.0 && b.1 > 0.0 => secant(a, b),
             _ => None,
         };
         let apart = long.0 - short.0;
         let [last, before] = self.apart;
         self.apart = [Some(apart), last];
         let near = near.map(|x| x.max(least)).filter(inside);
-        let stays = near.is_none() && before.is_some_and(|b| apart > 0.5 * b);
+        let stays = (near.is_none() || self.slow) && before.is_some_and(|b| apart > 0.5 * b);
         let both = || secant(short, long).map(|x| x.max(least)).filter(inside);
         let halves = 0.5 * (short.0 + long.0);
-        near.or_else(|| if stays { Some(halves) } else { both() })
+        let next = match near {
+            Some(near) if !stays || comes_nearer => Some(near),
+            _ if stays => Some(halves),
+            _ => both(),
+        };
+        self.least = Some(least);
+        next
     }
 }
 

@@ -5,6 +5,10 @@ const EVEN: f64 = 0.02;
 /// The same of their bends, as a share of these.
 const EVEN_BENDS: f64 = 0.5;
 
+/// Times as far as the last look told that the next one asks for, and looks of which one asks for any way.
+const FARTHER: f64 = 2.4;
+const ANEW: u32 = 8;
+
 /// What one cut vector tells the next.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Pace {
@@ -20,6 +24,9 @@ pub(crate) struct Pace {
     /// Way for which no other place of contact can become the deepest, and whether that was looked for where it is now.
     pub(super) room: f64,
     pub(super) looked: bool,
+    /// The way that the last look told, and how many there were.
+    seen: f64,
+    looks: u32,
     /// Cut vectors yet of which every trial looks for other places of contact.
     pub(super) careful: u32,
     /// How the gaps bend along the last cut vector when the axis turns, which the curvatures do not tell, and by how much
@@ -38,10 +45,22 @@ impl Pace {
             left: None,
             room: 0.0,
             looked: false,
+            seen: f64::INFINITY,
+            looks: 0,
             careful: 0,
             bends: None,
             grown: [0.0; 2],
         }
+    }
+
+    /// The longest way that the next look for other places of contact asks for: now and then any.
+    pub(super) fn farthest(&self) -> f64 {
+        if self.looks.is_multiple_of(ANEW) { f64::INFINITY } else { FARTHER * self.seen }
+    }
+
+    /// A look told this way.
+    pub(super) fn saw(&mut self, way: f64) {
+        (self.seen, self.looks) = (way, self.looks + 1);
     }
 
     /// The ratio that is to be expected next: the curvature that changes it does so evenly for a while. With an axis that `turns`

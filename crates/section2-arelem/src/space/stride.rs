@@ -72,7 +72,8 @@ impl Track {
                 let none = |deeper: &[Option<Gap>; 2]| deeper.iter().all(Option::is_none);
                 // One look from its start is worth those on the way and at its end.
                 if !looked && !self.axis.turns() {
-                    let (deeper, room) = self.deeper(&from.pose, &from.gaps);
+                    let (deeper, room) = self.deeper(&from.pose, &from.gaps, pace.farthest());
+                    pace.saw(room);
                     if none(&deeper) {
                         free = free.max(room);
                     }
@@ -81,7 +82,8 @@ impl Track {
                         return Ok((stride, free));
                     }
                 }
-                let (deeper, room) = self.deeper(&stride.to.pose, &stride.to.gaps);
+                let (deeper, room) = self.deeper(&stride.to.pose, &stride.to.gaps, pace.farthest());
+                pace.saw(room);
                 if none(&deeper) {
                     (pace.room, pace.looked) = (room, true);
                     return Ok((stride, free));

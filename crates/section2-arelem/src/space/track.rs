@@ -176,10 +176,15 @@ impl Track {
     }
 
     /// Gaps at places of contact that are deeper than those of a node, if there are any, and the way for which
-    /// there are none.
-    pub(crate) fn deeper(&self, pose: &Pose, gaps: &[Gap; 2]) -> ([Option<Gap>; 2], f64) {
-        let look =
-            |i: usize| self.keeps[i].deeper(pose, &gaps[i], 4.0 * self.exact, !self.axis.turns());
+    /// there are none; no way longer than `most` is asked for.
+    pub(crate) fn deeper(
+        &self,
+        pose: &Pose,
+        gaps: &[Gap; 2],
+        most: f64,
+    ) -> ([Option<Gap>; 2], f64) {
+        let (exact, stands) = (4.0 * self.exact, !self.axis.turns());
+        let look = |i: usize| self.keeps[i].deeper_on(pose, &gaps[i], exact, (stands, most));
         let ((a, to_a), (b, to_b)) = (look(0), look(1));
         ([a, b], to_a.min(to_b))
     }
@@ -246,7 +251,7 @@ impl Track {
             let off =
                 [targets[0] - gaps[0].g, targets[1] - gaps[1].g, level - across.dot(&pose.te)];
             if off.iter().all(|o| o.abs() <= self.exact) {
-                let deeper = if look { self.deeper(&pose, &gaps).0 } else { [None, None] };
+                let deeper = if look { self.deeper(&pose, &gaps, 0.0).0 } else { [None, None] };
                 if deeper.iter().all(Option::is_none) {
                     return self.finish(pose, gaps, self.onward(&pose, &gaps, hint));
                 }
@@ -301,7 +306,7 @@ impl Track {
                 turned = (ta - pose.ta).norm();
             }
             if worst <= self.exact && turned <= 1e-11 {
-                let deeper = if look { self.deeper(&pose, &gaps).0 } else { [None, None] };
+                let deeper = if look { self.deeper(&pose, &gaps, 0.0).0 } else { [None, None] };
                 if deeper.iter().all(Option::is_none) {
                     // The last step goes without a look: whether what is left counts as nothing is no matter then.
                     let step = solve(&gaps, across, [off[0], off[1], out]).unwrap_or_default();

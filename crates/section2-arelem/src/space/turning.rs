@@ -39,7 +39,7 @@ impl Track {
         for _ in 0..ROUNDS {
             let now = off(&pose, &gaps);
             if worst(&now) <= self.exact {
-                let deeper = if look { self.deeper(&pose, &gaps).0 } else { [None, None] };
+                let deeper = if look { self.deeper(&pose, &gaps, 0.0).0 } else { [None, None] };
                 if deeper.iter().all(Option::is_none) {
                     return self.finish(pose, gaps, hint.course.along);
                 }

@@ -37,7 +37,8 @@ impl Grid {
 
     /// Columns and rows.
     pub(super) fn count(&self) -> [usize; 2] {
-        self.ends.each_ref().map(|e| e.len().saturating_sub(1))
+        let [u, v] = &self.ends;
+        [u.len().saturating_sub(1), v.len().saturating_sub(1)]
     }
 
     /// Column and row that hold these parameters, or the nearest ones.
@@ -50,8 +51,10 @@ impl Grid {
     }
 
     /// The number of the cell in that column and row.
+    #[inline]
     pub(super) fn number(&self, [column, row]: [usize; 2]) -> Option<usize> {
-        let number = *self.at.get(row * self.count()[0] + column)?;
+        let columns = self.ends[0].len().saturating_sub(1);
+        let number = *self.at.get(row * columns + column)?;
         (number != NONE).then_some(number as usize)
     }
 }

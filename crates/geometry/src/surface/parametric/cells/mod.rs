@@ -63,6 +63,17 @@ struct Cell {
     smooth: Smooth,
 }
 
+/// What of a cell is the same wherever it is seen from.
+#[derive(Clone, Copy, Debug)]
+struct Sizes {
+    /// Lengths of both derivatives, their product, and by how much they change.
+    long: [f64; 2],
+    lean: f64,
+    turns: [f64; 2],
+    /// Lengths of the second ones in their middle.
+    bend: [f64; 3],
+}
+
 /// For each parameter: at its low and at its high end.
 type Smooth = [[bool; 2]; 2];
 
@@ -349,26 +360,36 @@ impl Cell {
         self.has_one_dip_from((p, 0.0))
     }
 
-    /// The same from each point of a ball. The second derivatives are `S_i . S_j + (S - p) . S_ij`.
-    fn has_one_dip_from(&self, (p, radius): (Vec3, f64)) -> bool {
+    /// The same from each point of a ball.
+    fn has_one_dip_from(&self, from: (Vec3, f64)) -> bool {
+        self.has_one_dip_of(&self.sizes(), from)
+    }
+
+    /// The same by sizes that are known. The second derivatives are `S_i . S_j + (S - p) . S_ij`.
+    fn has_one_dip_of(&self, sizes: &Sizes, (p, radius): (Vec3, f64)) -> bool {
         let w = self.c - p;
         let (away, r) = (w.norm() + radius, self.reach);
         let part = |k: usize| {
-            let (m, round) = &self.bend[k];
-            let unsure = away * round + r * (m.norm() + round) + radius * m.norm();
+            let ((m, round), size) = (&self.bend[k], sizes.bend[k]);
+            let unsure = away * round + r * (size + round) + radius * size;
             (w.dot(m), unsure)
         };
-        let [a, b] = &self.side;
-        let [ea, eb] = self.turns();
-        let (la, lb) = (a.norm(), b.norm());
+        let ([la, lb], [ea, eb]) = (sizes.long, sizes.turns);
         let least = |l: f64, e: f64| {
             let l = (l - e).max(0.0);
             l * l
         };
         let [uu, uv, vv] = array::from_fn(part);
         let (h11, h22) = (least(la, ea) + uu.0 - uu.1, least(lb, eb) + vv.0 - vv.1);
-        let h12 = (a.dot(b) + uv.0).abs() + uv.1 + la * eb + lb * ea + ea * eb;
+        let h12 = (sizes.lean + uv.0).abs() + uv.1 + la * eb + lb * ea + ea * eb;
         h11 > 0.0 && h22 > 0.0 && h11 * h22 > h12 * h12
+    }
+
+    /// How long its derivatives are, and by how much they change.
+    fn sizes(&self) -> Sizes {
+        let [a, b] = &self.side;
+        let bend = [0, 1, 2].map(|k: usize| self.bend[k].0.norm());
+        Sizes { long: [a.norm(), b.norm()], lean: a.dot(b), turns: self.turns(), bend }
     }
 
     /// Does the distance from `p` fall all over the cell towards an end at which the surface goes on without an edge? Then no dip

@@ -1,7 +1,7 @@
 //! How a sculptured surface turns and bends near a tool: bounds over its cells there.
 
 use super::super::part::{MOST_TURN, Part};
-use super::{Cell, Cells, WAITING};
+use super::{Cell, Cells, Sizes, WAITING};
 use crate::Vec3;
 use crate::balls::Below;
 use crate::trig::hypot;
@@ -25,6 +25,7 @@ pub(super) struct Formed {
     curvature: Option<[f64; 2]>,
     /// Its column and row.
     place: [usize; 2],
+    sizes: Sizes,
 }
 
 impl Cells {
@@ -69,13 +70,13 @@ impl Cells {
     fn formed(&self) -> &[Formed] {
         self.formed.get_or_init(|| {
             let formed = |cell: &Cell| {
-                let place = self.grid.place(cell.mid);
+                let (place, sizes) = (self.grid.place(cell.mid), cell.sizes());
                 // Of a cell whose normals may look anywhere.
                 let Some((normal, turn)) = cell.normals() else {
                     let (normal, turn) = (Vec3::zeros(), f64::INFINITY);
-                    return Formed { normal, turn, curvature: None, place };
+                    return Formed { normal, turn, curvature: None, place, sizes };
                 };
-                Formed { normal, turn, curvature: cell.curvature(normal, turn), place }
+                Formed { normal, turn, curvature: cell.curvature(normal, turn), place, sizes }
             };
             self.cells.iter().map(formed).collect()
         })
@@ -87,28 +88,32 @@ impl Cells {
         balls: &[(Vec3, f64)],
         mut put: impl FnMut(usize, bool) -> Option<()>,
     ) -> Option<()> {
-        let mut waiting = [0_usize; WAITING];
+        let last = 1_u64.checked_shl(u32::try_from(balls.len()).ok()?.checked_sub(1)?)?;
+        // With each group the balls that what holds it comes into: none of its parts comes into others.
+        let mut waiting = [(0_usize, last | (last - 1)); WAITING];
         let mut n = usize::from(!self.tree.is_empty());
         while n > 0 {
             n -= 1;
-            let ball = &self.tree[waiting[n]];
+            let (at, above) = waiting[n];
+            let ball = &self.tree[at];
             let apart = |(c, r): &(Vec3, f64)| ball.apart(*c) > r * r;
-            if balls.iter().all(apart) {
+            let into = marked(above).filter(|i| !apart(&balls[*i])).fold(0, |all, i| all | 1 << i);
+            if into == 0 {
                 continue;
             }
             match ball.below {
                 Below::Balls(pair) => {
                     for i in pair {
-                        *waiting.get_mut(n)? = i;
+                        *waiting.get_mut(n)? = (i, into);
                         n += 1;
                     }
                 }
                 Below::Things(from, to) => {
                     for (number, cell) in (from..to).zip(&self.cells[from..to]) {
-                        let [first @ .., last] = balls else { return None };
-                        let last = cell.comes_into(last);
-                        if last || first.iter().any(|b| cell.comes_into(b)) {
-                            put(number, last)?;
+                        let comes_into = |i: usize| cell.comes_into(&balls[i]);
+                        let in_last = into & last != 0 && marked(last).all(comes_into);
+                        if in_last || marked(into & !last).any(comes_into) {
+                            put(number, in_last)?;
                         }
                     }
                 }
@@ -122,19 +127,31 @@ impl Cells {
         let count = self.grid.count();
         let inner = (0..2).all(|k| all[k][0] > 0 && all[k][1] + 1 < count[k]);
         inner.then_some(())?;
+        let formed = self.formed();
         for row in all[1][0]..=all[1][1] {
             for column in all[0][0]..=all[0][1] {
                 let at = [column, row];
-                let cell = &self.cells[self.grid.number(at)?];
+                let number = self.grid.number(at)?;
+                let cell = &self.cells[number];
                 let goes_on = (0..2).all(|k| {
                     (at[k] == all[k][0] || cell.smooth[k][0])
                         && (at[k] == all[k][1] || cell.smooth[k][1])
                 });
-                (goes_on && cell.has_one_dip_from(from)).then_some(())?;
+                (goes_on && cell.has_one_dip_of(&formed[number].sizes, from)).then_some(())?;
             }
         }
         Some(())
     }
+}
+
+/// The numbers of the bits that are set.
+#[inline(always)]
+fn marked(mut bits: u64) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        let next = (bits != 0).then(|| bits.trailing_zeros() as usize);
+        bits &= bits.wrapping_sub(1);
+        next
+    })
 }
 
 fn size(all: &Rectangle) -> usize {
