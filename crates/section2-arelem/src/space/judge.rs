@@ -74,6 +74,10 @@ impl Track {
             // The surface is left behind, and its edge no guide.
             return Err(Trouble::Contact);
         }
+        if keep.stands_above(&to.pose) {
+            // It has left the hollow by the walls that run straight up from it.
+            return Err(Trouble::Contact);
+        }
         let v = to.pose.te - from.pose.te;
         // Along a surface of rulings a flank lies nearly, and its gap goes by more than cubics.
         let looks: &[f64] = match keep.surface {
