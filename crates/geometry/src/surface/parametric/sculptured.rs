@@ -20,8 +20,9 @@ const BEYOND_RULINGS: f64 = 32.0;
 
 /// Places along a border from which its continuation is followed.
 const RAYS: usize = 16;
-/// Share of the continuation after which it is first looked whether it meets the surface again, and least step.
-const FIRST: f64 = 0.04;
+/// Lengths of the surface after which it is first looked whether it meets the surface again, and least step, which grows with the way.
+const FIRST: f64 = 0.12;
+const STEP: f64 = 0.04;
 /// Then it is to be this share of its way away from its border.
 const LEAVES: f64 = 0.5;
 /// It meets it where it is nearer to the surface than this share of its way.
@@ -334,7 +335,8 @@ fn shortened(bare: &Spans, free: &Domain) -> Domain {
             let way = if axis == 0 { jet.su } else { jet.sv } * (2.0 * border - 1.0);
             let length = way.norm();
             let away = |t: f64| whole.foot(jet.s + way * t).distance.abs() / length;
-            let mut t = FIRST * far;
+            let first = FIRST.min(STEP * far);
+            let mut t = first;
             // Beside its own border it does not come off it, and tells nothing.
             if away(t) < LEAVES * t {
                 continue;
@@ -344,7 +346,7 @@ fn shortened(bare: &Spans, free: &Domain) -> Domain {
                 if away < MEETS * t {
                     reach = CLEAR * t;
                 }
-                t += away.max(FIRST * far);
+                t += away.max(first).max(STEP * t);
             }
         }
         if reach < far {
