@@ -234,8 +234,10 @@ impl Curved<'_> {
         // surface is moved farther back, and the tool stays farther away from it. At an edge what is moved out to the side of the
         // tool gapes: there it stays away from the surface itself.
         let held = self.held(tool, [&pose(0.0), &pose(1.0)], turn, side, least, pad);
-        let moved =
-            Moved { sheet: self.sheet, side, shift: held.least - held.thin, fold, only: None };
+        let (sheet, shift) = (self.sheet, held.least - held.thin);
+        // A tool that stays away by more than rounding is held off by all of it.
+        let overlaps = held.thin <= 0.0 && held.edges.is_some() && sheet.curve().is_some();
+        let moved = Moved { sheet, side, shift, fold, overlaps, only: None };
         // Both the surface farther back and the distance from it are rounded.
         let thin = held.thin;
         let enough = if thin > 0.0 { thin - 2.0 * pad } else { -pad };

@@ -57,7 +57,7 @@ proptest! {
         let profile = Profile::new(&Cutter::mill(2.0, corner, 6.0)).unwrap();
         let tools = [Tool::End, Tool::Raised(&profile, 3.0), Tool::Solid(&profile)];
         let side = if right { 1.0 } else { -1.0 };
-        let moved = |side| Moved { sheet: &sheet, side, shift, fold: FOLD, only: None };
+        let moved = |side| Moved { sheet: &sheet, side, shift, fold: FOLD, overlaps: false, only: None };
         let points = |side| -> Vec<Vec3> {
             places(&sheet).iter().map(|spot| moved(side).place(spot)).collect()
         };

@@ -6,6 +6,7 @@
 //! `m . c - h(T, m) - |m . a| - |m . b| - d` from the tool. As m serves the direction from the tool to c.
 
 mod looks;
+mod overlap;
 
 use aptc_geometry::Vec3;
 
@@ -41,6 +42,8 @@ pub(crate) struct Moved<'a> {
     pub(crate) shift: f64,
     /// Share of the shift below which a piece of it counts as a fold.
     pub(crate) fold: f64,
+    /// Does what lies nearer to the surface than the shift, as where faces overlap at edges, count as none of it?
+    pub(crate) overlaps: bool,
     /// Pieces that are looked at alone.
     pub(crate) only: Option<&'a [Patch]>,
 }
@@ -48,7 +51,7 @@ pub(crate) struct Moved<'a> {
 impl<'a> Moved<'a> {
     /// All of the surface.
     pub(crate) fn whole(sheet: &'a Sheet, side: f64, shift: f64) -> Self {
-        Self { sheet, side, shift, fold: FOLD, only: None }
+        Self { sheet, side, shift, fold: FOLD, overlaps: false, only: None }
     }
 
     /// Where a place of the surface is moved to.

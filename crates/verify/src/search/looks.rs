@@ -193,6 +193,10 @@ impl Looks<'_, '_> {
             Some(shown) if shown.halves_show(known, &tile, moved) => shown,
             _ => match self.by_level(&piece, by_hint, known) {
                 (level, true) => level,
+                (level, false) if moved.is_overlapped(patch, x, piece.strays(moved)) => {
+                    self.keep((patch, &tile), self.enough.max(level.low), Plane::NONE);
+                    return Continue(());
+                }
                 (level, false) => self.by_meeting(patch, &piece, level, known)?,
             },
         };
@@ -262,7 +266,10 @@ impl Looks<'_, '_> {
         let (sweep, moved) = (self.sweep, self.moved);
         let bound = |meeting| piece.shown(sweep, moved, meeting, known);
         let (meeting, within) = sweep.meet_within(piece.x);
-        if self.out.nearest.is_none_or(|n| meeting.distance < n.0) {
+        let nearer = self.out.nearest.is_none_or(|n| meeting.distance < n.0);
+        let counts =
+            || meeting.distance >= self.enough || !moved.is_overlapped(patch, piece.x, 0.0);
+        if nearer && counts() {
             self.out.nearest = Some((meeting.distance, meeting.t, patch.spot()));
             if self.aim == Aim::Any && meeting.distance < self.enough {
                 self.out.least = f64::NEG_INFINITY;
@@ -357,6 +364,16 @@ struct Piece<'t> {
 }
 
 impl Piece<'_> {
+    /// How far from its middle it lies as it is moved; of a TABCYL across the generatrix, along which all is as there.
+    fn strays(&self, moved: &Moved<'_>) -> f64 {
+        let Tile { side: [along, _], stray, turn: [u, v], .. } = self.tile;
+        let radius = match moved.sheet.curve() {
+            Some(_) => along.norm() + stray[0],
+            None => self.tile.radius(),
+        };
+        radius + moved.shift.abs() * (u + v)
+    }
+
     /// What the direction of a meeting shows.
     fn shown(&self, sweep: &Sweep<'_>, moved: &Moved<'_>, meeting: Meeting, known: f64) -> Shown {
         let slack = |m| slack(self.tile, m, moved);
