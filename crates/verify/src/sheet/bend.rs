@@ -86,10 +86,9 @@ fn greatest<T: Copy + core::ops::Sub<Output = T>>(
         net
     };
     let by_v = |mut net: [[T; 4]; 4]| {
-        for i in 0..4 {
-            for j in 0..3 {
-                net[j][i] = net[j + 1][i] - net[j][i];
-            }
+        for j in 0..3 {
+            let next = net[j + 1];
+            net[j].iter_mut().zip(next).for_each(|(x, y)| *x = y - *x);
         }
         net
     };

@@ -5,6 +5,8 @@ use core::ops::{Add, Mul};
 use aptc_geometry::Vec3;
 use aptc_geometry::sculpt::{Derivatives, Patch};
 
+use crate::each::two;
+
 /// What stands before the powers of u and v from the middle of the cell.
 #[derive(Clone, Debug)]
 pub(super) struct Powers {
@@ -49,12 +51,19 @@ impl Powers {
             return None;
         }
         let weight = 1.0 / patch.net[0][0].w;
-        let [u, v] = [0, 1].map(|k| (middle[k] - from[k]) * rate[k]);
-        let rows = patch.net.map(|row| powers(row.map(|h| h.xyz() * weight), u, rate[0]));
-        let columns = [0, 1, 2, 3].map(|i| powers(rows.map(|row| row[i]), v, rate[1]));
-        let numbers = [0, 1, 2, 3];
-        let xy = numbers.map(|j| numbers.map(|i| Pair(columns[i][j].x, columns[i][j].y)));
-        let z = [0, 2].map(|j| numbers.map(|i| Pair(columns[i][j].z, columns[i][j + 1].z)));
+        let from = two([0, 1], |k| (middle[k] - from[k]) * rate[k]);
+        let mut rows = [[Vec3::zeros(); 4]; 4];
+        for (row, [a, b, c, d]) in rows.iter_mut().zip(&patch.net) {
+            let net = [a.xyz() * weight, b.xyz() * weight, c.xyz() * weight, d.xyz() * weight];
+            *row = powers(net, from[0], rate[0]);
+        }
+        let (mut xy, mut z) = ([[Pair(0.0, 0.0); 4]; 4], [[Pair(0.0, 0.0); 4]; 2]);
+        for i in 0..4 {
+            let along = [rows[0][i], rows[1][i], rows[2][i], rows[3][i]];
+            let column = powers(along, from[1], rate[1]);
+            xy.iter_mut().zip(&column).for_each(|(row, c)| row[i] = Pair(c.x, c.y));
+            (z[0][i], z[1][i]) = (Pair(column[0].z, column[1].z), Pair(column[2].z, column[3].z));
+        }
         Some(Self { middle, xy, z })
     }
 
@@ -68,13 +77,15 @@ impl Powers {
         let ([p, pv, pvv], [pu, puv, _], [puu, ..]) = (along(0), along(1), along(2));
         let [near, far] = [cubic(&self.z[0], u), cubic(&self.z[1], u)];
         // Value and slope by u side by side.
-        let both = |i: usize| {
-            Pair(
-                [near[0].0, near[0].1, far[0].0, far[0].1][i],
-                [near[1].0, near[1].1, far[1].0, far[1].1][i],
-            )
-        };
-        let [z, zv, zvv] = cubic(&[both(0), both(1), both(2), both(3)], v);
+        let [z, zv, zvv] = cubic(
+            &[
+                Pair(near[0].0, near[1].0),
+                Pair(near[0].1, near[1].1),
+                Pair(far[0].0, far[1].0),
+                Pair(far[0].1, far[1].1),
+            ],
+            v,
+        );
         let [zuu, ..] = cubic(&[near[2].0, near[2].1, far[2].0, far[2].1], v);
         let of = |xy: Pair, z: f64| Vec3::new(xy.0, xy.1, z);
         Derivatives {
