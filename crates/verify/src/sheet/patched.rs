@@ -540,6 +540,12 @@ impl Patched {
 
     /// The same place in the chart next to it when the parameters left theirs; at a border the border.
     pub(crate) fn settle(&self, spot: Spot) -> Spot {
+        let chart = &self.charts[spot.chart];
+        let [u, v] = &chart.range;
+        let within = |x: f64, range: &[f64; 2]| x >= range[0] && x <= range[1];
+        if within(spot.at[0], u) && within(spot.at[1], v) {
+            return spot;
+        }
         let columns = self.columns();
         let rows = self.charts.len() / columns;
         let mut place = [spot.chart % columns, spot.chart / columns];
