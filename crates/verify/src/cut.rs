@@ -68,6 +68,12 @@ impl Plane {
         Self { m, to: down(height(sweep, m) + low, size + low.abs()) }
     }
 
+    /// What parts a tool that does not turn from all that is no lower than `low` along m.
+    pub(crate) fn beyond(sweep: &Sweep<'_>, m: Vec3, low: f64) -> Self {
+        let reach = sweep.tool.over(sweep.a.ta, m);
+        Self { m, to: down(low - reach, size(&sweep.a.te) + low.abs() + reach.abs()) }
+    }
+
     /// What parts by `low` at its end.
     pub(crate) fn at_end(sweep: &Sweep<'_>, m: Vec3, low: f64) -> Self {
         Self { m, to: down(m.dot(&sweep.b.te) + low, size(&sweep.b.te) + low.abs()) }
@@ -93,8 +99,10 @@ impl Part {
 }
 
 /// The greatest `m . te` on the way of a tool that does not turn.
+#[inline]
 fn height(sweep: &Sweep<'_>, m: Vec3) -> f64 {
-    m.dot(&sweep.a.te).max(m.dot(&sweep.b.te))
+    let [a, b] = [m.dot(&sweep.a.te), m.dot(&sweep.b.te)];
+    if a > b { a } else { b }
 }
 
 /// The sum of the coordinates' amounts.
@@ -168,11 +176,12 @@ impl Cut {
             // Those that were the first the last time come first.
             let mut kept = self.parts.len();
             for i in (0..self.parts.len()).rev() {
-                let room = self.parts[i].room(sweep, until, enough);
+                let part = &self.parts[i];
+                let room = part.room(sweep, until, enough);
                 if room >= 0.0 {
-                    least = least.min(room);
+                    least = if room < least { room } else { least };
                 } else {
-                    pile.push(self.parts[i].patch);
+                    pile.push(part.patch);
                     kept -= 1;
                     self.parts.swap(i, kept);
                 }

@@ -8,6 +8,7 @@ mod bend;
 mod bow;
 mod patched;
 mod polyconic;
+mod powers;
 mod quadric;
 mod rail;
 mod ruled;

@@ -19,6 +19,8 @@ use crate::tool::{Change, Pose, Tool};
 
 /// Rounds of the descent to the nearest place.
 const ROUNDS: usize = 40;
+/// Share of the tool by which a place that is near enough may be farther than the nearest one.
+const HARDLY: f64 = 1e-9;
 /// Halvings of a vector.
 const DEPTH: u32 = 24;
 /// Searches of the whole surface for one vector, each where a descent ended in a place that is too far.
@@ -54,6 +56,8 @@ pub(crate) struct Touch {
     gap: f64,
     spot: Spot,
     pub(crate) jet: Jet,
+    /// Where it would have been looked for next.
+    next: Spot,
 }
 
 /// A place of the surface next to the tool.
@@ -85,8 +89,8 @@ pub(crate) fn excess(
 ) -> Excess {
     let touch = |t: f64, from: Spot| {
         let pose = pose(t);
-        let (gap, spot, jet) = meet(tool, &pose, sheet, side, from, most);
-        Touch { t, pose, gap, spot, jet }
+        let Down { far: gap, spot, jet, next } = meet(tool, &pose, sheet, side, from, most);
+        Touch { t, pose, gap, spot, jet, next }
     };
     let globally = |t: f64, enough: f64| {
         let sweep = Sweep::still(tool, pose(t));
@@ -150,7 +154,7 @@ pub(crate) fn excess(
     // As far ahead as the vector before came.
     let ahead = |[from, to]: &[Near; 2]| {
         let at = two([0, 1], |i| 2.0 * to.spot.at[i] - from.spot.at[i]);
-        let same = from.spot.chart == to.spot.chart && first.spot == to.spot;
+        let same = from.spot.chart == to.spot.chart && first.next == to.spot;
         same.then_some(Spot { at, ..to.spot })
     };
     let last = touch(1.0, before.as_ref().and_then(ahead).unwrap_or(first.spot));
@@ -159,7 +163,7 @@ pub(crate) fn excess(
     let within = first.gap <= most && last.gap <= most;
     let known = within.then(|| bound(&first, &last));
     if let Some(all) = known.filter(|all| *all <= most) {
-        let next = |touch: Touch| Near { spot: touch.spot, touch: Some(touch) };
+        let next = |touch: Touch| Near { spot: touch.next, touch: Some(touch) };
         *near = Some([next(first), next(last)]);
         return Excess::Within(all);
     }
@@ -178,7 +182,7 @@ pub(crate) fn excess(
     match [first, last].into_iter().find(|end| end.gap > most) {
         Some(end) if top.is_none() => return Excess::Open(end.t, end.gap),
         Some(_) => {}
-        None => *near = Some(two([first, last], |t| Near { spot: t.spot, touch: Some(t) })),
+        None => *near = Some(two([first, last], |t| Near { spot: t.next, touch: Some(t) })),
     }
     let all = known.unwrap_or_else(|| bound(&first, &last));
     if top.is_none() && all <= most {
@@ -279,25 +283,18 @@ fn rise(tool: &Tool<'_>, sheet: &Sheet, a: &Touch, b: &Touch, drift: f64) -> Opt
 }
 
 /// A place of the surface not farther than `most` from the tool, or the nearest that is found from `spot` on.
-fn meet(
-    tool: &Tool<'_>,
-    pose: &Pose,
-    sheet: &Sheet,
-    side: f64,
-    spot: Spot,
-    most: f64,
-) -> (f64, Spot, Jet) {
+fn meet(tool: &Tool<'_>, pose: &Pose, sheet: &Sheet, side: f64, spot: Spot, most: f64) -> Down {
     /// Times that the way along an edge and that down take turns.
     const TURNS: u32 = 4;
     let mut now = descend_to(tool, pose, sheet, spot, most);
     for _ in 0..TURNS {
-        if now.0 <= most {
+        if now.far <= most {
             break;
         }
-        let p = now.2.p - tool.near(pose, now.2.p).1 * now.0;
-        let Some(deep) = slide(pose, sheet, side, p, now.1) else { break };
+        let p = now.jet.p - tool.near(pose, now.jet.p).1 * now.far;
+        let Some(deep) = slide(pose, sheet, side, p, now.spot) else { break };
         let next = descend_to(tool, pose, sheet, deep.spot, most);
-        if next.0 >= now.0 {
+        if next.far >= now.far {
             break;
         }
         now = next;
@@ -308,17 +305,20 @@ fn meet(
 /// The place of the surface nearest to the tool, going down from `spot`: distance, place, what is there. Newton's
 /// method; any result is true, the lowest is the sharpest.
 pub(crate) fn descend(tool: &Tool<'_>, pose: &Pose, sheet: &Sheet, spot: Spot) -> (f64, Spot, Jet) {
-    descend_to(tool, pose, sheet, spot, f64::NEG_INFINITY)
+    let Down { far, spot, jet, .. } = descend_to(tool, pose, sheet, spot, f64::NEG_INFINITY);
+    (far, spot, jet)
 }
 
-/// The same no farther than to a place, other than the first, that is no more than `enough` away.
-fn descend_to(
-    tool: &Tool<'_>,
-    pose: &Pose,
-    sheet: &Sheet,
+/// Where a way down ended: distance, place, what is there, and where the next step would have led.
+struct Down {
+    far: f64,
     spot: Spot,
-    enough: f64,
-) -> (f64, Spot, Jet) {
+    jet: Jet,
+    next: Spot,
+}
+
+/// The same no farther than to a place that is no more than `enough` away; the first only where the nearest is hardly nearer.
+fn descend_to(tool: &Tool<'_>, pose: &Pose, sheet: &Sheet, spot: Spot, enough: f64) -> Down {
     let slopes = |m: Vec3, jet: &Jet| [m.dot(&jet.d[0]), m.dot(&jet.d[1])];
     let look = |spot: &Spot| {
         let (jet, second) = sheet.bent(spot);
@@ -332,6 +332,7 @@ fn descend_to(
     let mut spot = sheet.settle(spot);
     let mut now = look(&spot);
     let mut way = Way::Exact;
+    let mut next = None;
     for round in 0..2 * ROUNDS {
         if round == ROUNDS {
             way = Way::Fine;
@@ -370,6 +371,13 @@ fn descend_to(
         } else {
             downhill(g, [a, b, c], size, scene)
         };
+        if round == 0 && f <= enough && det > 0.0 && a > 0.0 {
+            let gain = -0.5 * (g[0] * step[0] + g[1] * step[1]);
+            if gain <= HARDLY * scene {
+                next = Some(step);
+                break;
+            }
+        }
         if !(step[0].is_finite() && step[1].is_finite()) {
             step = [
                 -g[0] / (size[0] * size[0]) * 0.1 * scene,
@@ -399,7 +407,8 @@ fn descend_to(
             };
         }
     }
-    (now.f, spot, now.jet)
+    let at = |by: [f64; 2]| Spot { at: [spot.at[0] + by[0], spot.at[1] + by[1]], ..spot };
+    Down { far: now.f, spot, jet: now.jet, next: next.map_or(spot, |by| sheet.settle(at(by))) }
 }
 
 /// The step where the second derivatives `h` are not those of a dip: along either axis of them by Newton's method with the sign

@@ -46,7 +46,14 @@ fn the_gap_rises_by_no_more_than_what_is_told() {
             let poses = poses.map(|te| Pose { te, ta });
             let touch = |i: usize| {
                 let gap = tool.near(&poses[i], jets[i].p).0;
-                Touch { t: i as f64, pose: poses[i], gap, spot: spots[i], jet: jets[i] }
+                Touch {
+                    t: i as f64,
+                    pose: poses[i],
+                    gap,
+                    spot: spots[i],
+                    jet: jets[i],
+                    next: spots[i],
+                }
             };
             let (a, b) = (touch(0), touch(1));
             let moved = (way - (poses[1].te - poses[0].te)).norm();

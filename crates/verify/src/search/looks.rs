@@ -175,13 +175,14 @@ impl Looks<'_, '_> {
         let (center, within) = self.ball;
         let kept = self.cutting.as_ref().and_then(|c| c.tile(patch));
         let tile = kept.unwrap_or_else(|| moved.sheet.tile(patch));
-        let far = (tile.c - center).norm() - tile.radius() - within;
+        let radius = tile.radius();
+        let far = (tile.c - center).norm() - radius - within;
         if far >= 0.0 {
             self.keep((patch, &tile), self.enough.max(far), Plane::NONE);
             return Continue(());
         }
         let x = tile.c + tile.n * (moved.side * moved.shift);
-        let piece = Piece { tile: &tile, x, within: tile.radius() + 2.0 * moved.shift.abs() };
+        let piece = Piece { tile: &tile, x, within: radius + 2.0 * moved.shift.abs() };
         let by_hint = self.hinted.filter(|_| self.aim != Aim::Nearest);
         let by_hint = by_hint.map(|m| piece.shown(sweep, moved, m, known));
         let open = by_hint.as_ref().is_none_or(|shown| shown.low < known);
@@ -211,8 +212,9 @@ impl Looks<'_, '_> {
     /// Is a piece told by the place of the surface next to the tool's corner? Then it needs no other look.
     fn by_place(&mut self, patch: &Patch, piece: &Piece<'_>, known: f64) -> bool {
         let (sweep, moved, enough) = (self.sweep, self.moved, self.enough);
+        // The axis stands still where anything is told.
         let parts =
-            |m: Vec3| Plane::along(sweep, m, piece.shown(sweep, moved, sweep.along(m), known).low);
+            |m: Vec3| Plane::beyond(sweep, m, m.dot(&piece.x) - slack(piece.tile, m, moved).all);
         match self.beside.see(moved.sheet, patch, piece.tile) {
             (Seen::Clear(low, about), m) if enough + low >= known => {
                 if enough + low < self.closest {

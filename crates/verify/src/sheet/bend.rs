@@ -50,80 +50,63 @@ impl Bend {
             vvv: self.vvv * b * b * b,
         }
     }
-
-    fn raise(&mut self, other: &Self) {
-        self.value = self.value.max(other.value);
-        self.u = self.u.max(other.u);
-        self.v = self.v.max(other.v);
-        self.uu = self.uu.max(other.uu);
-        self.uv = self.uv.max(other.uv);
-        self.vv = self.vv.max(other.vv);
-        self.uuu = self.uuu.max(other.uuu);
-        self.uuv = self.uuv.max(other.uuv);
-        self.uvv = self.uvv.max(other.uvv);
-        self.vvv = self.vvv.max(other.vvv);
-    }
 }
 
 /// Bounds over a Bezier patch, the value counted from its middle: derivatives lie in the hull of the
 /// differences of the control points.
 pub(crate) fn of_patch(patch: &Patch) -> Bend {
     let center = patch.point(0.5, 0.5);
-    let (mut top, mut weight) = (Bend::default(), Bend::default());
+    let (mut net, mut weights) = ([[Vec3::zeros(); 4]; 4], [[0.0; 4]; 4]);
     let mut least = f64::INFINITY;
-    // Differences of order (k, l) along u and v.
-    let difference = |i: usize, j: usize, k: usize, l: usize| {
-        const ROWS: [[f64; 4]; 4] = [
-            [1.0, 0.0, 0.0, 0.0],
-            [-1.0, 1.0, 0.0, 0.0],
-            [1.0, -2.0, 1.0, 0.0],
-            [-1.0, 3.0, -3.0, 1.0],
-        ];
-        let (mut p, mut w) = (Vec3::zeros(), 0.0);
-        for (b, cb) in ROWS[l].iter().enumerate().take(l + 1) {
-            for (a, ca) in ROWS[k].iter().enumerate().take(k + 1) {
-                let h = patch.net[j + b][i + a];
-                p += (h.xyz() - center * h.w) * (ca * cb);
-                w += h.w * ca * cb;
-            }
-        }
-        (p.norm(), w.abs())
-    };
-    for j in 0..4 {
-        for i in 0..4 {
-            least = least.min(patch.net[j][i].w);
-            let of = |k: usize, l: usize, factor: f64| {
-                if i + k > 3 || j + l > 3 {
-                    return (0.0, 0.0);
-                }
-                let (p, w) = difference(i, j, k, l);
-                (p * factor, w * factor)
-            };
-            let all = [
-                of(0, 0, 1.0),
-                of(1, 0, 3.0),
-                of(0, 1, 3.0),
-                of(2, 0, 6.0),
-                of(1, 1, 9.0),
-                of(0, 2, 6.0),
-                of(3, 0, 6.0),
-                of(2, 1, 18.0),
-                of(1, 2, 18.0),
-                of(0, 3, 6.0),
-            ];
-            let bend = |pick: &dyn Fn(&(f64, f64)) -> f64| {
-                let [value, u, v, uu, uv, vv, uuu, uuv, uvv, vvv] =
-                    [0, 1, 2, 3, 4, 5, 6, 7, 8, 9].map(|k| pick(&all[k]));
-                Bend { value, u, v, uu, uv, vv, uuu, uuv, uvv, vvv }
-            };
-            top.raise(&bend(&|x| x.0));
-            weight.raise(&bend(&|x| x.1));
+    for (j, row) in patch.net.iter().enumerate() {
+        for (i, h) in row.iter().enumerate() {
+            (net[j][i], weights[j][i]) = (h.xyz() - center * h.w, h.w);
+            least = least.min(h.w);
         }
     }
-    if !patch.rational {
-        weight = Bend::default();
-    }
+    let top = greatest(net, |p| p.norm_squared());
+    let weight = if patch.rational { greatest(weights, |w| w * w) } else { Bend::default() };
     top.over(&weight, least)
+}
+
+/// The greatest derivatives by the differences of a net, `square` being the square of the norm.
+fn greatest<T: Copy + core::ops::Sub<Output = T>>(
+    net: [[T; 4]; 4],
+    square: impl Fn(&T) -> f64,
+) -> Bend {
+    // Of what is in so many columns and rows of a net.
+    let most = |net: &[[T; 4]; 4], [columns, rows]: [usize; 2], factor: f64| {
+        let all = net[..rows].iter().flat_map(|row| &row[..columns]);
+        factor * all.map(&square).fold(0.0, f64::max).sqrt()
+    };
+    let by_u = |mut net: [[T; 4]; 4]| {
+        for row in &mut net {
+            (row[0], row[1], row[2]) = (row[1] - row[0], row[2] - row[1], row[3] - row[2]);
+        }
+        net
+    };
+    let by_v = |mut net: [[T; 4]; 4]| {
+        for j in 0..3 {
+            let next = net[j + 1];
+            net[j].iter_mut().zip(next).for_each(|(x, y)| *x = y - *x);
+        }
+        net
+    };
+    let (u, v) = (by_u(net), by_v(net));
+    let (uu, uv, vv) = (by_u(u), by_v(u), by_v(v));
+    let (uuu, uuv, uvv, vvv) = (by_u(uu), by_v(uu), by_v(uv), by_v(vv));
+    Bend {
+        value: most(&net, [4, 4], 1.0),
+        u: most(&u, [3, 4], 3.0),
+        v: most(&v, [4, 3], 3.0),
+        uu: most(&uu, [2, 4], 6.0),
+        uv: most(&uv, [3, 3], 9.0),
+        vv: most(&vv, [4, 2], 6.0),
+        uuu: most(&uuu, [1, 4], 6.0),
+        uuv: most(&uuv, [2, 3], 18.0),
+        uvv: most(&uvv, [3, 2], 18.0),
+        vvv: most(&vvv, [4, 1], 6.0),
+    }
 }
 
 #[cfg(test)]

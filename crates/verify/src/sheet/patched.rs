@@ -12,6 +12,7 @@ use aptc_geometry::sculpt::Derivatives;
 use super::bend::Bend;
 use super::bow::Frame;
 use super::polyconic::Sections;
+use super::powers::Powers;
 use super::ruled::Rulings;
 use super::sculpted::{Own, Sculpted};
 use super::{Jet, Kept, Patch, Spot, Tile, fall};
@@ -93,6 +94,8 @@ struct Chart {
     none: bool,
     /// Of a sculptured surface the patch of the cell.
     own: Own,
+    /// The same by powers, where its derivatives nowhere vanish.
+    powers: Option<Box<Powers>>,
 }
 
 impl Chart {
@@ -103,6 +106,22 @@ impl Chart {
             (self.within[k][0] - from).max(to - self.within[k][1]).max(0.0)
         });
         [self.beyond[0] * v, 0.0, self.beyond[1] * u]
+    }
+
+    /// Point and derivatives, straight on beyond the cell, from those in the cell.
+    #[inline(always)]
+    fn beyond_cell(&self, at: [f64; 2], cell: impl Fn([f64; 2]) -> Derivatives) -> Derivatives {
+        let inside = two([0, 1], |k| at[k].clamp(self.within[k][0], self.within[k][1]));
+        let mut d = cell(inside);
+        let (a, b) = (at[0] - inside[0], at[1] - inside[1]);
+        if a != 0.0 || b != 0.0 {
+            d.point += d.u * a + d.v * b + d.uv * (a * b);
+            (d.u, d.v) = (d.u + d.uv * b, d.v + d.uv * a);
+            // Straight there; along the border it bends as the border does, and by what [`Chart::more`] has beside.
+            let none = Vec3::zeros();
+            (d.uu, d.vv) = (if a != 0.0 { none } else { d.uu }, if b != 0.0 { none } else { d.vv });
+        }
+        d
     }
 }
 
@@ -209,6 +228,7 @@ impl Patched {
                 Kind::Sculpted(s) => s.own(cell),
                 Kind::Ruled(_) | Kind::Polyconic(_) => Own::default(),
             },
+            powers: None,
         };
         if over.iter().all(|o| *o <= 0.0) {
             chart.points = two([0, 1], |k| two([0, 1], |end| self.is_point(&chart, k, end)));
@@ -224,6 +244,12 @@ impl Patched {
             let most = d.u.norm_squared().max(d.v.norm_squared());
             d.u.cross(&d.v).norm() <= NARROW * most
         });
+        if let Kind::Sculpted(s) = &self.kind
+            && !chart.bare
+        {
+            let middle = two(within, |[from, to]| 0.5 * (from + to));
+            chart.powers = s.powers(&chart.own, middle).map(Box::new);
+        }
         chart
     }
 
@@ -404,8 +430,10 @@ impl Patched {
     /// A place with its second derivatives.
     pub(crate) fn look(&self, spot: &Spot) -> (Jet, [Vec3; 3]) {
         let chart = &self.charts[spot.chart];
-        let d = self.at(chart, spot.at);
-        let bend = [d.uu, d.uv, d.vv];
+        let d = match &chart.powers {
+            Some(powers) => chart.beyond_cell(spot.at, |at| powers.at(at)),
+            None => self.at(chart, spot.at),
+        };
         let n = d.u.cross(&d.v);
         let square = n.norm_squared();
         let flat = square <= 1e-18 * d.u.norm_squared() * d.v.norm_squared();
@@ -416,33 +444,22 @@ impl Patched {
                 spot.at[k] + (middle - spot.at[k]) * 1e-5
             });
             let d = self.at(chart, at);
-            d.u.cross(&d.v)
+            crate::solid::unit_or(d.u.cross(&d.v), Vec3::z())
         } else {
-            n
+            n * (1.0 / square.sqrt())
         };
-        let n = crate::solid::unit_or(n, Vec3::z());
-        (Jet { p: d.point, d: [d.u, d.v], n }, bend)
+        (Jet { p: d.point, d: [d.u, d.v], n }, [d.uu, d.uv, d.vv])
     }
 
     /// Point and derivatives, straight on beyond the cell.
     #[inline]
     fn at(&self, chart: &Chart, at: [f64; 2]) -> Derivatives {
-        let inside = two([0, 1], |k| at[k].clamp(chart.within[k][0], chart.within[k][1]));
         let [i, j] = chart.cell;
-        let mut d = match &self.kind {
+        chart.beyond_cell(at, |inside| match &self.kind {
             Kind::Sculpted(s) => s.on(&chart.own, inside),
             Kind::Ruled(s) => s.at(i, j, inside[0], inside[1]),
             Kind::Polyconic(s) => s.at(i, j, inside[0], inside[1]),
-        };
-        let (a, b) = (at[0] - inside[0], at[1] - inside[1]);
-        if a != 0.0 || b != 0.0 {
-            d.point += d.u * a + d.v * b + d.uv * (a * b);
-            (d.u, d.v) = (d.u + d.uv * b, d.v + d.uv * a);
-            // Straight there; along the border it bends as the border does, and by what [`Chart::more`] has beside.
-            let none = Vec3::zeros();
-            (d.uu, d.vv) = (if a != 0.0 { none } else { d.uu }, if b != 0.0 { none } else { d.vv });
-        }
-        d
+        })
     }
 
     fn bend(&self, [i, j]: [usize; 2]) -> Bend {
@@ -523,6 +540,12 @@ impl Patched {
 
     /// The same place in the chart next to it when the parameters left theirs; at a border the border.
     pub(crate) fn settle(&self, spot: Spot) -> Spot {
+        let chart = &self.charts[spot.chart];
+        let [u, v] = &chart.range;
+        let within = |x: f64, range: &[f64; 2]| x >= range[0] && x <= range[1];
+        if within(spot.at[0], u) && within(spot.at[1], v) {
+            return spot;
+        }
         let columns = self.columns();
         let rows = self.charts.len() / columns;
         let mut place = [spot.chart % columns, spot.chart / columns];

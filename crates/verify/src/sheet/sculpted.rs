@@ -7,6 +7,7 @@ use aptc_geometry::{Sculptured, Vec3};
 
 use super::bend::{Bend, of_patch};
 use super::patched::{Cells, Grid, Side};
+use super::powers::Powers;
 
 /// Up to so many patches each is cut into four cells by both parameters, or into two: bounds are constant over a cell.
 const FEW: usize = 40;
@@ -168,6 +169,11 @@ impl Sculpted {
     pub(crate) fn on(&self, own: &Own, [u, v]: [f64; 2]) -> Derivatives {
         let Own { patch, from, rate: [a, b] } = own;
         self.patches[*patch].at((u - from[0]) * a, (v - from[1]) * b).rated(*a, *b)
+    }
+
+    /// A cell with that patch by powers from its middle, where it has them.
+    pub(super) fn powers(&self, own: &Own, middle: [f64; 2]) -> Option<Powers> {
+        Powers::new(&self.patches[own.patch], own.from, own.rate, middle)
     }
 
     /// The patch of a cell with where it begins and how fast its parameters run.
