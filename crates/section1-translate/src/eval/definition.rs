@@ -141,6 +141,8 @@ impl Interpreter<'_> {
                 self.product_in_order(head, span, args, &form, &context);
                 self.inner_slope(head, args);
                 self.patch_side(head, args);
+                self.idle_smoothing(head, args);
+                self.used_by_none(head, span);
                 self.ruled_ends(head, args);
                 self.fits(&form, span)?;
                 self.area(&form, args, span)?;

@@ -12,6 +12,7 @@ mod geometric;
 mod names;
 mod ruled_ends;
 mod sculptured;
+mod smoothing;
 mod subscript;
 mod unfit;
 
