@@ -16,6 +16,8 @@ pub struct CutVectors {
     pub points: Vec<CutPoint>,
     /// Are the points to be printed as definitions, and as what (INTSEC with CANON)?
     pub canon: bool,
+    /// Was the section refused, or its recording? That was told, and who asks for it is not told again.
+    pub refused: bool,
 }
 
 /// A position of the tool.

@@ -32,6 +32,7 @@ mod memory;
 mod options;
 mod program;
 mod report;
+mod sentence;
 mod statement;
 mod usage;
 mod words;

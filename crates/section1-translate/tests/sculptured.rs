@@ -150,11 +150,11 @@ fn meshes_of_every_spacing() {
         ("RULED", MeshSpacing::Ruled),
     ] {
         let s = surface(&format!(
-            "S=SSURF/SMESH,{word},SPLINE,P1,P2,P3,SPLINE,WEIGHT,2,(0,0,5),TANSPL,V1,(1,1,5),(3,1,5)"
+            "S=SSURF/SMESH,{word},SPLINE,P1,P2,P3,SPLINE,WEIGHT,.2,(0,0,5),TANSPL,V1,(1,1,5),(3,1,5)"
         ));
         let SurfaceShape::Mesh { spacing: found, splines, .. } = s.shape else { panic!("a mesh") };
         assert_eq!((found, splines.len()), (spacing, 2));
-        assert_eq!(splines[1].smoothing.weight, Some(2.0));
+        assert_eq!(splines[1].smoothing.weight, Some(0.2));
         assert_eq!(splines[1].knots[0].tangent, Some(Vec3::new(1.0, 1.0, 0.0)));
     }
 }
@@ -162,11 +162,11 @@ fn meshes_of_every_spacing() {
 #[test]
 fn a_weight_before_the_first_spline_is_for_all() {
     let s = surface(
-        "S=SSURF/GMESH,XYZ,WEIGHT,3,SPLINE,P1,P2,SPLINE,LIMIT,.1,P3,P4,SPLINE,WEIGHT,1,P4,P1",
+        "S=SSURF/GMESH,XYZ,WEIGHT,.3,SPLINE,P1,P2,SPLINE,LIMIT,.1,P3,P4,SPLINE,WEIGHT,1,P4,P1",
     );
     let SurfaceShape::Mesh { splines, .. } = s.shape else { panic!("a mesh") };
     let weights: Vec<_> = splines.iter().map(|s| s.smoothing.weight).collect();
-    assert_eq!(weights, [Some(3.0), Some(3.0), Some(1.0)]);
+    assert_eq!(weights, [Some(0.3), Some(0.3), Some(1.0)]);
     assert_eq!(splines[1].smoothing.limit, Some(0.1));
     assert_eq!(mistake("S=SSURF/SMESH,XYZ,P1,P2"), (1200, 7));
 }
@@ -237,10 +237,11 @@ fn a_surface_by_canonical_numbers_gives_them_back() {
 
 #[test]
 fn bounds_and_objects_name_sides() {
-    let form = defined(
+    let form = defined_with(
         "PL=PLANE/0,0,1,5\nK=CYLNDR/0,0,0,0,0,1,3\nB1=BOUNDS/PL,NEGZ,K,IN\nB2=BOUNDS/PL,P1,B1,2,K\n\
          O=OBJECT/B1,B2",
         "O",
+        &[1305, 1305],
     );
     let Form::Solid(object) = form else { panic!("an object") };
     assert!(object.object);

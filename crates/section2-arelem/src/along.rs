@@ -242,6 +242,10 @@ impl Arelem {
         path: Path,
         out: &mut Vec<cl::Record>,
     ) -> Outcome {
+        if let Some((surface, far)) = self.wholly_beyond(kind, &path).filter(|_| self.settings.cut)
+        {
+            self.diagnostics.push(warning::wholly_beyond(origin, &surface, far));
+        }
         let start = self.tool.map(|t| t.te);
         if let (Some(end), Some(tool)) = (path.points.last(), &mut self.tool) {
             (tool.te, tool.ta, tool.stood) = (end.te, end.ta, None);

@@ -7,6 +7,7 @@
 mod along;
 mod arelem;
 mod axis;
+mod beyond;
 mod build;
 mod diagram;
 mod failure;

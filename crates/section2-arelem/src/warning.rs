@@ -160,6 +160,18 @@ pub(crate) fn contact_not_chosen(origin: &Origin) -> Diagnostic {
         .help("leave them out, or write CUTTER/OPTION with the surface, the radius and the height of a disk that is to touch")
 }
 
+/// A motion that keeps to what goes straight on beyond a sculptured surface, and nowhere to the surface itself.
+pub(crate) fn wholly_beyond(origin: &Origin, surface: &SurfaceRef, far: f64) -> Diagnostic {
+    let text = format!(
+        "all of this lies beyond the border of {}, by {} at least, along what goes straight on there: the cutter is clear of the surface itself",
+        called(surface),
+        number(far)
+    );
+    Diagnostic::note_at(codes::WHOLLY_BEYOND, origin.span, text)
+        .within(origin.trace.clone())
+        .help("lead the tool over the surface, where that is to be cut")
+}
+
 /// A pocket whose passes do not reach everything in it.
 pub(crate) fn material_left(origin: &Origin, left: f64) -> Diagnostic {
     let text = format!(

@@ -80,44 +80,95 @@ impl Regional {
     /// CLDAT/START,n,.. and CLDAT/NOMORE,n: the cut vectors of the motions between them, with their contacts as
     /// asked for. These motions are recorded only: they are taken out of `out`, as SSV3 puts none of them out.
     ///
+    /// One mistake is told once: what is refused leaves the open section as it is, and NOMORE, REGION and Section 1 ask for the
+    /// refused one in silence. A NOMORE of another number ends the open section, which nothing else could.
+    ///
     /// APT: `CLDAT`.
     pub(crate) fn cldat(&mut self, args: &[Arg], out: &mut Vec<cl::Record>) -> Result<(), Failure> {
         let mut w = Words(args);
-        if w.take("START") {
-            let number = w.number().unwrap_or(0.0);
-            if let Some(open) = &self.recording {
-                let need = format!("given after CLDAT/NOMORE,{}", open.number).into();
-                return Err(Failure::Value {
-                    what: "the number of CLDAT/START",
-                    value: number,
-                    need,
-                });
+        let begins = w.take("START");
+        if !begins {
+            w.take("NOMORE");
+        }
+        let number = w.number().unwrap_or(0.0);
+        if !begins {
+            return self.end_recording(number, out);
+        }
+        if let Some(open) = &self.recording {
+            let need = format!("given after CLDAT/NOMORE,{}", open.number).into();
+            if !same(open.number, number) {
+                self.refuse_section(number);
             }
-            let mut kept = Vec::new();
-            while let Some(word) = w.word() {
-                kept.push(word.into());
-            }
-            let (points, outline) = (Vec::new(), Outline::new(number));
-            let (from, guided) = (out.len(), Vec::new());
-            self.recording = Some(Recording { number, from, kept, points, outline, guided });
+            return Err(Failure::Value { what: "the number of CLDAT/START", value: number, need });
+        }
+        let mut kept = Vec::new();
+        while let Some(word) = w.word() {
+            kept.push(word.into());
+        }
+        self.refused.retain(|n| !same(*n, number));
+        let (points, outline) = (Vec::new(), Outline::new(number));
+        let (from, guided) = (out.len(), Vec::new());
+        self.recording = Some(Recording { number, from, kept, points, outline, guided });
+        Ok(())
+    }
+
+    /// CLDAT/NOMORE,n.
+    fn end_recording(&mut self, number: f64, out: &mut Vec<cl::Record>) -> Result<(), Failure> {
+        let is_open = self.recording.as_ref().is_some_and(|open| same(open.number, number));
+        if !is_open && self.is_refused(number) {
             return Ok(());
         }
-        w.take("NOMORE");
-        let number = w.number().unwrap_or(0.0);
-        let Some(mut open) = self.recording.take().filter(|o| same(o.number, number)) else {
+        let Some(open) = self.recording.take() else {
+            self.refuse_section(number);
             return Err(Failure::Value {
                 what: "the number of CLDAT/NOMORE",
                 value: number,
-                need: "that of the CLDAT/START before it".into(),
+                need: format!("given after CLDAT/START,{number}").into(),
             });
         };
+        let begun = open.number;
+        let kept = self.keep_section(open, out);
+        if kept.is_err() {
+            self.refuse_section(begun);
+        }
+        if !is_open {
+            self.refuse_section(number);
+            return Err(Failure::Value {
+                what: "the number of CLDAT/NOMORE",
+                value: number,
+                need: format!("{begun}, that of the CLDAT/START before it").into(),
+            });
+        }
+        kept
+    }
+
+    /// Keeps the cut vectors of a section that has ended, and its outline.
+    fn keep_section(
+        &mut self,
+        mut open: Recording,
+        out: &mut Vec<cl::Record>,
+    ) -> Result<(), Failure> {
         self.gather(&mut open, out)?;
-        let Recording { kept, points, outline, .. } = open;
+        let Recording { number, kept, points, outline, .. } = open;
         if kept.iter().any(|k| matches!(&**k, "UVPPS" | "UVPDS")) {
             self.keep_outline(outline)?;
         }
-        self.saved.push(CutVectors { section: Some(number), kept, points, canon: false });
+        let section = Some(number);
+        self.saved.push(CutVectors { section, kept, points, ..CutVectors::default() });
         Ok(())
+    }
+
+    /// Remembers that a section is refused, which is told where this is asked for, and tells Section 1. One of that number
+    /// that was recorded before stays.
+    fn refuse_section(&mut self, number: f64) {
+        self.refused.push(number);
+        let section = Some(number);
+        self.saved.push(CutVectors { section, refused: true, ..CutVectors::default() });
+    }
+
+    /// Was that section refused?
+    pub(crate) fn is_refused(&self, number: f64) -> bool {
+        self.refused.iter().any(|n| same(*n, number))
     }
 
     /// Are motions being recorded (CLDAT/START), which may be taken out of the output again?
@@ -153,7 +204,7 @@ impl Regional {
             self.recording = Some(open);
         }
         let points = curves.into_iter().flat_map(|c| c.0).collect();
-        self.saved.push(CutVectors { section: None, kept: Vec::new(), points, canon });
+        self.saved.push(CutVectors { points, canon, ..CutVectors::default() });
         Ok(())
     }
 

@@ -58,6 +58,9 @@ impl Regional {
             return Ok(());
         };
         let Some(outline) = self.outlines.recorded.iter().find(|o| same(o.number, number)) else {
+            if self.is_refused(number) {
+                return Err(Failure::Told);
+            }
             return Err(Failure::Value {
                 what: "the number of REGION",
                 value: number,

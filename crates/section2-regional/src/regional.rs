@@ -94,6 +94,8 @@ pub struct Regional {
     pub(crate) projecting: Option<Projecting>,
     /// The open section of CLDAT.
     pub(crate) recording: Option<Recording>,
+    /// Numbers of sections that CLDAT refused, which was told.
+    pub(crate) refused: Vec<f64>,
     /// Cut vectors that the program may ask for.
     pub(crate) saved: Vec<CutVectors>,
     /// Lines that PLOTFT has drawn.

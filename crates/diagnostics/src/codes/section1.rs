@@ -94,6 +94,7 @@ codes! {
     PATCH_SIDE = 1225, "MINUS of a patch";
     BEYOND_END = 1226, "a place beyond the end of a sculptured form";
     END_BESIDE = 1227, "an end of a ruled surface off its curve";
+    IDLE_SMOOTHING = 1228, "a WEIGHT or LIMIT that changes nothing";
     NO_STATEMENT = 1300, "a word that begins no statement";
     UNKNOWN_POST_WORD = 1301, "a word that is in no table";
     OTHER_DIALECT = 1302, "a word of another dialect";

@@ -55,4 +55,5 @@ codes! {
     LEFT_BY_OFFSET = 2058, "OFFSET that leaves its drive surface";
     NO_EFFECT = 2059, "a word that has no effect on regional milling";
     BARE_HOLDER = 2060, "HOLDER while nothing is checked";
+    WHOLLY_BEYOND = 2061, "motion wholly beyond the border of a sculptured surface";
 }

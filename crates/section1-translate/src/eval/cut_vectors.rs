@@ -36,6 +36,11 @@ impl Interpreter<'_> {
             }
         }
         let known = &mut self.state.cut_vectors;
+        let same = |c: &CutVectors| c.section == saved.section;
+        // One that was recorded before stays where another of its number is refused.
+        if saved.refused && known.iter().any(same) {
+            return;
+        }
         known.retain(|c| c.section != saved.section);
         known.push(saved);
     }
@@ -242,6 +247,7 @@ impl Interpreter<'_> {
             self.error(Diagnostic::error(codes::NO_VALUE, span, message).help(help));
             return Err(Poisoned);
         };
-        Ok(&self.state.cut_vectors[at])
+        // It was told where it was refused.
+        Some(&self.state.cut_vectors[at]).filter(|c| !c.refused).ok_or(Poisoned)
     }
 }

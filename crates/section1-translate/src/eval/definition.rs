@@ -141,6 +141,8 @@ impl Interpreter<'_> {
                 self.product_in_order(head, span, args, &form, &context);
                 self.inner_slope(head, args);
                 self.patch_side(head, args);
+                self.idle_smoothing(head, args);
+                self.used_by_none(head, span);
                 self.ruled_ends(head, args);
                 self.fits(&form, span)?;
                 self.area(&form, args, span)?;
@@ -301,14 +303,7 @@ impl Interpreter<'_> {
         }
         let first = definition.args.first()?;
         let ExprKind::Name(name) = &first.kind else { return None };
-        let reason = match self.synonyms.word(name)? {
-            word::FETCH => {
-                "it took a form from a library file of 1977 whose records were never published, and SSV3 \
-                 refuses it too; saved surfaces, and those of JSON, IGES, STEP and STL, are read by READ/1,name"
-            }
-            word::HEX => no_geometry(word::HEX)?,
-            _ => return None,
-        };
+        let reason = reason_of(self.synonyms.word(name)?)?;
         let message = format!("this form of {head} is not carried out");
         Some(Diagnostic::error(codes::REFUSED_WORD, first.span, message).note(reason))
     }
@@ -483,6 +478,18 @@ impl From<Arg> for define::Arg {
             ArgKind::Text(text) => define::Value::Text(text),
         };
         Self::new(value, arg.span)
+    }
+}
+
+/// Why no definition that this word begins the arguments of is carried out.
+pub(crate) fn reason_of(word: Word) -> Option<&'static str> {
+    match word {
+        word::FETCH => Some(
+            "it took a form from a library file of 1977 whose records were never published, and SSV3 \
+             refuses it too; saved surfaces, and those of JSON, IGES, STEP and STL, are read by READ/1,name",
+        ),
+        word::HEX => no_geometry(word::HEX),
+        _ => None,
     }
 }
 

@@ -12,6 +12,7 @@ mod geometric;
 mod names;
 mod ruled_ends;
 mod sculptured;
+mod smoothing;
 mod subscript;
 mod unfit;
 
@@ -27,7 +28,7 @@ use crate::memory::{Place, Value};
 pub(crate) use unfit::Unfit;
 
 pub(crate) use argument::{Arg, ArgKind, Names};
-pub(crate) use definition::describe;
+pub(crate) use definition::{describe, reason_of};
 pub(crate) use sculptured::found_on;
 
 /// A value that could not be had; a message was given where the mistake is.

@@ -128,8 +128,10 @@ impl Interpreter<'_> {
     }
 
     /// The form that the statement of the post-processor has whose arguments are read.
-    fn form_of_post(&self) -> Option<&'static str> {
-        self.state.arguments_of.and_then(|word| usage(word).first().copied())
+    fn form_of_post(&self) -> Option<String> {
+        let word = self.state.arguments_of?;
+        let form = usage(word).first().map(|form| form.replace('@', word.text()))?;
+        form.contains('/').then_some(form)
     }
 
     /// The name with a value, or the word, that `text` was perhaps meant to be.

@@ -1,6 +1,6 @@
 //! Words of the vocabulary that begin a statement and are not carried out: one table, with reasons.
 
-use aptc_diagnostics::{Diagnostic, codes};
+use aptc_diagnostics::{Diagnostic, Span, codes};
 use aptc_syntax::tree::Clause;
 use aptc_vocabulary::{Word, word};
 
@@ -71,6 +71,22 @@ pub(crate) fn no_geometry(word: Word) -> Option<&'static str> {
 }
 
 impl Interpreter<'_> {
+    /// Says once that a definition by BOUNDS or OBJECT is of no use: it is read, and no statement takes it.
+    pub(crate) fn used_by_none(&mut self, head: Word, span: Span) {
+        let of_no_use = [word::BOUNDS, word::OBJECT].contains(&head);
+        if !of_no_use || self.state.ignored_said.contains(&head) {
+            return;
+        }
+        self.state.ignored_said.push(head);
+        let message =
+            format!("{head} has no effect: nothing but BOUNDS and OBJECT takes what it defines");
+        self.error(
+            Diagnostic::warning(codes::WITHOUT_EFFECT, span, message)
+                .note("the grammar of APT4 (SSV3) has BOUNDS and OBJECT, and no statement that uses them")
+                .help("name surfaces that the tool must keep clear of in CHKSRF, and take the definition away"),
+        );
+    }
+
     /// Says why a word of the table is not carried out; `None` for other words.
     pub(super) fn refused(&mut self, word: Word, clause: &Clause) -> Option<Known<()>> {
         let (_, fate, reason) = TABLE.iter().find(|(w, ..)| *w == word)?;
@@ -173,5 +189,7 @@ mod tests {
         assert_eq!(told("BEVELS/1\nFINI\n"), [codes::REFUSED_WORD]);
         assert_eq!(told("S=MESH/1,2\nFINI\n"), [codes::REFUSED_WORD]);
         assert_eq!(told("S=PARSRF/1,2\nFINI\n"), [codes::REFUSED_WORD]);
+        let spaces = "B=BOUNDS/(SPHERE/0,0,0,9),IN\nC=BOUNDS/(PLANE/0,0,1,4),POSZ\nO=OBJECT/B,C\n";
+        assert_eq!(told(&format!("{spaces}FINI\n")), [none, none]);
     }
 }

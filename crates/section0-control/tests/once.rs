@@ -1,0 +1,94 @@
+//! One mistake is told once, and what misses the part is told where it is programmed.
+
+#[path = "support/run.rs"]
+mod run;
+
+use aptc_control::Verify;
+
+const HEAD: &str = "PARTNO ONCE\nUNITS/MM
+F=SSURF/SMESH,XYZ,SPLINE,(0,0,0),(20,0,4),(40,0,0),$
+ SPLINE,(0,20,3),(20,20,8),(40,20,3),SPLINE,(0,40,0),(20,40,4),(40,40,0)
+CUTTER/6,3\nINTOL/.01\nOUTTOL/.01\n";
+
+/// Codes and words of all messages.
+fn told(text: &str) -> Vec<(String, String)> {
+    run::run(&format!("{HEAD}{text}\nNOPOST\nFINI\n"), Verify::Full).told
+}
+
+/// That just these codes are told, in order.
+fn codes(text: &str, codes: &[&str]) {
+    let told = told(text);
+    let found: Vec<&str> = told.iter().map(|(code, _)| code.as_str()).collect();
+    assert_eq!(found, codes, "{text}: {told:?}");
+}
+
+/// What asks for both sections of CLDAT.
+const ASKED: &str = "N=NUMF(CLDATA,1)\nM=NUMF(CLDATA,2)\nA=CLDATF(1,UPS,1)\nB=CLDATF(2,UPS,1)
+REGION/1,IN\nREGION/2,IN\nREGION/2,OFF";
+
+#[test]
+fn a_section_of_cldat_that_is_refused_is_told_once() {
+    // An outline round the middle, recorded by INTSEC.
+    let round = "INTSEC/(PLANE/0,0,1,5),WITH,F";
+    let recorded = format!("FROM/0,0,60\nCLDAT/START,1,UVPPS\n{round}\nCLDAT/NOMORE,1");
+    codes(&format!("{recorded}\nN=NUMF(CLDATA,1)\nREGION/1,IN"), &["APT2052"]);
+    // The second section begins within the first, which goes on.
+    let within = format!(
+        "FROM/0,0,60\nCLDAT/START,1,UVPPS\nCLDAT/START,2,UVPPS\n{round}\nCLDAT/NOMORE,2\nCLDAT/NOMORE,1\n{ASKED}"
+    );
+    codes(&within, &["APT2041", "APT2052"]);
+    // The open section ends at a NOMORE of another number.
+    let other = format!("FROM/0,0,60\nCLDAT/START,1,UVPPS\n{round}\nCLDAT/NOMORE,2\n{ASKED}");
+    codes(&other, &["APT2052", "APT2041"]);
+    // Nothing was begun: once more is once, and what never stood in CLDAT is a mistake of its own.
+    let never = format!("{recorded}\nCLDAT/NOMORE,2\nCLDAT/NOMORE,2\n{ASKED}");
+    codes(&never, &["APT2052", "APT2041"]);
+    codes(&format!("{recorded}\nREGION/3,IN"), &["APT2052", "APT2041"]);
+    codes(&format!("{recorded}\nN=NUMF(CLDATA,3)"), &["APT2052", "APT1053"]);
+}
+
+#[test]
+fn a_section_that_is_given_again_counts_again() {
+    let text = "FROM/0,0,60\nCLDAT/NOMORE,2\nCLDAT/START,2,UVPPS
+INTSEC/(PLANE/0,0,1,5),WITH,F\nCLDAT/NOMORE,2\nN=NUMF(CLDATA,2)\nGODLTA/0,0,N\nREGION/2,IN\nCLDAT/NOMORE,2";
+    codes(text, &["APT2041", "APT2052", "APT2041"]);
+}
+
+/// GO onto D, at that place along y, and GOFWD over it.
+fn along(y: f64, from: f64, to: f64) -> String {
+    format!(
+        "D=PLANE/0,1,0,{y}\nFROM/{from},{y},30\nGO/ON,D,TO,F,ON,(PLANE/1,0,0,{from})
+INDIRV/1,0,0\nTLON,GOFWD/D,ON,(PLANE/1,0,0,{to})"
+    )
+}
+
+#[test]
+fn motion_wholly_beyond_a_sculptured_surface_is_told() {
+    let all = told(&along(55.0, 2.0, 38.0));
+    let [go, gofwd] = all.as_slice() else { panic!("{all:?}") };
+    for (code, words) in [go, gofwd] {
+        assert_eq!(code, "APT2061");
+        assert!(words.contains("beyond the border of F, by 1"), "{words}");
+    }
+    // No farther than the cutter's radius it reaches over the border, or nearly so.
+    codes(&along(42.0, 2.0, 38.0), &[]);
+    codes(&along(20.0, 2.0, 38.0), &[]);
+    // From beyond to beyond, and over all of the surface: only where GO ends is beyond.
+    codes(&along(20.0, -20.0, 60.0), &["APT2061"]);
+    // Off it, and onto it.
+    codes(&along(20.0, 20.0, 60.0), &[]);
+    codes(&along(20.0, -20.0, 20.0), &["APT2061"]);
+    // What is not put out is not told.
+    codes(&format!("DNTCUT\n{}\nCUT", along(55.0, 2.0, 38.0)), &[]);
+}
+
+#[test]
+fn a_flank_along_a_low_wall_is_not_beyond_it() {
+    let wall = "W=SSURF/RULED,(SCURV/SPLINE,(0,0,0),(20,3,0),(40,0,0)),AXIS,(VECTOR/0,0,2)
+PL=PLANE/0,0,1,-6\nFROM/0,-20,20\nINDIRV/0,1,0
+GO/TO,W,TO,PL,ON,(PLANE/1,0,0,5)\nINDIRV/1,0,0\nTLRGT,GOFWD/W,ON,(PLANE/1,0,0,35)";
+    for wall in [wall.to_owned(), format!("THICK/0,.5,0\n{wall}")] {
+        let all = told(&wall);
+        assert!(!all.iter().any(|(code, _)| code == "APT2061"), "{all:?}");
+    }
+}
