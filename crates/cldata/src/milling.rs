@@ -103,8 +103,9 @@ pub struct Scallop {
     pub height: f64,
     /// Where.
     pub extent: Extent,
-    /// Did the tool get out of the way somewhere (AVCTRL)? What stands there then was not to be cut.
-    pub avoided: bool,
+    /// Why more may stand somewhere, if it may: where the tool got out of the way (AVCTRL) that was not to be cut, and
+    /// what is led over another surface touches only where it fits.
+    pub excused: Option<&'static str>,
     /// Positions between which a tool would take what stands at the ends of passes, and beside edges that they roll over, in
     /// the unit of the motion: from each end of a pass, or of a roll, to that of the next, with either axis where these differ.
     /// ZIGZAG goes over one end in two, PICKFD over none, and nothing over edges.

@@ -90,10 +90,11 @@ impl Case<'_> {
             seen[..=i].rotate_right(1);
             return false;
         }
-        let found = self.guard.way_within(self.profile, [at, at], intol, AVOIDING);
-        let Err(gouge) = found else { return true };
-        seen.truncate(SEEN - 1);
-        seen.splice(0..0, gouge.seen.map(|seen| *seen));
+        let Err(gouge) = self.guard.stands(self.profile, at, intol, AVOIDING) else { return true };
+        if let Some(place) = gouge.seen {
+            seen.truncate(SEEN - 1);
+            seen.insert(0, *place);
+        }
         false
     }
 }
@@ -250,9 +251,10 @@ impl Avoid {
 mod tests {
     use super::*;
     use crate::guard::Checked;
+    use crate::plain::Plain;
     use aptc_contact::PatchTree;
     use aptc_geometry::sculpt::{SplinePoint, mesh};
-    use aptc_geometry::{Cutter, Profile};
+    use aptc_geometry::{Cutter, Form, Profile, Sphere, Surface};
     use std::sync::Arc;
 
     /// A flat wall beside the contact: the plane x = 2.5 from z = 2 to z = 12.
@@ -377,5 +379,30 @@ mod tests {
             told += usize::from(!clear && known.seen.borrow().len() == before);
         }
         assert!(told > 5 && known.seen.borrow().len() <= SEEN, "{told}");
+    }
+
+    /// Beside a sphere that is in the tool the part surface, which the tool touches, is not looked at.
+    #[test]
+    fn what_is_told_soonest_is_asked_first() {
+        let profile = Profile::new(&Cutter::mill(4.0, 2.0, 30.0)).unwrap();
+        let ball = Sphere { center: Vec3::new(0.0, 3.0, 5.0), radius: 4.0 };
+        let plain = vec![Plain {
+            name: "BALL".into(),
+            form: Arc::new(Form::Point(ball.center)),
+            surface: Arc::new(Surface::Sphere(ball)),
+            from: None,
+            thick: 0.0,
+        }];
+        let guard = Guard { plain, ..wall() };
+        let p = position(&profile);
+        let case = case(&profile, &guard);
+        assert!(guard.way(&profile, [(p.te, p.ta); 2]).is_err_and(|g| g.surface == "WALL"));
+        assert!(!case.is_clear(p.te, p.ta, 0.0) && case.seen.borrow().is_empty());
+        let told = guard.stands(&profile, (p.te, p.ta), guard.intol, AVOIDING);
+        assert!(told.is_err_and(|g| g.surface == "BALL"));
+        // Without it the wall tells.
+        let bare = wall();
+        let case = Case { guard: &bare, ..case };
+        assert!(!case.is_clear(p.te, p.ta, 0.0) && case.seen.borrow().len() == 1);
     }
 }

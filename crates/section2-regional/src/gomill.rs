@@ -165,7 +165,7 @@ impl Regional {
         }
         let done = region.mill(from, crew);
         let extent = || along_lines(&done.touched, &part.surface);
-        let scallop = done.scallop(stepover.scallop, extent);
+        let scallop = done.scallop(stepover.scallop, extent, false);
         let control = self.milling_control(&part, scallop, false);
         self.diagnostics.extend(reports(origin, &done.notes));
         let left = done.stands.map(|s| left_standing(origin, &name.name, &s));

@@ -225,31 +225,73 @@ impl Guard {
         intol: f64,
         looks: usize,
     ) -> Result<(), Gouge> {
-        for (by, (profile, up)) in self.solids(cutter) {
-            let [a, b] = ends;
-            for s in &self.surfaces {
-                let allowed = intol - self.left_on(s);
-                let tool = Tool { profile: &profile, te: a.0 + a.1 * up, ta: a.1 };
-                let found = if a == b {
-                    s.tree.clear_by(&tool, allowed, looks)
-                } else if (a.1 - b.1).norm() <= 1e-12 {
-                    s.tree.clear(&Swept { tool, by: b.0 - a.0 }, allowed)
-                } else {
-                    s.tree.clear_turning((&profile, up), ends, allowed)
-                };
-                // What cannot be proved clear is not taken for clear.
-                if let Clear::No(place) | Clear::Unknown(place) = found {
-                    return Err(self.told(s, place, by));
-                }
+        for solid in self.solids(cutter) {
+            self.of_sculptured(solid, ends, intol, looks)?;
+            self.of_plain(cutter, solid, ends, intol)?;
+        }
+        Ok(())
+    }
+
+    /// Is a tool clear where it stands? As above, what is answered soonest first: the part surface, which it touches, takes
+    /// most looks.
+    pub(crate) fn stands(
+        &self,
+        cutter: &Profile,
+        at: (Vec3, Vec3),
+        intol: f64,
+        looks: usize,
+    ) -> Result<(), Gouge> {
+        for solid in self.solids(cutter) {
+            self.of_plain(cutter, solid, [at, at], intol)?;
+        }
+        for solid in self.solids(cutter) {
+            self.of_sculptured(solid, [at, at], intol, looks)?;
+        }
+        Ok(())
+    }
+
+    /// One solid beside the sculptured surfaces.
+    fn of_sculptured(
+        &self,
+        (by, (profile, up)): (Solid, (Profile, f64)),
+        ends: [(Vec3, Vec3); 2],
+        intol: f64,
+        looks: usize,
+    ) -> Result<(), Gouge> {
+        let [a, b] = ends;
+        for s in &self.surfaces {
+            let allowed = intol - self.left_on(s);
+            let tool = Tool { profile: &profile, te: a.0 + a.1 * up, ta: a.1 };
+            let found = if a == b {
+                s.tree.clear_by(&tool, allowed, looks)
+            } else if (a.1 - b.1).norm() <= 1e-12 {
+                s.tree.clear(&Swept { tool, by: b.0 - a.0 }, allowed)
+            } else {
+                s.tree.clear_turning((&profile, up), ends, allowed)
+            };
+            // What cannot be proved clear is not taken for clear.
+            if let Clear::No(place) | Clear::Unknown(place) = found {
+                return Err(self.told(s, place, by));
             }
-            for p in &self.plain {
-                if let Some((depth, _)) = p.deep(cutter, (&profile, up), ends, intol) {
-                    let entered = p.entered(cutter, ends[1]).map(Box::new);
-                    let surface = p.name.clone();
-                    let (depth, left) = (depth + p.thick, Left::of(p.thick, None));
-                    let (span, seen, stood) = (None, None, None);
-                    return Err(Gouge { surface, span, depth, left, by, entered, seen, stood });
-                }
+        }
+        Ok(())
+    }
+
+    /// And beside the others.
+    fn of_plain(
+        &self,
+        cutter: &Profile,
+        (by, (profile, up)): (Solid, (Profile, f64)),
+        ends: [(Vec3, Vec3); 2],
+        intol: f64,
+    ) -> Result<(), Gouge> {
+        for p in &self.plain {
+            if let Some((depth, _)) = p.deep(cutter, (&profile, up), ends, intol) {
+                let entered = p.entered(cutter, ends[1]).map(Box::new);
+                let surface = p.name.clone();
+                let (depth, left) = (depth + p.thick, Left::of(p.thick, None));
+                let (span, seen, stood) = (None, None, None);
+                return Err(Gouge { surface, span, depth, left, by, entered, seen, stood });
             }
         }
         Ok(())

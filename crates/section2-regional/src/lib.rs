@@ -46,6 +46,7 @@ mod ridge;
 mod roll;
 mod round;
 mod scon;
+mod seat;
 mod settings;
 mod smil;
 mod solve;

@@ -62,11 +62,20 @@ pub(crate) struct Done {
 
 impl Done {
     /// What is promised of the places between the passes, where a scallop of this height is asked for.
-    pub(crate) fn scallop(&self, height: f64, extent: impl FnOnce() -> Extent) -> Option<Scallop> {
+    ///
+    /// `led`: it is the tool that is led, over another surface.
+    pub(crate) fn scallop(
+        &self,
+        height: f64,
+        extent: impl FnOnce() -> Extent,
+        led: bool,
+    ) -> Option<Scallop> {
         // Beside a single pass nothing lies between.
         let asked = height > 0.0 && self.why.is_none() && self.touched.len() > 1;
-        let (avoided, links) = (self.avoided, links(&self.touched));
-        asked.then(|| Scallop { height, extent: extent(), avoided, links })
+        let why = self.avoided.then_some("the tool got out of the way");
+        let excused = why.or(led.then_some("the tool end is led over another surface"));
+        let links = links(&self.touched);
+        asked.then(|| Scallop { height, extent: extent(), excused, links })
     }
 }
 

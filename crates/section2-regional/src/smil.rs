@@ -260,14 +260,13 @@ impl Regional {
                 Extent::Unknown("the tool end is led on its part surface, and away from it")
             } else if same {
                 along_lines(&done.touched, &part.surface)
-            } else if region.setup.drive.hold == Hold::At || !part.touches {
-                led(&done.touched, &part.surface)
             } else {
-                // What the cutter does not come to lies between too.
-                Extent::Unknown("the tool end is led over another surface")
+                led(&done.touched, &part.surface)
             }
         };
-        let scallop = done.scallop(stepover.scallop, extent);
+        // What the cutter does not come to lies between too.
+        let over = !same && part.touches && region.setup.drive.hold == Hold::On;
+        let scallop = done.scallop(stepover.scallop, extent, over);
         let crate::region::Done { puts, notes, odd, first, why, stands, .. } = done;
         let (joined, picks) = (skip, pick);
         let away = false;

@@ -190,6 +190,11 @@ impl Setup<'_> {
         let mut ta = axis::at_drive(&self.axis, &p, forward).ok_or(Failure::NoAxis { uv })?;
         let behind = if self.centred { Vec3::zeros() } else { -forward };
         let mut start = memory.map(|m| m.part_uv);
+        if let Some(met) = self.seat(&p, direction, start) {
+            let ta = met.normal;
+            let toward = memory.map_or(behind, |m| m.toward(forward, ta));
+            return self.finish(&p, &met, ta, toward, forward, take);
+        }
         let mut settled = false;
         for _ in 0..ROUNDS {
             let met = self.meet(&p, direction, ta, start)?;
@@ -256,7 +261,7 @@ impl Setup<'_> {
     }
 
     /// The line of projection, and what is moved along it.
-    fn shot(&self, p: &DrivePoint, direction: Vec3, ta: Vec3) -> Shot<'_> {
+    pub(crate) fn shot(&self, p: &DrivePoint, direction: Vec3, ta: Vec3) -> Shot<'_> {
         let probe = if !self.part.touches || self.drive.hold == Hold::At {
             Probe::Ball(self.thick())
         } else {

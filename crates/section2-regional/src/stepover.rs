@@ -2,7 +2,7 @@
 
 use aptc_geometry::{Profile, Segment, Vec3};
 
-use crate::area::{Hold, StepoverArea};
+use crate::area::{AxisArea, Hold, StepoverArea};
 use crate::drive::Course;
 use crate::position::{Position, level};
 use crate::ridge::Pass;
@@ -81,7 +81,12 @@ pub(crate) fn parameter_step(
         let mut speed = across.dot(&side).abs();
         if setup.part.touches && drive.hold == Hold::On {
             // It is the tool that is led: in a hollow its contact moves faster, on a hump more slowly.
-            speed /= (1.0 - k * (radius + thick)).max(LEAST);
+            // An axis at an angle to the normal turns with it, and so does what lies between contact and tool end.
+            let lever = match setup.axis {
+                AxisArea::Angle { part: true, .. } => (p.te - p.contact).dot(&p.normal),
+                _ => radius + thick,
+            };
+            speed /= (1.0 - k * lever).max(LEAST);
         }
         if speed <= 1e-12 * across.norm() || speed == 0.0 {
             continue;

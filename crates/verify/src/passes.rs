@@ -39,10 +39,10 @@ impl<'a> Passes<'a> {
 
     /// What is known at one way.
     pub(crate) fn look(&self, way: usize, piece: &Piece) -> Best {
-        let (distance, _) = self.swath.distance(way, piece.x);
+        let (distance, _) = self.swath.distance(way, piece.x, self.pad);
         let mut best = Best { way, distance, ends: [f64::INFINITY; 2], held: false };
         if distance <= self.pad {
-            let hold = self.swath.hold(way, piece);
+            let hold = self.swath.hold(way, piece, self.pad - piece.slop);
             best.ends = hold.ends.map(|e| e - distance);
             best.held = hold.most + piece.slop <= self.pad;
         }

@@ -109,10 +109,10 @@ impl Cusps {
             pieces.reverse();
             pieces
         });
-        let excused = asked.avoided.then_some("the tool got out of the way");
         let pose = |p: &Position| Pose { te: p.te, ta: p.ta };
         let links = asked.links.iter().map(|[a, b]| [pose(a), pose(b)]).collect();
         let (sheet, first) = (Arc::clone(sheet), AtomicUsize::new(usize::MAX));
+        let excused = asked.excused;
         Self { sheet, side, height: thick + room, room, pieces, outline, excused, links, first }
     }
 
@@ -138,7 +138,7 @@ impl Cusps {
         match self.part(swath, pad, pieces) {
             Left::Higher(height, i) => {
                 let way = swath.whole(i);
-                if self.links.is_empty() || self.excused.is_some() {
+                if self.links.is_empty() {
                     return Left::Higher(height, way);
                 }
                 let linked = linked();

@@ -70,7 +70,7 @@ proptest! {
         let sheet = Arc::new(Sheet::bare(&surface).unwrap());
         let left = |height: f64| {
             let extent = Extent::Box([[0.0, 4.0]; 2]);
-            let asked = Scallop { height, extent, avoided: false, links: Vec::new() };
+            let asked = Scallop { height, extent, excused: None, links: Vec::new() };
             let cusps = Cusps::new(&sheet, 1.0, 0.0, 1e-3, &asked);
             let swath = Swath::new(&profile, false, &ways, 0.3 * cusps.room);
             cusps.judge(&swath, || &swath, 1e-9, 0, 1)

@@ -300,7 +300,7 @@ impl Statement {
                 return;
             }
             Left::Ends(stands, way) => (way, stands - height, false, None),
-            // Where the tool got out of the way what it left was not to be cut.
+            // Where the tool got out of the way, or does not fit, what it left was not to be cut.
             Left::Higher(stands, way) => {
                 let why = region.excused();
                 (way, stands - height, why.is_none(), why)

@@ -2,7 +2,8 @@
 
 use aptc_geometry::{Profile, Vec3};
 
-use crate::between::{angle, between_poses, bulge};
+use crate::between::{NO_TURN, Way, angle, between_poses, bulge};
+use crate::solid::unit_or;
 use crate::sweep::{Slack, Sweep};
 use crate::tool::{Pose, Tool};
 
@@ -10,6 +11,9 @@ use crate::tool::{Pose, Tool};
 const LEAF: usize = 4;
 /// Parts of a way.
 const MOST: f64 = 64.0;
+/// Looks for where a tool that turns is nearest, and by how much another place of the way may be nearer.
+const LOOKS: u32 = 12;
+const EXACT: f64 = 1e-10;
 
 /// The ways of a tool.
 #[derive(Debug)]
@@ -154,24 +158,73 @@ impl Swath {
     }
 
     /// Signed distance of a point from the tool at its nearest on a way, and the share of the way; never less
-    /// than it is.
-    pub(crate) fn distance(&self, i: usize, x: Vec3) -> (f64, f64) {
+    /// than it is. Where the axis turns it is looked for until it is no more than `enough`.
+    pub(crate) fn distance(&self, i: usize, x: Vec3, enough: f64) -> (f64, f64) {
         let [a, b] = self.ways[i];
         let turn = angle(a.ta, b.ta);
         let meeting = Sweep::new(&self.tool(), a, b, turn).meet(x);
-        if turn <= 1e-15 {
+        if turn <= NO_TURN {
             return (meeting.distance, meeting.t);
         }
-        (self.tool().near(&between_poses(&a, &b, meeting.t), x).0, meeting.t)
+        self.turning([a, b], x, meeting.t, enough)
     }
 
-    /// How far the parallelogram of a piece is from a way.
-    pub(crate) fn hold(&self, i: usize, piece: &Piece) -> Hold {
+    /// The same where the axis turns, from a share of the way at which the chord of the point, as seen from the tool, is nearest:
+    /// its arc is off the chord by as much as a scallop may be high, and nearest elsewhere.
+    fn turning(&self, [a, b]: [Pose; 2], x: Vec3, t: f64, enough: f64) -> (f64, f64) {
+        let (way, tool) = (Way::new(a, b), self.tool());
+        let spin = unit_or(a.ta.cross(&b.ta), Vec3::zeros()) * way.turn;
+        let at = |t: f64| {
+            let pose = way.at(t);
+            let (distance, m) = tool.near(&pose, x);
+            let rate = -m.dot(&(b.te - a.te + spin.cross(&(x - pose.te))));
+            (distance, t, rate)
+        };
+        let mut best = at(t);
+        let end = if best.2 > 0.0 { 0.0 } else { 1.0 };
+        let near = |best: (f64, f64, f64)| (best.0, best.1);
+        if best.0 <= enough || best.2.abs() * (t - end).abs() <= EXACT {
+            return near(best);
+        }
+        // Regula falsi; the end that stays twice counts half.
+        let (mut from, mut to) = (best, at(end));
+        for _ in 0..LOOKS {
+            if to.0 < best.0 {
+                best = to;
+            }
+            let room = (to.1 - from.1).abs();
+            let done = best.0 <= enough || to.2.abs().min(from.2.abs()) * room <= EXACT;
+            if done || (from.2 > 0.0) == (to.2 > 0.0) {
+                break;
+            }
+            let now = at(from.1 - from.2 * (to.1 - from.1) / (to.2 - from.2));
+            if (now.2 > 0.0) == (to.2 > 0.0) {
+                from.2 *= 0.5;
+            } else {
+                from = to;
+            }
+            to = now;
+        }
+        near(best)
+    }
+
+    /// How far the parallelogram of a piece is from a way, closely where the first look does not show it to be no farther than
+    /// `enough`.
+    pub(crate) fn hold(&self, i: usize, piece: &Piece, enough: f64) -> Hold {
+        let [a, b] = self.ways[i];
+        let turns = angle(a.ta, b.ta) > NO_TURN;
+        let hold = self.hold_by(i, piece, f64::INFINITY);
+        // All corners in one manner: between what two manners tell of one place the tool would seem to turn.
+        if turns && hold.most > enough { self.hold_by(i, piece, f64::NEG_INFINITY) } else { hold }
+    }
+
+    fn hold_by(&self, i: usize, piece: &Piece, close: f64) -> Hold {
         let [a, b] = self.ways[i];
         let turn = angle(a.ta, b.ta);
         let signs = [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)];
-        let corners =
-            signs.map(|(s, t)| self.distance(i, piece.x + piece.sides[0] * s + piece.sides[1] * t));
+        let corners = signs.map(|(s, t)| {
+            self.distance(i, piece.x + piece.sides[0] * s + piece.sides[1] * t, close)
+        });
         let most = corners.iter().map(|c| c.0).fold(f64::NEG_INFINITY, f64::max);
         let (first, last) = corners
             .iter()
@@ -200,7 +253,7 @@ impl Swath {
             if best.is_some_and(|b| self.bound(i, &point).middle > b.0) {
                 return false;
             }
-            let (d, _) = self.distance(i, x);
+            let (d, _) = self.distance(i, x, f64::NEG_INFINITY);
             if best.is_none_or(|b| d < b.0 || d <= b.0 && i < b.1) {
                 best = Some((d, i));
             }

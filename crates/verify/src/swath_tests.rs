@@ -21,7 +21,7 @@ proptest! {
         let swath = Swath::new(&profile, false, &[[a, b]], f64::INFINITY);
         let sides = sides.map(|s| Vec3::from(s) * share);
         let piece = Piece { x: Vec3::from(x), sides, slop: 0.0 };
-        let (hold, bound) = (swath.hold(0, &piece), swath.bound(0, &piece));
+        let (hold, bound) = (swath.hold(0, &piece, f64::NEG_INFINITY), swath.bound(0, &piece));
         let nearest = |x: Vec3| {
             let at = |k: i32| swath.tool().near(&between_poses(&a, &b, f64::from(k) / 400.0), x).0;
             (0..=400).map(at).fold(f64::INFINITY, f64::min)
@@ -37,4 +37,33 @@ proptest! {
             }
         }
     }
+}
+
+/// A ball that rolls over a crest: the arc on which a place is seen from it is farther from its chord than the place from
+/// where it is nearest, and the chord tells another one.
+#[test]
+fn a_turning_tool_is_as_near_as_it_comes() {
+    let profile = Profile::new(&Cutter::mill(20.0, 10.0, 60.0)).unwrap();
+    let pose = |deg: f64| {
+        let ta = Vec3::new(
+            0.6 * aptc_geometry::trig::sin_deg(deg),
+            0.5,
+            0.6 * aptc_geometry::trig::cos_deg(deg),
+        )
+        .normalize();
+        Pose { te: ta * 20.0, ta }
+    };
+    let [a, b] = [pose(0.0), pose(4.0)];
+    let swath = Swath::new(&profile, false, &[[a, b]], f64::INFINITY);
+    let mut worst: f64 = 0.0;
+    for k in 0..40 {
+        let around = pose(-1.0 + 0.15 * f64::from(k)).ta;
+        let x = around * 20.4 + Vec3::y() * 1.6;
+        let at = |t: f64| swath.tool().near(&between_poses(&a, &b, t), x).0;
+        let least = (0..=4000).map(|k| at(f64::from(k) / 4000.0)).fold(f64::INFINITY, f64::min);
+        let (told, t) = swath.distance(0, x, f64::NEG_INFINITY);
+        assert!((told - least).abs() < 1e-7 && (at(t) - told).abs() < 1e-12, "{k} {told} {least}");
+        worst = worst.max(at(Sweep::new(&swath.tool(), a, b, angle(a.ta, b.ta)).meet(x).t) - least);
+    }
+    assert!(worst > 1e-4, "{worst}");
 }

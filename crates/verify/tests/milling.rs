@@ -39,7 +39,7 @@ fn milling(surface: &Arc<Sculptured>, scallop: Option<f64>) -> Milling {
         outtol: BAND,
         scallop: scallop.map(|height| {
             let extent = Extent::Box([[0.0, 4.0]; 2]);
-            Scallop { height, extent, avoided: false, links: Vec::new() }
+            Scallop { height, extent, excused: None, links: Vec::new() }
         }),
         joined: false,
         over: false,
@@ -314,7 +314,7 @@ fn what_is_left_between_passes_is_bounded() {
     // Where the tool got out of the way that is proved too, and what stands higher is told and not refuted.
     for (step, proved) in [(1.0_f64, true), (2.5, false)] {
         let mut lifted = milling(&flat, Some(0.1));
-        lifted.scallop.as_mut().expect("set").avoided = true;
+        lifted.scallop.as_mut().expect("set").excused = Some("the tool got out of the way");
         let (c, said) = judge(lifted, upright(&passes(step, 0.0)));
         assert_eq!((c.is_proved(), c.refuted, c.undecided), (proved, 0, u64::from(!proved)));
         let ridge = 5.0 - (25.0 - 0.25 * step * step).sqrt();
@@ -356,7 +356,7 @@ fn what_is_left_between_askew_passes_is_bounded_within_their_outline() {
         Extent::Outline(Outline { lines, along: 0 })
     };
     let asked = |height: f64, extent: Extent| Milling {
-        scallop: Some(Scallop { height, extent, avoided: false, links: Vec::new() }),
+        scallop: Some(Scallop { height, extent, excused: None, links: Vec::new() }),
         ..milling(&flat, None)
     };
     for (step, n) in [(2.0_f64, 4), (4.0, 2)] {
