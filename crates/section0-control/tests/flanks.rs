@@ -26,23 +26,39 @@ FINI
     run::run(&text, Verify::Full)
 }
 
+/// A wall whose top is moved sideways by as much as this.
+fn wall(high: i32, over: f64) -> String {
+    let points = [(0.0, 0.0), (25.0, 9.0), (60.0, 12.0), (100.0, 3.0)];
+    let line = |by: f64, z: i32| {
+        let points = points.map(|(x, y)| format!("(POINT/{x},{:.3},{z})", y + by));
+        points.join(",$\n")
+    };
+    format!(
+        "FOOT=SCURV/SPLINE,{}\nTOP=SCURV/SPLINE,{}\nWALL=SSURF/RULED,FOOT,TOP",
+        line(0.0, 0),
+        line(over, high)
+    )
+}
+
 /// A cutter without a height is five inches tall, as many as ten heights of a low wall.
 #[test]
 fn a_flank_is_taller_than_many_heights_of_the_wall() {
     for high in [30, 12, 8] {
-        let wall = format!(
-            "FOOT=SCURV/SPLINE,(POINT/0,0,0),(POINT/25,9,0),(POINT/60,12,0),$
-(POINT/100,3,0)
-TOP=SCURV/SPLINE,(POINT/0,0.5,{high}),(POINT/25,9.8,{high}),$
-(POINT/60,13,{high}),(POINT/100,3.5,{high})
-WALL=SSURF/RULED,FOOT,TOP"
-        );
         for more in ["", "MULTAX\nTLAXIS/0,0,1\nTLAXIS/PARLEL,2"] {
-            let ran = along(&wall, "10,1", more);
+            let ran = along(&wall(high, -0.5), "10,1", more);
             assert!(ran.codes().is_empty(), "{high} {more} {:?}", ran.told);
             let [x, ..] = *ran.places.last().expect("the tool goes");
             assert!((x - 80.0).abs() < 1e-6, "{high} {more} {x}");
         }
+    }
+}
+
+/// Where the wall leans over the tool, what goes on above it keeps an upright flank off: that is told, for the part is missed.
+#[test]
+fn an_upright_flank_that_meets_only_what_goes_on_above_the_wall_is_told() {
+    for high in [30, 12] {
+        let ran = along(&wall(high, 0.8), "10,1", "");
+        assert_eq!(ran.codes(), ["APT2061", "APT2061"], "{high} {:?}", ran.told);
     }
 }
 
