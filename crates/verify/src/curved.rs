@@ -321,6 +321,9 @@ impl Curved<'_> {
             if then == 0.0 { self.lies_about(tool, &start, near) } else { then }
         });
         let sign = sign * side;
+        if sign >= 0.0 && least > 0.0 && thin <= 0.0 {
+            return self.farther(inner, sign, least, low, pad);
+        }
         if sign > 0.0 || self.nearest(inner, 2.0 * near).0 <= near {
             Half::Holds(low)
         } else if sign < 0.0 {

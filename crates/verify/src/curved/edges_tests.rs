@@ -8,8 +8,8 @@ use aptc_geometry::sculptured::{
     SurfaceShape,
 };
 use aptc_geometry::{
-    Cutter, Fit, Form, Knot as CurveKnot, Profile, Rail, RuledSurface, Second, Tabcyl, TabcylSpan,
-    Vec2, Vec3, trig,
+    Cutter, Fit, Form, Knot as CurveKnot, Profile, Quadric, QuadricKind, Rail, RuledSurface,
+    Second, Tabcyl, TabcylSpan, Vec2, Vec3, trig,
 };
 use proptest::prelude::*;
 
@@ -270,5 +270,24 @@ fn a_ball_over_many_facets_is_proved() {
         assert!(matches!(verdict, Verdict::Proved { .. }), "{cells} {gap} {verdict:?}");
         let verdict = judge(&form, &profile, [&a, &b], gap + 1e-3);
         assert!(matches!(verdict, Verdict::Refuted { .. }), "{cells} {gap} {verdict:?}");
+    }
+}
+
+/// A tool smaller than what is to be left on the surface, which stands between both: nothing of it is where the surface is moved to.
+#[test]
+fn a_tool_in_what_is_to_be_left_is_refuted() {
+    // z = .05 (x^2 - y^2), the tool above.
+    let c = [-0.05, 0.05, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.5];
+    let saddle = Arc::new(Form::Quadric(Quadric { kind: QuadricKind::Gconic, c }));
+    let forms = [folded(0.2, false), folded(-0.2, false), folded(0.2, true), valley(0.3)];
+    for form in forms.into_iter().map(Arc::new).chain([saddle]) {
+        for cutter in [cutters()[2], cutters()[3]] {
+            let profile = Profile::new(&Cutter { height: 0.5, ..cutter }).unwrap();
+            let at = |x: f64, z: f64| Position::upright(Vec3::new(x, 0.3, z));
+            let near = judge_with(&form, &profile, [&at(0.0, 1.0), &at(0.4, 1.0)], [3.0, 0.1]);
+            assert!(matches!(near, Verdict::Refuted { .. }), "{form:?} {near:?}");
+            let far = judge_with(&form, &profile, [&at(0.0, 3.5), &at(0.4, 3.5)], [3.0, 0.1]);
+            assert!(matches!(far, Verdict::Proved { .. }), "{form:?} {far:?}");
+        }
     }
 }

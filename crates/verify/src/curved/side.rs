@@ -3,7 +3,7 @@
 use aptc_geometry::surface::frame_about;
 use aptc_geometry::{Vec3, trig};
 
-use super::Curved;
+use super::{Curved, Half};
 use crate::search::{Aim, Moved, clearance};
 use crate::sheet::{Jet, Spot, bare};
 use crate::sweep::Sweep;
@@ -24,6 +24,19 @@ impl Curved<'_> {
             enough *= 8.0;
         }
         (enough, None)
+    }
+
+    /// Of a tool that holds no place at the gap `least` from the surface, and has the point `inner` on a side: it lies between both, nearer
+    /// all over, or farther all over as that point is.
+    pub(super) fn farther(&self, inner: Vec3, sign: f64, least: f64, low: f64, pad: f64) -> Half {
+        let still = Sweep::still(&Tool::End, Pose { te: inner, ta: Vec3::z() });
+        let (whole, enough) = (Moved::whole(self.sheet, 1.0, 0.0), least - pad);
+        let found = clearance(&still, &whole, enough, Aim::Any);
+        match found.nearest {
+            Some((gap, ..)) if gap < enough && sign > 0.0 => Half::Broken(0.0, gap),
+            _ if found.least >= enough && sign > 0.0 => Half::Holds(low),
+            _ => Half::Open(0.0, f64::INFINITY),
+        }
     }
 
     /// On which side of the surface a point lies that is farther than `near`; 0 beside a border.
