@@ -163,13 +163,13 @@ pub(crate) fn contact_not_chosen(origin: &Origin) -> Diagnostic {
 /// A motion that keeps to what goes straight on beyond a sculptured surface, and nowhere to the surface itself.
 pub(crate) fn wholly_beyond(origin: &Origin, surface: &SurfaceRef, far: f64) -> Diagnostic {
     let text = format!(
-        "all of this lies beyond the border of {}, by {} at least, along what goes straight on there: the cutter is clear of the surface itself",
+        "all that the cutter touches here lies beyond the border of {}, by {} at least, on what goes straight on there: it is clear of the surface itself",
         called(surface),
         number(far)
     );
     Diagnostic::note_at(codes::WHOLLY_BEYOND, origin.span, text)
         .within(origin.trace.clone())
-        .help("lead the tool over the surface, where that is to be cut")
+        .help("lead the tool over the surface, where that is to be cut; beside a wall that leans over it give the cutter its height")
 }
 
 /// A pocket whose passes do not reach everything in it.

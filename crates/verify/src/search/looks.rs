@@ -194,7 +194,9 @@ impl Looks<'_, '_> {
             Some(shown) if shown.halves_show(known, &tile, moved) => shown,
             _ => match self.by_level(&piece, by_hint, known) {
                 (level, true) => level,
-                (level, false) if moved.is_overlapped(patch, x, piece.strays(moved)) => {
+                (level, false)
+                    if moved.overlaps && moved.is_overlapped(patch, x, piece.strays(moved)) =>
+                {
                     self.keep((patch, &tile), self.enough.max(level.low), Plane::NONE);
                     return Continue(());
                 }
@@ -366,14 +368,10 @@ struct Piece<'t> {
 }
 
 impl Piece<'_> {
-    /// How far from its middle it lies as it is moved; of a TABCYL across the generatrix, along which all is as there.
+    /// How far from its middle a piece of a TABCYL lies as it is moved, across the generatrix, along which all is as there.
     fn strays(&self, moved: &Moved<'_>) -> f64 {
         let Tile { side: [along, _], stray, turn: [u, v], .. } = self.tile;
-        let radius = match moved.sheet.curve() {
-            Some(_) => along.norm() + stray[0],
-            None => self.tile.radius(),
-        };
-        radius + moved.shift.abs() * (u + v)
+        along.norm() + stray[0] + moved.shift.abs() * (u + v)
     }
 
     /// What the direction of a meeting shows.

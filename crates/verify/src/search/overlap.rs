@@ -1,6 +1,6 @@
 //! Where a surface that is moved overlaps itself at edges.
 //!
-//! A tool that has no point at the shift from the surface, and one that is nearer, has none farther: so of the surface that is moved
+//! A tool that has no point at the shift from the surface, and one on the right side of that, has none on the other: so of the surface that is moved
 //! only what lies at the shift from all of it counts. Beside an edge on whose inner side the faces are moved they go through each other,
 //! and what lies behind the other face is nearer to that.
 
@@ -14,11 +14,13 @@ use crate::witness::descend;
 
 /// Shifts from a border of its chart within which a piece is looked at.
 const NEAR: f64 = 4.0;
+/// Share of the numbers by which a distance may be rounded.
+const ROUNDING: f64 = 1e-14;
 
 impl Moved<'_> {
-    /// Is all within `radius` of a place to which a piece is moved nearer to a face beside it than the shift?
+    /// Is all within `radius` of a place to which a piece is moved nearer to a face beside it than the shift, by more than rounding?
     pub(super) fn is_overlapped(&self, patch: &Patch, x: Vec3, radius: f64) -> bool {
-        let shift = self.shift.abs();
+        let shift = self.shift.abs() - ROUNDING * (self.shift.abs() + x.norm());
         if !self.overlaps || radius >= shift {
             return false;
         }
