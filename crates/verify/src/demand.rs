@@ -185,24 +185,59 @@ impl Demand {
         let [from, to] = tool.ends(a, b);
         let told = warm.told.unwrap_or(f64::INFINITY);
         let band = [self.least - pad, self.most + pad];
-        let verdict = self.halving(tool, Way::new(from, to), convex, band, told);
-        let off = self.above(tool, [from, to], convex).filter(|(gap, _)| *gap > band[1]);
-        match (verdict, off) {
-            (Verdict::Proved { .. }, Some((gap, te))) => Verdict::Refuted { gap, te },
-            _ => verdict,
+        let way = Way::new(from, to);
+        match self.halving(tool, &way, convex, band, told) {
+            proved @ Verdict::Proved { .. }
+                if self.within && self.open && self.most.is_finite() =>
+            {
+                self.not_above(tool, &way, convex, band[1]).unwrap_or(proved)
+            }
+            verdict => verdict,
         }
     }
 
-    /// How far outside of a hollow that counts as open a tool stands that is to touch it: above it, beside what runs straight up from
-    /// its outline. Between two ends that are no farther it is not either.
-    fn above(&self, tool: &Tool<'_>, ends: [Pose; 2], convex: Convex<'_>) -> Option<(f64, Vec3)> {
-        let gap = |pose: &Pose| match convex {
-            Convex::Solid(solid) => solid.touch(tool, pose, None).low,
-            Convex::Hollow(hollow) => hollow.touch(tool, pose, None).low,
+    /// What is wrong with a tool that is to touch a hollow that counts as open and stands outside of it, above it, beside what runs
+    /// straight up from its outline.
+    ///
+    /// The gap to what is convex is nowhere greater than at one of both ends of a stretch, but for the turn: the point of the tool that is
+    /// a share t of the way from the nearest one at the first to that at the last leaves the line between these by `2 t (1 - t)` times
+    /// the turn and the reach of the tool at most.
+    fn not_above(
+        &self,
+        tool: &Tool<'_>,
+        way: &Way,
+        convex: Convex<'_>,
+        most: f64,
+    ) -> Option<Verdict> {
+        /// Halvings of a way.
+        const DEPTH: u32 = 16;
+        let look = |t: f64| {
+            let pose = way.at(t);
+            let gap = match convex {
+                Convex::Solid(solid) => solid.touch(tool, &pose, None).low,
+                Convex::Hollow(hollow) => hollow.touch(tool, &pose, None).low,
+            };
+            // Of one deep in it nothing is known.
+            (t, if gap.is_finite() { gap } else { f64::NEG_INFINITY }, pose)
         };
-        let open = self.within && self.open && self.most.is_finite();
-        let ends = ends.map(|pose| (if open { gap(&pose) } else { f64::INFINITY }, pose.te));
-        ends.into_iter().filter(|e| e.0.is_finite()).max_by(|a, b| a.0.total_cmp(&b.0))
+        let mut stack = Pile::<_, 32>::new();
+        stack.push((look(0.0), look(1.0), 0));
+        while let Some((from, to, depth)) = stack.pop() {
+            let (_, gap, Pose { te, .. }) = if to.1 > from.1 { to } else { from };
+            let turn = way.turn_between(&from.2, &to.2, to.0 - from.0);
+            let at_most = gap + 0.5 * turn * tool.reach() - most;
+            match () {
+                () if gap > most => return Some(Verdict::Refuted { gap, te }),
+                () if at_most <= 0.0 => {}
+                () if depth >= DEPTH => return Some(Verdict::Undecided { at_most, te }),
+                () => {
+                    let middle = look(0.5 * (from.0 + to.0));
+                    stack.push((middle, to, depth + 1));
+                    stack.push((from, middle, depth + 1));
+                }
+            }
+        }
+        None
     }
 
     /// Bounds of all vectors from `start` through the points, where the surface is a plane, the axis stands still and they are
@@ -275,7 +310,7 @@ impl Demand {
     fn halving(
         &self,
         tool: &Tool<'_>,
-        way: Way,
+        way: &Way,
         convex: Convex<'_>,
         [least, most]: [f64; 2],
         told: f64,

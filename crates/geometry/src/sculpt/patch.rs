@@ -5,6 +5,7 @@ use core::ops::{Add, Mul, Sub};
 use serde::{Deserialize, Serialize};
 
 use super::arc::{CubicArc, Vec4, carry};
+use super::pair::Pair;
 use crate::surface::Shape;
 use crate::{Transform, Vec3};
 
@@ -309,37 +310,6 @@ impl Patch {
             b = [b[0].inf(&p), b[1].sup(&p)];
         }
         b
-    }
-}
-
-/// Two numbers that are reckoned with side by side, as processors can.
-#[derive(Clone, Copy, Debug)]
-struct Pair(f64, f64);
-
-impl Add for Pair {
-    type Output = Self;
-
-    #[inline(always)]
-    fn add(self, other: Self) -> Self {
-        Self(self.0 + other.0, self.1 + other.1)
-    }
-}
-
-impl Sub for Pair {
-    type Output = Self;
-
-    #[inline(always)]
-    fn sub(self, other: Self) -> Self {
-        Self(self.0 - other.0, self.1 - other.1)
-    }
-}
-
-impl Mul<f64> for Pair {
-    type Output = Self;
-
-    #[inline(always)]
-    fn mul(self, factor: f64) -> Self {
-        Self(self.0 * factor, self.1 * factor)
     }
 }
 

@@ -123,21 +123,19 @@ fn left_by_offset(drive: Controlled, width: f64, gap: f64) -> Controlled {
 /// The position, which is none where the tool stands above all of a hollow, beside what runs straight up from its outline.
 fn arrive(go: &Start, aims: &mut [Aim<'_>], pose: Pose) -> Result<Pose, Failure> {
     let end = arrive_in(go, aims, pose)?;
-    if !aims.iter().any(|a| a.keep.stands_above(&end)) {
+    let above: Vec<&Aim<'_>> = aims.iter().filter(|a| a.keep.stands_above(&end)).collect();
+    if above.is_empty() {
         return Ok(end);
     }
-    let off = |a: &Aim<'_>| {
+    let off = |a: &&Aim<'_>| {
         let outside = a.keep.on_side(Side::Positive).gap(&end, None);
-        (
-            a.wall.surface.clone(),
-            outside.map_or(0.0, |g| if a.keep.stands_above(&end) { g.g } else { 0.0 }),
-        )
+        Some((a.wall.surface.clone(), outside.ok()?.g))
     };
     Err(Failure::NoStart {
         surfaces: aims.iter().map(|a| a.wall.surface.clone()).collect(),
         why: "the tool would stand above all of the hollow that it is to be in",
         place: Some(end.te),
-        left: aims.iter().map(off).collect(),
+        left: above.iter().filter_map(off).collect(),
         others: Vec::new(),
     })
 }

@@ -54,49 +54,40 @@ impl Curved<'_> {
         const CUSP: f64 = 0.999;
         let thin = if tool.is_thin() { self.back(least, pad) } else { 0.0 };
         let faces = |least: f64, thin: f64| Held { least, thin, edges: None };
-        let sharpest = self.sheet.curve().map_or(0.0, Tabcyl::sharpest);
-        if self.sheet.edged().is_none() && sharpest <= 0.0 {
+        let corners = self.sheet.curve().map(Tabcyl::sharpest).filter(|half| *half > 0.0);
+        if self.sheet.edged().is_none() && corners.is_none() {
             return faces(least, thin);
         }
         let away = (end.te - start.te).norm() + turn * tool.reach() - BACK * least + thin;
         let near = Near { start: *start, side, away };
-        let cusped = sharpest > CUSP;
+        let rolled = corners.is_some_and(|half| half <= CUSP);
         if least >= 0.0 {
-            if self.sheet.curve().is_some() && !cusped && thin <= 0.0 {
-                // Moved out, the faces part where they are hollow seen from the other side.
-                return Held { least, thin, edges: Some(Near { side: -side, ..near }) };
-            }
-            return faces(least, thin.max(least));
+            // Moved out, faces part where they are hollow seen from the other side.
+            let beyond = Near { side: -side, ..near };
+            return match rolled && thin <= 0.0 {
+                true => Held { least, thin, edges: Some(beyond) },
+                false => faces(least, thin.max(least)),
+            };
         }
-        // Of a place on the middle of both faces, as deep below the edge as it may be, the distance from faces that are seen from `back`
-        // away.
-        let between = |half: f64| {
-            let (deep, cos) = (-least, (1.0 - half * half).max(0.0).sqrt());
-            let back = (BACK * deep).max(deep + thin);
-            let away = (back * back - 2.0 * back * deep * cos + deep * deep).sqrt();
-            (away - back, away)
-        };
-        if self.sheet.edged().is_none() {
-            if cusped {
-                let (least, away) = between(sharpest);
-                return faces(least, away);
-            }
-            return Held { least, thin, edges: Some(near) };
-        }
-        let (half, known, crack) =
+        let of_edges = || {
             self.hollow(tool, near).fold((0.0_f64, true, 0.0_f64), |(m, known, crack), h| {
                 (m.max(h.half), known && h.rolled.is_some(), crack.max(h.crack))
-            });
+            })
+        };
+        let (half, known, crack) = corners.map_or_else(of_edges, |half| (half, rolled, 0.0));
         if half <= 0.0 {
             return faces(least, thin);
         }
         if known {
             return Held { least, thin, edges: Some(near) };
         }
-        // A place on the middle of both faces is to be no farther from them than the tool stays away. Where they do not meet it is seen
-        // from the edge of the one, and that of the other lies a crack away.
-        let (least, away) = between(half);
-        faces(least + crack, away + crack)
+        // A place on the middle of both faces, as deep below the edge as it may be, is to be no farther from faces that are seen from
+        // `back` away than the tool stays away. Where they do not meet it is seen from the edge of the one, and that of the other lies a
+        // crack away.
+        let (deep, cos) = (-least, (1.0 - half * half).max(0.0).sqrt());
+        let back = (BACK * deep).max(deep + thin);
+        let away = (back * back - 2.0 * back * deep * cos + deep * deep).sqrt();
+        faces(away - back + crack, away + crack)
     }
 
     /// The hollow edges and corners near the tool.

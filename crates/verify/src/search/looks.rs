@@ -194,9 +194,7 @@ impl Looks<'_, '_> {
             Some(shown) if shown.halves_show(known, &tile, moved) => shown,
             _ => match self.by_level(&piece, by_hint, known) {
                 (level, true) => level,
-                (level, false)
-                    if moved.overlaps && moved.is_overlapped(patch, x, piece.strays(moved)) =>
-                {
+                (level, false) if moved.is_overlapped(patch, x, piece.strays(moved)) => {
                     self.keep((patch, &tile), self.enough.max(level.low), Plane::NONE);
                     return Continue(());
                 }

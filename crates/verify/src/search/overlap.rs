@@ -1,8 +1,8 @@
 //! Where a surface that is moved overlaps itself at edges.
 //!
-//! A tool that has no point at the shift from the surface, and one on the right side of that, has none on the other: so of the surface that is moved
-//! only what lies at the shift from all of it counts. Beside an edge on whose inner side the faces are moved they go through each other,
-//! and what lies behind the other face is nearer to that.
+//! A tool that has no point at the shift from the surface, and one on the right side of that, has none on the other: so of the surface
+//! that is moved only what lies at the shift from all of it counts. Beside an edge on whose inner side the faces are moved they go
+//! through each other, and what lies behind the other face is nearer to that.
 
 use aptc_geometry::Vec3;
 

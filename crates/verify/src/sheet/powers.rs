@@ -3,7 +3,7 @@
 use core::ops::{Add, Mul};
 
 use aptc_geometry::Vec3;
-use aptc_geometry::sculpt::{Derivatives, Patch};
+use aptc_geometry::sculpt::{Derivatives, Pair, Patch};
 
 use crate::each::two;
 
@@ -15,28 +15,6 @@ pub(super) struct Powers {
     xy: [[Pair; 4]; 4],
     /// The third of two powers of v side by side.
     z: [[Pair; 4]; 2],
-}
-
-/// Two numbers that are reckoned with side by side, as processors can.
-#[derive(Clone, Copy, Debug)]
-struct Pair(f64, f64);
-
-impl Add for Pair {
-    type Output = Self;
-
-    #[inline(always)]
-    fn add(self, other: Self) -> Self {
-        Self(self.0 + other.0, self.1 + other.1)
-    }
-}
-
-impl Mul<f64> for Pair {
-    type Output = Self;
-
-    #[inline(always)]
-    fn mul(self, factor: f64) -> Self {
-        Self(self.0 * factor, self.1 * factor)
-    }
 }
 
 impl Powers {
