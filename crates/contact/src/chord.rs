@@ -232,7 +232,7 @@ impl Run<'_, '_> {
     fn governed(&self, a: Place, b: Place, resolution: f64) -> Result<[Place; 2], Reason> {
         let angle = self.turn.map_or(0.0, |turn| turn.angle);
         let profile = self.tool.profile;
-        let alike = ANOTHER * profile.widest() + angle * profile.reach();
+        let alike = ANOTHER * profile.half_width(a.gap.segment) + angle * profile.reach();
         let apart = |p: &Place, q: &Place| {
             (p.gap.tool_point - q.gap.tool_point - self.v * (p.t - q.t)).norm() > alike
         };
@@ -255,7 +255,7 @@ impl Run<'_, '_> {
         let [near, far] = if t - a.t <= b.t - t { [a, b] } else { [b, a] };
         let m = self.place(t, Some(near.gap.spot()))?;
         // What goes over a crest touches at the same place of this.
-        let alike = ANOTHER * self.tool.profile.widest();
+        let alike = ANOTHER * self.tool.profile.half_width(a.gap.segment);
         let same = (a.gap.surface_point - b.gap.surface_point).norm() <= alike;
         if same || self.apart(a, b) <= alike || self.closed() {
             return Ok(m);
@@ -279,7 +279,7 @@ impl Run<'_, '_> {
     /// estimate and falls away as pieces are halved.
     fn crest(&self, a: &Place, b: &Place) -> Option<Extreme> {
         let edge = a.slope > 0.0 && b.slope < 0.0;
-        if !edge || self.apart(a, b) <= ANOTHER * self.tool.profile.widest() {
+        if !edge || self.apart(a, b) <= ANOTHER * self.tool.profile.half_width(a.gap.segment) {
             return None;
         }
         let [from, to] = [a.sample(), b.sample()];
@@ -319,7 +319,7 @@ impl Run<'_, '_> {
 
     /// Does the contact go round the cutter as the surface turns, and not from one place to another?
     fn goes_round(&self, a: &Place, b: &Place) -> bool {
-        let widest = self.tool.profile.widest();
+        let widest = self.tool.profile.half_width(a.gap.segment);
         let turned = (a.gap.normal - b.gap.normal).norm();
         turned <= MOST_ROUND && self.apart(a, b) <= (ANOTHER + 2.0 * turned) * widest
     }

@@ -106,9 +106,9 @@ impl<'a> Crests<'a> {
 
     /// Takes a place of a section at which the cutter does not touch yet.
     pub(crate) fn pass(&mut self, l: &Look) {
-        let far = FAR * self.tool.profile.widest();
         let p = l.spot.point;
-        if let Some(known) = self.known.filter(|k| (k.surface_point - p).norm() > far) {
+        let far = |k: &Gap| FAR * self.tool.profile.half_width(k.segment);
+        if let Some(known) = self.known.filter(|k| (k.surface_point - p).norm() > far(k)) {
             let near = self.tool.near(p);
             // Both go by their normals times the way.
             let turned = (near.normal + known.normal).norm();

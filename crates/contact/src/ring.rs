@@ -63,7 +63,8 @@ pub(crate) fn beside(tool: &Tool<'_>, surface: &Surface, side: Side, near: Spot)
     let ring = Ring::of(tool, side, 0.0, true)?;
     let Reading { end, .. } = ring.read(surface, tool.te, near)?;
     let gap = ring.gap(tool.te, &end);
-    ((gap.surface_point - near.point).norm() <= BESIDE * tool.profile.widest()).then_some(gap)
+    ((gap.surface_point - near.point).norm() <= BESIDE * tool.profile.half_width(gap.segment))
+        .then_some(gap)
 }
 
 impl Ring {
@@ -88,7 +89,7 @@ impl Ring {
     /// Do two places of contact lie far from each other on the cutter?
     #[inline]
     pub(crate) fn apart(&self, a: Vec3, b: Vec3) -> bool {
-        let far = ANOTHER * self.profile.widest();
+        let far = ANOTHER * self.profile.half_width(Some(Segment::Arc));
         // Parts across the axis turn by no more than the normals differ, over the less of them.
         let square = |n: Vec3| 1.0 - n.dot(&self.ta) * n.dot(&self.ta);
         let (least, turned) = (square(a).min(square(b)), (a - b).norm_squared());

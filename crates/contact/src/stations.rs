@@ -10,7 +10,7 @@ const AROUND: usize = 12;
 /// Greatest number of seeds that are searched from.
 pub(crate) const SEEDS: usize = 4;
 
-/// Share of the cutter's radius from which a station is far from a place of contact: nearer ones the contact goes over to, and
+/// Share of the half width of what touches from which a station is far from a place of contact: nearer ones the contact goes over to, and
 /// is followed.
 pub(crate) const FAR: f64 = 0.6;
 
@@ -82,7 +82,7 @@ pub(crate) fn seeds(
     let [a, b] = aptc_geometry::surface::frame_about(tool.ta);
     let (mut deepest, mut way) =
         ((f64::INFINITY, tool.te), crests.map_or(f64::INFINITY, |c| c.way));
-    let far = FAR * profile.widest();
+    let far = FAR * profile.half_width(known.and_then(|k| k.segment));
     let mut last = of.disk;
     let mut at = |rho: f64, z: f64, turn: usize| {
         let out = a * COS12[turn] + b * COS12[(turn + 9) % AROUND];
@@ -151,3 +151,46 @@ const COS12: [f64; AROUND] = {
     let c = 0.866_025_403_784_438_6;
     [1.0, c, 0.5, 0.0, -0.5, -c, -1.0, -c, -0.5, 0.0, 0.5, c]
 };
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gap::{elsewhere, gap, gap_near};
+    use crate::shapes::rulings;
+    use aptc_geometry::{Cutter, Profile, trig};
+    use proptest::prelude::*;
+
+    proptest! {
+        #![proptest_config(ProptestConfig {
+            cases: 400, failure_persistence: None, ..ProptestConfig::default()
+        })]
+
+        /// A flat end below sides that lean outwards touches a ridge with its one end or with the other: what is far from a place
+        /// of contact is so by the width of the end, not by that of the top.
+        #[test]
+        fn below_sides_that_lean_no_other_end_of_a_ridge_comes_down_on_the_way(
+            radii in prop::array::uniform2(50.0_f64..150.0), lift in -4.0_f64..4.0,
+            (radius, beta) in (0.5_f64..3.0, 0.0_f64..40.0),
+            te in prop::array::uniform2(-15.0_f64..15.0), lean in prop::array::uniform2(-4e-4_f64..4e-4),
+            turn in 0.0_f64..360.0,
+        ) {
+            let surface = rulings(radii, lift);
+            let cutter = Cutter { beta_deg: beta, ..Cutter::mill(2.0 * radius, 0.0, 20.0) };
+            let profile = Profile::new(&cutter).unwrap();
+            // Nearly along the normal below: both ends of the ridge are about as deep, and moving across it makes the other so.
+            let up = surface.foot(Vec3::new(te[0], te[1], 0.0)).normal;
+            let ta = (up + Vec3::new(lean[0], lean[1], 0.0)).normalize();
+            let high = Tool { profile: &profile, te: Vec3::new(te[0], te[1], 10.0), ta };
+            let Ok(above) = gap(&high, &surface, Side::Positive, 0.0) else { return Ok(()) };
+            let tool = high.at(high.te - above.normal * above.raw);
+            let Ok(known) = gap(&tool, &surface, Side::Positive, 0.0) else { return Ok(()) };
+            let (deeper, room) = elsewhere(&tool, &surface, Side::Positive, &known, (true, f64::INFINITY));
+            prop_assert!(deeper.is_none_or(|d| d.g > known.g - 1e-7), "{known:?} {deeper:?}");
+            let way = Vec3::new(trig::cos_deg(turn), trig::sin_deg(turn), 0.0);
+            let moved = tool.at(tool.te + way * (0.99 * room.min(5.0)));
+            let near = gap_near(&moved, &surface, Side::Positive, 0.0, Some(known.spot()));
+            let (Ok(near), Ok(all)) = (near, gap(&moved, &surface, Side::Positive, 0.0)) else { return Ok(()) };
+            prop_assert!(all.g > near.g - 1e-6, "{room} {known:?} {near:?} {all:?}");
+        }
+    }
+}

@@ -127,6 +127,14 @@ impl Profile {
         self.widest
     }
 
+    /// Greatest distance from the axis of what a segment belongs to: of end and corner below sides that lean outwards that of the
+    /// upper joint, else that of all. Places that far from each other are two.
+    pub fn half_width(&self, segment: Option<Segment>) -> f64 {
+        let lower = matches!(segment, Some(Segment::LowerLine | Segment::Arc));
+        let joint = self.pu.x.max(self.pl.x);
+        if lower && joint > 0.0 { joint.min(self.widest) } else { self.widest }
+    }
+
     /// Distance from the axis at which lower and upper line meet, half the diameter of CUTTER: `widest` but for sides that
     /// lean. The greatest distance where they do not meet.
     pub fn half_diameter(&self) -> f64 {

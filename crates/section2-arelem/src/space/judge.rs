@@ -167,7 +167,8 @@ impl Track {
             (Surface::Parametric(s), a, b) => s.spans_between(a, b),
             _ => None,
         };
-        let far = |a: Vec3, b: Vec3| (a - b).norm() > ANOTHER * keep.profile.widest();
+        let another = ANOTHER * keep.profile.half_width(a.0.segment);
+        let far = |a: Vec3, b: Vec3| (a - b).norm() > another;
         far(p, q) && far(a.0.surface_point, b.0.surface_point)
             || spans().is_some_and(|n| n > CRESTS)
     }

@@ -90,7 +90,7 @@ impl Track {
         let (mut low, mut high, mut found) = (a.t, b.t, (b.t, b.gap.g));
         let mut spots = [a.gap.spot(), b.gap.spot()];
         let (way, turn) = (to.pose.te - from.pose.te, turn(&from.pose, &to.pose));
-        let one = ONE * keep.profile.widest();
+        let one = ONE * keep.profile.half_width(a.gap.segment);
         for _ in 0..HALVINGS {
             let t = 0.5 * (low + high);
             let pose = between(&from.pose, &to.pose, t);
