@@ -73,6 +73,8 @@ pub(crate) enum Failure {
     NoAxis { place: Vec3 },
     /// The tool cannot turn in place from one axis to the other and keep its bands on the way.
     NoTurn { place: Vec3, axes: [Vec3; 2] },
+    /// Where it turns in place it comes so deep into a check surface, with this axis.
+    TurnsInto { surface: SurfaceRef, place: Vec3, axis: Vec3, deep: f64 },
     /// None square to the vector is so near to the normal as the angle asks; degrees.
     NoneSquare { place: Vec3, least: f64, asked: f64 },
     /// TLAXIS/PARLEL along a surface that has no rulings, beside one that has them.
@@ -156,6 +158,7 @@ impl Failure {
             Self::NotReached { place, .. }
             | Self::NoAxis { place }
             | Self::NoTurn { place, .. }
+            | Self::TurnsInto { place, .. }
             | Self::NoneSquare { place, .. }
             | Self::NoPlace { place, .. } => Some(*place),
             Self::Blocked(b) => Some(b.place),

@@ -211,6 +211,17 @@ impl Failure {
                 ),
                 "give GO the axis of the motion by TLAXIS/i,j,k, or wider tolerances".into(),
             ),
+            Self::TurnsInto { surface, place, axis, deep } => (
+                codes::NO_AXIS,
+                format!(
+                    "the tool comes {} deep into {} where it turns in place at {} to the axis {}, before the motion along the drive surface begins",
+                    number(*deep),
+                    with_role("check", surface),
+                    coordinates(*place),
+                    coordinates(*axis)
+                ),
+                "give GO the axis of the motion by TLAXIS/i,j,k, or end GO farther from the check surface".into(),
+            ),
             Self::NoneSquare { place, least, asked } => (
                 codes::NO_AXIS,
                 format!(

@@ -12,6 +12,7 @@ use super::loops::Loops;
 use super::pace::Pace;
 use super::refusal::{blocked, not_reached, trouble_at};
 use super::stride::Stride;
+use super::swing;
 use super::track::{Node, Trouble};
 use super::watch::{Halt, Mark, Watch, clearance};
 use super::way::Lost;
@@ -38,6 +39,7 @@ const MOST_VECTORS: u32 = 20_000;
 /// The path of a motion from its beginning to its check surface. Where one is to be tangent a place at which it misses that by more
 /// than the bands counts only when none comes after it.
 pub(super) fn follow(scene: &Scene, begin: &Begin) -> Result<Path, Failure> {
+    swing::clear(scene, begin)?;
     let mut walk = Walk::new(scene, begin, true)?;
     let found = walk.walk_on();
     // What another check surface stopped behind such a place has gone through it.

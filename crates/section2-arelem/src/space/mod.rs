@@ -22,11 +22,13 @@ mod run;
 mod settle;
 mod start;
 mod stride;
+mod swing;
 mod track;
 mod turning;
 mod watch;
 mod way;
 
+pub(crate) use judge::between;
 pub(crate) use keep::{Keep, Pose};
 pub(crate) use run::run;
 pub(crate) use start::start;

@@ -1,0 +1,41 @@
+//! A tool that turns in place before a motion begins, beside the check surface that the motion is to end at.
+
+use aptc_protap::Relation;
+
+use super::begin::Begin;
+use super::keep::{Keep, Pose};
+use super::watch::clearance;
+use crate::failure::Failure;
+use crate::scene::{Check, Scene};
+
+/// Refuses a motion TO a check surface that the tool, clear of it where it stands, turns into before it begins: the track that comes
+/// out of it again would be taken for one that comes to it.
+pub(super) fn clear(scene: &Scene, begin: &Begin) -> Result<(), Failure> {
+    let stands = Pose { te: scene.tool.te, ta: scene.tool.ta };
+    if begin.first.len() < 2 {
+        return Ok(());
+    }
+    scene.checks.iter().try_for_each(|check| beside(check, stands, begin))
+}
+
+fn beside(check: &Check, stands: Pose, begin: &Begin) -> Result<(), Failure> {
+    let first = check.relation == Relation::To && check.nth <= 1;
+    let keep = Keep::of(&check.wall)?;
+    let Ok((gap, side)) = clearance(&keep, &stands) else { return Ok(()) };
+    let most = keep.width();
+    if !first || gap < -most {
+        return Ok(());
+    }
+    let keep = keep.on_side(side);
+    for position in &begin.first {
+        let pose = Pose { te: position.te, ta: position.ta };
+        if let Ok(gap) = keep.gap(&pose, None)
+            && gap.g < -most
+        {
+            let surface = check.wall.surface.clone();
+            let (place, axis, deep) = (pose.te, pose.ta, -gap.g);
+            return Err(Failure::TurnsInto { surface, place, axis, deep });
+        }
+    }
+    Ok(())
+}
