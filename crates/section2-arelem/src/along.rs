@@ -246,9 +246,11 @@ impl Arelem {
         {
             self.diagnostics.push(warning::wholly_beyond(origin, &surface, far));
         }
-        let start = self.tool.map(|t| t.te);
+        let stands = |t: Tool| cl::Position { te: t.te, ta: t.stood.unwrap_or(t.ta) };
+        let start = self.tool.map(stands);
         if let (Some(end), Some(tool)) = (path.points.last(), &mut self.tool) {
             (tool.te, tool.ta, tool.stood) = (end.te, end.ta, None);
+            tool.left_in = self.settings.widest_band();
             tool.turn(path.forward);
         }
         let motion = cl::Motion {
@@ -262,7 +264,8 @@ impl Arelem {
         let slow = if kind == cl::MotionKind::Continuous { self.feed.slow() } else { None };
         match (slow, start) {
             (Some((slow, base)), Some(start)) if self.settings.cut => {
-                let (before, near) = divide(start, &motion.points, slow.distance);
+                let (before, near) =
+                    divide(start, &motion.points, slow.distance, motion.arc.as_ref());
                 if !before.is_empty() {
                     self.put_motion(origin, cl::Motion { points: before, ..motion.clone() }, out);
                 }

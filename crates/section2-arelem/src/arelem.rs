@@ -12,7 +12,7 @@ use crate::feed::Feed;
 use crate::fitted::Fitted;
 use crate::forward::forward;
 use crate::points::put_feed;
-use crate::state::{Part, Settings, Tool, auto_part, unit};
+use crate::state::{Band, Part, Settings, Tool, auto_part, unit};
 use crate::warning::{no_band, no_multax};
 
 /// Settings of Section 2 that no part program gives.
@@ -95,9 +95,8 @@ impl Arelem {
             return;
         };
         let before = self.tool;
-        let mut tool =
-            before.unwrap_or(Tool { te, ta, forward: Vec3::x(), assumed: true, stood: None });
-        (tool.te, tool.ta, tool.stood) = (te, ta, None);
+        let mut tool = before.unwrap_or(Tool::at(te, ta));
+        (tool.te, tool.ta, tool.stood, tool.left_in) = (te, ta, None, Band::NONE);
         tool.turn(along);
         self.tool = Some(tool);
         self.poisoned = false;

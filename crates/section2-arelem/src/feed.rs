@@ -4,8 +4,10 @@
 //! `FEDRAT/d1,f1` does so once, with d1 and f1. A unit before or behind the numbers is that of both feeds. Every other FEDRAT
 //! is the basic feed and ends the first.
 
-use aptc_cldata::{Arg, Position};
+use aptc_cldata::{Arc, Arg, Course, Position};
 use aptc_geometry::Vec3;
+
+use crate::space::{Pose, between};
 
 /// Units of a feed.
 const UNITS: [&str; 8] = ["MMPM", "MMPR", "IPM", "IPR", "PERMIN", "PERREV", "UPM", "UPR"];
@@ -93,16 +95,17 @@ fn right(distance: f64, feed: f64) -> Result<(), BadSlow> {
     Ok(())
 }
 
-/// Divides a path at a distance from its end, on a cut vector where need be.
+/// Divides a path at a distance from its end, on a cut vector where need be: of one that stands for a part of a circle on that.
 pub(crate) fn divide(
-    start: Vec3,
+    start: Position,
     points: &[Position],
     distance: f64,
+    arc: Option<&Arc>,
 ) -> (Vec<Position>, Vec<Position>) {
     let mut left = distance;
     for i in (0..points.len()).rev() {
-        let from = if i == 0 { start } else { points[i - 1].te };
-        let length = (points[i].te - from).norm();
+        let from = if i == 0 { start } else { points[i - 1] };
+        let length = (points[i].te - from.te).norm();
         if length < left {
             left -= length;
             continue;
@@ -110,19 +113,35 @@ pub(crate) fn divide(
         let mut head = points[..i].to_vec();
         let share = left / length;
         if share < 1.0 - 1e-9 {
-            let ta = if i == 0 { points[i].ta } else { points[i - 1].ta };
-            let turned = points[i].ta + (ta - points[i].ta) * share;
-            let te = points[i].te + (from - points[i].te) * share;
-            head.push(Position { te, ta: turned / turned.norm() });
+            let [a, b] = [from, points[i]].map(|Position { te, ta }| Pose { te, ta });
+            let at = between(&a, &b, 1.0 - share).position();
+            let chord = arc.filter(|arc| arc.course == Course::Chords);
+            let te = chord.map_or(at.te, |arc| beside(arc, [from.te, points[i].te], at.te));
+            head.push(Position { te, ..at });
         }
         return (head, points[i..].to_vec());
     }
     (Vec::new(), points.to_vec())
 }
 
+/// The place beside a point of a chord that is as far from the middle of the circle as the chord's ends are.
+fn beside(arc: &Arc, ends: [Vec3; 2], at: Vec3) -> Vec3 {
+    let circle = &arc.circle;
+    let out = |p: Vec3| {
+        let from = p - circle.center;
+        from - circle.axis * from.dot(&circle.axis)
+    };
+    let [a, b] = ends.map(|p| out(p).norm());
+    let share = (at - ends[0]).norm() / (ends[1] - ends[0]).norm();
+    let here = out(at);
+    let by = (a + (b - a) * share) / here.norm() - 1.0;
+    if by.is_finite() { at + here * by } else { at }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use aptc_geometry::{Circle, trig};
 
     fn at(x: f64) -> Position {
         Position::upright(Vec3::new(x, 0.0, 0.0))
@@ -131,12 +150,40 @@ mod tests {
     #[test]
     fn a_path_is_divided_on_a_cut_vector_or_at_its_end() {
         let path = [at(4.0), at(10.0)];
-        let (a, b) = divide(Vec3::zeros(), &path, 2.0);
+        let start = at(0.0);
+        let (a, b) = divide(start, &path, 2.0, None);
         assert_eq!((a, b), (vec![at(4.0), at(8.0)], vec![at(10.0)]));
-        let (a, b) = divide(Vec3::zeros(), &path, 6.0);
+        let (a, b) = divide(start, &path, 6.0, None);
         assert_eq!((a, b), (vec![at(4.0)], vec![at(10.0)]));
-        let (a, b) = divide(Vec3::zeros(), &path, 12.0);
+        let (a, b) = divide(start, &path, 12.0, None);
         assert_eq!((a.len(), b.len()), (0, 2));
+    }
+
+    #[test]
+    fn the_axis_turns_evenly_from_where_the_tool_stands() {
+        let turned = |x: f64, deg: f64| Position {
+            te: Vec3::new(x, 0.0, 0.0),
+            ta: Vec3::new(trig::sin_deg(deg), 0.0, trig::cos_deg(deg)),
+        };
+        let (a, b) = divide(turned(0.0, 10.0), &[turned(10.0, 40.0)], 4.0, None);
+        let [Position { te, ta }] = a[..] else { panic!("{a:?}") };
+        assert!((te.x - 6.0).abs() < 1e-12 && (ta - turned(0.0, 28.0).ta).norm() < 1e-12);
+        assert_eq!(b.len(), 1);
+    }
+
+    #[test]
+    fn a_part_of_a_circle_is_divided_on_it() {
+        let circle = Circle { center: Vec3::zeros(), axis: Vec3::z(), radius: 10.0 };
+        let on = |deg: f64| {
+            Position::upright(Vec3::new(10.0 * trig::cos_deg(deg), 10.0 * trig::sin_deg(deg), 3.0))
+        };
+        let arc = Arc { circle, course: Course::Chords };
+        let (a, _) = divide(on(0.0), &[on(30.0), on(60.0)], 2.0, Some(&arc));
+        let last = a[1].te;
+        assert!(
+            (trig::hypot(last.x, last.y) - 10.0).abs() < 1e-12 && (last.z - 3.0).abs() < 1e-12,
+            "{last}"
+        );
     }
 
     fn n(x: f64) -> Arg {

@@ -8,7 +8,7 @@ use aptc_protap::{Outcome, ToolAxis};
 
 use crate::arelem::Arelem;
 use crate::failure::Failure;
-use crate::state::{Role, Tool, unit};
+use crate::state::{Band, Role, Tool, unit};
 use crate::{forward, pocket, warning};
 
 impl Arelem {
@@ -72,7 +72,7 @@ impl Arelem {
         match &mut self.tool {
             Some(t) => {
                 t.turn(te - t.te);
-                (t.te, t.stood) = (te, None);
+                (t.te, t.stood, t.left_in) = (te, None, Band::NONE);
             }
             None => self.tool = Some(self.first(te)),
         }
@@ -85,13 +85,7 @@ impl Arelem {
             ToolAxis::Fixed(v) => unit(*v),
             _ => None,
         };
-        Tool {
-            te,
-            ta: fixed.unwrap_or_else(Vec3::z),
-            forward: Vec3::x(),
-            assumed: true,
-            stood: None,
-        }
+        Tool::at(te, fixed.unwrap_or_else(Vec3::z))
     }
 
     /// A start without a position before it begins at 0,0,0, as in APT-360, and says so: where it begins only tells the way to

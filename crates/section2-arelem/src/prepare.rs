@@ -52,7 +52,7 @@ mod tests {
     use super::*;
 
     fn tool() -> Tool {
-        Tool { te: Vec3::zeros(), ta: Vec3::z(), forward: Vec3::x(), assumed: false, stood: None }
+        Tool { assumed: false, ..Tool::at(Vec3::zeros(), Vec3::z()) }
     }
 
     #[test]

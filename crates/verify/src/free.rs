@@ -154,27 +154,33 @@ fn cut(
     if part.side < 0 && !matches!(part.form.shape(), Form::Plane(_) | Form::Line(_)) {
         return None;
     }
-    let judged = Judged::clear(part, at, profile)?;
-    let judge = |a: &Position, b: &Position, i: u64| {
-        judged.vector(&rapid.profile, a, b, rapid.pad, i, &mut Seen::default())
+    /// Looks at one place: what is refuted is told to a tenth of its depth.
+    const LOOKS: usize = 8;
+    /// Share of the depth at the ends that all the same counts as no deeper.
+    const ALIKE: f64 = 1e-3;
+    let mut judged = Judged::clear(part, at, profile)?;
+    let judge = |judged: &Judged, a: &Position, b: &Position, i: u64| {
+        let fault = judged.vector(&rapid.profile, a, b, rapid.pad, i, &mut Seen::default());
+        fault.filter(|f| f.refuted)
     };
     let last = rapid.points.last().filter(|_| end == End::Excused);
-    let ends = rapid.points.first().into_iter().chain(last);
-    let mut depth = 0.0_f64;
-    for p in ends {
-        let fault = judge(p, p, 0);
-        depth = fault.filter(|f| f.refuted).map_or(depth, |f| depth.max(f.depth));
+    let mut depth = 0.0;
+    for p in rapid.points.first().into_iter().chain(last) {
+        for _ in 0..LOOKS {
+            let Some(deeper) = judge(&judged, p, p, 0) else { break };
+            judged.allow(deeper.depth);
+            depth += deeper.depth;
+        }
     }
+    judged.allow(ALIKE * depth);
     let mut worst: Option<Fault> = None;
     for (i, pair) in (1..).zip(rapid.points.windows(2)).filter(|(_, w)| !goes_up(w)) {
-        let fault = judge(&pair[0], &pair[1], i);
-        if let Some(f) = fault.filter(|f| f.refuted && f.depth > depth + rapid.pad)
-            && worst.as_ref().is_none_or(|w| f.depth > w.depth)
-        {
+        let fault = judge(&judged, &pair[0], &pair[1], i);
+        if let Some(f) = fault.filter(|f| worst.as_ref().is_none_or(|w| f.depth > w.depth)) {
             worst = Some(f);
         }
     }
-    worst
+    worst.map(|f| Fault { depth: f.depth + depth * (1.0 + ALIKE), ..f })
 }
 
 /// Does the tool go along its axis, away from its end?

@@ -1,6 +1,8 @@
 //! A surface with what is known of it over a statement.
 
-use aptc_cldata::{Controlled, Position, Relation};
+use std::sync::Arc as Shared;
+
+use aptc_cldata::{Control, Controlled, Position, Relation};
 use aptc_geometry::Profile;
 
 use crate::certificate::{Fault, SurfaceBound};
@@ -29,6 +31,43 @@ impl Judged {
             demand.most = f64::INFINITY;
         }
         Self::with(demand, c, role)
+    }
+
+    /// The same with the band that the motion before was held to beside it, where that is wider; `None` where it is not.
+    pub(crate) fn eased(
+        c: &Controlled,
+        role: &'static str,
+        sheets: &Sheets,
+        earlier: &Control,
+    ) -> Option<Self> {
+        let alike = |e: &&Controlled| {
+            let on = |c: &Controlled| c.side == 0 || c.relation == Relation::On;
+            let asked = on(e) == on(c) && (on(c) || e.side == c.side);
+            let same = || Shared::ptr_eq(&e.form, &c.form) || e.form == c.form;
+            asked && e.disk == c.disk && e.thick.to_bits() == c.thick.to_bits() && same()
+        };
+        let all = earlier.drive.iter().chain(&earlier.part).chain(&earlier.checks);
+        let wider = all.filter(alike).fold([c.intol, c.outtol], |[intol, outtol], e| {
+            [intol.max(e.intol), outtol.max(e.outtol)]
+        });
+        let [intol, outtol] = wider;
+        (intol > c.intol || outtol > c.outtol)
+            .then(|| Self::new(&Controlled { intol, outtol, ..c.clone() }, role, sheets))
+    }
+
+    /// Does a vector that is no longer than it has to be bring the tool from somewhere in this band into another one?
+    pub(crate) fn leads_in(
+        &self,
+        profile: &Profile,
+        from: &Position,
+        to: &Position,
+        pad: f64,
+    ) -> bool {
+        /// Its length in widths of the band at most.
+        const LONG: f64 = 16.0;
+        let wide = self.demand.most - self.demand.least;
+        (to.te - from.te).norm() <= LONG * wide
+            && self.vector(profile, from, to, pad, 0, &mut Seen::default()).is_none()
     }
 
     /// That the tool does not pass a check surface before it stops there, or at another. `None` where it may: it stops
@@ -93,6 +132,11 @@ impl Judged {
 
     fn with(demand: Demand, c: &Controlled, role: &'static str) -> Self {
         Self { demand, disk: disk(c), name: name(c), called: called(c, role), role }
+    }
+
+    /// Allows the tool to be deeper by so much.
+    pub(crate) fn allow(&mut self, deeper: f64) {
+        self.demand.least -= deeper;
     }
 
     /// Judges a cut vector; the fault, if there is one, else `seen` takes its bounds.

@@ -38,6 +38,8 @@ pub(crate) struct Statement {
     pub(crate) before: Option<Position>,
     /// From where it comes to a statement of regional milling that does not begin there.
     pub(crate) way: Option<Position>,
+    /// What the motion that ended where this one begins was held to.
+    pub(crate) earlier: Option<Arc<Control>>,
     pub(crate) points: Vec<Position>,
     /// The vectors that lead over what REGION leaves out, counted from 1.
     pub(crate) over: Vec<u64>,
@@ -124,6 +126,8 @@ pub(crate) enum Ready {
 #[derive(Debug)]
 pub(crate) struct Guided {
     along: Vec<Judged>,
+    /// The same for the vector that brings the tool from the wider band of the motion before into that of this one.
+    eased: Vec<Option<Judged>>,
     check: Option<Judged>,
     /// The check surfaces that are not to be passed.
     never: Vec<Judged>,
@@ -361,10 +365,14 @@ impl Statement {
 impl Guided {
     fn new(s: &Statement) -> Self {
         let control = &s.control;
-        let along = [("drive", &control.drive), ("part", &control.part)]
-            .into_iter()
-            .filter_map(|(role, c)| c.as_ref().map(|c| Judged::new(c, role, &s.sheets)))
-            .collect();
+        let held = || {
+            let all = [("drive", &control.drive), ("part", &control.part)].into_iter();
+            all.filter_map(|(role, c)| Some((role, c.as_ref()?)))
+        };
+        let along = held().map(|(role, c)| Judged::new(c, role, &s.sheets)).collect();
+        let earlier = s.earlier.as_ref().filter(|_| !s.startup);
+        let eased = |(role, c)| Judged::eased(c, role, &s.sheets, earlier?);
+        let eased = held().map(eased).collect();
         let check = control.checks.first().map(|c| Judged::new(c, "check", &s.sheets));
         let start = s.start.as_ref().filter(|_| !s.startup);
         // It stops at the first; the others it may have been on the other side of when it began.
@@ -372,7 +380,7 @@ impl Guided {
         let came = s.start.as_ref().filter(|_| s.startup);
         let coming = came.map(|from| Coming::new(control, &s.sheets, &s.profile, from, s.rapid));
         let never = control.checks.iter().enumerate().filter_map(never).collect();
-        Self { along, check, never, coming }
+        Self { along, eased, check, never, coming }
     }
 
     /// Those of which bounds are told, drive first.
@@ -413,9 +421,19 @@ impl Guided {
         let came = start;
         let start = if s.startup { to } else { start };
         let mut fault: Option<Fault> = None;
-        for ((judged, seen), proved) in self.along.iter().zip(&mut answer.seen).zip(rows.along) {
-            if !proved {
-                keep(&mut fault, judged.vector(profile, start, to, *pad, number, seen));
+        for (k, (judged, seen)) in self.along.iter().zip(&mut answer.seen).enumerate() {
+            if !rows.along[k] {
+                let found = judged.vector(profile, start, to, *pad, number, seen);
+                let eased = self.eased[k].as_ref().filter(|_| i == 0 && found.is_some());
+                keep(
+                    &mut fault,
+                    match eased {
+                        Some(eased) if eased.leads_in(profile, start, to, *pad) => {
+                            judged.vector(profile, to, to, *pad, number, seen)
+                        }
+                        _ => found,
+                    },
+                );
             }
             keep(&mut answer.real, judged.real_cutter(profile, start, to, *pad, number));
         }

@@ -64,6 +64,8 @@ pub struct Verifier {
     came: Option<Position>,
     /// The statement of that motion, with its last motion along surfaces, and from where the tool came to it.
     statement: (Origin, Option<Arc<Control>>, Option<Position>),
+    /// What the last motion was held to, where it was along surfaces.
+    ended: Option<Arc<Control>>,
     /// The motion along surfaces that came last; the next record may go on with it.
     open: Option<Open>,
     /// RAPID was said for the next motion.
@@ -95,6 +97,7 @@ struct Open {
     start: Option<Position>,
     before: Option<Position>,
     way: Option<Position>,
+    earlier: Option<Arc<Control>>,
     points: Vec<Position>,
     /// The vectors from one motion to the next, counted from 1, over what REGION leaves out.
     over: Vec<u64>,
@@ -120,6 +123,7 @@ impl Verifier {
             last: None,
             came: None,
             statement: (Origin::default(), None, None),
+            ended: None,
             open: None,
             rapid: false,
             was_rapid: false,
@@ -292,6 +296,7 @@ impl Verifier {
             self.waiting.push(Event::Joined(Arc::new(joined)));
             self.n_waiting += 1;
         }
+        let earlier = std::mem::replace(&mut self.ended, control.cloned());
         let Some(control) = control else { return };
         match &mut self.open {
             Some(open) => {
@@ -313,6 +318,7 @@ impl Verifier {
                     start,
                     before: self.statement.2,
                     way,
+                    earlier,
                     points: motion.points.clone(),
                     over: Vec::new(),
                     profile,
@@ -375,8 +381,19 @@ impl Verifier {
 
     fn close(&mut self) {
         let Some(open) = self.open.take() else { return };
-        let Open { control, startup, rapid, origin, start, before, way, points, over, profile } =
-            open;
+        let Open {
+            control,
+            startup,
+            rapid,
+            origin,
+            start,
+            before,
+            way,
+            earlier,
+            points,
+            over,
+            profile,
+        } = open;
         let pad = self.pad(&points, &profile);
         self.n_waiting += points.len();
         self.waiting.push(Event::Along(Box::new(Statement {
@@ -387,6 +404,7 @@ impl Verifier {
             start,
             before,
             way,
+            earlier,
             points,
             over,
             profile,

@@ -342,3 +342,28 @@ fn a_rapid_out_of_a_trough_is_no_cut_of_its_upper_half() {
     records.push(motion(MotionKind::Goto, None, &[[95.0, 0.0, 40.0]]));
     assert!(judge(&records).1.is_empty());
 }
+
+/// The same along the wall in two motions, the first in a band of five times the width, by where the second goes.
+fn in_two_bands(second: &[[f64; 3]]) -> Certificate {
+    let mut wide = control();
+    let drive = wide.drive.as_mut().expect("a drive surface");
+    (drive.intol, drive.outtol) = (5.0 * BAND, 5.0 * BAND);
+    wide.checks = vec![controlled("MIDDLE", plane(1.0, 0.0, 0.0, 50.0), Relation::On, 0)];
+    let mut records = along(&Arc::new(wide), &[[50.0, 5.04, 0.0]]);
+    records.push(motion(MotionKind::Continuous, Some(&Arc::new(control())), second));
+    judge(&records).0
+}
+
+#[test]
+fn from_a_wider_band_a_vector_no_longer_than_it_has_to_be_leads_into_the_next_one() {
+    let faults = |second: &[[f64; 3]]| {
+        let all = in_two_bands(second).statements;
+        all[1].fault.as_ref().map(|f| (f.refuted, f.vector))
+    };
+    assert_eq!(faults(&[[50.1, 5.005, 0.0], [95.0, 5.0, 0.0]]), None);
+    // It does not come into the band at once, or takes its time.
+    assert_eq!(faults(&[[50.1, 5.02, 0.0], [95.0, 5.0, 0.0]]), Some((true, 1)));
+    assert_eq!(faults(&[[95.0, 5.0, 0.0]]), Some((true, 1)));
+    // The next one has to stay in it.
+    assert_eq!(faults(&[[50.1, 5.005, 0.0], [60.0, 5.02, 0.0], [95.0, 5.0, 0.0]]), Some((true, 2)));
+}

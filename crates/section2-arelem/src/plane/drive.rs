@@ -158,7 +158,9 @@ fn begin(scene: &Scene, plan: &Plan) -> Result<Begin, Failure> {
         // The cutter fills the circle: it turns in place, the surface around it.
         None => (plan.frame.plan(tool.forward), -1.0),
     };
-    let allowed = 2.0 * (band.intol + band.outtol);
+    // Where the motion before left it within wider bands it comes into these first.
+    let before = tool.left_in.intol.max(tool.left_in.outtol);
+    let allowed = (2.0 * (band.intol + band.outtol)).max(before);
     let beside = |side: f64| match scene.stance {
         Stance::On => plan.curve.distance(place).abs(),
         _ => plan.curve.distance(place) * side - reach,
@@ -181,7 +183,7 @@ fn begin(scene: &Scene, plan: &Plan) -> Result<Begin, Failure> {
     }
     let lift = plan.floor.off(tool.te);
     let part = scene.part.band;
-    let part_allowed = 2.0 * (part.intol + part.outtol);
+    let part_allowed = (2.0 * (part.intol + part.outtol)).max(before);
     if lift.abs() > part_allowed {
         return Err(Failure::OffPart {
             surface: scene.part.surface.clone(),

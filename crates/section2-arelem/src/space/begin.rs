@@ -107,14 +107,16 @@ fn as_it_stands(scene: &Scene, turns: InPlace) -> Result<Begin, Failure> {
     let drive_gap = drive.gap(&pose, None).map_err(|_| apart(&scene.drive))?;
     let off_drive = placed(&drive, &drive_gap);
     let off_part = placed(&part, &part_gap);
-    if off_drive > 2.0 {
+    // Where the motion before left it within wider bands it comes into these first.
+    let stands = |off: f64, gap: &Gap| off <= 2.0 || left_in(tool, gap);
+    if !stands(off_drive, &drive_gap) {
         return Err(misplaced(scene, &drive, &drive_gap));
     }
-    if off_part > 2.0 {
+    if !stands(off_part, &part_gap) {
         return Err(Failure::OffPart {
             surface: scene.part.surface.clone(),
             off: part_gap.g,
-            allowed: 2.0 * part.width(),
+            allowed: allowed(&part, &part_gap),
             outside: part_gap.g > 0.0,
         });
     }
@@ -295,6 +297,18 @@ fn placed(keep: &Keep, gap: &Gap) -> f64 {
     1.0 + off / keep.width()
 }
 
+/// Does the gap lie in the band in which the motion before left the tool?
+fn left_in(tool: &Tool, gap: &Gap) -> bool {
+    let band = tool.left_in;
+    let slack = 1e-6 * (band.intol + band.outtol);
+    gap.g >= -band.intol - slack && gap.g <= band.outtol + slack
+}
+
+/// How far off its surface the tool may be to be in place: its band, and the width of that beside it.
+fn allowed(keep: &Keep, gap: &Gap) -> f64 {
+    keep.width() + if gap.g > 0.0 { keep.outtol } else { keep.intol }
+}
+
 /// A tool that is in place on the other side than the word says stays there.
 fn across(scene: &Scene, drive: &mut Keep, pose: &Pose) -> Option<Astray> {
     let astray = scene.stance.astray()?;
@@ -312,7 +326,7 @@ fn across(scene: &Scene, drive: &mut Keep, pose: &Pose) -> Option<Astray> {
 
 fn misplaced(scene: &Scene, keep: &Keep, gap: &Gap) -> Failure {
     let surface = scene.drive.surface.clone();
-    let allowed = 2.0 * keep.width();
+    let allowed = allowed(keep, gap);
     let off = if scene.drive.on { gap.g.abs() } else { gap.g };
     Failure::OffDrive { surface, off, allowed, outside: off > 0.0 }
 }
