@@ -12,8 +12,8 @@ use super::keep::{Keep, Pose};
 use super::stride::Stride;
 use super::track::{Node, Track, Trouble};
 use super::way::{
-    Crossing, GRAZING, HALVINGS, Lost, RATE, ROUNDS, Sample, Way, crossings, in_limits, read,
-    simple, sunk, tangencies,
+    Crossing, Found, GRAZING, HALVINGS, Lost, RATE, ROUNDS, Sample, Way, crossings, in_limits,
+    read, simple, sunk, tangencies,
 };
 
 /// How often a long cut vector over a surface of mixed curvature is halved at most.
@@ -232,11 +232,16 @@ impl Watch {
             if tangent {
                 tangencies(&way, keep, a, b, loose, halvings, &mut self.alike, &mut out)?;
             } else {
-                if let Err(now) = crossings(&way, keep, a, b, halvings, &mut out)
+                let last = self.met + 1 >= self.nth;
+                let ends =
+                    |c| last && self.wants(&c) && matches!(self.halt(&way, c, i), Ok(Some(_)));
+                let mut zeros = Found::new(ends);
+                if let Err(now) = crossings(&way, keep, a, b, halvings, &mut zeros)
                     && lost.as_ref().is_none_or(|before| now.s < before.s)
                 {
                     lost = Some(now);
                 }
+                out = zeros.all;
                 if self.relation == Relation::To && self.met + 1 >= self.nth && out.is_empty() {
                     out.extend(grazed(&way, keep, a, b));
                 }
@@ -253,12 +258,7 @@ impl Watch {
             if lost.as_ref().is_some_and(|lost| crossing.s > lost.s) {
                 break;
             }
-            let wanted = match self.relation {
-                Relation::To => crossing.touch || crossing.falls,
-                Relation::Past => crossing.touch || !crossing.falls,
-                _ => true,
-            };
-            if !wanted {
+            if !self.wants(&crossing) {
                 continue;
             }
             let before = self.met + 1 < self.nth;
@@ -285,6 +285,15 @@ impl Watch {
         let Some(lost) = lost else { return Ok(None) };
         *known = lost.s;
         Err(lost.trouble)
+    }
+
+    /// Is it a crossing in the direction that is asked for?
+    fn wants(&self, crossing: &Crossing) -> bool {
+        match self.relation {
+            Relation::To => crossing.touch || crossing.falls,
+            Relation::Past => crossing.touch || !crossing.falls,
+            _ => true,
+        }
     }
 
     /// The node at a crossing; `None` where the cutter is much deeper in the check surface elsewhere: the shank may stand

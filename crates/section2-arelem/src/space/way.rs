@@ -191,8 +191,13 @@ impl Way<'_> {
 
     pub(super) fn sample(&self, keep: &Keep, s: f64, near: &Sample) -> Result<Sample, Trouble> {
         let node = self.node(s)?;
-        let whole = if simple(keep) { None } else { read(keep, &node, None).ok() };
-        let gap = whole.map_or_else(|| read(keep, &node, Some(&near.gap)), Ok)?;
+        let gap = match simple(keep) {
+            true => read(keep, &node, Some(&near.gap))?,
+            false => read(keep, &node, None).or_else(|trouble| {
+                let beside = keep.gap_from(&node.pose, Some(&near.gap));
+                beside.map_err(|_| trouble)
+            })?,
+        };
         Ok(Sample { s, te: node.pose.te, gap, slope: self.slope(&node, &gap) })
     }
 
@@ -399,16 +404,35 @@ pub(crate) struct Lost {
     pub(crate) trouble: Trouble,
 }
 
-/// The zeros of the gap between two samples, the nearest first.
-pub(super) fn crossings(
+/// Zeros of a gap, the nearest first, until one at which the motion ends: what a long cut vector leads to behind that does not matter.
+pub(super) struct Found<F> {
+    pub(super) all: Vec<Crossing>,
+    /// Does the motion end there?
+    ends: F,
+    done: bool,
+}
+
+impl<F: Fn(Crossing) -> bool> Found<F> {
+    pub(super) fn new(ends: F) -> Self {
+        Self { all: Vec::new(), ends, done: false }
+    }
+
+    fn push(&mut self, crossing: Crossing) {
+        self.all.push(crossing);
+        self.done = self.done || (self.ends)(crossing);
+    }
+}
+
+/// The zeros of the gap between two samples.
+pub(super) fn crossings<F: Fn(Crossing) -> bool>(
     way: &Way<'_>,
     keep: &Keep,
     a: Sample,
     b: Sample,
     halvings: u32,
-    out: &mut Vec<Crossing>,
+    out: &mut Found<F>,
 ) -> Result<(), Lost> {
-    if b.s <= a.s {
+    if b.s <= a.s || out.done {
         return Ok(());
     }
     let lost = |trouble| Lost { s: a.s, trouble };
