@@ -108,3 +108,32 @@ fn an_axis_that_stays_turns_nothing() {
         assert_eq!((ran.places.len(), ran.told), (plain.places.len(), vec![]), "{axis}");
     }
 }
+
+/// Square to a cone a flat end lies along a ruling, and touches anywhere on it. Where the band begins at the surface the tool turns in
+/// place to an axis that leaves the first cut vector room.
+#[test]
+fn a_flat_end_turns_onto_the_ruling_of_a_cone_in_a_band_that_begins_there() {
+    for cutter in ["12", "12,2", "12,6"] {
+        for cone in [
+            "(POINT/-80,-2,0),(VECTOR/1,0,-.35),20",
+            "(POINT/-80,-3,0),(VECTOR/1,0,-.35),20",
+            "(POINT/-90,0,-10),(VECTOR/1,.1,0),15",
+        ] {
+            for axis in ["ATANGL,1,15,(VECTOR/-.5483,.836282,0)", "ATANGL,1,8", "0,0,1"] {
+                let text = format!(
+                    "UNITS/MM\nPA=CONE/{cone}\nDR=PLANE/-.5483,.836282,0,3\nCUTTER/{cutter}\nINTOL/0\n\
+                     OUTTOL/.01\nMULTAX\nFROM/20.098,16.765,70\nTLAXIS/{axis}\n\
+                     GO/ON,DR,TO,PA,ON,(PLANE/.836282,.5483,0,26)\nINDIRV/-.83628,-.5483,0\n\
+                     TLAXIS/NORMPS\nTLON,GOFWD/DR,ON,(PLANE/.836282,.5483,0,14)\nFINI\n"
+                );
+                let ran = run::run(&text, Verify::Full);
+                assert!(ran.told.is_empty(), "{:?} {text}", ran.told);
+                let end = ran.places.last().expect("the tool goes");
+                assert!(
+                    (0.836282 * end[0] + 0.5483 * end[1] - 14.0).abs() < 1e-4,
+                    "{end:?} {text}"
+                );
+            }
+        }
+    }
+}

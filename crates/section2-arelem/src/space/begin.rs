@@ -6,7 +6,7 @@ use aptc_contact::{Condition, Gap, Side};
 use aptc_geometry::Vec3;
 use aptc_protap::OptionSurface;
 
-use super::band::Band;
+use super::band::{AIM_TURNING, Band};
 use super::guided::Guides;
 use super::keep::{Keep, Pose};
 use super::pace::Pace;
@@ -57,7 +57,7 @@ fn to_fixed(scene: &Scene, stood: Vec3) -> Result<Begin, Failure> {
     let still = Track { guides: None, ..track };
     let axes = [stood, scene.tool.ta];
     let pose = Pose { ta: scene.tool.ta, ..node.pose };
-    let to = still.settle(pose, &Aim::at(&node)).ok();
+    let to = still.settle(pose, &placing(&still, &node)).ok();
     let way = to.and_then(|to| way_to(&still, &node, to));
     let way = way.ok_or(Failure::NoTurn { place: node.pose.te, axes })?;
     first.extend(way.iter().map(|n| n.pose.position()));
@@ -139,7 +139,8 @@ fn as_it_stands(scene: &Scene, turns: InPlace) -> Result<Begin, Failure> {
         let first = turned.iter().map(|n| n.pose.position()).collect();
         return Ok(Begin { track, node, first, astray });
     }
-    let node = track.settle(pose, &Aim::at(&node)).map_err(|t| trouble_at(scene, &pose, t))?;
+    let node = track.settle(pose, &placing(&track, &node));
+    let node = node.map_err(|t| trouble_at(scene, &pose, t))?;
     let first = vec![node.pose.position()];
     Ok(Begin { track, node, first, astray })
 }
@@ -206,6 +207,18 @@ fn turning(track: &Track, from: &Node, to: Node, high: f64) -> Option<Vec<Node>>
     ahead.is_empty().then(|| way.split_off(1))
 }
 
+/// Where a tool that stands near is put, in the plane across the track: touching, but as far inside of the bands as vertices are.
+///
+/// A band that begins at the surface has no room for what comes to the surface itself or begins there: the place is found to some share of
+/// it only, and where a flat end lies along a ruling any place on that may touch, as rounding has it.
+fn placing<'a>(track: &Track, node: &'a Node) -> Aim<'a> {
+    let targets = track.keeps.each_ref().map(|keep| match track.axis.turns() {
+        true => keep.inside(0.0, AIM_TURNING),
+        false => keep.level(),
+    });
+    Aim { targets, ..Aim::at(node) }
+}
+
 /// The end of that way.
 fn turned(track: &Track, node: &Node, cap: f64, turns: InPlace) -> Option<Node> {
     /// What APT-360 allows an axis to be off, radians; so much the first cut vector takes up.
@@ -222,7 +235,7 @@ fn turned(track: &Track, node: &Node, cap: f64, turns: InPlace) -> Option<Node> 
     if (ta - node.pose.ta).norm() <= LEAST {
         return None;
     }
-    let turned = track.settle(Pose { ta, ..node.pose }, &Aim::at(node)).ok()?;
+    let turned = track.settle(Pose { ta, ..node.pose }, &placing(track, node)).ok()?;
     if turns == InPlace::Always {
         return Some(turned);
     }
