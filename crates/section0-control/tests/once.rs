@@ -92,3 +92,34 @@ GO/TO,W,TO,PL,ON,(PLANE/1,0,0,5)\nINDIRV/1,0,0\nTLRGT,GOFWD/W,ON,(PLANE/1,0,0,35
         assert!(!all.iter().any(|(code, _)| code == "APT2061"), "{all:?}");
     }
 }
+
+/// TO a round island in which the cutter stands where the motion begins leads to its far wall, which is told with the depth: along upright
+/// walls, and in space.
+#[test]
+fn a_cutter_that_begins_in_its_check_surface_is_told() {
+    for (island, least) in [("0,0,0,0,0,1,20", 4.0), ("0,0,0,0,.1,1,20", 3.5)] {
+        let program = |from: f64, word: &str| {
+            format!(
+                "UNITS/MM\nFLOOR=PLANE/0,0,1,0\nMIDDLE=PLANE/1,0,0,0\nISLAND=CYLNDR/{island}\nCUTTER/10\n\
+                 INTOL/.01\nOUTTOL/.01\nFROM/0,-60,30\nGO/ON,MIDDLE,TO,FLOOR,ON,(PLANE/0,1,0,{from})\n\
+                 INDIRV/0,1,0\nTLON,GOFWD/MIDDLE,{word}\nFINI\n"
+            )
+        };
+        let ran = run::run(&program(-21.0, "TO,ISLAND"), Verify::Full);
+        let [(code, message)] = &ran.told[..] else { panic!("{:?}", ran.told) };
+        assert_eq!(code, "APT2062");
+        let deep = message.split("stands ").nth(1).and_then(|m| m.split(' ').next());
+        let deep: f64 = deep.and_then(|d| d.parse().ok()).expect("how deep");
+        assert!((least..=4.0 + 1e-6).contains(&deep), "{message}");
+        assert!(message.contains("ISLAND"), "{message}");
+        assert!(ran.places.last().is_some_and(|p| p[1] > 10.0), "{:?}", ran.places);
+        // Clear of it, at it, to get past it, and at the second place that is meant.
+        for (from, word) in
+            [(-50.0, "TO,ISLAND"), (-50.0, "TO,2,INTOF,ISLAND"), (-21.0, "PAST,ISLAND")]
+        {
+            let ran = run::run(&program(from, word), Verify::Full);
+            let told = ran.told.iter().any(|(code, _)| code == "APT2062");
+            assert!(!told, "{from} {word} {:?}", ran.told);
+        }
+    }
+}

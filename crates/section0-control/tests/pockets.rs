@@ -40,3 +40,33 @@ fn a_cutter_that_is_no_solid_mills_no_pocket() {
     let ran = run::run(&program("8,2,4.5,2,0,-10,20"), Verify::Full);
     assert_eq!(ran.faults(), ["APT2022"], "{:?}", ran.told);
 }
+
+/// On a floor that leans the tool end lies on it, and what of the cutter is lower is told.
+#[test]
+fn what_reaches_below_a_floor_that_leans_is_told() {
+    let sin = 0.1 / f64::sqrt(1.01);
+    for (cutter, deep) in [("12", 6.0 * sin), ("12,6", 6.0 * (1.0 - f64::sqrt(1.0 - sin * sin)))] {
+        let program = |lean: f64, axis: &str, kind: u32| {
+            format!(
+                "UNITS/MM\nMULTAX\nCUTTER/{cutter}\nINTOL/.01\nOUTTOL/.01\nFEDRAT/200\nFROM/0,0,30\nTLAXIS/{axis}\n\
+                 PSIS/(PLANE/0,{lean},1,-6)\nP1=POINT/-30,-20\nP2=POINT/30,-20\nP3=POINT/30,20\n\
+                 P4=POINT/-30,20\nPOCKET/1,.3,.3,100,200,200,0,{kind},P1,P2,P3,P4\nFINI\n"
+            )
+        };
+        let told = |text: &str| {
+            let ran = run::run(text, Verify::Off);
+            ran.told
+                .into_iter()
+                .filter(|(code, _)| code == "APT2063")
+                .map(|(_, m)| m)
+                .collect::<Vec<_>>()
+        };
+        for kind in [2, 3] {
+            let [message] = &told(&program(0.1, "0,0,1", kind))[..] else { panic!("{kind}") };
+            assert!(message.contains(&format!("{deep:.3}")), "{deep} {message}");
+        }
+        assert!(told(&program(0.0, "0,0,1", 3)).is_empty());
+        assert!(told(&program(0.1, "0,.1,1", 3)).is_empty());
+        assert!(told(&program(0.1, "0,0,1", 0)).is_empty());
+    }
+}

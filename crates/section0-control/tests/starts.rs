@@ -226,3 +226,21 @@ fn a_cutter_does_not_stop_above_a_bar_that_it_is_to_be_past() {
         assert!(z < 0.0, "{bar} {z}");
     }
 }
+
+/// Where the way along the axis leads into the wall the same is told, with the depth, before the proof refutes it.
+#[test]
+fn what_offset_cuts_into_is_told() {
+    // The wall leans over the floor: what comes to it above goes down into it.
+    let text = "UNITS/MM\nWALL=PLANE/0,.8,-.6,0\nFLOOR=PLANE/0,0,1,-30\nCUTTER/16,8\nINTOL/0\nOUTTOL/.01\n\
+                FROM/0,-60,0\nINDIRV/0,1,0\nOFFSET/TO,WALL,TO,FLOOR\nFINI\n";
+    let ran = run::run(text, Verify::Full);
+    assert_eq!(ran.codes(), ["APT2058", "APT5001"], "{:?}", ran.told);
+    let end = ran.places.last().expect("it goes there");
+    let ball = 0.8 * end[1] - 0.6 * (end[2] + 8.0);
+    let deep = format!("{:.3}", 8.0 + ball);
+    assert!(
+        ran.told[0].1.contains(&format!("{deep}")) && ran.told[0].1.contains("deep in WALL"),
+        "{ball} {:?}",
+        ran.told
+    );
+}

@@ -200,3 +200,33 @@ FINI
         }
     }
 }
+
+/// A cutter that begins in a trough, its end below the middle, comes to the wall from within, however wide the trough is for it; once it has
+/// left it, it is past where the whole cutter is.
+#[test]
+fn a_trough_is_counted_alike_whether_the_cutter_is_taller_than_it_is_wide() {
+    for radius in [8.0, 12.0, 15.0, 16.0, 20.0] {
+        let end = |word: &str| {
+            let text = format!(
+                "UNITS/MM\nPA=SPHERE/0,0,-200,200\nDR=CYLNDR/0,0,0,0,0,1,31\nCUTTER/4,1,1,1,0,0,30\nINTOL/.01\nOUTTOL/.02\n\
+                 FROM/-36,0,40\nGO/TO,DR,TO,PA,ON,(PLANE/0,1,0,0)\nINDIRV/0,-1,0\n\
+                 TROUGH=CYLNDR/0,5,0,1,.1,0,{radius}\nTLRGT,GOFWD/DR,{word},TROUGH\nFINI\n"
+            );
+            let ran = run::run(&text, Verify::Full);
+            assert!(ran.told.is_empty(), "{radius} {word} {:?}", ran.told);
+            *ran.places.last().expect("the tool goes")
+        };
+        // How far the axis of the cutter is from that of the trough, to its left.
+        let off = |p: [f64; 3]| (p[1] - 5.0 - 0.1 * p[0]) / f64::sqrt(1.01);
+        let near = |at: f64, asked: f64| (at - asked).abs() < 0.5;
+        for (word, side, asked) in [
+            ("TO", -1.0, -(radius - 2.0)),
+            ("PAST", -1.0, -(radius + 2.0)),
+            ("TO,2,INTOF", 1.0, -(radius + 2.0)),
+            ("PAST,2,INTOF", 1.0, radius + 2.0),
+        ] {
+            let p = end(word);
+            assert!(near(off(p), asked) && p[0] * side > 0.0, "{radius} {word} {} {p:?}", off(p));
+        }
+    }
+}

@@ -15,7 +15,7 @@ use crate::failure::{Candidate, Failure};
 use crate::feed::divide;
 use crate::points::put_feed;
 use crate::scene::Path;
-use crate::space::{Keep, Pose};
+use crate::space::{Keep, Pose, Watch};
 use crate::state::{Role, Tool};
 use crate::warning;
 use crate::{forward, plane, space};
@@ -119,6 +119,9 @@ impl Arelem {
                 if let Some(surface) = self.comes_back(d, &tool, &path) {
                     self.diagnostics.push(warning::comes_back(origin, surface));
                 }
+                if let Some((surface, depth)) = self.begins_in(d, &tool, &path) {
+                    self.diagnostics.push(warning::begins_in(origin, surface, depth));
+                }
                 if stays_on {
                     self.diagnostics.push(warning::stays_on(origin, &d.drive));
                 }
@@ -169,6 +172,22 @@ impl Arelem {
         };
         let back = keep.is_plane() && on(&start).is_some_and(|side| on(&end) == Some(side));
         back.then_some(&check.surface)
+    }
+
+    /// The check surface at which TO stopped a tool that stood in it where the motion began, and how deep it stood: it comes out of
+    /// it first, on whichever side the motion leads to, and meets it there.
+    fn begins_in<'d>(
+        &self,
+        d: &'d protap::Drive,
+        tool: &Tool,
+        path: &Path,
+    ) -> Option<(&'d SurfaceRef, f64)> {
+        let first = |c: &&protap::Check| c.relation == Relation::To && c.nth <= 1;
+        let check = d.checks.get(path.check).filter(first)?;
+        let keep = Keep::of(&self.wall(&check.surface, Role::Check, false).ok()?).ok()?;
+        let start = Pose { te: tool.te, ta: tool.ta };
+        let depth = Watch::new(&keep, check.relation, check.nth, &start).depth(&start)?;
+        Some((&check.surface, depth))
     }
 
     fn path(&self, d: &protap::Drive, tool: Tool) -> Result<Path, Failure> {

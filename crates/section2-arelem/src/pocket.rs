@@ -4,7 +4,8 @@
 //! from the inside, always beginning at the corner of the first point. How near the innermost ones come, and how the cut
 //! is shortened at corners that come up, is APT-360's way, found by running some hundreds of pockets through it.
 
-use aptc_geometry::{Form, Plane, Vec3};
+use aptc_contact::{Condition, Side as Contact, distance};
+use aptc_geometry::{Form, Plane, Surface, Vec3};
 use aptc_protap::Pocket;
 
 use crate::state::{Part, Role, Settings, Tool};
@@ -109,6 +110,31 @@ pub(crate) fn passes(p: &Pocket, settings: &Settings, tool: &Tool) -> Result<Pas
 fn beside_walls(settings: &Settings) -> Option<f64> {
     settings.cutter.filter(|c| c.beta_deg < 0.0)?;
     Some(settings.profile(Role::Drive)?.ok()?.widest())
+}
+
+/// How deep the cutter is below a floor that leans while its tool end is on it, where that is more than INTOL: its rim is lower there
+/// on one side. Of places of the tool end nobody says that they lie on a floor.
+pub(crate) fn below_floor(
+    passes: &Passes,
+    p: &Pocket,
+    settings: &Settings,
+    tool: &Tool,
+) -> Option<f64> {
+    if p.flags[1] == 0 {
+        return None;
+    }
+    let profile = settings.profile(Role::Part)?.ok()?;
+    let corners = passes.polygons.last()?;
+    let next = corners.iter().skip(1).chain(corners.first());
+    let area: Vec3 =
+        corners.iter().zip(next).map(|(a, b)| (a - corners[0]).cross(&(b - corners[0]))).sum();
+    let n = area.try_normalize(0.0)?;
+    let n = n * n.dot(&tool.ta).signum();
+    let at = aptc_contact::Tool { profile: &profile, te: Vec3::zeros(), ta: tool.ta };
+    let floor = Surface::Plane(Plane { n, d: 0.0 });
+    let gap = distance(&at, &floor, Condition::Touch, Contact::Positive, 0.0, None).ok()?;
+    let allowed = settings.intol_of_part() + LEVEL * profile.reach();
+    (-gap.g > allowed).then_some(-gap.g)
 }
 
 /// What stands between the passes higher than OUTTOL, on a floor square to the tool axis.

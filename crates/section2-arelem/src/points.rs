@@ -147,6 +147,9 @@ impl Arelem {
                 {
                     self.diagnostics.push(warning::flat_too_small(origin, &stands));
                 }
+                if let Some(depth) = pocket::below_floor(&passes, p, &self.settings, &tool) {
+                    self.diagnostics.push(warning::below_floor(origin, depth));
+                }
                 passes.polygons
             }
             Err(why) => return self.fail(origin, &Failure::Pocket { why }),

@@ -136,7 +136,7 @@ pub(crate) struct Path {
     pub(crate) astray: Option<Astray>,
     /// Other positions that are just as near, of a start-up.
     pub(crate) rivals: Vec<Candidate>,
-    /// How far OFFSET ended from its drive surface, which leans.
+    /// How far OFFSET ended from its drive surface, which leans; below zero how deep in it.
     pub(crate) left: Option<f64>,
 }
 

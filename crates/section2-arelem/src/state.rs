@@ -175,6 +175,11 @@ impl Settings {
         self.outtol.map_or(OUTTOL_MM / self.units.mm(), |t| t[0])
     }
 
+    /// So deep the cutter may be in the part surface.
+    pub(crate) fn intol_of_part(&self) -> f64 {
+        self.intol[0]
+    }
+
     pub(crate) fn set_outtol(&mut self, t: [f64; 4]) {
         self.outtol = Some(t);
         self.least_said = false;

@@ -28,12 +28,16 @@ pub(crate) fn lifted(origin: &Origin, z: f64) -> Diagnostic {
         .help("give PSIS/surface before it, or the part surface with it: GO/TO,drive surface,TO,part surface")
 }
 
-/// OFFSET that left its drive surface on the way to the part surface.
+/// OFFSET that left its drive surface on the way to the part surface, so far off it or, below zero, in it.
 pub(crate) fn left(origin: &Origin, drive: &SurfaceRef, far: f64) -> Diagnostic {
+    let (drive, by) = (called(drive), number(far.abs()));
+    let ends = if far < 0.0 {
+        format!("with the cutter {by} deep in {drive}")
+    } else {
+        format!("{by} from {drive}")
+    };
     let text = format!(
-        "OFFSET ends {} from {}: it came to it, and then went along the tool axis to the part surface",
-        number(far),
-        called(drive)
+        "OFFSET ends {ends}: it came to it, and then went along the tool axis to the part surface"
     );
     Diagnostic::warning(codes::LEFT_BY_OFFSET, origin.span, text)
         .within(origin.trace.clone())
@@ -152,6 +156,19 @@ pub(crate) fn comes_back(origin: &Origin, surface: &SurfaceRef) -> Diagnostic {
         .help("if it is to stop before, write TO or ON, else a check surface that it gets past")
 }
 
+/// TO a check surface in which the cutter stands at the start.
+pub(crate) fn begins_in(origin: &Origin, surface: &SurfaceRef, depth: f64) -> Diagnostic {
+    let check = called(surface);
+    let text = format!(
+        "the cutter stands {} deep in check surface {check} where the motion begins, and TO stops it where it comes to {check} the next \
+         time",
+        number(depth)
+    );
+    Diagnostic::warning(codes::BEGINS_IN, origin.span, text).within(origin.trace.clone()).help(
+        format!("begin the motion clear of {check}; where all of the cutter is to have gone through it, write PAST"),
+    )
+}
+
 /// RADIUS or HIGHT of TLAXIS, which say where on the cutter it touches, before a motion in which its shape does.
 pub(crate) fn contact_not_chosen(origin: &Origin) -> Diagnostic {
     let text = "RADIUS and HIGHT of TLAXIS do not count along surfaces: the cutter touches where its shape does";
@@ -200,4 +217,15 @@ pub(crate) fn flat_too_small(origin: &Origin, b: &Between) -> Diagnostic {
     Diagnostic::warning(codes::MATERIAL_LEFT, origin.span, text)
         .within(origin.trace.clone())
         .help(help)
+}
+
+/// A pocket with a floor that leans, below which the cutter reaches while its tool end is on it.
+pub(crate) fn below_floor(origin: &Origin, depth: f64) -> Diagnostic {
+    let text = format!(
+        "the floor of the pocket leans, and its passes put the tool end on it: the cutter reaches {} below it",
+        number(depth)
+    );
+    Diagnostic::warning(codes::BELOW_FLOOR, origin.span, text)
+        .within(origin.trace.clone())
+        .help("turn the tool axis square to the floor (TLAXIS), or give points or a part surface that lie higher by so much")
 }

@@ -56,4 +56,6 @@ codes! {
     NO_EFFECT = 2059, "a word that has no effect on regional milling";
     BARE_HOLDER = 2060, "HOLDER while nothing is checked";
     WHOLLY_BEYOND = 2061, "motion wholly beyond the border of a sculptured surface";
+    BEGINS_IN = 2062, "TO a check surface in which the cutter stands at the start";
+    BELOW_FLOOR = 2063, "a pocket below whose floor the cutter reaches";
 }

@@ -32,3 +32,4 @@ pub(crate) use judge::between;
 pub(crate) use keep::{Keep, Pose};
 pub(crate) use run::run;
 pub(crate) use start::start;
+pub(crate) use watch::Watch;

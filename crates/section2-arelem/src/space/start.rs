@@ -104,7 +104,9 @@ fn start_on(go: &Start, all: bool) -> Result<Path, Failure> {
         if gap.abs() > aims[0].keep.width() {
             drive = drive.filter(|_| !aims[0].wall.on);
             drive = drive.map(|drive| left_by_offset(drive, aims[0].keep.width(), gap));
-            left = Some(gap.abs()).filter(|_| gap > 0.0 || aims[0].wall.on);
+            left = Some(if aims[0].wall.on { gap.abs() } else { gap });
+        } else if gap < aims[0].keep.limits().low - 1e-6 * aims[0].keep.width() {
+            left = Some(gap);
         }
     }
     let control = Control { drive, part, checks: sides.collect(), milling: None };

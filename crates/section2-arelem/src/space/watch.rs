@@ -12,8 +12,8 @@ use super::keep::{Keep, Pose};
 use super::stride::Stride;
 use super::track::{Node, Track, Trouble};
 use super::way::{
-    Crossing, Found, GRAZING, HALVINGS, Lost, RATE, ROUNDS, Sample, Way, crossings, in_limits,
-    read, simple, sunk, tangencies,
+    Crossing, GRAZING, HALVINGS, Lost, RATE, ROUNDS, Sample, Way, crossings, in_limits, read,
+    simple, sunk, tangencies,
 };
 
 /// How often a long cut vector over a surface of mixed curvature is halved at most.
@@ -26,6 +26,8 @@ pub(crate) struct Watch {
     nth: u32,
     gauges: Vec<Gauge>,
     met: u32,
+    /// Does it stand in a hollow that counts as open, which it has not left since the start?
+    open: bool,
     /// Closer than this counts as touching.
     near: f64,
     /// A tangency may be this far from exact.
@@ -72,6 +74,7 @@ pub(crate) struct Halt {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Mark {
     met: u32,
+    open: bool,
     closest: (f64, Pose),
     alike: f64,
     gauges: [([bool; 2], Option<Gap>); 3],
@@ -82,13 +85,14 @@ impl Watch {
         let gauge = |i: usize| {
             self.gauges.get(i).map_or(([false; 2], None), |g| ([g.armed, g.along], g.last))
         };
-        let Self { met, closest, alike, .. } = *self;
-        Mark { met, closest, alike, gauges: [gauge(0), gauge(1), gauge(2)] }
+        let Self { met, open, closest, alike, .. } = *self;
+        Mark { met, open, closest, alike, gauges: [gauge(0), gauge(1), gauge(2)] }
     }
 
     /// Forgets what it has seen since.
     pub(crate) fn back_to(&mut self, mark: &Mark) {
-        (self.met, self.closest, self.alike) = (mark.met, mark.closest, mark.alike);
+        (self.met, self.open) = (mark.met, mark.open);
+        (self.closest, self.alike) = (mark.closest, mark.alike);
         for (gauge, ([armed, along], last)) in self.gauges.iter_mut().zip(mark.gauges) {
             (gauge.armed, gauge.along, gauge.last) = (armed, along, last);
         }
@@ -101,15 +105,13 @@ impl Watch {
 
     /// The gauges of a check surface for a motion that starts at `pose`.
     pub(crate) fn new(keep: &Keep, relation: Relation, nth: u32, pose: &Pose) -> Self {
-        let inner = match keep.condition {
-            Condition::On => None,
-            Condition::Touch => Some(keep.inner(pose)),
-        };
         // A cutter that comes from outside is inside only when all of it is.
-        let inner = inner.map(|s| if keep.on_side(s).clears(pose) { s } else { Side::Negative });
+        let inner = (keep.condition == Condition::Touch).then_some(Side::Negative);
+        let stands = stands_in_open(keep, pose);
         // A fillet that the cutter is too tall for is tangent to its wall or floor all the same.
         let tangent = matches!(relation, Relation::Tanto | Relation::Pstan);
-        let open = (tangent && keep.opens(pose) && inner != Some(Side::Open)).then_some(Side::Open);
+        let inner = inner.filter(|_| !(tangent && stands && keep.taller(pose)));
+        let open = (stands || tangent && keep.opens(pose)).then_some(Side::Open);
         let near = keep.intol.max(keep.outtol);
         let piece = 4.0 * keep.profile.widest().max(keep.surface.extent() / 256.0);
         let gauge = |side: Side| {
@@ -133,6 +135,7 @@ impl Watch {
             nth: nth.max(1),
             gauges,
             met: 0,
+            open: stands,
             near,
             loose: 2.0 * keep.width(),
             strict: false,
@@ -149,7 +152,25 @@ impl Watch {
 
     /// Does the cutter stand in the surface, whichever side of it is taken?
     pub(crate) fn stands_in(&self, pose: &Pose) -> bool {
-        self.gauges.iter().all(|g| g.keep.gap(pose, None).is_ok_and(|gap| gap.g < -self.near))
+        self.depth(pose).is_some()
+    }
+
+    /// How deep it stands in it then on the side on which it is least so.
+    pub(crate) fn depth(&self, pose: &Pose) -> Option<f64> {
+        let mut least = f64::INFINITY;
+        for gauge in &self.gauges {
+            let depth = -gauge.keep.gap(pose, None).ok()?.g;
+            if depth <= self.near {
+                return None;
+            }
+            least = least.min(depth);
+        }
+        least.is_finite().then_some(least)
+    }
+
+    /// Does a gauge count now? Of a hollow that is open all of it does not, nor what is open of it once the cutter has left it.
+    fn counts(&self, i: usize) -> bool {
+        self.gauges[i].keep.side != if self.open { Side::Negative } else { Side::Open }
     }
 
     /// Way of a tool that keeps its axis for which the check surface cannot be met, as the last readings tell; tangencies
@@ -226,22 +247,19 @@ impl Watch {
                     self.closest = (p.gap.g, pose);
                 }
             }
+            let counts = tangent || self.counts(i);
             let halvings = self.gauges[i].halvings(stride.length);
             let keep = &self.gauges[i].keep;
             let mut out = Vec::new();
             if tangent {
                 tangencies(&way, keep, a, b, loose, halvings, &mut self.alike, &mut out)?;
             } else {
-                let last = self.met + 1 >= self.nth;
-                let ends =
-                    |c| last && self.wants(&c) && matches!(self.halt(&way, c, i), Ok(Some(_)));
-                let mut zeros = Found::new(ends);
-                if let Err(now) = crossings(&way, keep, a, b, halvings, &mut zeros)
+                if let Err(now) = crossings(&way, keep, a, b, halvings, &mut out)
+                    && counts
                     && lost.as_ref().is_none_or(|before| now.s < before.s)
                 {
                     lost = Some(now);
                 }
-                out = zeros.all;
                 if self.relation == Relation::To && self.met + 1 >= self.nth && out.is_empty() {
                     out.extend(grazed(&way, keep, a, b));
                 }
@@ -258,7 +276,18 @@ impl Watch {
             if lost.as_ref().is_some_and(|lost| crossing.s > lost.s) {
                 break;
             }
-            if !self.wants(&crossing) {
+            if !tangent && !self.counts(i) {
+                continue;
+            }
+            // Out of an open hollow it comes from outside, as any other.
+            let outside = self.gauges[i].keep.side == Side::Positive;
+            self.open &= !outside || crossing.touch || crossing.falls;
+            let wanted = match self.relation {
+                Relation::To => crossing.touch || crossing.falls,
+                Relation::Past => crossing.touch || !crossing.falls,
+                _ => true,
+            };
+            if !wanted {
                 continue;
             }
             let before = self.met + 1 < self.nth;
@@ -285,15 +314,6 @@ impl Watch {
         let Some(lost) = lost else { return Ok(None) };
         *known = lost.s;
         Err(lost.trouble)
-    }
-
-    /// Is it a crossing in the direction that is asked for?
-    fn wants(&self, crossing: &Crossing) -> bool {
-        match self.relation {
-            Relation::To => crossing.touch || crossing.falls,
-            Relation::Past => crossing.touch || !crossing.falls,
-            _ => true,
-        }
     }
 
     /// The node at a crossing; `None` where the cutter is much deeper in the check surface elsewhere: the shank may stand
@@ -407,6 +427,19 @@ impl Watch {
         }
         Ok(Halt { s, node, beside: false, ..*halt })
     }
+}
+
+/// Does the cutter stand in a hollow that is open along its axis, its end no higher than the middle of that, and is it clear of it so but
+/// not of all of it? Higher up nothing stands beside it but what runs straight up from the outline.
+fn stands_in_open(keep: &Keep, pose: &Pose) -> bool {
+    /// What rounding leaves of a normal in the middle.
+    const LEVEL: f64 = 1e-9;
+    let clears = |side: Side| keep.on_side(side).clears(pose);
+    keep.opens(pose)
+        && keep.surface.foot(pose.te).normal.dot(&pose.ta) <= LEVEL
+        && clears(Side::Open)
+        && !clears(Side::Negative)
+        && !clears(Side::Positive)
 }
 
 /// Share of the band that is left where the tool stops at a surface that it only grazes, which is near for a long way: as

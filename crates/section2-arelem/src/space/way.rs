@@ -404,35 +404,16 @@ pub(crate) struct Lost {
     pub(crate) trouble: Trouble,
 }
 
-/// Zeros of a gap, the nearest first, until one at which the motion ends: what a long cut vector leads to behind that does not matter.
-pub(super) struct Found<F> {
-    pub(super) all: Vec<Crossing>,
-    /// Does the motion end there?
-    ends: F,
-    done: bool,
-}
-
-impl<F: Fn(Crossing) -> bool> Found<F> {
-    pub(super) fn new(ends: F) -> Self {
-        Self { all: Vec::new(), ends, done: false }
-    }
-
-    fn push(&mut self, crossing: Crossing) {
-        self.all.push(crossing);
-        self.done = self.done || (self.ends)(crossing);
-    }
-}
-
-/// The zeros of the gap between two samples.
-pub(super) fn crossings<F: Fn(Crossing) -> bool>(
+/// The zeros of the gap between two samples, the nearest first.
+pub(super) fn crossings(
     way: &Way<'_>,
     keep: &Keep,
     a: Sample,
     b: Sample,
     halvings: u32,
-    out: &mut Found<F>,
+    out: &mut Vec<Crossing>,
 ) -> Result<(), Lost> {
-    if b.s <= a.s || out.done {
+    if b.s <= a.s {
         return Ok(());
     }
     let lost = |trouble| Lost { s: a.s, trouble };
