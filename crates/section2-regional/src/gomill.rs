@@ -14,12 +14,13 @@ use crate::failure::{Failure, left_standing, through};
 use crate::goloft::{CurveWish, at_line, chosen_counts, own_drive};
 use crate::path::Path;
 use crate::put::Put;
-use crate::region::Region;
+use crate::region::{GOT_OUT, Region};
 use crate::regional::{Regional, Stand};
 use crate::report::reports;
 use crate::retract::Retract;
 use crate::scon::Words;
 use crate::solve::Take;
+use crate::strips;
 use crate::touched::along_lines;
 use crate::unused::{Milling, lines_out};
 use crate::within::{self, Stretch};
@@ -158,7 +159,11 @@ impl Regional {
         if self.outlines.is_active() {
             let stretches = self.left(&region, form, from, ([start, thru], wish.pick));
             let done = within::mill(&region, &stretches, retract, crew)?;
-            let control = self.milling_control(&part, None, false);
+            let strips = if done.why.is_none() { &done.strips[..] } else { &[] };
+            let excused = done.avoided.then_some(GOT_OUT);
+            let scallop =
+                strips::scallop(strips, (&part.surface, course), stepover.scallop, excused);
+            let control = self.milling_control(&part, scallop, false);
             self.diagnostics.extend(reports(origin, &done.notes));
             let stand = self.put(origin, (name, guide), done.puts, Some(&control), out);
             return done.why.map_or(Ok(stand), Err);
@@ -234,11 +239,11 @@ impl Regional {
         let course = region.course;
         let mut rises = region.senses[0] > 0.0;
         let mut all = Vec::new();
-        for line in region.lines(from) {
-            let fixed = line[course.across().index()];
+        for (line, at) in region.lines(from).into_iter().enumerate() {
+            let fixed = at[course.across().index()];
             let stretch = |[a, b]: [f64; 2]| {
                 let (from, to) = if rises { (a, b) } else { (b, a) };
-                Stretch { fixed, from, to }
+                Stretch { line, fixed, from, to }
             };
             let left = self.outlines.clip(form, course.index(), fixed, ends);
             let before = all.len();

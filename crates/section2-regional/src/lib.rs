@@ -52,6 +52,7 @@ mod smil;
 mod solve;
 mod step;
 mod stepover;
+mod strips;
 mod summit;
 mod tlproj;
 mod touched;

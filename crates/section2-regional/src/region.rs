@@ -23,7 +23,7 @@ use crate::put::{Along, Put};
 use crate::report::Note;
 use crate::retract::Retract;
 use crate::solve::Setup;
-use crate::touched::{Stand, Touched, links};
+use crate::touched::{Touched, links};
 
 /// What a region is milled by.
 #[derive(Clone, Copy, Debug)]
@@ -42,6 +42,9 @@ pub(crate) struct Region<'a> {
     /// The first point of the first path is not put out.
     pub(crate) skip: bool,
 }
+
+/// Why more may stand somewhere than a scallop allows.
+pub(crate) const GOT_OUT: &str = "the tool got out of the way";
 
 /// What came of a region.
 #[derive(Debug, Default)]
@@ -72,7 +75,7 @@ impl Done {
     ) -> Option<Scallop> {
         // Beside a single pass nothing lies between.
         let asked = height > 0.0 && self.why.is_none() && self.touched.len() > 1;
-        let why = self.avoided.then_some("the tool got out of the way");
+        let why = self.avoided.then_some(GOT_OUT);
         let excused = why.or(led.then_some("the tool end is led over another surface"));
         let links = links(&self.touched);
         asked.then(|| Scallop { height, extent: extent(), excused, links })
@@ -191,9 +194,7 @@ impl Region<'_> {
         let course = (lane.to, self.course, lane.sense);
         let (points, rolls) = self.run(&setup, lane.from, course, first, out)?;
         // Of passes that go to and fro the contacts are kept in one direction.
-        let stands = points.first().into_iter().chain(rolls.iter().flatten()).chain(points.last());
-        let stands = stands.map(Stand::of).collect();
-        out.touched = Touched::by(points.iter().map(|p| p.part_uv), stands, lane.sense < 0.0);
+        out.touched = Touched::of(&points, &rolls, lane.sense < 0.0);
         let Some(target) = lane.next else { return Ok(()) };
         let mut from = lane.from;
         let stand = if self.clearance.is_some() {

@@ -4,6 +4,7 @@ use aptc_cldata::Position;
 use aptc_cldata::milling::Extent;
 use aptc_geometry::{Sculptured, Vec3};
 
+use crate::position::Position as Standing;
 use crate::round::round;
 
 /// The contacts of a pass, by parameters of the part surface, in one direction for all passes.
@@ -24,12 +25,16 @@ pub(crate) struct Stand {
 }
 
 impl Stand {
-    pub(crate) fn of(p: &crate::position::Position) -> Self {
+    pub(crate) fn of(p: &Standing) -> Self {
         Self { at: Position { te: p.te, ta: p.ta }, contact: p.contact }
     }
 
+    pub(crate) fn at(&self) -> Position {
+        self.at
+    }
+
     /// The tool as it stands here with its contact at another place.
-    fn over(&self, contact: Vec3) -> Position {
+    pub(crate) fn over(&self, contact: Vec3) -> Position {
         Position { te: self.at.te + (contact - self.contact), ..self.at }
     }
 }
@@ -51,6 +56,23 @@ impl Touched {
             all.fold([f64::INFINITY, f64::NEG_INFINITY], |r, x| [r[0].min(x), r[1].max(x)])
         });
         Self { line, range, stands }
+    }
+
+    /// Least and greatest u and v.
+    pub(crate) fn range(&self) -> [[f64; 2]; 2] {
+        self.range
+    }
+
+    /// Where the tool stands at its beginning, 0, or its end, 1.
+    pub(crate) fn stand(&self, end: usize) -> Option<&Stand> {
+        if end == 0 { self.stands.first() } else { self.stands.last() }
+    }
+
+    /// The same of the positions of a path and of its rolls over edges.
+    pub(crate) fn of(points: &[Standing], rolls: &[[Standing; 2]], back: bool) -> Self {
+        let stands = points.first().into_iter().chain(rolls.iter().flatten()).chain(points.last());
+        let stands = stands.map(Stand::of).collect();
+        Self::by(points.iter().map(|p| p.part_uv), stands, back)
     }
 }
 

@@ -13,10 +13,14 @@ use crate::put::{Along, Put};
 use crate::region::Region;
 use crate::report::Note;
 use crate::retract::Retract;
+use crate::strips::Strip;
+use crate::touched::Touched;
 
 /// What is left of a line: the other parameter, and from where to where it is milled.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Stretch {
+    /// Number of the line, from the first.
+    pub(crate) line: usize,
     pub(crate) fixed: f64,
     pub(crate) from: f64,
     pub(crate) to: f64,
@@ -27,6 +31,10 @@ pub(crate) struct Stretch {
 pub(crate) struct Done {
     pub(crate) puts: Vec<Put>,
     pub(crate) notes: Vec<Note>,
+    /// Did the tool get out of the way somewhere?
+    pub(crate) avoided: bool,
+    /// What each stretch touches of the part surface.
+    pub(crate) strips: Vec<Strip>,
     pub(crate) why: Option<Failure>,
 }
 
@@ -54,8 +62,8 @@ pub(crate) fn mill(
     });
     let mut done = Done::default();
     let mut last: Option<(Vec3, Vec3)> = None;
-    for (i, slot) in slots.into_iter().enumerate() {
-        let (Path { points, notes, .. }, why) = match slot.into_inner() {
+    for (i, (slot, stretch)) in slots.into_iter().zip(stretches).enumerate() {
+        let (path, why) = match slot.into_inner() {
             None => (Path::default(), Some(Failure::Stopped { done: i, all: n })),
             Some(Ok(path)) => (path, None),
             Some(Err(broken)) => {
@@ -63,6 +71,10 @@ pub(crate) fn mill(
                 (done, Some(why))
             }
         };
+        let touched = Touched::of(&path.points, &path.rolls, stretch.to < stretch.from);
+        done.strips.push(Strip { line: stretch.line, touched });
+        let Path { points, notes, avoided, .. } = path;
+        done.avoided |= avoided;
         let points: Vec<Along> = points.iter().map(Along::of).collect();
         if let (Some(from), Some(to), Some(retract)) = (last, points.first(), &retract) {
             let way = retract.over(from, to.at);

@@ -1,12 +1,12 @@
 //! Rapid motion, which has no surface to hold to and shall cut none.
 
-use aptc_cldata::{Controlled, Position};
+use aptc_cldata::Position;
 use aptc_diagnostics::{Diagnostic, Origin, codes};
-use aptc_geometry::{Form, Plane, Profile, Vec3};
+use aptc_geometry::{Plane, Profile, Vec3};
 
+use crate::around::{Around, Wall};
 use crate::certificate::{Fault, RapidCut, length};
-use crate::judged::Judged;
-use crate::statement::Seen;
+use crate::statement::Statement;
 
 /// A motion after RAPID, with the place where it begins.
 #[derive(Clone, Debug)]
@@ -19,16 +19,18 @@ pub(crate) struct Rapid {
     pub(crate) clearance: Option<Plane>,
     /// Does a cycle of the machine work where it ends?
     pub(crate) cycle: bool,
+    /// Is it the way to the first place of regional milling, which that holds against what it checks?
+    pub(crate) arrives: bool,
 }
 
 /// A sideways share of a motion below this is rounding.
 const SIDEWAYS: f64 = 1e-9;
 
-/// Holds rapid motions against the part surfaces of the motions before and after them, and against their
+/// Holds rapid motions against the surfaces of the motions before and after them, and against their
 /// clearance plane.
 #[derive(Debug, Default)]
 pub(crate) struct Free {
-    before: Option<(Controlled, Position, Profile)>,
+    before: Option<Around>,
     /// Those since the last motion along surfaces.
     waiting: Vec<Waiting>,
     /// Cuts, for the certificate.
@@ -63,9 +65,7 @@ impl Free {
         if let Some(end) = rapid.points.last() {
             self.next(end);
         }
-        let judge = |end: End| {
-            self.before.as_ref().and_then(|(part, at, profile)| cut(rapid, part, at, profile, end))
-        };
+        let judge = |end: End| self.before.as_ref().and_then(|b| cut(rapid, b, end, false));
         if let Some(fault) = judge(End::Excused) {
             // One mistake, one message.
             return self.told(rapid, fault);
@@ -80,26 +80,27 @@ impl Free {
 
     /// The motion from point to point next to a rapid one, by where it ends.
     pub(crate) fn next(&mut self, end: &Position) {
-        let Some((part, at, profile)) = &self.before else { return };
+        let Some(around) = &self.before else { return };
         for waiting in self.waiting.iter_mut().filter(|w| w.due == Due::Open) {
             let Some(plunge) = &waiting.plunge else { continue };
-            let there = deep(&waiting.rapid, end, part, at, profile);
+            let there = deep(&waiting.rapid, end, around);
             let works = there >= plunge.depth - waiting.rapid.pad;
             waiting.due = if works { Due::No } else { Due::Yes };
         }
     }
 
-    /// A motion along surfaces, with its part surface and where it ended.
-    pub(crate) fn along(&mut self, part: &Controlled, at: &Position, profile: &Profile) {
+    /// A motion along surfaces.
+    pub(crate) fn along(&mut self, statement: &Statement) {
+        let Some(around) = Around::of(statement, self.before.as_ref()) else { return };
         for Waiting { rapid, plunge, .. } in std::mem::take(&mut self.waiting) {
             // A motion that ends below the surface before and the surface after it went into the part.
-            let judge = |end: End| cut(&rapid, part, at, profile, end);
+            let judge = |end: End| cut(&rapid, &around, end, rapid.arrives);
             let into = plunge.filter(|_| judge(End::Judged).is_some());
             if let Some(fault) = judge(End::Excused).or(into) {
                 self.told(&rapid, fault);
             }
         }
-        self.before = Some((part.clone(), *at, *profile));
+        self.before = Some(around);
     }
 
     /// No motion follows.
@@ -115,7 +116,7 @@ impl Free {
     /// side of the part, which its surface says nothing of.
     fn upright(&self, rapid: &Rapid) -> bool {
         let same = |at: &Position, end: &Position| (at.ta - end.ta).norm() <= SIDEWAYS;
-        self.before.as_ref().zip(rapid.points.last()).is_some_and(|((_, at, _), end)| same(at, end))
+        self.before.as_ref().zip(rapid.points.last()).is_some_and(|(b, end)| same(&b.at, end))
     }
 
     fn told(&mut self, rapid: &Rapid, fault: Fault) {
@@ -138,49 +139,53 @@ enum End {
     Judged,
 }
 
-/// The deepest cut of the rapid motion into the part surface.
+/// The deepest cut of the rapid motion into what is around it.
+fn cut(rapid: &Rapid, around: &Around, end: End, arrives: bool) -> Option<Fault> {
+    let cuts = around.walls(arrives).into_iter().filter_map(|wall| cut_into(rapid, wall, end));
+    cuts.reduce(|a, b| if b.depth > a.depth { b } else { a })
+}
+
+/// The deepest cut into one surface.
 ///
 /// A tool that goes straight up leaves the way it came. Where it begins deeper than the surface, for
 /// another cut reached deeper there, only what is deeper still is a cut of the rapid motion; the same where it
-/// ends, unless that is judged. Around a tool that
-/// works inside of a round surface the surface closes above: leaving it is no cut.
-fn cut(
-    rapid: &Rapid,
-    part: &Controlled,
-    at: &Position,
-    profile: &Profile,
-    end: End,
-) -> Option<Fault> {
-    if part.side < 0 && !matches!(part.form.shape(), Form::Plane(_) | Form::Line(_)) {
-        return None;
-    }
+/// ends, unless that is judged. A tool that a surface with ends goes through there is nowhere deeper in it: deeper still is
+/// then where the surface goes through it higher up.
+fn cut_into(rapid: &Rapid, mut wall: Wall, end: End) -> Option<Fault> {
     /// Looks at one place: what is refuted is told to a tenth of its depth.
     const LOOKS: usize = 8;
     /// Share of the depth at the ends that all the same counts as no deeper.
     const ALIKE: f64 = 1e-3;
-    let mut judged = Judged::clear(part, at, profile)?;
-    let judge = |judged: &Judged, a: &Position, b: &Position, i: u64| {
-        let fault = judged.vector(&rapid.profile, a, b, rapid.pad, i, &mut Seen::default());
-        fault.filter(|f| f.refuted)
-    };
-    let last = rapid.points.last().filter(|_| end == End::Excused);
+    let excused = end == End::Excused || wall.leads_the_end();
+    let last = rapid.points.last().filter(|_| excused);
+    let ends: Vec<&Position> = rapid.points.first().into_iter().chain(last).collect();
+    let fresh = wall.clone();
     let mut depth = 0.0;
-    for p in rapid.points.first().into_iter().chain(last) {
+    for p in &ends {
         for _ in 0..LOOKS {
-            let Some(deeper) = judge(&judged, p, p, 0) else { break };
-            judged.allow(deeper.depth);
+            let Some(deeper) = wall.cut(rapid, p, p, 0) else { break };
+            wall.allow(deeper.depth);
             depth += deeper.depth;
         }
     }
-    judged.allow(ALIKE * depth);
+    let through = fresh.is_through(&rapid.profile, depth);
+    if through {
+        wall = fresh.raised(rapid, &ends)?;
+    } else {
+        wall.allow(ALIKE * depth);
+    }
     let mut worst: Option<Fault> = None;
     for (i, pair) in (1..).zip(rapid.points.windows(2)).filter(|(_, w)| !goes_up(w)) {
-        let fault = judge(&judged, &pair[0], &pair[1], i);
+        let fault = wall.cut(rapid, &pair[0], &pair[1], i);
         if let Some(f) = fault.filter(|f| worst.as_ref().is_none_or(|w| f.depth > w.depth)) {
             worst = Some(f);
         }
     }
-    worst.map(|f| Fault { depth: f.depth + depth * (1.0 + ALIKE), ..f })
+    worst.map(|f| {
+        // What goes through the tool is as deep in it as it can be.
+        let deep = if through { f.depth.max(depth) } else { f.depth + depth * (1.0 + ALIKE) };
+        Fault { depth: deep, surface: fresh.called(f.surface), ..f }
+    })
 }
 
 /// Does the tool go along its axis, away from its end?
@@ -190,11 +195,10 @@ fn goes_up(pair: &[Position]) -> bool {
     up >= 0.0 && (way - up * pair[0].ta).norm() <= SIDEWAYS * (pair[0].te.norm() + up)
 }
 
-/// How deep beyond its tolerance a tool that stands at `p` is in the part surface.
-fn deep(rapid: &Rapid, p: &Position, part: &Controlled, at: &Position, profile: &Profile) -> f64 {
-    let fault = Judged::clear(part, at, profile)
-        .and_then(|judged| judged.vector(&rapid.profile, p, p, rapid.pad, 0, &mut Seen::default()));
-    fault.filter(|f| f.refuted).map_or(0.0, |f| f.depth)
+/// How deep beyond its tolerance a tool that stands at `p` is in what is around it.
+fn deep(rapid: &Rapid, p: &Position, around: &Around) -> f64 {
+    let deep = around.walls(false).into_iter().filter_map(|wall| wall.cut(rapid, p, p, 0));
+    deep.fold(0.0, |deepest, f| f.depth.max(deepest))
 }
 
 fn told(rapid: &Rapid, fault: &Fault) -> Diagnostic {

@@ -11,7 +11,7 @@ use crate::demand::{Demand, Verdict};
 use crate::sheets::Sheets;
 use crate::statement::Seen;
 
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Judged {
     demand: Demand,
     /// The disk of CUTTER/OPTION, which is proved as programmed.

@@ -4,6 +4,7 @@
 //! functions, so that a direction that was found badly makes a proof weaker and never wrong. The answer for
 //! each cut vector is *proved*, *refuted* with place and depth, or *not decided*.
 
+mod around;
 mod batch;
 mod beside;
 mod between;

@@ -221,6 +221,34 @@ impl MilledSurface {
         }
     }
 
+    /// A surface beside motion that does not run along it, which may touch it; `None` where it has no charts.
+    pub(crate) fn passed(
+        of: &Milled,
+        role: &'static str,
+        milling: &Milling,
+        sheets: &Sheets,
+    ) -> Option<Self> {
+        let new = Self::new(of, role, milling, sheets.of(&of.surface)?);
+        let deep = Milling::touching(milling.intol, milling.outtol) - milling.intol;
+        let band = [new.band[0] - deep, f64::INFINITY];
+        Some(Self { on: false, led: false, band, ..new })
+    }
+
+    /// Allows the tool to be deeper by so much.
+    pub(crate) fn allow(&mut self, deeper: f64) {
+        self.band[0] -= deeper;
+    }
+
+    /// The least distance that is asked for.
+    pub(crate) fn least(&self) -> f64 {
+        self.band[0]
+    }
+
+    /// The same for a tool that is raised along its axis.
+    pub(crate) fn raised(&self, profile: &Profile, up: f64) -> Self {
+        Self { holder: Some(Raised { profile: *profile, up }), ..self.clone() }
+    }
+
     /// A surface that is not sculptured. Its straight continuations belong to it.
     fn plain(of: &Plain, milling: &Milling, sheets: &Sheets, from: (&Profile, &Position)) -> Self {
         let depth = milling.intol - of.thick;
@@ -350,7 +378,7 @@ impl MilledSurface {
         }
     }
 
-    fn told(&self) -> String {
+    pub(crate) fn told(&self) -> String {
         let with = match (&self.holder, self.between) {
             (None, _) => "",
             (Some(_), false) => " with the holder",

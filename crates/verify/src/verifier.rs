@@ -217,10 +217,7 @@ impl Verifier {
                     self.went_through(statement, judgement.through);
                     self.certificate.statements.push(judgement.proof);
                     self.diagnostics.extend(self.joins.along(statement));
-                    let at = statement.points.last();
-                    if let (Some(part), Some(at)) = (&statement.control.part, at) {
-                        self.free.along(part, at, &statement.profile);
-                    }
+                    self.free.along(statement);
                 }
                 Event::Unknown(motion, origin) => self.without_proof(motion, origin),
                 Event::Rapid(rapid) => self.free.rapid(rapid),
@@ -282,11 +279,15 @@ impl Verifier {
         {
             self.waiting.push(Event::Feed(*end));
         }
-        if rapid && (control.is_none() || startup) {
-            let points = self.last.iter().chain(&motion.points).copied().collect();
+        // Of regional milling it is how the tool comes to its first place.
+        let milling = control.and_then(|c| c.milling.as_ref()).filter(|_| self.open.is_none());
+        if rapid && (control.is_none() || startup || milling.is_some()) {
+            let n = if milling.is_some() { 1 } else { motion.points.len() };
+            let points = self.last.iter().chain(motion.points.iter().take(n)).copied().collect();
             let pad = self.pad(&motion.points, &profile);
             let (origin, clearance) = (origin.clone(), self.clearance);
-            let rapid = Rapid { origin, points, profile, pad, clearance, cycle: self.cycle };
+            let (cycle, arrives) = (self.cycle, milling.is_some());
+            let rapid = Rapid { origin, points, profile, pad, clearance, cycle, arrives };
             self.waiting.push(Event::Rapid(Box::new(rapid)));
             self.n_waiting += 1;
         }

@@ -1,0 +1,247 @@
+//! Rapid motion beside regional milling, by closed forms.
+
+use std::sync::Arc;
+
+use aptc_cldata::milling::{Milled, Milling};
+use aptc_cldata::{
+    Control, Controlled, Kind, Motion, MotionKind, NameRef, Position, Record, Relation,
+};
+use aptc_diagnostics::{Diagnostic, Origin, codes};
+use aptc_geometry::sculpt::{SplinePoint, mesh};
+use aptc_geometry::{Cutter, Form, Plane, Sculptured, Vec3, trig};
+use aptc_verify::{Certificate, Effort, Verifier};
+
+const BAND: f64 = 0.01;
+const RADIUS: f64 = 5.0;
+/// Height of the ridge along y, at x = 10, over a square of 20.
+const HIGH: f64 = 8.0;
+
+fn square(z: impl Fn(f64, f64) -> f64) -> Arc<Sculptured> {
+    let at = |i: i32, j: i32| {
+        let (x, y) = (2.5 * f64::from(i), 2.5 * f64::from(j));
+        SplinePoint::plain(Vec3::new(x, y, z(x, y)))
+    };
+    let rows: Vec<Vec<_>> = (0..9).map(|j| (0..9).map(|i| at(i, j)).collect()).collect();
+    Arc::new(mesh(&rows, aptc_geometry::sculptured::MeshSpacing::Xyz).expect("a surface"))
+}
+
+fn flat() -> Arc<Sculptured> {
+    square(|_, _| 0.0)
+}
+
+fn ridge() -> Arc<Sculptured> {
+    square(|x, _| 0.5 * HIGH * (1.0 - trig::cos(0.1 * std::f64::consts::PI * x)))
+}
+
+fn milled(name: &str, surface: &Arc<Sculptured>, side: f64, thick: f64) -> Milled {
+    let name = NameRef { name: name.into(), subscript: 0 };
+    Milled { name, surface: Arc::clone(surface), side, thick, body: None }
+}
+
+fn milling(part: Option<Milled>) -> Milling {
+    Milling {
+        part,
+        on: false,
+        risen: false,
+        checked: Vec::new(),
+        plain: Vec::new(),
+        holder: Vec::new(),
+        guarded: false,
+        intol: BAND,
+        outtol: BAND,
+        scallop: None,
+        joined: false,
+        over: false,
+    }
+}
+
+fn record(kind: Kind) -> Record {
+    Record { origin: Origin::default(), kind }
+}
+
+fn motion(kind: MotionKind, control: Option<Control>, points: &[[f64; 3]]) -> Record {
+    let points = points.iter().map(|p| Position::upright(Vec3::from(*p))).collect();
+    record(Kind::Motion(Motion {
+        kind,
+        points,
+        control: control.map(Arc::new),
+        ..Motion::default()
+    }))
+}
+
+fn along(milling: Milling, points: &[[f64; 3]]) -> Record {
+    let control = Control { milling: Some(milling), ..Control::default() };
+    motion(MotionKind::Continuous, Some(control), points)
+}
+
+fn goto(points: &[[f64; 3]]) -> Record {
+    motion(MotionKind::Goto, None, points)
+}
+
+fn rapid() -> Record {
+    record(Kind::Post { word: "RAPID".into(), args: Vec::new() })
+}
+
+fn judge(records: &[Record]) -> (Certificate, Vec<Diagnostic>) {
+    let mut verifier = Verifier::new(Effort::Full);
+    verifier.push(&record(Kind::Cutter(Cutter::mill(2.0 * RADIUS, RADIUS, 40.0))));
+    records.iter().for_each(|r| verifier.push(r));
+    verifier.finish()
+}
+
+fn told(records: &[Record]) -> Vec<u16> {
+    judge(records).1.iter().map(|d| d.code.number()).collect()
+}
+
+const CUT: [u16; 1] = [codes::RAPID_CUT.number()];
+/// A place of the flat square, and one high over it.
+const ON: [f64; 3] = [2.0, 10.0, 0.0];
+const OVER: [f64; 3] = [2.0, 10.0, 50.0];
+
+#[test]
+fn a_rapid_through_the_part_after_and_before_regional_milling_is_told_with_its_depth() {
+    for side in [1.0, -1.0] {
+        let mill = || along(milling(Some(milled("FLOOR", &flat(), side, 0.0))), &[ON]);
+        let deep = 3.0;
+        let ways = [
+            // Down, through and up again; and beyond the ends of the surface nothing is cut.
+            (vec![OVER, [10.0, 10.0, -deep], [18.0, 10.0, 50.0]], true),
+            (vec![OVER, [10.0, 40.0, -deep], [18.0, 40.0, 50.0]], false),
+            (vec![OVER, [10.0, 10.0, 0.0], [18.0, 10.0, 50.0]], false),
+        ];
+        for (way, cuts) in ways {
+            let after = [mill(), rapid(), goto(&way)];
+            let before = [goto(&way[..1]), rapid(), goto(&way), mill()];
+            for records in [&after[..], &before[..]] {
+                let (c, said) = judge(records);
+                if !cuts {
+                    assert!(c.is_proved() && said.is_empty(), "{said:?}");
+                    continue;
+                }
+                let [cut] = &c.rapids[..] else { panic!("{:?}", c.rapids) };
+                assert!(!c.is_proved() && cut.surface == "part surface FLOOR", "{cut:?}");
+                let beyond = deep - BAND;
+                assert!(cut.depth > 0.85 * beyond && cut.depth < beyond + 1e-9, "{cut:?}");
+                assert!((cut.te[0] - 10.0).abs() < 1.0 && cut.te[2] < -0.8 * deep, "{cut:?}");
+                assert_eq!(said.iter().map(|d| d.code.number()).collect::<Vec<_>>(), CUT);
+            }
+        }
+    }
+}
+
+/// Up along the axis, out of what it began deeper in, over a thickness, or beside a tool end that is led on the surface it cuts nothing.
+#[test]
+fn what_a_rapid_leaves_is_no_cut() {
+    let on_ridge = |on: bool, thick: f64, at: [f64; 3]| {
+        along(Milling { on, ..milling(Some(milled("RIDGE", &ridge(), 1.0, thick))) }, &[at])
+    };
+    // Half way up the ridge the tool end is on it, and the ball in it by what the slope makes.
+    let half = [5.0, 10.0, 0.5 * HIGH];
+    let up = [5.0, 10.0, 40.0];
+    let free = |records: &[Record]| {
+        let said = judge(records).1;
+        assert!(said.iter().all(|d| d.code != codes::RAPID_CUT), "{said:?}");
+    };
+    free(&[on_ridge(true, 0.0, half), rapid(), goto(&[up])]);
+    free(&[
+        on_ridge(true, 0.0, half),
+        rapid(),
+        goto(&[up]),
+        rapid(),
+        goto(&[half]),
+        on_ridge(true, 0.0, half),
+    ]);
+    // Down from the ridge it gets no deeper than it began.
+    free(&[on_ridge(true, 0.0, half), rapid(), goto(&[[-20.0, 10.0, 0.5 * HIGH]])]);
+    // With a negative thickness the tool may be in it by that.
+    let low = |z: f64| {
+        [goto(&[OVER]), rapid(), goto(&[OVER, [10.0, 10.0, HIGH - z], [18.0, 10.0, 50.0]])]
+    };
+    let with = |z: f64, thick: f64| {
+        let all = [&low(z)[..], &[on_ridge(false, thick, [10.0, 10.0, HIGH + thick])]].concat();
+        told(&all)
+    };
+    assert_eq!(with(0.9, -1.0), [0_u16; 0]);
+    assert_eq!(with(1.2, -1.0), CUT);
+    assert_eq!(with(-1.1, 1.0), [0_u16; 0]);
+    assert_eq!(with(-0.9, 1.0), CUT);
+}
+
+/// A tool through whose axis the surface goes where it ends is nowhere deeper in it as a sheet: it is through it higher up.
+#[test]
+fn a_rapid_through_a_ridge_that_ends_in_its_foot_is_told() {
+    let mill = |at: [f64; 3]| along(milling(Some(milled("RIDGE", &ridge(), 1.0, 0.0))), &[at]);
+    let crest = [10.0, 0.0, HIGH];
+    let begin = [-10.0, 10.0, -8.0];
+    let (through, up) = ([19.0, 10.0, -8.0], [19.0, 10.0, 50.0]);
+    let over = [10.0, 10.0, 50.0];
+    let records =
+        |way: &[[f64; 3]]| vec![goto(&[over, begin]), rapid(), goto(way), goto(&[up]), mill(crest)];
+    assert_eq!(told(&records(&[through])), CUT);
+    // Round it nothing is.
+    let round = [
+        [-10.0, -20.0, -8.0],
+        [19.0, -20.0, -8.0],
+        [19.0, -20.0, 50.0],
+        [19.0, 10.0, 50.0],
+        through,
+    ];
+    assert_eq!(told(&records(&round)), [0_u16; 0]);
+}
+
+#[test]
+fn what_is_checked_is_held_too_and_an_older_surface_no_more() {
+    let wall = square(|x, _| 2.0 * x);
+    let mut with = milling(Some(milled("FLOOR", &flat(), 1.0, 0.0)));
+    with.checked.push(milled("WALL", &wall, 1.0, 0.0));
+    let through = goto(&[[2.0, 10.0, 30.0], [18.0, 10.0, 6.0], [40.0, 10.0, 6.0]]);
+    let (c, _) =
+        judge(&[goto(&[OVER]), along(with, &[[2.0, 40.0, 0.0]]), rapid(), through.clone()]);
+    assert!(c.rapids.len() == 1 && c.rapids[0].surface == "checked surface WALL", "{c:?}");
+    // An ordinary motion before, along a plane above: regional milling goes on below it.
+    let high = Controlled {
+        name: NameRef { name: "HIGH".into(), subscript: 0 },
+        form: Arc::new(Form::Plane(Plane::new(Vec3::z(), 20.0).expect("a normal"))),
+        relation: Relation::To,
+        side: 1,
+        open: false,
+        nth: 1,
+        thick: 0.0,
+        disk: None,
+        intol: BAND,
+        outtol: BAND,
+    };
+    let control = Control { part: Some(high), ..Control::default() };
+    let first = motion(MotionKind::Continuous, Some(control), &[[2.0, 10.0, 20.0]]);
+    let below = goto(&[[2.0, 10.0, 2.0], [18.0, 10.0, 2.0]]);
+    let mill = || along(milling(Some(milled("FLOOR", &flat(), 1.0, 0.0))), &[ON]);
+    let low = [codes::RAPID_ENDS_LOW.number()];
+    assert_eq!(told(&[first.clone(), rapid(), below.clone(), goto(&[OVER])]), low);
+    assert_eq!(told(&[first.clone(), mill(), rapid(), below.clone()]), [0_u16; 0]);
+    // A tool end that is led away from its surface leaves that where it was.
+    let deep = square(|_, _| -30.0);
+    let away = Milling { checked: vec![milled("DEEP", &deep, 1.0, 0.0)], ..milling(None) };
+    let away = along(away, &[[2.0, 60.0, 9.0]]);
+    let down = goto(&[OVER, [10.0, 10.0, -3.0], [10.0, 60.0, -3.0]]);
+    let (c, _) = judge(&[mill(), away, rapid(), down]);
+    assert!(c.rapids.len() == 1 && c.rapids[0].surface == "part surface FLOOR", "{c:?}");
+}
+
+/// RAPID before regional milling itself is for the way to its first place.
+#[test]
+fn the_way_to_the_first_place_at_rapid_is_told_once() {
+    let begin = [-20.0, 10.0, 1.0];
+    let end = [20.0, 10.0, 6.0];
+    let mill =
+        |guarded: bool| Milling { guarded, ..milling(Some(milled("RIDGE", &ridge(), 1.0, 0.0))) };
+    let over = [[-20.0, 10.0, 40.0], [20.0, 10.0, 40.0]];
+    for (from, cuts) in [(vec![begin], true), (over.to_vec(), false)] {
+        let records = |m: Milling| [goto(&from), rapid(), along(m, &[end])];
+        let said = told(&records(mill(false)));
+        assert_eq!(said.len(), usize::from(cuts), "{said:?}");
+        assert!(said.iter().all(|c| CUT.contains(c)));
+        // What CHKSRF/PS holds it against is told there.
+        let said = told(&records(mill(true)));
+        assert_eq!(said, if cuts { vec![codes::REFUTED.number()] } else { Vec::new() });
+    }
+}
