@@ -3,7 +3,10 @@
 #[path = "support/run.rs"]
 mod run;
 
-use aptc_control::Verify;
+use aptc_cldata::{Kind, Motion, Record};
+use aptc_control::{Disk, Options, Source, Verify, compile};
+use aptc_diagnostics::{Diagnostic, codes};
+use aptc_verify::{Effort, Verifier};
 
 /// A surface of 60 by 60 with the window from 20 to 40 recorded as outline 1; and statements.
 fn program(rise: f64, work: &str) -> String {
@@ -60,4 +63,47 @@ fn over_a_hill_the_way_is_refuted_or_refused() {
     assert_eq!(ran.faults(), ["APT2046"], "{:?}", ran.told);
     let over = "on the way over what REGION leaves out";
     assert!(ran.told.iter().any(|(_, text)| text.contains(over)), "{:?}", ran.told);
+}
+
+/// The records of a program's path as far as they are kept, judged: the roles that have bounds, and what is told.
+fn judged(text: &str, keep: impl Fn(&Motion) -> bool) -> (Vec<&'static str>, Vec<Diagnostic>) {
+    let options = Options { verify: Verify::Off, post: false, ..Options::default() };
+    let source = Source { name: "part".into(), text: text.into() };
+    let compiled = compile(source, &mut Disk::new(Vec::new(), 0), &options);
+    let mut verifier = Verifier::new(Effort::Full);
+    let take = |r: &Record| match &r.kind {
+        Kind::Motion(m) if m.control.as_ref().is_some_and(|c| c.milling.is_some()) && !keep(m) => {}
+        _ => verifier.push(r),
+    };
+    compiled.parts[0].computed.for_each(take).expect("they can be read");
+    let (certificate, said) = verifier.finish();
+    let surfaces = certificate.statements.iter().flat_map(|s| &s.surfaces);
+    (surfaces.map(|s| s.role).collect(), said)
+}
+
+/// A pass that is missing leaves a ridge within the outline and none beside it; without SCALOP nothing is asked.
+#[test]
+fn what_is_left_between_the_stretches_is_judged() {
+    let lines = "GOMILL/F,VCONST,0,STEPOV,.05,SCALOP,.2,RETR,9";
+    for (region, missing, told) in [
+        ("REGION/1,IN", None, None),
+        ("REGION/1,IN", Some([25.0, 35.0]), Some(codes::REFUTED)),
+        ("REGION/1,OUT", None, None),
+        ("REGION/1,OUT", Some([25.0, 35.0]), Some(codes::REFUTED)),
+    ] {
+        let gone = |m: &Motion| {
+            let ys = m.points.iter().map(|p| p.te.y);
+            missing.is_some_and(|[a, b]: [f64; 2]| ys.into_iter().all(|y| a < y && y < b))
+        };
+        let text = program(0.0, &format!("{region}\n{lines}"));
+        let (roles, said) = judged(&text, |m| !gone(m));
+        let codes: Vec<_> = said.iter().map(|d| d.code).collect();
+        assert_eq!(codes, Vec::from_iter(told), "{region} {said:?}");
+        assert_eq!(roles.contains(&"scallop"), told.is_none(), "{region} {roles:?}");
+        if told.is_some() {
+            assert!(said[0].message.contains("part surface F between the passes"), "{said:?}");
+        }
+        let (roles, said) = judged(&text.replace("SCALOP,.2,", ""), |m| !gone(m));
+        assert!(!roles.contains(&"scallop") && said.is_empty(), "{said:?}");
+    }
 }
