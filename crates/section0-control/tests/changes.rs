@@ -49,6 +49,30 @@ fn a_motion_comes_out_of_the_wider_band_of_the_one_before_into_its_own() {
     }
 }
 
+/// One side of the band is none, or the axis is another one: the way into the narrower band is in it, with the axis that the tool has.
+#[test]
+fn the_way_into_a_band_that_begins_at_the_surface_stays_in_it() {
+    let along = |cutter: &str, bands: [&str; 2], axis: &str| {
+        format!(
+            "P=CYLNDR/0,0,-60,.3,1,0,60\nD=CYLNDR/0,0,0,0,0,1,40\nCUTTER/{cutter}\n{}\nMULTAX\nFROM/-60,5,30
+TLAXIS/0,0,1\nGO/TO,D,TO,P,ON,(PLANE/0,1,0,0)\nINDIRV/0,1,0\nTLAXIS/{axis}
+GOFWD/D,ON,(PLANE/1,1,0,0)\n{}\nGOFWD/D,ON,(PLANE/1,0,0,0)",
+            bands[0], bands[1]
+        )
+    };
+    for bands in [
+        ["INTOL/0\nOUTTOL/1", "OUTTOL/.5"],
+        ["INTOL/0\nOUTTOL/.1", "OUTTOL/.05"],
+        ["INTOL/.5\nOUTTOL/0", "INTOL/.05"],
+        ["INTOL/.01\nOUTTOL/.05", "TOLER/.001"],
+    ] {
+        for cutter in ["8,2,2,2,0,0,25", "8", "8,4"] {
+            proved(&along(cutter, bands, "0,0,1"));
+            proved(&along(cutter, bands, "ATANGL,1,8"));
+        }
+    }
+}
+
 #[test]
 fn another_allowance_is_no_wider_band() {
     let ran = ran(&twice("SPHERE/0,0,-100,100", "10,5", "TOLER/.02", "THICK/.5"));

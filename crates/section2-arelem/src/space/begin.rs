@@ -6,10 +6,11 @@ use aptc_contact::{Condition, Gap, Side};
 use aptc_geometry::Vec3;
 use aptc_protap::OptionSurface;
 
-use super::band::{AIM_TURNING, Band};
+use super::band::Band;
 use super::guided::Guides;
 use super::keep::{Keep, Pose};
 use super::pace::Pace;
+use super::placing::{placing, put};
 use super::refusal::trouble_at;
 use super::track::{Aim, Node, Track};
 use crate::axis::{Around, AxisRule};
@@ -133,15 +134,15 @@ fn as_it_stands(scene: &Scene, turns: InPlace) -> Result<Begin, Failure> {
     let node = track
         .finish(pose, [drive_gap, part_gap], heading)
         .map_err(|t| trouble_at(scene, &pose, t))?;
-    if off_drive <= 1.0 && off_part <= 1.0 {
-        let turned = turn(&track, &node, scene.limits.step, turns)?;
-        let node = turned.last().copied().unwrap_or(node);
-        let first = turned.iter().map(|n| n.pose.position()).collect();
-        return Ok(Begin { track, node, first, astray });
+    let stays = off_drive <= 1.0 && off_part <= 1.0;
+    let mut way = Vec::new();
+    if !stays {
+        way.push(put(&track, &node).map_err(|t| trouble_at(scene, &pose, t))?);
     }
-    let node = track.settle(pose, &placing(&track, &node));
-    let node = node.map_err(|t| trouble_at(scene, &pose, t))?;
-    let first = vec![node.pose.position()];
+    let node = way.last().copied().unwrap_or(node);
+    way.extend(turn(&track, &node, scene.limits.step, turns)?);
+    let node = way.last().copied().unwrap_or(node);
+    let first = way.iter().map(|n| n.pose.position()).collect();
     Ok(Begin { track, node, first, astray })
 }
 
@@ -205,18 +206,6 @@ fn turning(track: &Track, from: &Node, to: Node, high: f64) -> Option<Vec<Node>>
         ahead.push(still.settle(Pose { te, ta }, &aim).ok()?);
     }
     ahead.is_empty().then(|| way.split_off(1))
-}
-
-/// Where a tool that stands near is put, in the plane across the track: touching, but as far inside of the bands as vertices are.
-///
-/// A band that begins at the surface has no room for what comes to the surface itself or begins there: the place is found to some share of
-/// it only, and where a flat end lies along a ruling any place on that may touch, as rounding has it.
-fn placing<'a>(track: &Track, node: &'a Node) -> Aim<'a> {
-    let targets = track.keeps.each_ref().map(|keep| match track.axis.turns() {
-        true => keep.inside(0.0, AIM_TURNING),
-        false => keep.level(),
-    });
-    Aim { targets, ..Aim::at(node) }
 }
 
 /// The end of that way.

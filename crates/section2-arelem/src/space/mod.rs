@@ -17,6 +17,7 @@ mod meet;
 mod nearest;
 mod overlooked;
 mod pace;
+mod placing;
 mod refusal;
 mod run;
 mod settle;

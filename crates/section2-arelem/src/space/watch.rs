@@ -19,6 +19,10 @@ use super::way::{
 /// How often a long cut vector over a surface of mixed curvature is halved at most.
 const MOST_HALVINGS: u32 = 20;
 
+/// Share of the size of the scene by which a place may lie out of a band, and of the band by which it is put inside then.
+const ROUNDED: f64 = 1e-12;
+const INSIDE: f64 = 1e-7;
+
 /// A check surface on the way.
 #[derive(Clone, Debug)]
 pub(crate) struct Watch {
@@ -345,6 +349,17 @@ impl Watch {
             let there = read(keep, &other.1, None)?;
             if in_limits(keep, there.g, exact) {
                 (s, node, met) = (other.0, other.1, there);
+            }
+        }
+        // What is found to a share of a wide band lies out of one that begins at the surface by more than rounding.
+        if crosses
+            && in_limits(keep, met.g, exact)
+            && !in_limits(keep, met.g, ROUNDED * way.track.size)
+        {
+            let inside = way.to_reading(keep, s, node, keep.inside(met.g, INSIDE))?;
+            let there = read(keep, &inside.1, None)?;
+            if in_limits(keep, there.g, 0.0) {
+                (s, node, met) = (inside.0, inside.1, there);
             }
         }
         // Beyond the end of a surface the cutter changes its side without touching; and another place of it may lie much deeper
