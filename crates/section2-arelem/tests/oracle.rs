@@ -141,24 +141,25 @@ fn passes_of_pockets_lie_where_apt_360_puts_them() {
 }
 
 /// The places of a POCKET whose corners are given, from the plunge on.
-fn pocket(corners: &[[f64; 3]], numbers: &str) -> Vec<Vec3> {
+fn pocket(corners: &[[f64; 3]], numbers: &str) -> Run {
     let named = corners.iter().enumerate().map(|(i, at)| (format!("P{i}"), *at));
     let forms: Forms = named.filter_map(|(p, at)| Some((p, form("POINT", &at)?))).collect();
     let points: Vec<String> = (0..corners.len()).map(|i| format!("P{i}")).collect();
     let text = format!("CUTTER/1\nFROM/0,0,2\nPOCKET/.4,.8,{numbers},{}", points.join(","));
     run(&forms, &text)
-        .clean()
-        .motions()
-        .skip(1)
-        .flat_map(|(_, m)| &m.points)
-        .map(|p| p.te)
-        .collect()
+}
+
+fn passes(ran: &Run) -> Vec<Vec3> {
+    ran.motions().skip(1).flat_map(|(_, m)| &m.points).map(|p| p.te).collect()
 }
 
 #[test]
 fn walls_of_a_pocket_with_a_sloping_bottom_stand_along_the_tool_axis() {
     let corners = [[-2.0, -2.0, 0.6], [2.0, -2.0, -0.6], [2.0, 2.0, -0.6], [-2.0, 2.0, 0.6]];
-    let got = pocket(&corners, ".2,35,30,20,0,1");
+    let ran = pocket(&corners, ".2,35,30,20,0,1");
+    // The tool end lies on the bottom, and the rim reaches below it.
+    assert_eq!(ran.code(), 2063);
+    let got = passes(&ran);
     // As in APT-360.
     let want = [(-1.5, -1.5, 0.45), (1.5, -1.5, -0.45), (1.5, 1.5, -0.45), (-1.5, 1.5, 0.45)];
     for (g, w) in got[got.len() - 5..].iter().zip(want) {
@@ -169,7 +170,7 @@ fn walls_of_a_pocket_with_a_sloping_bottom_stand_along_the_tool_axis() {
 #[test]
 fn a_finish_cut_of_nothing_goes_round_once_more() {
     let corners = [[-2.0, -2.0, 0.0], [2.0, -2.0, 0.0], [2.0, 2.0, 0.0], [-2.0, 2.0, 0.0]];
-    let got = pocket(&corners, "0,35,30,20,1,1");
+    let got = passes(&pocket(&corners, "0,35,30,20,1,1").clean());
     // As in APT-360.
     let want = [0.3, 0.7, 1.1, 1.5, 1.5];
     let depths: Vec<f64> = got.chunks(5).map(|pass| pass[2].x).collect();
