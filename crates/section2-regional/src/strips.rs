@@ -47,7 +47,6 @@ pub(crate) fn scallop(
 }
 
 /// What lies between each two stretches of neighbouring lines, with these.
-#[expect(clippy::type_complexity, reason = "what lies between two is told with the two")]
 fn between(
     strips: &[Strip],
     course: Course,

@@ -40,9 +40,9 @@ enum Surfaces {
 /// One of them.
 #[derive(Clone, Debug)]
 pub(crate) enum Wall {
-    Guided(Judged),
+    Guided(Box<Judged>),
     Milled {
-        surface: MilledSurface,
+        surface: Box<MilledSurface>,
         /// Is the tool end led on it? The cutter may then be as deep in it where a motion ends as its slope makes it.
         on: bool,
     },
@@ -100,6 +100,7 @@ impl Surfaces {
         let Some(milling) = &control.milling else { return Vec::new() };
         let wall = |of: &Milled, role| {
             let surface = MilledSurface::passed(of, role, milling, sheets)?;
+            let surface = Box::new(surface);
             Some(Wall::Milled { surface, on: role == "part" && milling.on })
         };
         let part = milling.part.iter().filter(|_| !(arrives && milling.guarded));
@@ -116,7 +117,7 @@ fn guided(part: &Controlled, at: &Position, profile: &Profile) -> Option<Wall> {
     if part.side < 0 && !flat {
         return None;
     }
-    Judged::clear(part, at, profile).map(Wall::Guided)
+    Judged::clear(part, at, profile).map(|judged| Wall::Guided(Box::new(judged)))
 }
 
 impl Wall {
@@ -164,7 +165,10 @@ impl Wall {
     /// higher over the tool end than there. `None` where it nowhere is.
     pub(crate) fn raised(&self, rapid: &Rapid, places: &[&Position]) -> Option<Self> {
         let Self::Milled { surface, on } = self else { return None };
-        let by = |up: f64| Self::Milled { surface: surface.raised(&rapid.profile, up), on: *on };
+        let by = |up: f64| {
+            let surface = Box::new(surface.raised(&rapid.profile, up));
+            Self::Milled { surface, on: *on }
+        };
         let is_clear = |up: f64| places.iter().all(|p| by(up).fault(rapid, p, p, 0).is_none());
         let (mut low, mut high) = (0.0, TALL * rapid.profile.height());
         if !is_clear(high) {
