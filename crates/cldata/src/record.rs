@@ -238,6 +238,24 @@ pub struct Control {
     pub milling: Option<Milling>,
 }
 
+impl Control {
+    /// INTOL and OUTTOL by which a surface was held that is asked for so: on the same side, with the same thickness and disk; the
+    /// wider ones where it was held twice. `None` where it was not.
+    pub fn band_of(&self, c: &Controlled) -> Option<[f64; 2]> {
+        let on = |c: &Controlled| c.side == 0 || c.relation == Relation::On;
+        let alike = |e: &&Controlled| {
+            on(e) == on(c)
+                && (on(c) || e.side == c.side)
+                && e.disk == c.disk
+                && e.thick.to_bits() == c.thick.to_bits()
+                && (Shared::ptr_eq(&e.form, &c.form) || e.form == c.form)
+        };
+        let all = self.drive.iter().chain(&self.part).chain(&self.checks);
+        let bands = all.filter(alike).map(|e| [e.intol, e.outtol]);
+        bands.reduce(|a, b| [a[0].max(b[0]), a[1].max(b[1])])
+    }
+}
+
 /// A surface with what was asked of the cutter against it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Controlled {

@@ -49,6 +49,28 @@ fn a_motion_comes_out_of_the_wider_band_of_the_one_before_into_its_own() {
     }
 }
 
+/// A larger cutter stands in the wall by itself, and another surface was held to no band before: in the plane and in space.
+#[test]
+fn another_cutter_or_surface_is_in_no_band_of_the_motion_before() {
+    let text = |lean: f64, first: &str, change: &str, wall: &str| {
+        format!(
+            "F=PLANE/0,0,1,0\nW=PLANE/0,1,{lean},0\nX=PLANE/0,1,{lean},.8\nCUTTER/10\n{first}\nFROM/-60,20,20
+GO/TO,W,TO,F,ON,(PLANE/1,0,0,-30)\nINDIRV/1,0,0\nTLLFT,GOFWD/W,ON,(PLANE/1,0,0,-20)\n{change}
+GOFWD/{wall},ON,(PLANE/1,0,0,-5)"
+        )
+    };
+    for lean in [0.0, 0.1] {
+        for (first, change, wall) in [
+            ("INTOL/1\nOUTTOL/.01", "CUTTER/11\nINTOL/.01", "W"),
+            ("INTOL/0\nOUTTOL/1", "CUTTER/11\nOUTTOL/.01", "W"),
+            ("INTOL/0\nOUTTOL/1", "OUTTOL/.01", "X"),
+        ] {
+            let ran = ran(&text(lean, first, change, wall));
+            assert_eq!(ran.codes(), ["APT2003"], "{lean} {change} {wall} {:?}", ran.told);
+        }
+    }
+}
+
 /// One side of the band is none, or the axis is another one: the way into the narrower band is in it, with the axis that the tool has.
 #[test]
 fn the_way_into_a_band_that_begins_at_the_surface_stays_in_it() {

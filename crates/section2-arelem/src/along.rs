@@ -269,16 +269,17 @@ impl Arelem {
         let start = self.tool.map(stands);
         if let (Some(end), Some(tool)) = (path.points.last(), &mut self.tool) {
             (tool.te, tool.ta, tool.stood) = (end.te, end.ta, None);
-            tool.left_in = self.settings.widest_band();
             tool.turn(path.forward);
         }
+        let control = Arc::new(path.control);
+        self.ended = Some((Arc::clone(&control), self.settings.cutter));
         let motion = cl::Motion {
             kind,
             name,
             arc: path.arc,
             points: path.points,
             with_axis: self.settings.multax,
-            control: Some(Arc::new(path.control)),
+            control: Some(control),
         };
         let slow = if kind == cl::MotionKind::Continuous { self.feed.slow() } else { None };
         match (slow, start) {

@@ -1,8 +1,10 @@
 //! The dispatcher (APT: `SECTN2`): passes records on, keeps the modal words, runs the motions.
 
+use std::sync::Arc;
+
 use aptc_cldata as cl;
 use aptc_diagnostics::{Diagnostic, Origin, codes};
-use aptc_geometry::Vec3;
+use aptc_geometry::{Cutter, Vec3};
 use aptc_protap as protap;
 use aptc_protap::{Direction, DriveSide, Kind, Outcome, PartSide, Relation, Sense, ToolAxis};
 
@@ -12,7 +14,7 @@ use crate::feed::Feed;
 use crate::fitted::Fitted;
 use crate::forward::forward;
 use crate::points::put_feed;
-use crate::state::{Band, Part, Settings, Tool, auto_part, unit};
+use crate::state::{Part, Settings, Tool, auto_part, unit};
 use crate::warning::{no_band, no_multax};
 
 /// Settings of Section 2 that no part program gives.
@@ -35,6 +37,8 @@ pub struct Options {}
 pub struct Arelem {
     pub(crate) settings: Settings,
     pub(crate) tool: Option<Tool>,
+    /// What the motion that brought the tool there was held to, where it was along surfaces, and with which cutter.
+    pub(crate) ended: Option<(Arc<cl::Control>, Option<Cutter>)>,
     /// The last motion failed: the position is unknown until FROM or GOTO.
     pub(crate) poisoned: bool,
     /// Was there a statement that could not be translated?
@@ -96,7 +100,8 @@ impl Arelem {
         };
         let before = self.tool;
         let mut tool = before.unwrap_or(Tool::at(te, ta));
-        (tool.te, tool.ta, tool.stood, tool.left_in) = (te, ta, None, Band::NONE);
+        (tool.te, tool.ta, tool.stood) = (te, ta, None);
+        self.ended = None;
         tool.turn(along);
         self.tool = Some(tool);
         self.poisoned = false;

@@ -2,8 +2,9 @@
 
 use std::sync::Arc;
 
+use aptc_cldata as cl;
 use aptc_contact::{Side, gap};
-use aptc_geometry::{Form, Profile, Surface, Vec3};
+use aptc_geometry::{Cutter, Form, Profile, Surface, Vec3};
 use aptc_protap as protap;
 use aptc_protap::{Dimension, DriveSide, PartSide, Relation, SurfaceRef};
 
@@ -72,7 +73,9 @@ impl Arelem {
             let wall = self.wall(&c.surface, role, on_check)?;
             checks.push(Check { wall, relation: c.relation, nth: c.nth });
         }
+        let same = |(_, cutter): &&(Arc<cl::Control>, Option<Cutter>)| *cutter == s.cutter;
         Ok(Scene {
+            ended: self.ended.as_ref().filter(same).map(|(control, _)| Arc::clone(control)),
             tool,
             direction: d.direction,
             drive: self.wall(&d.drive, Role::Drive, on)?,

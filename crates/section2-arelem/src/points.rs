@@ -8,7 +8,7 @@ use aptc_protap::{Outcome, ToolAxis};
 
 use crate::arelem::Arelem;
 use crate::failure::Failure;
-use crate::state::{Band, Role, Tool, unit};
+use crate::state::{Role, Tool, unit};
 use crate::{forward, pocket, warning};
 
 impl Arelem {
@@ -72,11 +72,12 @@ impl Arelem {
         match &mut self.tool {
             Some(t) => {
                 t.turn(te - t.te);
-                (t.te, t.stood, t.left_in) = (te, None, Band::NONE);
+                (t.te, t.stood) = (te, None);
             }
             None => self.tool = Some(self.first(te)),
         }
         self.poisoned = false;
+        self.ended = None;
     }
 
     /// The tool at its first position.

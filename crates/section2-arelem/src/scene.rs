@@ -50,6 +50,8 @@ pub(crate) struct Check {
 #[derive(Clone, Debug)]
 pub(crate) struct Scene {
     pub(crate) tool: Tool,
+    /// What the motion before was held to, where it ended here.
+    pub(crate) ended: Option<Arc<cl::Control>>,
     pub(crate) direction: Direction,
     pub(crate) drive: Wall,
     pub(crate) stance: Stance,
@@ -208,6 +210,11 @@ impl Wall {
 }
 
 impl Scene {
+    /// INTOL and OUTTOL of the motion before along a surface that it was held to in the same way, with the tool on the side.
+    pub(crate) fn left_in(&self, wall: &Wall, side: Side) -> Option<[f64; 2]> {
+        self.ended.as_ref()?.band_of(&wall.beside(to_or_on(wall.on), side))
+    }
+
     /// A round check surface, tangent to the drive surface to `allowed` on the side of the tool, into which the cutter does not fit.
     pub(crate) fn too_tight(&self, allowed: f64) -> Option<Failure> {
         let check = self.checks.first()?;

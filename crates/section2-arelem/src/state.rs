@@ -29,10 +29,6 @@ pub(crate) struct Band {
     pub(crate) outtol: f64,
 }
 
-impl Band {
-    pub(crate) const NONE: Self = Self { intol: 0.0, outtol: 0.0 };
-}
-
 /// The part surface.
 #[derive(Clone, Debug)]
 pub(crate) enum Part {
@@ -105,15 +101,12 @@ pub(crate) struct Tool {
     pub(crate) assumed: bool,
     /// The axis with which it stands there, when another one was given since.
     pub(crate) stood: Option<Vec3>,
-    /// The band in which the motion that brought it there left it.
-    pub(crate) left_in: Band,
 }
 
 impl Tool {
     /// A tool that nothing brought to its place.
     pub(crate) fn at(te: Vec3, ta: Vec3) -> Self {
-        let left_in = Band::NONE;
-        Self { te, ta, forward: Vec3::x(), assumed: true, stood: None, left_in }
+        Self { te, ta, forward: Vec3::x(), assumed: true, stood: None }
     }
 }
 
@@ -279,15 +272,6 @@ impl Settings {
 
     fn least(&self) -> f64 {
         OUTTOL_MM / self.units.mm() * 1e-4
-    }
-
-    /// The widest band that a motion now ends in.
-    pub(crate) fn widest_band(&self) -> Band {
-        let roles = [Role::Part, Role::Drive, Role::Check, Role::SecondCheck];
-        roles.map(|role| self.band(role)).into_iter().fold(Band::NONE, |a, b| Band {
-            intol: a.intol.max(b.intol),
-            outtol: a.outtol.max(b.outtol),
-        })
     }
 
     /// Tolerance band on the surface of that role; never of no width.

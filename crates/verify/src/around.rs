@@ -43,8 +43,8 @@ pub(crate) enum Wall {
     Guided(Box<Judged>),
     Milled {
         surface: Box<MilledSurface>,
-        /// Is the tool end led on it? The cutter may then be as deep in it where a motion ends as its slope makes it.
-        on: bool,
+        /// The same for the tool end, where that is led on it. Beside it the cutter is as deep as the slope makes it.
+        end: Option<Box<MilledSurface>>,
     },
 }
 
@@ -101,7 +101,9 @@ impl Surfaces {
         let wall = |of: &Milled, role| {
             let surface = MilledSurface::passed(of, role, milling, sheets)?;
             let surface = Box::new(surface);
-            Some(Wall::Milled { surface, on: role == "part" && milling.on })
+            let led = role == "part" && milling.on;
+            let end = led.then(|| MilledSurface::led_on(of, milling, sheets)).flatten();
+            Some(Wall::Milled { surface, end: end.map(Box::new) })
         };
         let part = milling.part.iter().filter(|_| !(arrives && milling.guarded));
         let checked = milling.checked.iter().filter(|_| !arrives && !part_alone);
@@ -150,9 +152,11 @@ impl Wall {
         }
     }
 
-    /// Is the tool as deep in it where a motion ends as its slope makes it?
-    pub(crate) fn leads_the_end(&self) -> bool {
-        matches!(self, Self::Milled { on: true, .. })
+    /// Is the tool end led on it, and is it no lower than that at this place?
+    pub(crate) fn leads_the_end(&self, rapid: &Rapid, p: &Position) -> bool {
+        let Self::Milled { end: Some(end), .. } = self else { return false };
+        let fault = end.vector(&rapid.profile, p, p, rapid.pad, 0, &mut Seen::default());
+        fault.is_none_or(|f| f.refuted && !f.gouge)
     }
 
     /// Is a tool that stands so deep in it through it, so that it is nowhere deeper?
@@ -164,10 +168,10 @@ impl Wall {
     /// The same for a tool raised along its axis until it is clear of it at each of the places: what this one cuts lies
     /// higher over the tool end than there. `None` where it nowhere is.
     pub(crate) fn raised(&self, rapid: &Rapid, places: &[&Position]) -> Option<Self> {
-        let Self::Milled { surface, on } = self else { return None };
+        let Self::Milled { surface, end } = self else { return None };
         let by = |up: f64| {
             let surface = Box::new(surface.raised(&rapid.profile, up));
-            Self::Milled { surface, on: *on }
+            Self::Milled { surface, end: end.clone() }
         };
         let is_clear = |up: f64| places.iter().all(|p| by(up).fault(rapid, p, p, 0).is_none());
         let (mut low, mut high) = (0.0, TALL * rapid.profile.height());

@@ -156,8 +156,8 @@ fn cut_into(rapid: &Rapid, mut wall: Wall, end: End) -> Option<Fault> {
     const LOOKS: usize = 8;
     /// Share of the depth at the ends that all the same counts as no deeper.
     const ALIKE: f64 = 1e-3;
-    let excused = end == End::Excused || wall.leads_the_end();
-    let last = rapid.points.last().filter(|_| excused);
+    let excused = |p: &&Position| end == End::Excused || wall.leads_the_end(rapid, p);
+    let last = rapid.points.last().filter(excused);
     let ends: Vec<&Position> = rapid.points.first().into_iter().chain(last).collect();
     let fresh = wall.clone();
     let mut depth = 0.0;

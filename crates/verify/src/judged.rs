@@ -1,7 +1,5 @@
 //! A surface with what is known of it over a statement.
 
-use std::sync::Arc as Shared;
-
 use aptc_cldata::{Control, Controlled, Position, Relation};
 use aptc_geometry::Profile;
 
@@ -40,34 +38,57 @@ impl Judged {
         sheets: &Sheets,
         earlier: &Control,
     ) -> Option<Self> {
-        let alike = |e: &&Controlled| {
-            let on = |c: &Controlled| c.side == 0 || c.relation == Relation::On;
-            let asked = on(e) == on(c) && (on(c) || e.side == c.side);
-            let same = || Shared::ptr_eq(&e.form, &c.form) || e.form == c.form;
-            asked && e.disk == c.disk && e.thick.to_bits() == c.thick.to_bits() && same()
-        };
-        let all = earlier.drive.iter().chain(&earlier.part).chain(&earlier.checks);
-        let wider = all.filter(alike).fold([c.intol, c.outtol], |[intol, outtol], e| {
-            [intol.max(e.intol), outtol.max(e.outtol)]
-        });
-        let [intol, outtol] = wider;
+        let [intol, outtol] = earlier.band_of(c)?;
+        let [intol, outtol] = [intol.max(c.intol), outtol.max(c.outtol)];
         (intol > c.intol || outtol > c.outtol)
             .then(|| Self::new(&Controlled { intol, outtol, ..c.clone() }, role, sheets))
     }
 
-    /// Does a vector that is no longer than it has to be bring the tool from somewhere in this band into another one?
-    pub(crate) fn leads_in(
+    /// Does a vector bring the tool into this band from where the motion before left it, in its band `eased`, and go no farther out
+    /// of this one on its way? It is short beside how far it comes.
+    pub(crate) fn is_come_to(
         &self,
+        eased: &Self,
         profile: &Profile,
-        from: &Position,
-        to: &Position,
+        [from, to]: [&Position; 2],
         pad: f64,
+        seen: &mut Seen,
     ) -> bool {
-        /// Its length in widths of the band at most.
-        const LONG: f64 = 16.0;
-        let wide = self.demand.most - self.demand.least;
-        (to.te - from.te).norm() <= LONG * wide
-            && self.vector(profile, from, to, pad, 0, &mut Seen::default()).is_none()
+        /// Looks at the start: what is refuted is told to a tenth of its depth; share of it that all the same counts as none.
+        const LOOKS: usize = 8;
+        const ALIKE: f64 = 1e-3;
+        /// Its length at most, in widths of the band and how far it comes.
+        const LONG: f64 = 3.0;
+        let (mut wide, mut off) = (self.clone(), 0.0);
+        for _ in 0..LOOKS {
+            let fault = wide.vector(profile, from, from, pad, 0, &mut Seen::default());
+            let Some(fault) = fault else { break };
+            if !fault.refuted {
+                return false;
+            }
+            wide.widen(fault.depth, fault.gouge);
+            off += fault.depth;
+        }
+        let band = self.demand.most - self.demand.least;
+        if off <= 0.0 || (to.te - from.te).norm() > LONG * (off + band) {
+            return false;
+        }
+        let gouges = wide.demand.least < self.demand.least;
+        wide.widen(ALIKE * off, gouges);
+        // The motion before may have left it there.
+        let slack = ALIKE * (off + band);
+        wide.demand.least >= eased.demand.least - slack
+            && wide.demand.most <= eased.demand.most + slack
+            && wide.vector(profile, from, to, pad, 0, seen).is_none()
+    }
+
+    /// Allows the tool to be deeper by so much, or farther off.
+    fn widen(&mut self, by: f64, deeper: bool) {
+        if deeper {
+            self.demand.least -= by;
+        } else {
+            self.demand.most += by;
+        }
     }
 
     /// That the tool does not pass a check surface before it stops there, or at another. `None` where it may: it stops
@@ -136,7 +157,7 @@ impl Judged {
 
     /// Allows the tool to be deeper by so much.
     pub(crate) fn allow(&mut self, deeper: f64) {
-        self.demand.least -= deeper;
+        self.widen(deeper, true);
     }
 
     /// Judges a cut vector; the fault, if there is one, else `seen` takes its bounds.

@@ -234,6 +234,11 @@ impl MilledSurface {
         Some(Self { on: false, led: false, band, ..new })
     }
 
+    /// The part surface that the tool end is led on; `None` where it has no charts.
+    pub(crate) fn led_on(of: &Milled, milling: &Milling, sheets: &Sheets) -> Option<Self> {
+        Some(Self::new(of, "part", milling, sheets.of(&of.surface)?))
+    }
+
     /// Allows the tool to be deeper by so much.
     pub(crate) fn allow(&mut self, deeper: f64) {
         self.band[0] -= deeper;

@@ -428,7 +428,9 @@ impl Guided {
                 keep(
                     &mut fault,
                     match eased {
-                        Some(eased) if eased.leads_in(profile, start, to, *pad) => {
+                        Some(eased)
+                            if judged.is_come_to(eased, profile, [start, to], *pad, seen) =>
+                        {
                             judged.vector(profile, to, to, *pad, number, seen)
                         }
                         _ => found,

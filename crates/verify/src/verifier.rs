@@ -64,8 +64,8 @@ pub struct Verifier {
     came: Option<Position>,
     /// The statement of that motion, with its last motion along surfaces, and from where the tool came to it.
     statement: (Origin, Option<Arc<Control>>, Option<Position>),
-    /// What the last motion was held to, where it was along surfaces.
-    ended: Option<Arc<Control>>,
+    /// What the last motion was held to, where it was along surfaces, and with which cutter.
+    ended: Option<(Arc<Control>, Profile)>,
     /// The motion along surfaces that came last; the next record may go on with it.
     open: Option<Open>,
     /// RAPID was said for the next motion.
@@ -297,7 +297,9 @@ impl Verifier {
             self.waiting.push(Event::Joined(Arc::new(joined)));
             self.n_waiting += 1;
         }
-        let earlier = std::mem::replace(&mut self.ended, control.cloned());
+        let ended = control.map(|control| (Arc::clone(control), profile));
+        let earlier = std::mem::replace(&mut self.ended, ended);
+        let earlier = earlier.filter(|(_, cutter)| *cutter == profile).map(|(control, _)| control);
         let Some(control) = control else { return };
         match &mut self.open {
             Some(open) => {

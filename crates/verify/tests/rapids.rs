@@ -153,6 +153,10 @@ fn what_a_rapid_leaves_is_no_cut() {
     ]);
     // Down from the ridge it gets no deeper than it began.
     free(&[on_ridge(true, 0.0, half), rapid(), goto(&[[-20.0, 10.0, 0.5 * HIGH]])]);
+    // A tool end below the surface is as deep as no slope makes it.
+    let low = [5.0, 10.0, 0.1 * HIGH];
+    let plunge = [on_ridge(true, 0.0, half), rapid(), goto(&[up]), rapid(), goto(&[low])];
+    assert!(!told(&plunge).is_empty());
     // With a negative thickness the tool may be in it by that.
     let low = |z: f64| {
         [goto(&[OVER]), rapid(), goto(&[OVER, [10.0, 10.0, HIGH - z], [18.0, 10.0, 50.0]])]

@@ -343,27 +343,63 @@ fn a_rapid_out_of_a_trough_is_no_cut_of_its_upper_half() {
     assert!(judge(&records).1.is_empty());
 }
 
-/// The same along the wall in two motions, the first in a band of five times the width, by where the second goes.
-fn in_two_bands(second: &[[f64; 3]]) -> Certificate {
+/// The same along the wall in two motions, the first in a band of a hundred times the width with a cutter of that radius, by where the
+/// second goes.
+fn in_two_bands(radius: f64, second: &[[f64; 3]]) -> Option<(bool, u64)> {
     let mut wide = control();
     let drive = wide.drive.as_mut().expect("a drive surface");
-    (drive.intol, drive.outtol) = (5.0 * BAND, 5.0 * BAND);
+    (drive.intol, drive.outtol) = (100.0 * BAND, 100.0 * BAND);
     wide.checks = vec![controlled("MIDDLE", plane(1.0, 0.0, 0.0, 50.0), Relation::On, 0)];
     let mut records = along(&Arc::new(wide), &[[50.0, 5.04, 0.0]]);
+    records.insert(3, record(Kind::Cutter(Cutter::mill(2.0 * radius, 0.0, 30.0))));
     records.push(motion(MotionKind::Continuous, Some(&Arc::new(control())), second));
-    judge(&records).0
+    let all = judge(&records).0.statements;
+    all[1].fault.as_ref().map(|f| (f.refuted, f.vector))
 }
 
 #[test]
-fn from_a_wider_band_a_vector_no_longer_than_it_has_to_be_leads_into_the_next_one() {
-    let faults = |second: &[[f64; 3]]| {
-        let all = in_two_bands(second).statements;
-        all[1].fault.as_ref().map(|f| (f.refuted, f.vector))
-    };
-    assert_eq!(faults(&[[50.1, 5.005, 0.0], [95.0, 5.0, 0.0]]), None);
-    // It does not come into the band at once, or takes its time.
-    assert_eq!(faults(&[[50.1, 5.02, 0.0], [95.0, 5.0, 0.0]]), Some((true, 1)));
-    assert_eq!(faults(&[[95.0, 5.0, 0.0]]), Some((true, 1)));
+fn from_a_wider_band_a_short_vector_leads_into_the_next_one() {
+    let end = [95.0, 5.0, 0.0];
+    assert_eq!(in_two_bands(5.0, &[[50.1, 5.005, 0.0], end]), None);
+    // It does not come into the band at once, takes its time, or goes farther out first.
+    assert_eq!(in_two_bands(5.0, &[[50.1, 5.02, 0.0], end]), Some((true, 1)));
+    assert_eq!(in_two_bands(5.0, &[[51.0, 5.005, 0.0], end]), Some((true, 1)));
+    assert_eq!(in_two_bands(5.0, &[end]), Some((true, 1)));
     // The next one has to stay in it.
-    assert_eq!(faults(&[[50.1, 5.005, 0.0], [60.0, 5.02, 0.0], [95.0, 5.0, 0.0]]), Some((true, 2)));
+    assert_eq!(in_two_bands(5.0, &[[50.1, 5.005, 0.0], [60.0, 5.02, 0.0], end]), Some((true, 2)));
+    // A cutter that the motion before did not have stands there by itself.
+    assert_eq!(in_two_bands(5.06, &[[50.05, 5.06, 0.0], [94.94, 5.06, 0.0]]), Some((true, 1)));
+}
+
+/// Over a round part surface within the wider band, from a place in the narrower one: the chord cuts in.
+#[test]
+fn a_chord_that_dips_where_it_begins_in_its_own_band_is_no_way_into_it() {
+    let round = Form::Cylinder(Cylinder {
+        point: Vec3::new(0.0, 0.0, -50.0),
+        axis: Vec3::y(),
+        radius: 50.0,
+    });
+    let held = |band: f64, at: f64| Control {
+        drive: Some(controlled("MIDDLE", plane(0.0, 1.0, 0.0, 0.0), Relation::On, 0)),
+        part: Some(Controlled {
+            intol: band,
+            ..controlled("ROUND", round.clone(), Relation::To, 1)
+        }),
+        checks: vec![controlled("END", plane(1.0, 0.0, 0.0, at), Relation::On, 0)],
+        milling: None,
+    };
+    // A ball of 10, its middle 55 from the axis.
+    let over = |x: f64, higher: f64| [x, 0.0, f64::sqrt(55.0 * 55.0 - x * x) - 55.0 + higher];
+    let judged = |begins: f64| {
+        let records = [
+            record(Kind::Cutter(Cutter::mill(10.0, 5.0, 30.0))),
+            motion(MotionKind::From, None, &[over(-12.0, 0.0)]),
+            motion(MotionKind::Continuous, Some(&Arc::new(held(1.0, -5.0))), &[over(-5.0, begins)]),
+            motion(MotionKind::Continuous, Some(&Arc::new(held(BAND, 5.0))), &[over(5.0, 0.0)]),
+        ];
+        judge(&records).0.statements.last().and_then(|s| s.fault.clone()).map(|f| f.refuted)
+    };
+    for begins in [0.0, 0.005, -0.005, -0.02] {
+        assert_eq!(judged(begins), Some(true), "{begins}");
+    }
 }

@@ -1,6 +1,7 @@
 //! One motion along a line or circle.
 
 use aptc_cldata::{Arc, Control, Controlled, Course as ArcCourse, Position};
+use aptc_contact::Side as Contact;
 use aptc_geometry::Circle;
 use aptc_protap::Relation;
 
@@ -13,7 +14,7 @@ use super::meet::{Touched, into_both};
 use super::stop::{Stop, Target, stop};
 use crate::failure::Failure;
 use crate::prepare::way;
-use crate::scene::{Astray, Path, Scene, Stance, to_or_on};
+use crate::scene::{Astray, Path, Scene, Stance, Wall, to_or_on};
 
 /// Share of the band by which the end of an arc may lie off its circle.
 const ON_ARC: f64 = 0.05;
@@ -159,8 +160,13 @@ fn begin(scene: &Scene, plan: &Plan) -> Result<Begin, Failure> {
         None => (plan.frame.plan(tool.forward), -1.0),
     };
     // Where the motion before left it within wider bands it comes into these first.
-    let before = tool.left_in.intol.max(tool.left_in.outtol);
-    let allowed = (2.0 * (band.intol + band.outtol)).max(before);
+    let in_place = |wall: &Wall, off: f64| {
+        let sides = [Contact::Positive, Contact::Negative].into_iter();
+        let bands = sides.filter_map(|side| scene.left_in(wall, side));
+        let before = bands.map(|[intol, outtol]| if off > 0.0 { outtol } else { intol });
+        before.fold(2.0 * (wall.band.intol + wall.band.outtol), f64::max) >= off.abs()
+    };
+    let allowed = 2.0 * (band.intol + band.outtol);
     let beside = |side: f64| match scene.stance {
         Stance::On => plan.curve.distance(place).abs(),
         _ => plan.curve.distance(place) * side - reach,
@@ -169,7 +175,7 @@ fn begin(scene: &Scene, plan: &Plan) -> Result<Begin, Failure> {
     let astray = scene
         .stance
         .astray()
-        .filter(|_| beside(side).abs() > allowed && beside(-side).abs() <= allowed);
+        .filter(|_| !in_place(drive, beside(side)) && in_place(drive, beside(-side)));
     let side = if astray.is_some() { -side } else { side };
     let (asked, off) = (side * reach, beside(side));
     if let Curve::Circle { r, .. } = plan.curve
@@ -177,18 +183,17 @@ fn begin(scene: &Scene, plan: &Plan) -> Result<Begin, Failure> {
     {
         return Err(too_large(scene, r));
     }
-    if off.abs() > allowed {
+    if !in_place(drive, off) {
         let surface = scene.drive.surface.clone();
         return Err(Failure::OffDrive { surface, off, allowed, outside: off > 0.0 });
     }
     let lift = plan.floor.off(tool.te);
     let part = scene.part.band;
-    let part_allowed = (2.0 * (part.intol + part.outtol)).max(before);
-    if lift.abs() > part_allowed {
+    if !in_place(&scene.part, lift) {
         return Err(Failure::OffPart {
             surface: scene.part.surface.clone(),
             off: lift,
-            allowed: part_allowed,
+            allowed: 2.0 * (part.intol + part.outtol),
             outside: lift > 0.0,
         });
     }

@@ -109,11 +109,13 @@ fn as_it_stands(scene: &Scene, turns: InPlace) -> Result<Begin, Failure> {
     let off_drive = placed(&drive, &drive_gap);
     let off_part = placed(&part, &part_gap);
     // Where the motion before left it within wider bands it comes into these first.
-    let stands = |off: f64, gap: &Gap| off <= 2.0 || left_in(tool, gap);
-    if !stands(off_drive, &drive_gap) {
+    let stands = |off: f64, gap: &Gap, wall: &Wall, keep: &Keep| {
+        off <= 2.0 || scene.left_in(wall, keep.side).is_some_and(|band| within(gap, band))
+    };
+    if !stands(off_drive, &drive_gap, &scene.drive, &drive) {
         return Err(misplaced(scene, &drive, &drive_gap));
     }
-    if !stands(off_part, &part_gap) {
+    if !stands(off_part, &part_gap, &scene.part, &part) {
         return Err(Failure::OffPart {
             surface: scene.part.surface.clone(),
             off: part_gap.g,
@@ -299,11 +301,10 @@ fn placed(keep: &Keep, gap: &Gap) -> f64 {
     1.0 + off / keep.width()
 }
 
-/// Does the gap lie in the band in which the motion before left the tool?
-fn left_in(tool: &Tool, gap: &Gap) -> bool {
-    let band = tool.left_in;
-    let slack = 1e-6 * (band.intol + band.outtol);
-    gap.g >= -band.intol - slack && gap.g <= band.outtol + slack
+/// Does the gap lie in a band?
+fn within(gap: &Gap, [intol, outtol]: [f64; 2]) -> bool {
+    let slack = 1e-6 * (intol + outtol);
+    gap.g >= -intol - slack && gap.g <= outtol + slack
 }
 
 /// How far off its surface the tool may be to be in place: its band, and the width of that beside it.

@@ -447,11 +447,12 @@ impl Watch {
 /// Does the cutter stand in a hollow that is open along its axis, its end no higher than the middle of that, and is it clear of it so but
 /// not of all of it? Higher up nothing stands beside it but what runs straight up from the outline.
 fn stands_in_open(keep: &Keep, pose: &Pose) -> bool {
-    /// What rounding leaves of a normal in the middle.
-    const LEVEL: f64 = 1e-9;
+    /// Share of the cutter's radius by which it may be higher: a floor through the middle, or about it, is one.
+    const HIGHER: f64 = 0.1;
     let clears = |side: Side| keep.on_side(side).clears(pose);
+    let lower = pose.te - pose.ta * (HIGHER * keep.profile.widest());
     keep.opens(pose)
-        && keep.surface.foot(pose.te).normal.dot(&pose.ta) <= LEVEL
+        && keep.surface.foot(lower).normal.dot(&pose.ta) <= 0.0
         && clears(Side::Open)
         && !clears(Side::Negative)
         && !clears(Side::Positive)
