@@ -77,7 +77,7 @@ fn the_way_into_a_band_that_begins_at_the_surface_stays_in_it() {
     let along = |cutter: &str, bands: [&str; 2], axis: &str| {
         format!(
             "P=CYLNDR/0,0,-60,.3,1,0,60\nD=CYLNDR/0,0,0,0,0,1,40\nCUTTER/{cutter}\n{}\nMULTAX\nFROM/-60,5,30
-TLAXIS/0,0,1\nGO/TO,D,TO,P,ON,(PLANE/0,1,0,0)\nINDIRV/0,1,0\nTLAXIS/{axis}
+TLAXIS/{axis}\nGO/TO,D,TO,P,ON,(PLANE/0,1,0,0)\nINDIRV/0,1,0
 GOFWD/D,ON,(PLANE/1,1,0,0)\n{}\nGOFWD/D,ON,(PLANE/1,0,0,0)",
             bands[0], bands[1]
         )

@@ -44,16 +44,16 @@ impl Judged {
             .then(|| Self::new(&Controlled { intol, outtol, ..c.clone() }, role, sheets))
     }
 
-    /// Does a vector bring the tool into this band from where the motion before left it, in its band `eased`, and go no farther out
-    /// of this one on its way? It is short beside how far it comes.
-    pub(crate) fn is_come_to(
+    /// What is wrong with the first vector where it brings the tool into this band from where the motion before left it, in its band
+    /// `eased`, and goes no farther out of this one on its way; `None` where it does not. It is short beside how far it comes.
+    pub(crate) fn come_to(
         &self,
         eased: &Self,
         profile: &Profile,
         [from, to]: [&Position; 2],
         pad: f64,
         seen: &mut Seen,
-    ) -> bool {
+    ) -> Option<Option<Fault>> {
         /// Looks at the start: what is refuted is told to a tenth of its depth; share of it that all the same counts as none.
         const LOOKS: usize = 8;
         const ALIKE: f64 = 1e-3;
@@ -64,22 +64,27 @@ impl Judged {
             let fault = wide.vector(profile, from, from, pad, 0, &mut Seen::default());
             let Some(fault) = fault else { break };
             if !fault.refuted {
-                return false;
+                return None;
             }
             wide.widen(fault.depth, fault.gouge);
             off += fault.depth;
         }
         let band = self.demand.most - self.demand.least;
         if off <= 0.0 || (to.te - from.te).norm() > LONG * (off + band) {
-            return false;
+            return None;
         }
         let gouges = wide.demand.least < self.demand.least;
         wide.widen(ALIKE * off, gouges);
         // The motion before may have left it there.
         let slack = ALIKE * (off + band);
-        wide.demand.least >= eased.demand.least - slack
-            && wide.demand.most <= eased.demand.most + slack
-            && wide.vector(profile, from, to, pad, 0, seen).is_none()
+        let left = wide.demand.least >= eased.demand.least - slack
+            && wide.demand.most <= eased.demand.most + slack;
+        match wide.vector(profile, from, to, pad, 1, seen) {
+            _ if !left => None,
+            Some(fault) if fault.refuted => None,
+            Some(fault) => Some(Some(fault)),
+            None => Some(self.vector(profile, to, to, pad, 1, seen)),
+        }
     }
 
     /// Allows the tool to be deeper by so much, or farther off.

@@ -425,17 +425,9 @@ impl Guided {
             if !rows.along[k] {
                 let found = judged.vector(profile, start, to, *pad, number, seen);
                 let eased = self.eased[k].as_ref().filter(|_| i == 0 && found.is_some());
-                keep(
-                    &mut fault,
-                    match eased {
-                        Some(eased)
-                            if judged.is_come_to(eased, profile, [start, to], *pad, seen) =>
-                        {
-                            judged.vector(profile, to, to, *pad, number, seen)
-                        }
-                        _ => found,
-                    },
-                );
+                let comes =
+                    eased.and_then(|eased| judged.come_to(eased, profile, [start, to], *pad, seen));
+                keep(&mut fault, comes.unwrap_or(found));
             }
             keep(&mut answer.real, judged.real_cutter(profile, start, to, *pad, number));
         }
