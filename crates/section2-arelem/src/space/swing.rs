@@ -19,18 +19,18 @@ pub(super) fn clear(scene: &Scene, begin: &Begin) -> Result<(), Failure> {
 }
 
 fn beside(check: &Check, stands: Pose, begin: &Begin) -> Result<(), Failure> {
-    let first = check.relation == Relation::To && check.nth <= 1;
+    let stops = check.relation == Relation::To && check.nth <= 1;
     let keep = Keep::of(&check.wall)?;
     let Ok((gap, side)) = clearance(&keep, &stands) else { return Ok(()) };
-    let most = keep.width();
-    if !first || gap < -most {
+    let allowed = keep.width();
+    if !stops || gap < -allowed {
         return Ok(());
     }
     let keep = keep.on_side(side);
     for position in &begin.first {
         let pose = Pose { te: position.te, ta: position.ta };
         if let Ok(gap) = keep.gap(&pose, None)
-            && gap.g < -most
+            && gap.g < -allowed
         {
             let surface = check.wall.surface.clone();
             let (place, axis, deep) = (pose.te, pose.ta, -gap.g);
