@@ -51,26 +51,16 @@ impl Judged {
         eased: &Self,
         profile: &Profile,
         [from, to]: [&Position; 2],
-        pad: f64,
+        (comes, pad): (f64, f64),
         seen: &mut Seen,
     ) -> Option<Option<Fault>> {
-        /// Looks at the start: what is refuted is told to a tenth of its depth; share of it that all the same counts as none.
-        const LOOKS: usize = 8;
+        /// Share of how far off it begins that all the same counts as no farther.
         const ALIKE: f64 = 1e-3;
-        /// Its length at most, in widths of the band and how far it comes.
+        /// Its length at most, in widths of the band and how far the tool comes to all surfaces.
         const LONG: f64 = 3.0;
-        let (mut wide, mut off) = (self.clone(), 0.0);
-        for _ in 0..LOOKS {
-            let fault = wide.vector(profile, from, from, pad, 0, &mut Seen::default());
-            let Some(fault) = fault else { break };
-            if !fault.refuted {
-                return None;
-            }
-            wide.widen(fault.depth, fault.gouge);
-            off += fault.depth;
-        }
+        let (mut wide, off) = self.reaching(profile, from, pad)?;
         let band = self.demand.most - self.demand.least;
-        if off <= 0.0 || (to.te - from.te).norm() > LONG * (off + band) {
+        if off <= 0.0 || (to.te - from.te).norm() > LONG * (comes + band) {
             return None;
         }
         let gouges = wide.demand.least < self.demand.least;
@@ -85,6 +75,28 @@ impl Judged {
             Some(fault) => Some(Some(fault)),
             None => Some(self.vector(profile, to, to, pad, 1, seen)),
         }
+    }
+
+    /// How far out of the band a tool is that stands there; `None` where that is not decided.
+    pub(crate) fn off(&self, profile: &Profile, at: &Position, pad: f64) -> Option<f64> {
+        self.reaching(profile, at, pad).map(|(_, off)| off)
+    }
+
+    /// The same with the band that reaches to the tool.
+    fn reaching(&self, profile: &Profile, at: &Position, pad: f64) -> Option<(Self, f64)> {
+        /// Looks: what is refuted is told to a tenth of its depth.
+        const LOOKS: usize = 8;
+        let (mut wide, mut off) = (self.clone(), 0.0);
+        for _ in 0..LOOKS {
+            let fault = wide.vector(profile, at, at, pad, 0, &mut Seen::default());
+            let Some(fault) = fault else { break };
+            if !fault.refuted {
+                return None;
+            }
+            wide.widen(fault.depth, fault.gouge);
+            off += fault.depth;
+        }
+        Some((wide, off))
     }
 
     /// Allows the tool to be deeper by so much, or farther off.
