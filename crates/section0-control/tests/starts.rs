@@ -239,7 +239,7 @@ fn what_offset_cuts_into_is_told() {
     let ball = 0.8 * end[1] - 0.6 * (end[2] + 8.0);
     let deep = format!("{:.3}", 8.0 + ball);
     assert!(
-        ran.told[0].1.contains(&format!("{deep}")) && ran.told[0].1.contains("deep in WALL"),
+        ran.told[0].1.contains(&deep) && ran.told[0].1.contains("deep in WALL"),
         "{ball} {:?}",
         ran.told
     );
