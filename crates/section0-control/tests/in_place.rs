@@ -70,26 +70,24 @@ fn a_fixed_axis_in_the_middle_of_a_pass_turns_in_place() {
 /// A check surface into which the tool turns before the motion begins is no end of a motion that comes out of it again.
 #[test]
 fn what_the_tool_turns_into_where_it_stands_is_told() {
-    let text = |far: f64, axis: &str| {
+    let text = |far: f64, axis: &str, next: &str| {
         format!(
             "UNITS/MM\nF=PLANE/0,0,1,0\nD=PLANE/0,1,0,0\nW=PLANE/.8,.6,0,{far}\nCUTTER/10,0,5,0,0,0,60\nTOLER/.01\nMULTAX\n\
-             FROM/0,0,50\nTLAXIS/{axis}\nGO/ON,D,TO,F,ON,(PLANE/1,0,0,0)\nINDIRV/1,0,0\nTLAXIS/ATANGL,1,35\n\
+             FROM/0,0,50\nTLAXIS/{axis}\nGO/ON,D,TO,F,ON,(PLANE/1,0,0,0)\nINDIRV/1,0,0\nTLAXIS/{next}\n\
              TLON,GOFWD/D,TO,W\nFINI\n"
         )
     };
-    let near = run::run(&text(14.0, "0,0,1"), Verify::Full);
-    assert_eq!(near.codes(), ["APT2020"], "{:?}", near.told);
-    let (_, words) = &near.told[0];
-    assert!(
-        words.contains("deep into the check surface W where it turns in place at 0,"),
-        "{words}"
-    );
-    // Farther off it turns beside it, and comes to it with the axis that it has then.
-    let far = run::run(&text(40.0, "0,0,1"), Verify::Full);
-    assert!(far.told.is_empty(), "{:?}", far.told);
-    // The axis of the motion from the beginning, clear of it.
-    let leaning = run::run(&text(40.0, "ATANGL,1,35"), Verify::Full);
-    assert!(leaning.told.is_empty(), "{:?}", leaning.told);
+    for next in ["ATANGL,1,35", "0,.7,1", ".3,0,1"] {
+        let near = run::run(&text(14.0, "0,0,1", next), Verify::Full);
+        assert_eq!(near.codes(), ["APT2020"], "{next} {:?}", near.told);
+        let (_, words) = &near.told[0];
+        assert!(words.contains("deep into the check surface W where it turns in place"), "{words}");
+        // Farther off it turns beside it and comes to it, as with the axis of the motion from the beginning.
+        for axis in ["0,0,1", next] {
+            let far = run::run(&text(40.0, axis, next), Verify::Full);
+            assert!(far.told.is_empty(), "{axis} {next} {:?}", far.told);
+        }
+    }
 }
 
 /// The same axis once more, or one given before a GO, turns nothing.

@@ -185,7 +185,7 @@ impl Arelem {
         let first = |c: &&protap::Check| c.relation == Relation::To && c.nth <= 1;
         let check = d.checks.get(path.check).filter(first)?;
         let keep = Keep::of(&self.wall(&check.surface, Role::Check, false).ok()?).ok()?;
-        let start = Pose { te: tool.te, ta: tool.ta };
+        let start = Pose::standing(tool);
         let depth = Watch::new(&keep, check.relation, check.nth, &start).depth(&start)?;
         Some((&check.surface, depth))
     }
@@ -265,8 +265,7 @@ impl Arelem {
         {
             self.diagnostics.push(warning::wholly_beyond(origin, &surface, far));
         }
-        let stands = |t: Tool| cl::Position { te: t.te, ta: t.stood.unwrap_or(t.ta) };
-        let start = self.tool.map(stands);
+        let start = self.tool.map(|t| Pose::standing(&t));
         if let (Some(end), Some(tool)) = (path.points.last(), &mut self.tool) {
             (tool.te, tool.ta, tool.stood) = (end.te, end.ta, None);
             tool.turn(path.forward);

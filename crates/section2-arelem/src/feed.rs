@@ -97,26 +97,26 @@ fn right(distance: f64, feed: f64) -> Result<(), BadSlow> {
 
 /// Divides a path at a distance from its end, on a cut vector where need be: of one that stands for a part of a circle on that.
 pub(crate) fn divide(
-    start: Position,
+    start: Pose,
     points: &[Position],
     distance: f64,
     arc: Option<&Arc>,
 ) -> (Vec<Position>, Vec<Position>) {
     let mut left = distance;
     for i in (0..points.len()).rev() {
-        let from = if i == 0 { start } else { points[i - 1] };
-        let length = (points[i].te - from.te).norm();
+        let from = if i == 0 { start } else { Pose::of(&points[i - 1]) };
+        let to = Pose::of(&points[i]);
+        let length = (to.te - from.te).norm();
         if length < left {
             left -= length;
             continue;
         }
         let mut head = points[..i].to_vec();
-        let share = left / length;
-        if share < 1.0 - 1e-9 {
-            let [a, b] = [from, points[i]].map(|Position { te, ta }| Pose { te, ta });
-            let at = between(&a, &b, 1.0 - share).position();
-            let chord = arc.filter(|arc| arc.course == Course::Chords);
-            let te = chord.map_or(at.te, |arc| beside(arc, [from.te, points[i].te], at.te));
+        let share = 1.0 - left / length;
+        if share > 1e-9 {
+            let at = between(&from, &to, share).position();
+            let chords = arc.filter(|arc| arc.course == Course::Chords);
+            let te = chords.map_or(at.te, |arc| beside(arc, [from.te, to.te], share, at.te));
             head.push(Position { te, ..at });
         }
         return (head, points[i..].to_vec());
@@ -124,15 +124,14 @@ pub(crate) fn divide(
     (Vec::new(), points.to_vec())
 }
 
-/// The place beside a point of a chord that is as far from the middle of the circle as the chord's ends are.
-fn beside(arc: &Arc, ends: [Vec3; 2], at: Vec3) -> Vec3 {
+/// The place beside a chord, at this share of it, that is as far from the middle of the circle as the chord's ends are.
+fn beside(arc: &Arc, ends: [Vec3; 2], share: f64, at: Vec3) -> Vec3 {
     let circle = &arc.circle;
     let out = |p: Vec3| {
         let from = p - circle.center;
         from - circle.axis * from.dot(&circle.axis)
     };
     let [a, b] = ends.map(|p| out(p).norm());
-    let share = (at - ends[0]).norm() / (ends[1] - ends[0]).norm();
     let here = out(at);
     let by = (a + (b - a) * share) / here.norm() - 1.0;
     if by.is_finite() { at + here * by } else { at }
@@ -150,7 +149,7 @@ mod tests {
     #[test]
     fn a_path_is_divided_on_a_cut_vector_or_at_its_end() {
         let path = [at(4.0), at(10.0)];
-        let start = at(0.0);
+        let start = Pose { te: Vec3::zeros(), ta: Vec3::z() };
         let (a, b) = divide(start, &path, 2.0, None);
         assert_eq!((a, b), (vec![at(4.0), at(8.0)], vec![at(10.0)]));
         let (a, b) = divide(start, &path, 6.0, None);
@@ -165,7 +164,7 @@ mod tests {
             te: Vec3::new(x, 0.0, 0.0),
             ta: Vec3::new(trig::sin_deg(deg), 0.0, trig::cos_deg(deg)),
         };
-        let (a, b) = divide(turned(0.0, 10.0), &[turned(10.0, 40.0)], 4.0, None);
+        let (a, b) = divide(Pose::of(&turned(0.0, 10.0)), &[turned(10.0, 40.0)], 4.0, None);
         let [Position { te, ta }] = a[..] else { panic!("{a:?}") };
         assert!((te.x - 6.0).abs() < 1e-12 && (ta - turned(0.0, 28.0).ta).norm() < 1e-12);
         assert_eq!(b.len(), 1);
@@ -178,7 +177,7 @@ mod tests {
             Position::upright(Vec3::new(10.0 * trig::cos_deg(deg), 10.0 * trig::sin_deg(deg), 3.0))
         };
         let arc = Arc { circle, course: Course::Chords };
-        let (a, _) = divide(on(0.0), &[on(30.0), on(60.0)], 2.0, Some(&arc));
+        let (a, _) = divide(Pose::of(&on(0.0)), &[on(30.0), on(60.0)], 2.0, Some(&arc));
         let last = a[1].te;
         assert!(
             (trig::hypot(last.x, last.y) - 10.0).abs() < 1e-12 && (last.z - 3.0).abs() < 1e-12,

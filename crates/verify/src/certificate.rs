@@ -113,6 +113,27 @@ pub(crate) fn length(x: f64) -> String {
 }
 
 impl Fault {
+    /// By how much one place is out of what is allowed, and what ends the looks at it that is not refuted. What is refuted is told to a
+    /// tenth, so that it is looked at anew with as much allowed.
+    pub(crate) fn in_all<T>(
+        of: &mut T,
+        look: impl Fn(&T) -> Option<Self>,
+        allow: impl Fn(&mut T, &Self),
+    ) -> (f64, Option<Self>) {
+        const LOOKS: usize = 8;
+        let mut depth = 0.0;
+        for _ in 0..LOOKS {
+            match look(of) {
+                Some(fault) if fault.refuted => {
+                    allow(of, &fault);
+                    depth += fault.depth;
+                }
+                other => return (depth, other),
+            }
+        }
+        (depth, None)
+    }
+
     /// The place in words.
     pub(crate) fn place(&self) -> String {
         let [x, y, z] = self.te;

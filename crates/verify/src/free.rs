@@ -152,8 +152,6 @@ fn cut(rapid: &Rapid, around: &Around, end: End, arrives: bool) -> Option<Fault>
 /// ends, unless that is judged. A tool that a surface with ends goes through there is nowhere deeper in it: deeper still is
 /// then where the surface goes through it higher up.
 fn cut_into(rapid: &Rapid, mut wall: Wall, end: End) -> Option<Fault> {
-    /// Looks at one place: what is refuted is told to a tenth of its depth.
-    const LOOKS: usize = 8;
     /// Share of the depth at the ends that all the same counts as no deeper.
     const ALIKE: f64 = 1e-3;
     let excused = |p: &&Position| end == End::Excused || wall.leads_the_end(rapid, p);
@@ -162,11 +160,8 @@ fn cut_into(rapid: &Rapid, mut wall: Wall, end: End) -> Option<Fault> {
     let fresh = wall.clone();
     let mut depth = 0.0;
     for p in &ends {
-        for _ in 0..LOOKS {
-            let Some(deeper) = wall.cut(rapid, p, p, 0) else { break };
-            wall.allow(deeper.depth);
-            depth += deeper.depth;
-        }
+        let look = |wall: &Wall| wall.cut(rapid, p, p, 0);
+        depth += Fault::in_all(&mut wall, look, |wall, f| wall.allow(f.depth)).0;
     }
     let through = fresh.is_through(&rapid.profile, depth);
     if through {

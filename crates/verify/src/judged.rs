@@ -84,19 +84,10 @@ impl Judged {
 
     /// The same with the band that reaches to the tool.
     fn reaching(&self, profile: &Profile, at: &Position, pad: f64) -> Option<(Self, f64)> {
-        /// Looks: what is refuted is told to a tenth of its depth.
-        const LOOKS: usize = 8;
-        let (mut wide, mut off) = (self.clone(), 0.0);
-        for _ in 0..LOOKS {
-            let fault = wide.vector(profile, at, at, pad, 0, &mut Seen::default());
-            let Some(fault) = fault else { break };
-            if !fault.refuted {
-                return None;
-            }
-            wide.widen(fault.depth, fault.gouge);
-            off += fault.depth;
-        }
-        Some((wide, off))
+        let mut wide = self.clone();
+        let look = |wide: &Self| wide.vector(profile, at, at, pad, 0, &mut Seen::default());
+        let (off, open) = Fault::in_all(&mut wide, look, |wide, f| wide.widen(f.depth, f.gouge));
+        open.is_none().then_some((wide, off))
     }
 
     /// Allows the tool to be deeper by so much, or farther off.

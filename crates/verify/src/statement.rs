@@ -421,14 +421,16 @@ impl Guided {
         let came = start;
         let start = if s.startup { to } else { start };
         let mut fault: Option<Fault> = None;
-        let eased = || self.along.iter().zip(&self.eased).filter(|(_, eased)| eased.is_some());
-        let offs = || eased().filter_map(|(judged, _)| judged.off(profile, start, *pad));
-        let comes: f64 = if i == 0 { offs().sum() } else { 0.0 };
+        let comes = || -> f64 {
+            let eased = self.along.iter().zip(&self.eased).filter(|(_, eased)| eased.is_some());
+            eased.filter_map(|(judged, _)| judged.off(profile, start, *pad)).sum()
+        };
         for (k, (judged, seen)) in self.along.iter().zip(&mut answer.seen).enumerate() {
             if !rows.along[k] {
                 let found = judged.vector(profile, start, to, *pad, number, seen);
                 let eased = self.eased[k].as_ref().filter(|_| i == 0 && found.is_some());
-                let way = |eased| judged.come_to(eased, profile, [start, to], (comes, *pad), seen);
+                let way =
+                    |eased| judged.come_to(eased, profile, [start, to], (comes(), *pad), seen);
                 keep(&mut fault, eased.and_then(way).unwrap_or(found));
             }
             keep(&mut answer.real, judged.real_cutter(profile, start, to, *pad, number));

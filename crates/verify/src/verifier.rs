@@ -67,7 +67,7 @@ pub struct Verifier {
     /// What the last motion was held to, where it was along surfaces, and with which cutter.
     ended: Option<(Arc<Control>, Profile)>,
     /// The motion along surfaces that came last; the next record may go on with it.
-    open: Option<Open>,
+    open: Option<Box<Statement>>,
     /// RAPID was said for the next motion.
     rapid: bool,
     /// Was the motion before one?
@@ -85,23 +85,6 @@ pub struct Verifier {
     joins: Joins,
     certificate: Certificate,
     diagnostics: Vec<Diagnostic>,
-}
-
-/// A motion along surfaces before it is judged.
-#[derive(Debug)]
-struct Open {
-    control: Arc<Control>,
-    startup: bool,
-    rapid: bool,
-    origin: Origin,
-    start: Option<Position>,
-    before: Option<Position>,
-    way: Option<Position>,
-    earlier: Option<Arc<Control>>,
-    points: Vec<Position>,
-    /// The vectors from one motion to the next, counted from 1, over what REGION leaves out.
-    over: Vec<u64>,
-    profile: Profile,
 }
 
 impl Verifier {
@@ -313,7 +296,7 @@ impl Verifier {
                 let joined = control.milling.as_ref().is_none_or(|m| m.joined && !rapid);
                 let start = self.last.filter(|_| joined);
                 let way = self.last.filter(|_| !joined);
-                self.open = Some(Open {
+                self.open = Some(Box::new(Statement {
                     control: Arc::clone(control),
                     startup,
                     rapid,
@@ -325,7 +308,12 @@ impl Verifier {
                     points: motion.points.clone(),
                     over: Vec::new(),
                     profile,
-                });
+                    // As large as its points make it, which are not all here yet.
+                    pad: 0.0,
+                    effort: self.effort,
+                    sheets: self.sheets.clone(),
+                    ready: OnceLock::new(),
+                }));
             }
         }
     }
@@ -376,46 +364,17 @@ impl Verifier {
     /// Judges the open motion unless it goes on under that control: a slow-down before the check surface
     /// parts it.
     fn close_unless(&mut self, control: Option<&Arc<Control>>) {
-        let same = |o: &Open| control.is_some_and(|c| Arc::ptr_eq(c, &o.control));
+        let same = |o: &Statement| control.is_some_and(|c| Arc::ptr_eq(c, &o.control));
         if self.open.as_ref().is_some_and(|o| !same(o)) {
             self.close();
         }
     }
 
     fn close(&mut self) {
-        let Some(open) = self.open.take() else { return };
-        let Open {
-            control,
-            startup,
-            rapid,
-            origin,
-            start,
-            before,
-            way,
-            earlier,
-            points,
-            over,
-            profile,
-        } = open;
-        let pad = self.pad(&points, &profile);
-        self.n_waiting += points.len();
-        self.waiting.push(Event::Along(Box::new(Statement {
-            control,
-            startup,
-            rapid,
-            origin,
-            start,
-            before,
-            way,
-            earlier,
-            points,
-            over,
-            profile,
-            pad,
-            effort: self.effort,
-            sheets: self.sheets.clone(),
-            ready: OnceLock::new(),
-        })));
+        let Some(mut statement) = self.open.take() else { return };
+        statement.pad = self.pad(&statement.points, &statement.profile);
+        self.n_waiting += statement.points.len();
+        self.waiting.push(Event::Along(statement));
     }
 
     fn pad(&self, points: &[Position], profile: &Profile) -> f64 {

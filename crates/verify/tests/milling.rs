@@ -1,49 +1,27 @@
 //! Statements of regional milling, by closed forms.
 
+mod support;
+
 use std::sync::Arc;
 
-use aptc_cldata::milling::{Extent, Milled, Milling, Outline, Plain, Raised, Scallop};
+use aptc_cldata::milling::{Extent, Milling, Outline, Plain, Raised, Scallop};
 use aptc_cldata::{Control, Kind, Motion, MotionKind, NameRef, Position, Record};
 use aptc_diagnostics::{Diagnostic, Origin, codes};
-use aptc_geometry::sculpt::{SplinePoint, mesh};
 use aptc_geometry::{Cutter, Cylinder, Form, Plane, Profile, Sculptured, Sphere, Vec3, trig};
 use aptc_verify::{Certificate, Effort, Verifier, deviation_svg};
+use support::{BAND, milled};
 
-const BAND: f64 = 0.01;
-
-/// A square of 20 over x and y, `z` above it.
+/// A square of 20 over x and y, `z` above it, its parameters from 0 to 4.
 fn square(z: impl Fn(f64, f64) -> f64) -> Arc<Sculptured> {
-    let at = |i: i32, j: i32| {
-        let (x, y) = (5.0 * f64::from(i), 5.0 * f64::from(j));
-        SplinePoint::plain(Vec3::new(x, y, z(x, y)))
-    };
-    let rows: Vec<Vec<_>> = (0..5).map(|j| (0..5).map(|i| at(i, j)).collect()).collect();
-    Arc::new(mesh(&rows, aptc_geometry::sculptured::MeshSpacing::Xyz).expect("a surface"))
-}
-
-fn milled(name: &str, surface: &Arc<Sculptured>, thick: f64) -> Milled {
-    let name = NameRef { name: name.into(), subscript: 0 };
-    Milled { name, surface: Arc::clone(surface), side: 1.0, thick, body: None }
+    support::square(4, z)
 }
 
 fn milling(surface: &Arc<Sculptured>, scallop: Option<f64>) -> Milling {
-    Milling {
-        part: Some(milled("FLOOR", surface, 0.0)),
-        on: false,
-        risen: false,
-        checked: Vec::new(),
-        plain: Vec::new(),
-        holder: Vec::new(),
-        guarded: false,
-        intol: BAND,
-        outtol: BAND,
-        scallop: scallop.map(|height| {
-            let extent = Extent::Box([[0.0, 4.0]; 2]);
-            Scallop { height, extent, excused: None, links: Vec::new() }
-        }),
-        joined: false,
-        over: false,
-    }
+    let scallop = scallop.map(|height| {
+        let extent = Extent::Box([[0.0, 4.0]; 2]);
+        Scallop { height, extent, excused: None, links: Vec::new() }
+    });
+    Milling { scallop, ..support::milling(Some(milled("FLOOR", surface, 1.0, 0.0))) }
 }
 
 fn records(milling: Milling, points: Vec<Position>) -> [Record; 2] {
@@ -117,7 +95,7 @@ fn a_chord_over_a_crest_cuts_by_its_sagitta_and_a_checked_wall_is_held_off() {
     // A wall that goes up beside the path.
     let wall = square(|x, _| 40.0 * (x - 19.0).max(0.0));
     let mut with = milling(&wave, None);
-    with.checked.push(milled("WALL", &wall, 0.0));
+    with.checked.push(milled("WALL", &wall, 1.0, 0.0));
     let (c, _) = judge(with, upright(&fine));
     let fault = c.statements[0].fault.clone().expect("the wall");
     assert!(c.refuted > 0 && fault.surface == "checked surface WALL", "{fault:?}");

@@ -1,28 +1,24 @@
 //! Rapid motion beside regional milling, by closed forms.
 
+mod support;
+
 use std::sync::Arc;
 
-use aptc_cldata::milling::{Milled, Milling};
+use aptc_cldata::milling::Milling;
 use aptc_cldata::{
     Control, Controlled, Kind, Motion, MotionKind, NameRef, Position, Record, Relation,
 };
 use aptc_diagnostics::{Diagnostic, Origin, codes};
-use aptc_geometry::sculpt::{SplinePoint, mesh};
 use aptc_geometry::{Cutter, Form, Plane, Sculptured, Vec3, trig};
 use aptc_verify::{Certificate, Effort, Verifier};
+use support::{BAND, milled, milling};
 
-const BAND: f64 = 0.01;
 const RADIUS: f64 = 5.0;
 /// Height of the ridge along y, at x = 10, over a square of 20.
 const HIGH: f64 = 8.0;
 
 fn square(z: impl Fn(f64, f64) -> f64) -> Arc<Sculptured> {
-    let at = |i: i32, j: i32| {
-        let (x, y) = (2.5 * f64::from(i), 2.5 * f64::from(j));
-        SplinePoint::plain(Vec3::new(x, y, z(x, y)))
-    };
-    let rows: Vec<Vec<_>> = (0..9).map(|j| (0..9).map(|i| at(i, j)).collect()).collect();
-    Arc::new(mesh(&rows, aptc_geometry::sculptured::MeshSpacing::Xyz).expect("a surface"))
+    support::square(8, z)
 }
 
 fn flat() -> Arc<Sculptured> {
@@ -31,28 +27,6 @@ fn flat() -> Arc<Sculptured> {
 
 fn ridge() -> Arc<Sculptured> {
     square(|x, _| 0.5 * HIGH * (1.0 - trig::cos(0.1 * std::f64::consts::PI * x)))
-}
-
-fn milled(name: &str, surface: &Arc<Sculptured>, side: f64, thick: f64) -> Milled {
-    let name = NameRef { name: name.into(), subscript: 0 };
-    Milled { name, surface: Arc::clone(surface), side, thick, body: None }
-}
-
-fn milling(part: Option<Milled>) -> Milling {
-    Milling {
-        part,
-        on: false,
-        risen: false,
-        checked: Vec::new(),
-        plain: Vec::new(),
-        holder: Vec::new(),
-        guarded: false,
-        intol: BAND,
-        outtol: BAND,
-        scallop: None,
-        joined: false,
-        over: false,
-    }
 }
 
 fn record(kind: Kind) -> Record {

@@ -8,7 +8,7 @@ use aptc_protap::OptionSurface;
 
 use super::band::Band;
 use super::guided::Guides;
-use super::keep::{Keep, Pose};
+use super::keep::{Keep, Limits, Pose};
 use super::pace::Pace;
 use super::placing::{placing, put};
 use super::refusal::trouble_at;
@@ -287,13 +287,7 @@ fn nearer(keep: &Keep, pose: &Pose) -> Option<(Gap, Side)> {
 /// How many bands the tool is from its place: up to one it is in the band.
 fn placed(keep: &Keep, gap: &Gap) -> f64 {
     let slack = 1e-6 * keep.width();
-    let (low, high) = match keep.condition {
-        Condition::On if keep.is_plane() => {
-            let most = keep.intol.max(keep.outtol);
-            (-most, most)
-        }
-        _ => (-keep.intol, keep.outtol),
-    };
+    let Limits { low, high } = keep.in_place();
     if gap.g >= low - slack && gap.g <= high + slack {
         return 0.0;
     }

@@ -63,6 +63,16 @@ const EDGE_SEARCHED: f64 = 5e-5;
 const STRAIGHT: f64 = 1e-9;
 
 impl Pose {
+    /// That of CL data.
+    pub(crate) fn of(p: &Position) -> Self {
+        Self { te: p.te, ta: p.ta }
+    }
+
+    /// How a tool stands: with the axis that it had where another one was given since.
+    pub(crate) fn standing(tool: &crate::state::Tool) -> Self {
+        Self { te: tool.te, ta: tool.stood.unwrap_or(tool.ta) }
+    }
+
     /// The same in CL data.
     pub(crate) fn position(&self) -> Position {
         Position { te: self.te, ta: self.ta }
@@ -318,6 +328,17 @@ impl Keep {
         }
         let (limits, room) = (self.limits(), share.min(0.5) * self.width());
         gap.max(limits.low + room).min(limits.high - room)
+    }
+
+    /// The limits within which a tool is in place: neither side of a plane is the outside for a tool end on it.
+    pub(super) fn in_place(&self) -> Limits {
+        match self.condition {
+            Condition::On if self.is_plane() => {
+                let most = self.intol.max(self.outtol);
+                Limits { low: -most, high: most }
+            }
+            _ => self.limits(),
+        }
     }
 
     /// Width of the band.

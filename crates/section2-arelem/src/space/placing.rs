@@ -4,7 +4,7 @@ use aptc_contact::Condition;
 
 use super::band::AIM_TURNING;
 use super::judge::{BETWEEN, between};
-use super::keep::Keep;
+use super::keep::Limits;
 use super::track::{Aim, Node, Track, Trouble};
 use crate::axis::AxisRule;
 
@@ -46,10 +46,9 @@ pub(super) fn placing<'a>(track: &Track, node: &'a Node) -> Aim<'a> {
 /// Does the way between two nodes leave neither band farther than it does at its beginning?
 fn comes_in(track: &Track, from: &Node, to: &Node) -> bool {
     (0..2).all(|i| {
-        let keep: &Keep = &track.keeps[i];
-        let (limits, start) = (keep.limits(), from.gaps[i].g);
-        let most = if keep.is_plane() { limits.high.max(-limits.low) } else { limits.high };
-        let band = limits.low.min(start) - track.exact..=most.max(start) + track.exact;
+        let (keep, start) = (&track.keeps[i], from.gaps[i].g);
+        let Limits { low, high } = keep.in_place();
+        let band = low.min(start) - track.exact..=high.max(start) + track.exact;
         BETWEEN.into_iter().all(|t| {
             let gap = keep.gap(&between(&from.pose, &to.pose, t), None);
             gap.is_ok_and(|gap| band.contains(&gap.g))

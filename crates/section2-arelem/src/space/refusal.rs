@@ -134,8 +134,7 @@ pub(super) fn not_reached(
             thick: [own.thick, check.wall.thick],
         };
     }
-    let path: Vec<Pose> =
-        std::iter::once(start).chain(points.iter().map(|p| Pose { te: p.te, ta: p.ta })).collect();
+    let path: Vec<Pose> = std::iter::once(start).chain(points.iter().map(Pose::of)).collect();
     let nearer = Keep::of(&check.wall).ok().and_then(|k| approach(&k, &path));
     if let Some((gap, place)) = nearer.filter(|n| n.0 < closest.abs()) {
         (closest, pose) = (gap, place);

@@ -191,12 +191,11 @@ impl Way<'_> {
 
     pub(super) fn sample(&self, keep: &Keep, s: f64, near: &Sample) -> Result<Sample, Trouble> {
         let node = self.node(s)?;
-        let gap = match simple(keep) {
-            true => read(keep, &node, Some(&near.gap))?,
-            false => read(keep, &node, None).or_else(|trouble| {
-                let beside = keep.gap_from(&node.pose, Some(&near.gap));
-                beside.map_err(|_| trouble)
-            })?,
+        let beside = |trouble| keep.gap_from(&node.pose, Some(&near.gap)).map_err(|_| trouble);
+        let gap = if simple(keep) {
+            read(keep, &node, Some(&near.gap))?
+        } else {
+            read(keep, &node, None).or_else(beside)?
         };
         Ok(Sample { s, te: node.pose.te, gap, slope: self.slope(&node, &gap) })
     }
