@@ -7,6 +7,7 @@ use aptc_cldata::{Motion, Position};
 use aptc_diagnostics::Origin;
 
 use crate::free::Rapid;
+use crate::hurried::Hurried;
 use crate::joined::Joined;
 use crate::statement::{Answer, Share, Statement};
 
@@ -35,6 +36,8 @@ pub(crate) enum Event {
     Joined(Arc<Joined>),
     /// Where the motion from point to point ends that comes next after one at rapid.
     Feed(Position),
+    /// Motion along surfaces at rapid.
+    Hurried(Hurried),
 }
 
 #[derive(Debug)]

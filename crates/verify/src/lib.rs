@@ -20,6 +20,7 @@ mod each;
 mod foreign;
 mod free;
 mod hollow;
+mod hurried;
 mod inside;
 mod joined;
 mod judged;

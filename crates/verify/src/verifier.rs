@@ -10,6 +10,7 @@ use aptc_geometry::{Cutter, Form, Plane, Profile};
 use crate::batch::{Batch, Event};
 use crate::certificate::{Certificate, Fault, StatementProof, length};
 use crate::free::{Free, Rapid};
+use crate::hurried::Hurried;
 use crate::joined::{Joined, Joins};
 use crate::sheets::Sheets;
 use crate::statement::{Outcome, Statement};
@@ -206,6 +207,7 @@ impl Verifier {
                 Event::Rapid(rapid) => self.free.rapid(rapid),
                 Event::Joined(joined) => self.diagnostics.extend(self.joins.next(joined)),
                 Event::Feed(end) => self.free.next(end),
+                Event::Hurried(hurried) => self.diagnostics.push(hurried.told()),
             }
             self.diagnostics.append(&mut self.free.said);
         }
@@ -279,6 +281,14 @@ impl Verifier {
             let joined = Joined { origin: origin.clone(), from, to: *to, profile, pad };
             self.waiting.push(Event::Joined(Arc::new(joined)));
             self.n_waiting += 1;
+        }
+        if rapid
+            && !startup
+            && let Some(control) = told
+        {
+            let arrives = control.milling.is_some() && self.open.is_none();
+            let vectors = motion.points.len().saturating_sub(usize::from(arrives));
+            self.waiting.extend(Hurried::new(origin, control, vectors).map(Event::Hurried));
         }
         let ended = control.map(|control| (Arc::clone(control), profile));
         let earlier = std::mem::replace(&mut self.ended, ended);

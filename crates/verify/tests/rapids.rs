@@ -223,3 +223,21 @@ fn the_way_to_the_first_place_at_rapid_is_told_once() {
         assert_eq!(said, if cuts { vec![codes::REFUTED.number()] } else { Vec::new() });
     }
 }
+
+#[test]
+fn rapid_is_for_all_of_a_motion_along_surfaces_which_is_told() {
+    let on = |x: f64| [x, 10.0, 0.0];
+    let mill =
+        |points: &[[f64; 3]]| along(milling(Some(milled("FLOOR", &flat(), 1.0, 0.0))), points);
+    let to = |n: usize| {
+        let said = judge(&[goto(&[OVER]), rapid(), mill(&[on(2.0), on(5.0), on(9.0)][..n])]).1;
+        said.into_iter().map(|d| (d.code, d.message)).collect::<Vec<_>>()
+    };
+    // Its first vector is the way to where it begins.
+    assert!(to(1).is_empty());
+    let all = "RAPID is for all of the next motion: its 2 cut vectors go along part surface FLOOR at rapid";
+    assert_eq!(to(3), [(codes::RAPID_ALONG, all.to_owned())]);
+    assert!(
+        told(&[goto(&[OVER]), rapid(), goto(&[on(2.0)]), mill(&[on(2.0), on(5.0)])]).is_empty()
+    );
+}

@@ -13,5 +13,6 @@ codes! {
     CORNERS = 5007, "corners that stand at the ends of passes, or beside edges";
     RAPID_ENDS_LOW = 5008, "a rapid motion that ends below the part surface";
     THROUGH = 5009, "a way that goes through a surface";
+    RAPID_ALONG = 5010, "a motion along surfaces at rapid";
     NOT_THE_CL = 5401, "machine code that does not do what the CL data says";
 }
