@@ -7,7 +7,7 @@ use aptc_geometry::surface::kept;
 use aptc_geometry::{Profile, Sculptured, Shell, Vec3};
 
 use crate::failure::{point, short};
-use crate::plain::Plain;
+use crate::plain::{Depth, Plain};
 
 /// A surface that is checked.
 #[derive(Clone, Debug)]
@@ -56,7 +56,7 @@ pub(crate) struct Gouge {
     pub(crate) by: Solid,
     /// From where the tool came to stand in a solid that could be a bowl, if it came from outside.
     pub(crate) entered: Option<Box<Vec3>>,
-    /// The place of a sculptured surface.
+    /// The place that was found in it; none of a surface of which it is known on which side the tool is.
     pub(crate) seen: Option<Box<Seen>>,
     /// Where the tool is deepest on its way, as [`Guard::deepest`] tells.
     pub(crate) stood: Option<Box<Stood>>,
@@ -85,7 +85,7 @@ pub(crate) struct Stood {
     pub(crate) place: Vec3,
 }
 
-/// A place of a sculptured surface that was in a solid of the tool.
+/// A place of a surface that was in a solid of the tool.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Seen {
     pub(crate) place: Vec3,
@@ -286,11 +286,12 @@ impl Guard {
         intol: f64,
     ) -> Result<(), Gouge> {
         for p in &self.plain {
-            if let Some((depth, _)) = p.deep(cutter, (&profile, up), ends, intol) {
+            if let Some(Depth { depth, place, .. }) = p.deep(cutter, (&profile, up), ends, intol) {
                 let entered = p.entered(cutter, ends[1]).map(Box::new);
                 let surface = p.name.clone();
                 let (depth, left) = (depth + p.thick, Left::of(p.thick, None));
-                let (span, seen, stood) = (None, None, None);
+                let seen = place.map(|place| Box::new(Seen { place, by, thick: p.thick }));
+                let (span, stood) = (None, None);
                 return Err(Gouge { surface, span, depth, left, by, entered, seen, stood });
             }
         }

@@ -11,8 +11,8 @@ use aptc_geometry::{Profile, Surface, Tool, Vec3};
 pub(crate) enum Inside {
     /// No place of the surface is deeper than allowed.
     Nothing,
-    /// One is so deep.
-    Deep(f64),
+    /// One is so deep, this one.
+    Deep(f64, Vec3),
     /// The bound of boxes was reached.
     Unknown,
 }
@@ -62,7 +62,7 @@ pub(crate) fn inside(
         }
         let depth = -body.near(foot.point).0;
         if depth - slack > allowed {
-            return Inside::Deep(depth);
+            return Inside::Deep(depth, foot.point);
         }
         if radius <= smallest {
             if slack > fine {

@@ -9,7 +9,7 @@ use aptc_geometry::{
     RuledSurface, Second, Surface, Tabcyl, Tool, Vec2, Vec3, trig,
 };
 
-use crate::plain::Plain;
+use crate::plain::{Depth, Plain};
 
 /// A curve over x, drawn out along z or y.
 fn tabcyl(place: f64, high: f64, upright: bool) -> Form {
@@ -138,7 +138,7 @@ fn what_is_in_the_tool_is_told_of_every_kind_of_surface() {
                 assert!(deepest <= ALLOWED * 1.05, "{n}: {deepest} deep is not told");
                 told[kind][0] += 1;
             }
-            Some((depth, _)) if depth.is_finite() => {
+            Some(Depth { depth, .. }) if depth.is_finite() => {
                 assert!(depth > ALLOWED, "{n}: {depth}");
                 // Samples are 1.25 apart.
                 assert!(sided || deepest > ALLOWED - 0.3, "{n}: {depth} told, {deepest} sampled");

@@ -29,6 +29,16 @@ pub(crate) struct Came {
     pub(crate) side: Option<f64>,
 }
 
+/// How deep a solid gets in such a surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Depth {
+    pub(crate) depth: f64,
+    /// Tool end there.
+    pub(crate) te: Vec3,
+    /// A place of the surface that is so deep in the solid, where one is known.
+    pub(crate) place: Option<Vec3>,
+}
+
 /// Halvings of a way with a turning axis.
 const HALVINGS: u32 = 22;
 /// Stretches of it, and those on which it is asked what is in the tool.
@@ -74,7 +84,8 @@ impl Plain {
         (profile, up): (&Profile, f64),
         [a, b]: [(Vec3, Vec3); 2],
         intol: f64,
-    ) -> Option<(f64, Vec3)> {
+    ) -> Option<Depth> {
+        let beyond_it = |depth: f64, te: Vec3| Some(Depth { depth, te, place: None });
         let allowed = intol - self.thick;
         let reach = profile.reach();
         let axis = |t: f64| match t {
@@ -102,7 +113,7 @@ impl Plain {
             let deepest = [a, b].map(|at| (beyond(at), at.0));
             let deepest = if deepest[1].0 > deepest[0].0 { deepest[1] } else { deepest[0] };
             if deepest.0 > allowed {
-                return Some(deepest);
+                return beyond_it(deepest.0, deepest.1);
             }
         }
         let fine = FINE * allowed.abs().max(1e-6 * reach);
@@ -118,7 +129,7 @@ impl Plain {
             let body = Swept { tool: at((from, ta)), by: to - from };
             let about = about(hull(profile, &body.tool, body.by), allowed);
             match inside(&body, about, &self.surface, (allowed, slack, intol), most) {
-                Inside::Deep(_) if side == Side::Open => Inside::Unknown,
+                Inside::Deep(..) if side == Side::Open => Inside::Unknown,
                 found => found,
             }
         };
@@ -127,7 +138,9 @@ impl Plain {
         if kept.is_none() {
             match search(a.0, b.0, half, far, if turns { FIRST } else { SOON }) {
                 Inside::Nothing => return None,
-                Inside::Deep(depth) => return Some((depth, a.0)),
+                Inside::Deep(depth, place) => {
+                    return Some(Depth { depth, te: a.0, place: Some(place) });
+                }
                 Inside::Unknown => {}
             }
         }
@@ -140,7 +153,7 @@ impl Plain {
             if let (true, Some(g), Some(other)) = (turns, p.g, q.g) {
                 let (g, te) = if g < other { (g, p.te) } else { (other, q.te) };
                 if kept.is_some() && g < -allowed {
-                    return Some((-g, te));
+                    return beyond_it(-g, te);
                 }
                 if self.between(side, (profile, up), [(p, g), (q, other)]) >= -allowed {
                     continue;
@@ -167,7 +180,7 @@ impl Plain {
                 te = *at;
                 deep = low + slack < -allowed;
                 if kept.is_some() && deep {
-                    return Some((-low, te));
+                    return beyond_it(-low, te);
                 }
             }
             // Of what has no sides the place that faces the tool may be behind it.
@@ -178,7 +191,9 @@ impl Plain {
                     Inside::Nothing => continue,
                     // It is the first place found. What faces the tool may be far off: how deep it is along its normal
                     // is no depth of the tool.
-                    Inside::Deep(depth) => return Some((depth, te)),
+                    Inside::Deep(depth, place) => {
+                        return Some(Depth { depth, te, place: Some(place) });
+                    }
                     Inside::Unknown => {}
                 }
             }
@@ -187,11 +202,11 @@ impl Plain {
                 let tool = at((te, mid));
                 let facing = gap(&tool, &self.surface, side, 0.0).ok();
                 let depth = facing.map_or(0.0, |gap| -tool.distance(gap.surface_point));
-                return Some((if depth > allowed { depth } else { f64::INFINITY }, te));
+                return beyond_it(if depth > allowed { depth } else { f64::INFINITY }, te);
             }
             let tried = halvings >= HALVINGS || stretches > STRETCHES || searches > SEARCHES;
             if !turns || tried {
-                return Some((f64::INFINITY, te));
+                return beyond_it(f64::INFINITY, te);
             }
             let m = here(half);
             stack.push((m, q, halvings + 1));

@@ -16,12 +16,12 @@ fn planes_and_spheres_are_kept_clear_of() {
     let deep =
         |p: &Plain, a: Vec3, b: Vec3| p.deep(&profile, (&profile, 0.0), [(a, up), (b, up)], 0.01);
     assert!(deep(&floor, Vec3::z() * 0.5, Vec3::new(30.0, 0.0, 0.0)).is_none());
-    let (d, _) = deep(&floor, Vec3::z() * 0.5, Vec3::new(30.0, 0.0, -0.25)).unwrap();
+    let d = deep(&floor, Vec3::z() * 0.5, Vec3::new(30.0, 0.0, -0.25)).unwrap().depth;
     assert!((d - 0.25).abs() < 1e-3, "{d}");
     // Past a sphere whose top is met half way only.
     let ball = Sphere { center: Vec3::new(20.0, 0.0, -3.0), radius: 4.0 };
     let dome = plain(Surface::Sphere(ball));
-    let (d, _) = deep(&dome, Vec3::zeros(), Vec3::x() * 40.0).unwrap();
+    let d = deep(&dome, Vec3::zeros(), Vec3::x() * 40.0).unwrap().depth;
     assert!((d - 1.0).abs() < 1e-2, "{d}");
     assert!(deep(&dome, Vec3::zeros(), Vec3::new(0.0, 40.0, 0.0)).is_none());
     // Turning about a tool end that stays clear, the side comes down on the plane.
@@ -42,7 +42,7 @@ fn deep(surface: Surface, from: Option<Vec3>) -> [f64; 3] {
     }
     let ends = [(Vec3::new(-1.0, 0.0, 0.0), up), (Vec3::new(1.0, 0.0, 0.0), up)];
     [(cutter, 0.0), holder[0], (rod, top)]
-        .map(|(profile, up)| p.deep(&cutter, (&profile, up), ends, 0.01).map_or(0.0, |d| d.0))
+        .map(|(profile, up)| p.deep(&cutter, (&profile, up), ends, 0.01).map_or(0.0, |d| d.depth))
 }
 
 fn near(found: [f64; 3], wanted: [f64; 3]) {
@@ -214,7 +214,7 @@ fn a_turning_way_is_as_deep_as_its_deepest_place() {
         // Just above the greatest depth it is clear, but for what falls between the steps; just below it is told truly.
         if true_least < -0.02 {
             assert_eq!(deep(-true_least * 1.001 + 2e-4), None, "{k}");
-            let (depth, _) = deep(-true_least * 0.99 - 1e-4).unwrap();
+            let depth = deep(-true_least * 0.99 - 1e-4).unwrap().depth;
             assert!(
                 depth <= -true_least * 1.001 + 2e-4 && depth > -true_least * 0.99 - 1e-4,
                 "{k}"
@@ -256,7 +256,7 @@ fn a_tool_that_rolls_within_the_tolerance_is_clear() {
         let ends = [place(20.0, allowed * (1.0 - 1e-7)), place(20.0 + turn, 0.5 * allowed)];
         assert_eq!(floor.deep(&profile, (&profile, 0.0), ends, allowed), None);
         let ends = [place(20.0, 0.5 * allowed), place(20.0 + turn, allowed * (1.0 + 1e-7))];
-        let (depth, _) = floor.deep(&profile, (&profile, 0.0), ends, allowed).unwrap();
+        let depth = floor.deep(&profile, (&profile, 0.0), ends, allowed).unwrap().depth;
         assert!(depth > allowed && depth < 1.001 * allowed, "{depth}");
     }
 }
