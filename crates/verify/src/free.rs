@@ -92,6 +92,7 @@ impl Free {
     /// A motion along surfaces.
     pub(crate) fn along(&mut self, statement: &Statement) {
         let Some(around) = Around::of(statement, self.before.as_ref()) else { return };
+        self.said.extend(arrives(statement, &around));
         for Waiting { rapid, plunge, .. } in std::mem::take(&mut self.waiting) {
             // A motion that ends below the surface before and the surface after it went into the part.
             let judge = |end: End| cut(&rapid, &around, end, rapid.arrives);
@@ -205,6 +206,32 @@ fn told(rapid: &Rapid, fault: &Fault) -> Diagnostic {
     );
     let d = Diagnostic::error(codes::RAPID_CUT, rapid.origin.span, message);
     d.help("go up before going aside, or leave RAPID out").within(rapid.origin.trace.clone())
+}
+
+/// The way at feed to the first place of regional milling, held against the part surface where nothing is checked beside it: what
+/// the tool cuts off there is missing.
+fn arrives(statement: &Statement, around: &Around) -> Option<Diagnostic> {
+    let way = statement.way.filter(|_| !statement.rapid)?;
+    let way = Rapid {
+        origin: statement.origin.clone(),
+        points: vec![way, *statement.points.first()?],
+        profile: statement.profile,
+        pad: statement.pad,
+        clearance: None,
+        cycle: false,
+        arrives: true,
+    };
+    let fault = cut(&way, around, End::Excused, true)?;
+    let message = format!(
+        "on the way to its first position the tool goes into {} by {} beyond tolerance {}",
+        fault.surface,
+        length(fault.depth),
+        fault.place()
+    );
+    let d = Diagnostic::warning(codes::THROUGH, statement.origin.span, message);
+    let d = d
+        .help("lead the tool over it before, with GOTO or GODLTA; CHKSRF/PS,ON refuses such a way");
+    Some(d.within(statement.origin.trace.clone()))
 }
 
 /// Ending below the part surface before it, where nothing says what the tool does there.

@@ -241,3 +241,21 @@ fn rapid_is_for_all_of_a_motion_along_surfaces_which_is_told() {
         told(&[goto(&[OVER]), rapid(), goto(&[on(2.0)]), mill(&[on(2.0), on(5.0)])]).is_empty()
     );
 }
+
+/// Through the hill at feed is no cut at rapid, and it is not silent.
+#[test]
+fn the_way_at_feed_to_the_first_place_is_held_against_the_part_surface() {
+    let mill =
+        |x: f64| along(milling(Some(milled("RIDGE", &ridge(), 1.0, 0.0))), &[[x, 10.0, 0.0]]);
+    let foot = [-6.0, 10.0, 0.0];
+    let through = judge(&[goto(&[foot]), mill(25.0)]);
+    let [d] = &through.1[..] else { panic!("{:?}", through.1) };
+    assert!(through.0.rapids.is_empty() && d.code == codes::THROUGH, "{d:?}");
+    assert!(d.message.contains("part surface RIDGE by 4.99"), "{}", d.message);
+    // From above, beside it, and where it is checked, for then the way is refuted.
+    assert!(told(&[goto(&[[25.0, 10.0, 50.0]]), mill(25.0)]).is_empty());
+    assert!(told(&[goto(&[[25.0, 40.0, 0.0]]), mill(25.0)]).is_empty());
+    let guarded = Milling { guarded: true, ..milling(Some(milled("RIDGE", &ridge(), 1.0, 0.0))) };
+    let guarded = told(&[goto(&[foot]), along(guarded, &[[25.0, 10.0, 0.0]])]);
+    assert_eq!(guarded, [codes::REFUTED.number()]);
+}
