@@ -198,7 +198,7 @@ impl Avoid {
             return None;
         }
         let normal = self.along_normal.then_some(to.normal);
-        let clear = |p, q| guard.way(profile, [p, q]).is_ok();
+        let clear = |p, q| guard.lets_by(profile, [p, q]);
         let most = self.limit.map_or(1e3 * profile.reach(), |limit| limit - to.lift.norm());
         let over = |normal: Option<Vec3>| {
             let along = |axis: Vec3| normal.unwrap_or(axis);

@@ -7,7 +7,7 @@ use aptc_geometry::surface::kept;
 use aptc_geometry::{Profile, Sculptured, Shell, Vec3};
 
 use crate::failure::{point, short};
-use crate::plain::{Depth, Plain};
+use crate::plain::{Depth, Plain, SOON_TOLD, STRETCHES};
 
 /// A surface that is checked.
 #[derive(Clone, Debug)]
@@ -217,6 +217,14 @@ impl Guard {
         self.way_within(cutter, ends, self.intol, PIECES)
     }
 
+    /// Is it soon seen to be clear all the way? Of one of many ways that would do.
+    pub(crate) fn lets_by(&self, cutter: &Profile, ends: [(Vec3, Vec3); 2]) -> bool {
+        self.solids(cutter).all(|solid| {
+            self.of_plain(cutter, solid, (ends, SOON_TOLD), self.intol).is_ok()
+                && self.of_sculptured(solid, ends, self.intol, PIECES).is_ok()
+        })
+    }
+
     /// The same with nothing deeper than `intol`; a tool that stands is looked at for so many `looks` beside each surface.
     pub(crate) fn way_within(
         &self,
@@ -227,7 +235,7 @@ impl Guard {
     ) -> Result<(), Gouge> {
         for solid in self.solids(cutter) {
             self.of_sculptured(solid, ends, intol, looks)?;
-            self.of_plain(cutter, solid, ends, intol)?;
+            self.of_plain(cutter, solid, (ends, STRETCHES), intol)?;
         }
         Ok(())
     }
@@ -242,7 +250,7 @@ impl Guard {
         looks: usize,
     ) -> Result<(), Gouge> {
         for solid in self.solids(cutter) {
-            self.of_plain(cutter, solid, [at, at], intol)?;
+            self.of_plain(cutter, solid, ([at, at], STRETCHES), intol)?;
         }
         for solid in self.solids(cutter) {
             self.of_sculptured(solid, [at, at], intol, looks)?;
@@ -277,16 +285,18 @@ impl Guard {
         Ok(())
     }
 
-    /// And beside the others.
+    /// And beside the others, of the way so many stretches at most.
     fn of_plain(
         &self,
         cutter: &Profile,
         (by, (profile, up)): (Solid, (Profile, f64)),
-        ends: [(Vec3, Vec3); 2],
+        (ends, most): ([(Vec3, Vec3); 2], u32),
         intol: f64,
     ) -> Result<(), Gouge> {
         for p in &self.plain {
-            if let Some(Depth { depth, place, .. }) = p.deep(cutter, (&profile, up), ends, intol) {
+            if let Some(Depth { depth, place, .. }) =
+                p.deep(cutter, (&profile, up), ends, intol, most)
+            {
                 let entered = p.entered(cutter, ends[1]).map(Box::new);
                 let surface = p.name.clone();
                 let (depth, left) = (depth + p.thick, Left::of(p.thick, None));

@@ -61,8 +61,11 @@ impl Setup<'_> {
                 && let Some([up, down]) =
                     avoid.over(self.profile, guard, [(last.te, last.ta), (p.te, p.ta)], &p)
             {
-                let up = Position { te: up, ..*last };
-                path.points.extend([up, Position { te: down, ..p }, p]);
+                let raised =
+                    |p: &Position, te: Vec3| Position { te, lift: p.lift + te - p.te, ..*p };
+                let over = [raised(last, up), raised(&p, down)];
+                path.points.extend(over);
+                path.points.push(p);
                 path.avoided = true;
                 continue;
             }

@@ -41,8 +41,11 @@ pub(crate) struct Depth {
 
 /// Halvings of a way with a turning axis.
 const HALVINGS: u32 = 22;
-/// Stretches of it, and those on which it is asked what is in the tool.
-const STRETCHES: u32 = 4000;
+/// Stretches of it; beside what has no sides, where each takes long and a shorter way tells sooner; fewer where another way would do as well;
+/// and those on which it is asked what is in the tool.
+pub(crate) const STRETCHES: u32 = 4000;
+const UNSIDED: u32 = 2000;
+pub(crate) const SOON_TOLD: u32 = 60;
 const SEARCHES: u32 = 200;
 /// Part of what is allowed to which the least gap of a way is found.
 const FINE: f64 = 1e-3;
@@ -77,13 +80,14 @@ impl Plain {
     /// than that. What cannot be computed is not taken for clear: its depth is infinite.
     ///
     /// A stretch of the way is held against the surface with the axis of its middle, which is off by first order in the
-    /// turn, and by what its ends bound, off by second order ([`Plain::between`]).
+    /// turn, and by what its ends bound, off by second order ([`Plain::between`]); `most` stretches are looked at.
     pub(crate) fn deep(
         &self,
         cutter: &Profile,
         (profile, up): (&Profile, f64),
         [a, b]: [(Vec3, Vec3); 2],
         intol: f64,
+        most: u32,
     ) -> Option<Depth> {
         let beyond_it = |depth: f64, te: Vec3| Some(Depth { depth, te, place: None });
         let allowed = intol - self.thick;
@@ -135,6 +139,7 @@ impl Plain {
         };
         // Far from what has no sides there is nothing to ask, and what is found in the tool needs no place that faces it.
         let (half, far) = (axis(0.5), trig::angle_between(a.1, b.1) * (up.abs() + reach));
+        let most = if kept.is_none() { most.min(UNSIDED) } else { most };
         if kept.is_none() {
             match search(a.0, b.0, half, far, if turns { FIRST } else { SOON }) {
                 Inside::Nothing => return None,
@@ -186,8 +191,8 @@ impl Plain {
             // Of what has no sides the place that faces the tool may be behind it.
             if deep {
                 searches += 1;
-                let most = if turns || low.is_ok() { FEW } else { MOST };
-                match search(p.te, q.te, mid, slack, most) {
+                let boxes = if turns || low.is_ok() || most < UNSIDED { FEW } else { MOST };
+                match search(p.te, q.te, mid, slack, boxes) {
                     Inside::Nothing => continue,
                     // It is the first place found. What faces the tool may be far off: how deep it is along its normal
                     // is no depth of the tool.
@@ -204,7 +209,7 @@ impl Plain {
                 let depth = facing.map_or(0.0, |gap| -tool.distance(gap.surface_point));
                 return beyond_it(if depth > allowed { depth } else { f64::INFINITY }, te);
             }
-            let tried = halvings >= HALVINGS || stretches > STRETCHES || searches > SEARCHES;
+            let tried = halvings >= HALVINGS || stretches > most || searches > SEARCHES;
             if !turns || tried {
                 return beyond_it(f64::INFINITY, te);
             }

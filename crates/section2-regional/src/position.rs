@@ -34,24 +34,32 @@ impl Position {
     }
 }
 
-/// The first tool ends at which the cutter touches with a place that does not cut well.
+/// What is odd about the positions of a path: the first tool ends at which the cutter touches with a place that does not cut well, and
+/// how far it got out of the way.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Odd {
     /// With its tip.
     pub(crate) tip: Option<Vec3>,
     /// With the edge of its top.
     pub(crate) rim: Option<Vec3>,
+    /// The greatest lift of avoidance, and the tool end there.
+    pub(crate) high: Option<(f64, Vec3)>,
 }
 
 impl Odd {
     pub(crate) fn of(points: &[Position]) -> Self {
         let first = |s: Segment| points.iter().find(|p| p.segment == s).map(|p| p.te);
-        Self { tip: first(Segment::Tip), rim: first(Segment::Rim) }
+        let lifted = points.iter().filter(|p| p.lift != Vec3::zeros());
+        let lifts = lifted.map(|p| (p.lift.norm(), p.te));
+        let high = lifts.reduce(|a, b| if b.0 > a.0 { b } else { a });
+        Self { tip: first(Segment::Tip), rim: first(Segment::Rim), high }
     }
 
     /// What stands here, else what stands there.
     pub(crate) fn or(self, other: Self) -> Self {
-        Self { tip: self.tip.or(other.tip), rim: self.rim.or(other.rim) }
+        let higher = |a: (f64, Vec3)| other.high.is_none_or(|b| a.0 >= b.0);
+        let high = self.high.filter(|a| higher(*a)).or(other.high);
+        Self { tip: self.tip.or(other.tip), rim: self.rim.or(other.rim), high }
     }
 }
 

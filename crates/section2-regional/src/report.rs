@@ -50,6 +50,18 @@ pub(crate) fn reports(origin: &Origin, notes: &[Note]) -> Vec<Diagnostic> {
     all
 }
 
+/// Where nothing limits the lift of AVCTRL the tool may go far off to get out of the way.
+pub(crate) fn lifted_far(origin: &Origin, by: f64, at: Vec3) -> Diagnostic {
+    let text = format!(
+        "AVCTRL without LIMIT lifts the tool by {}, more than its height, to the tool end {}",
+        short(by),
+        point(at)
+    );
+    Diagnostic::warning(codes::FAR_LIFT, origin.span, text)
+        .within(origin.trace.clone())
+        .help("give AVCTRL a LIMIT, or another direction of the lift (NORMPS, AXIS), or hold the path off what stands in the way")
+}
+
 /// "pitching through 12.5 degrees and lifting off by 0.3 along the tool axis".
 fn said(how: &Avoided) -> String {
     let mut done = Vec::new();

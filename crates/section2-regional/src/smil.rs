@@ -5,7 +5,7 @@ use std::sync::Arc;
 use aptc_cldata as cl;
 use aptc_cldata::milling::{Extent, Milled, Milling, Plain, Raised, Scallop};
 use aptc_diagnostics::Origin;
-use aptc_geometry::{Form, Vec3};
+use aptc_geometry::{Form, Profile, Vec3};
 use aptc_protap::{Arg, NameRef};
 
 use crate::area::{Areas, AxisArea, DriveArea, Guide, Hold, PartArea};
@@ -20,7 +20,7 @@ use crate::position::{Odd, Position};
 use crate::put::{Along, Put};
 use crate::region::Region;
 use crate::regional::{Regional, Stand};
-use crate::report::{Note, reports};
+use crate::report::{Note, lifted_far, reports};
 use crate::retract::Retract;
 use crate::scon::Words;
 use crate::settings::Band;
@@ -352,7 +352,8 @@ impl Regional {
         guard
     }
 
-    /// Places of the cutter that touch and do not cut well are told once a statement.
+    /// Places of the cutter that touch and do not cut well, and how far it got out of the way without a limit, are told once a
+    /// statement.
     ///
     /// APT: the warnings of `TULPOS`, whose last took a ball for the cutter: [`Failure::Sphere`].
     fn odd(&mut self, origin: &Origin, odd: Odd) {
@@ -362,6 +363,9 @@ impl Regional {
                 self.diagnostics.push(touches_with(origin, place, at));
             }
         }
+        let reach = self.settings.profile.as_ref().map_or(f64::INFINITY, Profile::reach);
+        let far = odd.high.filter(|(by, _)| self.avoid.limit.is_none() && *by > reach);
+        self.diagnostics.extend(far.map(|(by, at)| lifted_far(origin, by, at)));
     }
 
     /// What the statement keeps to.
