@@ -13,6 +13,7 @@ mod area;
 mod avoid;
 mod axis;
 mod checks;
+mod contacts;
 mod crew;
 mod cut_vectors;
 mod deepest;

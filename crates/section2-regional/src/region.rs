@@ -194,7 +194,12 @@ impl Region<'_> {
         let course = (lane.to, self.course, lane.sense);
         let (points, rolls) = self.run(&setup, lane.from, course, first, out)?;
         // Of passes that go to and fro the contacts are kept in one direction.
-        out.touched = Touched::of(&points, &rolls, lane.sense < 0.0);
+        let contacts = if self.stepover.scallop > 0.0 {
+            setup.contacts(&points, (self.course, lane.sense))
+        } else {
+            points.iter().map(|p| p.part_uv).collect()
+        };
+        out.touched = Touched::of(&points, &rolls, contacts, lane.sense < 0.0);
         let Some(target) = lane.next else { return Ok(()) };
         let mut from = lane.from;
         let stand = if self.clearance.is_some() {

@@ -68,11 +68,16 @@ impl Touched {
         if end == 0 { self.stands.first() } else { self.stands.last() }
     }
 
-    /// The same of the positions of a path and of its rolls over edges.
-    pub(crate) fn of(points: &[Standing], rolls: &[[Standing; 2]], back: bool) -> Self {
+    /// The same of the positions of a path and of its rolls over edges, and its contacts.
+    pub(crate) fn of(
+        points: &[Standing],
+        rolls: &[[Standing; 2]],
+        contacts: Vec<[f64; 2]>,
+        back: bool,
+    ) -> Self {
         let stands = points.first().into_iter().chain(rolls.iter().flatten()).chain(points.last());
         let stands = stands.map(Stand::of).collect();
-        Self::by(points.iter().map(|p| p.part_uv), stands, back)
+        Self::by(contacts.into_iter(), stands, back)
     }
 }
 

@@ -71,7 +71,8 @@ pub(crate) fn mill(
                 (done, Some(why))
             }
         };
-        let touched = Touched::of(&path.points, &path.rolls, stretch.to < stretch.from);
+        let contacts = path.points.iter().map(|p| p.part_uv).collect();
+        let touched = Touched::of(&path.points, &path.rolls, contacts, stretch.to < stretch.from);
         done.strips.push(Strip { line: stretch.line, touched });
         let Path { points, notes, avoided, .. } = path;
         done.avoided |= avoided;
