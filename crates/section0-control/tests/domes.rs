@@ -78,6 +78,7 @@ SMIL/ZIGZAG,DS,PARAM,.5,0,CRSSPL,PLUS,STEPOV,PLUS",
             "(0,0,20),TANSPL,$\n (VECTOR/1,0,0),(25,0,14),(40,0,0)",
             "(0,0,30),TANSPL,$\n (VECTOR/1,0,0),(30,0,0),TANSPL,(VECTOR/0,0,-1)",
         );
+        let text = text.replace("FROM/-20,2,60", "FROM/60,2,60");
         let ran = run::run(&text, Verify::Full);
         assert_eq!(ran.faults(), Vec::<String>::new(), "{work}");
         let lowest = ran.places.iter().map(|p| p[2]).fold(f64::INFINITY, f64::min);
@@ -233,4 +234,32 @@ SMIL/ZIGZAG,DS,PARAM,0,0,TANSPL,PLUS,STEPOV,PLUS";
     let low = ran.places.iter().map(|p| p[2]).fold(f64::INFINITY, f64::min);
     assert!((low + (900.0_f64 - 36.0).sqrt()).abs() < 0.05, "{low} {:?}", ran.told);
     assert!(ran.places.len() < 1500, "{}", ran.places.len());
+}
+
+/// Straight passes beside the axis of a bowl: in its parameters their long cut vectors are curves, between which nothing is left.
+#[test]
+fn passes_across_a_bowl_clear_it_to_the_last() {
+    let text = "PARTNO A BOWL
+UNITS/MM
+ARCH=SCURV/CURSEG,(0,0,0),(12,0,2),(22,0,7)
+BOWL=SSURF/REVOLV,ARCH,AXIS,(POINT/0,0,0),(VECTOR/0,0,1),CCLW,0,180
+OVER=SSURF/SMESH,RULED,SPLINE,(5,5,60),(10,9,60),$
+ SPLINE,(1,10,60),(6,14,60)
+CUTTER/4
+INTOL/.01
+OUTTOL/.02
+FROM/18,18,80
+SCON/DS,OVER,PARAM,0,1,0,1,AT,(VECTOR/0,0,-1)
+SCON/PS,TO,BOWL,PLUS,0
+SCON/AXIS,(VECTOR/0,0,1)
+SCON/FEED,0,0,0,0
+SCON/STEPOV,.02,2,0,0
+SMIL/ZIGZAG,DS,PARAM,0,0,CRSSPL,PLUS,STEPOV,PLUS
+END
+FINI
+";
+    let ran = run::run(text, Verify::Full);
+    assert_eq!(ran.faults(), Vec::<String>::new());
+    // Of many passes of one cut vector each.
+    assert!(ran.places.len() > 200, "{}", ran.places.len());
 }

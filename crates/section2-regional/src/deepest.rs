@@ -81,9 +81,19 @@ impl Plain {
         let turn = 2.0 * trig::sin(0.25 * trig::angle_between(a.1, b.1));
         let slack = turn * (up + profile.reach());
         let [low, high] = about(hull(profile, &tool, body.by), allowed);
-        let about = [low.add_scalar(-slack), high.add_scalar(slack)];
+        let within = [low.add_scalar(-slack), high.add_scalar(slack)];
         let real = |place| deep_at((profile, up), ends, place);
-        deepest(&body, about, &self.surface, (allowed, slack, profile.widest()), real)
+        // What is deepest in a slender tool mostly lies beside its axis.
+        let shares = || (0..=PARTS).map(|i| f64::from(i) / f64::from(PARTS));
+        let stands = shares().take(if a == b { 1 } else { usize::MAX });
+        let beside = stands.flat_map(|t| {
+            let Stood { te, ta, .. } = stood(ends, t, a.0);
+            let tall = profile.height() - profile.bottom();
+            let at = move |share: f64| te + ta * (up + profile.bottom() + tall * share);
+            shares().map(move |share| self.surface.foot(at(share)).point)
+        });
+        let known = (allowed, slack, profile.widest());
+        deepest(&body, within, &self.surface, known, beside, real)
     }
 }
 

@@ -87,16 +87,24 @@ pub(crate) struct Found {
 
 /// The deepest place of the surface in a tool that goes by the body's way, as far as [`TOLD`] boxes tell: so deep it is at
 /// least, and no deeper is it told than it is. `None` where no place is found deeper than `allowed`. `real` tells how deep a
-/// place gets in the tool and at which share of the way; the body knows that but for `slack`, and nothing gets deeper than `most`.
+/// place gets in the tool and at which share of the way; the body knows that but for `slack`, and nothing gets deeper than `most`. It
+/// begins with the deepest of the places `first`.
 pub(crate) fn deepest(
     body: &impl Convex,
     [low, high]: [Vec3; 2],
     surface: &Surface,
     (allowed, slack, most): (f64, f64, f64),
+    first: impl Iterator<Item = Vec3>,
     real: impl Fn(Vec3) -> (f64, f64),
 ) -> Option<Found> {
     let bound = |centre: Vec3, half: Vec3| (-body.near(centre).0 + half.norm() + slack).min(most);
     let mut best = Found { depth: allowed, place: Vec3::zeros(), t: f64::NAN };
+    for place in first {
+        let (depth, t) = real(place);
+        if depth > best.depth {
+            best = Found { depth, place, t };
+        }
+    }
     let whole = (0.5 * (low + high), 0.5 * (high - low));
     let mut stack = vec![(bound(whole.0, whole.1), whole)];
     let smallest = (LEAST * (high - low).norm()).max(slack);
