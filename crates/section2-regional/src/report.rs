@@ -53,7 +53,7 @@ pub(crate) fn reports(origin: &Origin, notes: &[Note]) -> Vec<Diagnostic> {
 /// Where nothing limits the lift of AVCTRL the tool may go far off to get out of the way.
 pub(crate) fn lifted_far(origin: &Origin, by: f64, at: Vec3) -> Diagnostic {
     let text = format!(
-        "AVCTRL without LIMIT lifts the tool by {}, more than its height, to the tool end {}",
+        "AVCTRL without LIMIT lifts the tool by {}, farther than three of its lengths, to the tool end {}",
         short(by),
         point(at)
     );

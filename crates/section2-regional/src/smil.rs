@@ -364,7 +364,7 @@ impl Regional {
             }
         }
         let reach = self.settings.profile.as_ref().map_or(f64::INFINITY, Profile::reach);
-        let far = odd.high.filter(|(by, _)| self.avoid.limit.is_none() && *by > reach);
+        let far = odd.high.filter(|(by, _)| self.avoid.limit.is_none() && *by > FAR * reach);
         self.diagnostics.extend(far.map(|(by, at)| lifted_far(origin, by, at)));
     }
 
@@ -517,6 +517,9 @@ impl Regional {
         out.push(cl::Record { origin: origin.clone(), kind: cl::Kind::Motion(motion) });
     }
 }
+
+/// Lengths of the cutter by which a lift that nothing limits is told.
+const FAR: f64 = 3.0;
 
 /// What a tool keeps to whose end is led on a part surface.
 struct Freed {

@@ -58,5 +58,5 @@ codes! {
     WHOLLY_BEYOND = 2061, "motion wholly beyond the border of a sculptured surface";
     BEGINS_IN = 2062, "TO a check surface in which the cutter stands at the start";
     BELOW_FLOOR = 2063, "a pocket below whose floor the cutter reaches";
-    FAR_LIFT = 2064, "a lift of AVCTRL that is longer than the tool";
+    FAR_LIFT = 2064, "a lift of AVCTRL farther than three lengths of the tool";
 }
