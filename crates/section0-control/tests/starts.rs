@@ -244,3 +244,34 @@ fn what_offset_cuts_into_is_told() {
         ran.told
     );
 }
+
+/// The flank of a cutter before the upper end of a wall that leans over it goes by that end, and has no place of contact there: the
+/// tool is before the wall all the same. TO stays there, from behind it stays behind, and PAST is the other one.
+#[test]
+fn a_tool_before_the_upper_end_of_a_hollow_wall_stays_before_it() {
+    // Sections that are conics in y and z, from (-1.5, 70) by (1.5, 20) to (-1.5, -30), along x.
+    let mut wall = [0.0; 79];
+    wall[0] = 1.0;
+    (wall[1], wall[7], wall[8], wall[10]) = (1.0, 1.0, -20.0, -1.0);
+    (wall[14], wall[15]) = (-50.0, 100.0);
+    (wall[16], wall[24], wall[32], wall[40]) = (-50.0, -3.0, -50.0, 3.0);
+    (wall[48], wall[56], wall[64]) = (50.0, 1.5, 0.55);
+    let wall: String = wall.iter().map(|x| format!(",$\n{x}")).collect();
+    for (cutter, high) in [("6,0,6", 20), ("6,0,6", 50), ("6,0,6", 60), ("5.9,.1,5.9", 50)] {
+        for (relation, from, before) in
+            [("TO", -37, true), ("PAST", 37, true), ("TO", 37, false), ("PAST", -37, false)]
+        {
+            let text = format!(
+                "UNITS/MM\nW=POLCON/CANON{wall}\nCUTTER/12,{cutter},0,0,30\nINTOL/.01\n\
+                 OUTTOL/.01\nFROM/0,{from},{high}\nGO/{relation},W,TO,(PLANE/0,0,1,0)\nFINI\n"
+            );
+            let ran = run::run(&text, Verify::Full);
+            let p = *ran.places.last().expect("the tool goes");
+            let there = if before { -7.21 } else { 4.8 };
+            assert!((p[1] - there).abs() < 0.03 && p[2].abs() < 1e-9, "{p:?} {text}");
+            // On the way to the other side it goes through the wall, and is told so.
+            let through = (relation == "PAST").then_some("APT5009");
+            assert!(ran.codes().iter().all(|c| Some(c.as_str()) == through), "{:?} {text}", ran.told);
+        }
+    }
+}

@@ -337,12 +337,11 @@ fn aim(
             let fits = outside.filter(|g| g.g >= 0.0).map(|g| (g.g, Side::Positive));
             let (gap, side) = fits
                 .map_or_else(|| clearance(&keep, pose), Ok)
-                .or_else(|_| clearance(&flattened(&keep, pose), pose))
+                .ok()
+                .filter(|found| !only_other_told(&keep, pose, *found))
+                .map_or_else(|| clearance(&flattened(&keep, pose), pose), Ok)
                 .map_err(|_| apart())?;
-            let other = keep.on_side(match side {
-                Side::Positive => Side::Negative,
-                Side::Negative | Side::Open => Side::Positive,
-            });
+            let other = keep.on_side(opposite(side));
             let near = 1e-3 * keep.width();
             let alike = |g: Gap| (g.g - gap).abs() <= near;
             let beside =
@@ -375,6 +374,19 @@ fn both(keep: &Keep, pose: &Pose, sign: f64) -> bool {
     let middle = pose.te + pose.ta * (0.5 * keep.profile.height());
     let there = |p: Vec3| sign * keep.surface.distance(p) > keep.width();
     opens(&keep.surface, pose.ta) && there(pose.te) && there(middle)
+}
+
+/// Is the tool deep in on the side that was found, and has it no place of contact on the other one? A flank that goes by the end
+/// of a surface faces nothing there: that it could be told on one side only does not say that the tool is on that one.
+fn only_other_told(keep: &Keep, pose: &Pose, (gap, side): (f64, Side)) -> bool {
+    gap < -keep.width() && keep.on_side(opposite(side)).gap(pose, None).is_err()
+}
+
+fn opposite(side: Side) -> Side {
+    match side {
+        Side::Positive => Side::Negative,
+        Side::Negative | Side::Open => Side::Positive,
+    }
 }
 
 /// The side on which the middle of a cutter lies that the surface cuts through, so that neither side is free: a cutter beside
