@@ -4,8 +4,9 @@ use aptc_cldata::{Control, Controlled};
 use aptc_contact::{Condition, Gap, Side, opens};
 use aptc_geometry::surface::frame_about;
 use aptc_geometry::{Surface, Vec3};
-use aptc_protap::{OptionSurface, Relation};
+use aptc_protap::{OptionSurface, Relation, SurfaceRef};
 
+use super::ends::end_in;
 use super::keep::{Keep, Pose};
 use super::settle::{Solver, flattened};
 use super::watch::clearance;
@@ -122,24 +123,34 @@ fn left_by_offset(drive: Controlled, width: f64, gap: f64) -> Controlled {
     Controlled { outtol, ..drive }
 }
 
-/// The position, which is none where the tool stands above all of a hollow, beside what runs straight up from its outline.
+/// The position, which is none where the tool stands above all of a hollow, beside what runs straight up from its outline, and where
+/// the end of a surface is in its side.
 fn arrive(go: &Start, aims: &mut [Aim<'_>], pose: Pose) -> Result<Pose, Failure> {
     let end = arrive_in(go, aims, pose)?;
+    let none = |why: &'static str, left: Vec<(SurfaceRef, f64)>| Failure::NoStart {
+        surfaces: aims.iter().map(|a| a.wall.surface.clone()).collect(),
+        why,
+        place: Some(end.te),
+        left,
+        others: Vec::new(),
+    };
     let above: Vec<&Aim<'_>> = aims.iter().filter(|a| a.keep.stands_above(&end)).collect();
-    if above.is_empty() {
+    if !above.is_empty() {
+        let off = |a: &&Aim<'_>| {
+            let outside = a.keep.on_side(Side::Positive).gap(&end, None);
+            Some((a.wall.surface.clone(), outside.ok()?.g))
+        };
+        let left = above.iter().filter_map(off).collect();
+        return Err(none("the tool would stand above all of the hollow that it is to be in", left));
+    }
+    // OFFSET does not promise that the surface that it leaves is not cut.
+    let touched = aims.iter().filter(|_| !go.offset);
+    let ends = touched.filter_map(|a| Some((a.wall.surface.clone(), end_in(&a.keep, &end)?)));
+    let ends: Vec<_> = ends.collect();
+    if ends.is_empty() {
         return Ok(end);
     }
-    let off = |a: &&Aim<'_>| {
-        let outside = a.keep.on_side(Side::Positive).gap(&end, None);
-        Some((a.wall.surface.clone(), outside.ok()?.g))
-    };
-    Err(Failure::NoStart {
-        surfaces: aims.iter().map(|a| a.wall.surface.clone()).collect(),
-        why: "the tool would stand above all of the hollow that it is to be in",
-        place: Some(end.te),
-        left: above.iter().filter_map(off).collect(),
-        others: Vec::new(),
-    })
+    Err(none("where it comes to them, an end of one of them is in the cutter", ends))
 }
 
 /// The position; where a hollow may count as open, its side is decided.
