@@ -244,3 +244,67 @@ fn what_offset_cuts_into_is_told() {
         ran.told
     );
 }
+
+/// POLCON W upright: sections that are conics in y and z, from y = -rise / 2 at z = 70 to the same at -30 with end tangents that meet
+/// at y = rise / 2, along x.
+fn hollow_wall(rise: f64, fullness: f64) -> String {
+    let mut wall = [0.0; 79];
+    wall[0] = 1.0;
+    (wall[1], wall[7], wall[8], wall[10]) = (1.0, 1.0, -20.0, -1.0);
+    (wall[14], wall[15]) = (-50.0, 100.0);
+    (wall[16], wall[24], wall[32], wall[40]) = (-50.0, -rise, -50.0, rise);
+    (wall[48], wall[56], wall[64]) = (50.0, 0.5 * rise, fullness);
+    let wall: String = wall.iter().map(|x| format!(",$\n{x}")).collect();
+    format!("W=POLCON/CANON{wall}")
+}
+
+/// The flank of a cutter before the upper end of a wall that leans over it goes by that end, and has no place of contact there: the
+/// tool is before the wall all the same. TO stays there, from behind it stays behind, and PAST is the other one.
+#[test]
+fn a_tool_before_the_upper_end_of_a_hollow_wall_stays_before_it() {
+    let wall = hollow_wall(3.0, 0.55);
+    for (cutter, high) in [("6,0,6", 20), ("6,0,6", 50), ("6,0,6", 60), ("5.9,.1,5.9", 50)] {
+        for (relation, from, before) in
+            [("TO", -37, true), ("PAST", 37, true), ("TO", 37, false), ("PAST", -37, false)]
+        {
+            let text = format!(
+                "UNITS/MM\n{wall}\nCUTTER/12,{cutter},0,0,30\nINTOL/.01\n\
+                 OUTTOL/.01\nFROM/0,{from},{high}\nGO/{relation},W,TO,(PLANE/0,0,1,0)\nFINI\n"
+            );
+            let ran = run::run(&text, Verify::Full);
+            let p = *ran.places.last().expect("the tool goes");
+            let there = if before { -7.21 } else { 4.8 };
+            assert!((p[1] - there).abs() < 0.03 && p[2].abs() < 1e-9, "{p:?} {text}");
+            // On the way to the other side it goes through the wall, and is told so.
+            let through = (relation == "PAST").then_some("APT5009");
+            assert!(
+                ran.codes().iter().all(|c| Some(c.as_str()) == through),
+                "{:?} {text}",
+                ran.told
+            );
+        }
+    }
+}
+
+/// A wall that is lower than the tool and leans over it ends in the tool's side where its lower part is touched: that is no place,
+/// and the end is named. A tool that is no taller than what leans over it stands there.
+#[test]
+fn a_wall_whose_upper_end_would_be_in_a_tall_tool_has_no_place_for_it() {
+    for fullness in [0.52, 0.6, 0.7] {
+        for cutter in ["6,0,6", "5,1,5", "1,5,1"] {
+            let program = |height: f64| {
+                format!(
+                    "UNITS/MM\n{}\nCUTTER/12,{cutter},0,0,{height}\nINTOL/.01\nOUTTOL/.01\n\
+                     FROM/0,-37,40\nGO/TO,W,TO,(PLANE/0,0,1,0)\nFINI\n",
+                    hollow_wall(8.0, fullness)
+                )
+            };
+            let tall = run::run(&program(127.0), Verify::Full);
+            assert_eq!(tall.codes(), ["APT2011"], "{:?} {fullness} {cutter}", tall.told);
+            let low = end(&program(30.0));
+            // Before the wall's middle by its radius and hardly more.
+            let middle = -4.0 + 8.0 * (2.0 * fullness - 1.0);
+            assert!((low[1] - middle + 6.0).abs() < 0.5, "{low:?} {fullness} {cutter}");
+        }
+    }
+}

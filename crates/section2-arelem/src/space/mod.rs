@@ -5,6 +5,7 @@ mod begin;
 mod blocked;
 mod contacts;
 mod corner;
+mod ends;
 mod follow;
 mod guided;
 mod judge;

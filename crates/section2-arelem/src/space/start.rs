@@ -4,8 +4,9 @@ use aptc_cldata::{Control, Controlled};
 use aptc_contact::{Condition, Gap, Side, opens};
 use aptc_geometry::surface::frame_about;
 use aptc_geometry::{Surface, Vec3};
-use aptc_protap::{OptionSurface, Relation};
+use aptc_protap::{OptionSurface, Relation, SurfaceRef};
 
+use super::ends::end_in;
 use super::keep::{Keep, Pose};
 use super::settle::{Solver, flattened};
 use super::watch::clearance;
@@ -122,24 +123,34 @@ fn left_by_offset(drive: Controlled, width: f64, gap: f64) -> Controlled {
     Controlled { outtol, ..drive }
 }
 
-/// The position, which is none where the tool stands above all of a hollow, beside what runs straight up from its outline.
+/// The position, which is none where the tool stands above all of a hollow, beside what runs straight up from its outline, and where
+/// the end of a surface is in its side.
 fn arrive(go: &Start, aims: &mut [Aim<'_>], pose: Pose) -> Result<Pose, Failure> {
     let end = arrive_in(go, aims, pose)?;
+    let none = |why: &'static str, left: Vec<(SurfaceRef, f64)>| Failure::NoStart {
+        surfaces: aims.iter().map(|a| a.wall.surface.clone()).collect(),
+        why,
+        place: Some(end.te),
+        left,
+        others: Vec::new(),
+    };
     let above: Vec<&Aim<'_>> = aims.iter().filter(|a| a.keep.stands_above(&end)).collect();
-    if above.is_empty() {
+    if !above.is_empty() {
+        let off = |a: &&Aim<'_>| {
+            let outside = a.keep.on_side(Side::Positive).gap(&end, None);
+            Some((a.wall.surface.clone(), outside.ok()?.g))
+        };
+        let left = above.iter().filter_map(off).collect();
+        return Err(none("the tool would stand above all of the hollow that it is to be in", left));
+    }
+    // OFFSET does not promise that the surface that it leaves is not cut.
+    let touched = aims.iter().filter(|_| !go.offset);
+    let ends = touched.filter_map(|a| Some((a.wall.surface.clone(), end_in(&a.keep, &end)?)));
+    let ends: Vec<_> = ends.collect();
+    if ends.is_empty() {
         return Ok(end);
     }
-    let off = |a: &&Aim<'_>| {
-        let outside = a.keep.on_side(Side::Positive).gap(&end, None);
-        Some((a.wall.surface.clone(), outside.ok()?.g))
-    };
-    Err(Failure::NoStart {
-        surfaces: aims.iter().map(|a| a.wall.surface.clone()).collect(),
-        why: "the tool would stand above all of the hollow that it is to be in",
-        place: Some(end.te),
-        left: above.iter().filter_map(off).collect(),
-        others: Vec::new(),
-    })
+    Err(none("where it comes to them, an end of one of them is in the cutter", ends))
 }
 
 /// The position; where a hollow may count as open, its side is decided.
@@ -337,12 +348,11 @@ fn aim(
             let fits = outside.filter(|g| g.g >= 0.0).map(|g| (g.g, Side::Positive));
             let (gap, side) = fits
                 .map_or_else(|| clearance(&keep, pose), Ok)
-                .or_else(|_| clearance(&flattened(&keep, pose), pose))
+                .ok()
+                .filter(|found| !only_other_told(&keep, pose, *found))
+                .map_or_else(|| clearance(&flattened(&keep, pose), pose), Ok)
                 .map_err(|_| apart())?;
-            let other = keep.on_side(match side {
-                Side::Positive => Side::Negative,
-                Side::Negative | Side::Open => Side::Positive,
-            });
+            let other = keep.on_side(opposite(side));
             let near = 1e-3 * keep.width();
             let alike = |g: Gap| (g.g - gap).abs() <= near;
             let beside =
@@ -375,6 +385,19 @@ fn both(keep: &Keep, pose: &Pose, sign: f64) -> bool {
     let middle = pose.te + pose.ta * (0.5 * keep.profile.height());
     let there = |p: Vec3| sign * keep.surface.distance(p) > keep.width();
     opens(&keep.surface, pose.ta) && there(pose.te) && there(middle)
+}
+
+/// Is the tool deep in on the side that was found, and has it no place of contact on the other one? A flank that goes by the end
+/// of a surface faces nothing there: that it could be told on one side only does not say that the tool is on that one.
+fn only_other_told(keep: &Keep, pose: &Pose, (gap, side): (f64, Side)) -> bool {
+    gap < -keep.width() && keep.on_side(opposite(side)).gap(pose, None).is_err()
+}
+
+fn opposite(side: Side) -> Side {
+    match side {
+        Side::Positive => Side::Negative,
+        Side::Negative | Side::Open => Side::Positive,
+    }
 }
 
 /// The side on which the middle of a cutter lies that the surface cuts through, so that neither side is free: a cutter beside
