@@ -61,12 +61,17 @@ impl Transform {
 
     /// A point moved.
     pub fn point(&self, p: Vec3) -> Vec3 {
-        self.linear * p + self.shift
+        self.vector(p) + self.shift
     }
 
     /// A vector turned and scaled, not moved.
+    ///
+    /// The library's product is a call for each column, and the sums are in its order here.
+    #[inline]
     pub fn vector(&self, v: Vec3) -> Vec3 {
-        self.linear * v
+        let m = &self.linear;
+        let row = |i: usize| m[(i, 0)] * v.x + m[(i, 1)] * v.y + m[(i, 2)] * v.z;
+        Vec3::new(row(0), row(1), row(2))
     }
 
     /// A normal of a surface carried with the surface (inverse transposed, not normalised); `None` for a

@@ -8,6 +8,7 @@ use aptc_geometry::{Polyconic, Transform, Vec2, Vec3};
 use super::bend::Bend;
 use super::patched::{Cells, Grid, Side};
 use super::sculpted::halved;
+use crate::each::three;
 
 /// Cells along the length and along a section.
 const CELLS: [usize; 2] = [16, 4];
@@ -25,6 +26,8 @@ pub(crate) struct Sections {
     rooted: bool,
     /// A B C D L H P.
     curves: [[f64; POWERS]; 7],
+    /// Coefficients up to the last that is not zero in all of them: few are written with more than four.
+    powers: usize,
 }
 
 impl Sections {
@@ -38,11 +41,14 @@ impl Sections {
             }
             own[1] += curve.root;
         }
-        let new = Self { form: Arc::clone(form), transform: form.transform(), rooted, curves };
+        let last = |c: &[f64; POWERS]| c.iter().rposition(|x| x.abs() > 0.0).map_or(0, |k| k + 1);
+        let powers = curves.iter().map(last).max().unwrap_or(0);
+        let transform = form.transform();
+        let new = Self { form: Arc::clone(form), transform, rooted, curves, powers };
         let conic = (0..CELLS[0]).all(|i| {
             let p = new.control(6, i);
             let reach = p.u * new.half();
-            let middle = value(&new.curves[6], new.middle(i))[0];
+            let middle = new.value(6, new.middle(i))[0];
             middle - reach > 0.5 && middle + reach < 1.0
         });
         let side = |n: usize| Side {
@@ -84,9 +90,20 @@ impl Sections {
         Bend { value, u: first, uu: second, uuu: third, ..Bend::default() }
     }
 
+    /// A control curve with its two derivatives.
+    fn value(&self, curve: usize, u: f64) -> [f64; 3] {
+        let (mut f, mut f1, mut f2) = (0.0, 0.0, 0.0);
+        for c in self.curves[curve][..self.powers].iter().rev() {
+            f2 = f2 * u + 2.0 * f1;
+            f1 = f1 * u + f;
+            f = f * u + c;
+        }
+        [f, f1, f2]
+    }
+
     fn pair(&self, x: usize, y: usize, u: f64) -> [Vec2; 3] {
-        let (x, y) = (value(&self.curves[x], u), value(&self.curves[y], u));
-        [0, 1, 2].map(|i| Vec2::new(x[i], y[i]))
+        let (x, y) = (self.value(x, u), self.value(y, u));
+        three([0, 1, 2], |i| Vec2::new(x[i], y[i]))
     }
 
     fn pair_bend(&self, x: usize, y: usize, i: usize) -> Bend {
@@ -95,11 +112,11 @@ impl Sections {
 
     /// Start, apex, end and weight of a section with their derivatives.
     fn section(&self, u: f64) -> ([[Vec2; 3]; 3], [f64; 3]) {
-        let plus = |x: [Vec2; 3], y: [Vec2; 3]| [0, 1, 2].map(|i| x[i] + y[i]);
+        let plus = |x: [Vec2; 3], y: [Vec2; 3]| three([0, 1, 2], |i| x[i] + y[i]);
         let start = self.pair(4, 5, u);
         let apex = plus(start, self.pair(2, 1, u));
         let end = plus(apex, self.pair(0, 3, u));
-        let p = value(&self.curves[6], u);
+        let p = self.value(6, u);
         let q = 1.0 - p[0];
         let (w1, w2) = (0.5 / (q * q), 1.0 / (q * q * q));
         ([start, apex, end], [(p[0] - 0.5) / q, w1 * p[1], w2 * p[1] * p[1] + w1 * p[2]])
@@ -120,17 +137,6 @@ fn sum(a: Bend, b: Bend) -> Bend {
         uuu: a.uuu + b.uuu,
         ..Bend::default()
     }
-}
-
-/// A polynomial with its two derivatives.
-fn value(c: &[f64; POWERS], u: f64) -> [f64; 3] {
-    let (mut f, mut f1, mut f2) = (0.0, 0.0, 0.0);
-    for c in c.iter().rev() {
-        f2 = f2 * u + 2.0 * f1;
-        f1 = f1 * u + f;
-        f = f * u + c;
-    }
-    [f, f1, f2]
 }
 
 /// Bernstein's polynomials of degree two with their derivatives.
@@ -188,7 +194,7 @@ impl Cells for Sections {
             |k: usize, b: Bend| Bend { value: b.value + (corners[k][0] - middle).norm(), ..b };
         let (start, apex, end) = (about(0, start), about(1, apex), about(2, end));
         let p = self.control(6, i);
-        let at = value(&self.curves[6], self.middle(i))[0];
+        let at = self.value(6, self.middle(i))[0];
         let q = 1.0 - at - p.value;
         let w = Bend {
             value: (at + p.value - 0.5) / q,
