@@ -242,17 +242,25 @@ impl Control {
     /// INTOL and OUTTOL by which a surface was held that is asked for so: on the same side, with the same thickness and disk; the
     /// wider ones where it was held twice. `None` where it was not.
     pub fn band_of(&self, c: &Controlled) -> Option<[f64; 2]> {
+        let bands = self.alike(c).map(|e| [e.intol, e.outtol]);
+        bands.reduce(|a, b| [a[0].max(b[0]), a[1].max(b[1])])
+    }
+
+    /// Was the hollow so held that does not count as open?
+    pub fn held_whole(&self, c: &Controlled) -> bool {
+        self.alike(c).any(|e| !e.open)
+    }
+
+    fn alike<'a>(&'a self, c: &'a Controlled) -> impl Iterator<Item = &'a Controlled> {
         let on = |c: &Controlled| c.side == 0 || c.relation == Relation::On;
-        let alike = |e: &&Controlled| {
+        let alike = move |e: &&Controlled| {
             on(e) == on(c)
                 && (on(c) || e.side == c.side)
                 && e.disk == c.disk
                 && e.thick.to_bits() == c.thick.to_bits()
                 && (Shared::ptr_eq(&e.form, &c.form) || e.form == c.form)
         };
-        let all = self.drive.iter().chain(&self.part).chain(&self.checks);
-        let bands = all.filter(alike).map(|e| [e.intol, e.outtol]);
-        bands.reduce(|a, b| [a[0].max(b[0]), a[1].max(b[1])])
+        self.drive.iter().chain(&self.part).chain(&self.checks).filter(alike)
     }
 }
 

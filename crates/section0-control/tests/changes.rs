@@ -125,3 +125,96 @@ INDIRV/1,0,0\nTLON,GOFWD/MID,ON,(PLANE/1,0,0,0)";
     let down = ran(&text.replace("RISE", "-.2"));
     assert!(down.codes().contains(&"APT5005".to_owned()), "{:?}", down.told);
 }
+
+/// A thin disk along two walls of a hollow, the rim of it deeper than the narrower band of the second motion allows.
+fn along_two_walls(hollow: &str, axis: &str, option: &str, bands: [&str; 2], second: &str) -> Ran {
+    let text = format!(
+        "UNITS/MM\nPS={hollow}\nWA=PLANE/0,1,0,34\nWB=PLANE/1,0,0,-40\nCUTTER/6,1,2,1,0,0,30
+CUTTER/OPTION,{option}\n{}\nMULTAX\nFROM/0,0,50\nTLAXIS/{axis}\nINDIRV/0,1,-.2\nGO/TO,WA,TO,PS,ON,(PLANE/1,0,0,0)
+INDIRV/-1,0,0\nGOFWD/WA,TO,WB\n{}\nINDIRV/0,-1,0\n{second}GOFWD/WB,TO,(PLANE/0,1,0,-40)\nFINI\n",
+        bands[0], bands[1]
+    );
+    run::run(&text, Verify::Full)
+}
+
+/// From below as well as from above its band holds a disk: it stays on the side where it was, in a motion and in a start-up.
+#[test]
+fn a_disk_in_a_hollow_does_not_turn_over_where_the_band_becomes_narrower() {
+    let hollows: [(&str, fn([f64; 3]) -> [f64; 3]); 2] = [
+        ("SPHERE/0,0,300,300", |[x, y, z]| [-x, -y, 300.0 - z]),
+        ("CYLNDR/0,0,200,0,1,0,200", |[x, _, z]| [-x, 0.0, 200.0 - z]),
+    ];
+    let equal = "INTOL/.01\nOUTTOL/.01";
+    for ((hollow, inwards), axis) in hollows.into_iter().flat_map(|hollow| {
+        ["NORMPS", "ATANGL,1,5", "PERPTO,(VECTOR/1,0,0)", "0,0,1"].map(|axis| (hollow, axis))
+    }) {
+        for (option, bands, second) in [
+            ("1,1.654,0", [equal, "INTOL/.00454"], ""),
+            ("1,1.654,0", [equal, "INTOL/.001"], ""),
+            ("1,3,0", ["INTOL/.05\nOUTTOL/.001", "INTOL/.01"], ""),
+            ("1,2,1", [equal, "INTOL/.001"], "GO/TO,WB,TO,PS\nINDIRV/0,-1,0\n"),
+            ("1,1.654,0", [equal, "TOLER/.0005"], "GO/TO,WB,TO,PS\nINDIRV/0,-1,0\n"),
+        ] {
+            let ran = along_two_walls(hollow, axis, option, bands, second);
+            // The cutter behind the disk is deeper, and a start-up begins where the band was wider.
+            let told = |code: &String| !["APT5004", "APT5009"].contains(&code.as_str());
+            let faults = ran.faults().into_iter().filter(told);
+            let which = format!("{hollow} {axis} {option} {bands:?} {second}");
+            assert_eq!(faults.collect::<Vec<_>>(), [""; 0], "{which} {:?}", ran.told);
+            for (te, ta) in ran.places.iter().zip(&ran.axes).skip(1) {
+                let lean = Vec3::from(inwards(*te)).normalize().dot(&Vec3::from(*ta));
+                assert!(lean > 0.9, "{which} {te:?} {ta:?}");
+            }
+        }
+    }
+}
+
+/// One that came from below a roof stays below it, and the normal is not its axis: the cutter would swing through the roof.
+#[test]
+fn a_disk_that_came_from_below_is_not_turned_over() {
+    let below = |axis: &str| {
+        let text = format!(
+            "UNITS/MM\nPS=SPHERE/0,0,320,300\nWA=PLANE/0,1,0,34\nCUTTER/6,1,2,1,0,0,30\nCUTTER/OPTION,1,2,0
+TOLER/.001\nMULTAX\nFROM/0,0,10\nTLAXIS/0,0,1\nINDIRV/0,1,.2\nGO/TO,WA,TO,PS,ON,(PLANE/1,0,0,0)\nTLAXIS/{axis}
+INDIRV/-1,0,0\nGOFWD/WA,ON,(PLANE/1,0,0,-20)\nFINI\n"
+        );
+        run::run(&text, Verify::Full)
+    };
+    for axis in ["NORMPS", "ATANGL,1,5"] {
+        let ran = below(axis);
+        let over = |(code, words): &(String, String)| {
+            code == "APT2020" && words.contains("would turn over at")
+        };
+        assert!(ran.told.iter().any(over), "{axis} {:?}", ran.told);
+    }
+    // As it stands it goes on, and its proof does not let it be turned over by hand.
+    assert_eq!(below("0,.1,1").faults(), ["APT5004"; 2]);
+    let by_hand = below("0,0,-1");
+    assert!(by_hand.codes().contains(&"APT5001".to_owned()), "{:?}", by_hand.told);
+}
+
+/// Inside of a wall: in the narrower band alone the tool would seem to stand above the hollow, or in what is opposite.
+#[test]
+fn the_inside_of_a_wall_stays_whole_where_the_band_becomes_narrower() {
+    let oval = "QADRIC/.0001,.000625,.00001,0,0,0,0,0,0,-1";
+    let waves = "TABCYL/NOZ,SPLINE,70,36,40,41,20,39,0,42,-20,40,-50,43";
+    for (wall, cutter, axis, [first, second]) in [
+        (oval, "8,4", "0,0,1", ["TOLER/.01", "INTOL/.00249\nOUTTOL/.00791"]),
+        (oval, "8", ".09,.08,1", ["TOLER/.01", "INTOL/.00249\nOUTTOL/.00791"]),
+        (oval, "8,1,3,1,0,0,40", "0,0,1", ["TOLER/.01", "INTOL/.00249\nOUTTOL/.00791"]),
+        (oval, "8,4", "NORMPS", ["TOLER/.01", "INTOL/.00249\nOUTTOL/.00791"]),
+        // Its axis turns by more than the first vector may: it comes into the band, and turns then.
+        (oval, "8,4", "ATANGL,1,5,CUTANG,LAG,1", ["TOLER/.01", "INTOL/.00249\nOUTTOL/.00791"]),
+        // Deep in the surface its place is hard to decide alone.
+        (waves, "8,1,3,1,0,0,40", "ATANGL,1,5,CUTANG,LAG,1", ["TOLER/.02", "OUTTOL/.0083"]),
+    ] {
+        let first = first.replace("TOLER/", "INTOL/") + &first.replace("TOLER/", "\nOUTTOL/");
+        let text = format!(
+            "UNITS/MM\nPS=CYLNDR/0,0,300,0,1,0,300\nW1=PLANE/1,0,0,45\nW2={wall}\nCUTTER/{cutter}\n{first}\nTHICK/0,-.2,-.2
+MULTAX\nFROM/0,0,50\nTLAXIS/{axis}\nINDIRV/1,0,0\nGO/TO,W1,TO,PS,ON,(PLANE/0,1,0,0)\nINDIRV/0,1,0
+TLLFT,GOFWD/W1,TO,W2\n{second}\nTLLFT,GOLFT/W2,TO,(PLANE/1,0,0,-10)\nFINI\n"
+        );
+        let ran = run::run(&text, Verify::Full);
+        assert!(ran.faults().is_empty(), "{wall} {cutter} {axis} {:?}", ran.told);
+    }
+}

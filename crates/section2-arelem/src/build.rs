@@ -37,8 +37,27 @@ impl Arelem {
         let axis = AxisRule::of(&self.settings.axis);
         let thick = self.settings.thick.iter().any(|t| *t != 0.0);
         let part_normal_before = self.settings.part_normal_before;
-        let offset = go.offset;
-        Ok(Start { tool, offset, surfaces, part, along, normals, axis, thick, part_normal_before })
+        let (offset, ended) = (go.offset, self.ended_here());
+        let start = Start {
+            tool,
+            ended,
+            offset,
+            surfaces,
+            part,
+            along,
+            normals,
+            axis,
+            thick,
+            part_normal_before,
+        };
+        Ok(start)
+    }
+
+    /// What the motion that ended here with this cutter was held to.
+    fn ended_here(&self) -> Option<Arc<cl::Control>> {
+        let same =
+            |(_, cutter): &&(Arc<cl::Control>, Option<Cutter>)| *cutter == self.settings.cutter;
+        self.ended.as_ref().filter(same).map(|(control, _)| Arc::clone(control))
     }
 
     pub(crate) fn scene(&self, d: &protap::Drive, tool: Tool) -> Result<Scene, Failure> {
@@ -73,9 +92,8 @@ impl Arelem {
             let wall = self.wall(&c.surface, role, on_check)?;
             checks.push(Check { wall, relation: c.relation, nth: c.nth });
         }
-        let same = |(_, cutter): &&(Arc<cl::Control>, Option<Cutter>)| *cutter == s.cutter;
         Ok(Scene {
-            ended: self.ended.as_ref().filter(same).map(|(control, _)| Arc::clone(control)),
+            ended: self.ended_here(),
             tool,
             direction: d.direction,
             drive: self.wall(&d.drive, Role::Drive, on)?,

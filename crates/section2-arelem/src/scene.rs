@@ -87,6 +87,8 @@ pub(crate) struct Limits {
 #[derive(Clone, Debug)]
 pub(crate) struct Start {
     pub(crate) tool: Tool,
+    /// What the motion before was held to, where it ended here.
+    pub(crate) ended: Option<Arc<cl::Control>>,
     pub(crate) offset: bool,
     /// The surfaces named, in the order drive, part, check.
     pub(crate) surfaces: Vec<(Relation, Wall)>,
@@ -201,6 +203,15 @@ impl Wall {
         }
     }
 
+    /// INTOL and OUTTOL of a motion along this surface, where it was held to it in the same way, with the tool on the side.
+    pub(crate) fn band_in(
+        &self,
+        control: Option<&Arc<cl::Control>>,
+        side: Side,
+    ) -> Option<[f64; 2]> {
+        control?.band_of(&self.beside(to_or_on(self.on), side))
+    }
+
     /// The same of a surface in space, whose hollow may count as open.
     pub(crate) fn beside(&self, relation: Relation, side: Side) -> cl::Controlled {
         let open = side == Side::Open && !self.on;
@@ -212,7 +223,13 @@ impl Wall {
 impl Scene {
     /// INTOL and OUTTOL of the motion before along a surface that it was held to in the same way, with the tool on the side.
     pub(crate) fn left_in(&self, wall: &Wall, side: Side) -> Option<[f64; 2]> {
-        self.ended.as_ref()?.band_of(&wall.beside(to_or_on(wall.on), side))
+        wall.band_in(self.ended.as_ref(), side)
+    }
+
+    /// Was it in a hollow then that did not count as open?
+    pub(crate) fn left_whole(&self, wall: &Wall) -> bool {
+        let inside = wall.beside(to_or_on(wall.on), Side::Negative);
+        self.ended.as_ref().is_some_and(|ended| ended.held_whole(&inside))
     }
 
     /// A round check surface, tangent to the drive surface to `allowed` on the side of the tool, into which the cutter does not fit.

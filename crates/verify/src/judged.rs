@@ -1,7 +1,7 @@
 //! A surface with what is known of it over a statement.
 
 use aptc_cldata::{Control, Controlled, Position, Relation};
-use aptc_geometry::Profile;
+use aptc_geometry::{Profile, Vec3};
 
 use crate::certificate::{Fault, SurfaceBound};
 use crate::curved::Warm;
@@ -58,7 +58,13 @@ impl Judged {
         const ALIKE: f64 = 1e-3;
         /// Its length at most, in widths of the band and how far the tool comes to all surfaces.
         const LONG: f64 = 3.0;
-        let (mut wide, off) = self.reaching(profile, from, pad)?;
+        let (mut wide, mut off) = self.reaching(profile, from, pad);
+        // A place alone may be hard to decide, where a way from it shows how far off it is.
+        let begins = |f: &Fault| f.refuted && (Vec3::from(f.te) - from.te).norm() <= pad;
+        let look = |wide: &Self| {
+            wide.vector(profile, from, to, pad, 1, &mut Seen::default()).filter(begins)
+        };
+        off += Fault::in_all(&mut wide, look, |wide, f| wide.widen(f.depth, f.gouge)).0;
         let band = self.demand.most - self.demand.least;
         if off <= 0.0 || (to.te - from.te).norm() > LONG * (comes + band) {
             return None;
@@ -77,17 +83,18 @@ impl Judged {
         }
     }
 
-    /// How far out of the band a tool is that stands there; `None` where that is not decided.
-    pub(crate) fn off(&self, profile: &Profile, at: &Position, pad: f64) -> Option<f64> {
-        self.reaching(profile, at, pad).map(|(_, off)| off)
+    /// How far out of the band a tool is at least that stands there.
+    pub(crate) fn off(&self, profile: &Profile, at: &Position, pad: f64) -> f64 {
+        self.reaching(profile, at, pad).1
     }
 
-    /// The same with the band that reaches to the tool.
-    fn reaching(&self, profile: &Profile, at: &Position, pad: f64) -> Option<(Self, f64)> {
+    /// The same with the band that reaches so far. What is left then is too little to be decided: that it is no more is for a band a
+    /// little wider to show.
+    fn reaching(&self, profile: &Profile, at: &Position, pad: f64) -> (Self, f64) {
         let mut wide = self.clone();
         let look = |wide: &Self| wide.vector(profile, at, at, pad, 0, &mut Seen::default());
-        let (off, open) = Fault::in_all(&mut wide, look, |wide, f| wide.widen(f.depth, f.gouge));
-        open.is_none().then_some((wide, off))
+        let (off, _) = Fault::in_all(&mut wide, look, |wide, f| wide.widen(f.depth, f.gouge));
+        (wide, off)
     }
 
     /// Allows the tool to be deeper by so much, or farther off.

@@ -30,6 +30,7 @@ mod milled;
 mod outline;
 mod outside;
 mod oval;
+mod over;
 mod paraboloid;
 mod passes;
 mod pile;

@@ -12,6 +12,7 @@ use crate::coming::Coming;
 use crate::curved::Warm;
 use crate::judged::Judged;
 use crate::milled::Region;
+use crate::over::goes_over;
 use crate::scallop::Left;
 use crate::sheets::Sheets;
 use crate::verifier::Effort;
@@ -23,6 +24,9 @@ pub(crate) const PLACES: usize = 32;
 
 /// Why a line limited by REGION can be deep in a surface.
 const OVER: &str = "it is the straight way from one stretch of the line to the next, over what REGION leaves out: GCLEAR/AWAY and GCLEAR/BACK lead the tool round";
+
+/// Why a vector that a disk keeps to is refuted.
+const OTHER: &str = "the cutter goes over to the other side of the surface there: its disk, CUTTER/OPTION, touches from both";
 
 /// A motion along surfaces with all that its judgement hangs on.
 #[derive(Debug)]
@@ -128,6 +132,8 @@ pub(crate) struct Guided {
     along: Vec<Judged>,
     /// The same for the vector that brings the tool from the wider band of the motion before into that of this one.
     eased: Vec<Option<Judged>>,
+    /// Where the cutter goes over to the other side of them, their disks keeping to one.
+    over: Vec<Option<(usize, Position)>>,
     check: Option<Judged>,
     /// The check surfaces that are not to be passed.
     never: Vec<Judged>,
@@ -373,6 +379,11 @@ impl Guided {
         let earlier = s.earlier.as_ref().filter(|_| !s.startup);
         let eased = |(role, c)| Judged::eased(c, role, &s.sheets, earlier?);
         let eased = held().map(eased).collect();
+        let goes_over = |c| {
+            let (way, ended) = ((s.start.as_ref()?, &s.points[..]), s.earlier.as_deref());
+            goes_over(c, way, s.startup, ended, &s.profile, &s.sheets)
+        };
+        let over = held().map(|(_, c)| goes_over(c)).collect();
         let check = control.checks.first().map(|c| Judged::new(c, "check", &s.sheets));
         let start = s.start.as_ref().filter(|_| !s.startup);
         // It stops at the first; the others it may have been on the other side of when it began.
@@ -380,7 +391,7 @@ impl Guided {
         let came = s.start.as_ref().filter(|_| s.startup);
         let coming = came.map(|from| Coming::new(control, &s.sheets, &s.profile, from, s.rapid));
         let never = control.checks.iter().enumerate().filter_map(never).collect();
-        Self { along, eased, check, never, coming }
+        Self { along, eased, over, check, never, coming }
     }
 
     /// Those of which bounds are told, drive first.
@@ -423,7 +434,7 @@ impl Guided {
         let mut fault: Option<Fault> = None;
         let comes = || -> f64 {
             let eased = self.along.iter().zip(&self.eased).filter(|(_, eased)| eased.is_some());
-            eased.filter_map(|(judged, _)| judged.off(profile, start, *pad)).sum()
+            eased.map(|(judged, _)| judged.off(profile, start, *pad)).sum()
         };
         for (k, (judged, seen)) in self.along.iter().zip(&mut answer.seen).enumerate() {
             if !rows.along[k] {
@@ -434,6 +445,10 @@ impl Guided {
                 keep(&mut fault, eased.and_then(way).unwrap_or(found));
             }
             keep(&mut answer.real, judged.real_cutter(profile, start, to, *pad, number));
+            if let Some((_, at)) = self.over[k].as_ref().filter(|(vector, _)| *vector == i) {
+                let real = judged.real_cutter(profile, at, at, *pad, number);
+                keep(&mut fault, real.map(|f| Fault { why: Some(OTHER.into()), ..f }));
+            }
         }
         for (k, (judged, seen)) in self.never.iter().zip(&mut answer.never).enumerate() {
             if !rows.never.get(k).is_some_and(|proved| *proved) {

@@ -1,12 +1,13 @@
 //! Streams of records as Section 2 makes them, good and bad.
 
+use std::f64::consts::PI;
 use std::sync::Arc;
 
 use aptc_cldata::{
     Arg, Control, Controlled, Kind, Motion, MotionKind, NameRef, Position, Record, Relation,
 };
 use aptc_diagnostics::{Diagnostic, Origin, codes};
-use aptc_geometry::{Cutter, Cylinder, Form, Plane, Vec3};
+use aptc_geometry::{Cutter, Cylinder, Form, Plane, Sphere, Vec3, trig};
 use aptc_verify::{Certificate, Effort, Verifier};
 
 const BAND: f64 = 0.01;
@@ -285,6 +286,52 @@ fn a_disk_is_proved_and_the_real_cutter_warned_of() {
     assert!(c.is_proved(), "{c}");
     assert_eq!(codes_of(&said), [codes::REAL_CUTTER.number()]);
     assert!(!said[0].is_error());
+}
+
+/// A disk in a hollow of 300, its axis the normal, then with the surface on that side of it and the axis turned so far in place.
+fn goes_over(turned: f64, sides: [i8; 2]) -> Option<bool> {
+    let hollow = Form::Sphere(Sphere { center: Vec3::new(0.0, 0.0, 300.0), radius: 300.0 });
+    let held = |side: i8, at: f64| Control {
+        drive: Some(controlled("MIDDLE", plane(0.0, 1.0, 0.0, 0.0), Relation::On, 0)),
+        part: Some(Controlled {
+            disk: Some([1.0, 0.0]),
+            ..controlled("HOLLOW", hollow.clone(), Relation::To, side)
+        }),
+        checks: vec![controlled("END", plane(1.0, 0.0, 0.0, at), Relation::On, 0)],
+        milling: None,
+    };
+    let to = |controls: &Arc<Control>, at: Vec<Position>| {
+        let control = Some(Arc::clone(controls));
+        let kind = MotionKind::Continuous;
+        record(Kind::Motion(Motion { kind, points: at, control, ..Motion::default() }))
+    };
+    // Leaning by an angle, with the rim in the surface.
+    let at = |x: f64, angle: f64| {
+        let rise = x * x / 600.0 + trig::sin(angle).abs();
+        let ta = Vec3::new(trig::sin(angle), 0.0, trig::cos(angle));
+        Position { te: Vec3::new(x, 0.0, rise), ta }
+    };
+    let steps = (0..=20_u32).map(|k| at(0.0, turned * f64::from(k) / 20.0));
+    let end = at(0.5, turned);
+    let records = [
+        record(Kind::Cutter(Cutter::mill(4.0, 0.0, 30.0))),
+        motion(MotionKind::From, None, &[[-5.0, 0.0, 25.0 / 600.0]]),
+        to(&Arc::new(held(sides[0], 0.0)), vec![at(0.0, 0.0)]),
+        to(&Arc::new(held(sides[1], 0.5)), steps.chain([end]).collect()),
+    ];
+    let fault = judge(&records).0.statements.last()?.fault.clone()?;
+    Some(fault.depth > 25.0 && fault.gouge && fault.why.is_some())
+}
+
+/// What holds of the disk holds of it as well that stands on its head, or on the other side.
+#[test]
+fn a_disk_does_not_lead_the_cutter_to_the_other_side() {
+    assert_eq!(goes_over(0.0, [-1, -1]), None);
+    assert_eq!(goes_over(0.0, [-1, 1]), Some(true));
+    assert_eq!(goes_over(PI, [-1, 1]), Some(true));
+    assert_eq!(goes_over(PI, [1, 1]), Some(true));
+    // It was there before, from below.
+    assert_eq!(goes_over(0.0, [1, 1]), None);
 }
 
 #[test]

@@ -75,6 +75,8 @@ pub(crate) enum Failure {
     NoTurn { place: Vec3, axes: [Vec3; 2] },
     /// Where it turns in place it comes so deep into a check surface, with this axis.
     TurnsInto { surface: SurfaceRef, place: Vec3, axis: Vec3, deep: f64 },
+    /// The disk of the cutter is on the side of the surface that the axis points into: the first axis would turn over to the second.
+    TurnsOver { surface: SurfaceRef, place: Vec3, axes: [Vec3; 2] },
     /// None square to the vector is so near to the normal as the angle asks; degrees.
     NoneSquare { place: Vec3, least: f64, asked: f64 },
     /// TLAXIS/PARLEL along a surface that has no rulings, beside one that has them.
@@ -159,6 +161,7 @@ impl Failure {
             | Self::NoAxis { place }
             | Self::NoTurn { place, .. }
             | Self::TurnsInto { place, .. }
+            | Self::TurnsOver { place, .. }
             | Self::NoneSquare { place, .. }
             | Self::NoPlace { place, .. } => Some(*place),
             Self::Blocked(b) => Some(b.place),

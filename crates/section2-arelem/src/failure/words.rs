@@ -222,6 +222,17 @@ impl Failure {
                 ),
                 "give GO the axis of the motion by TLAXIS/i,j,k, or end GO farther from the check surface".into(),
             ),
+            Self::TurnsOver { surface, place, axes: [from, to] } => (
+                codes::NO_AXIS,
+                format!(
+                    "the tool would turn over at {} from the axis {} to {}: its disk is on the side of {} that the axis points into",
+                    coordinates(*place),
+                    coordinates(*from),
+                    coordinates(*to),
+                    called(surface)
+                ),
+                "give GO the axis of the motion, so that the tool comes from that side of the surface".into(),
+            ),
             Self::NoneSquare { place, least, asked } => (
                 codes::NO_AXIS,
                 format!(

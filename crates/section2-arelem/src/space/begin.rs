@@ -8,7 +8,7 @@ use aptc_protap::OptionSurface;
 
 use super::band::Band;
 use super::guided::Guides;
-use super::keep::{Keep, Limits, Pose};
+use super::keep::{Keep, Limits, Pose, within};
 use super::pace::Pace;
 use super::placing::{placing, put};
 use super::refusal::trouble_at;
@@ -77,7 +77,9 @@ fn as_it_stands(scene: &Scene, turns: InPlace) -> Result<Begin, Failure> {
     let part_gap = if scene.part.on {
         part.gap(&pose, None).map_err(|_| apart(&scene.part))?
     } else {
-        let (gap, side) = nearer(&part, &pose).ok_or_else(|| apart(&scene.part))?;
+        let rule = scene.axis.normal_of() == Some(OptionSurface::Part);
+        let near = nearer(scene, &scene.part, &part, &pose, rule);
+        let (gap, side) = near.ok_or_else(|| apart(&scene.part))?;
         part.side = side;
         gap
     };
@@ -97,9 +99,13 @@ fn as_it_stands(scene: &Scene, turns: InPlace) -> Result<Begin, Failure> {
         let lean = probe.dot(&left);
         let wanted = lean * scene.stance.left();
         drive.side = if wanted.abs() < 1e-3 || scene.stance == Stance::AsItStands {
-            nearer(&drive, &pose).ok_or_else(|| apart(&scene.drive))?.1
+            let rule = scene.axis.normal_of() == Some(OptionSurface::Drive);
+            let near = nearer(scene, &scene.drive, &drive, &pose, rule);
+            near.ok_or_else(|| apart(&scene.drive))?.1
         } else if wanted > 0.0 {
             Side::Positive
+        } else if left_whole(scene, &scene.drive, &drive, &pose) {
+            Side::Negative
         } else {
             drive.below(&pose)
         };
@@ -110,7 +116,7 @@ fn as_it_stands(scene: &Scene, turns: InPlace) -> Result<Begin, Failure> {
     let off_part = placed(&part, &part_gap);
     // Where the motion before left it within wider bands it comes into these first.
     let stands = |off: f64, gap: &Gap, wall: &Wall, keep: &Keep| {
-        off <= 2.0 || scene.left_in(wall, keep.side).is_some_and(|band| within(gap, band))
+        off <= 2.0 || left(scene, wall, keep.side, gap)
     };
     if !stands(off_drive, &drive_gap, &scene.drive, &drive) {
         return Err(misplaced(scene, &drive, &drive_gap));
@@ -122,6 +128,14 @@ fn as_it_stands(scene: &Scene, turns: InPlace) -> Result<Begin, Failure> {
             allowed: allowed(&part, &part_gap),
             outside: part_gap.g > 0.0,
         });
+    }
+    let rules = match scene.axis.normal_of() {
+        Some(OptionSurface::Part) => Some((&scene.part, &part_gap)),
+        Some(OptionSurface::Drive) => Some((&scene.drive, &drive_gap)),
+        None => None,
+    };
+    if let Some((wall, gap)) = rules {
+        stands_upright(wall, gap, &pose)?;
     }
     let size =
         pose.te.norm() + drive.profile.reach() + drive.surface.extent() + part.surface.extent();
@@ -146,6 +160,18 @@ fn as_it_stands(scene: &Scene, turns: InPlace) -> Result<Begin, Failure> {
     let node = way.last().copied().unwrap_or(node);
     let first = way.iter().map(|n| n.pose.position()).collect();
     Ok(Begin { track, node, first, astray })
+}
+
+/// Refuses a disk that an axis, which is to be the normal of the surface or at an angle to it, would turn over: it came from the side
+/// that the axis points into, and the cutter above it would go through the surface.
+fn stands_upright(wall: &Wall, gap: &Gap, pose: &Pose) -> Result<(), Failure> {
+    /// Cosine between axis and normal from which it stands on its head.
+    const OVER: f64 = -0.5;
+    if wall.disk.is_none() || wall.on || gap.normal.dot(&pose.ta) > OVER {
+        return Ok(());
+    }
+    let (place, axes) = (pose.te, [pose.ta, gap.normal]);
+    Err(Failure::TurnsOver { surface: wall.surface.clone(), place, axes })
 }
 
 /// The rule of the axis with the side of the other surface to which it leans, where the tool end lies on that: as the
@@ -242,7 +268,8 @@ fn upright(scene: &Scene, part: &Keep) -> Pose {
     let sides = if part.condition == Condition::On { 1 } else { usize::MAX };
     let stands = |s: Side| {
         let keep = part.on_side(s);
-        keep.gap(&pose, None).is_ok_and(|g| placed(&keep, &g) <= 2.0)
+        let there = |g: &Gap| placed(&keep, g) <= 2.0 || left(scene, &scene.part, s, g);
+        keep.gap(&pose, None).is_ok_and(|g| there(&g))
     };
     let normal = part.surface.foot(tool.te).normal;
     let lean = normal.dot(&tool.ta);
@@ -254,26 +281,38 @@ fn upright(scene: &Scene, part: &Keep) -> Pose {
     Pose { ta: normal * lean.signum(), ..pose }
 }
 
-/// The side on which the tool is nearer to touching. A disk touches from below as well as from above within the band:
-/// it is that side towards which the rest of the cutter stands on it; where it is in one band alone, as a needle beside a
-/// wall or a disk that came from below, the side of that band.
-fn nearer(keep: &Keep, pose: &Pose) -> Option<(Gap, Side)> {
+/// The side on which the tool is nearer to touching.
+///
+/// A disk touches from below as well as from above within the band: it is that side towards which the rest of the cutter stands on it;
+/// where it is in one band alone, as a needle beside a wall or a disk that came from below, the side of that band. Where the motion
+/// before left it in a wider band it is in place as well, and an axis whose `rule` is the normal of the surface stands on the side to
+/// which it points: on the other one it would turn over.
+fn nearer(scene: &Scene, wall: &Wall, keep: &Keep, pose: &Pose, rule: bool) -> Option<(Gap, Side)> {
     let gap = |side: Side| keep.on_side(side).gap(pose, None).ok().map(|g| (g, side));
-    let at = |(g, _): &(Gap, Side)| g.g.abs() <= 2.0 * keep.width();
+    let was = |(g, side): &(Gap, Side)| left(scene, wall, *side, g);
+    let at = |near: &(Gap, Side)| near.0.g.abs() <= 2.0 * keep.width() || was(near);
     let better = |a: &(Gap, Side), b: &(Gap, Side)| {
-        if at(a) && at(b) {
-            let lean = (b.0.normal - a.0.normal).dot(&pose.ta);
-            let off = [a, b].map(|(gap, _)| placed(keep, gap));
-            let alike = (off[0] <= 1.0) == (off[1] <= 1.0);
-            if alike && lean.abs() > 1e-3 { lean > 0.0 } else { off[1] < off[0] }
+        let both = at(a) && at(b);
+        let lean = (b.0.normal - a.0.normal).dot(&pose.ta);
+        let off = [a, b].map(|near| if was(near) { 0.0 } else { placed(keep, &near.0) });
+        let alike = rule || (off[0] <= 1.0) == (off[1] <= 1.0);
+        if both && alike && lean.abs() > 1e-3 {
+            lean > 0.0
+        } else if was(a) != was(b) {
+            was(b)
+        } else if both {
+            off[1] < off[0]
         } else {
             b.0.g.abs() < a.0.g.abs()
         }
     };
     let mut best: Option<(Gap, Side)> = None;
-    for side in keep.sides(pose) {
+    let whole = left_whole(scene, wall, keep, pose);
+    for side in keep.sides(pose).filter(|side| !(whole && *side == Side::Open)) {
         // A tool in place on one side is not nearer to another one that it is deep in.
-        if best.as_ref().is_some_and(|b| at(b) && keep.deep(pose, side, 2.0 * keep.width())) {
+        let deep =
+            || keep.deep(pose, side, 2.0 * keep.width()) && scene.left_in(wall, side).is_none();
+        if best.as_ref().is_some_and(|b| at(b) && deep()) {
             continue;
         }
         best = match (best, gap(side)) {
@@ -282,6 +321,18 @@ fn nearer(keep: &Keep, pose: &Pose) -> Option<(Gap, Side)> {
         };
     }
     best
+}
+
+/// Did the motion before leave the tool so on that side of a surface, in its band?
+fn left(scene: &Scene, wall: &Wall, side: Side, gap: &Gap) -> bool {
+    scene.left_in(wall, side).is_some_and(|band| within(gap, band))
+}
+
+/// Did it leave the tool in the surface as a whole? In a narrower band it would seem to be deep in the roof, and the hollow open.
+fn left_whole(scene: &Scene, wall: &Wall, keep: &Keep, pose: &Pose) -> bool {
+    let there = |g: &Gap| left(scene, wall, Side::Negative, g);
+    let gap = || keep.on_side(Side::Negative).gap(pose, None).ok();
+    scene.left_whole(wall) && gap().is_some_and(|g| there(&g))
 }
 
 /// How many bands the tool is from its place: up to one it is in the band.
@@ -295,12 +346,6 @@ fn placed(keep: &Keep, gap: &Gap) -> f64 {
     1.0 + off / keep.width()
 }
 
-/// Does the gap lie in a band?
-fn within(gap: &Gap, [intol, outtol]: [f64; 2]) -> bool {
-    let slack = 1e-6 * (intol + outtol);
-    gap.g >= -intol - slack && gap.g <= outtol + slack
-}
-
 /// How far off its surface the tool may be to be in place: its band, and the width of that beside it.
 fn allowed(keep: &Keep, gap: &Gap) -> f64 {
     keep.width() + if gap.g > 0.0 { keep.outtol } else { keep.intol }
@@ -309,7 +354,9 @@ fn allowed(keep: &Keep, gap: &Gap) -> f64 {
 /// A tool that is in place on the other side than the word says stays there.
 fn across(scene: &Scene, drive: &mut Keep, pose: &Pose) -> Option<Astray> {
     let astray = scene.stance.astray()?;
-    let fits = |keep: &Keep| keep.gap(pose, None).is_ok_and(|g| placed(keep, &g) <= 2.0);
+    let there =
+        |keep: &Keep, g: &Gap| placed(keep, g) <= 2.0 || left(scene, &scene.drive, keep.side, g);
+    let fits = |keep: &Keep| keep.gap(pose, None).is_ok_and(|g| there(keep, &g));
     let other = match drive.side {
         Side::Positive => drive.on_side(drive.inner(pose)),
         Side::Negative | Side::Open => drive.on_side(Side::Positive),

@@ -347,6 +347,12 @@ impl Keep {
     }
 }
 
+/// Does the gap lie in a band?
+pub(super) fn within(gap: &Gap, [intol, outtol]: [f64; 2]) -> bool {
+    let slack = 1e-6 * (intol + outtol);
+    gap.g >= -intol - slack && gap.g <= outtol + slack
+}
+
 /// As [`Keep::target`], where vertices lie between these limits.
 #[inline(always)]
 pub(super) fn target([low, high]: [f64; 2], bend: f64, share: f64) -> f64 {

@@ -4,7 +4,7 @@ use aptc_contact::Condition;
 
 use super::band::AIM_TURNING;
 use super::judge::{BETWEEN, between};
-use super::keep::Limits;
+use super::keep::{Keep, Limits};
 use super::track::{Aim, Node, Track, Trouble};
 use crate::axis::AxisRule;
 
@@ -14,7 +14,7 @@ pub(super) fn put(track: &Track, node: &Node) -> Result<Node, Trouble> {
     /// How high in their bands, the first that serves.
     const HIGH: [f64; 3] = [0.5, 0.9, 0.1];
     let usual = track.settle(node.pose, &placing(track, node));
-    if usual.as_ref().is_ok_and(|to| comes_in(track, node, to)) {
+    if usual.as_ref().is_ok_and(|to| is_short(track, node, to) && comes_in(track, node, to)) {
         return usual;
     }
     let still = Track { axis: AxisRule::Fixed, guides: None, ..track.clone() };
@@ -41,6 +41,21 @@ pub(super) fn placing<'a>(track: &Track, node: &'a Node) -> Aim<'a> {
         false => keep.level(),
     });
     Aim { targets, ..Aim::at(node) }
+}
+
+/// Is the way between two nodes short beside how far the tool comes to the surfaces? With an axis that turns by much it is not: the tool
+/// would cut along them on its way.
+fn is_short(track: &Track, from: &Node, to: &Node) -> bool {
+    /// Its length at most, in widths of the narrower band and how far the tool comes to both surfaces.
+    const LONG: f64 = 2.8;
+    let comes: f64 = (0..2)
+        .map(|i| {
+            let (Limits { low, high }, gap) = (track.keeps[i].in_place(), from.gaps[i].g);
+            (low - gap).max(gap - high).max(0.0)
+        })
+        .sum();
+    let band = track.keeps.iter().map(Keep::width).fold(f64::INFINITY, f64::min);
+    (to.pose.te - from.pose.te).norm() <= LONG * (comes + band)
 }
 
 /// Does the way between two nodes leave neither band farther than it does at its beginning?

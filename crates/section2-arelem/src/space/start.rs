@@ -7,7 +7,7 @@ use aptc_geometry::{Surface, Vec3};
 use aptc_protap::{OptionSurface, Relation, SurfaceRef};
 
 use super::ends::end_in;
-use super::keep::{Keep, Pose};
+use super::keep::{Keep, Pose, within};
 use super::settle::{Solver, flattened};
 use super::watch::clearance;
 use crate::axis::{AxisRule, Came};
@@ -79,7 +79,7 @@ fn start_on(go: &Start, all: bool) -> Result<Path, Failure> {
         let along = i.and_then(|i| go.along.get(i).copied().flatten());
         let role = if i == Some(0) { OptionSurface::Drive } else { OptionSurface::Part };
         let rules = i != Some(2) && matches!(go.axis, AxisRule::Normal(r) if r == role);
-        let keep = aim(*relation, wall, &pose, normal, rules)?;
+        let keep = aim(go, *relation, wall, normal, rules)?;
         aims.push(Aim { wall, relation: *relation, keep, along });
     }
     let end = match arrive(go, &mut aims, pose) {
@@ -320,9 +320,9 @@ fn solve(go: &Start, aims: &[Aim<'_>], pose: Pose) -> Result<Pose, Failure> {
 /// The side on which the tool is to be: TO where it is, PAST on the other. Along a surface that `rules` the axis, its
 /// normal, the axis before says where a point is.
 fn aim(
+    go: &Start,
     relation: Relation,
     wall: &Wall,
-    pose: &Pose,
     to_past: Option<Vec3>,
     rules: bool,
 ) -> Result<Keep, Failure> {
@@ -330,6 +330,7 @@ fn aim(
     if wall.on {
         return Ok(keep);
     }
+    let pose = &Pose { te: go.tool.te, ta: go.tool.ta };
     // What is asked for more than once.
     let outside = to_past.is_none().then(|| keep.on_side(Side::Positive).gap(pose, None).ok());
     let outside = outside.flatten();
@@ -339,6 +340,7 @@ fn aim(
             if n.dot(&v) > 0.0 { keep.inner(pose) } else { Side::Positive }
         }
         None if let Some(side) = rests_on(&keep, pose, outside.as_ref(), rules) => side,
+        None if let Some(side) = left_on(go, wall, &keep) => side,
         None if let Some(side) = beside_itself(&keep, pose) => side,
         None if both(&keep, pose, 1.0) => Side::Positive,
         None if both(&keep, pose, -1.0) => keep.inner(pose),
@@ -410,6 +412,18 @@ fn cut_through(keep: &Keep, pose: &Pose, outside: Option<&Gap>) -> Option<Side> 
     let through = in_it(outside?) && in_it(&keep.on_side(inner).gap(pose, None).ok()?);
     let clear = through && !opens(&keep.surface, pose.ta) && there.abs() > keep.width();
     clear.then_some(if there > 0.0 { Side::Positive } else { inner })
+}
+
+/// The side on which the motion before left a disk, in its band: that of this start-up may be narrower, and be left on that side alone.
+fn left_on(go: &Start, wall: &Wall, keep: &Keep) -> Option<Side> {
+    wall.disk?;
+    let pose = Pose::standing(&go.tool);
+    let left = |side: Side| {
+        let band = wall.band_in(go.ended.as_ref(), side);
+        band.is_some_and(|b| keep.on_side(side).gap(&pose, None).is_ok_and(|g| within(&g, b)))
+    };
+    let mut sides = [Side::Positive, keep.inner(&pose)].into_iter();
+    sides.find(|side| left(*side))
 }
 
 /// The side towards which a point or a thin disk stands that is within the band on both, or anywhere when it is a point
