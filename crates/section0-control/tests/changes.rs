@@ -140,7 +140,8 @@ INDIRV/-1,0,0\nGOFWD/WA,TO,WB\n{}\nINDIRV/0,-1,0\n{second}GOFWD/WB,TO,(PLANE/0,1
 /// From below as well as from above its band holds a disk: it stays on the side where it was, in a motion and in a start-up.
 #[test]
 fn a_disk_in_a_hollow_does_not_turn_over_where_the_band_becomes_narrower() {
-    let hollows: [(&str, fn([f64; 3]) -> [f64; 3]); 2] = [
+    type Inwards = fn([f64; 3]) -> [f64; 3];
+    let hollows: [(&str, Inwards); 2] = [
         ("SPHERE/0,0,300,300", |[x, y, z]| [-x, -y, 300.0 - z]),
         ("CYLNDR/0,0,200,0,1,0,200", |[x, _, z]| [-x, 0.0, 200.0 - z]),
     ];

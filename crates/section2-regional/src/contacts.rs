@@ -43,7 +43,9 @@ impl Setup<'_> {
         all: &mut Vec<[f64; 2]>,
     ) {
         let middle = |a: [f64; 2], b: [f64; 2]| [0, 1].map(|k| 0.5 * (a[k] + b[k]));
-        let Some(left) = left.checked_sub(1).filter(|_| a.drive_uv != b.drive_uv) else { return };
+        // Where the tool rolls over an edge the drive point stays.
+        let stays = (0..2).all(|k| (a.drive_uv[k] - b.drive_uv[k]).abs() <= f64::EPSILON);
+        let Some(left) = left.checked_sub(1).filter(|_| !stays) else { return };
         let (uv, memory) = (middle(a.drive_uv, b.drive_uv), memory.at(a.part_uv));
         let Ok((mid, memory)) = self.position(uv, course, sense, Some(memory), Take::Nothing)
         else {

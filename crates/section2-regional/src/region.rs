@@ -3,13 +3,13 @@
 //! First the lines of all passes are laid, from places along each; then the passes are milled, each for
 //! itself and on as many threads as there are; at last they are put out in their order.
 
-use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, OnceLock};
 
 use aptc_cldata::milling::{Extent, Scallop};
 use aptc_geometry::Vec3;
 
-use crate::area::StepoverArea;
+use crate::area::{Guide, Hold, StepoverArea};
 use crate::avoid::Avoid;
 use crate::crew::Crew;
 use crate::drive::Course;
@@ -183,6 +183,13 @@ impl Region<'_> {
         done
     }
 
+    /// Is a scallop asked for between passes that another surface leads?
+    fn is_outlined(&self) -> bool {
+        let Setup { drive, part, .. } = &self.setup;
+        let other = !matches!(&drive.guide, Guide::Surface(s) if Arc::ptr_eq(s, &part.surface));
+        self.stepover.scallop > 0.0 && other && drive.hold == Hold::At
+    }
+
     /// A pass with the way to the next.
     fn pass(&self, lane: &Lane, out: &mut Pass) -> Result<(), Failure> {
         let first = match (lane.leads, self.skip) {
@@ -194,7 +201,9 @@ impl Region<'_> {
         let course = (lane.to, self.course, lane.sense);
         let (points, rolls) = self.run(&setup, lane.from, course, first, out)?;
         // Of passes that go to and fro the contacts are kept in one direction.
-        let contacts = if self.stepover.scallop > 0.0 {
+        // Of the outline of what is judged between the passes the first and the last one are sides.
+        let side = lane.leads || lane.next.is_none();
+        let contacts = if side && self.is_outlined() {
             setup.contacts(&points, (self.course, lane.sense))
         } else {
             points.iter().map(|p| p.part_uv).collect()

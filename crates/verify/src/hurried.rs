@@ -12,6 +12,8 @@ pub(crate) struct Hurried {
     origin: Origin,
     vectors: usize,
     along: String,
+    /// What the statement does at rapid: of regional milling its first path alone.
+    what: &'static str,
 }
 
 impl Hurried {
@@ -25,7 +27,8 @@ impl Hurried {
             .flat_map(|m| &m.part)
             .map(|m| format!("part surface {}", name_of(&m.name)));
         let along = drive.chain(part).chain(milled).collect::<Vec<_>>().join(" and ");
-        (vectors > 0).then(|| Self { origin: origin.clone(), vectors, along })
+        let what = if control.milling.is_some() { "the first path" } else { "the next motion" };
+        (vectors > 0).then(|| Self { origin: origin.clone(), vectors, along, what })
     }
 
     pub(crate) fn told(&self) -> Diagnostic {
@@ -35,9 +38,9 @@ impl Hurried {
             n => format!("its {n} cut vectors go"),
         };
         let message =
-            format!("RAPID is for all of the next motion: {vectors} along {along} at rapid");
+            format!("RAPID is for all of {}: {vectors} along {along} at rapid", self.what);
         let d = Diagnostic::warning(codes::RAPID_ALONG, self.origin.span, message);
-        d.help("lead the tool to where it begins with RAPID and GO or GOTO, and leave RAPID out before the motion itself")
+        d.help("go above its beginning with RAPID and GOTO, and leave RAPID out before the motion itself")
             .within(self.origin.trace.clone())
     }
 }

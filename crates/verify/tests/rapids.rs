@@ -235,7 +235,7 @@ fn rapid_is_for_all_of_a_motion_along_surfaces_which_is_told() {
     };
     // Its first vector is the way to where it begins.
     assert!(to(1).is_empty());
-    let all = "RAPID is for all of the next motion: its 2 cut vectors go along part surface FLOOR at rapid";
+    let all = "RAPID is for all of the first path: its 2 cut vectors go along part surface FLOOR at rapid";
     assert_eq!(to(3), [(codes::RAPID_ALONG, all.to_owned())]);
     assert!(
         told(&[goto(&[OVER]), rapid(), goto(&[on(2.0)]), mill(&[on(2.0), on(5.0)])]).is_empty()
