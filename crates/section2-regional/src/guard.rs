@@ -7,7 +7,7 @@ use aptc_geometry::surface::kept;
 use aptc_geometry::{Profile, Sculptured, Shell, Vec3};
 
 use crate::failure::{point, short};
-use crate::plain::{Depth, Plain, SOON_TOLD, STRETCHES};
+use crate::plain::{Depth, Patience, Plain};
 
 /// A surface that is checked.
 #[derive(Clone, Debug)]
@@ -214,28 +214,24 @@ impl Guard {
     /// Is the tool with its holder clear all the way from one tool end and axis to the other? An axis that
     /// turns is proved stretch by stretch.
     pub(crate) fn way(&self, cutter: &Profile, ends: [(Vec3, Vec3); 2]) -> Result<(), Gouge> {
-        self.way_within(cutter, ends, self.intol, PIECES)
+        self.way_by(cutter, ends, (PIECES, Patience::Full))
     }
 
     /// Is it soon seen to be clear all the way? Of one of many ways that would do.
     pub(crate) fn lets_by(&self, cutter: &Profile, ends: [(Vec3, Vec3); 2]) -> bool {
-        self.solids(cutter).all(|solid| {
-            self.of_plain(cutter, solid, (ends, SOON_TOLD), self.intol).is_ok()
-                && self.of_sculptured(solid, ends, self.intol, PIECES).is_ok()
-        })
+        self.way_by(cutter, ends, (PIECES, Patience::Short)).is_ok()
     }
 
-    /// The same with nothing deeper than `intol`; a tool that stands is looked at for so many `looks` beside each surface.
-    pub(crate) fn way_within(
+    /// The same; a tool that stands is looked at for so many `looks` beside each sculptured surface.
+    pub(crate) fn way_by(
         &self,
         cutter: &Profile,
         ends: [(Vec3, Vec3); 2],
-        intol: f64,
-        looks: usize,
+        (looks, patience): (usize, Patience),
     ) -> Result<(), Gouge> {
         for solid in self.solids(cutter) {
-            self.of_sculptured(solid, ends, intol, looks)?;
-            self.of_plain(cutter, solid, (ends, STRETCHES), intol)?;
+            self.of_sculptured(solid, ends, self.intol, looks)?;
+            self.of_plain(cutter, solid, (ends, patience), self.intol)?;
         }
         Ok(())
     }
@@ -250,7 +246,7 @@ impl Guard {
         looks: usize,
     ) -> Result<(), Gouge> {
         for solid in self.solids(cutter) {
-            self.of_plain(cutter, solid, ([at, at], STRETCHES), intol)?;
+            self.of_plain(cutter, solid, ([at, at], Patience::Full), intol)?;
         }
         for solid in self.solids(cutter) {
             self.of_sculptured(solid, [at, at], intol, looks)?;
@@ -285,17 +281,17 @@ impl Guard {
         Ok(())
     }
 
-    /// And beside the others, of the way so many stretches at most.
+    /// And beside the others.
     fn of_plain(
         &self,
         cutter: &Profile,
         (by, (profile, up)): (Solid, (Profile, f64)),
-        (ends, most): ([(Vec3, Vec3); 2], u32),
+        (ends, patience): ([(Vec3, Vec3); 2], Patience),
         intol: f64,
     ) -> Result<(), Gouge> {
         for p in &self.plain {
             if let Some(Depth { depth, place, .. }) =
-                p.deep(cutter, (&profile, up), ends, intol, most)
+                p.deep(cutter, (&profile, up), ends, intol, patience)
             {
                 let entered = p.entered(cutter, ends[1]).map(Box::new);
                 let surface = p.name.clone();

@@ -10,6 +10,7 @@ use crate::drive::Course;
 use crate::failure::Failure;
 use crate::guard::Guard;
 use crate::path::Path;
+use crate::plain::Patience;
 use crate::position::Position;
 use crate::report::Note;
 use crate::retract::Retract;
@@ -118,7 +119,7 @@ impl Setup<'_> {
         let (te, ta) = out(p);
         // Where it can be avoided, to be unsure is enough.
         let looks = if avoid.on { AVOIDING } else { PIECES };
-        let found = guard.way_within(self.profile, [(te, ta); 2], guard.intol, looks);
+        let found = guard.way_by(self.profile, [(te, ta); 2], (looks, Patience::Full));
         let Err(gouge) = found else { return Ok(()) };
         let gouge = || guard.deepest(self.profile, [(te, ta); 2], gouge);
         let place = self.drive.place(p.drive_uv, course);

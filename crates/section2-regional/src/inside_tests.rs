@@ -9,7 +9,7 @@ use aptc_geometry::{
     RuledSurface, Second, Surface, Tabcyl, Tool, Vec2, Vec3, trig,
 };
 
-use crate::plain::{Depth, Plain, STRETCHES};
+use crate::plain::{Depth, Patience, Plain};
 
 /// A curve over x, drawn out along z or y.
 fn tabcyl(place: f64, high: f64, upright: bool) -> Form {
@@ -128,7 +128,8 @@ fn what_is_in_the_tool_is_told_of_every_kind_of_surface() {
             lean
         };
         let at = |t: f64| (te + by * t, axis_between(lean, turned, t));
-        let found = plain.deep(&profile, (&profile, 0.0), [at(0.0), at(1.0)], ALLOWED, STRETCHES);
+        let found =
+            plain.deep(&profile, (&profile, 0.0), [at(0.0), at(1.0)], ALLOWED, Patience::Full);
         let steps = (0..=8).map(|i| sampled(&profile, at(f64::from(i) / 8.0), &plain.surface));
         let deepest = steps.fold(f64::NEG_INFINITY, f64::max);
         // On the other side of what has sides the tool is in the solid, though nothing of the surface is in the tool.

@@ -35,17 +35,27 @@ pub(crate) struct Depth {
     pub(crate) depth: f64,
     /// Tool end there.
     pub(crate) te: Vec3,
-    /// A place of the surface that is so deep in the solid, where one is known.
+    /// A place of the surface that is so deep in the solid, where one is known; of what has sides none, as it is in the solid on one
+    /// of them and may count for nothing on another.
     pub(crate) place: Option<Vec3>,
+}
+
+/// How long a way is looked at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Patience {
+    /// Until it is known, as far as that can be.
+    Full,
+    /// Not long: it is one of many that would do.
+    Short,
 }
 
 /// Halvings of a way with a turning axis.
 const HALVINGS: u32 = 22;
-/// Stretches of it; beside what has no sides, where each takes long and a shorter way tells sooner; fewer where another way would do as well;
-/// and those on which it is asked what is in the tool.
-pub(crate) const STRETCHES: u32 = 4000;
+/// Stretches of it; beside what has no sides, where each takes long and a shorter way tells sooner; where another way would do as
+/// well; and those on which it is asked what is in the tool.
+const STRETCHES: u32 = 4000;
 const UNSIDED: u32 = 2000;
-pub(crate) const SOON_TOLD: u32 = 60;
+const ANOTHER: u32 = 60;
 const SEARCHES: u32 = 200;
 /// Part of what is allowed to which the least gap of a way is found.
 const FINE: f64 = 1e-3;
@@ -80,14 +90,14 @@ impl Plain {
     /// than that. What cannot be computed is not taken for clear: its depth is infinite.
     ///
     /// A stretch of the way is held against the surface with the axis of its middle, which is off by first order in the
-    /// turn, and by what its ends bound, off by second order ([`Plain::between`]); `most` stretches are looked at.
+    /// turn, and by what its ends bound, off by second order ([`Plain::between`]).
     pub(crate) fn deep(
         &self,
         cutter: &Profile,
         (profile, up): (&Profile, f64),
         [a, b]: [(Vec3, Vec3); 2],
         intol: f64,
-        most: u32,
+        patience: Patience,
     ) -> Option<Depth> {
         let beyond_it = |depth: f64, te: Vec3| Some(Depth { depth, te, place: None });
         let allowed = intol - self.thick;
@@ -139,7 +149,11 @@ impl Plain {
         };
         // Far from what has no sides there is nothing to ask, and what is found in the tool needs no place that faces it.
         let (half, far) = (axis(0.5), trig::angle_between(a.1, b.1) * (up.abs() + reach));
-        let most = if kept.is_none() { most.min(UNSIDED) } else { most };
+        let most = match patience {
+            Patience::Short => ANOTHER,
+            Patience::Full if kept.is_none() => UNSIDED,
+            Patience::Full => STRETCHES,
+        };
         if kept.is_none() {
             match search(a.0, b.0, half, far, if turns { FIRST } else { SOON }) {
                 Inside::Nothing => return None,
@@ -191,13 +205,15 @@ impl Plain {
             // Of what has no sides the place that faces the tool may be behind it.
             if deep {
                 searches += 1;
-                let boxes = if turns || low.is_ok() || most < UNSIDED { FEW } else { MOST };
+                let few = turns || low.is_ok() || patience == Patience::Short;
+                let boxes = if few { FEW } else { MOST };
                 match search(p.te, q.te, mid, slack, boxes) {
                     Inside::Nothing => continue,
                     // It is the first place found. What faces the tool may be far off: how deep it is along its normal
                     // is no depth of the tool.
                     Inside::Deep(depth, place) => {
-                        return Some(Depth { depth, te, place: Some(place) });
+                        let place = kept.is_none().then_some(place);
+                        return Some(Depth { depth, te, place });
                     }
                     Inside::Unknown => {}
                 }

@@ -14,7 +14,7 @@ fn planes_and_spheres_are_kept_clear_of() {
     let up = Vec3::z();
     let floor = plain(Surface::Plane(Plane { n: Vec3::z(), d: 0.0 }));
     let deep = |p: &Plain, a: Vec3, b: Vec3| {
-        p.deep(&profile, (&profile, 0.0), [(a, up), (b, up)], 0.01, STRETCHES)
+        p.deep(&profile, (&profile, 0.0), [(a, up), (b, up)], 0.01, Patience::Full)
     };
     assert!(deep(&floor, Vec3::z() * 0.5, Vec3::new(30.0, 0.0, 0.0)).is_none());
     let d = deep(&floor, Vec3::z() * 0.5, Vec3::new(30.0, 0.0, -0.25)).unwrap().depth;
@@ -28,7 +28,7 @@ fn planes_and_spheres_are_kept_clear_of() {
     // Turning about a tool end that stays clear, the side comes down on the plane.
     let lying = Vec3::new(1.0, 0.0, 0.02).normalize();
     let ends = [(Vec3::z() * 6.0, up), (Vec3::z() * 3.0, lying)];
-    assert!(floor.deep(&profile, (&profile, 0.0), ends, 0.01, STRETCHES).is_some());
+    assert!(floor.deep(&profile, (&profile, 0.0), ends, 0.01, Patience::Full).is_some());
 }
 
 /// How deep cutter, holder and the axis between them are on a way at the height 0 along x, the tool coming from `from`.
@@ -43,7 +43,7 @@ fn deep(surface: Surface, from: Option<Vec3>) -> [f64; 3] {
     }
     let ends = [(Vec3::new(-1.0, 0.0, 0.0), up), (Vec3::new(1.0, 0.0, 0.0), up)];
     [(cutter, 0.0), holder[0], (rod, top)].map(|(profile, up)| {
-        p.deep(&cutter, (&profile, up), ends, 0.01, STRETCHES).map_or(0.0, |d| d.depth)
+        p.deep(&cutter, (&profile, up), ends, 0.01, Patience::Full).map_or(0.0, |d| d.depth)
     })
 }
 
@@ -212,7 +212,7 @@ fn a_turning_way_is_as_deep_as_its_deepest_place() {
             (0..=300).map(of).fold(f64::INFINITY, f64::min)
         };
         let true_least = least(0.0, 1.0);
-        let deep = |allowed: f64| p.deep(&profile, (&profile, up), ends, allowed, STRETCHES);
+        let deep = |allowed: f64| p.deep(&profile, (&profile, up), ends, allowed, Patience::Full);
         // Just above the greatest depth it is clear, but for what falls between the steps; just below it is told truly.
         if true_least < -0.02 {
             assert_eq!(deep(-true_least * 1.001 + 2e-4), None, "{k}");
@@ -256,9 +256,10 @@ fn a_tool_that_rolls_within_the_tolerance_is_clear() {
     };
     for (allowed, turn) in [(0.01, 1.0), (1e-4, 0.1)] {
         let ends = [place(20.0, allowed * (1.0 - 1e-7)), place(20.0 + turn, 0.5 * allowed)];
-        assert_eq!(floor.deep(&profile, (&profile, 0.0), ends, allowed, STRETCHES), None);
+        assert_eq!(floor.deep(&profile, (&profile, 0.0), ends, allowed, Patience::Full), None);
         let ends = [place(20.0, 0.5 * allowed), place(20.0 + turn, allowed * (1.0 + 1e-7))];
-        let depth = floor.deep(&profile, (&profile, 0.0), ends, allowed, STRETCHES).unwrap().depth;
+        let depth =
+            floor.deep(&profile, (&profile, 0.0), ends, allowed, Patience::Full).unwrap().depth;
         assert!(depth > allowed && depth < 1.001 * allowed, "{depth}");
     }
 }

@@ -3,13 +3,13 @@
 //! First the lines of all passes are laid, from places along each; then the passes are milled, each for
 //! itself and on as many threads as there are; at last they are put out in their order.
 
+use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Arc, OnceLock};
 
 use aptc_cldata::milling::{Extent, Scallop};
 use aptc_geometry::Vec3;
 
-use crate::area::{Guide, Hold, StepoverArea};
+use crate::area::{Hold, StepoverArea};
 use crate::avoid::Avoid;
 use crate::crew::Crew;
 use crate::drive::Course;
@@ -185,9 +185,8 @@ impl Region<'_> {
 
     /// Is a scallop asked for between passes that another surface leads?
     fn is_outlined(&self) -> bool {
-        let Setup { drive, part, .. } = &self.setup;
-        let other = !matches!(&drive.guide, Guide::Surface(s) if Arc::ptr_eq(s, &part.surface));
-        self.stepover.scallop > 0.0 && other && drive.hold == Hold::At
+        let at = self.setup.drive.hold == Hold::At;
+        self.stepover.scallop > 0.0 && at && !self.setup.same_surface()
     }
 
     /// A pass with the way to the next.
@@ -200,14 +199,14 @@ impl Region<'_> {
         let setup = Setup { joins: true, ..self.setup };
         let course = (lane.to, self.course, lane.sense);
         let (points, rolls) = self.run(&setup, lane.from, course, first, out)?;
-        // Of passes that go to and fro the contacts are kept in one direction.
-        // Of the outline of what is judged between the passes the first and the last one are sides.
+        // The first and the last one are sides of the outline of what is judged between the passes.
         let side = lane.leads || lane.next.is_none();
         let contacts = if side && self.is_outlined() {
             setup.contacts(&points, (self.course, lane.sense))
         } else {
             points.iter().map(|p| p.part_uv).collect()
         };
+        // Of passes that go to and fro the contacts are kept in one direction.
         out.touched = Touched::of(&points, &rolls, contacts, lane.sense < 0.0);
         let Some(target) = lane.next else { return Ok(()) };
         let mut from = lane.from;

@@ -248,8 +248,7 @@ impl Regional {
         let steps = stepover.paths != Some(1) && !is_at([wide[0]; 2], course, wide[1]);
         let aside = is_at(from, course.across(), wide[usize::from(over > 0.0)]) && steps;
         let sideways = aside.then_some((from, over));
-        let same =
-            matches!(&setup.drive.guide, Guide::Surface(s) if Arc::ptr_eq(s, &setup.part.surface));
+        let same = setup.same_surface();
         let ways = &self.ways();
         let region = Region { setup, stepover, feeds, clearance, ways, course, senses, skip };
         let done = region.mill(from, crew);
@@ -363,6 +362,8 @@ impl Regional {
                 self.diagnostics.push(touches_with(origin, place, at));
             }
         }
+        /// Lengths of the cutter by which a lift that nothing limits is told.
+        const FAR: f64 = 3.0;
         let reach = self.settings.profile.as_ref().map_or(f64::INFINITY, Profile::reach);
         let far = odd.high.filter(|(by, _)| self.avoid.limit.is_none() && *by > FAR * reach);
         self.diagnostics.extend(far.map(|(by, at)| lifted_far(origin, by, at)));
@@ -517,9 +518,6 @@ impl Regional {
         out.push(cl::Record { origin: origin.clone(), kind: cl::Kind::Motion(motion) });
     }
 }
-
-/// Lengths of the cutter by which a lift that nothing limits is told.
-const FAR: f64 = 3.0;
 
 /// What a tool keeps to whose end is led on a part surface.
 struct Freed {

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::fmt;
 
-use aptc_diagnostics::Origin;
+use aptc_diagnostics::{Diagnostic, Origin, codes};
 use serde::Serialize;
 
 /// The proof of a part program's path.
@@ -132,6 +132,14 @@ impl Fault {
             }
         }
         (depth, None)
+    }
+
+    /// The warning of a way that goes through a surface, with what goes so and what to do.
+    pub(crate) fn through(&self, origin: &Origin, who: &str, help: &str) -> Diagnostic {
+        let (surface, depth) = (&self.surface, length(self.depth));
+        let message = format!("{who} into {surface} by {depth} beyond tolerance {}", self.place());
+        let d = Diagnostic::warning(codes::THROUGH, origin.span, message);
+        d.help(help).within(origin.trace.clone())
     }
 
     /// The place in words.

@@ -221,17 +221,10 @@ fn arrives(statement: &Statement, around: &Around) -> Option<Diagnostic> {
         cycle: false,
         arrives: true,
     };
+    let help = "lead the tool over it before, with GOTO or GODLTA; CHKSRF/PS,ON refuses such a way";
     let fault = cut(&way, around, End::Excused, true)?;
-    let message = format!(
-        "on the way to its first position the tool goes into {} by {} beyond tolerance {}",
-        fault.surface,
-        length(fault.depth),
-        fault.place()
-    );
-    let d = Diagnostic::warning(codes::THROUGH, statement.origin.span, message);
-    let d = d
-        .help("lead the tool over it before, with GOTO or GODLTA; CHKSRF/PS,ON refuses such a way");
-    Some(d.within(statement.origin.trace.clone()))
+    let who = "on the way to its first position the tool goes";
+    Some(fault.through(&statement.origin, who, help))
 }
 
 /// Ending below the part surface before it, where nothing says what the tool does there.

@@ -4,10 +4,10 @@
 use std::sync::Arc;
 
 use aptc_cldata::{Control, Position};
-use aptc_diagnostics::{Diagnostic, Origin, codes};
+use aptc_diagnostics::{Diagnostic, Origin};
 use aptc_geometry::Profile;
 
-use crate::certificate::{Fault, length};
+use crate::certificate::Fault;
 use crate::coming::Coming;
 use crate::sheets::Sheets;
 use crate::statement::Statement;
@@ -57,15 +57,8 @@ impl Joined {
     }
 
     fn told(&self, fault: &Fault) -> Diagnostic {
-        let message = format!(
-            "the tool goes straight from where DNTCUT left it to where CUT puts it out, into {} by {} beyond tolerance {}",
-            fault.surface,
-            length(fault.depth),
-            fault.place()
-        );
-        let d = Diagnostic::warning(codes::THROUGH, self.origin.span, message);
-        let d =
-            d.help("put CUT before a motion that leads round it, or lift the tool before DNTCUT");
-        d.within(self.origin.trace.clone())
+        let who = "the tool goes straight from where DNTCUT left it to where CUT puts it out,";
+        let help = "put CUT before a motion that leads round it, or lift the tool before DNTCUT";
+        fault.through(&self.origin, who, help)
     }
 }

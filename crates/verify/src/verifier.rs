@@ -394,16 +394,9 @@ impl Verifier {
 
     /// A start-up that ends where it should and goes through a surface before.
     fn went_through(&mut self, statement: &Statement, fault: Option<Fault>) {
-        let Some(f) = fault else { return };
-        let message = format!(
-            "on its way the start-up goes into {} by {} beyond tolerance {}",
-            f.surface,
-            length(f.depth),
-            f.place()
-        );
-        let d = Diagnostic::warning(codes::THROUGH, statement.origin.span, message);
-        let d = d.help("lead the tool round it before, with GOTO or GODLTA");
-        self.diagnostics.push(d.within(statement.origin.trace.clone()));
+        let (who, help) =
+            ("on its way the start-up goes", "lead the tool round it before, with GOTO or GODLTA");
+        self.diagnostics.extend(fault.map(|f| f.through(&statement.origin, who, help)));
     }
 
     fn report(&mut self, proof: &StatementProof, real: Option<Fault>) {

@@ -46,7 +46,7 @@ pub(super) fn placing<'a>(track: &Track, node: &'a Node) -> Aim<'a> {
 /// Is the way between two nodes short beside how far the tool comes to the surfaces? With an axis that turns by much it is not: the tool
 /// would cut along them on its way.
 fn is_short(track: &Track, from: &Node, to: &Node) -> bool {
-    /// Its length at most, in widths of the narrower band and how far the tool comes to both surfaces.
+    /// Its length at most, in widths of the narrower band and how far the tool comes to both surfaces; the proof allows 3.
     const LONG: f64 = 2.8;
     let comes: f64 = (0..2)
         .map(|i| {
