@@ -108,3 +108,49 @@ fn words_between_motions_count_in_a_file_as_in_the_program() {
     let own: Vec<_> = own.told.iter().map(|(code, text)| format!("{code} {text}")).collect();
     assert_eq!((of_file.len(), &of_file), (1, &own));
 }
+
+/// GCLEAR puts places before a line; what the tool goes through on its way over them is told as without them.
+#[test]
+fn a_way_by_places_of_gclear_through_the_part_surface_is_told() {
+    let program = |from: &str, clear: &str, then: &str| {
+        format!(
+            "PARTNO LEADS
+UNITS/MM
+HILL=SSURF/SMESH,XYZ,$
+ SPLINE,(-60,-30,0),(-20,-30,18),(20,-30,18),(60,-30,0),$
+ SPLINE,(-60,0,0),(-20,0,20),(20,0,20),(60,0,0),$
+ SPLINE,(-60,30,0),(-20,30,18),(20,30,18),(60,30,0)
+CUTTER/10,5
+INTOL/.01
+OUTTOL/.01
+FROM/{from}
+SCON/DS,HILL,PARAM,0,2,0,1,AT,(VECTOR/0,0,1)
+SCON/PS,TO,HILL,PLUS,0
+SCON/AXIS,(VECTOR/0,0,1)
+{clear}
+GOLOFT/HILL,VCONST,1
+{then}
+FINI
+"
+        )
+    };
+    let near = "GCLEAR/START,NORMAL,3";
+    let high = "GCLEAR/START,NORMAL,3,CLEARS,(PLANE/0,0,1,60)";
+    let home = format!("{high}\nGCLEAR/THRU,NORMAL,2");
+    let over = format!("{home},CLEARS,(PLANE/0,0,1,60)");
+    let again = "GOLOFT/HILL,VCONST,1.2";
+    let (below, above) = ("90,0,5", "90,0,60");
+    for (from, clear, then, told) in [
+        (below, near, "", 1),
+        (below, "GCLEAR/START,NORMAL,3,CLEARS,(PLANE/0,0,1,10)", "", 1),
+        (above, high, "", 0),
+        ("-90,0,5", near, "", 0),
+        // From the end of a line straight up towards the beginning of the next.
+        (above, &home, again, 1),
+        (above, &over, again, 0),
+    ] {
+        let text = program(from, clear, then);
+        let ran = run::run(&text, Verify::Full);
+        assert_eq!(ran.faults(), vec!["APT5009"; told], "{:?} {text}", ran.told);
+    }
+}

@@ -110,3 +110,56 @@ FINI
         assert!((100..700).contains(&points), "{points} {text}");
     }
 }
+
+/// A ball beside a straight path, as near, as high and with as large a technological angle.
+fn beside(near: f64, high: f64, constant: f64) -> String {
+    format!(
+        "PARTNO BESIDE A BALL
+UNITS/MM
+F=SSURF/SMESH,XYZ,SPLINE,(0,0,0),(30,0,0),(60,0,0),$
+ SPLINE,(0,40,0),(30,40,0),(60,40,0)
+K=SPHERE/30,{},{high},8
+CUTTER/8,4,0,4,0,0,60
+INTOL/.01
+OUTTOL/.01
+MULTAX
+FROM/0,20,90
+SCON/DS,F,PARAM,0,2,0,1,AT,(VECTOR/0,0,-1)
+SCON/PS,TO,F,PLUS,0
+SCON/AXIS,(VECTOR/0,0,1)
+CHKSRF/K,ON
+AVCTRL/CUTANG,CONST,{constant},RANGE,-40,40,AXIS,LIMIT,.01
+SMIL/PATH,DS,PARAM,0,.5,TANSPL,PLUS
+FINI
+",
+        20.0 + near
+    )
+}
+
+/// Where the ball comes near the least tilt is a pitch back, which does not lead by it: the tool rolls all the way.
+#[test]
+fn a_tool_rolls_by_what_it_cannot_pitch_over() {
+    for (near, high, constant) in [
+        (4.0, 30.0, 0.0),
+        (6.0, 20.0, 0.0),
+        (6.0, 30.0, 0.0),
+        (6.0, 30.0, 2.0),
+        (8.0, 25.0, 5.0),
+        (9.0, 30.0, 0.0),
+    ] {
+        let text = beside(near, high, constant);
+        let ran = run::run(&text, Verify::Full);
+        assert!(ran.faults().is_empty(), "{:?} {text}", ran.told);
+        let last = ran.places.last().expect("it comes there");
+        assert!((last[0] - 60.0).abs() < 1e-6, "{last:?} {text}");
+        for ([x, y, z], [i, j, k]) in ran.places.iter().zip(&ran.axes).skip(1) {
+            // The ball of the cutter keeps to the path; its axis goes by the sphere.
+            let middle = [x + 4.0 * i, y + 4.0 * j, z + 4.0 * k];
+            assert!((middle[1] - 20.0).abs() < 0.02 && (middle[2] - 4.0).abs() < 0.02, "{text}");
+            let to = [30.0 - middle[0], 20.0 + near - middle[1], high - middle[2]];
+            let along = to[0] * i + to[1] * j + to[2] * k;
+            let square = to.iter().map(|t| t * t).sum::<f64>() - along * along;
+            assert!(square.sqrt() >= 12.0 - 0.0101, "{square} {text}");
+        }
+    }
+}

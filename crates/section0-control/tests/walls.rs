@@ -4,7 +4,7 @@
 #[path = "support/run.rs"]
 mod run;
 
-use aptc_control::Verify;
+use aptc_control::{ClFile, Disk, Options, Source, Verify, verify};
 
 /// The codes of all messages, and where the last motion ends.
 fn run(text: &str, verify: Verify) -> (Vec<String>, [f64; 3]) {
@@ -227,6 +227,87 @@ fn a_trough_is_counted_alike_whether_the_cutter_is_taller_than_it_is_wide() {
         ] {
             let p = end(word);
             assert!(near(off(p), asked) && p[0] * side > 0.0, "{radius} {word} {} {p:?}", off(p));
+        }
+    }
+}
+
+/// A quarter of a cylinder of radius 20 by rulings, and a flat end along the line through `from` towards `along`, which it crosses.
+fn quarter(diameter: f64, [x, y]: [f64; 2], [along, across]: [f64; 2]) -> String {
+    let (half, off) = (0.5 * diameter, along * y - across * x);
+    format!(
+        "PARTNO QUARTER
+UNITS/MM
+C1=CIRCLE/0,0,0,20
+C2=CIRCLE/0,0,30,20
+W=VECTOR/1,1,0
+R=RLDSRF/C1,(POINT/20,0,0),(POINT/0,20,0),W,$
+ C2,(POINT/20,0,30),(POINT/0,20,30),W
+D=PLANE/{},{along},0,{off}
+CUTTER/{diameter},0,{half},0,0,0,20
+INTOL/.01
+OUTTOL/.01
+FROM/{x},{y},40
+GO/ON,D,TO,(PLANE/0,0,1,0),ON,(PLANE/{along},{across},0,{})
+INDIRV/{along},{across},0
+TLON,GOFWD/D,TO,R
+NOPOST
+FINI
+",
+        -across,
+        along * x + across * y,
+    )
+}
+
+/// From beyond the end of a ruled wall, and of what goes on straight from it, nothing of it faces the tool.
+#[test]
+fn a_wall_is_met_from_beyond_its_ends() {
+    let mut far = 0;
+    for diameter in [0.5, 1.0, 3.0] {
+        for x in [-1.0, -8.0, -20.0, -26.0, -40.0, -100.0] {
+            let text = quarter(diameter, [x, 24.0 - x], [1.0, -1.0]);
+            let (codes, [x, y, _]) = run(&text, Verify::Full);
+            assert!(codes.is_empty(), "{codes:?} {text}");
+            let off = aptc_geometry::trig::hypot(x, y) - 20.0 - 0.5 * diameter;
+            assert!(off.abs() < 0.0101 && y > x, "{off} {x} {y} {text}");
+            far += 1;
+        }
+    }
+    for at in [-5.0, -10.0, -20.0, -30.0, -50.0, -100.0] {
+        let text = quarter(10.0, [at, at], [1.0, 1.0]);
+        let (codes, [x, y, _]) = run(&text, Verify::Full);
+        assert!(codes.is_empty(), "{codes:?} {text}");
+        let off = 20.0 - aptc_geometry::trig::hypot(x, y) - 5.0;
+        assert!(off.abs() < 0.0101 && x > 0.0, "{off} {x} {y} {text}");
+        far += 1;
+    }
+    assert_eq!(far, 24);
+}
+
+/// A file whose tool is through the wall where it stops there is refuted, from wherever it comes.
+#[test]
+fn a_file_that_stops_behind_a_wall_is_refuted() {
+    let inside = (0.5_f64 * (19.5 * 19.5 - 288.0)).sqrt();
+    for x in [-1.0, -20.0, -40.0, -100.0] {
+        let text = quarter(1.0, [x, 24.0 - x], [1.0, -1.0]);
+        let ran = run::run(&text, Verify::Off);
+        let [near, before] = [1, 2].map(|k| ran.places[ran.places.len() - k]);
+        let behind = [12.0 + inside, 12.0 - inside, 0.0];
+        for (end, right) in [(near, true), (behind, false)] {
+            let place = |[x, y, z]: [f64; 3]| format!("{x:.9},{y:.9},{z:.9}");
+            let file = format!(
+                "PARTNO QUARTER\nUNITS/MM\n$$ LINE 12\nFROM/{}\n$$ LINE 13\nGOTO/{}\n$$ LINE 15\nGOTO/{}\nFINI\n",
+                place(ran.places[0]),
+                place(before),
+                place(end)
+            );
+            let options = Options { verify: Verify::Full, post: false, ..Options::default() };
+            let source = Source { name: "part".into(), text: text.as_str().into() };
+            let file = ClFile { name: "part.cl".into(), bytes: file.into_bytes() };
+            let found = verify(source, &mut Disk::new(Vec::new(), 0), &options, Some(file));
+            let told: Vec<_> =
+                found.diagnostics.iter().map(|d| format!("{} {}", d.code, d.message)).collect();
+            let refuted = told.iter().any(|t| t.starts_with("APT5001") && t.contains("check"));
+            assert_eq!(refuted, !right, "{told:?} {text}");
         }
     }
 }

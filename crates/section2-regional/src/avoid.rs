@@ -20,17 +20,41 @@ pub(crate) struct Avoid {
     pub(crate) limit: Option<f64>,
 }
 
+/// Degrees, positive towards forward (pitch) or the step-over (roll), and whether it is a roll.
+pub(crate) type Tilt = (f64, bool);
+
+/// Which tilts the positions of a path may have.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Tilts {
+    /// The least each.
+    #[default]
+    Least,
+    /// The least, but for one like that of the position before where the way to it is blocked.
+    Alike,
+    /// The least roll (else pitch), the same way.
+    Alone { rolls: bool },
+}
+
+/// The kind of a tilt that is asked for, its sense, and the most that it may be.
+#[derive(Clone, Copy)]
+struct Like {
+    rolls: bool,
+    back: Option<bool>,
+    most: f64,
+}
+
 /// A tool that is clear, and what was done for it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Avoided {
     pub(crate) te: Vec3,
     pub(crate) ta: Vec3,
-    /// Degrees, positive towards forward (pitch) or the step-over (roll), and whether it is a roll.
-    pub(crate) tilt: Option<(f64, bool)>,
+    pub(crate) tilt: Option<Tilt>,
     /// How far, and whether along the part normal; along the tool axis when false.
     pub(crate) lift: Option<(f64, bool)>,
 }
 
+/// Times as much as the least that a tilt may be for the axis not to jump.
+const ALIKE: f64 = 1.5;
 /// Tilts that are tried on each side.
 const TILTS: u32 = 90;
 /// Halvings towards the least tilt and the least lift that clear, until the tool is moved by no more than this part of the
@@ -75,6 +99,11 @@ impl Case<'_> {
         ROOM * (self.guard.intol + self.outtol)
     }
 
+    /// The clearance in the middle of the band, with room beside it.
+    fn roomy(&self) -> (f64, f64) {
+        (self.clearance.max(self.middle), self.room())
+    }
+
     /// So far from the least that clears a tilt or a lift may move the tool.
     fn fine(&self) -> f64 {
         FINE * self.room()
@@ -104,17 +133,32 @@ impl Avoid {
     /// give none. The lift starts from the tool as it was.
     ///
     /// APT: `AVOID`, with the tilt and the lift searched for, and each answer checked again.
-    pub(crate) fn around(&self, p: &Position, case: &Case<'_>) -> Option<Avoided> {
+    pub(crate) fn around(&self, p: &Position, case: &Case<'_>, tilts: Tilts) -> Option<Avoided> {
         if !self.on {
             return None;
         }
-        // Two neighbours that are just clear have a way between them that is not: from the middle of the band there is room.
-        let room = case.room();
-        let roomy = case.clearance.max(case.middle);
-        let tilted = self.tilted(p, case, (roomy, room));
+        // Two neighbours that are just clear have a way between them that is not: with room where there is any.
+        let like = match tilts {
+            Tilts::Alone { rolls } => Some(Like { rolls, back: None, most: f64::INFINITY }),
+            Tilts::Least | Tilts::Alike => None,
+        };
+        let tilted = self.tilted(p, case, case.roomy(), like);
         tilted
-            .or_else(|| self.tilted(p, case, (case.clearance, 0.0)))
+            .or_else(|| self.tilted(p, case, (case.clearance, 0.0), like))
             .or_else(|| self.lifted(p, case))
+    }
+
+    /// The same by a tilt of the kind and sense of `before` alone, as a place beside it has, with room and not by much more than the
+    /// `least`, that of another kind: the axis does not jump where both do nearly as well.
+    pub(crate) fn alike(
+        &self,
+        p: &Position,
+        case: &Case<'_>,
+        [before, least]: [Tilt; 2],
+    ) -> Option<Avoided> {
+        let (back, most) = (Some(before.0 < 0.0), ALIKE * least.0.abs());
+        let like = Like { rolls: before.1, back, most };
+        if self.on { self.tilted(p, case, case.roomy(), Some(like)) } else { None }
     }
 
     /// The least tilt that clears, by pitch or roll, with the technological angle added in its direction
@@ -125,6 +169,7 @@ impl Avoid {
         p: &Position,
         case: &Case<'_>,
         (clearance, room): (f64, f64),
+        like: Option<Like>,
     ) -> Option<Avoided> {
         let [constant, a, b] = self.tilt?;
         let (low, high) = (a.min(b), a.max(b));
@@ -149,12 +194,17 @@ impl Avoid {
         let mut best: Option<(f64, Vec3, bool)> = None;
         for (rolls, axis) in [false, true].into_iter().zip(axes) {
             let Some(axis) = axis.try_normalize(1e-9) else { continue };
-            for end in [low, high] {
+            let asked = |end: &f64| {
+                let sense = |l: Like| l.back.is_none_or(|back| back == (*end < 0.0));
+                like.is_none_or(|l| l.rolls == rolls && sense(l))
+            };
+            let most = like.map_or(f64::INFINITY, |l| l.most);
+            for end in [low, high].into_iter().filter(asked) {
                 let (mut clear, mut failed) = (None, start);
                 // No tilt is known to gouge; any other that the range begins with is looked at too.
                 for k in u32::from(start == 0.0)..=TILTS {
                     let deg = start + (end - start) * f64::from(k) / f64::from(TILTS);
-                    if best.is_some_and(|(b, ..)| deg.abs() >= b.abs()) {
+                    if best.is_some_and(|(b, ..)| deg.abs() >= b.abs()) || deg.abs() > most {
                         break;
                     }
                     if place(axis, deg).is_some() {
@@ -328,23 +378,25 @@ mod tests {
         };
         // Away from the wall, which stands ahead: a negative pitch.
         let Avoided { te, ta, tilt: by, lift } =
-            tilt([1.5, -60.0, 60.0], None).around(&p, &case).unwrap();
+            tilt([1.5, -60.0, 60.0], None).around(&p, &case, Tilts::Least).unwrap();
         assert!(by.is_some_and(|(deg, rolls)| deg < 0.0 && !rolls) && lift.is_none());
         assert!(ta.x < p.ta.x && ta.y.abs() < 1e-12);
         assert!(guard.way(&profile, [(te, ta); 2]).is_ok());
         // The ball still touches the same contact.
         assert!((te + ta * 2.0 - Vec3::z() * 2.0).norm() < 1e-12);
-        let least = tilt([0.0, -60.0, 60.0], None).around(&p, &case).unwrap().ta;
+        let least = tilt([0.0, -60.0, 60.0], None).around(&p, &case, Tilts::Least).unwrap().ta;
         let between = aptc_geometry::trig::acos_clamped(least.dot(&ta)).to_degrees();
         assert!((between - 1.5).abs() < 1e-6, "{between}");
         // A range that does not suffice, then a lift along the normal, or none within its limit.
-        let Avoided { te, ta, lift, .. } = tilt([0.0, -2.0, 2.0], None).around(&p, &case).unwrap();
+        let Avoided { te, ta, lift, .. } =
+            tilt([0.0, -2.0, 2.0], None).around(&p, &case, Tilts::Least).unwrap();
         assert!(lift.is_some_and(|(_, normal)| normal));
         assert!(ta == p.ta && te.z > 5.0, "{te}");
         assert!(guard.way(&profile, [(te, ta); 2]).is_ok());
-        assert!(tilt([0.0, -2.0, 2.0], Some(1.0)).around(&p, &case).is_none());
+        assert!(tilt([0.0, -2.0, 2.0], Some(1.0)).around(&p, &case, Tilts::Least).is_none());
         // A range that does not hold 0: no tilt outside of it, and its nearest end where that suffices.
-        let by = |range| tilt(range, Some(1.0)).around(&p, &case).and_then(|a| a.tilt);
+        let by =
+            |range| tilt(range, Some(1.0)).around(&p, &case, Tilts::Least).and_then(|a| a.tilt);
         let (least, _) = by([0.0, -60.0, 60.0]).unwrap();
         for range in [[0.0, -60.0, least - 5.0], [0.0, least - 5.0, -60.0]] {
             let (deg, _) = by(range).unwrap();
@@ -355,10 +407,10 @@ mod tests {
         assert!(by([0.0, 3.0, 20.0]).is_none_or(|(deg, _)| (3.0..=20.0).contains(&deg)));
         // A tool end that lies on the surface stays there.
         let on = tilt([0.0, -60.0, 60.0], None)
-            .around(&p, &Case { on: true, seen: RefCell::default(), ..case })
+            .around(&p, &Case { on: true, seen: RefCell::default(), ..case }, Tilts::Least)
             .unwrap();
         assert!(on.te == p.te && on.lift.is_none());
-        assert!(Avoid::default().around(&p, &case).is_none());
+        assert!(Avoid::default().around(&p, &case, Tilts::Least).is_none());
     }
 
     /// A place that was in the tool tells only of tilts that a search tells of too.

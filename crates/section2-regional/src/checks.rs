@@ -169,14 +169,25 @@ impl Regional {
             };
             s.own = part.filter(other).map(|p| p.thick);
         }
-        if let Some(p) = part.filter(|p| self.check_part && p.touches) {
+        let touched = part.filter(|p| p.touches).map(|p| {
             let (surface, tree) = p.whole.clone();
-            Checked::part(p.name.name.to_string(), surface, tree).put(&mut surfaces);
+            Checked::part(p.name.name.to_string(), surface, tree)
+        });
+        let mut beside = None;
+        if self.check_part {
+            touched.into_iter().for_each(|p| p.put(&mut surfaces));
+        } else if self.avoid.on && self.avoid.tilt.is_some() {
+            beside = touched;
         }
         let thick = part.map_or(0.0, |p| p.thick);
         let intol = self.settings.band().intol;
         let (holder, report) = (self.holder.clone(), self.report);
-        let mut guard = Guard { surfaces, plain, intol, thick, holder, report };
+        let mut guard = Guard { surfaces, plain, intol, thick, holder, report, tilting: None };
+        guard.tilting = beside.filter(|_| !guard.is_empty()).map(|part| {
+            let mut tilting = guard.clone();
+            part.put(&mut tilting.surfaces);
+            Box::new(tilting)
+        });
         if let (Some(cutter), Some(came)) = (&self.settings.profile, self.came) {
             guard.come_from(cutter, came);
         }

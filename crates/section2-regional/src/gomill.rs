@@ -13,6 +13,7 @@ use crate::drive::Course;
 use crate::failure::{Failure, left_standing, through};
 use crate::goloft::{CurveWish, at_line, chosen_counts, own_drive};
 use crate::path::Path;
+use crate::position::Odd;
 use crate::put::Put;
 use crate::region::{GOT_OUT, Region};
 use crate::regional::{Regional, Stand};
@@ -152,6 +153,7 @@ impl Regional {
             let done = touched(&region, (course, first, at), wish.retract);
             let control = self.milling_control(&part, None, false);
             self.diagnostics.extend(reports(origin, &done.notes));
+            self.odd(origin, done.odd);
             let stand = self.put(origin, (name, guide), done.puts, Some(&control), out);
             return done.why.map_or(Ok(stand), Err);
         }
@@ -165,6 +167,7 @@ impl Regional {
                 strips::scallop(strips, (&part.surface, course), stepover.scallop, excused);
             let control = self.milling_control(&part, scallop, false);
             self.diagnostics.extend(reports(origin, &done.notes));
+            self.odd(origin, done.odd);
             let stand = self.put(origin, (name, guide), done.puts, Some(&control), out);
             return done.why.map_or(Ok(stand), Err);
         }
@@ -173,6 +176,7 @@ impl Regional {
         let scallop = done.scallop(stepover.scallop, extent, false);
         let control = self.milling_control(&part, scallop, false);
         self.diagnostics.extend(reports(origin, &done.notes));
+        self.odd(origin, done.odd);
         let left = done.stands.map(|s| left_standing(origin, &name.name, &s));
         self.diagnostics.extend(left);
         let stand = self.put(origin, (name, guide), done.puts, Some(&control), out);
@@ -280,6 +284,7 @@ fn touched(
             }
         };
         done.notes.extend(notes);
+        done.odd = done.odd.or(Odd::of(&stood));
         let Some(here) = stood.first().map(|p| (p.te, p.ta)) else { continue };
         let way = match &retract {
             Some(r) => vec![r.above(here), here, r.above(here)],

@@ -40,6 +40,8 @@ pub(crate) struct Guard {
     pub(crate) holder: Vec<(Profile, f64)>,
     /// Is what is avoided told of (PRINT/AVPRT)?
     pub(crate) report: bool,
+    /// The same with the part surface, where that is not checked: AVCTRL tilts no tool into it.
+    pub(crate) tilting: Option<Box<Self>>,
 }
 
 /// Where a check fails.
@@ -152,6 +154,14 @@ impl Guard {
         for p in &mut self.plain {
             p.come_from(cutter, at, self.intol);
         }
+        if let Some(tilting) = &mut self.tilting {
+            tilting.come_from(cutter, at);
+        }
+    }
+
+    /// What a tool that is tilted is held against.
+    pub(crate) fn tilting(&self) -> &Self {
+        self.tilting.as_deref().unwrap_or(self)
     }
 
     /// Is it not known from where the tool comes, and does that matter?

@@ -5,7 +5,7 @@ use std::cell::RefCell;
 use aptc_contact::{PIECES, Tool};
 use aptc_geometry::Vec3;
 
-use crate::avoid::{AVOIDING, Avoided, Case};
+use crate::avoid::{AVOIDING, Avoided, Case, Tilt, Tilts};
 use crate::drive::Course;
 use crate::failure::Failure;
 use crate::guard::Guard;
@@ -18,6 +18,57 @@ use crate::solve::{Memory, Setup, Take};
 
 /// Cut vectors into which avoidance may divide one.
 const DIVISIONS: usize = 4000;
+
+/// A position that a path comes to next.
+struct Ahead {
+    /// As it is where nothing is avoided.
+    at: Position,
+    /// What becomes of it, where that is known.
+    cleared: Option<Cleared>,
+    /// The tilt of a place before it that it was asked for last.
+    asked: Option<Tilt>,
+}
+
+/// A position that keeps out of what is checked.
+struct Cleared {
+    p: Position,
+    /// How it is tilted for it.
+    tilt: Option<Tilt>,
+    /// Is it led out of the way?
+    avoided: bool,
+    /// What is told of it.
+    note: Option<Note>,
+}
+
+impl Ahead {
+    fn new(at: Position) -> Self {
+        Self { at, cleared: None, asked: None }
+    }
+}
+
+impl Cleared {
+    /// Led out of the way so.
+    fn led(p: Position, how: &Avoided) -> Self {
+        let lift = how.lift.map_or_else(Vec3::zeros, |_| how.te - p.te);
+        let p = Position { te: how.te, ta: how.ta, lift, ..p };
+        Self { p, tilt: how.tilt, avoided: true, note: None }
+    }
+}
+
+/// Do both roll, or both pitch, to the same side?
+fn is_alike(a: Tilt, b: Tilt) -> bool {
+    a.1 == b.1 && (a.0 < 0.0) == (b.0 < 0.0)
+}
+
+impl Path {
+    /// Goes on to a position.
+    fn take(&mut self, Cleared { p, tilt, avoided, note }: Cleared) {
+        self.points.push(p);
+        self.notes.extend(note);
+        self.avoided |= avoided;
+        self.tilt = tilt;
+    }
+}
 
 impl Setup<'_> {
     /// Appends a position after CHKSRF: one that gouges is avoided or fails; a cut vector between two clear
@@ -37,15 +88,21 @@ impl Setup<'_> {
             path.points.push(next);
             return Ok(());
         };
-        let mut stack = vec![next];
+        let mut stack = vec![Ahead::new(next)];
         let mut left = DIVISIONS;
-        while let Some(mut p) = stack.pop() {
-            self.cleared(path, &mut p, (course, sense), None)?;
+        while let Some(Ahead { at, cleared, asked }) = stack.pop() {
+            let cleared = match cleared {
+                Some(known) => known,
+                None => self.cleared(at, (course, sense), None, path.tilts)?,
+            };
+            let p = cleared.p;
             let Some(last) = path.points.last() else {
-                path.points.push(p);
+                path.take(cleared);
                 continue;
             };
-            let way = guard.way(self.profile, [(last.te, last.ta), (p.te, p.ta)]);
+            let tilts = path.tilt.or(cleared.tilt).is_some();
+            let held = if tilts { guard.tilting() } else { guard };
+            let way = held.way(self.profile, [(last.te, last.ta), (p.te, p.ta)]);
             // Close to where the lift begins or ends the tool goes straight up or down.
             let near = 4.0 * (self.band.intol + self.band.outtol);
             let close = (p.contact - last.contact).norm() <= near;
@@ -54,9 +111,22 @@ impl Setup<'_> {
                 && let Some(te) = self.corner(guard, last, &p)
             {
                 path.points.push(Position { te, ..p });
-                path.points.push(p);
+                path.take(cleared);
                 continue;
             }
+            let stands_off = || left > 0 && self.stands_off(last, &p, (course, sense), memory);
+            let stands_off = !close && stands_off();
+            // The axis does not jump between two tilts where one serves.
+            let before = path.tilt.filter(|b| !asked.is_some_and(|a| is_alike(a, *b)));
+            if (way.is_err() || stands_off)
+                && path.tilts != Tilts::Least
+                && let Some(before) = before
+                && let Some(alike) = self.alike(&at, &cleared, before, (course, sense))
+            {
+                stack.push(Ahead { at, cleared: Some(alike), asked: Some(before) });
+                continue;
+            }
+            let asked = before.or(asked);
             if way.is_err()
                 && close
                 && let Some([up, down]) =
@@ -66,27 +136,29 @@ impl Setup<'_> {
                     |p: &Position, te: Vec3| Position { te, lift: p.lift + te - p.te, ..*p };
                 let over = [raised(last, up), raised(&p, down)];
                 path.points.extend(over);
-                path.points.push(p);
+                path.take(cleared);
                 path.avoided = true;
                 continue;
             }
-            let stands_off =
-                !close && left > 0 && self.stands_off(last, &p, (course, sense), memory);
             match way {
-                Ok(()) if !stands_off => path.points.push(p),
+                Ok(()) if !stands_off => path.take(cleared),
                 blocked => {
                     let k = course.index();
                     let mut uv = last.drive_uv;
                     uv[k] = 0.5 * (last.drive_uv[k] + p.drive_uv[k]);
                     if left == 0 || (uv[k] - last.drive_uv[k]).abs() < 1e-9 {
                         let ends = [(last.te, last.ta), (p.te, p.ta)];
-                        let deepest = |gouge| guard.deepest(self.profile, ends, gouge);
+                        let deepest = |gouge| held.deepest(self.profile, ends, gouge);
+                        path.parted = match (path.tilt, cleared.tilt) {
+                            (Some(a), Some(b)) => !is_alike(a, b),
+                            (a, b) => a.or(b).is_some(),
+                        };
                         blocked.map_err(|g| Failure::gouge(deepest(g), p.te, p.ta, avoid))?;
                     }
                     left -= 1;
                     let (mid, _) = self.settled(uv, course, sense, Some(memory), Take::Band)?;
-                    stack.push(p);
-                    stack.push(mid);
+                    stack.push(Ahead { at, cleared: Some(cleared), asked });
+                    stack.push(Ahead::new(mid));
                 }
             }
         }
@@ -96,37 +168,76 @@ impl Setup<'_> {
     /// A position that stands alone, led away to where it is put out: CHKSRF holds of it there as of a path.
     pub(crate) fn alone(
         &self,
-        mut p: Position,
+        p: Position,
         (course, sense): (Course, f64),
         away: Option<Retract>,
     ) -> Result<Path, Failure> {
         let mut path = Path::default();
-        self.cleared(&mut path, &mut p, (course, sense), away)?;
-        path.points.push(p);
+        path.take(self.cleared(p, (course, sense), away, Tilts::Least)?);
         Ok(path)
     }
 
-    /// Moves a position that gouges where it is put out to where avoidance leads it; an error without.
+    /// A position as it is, or where avoidance leads it if it gouges where it is put out; an error without.
     fn cleared(
         &self,
-        path: &mut Path,
-        p: &mut Position,
+        p: Position,
         (course, sense): (Course, f64),
         away: Option<Retract>,
-    ) -> Result<(), Failure> {
-        let Some((guard, avoid)) = self.guard else { return Ok(()) };
+        tilts: Tilts,
+    ) -> Result<Cleared, Failure> {
+        let plain = Cleared { p, tilt: None, avoided: false, note: None };
+        let Some((guard, avoid)) = self.guard else { return Ok(plain) };
         let out = |p: &Position| away.map_or((p.te, p.ta), |r| r.above((p.te, p.ta)));
-        let (te, ta) = out(p);
+        let (te, ta) = out(&p);
         // Where it can be avoided, to be unsure is enough.
         let looks = if avoid.on { AVOIDING } else { PIECES };
         let found = guard.way_by(self.profile, [(te, ta); 2], (looks, Patience::Full));
-        let Err(gouge) = found else { return Ok(()) };
+        let Err(gouge) = found else { return Ok(plain) };
         let gouge = || guard.deepest(self.profile, [(te, ta); 2], gouge);
+        let case = self.case(guard, &p, (course, sense), away);
+        let Some(how) = avoid.around(&p, &case, tilts) else {
+            // It may be clear for all that.
+            if avoid.on && guard.way(self.profile, [(te, ta); 2]).is_ok() {
+                return Ok(plain);
+            }
+            return Err(Failure::gouge(gouge(), te, ta, avoid));
+        };
+        let led = Cleared::led(p, &how);
+        let ends = out(&led.p);
+        let note =
+            || Note { gouge: gouge(), te, ta, how: Avoided { te: ends.0, ta: ends.1, ..how } };
+        Ok(Cleared { note: guard.report.then(note), ..led })
+    }
+
+    /// A position that is tilted otherwise, tilted as the one before it. `None` where it is so already, and where that does not
+    /// clear.
+    fn alike(
+        &self,
+        at: &Position,
+        cleared: &Cleared,
+        before: Tilt,
+        way: (Course, f64),
+    ) -> Option<Cleared> {
+        let least = cleared.tilt.filter(|tilt| !is_alike(*tilt, before))?;
+        let (guard, avoid) = self.guard?;
+        let how = avoid.alike(at, &self.case(guard, at, way, None), [before, least])?;
+        let note = cleared.note.clone().map(|note| Note { how, ..note });
+        Some(Cleared { note, ..Cleared::led(*at, &how) })
+    }
+
+    /// What a position is judged with where it is led out of the way.
+    fn case<'a>(
+        &'a self,
+        guard: &'a Guard,
+        p: &Position,
+        (course, sense): (Course, f64),
+        away: Option<Retract>,
+    ) -> Case<'a> {
         let place = self.drive.place(p.drive_uv, course);
         let unit = |v: Vec3| v.try_normalize(0.0).unwrap_or_else(Vec3::zeros);
-        let case = Case {
+        Case {
             profile: self.profile,
-            guard,
+            guard: guard.tilting(),
             clearance: self.thick() + p.shift,
             middle: self.thick() + 0.5 * (self.band.outtol - self.band.intol),
             outtol: self.band.outtol,
@@ -135,23 +246,7 @@ impl Setup<'_> {
             over: unit(place.across * self.over),
             away,
             seen: RefCell::default(),
-        };
-        let Some(how) = avoid.around(p, &case) else {
-            // It may be clear for all that.
-            if avoid.on && guard.way(self.profile, [(te, ta); 2]).is_ok() {
-                return Ok(());
-            }
-            return Err(Failure::gouge(gouge(), te, ta, avoid));
-        };
-        p.lift = how.lift.map_or_else(Vec3::zeros, |_| how.te - p.te);
-        (p.te, p.ta) = (how.te, how.ta);
-        path.avoided = true;
-        if guard.report {
-            let ends = out(p);
-            let how = Avoided { te: ends.0, ta: ends.1, ..how };
-            path.notes.push(Note { gouge: gouge(), te, ta, how });
         }
-        Ok(())
     }
 
     /// Does the tool on its way between two places of which avoidance has tilted one leave the surface farther

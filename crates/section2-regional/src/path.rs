@@ -1,7 +1,7 @@
 //! One path along the drive.
 
 use crate::area::Guide;
-use crate::avoid::Avoid;
+use crate::avoid::{Avoid, Tilt, Tilts};
 use crate::drive::Course;
 use crate::failure::Failure;
 use crate::guard::Guard;
@@ -22,6 +22,12 @@ pub(crate) struct Path {
     pub(crate) notes: Vec<Note>,
     /// Did the tool get out of the way of something?
     pub(crate) avoided: bool,
+    /// How the last position was tilted for it.
+    pub(crate) tilt: Option<Tilt>,
+    /// Which tilts they may have.
+    pub(crate) tilts: Tilts,
+    /// Did it end between two positions that are clear, for they are not tilted alike?
+    pub(crate) parted: bool,
     /// Where it begins and where it ends to roll over an edge, one edge after the other.
     pub(crate) rolls: Vec<[Position; 2]>,
 }
@@ -39,11 +45,20 @@ impl Setup<'_> {
         course: Course,
         sense: f64,
     ) -> Result<Path, Box<Broken>> {
-        let mut path = Path::default();
-        match self.lay(&mut path, from, to, (course, sense)) {
-            Ok(()) => Ok(path),
-            Err(why) => Err(Box::new(Broken { done: path, why })),
-        }
+        let lay = |tilts| {
+            let mut path = Path { tilts, ..Path::default() };
+            match self.lay(&mut path, from, to, (course, sense)) {
+                Ok(()) => Ok(path),
+                Err(why) => Err(Box::new(Broken { done: path, why })),
+            }
+        };
+        let broken = match lay(Tilts::Alike) {
+            Err(broken) if broken.done.parted => broken,
+            found => return found,
+        };
+        // Pitching back from what comes may lead where nothing does; rolling goes by it.
+        let others = [Tilts::Least, Tilts::Alone { rolls: true }, Tilts::Alone { rolls: false }];
+        others.into_iter().find_map(|tilts| lay(tilts).ok()).ok_or(broken)
     }
 
     /// Adds the positions from `from` on to the path, as far as it goes.

@@ -231,14 +231,14 @@ impl Region<'_> {
         first: First,
         out: &mut Pass,
     ) -> Result<(Vec<Position>, Vec<[Position; 2]>), Failure> {
-        let (Path { points, notes, avoided, rolls }, why) = match setup.run(from, to, course, sense)
-        {
-            Ok(path) => (path, None),
-            Err(broken) => {
-                let Broken { done, why } = *broken;
-                (done, Some(why))
-            }
-        };
+        let (Path { points, notes, avoided, rolls, .. }, why) =
+            match setup.run(from, to, course, sense) {
+                Ok(path) => (path, None),
+                Err(broken) => {
+                    let Broken { done, why } = *broken;
+                    (done, Some(why))
+                }
+            };
         let start = points.first().map(|p| (p.te, p.ta));
         let skip = match (first, points.first()) {
             (First::Out, _) | (First::After(_) | First::From(_), None) => false,

@@ -355,7 +355,7 @@ impl Regional {
     /// statement.
     ///
     /// APT: the warnings of `TULPOS`, whose last took a ball for the cutter: [`Failure::Sphere`].
-    fn odd(&mut self, origin: &Origin, odd: Odd) {
+    pub(crate) fn odd(&mut self, origin: &Origin, odd: Odd) {
         let said = [(odd.tip, "its tip"), (odd.rim, "the rim of its top")];
         for (at, place) in said {
             if let Some(at) = at {

@@ -222,7 +222,7 @@ impl Regional {
         }
         let intol = self.touching();
         let (holder, report) = (self.holder.clone(), false);
-        let guard = Guard { surfaces, plain, intol, thick, holder, report };
+        let guard = Guard { surfaces, plain, intol, thick, holder, report, tilting: None };
         Ok((!guard.is_empty()).then_some(guard))
     }
 }

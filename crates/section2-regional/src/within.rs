@@ -9,6 +9,7 @@ use crate::drive::Course;
 use crate::failure::Failure;
 use crate::goloft::at_line;
 use crate::path::{Broken, Path};
+use crate::position::Odd;
 use crate::put::{Along, Put};
 use crate::region::Region;
 use crate::report::Note;
@@ -33,6 +34,8 @@ pub(crate) struct Done {
     pub(crate) notes: Vec<Note>,
     /// Did the tool get out of the way somewhere?
     pub(crate) avoided: bool,
+    /// What is odd about its positions.
+    pub(crate) odd: Odd,
     /// What each stretch touches of the part surface.
     pub(crate) strips: Vec<Strip>,
     pub(crate) why: Option<Failure>,
@@ -76,6 +79,7 @@ pub(crate) fn mill(
         done.strips.push(Strip { line: stretch.line, touched });
         let Path { points, notes, avoided, .. } = path;
         done.avoided |= avoided;
+        done.odd = done.odd.or(Odd::of(&points));
         let points: Vec<Along> = points.iter().map(Along::of).collect();
         if let (Some(from), Some(to), Some(retract)) = (last, points.first(), &retract) {
             let way = retract.over(from, to.at);

@@ -142,10 +142,33 @@ impl Judged {
             }
             Relation::Tanto | Relation::Pstan => return None,
         }
-        let gap = demand.gap_at(profile, start)?;
+        let gap = demand.gap_at(profile, start);
+        if c.relation == Relation::To && gap.is_none_or(|gap| gap <= demand.moved) {
+            return Self::never_through(c, profile, start, pad, sheets);
+        }
+        let gap = gap?;
         // What begins at the surface may have to leave it first.
         let beside = gap >= demand.least + 2.0 * band && gap <= demand.most - 2.0 * band;
         (beside && pad.is_finite()).then(|| Self::with(demand, c, "check"))
+    }
+
+    /// That a tool which stops TO a check surface on the other side of it than that on which it begins comes round its end, and not
+    /// through it. `None` where it begins at the surface or in it.
+    fn never_through(
+        c: &Controlled,
+        profile: &Profile,
+        start: &Position,
+        pad: f64,
+        sheets: &Sheets,
+    ) -> Option<Self> {
+        let band = 2.0 * c.intol.max(c.outtol);
+        let other = Controlled { side: -c.side, ..c.clone() };
+        let mut demand = Demand::new(&other, sheets);
+        let gap = demand.gap_at(profile, start)?;
+        let begins = gap >= demand.moved.max(0.0) + band;
+        // Where it stops it touches the surface from behind, by no more than its band.
+        (demand.least, demand.most) = (band, f64::INFINITY);
+        (begins && pad.is_finite()).then(|| Self::with(demand, c, "check"))
     }
 
     /// That the tool does not cut into a surface along which it moved before or will move: the cutter is on

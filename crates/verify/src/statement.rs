@@ -42,6 +42,8 @@ pub(crate) struct Statement {
     pub(crate) before: Option<Position>,
     /// From where it comes to a statement of regional milling that does not begin there.
     pub(crate) way: Option<Position>,
+    /// The same with all the places between: what GCLEAR puts before a line is no motion along its surface.
+    pub(crate) led: Vec<Position>,
     /// What the motion that ended where this one begins was held to.
     pub(crate) earlier: Option<Arc<Control>>,
     pub(crate) points: Vec<Position>,

@@ -65,6 +65,8 @@ pub struct Verifier {
     came: Option<Position>,
     /// The statement of that motion, with its last motion along surfaces, and from where the tool came to it.
     statement: (Origin, Option<Arc<Control>>, Option<Position>),
+    /// From where it goes at feed, and the places to which the statement leads it before it is along surfaces.
+    led: Vec<Position>,
     /// What the last motion was held to, where it was along surfaces, and with which cutter.
     ended: Option<(Arc<Control>, Profile)>,
     /// The motion along surfaces that came last; the next record may go on with it.
@@ -107,6 +109,7 @@ impl Verifier {
             last: None,
             came: None,
             statement: (Origin::default(), None, None),
+            led: Vec::new(),
             ended: None,
             open: None,
             rapid: false,
@@ -149,10 +152,12 @@ impl Verifier {
             },
             Kind::Output(output) => self.silent = *output == Output::Dntcut,
             Kind::Motion(motion) => {
+                let rapid = self.rapid;
                 self.comes(motion, &record.origin);
                 self.motion(motion, &record.origin);
                 self.last = motion.points.last().copied().or(self.last);
                 self.came = motion.points.last().copied().or(self.came);
+                self.leads(motion, rapid);
             }
             _ => {}
         }
@@ -306,6 +311,7 @@ impl Verifier {
                 let joined = control.milling.as_ref().is_none_or(|m| m.joined && !rapid);
                 let start = self.last.filter(|_| joined);
                 let way = self.last.filter(|_| !joined);
+                let led = if joined { Vec::new() } else { std::mem::take(&mut self.led) };
                 self.open = Some(Box::new(Statement {
                     control: Arc::clone(control),
                     startup,
@@ -314,6 +320,7 @@ impl Verifier {
                     start,
                     before: self.statement.2,
                     way,
+                    led,
                     earlier,
                     points: motion.points.clone(),
                     over: Vec::new(),
@@ -338,8 +345,20 @@ impl Verifier {
         };
         if !goes_on {
             (*before, *along, *came) = (origin.clone(), None, self.came);
+            self.led.clear();
+            self.led.extend(self.last);
         }
         *along = motion.control.clone().or(along.take());
+    }
+
+    /// Keeps the way at feed on which a statement leads the tool to its next motion along surfaces.
+    fn leads(&mut self, motion: &Motion, rapid: bool) {
+        if rapid || motion.control.is_some() {
+            self.led.clear();
+            self.led.extend(motion.points.last());
+        } else {
+            self.led.extend_from_slice(&motion.points);
+        }
     }
 
     /// Cut vectors along surfaces that the records do not tell, as those of regional milling: nothing is known

@@ -541,7 +541,7 @@ impl Gauge {
             None => at(&self.keep, way.from, 0.0, None),
         };
         self.last = b.map(|b| b.gap);
-        let mut a = a?;
+        let mut a = a.or_else(|| way.first_facing(&self.keep))?;
         // A surface with ends faces nothing at the far end of a long cut vector, and was passed on the way.
         let b = b.or_else(|| way.last_facing(&self.keep, &a))?;
         if !self.armed {

@@ -15,6 +15,11 @@ pub(super) const ROUNDS: usize = 80;
 /// Halvings in the search for the last place that faces a surface with ends.
 const FACING: u32 = 14;
 
+/// Pieces of a way, and places of it at which the foot of the tool end is no end of the surface, that are looked at for the first that
+/// faces it.
+const PIECES: f64 = 4096.0;
+const TRIES: u32 = 16;
+
 /// How often a way is halved towards its beginning in search of a place that can be read.
 const NEARER: i32 = 8;
 
@@ -200,11 +205,44 @@ impl Way<'_> {
         Ok(Sample { s, te: node.pose.te, gap, slope: self.slope(&node, &gap) })
     }
 
+    fn sample_anew(&self, keep: &Keep, s: f64) -> Result<Sample, Trouble> {
+        let node = self.node(s)?;
+        let gap = read(keep, &node, None)?;
+        Ok(Sample { s, te: node.pose.te, gap, slope: self.slope(&node, &gap) })
+    }
+
+    /// The first place, about, where something of a surface with ends faces the cutter that comes from beyond one of them.
+    pub(super) fn first_facing(&self, keep: &Keep) -> Option<Sample> {
+        let profile = &keep.profile;
+        let beyond = |te: Vec3| {
+            let foot = keep.surface.foot(te);
+            (keep.surface.ends_at(foot.at), (foot.point - te).norm())
+        };
+        let (from, to) = (self.from.pose.te, self.stride.to.pose.te);
+        if !beyond(from).0 {
+            return None;
+        }
+        // Nothing of the surface is nearer to the tool than the foot of its end, its reach apart.
+        let (length, mut s, mut tries) = (self.stride.length, 0.0, 0);
+        let piece = profile.widest().max(length / PIECES);
+        while s < length && tries < TRIES {
+            let (ends, away) = beyond(from + (to - from) * (s / length));
+            if !ends {
+                if let Ok(sample) = self.sample_anew(keep, s) {
+                    return Some(sample);
+                }
+                tries += 1;
+            }
+            s += piece.max((away - profile.reach()) / RATE);
+        }
+        None
+    }
+
     /// The last place after `a`, about, where something of the surface faces the cutter.
     pub(super) fn last_facing(&self, keep: &Keep, a: &Sample) -> Option<Sample> {
         let (mut low, mut high) = (None, self.stride.length);
         for _ in 0..FACING {
-            let s = 0.5 * (low.map_or(0.0, |l: Sample| l.s) + high);
+            let s = 0.5 * (low.map_or(a.s, |l: Sample| l.s) + high);
             match self.sample(keep, s, low.as_ref().unwrap_or(a)) {
                 Ok(sample) => low = Some(sample),
                 Err(_) => high = s,

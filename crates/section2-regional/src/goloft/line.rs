@@ -11,7 +11,7 @@ use crate::drive::Course;
 use crate::failure::Failure;
 use crate::gclear::Spot;
 use crate::path::{Broken, Path};
-use crate::position::Position;
+use crate::position::{Odd, Position};
 use crate::report::Note;
 use crate::solve::{Setup, Take};
 
@@ -55,6 +55,8 @@ pub(super) struct Milled {
     pub(super) stretches: Vec<Vec<Spot>>,
     /// Does the tool stand on the side to which its axis does not point, so that its shank passes through?
     pub(super) through: bool,
+    /// What is odd about its places.
+    pub(super) odd: Odd,
     pub(super) notes: Vec<Note>,
     pub(super) why: Option<Failure>,
 }
@@ -62,6 +64,7 @@ pub(super) struct Milled {
 impl Milled {
     pub(super) fn take(&mut self, path: Path) {
         let spot = |p: &Position| Spot { te: p.te, ta: p.ta, normal: p.normal };
+        self.odd = self.odd.or(Odd::of(&path.points));
         self.through |= path.points.iter().any(Position::stands_through);
         self.stretches.push(path.points.iter().map(spot).collect());
         self.notes.extend(path.notes);

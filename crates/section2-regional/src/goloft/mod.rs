@@ -130,6 +130,7 @@ impl Regional {
         }
         self.diagnostics.extend(unchosen);
         self.diagnostics.extend(reports(origin, &milled.notes));
+        self.odd(origin, milled.odd);
         let on = Some((control, &part));
         let stand = self.put_line(origin, name, &milled.stretches, on, out)?;
         milled.why.map_or(Ok(stand), Err)
