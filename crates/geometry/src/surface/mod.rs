@@ -333,6 +333,16 @@ impl Surface {
         }
     }
 
+    /// How many pieces of a surface of spans or patches, as long as the shortest of them near a straight way, make up that way between
+    /// two places of contact `at`; 0 of other surfaces.
+    pub fn pieces_between(&self, at: [[f64; 2]; 2], way: [Vec3; 2], reach: f64) -> f64 {
+        match self {
+            Self::Tabcyl(s) => s.pieces_between(at, way, reach),
+            Self::Parametric(s) => s.pieces_between(at),
+            _ => 0.0,
+        }
+    }
+
     /// Is the region on the negative side convex (ball, solid cylinder, solid cone, half space)? Then the
     /// gap of a tool on the positive side is a convex function of its place.
     pub fn convex(&self) -> bool {

@@ -213,6 +213,15 @@ impl TabcylSurface {
         if self.form.closed() { apart.min(all - apart) } else { apart }
     }
 
+    /// How many of the shortest of them near a straight way make up that between two places of contact on different ones.
+    pub(super) fn pieces_between(&self, at: [[f64; 2]; 2], [a, b]: [Vec3; 2], reach: f64) -> f64 {
+        if self.spans_between(at[0][0], at[1][0]) < 1.0 {
+            return 0.0;
+        }
+        let least = self.spans_near(a, b, reach).map(|(_, length)| length);
+        (b - a).norm() / least.fold(f64::INFINITY, f64::min)
+    }
+
     /// The spans that may come nearer than `reach` to the straight way from `a` to `b`, in their order, with the
     /// lengths of their chords.
     pub fn spans_near(&self, a: Vec3, b: Vec3, reach: f64) -> impl Iterator<Item = (usize, f64)> {

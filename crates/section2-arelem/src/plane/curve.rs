@@ -6,7 +6,7 @@ use super::frame::{Frame, Vec2, angle, ray};
 
 /// Sine of the angle up to which a surface counts as parallel to the tool axis: over the height of a
 /// cutter it changes no position by more than this times the height.
-const PARALLEL: f64 = 1e-9;
+const PARALLEL: f64 = 1e-12;
 
 /// Trace of a surface that is parallel to the tool axis.
 #[derive(Clone, Copy, Debug, PartialEq)]

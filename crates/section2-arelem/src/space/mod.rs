@@ -25,6 +25,7 @@ mod settle;
 mod start;
 mod stride;
 mod swing;
+mod tangent;
 mod track;
 mod turning;
 mod watch;

@@ -8,6 +8,9 @@ use super::track::{Node, Track};
 const CLOSE: f64 = 0.03;
 /// Looks along one cut vector at most.
 const MOST: f64 = 256.0;
+/// Looks at each span that the contact goes over in one cut vector, and at all of them at most.
+const EACH: f64 = 4.0;
+const LEAPS: f64 = 1024.0;
 /// Share of the way to a place where the cutter cuts in that is tried next.
 const BEFORE: f64 = 0.9;
 
@@ -28,6 +31,28 @@ impl Track {
                     return Some(BEFORE * s);
                 }
                 s += free.max(close);
+            }
+        }
+        None
+    }
+
+    /// The same of a cut vector whose contact goes over several spans of a surface at once: from one straight end to the other, the
+    /// gap is level at both, and in the middle of it too.
+    pub(super) fn overleapt(&self, from: &Node, stride: &Stride) -> Option<f64> {
+        let way = [from.pose.te, stride.to.pose.te];
+        for (i, keep) in self.keeps.iter().enumerate() {
+            let (Some(a), Some(b)) = (from.gaps[i].at, stride.to.gaps[i].at) else { continue };
+            let pieces = keep.surface.pieces_between([a, b], way, keep.profile.reach());
+            let looks = (EACH * pieces).ceil().min(LEAPS);
+            let (mut near, mut k) = (from.gaps[i], 1.0);
+            while k < looks {
+                let pose = between(&from.pose, &stride.to.pose, k / looks);
+                near = keep.gap(&pose, Some(near.spot())).ok()?;
+                let (limits, little) = (keep.limits(), 1e-6 * keep.width());
+                if near.g < limits.low - little || near.g > limits.high + little {
+                    return Some(BEFORE * stride.length * k / looks);
+                }
+                k += 1.0;
             }
         }
         None

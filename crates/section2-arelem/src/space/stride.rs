@@ -41,7 +41,10 @@ impl Track {
         for _ in 0..CUT_SHORT {
             let before = *pace;
             let (stride, room) = self.stride_to(from, cap, pace)?;
-            let Some(s) = self.overlooked(from, &stride, room) else { return Ok(stride) };
+            let missed = self.overlooked(from, &stride, room);
+            let Some(s) = missed.or_else(|| self.overleapt(from, &stride)) else {
+                return Ok(stride);
+            };
             (*pace, cap) = (before, s);
         }
         Err(Trouble::Contact)

@@ -10,10 +10,11 @@ use aptc_protap::Relation;
 
 use super::keep::{Keep, Pose};
 use super::stride::Stride;
+use super::tangent::tangencies;
 use super::track::{Node, Track, Trouble};
 use super::way::{
     Crossing, GRAZING, HALVINGS, Lost, RATE, ROUNDS, Sample, Way, crossings, in_limits, read,
-    simple, sunk, tangencies,
+    simple, sunk,
 };
 
 /// How often a long cut vector over a surface of mixed curvature is halved at most.
@@ -237,7 +238,7 @@ impl Watch {
             let gauge = &mut self.gauges[i];
             if tangent
                 && !gauge.armed
-                && let Ok(Some(s)) = way.alongside(&gauge.keep, loose)
+                && let Ok(Some(s)) = way.alongside(&gauge.keep, loose, gauge.piece)
             {
                 let before = std::mem::replace(&mut gauge.along, s >= stride.length);
                 if !gauge.along && (s > loose || before) {

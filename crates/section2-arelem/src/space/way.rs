@@ -1,9 +1,7 @@
 //! The gap to a check surface along a cut vector: its zeros, its extreme values, and where it keeps its value.
 
-use std::cmp::Ordering;
-
 use aptc_contact::{Condition, Gap, Side, on};
-use aptc_geometry::{Segment, Vec3};
+use aptc_geometry::Vec3;
 
 use super::keep::Keep;
 use super::stride::Stride;
@@ -17,7 +15,7 @@ const FACING: u32 = 14;
 
 /// Pieces of a way, and places of it at which the foot of the tool end is no end of the surface, that are looked at for the first that
 /// faces it.
-const PIECES: f64 = 4096.0;
+pub(super) const PIECES: f64 = 4096.0;
 const TRIES: u32 = 16;
 
 /// How often a way is halved towards its beginning in search of a place that can be read.
@@ -78,10 +76,6 @@ pub(super) fn read(keep: &Keep, node: &Node, near: Option<&Gap>) -> Result<Gap, 
     keep.gap_from(&node.pose, near).or_else(|_| sunk(keep, node).ok_or(Trouble::Check))
 }
 
-/// A gap that changes less than this with the way keeps its value: far above rounding, and a round surface of a
-/// thousand times the length of the cut vector changes more at the first look.
-const LEVEL: f64 = 1e-10;
-
 /// A bound of the gap of a cutter that is so deep in the surface that no pair of points faces each other: the depth of a point
 /// of its axis, or of a place of the surface in it. `None` where none of those looked at is in it.
 ///
@@ -125,7 +119,7 @@ pub(super) fn sunk(keep: &Keep, node: &Node) -> Option<Gap> {
 }
 
 impl Way<'_> {
-    fn node(&self, s: f64) -> Result<Node, Trouble> {
+    pub(super) fn node(&self, s: f64) -> Result<Node, Trouble> {
         self.track.walk(self.from, s, self.targets(s), false)
     }
 
@@ -313,7 +307,7 @@ impl Way<'_> {
 impl Way<'_> {
     /// The extreme gap between two samples whose slopes differ in sign, towards zero from where they are.
     /// With `through` any place beyond zero will do. A kink is closed in by halving.
-    fn extreme(
+    pub(super) fn extreme(
         &self,
         keep: &Keep,
         a: Sample,
@@ -348,85 +342,6 @@ impl Way<'_> {
             }
         }
         Ok(best)
-    }
-}
-
-impl Way<'_> {
-    /// The middle of the stretch about the extreme `m` along which the gap keeps its value, `m` itself without one.
-    ///
-    /// A flat end of the cutter lies along its part surface and touches a round check surface tangent to it all the time
-    /// that the line of contact goes through below the flat: the tool stops where that line is below its end, as in APT-360.
-    fn middle(&self, keep: &Keep, a: &Sample, m: &Sample, b: &Sample) -> Result<f64, Trouble> {
-        let (from, to) = (self.level(keep, m, a)?, self.level(keep, m, b)?);
-        Ok(0.5 * (from + to))
-    }
-
-    /// Where, going from `m` to `end`, the gap ceases to keep its value.
-    fn level(&self, keep: &Keep, m: &Sample, end: &Sample) -> Result<f64, Trouble> {
-        let same = 2.0 * keep.width() + self.track.exact;
-        let keeps = |p: &Sample| p.slope.abs() <= LEVEL && (p.gap.g - m.gap.g).abs() <= same;
-        if keeps(end) {
-            return Ok(end.s);
-        }
-        let (mut inside, mut outside) = (m.s, end.s);
-        // The first look decides whether there is such a stretch at all.
-        let mut s = m.s + 1e-6 * (end.s - m.s);
-        for round in 0..ROUNDS {
-            if keeps(&self.sample(keep, s, m)?) {
-                inside = s;
-            } else if round == 0 {
-                return Ok(m.s);
-            } else {
-                outside = s;
-            }
-            if (outside - inside).abs() <= self.track.exact {
-                break;
-            }
-            s = 0.5 * (inside + outside);
-        }
-        Ok(inside)
-    }
-
-    /// Where between two places the tool end is over the place at which a check surface that a flat end lies along is tangent:
-    /// until there they come nearer, from there they part. The stretch itself may go on in the next cut vector.
-    fn below(&self, keep: &Keep, from: f64, to: f64) -> Result<Option<f64>, Trouble> {
-        let parting = |s: f64| -> Result<Option<Ordering>, Trouble> {
-            let node = self.node(s)?;
-            let rate = keep.surface.foot(node.pose.te).normal.dot(&node.course.along);
-            Ok(if rate.abs() <= LEVEL { 0.0 } else { rate }.partial_cmp(&0.0))
-        };
-        let before = parting(from)?;
-        if parting(to)? == before {
-            return Ok(None);
-        }
-        let (mut near, mut far) = (from, to);
-        for _ in 0..ROUNDS {
-            if far - near <= self.track.exact {
-                break;
-            }
-            let mid = 0.5 * (near + far);
-            *(if parting(mid)? == before { &mut near } else { &mut far }) = mid;
-        }
-        Ok(Some(far))
-    }
-
-    /// How far the check surface runs along with the way from its beginning, where the tool touches it there; all of the cut
-    /// vector where they do not part on it.
-    ///
-    /// The straight end of a TABCYL lies along the line that it is tangent to: the motion to it ends where they part, though
-    /// nothing but that stretch says that they are tangent. APT-360 stops at once; along the check surface it is the same way.
-    pub(super) fn alongside(&self, keep: &Keep, loose: f64) -> Result<Option<f64>, Trouble> {
-        let at = |node: &Node, s: f64| -> Result<Sample, Trouble> {
-            let gap = read(keep, node, None)?;
-            Ok(Sample { s, te: node.pose.te, gap, slope: self.slope(node, &gap) })
-        };
-        let start = at(self.from, 0.0)?;
-        if start.gap.g.abs() > loose || start.slope.abs() > LEVEL {
-            return Ok(None);
-        }
-        let whole = at(&self.stride.to, self.stride.length).ok();
-        let Some(end) = whole.or_else(|| self.last_facing(keep, &start)) else { return Ok(None) };
-        Ok(Some(self.level(keep, &start, &end)?))
     }
 }
 
@@ -513,61 +428,9 @@ pub(super) fn crossings(
     crossings(way, keep, m, b, halvings - 1, out)
 }
 
-/// The places between two samples where the gap is stationary and within `loose` of zero.
-#[expect(clippy::too_many_arguments, reason = "the bracket, its surface and what is found")]
-pub(super) fn tangencies(
-    way: &Way<'_>,
-    keep: &Keep,
-    a: Sample,
-    b: Sample,
-    loose: f64,
-    halvings: u32,
-    alike: &mut f64,
-    out: &mut Vec<Crossing>,
-) -> Result<(), Trouble> {
-    if b.s <= a.s {
-        return Ok(());
-    }
-    // The way comes to run along with the check surface, as along the straight end of a TABCYL: where that begins.
-    let runs = |p: &Sample| p.slope.abs() <= LEVEL && p.gap.g.abs() <= loose;
-    let flat =
-        |p: &Sample| runs(p) && matches!(p.gap.segment, Some(Segment::Tip | Segment::LowerLine));
-    if flat(&a) || flat(&b) {
-        let at = way.below(keep, a.s, b.s)?;
-        out.extend(at.map(|s| Crossing { s, touch: true, falls: a.slope < 0.0 }));
-        return Ok(());
-    }
-    if runs(&b) && !runs(&a) {
-        out.push(Crossing { s: way.level(keep, &b, &a)?, touch: true, falls: a.slope < 0.0 });
-        return Ok(());
-    }
-    let far = a.gap.g.abs() + b.gap.g.abs() - 2.0 * loose > reach(way, keep, &a, &b);
-    let turns = (a.slope > 0.0) != (b.slope > 0.0);
-    let coarse = halvings > HALVINGS && !simple(keep);
-    if turns && !coarse && (!far || simple(keep)) {
-        let m = way.extreme(keep, a, b, 1e-12, false)?;
-        if m.gap.g.abs() <= loose {
-            let s = way.middle(keep, &a, &m, &b)?;
-            out.push(Crossing { s, touch: true, falls: a.slope < 0.0 });
-        } else if m.gap.g.abs() < alike.abs() {
-            *alike = m.gap.g;
-        }
-        return Ok(());
-    }
-    if far || halvings == 0 || simple(keep) {
-        return Ok(());
-    }
-    let m = match way.sample(keep, 0.5 * (a.s + b.s), &a) {
-        Err(_) if coarse => return tangencies(way, keep, a, b, loose, HALVINGS, alike, out),
-        m => m?,
-    };
-    tangencies(way, keep, a, m, loose, halvings - 1, alike, out)?;
-    tangencies(way, keep, m, b, loose, halvings - 1, alike, out)
-}
-
 /// How much a gap can change between two samples. Where the track ends to bend the planes across it meet it far ahead, and the
 /// tool moves by more than `s`.
-fn reach(way: &Way<'_>, keep: &Keep, a: &Sample, b: &Sample) -> f64 {
+pub(super) fn reach(way: &Way<'_>, keep: &Keep, a: &Sample, b: &Sample) -> f64 {
     let by = b.s - a.s;
     RATE * by.max((b.te - a.te).norm()) + by * way.turn.norm() * keep.profile.reach()
 }

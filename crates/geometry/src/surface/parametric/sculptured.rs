@@ -117,6 +117,11 @@ impl Spans {
         Some((bare, domain))
     }
 
+    /// How many patches lie along both parameters.
+    pub(super) fn spans(&self) -> [f64; 2] {
+        self.surface.spans()
+    }
+
     /// How large its numbers are.
     pub(super) fn size(&self) -> f64 {
         self.surface.extent()

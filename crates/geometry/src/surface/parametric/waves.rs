@@ -84,6 +84,16 @@ impl ParametricSurface {
         Some((a[0] - b[0]).abs() * spans)
     }
 
+    /// How many spans or patches two places are apart.
+    pub(in crate::surface) fn pieces_between(&self, [a, b]: [[f64; 2]; 2]) -> f64 {
+        let [u, v] = match &self.patch {
+            Patch::Ruled(rulings) => [f64::from(rulings.pieces()) / SAMPLES, 0.0],
+            Patch::Polyconic(_) => [BENDS, 0.0],
+            Patch::Sculptured(s) => s.spans(),
+        };
+        (a[0] - b[0]).abs() * u + (a[1] - b[1]).abs() * v
+    }
+
     /// Is it a polyconic, whose sections are sampled?
     pub fn has_sections(&self) -> bool {
         self.planes.is_some()
