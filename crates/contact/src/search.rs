@@ -87,6 +87,7 @@ fn faces(
         // Nothing but the arc can touch.
         return Ok(gap);
     }
+    let mut stations = Stations { lower: round.is_none(), flank: 1.0, disk: None };
     if round.is_none()
         && matches!(surface, Surface::Parametric(_))
         && let Ok(gap) = disk::below(tool, surface, side, surface.foot(middle(tool)).spot())
@@ -99,8 +100,11 @@ fn faces(
             let deepest = found.reduce(|a, b| if deeper(tool, b.raw, a.raw) { b } else { a });
             return Ok(deepest.filter(|d| !deeper(tool, gap.raw, d.raw)).unwrap_or(gap));
         }
+        // What of a shank is farther than that place leads nowhere, and from high above a surface by long ways.
+        if flank(tool, surface, side, LOWER, gap.raw).is_some() {
+            stations.flank = LOWER;
+        }
     }
-    let stations = Stations { lower: round.is_none(), flank: true, disk: None };
     let Seeds { found: seeds, deepest, .. } = seeds(tool, surface, side, stations, None);
     let mut best: Option<Gap> = round;
     let mut failure = Reason::NoHit;
@@ -251,12 +255,12 @@ fn elsewhere_on_faces(
     }
     let seen = SEEN * if wide > 0.0 { wide } else { size };
     let (mut deepest, mut room) = (*known, seen);
-    let mut stations = Stations { lower: arc.is_none(), flank: true, disk: None };
+    let mut stations = Stations { lower: arc.is_none(), flank: 1.0, disk: None };
     if arc.is_none()
-        && let Some(flank) = flank(tool, surface, side, 0.25, known.raw)
+        && let Some(flank) = flank(tool, surface, side, LOWER, known.raw)
     {
         room = seen.min(apart(flank, known.raw));
-        stations.flank = false;
+        stations.flank = 0.0;
     }
     let Seeds { found: seeds, deepest: lowest, way } =
         seeds(tool, surface, side, stations, Some(known));
@@ -313,7 +317,7 @@ fn dips<'t>(
             (found, None)
         }
         None => {
-            let stations = Stations { lower: true, flank: false, disk: Some(known.spot()) };
+            let stations = Stations { lower: true, flank: 0.0, disk: Some(known.spot()) };
             let Seeds { found, way, .. } = seeds(tool, surface, side, stations, Some(known));
             (found, Some(way))
         }
@@ -425,6 +429,8 @@ fn flank(tool: &Tool<'_>, surface: &Surface, side: Side, from: f64, above: f64) 
 
 /// Pieces in which the upper line is looked at, for a bound of its distance.
 const FLANK: usize = 8;
+/// Share of the upper line above which it is: what is nearer to the corner is hardly seen to be clear of what that touches.
+const LOWER: f64 = 0.25;
 
 /// Share of the cutter's size after which its contact is looked for anew in any case.
 const LOOK: f64 = 0.25;

@@ -19,8 +19,8 @@ pub(crate) const FAR: f64 = 0.6;
 pub(crate) struct Stations {
     /// Those of the lower line and the arc: not where the place of the arc is known.
     pub(crate) lower: bool,
-    /// Those of the upper line beyond its lower end.
-    pub(crate) flank: bool,
+    /// Those of the upper line beyond its lower end: at this share of it and half of that, at none where it is 0.
+    pub(crate) flank: f64,
     /// Instead of all of them those of the disk of the corner's middles, each point of which has one nearest place: those
     /// are followed from this one.
     pub(crate) disk: Option<Spot>,
@@ -63,9 +63,11 @@ pub(crate) fn seeds(
     let mid = |a: [f64; 2], b: [f64; 2]| [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])];
     let (lower, upper) = ([rl, zl], [ru, zu]);
     let rim = [profile.top_radius(), profile.height()];
+    let on = |share: f64| [0, 1].map(|i| upper[i] + (rim[i] - upper[i]) * share);
+    let above = if of.flank < 1.0 { on(of.flank) } else { rim };
     let (whole, half) = (lower, mid(lower, [0.0, profile.bottom()]));
-    let (mut stations, mut range) = ([rim, mid(upper, rim), upper, whole, half], 0..5);
-    if !of.flank {
+    let (mut stations, mut range) = ([above, mid(upper, above), upper, whole, half], 0..5);
+    if of.flank <= 0.0 {
         range.start = 2;
     }
     if !of.lower {
@@ -155,8 +157,9 @@ const COS12: [f64; AROUND] = {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::disk::below;
     use crate::gap::{elsewhere, gap, gap_near};
-    use crate::shapes::rulings;
+    use crate::shapes::{mesh, rulings};
     use aptc_geometry::{Cutter, Profile, trig};
     use proptest::prelude::*;
 
@@ -191,6 +194,28 @@ mod tests {
             let near = gap_near(&moved, &surface, Side::Positive, 0.0, Some(known.spot()));
             let (Ok(near), Ok(all)) = (near, gap(&moved, &surface, Side::Positive, 0.0)) else { return Ok(()) };
             prop_assert!(all.g > near.g - 1e-6, "{room} {known:?} {near:?} {all:?}");
+        }
+
+        /// Where most of a long shank is seen to be far, no place that stations all along it lead to is deeper than what is found.
+        #[test]
+        fn stations_beside_the_lower_part_of_a_shank_suffice(
+            waves in prop::array::uniform2(-6.0_f64..6.0), lift in -6.0_f64..6.0, uneven in -0.5_f64..0.5,
+            at in prop::array::uniform2(-1.0_f64..1.0), lean in prop::array::uniform2(-0.3_f64..0.3),
+            (wide, high, beta) in (4.0_f64..14.0, 20.0_f64..70.0, 0.0_f64..15.0),
+        ) {
+            let surface = mesh(waves, lift, uneven);
+            let cutter = Cutter { beta_deg: beta, ..Cutter::mill(wide, 0.0, high) };
+            let profile = Profile::new(&cutter).unwrap();
+            let ta = Vec3::new(lean[0], lean[1], 1.0).normalize();
+            let above = Tool { profile: &profile, te: Vec3::new(30.0 * at[0], 25.0 * at[1], 20.0), ta };
+            let Ok(far) = gap(&above, &surface, Side::Positive, 0.0) else { return Ok(()) };
+            let tool = above.at(above.te - ta * (far.raw / far.normal.dot(&ta).max(0.3)));
+            let all = Stations { lower: true, flank: 1.0, disk: None };
+            let Seeds { found, .. } = seeds(&tool, &surface, Side::Positive, all, None);
+            let gaps = found.into_iter().flatten().filter_map(|q| below(&tool, &surface, Side::Positive, q).ok());
+            let least = gaps.map(|g| g.raw).fold(f64::INFINITY, f64::min);
+            let found = gap(&tool, &surface, Side::Positive, 0.0).map_or(f64::INFINITY, |g| g.raw);
+            prop_assert!(found <= least + 1e-9 * high, "{found} {least}");
         }
     }
 }

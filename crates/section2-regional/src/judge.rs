@@ -250,7 +250,9 @@ impl Setup<'_> {
         while let Some((p, q, halvings)) = stack.pop() {
             let mid = 0.5 * (p.s + q.s);
             let share = 0.5 * (q.s - p.s).abs();
-            let over = over(p.s, mid, p.contact).max(over(mid, q.s, q.contact));
+            let both = over(p.s, mid, p.contact).max(over(mid, q.s, q.contact));
+            // Beside a sharp edge that leaves a place on one side at once, that on the other side answers for all of it.
+            let over = both.min(over(p.s, q.s, p.contact)).min(over(p.s, q.s, q.contact));
             if over <= 0.0 {
                 continue;
             }

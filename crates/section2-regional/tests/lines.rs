@@ -390,3 +390,31 @@ fn a_flat_end_goes_on_through_a_hollow_that_does_not_hold_it() {
     // Chords that sag by OUTTOL at a radius of 25 mm are .6 long.
     assert!((20..200).contains(&stops.len()), "{}", stops.len());
 }
+
+/// An upright flat end that may not stand off touches a slope with its rim, which leaves each place there at once on one side: what
+/// it touches ahead or behind answers for the chord, and its length is that of its sag.
+#[test]
+fn a_rim_that_may_not_stand_off_goes_on_as_far_as_it_sags() {
+    let place = |i: i32, j: i32| {
+        let [x, y] = [i, j].map(|i| 15.0 * f64::from(i));
+        let [a, b] = [x - 30.0, y - 20.0];
+        Vec3::new(x, y, 0.01 * (x + y) - 0.0005 * (a * a + b * b))
+    };
+    let hill: Vec<Vec<_>> = (0..5).map(|j| (0..5).map(|i| place(i, j)).collect()).collect();
+    let hill = SurfaceDefinition::mesh(MeshSpacing::Xyz, hill);
+    let mut all = prepared(Cutter::mill(10.0, 0.0, 50.0), ToolAxis::Fixed(Vec3::z()));
+    all.extend([Kind::Intol([0.02; 4]), Kind::Outtol([0.0; 4])]);
+    let surface = || of(Form::Ssurf(Arc::new(hill.clone())));
+    let numbers = |all: &[f64]| all.iter().map(|x| Arg::Number(*x)).collect::<Vec<_>>();
+    let ds = [vec![word("DS"), surface(), word("PARAM")], numbers(&[0.3, 3.5, 0.6, 3.4])].concat();
+    all.push(regional("SCON", [ds, vec![word("AT"), of(Form::Vector(Vec3::z()))]].concat()));
+    let part = [word("PS"), word("TO"), surface(), word("PLUS"), Arg::Number(0.0)];
+    all.push(regional("SCON", part.to_vec()));
+    all.push(regional("SCON", vec![word("AXIS"), of(Form::Vector(Vec3::z()))]));
+    let from = [vec![word("PATH"), word("DS"), word("PARAM")], numbers(&[0.9, 0.6])].concat();
+    all.push(regional("SMIL", [from, vec![word("CRSSPL"), word("PLUS")]].concat()));
+    let (stops, told) = run(all);
+    assert!(told.is_empty(), "{told:?}");
+    // Chords that sag by .018 at a radius of 1000 mm are 12 long; of 42 mm a joint of the drive ends one every 15.
+    assert!((5..=12).contains(&stops.len()), "{}", stops.len());
+}

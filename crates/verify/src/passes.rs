@@ -56,10 +56,7 @@ impl<'a> Passes<'a> {
         numbers.truncate(of.map_or(0, |l| l.to));
         let from = numbers.len();
         let take = |numbers: &mut Vec<_>, way: usize| {
-            let bound = swath.bound(way, piece);
-            if bound.all <= *pad {
-                numbers.push((way, bound.middle));
-            }
+            numbers.extend(swath.bound(way, piece, *pad).map(|middle| (way, middle)));
         };
         match of {
             Some(list) => {

@@ -38,13 +38,6 @@ pub(crate) struct Piece {
     pub(crate) slop: f64,
 }
 
-/// Bounds of distances from the tool on a way: no less than this is that of the middle of a piece, and of all of it.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Bound {
-    pub(crate) middle: f64,
-    pub(crate) all: f64,
-}
-
 /// Distances of a parallelogram from the tool on a way.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Hold {
@@ -142,19 +135,22 @@ impl Swath {
         }
     }
 
-    /// What bounds the distances of a piece from way `i` below; see [`Bound`]. A look at both ends.
-    pub(crate) fn bound(&self, i: usize, piece: &Piece) -> Bound {
+    /// What the distance of the middle of a piece from way `i` is no less than; `None` where all of the piece is seen to be farther
+    /// than `most`. A look at both ends.
+    pub(crate) fn bound(&self, i: usize, piece: &Piece, most: f64) -> Option<f64> {
         let [a, b] = self.ways[i];
         let tool = self.tool();
         let sweep = Sweep::new(&tool, a, b, angle(a.ta, b.ta));
         let meeting = sweep.glance(piece.x);
+        let least = |all: &dyn Fn(Vec3) -> f64, enough: f64| {
+            let slack = |m: Vec3| Slack { by: [0.0; 2], all: all(m) };
+            sweep.proved(&meeting, piece.x, piece.radius(), enough, slack).0
+        };
         let slack =
             |m: Vec3| m.dot(&piece.sides[0]).abs() + m.dot(&piece.sides[1]).abs() + piece.slop;
-        let least = |all: &dyn Fn(Vec3) -> f64| {
-            let slack = |m: Vec3| Slack { by: [0.0; 2], all: all(m) };
-            sweep.proved(&meeting, piece.x, piece.radius(), f64::INFINITY, slack).0
-        };
-        Bound { middle: least(&|_| 0.0), all: least(&slack) }
+        // Most ways are farther, and of those no more is asked.
+        let near = least(&slack, most.next_up()) <= most;
+        near.then(|| least(&|_| 0.0, f64::INFINITY))
     }
 
     /// Signed distance of a point from the tool at its nearest on a way, and the share of the way; never less
@@ -250,7 +246,7 @@ impl Swath {
         let mut best: Option<(f64, usize)> = None;
         let point = Piece { x, sides: [Vec3::zeros(); 2], slop: 0.0 };
         self.around(x, margin, |i| {
-            if best.is_some_and(|b| self.bound(i, &point).middle > b.0) {
+            if best.is_some_and(|b| self.bound(i, &point, b.0).is_none()) {
                 return false;
             }
             let (d, _) = self.distance(i, x, f64::NEG_INFINITY);

@@ -6,6 +6,10 @@ const NEAR: f64 = 1e-2;
 const SAME: f64 = 1e-7;
 /// What more than the whole of a band one counts for at most: farther out it says little.
 const MOST: f64 = 2.0;
+/// Two lengths nearer to each other than this share of the usual one, of which the long one uses so much more of the band, have a
+/// jump between them, as where the contact goes over to what lies far below: where it is no secant tells.
+const CLOSE: f64 = 1.0 / 64.0;
+const JUMP: f64 = 0.5;
 
 /// Lengths that are too short and too long, with what each uses of the band: one over its ratio, less one. Along a parabola
 /// that grows evenly with the length, and over a crest, where the ratio falls fast, nearly so.
@@ -13,6 +17,8 @@ const MOST: f64 = 2.0;
 pub(super) struct Lengths {
     short: Option<(f64, f64)>,
     long: Option<(f64, f64)>,
+    /// What both of them use.
+    uses: [f64; 2],
     /// The last one, and the one before.
     last: [Option<(f64, f64)>; 2],
     /// How far both ends were apart at the last trials.
@@ -40,12 +46,14 @@ impl Lengths {
             other.1 *= 0.5;
         }
         *same = Some(here);
+        self.uses[usize::from(uses > 0.0)] = here.1;
         self.last = [Some(here), older(s, self.last[0], self.last[1])];
     }
 
     /// Where the whole of the band is used, by the secant of the last two while it comes nearer, else by that of both ends;
     /// `None` where that is not seen. Along a chord longer than `usual`, the length foretold from a bend, it falls no slower
-    /// than along the parabola of that length, unless a length at which it was to be short enough for that is not.
+    /// than along the parabola of that length, unless a length at which it was to be short enough for that is not. Halfway where
+    /// it jumps.
     pub(super) fn next(&mut self, usual: f64) -> Option<f64> {
         let secant = |(s, f): (f64, f64), (t, g): (f64, f64)| {
             let next = t - g * (t - s) / (g - f);
@@ -70,7 +78,9 @@ impl Lengths {
         let stays = (near.is_none() || self.slow) && before.is_some_and(|b| apart > 0.5 * b);
         let both = || secant(short, long).map(|x| x.max(least)).filter(inside);
         let halves = 0.5 * (short.0 + long.0);
+        let jumps = apart <= CLOSE * usual && self.uses[1] - self.uses[0] > JUMP;
         let next = match near {
+            _ if jumps => Some(halves),
             Some(near) if !stays || comes_nearer => Some(near),
             _ if stays => Some(halves),
             _ => both(),
@@ -137,6 +147,27 @@ mod tests {
     #[test]
     fn the_length_along_a_parabola_comes_with_the_second_trial() {
         assert_eq!(trials(|s| s / 0.35, 0.3, 0.35), 2);
+    }
+
+    #[test]
+    fn the_length_at_a_jump_comes_by_halves() {
+        // Short of it the chord uses nearly all of the band, and beyond it more than any parabola tells.
+        for (first, usual, beyond) in [(0.38, 0.38, f64::INFINITY), (0.2, 0.35, 1.98)] {
+            let uses = |s: f64| if s <= 0.552 { s / 0.563 } else { beyond };
+            let (mut lengths, mut s, mut before) = (Lengths::default(), first, None);
+            let (mut ends, mut trials) = ([0.0, f64::INFINITY], 0);
+            while ends[1] - ends[0] > 1e-9 {
+                trials += 1;
+                assert!(trials <= 36, "{first}: {ends:?}");
+                let at = uses(s);
+                ends[usize::from(at > 1.0)] = s;
+                lengths.take(s, at - 1.0);
+                let next = lengths.next(usual);
+                let next = next.unwrap_or_else(|| lengthen(s, 1.0 / at, before));
+                (before, s) = (Some((s, 1.0 / at)), next);
+            }
+            assert!((ends[0] - 0.552).abs() <= 1e-9);
+        }
     }
 
     #[test]
