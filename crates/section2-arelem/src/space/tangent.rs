@@ -199,7 +199,7 @@ impl Way<'_> {
             for _ in 0..ROUNDS {
                 let s = (m.s + sense * by).clamp(0.0, self.stride.length);
                 let near = |p: Sample| p.gap.g.abs() <= LOOSE * loose;
-                if s == to || !self.sample(keep, s, m).is_ok_and(near) {
+                if (s - to).abs() <= 0.0 || !self.sample(keep, s, m).is_ok_and(near) {
                     break;
                 }
                 (to, by) = (s, 2.0 * by);
