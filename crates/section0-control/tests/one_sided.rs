@@ -48,6 +48,6 @@ fn chords_are_found_with_no_room_above_the_surface() {
         );
         let ran = run::run(&text.replace("FINI", &milled), Verify::Full);
         assert_eq!(ran.codes(), Vec::<String>::new(), "{work} {axis}");
-        assert!(ran.places.len() > 20, "{work} {axis}: {}", ran.places.len());
+        assert!(ran.places.len() > 15, "{work} {axis}: {}", ran.places.len());
     }
 }

@@ -171,13 +171,15 @@ impl Way<'_> {
         if start.gap.g.abs() > loose || start.slope.abs() > ALONG {
             return Ok(None);
         }
+        // What is level to rounding leaves it as exactly.
+        let least = if start.slope.abs() <= LEVEL { LEVEL } else { ALONG };
         let whole = at(&self.stride.to, self.stride.length).ok();
         let Some(end) = whole.or_else(|| self.last_facing(keep, &start)) else { return Ok(None) };
         let (mut here, pieces) = (start, (end.s / piece).ceil().clamp(1.0, PIECES));
         let mut k = 1.0;
         while k <= pieces {
             let next = if k < pieces { self.sample(keep, end.s * k / pieces, &here)? } else { end };
-            let s = self.level_but(keep, &here, &next, ALONG)?;
+            let s = self.level_but(keep, &here, &next, least)?;
             if s < next.s {
                 return Ok(Some(s));
             }
