@@ -243,3 +243,28 @@ fn an_edge_of_the_gap_is_seen_where_a_flank_goes_over_from_end_to_end() {
     let told = told(OVER.into_iter().map(program));
     assert!(told.is_empty(), "{told:#?}");
 }
+
+/// Waves of .2 in a band of 1 take two cut vectors, whichever crests a flat end lies on between: what is farther from it than one of
+/// them, and was touched before, asks for none.
+#[test]
+fn waves_lower_than_the_band_are_gone_over_at_once() {
+    let rows: Vec<String> = (0..17)
+        .map(|j| {
+            let y = -30.0 + 3.75 * f64::from(j);
+            let place = |k: i32| {
+                let x = -60.0 + 7.5 * f64::from(k);
+                format!(",$\n({x},{y},{:.5})", 0.2 * aptc_geometry::trig::sin(0.1 * x))
+            };
+            format!(",$\nSPLINE{}", (0..17).map(place).collect::<String>())
+        })
+        .collect();
+    let text = format!(
+        "PARTNO WAVES\nUNITS/MM\nS=SSURF/SMESH,XYZ{}\nD=PLANE/0,1,0,0\nCUTTER/10\nINTOL/.01\nOUTTOL/1\n\
+         FROM/-50,0,40\nGO/ON,D,TO,S,ON,(PLANE/1,0,0,-50)\nINDIRV/1,0,0\n\
+         TLON,GOFWD/D,ON,(PLANE/1,0,0,50)\nFINI\n",
+        rows.concat()
+    );
+    let ran = run::run(&text, Verify::Full);
+    assert!(ran.faults().is_empty(), "{:?}", ran.told);
+    assert!(ran.places.len() <= 4, "{:?}", ran.places);
+}

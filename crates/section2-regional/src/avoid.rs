@@ -39,6 +39,7 @@ pub(crate) enum Tilts {
 #[derive(Clone, Copy)]
 struct Like {
     rolls: bool,
+    /// Back, or away from the step-over; either way where it is not said.
     back: Option<bool>,
     most: f64,
 }

@@ -169,25 +169,25 @@ impl Regional {
             };
             s.own = part.filter(other).map(|p| p.thick);
         }
-        let touched = part.filter(|p| p.touches).map(|p| {
-            let (surface, tree) = p.whole.clone();
-            Checked::part(p.name.name.to_string(), surface, tree)
-        });
-        let mut beside = None;
+        let part_too = |surfaces: &mut Vec<Checked>| {
+            if let Some(p) = part.filter(|p| p.touches) {
+                let (surface, tree) = p.whole.clone();
+                Checked::part(p.name.name.to_string(), surface, tree).put(surfaces);
+            }
+        };
         if self.check_part {
-            touched.into_iter().for_each(|p| p.put(&mut surfaces));
-        } else if self.avoid.on && self.avoid.tilt.is_some() {
-            beside = touched;
+            part_too(&mut surfaces);
         }
         let thick = part.map_or(0.0, |p| p.thick);
         let intol = self.settings.band().intol;
         let (holder, report) = (self.holder.clone(), self.report);
         let mut guard = Guard { surfaces, plain, intol, thick, holder, report, tilting: None };
-        guard.tilting = beside.filter(|_| !guard.is_empty()).map(|part| {
+        let tilts = self.avoid.on && self.avoid.tilt.is_some();
+        if tilts && !self.check_part && !guard.is_empty() {
             let mut tilting = guard.clone();
-            part.put(&mut tilting.surfaces);
-            Box::new(tilting)
-        });
+            part_too(&mut tilting.surfaces);
+            guard.tilting = Some(Box::new(tilting));
+        }
         if let (Some(cutter), Some(came)) = (&self.settings.profile, self.came) {
             guard.come_from(cutter, came);
         }

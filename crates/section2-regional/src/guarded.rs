@@ -114,8 +114,8 @@ impl Setup<'_> {
                 path.take(cleared);
                 continue;
             }
-            let stands_off = || left > 0 && self.stands_off(last, &p, (course, sense), memory);
-            let stands_off = !close && stands_off();
+            let stands_off =
+                !close && left > 0 && self.stands_off(last, &p, (course, sense), memory);
             // The axis does not jump between two tilts where one serves.
             let before = path.tilt.filter(|b| !asked.is_some_and(|a| is_alike(a, *b)));
             if (way.is_err() || stands_off)

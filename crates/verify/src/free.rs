@@ -211,12 +211,12 @@ fn told(rapid: &Rapid, fault: &Fault) -> Diagnostic {
 /// The way at feed to the first place of regional milling, held against the part surface where nothing is checked beside it: what
 /// the tool cuts off there is missing.
 fn arrives(statement: &Statement, around: &Around) -> Option<Diagnostic> {
-    if statement.led.is_empty() || statement.rapid {
+    if statement.way.is_empty() || statement.rapid {
         return None;
     }
     let way = Rapid {
         origin: statement.origin.clone(),
-        points: statement.led.iter().chain(statement.points.first()).copied().collect(),
+        points: statement.way.iter().chain(statement.points.first()).copied().collect(),
         profile: statement.profile,
         pad: statement.pad,
         clearance: None,

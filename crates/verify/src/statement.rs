@@ -40,10 +40,9 @@ pub(crate) struct Statement {
     pub(crate) start: Option<Position>,
     /// Where it was before in any case: from there it comes to surfaces that it keeps to a side of.
     pub(crate) before: Option<Position>,
-    /// From where it comes to a statement of regional milling that does not begin there.
-    pub(crate) way: Option<Position>,
-    /// The same with all the places between: what GCLEAR puts before a line is no motion along its surface.
-    pub(crate) led: Vec<Position>,
+    /// The way at feed to a statement of regional milling that does not begin there, but for its last place: from where it comes, and
+    /// what GCLEAR puts before a line.
+    pub(crate) way: Vec<Position>,
     /// What the motion that ended where this one begins was held to.
     pub(crate) earlier: Option<Arc<Control>>,
     pub(crate) points: Vec<Position>,
@@ -189,13 +188,13 @@ impl Statement {
                         );
                     }
                     if i == 0 {
-                        let at = self.way.as_ref().unwrap_or(a);
+                        let at = self.way.last().unwrap_or(a);
                         let held = surfaces.iter().filter_map(|s| s.holds(&self.profile, at));
                         held.for_each(|f| keep(&mut fault, Some(f)));
                     }
                     // What is wrong where it arrives is told alone.
                     let arrives = i == 0 && fault.as_ref().is_none_or(|f| !f.refuted);
-                    if let (true, Some(arrival), Some(way)) = (arrives, arrival, &self.way) {
+                    if let (true, Some(arrival), Some(way)) = (arrives, arrival, self.way.last()) {
                         keep(&mut fault, arrival.arrives(&self.profile, way, b, self.pad));
                     }
                     fault
@@ -358,11 +357,11 @@ impl Statement {
     fn ready(&self) -> &Ready {
         self.ready.get_or_init(|| match &self.control.milling {
             Some(milling) => {
-                let from = self.before.as_ref().or(self.way.as_ref()).or(self.points.first());
+                let from = self.before.as_ref().or(self.way.last()).or(self.points.first());
                 let region = |milling: &Milling| {
                     Region::new(milling, &self.sheets, &self.profile, from?).map(Box::new)
                 };
-                let arrival = self.way.map(|_| milling.arrival()).filter(Milling::asks);
+                let arrival = Some(milling.arrival()).filter(|m| !self.way.is_empty() && m.asks());
                 Ready::Milled(region(milling), arrival.as_ref().and_then(region))
             }
             None => Ready::Guided(Box::new(Guided::new(self))),

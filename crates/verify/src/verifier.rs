@@ -310,8 +310,7 @@ impl Verifier {
                 // How the tool comes to a region is held against what CHKSRF names alone.
                 let joined = control.milling.as_ref().is_none_or(|m| m.joined && !rapid);
                 let start = self.last.filter(|_| joined);
-                let way = self.last.filter(|_| !joined);
-                let led = if joined { Vec::new() } else { std::mem::take(&mut self.led) };
+                let way = if joined { Vec::new() } else { self.way() };
                 self.open = Some(Box::new(Statement {
                     control: Arc::clone(control),
                     startup,
@@ -320,7 +319,6 @@ impl Verifier {
                     start,
                     before: self.statement.2,
                     way,
-                    led,
                     earlier,
                     points: motion.points.clone(),
                     over: Vec::new(),
@@ -358,6 +356,15 @@ impl Verifier {
             self.led.extend(motion.points.last());
         } else {
             self.led.extend_from_slice(&motion.points);
+        }
+    }
+
+    /// That way, from where the machine has left the tool since.
+    fn way(&mut self) -> Vec<Position> {
+        if self.led.last() == self.last.as_ref() {
+            std::mem::take(&mut self.led)
+        } else {
+            self.last.into_iter().collect()
         }
     }
 

@@ -44,15 +44,21 @@ impl Track {
             let (Some(a), Some(b)) = (from.gaps[i].at, stride.to.gaps[i].at) else { continue };
             let pieces = keep.surface.pieces_between([a, b], way, keep.profile.reach());
             let looks = (EACH * pieces).ceil().min(LEAPS);
+            // A first cut vector may come from a wider band.
+            let (limits, begin, little) = (keep.limits(), from.gaps[i].g, 1e-6 * keep.width());
+            let band = limits.low.min(begin) - little..=limits.high.max(begin) + little;
             let (mut near, mut k) = (from.gaps[i], 1.0);
             while k < looks {
                 let pose = between(&from.pose, &stride.to.pose, k / looks);
-                near = keep.gap(&pose, Some(near.spot())).ok()?;
-                let (limits, little) = (keep.limits(), 1e-6 * keep.width());
-                if near.g < limits.low - little || near.g > limits.high + little {
+                let Ok(mut gap) = keep.gap(&pose, Some(near.spot())) else { break };
+                // From another place of contact it may be farther than it is.
+                if gap.g > *band.end() {
+                    gap = keep.gap(&pose, None).unwrap_or(gap);
+                }
+                if !band.contains(&gap.g) {
                     return Some(BEFORE * stride.length * k / looks);
                 }
-                k += 1.0;
+                (near, k) = (gap, k + 1.0);
             }
         }
         None

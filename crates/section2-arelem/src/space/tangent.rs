@@ -6,7 +6,9 @@ use aptc_geometry::Segment;
 
 use super::keep::Keep;
 use super::track::{Node, Trouble};
-use super::way::{Crossing, GRAZING, HALVINGS, PIECES, ROUNDS, Sample, Way, reach, read, simple};
+use super::way::{
+    Crossing, GRAZING, HALVINGS, PIECES, ROUNDS, Sample, Way, newton, reach, read, simple,
+};
 
 /// A gap that changes less than this with the way keeps its value: far above rounding, and a round surface of a
 /// thousand times the length of the cut vector changes more at the first look.
@@ -19,6 +21,8 @@ const ALONG: f64 = 1e-6;
 /// gap changes by what a tangency may be off within the way about it that is looked at.
 const ALMOST: f64 = 5e-3;
 const LOOSE: f64 = 4.0;
+/// The lesser share of the golden section.
+const GOLDEN: f64 = 0.381_966_011_250_105;
 
 /// The places between two samples where the gap is stationary and within `loose` of zero.
 #[expect(clippy::too_many_arguments, reason = "the bracket, its surface and what is found")]
@@ -65,7 +69,6 @@ pub(super) fn tangencies(
         return Ok(());
     }
     if halvings == 0 || simple(keep) {
-        let newton = |p: &Sample| (p.slope != 0.0).then(|| p.s - p.gap.g / p.slope);
         let about = if (a.gap.g > 0.0) != (b.gap.g > 0.0) {
             way.zero(keep, a, b, |p| p.gap.g, newton, way.track.exact)?
         } else if a.slope.abs() < b.slope.abs() {
@@ -164,8 +167,7 @@ impl Way<'_> {
         piece: f64,
     ) -> Result<Option<f64>, Trouble> {
         let at = |node: &Node, s: f64| -> Result<Sample, Trouble> {
-            let gap = read(keep, node, None)?;
-            Ok(Sample { s, te: node.pose.te, gap, slope: self.slope(node, &gap) })
+            Ok(self.read(node, s, read(keep, node, None)?))
         };
         let start = at(self.from, 0.0)?;
         if start.gap.g.abs() > loose || start.slope.abs() > ALONG {
@@ -209,21 +211,16 @@ impl Way<'_> {
             to
         };
         let (mut low, mut high) = (edge(-1.0), edge(1.0));
-        const SHARE: f64 = 0.381_966_011_250_105;
         let mut best = *m;
         for _ in 0..ROUNDS {
             if high - low <= self.track.exact {
                 break;
             }
-            let [s, t] = [low + SHARE * (high - low), high - SHARE * (high - low)];
+            let [s, t] = [low + GOLDEN * (high - low), high - GOLDEN * (high - low)];
             let [p, q] = [self.sample(keep, s, &best)?, self.sample(keep, t, &best)?];
-            *(if off(&p) <= off(&q) { &mut high } else { &mut low }) =
-                if off(&p) <= off(&q) { t } else { s };
-            for p in [p, q] {
-                if off(&p) < off(&best) {
-                    best = p;
-                }
-            }
+            let nearer = if off(&p) <= off(&q) { p } else { q };
+            (low, high) = if off(&p) <= off(&q) { (low, t) } else { (s, high) };
+            best = if off(&nearer) < off(&best) { nearer } else { best };
         }
         // At an end of the cut vector the next one may come nearer.
         let inside = best.s > 0.0 && best.s < self.stride.length || off(&best) <= ALONG;

@@ -196,13 +196,12 @@ impl Way<'_> {
         } else {
             read(keep, &node, None).or_else(beside)?
         };
-        Ok(Sample { s, te: node.pose.te, gap, slope: self.slope(&node, &gap) })
+        Ok(self.read(&node, s, gap))
     }
 
-    fn sample_anew(&self, keep: &Keep, s: f64) -> Result<Sample, Trouble> {
-        let node = self.node(s)?;
-        let gap = read(keep, &node, None)?;
-        Ok(Sample { s, te: node.pose.te, gap, slope: self.slope(&node, &gap) })
+    /// What is read at a node.
+    pub(super) fn read(&self, node: &Node, s: f64, gap: Gap) -> Sample {
+        Sample { s, te: node.pose.te, gap, slope: self.slope(node, &gap) }
     }
 
     /// The first place, about, where something of a surface with ends faces the cutter that comes from beyond one of them.
@@ -213,21 +212,26 @@ impl Way<'_> {
             (keep.surface.ends_at(foot.at), (foot.point - te).norm())
         };
         let (from, to) = (self.from.pose.te, self.stride.to.pose.te);
-        if !beyond(from).0 {
+        let (mut ends, mut away) = beyond(from);
+        if !ends {
             return None;
         }
-        // Nothing of the surface is nearer to the tool than the foot of its end, its reach apart.
         let (length, mut s, mut tries) = (self.stride.length, 0.0, 0);
         let piece = profile.widest().max(length / PIECES);
-        while s < length && tries < TRIES {
-            let (ends, away) = beyond(from + (to - from) * (s / length));
+        while tries < TRIES {
+            // Nothing of the surface is nearer to the tool than the foot of its end, its reach apart.
+            s += piece.max((away - profile.reach()) / RATE);
+            if s >= length {
+                break;
+            }
+            (ends, away) = beyond(from + (to - from) * (s / length));
             if !ends {
-                if let Ok(sample) = self.sample_anew(keep, s) {
+                let read = self.node(s).and_then(|n| Ok(self.read(&n, s, read(keep, &n, None)?)));
+                if let Ok(sample) = read {
                     return Some(sample);
                 }
                 tries += 1;
             }
-            s += piece.max((away - profile.reach()) / RATE);
         }
         None
     }
@@ -356,6 +360,11 @@ pub(crate) struct Lost {
     pub(crate) trouble: Trouble,
 }
 
+/// Where the gap would be zero by its slope.
+pub(super) fn newton(p: &Sample) -> Option<f64> {
+    (p.slope != 0.0).then(|| p.s - p.gap.g / p.slope)
+}
+
 /// The zeros of the gap between two samples, the nearest first.
 pub(super) fn crossings(
     way: &Way<'_>,
@@ -371,7 +380,6 @@ pub(super) fn crossings(
     let lost = |trouble| Lost { s: a.s, trouble };
     let (fa, fb) = (a.gap.g, b.gap.g);
     let gap = |p: &Sample| p.gap.g;
-    let newton = |p: &Sample| (p.slope != 0.0).then(|| p.s - p.gap.g / p.slope);
     let coarse = halvings > HALVINGS && !simple(keep);
     if (fa > 0.0) != (fb > 0.0) {
         let falls = fb < fa;
