@@ -253,7 +253,7 @@ fn waves_lower_than_the_band_are_gone_over_at_once() {
             let y = -30.0 + 3.75 * f64::from(j);
             let place = |k: i32| {
                 let x = -60.0 + 7.5 * f64::from(k);
-                format!(",$\n({x},{y},{:.5})", 0.2 * aptc_geometry::trig::sin(0.1 * x))
+                format!(",$\n({x},{y},{:.5})", 0.2 * trig::sin(0.1 * x))
             };
             format!(",$\nSPLINE{}", (0..17).map(place).collect::<String>())
         })
