@@ -38,7 +38,9 @@ fn circles(profile: &Profile) -> [[f64; 3]; 5] {
 pub(crate) fn reach(tool: &Tool<'_>, pose: &Pose, q: Vec3, t: Vec3) -> Option<(f64, Vec3)> {
     let (profile, lift) = tool.solid()?;
     let cos = pose.ta.dot(&t).abs().min(1.0);
+    // Of directions that are parallel but for rounding the product is as rough as it is small, and no direction across t.
     let wide = unit_or(pose.ta.cross(&t), any_across(t));
+    let wide = unit_or(wide - t * t.dot(&wide), any_across(t));
     let narrow = t.cross(&wide);
     let all = circles(profile);
     let mut best = (f64::NEG_INFINITY, wide);
@@ -102,10 +104,12 @@ mod tests {
         #[test]
         fn nothing_of_a_tool_is_farther_from_an_axis(
             [te, ta, q, t] in prop::array::uniform4(prop::array::uniform3(-1.0..1.0_f64)),
-            (corner, kind) in (0.0..5.0_f64, 0_usize..4),
+            (corner, kind, near) in (0.0..5.0_f64, 0_usize..4, prop::sample::select(vec![0.0, 1e-16, 1e-15, 1e-12, 1e-8])),
         ) {
             let unit = |x: [f64; 3]| (Vec3::from(x) + Vec3::z() * 1e-3).normalize();
-            let (ta, t) = (unit(ta), if kind == 3 { unit(ta) } else { unit(t) });
+            // Parallel, also but for rounding.
+            let beside = unit(ta) + Vec3::from(t) * near;
+            let (ta, t) = (unit(ta), if kind == 3 { beside.normalize() } else { unit(t) });
             let profile = match kind {
                 0 => Profile::disk(4.0, 3.0),
                 1 => Profile::new(&Cutter::mill(10.0, corner, 30.0)),
