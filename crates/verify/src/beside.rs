@@ -7,6 +7,7 @@ use aptc_geometry::Vec3;
 use crate::each::two;
 use crate::paraboloid::{At, Corner, Place, Seen};
 use crate::sheet::{Patch, Sheet, Spot, Tile};
+use crate::solid::unit_or;
 use crate::sweep::Sweep;
 use crate::valley::Valley;
 
@@ -23,12 +24,26 @@ pub(crate) struct Begin {
     rest: u32,
     /// Was it in a hollow along the way?
     valley: bool,
+    /// The places next to the tool at both ends of its way, and about the directions to them, where they are known.
+    told: Option<[(Spot, Vec3); 2]>,
 }
 
 impl Begin {
-    /// A place of the surface beside the tool in the direction m, where none was found.
-    pub(crate) fn offer(&mut self, spot: Spot, m: Vec3) {
-        self.last.get_or_insert(Last { spot, before: None, at: At::Between, m });
+    /// Places of the surface beside the tool at both ends of the way that is looked at next, in the directions m from it.
+    pub(crate) fn tell(&mut self, ends: [(Spot, Vec3); 2]) {
+        self.told = Some(ends);
+    }
+
+    /// Where the place is looked for first, and in what direction: between those that are told, or where the last one was.
+    fn first(&self) -> Option<(Spot, Vec3, At)> {
+        match (&self.told, &self.last) {
+            (Some([(a, m), (b, n)]), _) if a.chart == b.chart => {
+                let at = two([0, 1], |i| 0.5 * (a.at[i] + b.at[i]));
+                Some((Spot { at, ..*a }, unit_or(m + n, *m), At::Between))
+            }
+            (Some([_, (spot, m)]), None) => Some((*spot, *m, At::Between)),
+            (_, last) => last.map(|last| (last.spot, last.m, last.at)),
+        }
     }
 }
 
@@ -36,23 +51,8 @@ impl Begin {
 #[derive(Clone, Copy, Debug)]
 struct Last {
     spot: Spot,
-    /// The one before it.
-    before: Option<Spot>,
     at: At,
     m: Vec3,
-}
-
-impl Last {
-    /// As far ahead as it came from the one before.
-    fn ahead(&self) -> Spot {
-        match self.before {
-            Some(before) if before.chart == self.spot.chart => {
-                let at = two([0, 1], |i| 2.0 * self.spot.at[i] - before.at[i]);
-                Spot { at, ..self.spot }
-            }
-            _ => self.spot,
-        }
-    }
 }
 
 /// The tool on its way, and standing at both ends of it.
@@ -96,7 +96,17 @@ impl<'a> Beside<'a> {
 
     /// Where the next search begins.
     pub(crate) fn next(&self) -> Begin {
-        self.begin
+        Begin { told: None, ..self.begin }
+    }
+
+    /// Is the place in a piece, most likely?
+    pub(crate) fn is_in(&self, patch: &Patch) -> bool {
+        let spot = match &self.held {
+            Some(held) => Some(held.spot),
+            None if self.corner.is_some() => self.begin.first().map(|first| first.0),
+            None => None,
+        };
+        spot.is_some_and(|spot| patch.holds(&spot))
     }
 
     /// What is shown of a piece, and the direction that shows it. The place is looked for from where the last search found one, or
@@ -105,14 +115,14 @@ impl<'a> Beside<'a> {
         let none = (Seen::Near, Vec3::zeros());
         let Some(corner) = self.corner else { return none };
         if self.held.is_none() {
-            if self.begin.last.is_none() && tile.radius() > NEAR * corner.radius {
+            if self.begin.first().is_none() && tile.radius() > NEAR * corner.radius {
                 return none;
             }
             self.find(&corner, sheet, patch, tile);
         }
         match (&self.valley, &self.held) {
-            (Some(valley), _) => (valley.see(sheet, patch, tile), valley.place().0.m),
-            (None, Some(held)) => (corner.see(held, sheet, patch, tile), held.0.m),
+            (Some(valley), _) => (valley.see(sheet, patch, tile), valley.place().about.m),
+            (None, Some(held)) => (corner.see(held, sheet, patch, tile), held.about.m),
             (None, None) => {
                 (self.corner, self.begin.rest) = (None, REST);
                 none
@@ -123,29 +133,29 @@ impl<'a> Beside<'a> {
     /// Looks for the place over a crest or in a hollow: first where the last search found one, and what it was is so again, most
     /// likely.
     fn find(&mut self, corner: &Corner<'a>, sheet: &Sheet, patch: &Patch, tile: &Tile) {
-        let last = self.begin.last.take();
+        let first = self.begin.first();
         let valley = |spot: Spot, m: Vec3| {
             Valley::new(self.ways.ends(), self.ways.whole, corner, sheet, spot, m)
         };
-        let crest = |last: Last| corner.find(sheet, last.ahead(), last.at, last.m);
-        let hollow = last.filter(|_| self.begin.valley);
-        self.valley = hollow.and_then(|last| valley(last.ahead(), last.m));
-        let ahead = if self.valley.is_none() { last.and_then(crest) } else { None };
-        let followed = self.valley.is_some() || ahead.is_some();
-        self.held = ahead;
-        if !followed {
-            self.held = corner.find_beside(sheet, patch, tile);
+        self.valley = None;
+        if self.begin.valley
+            && let Some((spot, m, _)) = first
+        {
+            self.valley = valley(spot, m);
         }
-        if !followed && self.held.is_none() {
-            let from = last.map(|last| (last.spot, last.m));
+        self.held = None;
+        if self.valley.is_none() {
+            self.held = first.and_then(|(spot, m, at)| corner.find(sheet, spot, at, m));
+            self.held = self.held.or_else(|| corner.find_beside(sheet, patch, tile));
+        }
+        if self.valley.is_none() && self.held.is_none() {
+            let from = first.map(|(spot, m, _)| (spot, m));
             let (spot, m) = from.unwrap_or_else(|| (patch.spot(), corner.met(tile)));
             self.valley = valley(spot, m);
         }
         self.held = self.valley.as_ref().map(|valley| *valley.place()).or(self.held);
         self.begin.valley = self.valley.is_some();
-        self.begin.last = self.held.map(|(held, spot)| {
-            let before = last.filter(|_| followed).map(|last| last.spot);
-            Last { spot, before, at: held.at, m: held.m }
-        });
+        self.begin.last =
+            self.held.map(|Place { about, spot, .. }| Last { spot, at: about.at, m: about.m });
     }
 }

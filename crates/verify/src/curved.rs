@@ -402,7 +402,8 @@ impl Curved<'_> {
             if let Some(m) = (a.n + b.n).try_normalize(1e-3) {
                 let sweep = Sweep::new(tool, pose(0.0), pose(1.0), turn);
                 warm.lead.direction = Some(sweep.square(m * -self.side, a.p));
-                warm.lead.begin.offer(near[0].spot, a.n * -self.side);
+                let told = [(near[0].spot, a.n * -self.side), (near[1].spot, b.n * -self.side)];
+                warm.lead.begin.tell(told);
             }
         }
         found

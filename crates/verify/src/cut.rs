@@ -36,18 +36,18 @@ pub(crate) struct Cut {
     way: f64,
     axis: Option<Vec3>,
     parts: Vec<Part>,
+    /// The way of the tool up to which each of them is far enough.
+    until: Vec<f64>,
     /// What holds the pieces.
     tiles: Vec<Tile>,
     /// Did the last search begin here, not at the root?
     went_on: bool,
 }
 
-/// A group or a piece, and what shows it to be far enough.
+/// A group or a piece, and a plane that shows it to be far enough.
 #[derive(Clone, Copy, Debug)]
 struct Part {
     patch: Patch,
-    /// The way of the tool up to which it is.
-    until: f64,
     plane: Plane,
 }
 
@@ -91,10 +91,10 @@ impl Plane {
 }
 
 impl Part {
-    /// How much farther than `enough` it is along the whole way, at the end of which the way is `until`.
-    fn room(&self, sweep: &Sweep<'_>, until: f64, enough: f64) -> f64 {
-        let far = self.until - until;
-        if far >= 0.0 { far } else { self.plane.to - height(sweep, self.plane.m) - enough }
+    /// How much farther than `enough` its plane shows it to be along the whole way.
+    #[inline]
+    fn room(&self, sweep: &Sweep<'_>, enough: f64) -> f64 {
+        self.plane.to - height(sweep, self.plane.m) - enough
     }
 }
 
@@ -147,6 +147,11 @@ fn up(sum: f64) -> f64 {
     sum * (1.0 + 4.0 * f64::EPSILON)
 }
 
+/// A number that is not below 0 rounded down, as far as sums of it are concerned.
+fn lower(x: f64) -> f64 {
+    x * (1.0 - 2.0 * f64::EPSILON)
+}
+
 impl Cut {
     /// Puts what has to be looked at on the pile: the whole tree where nothing is known of what is asked.
     pub(crate) fn begin(
@@ -176,24 +181,33 @@ impl Cut {
             // Those that were the first the last time come first.
             let mut kept = self.parts.len();
             for i in (0..self.parts.len()).rev() {
-                let part = &self.parts[i];
-                let room = part.room(sweep, until, enough);
+                let far = self.until[i] - until;
+                if far >= 0.0 {
+                    least = if far < least { far } else { least };
+                    continue;
+                }
+                let room = self.parts[i].room(sweep, enough);
                 if room >= 0.0 {
                     least = if room < least { room } else { least };
-                } else {
-                    pile.push(part.patch);
-                    kept -= 1;
-                    self.parts.swap(i, kept);
+                    // For so long its way is enough to tell.
+                    self.until[i] = lower(until) + lower(room);
+                    continue;
                 }
+                pile.push(self.parts[i].patch);
+                kept -= 1;
+                self.parts.swap(i, kept);
+                self.until.swap(i, kept);
                 if self.parts.len() - kept > AGAIN {
                     self.went_on = false;
                     break;
                 }
             }
             self.parts.truncate(kept);
+            self.until.truncate(kept);
         }
         if !self.went_on {
             self.parts.clear();
+            self.until.clear();
             self.tiles.clear();
             pile.clear();
             pile.push(root);
@@ -251,12 +265,11 @@ impl Cutting<'_> {
 
     /// The part is at least so far at the end of the way, and beyond the plane.
     pub(crate) fn clear(&mut self, part: &Patch, low: f64, plane: Plane) {
-        // Rounded down, as far as the way is concerned.
-        let way = self.cut.way * (1.0 - 2.0 * f64::EPSILON);
-        let until = way + (low - self.asked.enough);
+        let until = lower(self.cut.way) + (low - self.asked.enough);
         // Each axis has planes of its own.
         let plane = if self.cut.axis.is_some() { plane } else { Plane::NONE };
-        self.cut.parts.push(Part { patch: *part, until, plane });
+        self.cut.parts.push(Part { patch: *part, plane });
+        self.cut.until.push(until);
     }
 
     /// All of the surface was looked at.

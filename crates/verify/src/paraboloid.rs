@@ -14,7 +14,7 @@
 use aptc_geometry::Vec3;
 
 use crate::each::{three, two};
-use crate::sheet::{Patch, Sheet, Spot, Tile, fall};
+use crate::sheet::{Jet, Patch, Sheet, Spot, Tile, fall};
 use crate::solid::unit_or;
 use crate::sweep::Sweep;
 use crate::tool::same;
@@ -28,8 +28,12 @@ const FOUND: f64 = 3e-3;
 const SMALL: f64 = 0.02;
 /// What is convex in the middle of a piece by as much is worth to be cut until all of it is.
 const TWICE: f64 = 2.0;
+/// Cosine between the way and the direction to the surface from which on the tool comes to it, or leaves it.
+const COMES: f64 = 0.1;
 /// Sine by which a direction may lean along the way and be square to it.
 const SQUARE: f64 = 1e-12;
+/// Sine between two directions that are as good for a paraboloid: what the second shows less is of its square.
+const ALIKE: f64 = 1e-5;
 /// Share of the tool's height by which it may be made smaller.
 const LITTLE: f64 = 0.1;
 
@@ -69,14 +73,29 @@ struct Bowl {
     across: [(Vec3, f64); 2],
 }
 
-/// One with the place of the surface about which it is.
-pub(crate) type Place = (Paraboloid, Spot);
+/// The place of the surface next to the tool, with the paraboloid about it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Place {
+    pub(crate) about: Paraboloid,
+    pub(crate) spot: Spot,
+    /// What was read of the surface a last little step before it.
+    read: Read,
+}
+
+/// A place of the surface with its derivatives.
+#[derive(Clone, Copy, Debug)]
+struct Read {
+    spot: Spot,
+    jet: Jet,
+    bend: [Vec3; 3],
+}
 
 /// What is seen of a piece.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Seen {
-    /// It is no nearer than what is enough, by as much; about the direction from the tool to it.
-    Clear(f64, Vec3),
+    /// It is no nearer than what is enough, by as much; about the direction from the tool to it, and along that what all of it is beyond
+    /// at least, where that is told closely.
+    Clear(f64, Vec3, Option<f64>),
     /// The same by `low`, if what lies beside it on the surface is no nearer; by `last` at the end of the way in any case, and about
     /// the direction there.
     Spanned { low: f64, last: f64, m: Vec3 },
@@ -136,8 +155,15 @@ impl<'a> Corner<'a> {
         let mut about = self.about(at, m)?;
         for _ in 0..LOOKS {
             let (jet, bend) = sheet.bent(&spot);
-            // Where the tool is met from here.
-            about = self.about(at, about.bowl(about.lean).value(jet.p).1.try_normalize(0.0)?)?;
+            let read = Read { spot, jet, bend };
+            let mut bowl = about.bowl(about.lean);
+            let mut slope = bowl.value(jet.p).1;
+            if !about.is_towards(slope) {
+                // Where the tool is met from here.
+                about = self.about(at, slope.try_normalize(0.0)?)?;
+                bowl = about.bowl(about.lean);
+                slope = bowl.value(jet.p).1;
+            }
             let (along, share) = (about.m.dot(&self.way), (jet.p - about.p).dot(&self.way));
             let met = match at {
                 At::Start if along > 0.0 => At::Between,
@@ -146,8 +172,6 @@ impl<'a> Corner<'a> {
                 At::Between if share > self.way.norm_squared() => At::End,
                 at => at,
             };
-            let bowl = about.bowl(about.lean);
-            let (_, slope) = bowl.value(jet.p);
             let g = two(jet.d, |d| slope.dot(&d));
             let [a, b, c] = bowl.second(slope, jet.d, bend);
             let det = a * c - b * b;
@@ -158,14 +182,22 @@ impl<'a> Corner<'a> {
             spot = sheet.settle(Spot { at: [spot.at[0] + step[0], spot.at[1] + step[1]], ..spot });
             let by = jet.d[0] * step[0] + jet.d[1] * step[1];
             if met == at && by.norm() <= FOUND * self.radius {
-                about = self.about(at, bowl.value(jet.p + by).1.try_normalize(0.0)?)?;
+                let slope = bowl.value(jet.p + by).1;
+                if !about.is_towards(slope) {
+                    about = self.about(at, slope.try_normalize(0.0)?)?;
+                }
                 // In a hollow along its way the tool is met at both ends, and no piece between them is shown by any.
-                let passing =
-                    if at == At::Between { about } else { self.about(At::Between, about.m)? };
-                let passing = passing.bowl(passing.lean);
-                let [a, b, c] = passing.second(passing.value(jet.p).1, jet.d, bend);
-                let bends = a > 0.0 && a * c > b * b;
-                return (bends || stands).then_some((about, spot));
+                let bends = || {
+                    let passing = self.about(At::Between, about.m)?;
+                    let passing = passing.bowl(passing.lean);
+                    let [a, b, c] = passing.second(passing.value(jet.p).1, jet.d, bend);
+                    (a > 0.0 && a * c > b * b).then_some(())
+                };
+                let comes = along.abs() > COMES * self.way.norm();
+                if !(stands || comes || at == At::Between) {
+                    bends()?;
+                }
+                return Some(Place { about, spot, read });
             }
             if met != at {
                 at = met;
@@ -269,13 +301,8 @@ impl<'a> Corner<'a> {
     }
 
     /// What the paraboloid shows of a piece.
-    pub(crate) fn see(
-        &self,
-        (held, spot): &Place,
-        sheet: &Sheet,
-        patch: &Patch,
-        tile: &Tile,
-    ) -> Seen {
+    pub(crate) fn see(&self, place: &Place, sheet: &Sheet, patch: &Patch, tile: &Tile) -> Seen {
+        let held = &place.about;
         let spread = |n: Vec3, i: usize| n.dot(&tile.side[i]).abs() + tile.stray[i];
         let cut = |by: [f64; 2]| match by[0].max(by[1]) > SMALL * self.radius {
             true => Seen::Large(usize::from(by[1] > by[0])),
@@ -286,20 +313,15 @@ impl<'a> Corner<'a> {
             let (middle, by) = (n.dot(&from), spread(n, 0) + spread(n, 1));
             [middle - by, middle + by]
         });
-        let leans = held.least_lean(beside);
-        let bowl = held.bowl(leans);
-        // The greatest w on the piece, by both directions.
-        let lean = two([0, 1], |i| two(beside[i], |y| bowl.across[i].1 * y));
-        if !(held.leans(leans) && self.faces(held, lean)) {
-            // The halves of a piece may face it whose middle does.
+        // What cannot be shown of a piece that is too wide for the paraboloid may be shown of its halves, if its middle faces that.
+        let smaller = || {
             let middle = two(beside, |[a, b]| [0.5 * (a + b); 2]);
-            let leans = held.least_lean(middle);
-            let around = held.bowl(leans);
-            let inside = held.leans(leans)
-                && self.faces(held, two([0, 1], |i| two(middle[i], |y| around.across[i].1 * y)));
+            let inside = self.wide(held, middle).is_some_and(|(.., share)| share >= 1.0);
             let across = |i| held.across.iter().map(|(n, _)| spread(*n, i)).sum::<f64>();
-            return if inside { cut([across(0), across(1)]) } else { Seen::Near };
-        }
+            if inside { cut([across(0), across(1)]) } else { Seen::Near }
+        };
+        let Some((bowl, lean, share)) = self.wide(held, beside) else { return smaller() };
+        let whole = share >= 1.0;
         let ta = self.sweep.a.ta;
         let te = [self.sweep.a.te, self.sweep.b.te];
         let above = two(te, |te| (tile.c - te).dot(&ta));
@@ -307,10 +329,11 @@ impl<'a> Corner<'a> {
             let inside = above[0].max(above[1]) < self.top;
             return if inside { cut(two([0, 1], |i| spread(ta, i))) } else { Seen::Near };
         }
-        let clear = |value: f64, slope: Vec3| {
-            let longest = two(lean, |[a, b]| a.abs().max(b.abs()));
-            let [x, y] = longest;
-            Seen::Clear(value / (1.0 + x * x + y * y).sqrt(), unit_or(slope, held.m))
+        let clear = |value: f64, slope: Vec3, level: Option<f64>| {
+            let [x, y] = two(lean, |[a, b]| a.abs().max(b.abs()));
+            let length = slope.norm();
+            let low = value / (1.0 + x * x + y * y).sqrt();
+            Seen::Clear(low, slope / length, level.map(|level| level / length))
         };
         let (value, slope) = bowl.value(tile.c);
         let g = two(tile.side, |d| slope.dot(&d));
@@ -319,68 +342,137 @@ impl<'a> Corner<'a> {
         let (a, b, c) = (uu - off_uu, uv.abs() + off_uv, vv - off_vv);
         let least = value - fall(g[0], a - b) - fall(g[1], c - b);
         if least >= 0.0 {
-            return clear(least, slope);
+            return clear(least, slope, None);
         }
-        if !(a > 0.0 && c > 0.0 && a * c >= b * b) {
+        let convex = a > 0.0 && c > 0.0 && a * c >= b * b;
+        if !convex && !whole {
+            return smaller();
+        }
+        if !convex {
             // The halves of a piece may be convex that is so in its middle.
             let convex = uu > 0.0 && uu * vv > TWICE * uv * uv;
             let size = two([0, 1], |i| tile.side[i].norm() + tile.stray[i]);
             return if convex { cut(size) } else { Seen::Near };
         }
-        let lost = |g: [f64; 2], s: [f64; 2]| {
+        // Convex all over the piece: it is above its tangent plane at any place of it, by what bends it at least.
+        let straight = |g: [f64; 2], s: [f64; 2]| {
             let by = |i: usize| if g[i] > 0.0 { g[i] * (1.0 + s[i]) } else { g[i] * (s[i] - 1.0) };
             by(0) + by(1)
         };
-        // Convex all over the piece: the tangent plane at any place of it is below.
-        let mut now = (value, g, [uu, uv, vv]);
-        let mut s = [0.0; 2];
-        for look in 0..STEPS {
-            // The place next to the tool is the least of the piece it lies in.
-            let known = two([0, 1], |i| (spot.at[i] - patch.at[i]) / patch.half[i]);
-            let within = spot.chart == patch.chart && known.iter().all(|x| x.abs() <= 1.0);
-            s = if look == 0 && within { known } else { step(s, now.1, now.2) };
-            let place = Spot {
-                chart: patch.chart,
-                at: two([0, 1], |i| patch.at[i] + s[i] * patch.half[i]),
-            };
-            let (jet, bend) = sheet.bent(&place);
+        let lost = |g: [f64; 2], s: [f64; 2]| {
+            let [x, y] = two(g, f64::abs);
+            let bent = (c * x * x + 2.0 * b * x * y + a * y * y) / (2.0 * (a * c - b * b));
+            // A number over 0 is none.
+            straight(g, s).min(bent)
+        };
+        // Of a piece that bends away from a plane that is so too.
+        let level = |slope: Vec3, p: Vec3, g: [f64; 2], s: [f64; 2]| {
+            let [uu, uv, vv] = three([0, 1, 2], |i| slope.dot(&tile.bend[i]));
+            let [x, y, z] = three(tile.vary, |vary| slope.norm() * vary);
+            let (a, b, c) = (uu - x, uv.abs() + y, vv - z);
+            (a > 0.0 && c > 0.0 && a * c >= b * b).then(|| slope.dot(&p) - straight(g, s))
+        };
+        let known = |spot: &Spot| {
+            let at = || two([0, 1], |i| (spot.at[i] - patch.at[i]) / patch.half[i]);
+            patch.holds(spot).then(at)
+        };
+        let [hu, hv] = patch.half;
+        let look = |s: [f64; 2], jet: &Jet, bend: &[Vec3; 3]| {
             let (value, slope) = bowl.value(jet.p);
             let side = two([0, 1], |i| jet.d[i] * patch.half[i]);
-            let [hu, hv] = patch.half;
             let bend = [bend[0] * (hu * hu), bend[1] * (hu * hv), bend[2] * (hv * hv)];
             let g = two(side, |d| slope.dot(&d));
-            now = (value, g, bowl.second(slope, side, bend));
-            let least = value - lost(g, s);
+            (value, slope, value - lost(g, s), g, bowl.second(slope, side, bend))
+        };
+        let mut now = (g, [uu, uv, vv]);
+        let mut s = [0.0; 2];
+        if let Some(at) = known(&place.read.spot) {
+            let Read { jet, bend, .. } = &place.read;
+            let (value, slope, least, ..) = look(at, jet, bend);
             if least >= 0.0 {
-                return clear(least, slope);
+                return clear(least, slope, None);
             }
             if value < 0.0 {
-                return Seen::Near;
+                return if whole { Seen::Near } else { smaller() };
             }
         }
-        Seen::Near
+        for round in 0..STEPS {
+            // The place next to the tool is the least of the piece it lies in.
+            let found = if round == 0 { known(&place.spot) } else { None };
+            s = found.unwrap_or_else(|| step(s, now.0, now.1));
+            let at = two([0, 1], |i| patch.at[i] + s[i] * patch.half[i]);
+            let (jet, bend) = sheet.bent(&Spot { chart: patch.chart, at });
+            let (value, slope, least, g, second) = look(s, &jet, &bend);
+            if least >= 0.0 {
+                return clear(least, slope, level(slope, jet.p, g, s));
+            }
+            if value < 0.0 {
+                break;
+            }
+            now = (g, second);
+        }
+        if whole { Seen::Near } else { smaller() }
     }
 
-    /// Do all directions of a piece face the corner, and the end of the way that is held?
-    fn faces(&self, held: &Paraboloid, lean: [[f64; 2]; 2]) -> bool {
-        let ta = self.sweep.a.ta;
-        [[0, 0], [0, 1], [1, 0], [1, 1]].into_iter().all(|[i, j]| {
-            let w = held.across[0].0 * lean[0][i] + held.across[1].0 * lean[1][j];
-            let m = held.m + w;
-            let along = m.dot(&self.way);
-            let there = match held.at {
-                At::Start => along <= 0.0,
-                At::End => along >= 0.0,
-                At::Between => along.abs() <= SQUARE * self.way.norm(),
+    /// What holds the corner for all that is so far beside p along both directions, the range of `w` by each, and the share of
+    /// what bends the paraboloid that is left: any C that is greater than the corner's holds it as well, and asks for less of `w`, so
+    /// that all `m + w` face the corner and the end of the way that is held. `None` where m itself does not.
+    fn wide(&self, held: &Paraboloid, beside: [[f64; 2]; 2]) -> Option<(Bowl, [[f64; 2]; 2], f64)> {
+        /// Share of the lean of m that is left at least.
+        const KEPT: f64 = 0.5;
+        /// Part of what is allowed that is used, for rounding.
+        const USED: f64 = 0.999;
+        let (m, ta, way) = (held.m, self.sweep.a.ta, self.way);
+        let (along, down) = (m.dot(&way), -m.dot(&ta));
+        // Which way along the way no direction may lean.
+        let on = match held.at {
+            At::Start => 1.0,
+            At::End => -1.0,
+            At::Between => 0.0,
+        };
+        let there = match held.at {
+            At::Start | At::End => on * along <= 0.0,
+            At::Between => along.abs() <= SQUARE * way.norm(),
+        };
+        if !(there && held.leans(held.lean) && down >= self.cos) {
+            return None;
+        }
+        let least = held.least_lean(beside).max(KEPT * held.lean);
+        let bowl = held.bowl(least);
+        let lean = two([0, 1], |i| two(beside[i], |y| bowl.across[i].1 * y));
+        // The most that `w` may go along a direction.
+        let most = |x: Vec3| {
+            let by = |i: usize| {
+                let along = held.across[i].0.dot(&x);
+                (along * lean[i][0]).max(along * lean[i][1])
             };
-            there
-                && held.leans(held.lean + held.radial.dot(&w))
-                && -m.dot(&ta) >= self.cos * m.norm()
-        })
+            by(0) + by(1)
+        };
+        let longest = two(lean, |[from, to]| from.abs().max(to.abs()));
+        let mut share: f64 = 1.0;
+        let mut limit = |room: f64, by: f64| {
+            if by > room {
+                share = share.min(USED * room / by);
+            }
+        };
+        if on != 0.0 {
+            limit(-on * along, most(way * on));
+        }
+        limit(down - self.cos, most(ta) + self.cos * (longest[0] + longest[1]));
+        if held.rho > 0.0 {
+            limit(held.lean - least, most(-held.radial));
+        }
+        let lean = two(lean, |range| two(range, |w| share * w));
+        Some((bowl.flatter(share), lean, share))
     }
 }
 
 impl Paraboloid {
+    /// Is it about this direction, of about unit length?
+    fn is_towards(&self, slope: Vec3) -> bool {
+        (slope - self.m).norm_squared() <= ALIKE * ALIKE
+    }
+
     /// What holds the corner for directions that lean by as much at least.
     fn bowl(&self, lean: f64) -> Bowl {
         let ring = if self.rho > 0.0 { self.rho / lean } else { 0.0 };
@@ -416,6 +508,11 @@ impl Paraboloid {
 }
 
 impl Bowl {
+    /// With this share of what bends it.
+    fn flatter(self, share: f64) -> Self {
+        Self { across: two(self.across, |(n, by)| (n, share * by)), ..self }
+    }
+
     /// The function and its gradient.
     fn value(&self, x: Vec3) -> (f64, Vec3) {
         let from = x - self.p;

@@ -98,7 +98,7 @@ fn no_point_of_a_piece_is_nearer_than_what_is_shown() {
             let mut all = Beside::new(&ways, least, Begin::default());
             let seen = all.see(sheet, &patch, &tile).0;
             let [clear, large, near] = counts.get();
-            let Seen::Clear(low, _) = seen else {
+            let Seen::Clear(low, ..) = seen else {
                 let large = large + u32::from(matches!(seen, Seen::Large(_)));
                 counts.set([clear, large, near + 1]);
                 return Ok(());

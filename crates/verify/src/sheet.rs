@@ -339,6 +339,15 @@ impl Sheet {
         }
     }
 
+    /// Second derivatives of a piece, and by how much they differ on it at most, where those at a corner of it are known.
+    pub(crate) fn bend_on(&self, patch: &Patch, known: &[Vec3; 3]) -> ([Vec3; 3], [f64; 3]) {
+        match &self.kind {
+            Kind::Patched(p) => p.bend_on(patch, *known, 2.0),
+            Kind::Quadric(q) => q.bend(patch),
+            Kind::Tabcyl(t) => t.bend(patch),
+        }
+    }
+
     /// How far the straight line between two places may lie from the surface; infinite when they have no
     /// chart in common.
     pub(crate) fn sag(&self, a: &Spot, b: &Spot) -> f64 {
@@ -397,6 +406,12 @@ impl Patch {
 
     pub(crate) fn spot(&self) -> Spot {
         Spot { chart: self.chart, at: self.at }
+    }
+
+    /// Is a place in the piece?
+    pub(crate) fn holds(&self, spot: &Spot) -> bool {
+        let within = |i: usize| (spot.at[i] - self.at[i]).abs() <= self.half[i];
+        spot.chart == self.chart && within(0) && within(1)
     }
 }
 

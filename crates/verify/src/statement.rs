@@ -17,8 +17,11 @@ use crate::scallop::Left;
 use crate::sheets::Sheets;
 use crate::verifier::Effort;
 
-/// Vectors of a part: few enough that several threads have work in a short statement of slow ones.
-const VECTORS: usize = 32;
+/// Vectors of a part: few enough that several threads have work in a short statement of slow ones, and so many that what each part
+/// begins with is little beside the rest.
+const VECTORS: [usize; 2] = [32, 128];
+/// Parts of a statement that is not so short.
+const PARTS: usize = 4;
 /// Parts in which it is looked what is left between the passes of a region.
 pub(crate) const PLACES: usize = 32;
 
@@ -59,8 +62,8 @@ pub(crate) struct Statement {
 /// A part of the judgement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Share {
-    /// Vectors from this one on, counted from 0.
-    Vectors(usize),
+    /// Vectors from this one on, counted from 0, up to the other.
+    Vectors(usize, usize),
     /// What is left between the passes, at the places with this number.
     Between(usize),
 }
@@ -153,7 +156,10 @@ impl Answer {
 impl Statement {
     /// The parts, in the order in which they are best begun.
     pub(crate) fn shares(&self) -> Vec<Share> {
-        let vectors = (0..self.points.len()).step_by(VECTORS).map(Share::Vectors);
+        let n = self.points.len();
+        let size = (n / PARTS).clamp(VECTORS[0], VECTORS[1]);
+        let part = |from| Share::Vectors(from, (from + size).min(n));
+        let vectors = (0..n).step_by(size).map(part);
         let asked = self.control.milling.as_ref().is_some_and(|m| m.scallop.is_some());
         let n = if asked && self.effort == Effort::Full { PLACES } else { 0 };
         // The first of them prepares what all need; the vectors can be judged meanwhile.
@@ -167,14 +173,14 @@ impl Statement {
                 Answer { left: region.between(self, *i), ..Answer::default() }
             }
             (_, Share::Between(_)) => Answer::default(),
-            (Ready::Guided(guided), Share::Vectors(from)) => {
+            (Ready::Guided(guided), Share::Vectors(from, to)) => {
                 let mut answer = Answer::of(guided.surfaces().count(), guided.never.len());
-                let rows = guided.rows(self, *from, &mut answer);
+                let rows = guided.rows(self, [*from, *to], &mut answer);
                 let judge =
                     |i, a: &_, b: &_, answer: &mut _| guided.vector(self, i, [a, b], &rows, answer);
-                self.vectors(*from, answer, judge)
+                self.vectors([*from, *to], answer, judge)
             }
-            (Ready::Milled(region, arrival), Share::Vectors(from)) => {
+            (Ready::Milled(region, arrival), Share::Vectors(from, to)) => {
                 let surfaces = region.as_ref().map_or(&[][..], |r| r.surfaces());
                 let judge = |i: usize, a: &_, b: &_, answer: &mut Answer| {
                     if surfaces.is_empty() {
@@ -199,7 +205,7 @@ impl Statement {
                     }
                     fault
                 };
-                self.vectors(*from, Answer::of(surfaces.len(), 0), judge)
+                self.vectors([*from, *to], Answer::of(surfaces.len(), 0), judge)
             }
         }
     }
@@ -207,12 +213,11 @@ impl Statement {
     /// Judges the vectors of a part, each from its start to its end.
     fn vectors(
         &self,
-        from: usize,
+        [from, to]: [usize; 2],
         mut answer: Answer,
         judge: impl Fn(usize, &Position, &Position, &mut Answer) -> Option<Fault>,
     ) -> Answer {
         let n = self.points.len();
-        let to = (from + VECTORS).min(n);
         answer.vectors.reserve_exact(to - from);
         for i in from..to {
             if !self.effort.takes(i, n) {
@@ -401,12 +406,12 @@ impl Guided {
     }
 
     /// What is proved of a part at once; it goes into the answer.
-    fn rows(&self, s: &Statement, from: usize, answer: &mut Answer) -> Rows {
+    fn rows(&self, s: &Statement, [from, to]: [usize; 2], answer: &mut Answer) -> Rows {
         let mut rows = Rows::default();
         if s.startup || s.effort != Effort::Full {
             return rows;
         }
-        let points = &s.points[from..(from + VECTORS).min(s.points.len())];
+        let points = &s.points[from..to];
         let row = |judged: &Judged, seen: &mut Seen| {
             judged.row(&s.profile, s.start_of(from), points, s.pad, seen)
         };

@@ -91,12 +91,12 @@ impl<'a> Valley<'a> {
         let along = (whole.b.te - whole.a.te).try_normalize(0.0)?;
         let [first, last] = two([first, last], |sweep| corner.standing(sweep));
         let begin = first.find(sheet, spot, At::Start, m)?;
-        let end = last.find(sheet, begin.1, At::Start, begin.0.m)?;
-        let up = across(begin.0.m, along).try_normalize(0.0)?;
+        let end = last.find(sheet, begin.spot, At::Start, begin.about.m)?;
+        let up = across(begin.about.m, along).try_normalize(0.0)?;
         let beside = along.cross(&up);
-        let (jet, bend) = sheet.bent(&begin.1);
+        let (jet, bend) = sheet.bent(&begin.spot);
         let line = line(jet.d, along, beside)?;
-        let hollow = bent(line, bend).dot(&begin.0.m) < 0.0;
+        let hollow = bent(line, bend).dot(&begin.about.m) < 0.0;
         let radius = corner.own_radius();
         let ends = [(first, begin), (last, end)];
         hollow.then_some(Self { ends, whole, along, up, beside, radius })
@@ -126,14 +126,18 @@ impl<'a> Valley<'a> {
         }
         let stands = |(corner, place): &(Corner<'_>, Place)| {
             let (low, m) = corner.parted(tile);
-            if low >= 0.0 { Seen::Clear(low, m) } else { corner.see(place, sheet, patch, tile) }
+            if low >= 0.0 {
+                Seen::Clear(low, m, None)
+            } else {
+                corner.see(place, sheet, patch, tile)
+            }
         };
         let first = match stands(first) {
-            Seen::Clear(low, _) => low,
+            Seen::Clear(low, ..) => low,
             other => return other,
         };
         match stands(last) {
-            Seen::Clear(last, m) => Seen::Spanned { low: first.min(last), last, m },
+            Seen::Clear(last, m, _) => Seen::Spanned { low: first.min(last), last, m },
             other => other,
         }
     }
@@ -196,7 +200,7 @@ impl<'a> Valley<'a> {
             let lean = down.cross(&at.ta).norm();
             return unit_or(down + beside * (lean * y / (1.0 - y * y).sqrt()), down);
         }
-        unit_or(across(self.place().0.m, self.along), self.up)
+        unit_or(across(self.place().about.m, self.along), self.up)
     }
 
     /// Is the distance from the tool on its way concave all over the piece, along the way?

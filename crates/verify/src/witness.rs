@@ -34,6 +34,8 @@ const MOST: u32 = 2000;
 /// to this share.
 const FEW: u32 = 64;
 const CLOSE: f64 = 0.05;
+/// Lengths of the vector before up to which the place next to the tool is looked for as far ahead as this one is long.
+const FARTHER: f64 = 4.0;
 /// Times that a search for any place is made eight times as wide.
 const WIDER: u32 = 24;
 
@@ -56,6 +58,7 @@ pub(crate) struct Touch {
     gap: f64,
     spot: Spot,
     pub(crate) jet: Jet,
+    second: [Vec3; 3],
     /// Where it would have been looked for next.
     next: Spot,
 }
@@ -89,8 +92,8 @@ pub(crate) fn excess(
 ) -> Excess {
     let touch = |t: f64, from: Spot| {
         let pose = pose(t);
-        let Down { far: gap, spot, jet, next } = meet(tool, &pose, sheet, side, from, most);
-        Touch { t, pose, gap, spot, jet, next }
+        let Down { far: gap, spot, jet, second, next } = meet(tool, &pose, sheet, side, from, most);
+        Touch { t, pose, gap, spot, jet, second, next }
     };
     let globally = |t: f64, enough: f64| {
         let sweep = Sweep::still(tool, pose(t));
@@ -151,9 +154,17 @@ pub(crate) fn excess(
         Ok(touch) => touch,
         Err(open) => return open,
     };
-    // As far ahead as the vector before came.
+    // As far ahead as the vector before came, by the lengths of both.
     let ahead = |[from, to]: &[Near; 2]| {
-        let at = two([0, 1], |i| 2.0 * to.spot.at[i] - from.spot.at[i]);
+        let way = |a: Vec3, b: Vec3| (b - a).norm_squared();
+        let ratio = match (&from.touch, &to.touch) {
+            (Some(a), Some(b)) => {
+                (way(pose(0.0).te, pose(1.0).te) / way(a.pose.te, b.pose.te)).sqrt()
+            }
+            _ => 1.0,
+        };
+        let on = if ratio < FARTHER { ratio } else { 1.0 };
+        let at = two([0, 1], |i| to.spot.at[i] + on * (to.spot.at[i] - from.spot.at[i]));
         let same = from.spot.chart == to.spot.chart && first.next == to.spot;
         same.then_some(Spot { at, ..to.spot })
     };
@@ -262,7 +273,7 @@ fn rise(tool: &Tool<'_>, sheet: &Sheet, a: &Touch, b: &Touch, drift: f64) -> Opt
     let at = two([0, 1], |i| 0.5 * (a.spot.at[i] + b.spot.at[i]));
     let half = [0.5 * du.abs(), 0.5 * dv.abs()];
     let piece = Patch { chart: a.spot.chart, at, half, ..Patch::default() };
-    let (_, bend, vary) = sheet.middle(&piece);
+    let (bend, vary) = sheet.bend_on(&piece, &b.second);
     let [uu, uv, vv] = [du * du, 2.0 * du * dv, dv * dv];
     let (second, off) = (
         bend[0] * uu + bend[1] * uv + bend[2] * vv,
@@ -314,6 +325,7 @@ struct Down {
     far: f64,
     spot: Spot,
     jet: Jet,
+    second: [Vec3; 3],
     next: Spot,
 }
 
@@ -408,7 +420,8 @@ fn descend_to(tool: &Tool<'_>, pose: &Pose, sheet: &Sheet, spot: Spot, enough: f
         }
     }
     let at = |by: [f64; 2]| Spot { at: [spot.at[0] + by[0], spot.at[1] + by[1]], ..spot };
-    Down { far: now.f, spot, jet: now.jet, next: next.map_or(spot, |by| sheet.settle(at(by))) }
+    let next = next.map_or(spot, |by| sheet.settle(at(by)));
+    Down { far: now.f, spot, jet: now.jet, second: now.second, next }
 }
 
 /// The step where the second derivatives `h` are not those of a dip: along either axis of them by Newton's method with the sign

@@ -52,6 +52,7 @@ fn the_gap_rises_by_no_more_than_what_is_told() {
                     gap,
                     spot: spots[i],
                     jet: jets[i],
+                    second: sheet.bent(&spots[i]).1,
                     next: spots[i],
                 }
             };

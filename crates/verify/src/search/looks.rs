@@ -59,11 +59,12 @@ pub(super) fn search(
         cutting,
         left: if lead.known { FEW } else { MOST },
         closest: f64::INFINITY,
-        hinted: lead.direction.map(|m| sweep.kept(sweep.along(m))),
+        hinted: None,
+        towards: lead.direction,
         beside: Beside::new(&ways, moved.shift + enough, lead.begin),
     };
     let whole = looks.all().is_continue();
-    lead.direction = looks.hinted.map(|h| h.m);
+    lead.direction = looks.towards.or(looks.hinted.map(|h| h.m));
     lead.begin = looks.beside.next();
     let mut out = looks.out;
     if let Some(cutting) = looks.cutting.filter(|_| whole) {
@@ -90,6 +91,8 @@ struct Looks<'a, 'c> {
     /// How far the piece was of which the hint is, and the hint: a direction that shows other pieces, most likely.
     closest: f64,
     hinted: Option<Meeting>,
+    /// A direction that is a better one, and of which nothing is known yet.
+    towards: Option<Vec3>,
     beside: Beside<'a>,
 }
 
@@ -111,6 +114,14 @@ impl Looks<'_, '_> {
         Continue(())
     }
 
+    /// The hint.
+    fn hint(&mut self) -> Option<Meeting> {
+        if let Some(m) = self.towards.take() {
+            self.hinted = Some(self.sweep.kept(self.sweep.along(m)));
+        }
+        self.hinted
+    }
+
     /// Nothing is known of what is left.
     fn lost(&mut self) -> ControlFlow<()> {
         self.out.least = f64::NEG_INFINITY;
@@ -126,7 +137,7 @@ impl Looks<'_, '_> {
 
     /// A group of charts, whose parts are looked at where it is not far enough.
     fn group(&mut self, patch: &Patch, node: &Node) -> ControlFlow<()> {
-        let (sweep, known) = (self.sweep, self.known());
+        let (sweep, known, hinted) = (self.sweep, self.known(), self.hint());
         let (center, within) = self.ball;
         let shift = self.moved.shift.abs();
         let radius = node.radius + shift;
@@ -136,8 +147,8 @@ impl Looks<'_, '_> {
             (low, low + slack.all)
         };
         let (mut low, middle) =
-            self.hinted.as_ref().map_or((f64::NEG_INFINITY, f64::NEG_INFINITY), held);
-        let mut plane = self.hinted.map_or(Plane::NONE, |m| Plane::along(sweep, m.m, low));
+            hinted.as_ref().map_or((f64::NEG_INFINITY, f64::NEG_INFINITY), held);
+        let mut plane = hinted.map_or(Plane::NONE, |m| Plane::along(sweep, m.m, low));
         let mut at_end = low;
         if let Some(cutting) = self.cutting.as_ref().filter(|c| !c.is_far(low)) {
             let end = cutting.at_end(sweep, node, shift);
@@ -183,10 +194,16 @@ impl Looks<'_, '_> {
         }
         let x = tile.c + tile.n * (moved.side * moved.shift);
         let piece = Piece { tile: &tile, x, within: radius + 2.0 * moved.shift.abs() };
-        let by_hint = self.hinted.filter(|_| self.aim != Aim::Nearest);
+        // Of what holds the place next to the tool no other direction shows as much.
+        let clear = self.aim == Aim::Clear;
+        let first = clear && self.beside.is_in(patch);
+        if first && self.by_place(patch, &piece, known) {
+            return Continue(());
+        }
+        let by_hint = if self.aim == Aim::Nearest { None } else { self.hint() };
         let by_hint = by_hint.map(|m| piece.shown(sweep, moved, m, known));
         let open = by_hint.as_ref().is_none_or(|shown| shown.low < known);
-        if self.aim == Aim::Clear && open && self.by_place(patch, &piece, known) {
+        if clear && open && !first && self.by_place(patch, &piece, known) {
             return Continue(());
         }
         let shown = match by_hint {
@@ -213,20 +230,27 @@ impl Looks<'_, '_> {
     fn by_place(&mut self, patch: &Patch, piece: &Piece<'_>, known: f64) -> bool {
         let (sweep, moved, enough) = (self.sweep, self.moved, self.enough);
         // The axis stands still where anything is told.
-        let parts =
-            |m: Vec3| Plane::beyond(sweep, m, m.dot(&piece.x) - slack(piece.tile, m, moved).all);
+        let parts = |m: Vec3, level: Option<f64>| {
+            let low = match level {
+                Some(level) => level - moved.shift.abs(),
+                None => m.dot(&piece.x) - slack(piece.tile, m, moved).all,
+            };
+            Plane::beyond(sweep, m, low)
+        };
         match self.beside.see(moved.sheet, patch, piece.tile) {
-            (Seen::Clear(low, about), m) if enough + low >= known => {
+            (Seen::Clear(low, about, level), m) if enough + low >= known => {
                 if enough + low < self.closest {
-                    self.closest = enough + low;
-                    self.hinted = Some(sweep.kept(sweep.along(m)));
+                    (self.closest, self.towards) = (enough + low, Some(m));
                 }
-                self.keep((patch, piece.tile), enough + low, parts(about));
+                // What holds the place is shown by it again.
+                let stays = self.beside.is_in(patch);
+                let plane = if stays { Plane::NONE } else { parts(about, level) };
+                self.keep((patch, piece.tile), enough + low, plane);
             }
             // What lies beside it is shown by something else, where anything comes of this search.
             (Seen::Spanned { low, last, m }, _) if moved.shift <= 0.0 => {
                 self.out.least = self.out.least.min(enough + low);
-                self.hold((patch, piece.tile), enough + last, parts(m));
+                self.hold((patch, piece.tile), enough + last, parts(m, None));
             }
             (Seen::Large(i), _) => {
                 let [near, away] = patch.halves(i);
@@ -302,6 +326,7 @@ impl Looks<'_, '_> {
         let sweep = self.sweep;
         if shown.low < self.closest {
             (self.closest, self.hinted) = (shown.low, Some(sweep.kept(shown.meeting)));
+            self.towards = None;
         }
         let plane = || {
             // What shows most at the end may show it for longer.

@@ -410,9 +410,21 @@ impl Patched {
 
     /// The middle of a piece, the second derivatives there, and how much they differ on it at most: uu, uv, vv.
     pub(crate) fn bent(&self, patch: &Patch) -> (Jet, [Vec3; 3], [f64; 3]) {
-        let (jet, mut bend) = self.look(&patch.spot());
+        let (jet, bend) = self.look(&patch.spot());
+        let (bend, vary) = self.bend_on(patch, bend, 1.0);
+        (jet, bend, vary)
+    }
+
+    /// The second derivatives of a piece, and how much they differ on it at most, where no place of it is farther from one where they
+    /// are known than so many times its half lengths.
+    pub(crate) fn bend_on(
+        &self,
+        patch: &Patch,
+        mut bend: [Vec3; 3],
+        far: f64,
+    ) -> ([Vec3; 3], [f64; 3]) {
         let chart = &self.charts[patch.chart];
-        let [hu, hv] = patch.half;
+        let [hu, hv] = two(patch.half, |h| far * h);
         let mut vary = self.second(patch);
         let beyond = chart.more(patch);
         for i in 0..3 {
@@ -424,7 +436,7 @@ impl Patched {
                 bend[i] = Vec3::zeros();
             }
         }
-        (jet, bend, vary)
+        (bend, vary)
     }
 
     /// A place with its second derivatives.

@@ -341,12 +341,17 @@ fn shortened(bare: &Spans, free: &Domain) -> Domain {
             let length = way.norm();
             let away = |t: f64| whole.foot(jet.s + way * t).distance.abs() / length;
             let first = FIRST.min(STEP * far);
+            // From so far on it is beyond all of the surface by more than what it meets.
+            let last = ahead(&bare.surface, jet.s, way / length) / (length * (1.0 - MEETS));
+            if first >= last {
+                continue;
+            }
             let mut t = first;
             // Beside its own border it does not come off it, and tells nothing.
             if away(t) < LEAVES * t {
                 continue;
             }
-            while t < reach {
+            while t < reach.min(last) {
                 let away = away(t);
                 if away < MEETS * t {
                     reach = CLEAR * t;
@@ -359,6 +364,14 @@ fn shortened(bare: &Spans, free: &Domain) -> Domain {
         }
     }
     domain
+}
+
+/// How far along the unit vector `d` the surface reaches from a place at most; infinite where its control points do not hold it.
+fn ahead(surface: &Sculptured, from: Vec3, d: Vec3) -> f64 {
+    let points = surface.patches.iter().flat_map(|p| p.net.iter().flatten());
+    let along =
+        points.map(|h| if h.w > 0.0 { (h.xyz() / h.w - from).dot(&d) } else { f64::INFINITY });
+    along.fold(f64::NEG_INFINITY, f64::max)
 }
 
 /// Do the control points of each row along u (or across, along v) lie on a straight line?
