@@ -114,7 +114,11 @@ impl Track {
         }
         let before = *pace;
         let found = self.longest(&trials(false), cap, pace);
-        let over = |to: &Node| (0..2).any(|i| self.keeps[i].is_mixed() && self.apart(i, from, to));
+        let over = |to: &Node| {
+            let way = (to.pose.te - from.pose.te).norm();
+            let over = |i: usize| self.keeps[i].is_mixed() && self.apart(i, from, to);
+            (0..2).any(|i| over(i) && !self.keeps[i].touches_once(&from.pose, &from.gaps[i], way))
+        };
         if let Ok(stride) = found
             && (!over(&stride.to) || self.fits(from, &stride.to))
         {
