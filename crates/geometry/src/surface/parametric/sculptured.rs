@@ -361,16 +361,17 @@ fn shortened(bare: &Spans, whole: &ParametricSurface, free: &Domain) -> Domain {
             let away = |t: f64| whole.foot(jet.s + way * t).distance.abs() / length;
             let first = FIRST.min(STEP * far);
             let mut t = first;
+            let mut there = away(t);
             // Beside its own border it does not come off it, and tells nothing.
-            if away(t) < LEAVES * t {
+            if there < LEAVES * t {
                 continue;
             }
             while t < reach {
-                let away = away(t);
-                if away < MEETS * t {
+                if there < MEETS * t {
                     reach = CLEAR * t;
                 }
-                t += away.max(first).max(STEP * t);
+                t += there.max(first).max(STEP * t);
+                there = if t < reach { away(t) } else { there };
             }
         }
         if reach < far {
