@@ -21,6 +21,9 @@ const STEPS: usize = 14;
 const FACING: f64 = 1e-12;
 /// The same where steps no longer become shorter: rounding alone is left.
 const ROUNDED: f64 = 1e-9;
+/// Share of it, and of the surface's least radius there, by which a place lies so close by another that this tells where and how it
+/// is to rounding: what it is off falls with the third power.
+const BESIDE: f64 = 1e-5;
 /// Share of the cutter's radius up to which a step is gone to the nearest place, where no simple one lies beside.
 const CLOSE: f64 = 0.02;
 /// Cosine between normal and tool axis below which it is left to other searches.
@@ -107,7 +110,16 @@ pub(crate) fn beside(tool: &Tool<'_>, surface: &Surface, side: Side, near: Spot)
         }
         let by = foot_by(off + go - normal * go.dot(&normal));
         last = left;
+        let bend = k11.abs() + k12.abs() + k22.abs();
+        let square = by.norm_squared();
         let by = a * by.x + b * by.y;
+        if square <= (BESIDE * widest) * (BESIDE * widest)
+            && square * bend * bend <= BESIDE * BESIDE
+            && let Some(there) = surface.close_by(&foot, sides, by)
+        {
+            (foot, x) = (there, to);
+            continue;
+        }
         let (next, known) = match surface.beside(foot.spot(), sides, by) {
             Some(found) => found,
             // Along a TABCYL a longer step may lead over a crest to another one.

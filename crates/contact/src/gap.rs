@@ -3,7 +3,7 @@
 use aptc_geometry::profile::Segment;
 use aptc_geometry::{Reason, Spot, Surface, Tool, Vec3};
 
-use crate::{closed, disk, rings, search, tangents};
+use crate::{alone, closed, disk, edges, rings, search, tangents};
 
 /// The side of a surface on which the tool is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -163,6 +163,14 @@ pub fn elsewhere(
     let (deeper, room) = search::elsewhere(tool, surface, side, known, (stands, most));
     let thick = known.raw - known.g;
     (deeper.map(|gap| Gap { g: gap.raw - thick, ..gap }), room)
+}
+
+/// Is it seen that a tool with the `known` gap, its axis standing, touches a surface by two parameters nowhere but at that place of
+/// contact, wherever this goes, while it goes no farther than `way`?
+pub fn touches_once(tool: &Tool<'_>, surface: &Surface, side: Side, known: &Gap, way: f64) -> bool {
+    let searched = matches!(surface, Surface::Parametric(_));
+    let found = || alone::alone(tool, surface, side, known, way);
+    searched && found().is_some_and(|free| free >= way) && !edges::has_edges(tool, surface)
 }
 
 /// Signed distance of the tool end from the surface, positive on `side`. THICK does not count for ON.

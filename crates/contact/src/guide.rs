@@ -49,9 +49,6 @@ pub trait Guide: Sized {
     /// May another place of contact than that read become the deepest, so that it has to be looked for?
     fn several(&self) -> bool;
 
-    /// Do the contacts with these normals lie far from each other on the cutter?
-    fn apart(&self, a: Vec3, b: Vec3) -> bool;
-
     /// The gap to the `surface` that the guide is made for with the tool end at `te`, at the place near `at`; `None` where
     /// another part of the cutter touches than the guide is made for, at an end of the surface, and in its middle, where
     /// no normal is.
@@ -72,7 +69,8 @@ pub trait Guide: Sized {
     fn gap(&self, te: Vec3, read: &End<Self::At>) -> Gap;
 
     /// Least and greatest gap while the tool end moves by `v` from `te`, as of [`crate::chord()`]; `ends` are what is read at
-    /// both ends. `None` where nothing is at the first, and where more than one dip or bump may be on the way.
+    /// both ends. `None` where nothing is at the first, where more than one dip or bump may be on the way, and where the contacts at
+    /// both ends lie far from each other on the cutter, so that it may have gone over from one place to another.
     fn chord(
         &self,
         surface: &Surface,
@@ -223,11 +221,6 @@ impl Guide for ClosedGuide {
 
     #[inline]
     fn several(&self) -> bool {
-        false
-    }
-
-    #[inline]
-    fn apart(&self, _: Vec3, _: Vec3) -> bool {
         false
     }
 

@@ -52,7 +52,9 @@ pub use aptc_geometry::{Place, Reason, Tool};
 pub use bodies::{Convex, Swept};
 pub use chord::{Chord, Exact, Extreme, chord};
 pub use curvature::second;
-pub use gap::{Condition, Gap, Side, distance, elsewhere, gap, gap_at, gap_near, on, surrounds};
+pub use gap::{
+    Condition, Gap, Side, distance, elsewhere, gap, gap_at, gap_near, on, surrounds, touches_once,
+};
 pub use guide::{ClosedGuide, End, Guide, Reading};
 pub use patches::{Clear, PIECES, PatchPlace, PatchTree};
 pub use point::PointGuide;

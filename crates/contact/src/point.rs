@@ -111,15 +111,6 @@ impl Guide for PointGuide {
     }
 
     #[inline]
-    fn apart(&self, a: Vec3, b: Vec3) -> bool {
-        match self {
-            Self::Closed(_) => false,
-            Self::Point(p) => p.apart(a, b),
-            Self::Ring(r) => r.apart(a, b),
-        }
-    }
-
-    #[inline]
     fn read(&self, surface: &Surface, te: Vec3, at: Spot) -> Option<Reading<Spot, PointBends>> {
         match self {
             Self::Closed(guide) => {
@@ -175,14 +166,16 @@ impl Guide for PointGuide {
                 let read = |t: f64, near: Option<&Spot>| {
                     Some(p.read(surface, te + v * t, near.copied())?.end)
                 };
-                let apart = p.apart(ends[0].normal, ends[1].normal);
-                least_and_greatest(surface, p.sign, apart, v, ends, resolution, read)
+                let apart = || p.apart(ends[0].normal, ends[1].normal);
+                let sides = (p.sign, p.several);
+                least_and_greatest(surface, sides, apart, v, ends, resolution, read)
             }
             Self::Ring(r) => {
                 let read =
                     |t: f64, near: Option<&Spot>| Some(r.read(surface, te + v * t, *near?)?.end);
-                let apart = r.apart(ends[0].normal, ends[1].normal);
-                least_and_greatest(surface, r.sign, apart, v, ends, resolution, read)
+                let apart = || r.apart(ends[0].normal, ends[1].normal);
+                let sides = (r.sign, r.several);
+                least_and_greatest(surface, sides, apart, v, ends, resolution, read)
             }
         }
     }
@@ -192,11 +185,12 @@ fn closed(read: &End<Spot>) -> End<()> {
     End { g: read.g, normal: read.normal, at: () }
 }
 
-/// Least and greatest gap of a chord along `v`, of which `read` reads places: near a known one, or without it anew.
+/// Least and greatest gap of a chord along `v`, of which `read` reads places: near a known one, or without it anew; `None` where
+/// the contacts at both ends are `apart`, if that may be.
 fn least_and_greatest(
     surface: &Surface,
-    sign: f64,
-    apart: bool,
+    (sign, several): (f64, bool),
+    apart: impl Fn() -> bool,
     v: Vec3,
     [begin, end]: [&End<Spot>; 2],
     resolution: f64,
@@ -215,13 +209,13 @@ fn least_and_greatest(
         let beside = |t: f64, near: &Spot| look(t, Some(near));
         return Some([dip(a, b, 1.0, resolution, beside).ok()?.g, high]);
     }
+    if (several || !hollow) && apart() {
+        return None;
+    }
     if hollow {
         // The nearest wall may change on the way: it is looked for anew.
         let whole = |t: f64, _: &Spot| look(t, None);
         return Some([low, dip(a, b, -1.0, resolution, whole).ok()?.g]);
-    }
-    if apart {
-        return None;
     }
     let between = |a: &Known, b: &Known, t: f64| look(t, Some(&between(a, b, t)));
     let found = single(a, b, resolution, |k| k.0, between).ok()??;

@@ -8,7 +8,7 @@
 //! axis. Where both principal minors are positive the place is the nearest one of all about it.
 
 use aptc_geometry::profile::Segment;
-use aptc_geometry::{Foot, Profile, Spot, Surface, Tool, Vec3};
+use aptc_geometry::{Foot, Profile, Shape, Spot, Surface, Tool, Vec3};
 
 use crate::curvature::relative;
 use crate::gap::{Condition, Gap, Side};
@@ -109,7 +109,7 @@ impl Ring {
         let along = -normal.dot(&self.ta);
         let radial = -normal - self.ta * along;
         let across = radial.norm();
-        (across > FLAT).then(|| Facing { out: radial / across, across, along })
+        (across > FLAT).then(|| Facing { out: radial * (1.0 / across), across, along })
     }
 
     /// What is read at the place near `near`; `None` where it is not the corner that touches.
@@ -120,18 +120,20 @@ impl Ring {
         near: Spot,
     ) -> Option<Reading<Spot, PointBends>> {
         let middle = te + self.up;
-        let enough = FACING * self.profile.widest();
+        let wide = self.profile.widest();
+        let enough = FACING * wide;
         let (mut foot, mut sides): (Foot, _) = surface.place_with_sides(near);
         for _ in 0..STEPS {
             let normal = foot.normal * self.sign;
-            let shape = if self.sign > 0.0 { foot.shape } else { foot.shape.reversed() };
             let Facing { out, across, along } = self.facing(normal)?;
             let away = middle + out * self.rho - foot.point;
             let d = away.dot(&normal);
             let rest = away - normal * d;
             let frame = [self.ta * across - out * along, self.ta.cross(&out)];
-            let shape = shape.in_frame(frame);
-            let ([k11, k12, k22], around) = (shape.k, d + self.rho / across);
+            let [k11, k12, k22] = foot.shape.terms(frame);
+            let (k11, k12, k22) = (k11 * self.sign, k12 * self.sign, k22 * self.sign);
+            let wider = self.rho / across;
+            let around = d + wider;
             let (p, q) = (1.0 + d * k11, 1.0 + around * k22);
             let det = p * q - d * around * k12 * k12;
             // Not so where a curvature is none, as on an edge, or the place is no nearest one.
@@ -139,27 +141,31 @@ impl Ring {
                 return None;
             }
             if rest.norm_squared() <= enough * enough {
-                let arc = [0.0, BESIDE_LINE].iter().all(|up| {
-                    let found = self.profile.support(across - up * along, along + up * across);
-                    found.segment == Segment::Arc
-                });
+                let arc = self.profile.touches_with_arc(across, along)
+                    && self.profile.touches_with_arc(
+                        across - BESIDE_LINE * along,
+                        along + BESIDE_LINE * across,
+                    );
+                if !arc || surface.ends_at(foot.at) {
+                    return None;
+                }
                 let radius = self.profile.corner_radius();
                 let raw = d - radius;
-                let radii = [radius, radius + self.rho / across];
-                let bends = PointBends::Level(relative(shape, radii, raw)?);
+                let shape = Shape { frame, k: [k11, k12, k22] };
+                let bends = PointBends::Level(relative(shape, [radius, radius + wider], raw)?);
                 let end = End { g: raw - self.thick, normal, at: foot.spot() };
-                return (arc && !surface.ends_at(foot.at)).then_some(Reading { end, bends });
+                return Some(Reading { end, bends });
             }
             let (x, y) = (rest.dot(&frame[0]), rest.dot(&frame[1]));
             let by = [(q * x - d * k12 * y) / det, (p * y - around * k12 * x) / det];
+            let square = by[0] * by[0] + by[1] * by[1];
             let by = frame[0] * by[0] + frame[1] * by[1];
-            let (way, wide) = (by.norm(), self.profile.widest());
-            if way > wide {
+            if square > wide * wide {
                 return None;
             }
-            let bend = k11.abs().max(k22.abs()) + k12.abs();
-            if way <= CLOSE * wide
-                && way * bend <= CLOSE
+            let bend = k11.abs() + k12.abs() + k22.abs();
+            if square <= (CLOSE * wide) * (CLOSE * wide)
+                && square * bend * bend <= CLOSE * CLOSE
                 && let Some(there) = surface.close_by(&foot, sides, by)
             {
                 foot = there;

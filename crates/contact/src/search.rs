@@ -211,12 +211,19 @@ fn elsewhere_on_faces(
             let mut ways = TRIED.into_iter().filter(wanted).map(|share| share * first);
             ways.find_map(|way| alone(tool, surface, side, known, way))
         };
-        let free = likely(tool, surface, side, known, size).and_then(free);
-        if let Some(way) = free.filter(|way| *way >= WORTH * size) {
+        let likely = likely(tool, surface, side, known, size);
+        // Beside the ridge of a surface of rulings the next places are told sooner, and for a longer way.
+        let ruled = matches!(surface, Surface::Parametric(s) if s.is_ruled());
+        let short = |way: &f64| ruled && *way < RIDGE * SEEN * wide;
+        let shown = |way: Option<f64>| way.and_then(free).filter(|way| *way >= WORTH * size);
+        if let Some(way) = shown(likely.filter(|way| !short(way))) {
             return (None, way);
         }
         if let Some(found) = lower(tool, surface, side, known, SEEN * wide) {
             return found;
+        }
+        if let Some(way) = shown(likely.filter(short)) {
+            return (None, way);
         }
     }
     let arc = round(tool, surface, side, None);
@@ -445,6 +452,9 @@ const LINE: f64 = 1e-6;
 /// The same where a dip that is not there yet may come up: share of the cutter's radius, which below a long shank is several
 /// times less.
 const SEEN: f64 = 0.15;
+
+/// Share of that way below which one for which a contact is alone is worth less than the places beside a ridge.
+const RIDGE: f64 = 0.5;
 
 /// A point of the tool's axis, near the corner.
 fn middle(tool: &Tool<'_>) -> Vec3 {

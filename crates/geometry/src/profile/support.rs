@@ -56,6 +56,19 @@ impl Profile {
         Support { reach: n.dot(&p), point: [p.x, p.y], segment, radius }
     }
 
+    /// Does the arc touch in the unit direction (`out` >= 0 away from the axis, `up`)? What [`Self::support`] tells.
+    #[inline]
+    pub fn touches_with_arc(&self, out: f64, up: f64) -> bool {
+        let n = Vec2::new(out, up);
+        let along = |m: Vec2| cross(m, n).abs() <= FACE && m.dot(&n) > 0.0;
+        cross(self.a0, n) >= 0.0
+            && cross(n, self.a1) >= 0.0
+            && n.dot(&(self.a0 + self.a1)) >= -1e-9
+            && !(along(self.nl) && self.pl != self.tip)
+            && !(along(self.nu) && self.rim != self.pu)
+            && !(n.x <= FACE && n.y > 0.0 && self.rim.x > 0.0)
+    }
+
     /// Recognises that a whole face is touched.
     #[inline]
     fn face(&self, n: Vec2, p: Vec2, segment: Segment, radius: f64) -> (Vec2, Segment, f64) {
@@ -189,6 +202,7 @@ mod tests {
             let p = Profile::new(&cutter(kind, s)).unwrap();
             let (out, up) = (trig::cos_deg(turn), trig::sin_deg(turn));
             let far = p.support(out, up);
+            prop_assert_eq!(p.touches_with_arc(out, up), far.segment == Segment::Arc);
             // The support point belongs to the solid.
             prop_assert!(p.near(far.point[0], far.point[1]).distance.abs() < 1e-9);
             // Moving out of it along the direction the distance grows at rate 1.

@@ -1,6 +1,6 @@
 //! How a surface goes on at its borders: straight on, or in itself.
 
-use super::Sculptured;
+use super::{Layout, Sculptured};
 use crate::Vec3;
 
 /// Share of the surface's size up to which two places are one.
@@ -85,6 +85,27 @@ impl Sculptured {
             } else {
                 all.fold(0.0, f64::max)
             }
+    }
+
+    /// The control points of the curves that make up the first or last border of u (0) or v (1).
+    pub(crate) fn border_curves(
+        &self,
+        [axis, end]: [usize; 2],
+    ) -> impl Iterator<Item = [Vec3; 4]> + '_ {
+        let [columns, rows] = match &self.layout {
+            Layout::Mesh { u, v } => [u.len() - 1, v.len() - 1],
+            Layout::Patches => [self.patches.len(), 1],
+        };
+        let last = if axis == 0 { columns - 1 } else { rows - 1 };
+        let (across, along) = (last * end, if axis == 0 { rows } else { columns });
+        (0..along).map(move |k| {
+            let index = if axis == 0 { k * columns + across } else { across * columns + k };
+            let net = &self.patches[index].net;
+            [0, 1, 2, 3].map(|k| {
+                let h = if axis == 0 { net[k][3 * end] } else { net[3 * end][k] };
+                h.xyz() / h.w
+            })
+        })
     }
 
     fn same(&self, a: [f64; 2], b: [f64; 2], size: f64) -> bool {

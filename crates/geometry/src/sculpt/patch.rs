@@ -167,8 +167,13 @@ impl Patch {
     /// Point and derivatives at (u, v); outside 0 to 1 the same polynomials go on.
     pub fn at(&self, u: f64, v: f64) -> Derivatives {
         if !self.rational {
-            let w = 1.0 / self.net[0][0].w;
+            let w = self.net[0][0].w;
             let [point, u, v, uu, uv, vv] = self.plain(u, v);
+            #[expect(clippy::float_cmp, reason = "most weights are 1 exactly, and change nothing")]
+            if w == 1.0 {
+                return Derivatives { point, u, v, uu, uv, vv };
+            }
+            let w = 1.0 / w;
             return Derivatives {
                 point: point * w,
                 u: u * w,

@@ -128,17 +128,33 @@ impl Sculptured {
     /// Does the second place lie inside of the patch that the first lies in or on the border of? Between the two the surface is smooth.
     #[inline]
     pub(crate) fn is_one_patch(&self, from: [f64; 2], to: [f64; 2]) -> bool {
-        let (first, start, _) = self.cell(from[0], from[1]);
-        let (second, end, _) = self.cell(to[0], to[1]);
-        let inside = start.iter().all(|x| (0.0..=1.0).contains(x));
-        first == second && inside && end.iter().all(|x| *x > 0.0 && *x < 1.0)
+        let one = |knots: &[f64], from: f64, to: f64| {
+            let i = before(knots, from);
+            let (low, high) = (knots[i], knots[i + 1]);
+            from >= low && from <= high && to > low && to < high
+        };
+        match &self.layout {
+            Layout::Mesh { u, v } => one(u, from[0], to[0]) && one(v, from[1], to[1]),
+            Layout::Patches => {
+                let (first, start, _) = self.cell(from[0], from[1]);
+                let (second, end, _) = self.cell(to[0], to[1]);
+                let inside = start.iter().all(|x| (0.0..=1.0).contains(x));
+                first == second && inside && end.iter().all(|x| *x > 0.0 && *x < 1.0)
+            }
+        }
     }
 
     /// Point and derivatives at (u, v); beyond the borders the outermost patches go on in a straight line.
     #[inline]
     pub fn at(&self, u: f64, v: f64) -> Derivatives {
+        self.at_rated(u, v, [1.0, 1.0])
+    }
+
+    /// The same when u and v run so many times as fast.
+    #[inline]
+    pub(crate) fn at_rated(&self, u: f64, v: f64, rate: [f64; 2]) -> Derivatives {
         let (i, [a, b], [da, db]) = self.cell(u, v);
-        prolonged(&self.patches[i], a, b).rated(da, db)
+        prolonged(&self.patches[i], a, b).rated(da * rate[0], db * rate[1])
     }
 
     /// The derivatives dU and dV at (u, v). Where a border runs together in a point, as in a three-sided patch, that along it
@@ -301,15 +317,20 @@ impl Sculptured {
 /// The interval of rising knots in which `t` lies, the place in it and the rate.
 #[inline(always)]
 fn interval(knots: &[f64], t: f64) -> (usize, f64, f64) {
-    let last = knots.len() - 2;
+    let i = before(knots, t);
+    let rate = 1.0 / (knots[i + 1] - knots[i]);
+    (i, (t - knots[i]) * rate, rate)
+}
+
+/// Which of the intervals it is.
+#[inline(always)]
+fn before(knots: &[f64], t: f64) -> usize {
     let i = match knots.len() {
         // Of few it is told sooner by all of them.
         0..=FEW => knots.iter().map(|k| usize::from(*k <= t)).sum(),
         _ => knots.partition_point(|k| *k <= t),
     };
-    let i = usize::saturating_sub(i, 1).min(last);
-    let rate = 1.0 / (knots[i + 1] - knots[i]);
-    (i, (t - knots[i]) * rate, rate)
+    usize::saturating_sub(i, 1).min(knots.len() - 2)
 }
 
 /// Knots that are looked at one by one.

@@ -52,6 +52,21 @@ impl Shape {
             + self.frame[1] * (self.k[1] * a + self.k[2] * b)
     }
 
+    /// The curvatures and the mixed term along other unit vectors square to each other in the same tangent plane; of an edge or a
+    /// vertex they are no numbers.
+    #[inline]
+    pub fn terms(&self, [a, b]: Frame) -> [f64; 3] {
+        let [u, v] = &self.frame;
+        let (p, q) = ([u.dot(&a), v.dot(&a)], [u.dot(&b), v.dot(&b)]);
+        let [k11, k12, k22] = self.k;
+        let turned = [k11 * p[0] + k12 * p[1], k12 * p[0] + k22 * p[1]];
+        [
+            turned[0] * p[0] + turned[1] * p[1],
+            turned[0] * q[0] + turned[1] * q[1],
+            k11 * q[0] * q[0] + 2.0 * k12 * q[0] * q[1] + k22 * q[1] * q[1],
+        ]
+    }
+
     /// The form in another frame of the same tangent plane.
     #[must_use]
     #[inline]
@@ -150,6 +165,7 @@ mod tests {
             let turned = [f[0] * cos + f[1] * sin, f[1] * cos - f[0] * sin];
             let t = s.in_frame(turned);
             let flipped = s.in_frame([turned[1], turned[0]]);
+            prop_assert!(s.terms(turned).iter().zip(t.k).all(|(a, b)| (a - b).abs() < 1e-14));
             let v = f[0] * 0.4 + f[1] * 1.1;
             prop_assert!((s.second(v) - t.second(v)).abs() < 1e-13);
             prop_assert!((s.second(v) - flipped.second(v)).abs() < 1e-13);

@@ -92,9 +92,10 @@ impl Band {
         if share < EVEN {
             return self.level;
         }
-        let [even, edge] = [share, 1.0].map(|share| target(self.vertex, bend, share));
+        let (even, edge) = (target(self.vertex, bend, share), target(self.vertex, bend, 1.0));
         let room = if bend > 0.0 { before - self.low } else { self.high - before };
-        let lack = most((0.5 * bow).sqrt() - most(room, 0.0).sqrt(), 0.0);
+        let (needed, room) = (0.5 * bow, most(room, 0.0));
+        let lack = if needed > room { needed.sqrt() - room.sqrt() } else { 0.0 };
         let rest = SPARE * lack * lack;
         if bend > 0.0 {
             least(most(even, self.low + rest), edge)
@@ -121,11 +122,13 @@ impl Band {
         let room = |d: f64| if d > self.none { d } else { 0.0 };
         let mut ratio = f64::INFINITY;
         if depth > 0.0 || dip > self.aim {
-            let e = ends.map(|g| room(g - self.low - self.aim));
+            let above = |g: f64| room(g - self.low - self.aim);
+            let e = [above(ends[0]), above(ends[1])];
             ratio = least(ratio, grow(e, [dip, most(over - low, 0.0)], depth, self.inside));
         }
         if depth < 0.0 || rise > self.aim {
-            let f = ends.map(|g| room(self.high - self.aim - g));
+            let below = |g: f64| room(self.high - self.aim - g);
+            let f = [below(ends[0]), below(ends[1])];
             ratio = least(ratio, grow(f, [rise, most(high - under, 0.0)], -depth, self.inside));
         }
         (fits, ratio)

@@ -176,12 +176,9 @@ impl<G: Guide> Guided<'_, G> {
                 continue;
             }
             let (here, there) = (&from.gaps[i], &to.gaps[i]);
-            if guide.several() && guide.apart(here.normal, there.normal) {
-                // The contact may have gone over to another place.
-                return Err(Trouble::Contact);
-            }
             let chord =
                 guide.chord(&keep.surface, from.te, v, [here, there], track.bands[i].resolution);
+            // The contact may have gone over to another place.
             let [low, high] = chord.ok_or(Trouble::Contact)?;
             let bow = there.normal.dot(&v) - here.normal.dot(&v);
             let bends = [from.course.bends[i], to.course.bends[i]];

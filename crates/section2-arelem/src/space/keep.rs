@@ -3,6 +3,7 @@
 use aptc_cldata::Position;
 use aptc_contact::{
     Condition, Gap, Reason, Side, Tool, distance, elsewhere, gap_at, opens, second, surrounds,
+    touches_once,
 };
 use aptc_geometry::{Profile, Spot, Surface, Vec3};
 
@@ -224,6 +225,12 @@ impl Keep {
         }
         let (deeper, room) = elsewhere(&self.tool(pose), &self.surface, self.side, known, way);
         (deeper.filter(|g| g.g < known.g - exact), room)
+    }
+
+    /// Is it seen that the cutter touches at one place alone, wherever that goes, as long as it goes no farther than a way?
+    pub(crate) fn touches_once(&self, pose: &Pose, known: &Gap, way: f64) -> bool {
+        let touches = self.condition == Condition::Touch && self.profile.reach() > 0.0;
+        touches && touches_once(&self.tool(pose), &self.surface, self.side, known, way)
     }
 
     /// Second derivative of the gap when the tool end moves along the unit vector `v`.

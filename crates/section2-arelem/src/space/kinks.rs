@@ -26,13 +26,19 @@ impl Track {
     /// the gap has an edge, which no look beside it tells.
     pub(super) fn over_kinks(&self, i: usize, from: &Node, to: &Node) -> Result<[f64; 2], Trouble> {
         let keep = &self.keeps[i];
-        let look = |t: f64| -> Result<Look, Trouble> {
-            Ok(Look { t, gap: keep.gap(&between(&from.pose, &to.pose, t), None)? })
+        // Of places that are as deep, as all of a ridge along a flat end, it is that beside the one before.
+        let look = |t: f64, near: &Gap| -> Result<Look, Trouble> {
+            let pose = between(&from.pose, &to.pose, t);
+            let all = keep.gap(&pose, None)?;
+            let beside = keep.gap(&pose, Some(near.spot())).ok();
+            let beside = beside.filter(|b| b.g <= all.g + EVEN * keep.width());
+            let gap = beside.map_or(all, |b| Gap { g: b.g.min(all.g), ..b });
+            Ok(Look { t, gap })
         };
         let mut seen = [Look { t: 1.0, gap: to.gaps[i] }; BETWEEN.len() + MORE + 2];
         seen[0] = Look { t: 0.0, gap: from.gaps[i] };
-        for (place, t) in seen[1..].iter_mut().zip(BETWEEN) {
-            *place = look(t)?;
+        for (k, t) in BETWEEN.into_iter().enumerate() {
+            seen[k + 1] = look(t, &seen[k].gap)?;
         }
         let mut n = BETWEEN.len() + 2;
         let gaps = || seen[..n].iter().map(|l| l.gap.g);
@@ -46,7 +52,7 @@ impl Track {
                 continue;
             }
             let Ok((t, _)) = self.even(i, [from, to], [&a, &b]) else { continue };
-            let there = look(t)?;
+            let there = look(t, &a.gap)?;
             found = [found[0].min(there.gap.g), found[1].max(there.gap.g)];
             let third = [&a, &b].iter().all(|l| self.goes_over(i, [from, to], l, &there));
             if third && n < seen.len() {

@@ -58,6 +58,20 @@ impl Pace {
         if self.looks.is_multiple_of(ANEW) { f64::INFINITY } else { FARTHER * self.seen }
     }
 
+    /// Did the last look tell more than a way as this?
+    pub(super) fn worth(&self, way: f64) -> bool {
+        way < self.room || way < self.seen
+    }
+
+    /// The same where another one, from there on, was told by a look.
+    pub(super) fn told(self, other: &Self) -> Self {
+        if !other.looked {
+            return self;
+        }
+        let Self { room, looked, seen, looks, .. } = *other;
+        Self { room, looked, seen, looks, ..self }
+    }
+
     /// A look told this way.
     pub(super) fn saw(&mut self, way: f64) {
         (self.seen, self.looks) = (way, self.looks + 1);

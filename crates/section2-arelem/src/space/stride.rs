@@ -114,7 +114,11 @@ impl Track {
         }
         let before = *pace;
         let found = self.longest(&trials(false), cap, pace);
-        let over = |to: &Node| (0..2).any(|i| self.keeps[i].is_mixed() && self.apart(i, from, to));
+        let over = |to: &Node| {
+            let way = (to.pose.te - from.pose.te).norm();
+            let over = |i: usize| self.keeps[i].is_mixed() && self.apart(i, from, to);
+            (0..2).any(|i| over(i) && !self.keeps[i].touches_once(&from.pose, &from.gaps[i], way))
+        };
         if let Ok(stride) = found
             && (!over(&stride.to) || self.fits(from, &stride.to))
         {
@@ -160,8 +164,9 @@ impl Track {
         free: f64,
         take: impl FnMut([Vec3; 2], Vec3) -> bool,
     ) -> Option<Node> {
-        let free = if self.several() { free.min(pace.room) } else { free };
-        if pace.careful > 0 || free <= pace.length {
+        // Where looks tell less than a cut vector is long each goes by itself.
+        let few = self.several() && !pace.worth(pace.length);
+        if pace.careful > 0 || few || free <= pace.length {
             return None;
         }
         match self.guides.as_ref()? {
@@ -179,6 +184,7 @@ impl Track {
         mut free: f64,
         mut take: impl FnMut([Vec3; 2], Vec3) -> bool,
     ) -> Option<Node> {
+        let (several, ta) = (self.several(), from.pose.ta);
         let mut at = Place::of::<G>(from);
         let (mut next, mut gone) = (at, false);
         loop {
@@ -189,17 +195,37 @@ impl Track {
                 next = found.to;
                 Some(found.length)
             });
-            match length.map(|length| length.max((next.te - at.te).norm())) {
-                Some(way) if way < free && take([at.te, next.te], next.course.along) => {
+            let way = length.map(|length| length.max((next.te - at.te).norm()));
+            let may = |way: &f64, pace: &mut Pace| {
+                let seen = !several || *way < pace.room;
+                *way < free && (seen || self.sees(&guided.node(ta, &at), *way, pace))
+            };
+            match way.filter(|way| may(way, pace)) {
+                Some(way) if take([at.te, next.te], next.course.along) => {
                     free -= way;
                     (pace.room, pace.looked) = (pace.room - way, false);
                     (at, gone) = (next, true);
                 }
                 _ => {
-                    *pace = before;
-                    return gone.then(|| guided.node(from.pose.ta, &at));
+                    // What a look told from there need not be asked again.
+                    *pace = before.told(pace);
+                    return gone.then(|| guided.node(ta, &at));
                 }
             }
         }
+    }
+
+    /// Is no other place of contact seen from a node that could become the deepest on a way? What is told is the room.
+    fn sees(&self, from: &Node, way: f64, pace: &mut Pace) -> bool {
+        if pace.looked || !pace.worth(way) {
+            return false;
+        }
+        let (deeper, room) = self.deeper(&from.pose, &from.gaps, pace.farthest());
+        pace.saw(room);
+        if deeper.iter().any(Option::is_some) {
+            return false;
+        }
+        (pace.room, pace.looked) = (room, true);
+        way < room
     }
 }

@@ -21,6 +21,24 @@ impl Jet {
         across(self.su, self.sv)
     }
 
+    /// The unit normal and the second fundamental form, where the derivatives have so much area that both are found at once.
+    #[inline]
+    pub(super) fn formed(&self) -> Option<(Vec3, Shape)> {
+        /// Share of the product of their squares, and of the one square that the other is: beside a pole it is less.
+        const SQUARE: f64 = 1e-8;
+        const ALIKE: f64 = 1e-20;
+        let (e, g) = (self.su.norm_squared(), self.sv.norm_squared());
+        let n = self.su.cross(&self.sv);
+        let square = n.norm_squared();
+        let alike = e > ALIKE * g && g > ALIKE * e;
+        if !(alike && square > SQUARE * e * g && square.is_finite()) {
+            return None;
+        }
+        let area = square.sqrt();
+        let normal = n / area;
+        Some((normal, second_form(self, normal, [e, self.su.dot(&self.sv)], area)))
+    }
+
     /// A place beside it where it is smooth, to second order.
     pub(super) fn beside(&self, a: f64, b: f64) -> Self {
         let (su, sv) = (self.suu * a + self.suv * b, self.suv * a + self.svv * b);
@@ -50,12 +68,18 @@ pub(super) fn across(su: Vec3, sv: Vec3) -> Option<Vec3> {
 
 /// The second fundamental form from the derivatives, positive where the surface bends away from its normal.
 pub(super) fn shape(jet: &Jet, normal: Vec3) -> Shape {
-    let (l, m, n) = (-normal.dot(&jet.suu), -normal.dot(&jet.suv), -normal.dot(&jet.svv));
     let (e, f, g) = (jet.su.norm_squared(), jet.su.dot(&jet.sv), jet.sv.norm_squared());
     let area = (e * g - f * f).max(0.0).sqrt();
     if e <= 0.0 || area <= 1e-9 * (e * g).sqrt() {
         return Shape::flat(normal);
     }
+    second_form(jet, normal, [e, f], area)
+}
+
+/// The same with the square of the derivative by u, its product with that by v, and the area of both.
+#[inline]
+fn second_form(jet: &Jet, normal: Vec3, [e, f]: [f64; 2], area: f64) -> Shape {
+    let (l, m, n) = (-normal.dot(&jet.suu), -normal.dot(&jet.suv), -normal.dot(&jet.svv));
     let along = jet.su / e.sqrt();
     let k11 = l / e;
     let k12 = (m - f * k11) / area;

@@ -274,7 +274,13 @@ impl ParametricSurface {
         self.place_with_sides(at).0
     }
 
-    /// The same with the derivatives by both parameters.
+    /// The point alone.
+    pub fn point(&self, [u, v]: [f64; 2]) -> Vec3 {
+        self.working(&Placed::new(&self.patch, u, v)).0
+    }
+
+    /// The place with the parameters `at`, with the derivatives by both of them.
+    #[inline]
     pub fn place_with_sides(&self, [u, v]: [f64; 2]) -> (Foot, [Vec3; 2]) {
         self.foot_on(&Placed::new(&self.patch, u, v))
     }
@@ -282,6 +288,12 @@ impl ParametricSurface {
     /// A place as the foot of itself, with the derivatives by both parameters.
     fn foot_on(&self, place: &Placed) -> (Foot, [Vec3; 2]) {
         let Placed { u, v, jet } = place;
+        if self.rise == 0.0
+            && let Some((normal, shape)) = jet.formed()
+        {
+            let foot = Foot { point: jet.s, normal, distance: 0.0, shape, at: Some([*u, *v]) };
+            return (foot, [jet.su, jet.sv]);
+        }
         let (point, sides) = self.working(place);
         let normal = self.normal_at(*u, *v, jet);
         let shape = self.bend(jet, normal);
@@ -381,6 +393,17 @@ impl ParametricSurface {
     pub fn keeps_off(&self, least: f64, near: impl Fn(Vec3) -> (f64, Vec3)) -> bool {
         let Patch::Sculptured(spans) = &self.patch else { return false };
         spans.cells().keeps_off(least, near, |patch, u, v| spans.jet_of(patch, u, v))
+    }
+
+    /// The same of the first or last border of u (0) or v (1) of a sculptured surface itself.
+    pub fn border_keeps_off(
+        &self,
+        border: [usize; 2],
+        least: f64,
+        near: impl Fn(Vec3) -> (f64, Vec3),
+    ) -> bool {
+        let Patch::Sculptured(spans) = &self.patch else { return false };
+        spans.border_keeps_off(border, least, near)
     }
 }
 

@@ -127,10 +127,11 @@ impl Strips {
 
     /// Derivatives by `u` of both curves, where those of their heights are so.
     fn first(&self, heights: &[[[f64; 2]; 2]; 2]) -> [Vectors; 2] {
-        [0, 1].map(|i| {
-            let ([base, up], (mid, half)) = (self.curves[i], middle(heights[i][0]));
+        let of = |[base, up]: &[Vec3; 2], range: [f64; 2]| {
+            let (mid, half) = middle(range);
             (base + up * mid, half)
-        })
+        };
+        [of(&self.curves[0], heights[0][0]), of(&self.curves[1], heights[1][0])]
     }
 
     /// Least and greatest `u` and `v` of the surface within the balls, and within the last of them alone; `None` at a border.
@@ -245,10 +246,11 @@ impl Bounds {
         let r_across = to_first * ra + to_second * rb + hv * twist.norm();
         let place = rulings.jet(um, vm);
         let (along, r_along) = (place.sv, hu * (twist.norm() + rt));
-        let [(x, rx), (y, ry)] = [0, 1].map(|i| {
+        let second = |i: usize| {
             let (mid, half) = middle(heights[i][1]);
             (strips.curves[i][1] * mid, half)
-        });
+        };
+        let ((x, rx), (y, ry)) = (second(0), second(1));
         let (bend, r_bend) =
             (x + (y - x) * vm, to_first * rx + to_second * ry + hv * (y - x).norm());
         // With both derivatives as unit vectors in the middle: least and greatest singular value of the pair.
@@ -263,7 +265,7 @@ impl Bounds {
         let w = place.s - from.0;
         let farthest = w.norm() + from.1 + round;
         let extent = |d: Vec3| {
-            let [u, v] = [across.dot(&d), along.dot(&d)].map(f64::abs);
+            let (u, v) = (across.dot(&d).abs(), along.dot(&d).abs());
             from.1 * d.norm() + hu * (u + r_across * d.norm()) + hv * (v + r_along * d.norm())
         };
         let uu = (w.dot(&bend) - extent(bend)).min(0.0) - farthest * r_bend;

@@ -48,7 +48,7 @@ pub(super) struct Spans {
     /// Its edges, once they are asked for.
     edges: OnceLock<Vec<Edge>>,
     /// The same without its continuation, where there is one.
-    itself: OnceLock<Option<Arc<ParametricSurface>>>,
+    itself: Option<Arc<ParametricSurface>>,
 }
 
 /// A sculptured surface with how far it goes straight on, in shares of itself: 0 to 1 is the surface.
@@ -73,7 +73,7 @@ pub fn continued_of(surface: &Sculptured) -> Option<Continued> {
 }
 
 fn continued_itself(surface: Sculptured) -> Option<Continued> {
-    let (Spans { surface, .. }, domain) = Spans::extended(surface)?;
+    let (Spans { surface, .. }, _, domain) = Spans::extended(surface)?;
     Some(Continued { surface, u: domain.u, v: domain.v })
 }
 
@@ -95,26 +95,35 @@ impl Spans {
 
     /// `None` where a point of the surface is not finite.
     pub(super) fn of_surface(surface: Sculptured) -> Option<Self> {
-        let (bare, domain) = Self::extended(surface)?;
+        let (bare, own, domain) = Self::extended(surface)?;
         let cells = Cells::new(&bare.surface, &domain)?;
-        Some(Self { domain, cells, edges: OnceLock::new(), itself: OnceLock::new(), ..bare })
+        let new = Self { domain, cells, edges: OnceLock::new(), ..bare };
+        let itself = new.goes_on().then(|| Arc::new(own));
+        Some(Self { itself, ..new })
     }
 
-    /// The surface alone, and how far it goes straight on.
-    fn extended(surface: Sculptured) -> Option<(Self, Domain)> {
+    /// The surface alone, twice, and how far it goes straight on.
+    fn extended(surface: Sculptured) -> Option<(Self, ParametricSurface, Domain)> {
         let size = surface.extent();
         let rulings = [true, false].map(|along| straight(&surface, size, along));
         let ruled_along = rulings == [true, false];
         let borders = surface.borders();
-        let itself = Domain { u: [0.0, 1.0], v: [0.0, 1.0] };
-        let cells = Cells::new(&surface, &itself)?;
+        let whole = Domain { u: [0.0, 1.0], v: [0.0, 1.0] };
+        let cells = Cells::new(&surface, &whole)?;
         let tips = [0, 1].map(|k| [0, 1].map(|end| tip(&surface, &borders, k, end)));
-        let edges = OnceLock::new();
-        let own = OnceLock::new();
-        let bare =
-            Self { surface, domain: itself, borders, tips, ruled_along, cells, edges, itself: own };
-        let domain = shortened(&bare, &unfolded(&bare, domain(&borders, rulings)));
-        Some((bare, domain))
+        let bare = Self {
+            surface,
+            domain: whole,
+            borders,
+            tips,
+            ruled_along,
+            cells,
+            edges: OnceLock::new(),
+            itself: None,
+        };
+        let own = ParametricSurface::of_spans(bare.clone());
+        let domain = shortened(&bare, &own, &unfolded(&bare, domain(&borders, rulings)));
+        Some((bare, own, domain))
     }
 
     /// How many patches lie along both parameters.
@@ -129,17 +138,13 @@ impl Spans {
 
     /// The surface without its continuation; `None` where it has none.
     pub(super) fn without_continuation(&self) -> Option<&Arc<ParametricSurface>> {
-        let made = || {
-            let domain = Domain { u: [0.0, 1.0], v: [0.0, 1.0] };
-            let [u, v] = [self.domain.u, self.domain.v];
-            let out = |[low, high]: [f64; 2]| low < 0.0 || high > 1.0;
-            let goes_on = out(u) || out(v) || self.surface.has_holes();
-            let cells = goes_on.then(|| Cells::new(&self.surface, &domain)).flatten()?;
-            let (edges, itself) = (OnceLock::new(), OnceLock::new());
-            let own = Self { domain, cells, edges, itself, ..self.clone() };
-            Some(Arc::new(ParametricSurface::of_spans(own)))
-        };
-        self.itself.get_or_init(made).as_ref()
+        self.itself.as_ref()
+    }
+
+    /// Does it go on straight anywhere, or over holes?
+    fn goes_on(&self) -> bool {
+        let out = |[low, high]: [f64; 2]| low < 0.0 || high > 1.0;
+        out(self.domain.u) || out(self.domain.v) || self.surface.has_holes()
     }
 
     /// The mean of its normals.
@@ -227,6 +232,21 @@ impl Spans {
         round.min_by(|a, b| away(*a).total_cmp(&away(*b)))
     }
 
+    /// Is the first or last border of u (0) or v (1) at least so far from a convex body, as [`ParametricSurface::keeps_off`] is asked?
+    /// Each of its curves lies among its control points, and these beyond a plane.
+    pub(super) fn border_keeps_off(
+        &self,
+        border: [usize; 2],
+        least: f64,
+        near: impl Fn(Vec3) -> (f64, Vec3),
+    ) -> bool {
+        self.surface.border_curves(border).all(|points| {
+            let middle = (points[1] + points[2]) * 0.5;
+            let (distance, gradient) = near(middle);
+            points.iter().all(|p| distance + gradient.dot(&(p - middle)) >= least)
+        })
+    }
+
     /// Is the surface smooth between two places?
     #[inline]
     pub(super) fn is_smooth_between(&self, from: [f64; 2], to: [f64; 2]) -> bool {
@@ -235,6 +255,7 @@ impl Spans {
         self.surface.is_one_patch(of(from), of(to))
     }
 
+    #[inline]
     pub(super) fn jet(&self, u: f64, v: f64) -> Jet {
         jet(&self.surface, None, u, v)
     }
@@ -244,11 +265,10 @@ impl Spans {
 #[inline]
 pub(super) fn jet(surface: &Sculptured, patch: Option<[usize; 2]>, u: f64, v: f64) -> Jet {
     let [nu, nv] = surface.spans();
-    let d = match patch {
-        Some(patch) => surface.at_patch(patch, u * nu, v * nv),
-        None => surface.at(u * nu, v * nv),
-    };
-    d.rated(nu, nv).into()
+    match patch {
+        Some(patch) => surface.at_patch(patch, u * nu, v * nv).rated(nu, nv).into(),
+        None => surface.at_rated(u * nu, v * nv, [nu, nv]).into(),
+    }
 }
 
 /// The mean of the normals round a border that is a point and no pole.
@@ -322,8 +342,7 @@ fn unfolded(bare: &Spans, mut domain: Domain) -> Domain {
 
 /// The domain, its continuation cut off before it meets the surface again: what sticks out beyond it there is no
 /// part of it.
-fn shortened(bare: &Spans, free: &Domain) -> Domain {
-    let whole = ParametricSurface::of_spans(bare.clone());
+fn shortened(bare: &Spans, whole: &ParametricSurface, free: &Domain) -> Domain {
     let mut domain = *free;
     for (axis, end) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
         let range = if axis == 0 { &mut domain.u } else { &mut domain.v };
@@ -347,16 +366,17 @@ fn shortened(bare: &Spans, free: &Domain) -> Domain {
                 continue;
             }
             let mut t = first;
+            let mut there = away(t);
             // Beside its own border it does not come off it, and tells nothing.
-            if away(t) < LEAVES * t {
+            if there < LEAVES * t {
                 continue;
             }
             while t < reach.min(last) {
-                let away = away(t);
-                if away < MEETS * t {
+                if there < MEETS * t {
                     reach = CLEAR * t;
                 }
-                t += away.max(first).max(STEP * t);
+                t += there.max(first).max(STEP * t);
+                there = if t < reach.min(last) { away(t) } else { there };
             }
         }
         if reach < far {
@@ -424,6 +444,27 @@ mod tests {
             from_vectors(core::array::from_fn(|i| rows[i / 4][i % 4]))
         };
         Sculptured::grid((0..5).map(patch).collect(), 5, 1).unwrap()
+    }
+
+    #[test]
+    fn a_border_keeps_off_what_is_beside_its_middle() {
+        let spans = Spans::of_surface(foot()).unwrap();
+        let jet = |[axis, end]: [usize; 2]| {
+            let end = end as f64;
+            if axis == 0 { spans.jet(end, 0.5).s } else { spans.jet(0.5, end).s }
+        };
+        for border in [[0, 0], [0, 1], [1, 0], [1, 1]] {
+            let near = |center: Vec3| {
+                move |q: Vec3| {
+                    let away = q - center;
+                    let far = away.norm();
+                    (far, if far > 0.0 { away / far } else { Vec3::zeros() })
+                }
+            };
+            let (on, beside) = (jet(border), Vec3::new(0.0, 5.0, 30.0));
+            assert!(!spans.border_keeps_off(border, 1e-6, near(on)), "{border:?}");
+            assert!(spans.border_keeps_off(border, 20.0, near(beside)), "{border:?}");
+        }
     }
 
     #[test]
