@@ -437,7 +437,8 @@ impl<'a> Corner<'a> {
         if !(there && held.leans(held.lean) && down >= self.cos) {
             return None;
         }
-        let least = held.least_lean(beside).max(KEPT * held.lean);
+        // No more than m leans itself: less of w is nearer to that.
+        let least = held.least_lean(beside).max(KEPT * held.lean).min(held.lean);
         let bowl = held.bowl(least);
         let lean = two([0, 1], |i| two(beside[i], |y| bowl.across[i].1 * y));
         // The most that `w` may go along a direction.

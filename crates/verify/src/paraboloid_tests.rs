@@ -49,11 +49,11 @@ fn no_point_of_a_piece_is_nearer_than_what_is_shown() {
     let one = || -1.0_f64..1.0;
     let all = (
         (0..sheets.len(), prop::collection::vec(any::<bool>(), 14), [one(), one()]),
-        ([one(), one()], [0.003_f64..0.5, 0.003_f64..0.5], [one(), one()]),
+        ([one(), one()], [0.003_f64..1.0, 0.003_f64..1.0], [one(), one()]),
         (any::<bool>(), 0.0_f64..80.0, 0.0_f64..360.0, 0_usize..4, -0.005_f64..0.08),
         ([one(), one(), one()], 0.0_f64..0.4, -0.02_f64..0.02),
     );
-    let counts = Cell::new([0_u32; 3]);
+    let (counts, levels) = (Cell::new([0_u32; 3]), Cell::new(0_u32));
     let mut runner = TestRunner::new(Config::with_cases(20_000));
     let check = runner.run(
         &all,
@@ -98,13 +98,19 @@ fn no_point_of_a_piece_is_nearer_than_what_is_shown() {
             let mut all = Beside::new(&ways, least, Begin::default());
             let seen = all.see(sheet, &patch, &tile).0;
             let [clear, large, near] = counts.get();
-            let Seen::Clear(low, ..) = seen else {
+            let Seen::Clear(low, about, level) = seen else {
                 let large = large + u32::from(matches!(seen, Seen::Large(_)));
                 counts.set([clear, large, near + 1]);
                 return Ok(());
             };
             counts.set([clear + 1, large, near]);
             prop_assert!(low >= 0.0);
+            for s in [[0.0, 0.0], [1.0, 1.0], [-1.0, 1.0], [1.0, -1.0], [-1.0, -1.0], within] {
+                let at = [0, 1].map(|k| patch.at[k] + s[k] * patch.half[k]);
+                let high = about.dot(&sheet.jet(&Spot { chart: patch.chart, at }).p);
+                prop_assert!(level.is_none_or(|level| high >= level - 1e-9), "{level:?} {high}");
+            }
+            levels.set(levels.get() + u32::from(level.is_some()));
             for i in 0..=10 {
                 let pose = between_poses(&sweep.a, &sweep.b, 0.1 * f64::from(i));
                 for s in [[0.0, 0.0], [1.0, 1.0], [-1.0, 1.0], [1.0, -1.0], [-1.0, -1.0], within] {
@@ -119,5 +125,6 @@ fn no_point_of_a_piece_is_nearer_than_what_is_shown() {
     );
     check.unwrap();
     let [clear, large, near] = counts.get();
-    assert!(clear > 800 && large > 800, "{clear} {large} {near}");
+    let levels = levels.get();
+    assert!(clear > 800 && large > 400 && levels > 10, "{clear} {large} {near} {levels}");
 }
