@@ -132,7 +132,7 @@ fn an_outline_from_border_to_border_holds_the_borders() {
     let lines = [0, 1, 2].map(|c| format!("GOLOFT/F,VCONST,{c}")).join("\n");
     let lines = format!("GCLEAR/ON,CLEARS,(PLANE/0,0,1,30)\n{lines}");
     let passes = "GOMILL/F,VCONST,0,STEPOV,.5,PICKFD,RETR,(PLANE/0,0,1,50)";
-    for (faces, work) in [(-1.0, &*lines), (-1.0, passes)] {
+    for (faces, work) in [(-1.0, &*lines), (1.0, &*lines), (-1.0, passes), (1.0, passes)] {
         for (sense, ends) in [("IN", &[[40.0, 70.0]][..]), ("OUT", &[[0.0, 40.0], [70.0, 90.0]])] {
             let ran = run::run(&strip(faces, &format!("REGION/1,{sense}\n{work}")), Verify::Full);
             // Where INTSEC meets is told.

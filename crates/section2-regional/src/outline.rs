@@ -114,6 +114,8 @@ impl Regional {
     fn held(&mut self, outline: &Outline) -> Result<Held, Failure> {
         let Some(form) = &outline.form else { return Ok((Vec::new(), [f64::INFINITY; 2])) };
         let surface = self.surface(&NameRef::default(), form)?;
+        let mut outline = outline.clone();
+        outline.join(surface.spans());
         let corners = outline.loops.iter().filter(|l| l.len() >= 3);
         let held: Vec<_> =
             corners.map(|l| held(l, &surface)).collect::<Result<_, _>>().map_err(|_| {
@@ -259,6 +261,33 @@ impl Outline {
         }
     }
 
+    /// Turns open curves of INTSEC round so that each begins on the border on which the one before ends, where curves are all that
+    /// it holds besides closed ones: which way they go depends on how the normals lie. As they are where that does not lead round.
+    fn join(&mut self, spans: [f64; 2]) {
+        let all = &self.loops[0];
+        let curves: Vec<&[[f64; 2]]> =
+            self.open.iter().map(|[first, last]| &all[*first..=*last]).collect();
+        if curves.iter().map(|c| c.len()).sum::<usize>() != all.len() {
+            return;
+        }
+        let joins = |a: &Turned<'_>, b: &Turned<'_>| on_border([a.ends()[1], b.ends()[0]], spans);
+        let chain = |turned: bool| {
+            let mut chain: Vec<Turned<'_>> = Vec::with_capacity(curves.len());
+            for curve in &curves {
+                let ways = [false, true].map(|turned| Turned { curve, turned });
+                let next = match chain.last() {
+                    None => ways.into_iter().find(|w| w.turned == turned),
+                    Some(before) => ways.into_iter().find(|w| joins(before, w)),
+                };
+                chain.push(next?);
+            }
+            joins(chain.last()?, chain.first()?).then_some(chain)
+        };
+        if let Some(chain) = chain(false).or_else(|| chain(true)) {
+            self.loops[0] = chain.iter().flat_map(Turned::corners).collect();
+        }
+    }
+
     fn encloses(&self) -> bool {
         self.loops.iter().any(|l| l.len() >= 3)
     }
@@ -296,6 +325,24 @@ impl Outline {
     }
 }
 
+/// A curve from its beginning to its end, or the other way where it is turned round.
+struct Turned<'a> {
+    curve: &'a [[f64; 2]],
+    turned: bool,
+}
+
+impl Turned<'_> {
+    fn ends(&self) -> [[f64; 2]; 2] {
+        let [first, last] = [0, self.curve.len() - 1].map(|i| self.curve[i]);
+        if self.turned { [last, first] } else { [first, last] }
+    }
+
+    fn corners(&self) -> impl Iterator<Item = [f64; 2]> {
+        let n = self.curve.len();
+        (0..n).map(move |i| self.curve[if self.turned { n - 1 - i } else { i }])
+    }
+}
+
 /// Does a line run along a border of the surface?
 fn on_border([a, b]: [[f64; 2]; 2], spans: [f64; 2]) -> bool {
     let near = |x: f64, to: f64| (x - to).abs() <= AT_BORDER;
@@ -320,6 +367,7 @@ mod tests {
                 let lines = l.iter().zip(next).map(|(a, b)| [*a, *b]).collect();
                 milling::Outline { lines, along: 0 }
             };
+            outline.join([4.0, 4.0]);
             let held: Vec<_> = outline.loops.iter().map(line).collect();
             outline.fault(&held, [4.0, 4.0])
         };
@@ -331,7 +379,13 @@ mod tests {
         let back = |y: f64| [[4.0, y], [2.0, y + 0.3], [0.0, y]];
         assert_eq!(told(&[(&over(1.0), false), (&back(2.0), false)]), None);
         assert_eq!(told(&[(&[[0.0, 1.0], [1.0, 1.5], [0.0, 2.0]], false)]), None);
-        assert!(told(&[(&over(1.0), false), (&over(2.0), false)]).is_some());
+        // Which way round each of them goes does not matter.
+        assert_eq!(told(&[(&over(1.0), false), (&over(2.0), false)]), None);
+        assert_eq!(told(&[(&back(1.0), false), (&over(2.0), false)]), None);
+        assert!(told(&[(&over(1.0), false), (&over(1.0), false)]).is_some());
+        assert!(told(&[(&over(1.0), false), (&over(2.0), false), (&over(3.0), false)]).is_some());
+        let round = [[0.0, 1.0], [0.7, 0.7], [1.0, 0.0]];
+        assert!(told(&[(&over(2.0), false), (&round, false)]).is_some());
         assert!(told(&[(&[[0.0, 1.0], [0.7, 0.7], [1.0, 0.0]], false)]).is_some());
     }
 
