@@ -163,3 +163,52 @@ fn a_tool_rolls_by_what_it_cannot_pitch_over() {
         }
     }
 }
+
+/// A blade leans over the path, higher than the cutter: under it the tool cannot be lifted out, and what stands above it is told.
+/// What has the height of the tool goes over the blade.
+#[test]
+fn a_blade_that_leans_over_a_low_cutter_is_told() {
+    let program = |cutter: &str, avoid: &str| {
+        format!(
+            "PARTNO A BLADE THAT LEANS OVER
+UNITS/MM
+F=SSURF/SMESH,RULED,SPLINE,(0,0,0),(60,0,0),$
+ SPLINE,(0,60,0),(60,60,0)
+B=SSURF/SMESH,RULED,SPLINE,(30,20,-1),(30,40,-1),$
+ SPLINE,(28,20,20),(28,40,20)
+UP=VECTOR/0,0,1
+{cutter}
+INTOL/.01
+OUTTOL/.01
+FROM/5,30,80
+CHKSRF/B,ON
+AVCTRL/{avoid},LIMIT,60
+SCON/DS,F,PARAM,.05,.95,0,1,AT,UP
+SCON/PS,TO,F,PLUS,0
+SCON/AXIS,UP
+SMIL/PATH,DS,PARAM,.05,.5,TANSPL,PLUS
+NOPOST
+FINI
+"
+        )
+    };
+    let (low, high) = ("CUTTER/6,3,0,3,0,0,12", "CUTTER/6,3,0,3,0,0,30");
+    // On the flat the normal is the axis.
+    for avoid in ["AXIS", "NORMPS"] {
+        let ran = run::run(&program(low, avoid), Verify::Full);
+        assert_eq!(ran.faults(), ["APT2046"], "{:?}", ran.told);
+        let said = "B goes on above the tool as CUTTER and HOLDER say it is";
+        assert!(ran.told.iter().any(|(_, text)| text.contains(said)), "{:?}", ran.told);
+    }
+    for cutter in [high, &format!("{low}\nHOLDER/6,12,6,60")] {
+        let ran = run::run(&program(cutter, "AXIS"), Verify::Full);
+        assert!(ran.faults().is_empty(), "{:?}", ran.told);
+        let last = ran.places.last().expect("it comes there");
+        let highest = ran.places.iter().skip(1).map(|p| p[2]).fold(0.0, f64::max);
+        assert!((last[0] - 57.0).abs() < 1e-6 && (19.0..21.0).contains(&highest), "{last:?}");
+    }
+    // A limit that is too narrow is told as such.
+    let ran = run::run(&program(high, "AXIS").replace("LIMIT,60", "LIMIT,9"), Verify::Full);
+    assert_eq!(ran.faults(), ["APT2046"], "{:?}", ran.told);
+    assert!(!ran.told.iter().any(|(_, text)| text.contains("goes on above")), "{:?}", ran.told);
+}

@@ -107,3 +107,68 @@ fn what_is_left_between_the_stretches_is_judged() {
         assert!(!roles.contains(&"scallop") && said.is_empty(), "{said:?}");
     }
 }
+
+/// A surface of 90 by 60 with the strip between two curves from border to border recorded as outline 1, the first at x 40, the
+/// second at x 70 in a plane that faces this way; and statements.
+fn strip(faces: f64, work: &str) -> String {
+    let spline = |y: f64, z: f64| {
+        let points = [(0, 0.0), (30, 2.0), (60, 0.0), (90, 1.0)];
+        let points = points.map(|(x, more)| format!("({x},{y},{})", z + more * (1.0 + z)));
+        format!("SPLINE,$\n{}", points.join(",$\n"))
+    };
+    let splines = [spline(0.0, 0.0), spline(30.0, 2.0), spline(60.0, 0.0)];
+    format!(
+        "UNITS/MM\nF=SSURF/SMESH,XYZ,{}\nCUTTER/6,3\nINTOL/.01\nOUTTOL/.01\n\
+         L2=PLANE/1,0,0,40\nL3=PLANE/{faces},0,0,{}\nFROM/0,0,60\n\
+         CLDAT/START,1,UVPPS\nINTSEC/L2,WITH,F\nINTSEC/L3,WITH,F\nCLDAT/NOMORE,1\n{work}\nFINI\n",
+        splines.join(",$\n"),
+        faces * 70.0
+    )
+}
+
+/// The borders themselves are within and without as what lies beside them, by lines along them and in passes.
+#[test]
+fn an_outline_from_border_to_border_holds_the_borders() {
+    let lines = [0, 1, 2].map(|c| format!("GOLOFT/F,VCONST,{c}")).join("\n");
+    let lines = format!("GCLEAR/ON,CLEARS,(PLANE/0,0,1,30)\n{lines}");
+    let passes = "GOMILL/F,VCONST,0,STEPOV,.5,PICKFD,RETR,(PLANE/0,0,1,50)";
+    for (faces, work) in [(-1.0, &*lines), (1.0, &*lines), (-1.0, passes), (1.0, passes)] {
+        for (sense, ends) in [("IN", &[[40.0, 70.0]][..]), ("OUT", &[[0.0, 40.0], [70.0, 90.0]])] {
+            let ran = run::run(&strip(faces, &format!("REGION/1,{sense}\n{work}")), Verify::Full);
+            // Where INTSEC meets is told.
+            let faults = ran.faults();
+            assert!(faults.iter().all(|code| code == "APT2052"), "{sense} {work} {:?}", ran.told);
+            for y in [0.0, 30.0, 60.0] {
+                let on_line = |p: &&[f64; 3]| p[2] < 20.0 && (p[1] - y).abs() < 1.5;
+                let all: Vec<f64> = ran.places.iter().filter(on_line).map(|p| p[0]).collect();
+                for [from, to] in ends {
+                    for end in [from, to] {
+                        let there = all.iter().any(|x| (x - end).abs() < 1.5);
+                        assert!(there, "{faces} {sense} {work} {y} {end}: {all:?}");
+                    }
+                }
+                let within = |x: &f64| ends.iter().any(|[a, b]| (a - 1.5..b + 1.5).contains(x));
+                assert!(all.iter().all(within), "{faces} {sense} {work} {y}: {all:?}");
+            }
+        }
+    }
+}
+
+/// What lies between the passes next to a border and the border itself is judged: without the line along it a ridge stands there.
+#[test]
+fn what_is_left_along_a_border_is_judged() {
+    let lines = "GOMILL/F,VCONST,0,STEPOV,.05,SCALOP,.2,RETR,(PLANE/0,0,1,50)";
+    for sense in ["IN", "OUT"] {
+        let text = strip(-1.0, &format!("REGION/1,{sense}\n{lines}"));
+        let (roles, said) = judged(&text, |_| true);
+        assert!(roles.contains(&"scallop") && said.is_empty(), "{sense} {said:?}");
+        for border in [0.0, 60.0] {
+            // The surface rises from its borders: the cutter stands outside of them, and within with the next line.
+            let beyond = |y: f64| if border == 0.0 { -y } else { y - border };
+            let along = |m: &Motion| m.points.iter().all(|p| beyond(p.te.y) > -0.1);
+            let (_, said) = judged(&text, |m| !along(m));
+            let codes: Vec<_> = said.iter().map(|d| d.code).collect();
+            assert_eq!(codes, [codes::REFUTED], "{sense} {border} {said:?}");
+        }
+    }
+}

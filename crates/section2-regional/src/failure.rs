@@ -41,6 +41,8 @@ pub(crate) enum Failure {
     TooLong { limit: f64, uv: [f64; 2] },
     /// A checked surface is gouged.
     Gouge(Box<Deep>),
+    /// The same where a lift along the axis would begin or end: this surface stands over the tool, in its way up.
+    Under(Box<Deep>, Box<str>),
     /// The way from one pass to the next goes through a surface.
     PickFeed(Box<Deep>),
     /// A pass stands in a surface where it ends, or where the next begins: more than where it is led along is in the cutter.
@@ -152,6 +154,7 @@ impl Failure {
             Self::Told => return None,
             Self::NotSet { areas } if areas.is_empty() => return None,
             Self::Gouge(deep)
+            | Self::Under(deep, _)
             | Self::PickFeed(deep)
             | Self::Stands(deep, _)
             | Self::Skipped(deep)
@@ -268,6 +271,16 @@ impl Failure {
                 codes::INTERFERENCE,
                 deep.said(""),
                 deep.help(),
+            ),
+            Self::Under(deep, above) => (
+                codes::INTERFERENCE,
+                format!(
+                    "{}; {above} goes on above the tool as CUTTER and HOLDER say it is, and is in the way of a lift",
+                    deep.said("")
+                ),
+                format!(
+                    "give CUTTER the height of the tool, or HOLDER what is above the cutter: it is lifted then before it stands under {above}"
+                ),
             ),
             Self::Way(deep) => (
                 codes::INTERFERENCE,

@@ -153,7 +153,10 @@ impl Setup<'_> {
                             (Some(a), Some(b)) => !is_alike(a, b),
                             (a, b) => a.or(b).is_some(),
                         };
-                        blocked.map_err(|g| Failure::gouge(deepest(g), p.te, p.ta, avoid))?;
+                        blocked.map_err(|g| {
+                            let why = Failure::gouge(deepest(g), p.te, p.ta, avoid);
+                            self.under(guard, [last, &p], why)
+                        })?;
                     }
                     left -= 1;
                     let (mid, _) = self.settled(uv, course, sense, Some(memory), Take::Band)?;
@@ -274,6 +277,30 @@ impl Setup<'_> {
             let ta = (a.ta * (1.0 - f) + b.ta * f).try_normalize(1e-9).unwrap_or(a.ta);
             Tool { profile: self.profile, te, ta }.distance(p.contact) > most
         })
+    }
+
+    /// Why a way between two places gouges: where a lift along the axis begins or ends on it also what stands above the tool,
+    /// so that it cannot go straight up from the lower place.
+    fn under(&self, guard: &Guard, [a, b]: [&Position; 2], why: Failure) -> Failure {
+        let [low, high] = if a.lift.norm() > b.lift.norm() { [b, a] } else { [a, b] };
+        let rise = high.lift.norm() - low.lift.norm();
+        let along = high.lift.cross(&high.ta).norm() <= 1e-9 * high.lift.norm();
+        let Failure::Gouge(deep) = why else { return why };
+        if rise <= 0.0 || !along {
+            return Failure::Gouge(deep);
+        }
+        let ends = [low.te, low.te + low.ta * rise].map(|te| (te, low.ta));
+        let above = guard.way(self.profile, ends).err().filter(|gouge| {
+            let solids = guard.solids(self.profile).filter(|s| s.0 == gouge.by);
+            let tops = solids.map(|(_, (profile, up))| up + profile.height());
+            let top = tops.fold(f64::NEG_INFINITY, f64::max);
+            let seen = gouge.seen.as_ref();
+            seen.is_some_and(|seen| (seen.place - low.te).dot(&low.ta) > top)
+        });
+        match above {
+            Some(gouge) => Failure::Under(deep, gouge.surface.into()),
+            None => Failure::Gouge(deep),
+        }
     }
 
     /// A tool end by which a lifted place is reached from one that is not, or the other way round, both ways

@@ -13,6 +13,8 @@ use crate::scon::Words;
 
 /// Parameters so near to a border are on it.
 const AT_BORDER: f64 = 1e-6;
+/// A line along a border is judged so far within it, farther than what is on the border may lie.
+const BESIDE: f64 = 2.0 * AT_BORDER;
 
 /// What a section of CLDAT went round on one surface.
 #[derive(Clone, Debug)]
@@ -44,7 +46,12 @@ struct Active {
     inside: bool,
     /// What it went round: of places that lie in an odd number of them.
     held: Vec<milling::Outline>,
+    /// Where u and v of its surface end.
+    spans: [f64; 2],
 }
+
+/// What an outline goes round, and where u and v of its surface end.
+type Held = (Vec<milling::Outline>, [f64; 2]);
 
 impl Regional {
     /// REGION/n,IN|OUT|OFF and REGION/OFF.
@@ -78,7 +85,10 @@ impl Regional {
         let outline = outline.clone();
         let active = match w.take("OFF") {
             true => None,
-            false => Some(Active { number, inside: w.take("IN"), held: self.held(&outline)? }),
+            false => {
+                let (held, spans) = self.held(&outline)?;
+                Some(Active { number, inside: w.take("IN"), held, spans })
+            }
         };
         self.outlines.active.retain(|a| !same(a.number, number));
         self.outlines.active.extend(active);
@@ -89,9 +99,11 @@ impl Regional {
     pub(crate) fn keep_outline(&mut self, outline: Outline) -> Result<(), Failure> {
         let of = |a: &Active| same(a.number, outline.number);
         if self.outlines.active.iter().any(of) {
-            let held = self.held(&outline)?;
-            let active = self.outlines.active.iter_mut().filter(|a| of(a));
-            active.for_each(|a| a.held.clone_from(&held));
+            let (held, spans) = self.held(&outline)?;
+            for active in self.outlines.active.iter_mut().filter(|a| of(a)) {
+                active.held.clone_from(&held);
+                active.spans = spans;
+            }
         }
         self.outlines.recorded.retain(|o| !same(o.number, outline.number));
         self.outlines.recorded.push(outline);
@@ -99,9 +111,11 @@ impl Regional {
     }
 
     /// What the loops of an outline hold.
-    fn held(&mut self, outline: &Outline) -> Result<Vec<milling::Outline>, Failure> {
-        let Some(form) = &outline.form else { return Ok(Vec::new()) };
+    fn held(&mut self, outline: &Outline) -> Result<Held, Failure> {
+        let Some(form) = &outline.form else { return Ok((Vec::new(), [f64::INFINITY; 2])) };
         let surface = self.surface(&NameRef::default(), form)?;
+        let mut outline = outline.clone();
+        outline.join(surface.spans());
         let corners = outline.loops.iter().filter(|l| l.len() >= 3);
         let held: Vec<_> =
             corners.map(|l| held(l, &surface)).collect::<Result<_, _>>().map_err(|_| {
@@ -111,7 +125,7 @@ impl Regional {
             })?;
         match outline.fault(&held, surface.spans()) {
             Some(why) => Err(Failure::Outline { why }),
-            None => Ok(held),
+            None => Ok((held, surface.spans())),
         }
     }
 }
@@ -159,8 +173,10 @@ impl Outlines {
 }
 
 impl Active {
-    /// What is milled of the line, rising.
+    /// What is milled of the line, rising. Of a line along a border of the surface it is what is milled beside it: the lines of
+    /// an outline that is closed along the border lie on it, to rounding, and tell nothing.
     fn stretches(&self, running: usize, fixed: f64, [from, to]: [f64; 2]) -> Vec<[f64; 2]> {
+        let fixed = fixed.min(self.spans[1 - running] - BESIDE).max(BESIDE);
         let mut cuts = vec![from, to];
         for [a, b] in self.held.iter().flat_map(|o| &o.lines) {
             let (x, y) = (a[1 - running] - fixed, b[1 - running] - fixed);
@@ -245,6 +261,33 @@ impl Outline {
         }
     }
 
+    /// Turns open curves of INTSEC round so that each begins on the border on which the one before ends, where curves are all that
+    /// it holds besides closed ones: which way they go depends on how the normals lie. As they are where that does not lead round.
+    fn join(&mut self, spans: [f64; 2]) {
+        let all = &self.loops[0];
+        let curves: Vec<&[[f64; 2]]> =
+            self.open.iter().map(|[first, last]| &all[*first..=*last]).collect();
+        if curves.iter().map(|c| c.len()).sum::<usize>() != all.len() {
+            return;
+        }
+        let joins = |a: &Turned<'_>, b: &Turned<'_>| on_border([a.ends()[1], b.ends()[0]], spans);
+        let chain = |turned: bool| {
+            let mut chain: Vec<Turned<'_>> = Vec::with_capacity(curves.len());
+            for curve in &curves {
+                let ways = [false, true].map(|turned| Turned { curve, turned });
+                let next = match chain.last() {
+                    None => ways.into_iter().find(|w| w.turned == turned),
+                    Some(before) => ways.into_iter().find(|w| joins(before, w)),
+                };
+                chain.push(next?);
+            }
+            joins(chain.last()?, chain.first()?).then_some(chain)
+        };
+        if let Some(chain) = chain(false).or_else(|| chain(true)) {
+            self.loops[0] = chain.iter().flat_map(Turned::corners).collect();
+        }
+    }
+
     fn encloses(&self) -> bool {
         self.loops.iter().any(|l| l.len() >= 3)
     }
@@ -282,6 +325,24 @@ impl Outline {
     }
 }
 
+/// A curve from its beginning to its end, or the other way where it is turned round.
+struct Turned<'a> {
+    curve: &'a [[f64; 2]],
+    turned: bool,
+}
+
+impl Turned<'_> {
+    fn ends(&self) -> [[f64; 2]; 2] {
+        let [first, last] = [0, self.curve.len() - 1].map(|i| self.curve[i]);
+        if self.turned { [last, first] } else { [first, last] }
+    }
+
+    fn corners(&self) -> impl Iterator<Item = [f64; 2]> {
+        let n = self.curve.len();
+        (0..n).map(move |i| self.curve[if self.turned { n - 1 - i } else { i }])
+    }
+}
+
 /// Does a line run along a border of the surface?
 fn on_border([a, b]: [[f64; 2]; 2], spans: [f64; 2]) -> bool {
     let near = |x: f64, to: f64| (x - to).abs() <= AT_BORDER;
@@ -306,6 +367,7 @@ mod tests {
                 let lines = l.iter().zip(next).map(|(a, b)| [*a, *b]).collect();
                 milling::Outline { lines, along: 0 }
             };
+            outline.join([4.0, 4.0]);
             let held: Vec<_> = outline.loops.iter().map(line).collect();
             outline.fault(&held, [4.0, 4.0])
         };
@@ -317,7 +379,13 @@ mod tests {
         let back = |y: f64| [[4.0, y], [2.0, y + 0.3], [0.0, y]];
         assert_eq!(told(&[(&over(1.0), false), (&back(2.0), false)]), None);
         assert_eq!(told(&[(&[[0.0, 1.0], [1.0, 1.5], [0.0, 2.0]], false)]), None);
-        assert!(told(&[(&over(1.0), false), (&over(2.0), false)]).is_some());
+        // Which way round each of them goes does not matter.
+        assert_eq!(told(&[(&over(1.0), false), (&over(2.0), false)]), None);
+        assert_eq!(told(&[(&back(1.0), false), (&over(2.0), false)]), None);
+        assert!(told(&[(&over(1.0), false), (&over(1.0), false)]).is_some());
+        assert!(told(&[(&over(1.0), false), (&over(2.0), false), (&over(3.0), false)]).is_some());
+        let round = [[0.0, 1.0], [0.7, 0.7], [1.0, 0.0]];
+        assert!(told(&[(&over(2.0), false), (&round, false)]).is_some());
         assert!(told(&[(&[[0.0, 1.0], [0.7, 0.7], [1.0, 0.0]], false)]).is_some());
     }
 
@@ -331,7 +399,7 @@ mod tests {
             let next = corners.iter().cycle().skip(1);
             let lines = corners.iter().zip(next).map(|(a, b)| [*a, *b]).collect();
             let held = vec![milling::Outline { lines, along: 0 }];
-            let active = vec![Active { number: 1.0, inside, held }];
+            let active = vec![Active { number: 1.0, inside, held, spans: [4.0; 2] }];
             let all = Outlines { recorded: vec![outline.clone()], active };
             all.clip(&form, 0, fixed, [0.0, 4.0])
         };
@@ -339,5 +407,40 @@ mod tests {
         assert_eq!(clip(false, 2.0), vec![[0.0, 1.0], [2.0, 4.0]]);
         assert_eq!(clip(true, 5.0), Vec::<[f64; 2]>::new());
         assert_eq!(clip(false, 5.0), vec![[0.0, 4.0]]);
+    }
+
+    /// What an outline from border to border holds it holds on the borders too, though its corners lie on them but to rounding.
+    #[test]
+    fn lines_along_a_border_are_cut_as_those_beside_them() {
+        let form = Arc::new(Form::Point(aptc_geometry::Vec3::zeros()));
+        for off in [-1e-12, 0.0, 1e-12] {
+            let corners = [[1.0, off], [1.5, 2.0], [1.0, 4.0 + off], [3.0, 4.0 - off], [3.0, -off]];
+            // Along u and along v, with a line along u or v.
+            for turned in [false, true] {
+                let swap = |[u, v]: [f64; 2]| if turned { [v, u] } else { [u, v] };
+                let corners = corners.map(swap);
+                let mut outline = Outline::new(1.0);
+                outline.add(Some(&form), corners.into_iter(), false);
+                let next = corners.iter().cycle().skip(1);
+                let lines = corners.iter().zip(next).map(|(a, b)| [*a, *b]).collect::<Vec<_>>();
+                for (along, inside) in [(0, true), (0, false), (1, true), (1, false)] {
+                    let held = vec![milling::Outline { lines: lines.clone(), along }];
+                    let active = vec![Active { number: 1.0, inside, held, spans: [4.0; 2] }];
+                    let all = Outlines { recorded: vec![outline.clone()], active };
+                    for fixed in [0.0, 1e-3, 4.0 - 1e-3, 4.0] {
+                        let left = all.clip(&form, usize::from(turned), fixed, [0.0, 4.0]);
+                        let ends: Vec<_> =
+                            if inside { vec![[1.0, 3.0]] } else { vec![[0.0, 1.0], [3.0, 4.0]] };
+                        let near = |(a, b): (&[f64; 2], &[f64; 2])| {
+                            (0..2).all(|k| (a[k] - b[k]).abs() < 1e-3)
+                        };
+                        assert!(
+                            left.len() == ends.len() && left.iter().zip(&ends).all(near),
+                            "{off} {turned} {along} {inside} {fixed}: {left:?}"
+                        );
+                    }
+                }
+            }
+        }
     }
 }

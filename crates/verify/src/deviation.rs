@@ -19,14 +19,14 @@ const MARGIN: f64 = 24.0;
 const COLORS: [&str; 7] =
     ["#a50026", "#f46d43", "#66bd63", "#c7e9b4", "#74add1", "#313695", "#cccccc"];
 
-/// What was cut of one part surface by one cutter.
+/// What was cut of one part surface, with one thickness on it, by one cutter.
 struct Cut {
     milling: Milling,
     profile: Profile,
     ways: Vec<[Pose; 2]>,
 }
 
-/// An SVG with two panels for each part surface of regional milling: the deviation over u and v, and seen from
+/// An SVG with two panels for each part surface of regional milling and each thickness on it: the deviation over u and v, and seen from
 /// above. Green is within INTOL and OUTTOL, red is cut away, blue is left, pale where a scallop is
 /// allowed; what no cutter came near is grey. `None` without regional milling.
 pub fn deviation_svg<'r>(records: impl IntoIterator<Item = &'r Record>) -> Option<String> {
@@ -67,10 +67,10 @@ fn collect<'r>(records: impl IntoIterator<Item = &'r Record>) -> Vec<Cut> {
                     let new = ways(&start, &m.points);
                     let same = |c: &&mut Cut| {
                         c.profile == profile
-                            && c.milling
-                                .part
-                                .as_ref()
-                                .is_some_and(|p| Arc::ptr_eq(&p.surface, &part.surface))
+                            && c.milling.part.as_ref().is_some_and(|p| {
+                                Arc::ptr_eq(&p.surface, &part.surface)
+                                    && p.thick.total_cmp(&part.thick).is_eq()
+                            })
                     };
                     match cuts.iter_mut().find(same) {
                         Some(cut) => cut.ways.extend(new),
@@ -117,7 +117,7 @@ impl Cut {
                 let share =
                     [(i as f64 + 0.5) / CELLS[0] as f64, (j as f64 + 0.5) / CELLS[1] as f64];
                 let middle = surface.at(share[0] * nu, share[1] * nv).point;
-                let deviation = self.deviation(&swath, middle).map(|d| d - part.thick);
+                let deviation = self.deviation(&swath, middle, part.thick);
                 if let Some(d) = deviation {
                     (least, most) = (least.min(d), most.max(d));
                 }
@@ -131,7 +131,11 @@ impl Cut {
                 }
             }
         }
-        let name = name_of(&part.name);
+        let name = if part.thick == 0.0 {
+            name_of(&part.name)
+        } else {
+            format!("{} with the thickness {} on it,", name_of(&part.name), part.thick)
+        };
         let said = if least <= most {
             format!("deviation {least:.5} to {most:.5}")
         } else {
@@ -175,12 +179,13 @@ impl Cut {
         }
     }
 
-    /// How far the surface is from what the cutter swept there, negative cut into; `None` where the cutter did
-    /// not come near.
-    fn deviation(&self, swath: &Swath, p: Vec3) -> Option<f64> {
+    /// How far the thickness on the surface is from what the cutter swept there, negative cut into; `None` where the
+    /// cutter did not come near it.
+    fn deviation(&self, swath: &Swath, p: Vec3, thick: f64) -> Option<f64> {
         let scallop = self.milling.scallop.as_ref().map_or(0.0, |s| s.height);
         let near = 10.0 * (self.milling.intol + self.milling.outtol + scallop);
-        swath.least(p, near).map(|b| b.0).filter(|d| *d <= near)
+        let found = swath.least(p, (near + thick).max(0.0));
+        found.map(|b| b.0 - thick).filter(|d| *d <= near)
     }
 
     fn color(&self, deviation: Option<f64>) -> &'static str {

@@ -413,3 +413,32 @@ fn the_map_shows_what_is_cut_and_what_is_left() {
     let parts: Vec<Record> = motion.points.iter().map(one).collect();
     assert_eq!(deviation_svg([cutter].into_iter().chain(&parts)), deviation_svg(&whole));
 }
+
+/// A thickness is far from the surface itself by many times the tolerance; what is cut down to it is within.
+#[test]
+fn the_map_shows_what_is_left_over_a_thickness() {
+    let flat = square(|_, _| 0.0);
+    let map = |thicks: &[f64], off: f64| {
+        let all = thicks.iter().flat_map(|&thick| {
+            let part = Some(milled("FLOOR", &flat, 1.0, thick));
+            let milling = Milling { part, ..milling(&flat, Some(0.05)) };
+            records(milling, upright(&passes(1.0, thick + off)))
+        });
+        deviation_svg(&all.collect::<Vec<_>>()).expect("a map")
+    };
+    let [red, green, grey] =
+        ["#a50026", "#66bd63", "#cccccc"].map(|color| format!("<path fill=\"{color}\""));
+    for thick in [-2.0, 0.3, 3.0] {
+        let good = map(&[thick], 0.0);
+        let said = format!("FLOOR with the thickness {thick} on it, over u and v: deviation 0.0");
+        assert!(good.contains(&said), "{thick}: {}", &good[..400]);
+        assert!(good.contains(&green) && !good.contains(&red) && !good.contains(&grey), "{thick}");
+        let deep = map(&[thick], -0.1);
+        assert!(deep.contains(&red) && deep.contains("deviation -0.09"), "{}", &deep[..400]);
+        assert!(map(&[thick], 4.0).contains("nothing is cut"), "{thick}");
+    }
+    // Each thickness has its own panels: what is roughed is not cut into by what is finished.
+    let both = map(&[1.0, 0.0], 0.0);
+    assert!(both.contains("FLOOR over u and v: deviation 0.0"));
+    assert!(both.contains("thickness 1 on it") && !both.contains(&red));
+}
