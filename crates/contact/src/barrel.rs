@@ -71,7 +71,8 @@ impl<'a> Barrel<'a> {
         mut offer: impl FnMut(&Place),
     ) -> [(Vec3, f64); 16] {
         let [low, high] = self.ends;
-        let rows = (((high - low) / APART).ceil() as usize + 2).clamp(3, MOST_ROWS);
+        let close = |n: &usize| high - low <= APART * (*n - 2) as f64;
+        let rows = (3..MOST_ROWS).find(close).unwrap_or(MOST_ROWS);
         let turn = |j: usize| low + (high - low) * j as f64 / (rows - 1) as f64;
         let mut all = [[0.0; 16]; MOST_ROWS];
         for (j, row) in all[..rows].iter_mut().enumerate() {
@@ -79,7 +80,7 @@ impl<'a> Barrel<'a> {
             *row = wall.around(self.at_height(z), self.across.map(|v| v * rho)).map(|d| -d);
         }
         let mut seen = [(self.tool.te, f64::INFINITY); 16];
-        for i in 0..16 {
+        for (i, nearest) in seen.iter_mut().enumerate() {
             for j in 0..rows {
                 let here = all[j][i];
                 let beside = [(i + 15) % 16, i, (i + 1) % 16];
@@ -97,8 +98,8 @@ impl<'a> Barrel<'a> {
                         known = (found.point, found.value.min(here));
                     }
                 }
-                if known.1 < seen[i].1 {
-                    seen[i] = known;
+                if known.1 < nearest.1 {
+                    *nearest = known;
                 }
             }
         }
