@@ -167,3 +167,19 @@ fn a_motion_ends_where_two_walls_join_however_the_axis_turns() {
         }
     }
 }
+
+/// An axis that turns with the place leaves the end of a motion in the bands of both walls too.
+#[test]
+fn a_motion_under_a_turning_axis_ends_in_the_bands_of_both_walls() {
+    let first = [[-15.0, 36.446], [3.3333, 37.3215], [21.6667, 36.0153], [40.0, 34.7695]];
+    let then = [[40.0, 34.7695], [58.3333, 33.5237], [76.6667, 30.2875], [95.0, 28.6311]];
+    let text = format!(
+        "PARTNO LEANING\nUNITS/MM\n{}{}PL=SPHERE/32,20,-60,60\nCUTTER/10.2,5.1,0,5.1,0,0,35\n\
+         INTOL/0\nOUTTOL/.005\nMULTAX\nFROM/8,5,70\nTLAXIS/ATANGL,1,87.4,CUTANG,4.7\n\
+         GO/TO,WA,TO,PL,ON,(PLANE/1,0,0,8)\nINDIRV/1,0,0\nTLRGT,GOFWD/WA,TANTO,WB\nNOPOST\nFINI\n",
+        upright("WA", first),
+        upright("WB", then),
+    );
+    let ran = run::run(&text, Verify::Full);
+    assert!(ran.faults().is_empty(), "{:?} {text}", ran.told);
+}
