@@ -17,6 +17,7 @@
 //! ```
 
 mod alone;
+mod barrel;
 mod bodies;
 mod centred;
 mod chord;

@@ -1,10 +1,11 @@
 //! A tool inside a hollow: its hull is spanned by circles about its axis, the arc being one thickened by
-//! the corner radius, and only these can touch.
+//! the corner radius unless its centre lies beyond the axis, and only these can touch.
 
 use aptc_geometry::profile::Segment;
 use aptc_geometry::surface::frame_about;
 use aptc_geometry::{Foot, Profile, Reason, Tool, Vec3};
 
+use crate::barrel::{self, Barrel};
 use crate::gap::{Gap, deeper};
 
 /// Cosines of the multiples of 22.5 degrees, to spread samples around an axis.
@@ -118,7 +119,28 @@ fn nearest(tool: &Tool<'_>, wall: impl Wall, mut seen: Option<&mut Seen>) -> Res
     for (k, (ring, middle)) in rings.iter().zip(middles).enumerate() {
         let (Some(ring), Some(middle)) = (ring, middle) else { continue };
         // Within its radius of its middle all of a circle lies.
-        if seen.is_none() && deeper(tool, reach, middle - ring.rho - ring.r) {
+        if seen.is_none() && deeper(tool, reach, middle - ring.rho.max(0.0) - ring.r) {
+            continue;
+        }
+        if ring.segment == Segment::Arc && barrel::is_one(tool.profile) {
+            let samples = Barrel::new(tool, [a, b]).nearest(&wall, |at| {
+                let normal = -at.foot.normal;
+                if best.is_none_or(|b| deeper(tool, at.value, b.raw)) {
+                    best = Some(Gap {
+                        g: at.value,
+                        raw: at.value,
+                        tool_point: at.point,
+                        surface_point: at.foot.point,
+                        at: at.foot.at,
+                        normal,
+                        segment: Some(ring.segment),
+                        residual: at.slope * ring.r,
+                    });
+                }
+            });
+            if let Some(seen) = &mut seen {
+                seen[k] = Some(samples);
+            }
             continue;
         }
         let center = tool.te + tool.ta * ring.z;

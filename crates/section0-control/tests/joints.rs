@@ -122,3 +122,64 @@ fn an_axis_of_nine_digits_is_taken_as_it_stands() {
         assert!(told.is_empty(), "{:?} {text}", ran.told);
     }
 }
+
+/// A patch of third degree through these places, upright from -30 to 45.
+fn upright(name: &str, row: [[f64; 2]; 4]) -> String {
+    let heights = [-30, -5, 20, 45];
+    let rows = heights.map(|z| row.map(|[x, y]| format!("({x},{y},{z})")).join(",$\n"));
+    format!("{name}=SSURF/PATCH,POLYGN,PLUS,$\n{}\n", rows.join(",$\n"))
+}
+
+/// Walls that join at x = 40, along which a tool goes whose axis turns with the dome below.
+#[test]
+fn a_motion_ends_where_two_walls_join_however_the_axis_turns() {
+    let walls = [
+        [
+            [[-15.0, 32.6138], [3.3333, 33.8525], [21.6667, 32.7572], [40.0, 33.4152]],
+            [[40.0, 33.4152], [58.3333, 34.0731], [76.6667, 31.5745], [95.0, 33.7423]],
+        ],
+        [
+            [[-15.0, 36.0162], [3.3333, 33.5031], [21.6667, 31.9751], [40.0, 35.9726]],
+            [[40.0, 35.9726], [58.3333, 39.9702], [76.6667, 30.4255], [95.0, 30.5936]],
+        ],
+    ];
+    for [first, then] in walls {
+        for (dome, axis, bands) in [
+            ("40,20,-60,60", "NORMPS", "0\nOUTTOL/.02"),
+            ("45,25,-60,60", "NORMPS", ".003\nOUTTOL/.003"),
+            ("30,20,-80,80", "ATANGL,1,5", "0\nOUTTOL/.02"),
+            ("40,20,-60,60", "0,0,1", "0\nOUTTOL/.02"),
+        ] {
+            let text = format!(
+                "PARTNO TURNING\nUNITS/MM\n{}{}PL=SPHERE/{dome}\nCUTTER/6,3,0,3,0,0,27\n\
+                 INTOL/{bands}\nMULTAX\nFROM/8,5,60\nTLAXIS/{axis}\n\
+                 GO/TO,WA,TO,PL,ON,(PLANE/1,0,0,5)\nINDIRV/1,0,0\n\
+                 TLRGT,GOFWD/WA,TANTO,WB\nNOPOST\nFINI\n",
+                upright("WA", first),
+                upright("WB", then),
+            );
+            let ran = run::run(&text, Verify::Full);
+            assert!(ran.faults().is_empty(), "{:?} {text}", ran.told);
+            let (p, ta) = (ran.places.last().expect("it goes"), ran.axes.last());
+            // The middle of the ball is beside the joint, but for what the bands take up.
+            let middle = p[0] + 3.0 * ta.expect("an axis")[0];
+            assert!((middle - 40.0).abs() < 3.0, "{p:?} {text}");
+        }
+    }
+}
+
+/// An axis that turns with the place leaves the end of a motion in the bands of both walls too.
+#[test]
+fn a_motion_under_a_turning_axis_ends_in_the_bands_of_both_walls() {
+    let first = [[-15.0, 36.446], [3.3333, 37.3215], [21.6667, 36.0153], [40.0, 34.7695]];
+    let then = [[40.0, 34.7695], [58.3333, 33.5237], [76.6667, 30.2875], [95.0, 28.6311]];
+    let text = format!(
+        "PARTNO LEANING\nUNITS/MM\n{}{}PL=SPHERE/32,20,-60,60\nCUTTER/10.2,5.1,0,5.1,0,0,35\n\
+         INTOL/0\nOUTTOL/.005\nMULTAX\nFROM/8,5,70\nTLAXIS/ATANGL,1,87.4,CUTANG,4.7\n\
+         GO/TO,WA,TO,PL,ON,(PLANE/1,0,0,8)\nINDIRV/1,0,0\nTLRGT,GOFWD/WA,TANTO,WB\nNOPOST\nFINI\n",
+        upright("WA", first),
+        upright("WB", then),
+    );
+    let ran = run::run(&text, Verify::Full);
+    assert!(ran.faults().is_empty(), "{:?} {text}", ran.told);
+}

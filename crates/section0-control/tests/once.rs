@@ -126,3 +126,22 @@ fn a_cutter_that_begins_in_its_check_surface_is_told() {
         }
     }
 }
+
+/// The second number of MAXDP is for regional milling: at a motion along surfaces it is told, once.
+#[test]
+fn a_length_of_maxdp_is_told_where_it_does_not_count() {
+    let program = |maxdp: &str| {
+        format!(
+            "UNITS/MM\nS=CYLNDR/0,0,-60,0,1,0,60\nL1=LINE/XAXIS\nCUTTER/8,2\nINTOL/.01\nOUTTOL/.01\n\
+             MAXDP/{maxdp}\nFROM/-20,-10,20\nPSIS/S\nGO/ON,L1,TO,S\nINDIRV/1,0,0\n\
+             TLON,GOFWD/L1,ON,(PLANE/1,0,0,10)\nGOFWD/L1,ON,(PLANE/1,0,0,30)\nNOPOST\nFINI\n"
+        )
+    };
+    let ran = run::run(&program("2,20"), Verify::Full);
+    let [(code, message)] = &ran.told[..] else { panic!("{:?}", ran.told) };
+    assert_eq!(code, "APT1305");
+    assert!(message.contains("MAXDP, 20,"), "{message}");
+    for maxdp in ["2", "-4,0"] {
+        assert!(run::run(&program(maxdp), Verify::Full).told.is_empty(), "{maxdp}");
+    }
+}

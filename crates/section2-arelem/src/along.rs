@@ -110,6 +110,9 @@ impl Arelem {
         self.chosen_contact(origin);
         match result {
             Ok(path) => {
+                if let Some(length) = self.settings.longest_path.take() {
+                    self.diagnostics.push(warning::no_length(origin, length));
+                }
                 if tool.assumed && !matches!(d.direction, Direction::Goup | Direction::Godown) {
                     self.diagnostics.push(warning::assumed_direction(origin, d.direction));
                 }

@@ -238,7 +238,7 @@ impl Arelem {
             Kind::Intol(t) => s.set_intol(*t),
             Kind::Outtol(t) => s.set_outtol(*t),
             Kind::Thick(t) => (s.thick, s.thick_told) = (*t, false),
-            Kind::Maxdp { step, .. } => s.set_maxdp(*step),
+            Kind::Maxdp { step, length } => s.set_maxdp(*step, *length),
             Kind::Numpts(n) => s.numpts = Some(*n),
             Kind::Calc(d) => s.calc = *d,
             Kind::Multax(on) => s.multax = *on,

@@ -242,7 +242,9 @@ impl Figure {
         let size = points.iter().map(|p| (p - points[0]).norm()).fold(0.0, f64::max);
         let normal = area / area.norm();
         if area.norm() <= 1e-9 * size * size {
-            return Err("the corners of the pocket lie on a line".into());
+            // The two halves of a bow tie make up for each other.
+            return Err(crossing(points, size)
+                .unwrap_or_else(|| "the corners of the pocket lie on a line".into()));
         }
         if points.iter().any(|p| (p - points[0]).dot(&normal).abs() > 1e-6 * size) {
             return Err("the corners of the pocket do not lie in a plane".into());
@@ -254,6 +256,9 @@ impl Figure {
                 return Err("a corner of the pocket is given twice".into());
             }
             sides.push(Side { on, along: v.normalize(), index });
+        }
+        if let Some(why) = crossing(points, size) {
+            return Err(why);
         }
         for i in 0..n {
             if sides[i].along.cross(&sides[(i + 1) % n].along).dot(&normal) < -1e-9 {
@@ -366,6 +371,27 @@ impl Figure {
     }
 }
 
+/// Which two sides of a figure cross each other, if any do.
+fn crossing(points: &[Vec3], size: f64) -> Option<Reason> {
+    let (n, first) = (points.len(), points[0]);
+    let pairs = (1..n).flat_map(|i| (i + 1..n).map(move |j| (i, j)));
+    let areas = pairs.map(|(i, j)| (points[i] - first).cross(&(points[j] - first)));
+    // Across the plane of the figure, whichever way it goes round.
+    let across = areas.max_by(|a, b| a.norm().total_cmp(&b.norm()))?.normalize();
+    let side = |i: usize| [points[i], points[(i + 1) % n]];
+    let apart = |[a, b]: [Vec3; 2], [c, d]: [Vec3; 2]| {
+        let on = |p: Vec3| (b - a).cross(&(p - a)).dot(&across) / (size * size);
+        on(c).min(on(d)) < -1e-9 && on(c).max(on(d)) > 1e-9
+    };
+    let cross = |i: usize, j: usize| apart(side(i), side(j)) && apart(side(j), side(i));
+    (0..n).flat_map(|i| (i + 2..n).map(move |j| (i, j))).find(|(i, j)| cross(*i, *j)).map(
+        |(i, j)| {
+            let name = |i: usize| format!("from corner {} to corner {}", i + 1, (i + 1) % n + 1);
+            format!("the sides of the pocket {} and {} cross", name(i), name(j))
+        },
+    )
+}
+
 /// The common point of two lines in the plane.
 fn cross(a: &Side, b: &Side, normal: Vec3) -> Option<Vec3> {
     let det = a.along.cross(&b.along).dot(&normal);
@@ -405,6 +431,24 @@ mod tests {
         let f = Figure::new(&p).unwrap();
         assert_eq!(f.inset(0.1).unwrap().sides.len(), 5);
         assert_eq!(f.inset(1.0).unwrap().sides.len(), 4);
+    }
+
+    #[test]
+    fn sides_that_cross_are_told() {
+        let of = |p: &[(f64, f64)]| {
+            let corners: Vec<Vec3> = p.iter().map(|(x, y)| Vec3::new(*x, *y, -2.0)).collect();
+            Figure::new(&corners).unwrap_err()
+        };
+        let tie = of(&[(0.0, 0.0), (60.0, 40.0), (60.0, 0.0), (0.0, 40.0)]);
+        let told =
+            "the sides of the pocket from corner 1 to corner 2 and from corner 3 to corner 4 cross";
+        assert_eq!(tie, told);
+        assert_eq!(of(&[(0.0, 0.0), (60.0, 40.0), (60.0, 0.0), (0.0, 30.0)]), told);
+        // Round twice: no corner points inwards.
+        let star = of(&[(0.0, 10.0), (6.0, -8.0), (-9.5, 3.0), (9.5, 3.0), (-6.0, -8.0)]);
+        assert!(star.ends_with("cross"), "{star}");
+        let line = of(&[(0.0, 0.0), (60.0, 0.0), (30.0, 0.0)]);
+        assert_eq!(line, "the corners of the pocket lie on a line");
     }
 
     #[test]

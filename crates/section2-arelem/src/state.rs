@@ -53,6 +53,8 @@ pub(crate) struct Settings {
     /// Was said which band is taken where these leave none?
     least_said: bool,
     maxdp: Option<f64>,
+    /// Greatest length of a path of regional milling by MAXDP, until it was told that it counts for no other motion.
+    pub(crate) longest_path: Option<f64>,
     pub(crate) numpts: Option<u32>,
     pub(crate) calc: Dimension,
     pub(crate) thick: [f64; 4],
@@ -121,6 +123,7 @@ impl Default for Settings {
             intol: [0.0; 4],
             least_said: false,
             maxdp: None,
+            longest_path: None,
             numpts: None,
             calc: Dimension::Two,
             outtol: None,
@@ -212,8 +215,9 @@ impl Settings {
         }
     }
 
-    pub(crate) fn set_maxdp(&mut self, step: f64) {
+    pub(crate) fn set_maxdp(&mut self, step: f64, length: Option<f64>) {
         self.maxdp = Some(step);
+        self.longest_path = length.filter(|l| *l > 0.0);
     }
 
     /// Greatest length of a cut vector along curved surfaces.

@@ -17,6 +17,17 @@ pub(crate) fn assumed_direction(origin: &Origin, word: Direction) -> Diagnostic 
         .help("give INDIRV or INDIRP after FROM")
 }
 
+/// A motion along surfaces for which the second number of MAXDP does not count.
+pub(crate) fn no_length(origin: &Origin, length: f64) -> Diagnostic {
+    let text = format!(
+        "the second number of MAXDP, {}, limits the paths of regional milling and not this motion",
+        number(length)
+    );
+    Diagnostic::warning(codes::WITHOUT_EFFECT, origin.span, text)
+        .within(origin.trace.clone())
+        .help("NUMPTS limits how many cut vectors a motion has; write MAXDP with one number")
+}
+
 /// GO with one surface, below a part surface that nobody gave.
 pub(crate) fn lifted(origin: &Origin, z: f64) -> Diagnostic {
     let text = format!(

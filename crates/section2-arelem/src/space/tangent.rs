@@ -135,7 +135,7 @@ impl Way<'_> {
     fn below(&self, keep: &Keep, from: f64, to: f64) -> Result<Option<f64>, Trouble> {
         let parting = |s: f64| -> Result<Option<Ordering>, Trouble> {
             let node = self.node(s)?;
-            let rate = keep.surface.foot(node.pose.te).normal.dot(&node.course.along);
+            let rate = keep.surface.foot(node.pose.te).normal.dot(&self.rate(&node));
             Ok(if rate.abs() <= LEVEL { 0.0 } else { rate }.partial_cmp(&0.0))
         };
         let before = parting(from)?;

@@ -5,7 +5,7 @@ use aptc_geometry::Vec3;
 
 use super::keep::Keep;
 use super::stride::Stride;
-use super::track::{Node, Track, Trouble};
+use super::track::{Node, Track, Trouble, solve_normals};
 
 /// Bound of each search along one cut vector.
 pub(super) const ROUNDS: usize = 80;
@@ -168,7 +168,21 @@ impl Way<'_> {
 
     /// Change of a gap with the way.
     pub(super) fn slope(&self, node: &Node, gap: &Gap) -> f64 {
-        gap.normal.dot(&node.course.along) + gap.turn_rate(node.pose.te, self.turn)
+        gap.normal.dot(&self.rate(node)) + gap.turn_rate(node.pose.te, self.turn)
+    }
+
+    /// Change of the tool end with the way, on which the gaps to drive and part surface stay: what turns in place leaves them.
+    ///
+    /// So a check surface that is touched where one of those is, with the same normal, has no slope, however the axis turns there.
+    pub(super) fn rate(&self, node: &Node) -> Vec3 {
+        let along = node.course.along;
+        if self.turn == Vec3::zeros() {
+            return along;
+        }
+        let [a, b] = node.gaps.each_ref();
+        let rest = |gap: &Gap| -gap.normal.dot(&along) - gap.turn_rate(node.pose.te, self.turn);
+        let aside = solve_normals([a.normal, b.normal, along], [rest(a), rest(b), 0.0]);
+        along + aside.unwrap_or_default()
     }
 
     /// Is the gap to be that of the whole cutter? Where several places of it may touch, and it may be at the surface on
