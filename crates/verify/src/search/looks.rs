@@ -48,6 +48,9 @@ pub(super) fn search(
         out.least = cutting.rest;
     }
     let ways = Ways::new(sweep);
+    // How deep a tool is in what is moved back is told by the surface itself; how far it stays off from that is not.
+    let told = moved.shift >= 0.0 || enough <= 0.0;
+    let away = if told { moved.shift + enough } else { f64::NEG_INFINITY };
     let mut looks = Looks {
         sweep,
         moved,
@@ -61,7 +64,7 @@ pub(super) fn search(
         closest: f64::INFINITY,
         hinted: None,
         towards: lead.direction,
-        beside: Beside::new(&ways, moved.shift + enough, lead.begin),
+        beside: Beside::new(&ways, away, lead.begin),
     };
     let whole = looks.all().is_continue();
     lead.direction = looks.towards.or(looks.hinted.map(|h| h.m));
