@@ -199,7 +199,7 @@ impl<'a> Tool<'a> {
         let across = w - z * pose.ta;
         let f = profile.farthest(across.norm(), z - up);
         let [out, up] = f.direction;
-        (f.distance, up * pose.ta - out * unit_or(across, any_across(pose.ta)))
+        (f.distance, up * pose.ta - out * away(across, pose.ta))
     }
 
     /// Greatest distance of a point of the tool from the ray that runs from `c` along the tool axis, and the
@@ -214,7 +214,7 @@ impl<'a> Tool<'a> {
         };
         let f = profile.farthest_below(across.norm(), z - up);
         let [out, up] = f.direction;
-        (f.distance, up * pose.ta - out * unit_or(across, any_across(pose.ta)))
+        (f.distance, up * pose.ta - out * away(across, pose.ta))
     }
 
     /// Has it no inside: the tool end alone, a disk, a cutter of no width?
@@ -277,6 +277,12 @@ impl<'a> Tool<'a> {
 /// Unit vector along `across` of length `n`, any square to the axis where it has none.
 fn radial(across: Vec3, n: f64, ta: Vec3) -> Vec3 {
     if n > 0.0 { across / n } else { any_across(ta) }
+}
+
+/// Unit vector along `across`, square to the axis also where rounding is all that is left across it.
+fn away(across: Vec3, ta: Vec3) -> Vec3 {
+    let out = unit_or(across, any_across(ta));
+    unit_or(out - ta * out.dot(&ta), any_across(ta))
 }
 
 /// Where a point fixed in the tool goes when the tool moves from one position to another, the axis by the
