@@ -10,7 +10,7 @@ use aptc_protap::{Arg, NameRef};
 use crate::area::StepoverArea;
 use crate::crew::Crew;
 use crate::drive::Course;
-use crate::failure::{Failure, left_standing, through};
+use crate::failure::Failure;
 use crate::goloft::{CurveWish, at_line, chosen_counts, own_drive};
 use crate::path::Path;
 use crate::position::Odd;
@@ -24,6 +24,7 @@ use crate::solve::Take;
 use crate::strips;
 use crate::touched::along_lines;
 use crate::unused::{Milling, lines_out};
+use crate::warning::{left_standing, through};
 use crate::within::{self, Stretch};
 
 /// What the statement says besides surface and first line.

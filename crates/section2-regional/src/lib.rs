@@ -58,6 +58,7 @@ mod summit;
 mod tlproj;
 mod touched;
 mod unused;
+mod warning;
 mod watch;
 mod within;
 

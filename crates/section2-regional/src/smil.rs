@@ -12,7 +12,7 @@ use crate::area::{Areas, AxisArea, DriveArea, Guide, Hold, PartArea};
 use crate::avoid::Avoid;
 use crate::crew::Crew;
 use crate::drive::Course;
-use crate::failure::{Deep, Failure, left_out, left_standing, put_out, touches_with};
+use crate::failure::{Deep, Failure};
 use crate::guard::{Checked, Guard};
 use crate::jump::Stands;
 use crate::path::{Broken, Path};
@@ -27,6 +27,7 @@ use crate::settings::Band;
 use crate::solve::{Setup, Take};
 use crate::touched::{along_lines, led};
 use crate::unused::{Milling as Before, leads_out, steps_out};
+use crate::warning::{left_out, left_standing, put_out, touches_with};
 
 /// What a statement gives.
 #[derive(Default)]

@@ -7,11 +7,12 @@ use aptc_diagnostics::Origin;
 use aptc_geometry::{Form, Profile, Sculptured, Vec3};
 
 use crate::avoid::Avoid;
-use crate::failure::{Deep, Failure, too_thin};
+use crate::failure::{Deep, Failure};
 use crate::guard::{Checked, Guard};
 use crate::outline::same_form;
 use crate::plain::Plain;
 use crate::regional::{Failed, Regional};
+use crate::warning::too_thin;
 
 /// What is known of the tool along the records.
 #[derive(Clone, Debug, Default)]

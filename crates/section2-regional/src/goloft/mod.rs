@@ -20,6 +20,7 @@ use crate::report::reports;
 use crate::scon::Words;
 use crate::solve::{Setup, Take};
 use crate::unused::Milling;
+use crate::warning;
 pub(crate) use line::at_line;
 use line::{Line, Milled, Stop, Stretch};
 pub(crate) use wish::{End, Wish};
@@ -126,7 +127,7 @@ impl Regional {
             c.over = milled.stretches.len() > 1;
         }
         if milled.through {
-            self.diagnostics.push(failure::through(origin, &name.name));
+            self.diagnostics.push(warning::through(origin, &name.name));
         }
         self.diagnostics.extend(unchosen);
         self.diagnostics.extend(reports(origin, &milled.notes));
@@ -322,7 +323,7 @@ impl Regional {
         let moves = self.settings.cut != Some(false) && !self.is_recording();
         if let (true, Some(first)) = (moves && !self.told_over, straight.first()) {
             self.told_over = true;
-            self.diagnostics.push(failure::straight_over(origin, *first, straight.len()));
+            self.diagnostics.push(warning::straight_over(origin, *first, straight.len()));
         }
         Ok(stand)
     }
@@ -368,6 +369,6 @@ pub(crate) fn chosen_counts(
             let need = format!("between {least} and {most}, where the face of the cutter is");
             Err(Failure::Value { what, value, need: need.into() })
         }
-        _ => Ok(Some(failure::contact_not_chosen(origin, &setup.part.name.name))),
+        _ => Ok(Some(warning::contact_not_chosen(origin, &setup.part.name.name))),
     }
 }
