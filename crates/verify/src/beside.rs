@@ -130,23 +130,19 @@ impl<'a> Beside<'a> {
         }
     }
 
-    /// Looks for the place over a crest or in a hollow: first where the last search found one, and what it was is so again, most
-    /// likely.
+    /// Looks for the place over a crest or in a hollow: first where it is told or the last search found one, and what it was is so
+    /// again, most likely.
     fn find(&mut self, corner: &Corner<'a>, sheet: &Sheet, patch: &Patch, tile: &Tile) {
         let first = self.begin.first();
         let valley = |spot: Spot, m: Vec3| {
             Valley::new(self.ways.ends(), self.ways.whole, corner, sheet, spot, m)
         };
-        self.valley = None;
-        if self.begin.valley
-            && let Some((spot, m, _)) = first
-        {
-            self.valley = valley(spot, m);
+        if self.begin.valley {
+            self.valley = first.and_then(|(spot, m, _)| valley(spot, m));
         }
-        self.held = None;
         if self.valley.is_none() {
-            self.held = first.and_then(|(spot, m, at)| corner.find(sheet, spot, at, m));
-            self.held = self.held.or_else(|| corner.find_beside(sheet, patch, tile));
+            let followed = first.and_then(|(spot, m, at)| corner.find(sheet, spot, at, m));
+            self.held = followed.or_else(|| corner.find_beside(sheet, patch, tile));
         }
         if self.valley.is_none() && self.held.is_none() {
             let from = first.map(|(spot, m, _)| (spot, m));

@@ -338,17 +338,15 @@ impl<'a> Corner<'a> {
         let (value, slope) = bowl.value(tile.c);
         let g = two(tile.side, |d| slope.dot(&d));
         let [uu, uv, vv] = bowl.second(slope, tile.side, tile.bend);
-        let [off_uu, off_uv, off_vv] = bowl.vary(tile, slope.norm());
-        let (a, b, c) = (uu - off_uu, uv.abs() + off_uv, vv - off_vv);
-        let least = value - fall(g[0], a - b) - fall(g[1], c - b);
+        let bent = Bent::new([uu, uv, vv], bowl.vary(tile, slope.norm()));
+        let least = value - fall(g[0], bent.u - bent.uv) - fall(g[1], bent.v - bent.uv);
         if least >= 0.0 {
             return clear(least, slope, None);
         }
-        let convex = a > 0.0 && c > 0.0 && a * c >= b * b;
-        if !convex && !whole {
+        if !bent.is_convex() && !whole {
             return smaller();
         }
-        if !convex {
+        if !bent.is_convex() {
             // The halves of a piece may be convex that is so in its middle.
             let convex = uu > 0.0 && uu * vv > TWICE * uv * uv;
             let size = two([0, 1], |i| tile.side[i].norm() + tile.stray[i]);
@@ -359,18 +357,12 @@ impl<'a> Corner<'a> {
             let by = |i: usize| if g[i] > 0.0 { g[i] * (1.0 + s[i]) } else { g[i] * (s[i] - 1.0) };
             by(0) + by(1)
         };
-        let lost = |g: [f64; 2], s: [f64; 2]| {
-            let [x, y] = two(g, f64::abs);
-            let bent = (c * x * x + 2.0 * b * x * y + a * y * y) / (2.0 * (a * c - b * b));
-            // A number over 0 is none.
-            straight(g, s).min(bent)
-        };
+        let lost = |g: [f64; 2], s: [f64; 2]| straight(g, s).min(bent.deepest(g));
         // Of a piece that bends away from a plane that is so too.
         let level = |slope: Vec3, p: Vec3, g: [f64; 2], s: [f64; 2]| {
-            let [uu, uv, vv] = three([0, 1, 2], |i| slope.dot(&tile.bend[i]));
-            let [x, y, z] = three(tile.vary, |vary| slope.norm() * vary);
-            let (a, b, c) = (uu - x, uv.abs() + y, vv - z);
-            (a > 0.0 && c > 0.0 && a * c >= b * b).then(|| slope.dot(&p) - straight(g, s))
+            let second = three([0, 1, 2], |i| slope.dot(&tile.bend[i]));
+            let plane = Bent::new(second, three(tile.vary, |vary| slope.norm() * vary));
+            plane.is_convex().then(|| slope.dot(&p) - straight(g, s))
         };
         let known = |spot: &Spot| {
             let at = || two([0, 1], |i| (spot.at[i] - patch.at[i]) / patch.half[i]);
@@ -550,6 +542,32 @@ impl Bowl {
             out[2] += k * (dv * (2.0 * y + dv) + bent[2]);
         }
         out
+    }
+}
+
+/// How a function is bent on a piece: along both parameters at least, by both together at most.
+#[derive(Clone, Copy, Debug)]
+struct Bent {
+    u: f64,
+    uv: f64,
+    v: f64,
+}
+
+impl Bent {
+    /// From its second derivatives in the middle, and by how much they may be others on the piece.
+    fn new([uu, uv, vv]: [f64; 3], off: [f64; 3]) -> Self {
+        Self { u: uu - off[0], uv: uv.abs() + off[1], v: vv - off[2] }
+    }
+
+    fn is_convex(&self) -> bool {
+        self.u > 0.0 && self.v > 0.0 && self.u * self.v >= self.uv * self.uv
+    }
+
+    /// By how much one that is convex may be below its value at a place with this slope, wherever; no number where nothing tells.
+    fn deepest(&self, g: [f64; 2]) -> f64 {
+        let Self { u, uv, v } = *self;
+        let [x, y] = two(g, f64::abs);
+        (v * x * x + 2.0 * uv * x * y + u * y * y) / (2.0 * (u * v - uv * uv))
     }
 }
 

@@ -12,8 +12,7 @@
 
 use aptc_geometry::{Profile, Vec3, trig};
 
-use crate::solid::{any_across, unit_or};
-use crate::tool::{Pose, Tool};
+use crate::tool::{Pose, Tool, radial};
 
 /// Rounds of Newton's method; three to five are usual. Reaching them costs tightness, not truth.
 const ROUNDS: usize = 30;
@@ -38,9 +37,8 @@ fn circles(profile: &Profile) -> [[f64; 3]; 5] {
 pub(crate) fn reach(tool: &Tool<'_>, pose: &Pose, q: Vec3, t: Vec3) -> Option<(f64, Vec3)> {
     let (profile, lift) = tool.solid()?;
     let cos = pose.ta.dot(&t).abs().min(1.0);
-    // Of directions that are parallel but for rounding the product is as rough as it is small, and no direction across t.
-    let wide = unit_or(pose.ta.cross(&t), any_across(t));
-    let wide = unit_or(wide - t * t.dot(&wide), any_across(t));
+    let across = pose.ta.cross(&t);
+    let wide = radial(across, across.norm(), t);
     let narrow = t.cross(&wide);
     let all = circles(profile);
     let mut best = (f64::NEG_INFINITY, wide);

@@ -199,7 +199,7 @@ impl<'a> Tool<'a> {
         let across = w - z * pose.ta;
         let f = profile.farthest(across.norm(), z - up);
         let [out, up] = f.direction;
-        (f.distance, up * pose.ta - out * away(across, pose.ta))
+        (f.distance, up * pose.ta - out * radial(across, across.norm(), pose.ta))
     }
 
     /// Greatest distance of a point of the tool from the ray that runs from `c` along the tool axis, and the
@@ -214,7 +214,7 @@ impl<'a> Tool<'a> {
         };
         let f = profile.farthest_below(across.norm(), z - up);
         let [out, up] = f.direction;
-        (f.distance, up * pose.ta - out * away(across, pose.ta))
+        (f.distance, up * pose.ta - out * radial(across, across.norm(), pose.ta))
     }
 
     /// Has it no inside: the tool end alone, a disk, a cutter of no width?
@@ -274,15 +274,24 @@ impl<'a> Tool<'a> {
     }
 }
 
-/// Unit vector along `across` of length `n`, any square to the axis where it has none.
-fn radial(across: Vec3, n: f64, ta: Vec3) -> Vec3 {
-    if n > 0.0 { across / n } else { any_across(ta) }
-}
-
-/// Unit vector along `across`, square to the axis also where rounding is all that is left across it.
-fn away(across: Vec3, ta: Vec3) -> Vec3 {
-    let out = unit_or(across, any_across(ta));
-    unit_or(out - ta * out.dot(&ta), any_across(ta))
+/// Unit vector along `across` of length `n`, square to the axis also where rounding is all that is left across it; any such
+/// where that is nothing.
+pub(crate) fn radial(across: Vec3, n: f64, ta: Vec3) -> Vec3 {
+    /// Cosine to the axis up to which it is square to that.
+    const SQUARE: f64 = 1e-12;
+    /// Share of it that is to be left square to that.
+    const LEFT: f64 = 0.1;
+    if n > 0.0 {
+        let out = across / n;
+        let along = out.dot(&ta);
+        if along.abs() <= SQUARE {
+            return out;
+        }
+        if let Some(out) = (out - ta * along).try_normalize(LEFT) {
+            return out;
+        }
+    }
+    any_across(ta)
 }
 
 /// Where a point fixed in the tool goes when the tool moves from one position to another, the axis by the
@@ -339,6 +348,38 @@ mod tests {
     use super::*;
     use aptc_geometry::Cutter;
     use proptest::prelude::*;
+
+    /// Of a point that lies on the axis but for rounding the directions from and to the tool are of unit length and show what they are
+    /// told to.
+    #[test]
+    fn beside_the_axis_by_rounding_directions_are_those_of_the_distance() {
+        let profiles = [
+            Profile::disk(3.0, 0.0),
+            Profile::new(&Cutter::mill(10.0, 5.0, 80.0)),
+            Profile::new(&Cutter::mill(10.0, 1.0, 80.0)),
+        ];
+        let ta = Vec3::new(0.123, -0.104, 0.987).normalize();
+        for profile in profiles.map(Result::unwrap) {
+            let tool = Tool::Solid(&profile);
+            for k in 0..400 {
+                let f = f64::from(k);
+                let te = Vec3::new(-37.0 + 0.1 * f, 31.0, 3.9);
+                let off = Vec3::new(trig::sin(f), trig::cos(2.0 * f), trig::sin(3.0 * f));
+                let c =
+                    te + ta * (2.9 * f - 300.0) + off * [0.0, 1e-15, 1e-13, 1e-10][k as usize % 4];
+                let pose = Pose { te, ta };
+                let ((far, m), (near, to)) = (tool.farthest_from(&pose, c), tool.near(&pose, c));
+                let (below, down) = tool.farthest_below(&pose, c);
+                for unit in [m, to, down] {
+                    assert!((unit.norm() - 1.0).abs() < 1e-12, "{k} {unit:?}");
+                }
+                let over = |m: Vec3| tool.height(&pose, m) - m.dot(&c);
+                assert!((over(m) - far).abs() < 1e-10, "{k} {far} {}", over(m));
+                assert!(near < 0.0 || (over(to) + near).abs() < 1e-10, "{k} {near} {}", over(to));
+                assert!(over(down) <= below + 1e-10, "{k} {below} {}", over(down));
+            }
+        }
+    }
 
     proptest! {
         #[test]
