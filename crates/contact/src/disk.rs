@@ -36,6 +36,10 @@ const ALIKE: f64 = 1e-14;
 const ALONG: usize = 20;
 const LAST: f64 = 1e-8;
 
+/// Share of the cutter's radius from which a place of contact is far from where the way to it began: over a hollow a step may
+/// lead past the nearest one, to the other side of the disk.
+const FAR: f64 = 0.5;
+
 /// The place of contact of flat end or corner into which the surface point `q` runs downhill, else that of any part of the
 /// cutter.
 pub(crate) fn below(
@@ -44,8 +48,14 @@ pub(crate) fn below(
     side: Side,
     q: Spot,
 ) -> Result<Gap, Reason> {
+    let away = |gap: &Gap| (gap.surface_point - q.point).norm();
+    let far = FAR * tool.profile.widest();
     match beside(tool, surface, side, q) {
-        Some(gap) => Ok(gap),
+        Some(gap) if away(&gap) <= far => Ok(gap),
+        Some(gap) => match local(tool, surface, side, q) {
+            Ok(near) if away(&near) < away(&gap) => Ok(near),
+            _ => Ok(gap),
+        },
         None => local(tool, surface, side, q),
     }
 }
@@ -60,7 +70,7 @@ pub(crate) fn beside(tool: &Tool<'_>, surface: &Surface, side: Side, near: Spot)
     let mut last = f64::INFINITY;
     let (mut foot, mut sides): (Foot, _) = surface.place_with_sides(near);
     let mut x = disk.above(foot.point, foot.normal * disk.sign)?;
-    let begin = (disk.point(x) - foot.point).norm();
+    let begin = disk.distance(foot.point, foot.normal * disk.sign);
     for _ in 0..STEPS {
         let normal = foot.normal * disk.sign;
         if normal.dot(&tool.ta) < UPRIGHT {
@@ -160,6 +170,14 @@ impl Disk {
 
     fn point(&self, x: Vec2) -> Vec3 {
         self.center + self.e[0] * x.x + self.e[1] * x.y
+    }
+
+    /// Its distance from a place of the surface with that normal, negative where it is behind it.
+    fn distance(&self, q: Vec3, normal: Vec3) -> f64 {
+        let x = self.across(q - self.center);
+        let far = x.norm();
+        let near = self.point(if far > self.rho { x * (self.rho / far) } else { x }) - q;
+        near.norm().copysign(near.dot(&normal))
     }
 
     fn across(&self, v: Vec3) -> Vec2 {
