@@ -73,25 +73,12 @@ pub(crate) fn faced(
     let ([rho, high], away) = (profile.corner(), known.raw + profile.corner_radius());
     // What lies outside of the first balls is farther from the tool than the known place, wherever both have moved. From that of
     // the disk's middle the nearest places of its points lie no farther than they do, but for how the surface bends.
-    let (low, top, wide) = (profile.bottom(), profile.height(), profile.widest());
-    let joint = (low + 2.0 * wide).min(top);
-    let clear = known.raw.max(0.0) + 2.0 * most;
-    let around = |low: f64, top: f64| {
-        let radius = trig::hypot(0.5 * (top - low), wide);
-        (tool.te + tool.ta * (0.5 * (top + low)), radius + clear)
-    };
+    let (mut balls, count) = around(tool, known.raw.max(0.0) + 2.0 * most);
     let center = tool.te + tool.ta * high;
     let foot = surface.foot_from(center, known.spot());
     let deepest = foot.distance.abs() + rho + most;
-    let below = (foot.point, (rho + most) / (1.0 - BEND));
-    // Along the shank there are more of them: one about all of it would hold what is far from it.
-    let holds = |n: &usize| top - joint <= SHANK * wide * *n as f64;
-    let parts = (1..SHANKS).find(holds).unwrap_or(SHANKS);
-    let mut balls = [below; SHANKS + 2];
-    balls[0] = around(low, joint);
-    let end = |i: usize| joint + (top - joint) * i as f64 / parts as f64;
-    (0..parts).for_each(|i| balls[1 + i] = around(end(i), end(i + 1)));
-    let balls = &balls[..parts + 2];
+    balls[count] = (foot.point, (rho + most) / (1.0 - BEND));
+    let balls = &balls[..=count];
     let part = surface.part(balls, (center, rho + most), known.spot())?;
     // All normals there face the corner, or a flat end.
     let turned = 0.5 * part.turn * part.turn;
@@ -118,6 +105,25 @@ pub(crate) fn faced(
     let twist = part.twist * (1.0 + deepest * hollow).max(1.0 / (1.0 - deep));
     let bend = hollow.max(round / (1.0 - deep));
     (deep < BEND).then_some(Faced { hollow, bend, ruling, lean, twist, ridge })
+}
+
+/// Balls that hold all that is no farther than `clear` from the tool, and their number; at least one more has room.
+///
+/// Along the shank there are several of them: one about all of it would hold what is far from it.
+pub(crate) fn around(tool: &Tool<'_>, clear: f64) -> ([(Vec3, f64); SHANKS + 2], usize) {
+    let profile = tool.profile;
+    let (low, top, wide) = (profile.bottom(), profile.height(), profile.widest());
+    let joint = (low + 2.0 * wide).min(top);
+    let ball = |low: f64, top: f64| {
+        let radius = trig::hypot(0.5 * (top - low), wide);
+        (tool.te + tool.ta * (0.5 * (top + low)), radius + clear)
+    };
+    let holds = |n: &usize| top - joint <= SHANK * wide * *n as f64;
+    let parts = (1..SHANKS).find(holds).unwrap_or(SHANKS);
+    let mut balls = [ball(low, joint); SHANKS + 2];
+    let end = |i: usize| joint + (top - joint) * i as f64 / parts as f64;
+    (0..parts).for_each(|i| balls[1 + i] = ball(end(i), end(i + 1)));
+    (balls, parts + 1)
 }
 
 /// A way that the tool can go, its axis standing, no longer than `most`, on which no place of it touches but that of the

@@ -40,6 +40,9 @@ const LAST: f64 = 1e-8;
 /// lead past the nearest one, to the other side of the disk.
 const FAR: f64 = 0.5;
 
+/// Share of that way to another place for it to be a nearer one, and not the same.
+const NEARER: f64 = 0.9;
+
 /// The place of contact of flat end or corner into which the surface point `q` runs downhill, else that of any part of the
 /// cutter.
 pub(crate) fn below(
@@ -53,7 +56,7 @@ pub(crate) fn below(
     match beside(tool, surface, side, q) {
         Some(gap) if away(&gap) <= far => Ok(gap),
         Some(gap) => match local(tool, surface, side, q) {
-            Ok(near) if away(&near) < away(&gap) => Ok(near),
+            Ok(near) if away(&near) < NEARER * away(&gap) => Ok(near),
             _ => Ok(gap),
         },
         None => local(tool, surface, side, q),
@@ -143,6 +146,17 @@ pub(crate) fn beside(tool: &Tool<'_>, surface: &Surface, side: Side, near: Spot)
     None
 }
 
+/// Middle and radius of the disk of the corner's middles.
+pub(crate) struct Round {
+    pub(crate) center: Vec3,
+    pub(crate) rho: f64,
+}
+
+/// That of a cutter with a flat end that runs into the corner.
+pub(crate) fn round(tool: &Tool<'_>, side: Side) -> Option<Round> {
+    Disk::of(tool, side).map(|Disk { center, rho, .. }| Round { center, rho })
+}
+
 /// The disk of the corner's middles.
 struct Disk {
     center: Vec3,
@@ -172,12 +186,13 @@ impl Disk {
         self.center + self.e[0] * x.x + self.e[1] * x.y
     }
 
-    /// Its distance from a place of the surface with that normal, negative where it is behind it.
+    /// Its distance from a place of the surface with that normal, negative where it is plainly behind it.
     fn distance(&self, q: Vec3, normal: Vec3) -> f64 {
         let x = self.across(q - self.center);
         let far = x.norm();
         let near = self.point(if far > self.rho { x * (self.rho / far) } else { x }) - q;
-        near.norm().copysign(near.dot(&normal))
+        let size = near.norm();
+        if near.dot(&normal) < -UPRIGHT * size { -size } else { size }
     }
 
     fn across(&self, v: Vec3) -> Vec2 {

@@ -18,6 +18,7 @@
 
 mod alone;
 mod barrel;
+mod beneath;
 mod bodies;
 mod centred;
 mod chord;

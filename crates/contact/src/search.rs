@@ -8,7 +8,7 @@ use crate::closed::{along_axis, is_axis};
 use crate::descent::local;
 use crate::gap::{Gap, Side, deeper};
 use crate::stations::{SEEDS, Seeds, Stations, seeds};
-use crate::{disk, edges, ridge, ring, rings, shank};
+use crate::{beneath, disk, edges, ridge, ring, rings, shank};
 
 /// Gap to a surface without closed form, of faces and of edges.
 pub(crate) fn general(
@@ -99,6 +99,9 @@ fn faces(
             // Of places that are as deep by symmetry the first station tells, and not the way down from the middle.
             let deepest = found.reduce(|a, b| if deeper(tool, b.raw, a.raw) { b } else { a });
             return Ok(deepest.filter(|d| !deeper(tool, gap.raw, d.raw)).unwrap_or(gap));
+        }
+        if let Some(gap) = beneath::deepest(tool, surface, side, &gap) {
+            return Ok(gap);
         }
         // What of a shank is farther than that place leads nowhere, and from high above a surface by long ways.
         if flank(tool, surface, side, LOWER, gap.raw).is_some() {
@@ -219,7 +222,10 @@ fn elsewhere_on_faces(
         if let Some(way) = shown(likely.filter(|way| !short(way))) {
             return (None, way);
         }
-        if let Some(found) = lower(tool, surface, side, known, SEEN * wide) {
+        let seen = SEEN * wide;
+        let found = lower(tool, surface, side, known, seen)
+            .or_else(|| beneath::elsewhere(tool, surface, side, known, seen));
+        if let Some(found) = found {
             return found;
         }
         if let Some(way) = shown(likely.filter(short)) {

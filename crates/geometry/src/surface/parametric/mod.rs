@@ -24,6 +24,7 @@ use std::sync::Arc;
 
 use crate::surface::{Foot, Shape, Spot, frame_about};
 use crate::{Place, Polyconic, Reason, RuledSurface, Vec3};
+pub use cells::{Disk, Facing, Next};
 pub use edges::{Edge, OnEdge};
 use jet::{Jet, across, by_sides};
 pub use part::Part;
@@ -393,6 +394,30 @@ impl ParametricSurface {
     pub fn keeps_off(&self, least: f64, near: impl Fn(Vec3) -> (f64, Vec3)) -> bool {
         let Patch::Sculptured(spans) = &self.patch else { return false };
         spans.cells().keeps_off(least, near, |patch, u, v| spans.jet_of(patch, u, v))
+    }
+
+    /// Pieces of a sculptured surface that may come nearer to a disk, or to what is above it, than the first of the limits and, the disk
+    /// having gone by less than the second, hold a place at which its distance dips: `look` is asked what is to become of each. Of
+    /// other surfaces it is asked nothing.
+    pub fn beneath(&self, disk: &Disk, limits: [f64; 2], look: impl FnMut(&Facing) -> Next) {
+        if let Patch::Sculptured(spans) = &self.patch {
+            let jet = |patch, u, v| spans.jet_of(patch, u, v);
+            spans.cells().beneath(disk, limits, jet, look);
+        }
+    }
+
+    /// The least cosine between a unit vector and the normals of a sculptured surface within balls, which lead to the side to which the
+    /// normal `n` at the parameters `near` does; `None` where it is not above 0, at edges, and of other surfaces.
+    pub fn upright(
+        &self,
+        balls: &[(Vec3, f64)],
+        axis: Vec3,
+        (near, n): ([f64; 2], Vec3),
+    ) -> Option<f64> {
+        let Patch::Sculptured(spans) = &self.patch else { return None };
+        let jet = spans.jet(near[0], near[1]);
+        let sign = jet.su.cross(&jet.sv).dot(&n).signum();
+        spans.cells().upright(balls, axis * sign)
     }
 
     /// The same of the first or last border of u (0) or v (1) of a sculptured surface itself.

@@ -5,6 +5,7 @@
 //! derivatives, which say how far it bends out of it. Cells stand in a tree of boxes; one that bends too much to
 //! be judged is cut in four, a few times.
 
+mod beneath;
 mod clear;
 mod grid;
 mod make;
@@ -17,6 +18,7 @@ use super::{Domain, Jet, Placed};
 use crate::Vec3;
 use crate::balls::{Ball, Below, balls};
 use crate::sculpt::Sculptured;
+pub use beneath::{Disk, Facing, Next};
 use grid::Grid;
 use part::Formed;
 

@@ -19,8 +19,8 @@ type Rectangle = [[usize; 2]; 2];
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Formed {
     /// The normal in the middle, and by how much the others differ from it, as vectors.
-    normal: Vec3,
-    turn: f64,
+    pub(super) normal: Vec3,
+    pub(super) turn: f64,
     /// Least and greatest curvature, positive where the surface bends away from its normals.
     curvature: Option<[f64; 2]>,
     /// Its column and row.
@@ -67,7 +67,7 @@ impl Cells {
         bends.then_some(Part { turn, curvature, across, ruling, lean, twist })
     }
 
-    fn formed(&self) -> &[Formed] {
+    pub(super) fn formed(&self) -> &[Formed] {
         self.formed.get_or_init(|| {
             let formed = |cell: &Cell| {
                 let (place, sizes) = (self.grid.place(cell.mid), cell.sizes());
@@ -83,7 +83,7 @@ impl Cells {
     }
 
     /// The numbers of the cells that come into the balls go to `put`, with whether they come into the last one, until that gives up.
-    fn within(
+    pub(super) fn within(
         &self,
         balls: &[(Vec3, f64)],
         mut put: impl FnMut(usize, bool) -> Option<()>,
@@ -169,7 +169,7 @@ impl Cell {
     }
 
     /// The normal in the middle, and by how much the others differ from it, as vectors.
-    fn normals(&self) -> Option<(Vec3, f64)> {
+    pub(super) fn normals(&self) -> Option<(Vec3, f64)> {
         let [a, b] = &self.side;
         let [ea, eb] = self.turns();
         let (la, lb) = (a.norm(), b.norm());
