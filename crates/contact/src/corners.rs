@@ -21,6 +21,12 @@ impl Sharp for Corner {
         take(self.along.dot(&(gap.surface_point - line.point)), gap.raw);
     }
 
+    fn least_beside(&self, tool: &Tool<'_>, by: Vec3, t: f64) -> f64 {
+        let mut least = t;
+        self.each_least(tool, by, &mut |t, _| least = t);
+        least
+    }
+
     fn place(&self, t: f64) -> Option<OnEdge> {
         let TabcylCorner { at, point, mean, .. } = self.corner;
         Some(OnEdge { at, point: point + self.along * t, along: self.along, mean })

@@ -10,6 +10,9 @@ use crate::gap::{Gap, Side};
 /// Parts of an edge that are looked at for a least distance each, and the share of the slopes at its ends that is none.
 const PARTS: u8 = 12;
 const EVEN: f64 = 1e-14;
+/// First step from a place of an edge to one that is least beside it, and by how much the next are longer.
+const STEP: f64 = 1e-4;
+const FASTER: f64 = 8.0;
 /// Sine by which what leads into the surface may come nearer to the tool.
 const LEVEL: f64 = 1e-9;
 /// Share of the tool's size below which the place of contact is found with the edge moved back, and rounds of that and of other
@@ -31,6 +34,9 @@ pub(crate) struct Edges {
 pub(crate) trait Sharp {
     /// Calls `take` for each place, with all of it moved `by`, at which the tool is nearest, with its distance.
     fn each_least(&self, tool: &Tool<'_>, by: Vec3, take: &mut dyn FnMut(f64, f64));
+
+    /// The one of these places to which the way leads from the place `t`.
+    fn least_beside(&self, tool: &Tool<'_>, by: Vec3, t: f64) -> f64;
 
     /// A place of it.
     fn place(&self, t: f64) -> Option<OnEdge>;
@@ -137,17 +143,29 @@ struct Joint<'a> {
     edge: &'a Edge,
 }
 
+impl Joint<'_> {
+    /// Distance of the tool from the place `t` of the edge moved `by`, and its slope.
+    fn value(&self, tool: &Tool<'_>, by: Vec3, t: f64) -> Option<(f64, f64)> {
+        let [point, along] = self.surface.line_on_edge(self.edge, t)?;
+        let near = tool.near(point + by);
+        Some((near.distance, near.normal.dot(&along)))
+    }
+}
+
 impl Sharp for Joint<'_> {
     fn each_least(&self, tool: &Tool<'_>, by: Vec3, take: &mut dyn FnMut(f64, f64)) {
-        let value = |p: &OnEdge| {
-            let near = tool.near(p.point + by);
-            (near.distance, near.normal.dot(&p.along))
-        };
         if self.edge.is_tip() {
             take(0.0, tool.distance(self.edge.center + by));
             return;
         }
-        least(self.surface, self.edge, &value, take);
+        least(&|t| self.value(tool, by, t), take);
+    }
+
+    fn least_beside(&self, tool: &Tool<'_>, by: Vec3, t: f64) -> f64 {
+        let line = self.surface.line_on_edge(self.edge, t);
+        let size = line.map_or(0.0, |[_, along]| along.norm());
+        let found = || beside(&|t| self.value(tool, by, t), size, t);
+        if self.edge.is_tip() { 0.0 } else { found().unwrap_or(t) }
     }
 
     fn place(&self, t: f64) -> Option<OnEdge> {
@@ -165,19 +183,19 @@ fn passes(surface: &ParametricSurface, edge: &Edge, q: Vec3, near: f64) -> bool 
         return true;
     }
     let mut found = false;
-    let away = |p: &OnEdge| ((p.point - q).norm(), (p.point - q).dot(&p.along));
-    least(surface, edge, &away, &mut |_, distance| found |= distance <= near);
+    let away = |t: f64| {
+        let [point, along] = surface.line_on_edge(edge, t)?;
+        Some(((point - q).norm(), (point - q).dot(&along)))
+    };
+    least(&away, &mut |_, distance| found |= distance <= near);
     found
 }
 
-/// The places of an edge at which a value is least; `value` tells its slope along the edge too.
-fn least(
-    surface: &ParametricSurface,
-    edge: &Edge,
-    value: &dyn Fn(&OnEdge) -> (f64, f64),
-    take: &mut dyn FnMut(f64, f64),
-) {
-    let at = |t: f64| surface.on_edge(edge, t).map(|p| value(&p));
+/// Value and slope at a place of an edge.
+type Sloped<'a> = dyn Fn(f64) -> Option<(f64, f64)> + 'a;
+
+/// The places of an edge at which a value is least.
+fn least(at: &Sloped<'_>, take: &mut dyn FnMut(f64, f64)) {
     let part = |i: u8| f64::from(i) / f64::from(PARTS);
     let Some(mut before) = at(0.0) else { return };
     if before.1 >= 0.0 {
@@ -186,31 +204,62 @@ fn least(
     for i in 1..=PARTS {
         let Some(now) = at(part(i)) else { return };
         if before.1 < 0.0 && now.1 >= 0.0 {
-            let (mut low, mut high) = ((part(i - 1), before.1), (part(i), now.1));
-            let mut best = (high.0, now.0);
-            for round in 0..ROUNDS {
-                // The zero of the chord of the slopes, and every third time the middle.
-                let chord = low.0 - low.1 * (high.0 - low.0) / (high.1 - low.1);
-                let inside = chord > low.0 && chord < high.0 && round % 3 != 2;
-                let t = if inside { chord } else { 0.5 * (low.0 + high.0) };
-                let Some((distance, slope)) = at(t) else { break };
-                if distance < best.1 {
-                    best = (t, distance);
-                }
-                *(if slope < 0.0 { &mut low } else { &mut high }) = (t, slope);
-                let size = before.1.abs().max(now.1.abs());
-                if slope.abs() <= EVEN * size || high.0 - low.0 <= f64::EPSILON {
-                    best = (t, distance);
-                    break;
-                }
-            }
-            take(best.0, best.1);
+            let size = before.1.abs().max(now.1.abs());
+            let (t, value) = between(at, size, (part(i - 1), before), (part(i), now));
+            take(t, value);
         }
         before = now;
     }
     if before.1 < 0.0 {
         take(1.0, before.0);
     }
+}
+
+/// The place at which a value is least next to `t`, downhill, its slopes being of that `size`.
+fn beside(at: &Sloped<'_>, size: f64, t: f64) -> Option<f64> {
+    let mut last = (t, at(t)?);
+    let way = if last.1.1 < 0.0 { 1.0 } else { -1.0 };
+    let mut step = STEP;
+    loop {
+        let to = (last.0 + way * step).clamp(0.0, 1.0);
+        let next = (to, at(to)?);
+        if next.1.1 * way >= 0.0 {
+            let [low, high] = if way > 0.0 { [last, next] } else { [next, last] };
+            return Some(between(at, size, low, high).0);
+        }
+        if to <= 0.0 || to >= 1.0 {
+            return Some(to);
+        }
+        (last, step) = (next, FASTER * step);
+    }
+}
+
+/// A place between two, with their values and slopes that fall and rise, at which the value is least, and that; the slopes are of
+/// the `size`.
+fn between(
+    at: &Sloped<'_>,
+    size: f64,
+    (a, begin): (f64, (f64, f64)),
+    (b, end): (f64, (f64, f64)),
+) -> (f64, f64) {
+    let (mut low, mut high) = ((a, begin.1), (b, end.1));
+    let mut best = (b, end.0);
+    for round in 0..ROUNDS {
+        // The zero of the chord of the slopes, and every third time the middle.
+        let chord = low.0 - low.1 * (high.0 - low.0) / (high.1 - low.1);
+        let inside = chord > low.0 && chord < high.0 && round % 3 != 2;
+        let t = if inside { chord } else { 0.5 * (low.0 + high.0) };
+        let Some((distance, slope)) = at(t) else { break };
+        if distance < best.1 {
+            best = (t, distance);
+        }
+        *(if slope < 0.0 { &mut low } else { &mut high }) = (t, slope);
+        if slope.abs() <= EVEN * size || high.0 - low.0 <= f64::EPSILON {
+            best = (t, distance);
+            break;
+        }
+    }
+    best
 }
 
 /// The gap at a place of an edge, where the surface falls off to all sides of it.
@@ -247,14 +296,10 @@ fn touching(
     // At the tool's own edges its normal is anything where they touch: with the edge moved away from the tool it is one.
     let back = 0.25 * size + 2.0 * (-near.distance).max(0.0);
     let mut normal = (place.mean * side.sign()).try_normalize(0.0)?;
+    let mut at = t;
     for _ in 0..ROUNDS {
         let by = -normal * back;
-        let (mut at, mut lowest) = (t, f64::INFINITY);
-        edge.each_least(tool, by, &mut |t, distance| {
-            if distance < lowest {
-                (at, lowest) = (t, distance);
-            }
-        });
+        at = edge.least_beside(tool, by, at);
         let place = edge.place(at)?;
         let near = tool.near(place.point + by);
         let turned = (near.normal + normal).norm();

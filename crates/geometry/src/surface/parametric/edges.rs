@@ -92,6 +92,18 @@ impl Edge {
         }
     }
 
+    /// The point at the share `t` of its length, and the derivative along it.
+    pub(super) fn line(&self, spans: &Spans, t: f64) -> [Vec3; 2] {
+        match &self.sides {
+            Sides::Tip { .. } => [self.center, Vec3::zeros()],
+            Sides::Joint([side, _]) => {
+                let (_, jet) = side.jet(spans, t);
+                let by = side.by();
+                [jet.s, jet.su * by[0] + jet.sv * by[1]]
+            }
+        }
+    }
+
     /// The directions from the place at `t` into the surface, until one does not do.
     pub(super) fn all_inwards(&self, spans: &Spans, t: f64, does: impl Fn(Vec3) -> bool) -> bool {
         match &self.sides {

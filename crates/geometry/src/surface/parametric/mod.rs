@@ -212,6 +212,12 @@ impl ParametricSurface {
         Some(edge.at(spans, t))
     }
 
+    /// The point there and the derivative along the edge alone.
+    pub fn line_on_edge(&self, edge: &Edge, t: f64) -> Option<[Vec3; 2]> {
+        let Patch::Sculptured(spans) = &self.patch else { return None };
+        Some(edge.line(spans, t))
+    }
+
     /// Do all unit directions from there into the surface?
     pub fn inwards_of(&self, edge: &Edge, t: f64, does: impl Fn(Vec3) -> bool) -> bool {
         let Patch::Sculptured(spans) = &self.patch else { return false };
