@@ -34,6 +34,52 @@ pub struct Milling {
     pub joined: bool,
     /// Does each motion begin, straight from where the one before ended, beyond what REGION leaves out?
     pub over: bool,
+    /// What REGION leaves of its lines; none where it does not limit them.
+    pub limits: Option<Limits>,
+}
+
+/// What REGION leaves of the lines of a part surface.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Limits {
+    /// What is milled lies in all of them.
+    pub areas: Vec<Area>,
+    /// The lines that are asked for, of which all is milled that the areas hold; none where nothing is promised of them.
+    pub lines: Vec<AskedLine>,
+    /// How the tool is held to its lines.
+    pub held: Held,
+    /// By how much a vector may leave its line between two places of it (CHORD).
+    pub off: f64,
+}
+
+/// What is inside of outlines, or outside.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Area {
+    /// Is it what an odd number of the outlines hold? Else it is the rest.
+    pub inside: bool,
+    /// The outlines.
+    pub outlines: Vec<Outline>,
+}
+
+/// A line of a surface before anything limits it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AskedLine {
+    /// The parameter that runs, 0 for u and 1 for v.
+    pub running: usize,
+    /// The value of the other.
+    pub fixed: f64,
+    /// From where to where it runs, rising.
+    pub ends: [f64; 2],
+}
+
+/// How a tool is held to a place of the line along which it is led.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Held {
+    /// It touches it.
+    Touching,
+    /// It may be lifted off it along its axis (AVCTRL).
+    Above,
+    /// It may be lifted off it in another direction.
+    Free,
 }
 
 impl Milling {
@@ -54,6 +100,7 @@ impl Milling {
             part: self.part.clone().filter(|_| self.guarded),
             on: false,
             scallop: None,
+            limits: None,
             intol: Self::touching(self.intol, self.outtol),
             ..self.clone()
         }

@@ -3,10 +3,13 @@
 #[path = "support/run.rs"]
 mod run;
 
-use aptc_cldata::{Kind, Motion, Record};
+use std::sync::Arc;
+
+use aptc_cldata::milling::{Limits, Milling};
+use aptc_cldata::{Control, Kind, Motion, Record};
 use aptc_control::{Disk, Options, Source, Verify, compile};
 use aptc_diagnostics::{Diagnostic, codes};
-use aptc_verify::{Effort, Verifier};
+use aptc_verify::{Breach, Certificate, Effort, Verifier};
 
 /// A surface of 60 by 60 with the window from 20 to 40 recorded as outline 1; and statements.
 fn program(rise: f64, work: &str) -> String {
@@ -65,6 +68,131 @@ fn over_a_hill_the_way_is_refuted_or_refused() {
     assert!(ran.told.iter().any(|(_, text)| text.contains(over)), "{:?}", ran.told);
 }
 
+/// Which lines are left out, and what else is told.
+fn parted(said: Vec<Diagnostic>) -> (Vec<Diagnostic>, Vec<Diagnostic>) {
+    said.into_iter().partition(|d| d.message.contains("which REGION leaves to be milled, about"))
+}
+
+/// The proof of a program's path under other promises.
+fn changed(text: &str, change: impl Fn(&mut Milling)) -> (Certificate, Vec<Diagnostic>) {
+    let options = Options { verify: Verify::Off, post: false, ..Options::default() };
+    let source = Source { name: "part".into(), text: text.into() };
+    let compiled = compile(source, &mut Disk::new(Vec::new(), 0), &options);
+    let wrong: Vec<_> = compiled.diagnostics.iter().filter(|d| d.is_error()).collect();
+    assert!(wrong.is_empty(), "{wrong:?}");
+    let mut verifier = Verifier::new(Effort::Full);
+    // Motions of one control stay so.
+    let mut known: Vec<[Arc<Control>; 2]> = Vec::new();
+    for mut record in compiled.parts[0].computed.to_vec().expect("they can be read") {
+        if let Kind::Motion(Motion { control: Some(control), .. }) = &mut record.kind
+            && let Some(milling) = &control.milling
+        {
+            let found =
+                known.iter().find(|k| Arc::ptr_eq(&k[0], control)).map(|k| Arc::clone(&k[1]));
+            let new = found.unwrap_or_else(|| {
+                let mut milling = milling.clone();
+                change(&mut milling);
+                let new = Control { milling: Some(milling), ..Control::clone(control) };
+                known.push([Arc::clone(control), Arc::new(new)]);
+                Arc::clone(&known[known.len() - 1][1])
+            });
+            *control = new;
+        }
+        verifier.push(&record);
+    }
+    verifier.finish()
+}
+
+fn limits(milling: &mut Milling) -> &mut Limits {
+    milling.limits.as_mut().expect("REGION limits it")
+}
+
+/// A path within an outline, held against what is outside of it, and the other way round. The ends of the stretches lie in both.
+#[test]
+fn what_is_milled_where_it_is_to_be_left_is_refuted() {
+    let line = "GOLOFT/F,VCONST,1,CHORD,.01";
+    let passes = "GOMILL/F,VCONST,0,STEPOV,.1,RETR,(PLANE/0,0,1,30)";
+    let away = "GCLEAR/AWAY,NORMAL,15\nGCLEAR/BACK,NORMAL,15\n";
+    let mut told = 0;
+    for rise in [0.0, 4.0] {
+        for cutter in ["4,2", "6,1", "3"] {
+            for work in [format!("{away}{line}"), passes.to_owned()] {
+                for sense in ["IN", "OUT"] {
+                    let text = program(rise, &format!("CUTTER/{cutter}\nREGION/1,{sense}\n{work}"));
+                    let right = changed(&text, |_| {});
+                    let gouges = |said: &[Diagnostic]| {
+                        said.iter().filter(|d| d.message.contains("cuts into")).count()
+                    };
+                    // A flat end that does not turn cuts into the hill beside its contact.
+                    let (lines, rest) = parted(right.1);
+                    assert!(lines.is_empty() && rest.len() == gouges(&rest), "{text} {rest:?}");
+                    if !rest.is_empty() {
+                        continue;
+                    }
+                    assert!(right.0.is_proved(), "{text} {}", right.0);
+                    let wrong = changed(&text, |m| {
+                        limits(m).lines.clear();
+                        limits(m).areas.iter_mut().for_each(|a| a.inside = !a.inside);
+                    });
+                    let fault = wrong.0.statements.iter().filter_map(|s| s.fault.as_ref());
+                    let most = fault
+                        .filter(|f| f.breach == Some(Breach::Outside))
+                        .map(|f| f.depth)
+                        .fold(0.0, f64::max);
+                    // From the middle of the window, and from a corner of the surface.
+                    let far = match (sense, work.contains("GOLOFT")) {
+                        ("IN", _) => 10.0,
+                        (_, true) => 20.0,
+                        (_, false) => 28.3,
+                    };
+                    assert!((0.85 * far..1.3 * far).contains(&most), "{text} {most} {:?}", wrong.1);
+                    let words = "outside of what REGION leaves to be milled, at tool end";
+                    assert!(wrong.1.iter().any(|d| d.message.contains(words)), "{:?}", wrong.1);
+                    told += 1;
+                }
+            }
+        }
+    }
+    assert!(told >= 16, "{told}");
+}
+
+/// The straight way over the window counts as milled where it is not one that is told.
+#[test]
+fn one_vector_over_the_window_is_refuted() {
+    let text = program(0.0, "REGION/1,OUT\nGOLOFT/F,VCONST,1,CHORD,.01");
+    assert!(changed(&text, |_| {}).0.is_proved());
+    let (c, said) = changed(&text, |m| m.over = false);
+    let fault = c.statements[0].fault.as_ref().expect("a fault");
+    assert!(
+        c.refuted == 1 && fault.breach == Some(Breach::Outside) && (fault.depth - 10.0).abs() < 0.1,
+        "{said:?}"
+    );
+}
+
+/// Lines of which nothing is milled, or a stretch is not.
+#[test]
+fn stretches_that_are_left_out_are_told() {
+    let passes = "GOMILL/F,VCONST,0,STEPOV,.1,PICKFD,RETR,(PLANE/0,0,1,30)";
+    for (rise, sense, n) in [(0.0, "IN", 28), (4.0, "IN", 28), (0.0, "OUT", 7), (4.0, "OUT", 7)] {
+        let text = program(rise, &format!("REGION/1,{sense}\n{passes}"));
+        let lines = changed(&text, |m| assert!(limits(m).lines.len() > 20)).0.left_out_lines;
+        assert!(lines.is_empty(), "{lines:?}");
+        // What was not milled is asked for instead.
+        let flip = |m: &mut Milling| limits(m).areas.iter_mut().for_each(|a| a.inside = !a.inside);
+        let (c, _) = changed(&text, flip);
+        let other = if sense == "IN" { [0.0, 60.0] } else { [20.0, 40.0] };
+        let within = c
+            .left_out_lines
+            .iter()
+            .all(|l| (other[0] - 1e-6..other[1] + 1e-6).contains(&l.at[0]) && l.line.0 == "VCONST");
+        assert!(
+            within && !c.is_proved() && c.left_out_lines.len() == n,
+            "{} {c}",
+            c.left_out_lines.len()
+        );
+    }
+}
+
 /// The records of a program's path as far as they are kept, judged: the roles that have bounds, and what is told.
 fn judged(text: &str, keep: impl Fn(&Motion) -> bool) -> (Vec<&'static str>, Vec<Diagnostic>) {
     let options = Options { verify: Verify::Off, post: false, ..Options::default() };
@@ -97,14 +225,19 @@ fn what_is_left_between_the_stretches_is_judged() {
         };
         let text = program(0.0, &format!("{region}\n{lines}"));
         let (roles, said) = judged(&text, |m| !gone(m));
+        // Each stretch that is left out is told besides.
+        let (lines, said) = parted(said);
         let codes: Vec<_> = said.iter().map(|d| d.code).collect();
         assert_eq!(codes, Vec::from_iter(told), "{region} {said:?}");
         assert_eq!(roles.contains(&"scallop"), told.is_none(), "{region} {roles:?}");
+        assert_eq!(lines.is_empty(), told.is_none(), "{region} {lines:?}");
         if told.is_some() {
             assert!(said[0].message.contains("part surface F between the passes"), "{said:?}");
         }
         let (roles, said) = judged(&text.replace("SCALOP,.2,", ""), |m| !gone(m));
+        let (lines, said) = parted(said);
         assert!(!roles.contains(&"scallop") && said.is_empty(), "{said:?}");
+        assert_eq!(lines.is_empty(), told.is_none(), "{region} {lines:?}");
     }
 }
 
@@ -167,8 +300,10 @@ fn what_is_left_along_a_border_is_judged() {
             let beyond = |y: f64| if border == 0.0 { -y } else { y - border };
             let along = |m: &Motion| m.points.iter().all(|p| beyond(p.te.y) > -0.1);
             let (_, said) = judged(&text, |m| !along(m));
+            let (lines, said) = parted(said);
             let codes: Vec<_> = said.iter().map(|d| d.code).collect();
             assert_eq!(codes, [codes::REFUTED], "{sense} {border} {said:?}");
+            assert_eq!(lines.len(), if sense == "IN" { 1 } else { 2 }, "{lines:?}");
         }
     }
 }

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use aptc_cldata as cl;
+use aptc_cldata::milling::AskedLine;
 use aptc_diagnostics::Origin;
 use aptc_geometry::{Form, Vec3};
 use aptc_protap::{Arg, NameRef};
@@ -160,13 +161,22 @@ impl Regional {
         }
         let from = start_uv;
         if self.outlines.is_active() {
-            let stretches = self.left(&region, form, from, ([start, thru], wish.pick));
+            let ends = [start, thru];
+            let lines = region.lines(from);
+            let stretches = self.left(&region, form, &lines, (ends, wish.pick));
             let done = within::mill(&region, &stretches, retract, crew)?;
             let strips = if done.why.is_none() { &done.strips[..] } else { &[] };
             let excused = done.avoided.then_some(GOT_OUT);
             let scallop =
                 strips::scallop(strips, (&part.surface, course), stepover.scallop, excused);
-            let control = self.milling_control(&part, scallop, false);
+            let mut control = self.milling_control(&part, scallop, false);
+            if let Some(c) = Arc::get_mut(&mut control).and_then(|c| c.milling.as_mut()) {
+                let fixed = lines.iter().map(|at| at[course.across().index()]);
+                let asked = fixed.map(|fixed| AskedLine { running: course.index(), fixed, ends });
+                let off = setup.strays();
+                let asked = if done.why.is_none() { asked.collect() } else { Vec::new() };
+                c.limits = self.outlines.limits(form, asked, off, self.avoid);
+            }
             self.diagnostics.extend(reports(origin, &done.notes));
             self.odd(origin, done.odd);
             let stand = self.put(origin, (name, guide), done.puts, Some(&control), out);
@@ -238,13 +248,13 @@ impl Regional {
         &self,
         region: &Region<'_>,
         form: &Arc<Form>,
-        from: [f64; 2],
+        lines: &[[f64; 2]],
         (ends, pick): ([f64; 2], bool),
     ) -> Vec<Stretch> {
         let course = region.course;
         let mut rises = region.senses[0] > 0.0;
         let mut all = Vec::new();
-        for (line, at) in region.lines(from).into_iter().enumerate() {
+        for (line, at) in lines.iter().enumerate() {
             let fixed = at[course.across().index()];
             let stretch = |[a, b]: [f64; 2]| {
                 let (from, to) = if rises { (a, b) } else { (b, a) };

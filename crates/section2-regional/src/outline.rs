@@ -2,10 +2,12 @@
 
 use std::sync::Arc;
 
-use aptc_cldata::milling;
+use aptc_cldata as cl;
+use aptc_cldata::milling::{self, Area, AskedLine, Limits, Milling};
 use aptc_geometry::{Form, Sculptured};
 use aptc_protap::{Arg, NameRef};
 
+use crate::avoid::Avoid;
 use crate::failure::Failure;
 use crate::regional::Regional;
 use crate::round::{closed, crosses, is_one};
@@ -156,11 +158,7 @@ impl Outlines {
         ends: [f64; 2],
     ) -> Vec<[f64; 2]> {
         let mut left = vec![ends];
-        for active in &self.active {
-            let on_it = |o: &Outline| o.form.as_ref().is_some_and(|f| same_form(f, form));
-            if !self.recorded.iter().any(|o| same(o.number, active.number) && on_it(o)) {
-                continue;
-            }
+        for active in self.on(form) {
             let kept = active.stretches(running, fixed, ends);
             left = left
                 .iter()
@@ -169,6 +167,51 @@ impl Outlines {
                 .collect();
         }
         left
+    }
+
+    /// What is promised of lines of a surface; `None` where no outline limits them.
+    pub(crate) fn limits(
+        &self,
+        form: &Arc<Form>,
+        lines: Vec<AskedLine>,
+        off: f64,
+        avoid: Avoid,
+    ) -> Option<Limits> {
+        let area = |a: &Active| Area { inside: a.inside, outlines: a.held.clone() };
+        let areas: Vec<_> = self.on(form).map(area).collect();
+        let held = match (avoid.on, avoid.along_normal) {
+            (false, _) => milling::Held::Touching,
+            (true, false) => milling::Held::Above,
+            (true, true) => milling::Held::Free,
+        };
+        (!areas.is_empty()).then_some(Limits { areas, lines, held, off })
+    }
+
+    /// The outlines that limit lines of a surface.
+    fn on(&self, form: &Arc<Form>) -> impl Iterator<Item = &Active> {
+        self.active.iter().filter(move |active| {
+            let on_it = |o: &Outline| o.form.as_ref().is_some_and(|f| same_form(f, form));
+            self.recorded.iter().any(|o| same(o.number, active.number) && on_it(o))
+        })
+    }
+}
+
+/// Takes back that all lines are milled that were asked for: not all are.
+pub(crate) fn broken_off(records: &mut [cl::Record]) {
+    let mut free: Option<Arc<cl::Control>> = None;
+    for record in records {
+        if let cl::Kind::Motion(motion) = &mut record.kind
+            && let Some(control) = &mut motion.control
+            && let Some(milling) = &control.milling
+            && let Some(limits) = milling.limits.as_ref().filter(|l| !l.lines.is_empty())
+        {
+            // Motions of one control stay so.
+            *control = Arc::clone(free.get_or_insert_with(|| {
+                let limits = Some(Limits { lines: Vec::new(), ..limits.clone() });
+                let milling = Some(Milling { limits, ..milling.clone() });
+                Arc::new(cl::Control { milling, ..cl::Control::clone(control) })
+            }));
+        }
     }
 }
 

@@ -426,6 +426,7 @@ impl Regional {
             scallop,
             joined,
             over: false,
+            limits: None,
         };
         Arc::new(cl::Control { milling: Some(milling), ..cl::Control::default() })
     }
@@ -543,7 +544,7 @@ fn is_at(from: [f64; 2], course: Course, to: f64) -> bool {
 /// `None` where the tool end is not led so.
 fn freed(control: &Arc<cl::Control>) -> Option<Freed> {
     let milling = control.milling.as_ref().filter(|m| m.on && m.part.is_some())?;
-    let back = Milling { scallop: None, joined: true, ..milling.clone() };
+    let back = Milling { scallop: None, joined: true, limits: None, ..milling.clone() };
     let free = Milling { part: None, ..back.clone() };
     let risen = Milling { risen: true, ..back.clone() };
     let first = Milling { risen: true, ..milling.clone() };

@@ -140,6 +140,11 @@ impl<'a> Setup<'a> {
 }
 
 impl Setup<'_> {
+    /// By how much a chord may leave its line at most.
+    pub(crate) fn strays(&self) -> f64 {
+        self.band.intol.max(self.band.outtol).max(self.lateral)
+    }
+
     /// Between cutter and part surface: thickness and lift.
     pub(crate) fn thick(&self) -> f64 {
         self.part.thick + self.lift

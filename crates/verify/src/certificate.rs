@@ -25,6 +25,8 @@ pub struct Certificate {
     pub rapid_cuts: u64,
     /// One entry each.
     pub rapids: Vec<RapidCut>,
+    /// Stretches of lines that REGION leaves to be milled, and that are not.
+    pub left_out_lines: Vec<LeftOut>,
     /// Motions of the program that a CL file lacks.
     pub unmatched: u64,
     /// Positions of a CL file that belong to no motion of the program.
@@ -65,6 +67,21 @@ pub struct RapidCut {
     pub depth: f64,
 }
 
+/// A stretch of a line that REGION leaves to be milled, over which the tool never comes.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct LeftOut {
+    /// The statement.
+    pub origin: Origin,
+    /// Name and role of the surface.
+    pub surface: String,
+    /// The word of the line, and its parameter.
+    pub line: (&'static str, f64),
+    /// A place in the middle of it.
+    pub at: [f64; 3],
+    /// Its length.
+    pub length: f64,
+}
+
 /// Bounds of the gap to a surface over a statement; the gap includes the thickness.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SurfaceBound {
@@ -99,12 +116,23 @@ pub struct Fault {
     pub depth: f64,
     /// Is it material that is cut (else material that is left)?
     pub gouge: bool,
+    /// What else is wrong than that the band is left.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub breach: Option<Breach>,
     /// Does it stand between the ends of passes alone, where the tool does not step from one to the next?
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub ends: bool,
     /// Why it is not decided, where that is known.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub why: Option<Cow<'static, str>>,
+}
+
+/// What is wrong with a vector that keeps to its band.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Breach {
+    /// It mills where REGION leaves nothing to be milled; `depth` is how far that is from what may be milled.
+    Outside,
 }
 
 /// A length for a message: small ones keep their digits.
@@ -149,6 +177,19 @@ impl Fault {
     }
 }
 
+impl LeftOut {
+    pub(crate) fn told(&self) -> Diagnostic {
+        let ([x, y, z], (word, fixed)) = (self.at, self.line);
+        let message = format!(
+            "no cut vector mills {} of the line {word},{fixed} of {}, which REGION leaves to be milled, about {x:.5}, {y:.5}, {z:.5}",
+            length(self.length),
+            self.surface
+        );
+        Diagnostic::error(codes::REFUTED, self.origin.span, message)
+            .within(self.origin.trace.clone())
+    }
+}
+
 impl Certificate {
     /// Is every cut vector proved?
     pub fn is_proved(&self) -> bool {
@@ -158,6 +199,7 @@ impl Certificate {
             && self.unmatched == 0
             && self.extra == 0
             && self.rapid_cuts == 0
+            && self.left_out_lines.is_empty()
     }
 }
 
@@ -185,6 +227,10 @@ impl fmt::Display for Certificate {
         }
         if self.extra > 0 {
             write!(f, ", {} positions of no motion", self.extra)?;
+        }
+        if let n @ 1.. = self.left_out_lines.len() {
+            let s = if n == 1 { "" } else { "es" };
+            write!(f, ", {n} stretch{s} of lines not milled")?;
         }
         if self.free > 0 {
             write!(f, "; {} from point to point", self.free)?;

@@ -265,6 +265,7 @@ impl Judged {
                     te: te.into(),
                     depth,
                     gouge,
+                    breach: None,
                     ends: false,
                     why: None,
                 })
@@ -276,6 +277,7 @@ impl Judged {
                 te: te.into(),
                 depth: at_most,
                 gouge: false,
+                breach: None,
                 ends: false,
                 why: None,
             }),

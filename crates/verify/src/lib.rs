@@ -5,6 +5,7 @@
 //! each cut vector is *proved*, *refuted* with place and depth, or *not decided*.
 
 mod around;
+mod asked;
 mod batch;
 mod beside;
 mod between;
@@ -26,6 +27,7 @@ mod joined;
 mod judged;
 mod kept;
 mod level;
+mod limited;
 mod milled;
 mod outline;
 mod outside;
@@ -50,7 +52,9 @@ mod verifier;
 mod witness;
 
 pub use batch::Batch;
-pub use certificate::{Certificate, Fault, RapidCut, StatementProof, SurfaceBound};
+pub use certificate::{
+    Breach, Certificate, Fault, LeftOut, RapidCut, StatementProof, SurfaceBound,
+};
 pub use deviation::deviation_svg;
 pub use foreign::{Astray, Marks, Matched, matched, times_as_large};
 pub use verifier::{Effort, Verifier, tells_gouge};

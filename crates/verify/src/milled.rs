@@ -9,10 +9,11 @@ use aptc_geometry::surface::kept::between;
 use aptc_geometry::{Form, Profile, Shell};
 
 use crate::between::{angle, between_poses};
-use crate::certificate::{Fault, SurfaceBound};
+use crate::certificate::{Breach, Fault, SurfaceBound};
 use crate::curved::{Curved, Half, Warm, worst};
 use crate::demand::Verdict;
 use crate::kept::Kept;
+use crate::limited::{Last, Limited};
 use crate::pile::Pile;
 use crate::scallop::{Cusps, Left};
 use crate::search::{Aim, Moved, TURNED, clearance_from};
@@ -50,6 +51,8 @@ pub(crate) struct Region {
     /// The part surface first, if there is one, then those that are checked.
     surfaces: Vec<MilledSurface>,
     cusps: Option<Cusps>,
+    /// What of the part surface is to be milled, where that is not all.
+    limited: Option<Limited>,
     swath: OnceLock<Swath>,
     /// The same with ways from the ends of passes to those of the next.
     linked: OnceLock<Swath>,
@@ -112,6 +115,8 @@ impl Region {
             let thick = if milling.on { 0.0 } else { part.thick };
             Some(Cusps::new(&sheets.of(&part.surface)?, part.side, thick, milling.outtol, scallop))
         });
+        let sheet = milling.part.as_ref().and_then(|p| sheets.of(&p.surface));
+        let limited = Limited::new(milling, sheet, profile);
         let plain = |p| MilledSurface::plain(p, milling, sheets, (profile, from));
         surfaces.extend(milling.plain.iter().map(plain));
         // Shank and holder keep clear of what is checked, the part surface only where it is.
@@ -130,7 +135,8 @@ impl Region {
             });
         let held: Vec<_> = held.collect();
         surfaces.extend(held);
-        Some(Self { surfaces, cusps, swath: OnceLock::new(), linked: OnceLock::new() })
+        let (swath, linked) = (OnceLock::new(), OnceLock::new());
+        Some(Self { surfaces, cusps, limited, swath, linked })
     }
 
     pub(crate) fn surfaces(&self) -> &[MilledSurface] {
@@ -153,6 +159,29 @@ impl Region {
         fault.map(|f| Fault {
             surface: format!("{} on the way to its first position", f.surface),
             ..f
+        })
+    }
+
+    /// What a vector mills where nothing is to be milled; one that leads `over` it is told elsewhere.
+    pub(crate) fn outside(
+        &self,
+        profile: &Profile,
+        ends: [&Position; 2],
+        (over, pad): (bool, f64),
+        vector: u64,
+        last: &mut Option<Last>,
+    ) -> Option<Fault> {
+        let (te, depth) = self.limited.as_ref()?.vector(profile, ends, (over, pad), last)?;
+        Some(Fault {
+            refuted: true,
+            surface: self.surfaces.first().map_or_else(String::new, MilledSurface::told),
+            vector,
+            te: te.into(),
+            depth,
+            gouge: false,
+            breach: Some(Breach::Outside),
+            ends: false,
+            why: None,
         })
     }
 
@@ -358,6 +387,7 @@ impl MilledSurface {
                     te,
                     depth,
                     gouge,
+                    breach: None,
                     ends: false,
                     why,
                 })
@@ -369,6 +399,7 @@ impl MilledSurface {
                 te: te.into(),
                 depth: at_most,
                 gouge: true,
+                breach: None,
                 ends: false,
                 why: None,
             }),
@@ -403,6 +434,7 @@ impl MilledSurface {
             te: at.te.into(),
             depth,
             gouge: true,
+            breach: None,
             ends: false,
             why: Some(Cow::Borrowed(HELD)),
         })

@@ -65,6 +65,7 @@ fn milling(intol: f64) -> Milling {
         scallop: None,
         joined: false,
         over: false,
+        limits: None,
     }
 }
 

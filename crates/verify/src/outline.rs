@@ -5,7 +5,7 @@ use aptc_cldata::milling;
 use crate::sheet::Patch;
 
 /// What an outline holds.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Outline(milling::Outline);
 
 /// What of a piece lies in it.
@@ -35,17 +35,47 @@ impl Outline {
         })
     }
 
+    pub(crate) fn lines(&self) -> &[[[f64; 2]; 2]] {
+        &self.0.lines
+    }
+
+    /// Does it hold the place? Its lines are met an odd number of times on the way from there on which the one parameter rises.
+    pub(crate) fn within(&self, at: [f64; 2]) -> bool {
+        let (k, mut odd) = (self.0.along, false);
+        for [a, b] in &self.0.lines {
+            // Heights over the way; a line that ends on it counts as if it ended below.
+            let (p, q) = (a[1 - k] - at[1 - k], b[1 - k] - at[1 - k]);
+            if (p > 0.0) != (q > 0.0) {
+                // Where it is met, ahead: `a + (b - a) p / (p - q) > at`, without the quotient.
+                let ahead = (a[k] - at[k]) * (p - q) + (b[k] - a[k]) * p;
+                odd ^= (ahead > 0.0) == (p > q) && ahead != 0.0;
+            }
+        }
+        odd
+    }
+
+    /// Does one of its lines come into a piece?
+    pub(crate) fn meets(&self, patch: &Patch) -> bool {
+        let half = wider(patch);
+        self.0.lines.iter().any(|line| meets(*line, patch.at, half))
+    }
+
     /// A piece through which no line goes is as its middle is.
     pub(crate) fn share(&self, patch: &Patch) -> Share {
-        let half = [0, 1].map(|k| patch.half[k] + ROUNDING * (patch.at[k].abs() + patch.half[k]));
+        let half = wider(patch);
         let through = self.0.lines.iter().find(|e| meets(**e, patch.at, half));
-        match (through, self.0.holds(patch.at)) {
+        match (through, self.within(patch.at)) {
             (None, true) => Share::All,
             (Some(_), true) => Share::Middle,
             (Some(edge), false) => Share::Rest(beside(*edge, patch.at, half)),
             (None, false) => Share::None,
         }
     }
+}
+
+/// Half lengths of a piece, and what rounding may leave of them.
+fn wider(patch: &Patch) -> [f64; 2] {
+    [0, 1].map(|k| patch.half[k] + ROUNDING * (patch.at[k].abs() + patch.half[k]))
 }
 
 /// Does a line come into the box `at +- half`? Neither an axis of the box nor the normal of the line parts them.

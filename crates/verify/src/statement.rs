@@ -11,6 +11,7 @@ use crate::certificate::{Fault, StatementProof, SurfaceBound};
 use crate::coming::Coming;
 use crate::curved::Warm;
 use crate::judged::Judged;
+use crate::limited::Last;
 use crate::milled::Region;
 use crate::over::goes_over;
 use crate::scallop::Left;
@@ -83,6 +84,8 @@ pub(crate) struct Answer {
     /// The same of the check surfaces before the end.
     never: Vec<Seen>,
     left: Option<Left>,
+    /// What the last vector mills of a part surface of which not all is to be milled.
+    milled: Option<Last>,
 }
 
 /// Of which surfaces all vectors of a part are proved at once.
@@ -197,6 +200,13 @@ impl Statement {
                         let at = self.way.last().unwrap_or(a);
                         let held = surfaces.iter().filter_map(|s| s.holds(&self.profile, at));
                         held.for_each(|f| keep(&mut fault, Some(f)));
+                    }
+                    if let Some(region) = region {
+                        let number = i as u64 + 1;
+                        let over = (self.over.contains(&number), self.pad);
+                        let last = &mut answer.milled;
+                        let found = region.outside(&self.profile, [a, b], over, number, last);
+                        keep(&mut fault, found);
                     }
                     // What is wrong where it arrives is told alone.
                     let arrives = i == 0 && fault.as_ref().is_none_or(|f| !f.refuted);
@@ -339,6 +349,7 @@ impl Statement {
                 te,
                 depth,
                 gouge: false,
+                breach: None,
                 ends,
                 why: why.map(Into::into),
             }),
@@ -354,6 +365,7 @@ impl Statement {
             te: self.points.first().map_or(Vec3::zeros(), |p| p.te).into(),
             depth: f64::INFINITY,
             gouge: false,
+            breach: None,
             ends: false,
             why: None,
         }
@@ -489,11 +501,11 @@ impl Seen {
     }
 }
 
-/// Keeps the worse of two faults: a refuted one before one not decided, the deeper before the other, the first of
-/// equal ones.
+/// Keeps the worse of two faults: a refuted one before one not decided, one of its band before what REGION leaves out, the deeper
+/// before the other, the first of equal ones.
 pub(crate) fn keep(worst: &mut Option<Fault>, new: Option<Fault>) {
     let Some(new) = new else { return };
-    let rank = |f: &Fault| (f.refuted, f.depth);
+    let rank = |f: &Fault| (f.refuted, f.breach.is_none(), f.depth);
     if worst.as_ref().is_none_or(|old| rank(&new) > rank(old)) {
         *worst = Some(new);
     }

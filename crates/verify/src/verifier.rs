@@ -7,8 +7,9 @@ use aptc_cldata::{Arg, Control, Kind, Motion, MotionKind, Output, Position, Reco
 use aptc_diagnostics::{Diagnostic, Origin, codes};
 use aptc_geometry::{Cutter, Form, Plane, Profile};
 
+use crate::asked::Asked;
 use crate::batch::{Batch, Event};
-use crate::certificate::{Certificate, Fault, StatementProof, length};
+use crate::certificate::{Breach, Certificate, Fault, StatementProof, length};
 use crate::free::{Free, Rapid};
 use crate::hurried::Hurried;
 use crate::joined::{Joined, Joins};
@@ -86,6 +87,8 @@ pub struct Verifier {
     n_waiting: usize,
     free: Free,
     joins: Joins,
+    /// The lines of which it is not known yet whether all are milled.
+    asked: Option<Asked>,
     certificate: Certificate,
     diagnostics: Vec<Diagnostic>,
 }
@@ -122,6 +125,7 @@ impl Verifier {
             n_waiting: 0,
             free: Free::default(),
             joins: Joins::default(),
+            asked: None,
             certificate,
             diagnostics: Vec::new(),
         }
@@ -167,6 +171,7 @@ impl Verifier {
     pub fn finish(mut self) -> (Certificate, Vec<Diagnostic>) {
         self.close();
         self.judge();
+        self.lines(None);
         self.free.finish();
         self.diagnostics.append(&mut self.free.said);
         self.certificate.rapid_cuts = self.free.cuts.len() as u64;
@@ -205,6 +210,7 @@ impl Verifier {
                     self.report(&judgement.proof, judgement.real);
                     self.went_through(statement, judgement.through);
                     self.certificate.statements.push(judgement.proof);
+                    self.lines(Some(statement));
                     self.diagnostics.extend(self.joins.along(statement));
                     self.free.along(statement);
                 }
@@ -215,6 +221,20 @@ impl Verifier {
                 Event::Hurried(hurried) => self.diagnostics.push(hurried.told()),
             }
             self.diagnostics.append(&mut self.free.said);
+        }
+    }
+
+    /// Tells which lines are left out once the statement is over that they belong to.
+    fn lines(&mut self, next: Option<&Statement>) {
+        if let (Some(asked), Some(s)) = (&mut self.asked, next)
+            && asked.takes(s)
+        {
+            return;
+        }
+        let before = std::mem::replace(&mut self.asked, next.and_then(Asked::new));
+        for left in before.iter().flat_map(Asked::left_out) {
+            self.diagnostics.push(left.told());
+            self.certificate.left_out_lines.push(left);
         }
     }
 
@@ -387,6 +407,7 @@ impl Verifier {
             te: p.te.into(),
             depth: f64::INFINITY,
             gouge: false,
+            breach: None,
             ends: false,
             why: None,
         });
@@ -446,7 +467,14 @@ impl Verifier {
             } else {
                 format!("{}, over which it never comes,", f.surface)
             };
-            let message = format!("cut vector {} {what} {by} {}", f.vector, f.place());
+            let (vector, surface, place) = (f.vector, &f.surface, f.place());
+            let far = length(f.depth);
+            let message = match f.breach {
+                None => format!("cut vector {vector} {what} {by} {place}"),
+                Some(Breach::Outside) => format!(
+                    "cut vector {vector} mills {surface} {far} outside of what REGION leaves to be milled, {place}"
+                ),
+            };
             let d = Diagnostic::error(codes::REFUTED, proof.origin.span, message);
             f.why.iter().fold(d, |d, why| d.note(why.to_string()))
         } else if f.ends {

@@ -6,6 +6,7 @@ mod wish;
 use std::sync::Arc;
 
 use aptc_cldata as cl;
+use aptc_cldata::milling::AskedLine;
 use aptc_diagnostics::{Diagnostic, Origin};
 use aptc_geometry::{Form, Segment, Vec3};
 use aptc_protap::{Arg, NameRef};
@@ -14,6 +15,7 @@ use crate::area::{DriveArea, Guide, Hold, PartArea, Projection};
 use crate::drive::{Course, DrivePoint};
 use crate::failure::{self, Failure};
 use crate::gclear::Spot;
+use crate::outline::broken_off;
 use crate::position::Chosen;
 use crate::regional::{Regional, Stand};
 use crate::report::reports;
@@ -125,6 +127,12 @@ impl Regional {
         let mut control = self.milling_control(&part, None, false);
         if let Some(c) = Arc::get_mut(&mut control).and_then(|c| c.milling.as_mut()) {
             c.over = milled.stretches.len() > 1;
+            // A place alone is touched wherever it lies.
+            if let Stretch::From(ends) = stretch {
+                let off = setup.strays();
+                let line = AskedLine { running: course.index(), fixed, ends };
+                c.limits = self.outlines.limits(form, vec![line], off, self.avoid);
+            }
         }
         if milled.through {
             self.diagnostics.push(warning::through(origin, &name.name));
@@ -133,8 +141,12 @@ impl Regional {
         self.diagnostics.extend(reports(origin, &milled.notes));
         self.odd(origin, milled.odd);
         let on = Some((control, &part));
-        let stand = self.put_line(origin, name, &milled.stretches, on, out)?;
-        milled.why.map_or(Ok(stand), Err)
+        let from = out.len();
+        let stand = self.put_line(origin, name, &milled.stretches, on, out);
+        if stand.is_err() || milled.why.is_some() {
+            broken_off(&mut out[from..]);
+        }
+        milled.why.map_or(stand, Err)
     }
 
     /// The line of the statement before, if that was on the same surface.

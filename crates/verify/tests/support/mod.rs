@@ -42,5 +42,6 @@ pub(crate) fn milling(part: Option<Milled>) -> Milling {
         scallop: None,
         joined: false,
         over: false,
+        limits: None,
     }
 }
