@@ -133,6 +133,8 @@ pub struct Fault {
 pub enum Breach {
     /// It mills where REGION leaves nothing to be milled; `depth` is how far that is from what may be milled.
     Outside,
+    /// It goes past the place where the check surface of TANTO or PSTAN is tangent; `depth` is the way from there to the end.
+    Past,
 }
 
 /// A length for a message: small ones keep their digits.

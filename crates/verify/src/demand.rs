@@ -14,7 +14,7 @@ use crate::level::{self, Run};
 use crate::outside::{self, Outside};
 use crate::oval::Oval;
 use crate::pile::Pile;
-use crate::sheet::Sheet;
+use crate::sheet::{Sheet, Spot};
 use crate::sheets::Sheets;
 use crate::solid::Solid;
 use crate::tool::{Pose, Tool, Turn, same};
@@ -385,6 +385,31 @@ impl Demand {
             Body::Hollow(hollow) => Some(self.gap(tool, &pose, Convex::Hollow(hollow))),
             Body::Sheet(sheet, _) => self.curved(sheet).gap(tool, &pose),
             Body::Unknown => None,
+        }
+    }
+
+    /// The gap at a position and the direction away from the surface there, where that is one. Of a surface with charts it is that at the
+    /// place next to the tool from `spot` on, which need not be the nearest.
+    pub(crate) fn beside(
+        &self,
+        profile: &Profile,
+        pose: &Pose,
+        spot: &mut Option<Spot>,
+    ) -> Option<(f64, Option<Vec3>)> {
+        if let Body::Sheet(sheet, _) = &self.body {
+            let found = self.curved(sheet).beside(&self.tool(profile), pose, spot);
+            return found.map(|(gap, away)| (gap, Some(away)));
+        }
+        self.gap_at(profile, &Position { te: pose.te, ta: pose.ta }).map(|gap| (gap, None))
+    }
+
+    /// Is the gap at a position nowhere less than so? Of what has a closed form it is what that tells.
+    pub(crate) fn is_clear(&self, profile: &Profile, pose: &Pose, by: f64) -> bool {
+        match &self.body {
+            Body::Sheet(sheet, _) => {
+                self.curved(sheet).nothing_nearer(&self.tool(profile), pose, by)
+            }
+            _ => true,
         }
     }
 

@@ -3,9 +3,10 @@
 use aptc_cldata::{Control, Controlled, Position, Relation};
 use aptc_geometry::{Profile, Vec3};
 
-use crate::certificate::{Fault, SurfaceBound};
+use crate::certificate::{Breach, Fault, SurfaceBound};
 use crate::curved::Warm;
 use crate::demand::{Demand, Verdict};
+use crate::past::Passed;
 use crate::sheets::Sheets;
 use crate::statement::Seen;
 
@@ -281,6 +282,21 @@ impl Judged {
                 ends: false,
                 why: None,
             }),
+        }
+    }
+
+    /// That the motion went past where this check surface is tangent.
+    pub(crate) fn past(&self, passed: &Passed) -> Fault {
+        Fault {
+            refuted: true,
+            surface: self.called.clone(),
+            vector: passed.vector as u64 + 1,
+            te: passed.te.into(),
+            depth: passed.by,
+            gouge: false,
+            breach: Some(Breach::Past),
+            ends: false,
+            why: None,
         }
     }
 

@@ -35,6 +35,7 @@ mod oval;
 mod over;
 mod paraboloid;
 mod passes;
+mod past;
 mod pile;
 mod rings;
 mod scallop;

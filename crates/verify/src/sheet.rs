@@ -166,6 +166,11 @@ impl Sheet {
         Pose { te: turn(pose.te - self.origin), ta: turn(pose.ta) }
     }
 
+    /// A direction of the surface's own system in space.
+    pub(crate) fn in_space(&self, w: Vec3) -> Vec3 {
+        self.axes[0] * w.x + self.axes[1] * w.y + self.axes[2] * w.z
+    }
+
     /// The curve of a TABCYL, in the plane of its own first two axes.
     pub(crate) fn curve(&self) -> Option<&Tabcyl> {
         match &self.kind {

@@ -14,6 +14,7 @@ use crate::judged::Judged;
 use crate::limited::Last;
 use crate::milled::Region;
 use crate::over::goes_over;
+use crate::past::{Passed, goes_past};
 use crate::scallop::Left;
 use crate::sheets::Sheets;
 use crate::verifier::Effort;
@@ -142,6 +143,8 @@ pub(crate) struct Guided {
     /// Where the cutter goes over to the other side of them, their disks keeping to one.
     over: Vec<Option<(usize, Position)>>,
     check: Option<Judged>,
+    /// Where the motion went past the place at which that is tangent.
+    past: Option<Passed>,
     /// The check surfaces that are not to be passed.
     never: Vec<Judged>,
     /// What a start-up is not to go through.
@@ -409,7 +412,9 @@ impl Guided {
         let came = s.start.as_ref().filter(|_| s.startup);
         let coming = came.map(|from| Coming::new(control, &s.sheets, &s.profile, from, s.rapid));
         let never = control.checks.iter().enumerate().filter_map(never).collect();
-        Self { along, eased, over, check, never, coming }
+        let past = start.filter(|_| s.effort == Effort::Full);
+        let past = past.and_then(|from| goes_past(control, from, &s.points, &s.profile, &s.sheets));
+        Self { along, eased, over, check, past, never, coming }
     }
 
     /// Those of which bounds are told, drive first.
@@ -472,6 +477,11 @@ impl Guided {
             if !rows.never.get(k).is_some_and(|proved| *proved) {
                 keep(&mut fault, judged.vector(profile, start, to, *pad, number, seen));
             }
+        }
+        if let (Some(judged), Some(passed)) = (&self.check, &self.past)
+            && passed.vector == i
+        {
+            keep(&mut fault, Some(judged.past(passed)));
         }
         if i + 1 == s.points.len()
             && let (Some(judged), Some(seen)) = (&self.check, answer.seen.last_mut())

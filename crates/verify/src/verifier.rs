@@ -474,6 +474,9 @@ impl Verifier {
                 Some(Breach::Outside) => format!(
                     "cut vector {vector} mills {surface} {far} outside of what REGION leaves to be milled, {place}"
                 ),
+                Some(Breach::Past) => format!(
+                    "cut vector {vector} goes past the place where {surface} is tangent, {place}, and on for {far}"
+                ),
             };
             let d = Diagnostic::error(codes::REFUTED, proof.origin.span, message);
             f.why.iter().fold(d, |d, why| d.note(why.to_string()))

@@ -110,6 +110,36 @@ impl Curved<'_> {
         nearest
     }
 
+    /// The gap at the place next to the tool from `spot` on, any at first, and the direction away from the surface there; `None` where
+    /// nothing is near, or the tool is on the other side.
+    pub(crate) fn beside(
+        &self,
+        tool: &Tool<'_>,
+        pose: &Pose,
+        spot: &mut Option<Spot>,
+    ) -> Option<(f64, Vec3)> {
+        let pose = &self.sheet.local(pose);
+        let somewhere = || self.next_to(tool, pose, 16.0 * tool.reach().max(1.0)).map(|n| n.1);
+        let from = spot.take().or_else(somewhere)?;
+        let (distance, place, jet) = descend(tool, pose, self.sheet, from);
+        *spot = Some(place);
+        if self.on {
+            let sign = self.side * (pose.te - jet.p).dot(&jet.n);
+            let away = self.sheet.in_space(jet.n * self.side);
+            return Some((distance.copysign(sign), away));
+        }
+        let away = -tool.near(pose, jet.p).1;
+        let other = Self::faces(tool, pose, &jet) * self.side < 0.0;
+        (!other).then(|| (distance, self.sheet.in_space(away)))
+    }
+
+    /// Is no place of the surface nearer to the tool than so?
+    pub(crate) fn nothing_nearer(&self, tool: &Tool<'_>, pose: &Pose, than: f64) -> bool {
+        let sweep = Sweep::still(tool, self.sheet.local(pose));
+        let whole = Moved::whole(self.sheet, self.side, 0.0);
+        clearance(&sweep, &whole, than, Aim::Any).least >= than
+    }
+
     /// The side of the surface at the place next to `spot` on which the tool stands: that to which it reaches farther
     /// along the normal. An edge of the tool that is in the surface by its tolerance does not tell: what is next to a
     /// place inside of it may be its other face. 0 where the tool lies beside the place.
