@@ -130,6 +130,39 @@ pub(crate) fn single<P: Copy>(
     Ok(None)
 }
 
+/// The one dip or bump between two places of a smooth gap, by the values, slopes and second derivatives there, the whole way being
+/// 1; `None` where the cubic through values and slopes is off by more of it than leaves what is between to be told so.
+///
+/// The form of fifth degree that has the second derivatives too is x^2 (1 - x)^2 (p + q x) above the cubic. What is off the cubic falls
+/// with the fourth power of the way and what is off that form with the sixth: as a share of the dip by about the square.
+pub(crate) fn foretold(
+    a: &Sample,
+    b: &Sample,
+    [bend_a, bend_b]: [f64; 2],
+    resolution: f64,
+) -> Option<Extreme> {
+    let (sign, rise) = (if b.slope > a.slope { 1.0 } else { -1.0 }, b.g - a.g);
+    let (sa, sb) = (sign * a.slope, sign * b.slope);
+    if sa >= 0.0 || sb <= 0.0 || sign * bend_a <= 0.0 || sign * bend_b <= 0.0 {
+        return None;
+    }
+    let second =
+        [6.0 * rise - 4.0 * a.slope - 2.0 * b.slope, 2.0 * a.slope + 4.0 * b.slope - 6.0 * rise];
+    let (p, end) = (0.5 * (bend_a - second[0]), 0.5 * (bend_b - second[1]));
+    let (depth, off) = (0.125 * (sb - sa), p.abs().max(end.abs()) / 16.0);
+    if off * off > 0.25 * resolution * depth {
+        return None;
+    }
+    let t = cubic_minimum(a, b, sa, sb, sign * a.g, sign * b.g);
+    let ([g, slope], inner) = (cubic_at(a, b, t), t * (1.0 - t));
+    let (more, by) = (p + (end - p) * t, end - p);
+    let g = g + inner * inner * more;
+    let slope = slope + inner * (2.0 * (1.0 - 2.0 * t) * more + inner * by);
+    let bend = second[0] + (second[1] - second[0]) * t;
+    // The extreme lies so near that the parabola there tells it.
+    Some(Extreme { t: t - slope / bend, g: g - 0.5 * slope * slope / bend })
+}
+
 /// The cubic through values and slopes of two places, and its slope.
 pub(crate) fn cubic_at(a: &Sample, b: &Sample, t: f64) -> [f64; 2] {
     let h = b.t - a.t;
@@ -166,4 +199,56 @@ fn cubic_minimum(a: &Sample, b: &Sample, sa: f64, sb: f64, ga: f64, gb: f64) -> 
     let x = 1.0 - (sb + root - z) / (sb - sa + 2.0 * root);
     let x = if x.is_finite() { x.clamp(0.02, 0.98) } else { 0.5 };
     a.t + h * x
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use aptc_geometry::trig;
+
+    #[test]
+    fn what_ends_foretell_is_met_in_between() {
+        // The distance of a point beside a circle, along a straight way; and what rises faster and faster.
+        let round = |h: f64, x: f64| {
+            let far = h * (x - 0.3);
+            let d = trig::hypot(far, 2.0);
+            let slope = h * far / d;
+            [d, slope, (h * h - slope * slope) / d]
+        };
+        let steep = |h: f64, x: f64| {
+            let y = h * (x - 0.6);
+            [trig::exp(y) - y, h * (trig::exp(y) - 1.0), h * h * trig::exp(y)]
+        };
+        let mut told = [0_u32; 2];
+        for k in 1..=60 {
+            let h = 0.02 * f64::from(k);
+            for (i, f) in [&round as &dyn Fn(f64, f64) -> [f64; 3], &steep].into_iter().enumerate()
+            {
+                for sign in [1.0, -1.0] {
+                    let sample = |t: f64| {
+                        let [g, slope, _] = f(h, t);
+                        Sample { t, g: sign * g, slope: sign * slope }
+                    };
+                    let bends = [sign * f(h, 0.0)[2], sign * f(h, 1.0)[2]];
+                    let resolution = 1e-9;
+                    let Some(found) = foretold(&sample(0.0), &sample(1.0), bends, resolution)
+                    else {
+                        continue;
+                    };
+                    told[i] += 1;
+                    let least = (0..=4000)
+                        .map(|j| f(h, f64::from(j) / 4000.0)[0])
+                        .fold(f64::INFINITY, f64::min);
+                    let off = sign * found.g - least;
+                    assert!(off.abs() <= 0.1 * resolution + 2e-8 * h * h, "{i} {h} {off}");
+                }
+            }
+        }
+        assert!(told.iter().all(|n| *n > 10), "{told:?}");
+        // Ends that do not agree on what is between tell nothing.
+        let [a, b] = [(0.0, -1.0), (1.0, 1.0)].map(|(t, slope)| Sample { t, g: 0.0, slope });
+        assert!(foretold(&a, &b, [2.0, 2.0], 1e-9).is_some());
+        assert!(foretold(&a, &b, [2.0, 2.1], 1e-9).is_none());
+        assert!(foretold(&a, &b, [4.0, 0.5], 1e-9).is_none());
+    }
 }

@@ -30,6 +30,8 @@ pub trait Guide: Sized {
     type At: Copy;
     /// How the gap bends.
     type Bends: Copy;
+    /// What of that a chord asks for at its ends: nothing where the gap along it is a closed form.
+    type Bow: Copy;
 
     /// The guide of what [`crate::distance`] is asked for, where there is one.
     fn new(
@@ -65,11 +67,14 @@ pub trait Guide: Sized {
     /// By how much its normal turns on a way `v` so short that the bends do not change.
     fn turn(read: &Reading<Self::At, Self::Bends>, v: Vec3) -> Vec3;
 
+    /// What the chords to and from a place ask for.
+    fn bow(read: &Reading<Self::At, Self::Bends>) -> Self::Bow;
+
     /// The gap in full at a place where this was read.
     fn gap(&self, te: Vec3, read: &End<Self::At>) -> Gap;
 
     /// Least and greatest gap while the tool end moves by `v` from `te`, as of [`crate::chord()`]; `ends` are what is read at
-    /// both ends. `None` where nothing is at the first, where more than one dip or bump may be on the way, and where the contacts at
+    /// both ends, with their `bows` where they were read. `None` where nothing is at the first, where more than one dip or bump may be on the way, and where the contacts at
     /// both ends lie far from each other on the cutter, so that it may have gone over from one place to another.
     fn chord(
         &self,
@@ -77,6 +82,7 @@ pub trait Guide: Sized {
         te: Vec3,
         v: Vec3,
         ends: [&End<Self::At>; 2],
+        bows: Option<(Self::Bow, Self::Bow)>,
         resolution: f64,
     ) -> Option<[f64; 2]>;
 }
@@ -163,6 +169,7 @@ impl<At: Copy, Bends: Copy> Reading<At, Bends> {
 impl Guide for ClosedGuide {
     type At = ();
     type Bends = Bends;
+    type Bow = ();
 
     fn new(
         tool: &Tool<'_>,
@@ -251,6 +258,9 @@ impl Guide for ClosedGuide {
     }
 
     #[inline]
+    fn bow(_: &Reading<(), Bends>) {}
+
+    #[inline]
     fn gap(&self, te: Vec3, &End { g, normal, .. }: &End<()>) -> Gap {
         let raw = g + self.thick;
         let (tool_point, segment) = match (self.touch, &self.form) {
@@ -281,6 +291,7 @@ impl Guide for ClosedGuide {
         te: Vec3,
         v: Vec3,
         [begin, end]: [&End<()>; 2],
+        _: Option<((), ())>,
         resolution: f64,
     ) -> Option<[f64; 2]> {
         let (low, high) = if begin.g < end.g { (begin.g, end.g) } else { (end.g, begin.g) };
@@ -438,7 +449,7 @@ mod tests {
             }
             let to = tool.at(te + v);
             let c = chord(&tool, &to, &surface, condition, side, thick, Some(ends), 1e-10).unwrap();
-            let [low, high] = guide.chord(&surface, te, v, [&a.end, &b.end], 1e-10).unwrap();
+            let [low, high] = guide.chord(&surface, te, v, [&a.end, &b.end], None, 1e-10).unwrap();
             prop_assert!((low - c.low.g).abs() < NEAR, "{low} {c:?}");
             prop_assert!((high - c.high.g).abs() < NEAR, "{high} {c:?}");
             for i in 0..=20 {
@@ -464,7 +475,7 @@ mod tests {
             let begin = End { g: begin.g, normal: begin.normal, at: () };
             let v = Vec3::new(0.5, -4.0, 3.0);
             let end = guide.read(&surface, te + v, ()).unwrap().end;
-            assert!(guide.chord(&surface, te, v, [&begin, &end], 1e-9).is_none());
+            assert!(guide.chord(&surface, te, v, [&begin, &end], None, 1e-9).is_none());
         }
     }
 }

@@ -6,7 +6,7 @@ use aptc_geometry::profile::Segment;
 use aptc_geometry::{Profile, Reason, Shape, Spot, Surface, Tool, Vec3};
 
 use crate::closed::is_axis;
-use crate::dips::{Sample, dip, single};
+use crate::dips::{Sample, dip, foretold, single};
 use crate::edges;
 use crate::gap::{Condition, Gap, Side};
 use crate::guide::{Bends, ClosedGuide, End, Guide, Reading, is_ball};
@@ -72,6 +72,7 @@ type Known = (Sample, Spot);
 impl Guide for PointGuide {
     type At = Spot;
     type Bends = PointBends;
+    type Bow = PointBends;
 
     fn new(
         tool: &Tool<'_>,
@@ -140,6 +141,11 @@ impl Guide for PointGuide {
     }
 
     #[inline]
+    fn bow(read: &Reading<Spot, PointBends>) -> PointBends {
+        read.bends
+    }
+
+    #[inline]
     fn gap(&self, te: Vec3, read: &End<Spot>) -> Gap {
         match self {
             Self::Closed(guide) => guide.gap(te, &closed(read)),
@@ -155,12 +161,13 @@ impl Guide for PointGuide {
         te: Vec3,
         v: Vec3,
         ends: [&End<Spot>; 2],
+        bows: Option<(PointBends, PointBends)>,
         resolution: f64,
     ) -> Option<[f64; 2]> {
         match self {
             Self::Closed(guide) => {
                 let [a, b] = ends.map(closed);
-                guide.chord(surface, te, v, [&a, &b], resolution)
+                guide.chord(surface, te, v, [&a, &b], None, resolution)
             }
             Self::Point(p) => {
                 let read = |t: f64, near: Option<&Spot>| {
@@ -168,14 +175,15 @@ impl Guide for PointGuide {
                 };
                 let apart = || p.apart(ends[0].normal, ends[1].normal);
                 let sides = (p.sign, p.several);
-                least_and_greatest(surface, sides, apart, v, ends, resolution, read)
+                let bows = bows.filter(|_| !p.nearest);
+                least_and_greatest(surface, sides, apart, v, (ends, bows), resolution, read)
             }
             Self::Ring(r) => {
                 let read =
                     |t: f64, near: Option<&Spot>| Some(r.read(surface, te + v * t, *near?)?.end);
                 let apart = || r.apart(ends[0].normal, ends[1].normal);
                 let sides = (r.sign, r.several);
-                least_and_greatest(surface, sides, apart, v, ends, resolution, read)
+                least_and_greatest(surface, sides, apart, v, (ends, bows), resolution, read)
             }
         }
     }
@@ -192,7 +200,7 @@ fn least_and_greatest(
     (sign, several): (f64, bool),
     apart: impl Fn() -> bool,
     v: Vec3,
-    [begin, end]: [&End<Spot>; 2],
+    ([begin, end], bows): ([&End<Spot>; 2], Option<(PointBends, PointBends)>),
     resolution: f64,
     read: impl Fn(f64, Option<&Spot>) -> Option<End<Spot>>,
 ) -> Option<[f64; 2]> {
@@ -216,6 +224,16 @@ fn least_and_greatest(
         // The nearest wall may change on the way: it is looked for anew.
         let whole = |t: f64, _: &Spot| look(t, None);
         return Some([low, dip(a, b, -1.0, resolution, whole).ok()?.g]);
+    }
+    // Where the surface is smooth between both ends these tell what is between, if they agree on it.
+    let second = |end: &End<Spot>, bends| PointGuide::second(&Reading { end: *end, bends }, v);
+    if let Some((at_begin, at_end)) = bows
+        && let Surface::Parametric(s) = surface
+        && begin.at.at.zip(end.at.at).is_some_and(|(from, to)| s.is_smooth_between(from, to))
+        && let bends = [second(begin, at_begin), second(end, at_end)]
+        && let Some(found) = foretold(&a.0, &b.0, bends, resolution)
+    {
+        return Some([low.min(found.g), high.max(found.g)]);
     }
     let between = |a: &Known, b: &Known, t: f64| look(t, Some(&between(a, b, t)));
     let found = single(a, b, resolution, |k| k.0, between).ok()??;
@@ -443,7 +461,13 @@ mod tests {
                 return Ok(());
             }
             let path = PointGuide::Point(guide);
-            let Some([low, high]) = path.chord(&surface, te, v, [&a.end, &b.end], 1e-10) else { return Ok(()) };
+            let bows = Some((a.bends, b.bends));
+            let told = |bows| path.chord(&surface, te, v, [&a.end, &b.end], bows, 1e-10);
+            let Some([low, high]) = told(bows) else { return Ok(()) };
+            if let Some([least, greatest]) = told(None) {
+                let off = (low - least).abs().max((high - greatest).abs());
+                prop_assert!(off < 3e-10, "{low} {least} {high} {greatest}");
+            }
             let to = tool.at(te + v);
             let whole = chord(&tool, &to, &surface, condition, side, thick, Some(ends), 1e-10).unwrap();
             prop_assert!((low - whole.low.g).abs() < 1e-8, "{low} {whole:?}");

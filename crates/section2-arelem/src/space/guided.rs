@@ -59,43 +59,48 @@ impl Guides {
 pub(super) struct Guided<'a, G: Guide> {
     pub(super) track: &'a Track,
     pub(super) guides: &'a [G; 2],
-    pub(super) from: &'a Place<G::At>,
+    pub(super) from: &'a Along<G>,
     /// The first trial, where it was made at once and others are to follow.
-    tried: Cell<Option<Tried<G::At>>>,
+    tried: Cell<Option<Tried<Along<G>>>>,
 }
 
 /// A trial by its length, and that of cut vectors about there, with what came of it.
 #[derive(Clone, Copy)]
-struct Tried<At> {
+struct Tried<To> {
     length: f64,
     usual: f64,
-    end: Result<Stride<Place<At>>, Trouble>,
+    end: Result<Stride<To>, Trouble>,
     fit: Result<Fit, Trouble>,
 }
 
 impl<'a, G: Guide> Guided<'a, G> {
     #[inline(always)]
-    pub(super) fn new(track: &'a Track, guides: &'a [G; 2], from: &'a Place<G::At>) -> Self {
+    pub(super) fn new(track: &'a Track, guides: &'a [G; 2], from: &'a Along<G>) -> Self {
         Self { track, guides, from, tried: Cell::new(None) }
     }
 }
 
-/// A place on the track as guides read it.
+/// A place on the track as guides read it, and how the gaps bend there where they were read.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Place<At> {
+pub(super) struct Place<At, Bow> {
     pub(super) te: Vec3,
     gaps: [End<At>; 2],
+    bows: Option<[Bow; 2]>,
     pub(super) course: Course,
     /// The places of the surfaces at the one before, and the way from there.
     before: Option<([At; 2], f64)>,
 }
 
-impl<At: Copy> Place<At> {
+/// That of a guide.
+pub(super) type Along<G> = Place<<G as Guide>::At, <G as Guide>::Bow>;
+
+impl<At: Copy, Bow: Copy> Place<At, Bow> {
     #[inline(always)]
     pub(super) fn of<G: Guide<At = At>>(node: &Node) -> Self {
         let [a, b] = &node.gaps;
         let end = |gap: &Gap| End { g: gap.g, normal: gap.normal, at: G::at(gap) };
-        Self { te: node.pose.te, gaps: [end(a), end(b)], course: node.course, before: None }
+        let gaps = [end(a), end(b)];
+        Self { te: node.pose.te, gaps, bows: None, course: node.course, before: None }
     }
 
     /// Where the places of the surfaces are after a way of `s`, about: as far ahead as they came from those before.
@@ -117,7 +122,7 @@ impl<At: Copy> Place<At> {
 }
 
 impl<G: Guide> Trials for Guided<'_, G> {
-    type Place = Place<G::At>;
+    type Place = Along<G>;
     const FINAL: bool = false;
 
     #[inline(always)]
@@ -132,8 +137,9 @@ impl<G: Guide> Trials for Guided<'_, G> {
         bends: Option<[f64; 2]>,
         _: Option<&Stride<Self::Place>>,
     ) -> Result<Stride<Self::Place>, Trouble> {
-        let same =
-            |t: &Tried<G::At>| t.length.total_cmp(&s).is_eq() && t.usual.total_cmp(&usual).is_eq();
+        let same = |t: &Tried<Along<G>>| {
+            t.length.total_cmp(&s).is_eq() && t.usual.total_cmp(&usual).is_eq()
+        };
         if let Some(tried) = self.tried.get().filter(|t| bends.is_none() && same(t)) {
             return tried.end;
         }
@@ -143,7 +149,7 @@ impl<G: Guide> Trials for Guided<'_, G> {
     }
 
     fn fit(&self, to: &Self::Place) -> Result<Fit, Trouble> {
-        let same = |t: &Tried<G::At>| t.end.as_ref().is_ok_and(|end| end.to.te == to.te);
+        let same = |t: &Tried<Along<G>>| t.end.as_ref().is_ok_and(|end| end.to.te == to.te);
         match self.tried.take().filter(same) {
             Some(tried) => tried.fit,
             None => self.fits(to),
@@ -163,7 +169,7 @@ impl<G: Guide> Trials for Guided<'_, G> {
 impl<G: Guide> Guided<'_, G> {
     /// How the chord to it lies in both bands, and how much longer it could be.
     #[inline(always)]
-    fn fits(&self, to: &Place<G::At>) -> Result<Fit, Trouble> {
+    fn fits(&self, to: &Along<G>) -> Result<Fit, Trouble> {
         let (track, from) = (self.track, self.from);
         let v = to.te - from.te;
         let mut all = Fit { fits: true, ratio: f64::INFINITY, bends: [0.0; 2] };
@@ -176,8 +182,10 @@ impl<G: Guide> Guided<'_, G> {
                 continue;
             }
             let (here, there) = (&from.gaps[i], &to.gaps[i]);
-            let chord =
-                guide.chord(&keep.surface, from.te, v, [here, there], track.bands[i].resolution);
+            let bow = |p: &Along<G>| p.bows.map(|bows| bows[i]);
+            let bows = bow(from).zip(bow(to));
+            let resolution = track.bands[i].resolution;
+            let chord = guide.chord(&keep.surface, from.te, v, [here, there], bows, resolution);
             // The contact may have gone over to another place.
             let [low, high] = chord.ok_or(Trouble::Contact)?;
             let bow = there.normal.dot(&v) - here.normal.dot(&v);
@@ -196,7 +204,7 @@ impl<G: Guide> Guided<'_, G> {
     /// The cut vector that is as long as foretold, as most are: what [`Track::longest`] takes with its first trial. Its end comes
     /// to `to`; gives its length, `None` where other lengths are to be tried.
     #[inline(always)]
-    pub(super) fn at_once(&self, cap: f64, pace: &mut Pace, to: &mut Place<G::At>) -> Option<f64> {
+    pub(super) fn at_once(&self, cap: f64, pace: &mut Pace, to: &mut Along<G>) -> Option<f64> {
         let track = self.track;
         let (plan, s) = track.foretold(&self.from.course, cap, pace)?;
         let end = self.go(s, plan, None, to);
@@ -219,7 +227,7 @@ impl<G: Guide> Guided<'_, G> {
         s: f64,
         usual: f64,
         bends: Option<[f64; 2]>,
-        to: &mut Place<G::At>,
+        to: &mut Along<G>,
     ) -> Result<[f64; 2], Trouble> {
         let (track, from) = (self.track, self.from);
         let mut targets = track.aims(from.gaps(), bends.unwrap_or(from.course.bends), usual);
@@ -249,7 +257,7 @@ impl<G: Guide> Guided<'_, G> {
         across: Vec3,
         targets: [f64; 2],
         mut at: [G::At; 2],
-        to: &mut Place<G::At>,
+        to: &mut Along<G>,
     ) -> Result<(), Trouble> {
         let [drive, part] = self.guides;
         let [one, two] = [&self.track.keeps[0].surface, &self.track.keeps[1].surface];
@@ -284,7 +292,7 @@ impl<G: Guide> Guided<'_, G> {
 
     /// The node at a place, with the tool axis `ta`.
     #[inline(always)]
-    pub(super) fn node(&self, ta: Vec3, at: &Place<G::At>) -> Node {
+    pub(super) fn node(&self, ta: Vec3, at: &Along<G>) -> Node {
         let gap = |i: usize| -> Gap { self.guides[i].gap(at.te, &at.gaps[i]) };
         Node { pose: Pose { te: at.te, ta }, gaps: [gap(0), gap(1)], course: at.course }
     }
@@ -295,7 +303,7 @@ impl<G: Guide> Guided<'_, G> {
         &self,
         te: Vec3,
         [a, b]: [&Reading<G::At, G::Bends>; 2],
-        to: &mut Place<G::At>,
+        to: &mut Along<G>,
     ) -> Result<(), Trouble> {
         let heading = self.from.course.along;
         let normals = [a.end.normal, b.end.normal];
@@ -312,7 +320,8 @@ impl<G: Guide> Guided<'_, G> {
         let course = Course::across(normals, sine, along, bends);
         let from = [self.from.gaps[0].at, self.from.gaps[1].at];
         let before = Some((from, (te - self.from.te).norm()));
-        *to = Place { te, gaps: [a.end, b.end], course, before };
+        let bows = Some([G::bow(a), G::bow(b)]);
+        *to = Place { te, gaps: [a.end, b.end], bows, course, before };
         Ok(())
     }
 }

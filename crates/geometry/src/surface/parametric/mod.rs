@@ -336,7 +336,7 @@ impl ParametricSurface {
 
     /// Is it known without a look to be smooth between two places with parameters close to each other, the second not on a border?
     #[inline]
-    fn is_smooth_between(&self, from: [f64; 2], to: [f64; 2]) -> bool {
+    pub fn is_smooth_between(&self, from: [f64; 2], to: [f64; 2]) -> bool {
         /// Beside a point in which a border runs together parameters change by much on a short way.
         const NEAR: f64 = 1e-2;
         if (to[0] - from[0]).abs() > NEAR || (to[1] - from[1]).abs() > NEAR {
