@@ -121,8 +121,8 @@ impl Regional {
         let corners = outline.loops.iter().filter(|l| l.len() >= 3);
         let held: Vec<_> =
             corners.map(|l| held(l, &surface)).collect::<Result<_, _>>().map_err(|_| {
-                Failure::Undone {
-                    what: "REGION of an outline that goes round a surface that ends in no point",
+                Failure::Outline {
+                    why: "its outline goes round a surface that ends in no point, which has no side inside of it",
                 }
             })?;
         match outline.fault(&held, surface.spans()) {
