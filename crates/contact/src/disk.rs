@@ -53,9 +53,9 @@ pub(crate) fn below(
 ) -> Result<Gap, Reason> {
     let away = |gap: &Gap| (gap.surface_point - q.point).norm();
     let far = FAR * tool.profile.widest();
-    match beside(tool, surface, side, q) {
-        Some(gap) if away(&gap) <= far => Ok(gap),
-        Some(gap) => match local(tool, surface, side, q) {
+    match follow(tool, surface, side, q) {
+        Some((gap, bent)) if !bent || away(&gap) <= far => Ok(gap),
+        Some((gap, _)) => match local(tool, surface, side, q) {
             Ok(near) if away(&near) < NEARER * away(&gap) => Ok(near),
             _ => Ok(gap),
         },
@@ -66,11 +66,16 @@ pub(crate) fn below(
 /// The place of contact of flat end or corner into which the place `near` of a surface runs downhill; `None` where that is
 /// not seen to be one.
 pub(crate) fn beside(tool: &Tool<'_>, surface: &Surface, side: Side, near: Spot) -> Option<Gap> {
+    follow(tool, surface, side, near).map(|(gap, _)| gap)
+}
+
+/// The same, and whether the distance bent down over the disk on the way, so that a step may have led past a place.
+fn follow(tool: &Tool<'_>, surface: &Surface, side: Side, near: Spot) -> Option<(Gap, bool)> {
     let disk = Disk::of(tool, side)?;
     let radius = tool.profile.corner_radius();
     let widest = tool.profile.widest();
     let (enough, rounded) = (FACING * widest, ROUNDED * widest);
-    let mut last = f64::INFINITY;
+    let (mut last, mut bent) = (f64::INFINITY, false);
     let (mut foot, mut sides): (Foot, _) = surface.place_with_sides(near);
     let mut x = disk.above(foot.point, foot.normal * disk.sign)?;
     let begin = disk.distance(foot.point, foot.normal * disk.sign);
@@ -99,7 +104,8 @@ pub(crate) fn beside(tool: &Tool<'_>, surface: &Surface, side: Side, near: Spot)
         let slope = disk.across(normal + turned(foot_by(off)));
         let bend_along = |e: Vec3| disk.across(turned(foot_by(e)));
         let bend = [bend_along(disk.e[0]), bend_along(disk.e[1])];
-        let to = disk.least(x, slope, bend, ALIKE * tool.profile.widest())?;
+        let (to, down) = disk.least(x, slope, bend, ALIKE * tool.profile.widest())?;
+        bent |= down;
         let go = disk.point(to) - disk.point(x);
         let left = (off.norm_squared() + go.norm_squared()).sqrt();
         if left <= enough || left <= rounded && left > 0.5 * last {
@@ -110,7 +116,7 @@ pub(crate) fn beside(tool: &Tool<'_>, surface: &Surface, side: Side, near: Spot)
             let flat = out <= TILT || x.norm() < disk.rho * (1.0 - ROUNDED);
             let touches = matches!(segment, Segment::Arc | Segment::LowerLine);
             let lower = d <= begin + rounded && !surface.ends_at(foot.at);
-            return (touches && lower).then(|| Gap {
+            let gap = || Gap {
                 g: raw,
                 raw,
                 tool_point: disk.point(x) - normal * radius,
@@ -119,7 +125,8 @@ pub(crate) fn beside(tool: &Tool<'_>, surface: &Surface, side: Side, near: Spot)
                 normal,
                 segment: Some(if flat { Segment::LowerLine } else { Segment::Arc }),
                 residual: off.norm(),
-            });
+            };
+            return (touches && lower).then(|| (gap(), bent));
         }
         let by = foot_by(off + go - normal * go.dot(&normal));
         last = left;
@@ -210,8 +217,8 @@ impl Disk {
 
     /// Where a form of second degree with the derivatives `slope` and `bend` at `x` is least on the disk: inside, or on the
     /// border where it falls to. Changes of less than `alike` are none. `None` where it bends down in all directions, and
-    /// where the search along the border does not end.
-    fn least(&self, x: Vec2, slope: Vec2, bend: [Vec2; 2], alike: f64) -> Option<Vec2> {
+    /// where the search along the border does not end. With whether it bends down in one direction.
+    fn least(&self, x: Vec2, slope: Vec2, bend: [Vec2; 2], alike: f64) -> Option<(Vec2, bool)> {
         let (h11, h12, h22) = (bend[0].x, 0.5 * (bend[0].y + bend[1].x), bend[1].y);
         let (mean, half) = (0.5 * (h11 + h22), 0.5 * (h11 - h22));
         let root = (half * half + h12 * h12).sqrt();
@@ -239,8 +246,9 @@ impl Disk {
             -far * along.signum()
         };
         let to = first + w * by;
+        let down = changes > alike && least < 0.0;
         if to.norm() <= self.rho {
-            return Some(to);
+            return Some((to, down));
         }
         let bent = |y: Vec2| Vec2::new(h11 * y.x + h12 * y.y, h12 * y.x + h22 * y.y);
         let start =
@@ -255,7 +263,7 @@ impl Disk {
             let step = if turn > 0.0 && newton.abs() < 0.5 { newton } else { -0.5 * rate.signum() };
             out = (out + around * step).normalize();
             if step.abs() <= LAST {
-                return Some(out * self.rho);
+                return Some((out * self.rho, down));
             }
         }
         None
