@@ -88,9 +88,12 @@ fn faces(
         return Ok(gap);
     }
     let mut stations = Stations { lower: round.is_none(), flank: 1.0, disk: None };
+    // Whether the way there leads past another place is no matter: they all are looked for.
+    let any =
+        |q| disk::beside(tool, surface, side, q).or_else(|| local(tool, surface, side, q).ok());
     if round.is_none()
         && matches!(surface, Surface::Parametric(_))
-        && let Ok(gap) = disk::below(tool, surface, side, surface.foot(middle(tool)).spot())
+        && let Some(gap) = any(surface.foot(middle(tool)).spot())
     {
         if alone(tool, surface, side, &gap, 0.0).is_some() {
             return Ok(gap);
