@@ -30,17 +30,17 @@ pub struct Disk {
 pub struct Facing {
     /// The parameters of its middle.
     pub mid: [f64; 2],
-    /// The point in the middle, and how far others are from it at most.
+    /// The point there.
     pub point: Vec3,
-    /// The latter.
+    /// No point of it is farther from that one.
     pub reach: f64,
     /// None of it is nearer to the disk, or to what is above the disk.
     pub bound: f64,
     /// How far the disk has to go until its distance may dip at a place of the piece.
     pub until: f64,
-    /// The normal in the middle, along the axis, and by how much others differ from it, as vectors; at edges they may be anything.
+    /// The normal in the middle, on the side of the axis; zero beside an edge.
     pub normal: Vec3,
-    /// The latter.
+    /// By how much others differ from it, as vectors; 2 where they may be anything.
     pub turn: f64,
     /// Can it be cut?
     pub whole: bool,
@@ -229,26 +229,11 @@ impl Cell {
 #[cfg(test)]
 mod tests {
     use super::super::super::sculptured::Spans;
+    use super::super::part::tests::mesh;
     use super::*;
-    use crate::sculptured::{MeshSpacing, SurfaceDefinition};
     use crate::trig;
     use proptest::prelude::*;
     use std::cell::Cell as Counter;
-
-    /// A mesh over 90 by 80 with waves and uneven spans.
-    fn mesh(waves: [f64; 2], uneven: f64) -> Spans {
-        let stretch = |t: f64| t + uneven * trig::sin(3.0 * t) / 3.0;
-        let row = |j: i32| {
-            let at = |i: i32| {
-                let (s, t) = (f64::from(i) / 4.0 - 1.0, f64::from(j) / 3.0 - 1.0);
-                let z = waves[0] * trig::sin(4.0 * s + t) + waves[1] * trig::cos(3.0 * t - s);
-                Vec3::new(45.0 * stretch(s), 40.0 * stretch(t), z)
-            };
-            (0..9).map(at).collect()
-        };
-        let definition = SurfaceDefinition::mesh(MeshSpacing::Xyz, (0..7).map(row));
-        Spans::new(&definition).expect("a surface")
-    }
 
     /// The lowest places of a grid of the parameters, each followed downhill by ever smaller steps, which are places at which the distance
     /// of the disk dips.

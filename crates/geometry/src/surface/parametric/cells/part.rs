@@ -223,7 +223,7 @@ impl Cell {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::super::super::ParametricSurface;
     use super::super::super::sculptured::Spans;
     use super::*;
@@ -233,7 +233,7 @@ mod tests {
     use std::cell::Cell as Counter;
 
     /// A mesh over 90 by 80 with waves and uneven spans.
-    fn mesh(waves: [f64; 2], uneven: f64) -> Spans {
+    pub(in super::super) fn mesh(waves: [f64; 2], uneven: f64) -> Spans {
         let stretch = |t: f64| t + uneven * trig::sin(3.0 * t) / 3.0;
         let row = |j: i32| {
             let at = |i: i32| {
