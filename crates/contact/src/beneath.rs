@@ -11,6 +11,7 @@ use aptc_geometry::{Spot, Surface, Tool, Vec3};
 use crate::alone::around;
 use crate::disk;
 use crate::gap::{Gap, Side, deeper};
+use crate::search::rival;
 use crate::stations::FAR;
 
 /// Share of the cutter's radius that a piece reaches from which it is not cut any more: a place of contact is followed from there.
@@ -52,7 +53,7 @@ pub(crate) fn elsewhere(
 ) -> Option<(Option<Gap>, f64)> {
     let all = Beneath::new(tool, surface, side, known, most)?;
     let far = FAR * tool.profile.half_width(known.segment);
-    let (same, radius) = (1e-6 * tool.profile.widest(), tool.profile.corner_radius());
+    let radius = tool.profile.corner_radius();
     let (mut best, mut room, mut places) = (*known, most, Places::new(known));
     all.look(known.raw + 2.0 * most, most, |piece| {
         let left = |room: f64| Next::Left([known.raw + radius + 2.0 * room, room]);
@@ -74,12 +75,7 @@ pub(crate) fn elsewhere(
         if piece.until <= 0.0
             && let Some(gap) = all.place(piece, &mut places)
         {
-            if (gap.tool_point - known.tool_point).norm() > same {
-                room = room.min(0.5 * (gap.raw - known.raw).max(0.0));
-            }
-            if deeper(tool, gap.raw, best.raw) {
-                best = gap;
-            }
+            rival(tool, known, &gap, &mut best, &mut room);
         }
         left(room)
     });
@@ -133,9 +129,8 @@ impl<'a> Beneath<'a> {
         let up = surface.upright(&balls[..count], tool.ta, (at, known.normal))?;
         let leans = (1.0 - up * up).max(0.0).sqrt();
         let lower = tool.profile.support(leans, -up).segment;
-        let disk::Round { center, rho } = disk::round(tool, side)?;
+        let disk = disk::middles(tool, side)?;
         let below = matches!(lower, Segment::Arc | Segment::LowerLine);
-        let disk = Disk { center, axis: tool.ta, rho };
         let [least, coarse] = [LEAST, COARSE].map(|share| share * tool.profile.widest());
         below.then_some(Self { tool, whole, surface, side, disk, least, coarse })
     }

@@ -8,7 +8,7 @@
 //! border. Neither the edge between flat end and corner nor a ruling along the flat end makes more steps of it.
 
 use aptc_geometry::profile::Segment;
-use aptc_geometry::surface::frame_about;
+use aptc_geometry::surface::{self, frame_about};
 use aptc_geometry::{Foot, Reason, Spot, Surface, Tool, Vec2, Vec3};
 
 use crate::descent::local;
@@ -153,15 +153,10 @@ fn follow(tool: &Tool<'_>, surface: &Surface, side: Side, near: Spot) -> Option<
     None
 }
 
-/// Middle and radius of the disk of the corner's middles.
-pub(crate) struct Round {
-    pub(crate) center: Vec3,
-    pub(crate) rho: f64,
-}
-
-/// That of a cutter with a flat end that runs into the corner.
-pub(crate) fn round(tool: &Tool<'_>, side: Side) -> Option<Round> {
-    Disk::of(tool, side).map(|Disk { center, rho, .. }| Round { center, rho })
+/// The disk of the corner's middles of a cutter with a flat end that runs into the corner.
+pub(crate) fn middles(tool: &Tool<'_>, side: Side) -> Option<surface::Disk> {
+    let Disk { center, ta: axis, rho, .. } = Disk::of(tool, side)?;
+    Some(surface::Disk { center, axis, rho })
 }
 
 /// The disk of the corner's middles.

@@ -74,8 +74,9 @@ pub trait Guide: Sized {
     fn gap(&self, te: Vec3, read: &End<Self::At>) -> Gap;
 
     /// Least and greatest gap while the tool end moves by `v` from `te`, as of [`crate::chord()`]; `ends` are what is read at
-    /// both ends, with their `bows` where they were read. `None` where nothing is at the first, where more than one dip or bump may be on the way, and where the contacts at
-    /// both ends lie far from each other on the cutter, so that it may have gone over from one place to another.
+    /// both ends, with their `bows` where they were read. `None` where nothing is at the first, where more than one dip or bump may
+    /// be on the way, and where the contacts at both ends lie far from each other on the cutter, so that it may have gone over from
+    /// one place to another.
     fn chord(
         &self,
         surface: &Surface,

@@ -349,6 +349,26 @@ impl Point {
 }
 
 #[cfg(test)]
+impl PointGuide {
+    /// The chord between two readings to 1e-10, which is the same whether the ends foretell what is between or that is met.
+    pub(crate) fn foretold_as_met(
+        &self,
+        surface: &Surface,
+        te: Vec3,
+        v: Vec3,
+        [a, b]: [&Reading<Spot, PointBends>; 2],
+    ) -> Option<[f64; 2]> {
+        let told = |bows| self.chord(surface, te, v, [&a.end, &b.end], bows, 1e-10);
+        let [low, high] = told(Some((a.bends, b.bends)))?;
+        if let Some([least, greatest]) = told(None) {
+            let off = (low - least).abs().max((high - greatest).abs());
+            assert!(off < 3e-10, "{low} {least} {high} {greatest}");
+        }
+        Some([low, high])
+    }
+}
+
+#[cfg(test)]
 mod tests {
     use std::sync::Arc;
 
@@ -461,13 +481,7 @@ mod tests {
                 return Ok(());
             }
             let path = PointGuide::Point(guide);
-            let bows = Some((a.bends, b.bends));
-            let told = |bows| path.chord(&surface, te, v, [&a.end, &b.end], bows, 1e-10);
-            let Some([low, high]) = told(bows) else { return Ok(()) };
-            if let Some([least, greatest]) = told(None) {
-                let off = (low - least).abs().max((high - greatest).abs());
-                prop_assert!(off < 3e-10, "{low} {least} {high} {greatest}");
-            }
+            let Some([low, high]) = path.foretold_as_met(&surface, te, v, [&a, &b]) else { return Ok(()) };
             let to = tool.at(te + v);
             let whole = chord(&tool, &to, &surface, condition, side, thick, Some(ends), 1e-10).unwrap();
             prop_assert!((low - whole.low.g).abs() < 1e-8, "{low} {whole:?}");

@@ -343,7 +343,7 @@ fn dips<'t>(
 }
 
 /// Takes another place of contact than the `known` one: it may be the deepest, or become it on a way.
-fn rival(tool: &Tool<'_>, known: &Gap, gap: &Gap, deepest: &mut Gap, room: &mut f64) {
+pub(crate) fn rival(tool: &Tool<'_>, known: &Gap, gap: &Gap, deepest: &mut Gap, room: &mut f64) {
     let (wide, reach) = (tool.profile.widest(), tool.profile.reach());
     let size = if wide > 0.0 { wide.max(0.1 * reach) } else { reach };
     if (gap.tool_point - known.tool_point).norm() > 1e-6 * size {

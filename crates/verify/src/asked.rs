@@ -5,8 +5,8 @@
 
 use std::sync::Arc;
 
+use aptc_cldata::Control;
 use aptc_cldata::milling::{AskedLine, Held, Limits, Milling};
-use aptc_cldata::{Control, Position};
 use aptc_diagnostics::Origin;
 use aptc_geometry::{Profile, Sculptured, Vec3};
 
@@ -89,8 +89,7 @@ impl Asked {
 
 /// The vectors of a statement, the first one a place where it does not begin at the end of another.
 fn own_ways(s: &Statement) -> Vec<[Pose; 2]> {
-    let start: Option<Position> = s.start;
-    ways(&start, &s.points)
+    ways(&s.start, &s.points)
 }
 
 /// What is known of the lines of a surface.

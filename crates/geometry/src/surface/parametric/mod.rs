@@ -402,6 +402,17 @@ impl ParametricSurface {
         spans.cells().keeps_off(least, near, |patch, u, v| spans.jet_of(patch, u, v))
     }
 
+    /// The same of the first or last border of u (0) or v (1) of a sculptured surface itself.
+    pub fn border_keeps_off(
+        &self,
+        border: [usize; 2],
+        least: f64,
+        near: impl Fn(Vec3) -> (f64, Vec3),
+    ) -> bool {
+        let Patch::Sculptured(spans) = &self.patch else { return false };
+        spans.border_keeps_off(border, least, near)
+    }
+
     /// Pieces of a sculptured surface that may come nearer to a disk, or to what is above it, than the first of the limits and, the disk
     /// having gone by less than the second, hold a place at which its distance dips: `look` is asked what is to become of each. Of
     /// other surfaces it is asked nothing.
@@ -424,17 +435,6 @@ impl ParametricSurface {
         let jet = spans.jet(near[0], near[1]);
         let sign = jet.su.cross(&jet.sv).dot(&n).signum();
         spans.cells().upright(balls, axis * sign)
-    }
-
-    /// The same of the first or last border of u (0) or v (1) of a sculptured surface itself.
-    pub fn border_keeps_off(
-        &self,
-        border: [usize; 2],
-        least: f64,
-        near: impl Fn(Vec3) -> (f64, Vec3),
-    ) -> bool {
-        let Patch::Sculptured(spans) = &self.patch else { return false };
-        spans.border_keeps_off(border, least, near)
     }
 }
 
