@@ -349,26 +349,6 @@ impl Point {
 }
 
 #[cfg(test)]
-impl PointGuide {
-    /// The chord between two readings to 1e-10, which is the same whether the ends foretell what is between or that is met.
-    pub(crate) fn foretold_as_met(
-        &self,
-        surface: &Surface,
-        te: Vec3,
-        v: Vec3,
-        [a, b]: [&Reading<Spot, PointBends>; 2],
-    ) -> Option<[f64; 2]> {
-        let told = |bows| self.chord(surface, te, v, [&a.end, &b.end], bows, 1e-10);
-        let [low, high] = told(Some((a.bends, b.bends)))?;
-        if let Some([least, greatest]) = told(None) {
-            let off = (low - least).abs().max((high - greatest).abs());
-            assert!(off < 3e-10, "{low} {least} {high} {greatest}");
-        }
-        Some([low, high])
-    }
-}
-
-#[cfg(test)]
 mod tests {
     use std::sync::Arc;
 
@@ -376,6 +356,25 @@ mod tests {
     use crate::{chord, distance, second};
     use aptc_geometry::{Cone, Cutter, Fit, Form, Knot, Quadric, QuadricKind, Tabcyl, Vec2};
     use proptest::prelude::*;
+
+    impl PointGuide {
+        /// The chord between two readings to 1e-10, which is the same whether the ends foretell what is between or that is met.
+        pub(crate) fn foretold_as_met(
+            &self,
+            surface: &Surface,
+            te: Vec3,
+            v: Vec3,
+            [a, b]: [&Reading<Spot, PointBends>; 2],
+        ) -> Option<[f64; 2]> {
+            let told = |bows| self.chord(surface, te, v, [&a.end, &b.end], bows, 1e-10);
+            let [low, high] = told(Some((a.bends, b.bends)))?;
+            if let Some([least, greatest]) = told(None) {
+                let off = (low - least).abs().max((high - greatest).abs());
+                assert!(off < 3e-10, "{low} {least} {high} {greatest}");
+            }
+            Some([low, high])
+        }
+    }
 
     fn vec(x: [f64; 3]) -> Vec3 {
         Vec3::new(x[0], x[1], x[2])
