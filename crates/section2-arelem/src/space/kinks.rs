@@ -1,6 +1,9 @@
 //! The gap along a chord on which the contact goes over from one place of the cutter to another, and back.
 
+use std::cell::Cell;
+
 use aptc_contact::Gap;
+use aptc_geometry::Surface;
 
 use super::judge::{BETWEEN, between, turn};
 use super::track::{Node, Track, Trouble};
@@ -26,12 +29,28 @@ impl Track {
     /// the gap has an edge, which no look beside it tells.
     pub(super) fn over_kinks(&self, i: usize, from: &Node, to: &Node) -> Result<[f64; 2], Trouble> {
         let keep = &self.keeps[i];
+        // Then it is told sooner whether another place of a surface by two parameters is deeper than which one is the deepest.
+        let searched = matches!(keep.surface, Surface::Parametric(_));
+        let stands = searched && !self.axis.turns();
+        let length = (to.pose.te - from.pose.te).norm();
+        // Where it was seen last that no other is deeper, and how far that holds.
+        let alone = Cell::new((f64::NAN, 0.0));
         // Of places that are as deep, as all of a ridge along a flat end, it is that beside the one before.
         let look = |t: f64, near: &Gap| -> Result<Look, Trouble> {
             let pose = between(&from.pose, &to.pose, t);
-            let all = keep.gap(&pose, None)?;
+            let even = EVEN * keep.width();
             let beside = keep.gap(&pose, Some(near.spot())).ok();
-            let beside = beside.filter(|b| b.g <= all.g + EVEN * keep.width());
+            if let Some(gap) = beside.filter(|_| stands) {
+                let (last, room) = alone.get();
+                if (t - last).abs() * length < room {
+                    return Ok(Look { t, gap });
+                }
+                let (deeper, room) = keep.deeper_on(&pose, &gap, even, (true, (1.0 - t) * length));
+                alone.set((t, if deeper.is_none() { room } else { 0.0 }));
+                return Ok(Look { t, gap: deeper.unwrap_or(gap) });
+            }
+            let all = keep.gap(&pose, None)?;
+            let beside = beside.filter(|b| b.g <= all.g + even);
             let gap = beside.map_or(all, |b| Gap { g: b.g.min(all.g), ..b });
             Ok(Look { t, gap })
         };

@@ -406,7 +406,7 @@ impl Solver<'_> {
             let alike = self.alike(pose, &aim.keep);
             let room = (gap.g - aim.keep.limits().low).max(1e-13 * self.size(pose));
             let exact = if strict { alike.min(room) } else { alike };
-            if let Some(deeper) = aim.keep.deeper(pose, gap, exact, true).0 {
+            if let Some(deeper) = aim.keep.deeper_on(pose, gap, exact, (true, 0.0)).0 {
                 *gap = deeper;
                 any = true;
             }

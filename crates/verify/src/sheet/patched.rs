@@ -489,12 +489,18 @@ impl Patched {
         three([0, 1, 2], |i| chart.second[i] + more[i])
     }
 
-    /// Bounds of the change of the unit normal over a piece, by parameter, from those of the second derivatives on it.
-    pub(crate) fn turn(&self, patch: &Patch, jet: &Jet, [uu, uv, vv]: [f64; 3]) -> [f64; 2] {
+    /// By how much `dU x dV` changes at most from the middle of a piece along either parameter, by bounds of the second derivatives on
+    /// it, and its length in the middle.
+    fn change(&self, patch: &Patch, jet: &Jet, [uu, uv, vv]: [f64; 3]) -> ([f64; 2], f64) {
         let [hu, hv] = patch.half;
         let (su, sv) = (jet.d[0].norm() + uu * hu + uv * hv, jet.d[1].norm() + uv * hu + vv * hv);
         let change = [(uu * sv + su * uv) * hu, (uv * sv + su * vv) * hv];
-        let n = jet.d[0].cross(&jet.d[1]).norm();
+        (change, jet.d[0].cross(&jet.d[1]).norm())
+    }
+
+    /// Bounds of the change of the unit normal over a piece, by parameter, from those of the second derivatives on it.
+    pub(crate) fn turn(&self, patch: &Patch, jet: &Jet, second: [f64; 3]) -> [f64; 2] {
+        let (change, n) = self.change(patch, jet, second);
         let rest = n - change[0] - change[1];
         if rest > 0.5 * n {
             return two(change, |c| c / rest);

@@ -25,7 +25,8 @@ struct Conic {
     a: f64,
     b: [f64; 2],
     c: [f64; 3],
-    /// Sign of the root of the discriminant.
+    /// The discriminant `b^2 - a c` as a polynomial of t, and the sign of its root.
+    q: [f64; 3],
     sign: f64,
     /// Does the discriminant vanish at the start, at the end? The curve is steep there.
     ends: [bool; 2],
@@ -143,7 +144,7 @@ impl Rail {
     /// vanish: sign, a, b and the coefficients of the rest of q.
     pub(super) fn root(&self) -> Option<Root> {
         let Height::Conic(c) = &self.height else { return None };
-        let q = c.discriminant();
+        let q = c.q;
         let rest = match c.ends {
             [true, true] => [-q[2], 0.0],
             [true, false] => [q[1], q[2]],
@@ -198,29 +199,17 @@ impl Conic {
         }
         // What is rounding of the greatest is nothing.
         let clean = |x: f64| if x.abs() <= 1e-14 * size { 0.0 } else { x / size };
-        let mut new = Self {
-            a: clean(a),
-            b: [clean(b0), clean(b1)],
-            c: c.map(clean),
-            sign: 1.0,
-            ends: [false; 2],
-        };
-        let [q0, q1, q2] = new.discriminant();
-        let scale = q0.abs().max(q1.abs()).max(q2.abs());
-        new.ends = [q0, q0 + q1 + q2].map(|q| q.abs() <= 1e-10 * scale);
-        Some(new)
-    }
-
-    /// `b^2 - a c` as a polynomial of t.
-    fn discriminant(&self) -> [f64; 3] {
-        let ([b0, b1], c, a) = (self.b, self.c, self.a);
-        [b0 * b0 - a * c[0], 2.0 * b0 * b1 - a * c[1], b1 * b1 - a * c[2]]
+        let (a, b, c) = (clean(a), [clean(b0), clean(b1)], c.map(clean));
+        let q = [b[0] * b[0] - a * c[0], 2.0 * b[0] * b[1] - a * c[1], b[1] * b[1] - a * c[2]];
+        let scale = q[0].abs().max(q[1].abs()).max(q[2].abs());
+        let ends = [q[0], q[0] + q[1] + q[2]].map(|q| q.abs() <= 1e-10 * scale);
+        Some(Self { a, b, c, q, sign: 1.0, ends })
     }
 
     fn at(&self, t: f64) -> Option<Profile> {
         let b = self.b[0] + self.b[1] * t;
         let c = self.c[0] + t * (self.c[1] + t * self.c[2]);
-        let [q0, q1, q2] = self.discriminant();
+        let [q0, q1, q2] = self.q;
         let q = (q0 + t * (q1 + t * q2)).max(0.0);
         let root = self.sign * q.sqrt();
         // Of the two formulas the one without a difference of equal numbers.
@@ -243,7 +232,7 @@ impl Conic {
 
     /// `|y'''| = 3/2 |M q'| / q^2.5`.
     fn twist(&self, t0: f64, t1: f64) -> f64 {
-        let (m, least, q) = (self.determinant(), self.least(t0, t1), self.discriminant());
+        let (m, least, q) = (self.determinant(), self.least(t0, t1), self.q);
         let slope = [t0, t1].map(|t| (q[1] + 2.0 * q[2] * t).abs());
         let slope = slope[0].max(slope[1]);
         if m * slope == 0.0 { 0.0 } else { 1.5 * m * slope / (least * least * least.sqrt()) }
@@ -259,7 +248,7 @@ impl Conic {
 
     /// Least value of the discriminant over `t0..t1`.
     fn least(&self, t0: f64, t1: f64) -> f64 {
-        let q = self.discriminant();
+        let q = self.q;
         let at = |t: f64| q[0] + t * (q[1] + t * q[2]);
         let mut least = at(t0).min(at(t1));
         let turn = -0.5 * q[1] / q[2];

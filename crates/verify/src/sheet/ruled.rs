@@ -230,11 +230,17 @@ impl Rulings {
 
     /// A rail at `u` with its derivatives, as of the cell `i`.
     fn line(&self, rail: &Rail, i: usize, u: f64) -> [Vec3; 3] {
+        let beside = |t: f64| rail.at_beside(t, self.middles[i]).unwrap_or([f64::NAN; 3]);
+        if self.steep == [false; 2] {
+            let [y, y1, y2] = beside(u);
+            let point = rail.start + rail.base * u + rail.toward * y;
+            return [point, rail.base + rail.toward * y1, rail.toward * y2];
+        }
         let [t, t1, t2] = self.fraction(u);
         let y = match rail.root() {
             Some(root) => self.steep_height(&root, rail.steep(), u),
             None => {
-                let [y, y1, y2] = rail.at_beside(t, self.middles[i]).unwrap_or([f64::NAN; 3]);
+                let [y, y1, y2] = beside(t);
                 [y, y1 * t1, y2 * t1 * t1 + y1 * t2]
             }
         };

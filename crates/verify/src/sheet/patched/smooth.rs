@@ -61,6 +61,9 @@ impl Patched {
         }
         // Cells of one map have the same points and derivatives where they meet; at the corner of a rail they are of two.
         let same = self.is_one_map(one.cell, other.cell);
+        if same && self.has_normals(chart) {
+            return true;
+        }
         let [from, to] = one.range[1 - k];
         let size = self.nodes.last().map_or(0.0, |root| root.radius);
         (0..=PLACES).all(|i| {
@@ -75,6 +78,16 @@ impl Patched {
             let turned = m.zip(n).map_or(f64::INFINITY, |(m, n)| (m - n).norm());
             (a.point - b.point).norm() <= 1e-13 * size && turned <= SMOOTH
         })
+    }
+
+    /// Has a chart a normal all over, as its middle and the bounds of its second derivatives tell?
+    fn has_normals(&self, chart: usize) -> bool {
+        /// Sine of the angle between the derivatives that counts as none.
+        const PARALLEL: f64 = 1e-9;
+        let patch = self.patch(chart);
+        let jet = self.jet(&patch.spot());
+        let (change, n) = self.change(&patch, &jet, self.second(&patch));
+        change[0] + change[1] < 0.5 * n && n > PARALLEL * jet.d[0].norm() * jet.d[1].norm()
     }
 
     /// Are two cells evaluated alike?
