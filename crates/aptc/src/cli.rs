@@ -201,7 +201,7 @@ pub(crate) struct VerifyArgs {
     #[arg(long, value_name = "FILE")]
     pub(crate) cl: Option<PathBuf>,
     /// Machine code of any origin, held against the CL file
-    #[arg(long, value_name = "FILE", requires_all = ["machine", "cl"], conflicts_with = "parts")]
+    #[arg(long, value_name = "FILE")]
     pub(crate) nc: Option<PathBuf>,
     /// The machine for which the code is: its name or file
     #[arg(short, long, value_name = "NAME", requires = "nc")]

@@ -267,6 +267,14 @@ fn machine_code_is_held_against_a_cl_file() {
     let bad = check("box.nc");
     assert_eq!(bad.status.code(), Some(1), "{}", text(&bad.stderr));
     assert!(text(&bad.stderr).contains("box.cl:"), "{}", text(&bad.stderr));
-    // Both the machine and the CL data have to be named.
-    assert_eq!(aptc(dir.path(), &["verify", "--nc", "box.nc"]).status.code(), Some(2));
+    // Both the machine and the CL data have to be named, and how is told.
+    for options in [&["verify", "--nc", "box.nc"][..], &["verify", "box.apt", "--nc", "box.nc"]] {
+        let bad = aptc(dir.path(), options);
+        assert_eq!(bad.status.code(), Some(2));
+        assert!(
+            text(&bad.stderr).contains("aptc verify --nc box.nc --cl "),
+            "{}",
+            text(&bad.stderr)
+        );
+    }
 }

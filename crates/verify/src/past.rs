@@ -20,6 +20,8 @@ const CLEAR: f64 = 5.0;
 /// is left to both.
 const HELD: f64 = 1.5;
 const SPARE: f64 = 0.1;
+/// Half bands by which another place of the check surface is nearer and not the same.
+const ANOTHER: f64 = 0.2;
 /// Looks along a motion.
 const LOOKS: u32 = 4000;
 /// Looks for the place where both directions are nearest to each other.
@@ -129,9 +131,9 @@ impl Motion<'_> {
         let mut begun = false;
         let (mut s, mut step, mut spot) = (0.0, fine, None);
         let first = self.look(0.0, f64::INFINITY, &mut spot);
-        let mut before = first;
+        let (mut before, mut other) = (first, first);
         for _ in 0..LOOKS {
-            let now = self.look(s, before.off, &mut spot);
+            let now = self.nearest(s, before.off, &mut spot);
             if now.off.abs() > clear {
                 zone.push(now);
                 let found = match begun {
@@ -145,7 +147,7 @@ impl Motion<'_> {
                 (begun, step) = (true, fine);
                 zone.clear();
                 zone.push(now);
-                s += self.free(&before, &now, now.off.abs() - clear).max(fine);
+                s += self.free([&other, &before, &now], now.off.abs() - clear).max(fine);
             } else {
                 zone.push(now);
                 let change = (now.off - before.off).abs();
@@ -156,7 +158,7 @@ impl Motion<'_> {
                 }
                 s += step;
             }
-            before = now;
+            (other, before) = (before, now);
             if s >= end {
                 return None;
             }
@@ -164,15 +166,17 @@ impl Motion<'_> {
         None
     }
 
-    /// How far the tool may go from a look on until it has gone `room`: by half of what it takes at the rate of before, and no more
-    /// than four times as far as the tool is clear.
-    fn free(&self, before: &Look, now: &Look, room: f64) -> f64 {
+    /// How far the tool may go from the last look on until it has gone `room`: by half of what it takes at the rate of before, and no
+    /// more than four times as far as the tool is clear; no farther than that where it comes nearer again, or goes away.
+    fn free(&self, [other, before, now]: [&Look; 3], room: f64) -> f64 {
         const FARTHER: f64 = 4.0;
         if !room.is_finite() {
             return 0.1 * self.profile.reach();
         }
-        let rate = ((now.off - before.off) / (now.s - before.s)).abs();
-        if rate.is_finite() { room * (0.5 / rate).clamp(1.0, FARTHER) } else { room }
+        let rate = |a: &Look, b: &Look| (b.off - a.off) / (b.s - a.s);
+        let (last, now) = (rate(other, before), rate(before, now));
+        let turns = last * now < 0.0;
+        if now.is_finite() && !turns { room * (0.5 / now.abs()).clamp(1.0, FARTHER) } else { room }
     }
 
     /// Of what is not known the sign is that of before.
@@ -181,6 +185,17 @@ impl Motion<'_> {
         let found = self.gap.beside(self.profile, &self.ways.pose(s).1, spot);
         let off = found.map(|(gap, _)| gap - middle).filter(|off| off.is_finite());
         Look { s, off: off.unwrap_or(f64::INFINITY.copysign(before)), spot: *spot }
+    }
+
+    /// The same, anew where another place of the surface is nearer than the one beside that of before: a wide cutter comes from crest
+    /// to crest.
+    fn nearest(&self, s: f64, before: f64, spot: &mut Option<Spot>) -> Look {
+        let now = self.look(s, before, spot);
+        if !now.off.is_finite() || self.is_alone(&now, ANOTHER) {
+            return now;
+        }
+        *spot = None;
+        self.look(s, before, spot)
     }
 
     /// The gap at a place near a look.
@@ -208,7 +223,7 @@ impl Motion<'_> {
             && self.in_both(&now)
             && apart(&now) <= LEVEL
             // No other place of the surface tells something else.
-            && self.is_alone(&now, 0.2)
+            && self.is_alone(&now, ANOTHER)
             && [first, last].iter().all(|l| self.is_alone(l, 2.0));
         tangent.then(|| self.at(place))
     }
@@ -235,7 +250,7 @@ impl Motion<'_> {
         }
         let there = self.look(0.5 * low, first.off, &mut first.spot.clone());
         let alike = self.apart(&there).is_some_and(|angle| angle <= LEVEL);
-        let held = alike && self.is_alone(&there, 0.2);
+        let held = alike && self.is_alone(&there, ANOTHER);
         (held && self.is_alone(&clear, 2.0)).then(|| self.at(low))
     }
 

@@ -479,6 +479,12 @@ impl Verifier {
                 ),
             };
             let d = Diagnostic::error(codes::REFUTED, proof.origin.span, message);
+            let d = match f.breach {
+                Some(Breach::Past) => d.help(
+                    "end the motion there with ON and a plane across it; where a later place is meant, count them with n,INTOF",
+                ),
+                _ => d,
+            };
             f.why.iter().fold(d, |d, why| d.note(why.to_string()))
         } else if f.ends {
             let high = if f.depth < f64::INFINITY {

@@ -17,8 +17,11 @@ use crate::{exit, report};
 
 /// Judges every part; exit code 0 only when all of the path is proved.
 pub(crate) fn verify(args: &VerifyArgs, common: &Common) -> io::Result<ExitCode> {
-    if let (Some(nc), Some(cl)) = (&args.nc, &args.cl) {
-        return verify_nc(nc, cl, args, common);
+    if let Some(nc) = &args.nc {
+        return match &args.cl {
+            Some(cl) if args.parts.is_empty() => verify_nc(nc, cl, args, common),
+            _ => report::complain(&held_so(nc, args)),
+        };
     }
     if args.cl.is_some() && args.parts.len() > 1 {
         return report::complain("a CL file goes with one program: name only that");
@@ -79,11 +82,23 @@ pub(crate) fn verify(args: &VerifyArgs, common: &Common) -> io::Result<ExitCode>
     Ok(ExitCode::from(worst))
 }
 
+/// How machine code is held against CL data, with what is known of that.
+fn held_so(nc: &Path, args: &VerifyArgs) -> String {
+    let part = args.parts.first().map(|part| part.with_extension("cl"));
+    let cl = args.cl.clone().or(part).unwrap_or_else(|| "FILE.cl".into());
+    let machine = args.machine.as_deref().unwrap_or("NAME");
+    let (nc, cl) = (nc.display(), cl.display());
+    format!(
+        "machine code is held against CL data, of a machine that is named (`aptc machines` lists them): \
+         aptc verify --nc {nc} --cl {cl} --machine {machine}"
+    )
+}
+
 /// Holds machine code against CL data; exit code 0 only when it goes where they do.
 fn verify_nc(nc: &Path, cl: &Path, args: &VerifyArgs, common: &Common) -> io::Result<ExitCode> {
     let machine = match super::machines::choice(args.machine.as_deref(), common)? {
         Ok(Some(choice)) => choice.machine(),
-        Ok(None) => return report::complain("--machine is missing"),
+        Ok(None) => return report::complain(&held_so(nc, args)),
         Err(done) => return Ok(done),
     };
     let dialect = match dialect(args.from.as_deref()) {

@@ -278,6 +278,15 @@ impl Keep {
         matches!(self.surface, Surface::Plane(_))
     }
 
+    /// How many spans or patches of the surface two places of contact are apart; 0 where it has none.
+    pub(super) fn spans_between(&self, a: &Gap, b: &Gap) -> f64 {
+        match (&self.surface, a.at, b.at) {
+            (Surface::Tabcyl(s), Some(a), Some(b)) => s.spans_between(a[0], b[0]),
+            (Surface::Parametric(s), Some(a), Some(b)) => s.pieces_between([a, b]),
+            _ => 0.0,
+        }
+    }
+
     /// May several places of the cutter touch, because the surface bends both ways?
     pub(crate) fn is_mixed(&self) -> bool {
         self.condition == Condition::Touch && !self.surface.convex() && !self.surface.concave()

@@ -21,6 +21,8 @@ const ALONG: f64 = 1e-6;
 /// gap changes by what a tangency may be off within the way about it that is looked at.
 const ALMOST: f64 = 5e-3;
 const LOOSE: f64 = 4.0;
+/// Spans between two places of contact about one crest or hollow at most.
+const ONE_CREST: f64 = 1.5;
 /// The lesser share of the golden section.
 const GOLDEN: f64 = 0.381_966_011_250_105;
 
@@ -55,7 +57,12 @@ pub(super) fn tangencies(
     let far = a.gap.g.abs() + b.gap.g.abs() - 2.0 * loose > reach(way, keep, &a, &b);
     let turns = (a.slope > 0.0) != (b.slope > 0.0);
     let coarse = halvings > HALVINGS && !simple(keep);
-    if turns && !coarse && (!far || simple(keep)) {
+    // Between places of contact several crests apart it may turn at each of them, if the tool goes as far as from one to the next.
+    let spans =
+        if simple(keep) || halvings == 0 { 0.0 } else { keep.spans_between(&a.gap, &b.gap) };
+    let apart = (b.gap.surface_point - a.gap.surface_point).norm();
+    let several = spans > ONE_CREST && ONE_CREST * apart <= spans * (b.s - a.s);
+    if turns && !coarse && !several && (!far || simple(keep)) {
         let m = way.extreme(keep, a, b, 1e-12, false)?;
         if m.gap.g.abs() <= loose {
             let s = way.middle(keep, &a, &m, &b)?;

@@ -85,7 +85,7 @@ impl ParametricSurface {
     }
 
     /// How many spans or patches two places are apart.
-    pub(in crate::surface) fn pieces_between(&self, [a, b]: [[f64; 2]; 2]) -> f64 {
+    pub fn pieces_between(&self, [a, b]: [[f64; 2]; 2]) -> f64 {
         let [u, v] = match &self.patch {
             Patch::Ruled(rulings) => [f64::from(rulings.pieces()) / SAMPLES, 0.0],
             Patch::Polyconic(_) => [BENDS, 0.0],
