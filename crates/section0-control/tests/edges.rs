@@ -31,6 +31,32 @@ K=SSURF/REVOLV,PR,AXIS,(POINT/0,0,0),(VECTOR/0,0,1),$
  CCLW,0,360,TRFORM,(MATRIX/TRANSL,70,25,3)
 ";
 
+/// A ball comes obliquely over a ridge of two planes, and over one that bends: it rolls over the edge, along which its contact goes
+/// far between two places of the path.
+#[test]
+fn a_ball_goes_obliquely_over_a_ridge() {
+    let rows = |high: f64, bends: f64| {
+        let row =
+            |y: i32, z: f64| format!("SPLINE,(-60,{y},{z}),(0,{y},{}),(60,{y},{z})", z + bends);
+        format!("SSURF/SMESH,RULED,{},$\n{},$\n{}", row(-50, 0.0), row(0, high), row(50, 0.0))
+    };
+    for (high, bends) in [(4.0, 0.0), (15.0, 0.0), (30.0, 0.0), (4.0, 1.0)] {
+        for slope in [0.1, 0.5, 1.3] {
+            for cutter in ["8,4", "12,6"] {
+                let text = format!(
+                    "PARTNO RIDGE\nUNITS/MM\nK={}\nD=PLANE/{slope},1,0,0\nCUTTER/{cutter}\nINTOL/.01\nOUTTOL/.01\n\
+                     FROM/-20,0,60\nGO/ON,D,TO,K,ON,(PLANE/1,0,0,-20)\nINDIRV/1,0,0\n\
+                     TLON,GOFWD/D,ON,(PLANE/1,0,0,20)\nFINI\n",
+                    rows(high, bends)
+                );
+                let ran = run::run(&text, Verify::Full);
+                assert_eq!(ran.faults(), Vec::<String>::new(), "{text}");
+                assert!(ran.places.len() < 30, "{} {text}", ran.places.len());
+            }
+        }
+    }
+}
+
 /// A tool that is led along y towards the check surface, with another far behind it, and where it stops.
 fn stop(cutter: &str, check: &str, y: f64, relation: &str) -> [f64; 3] {
     let text = format!(

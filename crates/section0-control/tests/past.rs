@@ -56,6 +56,15 @@ fn passed(path: &str, asked: &str) -> [f64; 3] {
     fault.te
 }
 
+/// Where a program's last motion along surfaces ends, along x.
+fn end(text: &str) -> f64 {
+    let along = |r: &Record| match &r.kind {
+        Kind::Motion(m) if m.kind == MotionKind::Continuous => m.points.last().map(|p| p.te.x),
+        _ => None,
+    };
+    records(text).iter().rev().find_map(along).expect("it moves along surfaces")
+}
+
 fn off(p: [f64; 3], q: [f64; 3]) -> f64 {
     (0..3).map(|i| (p[i] - q[i]).abs()).fold(0.0, f64::max)
 }
@@ -134,6 +143,78 @@ fn curves_that_are_tangent_before() {
         };
         let at = passed(&text("ON,(PLANE/1,0,0,120)"), &text("TANTO,T1"));
         assert!((at[0] - 50.0).abs() < 0.5, "{at:?}");
+    }
+}
+
+/// Crests nearer to each other than the cutter is wide, which comes to each of them in turn: it stops at the first that is level, and
+/// one that goes on to the next is refuted.
+#[test]
+fn a_wide_cutter_stops_at_the_first_of_many_crests() {
+    for (step, cutter) in [(5, "16,3"), (5, "8,4"), (6, "20,1"), (10, "16,3")] {
+        let knots: Vec<String> = (-3..12)
+            .map(|i| {
+                let low = if i >= 4 { 0 } else { 1 };
+                format!("{},{},NORMAL,90", i * step, if i % 2 == 0 { low } else { 3 })
+            })
+            .collect();
+        let text = |to: &str| {
+            format!(
+                "UNITS/MM\nW=PLANE/0,1,0,0\nC=TABCYL/NOZ,TWOPT,$\n{}\nCUTTER/{cutter}\nINTOL/.001\nOUTTOL/.001\n\
+                 FROM/{x},-20,5\nINDIRV/0,1,0\nGO/TO,W,TO,(PLANE/0,0,1,0),ON,(PLANE/1,0,0,{x})\n\
+                 INDIRV/1,0,0\nTLRGT,GOFWD/W,{to}\nFINI\n",
+                knots.join(",$\n"),
+                x = -2 * step
+            )
+        };
+        let (asked, first) = (text("TANTO,C"), f64::from(4 * step));
+        assert!((end(&asked) - first).abs() < 1e-3, "{} {asked}", end(&asked));
+        let at = passed(&text(&format!("ON,(PLANE/1,0,0,{})", 6 * step)), &asked);
+        assert!((at[0] - first).abs() < 0.5, "{at:?} {asked}");
+        // The second of them is counted.
+        let (asked, second) = (text("TANTO,2,INTOF,C"), f64::from(6 * step));
+        assert!((end(&asked) - second).abs() < 1e-3, "{} {asked}", end(&asked));
+        let at = passed(&text(&format!("ON,(PLANE/1,0,0,{})", 8 * step)), &asked);
+        assert!((at[0] - second).abs() < 0.5, "{at:?} {asked}");
+    }
+}
+
+/// Over crests of a mesh that touch a floor from below: a flat end that covers more than one stops over the first of them, where a
+/// ball does, and not over a hollow.
+#[test]
+fn a_flat_end_stops_over_a_crest() {
+    for step in [5, 10] {
+        let text = |cutter: &str, to: &str| {
+            let row = |y: i32| {
+                let high = |i: i32| match (i % 2 == 0, i >= 2) {
+                    (true, true) => 0,
+                    (true, false) => -1,
+                    _ => -3,
+                };
+                let points = (-3..10).map(|i| format!("({},{y},{})", i * step, high(i)));
+                format!("SPLINE,{}", points.collect::<Vec<_>>().join(",$\n"))
+            };
+            format!(
+                "UNITS/MM\nC=SSURF/SMESH,XYZ,$\n{},$\n{}\nD=PLANE/0,1,0,0\nPS=PLANE/0,0,1,0\nCUTTER/{cutter}\n\
+                 INTOL/.002\nOUTTOL/.002\nFROM/{x},0,20\nGO/ON,D,TO,PS,ON,(PLANE/1,0,0,{x})\nINDIRV/1,0,0\n\
+                 TLON,GOFWD/D,{to}\nFINI\n",
+                row(-30),
+                row(30),
+                x = -2 * step
+            )
+        };
+        let ball = end(&text("8,4", "PSTAN,C"));
+        assert!((ball - f64::from(2 * step)).abs() < 0.3, "{ball}");
+        for cutter in ["12", "16,3"] {
+            let asked = text(cutter, "PSTAN,C");
+            assert!((end(&asked) - ball).abs() < 1e-3, "{} {ball} {asked}", end(&asked));
+            let (right, said) = held(&asked, &asked);
+            assert!(right.is_proved(), "{said:?} {asked}");
+        }
+        // Where it ends over a hollow it is tangent to nothing.
+        let hollow = text("8,4", &format!("ON,(PLANE/1,0,0,{})", 3 * step));
+        let (wrong, _) = held(&hollow, &text("8,4", "PSTAN,C"));
+        let fault = wrong.statements.last().and_then(|s| s.fault.clone());
+        assert!(fault.is_some_and(|f| f.refuted), "{hollow}");
     }
 }
 

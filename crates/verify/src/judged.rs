@@ -10,6 +10,9 @@ use crate::past::Passed;
 use crate::sheets::Sheets;
 use crate::statement::Seen;
 
+/// Widths of its band by which a tangent check surface may be missed where a motion ends.
+const MISSED: f64 = 2.0;
+
 #[derive(Clone, Debug)]
 pub(crate) struct Judged {
     demand: Demand,
@@ -25,9 +28,9 @@ impl Judged {
     /// Drive, part or check surface as it was asked for.
     pub(crate) fn new(c: &Controlled, role: &'static str, sheets: &Sheets) -> Self {
         let mut demand = Demand::new(c, sheets);
-        // A tangent check is met where the drive surface leaves it, not at a distance.
+        // Where it counts as tangent a check surface may be missed by some of its band, and the other surface's band takes that up.
         if matches!(c.relation, Relation::Tanto | Relation::Pstan) {
-            demand.most = f64::INFINITY;
+            demand.most += MISSED * (c.intol + c.outtol);
         }
         Self::with(demand, c, role)
     }

@@ -2,8 +2,8 @@
 //!
 //! The gap to the check surface is followed from the start to the end. Where it comes from clear of the band into it, is touched in the
 //! direction in which the other surface is, in the bands of both, and is clear of the band again before the motion ends, that place
-//! was passed. Left out is what a motion may pass: where it begins, unless both surfaces run along with each other from there, what
-//! n,INTOF counts, what only one band could take up, and what touches elsewhere on the cutter.
+//! was passed; with n,INTOF the n-th of them. Left out is what a motion may pass: where it begins, unless both surfaces run along with
+//! each other from there, what only one band could take up, and what touches elsewhere on the cutter.
 
 use aptc_cldata::{Control, Position, Relation};
 use aptc_geometry::{Profile, Vec3};
@@ -54,7 +54,7 @@ pub(crate) fn goes_past(
     profile: &Profile,
     sheets: &Sheets,
 ) -> Option<Passed> {
-    let check = control.checks.first().filter(|c| c.nth <= 1 && c.disk.is_none())?;
+    let check = control.checks.first().filter(|c| c.disk.is_none())?;
     let other = match check.relation {
         Relation::Tanto => control.drive.as_ref(),
         Relation::Pstan => control.part.as_ref(),
@@ -67,7 +67,7 @@ pub(crate) fn goes_past(
     if !(half > 0.0 && ways.length() > 0.0) {
         return None;
     }
-    let motion = Motion { ways, gap, beside, half, profile };
+    let motion = Motion { ways, gap, beside, half, nth: check.nth.max(1), profile };
     motion.passed()
 }
 
@@ -84,6 +84,8 @@ struct Motion<'a> {
     /// The surface to which the check surface is to be tangent.
     beside: Demand,
     half: f64,
+    /// Which of the tangencies is meant, counted from 1.
+    nth: u32,
     profile: &'a Profile,
 }
 
@@ -128,7 +130,7 @@ impl Motion<'_> {
         let fine = self.half.max(1e-6 * end);
         // What was seen since the tool was clear last; nothing until it was.
         let mut zone: Vec<Look> = Vec::new();
-        let mut begun = false;
+        let (mut begun, mut count) = (false, 0);
         let (mut s, mut step, mut spot) = (0.0, fine, None);
         let first = self.look(0.0, f64::INFINITY, &mut spot);
         let (mut before, mut other) = (first, first);
@@ -141,7 +143,8 @@ impl Motion<'_> {
                     false if s > 0.0 => self.along(first, now),
                     _ => None,
                 };
-                if found.is_some() {
+                count += u32::from(found.is_some());
+                if count == self.nth {
                     return found;
                 }
                 (begun, step) = (true, fine);

@@ -486,7 +486,9 @@ impl Guided {
         if i + 1 == s.points.len()
             && let (Some(judged), Some(seen)) = (&self.check, answer.seen.last_mut())
         {
-            keep(&mut fault, judged.vector(profile, to, to, *pad, number, seen));
+            let found = judged.vector(profile, to, to, *pad, number, seen);
+            // What went past the place where it is tangent is away from it for that.
+            keep(&mut fault, found.filter(|f| f.gouge || self.past.is_none()));
         }
         if let Some(coming) = self.coming.as_ref().filter(|_| fault.is_none()) {
             keep(&mut answer.through, coming.fault(profile, came, to, *pad));

@@ -237,6 +237,14 @@ impl Surface {
         }
     }
 
+    /// The parameters a share of the way from those of one place to those of another.
+    pub fn between(&self, at: [[f64; 2]; 2], share: f64) -> [f64; 2] {
+        match self {
+            Self::Tabcyl(s) => s.between(at, share),
+            _ => [0, 1].map(|i| at[0][i] + share * (at[1][i] - at[0][i])),
+        }
+    }
+
     /// As [`Surface::place`], with its derivatives by its parameters, of a surface by two.
     #[inline]
     pub fn place_with_sides(&self, spot: Spot) -> (Foot, Option<[Vec3; 2]>) {

@@ -213,6 +213,24 @@ impl TabcylSurface {
         if self.form.closed() { apart.min(all - apart) } else { apart }
     }
 
+    /// The parameters a share of the way from one place to another, the shorter way round, over whole spans evenly.
+    pub(super) fn between(&self, [a, b]: [[f64; 2]; 2], share: f64) -> [f64; 2] {
+        let length = |i: usize| self.spans[i].span.length;
+        let at = |p: [f64; 2]| p[0] + p[1] / length(self.span(p[0]));
+        #[expect(clippy::cast_precision_loss, reason = "thousands at most")]
+        let all = self.spans.len() as f64;
+        let (from, mut by) = (at(a), at(b) - at(a));
+        if self.form.closed() && 2.0 * by.abs() > all {
+            by -= all.copysign(by);
+        }
+        let x = from + share * by;
+        let x = if self.form.closed() { x.rem_euclid(all) } else { x.max(0.0) };
+        let span = self.span(x);
+        #[expect(clippy::cast_precision_loss, reason = "thousands at most")]
+        let whole = span as f64;
+        [whole, (x - whole) * length(span)]
+    }
+
     /// How many of the shortest of them near a straight way make up that between two places of contact on different ones.
     pub(super) fn pieces_between(&self, at: [[f64; 2]; 2], [a, b]: [Vec3; 2], reach: f64) -> f64 {
         if self.spans_between(at[0][0], at[1][0]) < 1.0 {

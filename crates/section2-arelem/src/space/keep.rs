@@ -278,9 +278,9 @@ impl Keep {
         matches!(self.surface, Surface::Plane(_))
     }
 
-    /// How many spans or patches of the surface two places of contact are apart; 0 where it has none.
-    pub(super) fn spans_between(&self, a: &Gap, b: &Gap) -> f64 {
-        match (&self.surface, a.at, b.at) {
+    /// How many spans or patches of the surface two places of it are apart, by their parameters; 0 where it has none.
+    pub(super) fn spans_between(&self, a: Option<[f64; 2]>, b: Option<[f64; 2]>) -> f64 {
+        match (&self.surface, a, b) {
             (Surface::Tabcyl(s), Some(a), Some(b)) => s.spans_between(a[0], b[0]),
             (Surface::Parametric(s), Some(a), Some(b)) => s.pieces_between([a, b]),
             _ => 0.0,

@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use aptc_geometry::Segment;
+use aptc_geometry::{Foot, Segment, Spot};
 
 use super::keep::Keep;
 use super::track::{Node, Trouble};
@@ -45,23 +45,18 @@ pub(super) fn tangencies(
     let runs = |p: &Sample| p.slope.abs() <= LEVEL && p.gap.g.abs() <= loose;
     let flat =
         |p: &Sample| runs(p) && matches!(p.gap.segment, Some(Segment::Tip | Segment::LowerLine));
-    if flat(&a) || flat(&b) {
-        let at = way.below(keep, a.s, b.s)?;
-        out.extend(at.map(|s| Crossing { s, touch: true, falls: a.slope < 0.0 }));
-        return Ok(());
+    let several = !simple(keep) && halvings > 0 && crests_between(keep, &a, &b);
+    if (flat(&a) || flat(&b)) && !several {
+        let mut found = |s| out.push(Crossing { s, touch: true, falls: a.slope < 0.0 });
+        return way.below(keep, [a.s, b.s], &mut found);
     }
-    if runs(&b) && !runs(&a) {
+    if runs(&b) && !runs(&a) && !several {
         out.push(Crossing { s: way.level(keep, &b, &a)?, touch: true, falls: a.slope < 0.0 });
         return Ok(());
     }
     let far = a.gap.g.abs() + b.gap.g.abs() - 2.0 * loose > reach(way, keep, &a, &b);
     let turns = (a.slope > 0.0) != (b.slope > 0.0);
     let coarse = halvings > HALVINGS && !simple(keep);
-    // Between places of contact several crests apart it may turn at each of them, if the tool goes as far as from one to the next.
-    let spans =
-        if simple(keep) || halvings == 0 { 0.0 } else { keep.spans_between(&a.gap, &b.gap) };
-    let apart = (b.gap.surface_point - a.gap.surface_point).norm();
-    let several = spans > ONE_CREST && ONE_CREST * apart <= spans * (b.s - a.s);
     if turns && !coarse && !several && (!far || simple(keep)) {
         let m = way.extreme(keep, a, b, 1e-12, false)?;
         if m.gap.g.abs() <= loose {
@@ -94,6 +89,39 @@ pub(super) fn tangencies(
     };
     tangencies(way, keep, a, m, loose, halvings - 1, alike, out)?;
     tangencies(way, keep, m, b, loose, halvings - 1, alike, out)
+}
+
+/// May the way between two samples be tangent at several crests, as it goes as far as from one to the next? Where the surface between the
+/// places of contact lies above the line through them, seen from the tool, it is one crest, and where it lies below that and the places
+/// face each other one hollow.
+fn crests_between(keep: &Keep, a: &Sample, b: &Sample) -> bool {
+    /// Looks a span, and most of all.
+    const EACH: f64 = 2.0;
+    const MOST: f64 = 64.0;
+    /// Share of the way between the places by which one counts as beside the line.
+    const BESIDE: f64 = 1e-9;
+    let (from, to) = (a.gap.spot(), b.gap.spot());
+    let spans = keep.spans_between(from.at, to.at);
+    let line = to.point - from.point;
+    if spans <= ONE_CREST || ONE_CREST * line.norm() > spans * (b.s - a.s) {
+        return false;
+    }
+    let (Some(begin), Some(end)) = (from.at, to.at) else { return false };
+    let up = a.gap.normal + b.gap.normal;
+    let up = up - line * (up.dot(&line) / line.norm_squared());
+    let looks = (EACH * spans).ceil().min(MOST);
+    let (mut above, mut below, mut k) = (false, false, 1.0);
+    while k < looks {
+        let share = k / looks;
+        let at = Some(keep.surface.between([begin, end], share));
+        let there = keep.surface.place(Spot { point: from.point + line * share, at }).point;
+        let off = (there - from.point).dot(&up);
+        above |= off > BESIDE * line.norm() * up.norm();
+        below |= off < -BESIDE * line.norm() * up.norm();
+        k += 1.0;
+    }
+    let face = a.gap.normal.dot(&line) > 0.0 && b.gap.normal.dot(&line) < 0.0;
+    below && (above || !face)
 }
 
 impl Way<'_> {
@@ -137,27 +165,45 @@ impl Way<'_> {
         Ok(inside)
     }
 
-    /// Where between two places the tool end is over the place at which a check surface that a flat end lies along is tangent:
-    /// until there they come nearer, from there they part. The stretch itself may go on in the next cut vector.
-    fn below(&self, keep: &Keep, from: f64, to: f64) -> Result<Option<f64>, Trouble> {
-        let parting = |s: f64| -> Result<Option<Ordering>, Trouble> {
+    /// Where between two places the tool end is over a place at which a check surface that a flat end lies along is tangent: until
+    /// there they come nearer, from there they part; over a hollow between two crests it is the reverse. The stretch itself may go on
+    /// in the next cut vector.
+    fn below(
+        &self,
+        keep: &Keep,
+        [from, to]: [f64; 2],
+        found: &mut impl FnMut(f64),
+    ) -> Result<(), Trouble> {
+        /// Looks a span, and most of all.
+        const EACH: f64 = 2.0;
+        const MOST: f64 = 256.0;
+        let foot = |s: f64| -> Result<(Foot, Option<Ordering>), Trouble> {
             let node = self.node(s)?;
-            let rate = keep.surface.foot(node.pose.te).normal.dot(&self.rate(&node));
-            Ok(if rate.abs() <= LEVEL { 0.0 } else { rate }.partial_cmp(&0.0))
+            let foot = keep.surface.foot(node.pose.te);
+            let rate = (foot.normal * keep.side.sign()).dot(&self.rate(&node));
+            Ok((foot, if rate.abs() <= LEVEL { 0.0 } else { rate }.partial_cmp(&0.0)))
         };
-        let before = parting(from)?;
-        if parting(to)? == before {
-            return Ok(None);
-        }
-        let (mut near, mut far) = (from, to);
-        for _ in 0..ROUNDS {
-            if far - near <= self.track.exact {
-                break;
+        let parting = |s: f64| -> Result<Option<Ordering>, Trouble> { Ok(foot(s)?.1) };
+        let [(begin, mut before), (end, last)] = [foot(from)?, foot(to)?];
+        let looks = (EACH * keep.spans_between(begin.at, end.at)).ceil().clamp(1.0, MOST);
+        let (mut here, mut k) = (from, 1.0);
+        while k <= looks {
+            let next = if k < looks { from + (to - from) * (k / looks) } else { to };
+            let there = if k < looks { parting(next)? } else { last };
+            if before != Some(Ordering::Greater) && there != before {
+                let (mut near, mut far) = (here, next);
+                for _ in 0..ROUNDS {
+                    if far - near <= self.track.exact {
+                        break;
+                    }
+                    let mid = 0.5 * (near + far);
+                    *(if parting(mid)? == before { &mut near } else { &mut far }) = mid;
+                }
+                found(far);
             }
-            let mid = 0.5 * (near + far);
-            *(if parting(mid)? == before { &mut near } else { &mut far }) = mid;
+            (here, before, k) = (next, there, k + 1.0);
         }
-        Ok(Some(far))
+        Ok(())
     }
 
     /// How far the check surface runs along with the way from its beginning, where the tool touches it there; all of the cut

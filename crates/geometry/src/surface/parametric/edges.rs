@@ -45,7 +45,7 @@ enum Sides {
 
 /// A border of a patch.
 #[derive(Clone, Copy, Debug)]
-struct Beside {
+pub(super) struct Beside {
     patch: [usize; 2],
     /// Parameters of both ends, and the direction into the patch.
     from: [f64; 2],
@@ -146,12 +146,18 @@ impl Edge {
         Some(Shape { frame: [unit, n.cross(&unit)], k: [-n.dot(&turn) / size, 0.0, across] })
     }
 
+    /// Both sides of it, first the one that a place with these parameters lies next to, where it lies so by a share of them; `None` of
+    /// a tip.
+    pub(super) fn sides_by(&self, uv: [f64; 2], near: f64) -> Option<[&Beside; 2]> {
+        let Sides::Joint([a, b]) = &self.sides else { return None };
+        [[a, b], [b, a]].into_iter().find(|[side, _]| side.is_by(uv, near))
+    }
+
     /// The side of it that a place with these parameters lies on, and the share of its length.
     fn holds(&self, spans: &Spans, uv: [f64; 2]) -> Option<(&Beside, f64)> {
         let Sides::Joint(sides) = &self.sides else { return None };
-        let side = sides.iter().find(|side| side.holds(uv))?;
-        let (by, off) = (side.by(), [0, 1].map(|k| uv[k] - side.from[k]));
-        let t = (off[0] * by[0] + off[1] * by[1]) / (by[0] * by[0] + by[1] * by[1]);
+        let side = sides.iter().find(|side| side.is_by(uv, ON))?;
+        let t = side.share(uv);
         let away = side.jet(spans, t).1.s - spans.jet(uv[0], uv[1]).s;
         (away.norm() <= SAME * spans.size()).then_some((side, t))
     }
@@ -159,19 +165,32 @@ impl Edge {
 
 impl Beside {
     /// From one end to the other.
-    fn by(&self) -> [f64; 2] {
+    pub(super) fn by(&self) -> [f64; 2] {
         [0, 1].map(|k| self.to[k] - self.from[k])
     }
 
-    fn jet(&self, spans: &Spans, t: f64) -> ([f64; 2], Jet) {
+    /// The direction into the patch by its parameters.
+    pub(super) fn inwards(&self) -> [f64; 2] {
+        self.inwards
+    }
+
+    /// The share of its length at which the place with these parameters lies beside it.
+    pub(super) fn share(&self, uv: [f64; 2]) -> f64 {
+        let (by, off) = (self.by(), [0, 1].map(|k| uv[k] - self.from[k]));
+        (off[0] * by[0] + off[1] * by[1]) / (by[0] * by[0] + by[1] * by[1])
+    }
+
+    /// Its parameters at a share of its length, and what is there.
+    pub(super) fn jet(&self, spans: &Spans, t: f64) -> ([f64; 2], Jet) {
         let at = [0, 1].map(|k| self.from[k] + (self.to[k] - self.from[k]) * t);
         (at, spans.jet_of(self.patch, at[0], at[1]))
     }
 
-    fn holds(&self, uv: [f64; 2]) -> bool {
+    /// Lies a place with these parameters next to it, by a share of them?
+    fn is_by(&self, uv: [f64; 2], near: f64) -> bool {
         (0..2).all(|k| {
             let (low, high) = (self.from[k].min(self.to[k]), self.from[k].max(self.to[k]));
-            (low - ON..=high + ON).contains(&uv[k])
+            (low - near..=high + near).contains(&uv[k])
         })
     }
 

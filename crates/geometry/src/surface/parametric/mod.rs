@@ -3,6 +3,7 @@
 //! Beyond their ends they go on straight, as a TABCYL does, so that a cutter can come to an end.
 
 mod cells;
+mod creases;
 #[cfg(test)]
 mod dips_tests;
 mod edges;

@@ -73,7 +73,7 @@ impl ParametricSurface {
         }
     }
 
-    /// Downhill over the whole surface, over its seams and poles too.
+    /// Downhill over the whole surface, over its seams, poles and edges too.
     pub(super) fn descend_free(&self, p: Vec3, uv: [f64; 2]) -> (f64, Placed) {
         let domain = self.patch.domain();
         let run = |uv| self.descend(p, uv, &domain, |u, v| self.patch.jet(u, v));
@@ -90,7 +90,7 @@ impl ParametricSurface {
             }
             found = next;
         }
-        found
+        self.over_creases(spans, p, found, run)
     }
 
     /// Newton's method for the nearest point, kept in the rectangle; steps that do not lower the distance are
