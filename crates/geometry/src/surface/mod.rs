@@ -20,8 +20,8 @@ use std::sync::Arc;
 pub use cone::vertex_side;
 pub use opened::OpenedQuadric;
 pub use parametric::{
-    Continued, Disk, Edge, Facing, Next, OnEdge, ParametricSurface, Part, Sample, continued,
-    continued_of,
+    Continued, Disk, Edge, Facing, Next, OnEdge, ParametricSurface, Part, Sample, Touching,
+    continued, continued_of,
 };
 pub use probe::{Aimed, ajundo, ccurv, control, radar};
 pub use quadric::QuadricSurface;

@@ -24,8 +24,8 @@ mod waves;
 use std::sync::Arc;
 
 use crate::surface::{Foot, Shape, Spot, frame_about};
-use crate::{Place, Polyconic, Reason, RuledSurface, Vec3};
-pub use cells::{Disk, Facing, Next};
+use crate::{Place, Polyconic, Reason, RuledSurface, Tool, Vec3};
+pub use cells::{Disk, Facing, Next, Touching};
 pub use edges::{Edge, OnEdge};
 use jet::{Jet, across, by_sides};
 pub use part::Part;
@@ -422,6 +422,24 @@ impl ParametricSurface {
             let jet = |patch, u, v| spans.jet_of(patch, u, v);
             spans.cells().beneath(disk, limits, jet, look);
         }
+    }
+
+    /// Pieces of a sculptured surface that may come nearer to a tool than the first of the limits and, the tool having gone by less than
+    /// the second, hold a place at which its distance dips: `look` is asked what is to become of each. The tool is on the side of the
+    /// normal `n` at the parameters `near`. `None` of other surfaces.
+    pub fn touching(
+        &self,
+        tool: &Tool<'_>,
+        (near, n): ([f64; 2], Vec3),
+        limits: [f64; 2],
+        look: impl FnMut(&Touching) -> Next,
+    ) -> Option<()> {
+        let Patch::Sculptured(spans) = &self.patch else { return None };
+        let at = spans.jet(near[0], near[1]);
+        let sign = at.su.cross(&at.sv).dot(&n).signum();
+        let jet = |patch, u, v| spans.jet_of(patch, u, v);
+        spans.cells().touching((tool, sign), limits, jet, look);
+        Some(())
     }
 
     /// The least cosine between a unit vector and the normals of a sculptured surface within balls, which lead to the side to which the

@@ -213,7 +213,7 @@ impl Cell {
     }
 
     /// How far it goes along a direction, to both sides of its middle.
-    fn width(&self, t: Vec3) -> f64 {
+    pub(super) fn width(&self, t: Vec3) -> f64 {
         let [a, b] = &self.side;
         t.dot(a).abs() + t.dot(b).abs() + self.stray(t)
     }

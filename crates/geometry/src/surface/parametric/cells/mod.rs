@@ -10,6 +10,7 @@ mod clear;
 mod grid;
 mod make;
 mod part;
+mod touching;
 
 use core::array;
 use std::sync::OnceLock;
@@ -21,6 +22,7 @@ use crate::sculpt::Sculptured;
 pub use beneath::{Disk, Facing, Next};
 use grid::Grid;
 use part::Formed;
+pub use touching::Touching;
 
 /// Cells in a leaf of the tree.
 const LEAF: usize = 4;
