@@ -48,6 +48,7 @@ mod tangents;
 mod turned;
 mod turning;
 mod under;
+mod wall;
 
 pub use aptc_geometry::surface::kept::opens;
 pub use aptc_geometry::{Place, Reason, Tool};

@@ -8,7 +8,7 @@ use crate::closed::{along_axis, is_axis};
 use crate::descent::local;
 use crate::gap::{Gap, Side, deeper};
 use crate::stations::{SEEDS, Seeds, Stations, seeds};
-use crate::{beneath, disk, edges, ridge, ring, rings, shank};
+use crate::{beneath, disk, edges, ridge, ring, rings, shank, wall};
 
 /// Gap to a surface without closed form, of faces and of edges.
 pub(crate) fn general(
@@ -87,6 +87,12 @@ fn faces(
         // Nothing but the arc can touch.
         return Ok(gap);
     }
+    let mut best = round;
+    match round.and_then(|gap| wall::deepest(tool, surface, side, &gap)) {
+        Some((gap, true)) => return Ok(gap),
+        Some((deep, _)) => best = Some(deep),
+        None => {}
+    }
     let mut stations = Stations { lower: round.is_none(), flank: 1.0, disk: None };
     // Whether the way there leads past another place is no matter: they all are looked for.
     let any =
@@ -106,13 +112,17 @@ fn faces(
         if let Some(gap) = beneath::deepest(tool, surface, side, &gap) {
             return Ok(gap);
         }
+        match wall::deepest(tool, surface, side, &gap) {
+            Some((gap, true)) => return Ok(gap),
+            Some((deep, _)) if deeper(tool, deep.raw, gap.raw) => best = Some(deep),
+            _ => {}
+        }
         // What of a shank is farther than that place leads nowhere, and from high above a surface by long ways.
         if flank(tool, surface, side, LOWER, gap.raw).is_some() {
             stations.flank = LOWER;
         }
     }
     let Seeds { found: seeds, deepest, .. } = seeds(tool, surface, side, stations, None);
-    let mut best: Option<Gap> = round;
     let mut failure = Reason::NoHit;
     for q in seeds.into_iter().flatten() {
         match disk::below(tool, surface, side, q) {
@@ -270,6 +280,9 @@ fn elsewhere_on_faces(
         return (Some(through), 0.0);
     }
     let seen = SEEN * if wide > 0.0 { wide } else { size };
+    if stands && let Some(found) = wall::elsewhere(tool, surface, side, known, seen.min(most)) {
+        return found;
+    }
     let (mut deepest, mut room) = (*known, seen);
     let mut stations = Stations { lower: arc.is_none(), flank: 1.0, disk: None };
     if arc.is_none()
