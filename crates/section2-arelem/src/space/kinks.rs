@@ -12,6 +12,8 @@ use super::track::{Node, Track, Trouble};
 const HALVINGS: usize = 40;
 /// Looks between those at first, for each place where the contact goes over may show another one.
 const MORE: usize = 8;
+/// Looks where the gap turns between two of them.
+const TURNS: usize = 3;
 /// Share of the band by which the gaps of both places may differ where it does.
 const EVEN: f64 = 5e-7;
 /// Share of the cutter's radius up to which two places found are one.
@@ -68,6 +70,7 @@ impl Track {
             let (a, b) = (seen[k], seen[k + 1]);
             k += 1;
             if !self.goes_over(i, [from, to], &a, &b) {
+                found = self.bent([&a, &b], [from, to], found, look)?;
                 continue;
             }
             let Ok((t, _)) = self.even(i, [from, to], [&a, &b]) else { continue };
@@ -79,7 +82,47 @@ impl Track {
                 seen[k] = there;
                 n += 1;
                 k -= 1;
+                continue;
             }
+            let pose = between(&from.pose, &to.pose, t);
+            for (side, first) in [(&a, true), (&b, false)] {
+                let Ok(gap) = keep.gap_at(&pose, side.gap.spot()) else { continue };
+                let edge = Look { t, gap };
+                let ends = if first { [side, &edge] } else { [&edge, side] };
+                found = self.bent(ends, [from, to], found, look)?;
+            }
+        }
+        Ok(found)
+    }
+
+    /// The same with what the gap comes to between two looks at one place of contact, where it turns between them: it lies on one
+    /// side of the tangents at both, which tell whether it may go beyond what was found.
+    fn bent(
+        &self,
+        [a, b]: [&Look; 2],
+        [from, to]: [&Node; 2],
+        mut found: [f64; 2],
+        look: impl Fn(f64, &Gap) -> Result<Look, Trouble>,
+    ) -> Result<[f64; 2], Trouble> {
+        let (way, turn) = (to.pose.te - from.pose.te, turn(&from.pose, &to.pose));
+        let slope = |l: &Look| {
+            let te = from.pose.te + way * l.t;
+            l.gap.normal.dot(&way) + l.gap.turn_rate(te, turn)
+        };
+        let (mut a, mut b) = (*a, *b);
+        for _ in 0..TURNS {
+            let (down, up) = (slope(&a), slope(&b));
+            if down * up >= 0.0 {
+                break;
+            }
+            let t = a.t + (b.t - a.t) * down / (down - up);
+            let meet = a.gap.g + (b.gap.g - a.gap.g + up * (a.t - b.t)) * down / (down - up);
+            if meet >= found[0] && meet <= found[1] {
+                break;
+            }
+            let there = look(t, &a.gap)?;
+            found = [found[0].min(there.gap.g), found[1].max(there.gap.g)];
+            *(if slope(&there) * down > 0.0 { &mut a } else { &mut b }) = there;
         }
         Ok(found)
     }
