@@ -4,6 +4,7 @@
 mod run;
 
 use aptc_control::Verify;
+use aptc_geometry::trig;
 
 /// Along the drive surface WALL from x = 20 to x = 80, the tool on the side of greater y.
 fn along(wall: &str, cutter: &str, more: &str) -> run::Ran {
@@ -120,5 +121,82 @@ fn a_chord_beside_a_sphere_goes_over_from_flank_to_ball() {
         );
         let ran = run::run(&text, Verify::Full);
         assert!(ran.codes().is_empty(), "{band} {:?}", ran.told);
+    }
+}
+
+/// Along a wall with waves of this length and two heights, phases and slowness along its height, by a cutter with this diameter and
+/// corner, an axis that leans and a band on one side of it.
+struct Waving {
+    length: f64,
+    heights: [f64; 2],
+    phases: [f64; 2],
+    slow: f64,
+    cutter: [f64; 2],
+    axis: &'static str,
+    band: f64,
+    left: bool,
+}
+
+impl Waving {
+    fn program(&self) -> String {
+        let &Self { length, heights, phases, slow, cutter, axis, band, left } = self;
+        let step = (length / 0.6).round() / 10.0;
+        let along = |x: f64| trig::sin(std::f64::consts::TAU * x / length + phases[0]);
+        let row = |j: i32| {
+            let z = f64::from(12 * j - 6);
+            let up = heights[1] * trig::sin(z / slow + phases[1]);
+            let point = |i: i32| {
+                let x = step * f64::from(i - 5);
+                format!("({x:.1},{:.3},{z})", heights[0] * along(x) + up)
+            };
+            format!("SPLINE,{}", (0..11).map(point).collect::<Vec<_>>().join(",$\n"))
+        };
+        let rows = (0..5).map(row).collect::<Vec<_>>().join(",$\n");
+        let ([diameter, corner], x) = (cutter, 3.5 * step);
+        let (far, side) = (diameter + 25.0, if left { "TLLFT" } else { "TLRGT" });
+        let y = if left { far } else { -far };
+        format!(
+            "UNITS/MM\nWALL=SSURF/SMESH,XYZ,$\n{rows}\nFLOOR=PLANE/0,0,1,0\nFIRST=PLANE/1,0,0,-{x}\n\
+             LAST=PLANE/1,0,0,{x}\nCUTTER/{diameter},{corner},{},{corner},0,0,30\nINTOL/0\nOUTTOL/{band}\n\
+             MULTAX\nFROM/-{x},{y},3\nTLAXIS/{axis},1\nGO/TO,WALL,TO,FLOOR,ON,FIRST\nINDIRV/1,0,0\n\
+             {side},GOFWD/WALL,ON,LAST\nFINI\n",
+            0.5 * diameter - corner
+        )
+    }
+}
+
+/// Where the wall waves along its height the flank touches it at one height and then at another, which is seen before it cuts in there.
+#[test]
+fn a_flank_goes_over_from_one_height_of_a_wall_to_another() {
+    let short = |heights, phases, slow, corner, axis, left| Waving {
+        length: 10.2,
+        heights,
+        phases,
+        slow,
+        cutter: [6.0, corner],
+        axis,
+        band: 1e-4,
+        left,
+    };
+    let long = |heights, phases, slow, axis| Waving {
+        length: 27.2,
+        heights,
+        phases,
+        slow,
+        cutter: [16.0, 8.0],
+        axis,
+        band: 1e-3,
+        left: false,
+    };
+    let all = [
+        short([0.91, 0.2], [0.71, 4.05], 13.0, 3.0, "0.1,-0.07", false),
+        short([0.88, 0.28], [3.58, 4.03], 9.0, 3.0, "-0.1,0", false),
+        short([0.9, 0.34], [5.91, 3.7], 11.0, 0.0, "0.1,0.07", true),
+        long([2.2, 1.38], [3.71, 4.33], 9.0, "-0.1,0"),
+        long([2.61, 0.92], [4.34, 5.5], 11.0, "0,-0.07"),
+    ];
+    for (i, wall) in all.iter().enumerate() {
+        let ran = run::run(&wall.program(), Verify::Full);
+        assert!(ran.codes().is_empty(), "{i} {:?}", ran.told);
     }
 }
