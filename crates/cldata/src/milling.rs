@@ -58,6 +58,8 @@ pub struct Area {
     pub inside: bool,
     /// The outlines.
     pub outlines: Vec<Outline>,
+    /// Of loose patches (COMBIN) the corners from which these were made, u and v, in the order of each outline; else none.
+    pub recorded: Vec<Vec<[f64; 2]>>,
 }
 
 /// A line of a surface before anything limits it.

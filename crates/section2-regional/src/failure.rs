@@ -70,6 +70,8 @@ pub(crate) enum Failure {
     NotCut { why: Box<str> },
     /// Curves of INTSEC that make no outline of REGION.
     Outline { why: &'static str },
+    /// An outline of REGION that leaves a patch where nothing is beside it.
+    Joint { why: &'static str },
     /// A statement that is not done here.
     Undone { what: &'static str },
 }
@@ -309,6 +311,12 @@ impl Failure {
                 codes::NO_OUTLINE,
                 format!("what REGION holds is not certain: {why}"),
                 "close the curves, along the borders by motions; give each its own section".into(),
+            ),
+            Self::Joint { why } => (
+                codes::NO_OUTLINE,
+                format!("what REGION holds is not certain: {why}"),
+                "give the outline in shorter steps, or to each surface of COMBIN a section of CLDAT and a REGION of its own; or take patches that have whole borders in one place"
+                    .into(),
             ),
             Self::Undone { what } => (
                 codes::UNSUPPORTED_MOTION,

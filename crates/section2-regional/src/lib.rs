@@ -29,6 +29,7 @@ mod guarded;
 mod holder;
 mod inside;
 mod intsec;
+mod joints;
 mod judge;
 mod jump;
 mod lanes;

@@ -9,6 +9,7 @@ use aptc_protap::{Arg, NameRef};
 
 use crate::avoid::Avoid;
 use crate::failure::Failure;
+use crate::joints::Joined;
 use crate::regional::Regional;
 use crate::round::{closed, crosses, is_one};
 use crate::scon::Words;
@@ -48,12 +49,19 @@ struct Active {
     inside: bool,
     /// What it went round: of places that lie in an odd number of them.
     held: Vec<milling::Outline>,
+    /// The corners of loops on loose patches.
+    corners: Vec<Vec<[f64; 2]>>,
     /// Where u and v of its surface end.
     spans: [f64; 2],
 }
 
-/// What an outline goes round, and where u and v of its surface end.
-type Held = (Vec<milling::Outline>, [f64; 2]);
+/// What an outline goes round, and its corners on loose patches.
+#[derive(Default)]
+struct Held {
+    held: Vec<milling::Outline>,
+    corners: Vec<Vec<[f64; 2]>>,
+    spans: [f64; 2],
+}
 
 impl Regional {
     /// REGION/n,IN|OUT|OFF and REGION/OFF.
@@ -88,8 +96,8 @@ impl Regional {
         let active = match w.take("OFF") {
             true => None,
             false => {
-                let (held, spans) = self.held(&outline)?;
-                Some(Active { number, inside: w.take("IN"), held, spans })
+                let Held { held, corners, spans } = self.held(&outline)?;
+                Some(Active { number, inside: w.take("IN"), held, corners, spans })
             }
         };
         self.outlines.active.retain(|a| !same(a.number, number));
@@ -101,9 +109,10 @@ impl Regional {
     pub(crate) fn keep_outline(&mut self, outline: Outline) -> Result<(), Failure> {
         let of = |a: &Active| same(a.number, outline.number);
         if self.outlines.active.iter().any(of) {
-            let (held, spans) = self.held(&outline)?;
+            let Held { held, corners, spans } = self.held(&outline)?;
             for active in self.outlines.active.iter_mut().filter(|a| of(a)) {
                 active.held.clone_from(&held);
+                active.corners.clone_from(&corners);
                 active.spans = spans;
             }
         }
@@ -114,21 +123,45 @@ impl Regional {
 
     /// What the loops of an outline hold.
     fn held(&mut self, outline: &Outline) -> Result<Held, Failure> {
-        let Some(form) = &outline.form else { return Ok((Vec::new(), [f64::INFINITY; 2])) };
+        let Some(form) = &outline.form else {
+            return Ok(Held { spans: [f64::INFINITY; 2], ..Held::default() });
+        };
         let surface = self.surface(&NameRef::default(), form)?;
         let mut outline = outline.clone();
-        outline.join(surface.spans());
-        let corners = outline.loops.iter().filter(|l| l.len() >= 3);
+        let band = self.settings.band();
+        let joined = (!is_one(&surface)).then(|| Joined::new(&surface, band.intol + band.outtol));
+        let flat = joined.as_ref().map_or(&*surface, Joined::grid);
+        let mut corners = Vec::new();
+        if let Some(joined) = &joined {
+            outline.lay(joined)?;
+        }
+        outline.join(flat.spans());
+        if let Some(why) = outline.astray(flat.spans()) {
+            return Err(Failure::Outline { why });
+        }
+        if let Some(joined) = &joined {
+            corners = outline.told(joined);
+            outline.cross(joined)?;
+        }
+        let closed = outline.loops.iter().filter(|l| l.len() >= 3);
         let held: Vec<_> =
-            corners.map(|l| held(l, &surface)).collect::<Result<_, _>>().map_err(|_| {
+            closed.map(|l| held(l, flat)).collect::<Result<_, _>>().map_err(|_| {
                 Failure::Outline {
                     why: "its outline goes round a surface that ends in no point, which has no side inside of it",
                 }
             })?;
-        match outline.fault(&held, surface.spans()) {
-            Some(why) => Err(Failure::Outline { why }),
-            None => Ok((held, surface.spans())),
+        if let Some(why) = outline.fault(&held, flat.spans()) {
+            return Err(Failure::Outline { why });
         }
+        let held = match &joined {
+            Some(joined) => held
+                .iter()
+                .map(|o| joined.by_patch(o))
+                .collect::<Result<_, _>>()
+                .map_err(|why| Failure::Joint { why })?,
+            None => held,
+        };
+        Ok(Held { held, corners, spans: surface.spans() })
     }
 }
 
@@ -177,7 +210,11 @@ impl Outlines {
         off: f64,
         avoid: Avoid,
     ) -> Option<Limits> {
-        let area = |a: &Active| Area { inside: a.inside, outlines: a.held.clone() };
+        let area = |a: &Active| Area {
+            inside: a.inside,
+            outlines: a.held.clone(),
+            recorded: a.corners.clone(),
+        };
         let areas: Vec<_> = self.on(form).map(area).collect();
         let held = match (avoid.on, avoid.along_normal) {
             (false, _) => milling::Held::Touching,
@@ -304,6 +341,29 @@ impl Outline {
         }
     }
 
+    /// Lays the corners into the grid that loose patches make.
+    fn lay(&mut self, joined: &Joined<'_>) -> Result<(), Failure> {
+        for corners in &mut self.loops {
+            let laid = joined.laid(corners);
+            *corners = laid.ok_or(Failure::Joint { why: "a corner of it is in no patch" })?;
+        }
+        Ok(())
+    }
+
+    /// The corners as the patches tell them.
+    fn told(&self, joined: &Joined<'_>) -> Vec<Vec<[f64; 2]>> {
+        let told = |at: &[f64; 2]| joined.grid().told(*at);
+        self.loops.iter().map(|corners| corners.iter().map(told).collect()).collect()
+    }
+
+    /// Puts corners where lines between others cross joints of the patches.
+    fn cross(&mut self, joined: &Joined<'_>) -> Result<(), Failure> {
+        for corners in &mut self.loops {
+            *corners = joined.crossed(corners).map_err(|why| Failure::Joint { why })?;
+        }
+        Ok(())
+    }
+
     /// Turns open curves of INTSEC round so that each begins on the border on which the one before ends, where curves are all that
     /// it holds besides closed ones: which way they go depends on how the normals lie. As they are where that does not lead round.
     fn join(&mut self, spans: [f64; 2]) {
@@ -335,21 +395,23 @@ impl Outline {
         self.loops.iter().any(|l| l.len() >= 3)
     }
 
-    /// Why curves of INTSEC hold nothing for certain. What motions go round is as they say.
-    fn fault(&self, held: &[milling::Outline], spans: [f64; 2]) -> Option<&'static str> {
-        if !self.curved {
-            return None;
-        }
+    /// Why curves of INTSEC lead nowhere for certain.
+    fn astray(&self, spans: [f64; 2]) -> Option<&'static str> {
         let all = &self.loops[0];
         let leads_in = self.open.iter().any(|[_, last]| {
             let next = (last + 1) % all.len();
             let to_curve = self.open.iter().any(|[first, _]| *first == next);
             to_curve && !on_border([all[*last], all[next]], spans)
         });
-        if leads_in {
-            return Some(
-                "a curve of INTSEC ends at a border, and the next begins at another or is the same",
-            );
+        leads_in.then_some(
+            "a curve of INTSEC ends at a border, and the next begins at another or is the same",
+        )
+    }
+
+    /// Why curves of INTSEC hold nothing for certain. What motions go round is as they say.
+    fn fault(&self, held: &[milling::Outline], spans: [f64; 2]) -> Option<&'static str> {
+        if !self.curved {
+            return None;
         }
         let mut lines: Vec<[[f64; 2]; 2]> = held.iter().flat_map(|o| o.lines.clone()).collect();
         lines.retain(|line| !on_border(*line, spans));
@@ -412,7 +474,7 @@ mod tests {
             };
             outline.join([4.0, 4.0]);
             let held: Vec<_> = outline.loops.iter().map(line).collect();
-            outline.fault(&held, [4.0, 4.0])
+            outline.astray([4.0, 4.0]).or_else(|| outline.fault(&held, [4.0, 4.0]))
         };
         assert_eq!(told(&[(&square(0.5), true), (&square(2.0), true)]), None);
         assert!(told(&[(&square(0.5), true), (&square(1.0), true)]).is_some());
@@ -442,7 +504,8 @@ mod tests {
             let next = corners.iter().cycle().skip(1);
             let lines = corners.iter().zip(next).map(|(a, b)| [*a, *b]).collect();
             let held = vec![milling::Outline { lines, along: 0 }];
-            let active = vec![Active { number: 1.0, inside, held, spans: [4.0; 2] }];
+            let active =
+                vec![Active { number: 1.0, inside, held, corners: Vec::new(), spans: [4.0; 2] }];
             let all = Outlines { recorded: vec![outline.clone()], active };
             all.clip(&form, 0, fixed, [0.0, 4.0])
         };
@@ -468,7 +531,13 @@ mod tests {
                 let lines = corners.iter().zip(next).map(|(a, b)| [*a, *b]).collect::<Vec<_>>();
                 for (along, inside) in [(0, true), (0, false), (1, true), (1, false)] {
                     let held = vec![milling::Outline { lines: lines.clone(), along }];
-                    let active = vec![Active { number: 1.0, inside, held, spans: [4.0; 2] }];
+                    let active = vec![Active {
+                        number: 1.0,
+                        inside,
+                        held,
+                        corners: Vec::new(),
+                        spans: [4.0; 2],
+                    }];
                     let all = Outlines { recorded: vec![outline.clone()], active };
                     for fixed in [0.0, 1e-3, 4.0 - 1e-3, 4.0] {
                         let left = all.clip(&form, usize::from(turned), fixed, [0.0, 4.0]);

@@ -92,6 +92,16 @@ impl Origin {
         })
     }
 
+    /// Parameters of the cell for those of the patch.
+    fn in_cell(&self, own: [f64; 2]) -> [f64; 2] {
+        let mut cell = [0.0; 2];
+        for (axis, at) in own.into_iter().enumerate() {
+            let grid = self.along(axis);
+            cell[grid] = if self.back[grid] { 1.0 - at } else { at };
+        }
+        cell
+    }
+
     /// The patch as it lies in the grid.
     fn laid(&self, patch: &Patch) -> Patch {
         let index = |grid: usize, i: usize| if self.back[grid] { 3 - i } else { i };
@@ -222,6 +232,27 @@ impl Sculptured {
         let last = origin.patch + 1 == origins.iter().flatten().count();
         let u = if last { first + u } else { (first + u).min((first + 1.0).next_down()) };
         [u, v]
+    }
+
+    /// The parameters of a place that the loose patches tell in the grid that they were put together to; `None` of no patch.
+    pub fn laid_at(&self, [u, v]: [f64; 2]) -> Option<[f64; 2]> {
+        let Some(origins) = &self.origins else { return Some([u, v]) };
+        let columns = whole(self.spans()[0]);
+        let patch = whole(u).min(origins.iter().flatten().count().max(1) - 1);
+        let mut cells = origins.iter().enumerate().filter_map(|(k, o)| Some((k, (*o)?)));
+        let (cell, origin) = cells.find(|(_, o)| o.patch == patch)?;
+        let [a, b] = origin.in_cell([u - patch as f64, v]);
+        Some([(cell % columns) as f64 + a, (cell / columns) as f64 + b])
+    }
+
+    /// By which parameters of its loose patch a place in a cell of the grid is told, or on a border of it: the end of a patch has the
+    /// number at which the next begins. `None` of what closes a hole.
+    pub fn told_in(&self, [column, row]: [usize; 2], [u, v]: [f64; 2]) -> Option<[f64; 2]> {
+        let Some(origins) = &self.origins else { return Some([u, v]) };
+        let columns = whole(self.spans()[0]);
+        let origin = (*origins.get(row * columns + column)?)?;
+        let [a, b] = origin.own([u - column as f64, v - row as f64]);
+        Some([origin.patch as f64 + a, b])
     }
 
     /// For each border of each patch (four each, by axis and end) what is beside it; `None` when there are several, as then the patches
@@ -435,6 +466,8 @@ mod tests {
             for (a, b) in places {
                 let uv = [a * spans[0], b * spans[1]];
                 let [u, v] = grid.told(uv);
+                let back = grid.laid_at([u, v]).unwrap();
+                prop_assert!((0..2).all(|k| (back[k] - uv[k]).abs() < 1e-12), "{:?} {:?}", back, uv);
                 let (there, here) = (loose.at(u, v), grid.at(uv[0], uv[1]));
                 prop_assert!((there.point - here.point).norm() < 1e-12);
             }
