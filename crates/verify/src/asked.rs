@@ -95,7 +95,6 @@ fn own_ways(s: &Statement) -> Vec<[Pose; 2]> {
 /// What is known of the lines of a surface.
 struct Lines<'a> {
     surface: &'a Sculptured,
-    spans: [f64; 2],
     areas: Areas,
     /// Distance that does not count.
     room: f64,
@@ -103,16 +102,16 @@ struct Lines<'a> {
 
 impl<'a> Lines<'a> {
     fn new(milling: &Milling, limits: &Limits, surface: &'a Sculptured) -> Self {
-        let spans = surface.spans();
-        let areas = Areas::new(&limits.areas, spans);
+        let areas = Areas::new(&limits.areas, surface);
         let room = milling.intol + milling.outtol + limits.off;
-        Self { surface, spans, areas, room }
+        Self { surface, areas, room }
     }
 
     /// Places of the stretches of a line that are to be milled for certain, away from their ends and from what runs along them.
     fn stretches(&self, line: &AskedLine) -> Vec<Vec<Vec3>> {
         let (k, c) = (line.running, 1 - line.running);
-        let [low, high] = [AT_BORDER, self.spans[c] - AT_BORDER];
+        let [low, high] = self.areas.ends(c, line.fixed);
+        let [low, high] = [low + AT_BORDER, high - AT_BORDER];
         let fixed = line.fixed.min(high).max(low);
         let mut cuts = line.ends.to_vec();
         for [a, b] in self.areas.lines() {

@@ -24,6 +24,7 @@ mod hollow;
 mod hurried;
 mod inside;
 mod joined;
+mod joint;
 mod judged;
 mod kept;
 mod level;

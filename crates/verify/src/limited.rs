@@ -8,9 +8,11 @@ use std::sync::Arc;
 
 use aptc_cldata::Position;
 use aptc_cldata::milling::{Area, Held, Limits, Milling};
-use aptc_geometry::{Cutter, Profile, Vec3};
+use aptc_geometry::sculpt::Layout;
+use aptc_geometry::{Cutter, Profile, Sculptured, Vec3};
 
 use crate::between::Way;
+use crate::joint::goes_on;
 use crate::outline::Outline;
 use crate::search::{Aim, Moved, clearance};
 use crate::sheet::{Jet, Patch, Sheet, Spot};
@@ -32,6 +34,8 @@ pub(crate) struct Areas {
     all: Vec<Known>,
     /// Where u and v end.
     spans: [f64; 2],
+    /// Is each whole number of u the beginning of another patch, which may be anywhere?
+    loose: bool,
 }
 
 /// One of them: what outlines hold, or the rest.
@@ -46,6 +50,8 @@ struct Known {
 pub(crate) struct Limited {
     sheet: Arc<Sheet>,
     areas: Areas,
+    /// Do the outlines go on from patch to patch?
+    whole: bool,
     /// The greatest distance at which the tool mills.
     most: f64,
     /// Distance from what may be milled that does not count.
@@ -70,12 +76,23 @@ enum Look {
 pub(crate) struct Last(Pose, Look);
 
 impl Areas {
-    pub(crate) fn new(all: &[Area], spans: [f64; 2]) -> Self {
+    pub(crate) fn new(all: &[Area], surface: &Sculptured) -> Self {
         let of = |a: &Area| {
             let outlines = a.outlines.iter().map(Outline::new).collect();
             Known { inside: a.inside, outlines }
         };
-        Self { all: all.iter().map(of).collect(), spans }
+        let loose = matches!(surface.layout, Layout::Patches);
+        Self { all: all.iter().map(of).collect(), spans: surface.spans(), loose }
+    }
+
+    /// Where the parameter ends across which lie others, at a value of it: of loose patches in the patch.
+    pub(crate) fn ends(&self, k: usize, at: f64) -> [f64; 2] {
+        if k == 0 && self.loose {
+            let patch = at.floor().min(self.spans[0] - 1.0).max(0.0);
+            [patch, patch + 1.0]
+        } else {
+            [0.0, self.spans[k]]
+        }
     }
 
     /// May the place be milled? At a border of the surface what is beside it tells.
@@ -97,7 +114,9 @@ impl Areas {
     /// How far a place lies from what may be milled, by the lines next to it as its derivatives show them.
     fn within(&self, at: [f64; 2], jet: &Jet) -> f64 {
         let of = |area: &Known| {
-            let inner = area.lines().filter(|line| !self.on_border(line));
+            let [low, high] = self.ends(0, at[0]);
+            let own = |line: &&[[f64; 2]; 2]| line.iter().all(|x| x[0] >= low && x[0] <= high);
+            let inner = area.lines().filter(own).filter(|line| !self.on_border(line));
             inner.map(|line| beside(line, at, jet)).fold(f64::INFINITY, f64::min)
         };
         self.all.iter().filter(|area| !area.allows(at)).map(of).fold(0.0, f64::max)
@@ -164,10 +183,16 @@ impl Limited {
             }
             Held::Free => return None,
         };
-        let areas = Areas::new(areas, part.surface.spans());
         let most = part.thick + milling.outtol;
         let room = milling.intol + milling.outtol + off;
-        Some(Self { sheet, areas, most, room, shadow })
+        let whole = areas.iter().all(|a| goes_on(a, &part.surface, room));
+        let areas = Areas::new(areas, &part.surface);
+        Some(Self { sheet, areas, whole, most, room, shadow })
+    }
+
+    /// Is it told of each patch what may be milled there?
+    pub(crate) fn is_whole(&self) -> bool {
+        self.whole
     }
 
     /// Where on a vector the tool mills what is to be left, and how far from what may be milled; of one that leads over it, its

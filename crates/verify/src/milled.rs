@@ -45,6 +45,9 @@ const LED: &str = "it is held to the one place that the path leads along; CHKSRF
 /// What there is to say of a tool all in a body.
 const HELD: &str = "the tool stands inside of the body that the triangles bound; so deep it is where it touches none";
 
+/// Why it is not known what REGION leaves of loose patches.
+const NO_OUTLINE: &str = "the outline of REGION does not go on from patch to patch of it";
+
 /// The surfaces of a statement of regional milling.
 #[derive(Debug)]
 pub(crate) struct Region {
@@ -171,17 +174,23 @@ impl Region {
         vector: u64,
         last: &mut Option<Last>,
     ) -> Option<Fault> {
-        let (te, depth) = self.limited.as_ref()?.vector(profile, ends, (over, pad), last)?;
+        let limited = self.limited.as_ref()?;
+        let whole = limited.is_whole();
+        let (te, depth) = if whole {
+            limited.vector(profile, ends, (over, pad), last)?
+        } else {
+            (ends[1].te, f64::INFINITY)
+        };
         Some(Fault {
-            refuted: true,
+            refuted: whole,
             surface: self.surfaces.first().map_or_else(String::new, MilledSurface::told),
             vector,
             te: te.into(),
             depth,
             gouge: false,
-            breach: Some(Breach::Outside),
+            breach: whole.then_some(Breach::Outside),
             ends: false,
-            why: None,
+            why: (!whole).then_some(NO_OUTLINE.into()),
         })
     }
 
