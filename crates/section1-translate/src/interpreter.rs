@@ -6,6 +6,7 @@ mod quantity;
 mod stops;
 
 use std::collections::{HashMap, HashSet, VecDeque};
+use std::rc::Rc;
 use std::sync::Arc;
 
 use aptc_diagnostics::{Diagnostic, Origin, SourceMap, Span, Trace, codes};
@@ -16,7 +17,7 @@ use aptc_syntax::{Interner, Symbol};
 use aptc_vocabulary::{Word, word};
 use smol_str::SmolStr;
 
-use crate::define::Found;
+use crate::define::{Fits, Found};
 use crate::eval::Unfit;
 use crate::level::{Level, LevelKind};
 use crate::listing::{Entry, EntryKind};
@@ -65,6 +66,8 @@ pub struct Interpreter<'w> {
     pub(crate) blamed: Option<(Place, Span)>,
     /// Curves and surfaces that cannot be fitted.
     pub(crate) unfit: Unfit,
+    /// Curves and surfaces that were asked for last, fitted.
+    pub(crate) fits: Rc<Fits>,
     finished: Vec<(NameRef, Quantity)>,
     /// Does the program ask for the path of its last motion (CLDATA)?
     pub(crate) asks_for_paths: bool,
@@ -172,6 +175,7 @@ impl<'w> Interpreter<'w> {
             failed_at: None,
             blamed: None,
             unfit: Unfit::default(),
+            fits: Rc::default(),
             finished: Vec::new(),
             asks_for_paths: false,
         };

@@ -1,10 +1,13 @@
 //! What stands around a definition: ZSURF, REFSYS and limits.
 
 use std::cell::{Cell, RefCell};
+use std::rc::Rc;
 use std::sync::Arc;
 
 use aptc_geometry::sculpt::SpaceCurve;
 use aptc_geometry::{Plane, Transform, Vec2, Vec3};
+
+use super::fits::Fits;
 
 /// State of the interpreter that definitions depend on.
 #[derive(Clone, Debug)]
@@ -21,6 +24,8 @@ pub struct Context {
     pub max_points: usize,
     /// How far a TABCYL goes straight on at both ends; historic 10 inches, in program units.
     pub tabcyl_end: f64,
+    /// Curves and surfaces that definitions asked for.
+    pub fits: Rc<Fits>,
     /// What the definition found on a curve or surface, for PARMF.
     pub found: RefCell<Option<Found>>,
     /// A parameter beyond the end of a curve or surface that was taken.
@@ -67,6 +72,7 @@ impl Default for Context {
             apt4: false,
             max_points: 100_000,
             tabcyl_end: 10.0,
+            fits: Rc::default(),
             found: RefCell::default(),
             beyond: Cell::default(),
         }

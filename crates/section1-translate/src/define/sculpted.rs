@@ -5,8 +5,7 @@
 use std::sync::Arc;
 
 use aptc_geometry::sculpt::{
-    ArcPoint, CurveAt, Derivatives, Sculptured, SpaceCurve, along_line, fit_curve, fit_surface,
-    nearest_on,
+    ArcPoint, CurveAt, Derivatives, Sculptured, SpaceCurve, along_line, nearest_on,
 };
 use aptc_geometry::{Form, Plane, Vec3, polynomial};
 use aptc_vocabulary::{Word, word};
@@ -114,9 +113,9 @@ fn place(a: &Args<'_>) -> Result<(Place, usize), Fault> {
     }
 }
 
-fn curve(a: &Args<'_>, at: usize) -> Result<SpaceCurve, Fault> {
+fn curve(a: &Args<'_>, at: usize) -> Result<Arc<SpaceCurve>, Fault> {
     let Form::Scurv(c) = a.form(at)? else { return Err(Fault::Kind { at }) };
-    fit_curve(c).map_err(|why| Fault::NotFitted { at, why: why.to_string() })
+    a.context.fits.curve(c).map_err(|why| Fault::NotFitted { at, why: why.to_string() })
 }
 
 /// `SCURV,PARAM|FLOW,t[,n]`: along the whole curve, or along its n-th arc or segment.
@@ -167,7 +166,7 @@ fn on_plane(a: &Args<'_>) -> Result<(Place, usize), Fault> {
     let best = places.into_iter().min_by(|(_, p), (_, q)| distance(p).total_cmp(&distance(q)));
     let Some((t, at)) = best else { return Err(Fault::Apart { a: 1, b: 2, gap: f64::INFINITY }) };
     let cross = across(&c, t.clamp(0.0, c.span()));
-    a.context.found.replace(Some(Found::Curve { t, curve: Arc::new(c) }));
+    a.context.found.replace(Some(Found::Curve { t, curve: c }));
     Ok((Place::Curve { at, cross }, 4))
 }
 
@@ -201,9 +200,9 @@ fn cuts(c: &SpaceCurve, plane: &Plane) -> Vec<(f64, ArcPoint)> {
     found
 }
 
-fn surface(a: &Args<'_>) -> Result<Sculptured, Fault> {
+fn surface(a: &Args<'_>) -> Result<Arc<Sculptured>, Fault> {
     let Form::Ssurf(s) = a.form(1)? else { return Err(Fault::Kind { at: 1 }) };
-    fit_surface(s).map_err(|why| Fault::NotFitted { at: 1, why: why.to_string() })
+    a.context.fits.surface(s).map_err(|why| Fault::NotFitted { at: 1, why: why.to_string() })
 }
 
 /// `SSURF,[PARAM,]u,v[,n]` and `SSURF,P[,P|V[,P]]`.

@@ -1,10 +1,10 @@
 //! Geometric definitions: names and nesting here, formats and solutions in [`crate::define`].
 
 use std::cell::{Cell, RefCell};
+use std::rc::Rc;
 use std::sync::Arc;
 
 use aptc_diagnostics::{Diagnostic, Span, codes};
-use aptc_geometry::sculpt::fit_surface;
 use aptc_geometry::{Form, FormKind, Vec3};
 use aptc_protap::{Kind, NameRef, Units, fault_of_form};
 use aptc_syntax::tree::{Definition, ExprKind, Target};
@@ -116,6 +116,7 @@ impl Interpreter<'_> {
             apt4: self.state.sculptured,
             max_points: self.options.limits.points,
             tabcyl_end: self.prolongation(),
+            fits: Rc::clone(&self.fits),
             found: RefCell::default(),
             beyond: Cell::default(),
         };
@@ -314,7 +315,7 @@ impl Interpreter<'_> {
         if surface.extent().points > FEW_POINTS || surface.only_checks() {
             return Ok(());
         }
-        let Ok(fitted) = fit_surface(surface) else { return Ok(()) };
+        let Ok(fitted) = self.fits.surface(surface) else { return Ok(()) };
         if fitted.has_area() {
             return Ok(());
         }

@@ -4,7 +4,7 @@
 
 use aptc_diagnostics::{Diagnostic, Span, codes};
 use aptc_geometry::Form;
-use aptc_geometry::sculpt::{Layout, Sculptured, SpaceCurve, fit_curve, fit_surface};
+use aptc_geometry::sculpt::{Layout, Sculptured, SpaceCurve};
 use aptc_syntax::tree::{Expr, ExprKind};
 use aptc_vocabulary::word;
 
@@ -23,7 +23,7 @@ impl Interpreter<'_> {
         let what = what.as_ref().map(|(text, span)| (text.as_deref().unwrap_or(""), *span));
         let span = args[0].span;
         match form.shape() {
-            Form::Scurv(c) => Some(match fit_curve(c) {
+            Form::Scurv(c) => Some(match self.fits.curve(c) {
                 Ok(c) => match what {
                     None | Some(("ARC", _)) => Ok(count(c.arcs.len())),
                     Some(("SEG", _)) => Ok(count(c.segments())),
@@ -31,7 +31,7 @@ impl Interpreter<'_> {
                 },
                 Err(why) => Err(self.not_fitted(span, &why.to_string())),
             }),
-            Form::Ssurf(s) => Some(match fit_surface(s) {
+            Form::Ssurf(s) => Some(match self.fits.surface(s) {
                 Ok(s) => match (what, &s.layout) {
                     (None | Some(("PATCH", _)), _) => Ok(count(s.patches.len())),
                     (Some(("SPLINE", _)), Layout::Mesh { .. }) => Ok(s.spans()[1] + 1.0),

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use aptc_diagnostics::{Diagnostic, Severity, Span, codes};
 use aptc_geometry::Form;
-use aptc_geometry::sculpt::{FitFault, fit_curve, fit_surface};
+use aptc_geometry::sculpt::FitFault;
 use aptc_syntax::Symbol;
 use aptc_vocabulary::word;
 
@@ -26,9 +26,9 @@ impl Interpreter<'_> {
     /// of them may hold more than a program needs.
     pub(super) fn fits(&mut self, form: &Form, span: Span) -> Known<()> {
         let (head, fault) = match form {
-            Form::Scurv(c) => (word::SCURV, fit_curve(c).err()),
+            Form::Scurv(c) => (word::SCURV, self.fits.curve(c).err()),
             Form::Ssurf(s) if s.extent().points > FEW_POINTS || s.only_checks() => return Ok(()),
-            Form::Ssurf(s) => (word::SSURF, fit_surface(s).err()),
+            Form::Ssurf(s) => (word::SSURF, self.fits.surface(s).err()),
             _ => return Ok(()),
         };
         let Some(why) = fault.filter(|why| *why != FitFault::Canonical) else { return Ok(()) };
