@@ -15,7 +15,7 @@ use crate::fitted::Fitted;
 use crate::forward::forward;
 use crate::points::put_feed;
 use crate::state::{Part, Settings, Tool, auto_part, unit};
-use crate::warning::{no_band, no_multax};
+use crate::warning::{never_cut, no_band, no_multax};
 
 /// Settings of Section 2 that no part program gives.
 #[derive(Clone, Debug, Default)]
@@ -51,6 +51,8 @@ pub struct Arelem {
     pub(crate) feed: Feed,
     pub(crate) fitted: Fitted,
     pub(crate) diagnostics: Vec<Diagnostic>,
+    /// DNTCUT without CUT since, and how many motions are not put out.
+    pub(crate) silent: Option<(Origin, u64)>,
     /// The first motion that failed.
     pub(crate) situation: Option<Situation>,
 }
@@ -83,10 +85,13 @@ impl Arelem {
         }
     }
 
-    /// The part program is over: a motion that still waits for its check surface fails.
+    /// The part program is over: a motion that still waits for its check surface fails, and motions for which no CUT came are told.
     pub fn finish(&mut self, out: &mut Vec<cl::Record>) {
         if self.pending.is_some() {
             self.resolve(None, out);
+        }
+        if let Some((origin, n @ 1..)) = self.silent.take() {
+            self.diagnostics.push(never_cut(&origin, n));
         }
     }
 
@@ -318,7 +323,16 @@ impl Arelem {
         Outcome::Failed
     }
 
-    pub(crate) fn moved(&self, check: usize) -> Outcome {
+    /// The outcome of a motion.
+    pub(crate) fn moved(&mut self, check: usize) -> Outcome {
+        if let Some((_, n)) = &mut self.silent {
+            *n += 1;
+        }
+        self.stands(check)
+    }
+
+    /// Where the tool is.
+    pub(crate) fn stands(&self, check: usize) -> Outcome {
         self.tool.map_or(Outcome::None, |t| Outcome::Moved { te: t.te, ta: t.ta, check })
     }
 

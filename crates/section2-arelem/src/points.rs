@@ -35,7 +35,7 @@ impl Arelem {
             t.turn(*f);
         }
         self.put(origin, kind, forward::name(&place.name), vec![place.point], out);
-        self.moved(0)
+        if kind == cl::MotionKind::From { self.stands(0) } else { self.moved(0) }
     }
 
     pub(crate) fn points(
@@ -102,6 +102,8 @@ impl Arelem {
     pub(crate) fn cut(&mut self, origin: &Origin, on: bool, out: &mut Vec<cl::Record>) {
         let again = on && !self.settings.cut;
         self.settings.cut = on;
+        self.silent =
+            if on { None } else { self.silent.take().or_else(|| Some((origin.clone(), 0))) };
         if let (true, false, Some(t)) = (again, self.poisoned, self.tool) {
             self.put(origin, cl::MotionKind::Goto, cl::NameRef::default(), vec![t.te], out);
         }

@@ -28,6 +28,18 @@ pub(crate) fn no_length(origin: &Origin, length: f64) -> Diagnostic {
         .help("NUMPTS limits how many cut vectors a motion has; write MAXDP with one number")
 }
 
+/// DNTCUT to the end of the part, and so many motions behind it.
+pub(crate) fn never_cut(origin: &Origin, motions: u64) -> Diagnostic {
+    let (are, motions) = match motions {
+        1 => ("is", "the motion behind it".to_owned()),
+        n => ("are", format!("{n} motions behind it")),
+    };
+    let text = format!("DNTCUT holds to the end of the part: {motions} {are} not put out");
+    Diagnostic::warning(codes::NEVER_CUT, origin.span, text)
+        .within(origin.trace.clone())
+        .help("write CUT where the tool is to be put out again")
+}
+
 /// GO with one surface, below a part surface that nobody gave.
 pub(crate) fn lifted(origin: &Origin, z: f64) -> Diagnostic {
     let text = format!(

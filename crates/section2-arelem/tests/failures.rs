@@ -456,3 +456,22 @@ fn an_axis_along_rulings_wants_a_surface_that_has_them() {
     assert!(message.contains("part surface PL1, which has none"), "{message}");
     assert_eq!(help, Some("write TLAXIS/PARLEL,2: C1 has them"));
 }
+
+#[test]
+fn dntcut_to_the_end_is_told_with_the_motions_that_are_missing() {
+    let told = |text: &str| {
+        let ran = run(&forms(), &format!("CUTTER/1\nFROM/-5,-5,0\n{text}"));
+        ran.diagnostics.iter().map(|d| (d.code.number(), d.message.clone())).collect::<Vec<_>>()
+    };
+    let motions = "GO/TO,LX\nTLRGT,GORGT/LX,ON,LY\nGODLTA/0,0,1";
+    let three = "DNTCUT holds to the end of the part: 3 motions behind it are not put out";
+    assert_eq!(told(&format!("DNTCUT\n{motions}")), [(2065, three.into())]);
+    assert_eq!(told(&format!("DNTCUT\nGO/TO,LX\nDNTCUT\n{motions}")).len(), 1);
+    let [(2065, one)] = &told("DNTCUT\nFROM/0,0,0\nGOTO/1,1,1")[..] else { panic!() };
+    assert!(one.ends_with("the motion behind it is not put out"), "{one}");
+    // Put out again, and without any motion.
+    for text in ["DNTCUT\nGOTO/1,1,1\nCUT\nGOTO/2,1,1", "GOTO/1,1,1\nDNTCUT", "DNTCUT\nFROM/0,0,0"]
+    {
+        assert_eq!(told(text), [], "{text}");
+    }
+}

@@ -59,4 +59,5 @@ codes! {
     BEGINS_IN = 2062, "TO a check surface in which the cutter stands at the start";
     BELOW_FLOOR = 2063, "a pocket below whose floor the cutter reaches";
     FAR_LIFT = 2064, "a lift of AVCTRL farther than three lengths of the tool";
+    NEVER_CUT = 2065, "DNTCUT to the end of the part";
 }
