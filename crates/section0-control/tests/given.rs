@@ -130,6 +130,17 @@ fn a_holder_that_is_held_against_nothing_is_told_once() {
 }
 
 #[test]
+fn avoidance_while_nothing_is_checked_is_told_once() {
+    let idle = "AVCTRL has no effect on ";
+    one(&format!("AVCTRL/ON\n{ZIGZAG}\nGODLTA/20\n{ZIGZAG}"), "APT2059", idle);
+    one("AVCTRL/AXIS\nGOLOFT/FLAT,VCONST,.5", "APT2059", idle);
+    none(&format!("AVCTRL/ON\nAVCTRL/OFF\n{ZIGZAG}"));
+    none(&format!("AVCTRL/ON\nCHKSRF/PS,ON\n{ZIGZAG}"));
+    // With HOLDER it is one mistake, and a CHKSRF that failed is told.
+    one(&format!("AVCTRL/ON\nHOLDER/40,10,40,60\n{ZIGZAG}"), "APT2060", "nothing is checked");
+}
+
+#[test]
 fn a_region_of_one_pass_is_told_where_the_step_leads_out() {
     let out = ZIGZAG.replace("STEPOV,PLUS", "STEPOV,MINUS");
     one(&out, "APT2041", "one pass is milled: from 0,0 MINUS behind STEPOV");

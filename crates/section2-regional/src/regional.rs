@@ -80,6 +80,8 @@ pub struct Regional {
     pub(crate) feed: Vec<cl::Arg>,
     /// CHKSRF/PS.
     pub(crate) check_part: bool,
+    /// Did the last CHKSRF fail?
+    pub(crate) check_failed: bool,
     /// CHKSRF/name.
     pub(crate) checked: Vec<Checked>,
     /// What triangles bound that were checked.
@@ -167,6 +169,9 @@ impl Regional {
             way.map(|()| stand).inspect_err(|_| out.truncate(known))
         });
         self.went(out.get(known..).unwrap_or_default());
+        if word == "CHKSRF" {
+            self.check_failed = done.is_err();
+        }
         match &done {
             Ok(Some(stand)) => self.stand = Some(*stand),
             Ok(None) => {}

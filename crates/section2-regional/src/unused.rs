@@ -47,6 +47,7 @@ impl Regional {
             (smil && passes && self.outlines.is_active()).then(unused_region),
             (passes && !matches!(what, Milling::Goloft) && self.clears.is_idle())
                 .then(|| unused_clears(what)),
+            self.is_avoidance_idle().then(|| unused_avoidance(what)),
         ];
         for said in all.into_iter().flatten() {
             self.tells_once(
@@ -61,10 +62,20 @@ impl Regional {
         self.tells_bare_holder(origin);
     }
 
+    /// Does CHKSRF name anything, or was to?
+    fn is_checked(&self) -> bool {
+        let named = !self.checked.is_empty() || !self.plain.is_empty();
+        self.check_part || named || self.check_failed
+    }
+
+    /// Is AVCTRL on and nothing checked? Of a HOLDER that is held against nothing it is told.
+    fn is_avoidance_idle(&self) -> bool {
+        self.avoid.on && self.holder.is_empty() && !self.is_checked() && !self.is_recording()
+    }
+
     /// Tells once that shank and holder are given and held against nothing.
     pub(crate) fn tells_bare_holder(&mut self, origin: &Origin) {
-        let checks = self.check_part || !self.checked.is_empty() || !self.plain.is_empty();
-        if self.holder.is_empty() || checks || self.is_recording() {
+        if self.holder.is_empty() || self.is_checked() || self.is_recording() {
             return;
         }
         let text =
@@ -170,6 +181,15 @@ fn unused_clears(what: Milling) -> Said {
     } else {
         "lead the tool there and away by GOTO and GODLTA, or mill lines by GOLOFT; GCLEAR/OFF ends it"
     };
+    (text, help.into())
+}
+
+fn unused_avoidance(what: Milling) -> Said {
+    let text = format!(
+        "AVCTRL has no effect on {}: nothing is checked, so there is nothing that the tool gets out of the way of",
+        what.word()
+    );
+    let help = "write CHKSRF/PS,ON, or CHKSRF with the surfaces that the tool must keep clear of; or AVCTRL/OFF";
     (text, help.into())
 }
 
