@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use aptc_arelem::{Arelem, Situation};
 use aptc_cldata as cl;
-use aptc_diagnostics::{Diagnostic, FrameKind, SourceMap, Span, codes};
+use aptc_diagnostics::{Diagnostic, FrameKind, SourceMap, Span, Trace, codes};
 use aptc_geometry::Vec3;
 use aptc_protap as protap;
 use aptc_regional::{Regional, Stand};
@@ -207,6 +207,10 @@ struct Run<'o> {
     keeps_path: bool,
     /// That path.
     path: Option<protap::CutVectors>,
+    /// Did the last motion fail, so that it is unknown where the tool stands?
+    lost: bool,
+    /// Statements of regional milling to which it came from there.
+    from_nowhere: Vec<(Span, Trace)>,
 }
 
 impl<'o> Run<'o> {
@@ -224,6 +228,8 @@ impl<'o> Run<'o> {
             nopost: false,
             keeps_path: false,
             path: None,
+            lost: false,
+            from_nowhere: Vec::new(),
         }
     }
 
@@ -258,9 +264,13 @@ impl<'o> Run<'o> {
         }
         match outcome {
             protap::Outcome::Moved { te, ta, .. } => {
+                self.lost = false;
                 self.regional.stood(Some(Stand { te, ta, along: Vec3::zeros() }));
             }
-            protap::Outcome::Failed => self.regional.stood(None),
+            protap::Outcome::Failed => {
+                self.lost = true;
+                self.regional.stood(None);
+            }
             _ => {}
         }
         if let Ok(Some(stand)) = projected {
@@ -278,13 +288,18 @@ impl<'o> Run<'o> {
             let kept = self.keep();
             self.tell(kept);
         }
+        if self.lost && !matches!(milled, Ok(None)) {
+            self.from_nowhere.push((record.origin.span, record.origin.trace.clone()));
+        }
         match milled {
             Ok(None) => outcome,
             Ok(Some(s)) => {
+                self.lost = false;
                 self.section2.stand(Some((s.te, s.ta, s.along)));
                 protap::Outcome::Moved { te: s.te, ta: s.ta, check: 0 }
             }
             Err(aptc_regional::Failed) => {
+                self.lost = true;
                 self.section2.stand(None);
                 protap::Outcome::Failed
             }
@@ -320,7 +335,8 @@ impl<'o> Run<'o> {
         self.compiled.parts.push(part);
         self.section2 = Arelem::new(aptc_arelem::Options::default());
         self.regional = Regional::default();
-        (self.begun, self.nopost) = (false, false);
+        (self.begun, self.nopost, self.lost) = (false, false, false);
+        self.from_nowhere.clear();
     }
 
     /// The proof of the path of Section 2 against its surfaces, and Sections 3 and 4.
@@ -330,7 +346,12 @@ impl<'o> Run<'o> {
         let proof = std::mem::replace(&mut self.proof, new);
         if let Some((certificate, diagnostics)) = proof.finish(&part.computed)? {
             part.certificate = Some(certificate);
-            self.compiled.diagnostics.extend(diagnostics);
+            // Where the motion before failed, which is told, the way from there is not the program's.
+            let lost = &self.from_nowhere;
+            let leads_on = |d: &Diagnostic| {
+                d.code != codes::THROUGH || !lost.contains(&(d.span, d.trace.clone()))
+            };
+            self.compiled.diagnostics.extend(diagnostics.into_iter().filter(leads_on));
         }
         let (edited, diagnostics) = crate::edit::edit(&part.computed, whole)?;
         (part.edited, part.summary) = (edited.records, edited.summary);

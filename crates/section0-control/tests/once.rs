@@ -54,6 +54,38 @@ INTSEC/(PLANE/0,0,1,5),WITH,F\nCLDAT/NOMORE,2\nN=NUMF(CLDATA,2)\nGODLTA/0,0,N\nR
     codes(text, &["APT2041", "APT2052", "APT2041"]);
 }
 
+#[test]
+fn a_region_that_failed_is_told_once_and_lets_nothing_be_milled() {
+    let recorded = format!("CLDAT/START,1,UVPDS\n{}\nCLDAT/NOMORE,1", along(20.0, 2.0, 38.0));
+    let lines = "GOLOFT/F,UCONST,.5\nGODLTA/9\nFROM/0,0,60\nGOMILL/F,UCONST,0,STEPOV,1";
+    let text = format!("FROM/0,0,60\n{recorded}\nREGION/1,IN\n{lines}");
+    let ran = run::run(&format!("{HEAD}{text}\nNOPOST\nFINI\n"), Verify::Full);
+    let [(code, message)] = &ran.told[..] else { panic!("{:?}", ran.told) };
+    assert_eq!(code, "APT2055");
+    let words = "UVPDS takes the drive surface, and D is no SSURF";
+    assert!(message.ends_with(words), "{message}");
+    assert_eq!(ran.places.len(), 2, "{:?}", ran.places);
+    // Once it is off lines are milled.
+    for off in ["REGION/OFF", "REGION/1,OFF"] {
+        let text = text.replace("GODLTA/9", off);
+        let ran = run::run(&format!("{HEAD}{text}\nNOPOST\nFINI\n"), Verify::Full);
+        assert!(ran.told.len() == 1 && ran.places.len() > 10, "{off} {:?}", ran.told);
+    }
+}
+
+#[test]
+fn the_way_from_where_a_line_was_broken_off_is_not_told() {
+    let text = "S1=SCURV/SPLINE,(POINT/0,0,0),(POINT/20,0,3),(POINT/40,0,2),(POINT/60,0,0)
+S2=SCURV/SPLINE,(POINT/0,20,3),(POINT/20,20,6),(POINT/40,20,5),(POINT/60,20,3)
+S3=SCURV/SPLINE,(POINT/0,40,0),(POINT/20,40,3),(POINT/40,40,2),(POINT/60,40,0)
+G=SSURF/COMBIN,(SSURF/RULED,S1,S2),(SSURF/RULED,S2,S3)
+FROM/30,20,60\nGOMILL/G,VCONST,.1,STEPOV,.2\nGOMILL/G,UCONST,5,STEPOV,.25";
+    codes(text, &["APT2043"]);
+    // From a place that the program names it is.
+    let from = text.replace("STEPOV,.2\n", "STEPOV,.2\nGOTO/60,2,.3\n");
+    codes(&from, &["APT2043", "APT5009"]);
+}
+
 /// GO onto D, at that place along y, and GOFWD over it.
 fn along(y: f64, from: f64, to: f64) -> String {
     format!(

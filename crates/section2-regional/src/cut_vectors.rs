@@ -101,12 +101,13 @@ impl Regional {
             }
             return Err(Failure::Value { what: "the number of CLDAT/START", value: number, need });
         }
-        let mut kept = Vec::new();
+        let mut kept: Vec<Box<str>> = Vec::new();
         while let Some(word) = w.word() {
             kept.push(word.into());
         }
         self.refused.retain(|n| !same(*n, number));
-        let (points, outline) = (Vec::new(), Outline::new(number));
+        let of_drive = kept.iter().any(|k| **k == *"UVPDS");
+        let (points, outline) = (Vec::new(), Outline::new(number, of_drive));
         let (from, guided) = (out.len(), Vec::new());
         self.recording = Some(Recording { number, from, kept, points, outline, guided });
         Ok(())
@@ -263,8 +264,12 @@ impl Regional {
                 (Some(surface), _) => self.form_of(surface),
                 (None, c) => c.map(|c| Arc::clone(&c.form)),
             };
-            if let Some(form) = form.filter(|f| matches!(f.shape(), Form::Ssurf(_))) {
-                open.outline.add(Some(&form), corners.into_iter(), false);
+            match form.filter(|f| matches!(f.shape(), Form::Ssurf(_))) {
+                Some(form) => open.outline.add(Some(&form), corners.into_iter(), false),
+                None => {
+                    let other = if of_drive { drive } else { part };
+                    other.into_iter().for_each(|c| open.outline.pass(&c.name.name));
+                }
             }
         }
         Ok(())

@@ -72,8 +72,53 @@ pub(crate) enum Failure {
     Outline { why: &'static str },
     /// An outline of REGION that leaves a patch where nothing is beside it.
     Joint { why: &'static str },
+    /// A section of CLDAT that goes round nothing.
+    NoOutline(Box<NoOutline>),
     /// A statement that is not done here.
     Undone { what: &'static str },
+}
+
+/// A section of CLDAT that REGION names, and of which no places on an SSURF are known.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct NoOutline {
+    pub(crate) number: f64,
+    /// UVPDS, not UVPPS.
+    pub(crate) of_drive: bool,
+    /// The first surface that was recorded along and is no SSURF.
+    pub(crate) other: Option<Box<str>>,
+}
+
+impl NoOutline {
+    fn said(&self) -> String {
+        let number = short(self.number);
+        let (word, role) = if self.of_drive { ("UVPDS", "drive") } else { ("UVPPS", "part") };
+        match &self.other {
+            Some(name) => {
+                let name = if name.is_empty() { "that" } else { name };
+                format!(
+                    "section {number} of CLDAT goes round nothing: {word} takes the {role} surface, and {name} is no SSURF"
+                )
+            }
+            None => {
+                format!(
+                    "section {number} of CLDAT goes round nothing: its motions have less than three places on an SSURF"
+                )
+            }
+        }
+    }
+
+    fn help(&self) -> String {
+        match (&self.other, self.of_drive) {
+            (Some(_), true) => {
+                "record UVPPS, the places on the part surface, where that is the SSURF to be milled"
+                    .into()
+            }
+            (Some(_), false) => {
+                "record motions whose part surface is the SSURF to be milled".into()
+            }
+            _ => "record motions along an SSURF, round what is to be milled".into(),
+        }
+    }
 }
 
 /// How a line goes round what REGION leaves out.
@@ -318,6 +363,7 @@ impl Failure {
                 "give the outline in shorter steps, or to each surface of COMBIN a section of CLDAT and a REGION of its own; or take patches that have whole borders in one place"
                     .into(),
             ),
+            Self::NoOutline(n) => (codes::NO_OUTLINE, n.said(), n.help()),
             Self::Undone { what } => (
                 codes::UNSUPPORTED_MOTION,
                 format!("{what} cannot be computed yet"),

@@ -66,6 +66,7 @@ impl Regional {
         if matches!(form.shape(), Form::Scurv(_)) {
             return self.gomill_curve(origin, (name, form), &mut w, out);
         }
+        self.outlines.known()?;
         let course = if w.take("UCONST") { Course::V } else { Course::U };
         w.take("VCONST");
         let first = w.number().unwrap_or(0.0);

@@ -8,7 +8,7 @@ use aptc_geometry::{Form, Sculptured};
 use aptc_protap::{Arg, NameRef};
 
 use crate::avoid::Avoid;
-use crate::failure::Failure;
+use crate::failure::{Failure, NoOutline};
 use crate::joints::Joined;
 use crate::regional::Regional;
 use crate::round::{closed, crosses, is_one};
@@ -32,6 +32,10 @@ pub(crate) struct Outline {
     curved: bool,
     /// Does it go over more than one surface?
     scattered: bool,
+    /// Was it recorded by UVPDS?
+    of_drive: bool,
+    /// The first surface along it that is no SSURF.
+    other: Option<Box<str>>,
 }
 
 /// The outlines and which of them limit lines.
@@ -39,6 +43,8 @@ pub(crate) struct Outline {
 pub(crate) struct Outlines {
     recorded: Vec<Outline>,
     active: Vec<Active>,
+    /// Numbers of which REGION failed, so that it is not known what they limit.
+    failed: Vec<f64>,
 }
 
 /// An outline that limits lines.
@@ -64,7 +70,7 @@ struct Held {
 }
 
 impl Regional {
-    /// REGION/n,IN|OUT|OFF and REGION/OFF.
+    /// REGION/n,IN|OUT|OFF and REGION/OFF. Where it fails no lines are milled until it is given again or switched off.
     ///
     /// APT: `REGION`.
     pub(crate) fn region(&mut self, args: &[Arg]) -> Result<(), Failure> {
@@ -72,8 +78,24 @@ impl Regional {
         self.told_over = false;
         let Some(number) = w.number() else {
             self.outlines.active.clear();
+            self.outlines.failed.clear();
             return Ok(());
         };
+        let is_off = { w }.take("OFF");
+        let failed = self.outlines.failed.iter().any(|n| same(*n, number));
+        self.outlines.failed.retain(|n| !same(*n, number));
+        if failed && is_off {
+            self.outlines.active.retain(|a| !same(a.number, number));
+            return Ok(());
+        }
+        let done = self.limit(number, w);
+        if done.is_err() && !is_off {
+            self.outlines.failed.push(number);
+        }
+        done
+    }
+
+    fn limit(&mut self, number: f64, mut w: Words<'_>) -> Result<(), Failure> {
         let Some(outline) = self.outlines.recorded.iter().find(|o| same(o.number, number)) else {
             if self.is_refused(number) {
                 return Err(Failure::Told);
@@ -88,9 +110,8 @@ impl Regional {
             return Err(Failure::Undone { what: "REGION over more than one surface" });
         }
         if !outline.encloses() {
-            return Err(Failure::Undone {
-                what: "REGION of a section without an outline on an SSURF",
-            });
+            let (of_drive, other) = (outline.of_drive, outline.other.clone());
+            return Err(Failure::NoOutline(Box::new(NoOutline { number, of_drive, other })));
         }
         let outline = outline.clone();
         let active = match w.take("OFF") {
@@ -176,6 +197,11 @@ pub(crate) fn same_form(a: &Arc<Form>, b: &Arc<Form>) -> bool {
 }
 
 impl Outlines {
+    /// That it is known what REGION limits: where it failed, that was told.
+    pub(crate) fn known(&self) -> Result<(), Failure> {
+        if self.failed.is_empty() { Ok(()) } else { Err(Failure::Told) }
+    }
+
     /// Does REGION limit lines now?
     pub(crate) fn is_active(&self) -> bool {
         !self.active.is_empty()
@@ -294,8 +320,8 @@ fn held(corners: &[[f64; 2]], surface: &Sculptured) -> Result<milling::Outline, 
 }
 
 impl Outline {
-    /// Nothing yet, of the section `number`.
-    pub(crate) fn new(number: f64) -> Self {
+    /// Nothing yet, of the section `number`, on the drive surfaces or the part surfaces.
+    pub(crate) fn new(number: f64, of_drive: bool) -> Self {
         Self {
             number,
             form: None,
@@ -303,7 +329,14 @@ impl Outline {
             open: Vec::new(),
             curved: false,
             scattered: false,
+            of_drive,
+            other: None,
         }
+    }
+
+    /// A motion along that surface, which is no SSURF.
+    pub(crate) fn pass(&mut self, name: &str) {
+        self.other.get_or_insert_with(|| name.into());
     }
 
     /// Corners of a curve of INTSEC.
@@ -463,7 +496,7 @@ mod tests {
         let form = Arc::new(Form::Point(aptc_geometry::Vec3::zeros()));
         let square = |x: f64| [[x, x], [x + 1.0, x], [x + 1.0, x + 1.0], [x, x + 1.0], [x, x]];
         let told = |curves: &[(&[[f64; 2]], bool)]| {
-            let mut outline = Outline::new(1.0);
+            let mut outline = Outline::new(1.0, false);
             for (corners, closed) in curves {
                 outline.add_curve(Some(&form), corners.iter().copied(), *closed);
             }
@@ -498,7 +531,7 @@ mod tests {
     fn a_square_is_cut_in_and_out() {
         let form = Arc::new(Form::Point(aptc_geometry::Vec3::zeros()));
         let corners = [[1.0, 1.0], [2.0, 1.0], [2.0, 3.0], [1.0, 3.0]];
-        let mut outline = Outline::new(1.0);
+        let mut outline = Outline::new(1.0, false);
         outline.add(Some(&form), corners.iter().copied(), true);
         let clip = |inside: bool, fixed: f64| {
             let next = corners.iter().cycle().skip(1);
@@ -506,7 +539,8 @@ mod tests {
             let held = vec![milling::Outline { lines, along: 0 }];
             let active =
                 vec![Active { number: 1.0, inside, held, corners: Vec::new(), spans: [4.0; 2] }];
-            let all = Outlines { recorded: vec![outline.clone()], active };
+            let failed = Vec::new();
+            let all = Outlines { recorded: vec![outline.clone()], active, failed };
             all.clip(&form, 0, fixed, [0.0, 4.0])
         };
         assert_eq!(clip(true, 2.0), vec![[1.0, 2.0]]);
@@ -525,7 +559,7 @@ mod tests {
             for turned in [false, true] {
                 let swap = |[u, v]: [f64; 2]| if turned { [v, u] } else { [u, v] };
                 let corners = corners.map(swap);
-                let mut outline = Outline::new(1.0);
+                let mut outline = Outline::new(1.0, false);
                 outline.add(Some(&form), corners.into_iter(), false);
                 let next = corners.iter().cycle().skip(1);
                 let lines = corners.iter().zip(next).map(|(a, b)| [*a, *b]).collect::<Vec<_>>();
@@ -538,7 +572,8 @@ mod tests {
                         corners: Vec::new(),
                         spans: [4.0; 2],
                     }];
-                    let all = Outlines { recorded: vec![outline.clone()], active };
+                    let failed = Vec::new();
+                    let all = Outlines { recorded: vec![outline.clone()], active, failed };
                     for fixed in [0.0, 1e-3, 4.0 - 1e-3, 4.0] {
                         let left = all.clip(&form, usize::from(turned), fixed, [0.0, 4.0]);
                         let ends: Vec<_> =

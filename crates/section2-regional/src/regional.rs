@@ -125,7 +125,15 @@ impl Regional {
 
     /// Where the tool stands after a motion of the arithmetic element; `None` when that is unknown.
     pub fn stood(&mut self, stand: Option<Stand>) {
-        self.stand = stand;
+        match stand {
+            Some(_) => self.stand = stand,
+            None => self.lose(),
+        }
+    }
+
+    /// A statement failed: from where the tool comes to the next one is unknown.
+    fn lose(&mut self) {
+        (self.stand, self.watch.last) = (None, None);
     }
 
     /// As [`Regional::execute`], the passes of a region milled by a crew. The result is the same, bit by bit.
@@ -175,7 +183,7 @@ impl Regional {
         match &done {
             Ok(Some(stand)) => self.stand = Some(*stand),
             Ok(None) => {}
-            Err(_) => self.stand = None,
+            Err(_) => self.lose(),
         }
         done.map_err(|failure| {
             let told = &mut self.settings.told_no_cutter;

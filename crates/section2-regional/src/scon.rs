@@ -16,6 +16,7 @@ use crate::regional::Regional;
 use crate::unused::on_with_thickness;
 
 /// Arguments read one after the other.
+#[derive(Clone, Copy)]
 pub(crate) struct Words<'a>(pub(crate) &'a [Arg]);
 
 impl<'a> Words<'a> {

@@ -49,7 +49,7 @@ codes! {
     MEETING = 2052, "the curves that INTSEC found";
     LEFT_STANDING = 2053, "passes that leave material where the contact jumps";
     TOO_THIN = 2054, "a tool too thin to be seen by CHKSRF";
-    NO_OUTLINE = 2055, "curves of INTSEC that make no outline of REGION";
+    NO_OUTLINE = 2055, "what makes no outline of REGION";
     COMES_BACK = 2056, "PAST where the cutter never gets past";
     STRAIGHT_OVER = 2057, "a line that goes straight through what REGION leaves out";
     LEFT_BY_OFFSET = 2058, "OFFSET that leaves its drive surface";

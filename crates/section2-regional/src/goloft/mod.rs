@@ -72,6 +72,7 @@ impl Regional {
         if matches!(form.shape(), Form::Scurv(_)) {
             return self.along_curve(origin, (name, form), &wish, out);
         }
+        self.outlines.known()?;
         let (course, fixed) = course
             .zip(fixed)
             .or_else(|| self.line_before(form))
