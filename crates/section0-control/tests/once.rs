@@ -74,6 +74,14 @@ fn a_region_that_failed_is_told_once_and_lets_nothing_be_milled() {
 }
 
 #[test]
+fn pickfd_of_gomill_without_a_way_back_is_told_by_its_own_words() {
+    let told = told("FROM/0,0,60\nGOMILL/F,UCONST,0,STEPOV,1,PICKFD");
+    let [(code, message)] = &told[..] else { panic!("{told:?}") };
+    assert!(code == "APT2040" && message.contains("GOMILL has nothing"), "{message}");
+    codes("FROM/0,0,60\nGOMILL/F,UCONST,0,STEPOV,1,PICKFD,RETR,9", &[]);
+}
+
+#[test]
 fn the_way_from_where_a_line_was_broken_off_is_not_told() {
     let text = "S1=SCURV/SPLINE,(POINT/0,0,0),(POINT/20,0,3),(POINT/40,0,2),(POINT/60,0,0)
 S2=SCURV/SPLINE,(POINT/0,20,3),(POINT/20,20,6),(POINT/40,20,5),(POINT/60,20,3)

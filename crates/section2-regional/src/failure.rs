@@ -18,6 +18,8 @@ pub(crate) enum Failure {
     Facets { name: Box<str> },
     /// Areas that a statement needs are not set; none where their own statements failed, which was told there.
     NotSet { areas: Vec<&'static str> },
+    /// GOMILL with PICKFD and nothing that leads the tool back.
+    NoRetract,
     /// A number that is out of its range.
     Value { what: &'static str, value: f64, need: Box<str> },
     /// A direction of length zero.
@@ -179,6 +181,12 @@ impl Failure {
                 codes::AREA_NOT_SET,
                 format!("{} not set since the last INIT", join(areas)),
                 format!("give SCON/{} before SMIL", areas.first().unwrap_or(&"DS")),
+            ),
+            Self::NoRetract => (
+                codes::AREA_NOT_SET,
+                "PICKFD leads the tool back over the part from line to line, and GOMILL has nothing to lead it by".into(),
+                "give RETR behind it, with a distance, a vector or a plane; or SCON/FEED,plane before it"
+                    .into(),
             ),
             Self::Value { what, value, need } => (
                 codes::REGION_VALUE,

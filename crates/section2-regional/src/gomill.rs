@@ -136,11 +136,7 @@ impl Regional {
         }
         .of(setup.profile);
         let retract = wish.retract.or(self.areas.clearance.map(Retract::Plane));
-        let clearance = if wish.pick {
-            Some(retract.ok_or(Failure::NotSet { areas: vec!["FEED,plane"] })?)
-        } else {
-            None
-        };
+        let clearance = if wish.pick { Some(retract.ok_or(Failure::NoRetract)?) } else { None };
         let guide = Some(&drive.guide);
         let senses = [sense, over];
         let ways = &self.ways_of(Some(&part));
