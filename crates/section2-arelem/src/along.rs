@@ -15,6 +15,7 @@ use crate::failure::{Candidate, Failure};
 use crate::feed::divide;
 use crate::points::put_feed;
 use crate::scene::Path;
+use crate::since::Since;
 use crate::space::{Keep, Pose, Watch};
 use crate::state::{Role, Tool};
 use crate::warning;
@@ -144,6 +145,12 @@ impl Arelem {
                 let mut all = vec![(0, d.drive.clone()), (1, self.part(&tool))];
                 all.extend(checks);
                 self.picture(&f, &tool, all);
+                let is_part = |c: &&protap::Check| same(&c.surface, &part);
+                if let Some(check) = d.checks.iter().find(is_part).filter(|_| f.is_unmet()) {
+                    let told = warning::check_is_part(f.explain(origin), &check.surface);
+                    self.diagnostics.push(told);
+                    return self.give_up();
+                }
                 match self.other_way(&f, d, tool) {
                     Some(word) => {
                         self.diagnostics.push(warning::other_way(f.explain(origin), word));
@@ -275,6 +282,7 @@ impl Arelem {
         }
         let control = Arc::new(path.control);
         self.ended = Some((Arc::clone(&control), self.settings.cutter));
+        self.since = Since::default();
         let motion = cl::Motion {
             kind,
             name,
@@ -301,4 +309,9 @@ impl Arelem {
         }
         self.moved(path.check)
     }
+}
+
+/// Do both name one surface?
+fn same(a: &SurfaceRef, b: &SurfaceRef) -> bool {
+    Arc::ptr_eq(&a.form, &b.form) || a.form == b.form
 }

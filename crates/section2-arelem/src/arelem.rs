@@ -14,6 +14,7 @@ use crate::feed::Feed;
 use crate::fitted::Fitted;
 use crate::forward::forward;
 use crate::points::put_feed;
+use crate::since::Since;
 use crate::state::{Part, Settings, Tool, auto_part, unit};
 use crate::warning::{never_cut, no_band, no_multax};
 
@@ -53,6 +54,8 @@ pub struct Arelem {
     pub(crate) diagnostics: Vec<Diagnostic>,
     /// DNTCUT without CUT since, and how many motions are not put out.
     pub(crate) silent: Option<(Origin, u64)>,
+    /// What was given since the last motion along surfaces.
+    pub(crate) since: Since,
     /// The first motion that failed.
     pub(crate) situation: Option<Situation>,
 }
@@ -234,6 +237,11 @@ impl Arelem {
     fn set(&mut self, kind: &Kind, line: u32) {
         let s = &mut self.settings;
         match kind {
+            Kind::Cutter(c) if s.cutter != Some(*c) => self.since.cutter = Some(line),
+            Kind::Thick(t) if differs(&s.thick, t) => self.since.thick = Some(line),
+            _ => {}
+        }
+        match kind {
             Kind::Units(u) => s.units = *u,
             Kind::Cutter(c) => {
                 s.set_cutter(*c, line);
@@ -294,7 +302,9 @@ impl Arelem {
         let told = matches!(failure, Failure::NoCutter { .. })
             && (std::mem::replace(&mut self.told_no_cutter, true) || self.failed_before);
         if !told {
-            self.diagnostics.push(failure.explain(origin));
+            let told = failure.explain(origin);
+            let notes = self.changed_since(failure);
+            self.diagnostics.push(notes.into_iter().fold(told, Diagnostic::note));
         }
         self.give_up()
     }
@@ -361,6 +371,10 @@ impl Arelem {
             out.push(cl::Record { origin: origin.clone(), kind: cl::Kind::Motion(motion) });
         }
     }
+}
+
+fn differs(a: &[f64; 4], b: &[f64; 4]) -> bool {
+    a.iter().zip(b).any(|(a, b)| (a - b).abs() > 0.0)
 }
 
 /// Must the tool have come to rest before this record?

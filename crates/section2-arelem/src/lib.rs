@@ -20,6 +20,7 @@ mod pocket;
 mod points;
 mod prepare;
 mod scene;
+mod since;
 mod space;
 mod state;
 mod warning;

@@ -40,6 +40,16 @@ pub(crate) fn never_cut(origin: &Origin, motions: u64) -> Diagnostic {
         .help("write CUT where the tool is to be put out again")
 }
 
+/// A check surface that is the part surface.
+pub(crate) fn check_is_part(failure: Diagnostic, surface: &SurfaceRef) -> Diagnostic {
+    let check = called(surface);
+    failure
+        .note(format!("the check surface {check} is the part surface itself, to which the tool keeps all along"))
+        .help(format!(
+            "name the surface at which the motion is to end; where {check} is to end it, give another part surface by PSIS"
+        ))
+}
+
 /// GO with one surface, below a part surface that nobody gave.
 pub(crate) fn lifted(origin: &Origin, z: f64) -> Diagnostic {
     let text = format!(

@@ -475,3 +475,33 @@ fn dntcut_to_the_end_is_told_with_the_motions_that_are_missing() {
         assert_eq!(told(text), [], "{text}");
     }
 }
+
+#[test]
+fn a_tool_that_is_off_since_something_was_changed_is_told_what() {
+    let notes = |text: &str| {
+        let text = format!("CUTTER/1\nFROM/-5,-5,0\nGO/TO,LX\n{text}\nTLRGT,GORGT/LX,ON,LY");
+        let ran = run(&forms(), &text);
+        assert_eq!(ran.code(), 2003, "{text}");
+        ran.diagnostics[0].notes.clone()
+    };
+    let said = |word: &str, line: u32| {
+        format!("{word} was changed in line {line}, since the motion that brought the tool there")
+    };
+    assert_eq!(notes("CUTTER/2"), [said("CUTTER", 4)]);
+    assert_eq!(notes("THICK/0,0\nTHICK/0,.3"), [said("THICK", 5)]);
+    // As it was, and where no surface was come to.
+    assert_eq!(notes("CUTTER/2\nCUTTER/1\nTHICK/0,.3"), [said("THICK", 6)]);
+    assert!(notes("GOTO/-5,-3,0\nCUTTER/2").is_empty());
+}
+
+#[test]
+fn a_check_surface_that_is_the_part_surface_is_told() {
+    for word in ["TO", "ON", "PAST"] {
+        let text = format!("CUTTER/1\nFROM/-5,-5,3\nGO/TO,LX,TO,PL1\nTLRGT,GORGT/LX,{word},PL1");
+        let ran = run(&forms(), &text);
+        assert_eq!(ran.code(), 2008, "{word}");
+        let said = "the check surface PL1 is the part surface itself";
+        let notes = &ran.diagnostics[0].notes;
+        assert!(notes.iter().any(|n| n.starts_with(said)), "{notes:?}");
+    }
+}

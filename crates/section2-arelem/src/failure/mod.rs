@@ -141,12 +141,15 @@ impl Failure {
     }
 
     /// Did the motion end without its check surface?
+    pub(crate) fn is_unmet(&self) -> bool {
+        matches!(self, Self::NotReached { .. } | Self::NoTangency { .. } | Self::Blocked(_))
+    }
+
+    /// Did it, and may it be tried the other way?
     pub(crate) fn never_met(&self) -> bool {
         // What was given up after many cut vectors would take as many the other way.
         let given_up = matches!(self, Self::NotReached { spent: Some(_), .. });
-        let never =
-            matches!(self, Self::NotReached { .. } | Self::NoTangency { .. } | Self::Blocked(_));
-        never && !given_up
+        self.is_unmet() && !given_up
     }
 
     /// The words of the message alone.
