@@ -83,9 +83,9 @@ fn pickfd_of_gomill_without_a_way_back_is_told_by_its_own_words() {
 
 #[test]
 fn the_way_from_where_a_line_was_broken_off_is_not_told() {
-    let text = "S1=SCURV/SPLINE,(POINT/0,0,0),(POINT/20,0,3),(POINT/40,0,2),(POINT/60,0,0)
-S2=SCURV/SPLINE,(POINT/0,20,3),(POINT/20,20,6),(POINT/40,20,5),(POINT/60,20,3)
-S3=SCURV/SPLINE,(POINT/0,40,0),(POINT/20,40,3),(POINT/40,40,2),(POINT/60,40,0)
+    let text = "S1=SCURV/SPLINE,(0,0,0),(20,0,3),(40,0,2),(60,0,0)
+S2=SCURV/SPLINE,(0,20,3),(20,20,6),(40,20,5),(60,20,3)
+S3=SCURV/SPLINE,(0,40,0),(20,40,3),(40,40,2),(60,40,0)
 G=SSURF/COMBIN,(SSURF/RULED,S1,S2),(SSURF/RULED,S2,S3)
 FROM/30,20,60\nGOMILL/G,VCONST,.1,STEPOV,.2\nGOMILL/G,UCONST,5,STEPOV,.25";
     codes(text, &["APT2043"]);
