@@ -22,14 +22,6 @@ const BY: f64 = 0.01;
 /// Looks along a chord that comes by corners, and halvings between two of them.
 const CORNERED: u8 = 12;
 const HALVINGS: u8 = 40;
-/// Times by which the way along the tangent at an end of a piece is more than what its cubic is off in the middle, where no other value
-/// beside the end is beyond it: at the share x it is off by 16 x^2 (1 - x)^2 of that.
-const STEEP: f64 = 32.0;
-/// Share of the resolution by which a greatest gap lies beyond such an end: one that is an end to the last digit would be no inner
-/// extreme.
-const AT_END: f64 = 1e-3;
-/// Times that a piece of a chord is cut one after the other where it comes onto a flat end: the second time tells that to its square.
-const EDGES: u8 = 2;
 /// Greatest number of pieces into which a chord over a surface of mixed curvature is cut.
 const MAX_PIECES: usize = 256;
 
@@ -303,7 +295,7 @@ impl Run<'_, '_> {
     /// the tangent of the other, which both ends tell. `None` where that is hardly on the piece.
     fn edge(&self, a: &Place, b: &Place) -> Option<f64> {
         /// Share of the piece from its ends.
-        const INSIDE: f64 = 1e-4;
+        const INSIDE: f64 = 0.02;
         if self.turn.is_some() {
             return None;
         }
@@ -318,21 +310,6 @@ impl Run<'_, '_> {
             _ => return None,
         };
         (share > INSIDE && share < 1.0 - INSIDE).then_some(a.t + share * h)
-    }
-
-    /// Does a flat end touch the same crest all along a piece? Then the gap goes straight.
-    fn is_level(&self, a: &Place, b: &Place, resolution: f64) -> bool {
-        /// Share of the resolution by which values and slopes may differ from that.
-        const STRAIGHT: f64 = 0.01;
-        let ends = [a, b];
-        if self.turn.is_some() || ends.iter().any(|p| p.gap.segment != Some(Segment::LowerLine)) {
-            return false;
-        }
-        let alike = ANOTHER * self.tool.profile.half_width(a.gap.segment);
-        let (h, rise) = (b.t - a.t, b.gap.g - a.gap.g);
-        let off = ends.map(|p| (rise - p.slope * h).abs());
-        off[0].max(off[1]) <= STRAIGHT * resolution
-            && (a.gap.surface_point - b.gap.surface_point).norm() <= alike
     }
 
     /// How far the places of the cutter are from one another that touch at two places of the chord.
@@ -417,25 +394,21 @@ impl Run<'_, '_> {
         let (mut low, mut high) =
             if a.gap.g < b.gap.g { (at(&a), at(&b)) } else { (at(&b), at(&a)) };
         let bow = b.slope - a.slope;
-        let mut todo: Vec<(Place, Place, u8)> = Vec::with_capacity(exact.looks.len() + 1);
+        let mut todo: Vec<(Place, Place, bool)> = Vec::with_capacity(exact.looks.len() + 1);
         let mut last = a;
         for t in exact.looks {
             let here = self.looked(*t, [&last, &b])?;
             low = if here.gap.g < low.g { at(&here) } else { low };
             high = if here.gap.g > high.g { at(&here) } else { high };
-            todo.push((last, here, EDGES));
+            todo.push((last, here, true));
             last = here;
         }
-        todo.push((last, b, EDGES));
+        todo.push((last, b, true));
         let (mut floor, mut roof) = (low, high);
-        let beside = AT_END * exact.resolution;
         let mut pieces = 0;
-        while let Some((a, b, edges)) = todo.pop() {
-            if self.is_level(&a, &b, exact.resolution) {
-                continue;
-            }
+        while let Some((a, b, whole)) = todo.pop() {
             pieces += 1;
-            let edge = if edges > 0 { self.edge(&a, &b) } else { None };
+            let edge = if whole { self.edge(&a, &b) } else { None };
             let m = self.between(&a, &b, edge.unwrap_or(0.5 * (a.t + b.t)))?;
             if m.gap.g < low.g {
                 low = at(&m);
@@ -465,26 +438,21 @@ impl Run<'_, '_> {
                         over = crest;
                     }
                 }
-                for (t, g, at_end) in cubic_extremes(&a, &b) {
-                    let above = match at_end {
-                        Some(slope) if slope.abs() * (b.t - a.t) >= STEEP * off => off.min(beside),
-                        _ => off,
-                    };
+                for (t, g) in cubic_extremes(&a, &b) {
                     beyond[0] |= g - off < low.g - fine_low;
-                    beyond[1] |= g + above > high.g + fine_high;
+                    beyond[1] |= g + off > high.g + fine_high;
                     if g - off < under.g {
                         under = Extreme { t, g: g - off };
                     }
-                    if g + above > over.g {
-                        over = Extreme { t, g: g + above };
+                    if g + off > over.g {
+                        over = Extreme { t, g: g + off };
                     }
                 }
             }
             let open = beyond[0] && off > 0.25 * fine_low || beyond[1] && rough > 0.25 * fine_high;
             if open && pieces < MAX_PIECES {
-                let left = if edge.is_some() { edges - 1 } else { EDGES };
-                todo.push((a, m, left));
-                todo.push((m, b, left));
+                todo.push((a, m, edge.is_none()));
+                todo.push((m, b, edge.is_none()));
             } else {
                 (floor, roof) = (under, over);
             }
@@ -493,8 +461,8 @@ impl Run<'_, '_> {
     }
 }
 
-/// Ends with their slopes, and inner extreme values of the cubic through values and slopes.
-fn cubic_extremes(a: &Place, b: &Place) -> impl Iterator<Item = (f64, f64, Option<f64>)> {
+/// Ends and inner extreme values of the cubic through values and slopes.
+fn cubic_extremes(a: &Place, b: &Place) -> impl Iterator<Item = (f64, f64)> {
     let h = b.t - a.t;
     let (ga, gb) = (a.gap.g, b.gap.g);
     let (c1, rise) = (a.slope * h, gb - ga);
@@ -503,9 +471,9 @@ fn cubic_extremes(a: &Place, b: &Place) -> impl Iterator<Item = (f64, f64, Optio
     let start = a.t;
     let roots = aptc_geometry::roots::quadratic(3.0 * c3, c2, c1, 1.0);
     let inner = roots.ok().into_iter().flat_map(|q| q.roots().to_vec());
-    [(a.t, ga, Some(a.slope)), (b.t, gb, Some(b.slope))].into_iter().chain(
+    [(a.t, ga), (b.t, gb)].into_iter().chain(
         inner
             .filter(|x| *x > 0.0 && *x < 1.0)
-            .map(move |x| (start + h * x, ga + x * (c1 + x * (c2 + x * c3)), None)),
+            .map(move |x| (start + h * x, ga + x * (c1 + x * (c2 + x * c3)))),
     )
 }
