@@ -6,11 +6,12 @@
 
 use aptc_geometry::profile::Segment;
 use aptc_geometry::surface::{Disk, Facing, Next, ParametricSurface};
-use aptc_geometry::{Spot, Surface, Tool, Vec3};
+use aptc_geometry::{Spot, Surface, Tool};
 
 use crate::alone::around;
 use crate::disk;
 use crate::gap::{Gap, Side, deeper};
+use crate::places::Places;
 use crate::search::rival;
 use crate::stations::FAR;
 
@@ -20,13 +21,11 @@ const LEAST: f64 = 0.05;
 const COARSE: f64 = 0.15;
 /// Places of contact that are remembered, so that no other piece leads there.
 const PLACES: usize = 8;
-/// How far from the middle of a piece one of them counts as beside it, as a share of its reach.
-const BESIDE: f64 = 3.0;
 
 /// The deepest place of contact, one being known, where only flat end and corner can touch; `None` where that is not seen.
 pub(crate) fn deepest(tool: &Tool<'_>, surface: &Surface, side: Side, known: &Gap) -> Option<Gap> {
     let all = Beneath::new(tool, surface, side, known, 0.0)?;
-    let (mut best, mut places) = (*known, Places::new(known));
+    let (mut best, mut places) = (*known, Places::new(known.surface_point));
     let radius = tool.profile.corner_radius();
     all.look(known.raw, 0.0, |piece| {
         if piece.whole && piece.reach > all.least {
@@ -54,7 +53,7 @@ pub(crate) fn elsewhere(
     let all = Beneath::new(tool, surface, side, known, most)?;
     let far = FAR * tool.profile.half_width(known.segment);
     let radius = tool.profile.corner_radius();
-    let (mut best, mut room, mut places) = (*known, most, Places::new(known));
+    let (mut best, mut room, mut places) = (*known, most, Places::new(known.surface_point));
     all.look(known.raw + 2.0 * most, most, |piece| {
         let left = |room: f64| Next::Left([known.raw + radius + 2.0 * room, room]);
         let away = (piece.point - known.surface_point).norm();
@@ -80,28 +79,6 @@ pub(crate) fn elsewhere(
         left(room)
     });
     Some((deeper(tool, best.raw, known.raw).then_some(best), room))
-}
-
-/// Places of contact that are found, the last ones.
-struct Places {
-    at: [Vec3; PLACES],
-    next: usize,
-}
-
-impl Places {
-    fn new(known: &Gap) -> Self {
-        Self { at: [known.surface_point; PLACES], next: 0 }
-    }
-
-    /// Is one of them beside a piece?
-    fn beside(&self, piece: &Facing) -> bool {
-        self.at.iter().any(|p| (p - piece.point).norm() <= BESIDE * piece.reach)
-    }
-
-    fn take(&mut self, gap: &Gap) {
-        self.at[self.next % PLACES] = gap.surface_point;
-        self.next += 1;
-    }
 }
 
 /// A surface beneath the flat end and the corner of a cutter.
@@ -142,13 +119,13 @@ impl<'a> Beneath<'a> {
     }
 
     /// The place of contact to which the way leads down from the middle of a piece, unless one was found beside it.
-    fn place(&self, piece: &Facing, places: &mut Places) -> Option<Gap> {
-        if places.beside(piece) {
+    fn place(&self, piece: &Facing, places: &mut Places<PLACES>) -> Option<Gap> {
+        if places.beside(piece.point, piece.reach) {
             return None;
         }
         let spot = Spot { point: piece.point, at: Some(piece.mid) };
         let gap = disk::below(self.tool, self.whole, self.side, spot).ok()?;
-        places.take(&gap);
+        places.take(gap.surface_point);
         Some(gap)
     }
 }
@@ -158,7 +135,7 @@ mod tests {
     use super::*;
     use crate::gap::gap;
     use crate::shapes::mesh;
-    use aptc_geometry::{Cutter, Profile};
+    use aptc_geometry::{Cutter, Profile, Vec3};
     use proptest::prelude::*;
 
     proptest! {

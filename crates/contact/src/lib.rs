@@ -34,6 +34,7 @@ mod gap;
 mod guide;
 mod open;
 mod patches;
+mod places;
 mod point;
 mod ridge;
 mod ring;

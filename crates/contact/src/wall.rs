@@ -4,11 +4,12 @@
 //! that hold no place of contact, or are too far, are left out one by one; from what is left the way leads down to a place of contact.
 
 use aptc_geometry::surface::{Next, ParametricSurface, Touching};
-use aptc_geometry::{Spot, Surface, Tool, Vec3};
+use aptc_geometry::{Spot, Surface, Tool};
 
 use crate::curvature::second;
 use crate::disk;
 use crate::gap::{Gap, Side, deeper};
+use crate::places::Places;
 
 /// Share of the cutter's radius that a piece reaches from which it is not cut any more, where it may hold a deeper place: that is followed
 /// from there.
@@ -29,8 +30,6 @@ const MOST: usize = 24;
 const ASTRAY: u32 = 3;
 /// Places of contact that are remembered, so that no other piece leads there.
 const PLACES: usize = 12;
-/// How far from the middle of a piece one of them counts as beside it, as a share of its reach.
-const BESIDE: f64 = 3.0;
 /// Share of the cutter's radius within which the contact goes over to another place and is followed.
 const NEAR: f64 = 0.1;
 /// Shares of the cutter's radius by which it may be sunk in the wall and off it: from elsewhere ways down are long. Sine of the angle
@@ -122,8 +121,7 @@ struct Wall<'a> {
     /// The deepest place of contact so far.
     best: Gap,
     /// Where the last ones were found.
-    places: [Vec3; PLACES],
-    found: usize,
+    places: Places<PLACES>,
     /// How many of them are as deep as the known one, and how many ways led to none.
     even: u32,
     astray: u32,
@@ -143,8 +141,8 @@ impl<'a> Wall<'a> {
             return None;
         }
         let [least, coarse] = [LEAST, COARSE].map(|share| share * tool.profile.widest());
-        let (best, places) = (*known, [known.surface_point; PLACES]);
-        let (found, even, astray) = (0, 0, 0);
+        let (best, places) = (*known, Places::new(known.surface_point));
+        let (even, astray) = (0, 0);
         Some(Self {
             tool,
             whole,
@@ -154,7 +152,6 @@ impl<'a> Wall<'a> {
             at,
             best,
             places,
-            found,
             even,
             astray,
             least,
@@ -183,20 +180,18 @@ impl<'a> Wall<'a> {
 
     /// Are not too many places of contact found, nor too many as deep as the known one?
     fn few(&self) -> bool {
-        self.found <= MOST && self.astray <= ASTRAY && self.even < EVEN
+        self.places.found() <= MOST && self.astray <= ASTRAY && self.even < EVEN
     }
 
     /// The place of contact to which the way leads down from the middle of a piece, unless one was found beside it.
     fn place(&mut self, piece: &Touching) -> Option<Gap> {
-        let beside = |p: &Vec3| (p - piece.point).norm() <= BESIDE * piece.reach;
-        if self.places.iter().any(beside) {
+        if self.places.beside(piece.point, piece.reach) {
             return None;
         }
         let spot = Spot { point: piece.point, at: Some(piece.mid) };
         let gap = disk::below(self.tool, self.whole, self.side, spot);
         // Where the way leads to none it does so from beside it too.
-        self.places[self.found % PLACES] = gap.as_ref().map_or(piece.point, |g| g.surface_point);
-        self.found += 1;
+        self.places.take(gap.as_ref().map_or(piece.point, |g| g.surface_point));
         let Ok(gap) = gap else {
             self.astray += 1;
             return None;
@@ -236,7 +231,7 @@ mod tests {
     use super::*;
     use crate::gap::{gap, gap_near};
     use crate::shapes::mesh;
-    use aptc_geometry::{Cutter, Profile};
+    use aptc_geometry::{Cutter, Profile, Vec3};
     use proptest::prelude::*;
     use proptest::test_runner::{Config, TestRunner};
 

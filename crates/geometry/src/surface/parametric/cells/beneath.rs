@@ -4,9 +4,8 @@
 //! axis, and else the point of its border to which n leans least: `center + rho e`, e being the direction across the axis from which n
 //! leans. So of a piece whose normals lean all about the same way it is known where that point is, and whether it faces the piece.
 
-use super::{Cell, Cells, WAITING};
+use super::{Cell, Cells};
 use crate::Vec3;
-use crate::balls::Below;
 use crate::surface::parametric::Jet;
 
 /// How often a cell is cut in four at most.
@@ -75,37 +74,15 @@ impl Cells {
     pub(in super::super) fn beneath(
         &self,
         disk: &Disk,
-        mut limits: [f64; 2],
+        limits: [f64; 2],
         jet: impl Fn([usize; 2], f64, f64) -> Jet,
         mut look: impl FnMut(&Facing) -> Next,
     ) {
-        let mut waiting = [0_usize; WAITING];
-        let mut n = usize::from(!self.tree.is_empty());
-        while n > 0 {
-            n -= 1;
-            let ball = &self.tree[waiting[n]];
-            if disk.near(ball.center).0 - ball.radius > limits[0].max(0.0) {
-                continue;
-            }
-            match ball.below {
-                Below::Balls(pair) => {
-                    let far = |i: usize| disk.near(self.tree[i].center).0;
-                    // The nearer one is looked at first.
-                    let pair = if far(pair[0]) < far(pair[1]) { [pair[1], pair[0]] } else { pair };
-                    for i in pair {
-                        if n < WAITING {
-                            waiting[n] = i;
-                            n += 1;
-                        }
-                    }
-                }
-                Below::Things(from, to) => {
-                    for cell in &self.cells[from..to] {
-                        cell.beneath(disk, &mut limits, &jet, CUTS, &mut look);
-                    }
-                }
-            }
-        }
+        self.beside(
+            |p| disk.near(p).0,
+            limits,
+            |cell, limits| cell.beneath(disk, limits, &jet, CUTS, &mut look),
+        );
     }
 
     /// The least cosine between a vector and the normals of the surface within balls, which are those of the parameters; `None` where

@@ -193,6 +193,40 @@ impl Cells {
         }
     }
 
+    /// The cells that may come nearer to a body than the first of the limits, which `take` may change: `far` tells the signed distance of
+    /// a point from it.
+    fn beside(
+        &self,
+        far: impl Fn(Vec3) -> f64,
+        mut limits: [f64; 2],
+        mut take: impl FnMut(&Cell, &mut [f64; 2]),
+    ) {
+        let mut waiting = [0_usize; WAITING];
+        let mut n = usize::from(!self.tree.is_empty());
+        while n > 0 {
+            n -= 1;
+            let ball = &self.tree[waiting[n]];
+            if far(ball.center) - ball.radius > limits[0].max(0.0) {
+                continue;
+            }
+            match ball.below {
+                Below::Balls(pair) => {
+                    let [a, b] = pair.map(|i| far(self.tree[i].center));
+                    // The nearer one is looked at first.
+                    for i in if a < b { [pair[1], pair[0]] } else { pair } {
+                        if n < WAITING {
+                            waiting[n] = i;
+                            n += 1;
+                        }
+                    }
+                }
+                Below::Things(from, to) => {
+                    self.cells[from..to].iter().for_each(|cell| take(cell, &mut limits));
+                }
+            }
+        }
+    }
+
     /// Parameters near which the line through `p` along the unit vector `d` may meet the surface go to `put`.
     pub(super) fn met(
         &self,

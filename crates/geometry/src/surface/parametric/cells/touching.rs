@@ -8,8 +8,7 @@
 //! is the direction around the axis. Where M is positive all over a piece no place of contact comes to be in it but one that moves into
 //! it; where M is negative in one direction all over it, it holds none.
 
-use super::{Cell, Cells, WAITING};
-use crate::balls::Below;
+use super::{Cell, Cells};
 use crate::surface::parametric::Jet;
 use crate::{Tool, Vec3};
 
@@ -60,37 +59,15 @@ impl Cells {
     pub(in super::super) fn touching(
         &self,
         (tool, sign): (&Tool<'_>, f64),
-        mut limits: [f64; 2],
+        limits: [f64; 2],
         jet: impl Fn([usize; 2], f64, f64) -> Jet,
         mut look: impl FnMut(&Touching) -> Next,
     ) {
-        let mut waiting = [0_usize; WAITING];
-        let mut n = usize::from(!self.tree.is_empty());
-        while n > 0 {
-            n -= 1;
-            let ball = &self.tree[waiting[n]];
-            if tool.distance(ball.center) - ball.radius > limits[0].max(0.0) {
-                continue;
-            }
-            match ball.below {
-                Below::Balls(pair) => {
-                    let far = |i: usize| tool.distance(self.tree[i].center);
-                    // The nearer one is looked at first.
-                    let pair = if far(pair[0]) < far(pair[1]) { [pair[1], pair[0]] } else { pair };
-                    for i in pair {
-                        if n < WAITING {
-                            waiting[n] = i;
-                            n += 1;
-                        }
-                    }
-                }
-                Below::Things(from, to) => {
-                    for cell in &self.cells[from..to] {
-                        cell.touching((tool, sign), &mut limits, &jet, CUTS, &mut look);
-                    }
-                }
-            }
-        }
+        self.beside(
+            |p| tool.distance(p),
+            limits,
+            |cell, limits| cell.touching((tool, sign), limits, &jet, CUTS, &mut look),
+        );
     }
 }
 
