@@ -139,17 +139,20 @@ impl<'a> Crests<'a> {
             if span == 0 {
                 begin = Some(first);
             }
-            if self.known.is_some() {
-                rises.along(tool, &look, &places);
-            }
+            rises.take(&first);
             for ends in places.windows(2) {
                 let part = Part { from: ends[0], to: ends[1], scale: 1.0 };
-                part.contacts(&look, &mut |l| self.offer(l), LEVELS - 1);
+                let sides = part.sides(tool, &look);
+                part.contacts(sides.as_ref(), &look, &mut |l| self.offer(l), LEVELS - 1);
+                sides.iter().flatten().for_each(|side| rises.take(&side.1));
+                rises.take(&ends[1].1);
             }
             before = Some((span, last));
         }
-        // Half of a way counts, as two places come nearer to each other by twice of it.
-        self.way = self.way.min(2.0 * rises.least);
+        if self.known.is_some() {
+            // Half of a way counts, as two places come nearer to each other by twice of it.
+            self.way = self.way.min(2.0 * rises.least);
+        }
         // The corner where the curve closes.
         if let (Some((last, l)), Some(first)) = (before, begin)
             && last > 0
@@ -172,7 +175,8 @@ impl<'a> Crests<'a> {
             let last = look(high);
             let scale = first.rate;
             let part = Part { from: (low, first), to: (high, last), scale };
-            part.contacts(&look, &mut |l| self.offer(l), LEVELS - 1);
+            let sides = part.sides(tool, &look);
+            part.contacts(sides.as_ref(), &look, &mut |l| self.offer(l), LEVELS - 1);
             before = Some((high, last));
         }
     }
@@ -202,33 +206,6 @@ impl Default for Rises {
 }
 
 impl Rises {
-    /// Takes places of a span from one end to the other, and what is seen on both sides of those that face the end of the tool: there
-    /// the cutter's farthest point goes over from one edge of a flat end to the other.
-    fn along(
-        &mut self,
-        tool: &Tool<'_>,
-        look: &impl Fn(f64) -> Look,
-        places: &[(f64, Look); PARTS as usize + 1],
-    ) {
-        let flat = tool.profile.corner()[0] > 0.0;
-        let leans = |l: &Look| l.along.dot(&tool.ta) > 0.0;
-        self.take(&places[0].1);
-        for ends in places.windows(2) {
-            let (mut low, mut high) = (ends[0], ends[1]);
-            if flat && leans(&low.1) != leans(&high.1) {
-                for _ in 0..FACING {
-                    let s = 0.5 * (low.0 + high.0);
-                    let middle = (s, look(s));
-                    *(if leans(&middle.1) == leans(&low.1) { &mut low } else { &mut high }) =
-                        middle;
-                }
-                self.take(&low.1);
-                self.take(&high.1);
-            }
-            self.take(&ends[1].1);
-        }
-    }
-
     /// Takes the next place of the directrix.
     fn take(&mut self, look: &Look) {
         let ahead = look.ahead;
@@ -254,6 +231,7 @@ fn divided(length: f64, look: &impl Fn(f64) -> Look) -> [(f64, Look); PARTS as u
 }
 
 /// A part of a span, or of the way from a ruling to the next, between two looks.
+#[derive(Clone, Copy)]
 pub(crate) struct Part {
     pub(crate) from: (f64, Look),
     pub(crate) to: (f64, Look),
@@ -262,14 +240,46 @@ pub(crate) struct Part {
 }
 
 impl Part {
-    /// Offers its places of contact. Where the cutter is ahead at both ends, or behind, by less than the length of the part
-    /// it may touch in between.
+    /// What is seen on both sides of the place that faces the end of a tool with a flat end: there the cutter's farthest point goes
+    /// over from one edge of it to the other. `None` where no place of the part does.
+    pub(crate) fn sides(
+        &self,
+        tool: &Tool<'_>,
+        look: &impl Fn(f64) -> Look,
+    ) -> Option<[(f64, Look); 2]> {
+        let leans = |l: &Look| l.along.dot(&tool.ta) > 0.0;
+        let Self { from: mut low, to: mut high, .. } = *self;
+        let first = leans(&low.1);
+        if tool.profile.corner()[0] <= 0.0 || first == leans(&high.1) {
+            return None;
+        }
+        for _ in 0..FACING {
+            let s = 0.5 * (low.0 + high.0);
+            let middle = (s, look(s));
+            *(if leans(&middle.1) == first { &mut low } else { &mut high }) = middle;
+        }
+        Some([low, high])
+    }
+
+    /// Offers its places of contact: those on both `sides` of a place that faces the end of the tool, and that one.
     pub(crate) fn contacts(
         &self,
+        sides: Option<&[(f64, Look); 2]>,
         look: &impl Fn(f64) -> Look,
         offer: &mut impl FnMut(&Look),
         levels: u32,
     ) {
+        let Some([low, high]) = sides else { return self.even(look, offer, levels) };
+        Self { to: *low, ..*self }.even(look, offer, levels);
+        if low.1.ahead > 0.0 && high.1.ahead <= 0.0 {
+            offer(&high.1);
+        }
+        Self { from: *high, ..*self }.even(look, offer, levels);
+    }
+
+    /// The same of one on which the cutter's farthest point goes on evenly. Where the cutter is ahead at both ends, or behind, by
+    /// less than the length of the part it may touch in between.
+    fn even(&self, look: &impl Fn(f64) -> Look, offer: &mut impl FnMut(&Look), levels: u32) {
         let Self { from: (low, a), to: (high, b), scale } = self;
         let (a_ahead, b_ahead) = (a.ahead > 0.0, b.ahead > 0.0);
         let near = a.ahead.abs().min(b.ahead.abs()) < (high - low) * scale;
@@ -278,7 +288,7 @@ impl Part {
             for part in 1..=PARTS {
                 let s = low + (high - low) * (f64::from(part) / f64::from(PARTS));
                 let to = if part == PARTS { self.to } else { (s, look(s)) };
-                Part { from, to, scale: *scale }.contacts(look, offer, levels - 1);
+                Self { from, to, scale: *scale }.even(look, offer, levels - 1);
                 from = to;
             }
             return;

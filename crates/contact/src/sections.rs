@@ -46,7 +46,8 @@ pub(crate) fn over_sections(all: &mut Crests<'_>, surface: &ParametricSurface, r
             let look = |u: f64| walk.between(u, ends, [first.0, last.0]);
             let part =
                 Part { from: (ends[0], first.1), to: (ends[1], last.1), scale: first.1.rate() };
-            part.contacts(&look, &mut |l| all.offer(l), LEVELS - 1);
+            let sides = part.sides(all.tool, &look);
+            part.contacts(sides.as_ref(), &look, &mut |l| all.offer(l), LEVELS - 1);
         }
         if !several {
             return;

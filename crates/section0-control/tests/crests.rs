@@ -146,6 +146,29 @@ fn leaning(x: f64) -> String {
     )
 }
 
+/// A wave through places farther apart than a bull nose is wide, which goes through the bottoms of its hollows: there its corner
+/// touches on both sides at once.
+fn sparse(k: u32) -> String {
+    let share = |i: u32| share(k, i);
+    let (step, height) = (18.0 + 14.0 * share(1), 2.0 + 3.0 * share(2));
+    let mut points = String::new();
+    let mut x = -80.0;
+    while x <= 80.0 {
+        let turn = std::f64::consts::TAU * (x / (2.7 * step) + share(3));
+        write!(points, ",$\n{:.5},{x:.4}", height * trig::sin(turn)).unwrap_or_default();
+        x += step;
+    }
+    let diameter = 6.0 + 6.0 * share(4);
+    let corner = diameter * (0.1 + 0.35 * share(5));
+    let outtol = [0.05, 0.01, 0.001, 0.0005][(k % 4) as usize];
+    let intol = if (k / 4) % 2 == 0 { 0.0 } else { outtol };
+    format!(
+        "UNITS/MM\nWAVE=TABCYL/NOY,SPLINE{points}\nWAY=PLANE/0,1,0,0\nEND=PLANE/1,0,0,45\nINTOL/{intol}\n\
+         OUTTOL/{outtol}\nCUTTER/{diameter:.3},{corner:.3}\nFROM/-45,0,9\nINDIRV/0,0,-1\n\
+         GO/ON,WAY,TO,WAVE\nINDIRV/1,0,0\nTLON,GOFWD/WAY,ON,END\nFINI\n"
+    )
+}
+
 /// What is told of programs, each with its number.
 fn told(programs: impl Iterator<Item = String>) -> Vec<String> {
     let told = programs.enumerate().flat_map(|(k, text)| {
@@ -158,6 +181,12 @@ fn told(programs: impl Iterator<Item = String>) -> Vec<String> {
 #[test]
 fn all_crests_below_a_wide_cutter_are_kept() {
     let told = told((0..120).map(|k| program(k / 2, k % 2 > 0)));
+    assert!(told.is_empty(), "{told:#?}");
+}
+
+#[test]
+fn both_sides_of_hollows_between_far_places_are_kept() {
+    let told = told((0..80).map(sparse));
     assert!(told.is_empty(), "{told:#?}");
 }
 
