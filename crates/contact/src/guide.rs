@@ -61,8 +61,16 @@ pub trait Guide: Sized {
         at: Self::At,
     ) -> Option<Reading<Self::At, Self::Bends>>;
 
+    /// How far the tool goes on along the unit vector with what its flat end touches below it; `None` where it touches otherwise.
+    fn leaves(&self, te: Vec3, end: &End<Self::At>, along: Vec3) -> Option<f64>;
+
     /// Second derivative of the gap that was read when the tool end moves along `v`; see [`crate::second`].
     fn second(read: &Reading<Self::At, Self::Bends>, v: Vec3) -> f64;
+
+    /// The same as cut vectors meet it that go on from there: where a flat end lies on a crest, how the gap bends once it has left it.
+    fn beyond(read: &Reading<Self::At, Self::Bends>, v: Vec3) -> f64 {
+        Self::second(read, v)
+    }
 
     /// By how much its normal turns on a way `v` so short that the bends do not change.
     fn turn(read: &Reading<Self::At, Self::Bends>, v: Vec3) -> Vec3;
@@ -85,7 +93,23 @@ pub trait Guide: Sized {
         ends: [&End<Self::At>; 2],
         bows: Option<(Self::Bow, Self::Bow)>,
         resolution: f64,
-    ) -> Option<[f64; 2]>;
+    ) -> Option<Passed>;
+}
+
+/// What a chord passes.
+#[derive(Clone, Copy, Debug)]
+pub struct Passed {
+    /// Least and greatest gap on it.
+    pub gaps: [f64; 2],
+    /// Does the flat end of the cutter come onto a crest, go over it or leave it?
+    pub crest: bool,
+}
+
+impl From<[f64; 2]> for Passed {
+    #[inline]
+    fn from(gaps: [f64; 2]) -> Self {
+        Self { gaps, crest: false }
+    }
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -249,6 +273,11 @@ impl Guide for ClosedGuide {
     }
 
     #[inline]
+    fn leaves(&self, _: Vec3, _: &End<()>, _: Vec3) -> Option<f64> {
+        None
+    }
+
+    #[inline]
     fn second(read: &Reading<(), Bends>, v: Vec3) -> f64 {
         read.bends.second(read.end.normal, v)
     }
@@ -294,10 +323,10 @@ impl Guide for ClosedGuide {
         [begin, end]: [&End<()>; 2],
         _: Option<((), ())>,
         resolution: f64,
-    ) -> Option<[f64; 2]> {
+    ) -> Option<Passed> {
         let (low, high) = if begin.g < end.g { (begin.g, end.g) } else { (end.g, begin.g) };
         match &self.form {
-            Form::Plane { .. } => Some([low, high]),
+            Form::Plane { .. } => Some([low, high].into()),
             Form::Round { along, sign, level, up, .. } => {
                 // A level normal is that of the flank above the ball.
                 let lean = sign * up.dot(&begin.normal);
@@ -310,17 +339,17 @@ impl Guide for ClosedGuide {
                 let fall = -sign * away * begin.normal.dot(&v);
                 let length = v.norm_squared() - aside * aside;
                 if !(fall > 0.0 && fall < length) {
-                    return Some([low, high]);
+                    return Some([low, high].into());
                 }
                 let square = fall * fall / length;
                 let rest = away * away - square;
                 let rest = if rest > 0.0 { rest.sqrt() } else { 0.0 };
                 let inner = begin.g - sign * square / (rest + away);
-                Some(if *sign > 0.0 { [inner, high] } else { [low, inner] })
+                Some(if *sign > 0.0 { [inner, high] } else { [low, inner] }.into())
             }
             Form::Solid { from, along, level } => {
                 let least = self.least(te, v, [begin, end], [*from, *along], *level, resolution);
-                Some([least?, high])
+                Some([least?, high].into())
             }
         }
     }
@@ -450,7 +479,8 @@ mod tests {
             }
             let to = tool.at(te + v);
             let c = chord(&tool, &to, &surface, condition, side, thick, Some(ends), 1e-10).unwrap();
-            let [low, high] = guide.chord(&surface, te, v, [&a.end, &b.end], None, 1e-10).unwrap();
+            let passed = guide.chord(&surface, te, v, [&a.end, &b.end], None, 1e-10).unwrap();
+            let [low, high] = passed.gaps;
             prop_assert!((low - c.low.g).abs() < NEAR, "{low} {c:?}");
             prop_assert!((high - c.high.g).abs() < NEAR, "{high} {c:?}");
             for i in 0..=20 {

@@ -25,6 +25,7 @@ mod chord;
 mod closed;
 mod corners;
 mod crests;
+mod crossing;
 mod curvature;
 mod descent;
 mod dips;
@@ -59,7 +60,7 @@ pub use curvature::second;
 pub use gap::{
     Condition, Gap, Side, distance, elsewhere, gap, gap_at, gap_near, on, surrounds, touches_once,
 };
-pub use guide::{ClosedGuide, End, Guide, Reading};
+pub use guide::{ClosedGuide, End, Guide, Passed, Reading};
 pub use patches::{Clear, PIECES, PatchPlace, PatchTree};
 pub use point::PointGuide;
 pub use turned::{axis_between, bulge};

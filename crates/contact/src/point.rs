@@ -6,10 +6,11 @@ use aptc_geometry::profile::Segment;
 use aptc_geometry::{Profile, Reason, Shape, Spot, Surface, Tool, Vec3};
 
 use crate::closed::is_axis;
+use crate::crossing::over_crest;
 use crate::dips::{Sample, dip, foretold, single};
 use crate::edges;
 use crate::gap::{Condition, Gap, Side};
-use crate::guide::{Bends, ClosedGuide, End, Guide, Reading, is_ball};
+use crate::guide::{Bends, ClosedGuide, End, Guide, Passed, Reading, is_ball};
 use crate::ring::Ring;
 use crate::search::several;
 
@@ -64,6 +65,8 @@ pub enum PointBends {
     Closed(Bends),
     /// As the tool ends do at which the gap has one value.
     Level(Shape),
+    /// Not while the flat end lies on a crest, and so once it has left it.
+    Crest(Shape),
 }
 
 /// What is known of a place of a chord.
@@ -125,10 +128,27 @@ impl Guide for PointGuide {
     }
 
     #[inline]
+    fn leaves(&self, te: Vec3, end: &End<Spot>, along: Vec3) -> Option<f64> {
+        match self {
+            Self::Ring(r) => r.leaves(te, end, along),
+            _ => None,
+        }
+    }
+
+    #[inline]
     fn second(read: &Reading<Spot, PointBends>, v: Vec3) -> f64 {
         match &read.bends {
             PointBends::Closed(bends) => bends.second(read.end.normal, v),
             PointBends::Level(shape) => shape.second(v),
+            PointBends::Crest(_) => 0.0,
+        }
+    }
+
+    #[inline]
+    fn beyond(read: &Reading<Spot, PointBends>, v: Vec3) -> f64 {
+        match &read.bends {
+            PointBends::Crest(shape) => shape.second(v),
+            _ => Self::second(read, v),
         }
     }
 
@@ -137,6 +157,7 @@ impl Guide for PointGuide {
         match &read.bends {
             PointBends::Closed(bends) => bends.turn(read.end.normal, v),
             PointBends::Level(shape) => shape.apply(v),
+            PointBends::Crest(_) => Vec3::zeros(),
         }
     }
 
@@ -163,7 +184,7 @@ impl Guide for PointGuide {
         ends: [&End<Spot>; 2],
         bows: Option<(PointBends, PointBends)>,
         resolution: f64,
-    ) -> Option<[f64; 2]> {
+    ) -> Option<Passed> {
         match self {
             Self::Closed(guide) => {
                 let [a, b] = ends.map(closed);
@@ -179,9 +200,13 @@ impl Guide for PointGuide {
                 least_and_greatest(surface, sides, apart, v, (ends, bows), resolution, read)
             }
             Self::Ring(r) => {
+                if !dome(surface, r.sign) && r.crosses(ends) {
+                    let gaps = over_crest(r, surface, (te, v), ends, resolution)?;
+                    return Some(Passed { gaps, crest: true });
+                }
                 let read =
                     |t: f64, near: Option<&Spot>| Some(r.read(surface, te + v * t, *near?)?.end);
-                let apart = || r.apart(ends[0].normal, ends[1].normal);
+                let apart = || false;
                 let sides = (r.sign, r.several);
                 least_and_greatest(surface, sides, apart, v, (ends, bows), resolution, read)
             }
@@ -203,7 +228,7 @@ fn least_and_greatest(
     ([begin, end], bows): ([&End<Spot>; 2], Option<(PointBends, PointBends)>),
     resolution: f64,
     read: impl Fn(f64, Option<&Spot>) -> Option<End<Spot>>,
-) -> Option<[f64; 2]> {
+) -> Option<Passed> {
     let (low, high) = (begin.g.min(end.g), begin.g.max(end.g));
     let known =
         |t: f64, e: &End<Spot>| -> Known { (Sample { t, g: e.g, slope: e.normal.dot(&v) }, e.at) };
@@ -211,19 +236,18 @@ fn least_and_greatest(
         Ok(known(t, &read(t, near).ok_or(Reason::NoHit)?))
     };
     let (a, b) = (known(0.0, begin), known(1.0, end));
-    let (outside, inside) = (surface.convex(), surface.concave());
-    let (dome, hollow) = if sign > 0.0 { (outside, inside) } else { (inside, outside) };
-    if dome {
+    if dome(surface, sign) {
         let beside = |t: f64, near: &Spot| look(t, Some(near));
-        return Some([dip(a, b, 1.0, resolution, beside).ok()?.g, high]);
+        return Some([dip(a, b, 1.0, resolution, beside).ok()?.g, high].into());
     }
+    let hollow = dome(surface, -sign);
     if (several || !hollow) && apart() {
         return None;
     }
     if hollow {
         // The nearest wall may change on the way: it is looked for anew.
         let whole = |t: f64, _: &Spot| look(t, None);
-        return Some([low, dip(a, b, -1.0, resolution, whole).ok()?.g]);
+        return Some([low, dip(a, b, -1.0, resolution, whole).ok()?.g].into());
     }
     // Where the surface is smooth between both ends these tell what is between, if they agree on it.
     let second = |end: &End<Spot>, bends| PointGuide::second(&Reading { end: *end, bends }, v);
@@ -233,11 +257,16 @@ fn least_and_greatest(
         && let bends = [second(begin, at_begin), second(end, at_end)]
         && let Some(found) = foretold(&a.0, &b.0, bends, resolution)
     {
-        return Some([low.min(found.g), high.max(found.g)]);
+        return Some([low.min(found.g), high.max(found.g)].into());
     }
     let between = |a: &Known, b: &Known, t: f64| look(t, Some(&between(a, b, t)));
     let found = single(a, b, resolution, |k| k.0, between).ok()??;
-    Some([low.min(found.g), high.max(found.g)])
+    Some([low.min(found.g), high.max(found.g)].into())
+}
+
+/// Is the surface convex on that side?
+fn dome(surface: &Surface, sign: f64) -> bool {
+    if sign > 0.0 { surface.convex() } else { surface.concave() }
 }
 
 /// About where the place of a chord is between two that are known; where their parameters tell nothing, as on both sides of a seam,
@@ -366,7 +395,7 @@ mod tests {
             v: Vec3,
             [a, b]: [&Reading<Spot, PointBends>; 2],
         ) -> Option<[f64; 2]> {
-            let told = |bows| self.chord(surface, te, v, [&a.end, &b.end], bows, 1e-10);
+            let told = |bows| Some(self.chord(surface, te, v, [&a.end, &b.end], bows, 1e-10)?.gaps);
             let [low, high] = told(Some((a.bends, b.bends)))?;
             if let Some([least, greatest]) = told(None) {
                 let off = (low - least).abs().max((high - greatest).abs());

@@ -1,16 +1,20 @@
-//! The corner of a cutter against a surface while the tool axis stands: the place of contact goes from one cut vector to the
-//! next by Newton's method.
+//! The corner of a cutter, with the flat end within it, against a surface while the tool axis stands: the place of contact goes
+//! from one cut vector to the next by Newton's method.
 //!
 //! The points of the corner are as far from the circle of its middles as its radius, so that the gap is the distance of that
 //! circle. With K the curvatures of the surface at a place, in the frame along and around the corner, and d the distance
 //! along its normal of the middle that faces it, a step x along the surface moves the middle across that normal against the
 //! surface by (1 + A K) x, A = diag(d, d + rho / s): rho is the radius of the circle, s the sine between normal and tool
 //! axis. Where both principal minors are positive the place is the nearest one of all about it.
+//!
+//! A crest below the flat end stays where it is, as far above it as the plane of that: the gap is as long linear.
 
 use aptc_geometry::profile::Segment;
+use aptc_geometry::surface::frame_about;
 use aptc_geometry::{Foot, Profile, Shape, Spot, Surface, Tool, Vec3};
 
 use crate::curvature::relative;
+use crate::disk;
 use crate::gap::{Condition, Gap, Side};
 use crate::guide::{End, Reading};
 use crate::point::PointBends;
@@ -25,7 +29,7 @@ const FACING: f64 = 1e-10;
 /// is: the gap is off by a sixth of its third power then. A smaller one asks for one place more in most steps.
 const CLOSE: f64 = 1e-4;
 /// Sine between normal and tool axis below which the corner is left.
-const FLAT: f64 = 1e-6;
+const FLAT: f64 = 1e-8;
 /// Slope towards the upper line from which it may touch as well: its far end comes down with the next step, where nothing is
 /// to be seen of it now.
 const BESIDE_LINE: f64 = 0.1;
@@ -33,6 +37,14 @@ const BESIDE_LINE: f64 = 0.1;
 const BESIDE: f64 = 0.25;
 /// Share of the cutter's radius that two places of contact lie apart when they are two.
 const ANOTHER: f64 = 0.1;
+/// Turn of the normal on a way as long as that radius up to which a surface does not bend.
+const STRAIGHT: f64 = 1e-9;
+/// Sine of the angle to a flat end up to which a track goes along it.
+const ALONG: f64 = 0.1;
+/// Share of the radius of the flat end from which a place is no longer at its edge.
+const ROUNDED: f64 = 1e-6;
+/// Share of the radius of the flat end by which a place may lie beside a straight ridge.
+const BESIDE_RIDGE: f64 = 1e-9;
 
 /// The corner of a cutter that does not turn.
 #[derive(Clone, Copy, Debug)]
@@ -42,6 +54,7 @@ pub struct Ring {
     /// From the tool end to the middle of the circle, and its radius.
     up: Vec3,
     rho: f64,
+    side: Side,
     pub(crate) sign: f64,
     /// What the gap is less than the distance.
     thick: f64,
@@ -61,7 +74,7 @@ struct Facing {
 /// The gap at the place of contact of the corner beside the place `near` of a surface; `None` where there is none so near.
 pub(crate) fn beside(tool: &Tool<'_>, surface: &Surface, side: Side, near: Spot) -> Option<Gap> {
     let ring = Ring::of(tool, side, 0.0, true)?;
-    let Reading { end, .. } = ring.read(surface, tool.te, near)?;
+    let Reading { end, .. } = ring.corner(surface, tool.te, near)?;
     let gap = ring.gap(tool.te, &end);
     ((gap.surface_point - near.point).norm() <= BESIDE * tool.profile.half_width(gap.segment))
         .then_some(gap)
@@ -83,7 +96,7 @@ impl Ring {
     fn of(tool: &Tool<'_>, side: Side, thick: f64, several: bool) -> Option<Self> {
         let ([rho, high], profile) = (tool.profile.corner(), *tool.profile);
         let (up, sign) = (tool.ta * high, side.sign());
-        (rho > 0.0).then_some(Self { profile, ta: tool.ta, up, rho, sign, thick, several })
+        (rho > 0.0).then_some(Self { profile, ta: tool.ta, up, rho, side, sign, thick, several })
     }
 
     /// Do two places of contact lie far from each other on the cutter?
@@ -112,13 +125,106 @@ impl Ring {
         (across > FLAT).then(|| Facing { out: radial * (1.0 / across), across, along })
     }
 
-    /// What is read at the place near `near`; `None` where it is not the corner that touches.
+    /// Does a place with that normal face the flat end, and not the corner?
+    #[inline]
+    pub(crate) fn is_level(&self, normal: Vec3) -> bool {
+        let up = normal.dot(&self.ta);
+        up > 0.0 && (normal - self.ta * up).norm_squared() <= FLAT * FLAT
+    }
+
+    /// Where on the way `v` of the tool end from `te` a crest comes below the flat end, and where it leaves it, the whole way being 1;
+    /// `None` where it stays beside.
+    pub(crate) fn passes(
+        &self,
+        surface: &Surface,
+        crest: Spot,
+        te: Vec3,
+        v: Vec3,
+    ) -> Option<[f64; 2]> {
+        // Of a ridge the last place leaves it.
+        let ridge = self.ridge(surface, crest).unwrap_or_else(Vec3::zeros);
+        let across = |w: Vec3| w - self.ta * w.dot(&self.ta) - ridge * w.dot(&ridge);
+        let (w, v) = (across(crest.point - te), across(v));
+        let square = v.norm_squared();
+        let middle = w.dot(&v) / square;
+        let beside = (w - v * middle).norm_squared();
+        let half = ((self.rho * self.rho - beside) / square).sqrt();
+        half.is_finite().then_some([middle - half, middle + half])
+    }
+
+    /// The gap of the flat end with the tool end at `te` to a crest below it.
+    pub(crate) fn above(&self, crest: Vec3, te: Vec3) -> f64 {
+        (te + self.up - crest).dot(&self.ta) - self.profile.corner_radius() - self.thick
+    }
+
+    /// How far the tool goes on along the unit vector until it leaves the crest below its flat end; `None` where none is.
+    pub(crate) fn leaves(&self, te: Vec3, end: &End<Spot>, along: Vec3) -> Option<f64> {
+        let from_axis = (end.at.point - te).dot(&along);
+        let stays = along.dot(&self.ta).abs() < ALONG && self.is_level(end.normal);
+        stays.then_some(self.rho + from_axis)
+    }
+
+    /// What is read at the place near `near`; `None` where neither the corner touches there nor the flat end a crest.
     pub(crate) fn read(
         &self,
         surface: &Surface,
         te: Vec3,
         near: Spot,
     ) -> Option<Reading<Spot, PointBends>> {
+        let w = near.point - te;
+        let (out, inner) = (w - self.ta * w.dot(&self.ta), self.rho * (1.0 - ROUNDED));
+        if out.norm_squared() < inner * inner {
+            self.lower(surface, te, near).or_else(|| self.corner(surface, te, near))
+        } else {
+            self.corner(surface, te, near).or_else(|| self.lower(surface, te, near))
+        }
+    }
+
+    /// The same from beside a crest, on which the flat end may lie as well as the corner.
+    fn lower(&self, surface: &Surface, te: Vec3, near: Spot) -> Option<Reading<Spot, PointBends>> {
+        let tool = Tool { profile: &self.profile, te, ta: self.ta };
+        let gap = disk::beside(&tool, surface, self.side, near)?;
+        if !self.is_level(gap.normal) {
+            return self.corner(surface, te, gap.spot());
+        }
+        let at = self.middle(surface, te, gap.spot());
+        let shape = surface.place(at).shape;
+        let shape = if self.sign > 0.0 { shape } else { shape.reversed() };
+        let bends = PointBends::Crest(shape.offset(gap.raw + self.profile.corner_radius())?);
+        let end = End { g: self.above(at.point, te), normal: gap.normal, at };
+        Some(Reading { end, bends })
+    }
+
+    /// Of the ridge through a crest the place next to the tool axis, whatever led to the one that is known; of others that.
+    fn middle(&self, surface: &Surface, te: Vec3, crest: Spot) -> Spot {
+        let Some(along) = self.ridge(surface, crest) else { return crest };
+        let by = along * (te - crest.point).dot(&along);
+        let foot = surface.foot_from(crest.point + by, crest);
+        let off = (foot.point - crest.point - by).norm();
+        let goes_on = off <= BESIDE_RIDGE * self.rho && self.is_level(foot.normal * self.sign);
+        if goes_on && !surface.ends_at(foot.at) { foot.spot() } else { crest }
+    }
+
+    /// The direction of the ridge through a crest, along which the surface does not bend; `None` where it bends in all.
+    fn ridge(&self, surface: &Surface, crest: Spot) -> Option<Vec3> {
+        let [a, b] = frame_about(self.ta);
+        let [h11, h12, h22] = surface.place(crest).shape.terms([a, b]).map(|h| h * self.sign);
+        let (mean, half) = (0.5 * (h11 + h22), 0.5 * (h11 - h22));
+        let root = (half * half + h12 * h12).sqrt();
+        let v = if half >= 0.0 { a * (half + root) + b * h12 } else { a * h12 + b * (root - half) };
+        let level = (mean - root).abs() * self.rho <= STRAIGHT && mean + root > 0.0;
+        let across = v.try_normalize(0.0).filter(|_| level)?;
+        Some(self.ta.cross(&across))
+    }
+
+    /// Does the contact go onto a crest below the flat end, off it or over it on the way between two places?
+    pub(crate) fn crosses(&self, ends: [&End<Spot>; 2]) -> bool {
+        let [a, b] = ends.map(|end| end.normal);
+        self.is_level(a) || self.is_level(b) || self.apart(a, b)
+    }
+
+    /// What is read of the corner at the place near `near`; `None` where it does not touch there.
+    fn corner(&self, surface: &Surface, te: Vec3, near: Spot) -> Option<Reading<Spot, PointBends>> {
         let middle = te + self.up;
         let wide = self.profile.widest();
         let enough = FACING * wide;
@@ -183,18 +289,11 @@ impl Ring {
         let raw = g + self.thick;
         let tool = Tool { profile: &self.profile, te, ta: self.ta };
         let p = tool.support(-normal);
-        let surface_point = p.point - normal * raw;
-        let segment = Some(p.segment);
-        Gap {
-            g,
-            raw,
-            tool_point: p.point,
-            surface_point,
-            at: at.at,
-            normal,
-            segment,
-            residual: 0.0,
-        }
+        let level = self.is_level(normal);
+        let tool_point = if level { at.point + normal * raw } else { p.point };
+        let surface_point = tool_point - normal * raw;
+        let segment = Some(if level { Segment::LowerLine } else { p.segment });
+        Gap { g, raw, tool_point, surface_point, at: at.at, normal, segment, residual: 0.0 }
     }
 }
 
@@ -244,9 +343,12 @@ mod tests {
             };
             let Some(first) = find(te, None).filter(|g| g.residual < 1e-6) else { return Ok(()) };
             let Some(a) = ring.read(&surface, te, first.spot()) else { return Ok(()) };
-            prop_assert_eq!(first.segment, Some(Segment::Arc));
+            let touches = matches!(first.segment, Some(Segment::Arc | Segment::LowerLine));
+            prop_assert!(touches, "{first:?}");
+            prop_assume!(v.norm() > 0.0);
             let Some(b) = ring.read(&surface, te + v, a.end.at) else { return Ok(()) };
-            let Some(last) = find(te + v, Some(b.end.at)) else { return Ok(()) };
+            let last = find(te + v, Some(b.end.at)).filter(|g| g.residual < 1e-6);
+            let Some(last) = last else { return Ok(()) };
             let ends = [first, last];
             for (te, read, gap) in [(te, &a, &ends[0]), (te + v, &b, &ends[1])] {
                 prop_assert!((read.end.g - gap.g).abs() < 1e-9, "{read:?} {gap:?}");

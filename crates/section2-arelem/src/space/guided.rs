@@ -6,7 +6,7 @@
 
 use std::cell::Cell;
 
-use aptc_contact::{ClosedGuide, End, Gap, Guide, PointGuide, Reading};
+use aptc_contact::{ClosedGuide, End, Gap, Guide, Passed, PointGuide, Reading};
 use aptc_geometry::Vec3;
 
 use super::judge::{Fit, loses_slope};
@@ -19,6 +19,8 @@ use crate::axis::AxisRule;
 
 /// Rounds of Newton's method; two are usual.
 const ROUNDS: usize = 12;
+/// Turn of the normal of a crest below a flat end that is none.
+const LEVEL: f64 = 1e-10;
 /// Cosine of the turn from which the direction at the end of a cut vector may have to be reversed.
 const SHARP: f64 = 0.5;
 
@@ -156,8 +158,9 @@ impl<G: Guide> Trials for Guided<'_, G> {
         }
     }
 
-    fn below(&self, _: &Self::Place) -> Option<f64> {
-        None
+    fn below(&self, to: &Self::Place) -> Option<f64> {
+        let leaves = |i: usize| self.guides[i].leaves(to.te, &to.gaps[i], to.course.along);
+        (0..2).filter_map(leaves).min_by(f64::total_cmp)
     }
 
     #[inline(always)]
@@ -172,7 +175,7 @@ impl<G: Guide> Guided<'_, G> {
     fn fits(&self, to: &Along<G>) -> Result<Fit, Trouble> {
         let (track, from) = (self.track, self.from);
         let v = to.te - from.te;
-        let mut all = Fit { fits: true, ratio: f64::INFINITY, bends: [0.0; 2] };
+        let mut all = Fit { fits: true, ratio: f64::INFINITY, bends: [0.0; 2], crest: false };
         if v.dot(&from.course.along) <= 0.0 && from.course.curl.norm() <= 0.0 {
             return Ok(Fit { fits: false, ratio: 0.5, ..all });
         }
@@ -187,10 +190,14 @@ impl<G: Guide> Guided<'_, G> {
             let resolution = track.bands[i].resolution;
             let chord = guide.chord(&keep.surface, from.te, v, [here, there], bows, resolution);
             // The contact may have gone over to another place.
-            let [low, high] = chord.ok_or(Trouble::Contact)?;
-            let bow = there.normal.dot(&v) - here.normal.dot(&v);
+            let Passed { gaps: [low, high], crest } = chord.ok_or(Trouble::Contact)?;
+            all.crest |= crest;
+            let turned = there.normal - here.normal;
+            // Along the plane of a flat end a gap bends by rounding alone.
+            let level = crest && turned.norm_squared() <= LEVEL * LEVEL;
+            let bow = if level { 0.0 } else { turned.dot(&v) };
             let bends = [from.course.bends[i], to.course.bends[i]];
-            if guide.several() && loses_slope(bow, bends, v.norm_squared()) {
+            if guide.several() && !crest && loses_slope(bow, bends, v.norm_squared()) {
                 return Err(Trouble::Contact);
             }
             let (fits, ratio) = track.bands[i].judge([here.g, there.g], [low, high], bow);
@@ -317,7 +324,8 @@ impl<G: Guide> Guided<'_, G> {
             return Err(Trouble::Stuck);
         }
         let bends = [G::second(a, along), G::second(b, along)];
-        let course = Course::across(normals, sine, along, bends);
+        let beyond = [G::beyond(a, along), G::beyond(b, along)];
+        let course = Course { bends: beyond, ..Course::across(normals, sine, along, bends) };
         let from = [self.from.gaps[0].at, self.from.gaps[1].at];
         let before = Some((from, (te - self.from.te).norm()));
         let bows = Some([G::bow(a), G::bow(b)]);

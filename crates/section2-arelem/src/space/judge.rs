@@ -18,13 +18,14 @@ const LOST_SLOPE: f64 = 0.3;
 /// Share of the band by which two places that touch at once may differ.
 const BOTH: f64 = 1e-2;
 
-/// How a chord lies in the bands: it fits, the ratio by which it could be longer, and second derivatives of the
-/// gaps along it, from the slopes at its ends.
+/// How a chord lies in the bands: it fits, the ratio by which it could be longer, second derivatives of the gaps along it, from the
+/// slopes at its ends, and whether it goes over a crest below a flat end.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Fit {
     pub(super) fits: bool,
     pub(super) ratio: f64,
     pub(super) bends: [f64; 2],
+    pub(super) crest: bool,
 }
 
 impl Track {
@@ -41,7 +42,7 @@ impl Track {
     /// Does the chord stay in both bands, and how much longer could it be? With `between` it is looked at as a whole where the
     /// contact goes over from one place to another.
     pub(super) fn fit(&self, from: &Node, to: &Node, between: bool) -> Result<Fit, Trouble> {
-        let mut all = Fit { fits: true, ratio: f64::INFINITY, bends: [0.0; 2] };
+        let mut all = Fit { fits: true, ratio: f64::INFINITY, bends: [0.0; 2], crest: false };
         // The end must be ahead: a track that closes on itself is not cut short.
         if (to.pose.te - from.pose.te).dot(&from.course.along) <= 0.0
             && from.course.curl.norm() <= 0.0

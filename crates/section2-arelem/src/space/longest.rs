@@ -126,6 +126,7 @@ impl Track {
         }
         // Behind a place beyond which none was found the next is as far as there; at its end one may be beyond.
         s = pace.left.filter(|_| !over_the_end).map_or(s, |left| s.min(left));
+        s = pace.found.take().map_or(s, |found| found.min(plan.most));
         let (mut good, mut bad): (Option<Stride<T::Place>>, f64) = (None, f64::INFINITY);
         let mut last: Option<Stride<T::Place>> = None;
         // One that fits with its vertex elsewhere, where none does that has it in the right place.
@@ -147,16 +148,16 @@ impl Track {
         let secants = !self.axis.turns();
         let (most_easy, close) = if secants { (EASY, FINE) } else { (EASY_TURNING, FINE_TURNING) };
         for trial in 0..TRIALS {
+            let tried = trials.reach(s, plan.length, bends, last.as_ref());
+            let fit = tried.as_ref().map_err(|t| *t).and_then(|t| trials.fit(&t.to));
+            let targets = tried.as_ref().map_or(gaps, |t| t.targets);
             // A length that does not come at once, as over a crest, depends on all trials unless it is found to the last digits.
-            let easy = !T::FINAL || trial < most_easy;
+            let easy = trial < most_easy || !T::FINAL && fit.as_ref().is_ok_and(|fit| !fit.crest);
             let fine = if easy { 1.0 } else { close };
             let longer = |ratio: f64, before: Option<(f64, f64)>| match easy {
                 true => lengthen(s, ratio, before) * (1.0 - aim),
                 false => lengthen(s, ratio - aim, before.map(|(s, ratio)| (s, ratio - aim))),
             };
-            let tried = trials.reach(s, plan.length, bends, last.as_ref());
-            let fit = tried.as_ref().map_err(|t| *t).and_then(|t| trials.fit(&t.to));
-            let targets = tried.as_ref().map_or(gaps, |t| t.targets);
             let next = match fit {
                 Ok(fit) => {
                     // With a turning axis only the chord tells how the gaps bend along it; and where the bend

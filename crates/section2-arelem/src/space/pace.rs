@@ -21,6 +21,8 @@ pub(crate) struct Pace {
     pub(super) length: f64,
     /// How far from its end there are places at most, where one farther on was not found.
     pub(super) left: Option<f64>,
+    /// The length of the next one, where it was found and not yet looked at as a whole.
+    pub(super) found: Option<f64>,
     /// Way for which no other place of contact can become the deepest, and whether that was looked for where it is now.
     pub(super) room: f64,
     pub(super) looked: bool,
@@ -43,6 +45,7 @@ impl Pace {
             growth: 0.0,
             length: 0.0,
             left: None,
+            found: None,
             room: 0.0,
             looked: false,
             seen: f64::INFINITY,

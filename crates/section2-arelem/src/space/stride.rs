@@ -209,6 +209,7 @@ impl Track {
                 _ => {
                     // What a look told from there need not be asked again.
                     *pace = before.told(pace);
+                    pace.found = length;
                     return gone.then(|| guided.node(ta, &at));
                 }
             }
