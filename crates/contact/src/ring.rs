@@ -26,8 +26,9 @@ const STEPS: usize = 8;
 /// square.
 const FACING: f64 = 1e-10;
 /// Share of it, and of the surface's least radius there, by which a place lies so close by another that this tells where and how it
-/// is: the gap is off by a sixth of its third power then. A smaller one asks for one place more in most steps.
-const CLOSE: f64 = 1e-4;
+/// is: the gap is off by a sixth of its third power then, and how it bends by as much of itself. What the ends of a chord foretell is
+/// off by that share of the band.
+const CLOSE: f64 = 1e-5;
 /// Sine between normal and tool axis below which the corner is left.
 const FLAT: f64 = 1e-8;
 /// Slope towards the upper line from which it may touch as well: its far end comes down with the next step, where nothing is
