@@ -289,8 +289,7 @@ impl Arelem {
                     Sense::Point(p) => p.iter().map(|p| p.map(|p| p - here)).collect(),
                 };
                 if let (Some(f), Some(t)) = (s.given.iter().flatten().next(), &mut self.tool) {
-                    // Along the tool axis it says nothing about the way of a motion.
-                    t.turn(*f);
+                    t.sense(*f);
                 }
             }
             _ => {}

@@ -32,7 +32,7 @@ impl Arelem {
             && let (Some(f), Some(t)) =
                 (self.settings.given.iter().flatten().next(), &mut self.tool)
         {
-            t.turn(*f);
+            t.sense(*f);
         }
         self.put(origin, kind, forward::name(&place.name), vec![place.point], out);
         if kind == cl::MotionKind::From { self.stands(0) } else { self.moved(0) }

@@ -10,8 +10,8 @@ use crate::state::Tool;
 /// words do not decide.
 const CLEAR: f64 = 1e-3;
 
-/// Of `tangent` and its opposite the one that the word means: forward and back by the direction of the
-/// last motion, left and right of it with the tool axis up, up and down by the tool axis.
+/// Of `tangent` and its opposite the one that the word means: forward and back by the direction that was given for this
+/// motion, else by that of the last one, left and right of it with the tool axis up, up and down by the tool axis.
 pub(crate) fn way(tool: &Tool, word: Direction, tangent: Vec3) -> Result<Vec3, Failure> {
     let reference = match word {
         Direction::Goup => tool.ta,
@@ -21,7 +21,12 @@ pub(crate) fn way(tool: &Tool, word: Direction, tangent: Vec3) -> Result<Vec3, F
             if word == Direction::Golft { left } else { -left }
         }
         Direction::Gofwd | Direction::Goback => {
-            // Only the part across the axis decides, where both have one.
+            if let Some(forward) = tool.sense.filter(|s| s.dot(&tool_unit(tangent)).abs() >= CLEAR)
+            {
+                let along = forward.dot(&tangent) > 0.0;
+                return Ok(if along == (word == Direction::Gofwd) { tangent } else { -tangent });
+            }
+            // Of the last motion only the part across the axis decides, where both have one.
             let across = |v: Vec3| v - tool.ta * v.dot(&tool.ta);
             let (f, t) = (across(tool.forward), across(tool_unit(tangent)));
             let forward = if f.norm() > CLEAR && t.norm() > CLEAR { f } else { tool.forward };
@@ -63,6 +68,28 @@ mod tests {
         assert_eq!(go(Direction::Gofwd, -Vec3::x()), Vec3::x());
         assert_eq!(go(Direction::Goback, -Vec3::x()), -Vec3::x());
         assert_eq!(go(Direction::Godown, Vec3::z()), -Vec3::z());
+    }
+
+    #[test]
+    fn what_is_given_for_the_motion_decides_as_a_whole() {
+        let rise = |z: f64| Vec3::new(0.1, 0.0, z).normalize();
+        let go = |given: Vec3, word, t| {
+            let mut tool = tool();
+            tool.sense(given);
+            way(&tool, word, t).unwrap()
+        };
+        // Along the axis, and against what is left across it.
+        assert_eq!(go(Vec3::z(), Direction::Gofwd, rise(1.0)), rise(1.0));
+        assert_eq!(go(-Vec3::z(), Direction::Gofwd, rise(1.0)), -rise(1.0));
+        assert_eq!(go(Vec3::z(), Direction::Goback, rise(1.0)), -rise(1.0));
+        assert_eq!(go(Vec3::new(-0.2, 0.0, 1.0), Direction::Gofwd, rise(1.0)), rise(1.0));
+        // Square to the way it says nothing, and the motion before does.
+        assert_eq!(go(Vec3::z(), Direction::Gofwd, Vec3::x()), Vec3::x());
+        // A motion since then takes its place.
+        let mut tool = tool();
+        tool.sense(-Vec3::x());
+        tool.turn(Vec3::x());
+        assert_eq!(way(&tool, Direction::Gofwd, rise(0.1)).unwrap(), rise(0.1));
     }
 
     #[test]

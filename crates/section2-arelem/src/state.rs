@@ -101,6 +101,8 @@ pub(crate) struct Tool {
     pub(crate) forward: Vec3,
     /// Was there none yet?
     pub(crate) assumed: bool,
+    /// The unit direction of INDIRV or INDIRP, where nothing moved the tool since.
+    pub(crate) sense: Option<Vec3>,
     /// The axis with which it stands there, when another one was given since.
     pub(crate) stood: Option<Vec3>,
 }
@@ -108,7 +110,7 @@ pub(crate) struct Tool {
 impl Tool {
     /// A tool that nothing brought to its place.
     pub(crate) fn at(te: Vec3, ta: Vec3) -> Self {
-        Self { te, ta, forward: Vec3::x(), assumed: true, stood: None }
+        Self { te, ta, forward: Vec3::x(), assumed: true, sense: None, stood: None }
     }
 }
 
@@ -346,9 +348,18 @@ impl Tool {
         self.stood.is_none_or(|stood| (stood - self.ta).norm() <= SAME)
     }
 
+    /// Takes a direction that is given for the next motion.
+    pub(crate) fn sense(&mut self, along: Vec3) {
+        self.turn(along);
+        self.sense = along.try_normalize(0.0);
+    }
+
     /// Takes the direction of a move unless it ran along the axis or nowhere.
     pub(crate) fn turn(&mut self, along: Vec3) {
         let length = along.norm();
+        if length > 0.0 {
+            self.sense = None;
+        }
         let across = along - self.ta * along.dot(&self.ta);
         if length > 0.0 && across.norm() > 1e-6 * length {
             self.forward = along / length;
