@@ -107,6 +107,7 @@ impl Arelem {
         let checks = d.checks.iter().map(|c| &c.surface);
         self.need_cutter(origin, [&d.drive, &part].into_iter().chain(checks));
         let stays_on = self.stays_on(&d.drive, &tool);
+        let unsaid = self.unsaid_depth(&part, &tool);
         let result = self.path(d, tool);
         self.chosen_contact(origin);
         match result {
@@ -125,6 +126,9 @@ impl Arelem {
                 }
                 if let Some((surface, depth)) = self.begins_in(d, &tool, &path) {
                     self.diagnostics.push(warning::begins_in(origin, surface, depth));
+                }
+                if let Some(depth) = unsaid {
+                    self.diagnostics.push(warning::ends_on_part(origin, &part, depth));
                 }
                 if stays_on {
                     self.diagnostics.push(warning::stays_on(origin, &d.drive));

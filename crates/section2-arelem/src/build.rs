@@ -72,13 +72,7 @@ impl Arelem {
         };
         let on = stance == Stance::On;
         let part = self.part(&tool);
-        // GO says whether the tool end lies on the part surface, where nothing else does.
-        let started = s.started.as_ref().filter(|(form, _)| Arc::ptr_eq(form, &part.form));
-        let part_on = match (s.part_side, started) {
-            (Some(side), _) => side == PartSide::Tlonps,
-            (None, Some((_, on))) => *on,
-            (None, None) => !self.touches(&part, &tool) && self.stands_on(&part, Role::Part, &tool),
-        };
+        let part_on = self.on_part(&part, &tool);
         let mut checks = Vec::with_capacity(d.checks.len());
         for (i, c) in d.checks.iter().enumerate() {
             let role = if i == 0 { Role::Check } else { Role::SecondCheck };
@@ -103,6 +97,43 @@ impl Arelem {
             axis: AxisRule::of(&s.axis),
             limits: Limits { vectors: s.numpts, step: s.maxdp() },
         })
+    }
+
+    /// Is the tool end to lie on the part surface? Where neither TLONPS nor TLOFPS says it, GO does: for its own part surface, and
+    /// where it brought the cutter to touch one also for those that PSIS gives after it.
+    fn on_part(&self, part: &SurfaceRef, tool: &Tool) -> bool {
+        let s = &self.settings;
+        match (s.part_side, &s.started) {
+            (Some(side), _) => side == PartSide::Tlonps,
+            (None, Some((_, false))) => false,
+            (None, Some((form, true))) if Arc::ptr_eq(form, &part.form) => true,
+            (None, _) => self.seems_on(part, tool),
+        }
+    }
+
+    /// How deep the cutter stands in the part surface, its end on it though nothing says so; `None` where something does, and where
+    /// it is within two bands.
+    pub(crate) fn unsaid_depth(&self, part: &SurfaceRef, tool: &Tool) -> Option<f64> {
+        let s = &self.settings;
+        let said = match &s.started {
+            Some((form, on)) => !on || Arc::ptr_eq(form, &part.form),
+            None => false,
+        };
+        if said || s.part_side.is_some() || !self.seems_on(part, tool) {
+            return None;
+        }
+        let wall = self.wall(part, Role::Part, false).ok()?;
+        let surface = wall.fitted.as_ref()?;
+        let at = aptc_contact::Tool { profile: &wall.profile, te: tool.te, ta: tool.ta };
+        let on = |side| gap(&at, surface, side, 0.0).map_or(f64::NEG_INFINITY, |g| g.g);
+        let sides = [Side::Positive, Side::Negative, Side::Open];
+        let depth = -sides.into_iter().map(on).fold(f64::NEG_INFINITY, f64::max);
+        (depth > 2.0 * (wall.band.intol + wall.band.outtol) && depth.is_finite()).then_some(depth)
+    }
+
+    /// Where nothing says it: does the cutter not touch the part surface, and is its end on it?
+    fn seems_on(&self, part: &SurfaceRef, tool: &Tool) -> bool {
+        !self.touches(part, tool) && self.stands_on(part, Role::Part, tool)
     }
 
     /// Does a tool with TLLFT or TLRGT stay ON the drive surface: an upright plane on which its end is, and beside which the

@@ -124,6 +124,18 @@ pub(crate) fn stays_on(origin: &Origin, surface: &SurfaceRef) -> Diagnostic {
         .help("write TLON, or bring the tool beside it with GO/TO before")
 }
 
+/// Nothing says that the tool end is to lie on the part surface, and it does, with the cutter in it.
+pub(crate) fn ends_on_part(origin: &Origin, surface: &SurfaceRef, depth: f64) -> Diagnostic {
+    let part = called(surface);
+    let text = format!(
+        "the tool end is on part surface {part} and stays on it, the cutter {} deep in it: TLONPS is not written",
+        number(depth)
+    );
+    Diagnostic::warning(codes::ENDS_ON_PART, origin.span, text).within(origin.trace.clone()).help(
+        "write TLONPS where that is meant, else TLOFPS, and bring the cutter to touch it with GO/TO",
+    )
+}
+
 /// A start before the first position: it begins at 0,0,0.
 pub(crate) fn from_zero(origin: &Origin) -> Diagnostic {
     let text = "the tool has no position yet and is taken to stand at 0,0,0";

@@ -60,4 +60,5 @@ codes! {
     BELOW_FLOOR = 2063, "a pocket below whose floor the cutter reaches";
     FAR_LIFT = 2064, "a lift of AVCTRL farther than three lengths of the tool";
     NEVER_CUT = 2065, "DNTCUT to the end of the part";
+    ENDS_ON_PART = 2066, "the tool end stays on the part surface, the cutter in it";
 }

@@ -1,0 +1,56 @@
+//! What the words before a motion say of it as a whole: the side of the part surface, and the way to go.
+
+#[path = "support/run.rs"]
+mod run;
+
+use aptc_control::Verify;
+
+/// A flat end on a floor beside a hollow cylinder that the floor is tangent to, with what brings it there and what is said after.
+fn hollow(go: &str, said: &str) -> run::Ran {
+    let text = format!(
+        "PARTNO HOLLOW\nUNITS/MM\nW=PLANE/0,1,0,0\nFLOOR=PLANE/0,0,1,0\nHOLLOW=CYLNDR/0,0,60,0,1,0,60\n\
+         CUTTER/12,2\nINTOL/.01\nOUTTOL/.01\nFROM/0,0,0\n{go}\nPSIS/HOLLOW\nINDIRV/1,0,0\n\
+         {said}TLON,GOFWD/W,ON,(PLANE/1,0,0,20)\nNOPOST\nFINI\n"
+    );
+    run::run(&text, Verify::Full)
+}
+
+/// GO had the cutter touch its part surface, and so it is to touch the next one; where nothing says so it is told.
+#[test]
+fn the_tool_end_stays_on_a_part_surface_where_that_is_said_and_else_with_a_word() {
+    let touching = "GO/ON,W,TO,FLOOR";
+    assert_eq!(hollow(touching, "").faults(), ["APT2004"]);
+    assert_eq!(hollow(touching, "TLONPS,").faults(), [""; 0]);
+    let unsaid = hollow("", "");
+    assert_eq!(unsaid.faults(), ["APT2066"]);
+    let [(_, message)] = &unsaid.told[..] else { panic!("{:?}", unsaid.told) };
+    // The corner's circle of 4 about the tool end, 2 up: 60 - 2 less the distance of its middle from the axis.
+    let depth = (16.0_f64 + 58.0 * 58.0).sqrt() - 58.0;
+    assert!(message.contains(&format!("{depth:.6} deep")), "{message}");
+    assert_eq!(hollow("", "TLONPS,").faults(), [""; 0]);
+    assert_eq!(hollow("", "TLOFPS,").faults(), ["APT2004"]);
+}
+
+/// Round a bar in an upright plane from its left, told a direction.
+fn round_the_bar(z: f64, given: &str) -> [f64; 3] {
+    let text = format!(
+        "PARTNO BAR\nUNITS/MM\nBAR=CYLNDR/0,0,0,0,1,0,30\nY0=PLANE/0,1,0,0\nZS=PLANE/0,0,1,{z}\nCUTTER/8,4\n\
+         INTOL/.01\nOUTTOL/.01\nFROM/-60,0,{z}\nPSIS/Y0\nINDIRV/1,0,0\nGO/TO,BAR,ON,Y0,ON,ZS\n\
+         INDIRV/{given}\nTLONPS,GOFWD/BAR,ON,(PLANE/0,0,1,20)\nNOPOST\nFINI\n"
+    );
+    let ran = run::run(&text, Verify::Full);
+    assert!(ran.faults().is_empty(), "{:?}", ran.told);
+    ran.places[ran.places.len() - 1]
+}
+
+#[test]
+fn a_direction_along_the_tool_axis_says_whether_a_motion_goes_up_or_down() {
+    for z in [-19.0, -4.0, 0.0] {
+        for (given, left) in
+            [("0,0,1", true), (".2,0,1", true), ("0,0,-1", false), (".2,0,-1", false)]
+        {
+            let end = round_the_bar(z, given);
+            assert!((end[0] < 0.0) == left, "{z} {given} {end:?}");
+        }
+    }
+}
