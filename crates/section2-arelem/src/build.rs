@@ -100,12 +100,13 @@ impl Arelem {
     }
 
     /// Is the tool end to lie on the part surface? Where neither TLONPS nor TLOFPS says it, GO does: for its own part surface, and
-    /// where it brought the cutter to touch one also for those that PSIS gives after it.
+    /// where it brought the cutter to touch one also for those that PSIS gives after it. That of AUTOPS goes through the tool end,
+    /// whatever THICK asks of it.
     fn on_part(&self, part: &SurfaceRef, tool: &Tool) -> bool {
         let s = &self.settings;
         match (s.part_side, &s.started) {
             (Some(side), _) => side == PartSide::Tlonps,
-            (None, Some((_, false))) => false,
+            (None, Some((_, false))) if !matches!(s.part, Part::Auto) => false,
             (None, Some((form, true))) if Arc::ptr_eq(form, &part.form) => true,
             (None, _) => self.seems_on(part, tool),
         }
