@@ -31,6 +31,17 @@ fn the_tool_end_stays_on_a_part_surface_where_that_is_said_and_else_with_a_word(
     assert_eq!(hollow("", "TLOFPS,").faults(), ["APT2004"]);
 }
 
+/// The plane of AUTOPS goes through the tool end, also where GO had the cutter stand off by THICK.
+#[test]
+fn the_plane_of_autops_is_where_the_tool_end_is() {
+    let text = "PARTNO AUTO\nUNITS/MM\nW=PLANE/0,1,0,0\nCUTTER/12,2\nTHICK/.5,0\nFROM/-20,0,30\n\
+                GO/ON,W,TO,(PLANE/0,0,1,0),ON,(PLANE/1,0,0,-20)\nAUTOPS\nINDIRV/1,0,0\n\
+                TLON,GOFWD/W,ON,(PLANE/1,0,0,20)\nNOPOST\nFINI\n";
+    let ran = run::run(text, Verify::Full);
+    assert!(ran.faults().is_empty(), "{:?}", ran.told);
+    assert!(ran.places.iter().skip(1).all(|p| (p[2] - 0.5).abs() < 1e-9), "{:?}", ran.places);
+}
+
 /// Round a bar in an upright plane from its left, told a direction.
 fn round_the_bar(z: f64, given: &str) -> [f64; 3] {
     let text = format!(

@@ -12,7 +12,7 @@ use crate::arelem::Arelem;
 use crate::axis::AxisRule;
 use crate::failure::Failure;
 use crate::scene::{Check, Limits, Scene, Stance, Start, Wall};
-use crate::state::{Band, Part, Role, Tool, auto_part, unit};
+use crate::state::{Band, Part, Role, Tool, auto_part, is_auto, unit};
 
 /// Part of the cutter's reach by which a thickness may pass its radius: what rounding makes of equal numbers.
 const SAME: f64 = 1e-12;
@@ -106,7 +106,7 @@ impl Arelem {
         let s = &self.settings;
         match (s.part_side, &s.started) {
             (Some(side), _) => side == PartSide::Tlonps,
-            (None, Some((_, false))) if !matches!(s.part, Part::Auto) => false,
+            (None, Some((_, false))) if !is_auto(part) => false,
             (None, Some((form, true))) if Arc::ptr_eq(form, &part.form) => true,
             (None, _) => self.seems_on(part, tool),
         }

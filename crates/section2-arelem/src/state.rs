@@ -341,6 +341,11 @@ pub(crate) fn auto_part(te: Vec3, ta: Vec3) -> SurfaceRef {
     part_plane(AUTO_PART, ta, ta.dot(&te))
 }
 
+/// Is it the plane of AUTOPS?
+pub(crate) fn is_auto(part: &SurfaceRef) -> bool {
+    part.name.name == AUTO_PART
+}
+
 impl Tool {
     /// Does it stand with its axis, not with the one before it?
     pub(crate) fn stands(&self) -> bool {
