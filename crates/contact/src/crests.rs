@@ -139,20 +139,15 @@ impl<'a> Crests<'a> {
             if span == 0 {
                 begin = Some(first);
             }
-            rises.take(&first);
             for ends in places.windows(2) {
                 let part = Part { from: ends[0], to: ends[1], scale: 1.0 };
                 let sides = part.sides(tool, &look);
                 part.contacts(sides.as_ref(), &look, &mut |l| self.offer(l), LEVELS - 1);
-                sides.iter().flatten().for_each(|side| rises.take(&side.1));
-                rises.take(&ends[1].1);
+                rises.along(&ends[0].1, sides.as_ref(), &ends[1].1);
             }
             before = Some((span, last));
         }
-        if self.known.is_some() {
-            // Half of a way counts, as two places come nearer to each other by twice of it.
-            self.way = self.way.min(2.0 * rises.least);
-        }
+        self.takes(&rises);
         // The corner where the curve closes.
         if let (Some((last, l)), Some(first)) = (before, begin)
             && last > 0
@@ -169,15 +164,30 @@ impl<'a> Crests<'a> {
         let middle = tool.te + tool.ta * tool.profile.corner()[1];
         let look = |u: f64| Look::on_ruling(tool, surface, side, u, middle);
         let mut before: Option<(f64, Look)> = None;
+        let mut rises = Rises::default();
         for [low, high] in surface.rulings_near(tool.te, self.top, reach) {
             #[expect(clippy::float_cmp, reason = "the same ruling")]
-            let first = before.filter(|b| b.0 == low).map_or_else(|| look(low), |b| b.1);
+            let known = before.filter(|b| b.0 == low).map(|b| b.1);
+            if known.is_none() {
+                rises = Rises { least: rises.least, ..Rises::default() };
+            }
+            let first = known.unwrap_or_else(|| look(low));
             let last = look(high);
             let scale = first.rate;
             let part = Part { from: (low, first), to: (high, last), scale };
             let sides = part.sides(tool, &look);
             part.contacts(sides.as_ref(), &look, &mut |l| self.offer(l), LEVELS - 1);
+            rises.along(&first, sides.as_ref(), &last);
             before = Some((high, last));
+        }
+        self.takes(&rises);
+    }
+
+    /// Takes where another place of contact would begin.
+    fn takes(&mut self, rises: &Rises) {
+        if self.known.is_some() {
+            // Half of a way counts, as two places come nearer to each other by twice of it.
+            self.way = self.way.min(2.0 * rises.least);
         }
     }
 
@@ -206,6 +216,15 @@ impl Default for Rises {
 }
 
 impl Rises {
+    /// Takes the next part from one end to the other, with the sides of a place within it that faces the end of the tool.
+    fn along(&mut self, from: &Look, sides: Option<&[(f64, Look); 2]>, to: &Look) {
+        if self.last.is_none() {
+            self.take(from);
+        }
+        sides.iter().copied().flatten().for_each(|side| self.take(&side.1));
+        self.take(to);
+    }
+
     /// Takes the next place of the directrix.
     fn take(&mut self, look: &Look) {
         let ahead = look.ahead;
