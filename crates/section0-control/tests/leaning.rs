@@ -66,15 +66,12 @@ GOMILL/FORM,UCONST,.5,STEPOV,.1,PICKFD,SCALOP,.06,MAXSTP,3.3,START,.3,$
 #[test]
 fn the_edge_of_a_tooth_is_found_wherever_it_stands() {
     let gentle = |heights: [[f64; 3]; 5]| {
-        let mut text = String::new();
-        for (row, z) in (0..).zip(heights) {
-            let y = 12.0 * f64::from(row);
-            text.push_str(&format!(
-                "G{row}=SCURV/SPLINE,(0,{y},{}),(12,{y},{}),(24,{y},{})\n",
-                z[0], z[1], z[2]
-            ));
-        }
-        text + "FORM=SSURF/GENCUR,G0,G1,G2,G3,G4\n"
+        let row = |(row, [a, b, c]): (usize, [f64; 3])| {
+            let y = 12 * row;
+            format!("G{row}=SCURV/SPLINE,(0,{y},{a}),(12,{y},{b}),(24,{y},{c})\n")
+        };
+        let rows: Vec<String> = heights.into_iter().enumerate().map(row).collect();
+        rows.concat() + "FORM=SSURF/GENCUR,G0,G1,G2,G3,G4\n"
     };
     let surface = gentle([
         [0.27, 0.17, 0.0],
