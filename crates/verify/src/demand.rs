@@ -403,6 +403,14 @@ impl Demand {
         self.gap_at(profile, &Position { te: pose.te, ta: pose.ta }).map(|gap| (gap, None))
     }
 
+    /// The gap at a position, of a surface with charts that to the plane which is tangent next to the tool.
+    pub(crate) fn beside_tangent(&self, profile: &Profile, pose: &Pose) -> Option<f64> {
+        match &self.body {
+            Body::Sheet(sheet, _) => self.curved(sheet).beside_tangent(&self.tool(profile), pose),
+            _ => self.gap_at(profile, &Position { te: pose.te, ta: pose.ta }),
+        }
+    }
+
     /// Is the gap at a position nowhere less than so? Of what has a closed form it is what that tells.
     pub(crate) fn is_clear(&self, profile: &Profile, pose: &Pose, by: f64) -> bool {
         match &self.body {

@@ -2,7 +2,9 @@
 //!
 //! The gap to the check surface is followed from the start to the end. Where it comes from clear of the band into it, is touched in the
 //! direction in which the other surface is, in the bands of both, and is clear of the band again before the motion ends, that place
-//! was passed; with n,INTOF the n-th of them. Left out is what a motion may pass: where it begins, unless both surfaces run along with
+//! was passed; with n,INTOF the n-th of them. Where it is not clear again, as both surfaces go on as one from a joint, over which a
+//! surface goes on straight, the place is where they begin to: up to there the gaps to both differ, from there on by no more than
+//! where the motion ends. Left out is what a motion may pass: where it begins, unless both surfaces run along with
 //! each other from there, what only one band could take up, and what touches elsewhere on the cutter.
 
 use aptc_cldata::{Control, Position, Relation};
@@ -35,6 +37,11 @@ const GRAZING: f64 = 0.3;
 /// Half bands for which surfaces run along with each other, and share of one by which they do.
 const LONG: f64 = 50.0;
 const ALONG: f64 = 1e-5;
+/// Half bands by which the gaps to surfaces that are one may differ otherwise than at the end.
+const ONE: f64 = 1e-3;
+/// How far beyond the end, in ways from where they become one, they are to be one as well: a flat end or a flank lies along another
+/// surface for a while, and stops in the middle of that.
+const ONWARDS: f64 = 1.25;
 
 /// A place that a motion passed.
 #[derive(Clone, Copy, Debug)]
@@ -163,10 +170,43 @@ impl Motion<'_> {
             }
             (other, before) = (before, now);
             if s >= end {
-                return None;
+                return (count + 1 == self.nth).then(|| self.as_one(&zone, end)).flatten();
             }
         }
         None
+    }
+
+    /// The place from which on the check surface and the other are one to the end of the motion, where they were not since the first
+    /// of these looks, and are so for longer than they took to come together from half a band apart.
+    fn as_one(&self, zone: &[Look], end: f64) -> Option<Passed> {
+        let first = zone.first()?;
+        let last = self.nearest(end, zone.last()?.off, &mut None);
+        let held = last.off.abs() <= CLEAR * self.half && self.is_alone(&last, ANOTHER);
+        let miss = self.miss(&self.ways.pose(end).1)?;
+        // By how much more they are apart; where that is not known they are not one.
+        let more = |pose: &Pose| self.miss(pose).map_or(f64::INFINITY, |m| (m - miss).abs());
+        let there = |s: f64| self.ways.pose(s).1;
+        let same = |pose: &Pose| more(pose) <= ONE * self.half;
+        if !held || self.apart(&last).is_none_or(|angle| angle > LEVEL) || same(&there(first.s)) {
+            return None;
+        }
+        let place = border([first.s, end], |s| same(&there(s)));
+        let begun = border([first.s, place], |s| more(&there(s)) <= self.half);
+        let (from, to) = (there(place), there(end));
+        let passed = self.at(place);
+        let coming = (from.te - there(begun).te).norm();
+        let way = to.te - from.te;
+        let between = [0.25, 0.5, 0.75].map(|share| there(place + share * (end - place)));
+        let beyond = [0.5 * ONWARDS, ONWARDS].map(|t| Pose { te: to.te + way * t, ..to });
+        let long = passed.by > (LONG * self.half).max(coming);
+        (long && between.iter().chain(&beyond).all(same)).then_some(passed)
+    }
+
+    /// By how much the gap to the check surface is more than that to the other.
+    fn miss(&self, pose: &Pose) -> Option<f64> {
+        let gap = |demand: &Demand| demand.beside_tangent(self.profile, pose);
+        let miss = gap(&self.gap)? - gap(&self.beside)?;
+        miss.is_finite().then_some(miss)
     }
 
     /// How far the tool may go from the last look on until it has gone `room`: by half of what it takes at the rate of before, and no
@@ -298,6 +338,18 @@ impl Motion<'_> {
         let one = (n.norm() - 1.0).abs() <= LEVEL;
         one.then(|| n.normalize())
     }
+}
+
+/// The place between two from which on something holds that does so at the second and not at the first; the first where it does there.
+fn border([mut low, mut high]: [f64; 2], holds: impl Fn(f64) -> bool) -> f64 {
+    if holds(low) {
+        return low;
+    }
+    for _ in 0..2 * ROUNDS {
+        let middle = 0.5 * (low + high);
+        *(if holds(middle) { &mut high } else { &mut low }) = middle;
+    }
+    high
 }
 
 /// The place between two where a function is least.

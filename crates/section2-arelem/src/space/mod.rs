@@ -8,6 +8,7 @@ mod corner;
 mod ends;
 mod follow;
 mod guided;
+mod joined;
 mod judge;
 mod keep;
 mod kinks;

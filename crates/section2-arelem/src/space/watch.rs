@@ -8,9 +8,9 @@
 use aptc_contact::{Condition, Gap, Reason, Side};
 use aptc_protap::Relation;
 
+use super::joined::{Between, tangent_places};
 use super::keep::{Keep, Pose};
 use super::stride::Stride;
-use super::tangent::tangencies;
 use super::track::{Node, Track, Trouble};
 use super::way::{
     Crossing, GRAZING, HALVINGS, Lost, RATE, ROUNDS, Sample, Way, crossings, in_limits, read,
@@ -54,7 +54,7 @@ struct Gauge {
     piece: f64,
     /// Did the gap leave zero since the start?
     armed: bool,
-    /// Did it run along with the whole of the cut vector before?
+    /// Did it run along with the whole of the cut vector before, or since it left zero with the end of that?
     along: bool,
     last: Option<Gap>,
 }
@@ -253,11 +253,14 @@ impl Watch {
                 }
             }
             let counts = tangent || self.counts(i);
-            let halvings = self.gauges[i].halvings(stride.length);
-            let keep = &self.gauges[i].keep;
-            let mut out = Vec::new();
+            let gauge = &mut self.gauges[i];
+            let halvings = gauge.halvings(stride.length);
+            let (keep, mut out) = (&gauge.keep, Vec::new());
             if tangent {
-                tangencies(&way, keep, a, b, loose, halvings, &mut self.alike, &mut out)?;
+                let other = usize::from(self.relation == Relation::Pstan);
+                let between = Between { keep, other, ends: [a, b], loose, halvings };
+                let (along, alike) = (&mut gauge.along, &mut self.alike);
+                tangent_places(&way, &between, along, alike, &mut out)?;
             } else {
                 if let Err(now) = crossings(&way, keep, a, b, halvings, &mut out)
                     && counts

@@ -133,6 +133,17 @@ impl Curved<'_> {
         (!other).then(|| (distance, self.sheet.in_space(away)))
     }
 
+    /// The gap to the plane that is tangent at a place next to the tool: where the surface is one with it, that to the surface, also
+    /// where a flank lies along it and the nearest place is hard to tell.
+    pub(crate) fn beside_tangent(&self, tool: &Tool<'_>, pose: &Pose) -> Option<f64> {
+        let mut spot = None;
+        self.beside(tool, pose, &mut spot)?;
+        let (pose, jet) = (self.sheet.local(pose), self.sheet.jet(&spot?));
+        let n = jet.n * self.side;
+        let least = if self.on { n.dot(&pose.te) } else { -tool.height(&pose, -n) };
+        Some(least - n.dot(&jet.p))
+    }
+
     /// Is no place of the surface nearer to the tool than so?
     pub(crate) fn nothing_nearer(&self, tool: &Tool<'_>, pose: &Pose, than: f64) -> bool {
         let sweep = Sweep::still(tool, self.sheet.local(pose));

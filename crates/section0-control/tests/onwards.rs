@@ -1,0 +1,179 @@
+//! Under an axis that turns, a motion over a patch to a plane that is tangent along its border ends at the border, and not on what goes
+//! on straight beyond it; a path that goes on there is refuted.
+
+#[path = "support/run.rs"]
+mod run;
+
+use std::sync::Arc;
+
+use aptc_cldata::{Control, Kind, Motion, MotionKind, Record};
+use aptc_control::{Disk, Options, Source, Verify, compile};
+use aptc_verify::{Breach, Certificate, Effort, Verifier};
+
+/// A patch with the section `p`, a Bezier curve whose last side lies in a plane, and that plane; `across` is (y, z) a unit of its
+/// height and of what lies across.
+fn surfaces(p: [[f64; 2]; 4], shift: f64, across: [[f64; 2]; 2], size: f64) -> String {
+    let [high, aside] = across;
+    let place = |[x, h]: [f64; 2], v: f64| {
+        let [y, z] = [0, 1].map(|i| h * high[i] + v * aside[i]);
+        format!("({},{},{})", x * size, y * size, z * size)
+    };
+    let slope = (p[3][1] - p[2][1]) / (p[3][0] - p[2][0]);
+    let row = |v: f64| {
+        let at = |i: usize| {
+            // What lies on the first and the last side may be anywhere on it.
+            let by = if i == 1 || i == 2 { shift * v } else { 0.0 };
+            let rise = if i == 2 { slope * by } else { 0.0 };
+            place([p[i][0] + by, p[i][1] + rise], v)
+        };
+        [0, 1, 2, 3].map(at).join(",$\n")
+    };
+    let rows = [-70.0, -20.0, 20.0, 70.0].map(row).join(",$\n");
+    let [ny, nz] = high;
+    let d = (p[3][1] - slope * p[3][0]) * size;
+    format!("SL=PLANE/{},{ny},{nz},{d}\nCY=SSURF/PATCH,POLYGN,PLUS,$\n{rows}\n", -slope)
+}
+
+/// Over a patch, or along one that stands, to `to`.
+struct Scene {
+    section: [[f64; 2]; 4],
+    shift: f64,
+    cutter: &'static str,
+    bands: [f64; 2],
+    axis: &'static str,
+    stands: bool,
+    size: f64,
+}
+
+impl Scene {
+    fn tangent(&self) -> &'static str {
+        if self.stands { "TANTO,SL" } else { "PSTAN,SL" }
+    }
+
+    fn text(&self, to: &str) -> String {
+        let Self { section, shift, cutter, bands: [intol, outtol], axis, stands, size } = self;
+        let (x, up) = (5.0 * size, 30.0 * size);
+        let across = if *stands { [[1.0, 0.0], [0.0, 1.0]] } else { [[0.0, 1.0], [1.0, 0.0]] };
+        let surfaces = surfaces(*section, *shift, across, *size);
+        let cutter: Vec<String> = cutter
+            .split(',')
+            .map(|c| (c.parse::<f64>().unwrap_or(0.0) * size).to_string())
+            .collect();
+        let head = format!(
+            "UNITS/MM\n{surfaces}W=PLANE/{},0\nCUTTER/{}\nINTOL/{}\nOUTTOL/{}\nMULTAX\n",
+            if *stands { "0,0,1" } else { "0,1,0" },
+            cutter.join(","),
+            intol * size,
+            outtol * size
+        );
+        let ahead = "INDIRV/1,0,0";
+        if *stands {
+            format!(
+                "{head}FROM/{x},{},{up}\nTLAXIS/{axis}\nINDIRV/0,1,0\n\
+                 GO/TO,CY,TO,W,ON,(PLANE/1,0,0,{x})\n{ahead}\nTLRGT,TLOFPS,GOFWD/CY,{to}\nFINI\n",
+                -20.0 * size
+            )
+        } else {
+            format!(
+                "{head}FROM/{x},0,{up}\nTLAXIS/{axis}\nGO/ON,W,TO,CY,ON,(PLANE/1,0,0,{x})\n\
+                 {ahead}\nTLON,TLOFPS,GOFWD/W,{to}\nFINI\n"
+            )
+        }
+    }
+}
+
+/// Sections that come to their last side from above and from below, and one that does not bend where it ends.
+const SECTIONS: [[[f64; 2]; 4]; 3] = [
+    [[0.0, 0.0], [21.0, 0.0], [42.0, -0.8], [64.0, -2.0]],
+    [[0.0, 0.0], [15.0, 0.0], [55.0, -6.25], [71.0, -10.5]],
+    [[0.0, 0.0], [20.0, 0.0], [45.0, 2.0], [70.0, 5.0]],
+];
+
+fn scenes() -> Vec<Scene> {
+    let mut scenes = Vec::new();
+    for section in SECTIONS {
+        for (stands, axis) in [
+            (false, "NORMPS"),
+            (false, "ATANGL,1,15"),
+            (false, "ATANGL,1,15,CUTANG,5"),
+            (true, "PARLEL,2"),
+            (true, "ATANGL,1,5"),
+            (false, "0,0,1"),
+            (true, "0,0,1"),
+        ] {
+            for (cutter, bands, size) in [
+                ("8,4", [0.005, 0.005], 1.0),
+                ("8,2", [0.01, 0.01], 0.1),
+                ("8,2", [0.0, 0.02], 1.0),
+            ] {
+                let shift = if stands { 0.02 } else { 0.0 };
+                scenes.push(Scene { section, shift, cutter, bands, axis, stands, size });
+            }
+        }
+    }
+    scenes
+}
+
+#[test]
+fn a_motion_ends_where_the_patch_does() {
+    for scene in scenes() {
+        let text = scene.text(scene.tangent());
+        let ran = run::run(&text, Verify::Full);
+        assert_eq!(ran.faults(), Vec::<String>::new(), "{:?} {text}", ran.told);
+        let end = ran.places.last().expect("it goes")[0] / scene.size;
+        // The tool end lies beside the place that it touches by its radius at most, and is in the band some way before.
+        let joint = scene.section[3][0];
+        assert!(end < joint + 2.0 && end > joint - 8.0, "{end} {joint} {text}");
+    }
+}
+
+fn records(text: &str) -> Vec<Record> {
+    let options = Options { verify: Verify::Off, post: false, ..Options::default() };
+    let source = Source { name: "part".into(), text: text.into() };
+    let compiled = compile(source, &mut Disk::new(Vec::new(), 0), &options);
+    let wrong: Vec<_> = compiled.diagnostics.iter().filter(|d| d.is_error()).collect();
+    assert!(wrong.is_empty(), "{wrong:?} {text}");
+    compiled.parts[0].computed.to_vec().expect("they can be read")
+}
+
+/// What governs the last motion along surfaces.
+fn last(records: &[Record]) -> Arc<Control> {
+    let along = |r: &Record| match &r.kind {
+        Kind::Motion(Motion { kind: MotionKind::Continuous, control, .. }) => control.clone(),
+        _ => None,
+    };
+    records.iter().rev().find_map(along).expect("it moves along surfaces")
+}
+
+/// The path of one program, its last motion held against what the other asks of its own.
+fn held(path: &str, asked: &str) -> Certificate {
+    let mut records = records(path);
+    let (own, control) = (last(&records), last(&self::records(asked)));
+    let mut verifier = Verifier::new(Effort::Full);
+    for record in &mut records {
+        if let Kind::Motion(Motion { control: Some(c), .. }) = &mut record.kind
+            && Arc::ptr_eq(c, &own)
+        {
+            *c = Arc::clone(&control);
+        }
+        verifier.push(record);
+    }
+    verifier.finish().0
+}
+
+#[test]
+fn a_path_that_goes_on_beyond_the_patch_is_refuted() {
+    for scene in scenes() {
+        let joint = scene.section[3][0];
+        for on in [20.0, 60.0] {
+            let path = scene.text(&format!("ON,(PLANE/1,0,0,{})", (joint + on) * scene.size));
+            let asked = scene.text(scene.tangent());
+            let certificate = held(&path, &asked);
+            let fault = certificate.statements.last().and_then(|s| s.fault.clone());
+            let fault = fault.unwrap_or_else(|| panic!("no fault {path} {asked}"));
+            assert!(fault.refuted && fault.breach == Some(Breach::Past), "{fault:?} {path}");
+            let (at, by) = (fault.te[0] / scene.size, fault.depth / scene.size);
+            assert!((at - joint).abs() < 3.0 && (by - on).abs() < 6.0, "{fault:?} {path}");
+        }
+    }
+}
