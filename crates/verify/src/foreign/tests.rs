@@ -85,3 +85,40 @@ fn copies_and_tracut_are_undone() {
     assert!(m.missing.is_empty() && m.extra == 0);
     assert_eq!(ends_of(&m), [(1, [10.0, 0.0, 0.0]); 3]);
 }
+
+/// A shift in a range that is turned: what copies last goes first. The same range copied once more takes the first copy along.
+#[test]
+fn copies_of_copies_are_undone_in_their_order() {
+    let [turn, tip] = [Vec3::z(), Vec3::x()].map(|axis| Transform::rotation(axis, 90.0));
+    let shift = Transform::translation(Vec3::new(0.0, 200.0, 0.0));
+    let index = |n| edit(Edit::Index { n, close: false });
+    let copy = |n, step| edit(Edit::Copy { n, step, count: 1 });
+    let p = Vec3::new(10.0, 4.0, 3.0);
+    let own = || motion(3, "A", &[p.into()]);
+    let file = |maps: &[Transform]| -> Vec<Record> {
+        maps.iter().map(|m| motion(3, "A", &[m.point(p).into()])).collect()
+    };
+    let one = Transform::identity();
+    let nested = [index(1.0), index(2.0), own(), copy(2.0, shift), copy(1.0, turn)];
+    let twice = [index(1.0), own(), copy(1.0, shift), copy(1.0, turn)];
+    let maps = [one, shift, turn, turn.then(&shift)];
+    let under = [
+        index(1.0),
+        index(2.0),
+        edit(Edit::Tracut(Some(tip))),
+        own(),
+        edit(Edit::Tracut(None)),
+        copy(2.0, shift),
+        copy(1.0, turn),
+    ];
+    let behind: Vec<_> = maps.iter().map(|m| tip.then(m)).collect();
+    for (program, maps) in [(&nested[..], &maps[..]), (&twice, &maps), (&under, &behind)] {
+        for marks in [Marks::Statements, Marks::None] {
+            let m = matched(program, &file(maps), marks).unwrap();
+            assert!(m.missing.is_empty() && m.extra == 0 && m.at_home == [4, 4], "{m:?}");
+            for (_, at) in ends_of(&m) {
+                assert!((Vec3::from(at) - p).norm() < 1e-9, "{at:?}");
+            }
+        }
+    }
+}

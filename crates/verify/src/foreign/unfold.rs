@@ -11,6 +11,9 @@ pub(crate) struct Item {
     pub(crate) record: Record,
     pub(crate) map: Option<Transform>,
     pub(crate) units: Units,
+    /// What `map` is made of, one after the other.
+    tracut: Option<Transform>,
+    copies: Option<Transform>,
 }
 
 /// Records that copies may make; beyond it the file is judged piecemeal by nobody.
@@ -22,6 +25,14 @@ impl Item {
             Kind::Motion(m) if !m.points.is_empty() => Some(m),
             _ => None,
         }
+    }
+
+    /// It copied once more by that map. A copy is made anew from what it repeats, behind TRACUT: what copies now goes first, then
+    /// what copied before.
+    fn copied(&self, now: &Transform) -> Self {
+        let copies = self.copies.map_or(*now, |before| now.then(&before));
+        let map = self.tracut.map_or(copies, |t| t.then(&copies));
+        Self { map: Some(map), copies: Some(copies), ..self.clone() }
     }
 
     /// Is it led along the same surfaces as one before it, carried there by the same map?
@@ -67,17 +78,15 @@ pub(crate) fn unfold(program: &[Record]) -> Result<Vec<Item>, String> {
                 let mut map = Transform::identity();
                 for _ in 0..*count {
                     map = map.then(step);
-                    out.extend(range.iter().map(|item| Item {
-                        map: Some(item.map.map_or(map, |m| m.then(&map))),
-                        ..item.clone()
-                    }));
+                    out.extend(range.iter().map(|item| item.copied(&map)));
                 }
             }
             kind => {
                 if let Kind::Units(u) = kind {
                     units = *u;
                 }
-                out.push(Item { record: record.clone(), map: tracut, units });
+                let record = record.clone();
+                out.push(Item { record, map: tracut, units, tracut, copies: None });
             }
         }
     }
