@@ -231,3 +231,61 @@ fn where_no_joint_is_found_it_is_refused() {
         assert!(low.len() > n && low.iter().all(|te| within(&corners, **te) > -0.02), "{low:?}");
     }
 }
+
+/// Three ruled sheets round an axis, and a contour on the first and the last of them.
+const ROUND: &str = "UNITS/MM
+A0=SCURV/CURSEG,(0.0,6.836313,-26.624652),(0.0,26.475781,-7.391905),$
+ (0.0,19.639468,19.232746)
+B0=SCURV/CURSEG,(55.605045,5.321825,-19.702798),(55.605045,22.015523,$
+ -3.354817),(55.605045,16.204605,19.27634)
+R0=SSURF/RULED,A0,B0
+A1=SCURV/CURSEG,(0.0,19.639468,19.232746),(0.0,-6.836313,26.624652),$
+ (0.0,-26.475781,7.391905)
+B1=SCURV/CURSEG,(55.605045,16.204605,19.27634),(55.605045,-6.300011,$
+ 25.559516),(55.605045,-22.993709,9.211535)
+R1=SSURF/RULED,A1,B1
+A2=SCURV/CURSEG,(0.0,-26.475781,7.391905),(0.0,-19.639468,-19.232746),$
+ (0.0,6.836313,-26.624652)
+B2=SCURV/CURSEG,(55.605045,-22.993709,9.211535),(55.605045,-17.182791,$
+ -13.419622),(55.605045,5.321825,-19.702798)
+R2=SSURF/RULED,A2,B2
+RG=SSURF/COMBIN,R2,R1,R0
+PA=PLANE/1.0,0.0,0.0,8.355646
+PB=PLANE/1.0,0.0,0.0,34.187026
+F1=PLANE/0.0,0.999158,-0.04102,0.0
+F2=PLANE/0.0,0.624048,0.781386,0.0
+CUTTER/12.0,1.2,4.8,1.2,0,0,40.0
+INTOL/0.005
+OUTTOL/0.005
+MULTAX
+FROM/8.355646,-2.406248,-56.380849,0.0,-0.04102,-0.999158
+TLAXIS/NORMPS
+CLDAT/START,1,UVPPS
+GO/ON,PA,TO,RG,ON,F1
+INDIRV/0,0.999158,-0.04102
+TLON,TLOFPS,GOFWD/PA,ON,F2
+INDIRV/1,0,0
+GOFWD/F2,ON,PB
+INDIRV/0,-0.624048,-0.781386
+GOFWD/PB,ON,F1
+INDIRV/-1,0,0
+GOFWD/F1,ON,PA
+CLDAT/NOMORE,1
+";
+
+/// The last sheet goes on where the first began: between their stretches of a line the tool goes nowhere, though the sheet between them
+/// in their row is left out. The line is one, which GCLEAR does not interrupt.
+#[test]
+fn stretches_that_meet_at_a_joint_are_one() {
+    let line = "REGION/1,IN\nGOLOFT/RG,VCONST,.354752\nREGION/OFF\nNOPOST\nFINI\n";
+    let plain = run::run(&format!("{ROUND}{line}"), Verify::Full);
+    assert!(plain.faults().is_empty(), "{:?}", plain.told);
+    let away = "GCLEAR/AWAY,NORMAL,9\nGCLEAR/BACK,NORMAL,9\n";
+    let cleared = run::run(&format!("{ROUND}{away}{line}"), Verify::Full);
+    assert!(cleared.faults().is_empty(), "{:?}", cleared.told);
+    assert!(plain.places.len() > 10 && plain.places == cleared.places);
+    // Where something lies between it is told.
+    let line = line.replace("1,IN", "1,OUT");
+    let told = run::run(&format!("{ROUND}{line}"), Verify::Full).faults();
+    assert!(told.contains(&"APT2057".to_owned()), "{told:?}");
+}

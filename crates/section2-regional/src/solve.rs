@@ -145,6 +145,13 @@ impl Setup<'_> {
         self.band.intol.max(self.band.outtol).max(self.lateral)
     }
 
+    /// Does no point of the cutter move from one tool end and axis to the other by more than the whole band, and is the way clear?
+    pub(crate) fn touch(&self, a: (Vec3, Vec3), b: (Vec3, Vec3)) -> bool {
+        let moves = (a.0 - b.0).norm() + self.profile.reach() * (a.1 - b.1).norm();
+        moves <= self.band.intol + self.band.outtol
+            && self.guard.is_none_or(|(guard, _)| guard.way(self.profile, [a, b]).is_ok())
+    }
+
     /// Between cutter and part surface: thickness and lift.
     pub(crate) fn thick(&self) -> f64 {
         self.part.thick + self.lift

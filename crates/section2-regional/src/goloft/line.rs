@@ -69,6 +69,19 @@ impl Milled {
         self.stretches.push(path.points.iter().map(spot).collect());
         self.notes.extend(path.notes);
     }
+
+    /// Makes one of the last two stretches where nothing lies between the tool at the end of the one and at the beginning of the other,
+    /// as at a joint of patches that do not follow one another in their row.
+    pub(super) fn join(&mut self, nothing: impl Fn(&Spot, &Spot) -> bool) {
+        let [.., before, last] = self.stretches.as_mut_slice() else { return };
+        if let (Some(end), Some(begin)) = (before.last(), last.first())
+            && nothing(end, begin)
+        {
+            let same = end.te == begin.te && end.ta == begin.ta;
+            before.extend(last.drain(usize::from(same)..));
+            self.stretches.pop();
+        }
+    }
 }
 
 impl Line<'_> {

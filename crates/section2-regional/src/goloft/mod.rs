@@ -117,8 +117,10 @@ impl Regional {
                 if wish.inverse {
                     all.reverse();
                 }
+                let nothing = |a: &Spot, b: &Spot| setup.touch((a.te, a.ta), (b.te, b.ta));
                 for ends in all {
                     line.mill(ends, &mut milled);
+                    milled.join(nothing);
                     if milled.why.is_some() {
                         break;
                     }
