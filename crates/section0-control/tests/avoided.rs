@@ -212,3 +212,45 @@ FINI
     assert_eq!(ran.faults(), ["APT2046"], "{:?}", ran.told);
     assert!(!ran.told.iter().any(|(_, text)| text.contains("goes on above")), "{:?}", ran.told);
 }
+
+/// Beside an upright post that the holder meets.
+const POST: &str = "UNITS/MM
+F=SSURF/PATCH,POLYGN,PLUS,(0.0,0.0,2.558927),(20.0,0.0,-0.978371),$
+ (40.0,0.0,4.222413),(60.0,0.0,2.929197),(0.0,20.0,-4.02621),(20.0,$
+ 20.0,4.797357),(40.0,20.0,3.153394),(60.0,20.0,-2.455571),(0.0,40.0,$
+ 3.258483),(20.0,40.0,5.568625),(40.0,40.0,-4.324412),(60.0,40.0,$
+ 1.937825),(0.0,60.0,-2.053893),(20.0,60.0,-3.988602),(40.0,60.0,$
+ 0.304503),(60.0,60.0,-5.019302)
+UP=VECTOR/0,0,1
+K0=CYLNDR/68.182321,16.812788,0.0,0.0,0.0,1.0,6.046587
+K1=CYLNDR/31.012774,0.0,4.427966,0.0,1.0,0.0,5.588888
+K2=CYLNDR/24.390273,0.0,4.940971,0.0,1.0,0.0,5.584991
+CUTTER/10.0,1.0,4.0,1.0,0.0,0.0,30.0
+INTOL/0.01
+OUTTOL/0.01
+THICK/0,0,0
+MULTAX
+HOLDER/8.0,30.0,8.0,40.0,30.0,50.0,30.0,80.0
+FROM/-30,-30,90
+CHKSRF/PS,K0,K1,K2,ON
+AVCTRL/CUTANG,CONST,0,RANGE,-30,30
+AVCTRL/ON
+SCON/DS,F,PARAM,.1,.9,.1,.9,AT,UP
+SCON/PS,TO,F,PLUS,0
+SCON/AXIS,UP
+SCON/FEED,800,800,300,2000
+SCON/FEED,(PLANE/0,0,1,70)
+SCON/STEPOV,0,6,0,0
+SMIL/ZIGZAG,DS,PARAM,.1,.1,CRSSPL,PLUS,STEPOV,PLUS
+NOPOST
+FINI
+";
+
+/// Where the step across was tilted it ends otherwise than a step that begins there would: from there the way to the next pass, tilted
+/// along, has the holder in the post, and goes over.
+#[test]
+fn from_a_tilted_step_across_to_the_next_pass_the_holder_keeps_off() {
+    let ran = run::run(POST, Verify::Full);
+    let faults: Vec<_> = ran.faults().into_iter().filter(|c| c != "APT2053").collect();
+    assert!(faults.is_empty() && ran.places.len() > 300, "{:?}", ran.told);
+}

@@ -25,6 +25,26 @@ impl Put {
         if avoided { Self::Risen(along) } else { Self::Path(along) }
     }
 
+    /// The last place of the tool.
+    pub(crate) fn last(&self) -> Option<(Vec3, Vec3)> {
+        match self {
+            Self::Feed(_) => None,
+            Self::Move(points) => points.last().copied(),
+            Self::Path(along) | Self::Lifted(along) | Self::Risen(along) => {
+                along.last().map(|a| a.at)
+            }
+        }
+    }
+
+    /// Leaves the first place of a path out.
+    pub(crate) fn leave_first(&mut self) {
+        if let Self::Path(along) | Self::Lifted(along) | Self::Risen(along) = self
+            && !along.is_empty()
+        {
+            along.remove(0);
+        }
+    }
+
     /// The places of the tool.
     pub(crate) fn places(&self) -> Vec<(Vec3, Vec3)> {
         match self {

@@ -90,6 +90,8 @@ struct Pass {
     avoided: bool,
     odd: Odd,
     first: Option<(Vec3, Vec3)>,
+    /// The first position, where the tool comes to it from the pass before.
+    begin: Option<Position>,
     touched: Touched,
     why: Option<Failure>,
 }
@@ -105,6 +107,8 @@ enum First {
     After((Vec3, Vec3)),
     /// It is put out, and the tool comes from here.
     From((Vec3, Vec3)),
+    /// It is put out, until it is known where the pass before ends.
+    Behind,
 }
 
 /// How the tool comes from where it stands to the first place of a path.
@@ -152,11 +156,19 @@ impl Region<'_> {
         let mut touched = Vec::with_capacity(n);
         let asked = self.stepover.scallop > 0.0;
         let mut ways = Vec::new();
+        let mut stand = None;
         for (i, slot) in slots.into_iter().enumerate() {
-            let Some(pass) = slot.into_inner() else {
+            let Some(mut pass) = slot.into_inner() else {
                 done.why = Some(Failure::Stopped { done: i, all: n });
                 break;
             };
+            if let Some(stand) = stand
+                && let Err(why) = self.link(stand, &mut pass)
+            {
+                done.why = Some(why);
+                break;
+            }
+            stand = pass.puts.iter().rev().find_map(Put::last).or(stand);
             touched.push(pass.touched);
             if !asked {
                 // From where the one before ends.
@@ -194,7 +206,7 @@ impl Region<'_> {
         let first = match (lane.leads, self.skip) {
             (true, true) => First::Left,
             (true, false) => First::Out,
-            (false, _) => First::After(self.corner(lane.from)?),
+            (false, _) => First::Behind,
         };
         let setup = Setup { joins: true, ..self.setup };
         let course = (lane.to, self.course, lane.sense);
@@ -242,6 +254,10 @@ impl Region<'_> {
         let start = points.first().map(|p| (p.te, p.ta));
         let skip = match (first, points.first()) {
             (First::Out, _) | (First::After(_) | First::From(_), None) => false,
+            (First::Behind, start) => {
+                out.begin = start.copied();
+                false
+            }
             (First::Left, _) => true,
             (First::After(stand) | First::From(stand), Some(start)) => {
                 match self.joined(setup, stand, start)? {
@@ -263,6 +279,26 @@ impl Region<'_> {
         out.odd = out.odd.or(Odd::of(&points));
         out.first = out.first.or(start);
         why.map_or(Ok((points, rolls)), Err)
+    }
+
+    /// Brings the tool from where it stands at the end of a pass to the beginning of the next. Where it got out of the way on the step
+    /// across it stands there as the step has led it, which is not as it would if it began there.
+    fn link(&self, stand: (Vec3, Vec3), pass: &mut Pass) -> Result<(), Failure> {
+        let Some(begin) = pass.begin else { return Ok(()) };
+        let setup = Setup { joins: true, ..self.setup };
+        match self.joined(&setup, stand, &begin)? {
+            Joint::There => {
+                if let Some(first) = pass.puts.first_mut() {
+                    first.leave_first();
+                }
+            }
+            Joint::Way => {}
+            Joint::Over(way) => {
+                pass.puts.insert(0, Put::Move(way.to_vec()));
+                pass.avoided = true;
+            }
+        }
+        Ok(())
     }
 
     /// To the neighbouring path along the surface, lifted where a lift is asked for.
