@@ -198,7 +198,9 @@ impl Motion<'_> {
         let way = to.te - from.te;
         let between = [0.25, 0.5, 0.75].map(|share| there(place + share * (end - place)));
         let beyond = [0.5 * ONWARDS, ONWARDS].map(|t| Pose { te: to.te + way * t, ..to });
-        let long = passed.by > (LONG * self.half).max(coming);
+        // A flat end comes over a joint for as long as it is wide.
+        let [[flat, _], _] = self.profile.joints();
+        let long = passed.by > (LONG * self.half).max(coming) + 2.0 * flat;
         (long && between.iter().chain(&beyond).all(same)).then_some(passed)
     }
 
