@@ -161,7 +161,7 @@ fn sparse(k: u32) -> String {
     let diameter = 6.0 + 6.0 * share(4);
     let corner = diameter * (0.1 + 0.35 * share(5));
     let outtol = [0.05, 0.01, 0.001, 0.0005][(k % 4) as usize];
-    let intol = if (k / 4) % 2 == 0 { 0.0 } else { outtol };
+    let intol = if (k / 4).is_multiple_of(2) { 0.0 } else { outtol };
     format!(
         "UNITS/MM\nWAVE=TABCYL/NOY,SPLINE{points}\nWAY=PLANE/0,1,0,0\nEND=PLANE/1,0,0,45\nINTOL/{intol}\n\
          OUTTOL/{outtol}\nCUTTER/{diameter:.3},{corner:.3}\nFROM/-45,0,9\nINDIRV/0,0,-1\n\
