@@ -30,7 +30,7 @@ pub(super) struct Between<'k> {
 }
 
 /// The places where the check surface is tangent. `along` tells whether both were one where the cut vector before ended; then that they
-/// still are is nothing new.
+/// still are is nothing new. With a fixed axis the slope of the gap tells all that.
 pub(super) fn tangent_places(
     way: &Way<'_>,
     between: &Between<'_>,
@@ -39,6 +39,9 @@ pub(super) fn tangent_places(
     out: &mut Vec<Crossing>,
 ) -> Result<(), Trouble> {
     let Between { keep, ends: [a, b], loose, halvings, .. } = *between;
+    if way.turn.norm() <= 0.0 {
+        return tangencies(way, keep, a, b, loose, halvings, alike, out);
+    }
     let one = way.joined(between)?;
     let before = std::mem::replace(along, one.as_ref().is_some_and(|one| one.to_the_end));
     let Some(Stretch { begins, at, .. }) = one else {
@@ -65,11 +68,11 @@ struct Stretch {
 }
 
 impl Way<'_> {
-    /// The first part between two samples on which both surfaces are one, if there is any and the axis turns.
+    /// The first part between two samples on which both surfaces are one, if there is any.
     fn joined(&self, between: &Between<'_>) -> Result<Option<Stretch>, Trouble> {
         let Between { keep, ends: [a, b], loose, .. } = *between;
         let far = a.gap.g.abs() + b.gap.g.abs() - 2.0 * loose > reach(self, keep, &a, &b);
-        if self.turn.norm() <= 0.0 || far || b.s <= a.s {
+        if far || b.s <= a.s {
             return Ok(None);
         }
         let same = SAME * keep.width() + 4.0 * self.track.exact;

@@ -125,14 +125,15 @@ fn crests_between(keep: &Keep, a: &Sample, b: &Sample) -> bool {
 }
 
 impl Way<'_> {
-    /// The middle of the stretch about the extreme `m` along which the gap keeps its value, `m` itself without one; where it goes on
-    /// at `b`, its beginning.
+    /// The middle of the stretch about the extreme `m` along which the gap keeps its value, `m` itself without one; where the axis
+    /// turns and it goes on at `b`, its beginning.
     ///
     /// A flat end of the cutter lies along its part surface and touches a round check surface tangent to it all the time
     /// that the line of contact goes through below the flat: the tool stops where that line is below its end, as in APT-360.
     fn middle(&self, keep: &Keep, a: &Sample, m: &Sample, b: &Sample) -> Result<f64, Trouble> {
         let (from, to) = (self.level(keep, m, a)?, self.level(keep, m, b)?);
-        Ok(if to < b.s { 0.5 * (from + to) } else { from })
+        let goes_on = self.turn.norm() > 0.0 && to >= b.s;
+        Ok(if goes_on { from } else { 0.5 * (from + to) })
     }
 
     /// Where, going from `m` to `end`, the gap ceases to keep its value.
