@@ -14,25 +14,15 @@ use crate::region::Region;
 /// Places along a pass, in a span of the drive and in all.
 const PLACES: f64 = 16.0;
 const MOST: f64 = 400.0;
-/// Parts of a step at which something is left that are tried instead.
-const SHORTER: [f64; 9] = [0.97, 0.93, 0.87, 0.75, 0.56, 0.42, 0.32, 0.24, 0.18];
+/// A step at which something is left is made shorter so many times, by this factor.
+const CLOSER: u32 = 6;
+const SHORTER: f64 = 0.75;
 /// Parts of a way with a turn that are looked at, and rounds that close in on where the tool is nearest.
 const PARTS: u32 = 4;
 const ROUNDS: u32 = 16;
 
-/// Halvings that close in on where one pass ends to clear.
-const CLOSE: u32 = 7;
-
-/// A way of one of the two passes.
-#[derive(Clone, Copy, Debug)]
-struct Way {
-    /// Tool ends and axes at both ends.
-    ends: [(Vec3, Vec3); 2],
-    /// 0 of the first pass, 1 of the next.
-    pass: usize,
-    /// What is farther from its start is not asked of it.
-    far: f64,
-}
+/// Tool ends and axes at both ends of a way.
+type Way = [(Vec3, Vec3); 2];
 
 impl Region<'_> {
     /// The step across, shorter where the tool leaves more than the scallop between the pass and the next. Where a far shorter one
@@ -41,8 +31,14 @@ impl Region<'_> {
         if self.setup.profile.is_round() || !self.setup.part.touches {
             return step;
         }
-        let closer = [1.0].into_iter().chain(SHORTER).map(|part| part * step);
-        closer.into_iter().find(|step| self.all_cleared(lane, *step)).unwrap_or(step)
+        let mut closer = step;
+        for _ in 0..CLOSER {
+            if self.all_cleared(lane, closer) {
+                return closer;
+            }
+            closer *= SHORTER;
+        }
+        step
     }
 
     fn all_cleared(&self, lane: &Lane, step: f64) -> bool {
@@ -59,52 +55,16 @@ impl Region<'_> {
         let (ways, from) = self.ways(lane, &pairs);
         let high = self.setup.thick() + self.stepover.scallop;
         pairs.iter().zip(from).all(|(pair, from)| {
-            let takes = |(place, normal): (Vec3, Vec3), pass: usize| {
+            self.places(pair).all(|(place, normal)| {
                 let x = place + normal * high;
                 // The nearest ways first.
                 let (before, behind) = ways.split_at(from);
-                let takes = |way: &Way| way.pass == pass && self.takes(way, x);
+                let takes = |way: &Way| self.takes(way, x);
                 let near = 8.min(before.len());
                 let (far, close) = before.split_at(before.len() - near);
                 close.iter().rev().any(takes) || behind.iter().chain(far).any(takes)
-            };
-            // Where the first of them ends to clear what it leaves is highest.
-            let mut cleared = 0.0;
-            let mut places = self.places(pair);
-            let end = places.find(|(f, place, normal)| {
-                let own = takes((*place, *normal), 0);
-                if own {
-                    cleared = *f;
-                }
-                !own
-            });
-            let Some((beyond, place, normal)) = end else { return true };
-            let next = |(_, place, normal)| takes((place, normal), 1) || takes((place, normal), 0);
-            takes((place, normal), 1)
-                && places.all(next)
-                && self.overlap(pair, [cleared, beyond], takes)
+            })
         })
-    }
-
-    /// Does the next pass take what the first one takes no more, between a place that this takes and one that it does not?
-    fn overlap(
-        &self,
-        pair: &Pair,
-        [mut cleared, mut beyond]: [f64; 2],
-        takes: impl Fn((Vec3, Vec3), usize) -> bool,
-    ) -> bool {
-        for _ in 0..CLOSE {
-            let middle = 0.5 * (cleared + beyond);
-            let Some(place) = self.place(pair, middle) else { return true };
-            if takes(place, 0) {
-                cleared = middle;
-            } else if takes(place, 1) {
-                beyond = middle;
-            } else {
-                return false;
-            }
-        }
-        true
     }
 
     /// The ways between places of both passes, with how many of them lie before each pair. At ends, and on both sides of an edge,
@@ -119,18 +79,12 @@ impl Region<'_> {
             for (k, (p, _)) in pair.both.iter().enumerate() {
                 let here = (p.te, p.ta);
                 let on = self.straight_on(lane, p);
-                let start = before.map_or((p.te - on, p.ta), |b| {
+                ways.push(before.map_or([(p.te - on, p.ta), here], |b| {
                     let q = &b.both[k].0;
-                    (q.te, q.ta)
-                });
-                let way = |ends: [(Vec3, Vec3); 2]| {
-                    let by = (ends[1].0 - ends[0].0).norm();
-                    let far = (p.te - p.contact).norm() + 2.0 * self.setup.profile.widest() + by;
-                    Way { ends, pass: k, far }
-                };
-                ways.push(way([start, here]));
+                    [(q.te, q.ta), here]
+                }));
                 if ends {
-                    ways.push(way([here, (p.te + on, p.ta)]));
+                    ways.push([here, (p.te + on, p.ta)]);
                 }
             }
         }
@@ -157,22 +111,13 @@ impl Region<'_> {
     }
 
     /// Is a point in the cutter somewhere on a way?
-    fn takes(&self, Way { ends: [a, b], far, .. }: &Way, x: Vec3) -> bool {
-        if (x - a.0).norm_squared() > far * far {
-            return false;
-        }
+    fn takes(&self, [a, b]: &Way, x: Vec3) -> bool {
         let profile = self.setup.profile;
         let by = b.0 - a.0;
         let turn = trig::angle_between(a.1, b.1);
         let ta = axis_between(a.1, b.1, 0.5);
-        let far = (x - a.0).norm().max((x - b.0).norm());
-        let off = 0.5 * turn * far;
-        // Half way it is no nearer than elsewhere by as far as the tool goes.
-        let half = Tool { profile, te: a.0 + by * 0.5, ta }.distance(x);
-        if half > off + 0.5 * by.norm() || half <= -off {
-            return half <= -off;
-        }
         let near = Swept { tool: Tool { profile, te: a.0, ta }, by }.near(x).0;
+        let off = 0.5 * turn * (x - a.0).norm().max((x - b.0).norm());
         if near > off || near <= -off {
             return near <= -off;
         }

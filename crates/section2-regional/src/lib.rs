@@ -12,7 +12,6 @@
 mod area;
 mod avoid;
 mod axis;
-mod bow;
 mod checks;
 mod contacts;
 mod crew;

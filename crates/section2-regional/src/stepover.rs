@@ -3,7 +3,6 @@
 use aptc_geometry::{Profile, Segment, Vec3};
 
 use crate::area::{AxisArea, Hold, StepoverArea};
-use crate::bow::Bow;
 use crate::drive::Course;
 use crate::position::{Position, level};
 use crate::ridge::Pass;
@@ -13,7 +12,7 @@ use crate::solve::Setup;
 /// A cutter that nearly fills a hollow moves its contact so many times as fast as itself, at most the inverse.
 const LEAST: f64 = 0.05;
 
-/// Part of a step that is counted on, however far the chords may lie aside.
+/// Part of the strip that a pass clears which is counted on, however far its chords may leave it sideways.
 const LEFT: f64 = 0.5;
 
 /// Distance between two paths on a surface of curvature `k` across them (positive hollow) that leaves a
@@ -66,9 +65,6 @@ pub(crate) fn parameter_step(
         Some(Round::at(profile, p.ta, p.normal, side_of(points, i)))
     };
     let mut near = [None, None, round(0)];
-    // The chords beside each place but the ends, whose neighbours tell of them.
-    let last = points.len().saturating_sub(2);
-    let bows: Vec<Bow> = points.windows(3).map(|w| Bow::at(setup, [&w[0], &w[1], &w[2]])).collect();
     for (i, p) in points.iter().enumerate() {
         let place = drive.place(p.drive_uv, course);
         // The part of the step that leads away from the path, as seen on the part surface.
@@ -103,24 +99,14 @@ pub(crate) fn parameter_step(
         if allowed > 0.0 {
             width = width.min(allowed);
         }
-        let bow = |i: usize| bows[i.clamp(1, last.max(1)) - 1];
-        let aside = (last > 0)
-            .then(|| bow(i).longest(setup, p, [bow(i.saturating_sub(1)), bow(i + 1)]))
-            .flatten();
         // A ball is as round everywhere, so that the formula tells it all; its flank and the rim of its top are not.
         let ball = profile.is_round() && p.segment == Segment::Arc;
-        if let Some(chord) = aside.filter(|_| ball && allowed > 0.0) {
-            let centre = |p: &Position| p.te + p.ta * radius;
-            let off = (centre(&chord) - centre(p)).dot(&side).abs();
-            // What its chords leave of the band lets the tool stand aside a little.
-            let room = setup.band.outtol - setup.highest();
-            let wide = scallop_width(radius, height + room, k / wider) / wider;
-            width = width.min((wide - off).max(LEFT * wide));
-        }
         if height > 0.0 && !ball {
             let along = path_direction(points, i);
-            let pass = Pass { profile, at: p, along, side, curvature: k };
-            let strip = pass.strip(thick + height, aside.as_ref());
+            let strip = Pass { profile, at: p, along, side, curvature: k }.strip(thick + height);
+            // Its chords may leave the lines sideways; few of them do by all that they may, and where the strip is no wider the
+            // passes have to be that close all the same.
+            let strip = (strip - 2.0 * setup.lateral).max(LEFT * strip);
             if strip > 0.0 {
                 width = width.min(strip);
             }
