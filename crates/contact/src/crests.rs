@@ -139,11 +139,12 @@ impl<'a> Crests<'a> {
             if span == 0 {
                 begin = Some(first);
             }
+            rises.take(&first);
             for ends in places.windows(2) {
                 let part = Part { from: ends[0], to: ends[1], scale: 1.0 };
                 let sides = part.sides(tool, &look);
                 part.contacts(sides.as_ref(), &look, &mut |l| self.offer(l), LEVELS - 1);
-                rises.along(&ends[0].1, sides.as_ref(), &ends[1].1);
+                rises.along(sides.as_ref(), &ends[1].1);
             }
             before = Some((span, last));
         }
@@ -168,16 +169,17 @@ impl<'a> Crests<'a> {
         for [low, high] in surface.rulings_near(tool.te, self.top, reach) {
             #[expect(clippy::float_cmp, reason = "the same ruling")]
             let known = before.filter(|b| b.0 == low).map(|b| b.1);
+            let first = known.unwrap_or_else(|| look(low));
             if known.is_none() {
                 rises = Rises { least: rises.least, ..Rises::default() };
+                rises.take(&first);
             }
-            let first = known.unwrap_or_else(|| look(low));
             let last = look(high);
             let scale = first.rate;
             let part = Part { from: (low, first), to: (high, last), scale };
             let sides = part.sides(tool, &look);
             part.contacts(sides.as_ref(), &look, &mut |l| self.offer(l), LEVELS - 1);
-            rises.along(&first, sides.as_ref(), &last);
+            rises.along(sides.as_ref(), &last);
             before = Some((high, last));
         }
         self.takes(&rises);
@@ -216,11 +218,8 @@ impl Default for Rises {
 }
 
 impl Rises {
-    /// Takes the next part from one end to the other, with the sides of a place within it that faces the end of the tool.
-    fn along(&mut self, from: &Look, sides: Option<&[(f64, Look); 2]>, to: &Look) {
-        if self.last.is_none() {
-            self.take(from);
-        }
+    /// Takes the next part to its end, with the sides of a place within it that faces the end of the tool.
+    fn along(&mut self, sides: Option<&[(f64, Look); 2]>, to: &Look) {
         sides.iter().copied().flatten().for_each(|side| self.take(&side.1));
         self.take(to);
     }

@@ -1,14 +1,14 @@
 //! Under an axis that turns, a motion over a patch to a plane that is tangent along its border ends at the border, and not on what goes
 //! on straight beyond it; a path that goes on there is refuted.
 
+#[path = "support/held.rs"]
+mod held;
 #[path = "support/run.rs"]
 mod run;
 
-use std::sync::Arc;
-
-use aptc_cldata::{Control, Kind, Motion, MotionKind, Record};
-use aptc_control::{Disk, Options, Source, Verify, compile};
-use aptc_verify::{Breach, Certificate, Effort, Verifier};
+use aptc_control::Verify;
+use aptc_verify::Breach;
+use held::held;
 
 /// A patch with the section `p`, a Bezier curve whose last side lies in a plane, and that plane; `across` is (y, z) a unit of its
 /// height and of what lies across.
@@ -132,40 +132,6 @@ fn a_motion_ends_where_the_patch_does() {
     }
 }
 
-fn records(text: &str) -> Vec<Record> {
-    let options = Options { verify: Verify::Off, post: false, ..Options::default() };
-    let source = Source { name: "part".into(), text: text.into() };
-    let compiled = compile(source, &mut Disk::new(Vec::new(), 0), &options);
-    let wrong: Vec<_> = compiled.diagnostics.iter().filter(|d| d.is_error()).collect();
-    assert!(wrong.is_empty(), "{wrong:?} {text}");
-    compiled.parts[0].computed.to_vec().expect("they can be read")
-}
-
-/// What governs the last motion along surfaces.
-fn last(records: &[Record]) -> Arc<Control> {
-    let along = |r: &Record| match &r.kind {
-        Kind::Motion(Motion { kind: MotionKind::Continuous, control, .. }) => control.clone(),
-        _ => None,
-    };
-    records.iter().rev().find_map(along).expect("it moves along surfaces")
-}
-
-/// The path of one program, its last motion held against what the other asks of its own.
-fn held(path: &str, asked: &str) -> Certificate {
-    let mut records = records(path);
-    let (own, control) = (last(&records), last(&self::records(asked)));
-    let mut verifier = Verifier::new(Effort::Full);
-    for record in &mut records {
-        if let Kind::Motion(Motion { control: Some(c), .. }) = &mut record.kind
-            && Arc::ptr_eq(c, &own)
-        {
-            *c = Arc::clone(&control);
-        }
-        verifier.push(record);
-    }
-    verifier.finish().0
-}
-
 /// All of rounded cutters, and most of flat ends: of one that touches with its edge it is not told.
 #[test]
 fn a_path_that_goes_on_beyond_the_patch_is_refuted() {
@@ -175,7 +141,7 @@ fn a_path_that_goes_on_beyond_the_patch_is_refuted() {
         for on in [20.0, 60.0] {
             let path = scene.text(&format!("ON,(PLANE/1,0,0,{})", (joint + on) * scene.size));
             let asked = scene.text(scene.tangent());
-            let certificate = held(&path, &asked);
+            let (certificate, _) = held(&path, &asked);
             let fault = certificate.statements.last().and_then(|s| s.fault.clone());
             let Some(fault) = fault else {
                 assert_eq!(scene.cutter, FLAT, "no fault {path} {asked}");

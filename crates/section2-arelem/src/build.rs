@@ -132,9 +132,9 @@ impl Arelem {
         (depth > 2.0 * (wall.band.intol + wall.band.outtol) && depth.is_finite()).then_some(depth)
     }
 
-    /// Where nothing says it: does the cutter not touch the part surface, and is its end on it?
+    /// Where nothing says it: is the tool end on the part surface, and does the cutter not touch it?
     fn seems_on(&self, part: &SurfaceRef, tool: &Tool) -> bool {
-        !self.touches(part, tool) && self.stands_on(part, Role::Part, tool)
+        self.stands_on(part, Role::Part, tool) && !self.touches(part, tool)
     }
 
     /// Does a tool with TLLFT or TLRGT stay ON the drive surface: an upright plane on which its end is, and beside which the

@@ -226,7 +226,7 @@ fn put_together(items: &[Item], assigned: &[Option<(usize, usize)>], points: &[P
             continue;
         };
         last = motion.points.last().copied();
-        let Some(back) = item.map.map_or(Some(Transform::identity()), |m| m.inverse()) else {
+        let Some(back) = item.map().map_or(Some(Transform::identity()), |m| m.inverse()) else {
             out.missing.push(item.record.origin.clone());
             behind = out.records.len();
             continue;

@@ -5,13 +5,11 @@ use std::sync::Arc;
 use aptc_cldata::{Edit, Kind, Motion, Record, Units};
 use aptc_geometry::{Transform, Vec3};
 
-/// A record of the program, and the map that editing carries it by.
+/// A record of the program, and the maps that editing carries it by, TRACUT first.
 #[derive(Clone, Debug)]
 pub(crate) struct Item {
     pub(crate) record: Record,
-    pub(crate) map: Option<Transform>,
     pub(crate) units: Units,
-    /// What `map` is made of, one after the other.
     tracut: Option<Transform>,
     copies: Option<Transform>,
 }
@@ -27,12 +25,19 @@ impl Item {
         }
     }
 
+    /// The map that editing carries it by in all.
+    pub(crate) fn map(&self) -> Option<Transform> {
+        match (self.tracut, self.copies) {
+            (Some(tracut), Some(copies)) => Some(tracut.then(&copies)),
+            (one, other) => one.or(other),
+        }
+    }
+
     /// It copied once more by that map. A copy is made anew from what it repeats, behind TRACUT: what copies now goes first, then
     /// what copied before.
     fn copied(&self, now: &Transform) -> Self {
         let copies = self.copies.map_or(*now, |before| now.then(&before));
-        let map = self.tracut.map_or(copies, |t| t.then(&copies));
-        Self { map: Some(map), copies: Some(copies), ..self.clone() }
+        Self { copies: Some(copies), ..self.clone() }
     }
 
     /// Is it led along the same surfaces as one before it, carried there by the same map?
@@ -40,14 +45,14 @@ impl Item {
         let control = |item: &Self| item.motion().and_then(|m| m.control.clone());
         let both = control(self).zip(control(before));
         both.is_some_and(|(a, b)| Arc::ptr_eq(&a, &b))
-            && self.map == before.map
+            && self.map() == before.map()
             && self.units == before.units
     }
 
     /// Where the motion ends, as the edited file has it, in millimetres.
     pub(crate) fn end_mm(&self) -> Vec3 {
         let end = self.motion().and_then(|m| m.points.last()).map_or_else(Vec3::zeros, |p| p.te);
-        self.map.map_or(end, |m| m.point(end)) * self.units.mm()
+        self.map().map_or(end, |m| m.point(end)) * self.units.mm()
     }
 }
 
@@ -85,8 +90,7 @@ pub(crate) fn unfold(program: &[Record]) -> Result<Vec<Item>, String> {
                 if let Kind::Units(u) = kind {
                     units = *u;
                 }
-                let record = record.clone();
-                out.push(Item { record, map: tracut, units, tracut, copies: None });
+                out.push(Item { record: record.clone(), units, tracut, copies: None });
             }
         }
     }
