@@ -135,3 +135,52 @@ fn a_flat_end_turns_onto_the_ruling_of_a_cone_in_a_band_that_begins_there() {
         }
     }
 }
+
+/// From the slope that rises by the first angle along x to the next one, the tool square to each.
+fn over_a_ridge([from, to]: [f64; 2], next: &str, cutter: &str, [intol, outtol]: [f64; 2]) -> run::Ran {
+    let n = |deg: f64| [-aptc_geometry::trig::sin_deg(deg), aptc_geometry::trig::cos_deg(deg)];
+    let ([a, c], [i, k]) = (n(from), n(to));
+    // A cylinder of 80 whose normal at the ridge is that of the slope.
+    let (x, z) = (-80.0 * i, -80.0 * k);
+    let next = match next {
+        "PLANE" => format!("PLANE/{i:.12},0,{k:.12},0"),
+        _ => format!("CYLNDR/{x:.12},0,{z:.12},0,1,0,80"),
+    };
+    let text = format!(
+        "UNITS/MM\nCANON/ON\nFIRST=PLANE/{a:.12},0,{c:.12},0\nNEXT={next}\nDR=PLANE/(POINT/0,0,0),(POINT/10,2,0),(POINT/0,0,9)\n\
+         CUTTER/{cutter}\nINTOL/{intol}\nOUTTOL/{outtol}\nMULTAX\nFROM/-45,0,60\nTLAXIS/NORMPS\n\
+         GO/ON,DR,TO,FIRST,ON,(PLANE/1,0,0,-30)\nINDIRV/1,0,0\nTLON,GOFWD/DR,ON,(PLANE/1,0,0,0)\n\
+         PSIS/NEXT\nGOFWD/DR,ON,(PLANE/1,0,0,12)\nFINI\n"
+    );
+    run::run(&text, Verify::Full)
+}
+
+/// On the ridge to the next part surface the tool turns about its end, and then goes on: it does not cut into what is before or beyond
+/// it. In a valley it stands in the next one there.
+#[test]
+fn a_tool_square_to_its_part_surface_turns_on_a_ridge() {
+    for next in ["PLANE", "CYLNDR"] {
+        for angles in [[12.0, -4.0], [8.0, 1.0], [-3.0, -35.0], [30.0, 5.0]] {
+            for (cutter, bands) in [
+                ("10", [0.01, 0.01]),
+                ("16,8", [0.0, 0.05]),
+                ("12,2", [0.005, 0.02]),
+                ("20,.5", [0.1, 0.1]),
+            ] {
+                let ran = over_a_ridge(angles, next, cutter, bands);
+                assert!(ran.told.is_empty(), "{next} {angles:?} {cutter} {:?}", ran.told);
+                let turned = |k: usize| {
+                    let (a, b) = (ran.axes[k - 1], ran.axes[k]);
+                    (0..3).map(|i| a[i] * b[i]).sum::<f64>() < 1.0 - 1e-5
+                };
+                let at = (2..ran.places.len()).find(|k| turned(*k)).expect("it turns");
+                let by = (0..3).map(|i| (ran.places[at][i] - ran.places[at - 1][i]).abs());
+                let room = 2.0 * (bands[0] + bands[1]);
+                assert!(by.fold(0.0, f64::max) <= room, "{next} {angles:?} {cutter}");
+                let [from, to] = angles;
+                let valley = over_a_ridge([to, from], "PLANE", cutter, bands);
+                assert_eq!(valley.faults(), ["APT5001"], "{angles:?} {cutter} {:?}", valley.told);
+            }
+        }
+    }
+}

@@ -65,3 +65,30 @@ fn a_direction_along_the_tool_axis_says_whether_a_motion_goes_up_or_down() {
         }
     }
 }
+
+/// FROM and GOTO with an axis end a TLAXIS by which it turns; that is told once, where a motion follows and no TLAXIS said anything since.
+#[test]
+fn an_axis_of_from_or_goto_ends_the_one_that_turns() {
+    let slope = |axis: &str, from: &str, after: &str| {
+        let text = format!(
+            "PARTNO SLOPE\nUNITS/MM\nSLOPE=PLANE/(POINT/0,0,0),(POINT/0,10,0),(POINT/40,0,10)\nW=PLANE/0,1,0,0\n\
+             CUTTER/12,2\nINTOL/.01\nOUTTOL/.01\nMULTAX\nTLAXIS/{axis}\nFROM/-40,0,60{from}\n{after}\n\
+             GO/ON,W,TO,SLOPE,ON,(PLANE/1,0,0,-20)\nINDIRV/1,0,0\nTLON,GOFWD/W,ON,(PLANE/1,0,0,20)\n\
+             GOTO/20,0,60,0,0,1\nNOPOST\nFINI\n"
+        );
+        run::run(&text, Verify::Full)
+    };
+    let upright = |ran: &run::Ran| ran.axes.iter().all(|a| a[2] > 1.0 - 1e-9);
+    let ended = slope("NORMPS", ",0,0,1", "");
+    assert_eq!(ended.faults(), ["APT2067"]);
+    assert!(ended.told[0].1.contains("line 10"), "{:?}", ended.told);
+    assert!(upright(&ended));
+    let again = slope("NORMPS", ",0,0,1", "TLAXIS/NORMPS");
+    assert!(again.told.is_empty() && !upright(&again), "{:?}", again.told);
+    let stays = slope("NORMPS", ",0,0,1", "TLAXIS/1");
+    assert!(stays.told.is_empty() && upright(&stays), "{:?}", stays.told);
+    let fixed = slope("0,0,1", ",0,0,1", "");
+    assert!(fixed.told.is_empty(), "{:?}", fixed.told);
+    let turns = slope("NORMPS", "", "");
+    assert!(turns.told.is_empty() && !upright(&turns), "{:?}", turns.told);
+}

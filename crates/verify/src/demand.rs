@@ -77,6 +77,17 @@ enum Convex<'a> {
     Hollow(&'a Oval),
 }
 
+/// What lies below a plane.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct HalfSpace {
+    /// The unit direction away from it.
+    pub(crate) away: Vec3,
+    /// How far the tool end is from it.
+    pub(crate) off: f64,
+    /// Does it hold all material below the surface?
+    pub(crate) holds: bool,
+}
+
 /// The answer for one cut vector and one surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Verdict {
@@ -386,6 +397,23 @@ impl Demand {
             Body::Sheet(sheet, _) => self.curved(sheet).gap(tool, &pose),
             Body::Unknown => None,
         }
+    }
+
+    /// The half space below the plane that is tangent to the surface where the tool touches it with its end; `None` where nothing is
+    /// near. Of another surface than one that has convex material below it that holds near there alone.
+    pub(crate) fn half_space(&self, profile: &Profile, at: &Position) -> Option<HalfSpace> {
+        let (away, off, holds) = match &self.body {
+            _ if self.on => return None,
+            Body::Solid(solid) => {
+                let (away, off) = solid.half_space(at.te);
+                if self.within { (-away, -off, false) } else { (away, off, true) }
+            }
+            _ => {
+                let (off, away) = self.beside(profile, &Pose::of(at), &mut None)?;
+                (away?, off, false)
+            }
+        };
+        Some(HalfSpace { away, off, holds })
     }
 
     /// The gap at a position and the direction away from the surface there, where that is one. Of a surface with charts it is that at the

@@ -7,11 +7,15 @@ use crate::certificate::{Breach, Fault, SurfaceBound};
 use crate::curved::Warm;
 use crate::demand::{Demand, Verdict};
 use crate::past::Passed;
+use crate::ridge::{Ridge, turns_over};
 use crate::sheets::Sheets;
 use crate::statement::Seen;
 
 /// Widths of its band by which a tangent check surface may be missed where a motion ends.
 const MISSED: f64 = 2.0;
+
+/// Why a turn in place on a ridge is not proved.
+const ON_RIDGE: &str = "the tool turns on the ridge to this surface and stands there in what goes on beyond it; of surfaces that are not flat or round outwards it is not proved that nothing of them is in its way";
 
 #[derive(Clone, Debug)]
 pub(crate) struct Judged {
@@ -85,6 +89,25 @@ impl Judged {
             Some(fault) => Some(Some(fault)),
             None => Some(self.vector(profile, to, to, pad, 1, seen)),
         }
+    }
+
+    /// What is wrong with the first vector, found to be so, where it turns the tool in place over the ridge between a surface of the
+    /// motion before and this one, going on to `on`; `None` where it does not.
+    pub(crate) fn over_ridge(
+        &self,
+        found: &Fault,
+        earlier: &Control,
+        (way, on): ([&Position; 2], Vec3),
+        (profile, pad): (&Profile, f64),
+        sheets: &Sheets,
+    ) -> Option<Option<Fault>> {
+        let held = (self.disk.as_ref().unwrap_or(profile), pad);
+        let ridge = turns_over(&self.demand, earlier, way, on, held, sheets)?;
+        let end = self.vector(profile, way[1], way[1], pad, 1, &mut Seen::default());
+        Some(end.or_else(|| {
+            let why = Some(ON_RIDGE.into());
+            (ridge == Ridge::Likely).then(|| Fault { refuted: false, why, ..found.clone() })
+        }))
     }
 
     /// How far out of the band a tool is at least that stands there.

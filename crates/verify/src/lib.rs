@@ -38,6 +38,7 @@ mod paraboloid;
 mod passes;
 mod past;
 mod pile;
+mod ridge;
 mod rings;
 mod scallop;
 mod search;

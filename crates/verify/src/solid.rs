@@ -70,6 +70,19 @@ impl Solid {
             }
         }
     }
+
+    /// The unit direction away from a half space that holds the solid, and how far a place is from it: its signed distance, but
+    /// beyond the vertex of a cone, where it may be less.
+    pub(crate) fn half_space(&self, p: Vec3) -> (Vec3, f64) {
+        let from = match self {
+            Self::Half(plane) => plane.n,
+            Self::Ball(c, _) => p - c,
+            Self::Rod(q, ..) => p - q,
+            Self::Nappe(v, ..) => p - v,
+        };
+        let m = self.bounded_direction(from);
+        (m, m.dot(&p) - self.support(m))
+    }
 }
 
 impl Supported for Solid {

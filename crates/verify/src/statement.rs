@@ -462,10 +462,16 @@ impl Guided {
         for (k, (judged, seen)) in self.along.iter().zip(&mut answer.seen).enumerate() {
             if !rows.along[k] {
                 let found = judged.vector(profile, start, to, *pad, number, seen);
-                let eased = self.eased[k].as_ref().filter(|_| i == 0 && found.is_some());
+                let first = i == 0 && found.is_some() && !s.startup;
+                let eased = self.eased[k].as_ref().filter(|_| first);
                 let way =
                     |eased| judged.come_to(eased, profile, [start, to], (comes(), *pad), seen);
-                keep(&mut fault, eased.and_then(way).unwrap_or(found));
+                let better = eased.and_then(way).or_else(|| {
+                    let (earlier, on) = (s.earlier.as_ref()?, s.points.get(1).filter(|_| first)?);
+                    let (way, held) = (([start, to], on.te), (profile, *pad));
+                    judged.over_ridge(found.as_ref()?, earlier, way, held, &s.sheets)
+                });
+                keep(&mut fault, better.unwrap_or(found));
             }
             keep(&mut answer.real, judged.real_cutter(profile, start, to, *pad, number));
             if let Some((_, at)) = self.over[k].as_ref().filter(|(vector, _)| *vector == i) {

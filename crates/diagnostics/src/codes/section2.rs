@@ -61,4 +61,5 @@ codes! {
     FAR_LIFT = 2064, "a lift of AVCTRL farther than three lengths of the tool";
     NEVER_CUT = 2065, "DNTCUT to the end of the part";
     ENDS_ON_PART = 2066, "the tool end stays on the part surface, the cutter in it";
+    AXIS_ENDED = 2067, "FROM or GOTO with an axis ends TLAXIS";
 }

@@ -52,6 +52,17 @@ fn rail(a: &Args<'_>, at: usize) -> Result<Rail, Fault> {
         let what = "the vector leads along the line between the points; give one that leads from it to the curve";
         return Err(Fault::Dependent { places, what });
     }
+    // A plane is cut in a line where it leans against the way to it.
+    let flat = match surface.shape() {
+        Form::Plane(p) => Some(p.n),
+        Form::Line(l) => Some(l.plane().n),
+        _ => None,
+    };
+    if flat.is_some_and(|n| n.dot(&across).abs() <= meet::PARALLEL * across.norm()) {
+        let places = vec![at, at + 1, at + 2, at + 3];
+        let what = "the plane through the points does not cut this plane in a line";
+        return Err(Fault::Dependent { places, what });
+    }
     // A third point only tells the side; a vector is the direction itself.
     let toward = if from_point { across.normalize() } else { toward.normalize() };
     Ok(Rail { surface, start, end, toward })

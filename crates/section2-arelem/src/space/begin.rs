@@ -151,7 +151,9 @@ fn as_it_stands(scene: &Scene, turns: InPlace) -> Result<Begin, Failure> {
         .finish(pose, [drive_gap, part_gap], heading)
         .map_err(|t| trouble_at(scene, &pose, t))?;
     let stays = off_drive <= 1.0 && off_part <= 1.0;
-    let mut way = Vec::new();
+    // Where the old axis gave way the tool turns about its end before it goes anywhere.
+    let gave_way = (pose.ta - tool.ta).norm() > 0.0;
+    let mut way = Vec::from_iter(gave_way.then_some(node));
     if !stays {
         way.push(put(&track, &node).map_err(|t| trouble_at(scene, &pose, t))?);
     }
