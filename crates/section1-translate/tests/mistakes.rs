@@ -52,6 +52,14 @@ FINI
 type Mistake = (&'static str, &'static str, u16, &'static str, &'static str);
 
 const MISTAKES: &[Mistake] = &[
+    // the plane that is to be cut is the one that cuts
+    (
+        "LOADTL/2",
+        "RR=RLDSRF/TOP,(POINT/0,0,10),(POINT/9,0,10),(VECTOR/0,5,0),SETPT",
+        1205,
+        "(VECTOR/0,5,0)",
+        "",
+    ),
     // names
     ("FROM/SETPT", "FROM/SETTP", 1050, "SETTP", "did you mean SETPT?"),
     ("LOADTL/2", "LOADTL/QQQQ", 1050, "QQQQ", "define QQQQ"),

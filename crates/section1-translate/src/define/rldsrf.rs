@@ -60,7 +60,7 @@ fn rail(a: &Args<'_>, at: usize) -> Result<Rail, Fault> {
     };
     if flat.is_some_and(|n| n.dot(&across).abs() <= meet::PARALLEL * across.norm()) {
         let places = vec![at, at + 1, at + 2, at + 3];
-        let what = "the plane through the points does not cut this plane in a line";
+        let what = "its cutting plane does not meet this plane in a line";
         return Err(Fault::Dependent { places, what });
     }
     // A third point only tells the side; a vector is the direction itself.
