@@ -30,7 +30,7 @@ const MOST_SHORTENED: u32 = 20;
 /// Cut vectors before a corner that one may stand for.
 const MERGED: usize = 8;
 /// How far a tool goes from its start, in sizes of the scene: what it has not met there it never does.
-const FAR: f64 = 1e3;
+const FAR: f64 = 1e2;
 /// Sine below which a track is along rulings.
 const PARALLEL: f64 = 1e-9;
 /// Cut vectors of one motion when NUMPTS does not say.
