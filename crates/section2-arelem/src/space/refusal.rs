@@ -15,6 +15,8 @@ use crate::failure::{Blocked, Failure, Hindrance};
 use crate::scene::{Scene, Wall};
 use crate::state::unit;
 
+/// Sine of the angle between two surfaces up to which they run side by side.
+const NEARLY_ALONG: f64 = 0.05;
 /// Degrees that are left of the angle of an axis square to a vector where a motion comes to the end of such axes.
 const NEARLY_DEG: f64 = 0.05;
 /// So many are left at the beginning of such a motion.
@@ -82,7 +84,10 @@ pub(super) fn blocked(
     let (Some(check), Some(watch)) = (scene.checks.first(), watches.first()) else {
         return Failure::NoCheck { word: scene.direction };
     };
-    if matches!(t, Trouble::Axis | Trouble::SideBySide) {
+    // Behind the tip of a cone the surfaces have no normals that would tell a direction, and do not run side by side for that.
+    let [drive, part] = node.gaps.each_ref().map(|gap| gap.normal);
+    let along = || drive.cross(&part).norm() <= NEARLY_ALONG;
+    if matches!(t, Trouble::Axis) || matches!(t, Trouble::SideBySide) && along() {
         return trouble_at(scene, &node.pose, t);
     }
     let now = Keep::of(&check.wall).ok().and_then(|k| clearance(&k, &node.pose).ok());
