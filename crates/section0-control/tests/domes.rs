@@ -44,6 +44,41 @@ SMIL/ZIGZAG,DS,PARAM,0,0,TANSPL,PLUS,STEPOV,PLUS";
     }
 }
 
+/// Round the axis of a flange the chords lie aside of their lines all along, and the tool stands off by nearly all of OUTTOL: beside the
+/// vertices of one pass those of the next are farther off.
+#[test]
+fn chords_that_lie_aside_leave_no_more() {
+    for (profile, cutter) in [
+        ("(9,0,.3),(31,0,-.6),(52,0,-2.4),(71,0,.6)", "8,4"),
+        ("(15.3,0,-2.6),(25.2,0,-3.2),(37,0,-2.9)", "4,2"),
+    ] {
+        for work in ["ZIGZAG", "PICKFD"] {
+            let text = format!(
+                "PARTNO FLANGE
+UNITS/MM
+RIM=SCURV/SPLINE,{profile}
+FLANGE=SSURF/REVOLV,RIM,AXIS,(POINT/0,0,0),(VECTOR/0,0,1),CCLW,30,120
+UP=VECTOR/0,0,1
+CUTTER/{cutter}
+INTOL/0
+OUTTOL/.05
+FROM/0,0,90
+SCON/DS,FLANGE,PARAM,.1,1.9,.1,.75,AT,UP
+SCON/PS,TO,FLANGE,PLUS,0
+SCON/AXIS,UP
+SCON/FEED,0,0,0,0
+SCON/FEED,(PLANE/0,0,1,50)
+SCON/STEPOV,.1,4,0,16
+SMIL/{work},DS,PARAM,.1,.1,CRSSPL,PLUS,STEPOV,PLUS
+FINI
+"
+            );
+            let ran = run::run(&text, Verify::Full);
+            assert_eq!(ran.faults(), Vec::<String>::new(), "{profile} {work}");
+        }
+    }
+}
+
 /// Beyond the hole there is no sheet over the dome that the tool could rest on.
 #[test]
 fn a_motion_over_a_hole_goes_down_on_the_other_side() {

@@ -12,6 +12,7 @@
 mod area;
 mod avoid;
 mod axis;
+mod bow;
 mod checks;
 mod contacts;
 mod crew;

@@ -12,7 +12,7 @@ use crate::solve::Setup;
 /// A cutter that nearly fills a hollow moves its contact so many times as fast as itself, at most the inverse.
 const LEAST: f64 = 0.05;
 
-/// Part of the strip that a pass clears which is counted on, however far its chords may leave it sideways.
+/// Part of a width that is counted on, however far the chords may leave their line sideways.
 const LEFT: f64 = 0.5;
 
 /// Distance between two paths on a surface of curvature `k` across them (positive hollow) that leaves a
@@ -101,6 +101,16 @@ pub(crate) fn parameter_step(
         }
         // A ball is as round everywhere, so that the formula tells it all; its flank and the rim of its top are not.
         let ball = profile.is_round() && p.segment == Segment::Arc;
+        if allowed > 0.0 && ball && points.len() > 2 {
+            let middle = i.clamp(1, points.len() - 2);
+            let three = [middle - 1, middle, middle + 1].map(|i| &points[i]);
+            // Over a hump what is seen from the centre is less on the surface, in a hollow more.
+            let aside = setup.aside(three, side) / (1.0 - k * (radius + thick)).max(LEAST);
+            // As high in the band as a tool stands at most, it leaves this to the chords.
+            let room = setup.band.outtol - setup.highest();
+            let wide = scallop_width(radius, height + room, k / wider) / wider;
+            width = width.min((wide - aside).max(LEFT * wide));
+        }
         if height > 0.0 && !ball {
             let along = path_direction(points, i);
             let strip = Pass { profile, at: p, along, side, curvature: k }.strip(thick + height);
