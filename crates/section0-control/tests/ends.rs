@@ -182,3 +182,16 @@ SMIL/PATH,DS,PARAM,0,.5,TANSPL,PLUS";
     assert_eq!(faults(FLAT, &work), ["APT2027"]);
     assert_eq!(faults("8,1,3,1,0,0,30", &work), Vec::<String>::new());
 }
+
+/// Along the level ruling on top of a lying cone a flat end comes to the tip: there the way ends, the surfaces do not run side by side.
+#[test]
+fn a_motion_past_the_tip_of_a_cone_ends_there() {
+    let [c, s] = [aptc_geometry::trig::cos_deg(10.0), aptc_geometry::trig::sin_deg(10.0)];
+    let text = format!(
+        "PARTNO TIP\nUNITS/MM\nY0=PLANE/0,1,0,0\nTIP=CONE/(POINT/100,0,0),(VECTOR/-{c:.9},0,-{s:.9}),10\nCUTTER/24\n\
+         INTOL/.04\nOUTTOL/.04\nFROM/20,0,60\nGO/ON,Y0,TO,TIP,ON,(PLANE/1,0,0,20)\nINDIRV/1,0,0\n\
+         TLON,GOFWD/Y0,ON,(PLANE/1,0,0,300)\nNOPOST\nFINI\n"
+    );
+    let ran = run::run(&text, Verify::Full);
+    assert_eq!(ran.faults(), ["APT2021"], "{:?}", ran.told);
+}
