@@ -98,6 +98,9 @@ fn words_that_smil_takes_from_scon_are_told() {
     }
     for line in ["GOLOFT/F,VCONST,1", "GOMILL/F,VCONST,0,STEPOV,1"] {
         one(&format!("CUTTER/OPTION,1,10,1\n{line}"), "APT2059", "CUTTER/OPTION,1,10,1");
+        let word = &line[..6];
+        let said = format!("TLPROJ has no effect on {word}");
+        one(&format!("TLPROJ/(VECTOR/0,0,-1),ON\n{line}"), "APT2059", &said);
     }
     one(
         "GCLEAR/START,NORMAL,5\nGOMILL/F,VCONST,0,STEPOV,1",

@@ -8,7 +8,7 @@ use aptc_geometry::{Profile, Vec3, trig};
 
 use crate::guard::{Gouge, Guard, Stood};
 use crate::inside::{Found, deepest, hull};
-use crate::plain::{Plain, about};
+use crate::plain::{Patience, Plain, about};
 
 /// Parts of a way at whose ends a place is looked at, and rounds that close in on where it is deepest.
 const PARTS: u32 = 8;
@@ -41,10 +41,18 @@ impl Guard {
             };
             let all = solids().map(|(profile, up)| deep_at((&profile, up), ends, place));
             let Some((depth, t)) = all.max_by(|a, b| a.0.total_cmp(&b.0)) else { return gouge };
-            // What turns was held against its place with the axis of a stretch.
+            // What turns was held against its place with the axis of a stretch; another place may be deeper in it where it stands then.
             let real = thick + depth;
             let depth = if real > self.intol { real } else { gouge.depth };
-            return Gouge { depth, stood: Some(Box::new(stood(ends, t, place))), ..gouge };
+            let then = stood(ends, t, place);
+            if (a.1 - b.1).norm() > 1e-12 {
+                let at = [(then.te, then.ta); 2];
+                let still = self.deepest(cutter, at, Gouge { seen: None, ..gouge.clone() });
+                if still.stood.is_some() && still.depth > depth {
+                    return still;
+                }
+            }
+            return Gouge { depth, stood: Some(Box::new(then)), ..gouge };
         }
         let Some(p) = self.plain.iter().find(|p| p.name == gouge.surface) else { return gouge };
         let found = solids()
@@ -57,7 +65,14 @@ impl Guard {
             {
                 Gouge { depth, stood: Some(Box::new(stood(ends, t, place))), ..gouge }
             }
-            _ => gouge,
+            // Of what has sides it was told how deep the first of them goes beyond it.
+            _ => {
+                let all = solids().filter_map(|(profile, up)| {
+                    p.deep(cutter, (&profile, up), ends, self.intol, Patience::Full)
+                });
+                let depth = all.map(|d| d.depth + p.thick).fold(gouge.depth, f64::max);
+                Gouge { depth, ..gouge }
+            }
         }
     }
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use aptc_contact::{PatchTree, Tool};
 use aptc_geometry::sculpt::{SplinePoint, mesh};
 use aptc_geometry::sculptured::MeshSpacing;
-use aptc_geometry::{Circle, Cutter, Form, Profile, Rail, RuledSurface, Second, Vec3, trig};
+use aptc_geometry::{Circle, Cutter, Form, Profile, Rail, RuledSurface, Second, Sphere, Vec3, trig};
 
 use crate::guard::{Checked, Gouge, Guard};
 use crate::plain::Plain;
@@ -85,6 +85,25 @@ fn on_a_way_it_is_told_where_the_tool_is_deepest() {
     assert!((found.depth - 3.0).abs() < 3e-3, "{}", found.depth);
     let stood = found.stood.unwrap();
     assert!((stood.te - ends[1].0).norm() < 0.01 && (stood.ta - Vec3::z()).norm() < 1e-3);
+}
+
+/// Of shank and holder the one that is deeper is told, not the first that touches.
+#[test]
+fn of_the_solids_of_a_holder_the_deepest_is_told() {
+    let solid = |d: f64, from: f64, to: f64| {
+        (Profile::new(&Cutter::mill(d, 0.0, to - from)).unwrap(), from)
+    };
+    let ball = Sphere { center: Vec3::new(22.0, 0.0, 45.0), radius: 20.0 };
+    let plain = vec![Plain::new("K".into(), &Arc::new(Form::Sphere(ball))).unwrap()];
+    let holder = vec![solid(8.0, 30.0, 50.0), solid(40.0, 50.0, 70.0)];
+    let guard = Guard { plain, holder, intol: 0.01, ..Guard::default() };
+    let profile = Profile::new(&Cutter::mill(6.0, 3.0, 25.0)).unwrap();
+    let at = [(Vec3::zeros(), Vec3::z()); 2];
+    let found = guard.way(&profile, at).unwrap_err();
+    assert!((found.depth - 2.0).abs() < 1e-6, "the shank: {}", found.depth);
+    let found = guard.deepest(&profile, at, found);
+    let deep = 20.0 - 29.0_f64.sqrt();
+    assert!((found.depth - deep).abs() < 1e-3, "{} not {deep}", found.depth);
 }
 
 #[test]

@@ -48,8 +48,20 @@ impl Regional {
             (passes && !matches!(what, Milling::Goloft) && self.clears.is_idle())
                 .then(|| unused_clears(what)),
             self.is_avoidance_idle().then(|| unused_avoidance(what)),
+            self.projecting.is_some().then(|| unused_projection(what)),
         ];
-        for said in all.into_iter().flatten() {
+        self.tells_no_effect(origin, all.into_iter().flatten());
+        self.tells_bare_holder(origin);
+    }
+
+    /// The same of GOLOFT along a curve.
+    pub(crate) fn tells_unprojected(&mut self, origin: &Origin) {
+        let said = self.projecting.is_some().then(|| unused_projection(Milling::Goloft));
+        self.tells_no_effect(origin, said.into_iter());
+    }
+
+    fn tells_no_effect(&mut self, origin: &Origin, all: impl Iterator<Item = Said>) {
+        for said in all {
             self.tells_once(
                 |(text, help)| {
                     Diagnostic::warning(codes::NO_EFFECT, origin.span, text)
@@ -59,7 +71,6 @@ impl Regional {
                 said,
             );
         }
-        self.tells_bare_holder(origin);
     }
 
     /// Does CHKSRF name anything, or was to?
@@ -181,6 +192,13 @@ fn unused_clears(what: Milling) -> Said {
     } else {
         "lead the tool there and away by GOTO and GODLTA, or mill lines by GOLOFT; GCLEAR/OFF ends it"
     };
+    (text, help.into())
+}
+
+fn unused_projection(what: Milling) -> Said {
+    let word = what.word();
+    let text = format!("TLPROJ has no effect on {word}, which stays on the surface or curve that it names");
+    let help = "project the motion of GOTO, GODLTA or along surfaces, or mill by SMIL with SCON/DS, which guides the tool over the part surface; TLPROJ/OFF ends it";
     (text, help.into())
 }
 

@@ -175,6 +175,7 @@ impl Regional {
         wish: &Wish,
         out: &mut Vec<cl::Record>,
     ) -> Result<Option<Stand>, Failure> {
+        self.tells_unprojected(origin);
         let stops = self.curve_stops(name, form, wish)?;
         let points = stops.iter().map(Stop::spot).collect();
         self.put_line(origin, name, &[points], None, out)
