@@ -5,7 +5,9 @@ use std::sync::Arc;
 use aptc_contact::{PatchTree, Tool};
 use aptc_geometry::sculpt::{SplinePoint, mesh};
 use aptc_geometry::sculptured::MeshSpacing;
-use aptc_geometry::{Circle, Cutter, Form, Profile, Rail, RuledSurface, Second, Sphere, Vec3, trig};
+use aptc_geometry::{
+    Circle, Cutter, Form, Profile, Rail, RuledSurface, Second, Sphere, Vec3, trig,
+};
 
 use crate::guard::{Checked, Gouge, Guard};
 use crate::plain::Plain;

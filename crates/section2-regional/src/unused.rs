@@ -197,7 +197,9 @@ fn unused_clears(what: Milling) -> Said {
 
 fn unused_projection(what: Milling) -> Said {
     let word = what.word();
-    let text = format!("TLPROJ has no effect on {word}, which stays on the surface or curve that it names");
+    let text = format!(
+        "TLPROJ has no effect on {word}, which stays on the surface or curve that it names"
+    );
     let help = "project the motion of GOTO, GODLTA or along surfaces, or mill by SMIL with SCON/DS, which guides the tool over the part surface; TLPROJ/OFF ends it";
     (text, help.into())
 }
