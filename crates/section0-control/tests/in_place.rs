@@ -137,7 +137,12 @@ fn a_flat_end_turns_onto_the_ruling_of_a_cone_in_a_band_that_begins_there() {
 }
 
 /// From the slope that rises by the first angle along x to the next one, the tool square to each.
-fn over_a_ridge([from, to]: [f64; 2], next: &str, cutter: &str, [intol, outtol]: [f64; 2]) -> run::Ran {
+fn over_a_ridge(
+    [from, to]: [f64; 2],
+    next: &str,
+    cutter: &str,
+    [intol, outtol]: [f64; 2],
+) -> run::Ran {
     let n = |deg: f64| [-aptc_geometry::trig::sin_deg(deg), aptc_geometry::trig::cos_deg(deg)];
     let ([a, c], [i, k]) = (n(from), n(to));
     // A cylinder of 80 whose normal at the ridge is that of the slope.
