@@ -10,6 +10,7 @@ use crate::jump::Pair;
 use crate::lanes::Lane;
 use crate::position::Position;
 use crate::region::Region;
+use crate::stepover::kept;
 
 /// Places along a pass, in a span of the drive and in all.
 const PLACES: f64 = 16.0;
@@ -20,6 +21,9 @@ const SHORTER: f64 = 0.75;
 /// Parts of a way with a turn that are looked at, and rounds that close in on where the tool is nearest.
 const PARTS: u32 = 4;
 const ROUNDS: u32 = 16;
+
+/// Halvings that close in on where a pass ends to clear.
+const CLOSE: u32 = 7;
 
 /// Tool ends and axes at both ends of a way.
 type Way = [(Vec3, Vec3); 2];
@@ -53,38 +57,68 @@ impl Region<'_> {
             i += 1.0;
         }
         let (ways, from) = self.ways(lane, &pairs);
-        let high = self.setup.thick() + self.stepover.scallop;
+        // Between places that are looked at it may stand a little higher.
+        let high = self.setup.thick() + kept(self.stepover.scallop, &self.setup);
         pairs.iter().zip(from).all(|(pair, from)| {
-            self.places(pair).all(|(place, normal)| {
+            self.cleared(pair, &|pass, (place, normal)| {
                 let x = place + normal * high;
                 // The nearest ways first.
-                let (before, behind) = ways.split_at(from);
+                let (before, behind) = ways[pass].split_at(from);
                 let takes = |way: &Way| self.takes(way, x);
-                let near = 8.min(before.len());
+                let near = 4.min(before.len());
                 let (far, close) = before.split_at(before.len() - near);
                 close.iter().rev().any(takes) || behind.iter().chain(far).any(takes)
             })
         })
     }
 
-    /// The ways between places of both passes, with how many of them lie before each pair. At ends, and on both sides of an edge,
+    /// Is all between two places cleared by the one pass or the other? What stands highest is where the first ends to clear, be that
+    /// between the places that are looked at.
+    fn cleared(&self, pair: &Pair, takes: &impl Fn(usize, (Vec3, Vec3)) -> bool) -> bool {
+        let (mut near, mut beyond) = (0.0, None);
+        for (f, place) in self.places(pair) {
+            if beyond.is_none() && takes(0, place) {
+                near = f;
+            } else if takes(1, place) || beyond.is_some() && takes(0, place) {
+                beyond.get_or_insert(f);
+            } else {
+                return false;
+            }
+        }
+        let Some(mut beyond) = beyond else { return true };
+        for _ in 0..CLOSE {
+            let middle = 0.5 * (near + beyond);
+            let Some(place) = self.place(pair, middle) else { return true };
+            if takes(0, place) {
+                near = middle;
+            } else if takes(1, place) {
+                beyond = middle;
+            } else {
+                return false;
+            }
+        }
+        true
+    }
+
+    /// The ways between places of each pass, with how many of them lie before each pair. At ends, and on both sides of an edge,
     /// the tool counts as going straight on.
-    fn ways(&self, lane: &Lane, pairs: &[Pair]) -> (Vec<Way>, Vec<usize>) {
-        let (mut ways, mut from) = (Vec::new(), Vec::new());
+    fn ways(&self, lane: &Lane, pairs: &[Pair]) -> ([Vec<Way>; 2], Vec<usize>) {
+        let mut ways: [Vec<Way>; 2] = Default::default();
+        let mut from = Vec::new();
         for (i, pair) in pairs.iter().enumerate() {
             let before =
                 i.checked_sub(1).map(|i| &pairs[i]).filter(|b| !self.parted(lane, b, pair));
             let ends = i + 1 == pairs.len() || self.parted(lane, pair, &pairs[i + 1]);
-            from.push(ways.len());
+            from.push(ways[0].len());
             for (k, (p, _)) in pair.both.iter().enumerate() {
                 let here = (p.te, p.ta);
                 let on = self.straight_on(lane, p);
-                ways.push(before.map_or([(p.te - on, p.ta), here], |b| {
+                ways[k].push(before.map_or([(p.te - on, p.ta), here], |b| {
                     let q = &b.both[k].0;
                     [(q.te, q.ta), here]
                 }));
                 if ends {
-                    ways.push([here, (p.te + on, p.ta)]);
+                    ways[k].push([here, (p.te + on, p.ta)]);
                 }
             }
         }
@@ -116,8 +150,13 @@ impl Region<'_> {
         let by = b.0 - a.0;
         let turn = trig::angle_between(a.1, b.1);
         let ta = axis_between(a.1, b.1, 0.5);
-        let near = Swept { tool: Tool { profile, te: a.0, ta }, by }.near(x).0;
         let off = 0.5 * turn * (x - a.0).norm().max((x - b.0).norm());
+        // From half way it comes nearer by no more than it goes.
+        let half = Tool { profile, te: a.0 + by * 0.5, ta }.distance(x);
+        if half > off + 0.5 * by.norm() {
+            return false;
+        }
+        let near = Swept { tool: Tool { profile, te: a.0, ta }, by }.near(x).0;
         if near > off || near <= -off {
             return near <= -off;
         }

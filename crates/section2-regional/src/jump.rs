@@ -67,7 +67,7 @@ impl Region<'_> {
         for _ in 0..CLOSER {
             let mut stands = None;
             self.jumps(lane, step, &mut |pair| {
-                let clear = self.places(pair).all(|place| self.clears(pair, place, high));
+                let clear = self.places(pair).all(|(_, place)| self.clears(pair, place, high));
                 stands = (!clear).then_some(*pair);
                 clear
             });
@@ -88,7 +88,7 @@ impl Region<'_> {
         for (lane, ways) in lanes.iter().zip(ways.windows(2)) {
             let Some(next) = lane.next else { continue };
             self.jumps(lane, (next - lane.from[across]).abs(), &mut |pair| {
-                for place in self.places(pair) {
+                for (_, place) in self.places(pair) {
                     let known = highest.map_or(0.0, |h| h.height);
                     if known == f64::INFINITY {
                         return false;
@@ -177,20 +177,21 @@ impl Region<'_> {
         Some(Pair { t, both: [at(0)?, at(1)?] })
     }
 
-    /// Places of the part surface between the contacts, with the normals there.
-    pub(crate) fn places(&self, pair: &Pair) -> impl Iterator<Item = (Vec3, Vec3)> {
+    /// Shares of the way from contact to contact, with the places of the part surface there and the normals.
+    pub(crate) fn places(&self, pair: &Pair) -> impl Iterator<Item = (f64, (Vec3, Vec3))> {
+        let shares = (1..BETWEEN).map(|i| f64::from(i) / f64::from(BETWEEN));
+        shares.filter_map(|f| Some((f, self.place(pair, f)?)))
+    }
+
+    pub(crate) fn place(&self, pair: &Pair, f: f64) -> Option<(Vec3, Vec3)> {
         let part = self.setup.part;
         let [a, b] = pair.both.map(|(p, _)| p);
-        let apart = pair.apart();
-        (1..BETWEEN).filter_map(move |i| {
-            let f = f64::from(i) / f64::from(BETWEEN);
-            let [u, v] = [0, 1].map(|k| a.part_uv[k] + f * (b.part_uv[k] - a.part_uv[k]));
-            let place = part.surface.at(u, v).point;
-            let normal = part.surface.normal_at(u, v)? * part.side;
-            // Parameters that do not run through from patch to patch lead elsewhere.
-            let beside = (place - a.contact).norm() + (place - b.contact).norm();
-            (beside <= 2.0 * apart).then_some((place, normal))
-        })
+        let [u, v] = [0, 1].map(|k| a.part_uv[k] + f * (b.part_uv[k] - a.part_uv[k]));
+        let place = part.surface.at(u, v).point;
+        let normal = part.surface.normal_at(u, v)? * part.side;
+        // Parameters that do not run through from patch to patch lead elsewhere.
+        let beside = (place - a.contact).norm() + (place - b.contact).norm();
+        (beside <= 2.0 * pair.apart()).then_some((place, normal))
     }
 
     /// Does one of the two, going straight on, come over a place at a height?

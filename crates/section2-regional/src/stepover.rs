@@ -130,7 +130,7 @@ pub(crate) fn parameter_step(
 
 /// The height that the passes are laid for: less than the scallop by a part of the band, for what a circle does not tell of
 /// cutter and surface between two passes, and for rounding.
-fn kept(scallop: f64, setup: &Setup<'_>) -> f64 {
+pub(crate) fn kept(scallop: f64, setup: &Setup<'_>) -> f64 {
     /// Parts of the band, of which the chords leave the rest to the height besides, and of the scallop, for places
     /// between those that are looked at.
     const PARTS: [f64; 2] = [0.02, 0.002];
