@@ -6,7 +6,6 @@ use aptc_geometry::{Reason, Spot, Surface, Tool, Vec3, trig};
 
 use crate::centred;
 use crate::dips::{Sample, cubic_at, dip, single, tangents_meet};
-use crate::edges::has_edges;
 use crate::gap::{Condition, Gap, Side, distance};
 
 /// Share of the cutter's radius by which two places of contact lie apart.
@@ -359,27 +358,28 @@ impl Run<'_, '_> {
     fn comes_to_corners(&self, a: &Place, b: &Place) -> bool {
         let alike =
             a.gap.at.map(|at| at[0]) == b.gap.at.map(|at| at[0]) && a.gap.segment == b.gap.segment;
-        !alike && matches!(self.surface, Surface::Tabcyl(_)) && has_edges(self.tool, self.surface)
+        !alike && matches!(self.surface, Surface::Tabcyl(s) if s.has_corners())
     }
 
-    /// Any curvature, and the least gap where its slope jumps, or nearly so, as at corners: between looks it is halved to where the
-    /// slope changes its sign.
+    /// Any curvature, and the least and greatest gap where its slope jumps, or nearly so, as at corners: between looks it is halved to
+    /// where the slope changes its sign.
     fn cornered(&self, a: Place, b: Place, exact: Exact) -> Result<Chord, Reason> {
-        let Chord { mut low, high, bow, proved } = self.mixed(a, b, exact)?;
+        let Chord { mut low, mut high, bow, proved } = self.mixed(a, b, exact)?;
         let mut last = a;
         for i in 1..=CORNERED {
             let t = f64::from(i) / f64::from(CORNERED);
             let here = if i == CORNERED { b } else { self.between(&last, &b, t)? };
             let (mut from, mut to) = (last, here);
             for _ in 0..HALVINGS {
-                // Tangents meet no farther below than so.
-                let below = from.slope.abs().min(to.slope) * (to.t - from.t);
-                if from.slope >= 0.0 || to.slope <= 0.0 || below <= exact.resolution {
+                // Tangents meet no farther beyond than so.
+                let beyond = from.slope.abs().min(to.slope.abs()) * (to.t - from.t);
+                if from.slope * to.slope >= 0.0 || beyond <= exact.resolution {
                     break;
                 }
                 let m = self.between(&from, &to, 0.5 * (from.t + to.t))?;
                 low = if m.gap.g < low.g { Extreme { t: m.t, g: m.gap.g } } else { low };
-                *(if m.slope < 0.0 { &mut from } else { &mut to }) = m;
+                high = if m.gap.g > high.g { Extreme { t: m.t, g: m.gap.g } } else { high };
+                *(if m.slope * from.slope > 0.0 { &mut from } else { &mut to }) = m;
             }
             last = here;
         }

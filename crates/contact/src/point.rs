@@ -191,6 +191,11 @@ impl Guide for PointGuide {
                 guide.chord(surface, te, v, [&a, &b], None, resolution)
             }
             Self::Point(p) => {
+                // At a corner between two spans the gap has a kink, which smooth forms do not show.
+                let [from, to] = ends.map(|end| end.at.at.map(|at| at[0]));
+                if from != to && matches!(surface, Surface::Tabcyl(s) if s.has_corners()) {
+                    return None;
+                }
                 let read = |t: f64, near: Option<&Spot>| {
                     Some(p.read(surface, te + v * t, near.copied())?.end)
                 };
