@@ -7,7 +7,7 @@ codes! {
     REFUTED = 5001, "a cut vector leaves its tolerance band";
     UNPROVED = 5002, "a cut vector could not be proved";
     UNMATCHED = 5003, "a CL file that does not go with the program";
-    REAL_CUTTER = 5004, "the real cutter leaves the band that its disk keeps";
+    REAL_CUTTER = 5004, "the real cutter cuts in where its disk does not";
     RAPID_CUT = 5005, "a cut at rapid";
     RAPID_LOW = 5006, "a rapid motion below the clearance plane";
     CORNERS = 5007, "corners that stand at the ends of passes, or beside edges";
