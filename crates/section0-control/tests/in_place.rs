@@ -189,3 +189,14 @@ fn a_tool_square_to_its_part_surface_turns_on_a_ridge() {
         }
     }
 }
+
+/// Of a sculptured surface beyond the ridge, whose tangent plane need not hold it, that is not decided, with the reason.
+#[test]
+fn a_turn_on_a_ridge_to_a_sculptured_surface_is_not_refuted() {
+    let text = "UNITS/MM\nFIRST=PLANE/-.2,0,1,0\nL1=SCURV/SPLINE,(0,-30,0),(0,30,0)\nL2=SCURV/SPLINE,(40,-30,-6),(40,30,-6)\n\
+        NEXT=SSURF/RULED,L1,L2\nDR=PLANE/0,1,0,0\nCUTTER/10\nINTOL/.01\nOUTTOL/.01\nMULTAX\nFROM/-45,0,60\nTLAXIS/NORMPS\n\
+        GO/ON,DR,TO,FIRST,ON,(PLANE/1,0,0,-30)\nINDIRV/1,0,0\nTLON,GOFWD/DR,ON,(PLANE/1,0,0,0)\n\
+        PSIS/NEXT\nGOFWD/DR,ON,(PLANE/1,0,0,12)\nFINI\n";
+    let ran = run::run(text, Verify::Full);
+    assert_eq!(ran.faults(), ["APT5002"], "{:?}", ran.told);
+}

@@ -266,7 +266,7 @@ impl Demand {
     }
 
     /// What of the cutter is held against the surface.
-    fn tool<'p>(&self, profile: &'p Profile) -> Tool<'p> {
+    pub(crate) fn tool<'p>(&self, profile: &'p Profile) -> Tool<'p> {
         if self.on { Tool::End } else { Tool::Solid(profile) }
     }
 

@@ -101,13 +101,21 @@ impl Judged {
         (profile, pad): (&Profile, f64),
         sheets: &Sheets,
     ) -> Option<Option<Fault>> {
+        /// How much deeper than in the plane that is tangent there it may be.
+        const ALIKE: f64 = 1.25;
         let held = (self.disk.as_ref().unwrap_or(profile), pad);
         let ridge = turns_over(&self.demand, earlier, way, on, held, sheets)?;
         let end = self.vector(profile, way[1], way[1], pad, 1, &mut Seen::default());
-        Some(end.or_else(|| {
-            let why = Some(ON_RIDGE.into());
-            (ridge == Ridge::Likely).then(|| Fault { refuted: false, why, ..found.clone() })
-        }))
+        match ridge {
+            _ if end.is_some() => Some(end),
+            Ridge::Clear => Some(None),
+            // What is deeper than that is not beyond the ridge.
+            Ridge::Likely(deep) => {
+                let beyond = found.depth <= ALIKE * deep + self.demand.most - self.demand.least;
+                let why = Some(ON_RIDGE.into());
+                beyond.then(|| Some(Fault { refuted: false, why, ..found.clone() }))
+            }
+        }
     }
 
     /// How far out of the band a tool is at least that stands there.

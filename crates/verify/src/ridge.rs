@@ -9,17 +9,19 @@ use aptc_geometry::{Profile, Vec3};
 
 use crate::demand::Demand;
 use crate::sheets::Sheets;
+use crate::tool::Pose;
 
 /// Widths of its band that the tool end moves at most while it turns in place.
 const LONG: f64 = 2.0;
 
 /// What is known of a tool that turns on a ridge.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Ridge {
     /// Nothing of it is deeper in both surfaces than they allow.
     Clear,
-    /// So it is by the planes that are tangent there, below which not all of the material may lie.
-    Likely,
+    /// So it is by the planes that are tangent there, below which not all of the material may lie; where the turn begins it is so much
+    /// deeper in that of the surface next in turn than that allows.
+    Likely(f64),
 }
 
 /// The ridge on which the tool turns in place from `from` to `to`, its end moving no more than to come into the band, between the surface
@@ -54,12 +56,14 @@ pub(crate) fn turns_over(
             let aside = (at.ta - m * a - n * b).norm() * profile.reach();
             a * up + b * high - aside >= -pad
         };
-        let holds = before.holds && after.holds;
-        (below && clear(from) && clear(to)).then_some(if holds {
-            Ridge::Clear
-        } else {
-            Ridge::Likely
-        })
+        if !(below && clear(from) && clear(to)) {
+            return None;
+        }
+        if before.holds && after.holds {
+            return Some(Ridge::Clear);
+        }
+        let lowest = -next.tool(profile).height(&Pose::of(from), -n);
+        Some(Ridge::Likely(next.least - (lowest - n.dot(&to.te) + after.off)))
     })
 }
 
