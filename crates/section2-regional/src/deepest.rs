@@ -66,13 +66,14 @@ impl Guard {
                 Gouge { depth, stood: Some(Box::new(stood(ends, t, place))), ..gouge }
             }
             // Of what has sides it was told how deep the first of them goes beyond it.
-            _ => {
+            _ if kept::with_inside(&p.surface).is_some() => {
                 let all = solids().filter_map(|(profile, up)| {
                     p.deep(cutter, (&profile, up), ends, self.intol, Patience::Full)
                 });
-                let depth = all.map(|d| d.depth + p.thick).fold(gouge.depth, f64::max);
-                Gouge { depth, ..gouge }
+                let all = all.map(|d| d.depth + p.thick).filter(|depth| depth.is_finite());
+                Gouge { depth: all.fold(gouge.depth, f64::max), ..gouge }
             }
+            _ => gouge,
         }
     }
 }
