@@ -6,6 +6,7 @@ use aptc_geometry::{Reason, Spot, Surface, Tool, Vec3, trig};
 
 use crate::centred;
 use crate::dips::{Sample, cubic_at, dip, single, tangents_meet};
+use crate::edges::{comes_over_corner, has_edges};
 use crate::gap::{Condition, Gap, Side, distance};
 
 /// Share of the cutter's radius by which two places of contact lie apart.
@@ -354,11 +355,14 @@ impl Run<'_, '_> {
         Ok(Some(Chord { low, high, bow: b.slope - a.slope, proved: false }))
     }
 
-    /// Does the contact go from one span of a TABCYL with corners to another?
+    /// Does the contact go over a corner of a TABCYL, or of a tool that stands askew to its rulings from one span of one with corners
+    /// to another?
     fn comes_to_corners(&self, a: &Place, b: &Place) -> bool {
         let alike =
             a.gap.at.map(|at| at[0]) == b.gap.at.map(|at| at[0]) && a.gap.segment == b.gap.segment;
-        !alike && matches!(self.surface, Surface::Tabcyl(s) if s.has_corners())
+        let askew =
+            || matches!(self.surface, Surface::Tabcyl(_)) && has_edges(self.tool, self.surface);
+        !alike && (comes_over_corner(self.surface, [a.gap.at, b.gap.at]) || askew())
     }
 
     /// Any curvature, and the least and greatest gap where its slope jumps, or nearly so, as at corners: between looks it is halved to

@@ -54,6 +54,12 @@ pub(crate) fn has_edges(tool: &Tool<'_>, surface: &Surface) -> bool {
     }
 }
 
+/// Is there a corner of a TABCYL between two places of it?
+pub(crate) fn comes_over_corner(surface: &Surface, [from, to]: [Option<[f64; 2]>; 2]) -> bool {
+    let (Surface::Tabcyl(s), Some(from), Some(to)) = (surface, from, to) else { return false };
+    s.has_corner_between(from[0], to[0])
+}
+
 /// The edges of a surface that may come nearer than `limit`, but for the place of them that is `known`; `None` of one that has none.
 pub(crate) fn all(
     tool: &Tool<'_>,

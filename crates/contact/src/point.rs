@@ -192,8 +192,7 @@ impl Guide for PointGuide {
             }
             Self::Point(p) => {
                 // At a corner between two spans the gap has a kink, which smooth forms do not show.
-                let [from, to] = ends.map(|end| end.at.at.map(|at| at[0]));
-                if from != to && matches!(surface, Surface::Tabcyl(s) if s.has_corners()) {
+                if edges::comes_over_corner(surface, ends.map(|end| end.at.at)) {
                     return None;
                 }
                 let read = |t: f64, near: Option<&Spot>| {

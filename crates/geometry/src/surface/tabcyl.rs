@@ -544,6 +544,31 @@ mod tests {
         assert!((s.spans_between(0.0, 3.0) - 1.0).abs() < 1e-12);
     }
 
+    /// Round a curve of straight sides and of one that goes on straight in the next only the ways over a corner have it between their ends.
+    #[test]
+    fn a_corner_is_between_spans_the_shorter_way_round() {
+        let knot = |(x, y): (f64, f64)| Knot { point: Vec2::new(x, y), tangent: None };
+        // The fourth side goes on in the fifth, which ends where the first begins.
+        let sides = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0), (1.0, 0.0), (1.0, 1.0)];
+        let mut form =
+            Tabcyl::fit(&sides.map(knot), Fit::TwoPoint, Matrix3::identity(), 10.0).unwrap();
+        form.spans.iter_mut().for_each(|s| *s = TabcylSpan::new(s.start, 0.0, 0.0, s.length));
+        let s = TabcylSurface::new(&Arc::new(form)).unwrap();
+        let between = [(0.0, 1.0), (1.0, 2.0), (2.0, 3.0), (4.0, 0.0), (3.0, 0.0), (0.0, 2.0)];
+        for (from, to) in between {
+            assert!(
+                s.has_corner_between(from, to) && s.has_corner_between(to, from),
+                "{from} {to}"
+            );
+        }
+        for (from, to) in [(3.0, 4.0), (0.0, 0.0), (4.0, 4.0)] {
+            assert!(
+                !s.has_corner_between(from, to) && !s.has_corner_between(to, from),
+                "{from} {to}"
+            );
+        }
+    }
+
     proptest! {
         #[test]
         fn nearest_of_all_spans(

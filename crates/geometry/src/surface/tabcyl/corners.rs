@@ -30,6 +30,21 @@ impl TabcylSurface {
         self.cornered
     }
 
+    /// Is there a corner on the way from one span to another, the shorter way round?
+    pub fn has_corner_between(&self, from: f64, to: f64) -> bool {
+        if !self.cornered {
+            return false;
+        }
+        let [a, b] = [self.span(from.min(to)), self.span(from.max(to))];
+        let n = self.spans.len();
+        let corner = |i: usize| self.spans[i % n].corner;
+        if self.form.closed() && 2 * (b - a) > n {
+            (b + 1..=a + n).any(corner)
+        } else {
+            (a + 1..=b).any(corner)
+        }
+    }
+
     /// The corners that may come nearer than `reach` to the straight way from `a` to `b`.
     pub fn corners_near(&self, a: Vec3, b: Vec3, reach: f64) -> impl Iterator<Item = TabcylCorner> {
         self.spans_near(a, b, reach).filter_map(|(span, _)| self.corner(span))
