@@ -16,6 +16,7 @@ use aptc_translate::{
 };
 use aptc_verify::{Certificate, tells_gouge};
 
+use crate::axis::AxisSaid;
 use crate::geometry_json::Named;
 use crate::post::{Nc, post_part};
 use crate::proof::Ahead;
@@ -195,6 +196,7 @@ struct Run<'o> {
     compiled: Compiled,
     section2: Arelem,
     regional: Regional,
+    axis: AxisSaid,
     part: Part,
     /// The proof of the present part program.
     proof: Ahead,
@@ -222,6 +224,7 @@ impl<'o> Run<'o> {
             compiled: Compiled::default(),
             section2: Arelem::new(aptc_arelem::Options::default()),
             regional: Regional::default(),
+            axis: AxisSaid::default(),
             part: Part::default(),
             fresh: Vec::new(),
             begun: false,
@@ -254,6 +257,7 @@ impl<'o> Run<'o> {
 
     /// Section 2: the arithmetic element, and regional milling, which hand the tool to each other.
     fn mill(&mut self, record: &protap::Record) -> protap::Outcome {
+        self.compiled.diagnostics.extend(self.axis.next(record));
         let known = self.fresh.len();
         let mut outcome = self.section2.execute(record, &mut self.fresh);
         // The arithmetic element goes on as programmed; what is put out is projected by TLPROJ.
@@ -335,6 +339,7 @@ impl<'o> Run<'o> {
         self.compiled.parts.push(part);
         self.section2 = Arelem::new(aptc_arelem::Options::default());
         self.regional = Regional::default();
+        self.axis = AxisSaid::default();
         (self.begun, self.nopost, self.lost) = (false, false, false);
         self.from_nowhere.clear();
     }

@@ -1,6 +1,7 @@
 //! Section 0: conducts the Sections over a [`World`]; the face of the library.
 
 mod artifact;
+mod axis;
 mod cl_edit;
 mod compile;
 mod edit;

@@ -62,7 +62,7 @@ GOMILL/FORM,UCONST,.5,STEPOV,.1,PICKFD,SCALOP,.06,MAXSTP,3.3,START,.3,$
 }
 
 /// What a flat end that leans leaves is highest where the one pass ends to clear, be that between the places that are looked at or
-/// not; and where its axis turns on a chord otherwise than along the line, it clears less.
+/// not.
 #[test]
 fn the_edge_of_a_tooth_is_found_wherever_it_stands() {
     let gentle = |heights: [[f64; 3]; 5]| {

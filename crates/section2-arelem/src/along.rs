@@ -38,7 +38,6 @@ impl Arelem {
             Some(tool) => tool,
             None => self.stand_at_zero(origin),
         };
-        self.tell_axis_ended(origin);
         self.need_cutter(origin, go.surfaces.iter().map(|s| &s.1));
         self.chosen_contact(origin);
         let start = match self.start_scene(go, tool) {
@@ -104,7 +103,6 @@ impl Arelem {
             return Outcome::Failed;
         }
         let Some(tool) = self.tool else { return self.fail(origin, &Failure::NoPosition) };
-        self.tell_axis_ended(origin);
         let part = self.part(&tool);
         let checks = d.checks.iter().map(|c| &c.surface);
         self.need_cutter(origin, [&d.drive, &part].into_iter().chain(checks));

@@ -256,7 +256,6 @@ impl Arelem {
             Kind::Calc(d) => s.calc = *d,
             Kind::Multax(on) => s.multax = *on,
             Kind::ToolAxis(a) => {
-                self.since.axis = None;
                 let kept = ToolAxis::Fixed(self.tool.map_or_else(Vec3::z, |t| t.ta));
                 s.set_axis(if matches!(a, ToolAxis::Keep) { kept } else { a.clone() });
                 if let (ToolAxis::Fixed(v), Some(t)) = (&s.axis, &mut self.tool) {

@@ -21,9 +21,6 @@ impl Arelem {
         out: &mut Vec<cl::Record>,
     ) -> Outcome {
         if let Some(axis) = place.axis.and_then(unit) {
-            if let Some(word) = turning(&self.settings.axis) {
-                self.since.axis = Some((word, origin.line));
-            }
             self.settings.set_axis(ToolAxis::Fixed(axis));
             if let Some(t) = &mut self.tool {
                 t.ta = axis;
@@ -184,16 +181,4 @@ impl Arelem {
 pub(crate) fn put_feed(origin: &Origin, args: Vec<cl::Arg>, out: &mut Vec<cl::Record>) {
     let kind = cl::Kind::Post { word: "FEDRAT".into(), args };
     out.push(cl::Record { origin: origin.clone(), kind });
-}
-
-/// The word of TLAXIS by which the axis turns along surfaces.
-fn turning(axis: &ToolAxis) -> Option<&'static str> {
-    match axis {
-        ToolAxis::Fixed(_) | ToolAxis::Keep | ToolAxis::Last => None,
-        ToolAxis::NormPs => Some("NORMPS"),
-        ToolAxis::NormDs => Some("NORMDS"),
-        ToolAxis::Parallel { .. } => Some("PARLEL"),
-        ToolAxis::Angle(_) => Some("ATANGL"),
-        ToolAxis::PerpTo(_) => Some("PERPTO"),
-    }
 }

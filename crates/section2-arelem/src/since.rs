@@ -1,10 +1,7 @@
 //! What was changed since the tool came to its surfaces, and where it no longer is for that reason.
 
-use aptc_diagnostics::Origin;
-
 use crate::arelem::Arelem;
 use crate::failure::Failure;
-use crate::warning;
 
 /// Lines of statements since the last motion along surfaces.
 #[derive(Clone, Copy, Debug, Default)]
@@ -13,23 +10,14 @@ pub(crate) struct Since {
     pub(crate) cutter: Option<u32>,
     /// THICK with other thicknesses.
     pub(crate) thick: Option<u32>,
-    /// FROM or GOTO with an axis, which ended a TLAXIS by which it turns.
-    pub(crate) axis: Option<(&'static str, u32)>,
 }
 
 impl Arelem {
-    /// Tells once that the tool axis stays as FROM or GOTO gave it, where TLAXIS before had it turn.
-    pub(crate) fn tell_axis_ended(&mut self, origin: &Origin) {
-        if let Some((word, line)) = self.since.axis.take() {
-            self.diagnostics.push(warning::axis_ended(origin, word, line));
-        }
-    }
-
     /// Why a tool that a motion brought to its surfaces is not at them, where something was changed since.
     pub(crate) fn changed_since(&self, failure: &Failure) -> Vec<String> {
         let off = matches!(failure, Failure::OffDrive { .. } | Failure::OffPart { .. });
         let Some((_, cutter)) = self.ended.as_ref().filter(|_| off) else { return Vec::new() };
-        let Since { cutter: changed, thick, .. } = self.since;
+        let Since { cutter: changed, thick } = self.since;
         let changed = changed.filter(|_| *cutter != self.settings.cutter);
         let told = |(word, line)| {
             format!(

@@ -85,16 +85,6 @@ pub(crate) fn no_multax(origin: &Origin) -> Diagnostic {
         .help("write MULTAX before the first motion")
 }
 
-/// An axis given in a line keeps the tool from turning as TLAXIS had it turn.
-pub(crate) fn axis_ended(origin: &Origin, word: &str, line: u32) -> Diagnostic {
-    let text = format!(
-        "the tool axis stays as line {line} gave it: TLAXIS/{word} before that ended there"
-    );
-    Diagnostic::warning(codes::AXIS_ENDED, origin.span, text).within(origin.trace.clone()).help(
-        format!("write TLAXIS/{word} behind line {line}, or TLAXIS/1 where the axis is to stay"),
-    )
-}
-
 /// INTOL and OUTTOL that leave no band.
 pub(crate) fn no_band(origin: &Origin, least: f64) -> Diagnostic {
     let text = format!(
