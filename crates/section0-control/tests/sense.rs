@@ -102,7 +102,7 @@ fn an_axis_that_ends_the_one_that_turns_is_told_before_a_line_of_a_surface() {
         let text = format!(
             "PARTNO LINE\nUNITS/MM\nF=SSURF/SMESH,XYZ,SPLINE,(0,0,0),(30,0,4),(60,0,0),$\nSPLINE,(0,20,3),(30,20,8),(60,20,3),$\n\
              SPLINE,(0,40,0),(30,40,4),(60,40,0)\nCUTTER/6,3\nINTOL/.01\nOUTTOL/.01\nMULTAX/ON\nTLAXIS/NORMPS\n\
-             FROM/0,0,50,0,0,1\n{line}\nGODLTA/0,0,20\n{line}\nNOPOST\nFINI\n"
+             FROM/0,0,50,0,0,1\n{line}\nGODLTA/0,0,40\n{line}\nNOPOST\nFINI\n"
         );
         let ran = run::run(&text, Verify::Full);
         assert_eq!(ran.faults(), ["APT2067"], "{line} {:?}", ran.told);
