@@ -51,35 +51,53 @@ fn cutters() -> [(&'static str, Cutter); 2] {
     [("ball D10", Cutter::mill(10.0, 5.0, 60.0)), ("bull D12 r2", Cutter::mill(12.0, 2.0, 60.0))]
 }
 
-/// Positions along ten lines, each from the last, with a proof that they are clear where `check` says so.
-fn drops(s: &Sculptured, tree: &PatchTree, cutter: &Cutter, step: f64, check: bool) {
-    let profile = Profile::new(cutter).expect("a mill");
-    let (extent, ends) = (s.extent(), Ends::of(s));
-    let ta = Vec3::z();
-    for k in 0..10 {
-        let y = 2.0 + 10.0 * f64::from(k);
-        let shot = |x: f64| Shot {
-            surface: s,
-            extent,
-            ends,
+/// Ten lines over a surface, along which a cutter is let down along z.
+struct Drops<'a> {
+    tree: &'a PatchTree,
+    profile: &'a Profile,
+    surface: &'a Sculptured,
+    extent: f64,
+    ends: Ends,
+}
+
+impl Drops<'_> {
+    fn shot(&self, x: f64, line: u32) -> Shot<'_> {
+        let ta = Vec3::z();
+        Shot {
+            surface: self.surface,
+            extent: self.extent,
+            ends: self.ends,
             side: 1.0,
-            from: Vec3::new(x, y, 60.0),
+            from: Vec3::new(x, 2.0 + 10.0 * f64::from(line), 60.0),
             along: -ta,
-            probe: Probe::Cutter { profile: &profile, ta, thick: 0.0 },
-        };
-        let mut last = shot(0.0).touch(tree).expect("over the surface").uv;
-        let mut x = 0.0;
-        while x <= 100.0 + 1e-9 {
-            let shot = shot(x);
-            let found = shot.near(last).or_else(|| shot.touch(tree));
-            let met = found.expect("over the surface");
-            last = met.uv;
-            if check {
-                let te = shot.from - ta * met.way;
-                black_box(tree.clear(&Tool { profile: &profile, te, ta }, 0.005));
+            probe: Probe::Cutter { profile: self.profile, ta, thick: 0.0 },
+        }
+    }
+
+    /// The first position of each line, to which the cutter comes from afar.
+    fn first(&self) -> [[f64; 2]; 10] {
+        let met = |k: u32| self.shot(0.0, k).touch(self.tree).expect("over the surface").uv;
+        core::array::from_fn(|k| met(u32::try_from(k).unwrap_or(0)))
+    }
+
+    /// Positions along the lines, each from the last, with a proof that they are clear where `check` says so.
+    fn along(&self, first: &[[f64; 2]; 10], step: f64, check: bool) {
+        for (k, first) in (0..).zip(first) {
+            let mut last = *first;
+            let mut x = 0.0;
+            while x <= 100.0 + 1e-9 {
+                let shot = self.shot(x, k);
+                let found = shot.near(last).or_else(|| shot.touch(self.tree));
+                let met = found.expect("over the surface");
+                last = met.uv;
+                if check {
+                    let (profile, ta) = (self.profile, Vec3::z());
+                    let te = shot.from - ta * met.way;
+                    black_box(self.tree.clear(&Tool { profile, te, ta }, 0.005));
+                }
+                black_box(last);
+                x += step;
             }
-            black_box(last);
-            x += step;
         }
     }
 }
@@ -189,13 +207,19 @@ fn main() {
     let bumps = rows(12, 120.0, height);
     let (s, part) = (sculptured(&bumps), form(&bumps));
     let tree = PatchTree::new(&s);
+    let (extent, ends) = (s.extent(), Ends::of(&s));
     for (name, cutter) in cutters() {
+        let profile = Profile::new(&cutter).expect("a mill");
+        let drops = Drops { tree: &tree, profile: &profile, surface: &s, extent, ends };
+        let first = drops.first();
+        let name_of = format!("first positions, {name}");
+        bench::rate(&name_of, 10.0, "positions/s", None, || drops.first());
         for (check, what) in [(false, "positions"), (true, "positions proved clear to .005")] {
             for step in [0.1, 0.9, 2.0] {
                 let name = format!("{what}, {name}, step {step}");
                 let n = 10.0 * ((100.0_f64 / step + 1e-9).floor() + 1.0);
                 bench::rate(&name, n, "positions/s", None, || {
-                    drops(&s, &tree, &cutter, step, check);
+                    drops.along(&first, step, check);
                 });
             }
         }

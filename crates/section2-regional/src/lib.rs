@@ -15,6 +15,7 @@ mod axis;
 mod bow;
 mod checks;
 mod contacts;
+mod corner;
 mod crew;
 mod cut_vectors;
 mod deepest;

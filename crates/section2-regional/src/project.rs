@@ -4,6 +4,7 @@ use aptc_contact::{Clear, PatchTree, Tool};
 use aptc_geometry::sculpt::{Border, Derivatives};
 use aptc_geometry::{Profile, Sculptured, Vec3};
 
+use crate::corner::Patience;
 use crate::position::level;
 
 /// How far beyond the borders of the part surface, in spans, its linear continuation is followed.
@@ -11,7 +12,13 @@ const BEYOND: f64 = 10.0;
 /// Share of one derivative that the other is at a pole.
 const POLE: f64 = 1e-9;
 /// Newton's steps of a search.
-const STEPS: usize = 40;
+pub(crate) const STEPS: usize = 40;
+/// A radius of curvature that is as good as none, in sizes of the cutter.
+const LARGE: f64 = 1e3;
+/// Radii of the surface that the tool counts as away from it at first.
+const AFAR: f64 = 8.0;
+/// Share of the distance to which the next step down is told.
+const TOLD: f64 = 0.02;
 /// Radii of a flat bottom from its axis beyond which a summit is not looked for that the first step foretells there.
 const FAR: f64 = 4.0;
 /// A summit is looked for where the normal is about so near to the tool axis: its cosine.
@@ -115,6 +122,7 @@ impl Shot<'_> {
         let there = self.surface.at(u, v);
         match (self.slope(start, there), self.summit(start, there)) {
             (Some(a), Some(b)) => Some(if b.way < a.way { b } else { a }),
+            (None, None) => self.corner(start, there).and_then(|(uv, d)| self.slope(uv, d)),
             (a, b) => a.or(b),
         }
     }
@@ -129,6 +137,7 @@ impl Shot<'_> {
             return None;
         }
         let [mut u, mut v] = start;
+        let mut patience = Patience::default();
         for k in 0..STEPS {
             let n = d.normal()? * self.side;
             if k == 0 && n.dot(&ta) < FACING {
@@ -152,12 +161,14 @@ impl Shot<'_> {
             }
             let (a, b, c) = (d.uu.dot(&ta), d.uv.dot(&ta), d.vv.dot(&ta));
             let det = a * c - b * b;
-            if det == 0.0 || !det.is_finite() {
+            if det == 0.0 || !det.is_finite() || patience.ends(g.abs().max(h.abs())) {
                 return None;
             }
             let (du, dv) = ((b * h - c * g) / det, (b * g - a * h) / det);
-            if k == 0 && under(d.point + d.u * du + d.v * dv).1 > FAR * wide {
-                // Most have none anywhere near.
+            let step = d.u * du + d.v * dv;
+            // Most have none anywhere near. Later a step is about as long as the way that is left is not foretold.
+            let over = if k == 0 { FAR * wide } else { wide + step.norm() };
+            if under(d.point + step).1 > over {
                 return None;
             }
             [u, v] = self.stepped([u, v], [du, dv]);
@@ -179,10 +190,10 @@ impl Shot<'_> {
 
     /// A step of Newton's method: half a span at most, so that the patch between is seen, and not far off the surface. It
     /// crosses seams and poles.
-    fn stepped(&self, from: [f64; 2], by: [f64; 2]) -> [f64; 2] {
+    pub(crate) fn stepped(&self, from: [f64; 2], by: [f64; 2]) -> [f64; 2] {
         let spans = self.surface.spans();
         let cap = (0.5 / by[0].abs().max(by[1].abs())).min(1.0);
-        let mut to = [0, 1].map(|k| from[k] + by[k] * cap);
+        let mut to = [from[0] + by[0] * cap, from[1] + by[1] * cap];
         for k in 0..2 {
             let [first, last] = self.ends.borders[k];
             let (low, high) = (to[k] < 0.0, to[k] > spans[k]);
@@ -191,13 +202,15 @@ impl Shot<'_> {
                 to[1 - k] += 0.5 * spans[1 - k];
             }
         }
-        [0, 1].map(|k| {
-            if self.ends.borders[k][0] == Border::Seam {
-                return to[k].rem_euclid(spans[k]);
-            }
+        for k in 0..2 {
             let [first, last] = self.ends.beyond[k];
-            to[k].clamp(-first, spans[k] + last)
-        })
+            to[k] = if self.ends.borders[k][0] == Border::Seam {
+                to[k].rem_euclid(spans[k])
+            } else {
+                to[k].clamp(-first, spans[k] + last)
+            };
+        }
+        to
     }
 
     /// The meeting that Newton's method reaches from `start`.
@@ -205,6 +218,7 @@ impl Shot<'_> {
         let [a, b] = aptc_geometry::surface::frame_about(self.along);
         let size = self.extent + self.from.norm();
         let [mut u, mut v] = start;
+        let mut patience = Patience::default();
         for _ in 0..STEPS {
             let (unit, area) = self.normal([u, v], &d)?;
             let n = unit * self.side;
@@ -221,7 +235,7 @@ impl Shot<'_> {
             let (wu, wv) = (d.u + reach.rate(nu1), d.v + reach.rate(nv1));
             let (eu, ev, gu, gv) = (wu.dot(&a), wv.dot(&a), wu.dot(&b), wv.dot(&b));
             let det = eu * gv - ev * gu;
-            if det == 0.0 || !det.is_finite() {
+            if det == 0.0 || !det.is_finite() || patience.ends(e.abs().max(g.abs())) {
                 return None;
             }
             let (du, dv) = ((ev * g - gv * e) / det, (gu * e - eu * g) / det);
@@ -276,11 +290,16 @@ impl Shot<'_> {
     pub fn touch(&self, tree: &PatchTree) -> Option<Met> {
         let Probe::Cutter { profile, ta, thick } = self.probe else { return None };
         let size = self.extent + self.from.norm() + profile.reach();
-        let mut way = -4.0 * size;
-        let mut gap = size;
+        // There it is still clear of a ball about all of the surface.
+        let (center, radius) = tree.around()?;
+        let mut way =
+            (center - self.from).dot(&self.along) - radius - profile.reach() - thick.abs();
+        // From afar it is told coarsely.
+        let mut gap = AFAR * radius;
         for _ in 0..FALLS {
             let at = |way: f64| Tool { profile, te: self.from + self.along * way, ta };
-            let (place, _) = tree.deepest(&at(way), (0.02 * gap).max(1e-11 * size))?;
+            let eps = (TOLD * gap).max(1e-11 * size);
+            let (place, _) = tree.deepest(&at(way), eps)?;
             gap = place.distance - thick;
             if gap < 0.1 * profile.reach() {
                 let [u, v] = place.uv;
@@ -294,7 +313,8 @@ impl Shot<'_> {
             if gap <= 1e-9 * size {
                 return None;
             }
-            way += 0.98 * gap;
+            // The nearest place is nearer by what was not asked for at most.
+            way += (gap - eps).max(0.0);
         }
         None
     }
@@ -328,7 +348,7 @@ impl Shot<'_> {
     }
 
     /// From a contact of the unit normal `n` to the moving point.
-    fn reach(&self, n: Vec3) -> Reach {
+    pub(crate) fn reach(&self, n: Vec3) -> Reach {
         match self.probe {
             Probe::Ball(r) => {
                 Reach { to: n * r, frame: [Vec3::zeros(); 2], radii: [0.0; 2], even: r }
@@ -336,8 +356,12 @@ impl Shot<'_> {
             Probe::Cutter { profile, ta, thick } => {
                 let s = Tool { profile, te: Vec3::zeros(), ta }.support(-level(n, ta));
                 // On a face the contact would jump: a large radius keeps Newton's method moving.
-                let most = 1e3 * profile.reach();
-                let radii = s.radii.map(|r| r.min(most));
+                let large = |r: f64| r > LARGE * profile.widest();
+                let radii = if s.radii.into_iter().any(large) {
+                    s.radii.map(|r| r.min(LARGE * profile.reach()))
+                } else {
+                    s.radii
+                };
                 Reach { to: n * thick - s.point, frame: s.frame, radii, even: thick }
             }
         }
@@ -365,8 +389,8 @@ impl Shot<'_> {
 }
 
 /// The way from a contact to the moving point, and how it changes with the normal.
-struct Reach {
-    to: Vec3,
+pub(crate) struct Reach {
+    pub(crate) to: Vec3,
     frame: [Vec3; 2],
     radii: [f64; 2],
     /// By this all round, besides.

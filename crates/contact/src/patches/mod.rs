@@ -44,6 +44,8 @@ pub enum Clear {
 
 /// Pieces that one question looks at, at most.
 pub const PIECES: usize = 400_000;
+/// Steps downhill go down to this share of what is asked for.
+const LITTLE: f64 = 0.1;
 /// Patches in a leaf.
 const LEAF: usize = 4;
 /// Pieces that may be kept in all.
@@ -82,6 +84,11 @@ impl PatchTree {
     /// Is there no patch?
     pub fn is_empty(&self) -> bool {
         self.leaves.is_empty()
+    }
+
+    /// A ball about all of them, its middle and radius. `None` without patches.
+    pub fn around(&self) -> Option<(Vec3, f64)> {
+        self.nodes.first().map(|ball| (ball.center, ball.radius))
     }
 
     /// Indices of the patches of which some point may be within `away` of the line through `from` along the unit
@@ -206,7 +213,7 @@ impl PatchTree {
                 // The look tells no more than what the distance is at least.
                 let place = PatchPlace { distance: body.near(place.point).0, ..place };
                 if best.is_none_or(|b| place.distance < b.distance) {
-                    best = Some(self.polish(body, &piece, place));
+                    best = Some(self.polish(body, &piece, place, eps));
                 }
             }
             if looked > PIECES {
@@ -241,8 +248,9 @@ impl PatchTree {
         }
     }
 
-    /// Downhill from a place within its patch: steepest descent in lengths, halved until it descends.
-    fn polish(&self, body: &impl Convex, piece: &Piece, place: PatchPlace) -> PatchPlace {
+    /// Downhill from a place within its patch: steepest descent in lengths, halved until it descends, down to steps that are
+    /// little beside `eps`.
+    fn polish(&self, body: &impl Convex, piece: &Piece, place: PatchPlace, eps: f64) -> PatchPlace {
         let patch = &self.leaves[piece.leaf].patch;
         let mut best = place;
         let mut step = piece.half;
@@ -257,6 +265,9 @@ impl PatchTree {
                 break;
             }
             let scale = step[0] * su.sqrt().max(step[1] * sv.sqrt());
+            if scale <= LITTLE * eps {
+                break;
+            }
             let to = |t: f64, g: f64, s: f64| (t - scale * g / (s * size)).clamp(0.0, 1.0);
             let uv = [to(u, gu, su), to(v, gv, sv)];
             let point = patch.at(uv[0], uv[1]).point;

@@ -325,6 +325,11 @@ fn interval(knots: &[f64], t: f64) -> (usize, f64, f64) {
 /// Which of the intervals it is.
 #[inline(always)]
 fn before(knots: &[f64], t: f64) -> usize {
+    // Most often they are the whole numbers.
+    let guess = whole(t).min(knots.len() - 2);
+    if knots[guess] <= t && t < knots[guess + 1] {
+        return guess;
+    }
     let i = match knots.len() {
         // Of few it is told sooner by all of them.
         0..=FEW => knots.iter().map(|k| usize::from(*k <= t)).sum(),
