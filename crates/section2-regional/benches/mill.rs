@@ -87,7 +87,8 @@ impl Drops<'_> {
             let mut x = 0.0;
             while x <= 100.0 + 1e-9 {
                 let shot = self.shot(x, k);
-                let found = shot.near(last).or_else(|| shot.touch(self.tree));
+                let found = shot.near(last).or_else(|| shot.beside(last, self.tree));
+                let found = found.or_else(|| shot.touch(self.tree));
                 let met = found.expect("over the surface");
                 last = met.uv;
                 if check {

@@ -120,9 +120,12 @@ impl Shot<'_> {
     pub fn near(&self, start: [f64; 2]) -> Option<Met> {
         let [u, v] = start;
         let there = self.surface.at(u, v);
-        match (self.slope(start, there), self.summit(start, there)) {
+        let summit = self.summit(start, there);
+        let slope = self.slope(start, there);
+        // Over a summit the normal is about the tool axis.
+        let slope = slope.or_else(|| summit.and_then(|_| self.round(start, there)));
+        match (slope, summit) {
             (Some(a), Some(b)) => Some(if b.way < a.way { b } else { a }),
-            (None, None) => self.corner(start, there).and_then(|(uv, d)| self.slope(uv, d)),
             (a, b) => a.or(b),
         }
     }
@@ -282,6 +285,20 @@ impl Shot<'_> {
             }
         }
         best
+    }
+
+    /// A meeting that the corner of a cutter is led to.
+    fn round(&self, start: [f64; 2], there: Derivatives) -> Option<Met> {
+        self.corner(start, there).and_then(|(uv, there)| self.slope(uv, there))
+    }
+
+    /// A meeting that the corner of a cutter is led to from `start`, where nothing is in front of it: for where `near` finds none.
+    pub fn beside(&self, start: [f64; 2], tree: &PatchTree) -> Option<Met> {
+        let Probe::Cutter { profile, ta, thick } = self.probe else { return None };
+        let met = self.round(start, self.surface.at(start[0], start[1]))?;
+        let size = self.extent + self.from.norm() + profile.reach();
+        let tool = Tool { profile, te: self.from + self.along * met.way, ta };
+        (tree.clear(&tool, SAME * size - thick) == Clear::Yes).then_some(met)
     }
 
     /// The first meeting of a cutter that comes from afar: it goes on by its distance from the whole surface, until

@@ -263,6 +263,7 @@ impl Setup<'_> {
         let from_behind = back.zip(start).filter(|(_, s)| behind(*s));
         let near = from_behind.and_then(|(back, s)| back.near(s)).map(Met::turned);
         let near = near.or_else(|| start.and_then(|s| shot.near(s)));
+        let near = near.or_else(|| start.and_then(|s| shot.beside(s, tree)));
         let first = |shot: &Shot<'_>| {
             shot.touch(tree).or_else(|| shot.first(tree)).or_else(|| shot.fall(tree))
         };
