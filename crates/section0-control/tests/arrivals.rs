@@ -154,3 +154,72 @@ FINI
         assert_eq!(ran.faults(), vec!["APT5009"; told], "{:?} {text}", ran.told);
     }
 }
+
+/// What GCLEAR puts behind a line, and before it, may lead along the floor into a ramp that rises at 45 degrees from x = 40. A ball
+/// of 5 whose end is at (x, 0) is 5 - (45 - x) / sqrt 2 deep in it.
+#[test]
+fn what_gclear_adds_is_held_against_the_part_surface_where_it_ends() {
+    let program = |clear: &str, line: &str, then: &str| {
+        format!(
+            "PARTNO RAMP
+UNITS/MM
+FLOOR=SSURF/SMESH,XYZ,SPLINE,(0,-40,0),(40,-40,0),$
+ SPLINE,(0,40,0),(40,40,0)
+RAMP=SSURF/SMESH,XYZ,SPLINE,(40,-40,0),(70,-40,30),$
+ SPLINE,(40,40,0),(70,40,30)
+F=SSURF/COMBIN,FLOOR,RAMP
+CUTTER/10,5
+INTOL/.01
+OUTTOL/.01
+FROM/20,0,60
+{clear}
+GOLOFT/F,VCONST,.5,{line}
+{then}
+FINI
+"
+        )
+    };
+    let there = "START,0,THRU,.5";
+    let back = "START,0,THRU,.5,INVERS";
+    let over = "GODLTA/0,0,60";
+    let depth = |x: f64| 5.0 - (45.0 - x) * 0.5_f64.sqrt() - 0.01;
+    for (clear, line, then, told) in [
+        ("GCLEAR/THRU,MOTDIR,23", there, over, Some(depth(43.0))),
+        ("GCLEAR/THRU,MOTDIR,23", there, "", Some(depth(43.0))),
+        (
+            "GCLEAR/THRU,MOTDIR,21,FEED,50",
+            there,
+            "FEDRAT/90\nRAPID\nGODLTA/0,0,60",
+            Some(depth(41.0)),
+        ),
+        // Up along the axis it cuts nothing more.
+        ("GCLEAR/THRU,MOTDIR,23,CLEARS,(PLANE/0,0,1,60)", there, "", Some(depth(43.0))),
+        ("GCLEAR/START,MOTDIR,22", back, over, Some(depth(42.0))),
+        ("GCLEAR/MOTDIR,17", there, over, None),
+        ("GCLEAR/THRU,MOTDIR,23,NORMAL,18", there, over, None),
+        ("GCLEAR/THRU,MOTDIR,23", back, over, None),
+    ] {
+        let text = program(clear, line, then);
+        let ran = run::run(&text, Verify::Full);
+        assert_eq!(
+            ran.faults(),
+            vec!["APT5009"; usize::from(told.is_some())],
+            "{:?} {text}",
+            ran.told
+        );
+        let Some(deep) = told else { continue };
+        let words: Vec<&str> = ran.told.iter().flat_map(|(_, text)| text.split(' ')).collect();
+        let by = words.iter().position(|w| *w == "by").expect("it tells how deep");
+        let by: f64 = words[by + 1].parse().expect("a number");
+        assert!(by > 0.85 * deep && by < deep + 1e-6, "{by} {deep} {:?}", ran.told);
+    }
+    // CHKSRF/PS,ON refuses it.
+    let text = program("CHKSRF/PS,ON\nGCLEAR/THRU,MOTDIR,23", there, over);
+    let ran = run::run(&text, Verify::Full);
+    assert_eq!(
+        ran.told.iter().map(|t| t.0.as_str()).collect::<Vec<_>>(),
+        ["APT2046"],
+        "{:?}",
+        ran.told
+    );
+}

@@ -32,6 +32,8 @@ pub(crate) enum Event {
     Unknown(Motion, Origin),
     /// A motion after RAPID.
     Rapid(Box<Rapid>),
+    /// What GCLEAR puts behind a line.
+    Behind(Box<Rapid>),
     /// The way from DNTCUT to CUT.
     Joined(Arc<Joined>),
     /// Where the motion from point to point ends that comes next after one at rapid.

@@ -5,10 +5,11 @@ use aptc_diagnostics::{Diagnostic, Origin, codes};
 use aptc_geometry::{Plane, Profile, Vec3};
 
 use crate::around::{Around, Wall};
+use crate::behind;
 use crate::certificate::{Fault, RapidCut, length};
 use crate::statement::Statement;
 
-/// A motion after RAPID, with the place where it begins.
+/// A motion after RAPID, or a way at feed, with the place where it begins.
 #[derive(Clone, Debug)]
 pub(crate) struct Rapid {
     pub(crate) origin: Origin,
@@ -21,6 +22,19 @@ pub(crate) struct Rapid {
     pub(crate) cycle: bool,
     /// Is it the way to the first place of regional milling, which that holds against what it checks?
     pub(crate) arrives: bool,
+}
+
+impl Rapid {
+    /// A way at feed of regional milling.
+    pub(crate) fn at_feed(
+        origin: &Origin,
+        points: Vec<Position>,
+        profile: Profile,
+        pad: f64,
+    ) -> Self {
+        let (origin, clearance, cycle, arrives) = (origin.clone(), None, false, true);
+        Self { origin, points, profile, pad, clearance, cycle, arrives }
+    }
 }
 
 /// A sideways share of a motion below this is rounding.
@@ -102,6 +116,13 @@ impl Free {
             }
         }
         self.before = Some(around);
+    }
+
+    /// What GCLEAR puts behind a line; where it ends the tool is to be clear too.
+    pub(crate) fn behind(&mut self, way: &Rapid) {
+        let Some(around) = &self.before else { return };
+        let fault = cut(way, around, End::Judged, true);
+        self.said.extend(fault.map(|fault| behind::into(way, &fault)));
     }
 
     /// No motion follows.
@@ -214,15 +235,8 @@ fn arrives(statement: &Statement, around: &Around) -> Option<Diagnostic> {
     if statement.way.is_empty() || statement.rapid {
         return None;
     }
-    let way = Rapid {
-        origin: statement.origin.clone(),
-        points: statement.way.iter().chain(statement.points.first()).copied().collect(),
-        profile: statement.profile,
-        pad: statement.pad,
-        clearance: None,
-        cycle: false,
-        arrives: true,
-    };
+    let points = statement.way.iter().chain(statement.points.first()).copied().collect();
+    let way = Rapid::at_feed(&statement.origin, points, statement.profile, statement.pad);
     let help = "lead the tool over it before, with GOTO or GODLTA; CHKSRF/PS,ON refuses such a way";
     let fault = cut(&way, around, End::Excused, true)?;
     let who = "on the way to its first position the tool goes";

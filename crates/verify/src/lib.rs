@@ -7,6 +7,7 @@
 mod around;
 mod asked;
 mod batch;
+mod behind;
 mod beside;
 mod between;
 mod bound;

@@ -1,5 +1,7 @@
 //! Judges a stream of CL records.
 
+mod leading;
+
 use std::sync::{Arc, OnceLock};
 
 use aptc_cldata::milling::Milling;
@@ -9,6 +11,7 @@ use aptc_geometry::{Cutter, Form, Plane, Profile};
 
 use crate::asked::Asked;
 use crate::batch::{Batch, Event};
+use crate::behind::Behind;
 use crate::certificate::{Breach, Certificate, Fault, StatementProof, length};
 use crate::free::{Free, Rapid};
 use crate::hurried::Hurried;
@@ -86,6 +89,7 @@ pub struct Verifier {
     waiting: Vec<Event>,
     n_waiting: usize,
     free: Free,
+    behind: Behind,
     joins: Joins,
     /// The lines of which it is not known yet whether all are milled.
     asked: Option<Asked>,
@@ -124,6 +128,7 @@ impl Verifier {
             waiting: Vec::new(),
             n_waiting: 0,
             free: Free::default(),
+            behind: Behind::default(),
             joins: Joins::default(),
             asked: None,
             certificate,
@@ -169,7 +174,7 @@ impl Verifier {
 
     /// The certificate, and a message for each statement that is not proved.
     pub fn finish(mut self) -> (Certificate, Vec<Diagnostic>) {
-        self.close();
+        self.ends();
         self.judge();
         self.lines(None);
         self.free.finish();
@@ -186,7 +191,7 @@ impl Verifier {
 
     /// The last batch: no record follows.
     pub fn last_batch(&mut self) -> Batch {
-        self.close();
+        self.ends();
         self.taken()
     }
 
@@ -216,6 +221,7 @@ impl Verifier {
                 }
                 Event::Unknown(motion, origin) => self.without_proof(motion, origin),
                 Event::Rapid(rapid) => self.free.rapid(rapid),
+                Event::Behind(way) => self.free.behind(way),
                 Event::Joined(joined) => self.diagnostics.extend(self.joins.next(joined)),
                 Event::Feed(end) => self.free.next(end),
                 Event::Hurried(hurried) => self.diagnostics.push(hurried.told()),
@@ -301,6 +307,13 @@ impl Verifier {
             self.waiting.push(Event::Rapid(Box::new(rapid)));
             self.n_waiting += 1;
         }
+        if control.is_some() {
+            self.behind.goes_on();
+        } else if !rapid && Behind::takes(motion, self.statement.1.as_ref()) {
+            let points = self.last.iter().chain(&motion.points).copied().collect();
+            let pad = self.pad(&motion.points, &profile);
+            self.behind.add(Rapid::at_feed(origin, points, profile, pad));
+        }
         if let (true, Some(from), [to]) = (self.silent && !rapid, self.last, &motion.points[..]) {
             let pad = self.pad(&motion.points, &profile);
             let joined = Joined { origin: origin.clone(), from, to: *to, profile, pad };
@@ -353,41 +366,6 @@ impl Verifier {
         }
     }
 
-    /// Keeps from where the tool comes to the statement of a motion; the extra motions of GCLEAR belong to it.
-    fn comes(&mut self, motion: &Motion, origin: &Origin) {
-        let (before, along, came) = &mut self.statement;
-        // Of records of which nothing tells the statement each motion is one, but for those under one control.
-        let goes_on = match (&motion.control, &*along) {
-            (Some(new), Some(old)) => Arc::ptr_eq(new, old),
-            _ => before == origin && *origin != Origin::default(),
-        };
-        if !goes_on {
-            (*before, *along, *came) = (origin.clone(), None, self.came);
-            self.led.clear();
-            self.led.extend(self.last);
-        }
-        *along = motion.control.clone().or(along.take());
-    }
-
-    /// Keeps the way at feed on which a statement leads the tool to its next motion along surfaces.
-    fn leads(&mut self, motion: &Motion, rapid: bool) {
-        if rapid || motion.control.is_some() {
-            self.led.clear();
-            self.led.extend(motion.points.last());
-        } else {
-            self.led.extend_from_slice(&motion.points);
-        }
-    }
-
-    /// That way, from where the machine has left the tool since.
-    fn way(&mut self) -> Vec<Position> {
-        if self.led.last() == self.last.as_ref() {
-            std::mem::take(&mut self.led)
-        } else {
-            self.last.into_iter().collect()
-        }
-    }
-
     /// Cut vectors along surfaces that the records do not tell, as those of regional milling: nothing is known
     /// of them, and that is said once a statement.
     fn without_proof(&mut self, motion: &Motion, origin: &Origin) {
@@ -425,6 +403,12 @@ impl Verifier {
         if self.open.as_ref().is_some_and(|o| !same(o)) {
             self.close();
         }
+    }
+
+    /// No record follows.
+    fn ends(&mut self) {
+        self.close();
+        self.waiting.extend(self.behind.over().map(Event::Behind));
     }
 
     fn close(&mut self) {
