@@ -2,16 +2,18 @@
 
 use std::sync::Arc;
 
-use aptc_cldata::milling::Milled;
+use aptc_cldata::milling::{Milled, Plain};
 use aptc_cldata::{Control, Controlled, Position};
-use aptc_geometry::{Form, Profile};
+use aptc_geometry::{Form, Profile, Vec3};
 
+use crate::between::Way;
 use crate::certificate::Fault;
 use crate::free::Rapid;
 use crate::judged::Judged;
 use crate::milled::MilledSurface;
 use crate::sheets::Sheets;
 use crate::statement::{Seen, Statement};
+use crate::tool::Pose;
 
 /// Depth, as a share of the tool's half width, from which on a surface that goes through its axis is no deeper in it.
 const FULL: f64 = 0.99;
@@ -33,8 +35,17 @@ pub(crate) struct Around {
 enum Surfaces {
     /// The part surface of a motion of the arithmetic element, with the cutter.
     Guided(Arc<Control>, Profile),
-    /// The sculptured surfaces of regional milling, or its part surface alone.
-    Milled { control: Arc<Control>, sheets: Sheets, part_alone: bool },
+    /// The surfaces of regional milling, or its part surface alone.
+    Milled { control: Arc<Control>, sheets: Sheets, came: Option<Came> },
+}
+
+/// How the tool came to regional milling, and how high that went: what is checked keeps to its side.
+#[derive(Clone, Copy, Debug)]
+struct Came {
+    profile: Profile,
+    from: Position,
+    /// The greatest height of a tool end along the axis.
+    top: f64,
 }
 
 /// One of them.
@@ -45,6 +56,8 @@ pub(crate) enum Wall {
         surface: Box<MilledSurface>,
         /// The same for the tool end, where that is led on it. Beside it the cutter is as deep as the slope makes it.
         end: Option<Box<MilledSurface>>,
+        /// The height along an axis up to which it is known to stand: a plane or an upright bar goes on without end.
+        top: Option<(Vec3, f64)>,
     },
 }
 
@@ -63,7 +76,7 @@ impl Around {
         let own = Surfaces::Milled {
             control: Arc::clone(control),
             sheets: statement.sheets.clone(),
-            part_alone: false,
+            came: Came::new(statement),
         };
         let older = before.filter(|_| milling.part.is_none());
         let older = older.and_then(|b| b.of.iter().find_map(Surfaces::part_of_milling));
@@ -83,19 +96,19 @@ impl Surfaces {
                 if control.milling.as_ref().is_some_and(|m| m.part.is_some()) =>
             {
                 let (control, sheets) = (Arc::clone(control), sheets.clone());
-                Some(Self::Milled { control, sheets, part_alone: true })
+                Some(Self::Milled { control, sheets, came: None })
             }
             _ => None,
         }
     }
 
     fn walls(&self, at: &Position, arrives: bool) -> Vec<Wall> {
-        let (control, sheets, part_alone) = match self {
+        let (control, sheets, came) = match self {
             Self::Guided(control, profile) => {
                 let part = control.part.as_ref();
                 return part.and_then(|part| guided(part, at, profile)).into_iter().collect();
             }
-            Self::Milled { control, sheets, part_alone } => (control, sheets, *part_alone),
+            Self::Milled { control, sheets, came } => (control, sheets, came.as_ref()),
         };
         let Some(milling) = &control.milling else { return Vec::new() };
         let wall = |of: &Milled, role| {
@@ -103,13 +116,31 @@ impl Surfaces {
             let surface = Box::new(surface);
             let led = role == "part" && milling.on;
             let end = led.then(|| MilledSurface::led_on(of, milling, sheets)).flatten();
-            Some(Wall::Milled { surface, end: end.map(Box::new) })
+            Some(Wall::Milled { surface, end: end.map(Box::new), top: None })
         };
         let part = milling.part.iter().filter(|_| !(arrives && milling.guarded));
-        let checked = milling.checked.iter().filter(|_| !arrives && !part_alone);
+        let checked = came.filter(|_| !arrives);
+        let sculptured = checked.iter().flat_map(|_| &milling.checked);
+        let plain = checked.iter().flat_map(|came| milling.plain.iter().map(move |p| (p, came)));
+        let kept = |(of, came): (&Plain, &&Came)| {
+            let from = (&came.profile, &came.from);
+            let surface = MilledSurface::passed_plain(of, milling, sheets, from)?;
+            let top = (!surface.ends_along(at.ta)).then_some((at.ta, came.top));
+            Some(Wall::Milled { surface: Box::new(surface), end: None, top })
+        };
         part.filter_map(|p| wall(p, "part"))
-            .chain(checked.filter_map(|c| wall(c, "checked")))
+            .chain(sculptured.filter_map(|c| wall(c, "checked")))
+            .chain(plain.filter_map(kept))
             .collect()
+    }
+}
+
+impl Came {
+    fn new(s: &Statement) -> Option<Self> {
+        let up = s.points.last()?.ta;
+        let from = *s.before.as_ref().or(s.way.last()).or(s.points.first())?;
+        let top = s.points.iter().map(|p| p.te.dot(&up)).fold(f64::NEG_INFINITY, f64::max);
+        Some(Self { profile: s.profile, from, top })
     }
 }
 
@@ -132,7 +163,13 @@ impl Wall {
         let (seen, Rapid { profile, pad, .. }) = (&mut Seen::default(), rapid);
         match self {
             Self::Guided(judged) => judged.vector(profile, a, b, *pad, i, seen),
-            Self::Milled { surface, .. } => surface.vector(profile, a, b, *pad, i, seen),
+            Self::Milled { surface, top, .. } => {
+                let ends = match top {
+                    Some((up, top)) => below(*up, top + pad, [a, b])?,
+                    None => [*a, *b],
+                };
+                surface.vector(profile, &ends[0], &ends[1], *pad, i, seen)
+            }
         }
     }
 
@@ -162,16 +199,17 @@ impl Wall {
     /// Is a tool that stands so deep in it through it, so that it is nowhere deeper?
     pub(crate) fn is_through(&self, profile: &Profile, deep: f64) -> bool {
         let half = profile.widest().min(0.5 * (profile.height() - profile.bottom()));
-        matches!(self, Self::Milled { surface, .. } if deep - surface.least() >= FULL * half)
+        let through = |s: &MilledSurface| s.has_no_sides() && deep - s.least() >= FULL * half;
+        matches!(self, Self::Milled { surface, .. } if through(surface))
     }
 
     /// The same for a tool raised along its axis until it is clear of it at each of the places: what this one cuts lies
     /// higher over the tool end than there. `None` where it nowhere is.
     pub(crate) fn raised(&self, rapid: &Rapid, places: &[&Position]) -> Option<Self> {
-        let Self::Milled { surface, end } = self else { return None };
+        let Self::Milled { surface, end, top } = self else { return None };
         let by = |up: f64| {
             let surface = Box::new(surface.raised(&rapid.profile, up));
-            Self::Milled { surface, end: end.clone() }
+            Self::Milled { surface, end: end.clone(), top: *top }
         };
         let is_clear = |up: f64| places.iter().all(|p| by(up).fault(rapid, p, p, 0).is_none());
         let (mut low, mut high) = (0.0, TALL * rapid.profile.height());
@@ -188,4 +226,23 @@ impl Wall {
         }
         Some(by(high * (1.0 + MORE)))
     }
+}
+
+/// The part of a way on which the tool end is no higher than `top` along `up`; `None` where none of it is.
+fn below(up: Vec3, top: f64, [a, b]: [&Position; 2]) -> Option<[Position; 2]> {
+    let [low, high] = [a, b].map(|p| p.te.dot(&up) - top);
+    if low > 0.0 && high > 0.0 {
+        return None;
+    }
+    let way = Way::new(Pose::of(a), Pose::of(b));
+    let cut = |t: f64| {
+        let Pose { te, ta } = way.at(t);
+        Position { te, ta }
+    };
+    let share = low / (low - high);
+    Some(match (low > 0.0, high > 0.0) {
+        (true, _) => [cut(share), *b],
+        (_, true) => [*a, cut(share)],
+        _ => [*a, *b],
+    })
 }

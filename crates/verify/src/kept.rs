@@ -57,6 +57,30 @@ impl Kept {
         Some(Self { surface, from: at.te, side, beside, opened, least: -depth })
     }
 
+    /// Does the tool work inside of a round surface?
+    pub(crate) fn is_round_about(&self) -> bool {
+        self.side < 0.0 && !matches!(self.surface, Surface::Plane(_))
+    }
+
+    /// Does its inside end above, as seen along the axis?
+    pub(crate) fn ends_along(&self, ta: Vec3) -> bool {
+        match &self.surface {
+            Surface::Cone(s) => s.axis.dot(&ta) < s.cos_half,
+            surface => opens(surface, ta),
+        }
+    }
+
+    /// Allows the tool to be deeper by so much.
+    pub(crate) fn allow(&mut self, deeper: f64) {
+        self.least -= deeper;
+        if let Beside::Solid(demand) = &mut self.beside {
+            demand.least -= deeper;
+        }
+        if let Some(demand) = &mut self.opened {
+            demand.least -= deeper;
+        }
+    }
+
     /// Does the tool come from the inside, and is the point there too?
     pub(crate) fn encloses(&self, p: Vec3) -> bool {
         self.side < 0.0 && self.surface.distance(p) < 0.0

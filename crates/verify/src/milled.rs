@@ -6,7 +6,7 @@ use std::sync::{Arc, OnceLock};
 use aptc_cldata::milling::{Milled, Milling, Plain, Raised};
 use aptc_cldata::{NameRef, Position};
 use aptc_geometry::surface::kept::between;
-use aptc_geometry::{Form, Profile, Shell};
+use aptc_geometry::{Form, Profile, Shell, Vec3};
 
 use crate::between::{angle, between_poses};
 use crate::certificate::{Breach, Fault, SurfaceBound};
@@ -120,7 +120,7 @@ impl Region {
         });
         let sheet = milling.part.as_ref().and_then(|p| sheets.of(&p.surface));
         let limited = Limited::new(milling, sheet, profile);
-        let plain = |p| MilledSurface::plain(p, milling, sheets, (profile, from));
+        let plain = |p| MilledSurface::plain(p, milling.intol, sheets, (profile, from));
         surfaces.extend(milling.plain.iter().map(plain));
         // Shank and holder keep clear of what is checked, the part surface only where it is.
         let kept = |s: &&MilledSurface| s.role != "part" || milling.guarded;
@@ -277,9 +277,40 @@ impl MilledSurface {
         Some(Self::new(of, "part", milling, sheets.of(&of.surface)?))
     }
 
+    /// A surface of another kind beside such motion of a tool that came to the milling from a place of the cutter; `None` of what
+    /// cannot be told, and around a tool that works inside of a round surface: leaving it is no cut.
+    pub(crate) fn passed_plain(
+        of: &Plain,
+        milling: &Milling,
+        sheets: &Sheets,
+        from: (&Profile, &Position),
+    ) -> Option<Self> {
+        let touching = Milling::touching(milling.intol, milling.outtol);
+        let new = Self::plain(of, touching, sheets, from);
+        let told = match &new.body {
+            Body::Sided(kept) => !kept.is_round_about(),
+            Body::Sheet(_) => true,
+            Body::Unknown => false,
+        };
+        told.then_some(new)
+    }
+
     /// Allows the tool to be deeper by so much.
     pub(crate) fn allow(&mut self, deeper: f64) {
         self.band[0] -= deeper;
+        if let Body::Sided(kept) = &mut self.body {
+            kept.allow(deeper);
+        }
+    }
+
+    /// Is nothing known of it but where its points are? How deep a tool is that it goes through is not told then.
+    pub(crate) fn has_no_sides(&self) -> bool {
+        !matches!(self.body, Body::Sided(_))
+    }
+
+    /// Does it end above, as seen along the axis, whatever stands for the rest of it?
+    pub(crate) fn ends_along(&self, ta: Vec3) -> bool {
+        matches!(&self.body, Body::Sided(kept) if kept.ends_along(ta))
     }
 
     /// The least distance that is asked for.
@@ -293,9 +324,9 @@ impl MilledSurface {
     }
 
     /// A surface that is not sculptured. Its straight continuations belong to it.
-    fn plain(of: &Plain, milling: &Milling, sheets: &Sheets, from: (&Profile, &Position)) -> Self {
-        let depth = milling.intol - of.thick;
-        let deep = [milling.intol, depth];
+    fn plain(of: &Plain, intol: f64, sheets: &Sheets, from: (&Profile, &Position)) -> Self {
+        let depth = intol - of.thick;
+        let deep = [intol, depth];
         let sided = || Some(Body::Sided(Box::new(Kept::new(&of.form, deep, sheets, from)?)));
         // The working surface of a POLCON with a thickness is another one.
         let thick = matches!(of.form.shape(), Form::Polyconic(p) if p.thickness != 0.0);

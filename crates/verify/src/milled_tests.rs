@@ -199,8 +199,7 @@ proptest! {
         // The middle of the solid tells the side: a tool without size that comes from there.
         let point = Profile::new(&Cutter::mill(0.0, 0.0, 0.0)).unwrap();
         let from = Position { te: middle, ta: a.ta };
-        let milling = milling(intol);
-        let asked = MilledSurface::plain(&plain, &milling, &Sheets::default(), (&point, &from));
+        let asked = MilledSurface::plain(&plain, intol, &Sheets::default(), (&point, &from));
         let asked = MilledSurface { holder: holds.then_some(Raised { profile, up }), ..asked };
         let mut seen = Seen::default();
         let own = if holds { &cutter } else { &profile };

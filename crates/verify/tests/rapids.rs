@@ -4,12 +4,14 @@ mod support;
 
 use std::sync::Arc;
 
-use aptc_cldata::milling::Milling;
+use aptc_cldata::milling::{Milling, Plain};
 use aptc_cldata::{
     Control, Controlled, Kind, Motion, MotionKind, NameRef, Position, Record, Relation,
 };
 use aptc_diagnostics::{Diagnostic, Origin, codes};
-use aptc_geometry::{Cutter, Form, Plane, Sculptured, Vec3, trig};
+use aptc_geometry::{
+    Cone, Cutter, Cylinder, Form, Plane, Quadric, QuadricKind, Sculptured, Sphere, Vec3, trig,
+};
 use aptc_verify::{Certificate, Effort, Verifier};
 use support::{BAND, milled, milling};
 
@@ -258,4 +260,108 @@ fn the_way_at_feed_to_the_first_place_is_held_against_the_part_surface() {
     let guarded = Milling { guarded: true, ..milling(Some(milled("RIDGE", &ridge(), 1.0, 0.0))) };
     let guarded = told(&[goto(&[foot]), along(guarded, &[[25.0, 10.0, 0.0]])]);
     assert_eq!(guarded, [codes::REFUTED.number()]);
+}
+
+/// Beside the floor, in front of it along x: what CHKSRF names. The middle of the ball is 5 above the tool end.
+fn beside(form: Form, thick: f64) -> Milling {
+    let name = NameRef { name: "K".into(), subscript: 0 };
+    let mut with = milling(Some(milled("FLOOR", &flat(), 1.0, 0.0)));
+    with.plain.push(Plain { name, form: Arc::new(form), thick });
+    with
+}
+
+fn ball() -> Form {
+    Form::Sphere(Sphere { center: Vec3::new(40.0, 10.0, 6.0), radius: 8.0 })
+}
+
+fn bar(axis: Vec3) -> Form {
+    Form::Cylinder(Cylinder { point: Vec3::new(40.0, 10.0, 6.0), axis, radius: 8.0 })
+}
+
+/// With half axes 8, 30 and 8 about the middle of the ball.
+fn egg() -> Form {
+    let (a, b) = (1.0 / 64.0, 1.0 / 900.0);
+    let middle = [40.0, 10.0, 6.0];
+    let [g, h, i] = [a * middle[0], b * middle[1], a * middle[2]];
+    let d = a * 40.0 * 40.0 + b * 100.0 + a * 36.0 - 1.0;
+    let c = [a, b, a, d, 0.0, 0.0, 0.0, -g, -h, -i];
+    Form::Quadric(Quadric { kind: QuadricKind::Qadric, c })
+}
+
+/// It opens downwards at 45 degrees.
+fn cone(z: f64) -> Form {
+    let cos_half = 0.5_f64.sqrt();
+    Form::Cone(Cone { vertex: Vec3::new(40.0, 10.0, z), axis: -Vec3::z(), cos_half })
+}
+
+#[test]
+fn a_rapid_into_what_is_checked_beside_the_part_is_told_with_its_depth() {
+    let low = [[2.0, 10.0, 9.0], [80.0, 10.0, 9.0], [80.0, 10.0, 50.0]];
+    let lower = [[2.0, 10.0, 0.0], [80.0, 10.0, 0.0], [80.0, 10.0, 50.0]];
+    let to_wall = [[2.0, 10.0, 0.0], [33.0, 10.0, 0.0], [2.0, 10.0, 0.0]];
+    let dip = [[60.0, 10.0, 20.0], [60.0, 10.0, -4.0], [60.0, 10.0, 20.0]];
+    let plane = |n, d| Form::Plane(Plane::new(n, d).expect("a normal"));
+    for (form, thick, way, deep) in [
+        // It goes over the middle of each at a height of 14, and is 5 thick.
+        (ball(), 0.0, low, 5.0),
+        (ball(), 1.0, low, 6.0),
+        (bar(Vec3::y()), 0.0, low, 5.0),
+        (egg(), 0.0, low, 5.0),
+        // Its middle comes to the axis of the post, and 8 beyond the wall; it dips 4 into the table.
+        (bar(Vec3::z()), 0.0, lower, 13.0),
+        (plane(Vec3::x(), 30.0), 0.0, to_wall, 8.0),
+        (plane(-Vec3::x(), -30.0), -1.0, to_wall, 7.0),
+        (plane(Vec3::z(), 0.0), 0.0, dip, 4.0),
+        // The middle of the ball comes to (20 - 14) / sqrt 2 within the cone.
+        (cone(20.0), 0.0, low, 5.0 + 6.0 * 0.5_f64.sqrt()),
+    ] {
+        let mill = || along(beside(form.clone(), thick), &[ON]);
+        let after = [goto(&[OVER]), mill(), rapid(), goto(&way)];
+        let back: Vec<_> = way.iter().rev().copied().collect();
+        let before = [goto(&back[..1]), rapid(), goto(&back), goto(&[OVER]), mill()];
+        for records in [&after[..], &before[..]] {
+            let (c, said) = judge(records);
+            let [cut] = &c.rapids[..] else { panic!("{:?} {said:?} {form:?}", c.rapids) };
+            assert!(!c.is_proved() && cut.surface == "checked surface K", "{cut:?}");
+            let beyond = deep - BAND;
+            assert!(cut.depth > 0.85 * beyond && cut.depth < beyond + 1e-6, "{cut:?} {form:?}");
+            assert_eq!(said.iter().map(|d| d.code.number()).collect::<Vec<_>>(), CUT);
+        }
+    }
+}
+
+/// What goes on without end is not known to stand higher than the milling went, and beyond it nobody says that the tool may not be.
+#[test]
+fn a_rapid_over_what_is_checked_or_out_of_it_is_not_told() {
+    let plane = |n, d| Form::Plane(Plane::new(n, d).expect("a normal"));
+    let over = [[2.0, 10.0, 20.0], [80.0, 10.0, 20.0], [80.0, 10.0, 50.0]];
+    let across = [[2.0, 10.0, 1.0], [80.0, 10.0, 1.0]];
+    // In a bowl and a trough that are open above.
+    let bowl = Form::Sphere(Sphere { center: Vec3::new(2.0, 10.0, 40.0), radius: 60.0 });
+    let trough = Cylinder { point: Vec3::new(2.0, 0.0, 40.0), axis: Vec3::y(), radius: 60.0 };
+    for (form, way) in [
+        (ball(), &over[..]),
+        (bar(Vec3::y()), &over),
+        (egg(), &over),
+        (bar(Vec3::z()), &over),
+        (bar(Vec3::z()), &across),
+        (plane(Vec3::x(), 30.0), &over),
+        (plane(Vec3::x(), 30.0), &across),
+        (plane(Vec3::z(), -1.0), &across),
+        (cone(6.0), &over),
+        (bowl, &over),
+        (Form::Cylinder(trough), &over),
+    ] {
+        let mill = || along(beside(form.clone(), 0.0), &[ON]);
+        let after = [goto(&[OVER]), mill(), rapid(), goto(way)];
+        let back: Vec<_> = way.iter().rev().copied().collect();
+        let before = [goto(&back[..1]), rapid(), goto(&back), goto(&[OVER]), mill()];
+        for records in [&after[..], &before[..]] {
+            assert_eq!(told(records), [0_u16; 0], "{form:?}");
+        }
+    }
+    // It ends behind the wall, as low as the milling went.
+    let mill = along(beside(plane(Vec3::x(), 30.0), 0.0), &[ON]);
+    let behind = [goto(&[OVER]), mill, rapid(), goto(&[[60.0, 10.0, 0.0]])];
+    assert_eq!(told(&behind), [codes::RAPID_ENDS_LOW.number()]);
 }
