@@ -56,6 +56,45 @@ fn nothing_is_told_where_there_is_no_such_way() {
     }
 }
 
+/// The surface is flat, and the ball touches it below its end: it mills as far into the window as GCLEAR leads it on, and not where
+/// it is lifted.
+#[test]
+fn what_gclear_adds_into_the_window_at_feed_is_told() {
+    let line = "GOLOFT/F,VCONST,1,CHORD,.01";
+    let (lift, high) = ("NORMAL,30", "CLEARS,(PLANE/0,0,1,30)");
+    for (sense, clear, told) in [
+        ("OUT", format!("GCLEAR/AWAY,MOTDIR,6,{high}\nGCLEAR/BACK,{lift}"), Some((6.0, 26.0))),
+        ("OUT", format!("GCLEAR/AWAY,{lift}\nGCLEAR/BACK,MOTDIR,7"), Some((7.0, 33.0))),
+        ("OUT", "GCLEAR/AWAY,MOTDIR,4\nGCLEAR/BACK,MOTDIR,3".into(), Some((9.5, 30.5))),
+        ("OUT", format!("GCLEAR/BACK,{lift}\nGCLEAR/AWAY,MOTDIR,5"), Some((5.0, 25.0))),
+        ("OUT", "GCLEAR/BACK,MOTDIR,5".into(), Some((9.375, 29.375))),
+        ("IN", "GCLEAR/THRU,MOTDIR,5".into(), Some((5.0, 45.0))),
+        ("IN", format!("GCLEAR/START,MOTDIR,8,{high}"), Some((8.0, 12.0))),
+        ("IN", format!("GCLEAR/START,PARLEL,(VECTOR/-3,0,0),{high}"), Some((3.0, 17.0))),
+        ("OUT", format!("GCLEAR/AWAY,MOTDIR,6,{lift}\nGCLEAR/BACK,MOTDIR,6,{lift}"), None),
+        ("OUT", format!("GCLEAR/{high}\nGCLEAR/START,MOTDIR,9\nGCLEAR/THRU,MOTDIR,9"), None),
+        ("IN", format!("GCLEAR/START,{lift}\nGCLEAR/THRU,MOTDIR,.005"), None),
+    ] {
+        let two = format!("{line}\nGODLTA/0,0,40\nGOLOFT/F,VCONST,.98,CHORD,.01\nGODLTA/0,0,40");
+        let text = program(0.0, &format!("REGION/1,{sense}\n{clear}\n{two}"));
+        let ran = run::run(&text, Verify::Full);
+        assert_eq!(
+            ran.faults(),
+            vec!["APT2057"; usize::from(told.is_some())],
+            "{clear} {:?}",
+            ran.told
+        );
+        let Some((by, x)) = told else { continue };
+        let said = &ran.told.iter().find(|(code, _)| code == "APT2057").unwrap().1;
+        let words: Vec<&str> = said.split([' ', ',']).collect();
+        let after = |word: &str, n: usize| {
+            let i = words.iter().position(|w| *w == word).expect("it says so");
+            words[i + n].parse::<f64>().expect("a number")
+        };
+        assert!((after("F", 1) - by).abs() < 0.05 && (after("end", 1) - x).abs() < 0.5, "{said}");
+    }
+}
+
 #[test]
 fn over_a_hill_the_way_is_refuted_or_refused() {
     let line = "REGION/1,OUT\nGOLOFT/F,VCONST,1,CHORD,.01";

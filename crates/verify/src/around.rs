@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use aptc_cldata::milling::{Milled, Plain};
+use aptc_cldata::milling::{Area, Milled, Plain};
 use aptc_cldata::{Control, Controlled, Position};
 use aptc_geometry::{Form, Profile, Vec3};
 
@@ -10,7 +10,8 @@ use crate::between::Way;
 use crate::certificate::Fault;
 use crate::free::Rapid;
 use crate::judged::Judged;
-use crate::milled::MilledSurface;
+use crate::limited::Limited;
+use crate::milled::{MilledSurface, name_of};
 use crate::sheets::Sheets;
 use crate::statement::{Seen, Statement};
 use crate::tool::Pose;
@@ -81,6 +82,21 @@ impl Around {
         let older = before.filter(|_| milling.part.is_none());
         let older = older.and_then(|b| b.of.iter().find_map(Surfaces::part_of_milling));
         Some(Self { of: [own].into_iter().chain(older).collect(), at })
+    }
+
+    /// What REGION leaves to be milled of the part surface, with the name of that; `None` where it does not limit it, or it is not known.
+    pub(crate) fn limited(&self, profile: &Profile) -> Option<(Limited, String)> {
+        let Surfaces::Milled { control, sheets, .. } = self.of.first()? else { return None };
+        let milling = control.milling.as_ref()?;
+        let part = milling.part.as_ref().filter(|_| milling.limits.is_some())?;
+        let limited = Limited::new(milling, sheets.of(&part.surface), profile)?;
+        limited.is_whole().then(|| (limited, name_of(&part.name)))
+    }
+
+    /// The outlines that limit it.
+    pub(crate) fn areas(&self) -> Option<&[Area]> {
+        let Surfaces::Milled { control, .. } = self.of.first()? else { return None };
+        control.milling.as_ref()?.limits.as_ref().map(|limits| &limits.areas[..])
     }
 
     /// Each of them that can be told to be cut, without those that the way of the rapid motion is held against already.

@@ -6,6 +6,7 @@ use aptc_geometry::{Plane, Profile, Vec3};
 
 use crate::around::{Around, Wall};
 use crate::behind;
+use crate::beyond::Beyond;
 use crate::certificate::{Fault, RapidCut, length};
 use crate::statement::Statement;
 
@@ -45,6 +46,7 @@ const SIDEWAYS: f64 = 1e-9;
 #[derive(Debug, Default)]
 pub(crate) struct Free {
     before: Option<Around>,
+    beyond: Beyond,
     /// Those since the last motion along surfaces.
     waiting: Vec<Waiting>,
     /// Cuts, for the certificate.
@@ -107,6 +109,7 @@ impl Free {
     pub(crate) fn along(&mut self, statement: &Statement) {
         let Some(around) = Around::of(statement, self.before.as_ref()) else { return };
         self.said.extend(arrives(statement, &around));
+        self.said.extend(self.beyond.before(statement, &around));
         for Waiting { rapid, plunge, .. } in std::mem::take(&mut self.waiting) {
             // A motion that ends below the surface before and the surface after it went into the part.
             let judge = |end: End| cut(&rapid, &around, end, rapid.arrives);
@@ -123,6 +126,7 @@ impl Free {
         let Some(around) = &self.before else { return };
         let fault = cut(way, around, End::Judged, true);
         self.said.extend(fault.map(|fault| behind::into(way, &fault)));
+        self.said.extend(self.beyond.along(way, around));
     }
 
     /// No motion follows.

@@ -10,6 +10,7 @@ mod batch;
 mod behind;
 mod beside;
 mod between;
+mod beyond;
 mod bound;
 mod certificate;
 mod coming;

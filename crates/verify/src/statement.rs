@@ -48,6 +48,8 @@ pub(crate) struct Statement {
     /// The way at feed to a statement of regional milling that does not begin there, but for its last place: from where it comes, and
     /// what GCLEAR puts before a line.
     pub(crate) way: Vec<Position>,
+    /// Does that begin where a line of the same statement ends?
+    pub(crate) again: bool,
     /// What the motion that ended where this one begins was held to.
     pub(crate) earlier: Option<Arc<Control>>,
     pub(crate) points: Vec<Position>,

@@ -71,6 +71,8 @@ pub struct Verifier {
     statement: (Origin, Option<Arc<Control>>, Option<Position>),
     /// From where it goes at feed, and the places to which the statement leads it before it is along surfaces.
     led: Vec<Position>,
+    /// Is that the end of a line of the same statement?
+    led_on: bool,
     /// What the last motion was held to, where it was along surfaces, and with which cutter.
     ended: Option<(Arc<Control>, Profile)>,
     /// The motion along surfaces that came last; the next record may go on with it.
@@ -117,6 +119,7 @@ impl Verifier {
             came: None,
             statement: (Origin::default(), None, None),
             led: Vec::new(),
+            led_on: false,
             ended: None,
             open: None,
             rapid: false,
@@ -352,6 +355,7 @@ impl Verifier {
                     start,
                     before: self.statement.2,
                     way,
+                    again: self.led_on,
                     earlier,
                     points: motion.points.clone(),
                     over: Vec::new(),

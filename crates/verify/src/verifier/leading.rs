@@ -21,6 +21,7 @@ impl Verifier {
             (*before, *along, *came) = (origin.clone(), None, self.came);
             self.led.clear();
             self.led.extend(self.last);
+            self.led_on = false;
             self.waiting.extend(self.behind.over().map(Event::Behind));
         }
         *along = motion.control.clone().or(along.take());
@@ -31,6 +32,7 @@ impl Verifier {
         if rapid || motion.control.is_some() {
             self.led.clear();
             self.led.extend(motion.points.last());
+            self.led_on = motion.control.is_some();
         } else {
             self.led.extend_from_slice(&motion.points);
         }
