@@ -6,7 +6,7 @@ use aptc_cldata::milling::{Area, Milled, Plain};
 use aptc_cldata::{Control, Controlled, Position};
 use aptc_geometry::{Form, Profile, Vec3};
 
-use crate::between::Way;
+use crate::between::{NO_TURN, Way, angle};
 use crate::certificate::Fault;
 use crate::free::Rapid;
 use crate::judged::Judged;
@@ -34,8 +34,8 @@ pub(crate) struct Around {
 /// Those of one motion; what is to be known of them is found where rapid motion asks for it.
 #[derive(Clone, Debug)]
 enum Surfaces {
-    /// The part surface of a motion of the arithmetic element, with the cutter.
-    Guided(Arc<Control>, Profile),
+    /// The part surface of a motion of the arithmetic element, with the cutter, and between which numbers the tool end was over it.
+    Guided { control: Arc<Control>, sheets: Sheets, profile: Profile, ran: [Vec3; 2] },
     /// The surfaces of regional milling, or its part surface alone.
     Milled { control: Arc<Control>, sheets: Sheets, came: Option<Came> },
 }
@@ -49,10 +49,29 @@ struct Came {
     top: f64,
 }
 
+/// Where a tool ran over a plane.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Ran {
+    ends: [Vec3; 2],
+    normal: Vec3,
+    reach: f64,
+}
+
+/// Which of them a way is held against.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Which<'a> {
+    All,
+    /// The part surface, if the way is not held against what is checked already.
+    Unchecked,
+    /// The part surface that a statement gives, with that tool axis at both ends if it is a plane, which lies on other sides of the part too.
+    Part([&'a Position; 2]),
+}
+
 /// One of them.
 #[derive(Clone, Debug)]
 pub(crate) enum Wall {
-    Guided(Box<Judged>),
+    /// Of a plane, which goes on without end, with where it is known to be the part's.
+    Guided(Box<Judged>, Option<Ran>),
     Milled {
         surface: Box<MilledSurface>,
         /// The same for the tool end, where that is led on it. Beside it the cutter is as deep as the slope makes it.
@@ -70,8 +89,13 @@ impl Around {
         let at = *statement.points.last()?;
         let control = &statement.control;
         let Some(milling) = &control.milling else {
-            control.part.as_ref()?;
-            let of = vec![Surfaces::Guided(Arc::clone(control), statement.profile)];
+            let part = control.part.as_ref()?;
+            let earlier = before.and_then(|b| b.of.first()?.ran_over(part));
+            let start = earlier.unwrap_or([at.te; 2]);
+            let wider = |[low, high]: [Vec3; 2], p: &Position| [low.inf(&p.te), high.sup(&p.te)];
+            let ran = statement.points.iter().fold(start, wider);
+            let (control, sheets) = (Arc::clone(control), statement.sheets.clone());
+            let of = vec![Surfaces::Guided { control, sheets, profile: statement.profile, ran }];
             return Some(Self { of, at });
         };
         let own = Surfaces::Milled {
@@ -99,13 +123,24 @@ impl Around {
         control.milling.as_ref()?.limits.as_ref().map(|limits| &limits.areas[..])
     }
 
-    /// Each of them that can be told to be cut, without those that the way of the rapid motion is held against already.
-    pub(crate) fn walls(&self, arrives: bool) -> Vec<Wall> {
-        self.of.iter().flat_map(|s| s.walls(&self.at, arrives)).collect()
+    /// Each of them that can be told to be cut.
+    pub(crate) fn walls(&self, which: Which<'_>) -> Vec<Wall> {
+        self.of.iter().flat_map(|s| s.walls(&self.at, which)).collect()
     }
 }
 
 impl Surfaces {
+    /// Between which numbers the tool end was over that part surface.
+    fn ran_over(&self, part: &Controlled) -> Option<[Vec3; 2]> {
+        match self {
+            Self::Guided { control, ran, .. } => {
+                let same = control.part.as_ref().is_some_and(|p| Arc::ptr_eq(&p.form, &part.form));
+                same.then_some(*ran)
+            }
+            Self::Milled { .. } => None,
+        }
+    }
+
     fn part_of_milling(&self) -> Option<Self> {
         match self {
             Self::Milled { control, sheets, .. }
@@ -118,11 +153,15 @@ impl Surfaces {
         }
     }
 
-    fn walls(&self, at: &Position, arrives: bool) -> Vec<Wall> {
+    fn walls(&self, at: &Position, which: Which<'_>) -> Vec<Wall> {
         let (control, sheets, came) = match self {
-            Self::Guided(control, profile) => {
-                let part = control.part.as_ref();
-                return part.and_then(|part| guided(part, at, profile)).into_iter().collect();
+            Self::Guided { control, sheets, profile, ran } => {
+                let part = control.part.as_ref().filter(|part| which.takes(part, at));
+                let ran = matches!(which, Which::Part(_)).then_some(*ran);
+                return part
+                    .and_then(|part| guided(part, at, (profile, sheets), ran))
+                    .into_iter()
+                    .collect();
             }
             Self::Milled { control, sheets, came } => (control, sheets, came.as_ref()),
         };
@@ -134,8 +173,9 @@ impl Surfaces {
             let end = led.then(|| MilledSurface::led_on(of, milling, sheets)).flatten();
             Some(Wall::Milled { surface, end: end.map(Box::new), top: None })
         };
-        let part = milling.part.iter().filter(|_| !(arrives && milling.guarded));
-        let checked = came.filter(|_| !arrives);
+        let part =
+            milling.part.iter().filter(|_| !(matches!(which, Which::Unchecked) && milling.guarded));
+        let checked = came.filter(|_| matches!(which, Which::All));
         let sculptured = checked.iter().flat_map(|_| &milling.checked);
         let plain = checked.iter().flat_map(|came| milling.plain.iter().map(move |p| (p, came)));
         let kept = |(of, came): (&Plain, &&Came)| {
@@ -151,6 +191,15 @@ impl Surfaces {
     }
 }
 
+impl Which<'_> {
+    fn takes(&self, part: &Controlled, at: &Position) -> bool {
+        let Self::Part(ends) = self else { return true };
+        let turned = ends.iter().any(|p| angle(p.ta, at.ta) > NO_TURN);
+        let elsewhere = turned && normal(part).is_some();
+        !elsewhere && !part.name.is_in_words()
+    }
+}
+
 impl Came {
     fn new(s: &Statement) -> Option<Self> {
         let up = s.points.last()?.ta;
@@ -161,12 +210,37 @@ impl Came {
 }
 
 /// Around a tool that works inside of a round surface the surface closes above: leaving it is no cut.
-fn guided(part: &Controlled, at: &Position, profile: &Profile) -> Option<Wall> {
-    let flat = matches!(part.form.shape(), Form::Plane(_) | Form::Line(_));
-    if part.side < 0 && !flat {
+fn guided(
+    part: &Controlled,
+    at: &Position,
+    (profile, sheets): (&Profile, &Sheets),
+    ran: Option<[Vec3; 2]>,
+) -> Option<Wall> {
+    let normal = normal(part);
+    if part.side < 0 && normal.is_none() {
         return None;
     }
-    Judged::clear(part, at, profile).map(|judged| Wall::Guided(Box::new(judged)))
+    let reach = profile.widest();
+    let ran = ran.zip(normal).map(|(ends, normal)| Ran { ends, normal, reach });
+    Judged::clear(part, at, profile, sheets).map(|judged| Wall::Guided(Box::new(judged), ran))
+}
+
+/// The normal of a plane.
+fn normal(part: &Controlled) -> Option<Vec3> {
+    match part.form.shape() {
+        Form::Plane(p) => Some(p.n),
+        Form::Line(l) => Some(l.plane().n),
+        _ => None,
+    }
+}
+
+impl Ran {
+    /// Is a place, seen along the normal, no farther than the tool is wide from where it ran?
+    fn is_at(&self, te: Vec3) -> bool {
+        let [low, high] = self.ends;
+        let off = te - te.sup(&low).inf(&high);
+        (off - self.normal * self.normal.dot(&off)).norm() <= self.reach
+    }
 }
 
 impl Wall {
@@ -178,7 +252,7 @@ impl Wall {
     fn fault(&self, rapid: &Rapid, a: &Position, b: &Position, i: u64) -> Option<Fault> {
         let (seen, Rapid { profile, pad, .. }) = (&mut Seen::default(), rapid);
         match self {
-            Self::Guided(judged) => judged.vector(profile, a, b, *pad, i, seen),
+            Self::Guided(judged, _) => judged.vector(profile, a, b, *pad, i, seen),
             Self::Milled { surface, top, .. } => {
                 let ends = match top {
                     Some((up, top)) => below(*up, top + pad, [a, b])?,
@@ -192,7 +266,7 @@ impl Wall {
     /// Allows the tool to be deeper by so much.
     pub(crate) fn allow(&mut self, deeper: f64) {
         match self {
-            Self::Guided(judged) => judged.allow(deeper),
+            Self::Guided(judged, _) => judged.allow(deeper),
             Self::Milled { surface, .. } => surface.allow(deeper),
         }
     }
@@ -200,9 +274,14 @@ impl Wall {
     /// As messages call it, whatever stands for the tool.
     pub(crate) fn called(&self, otherwise: String) -> String {
         match self {
-            Self::Guided(_) => otherwise,
+            Self::Guided(..) => otherwise,
             Self::Milled { surface, .. } => surface.told(),
         }
+    }
+
+    /// Is it known to be the part's at a place?
+    pub(crate) fn is_at(&self, te: Vec3) -> bool {
+        !matches!(self, Self::Guided(_, Some(ran)) if !ran.is_at(te))
     }
 
     /// Is the tool end led on it, and is it no lower than that at this place?

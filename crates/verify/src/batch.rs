@@ -6,6 +6,7 @@ use std::sync::{Arc, Condvar, Mutex, OnceLock, PoisonError};
 use aptc_cldata::{Motion, Position};
 use aptc_diagnostics::Origin;
 
+use crate::chain::Chain;
 use crate::free::Rapid;
 use crate::hurried::Hurried;
 use crate::joined::Joined;
@@ -34,6 +35,8 @@ pub(crate) enum Event {
     Rapid(Box<Rapid>),
     /// What GCLEAR puts behind a line.
     Behind(Box<Rapid>),
+    /// Motion at feed from point to point.
+    Chain(Box<Chain>),
     /// The way from DNTCUT to CUT.
     Joined(Arc<Joined>),
     /// Where the motion from point to point ends that comes next after one at rapid.

@@ -4,10 +4,11 @@ use aptc_cldata::Position;
 use aptc_diagnostics::{Diagnostic, Origin, codes};
 use aptc_geometry::{Plane, Profile, Vec3};
 
-use crate::around::{Around, Wall};
+use crate::around::{Around, Wall, Which};
 use crate::behind;
 use crate::beyond::Beyond;
 use crate::certificate::{Fault, RapidCut, length};
+use crate::chain::Chain;
 use crate::statement::Statement;
 
 /// A motion after RAPID, or a way at feed, with the place where it begins.
@@ -47,6 +48,8 @@ const SIDEWAYS: f64 = 1e-9;
 pub(crate) struct Free {
     before: Option<Around>,
     beyond: Beyond,
+    /// What leads to the next motion along surfaces at feed, and went through nothing before it.
+    chain: Option<Box<Chain>>,
     /// Those since the last motion along surfaces.
     waiting: Vec<Waiting>,
     /// Cuts, for the certificate.
@@ -108,7 +111,10 @@ impl Free {
     /// A motion along surfaces.
     pub(crate) fn along(&mut self, statement: &Statement) {
         let Some(around) = Around::of(statement, self.before.as_ref()) else { return };
-        self.said.extend(arrives(statement, &around));
+        let arrives = arrives(statement, &around);
+        let chain = self.chain.take().filter(|_| arrives.is_none());
+        self.said.extend(chain.and_then(|chain| chain.through(&around)));
+        self.said.extend(arrives);
         self.said.extend(self.beyond.before(statement, &around));
         for Waiting { rapid, plunge, .. } in std::mem::take(&mut self.waiting) {
             // A motion that ends below the surface before and the surface after it went into the part.
@@ -119,6 +125,14 @@ impl Free {
             }
         }
         self.before = Some(around);
+    }
+
+    /// Motion at feed from point to point.
+    pub(crate) fn chain(&mut self, chain: &Chain) {
+        let told = self.before.as_ref().and_then(|before| chain.leaves(before));
+        let goes_on = told.is_none() && chain.leads;
+        self.chain = goes_on.then(|| Box::new(chain.clone()));
+        self.said.extend(told);
     }
 
     /// What GCLEAR puts behind a line; where it ends the tool is to be clear too.
@@ -167,7 +181,13 @@ enum End {
 
 /// The deepest cut of the rapid motion into what is around it.
 fn cut(rapid: &Rapid, around: &Around, end: End, arrives: bool) -> Option<Fault> {
-    let cuts = around.walls(arrives).into_iter().filter_map(|wall| cut_into(rapid, wall, end));
+    let which = if arrives { Which::Unchecked } else { Which::All };
+    let cuts = around.walls(which).into_iter().filter_map(|wall| {
+        let excused = |p: &&Position| end == End::Excused || wall.leads_the_end(rapid, p);
+        let last = rapid.points.last().filter(excused);
+        let ends: Vec<&Position> = rapid.points.first().into_iter().chain(last).collect();
+        cut_into(rapid, wall, &ends)
+    });
     cuts.reduce(|a, b| if b.depth > a.depth { b } else { a })
 }
 
@@ -175,23 +195,20 @@ fn cut(rapid: &Rapid, around: &Around, end: End, arrives: bool) -> Option<Fault>
 ///
 /// A tool that goes straight up leaves the way it came. Where it begins deeper than the surface, for
 /// another cut reached deeper there, only what is deeper still is a cut of the rapid motion; the same where it
-/// ends, unless that is judged. A tool that a surface with ends goes through there is nowhere deeper in it: deeper still is
+/// ends, unless that is judged: at the `ends` it may be so deep. A tool that a surface with ends goes through there is nowhere deeper in it: deeper still is
 /// then where the surface goes through it higher up.
-fn cut_into(rapid: &Rapid, mut wall: Wall, end: End) -> Option<Fault> {
+pub(crate) fn cut_into(rapid: &Rapid, mut wall: Wall, ends: &[&Position]) -> Option<Fault> {
     /// Share of the depth at the ends that all the same counts as no deeper.
     const ALIKE: f64 = 1e-3;
-    let excused = |p: &&Position| end == End::Excused || wall.leads_the_end(rapid, p);
-    let last = rapid.points.last().filter(excused);
-    let ends: Vec<&Position> = rapid.points.first().into_iter().chain(last).collect();
     let fresh = wall.clone();
     let mut depth = 0.0;
-    for p in &ends {
+    for p in ends {
         let look = |wall: &Wall| wall.cut(rapid, p, p, 0);
         depth += Fault::in_all(&mut wall, look, |wall, f| wall.allow(f.depth)).0;
     }
     let through = fresh.is_through(&rapid.profile, depth);
     if through {
-        wall = fresh.raised(rapid, &ends)?;
+        wall = fresh.raised(rapid, ends)?;
     } else {
         wall.allow(ALIKE * depth);
     }
@@ -210,15 +227,26 @@ fn cut_into(rapid: &Rapid, mut wall: Wall, end: End) -> Option<Fault> {
 }
 
 /// Does the tool go along its axis, away from its end?
-fn goes_up(pair: &[Position]) -> bool {
+pub(crate) fn goes_up(pair: &[Position]) -> bool {
+    along_axis(pair).is_some_and(|up| up >= 0.0)
+}
+
+/// The same towards its end.
+pub(crate) fn goes_down(pair: &[Position]) -> bool {
+    along_axis(pair).is_some_and(|up| up < 0.0)
+}
+
+/// How far it goes along its axis, if it goes nowhere else.
+fn along_axis(pair: &[Position]) -> Option<f64> {
     let way = pair[1].te - pair[0].te;
     let up = way.dot(&pair[0].ta);
-    up >= 0.0 && (way - up * pair[0].ta).norm() <= SIDEWAYS * (pair[0].te.norm() + up)
+    let aside = (way - up * pair[0].ta).norm();
+    (aside <= SIDEWAYS * (pair[0].te.norm() + up.abs())).then_some(up)
 }
 
 /// How deep beyond its tolerance a tool that stands at `p` is in what is around it.
 fn deep(rapid: &Rapid, p: &Position, around: &Around) -> f64 {
-    let deep = around.walls(false).into_iter().filter_map(|wall| wall.cut(rapid, p, p, 0));
+    let deep = around.walls(Which::All).into_iter().filter_map(|wall| wall.cut(rapid, p, p, 0));
     deep.fold(0.0, |deepest, f| f.depth.max(deepest))
 }
 

@@ -208,8 +208,12 @@ impl Judged {
 
     /// That the tool does not cut into a surface along which it moved before or will move: the cutter is on
     /// the side of it where it was at `at`.
-    pub(crate) fn clear(c: &Controlled, at: &Position, profile: &Profile) -> Option<Self> {
-        let sheets = &Sheets::default();
+    pub(crate) fn clear(
+        c: &Controlled,
+        at: &Position,
+        profile: &Profile,
+        sheets: &Sheets,
+    ) -> Option<Self> {
         let mut c = c.clone();
         c.disk = None;
         c.outtol = f64::INFINITY;

@@ -13,6 +13,7 @@ mod between;
 mod beyond;
 mod bound;
 mod certificate;
+mod chain;
 mod coming;
 mod curved;
 mod cut;

@@ -13,6 +13,7 @@ use crate::asked::Asked;
 use crate::batch::{Batch, Event};
 use crate::behind::Behind;
 use crate::certificate::{Breach, Certificate, Fault, StatementProof, length};
+use crate::chain::Chains;
 use crate::free::{Free, Rapid};
 use crate::hurried::Hurried;
 use crate::joined::{Joined, Joins};
@@ -92,6 +93,7 @@ pub struct Verifier {
     n_waiting: usize,
     free: Free,
     behind: Behind,
+    chains: Chains,
     joins: Joins,
     /// The lines of which it is not known yet whether all are milled.
     asked: Option<Asked>,
@@ -132,6 +134,7 @@ impl Verifier {
             n_waiting: 0,
             free: Free::default(),
             behind: Behind::default(),
+            chains: Chains::default(),
             joins: Joins::default(),
             asked: None,
             certificate,
@@ -147,7 +150,10 @@ impl Verifier {
         match &record.kind {
             Kind::Cutter(cutter) => {
                 self.close();
-                self.profile = profile(cutter);
+                let before = std::mem::replace(&mut self.profile, profile(cutter));
+                if before != self.profile {
+                    self.breaks();
+                }
             }
             Kind::Post { word, args } => match word.as_str() {
                 "RAPID" => self.rapid = true,
@@ -155,9 +161,13 @@ impl Verifier {
                 // Without a plane it leaves the plane as it was.
                 "CLRSRF" => self.clearance = clearance(args).or(self.clearance),
                 // The machine takes the tool away, or a cycle leaves it above the hole.
-                "RETRCT" | "GOHOME" | "LOADTL" | "LOAD" | "TURRET" => self.last = None,
+                "RETRCT" | "GOHOME" | "LOADTL" | "LOAD" | "TURRET" => {
+                    self.last = None;
+                    self.breaks();
+                }
                 "CYCLE" => {
                     self.last = None;
+                    self.breaks();
                     self.cycle = !args.iter().any(|a| matches!(a, Arg::Word(w) if w == "OFF"));
                 }
                 _ => {}
@@ -225,6 +235,7 @@ impl Verifier {
                 Event::Unknown(motion, origin) => self.without_proof(motion, origin),
                 Event::Rapid(rapid) => self.free.rapid(rapid),
                 Event::Behind(way) => self.free.behind(way),
+                Event::Chain(chain) => self.free.chain(chain),
                 Event::Joined(joined) => self.diagnostics.extend(self.joins.next(joined)),
                 Event::Feed(end) => self.free.next(end),
                 Event::Hurried(hurried) => self.diagnostics.push(hurried.told()),
@@ -271,6 +282,7 @@ impl Verifier {
             // The tool is there already: RAPID before FROM moves nothing.
             self.rapid = false;
             self.close_unless(None);
+            self.breaks();
             return;
         }
         let rapid = std::mem::take(&mut self.rapid);
@@ -310,6 +322,7 @@ impl Verifier {
             self.waiting.push(Event::Rapid(Box::new(rapid)));
             self.n_waiting += 1;
         }
+        self.chained(motion, origin, control, rapid, &profile);
         if control.is_some() {
             self.behind.goes_on();
         } else if !rapid && Behind::takes(motion, self.statement.1.as_ref()) {
@@ -412,6 +425,7 @@ impl Verifier {
     /// No record follows.
     fn ends(&mut self) {
         self.close();
+        self.breaks();
         self.waiting.extend(self.behind.over().map(Event::Behind));
     }
 

@@ -14,5 +14,6 @@ codes! {
     RAPID_ENDS_LOW = 5008, "a rapid motion that ends below the part surface";
     THROUGH = 5009, "a way that goes through a surface";
     RAPID_ALONG = 5010, "a motion along surfaces at rapid";
+    FEED_CUT = 5011, "a motion from point to point that cuts in";
     NOT_THE_CL = 5401, "machine code that does not do what the CL data says";
 }
