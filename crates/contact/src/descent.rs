@@ -7,6 +7,7 @@ use aptc_geometry::profile::Segment;
 use aptc_geometry::{Foot, Reason, Shape, Spot, Surface, Tool, Vec3};
 
 use crate::edges;
+use crate::even;
 use crate::gap::{Gap, Side};
 
 /// Bound of one local search. Newton's method takes 3 to 8 steps; the rest is for places where the surface
@@ -43,7 +44,7 @@ pub(crate) fn local(
         let raw = w.dot(&here.normal);
         let residual = (w - here.normal * raw).norm();
         if here.facing > 0.0 && here.across.norm() <= LEVEL {
-            return Ok(Gap {
+            let gap = Gap {
                 g: raw,
                 raw,
                 tool_point: here.tool_point,
@@ -52,7 +53,8 @@ pub(crate) fn local(
                 normal: here.normal,
                 segment: Some(here.segment),
                 residual,
-            });
+            };
+            return Ok(even::end(tool, surface, side, &gap, &here.own).unwrap_or(gap));
         }
         if let Some(gap) = edges::at(tool, surface, side, here.q.point) {
             return Ok(gap);

@@ -31,6 +31,7 @@ mod descent;
 mod dips;
 mod disk;
 mod edges;
+mod even;
 mod gap;
 mod guide;
 mod open;
