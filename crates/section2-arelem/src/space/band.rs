@@ -108,7 +108,8 @@ impl Band {
     /// the greatest on it; `bow` is by how much the rate of change grows.
     #[inline(always)]
     pub(super) fn judge(&self, ends: [f64; 2], [low, high]: [f64; 2], bow: f64) -> (bool, f64) {
-        let depth = 0.5 * bow;
+        // A chord bows by rounding alone where the gap does not bend, and has room for it at the very edge too.
+        let depth = if bow.abs() > 2.0 * self.none { 0.5 * bow } else { 0.0 };
         let [under, over] = [least(ends[0], ends[1]), most(ends[0], ends[1])];
         let [dip, rise] = [most(under - low, 0.0), most(high - over, 0.0)];
         // Vertices of the motion before may lie at the very edge; they are no fault of this chord. What looks are unsure of
@@ -161,4 +162,35 @@ fn most(a: f64, b: f64) -> f64 {
 #[inline(always)]
 fn least(a: f64, b: f64) -> f64 {
     if a < b { a } else { b }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use aptc_contact::{Condition, Side};
+    use aptc_geometry::{Cutter, Profile, Sphere, Surface, Vec3};
+
+    #[test]
+    fn a_chord_that_bows_by_rounding_alone_may_be_as_long_as_one_that_does_not() {
+        let keep = Keep {
+            profile: Profile::new(&Cutter::mill(10.0, 0.0, 40.0)).unwrap(),
+            surface: Surface::Sphere(Sphere { center: Vec3::zeros(), radius: 50.0 }),
+            condition: Condition::Touch,
+            side: Side::Positive,
+            thick: 0.0,
+            intol: 0.01,
+            outtol: 0.01,
+            outside: false,
+        };
+        let band = Band::new(&keep, 100.0, false);
+        for g in [band.low, band.low + band.aim, 0.0, band.high - band.aim, band.high] {
+            for bow in [0.0, 1e-44, -1e-44, 1e-13, -1e-13] {
+                let (fits, ratio) = band.judge([g; 2], [g; 2], bow);
+                assert!(fits && ratio.is_infinite(), "{g} {bow}: {ratio}");
+            }
+        }
+        // From the middle of the band a parabola of a quarter of its depth may be four times as deep.
+        let (fits, ratio) = band.judge([0.0; 2], [-0.0025, 0.0], 0.02);
+        assert!(fits && (ratio - 2.0).abs() < 1e-5, "{ratio}");
+    }
 }
