@@ -100,22 +100,19 @@ fn scenes_over_all_surfaces_are_solved_within_their_bands() {
 fn scenes_in_another_unit_give_the_same_path() {
     let mut different = Vec::new();
     for seed in 0..number("APTC_SCENES", 120) / 4 {
-        let Some(s) = motion(seed, 1.0) else { continue };
-        // The gap is nearly even along a ruling that a bull nose touches, and where it is least is found to less.
-        let allowed = if s.what.contains("ruled") { 1e-8 } else { 1e-9 };
+        if motion(seed, 1.0).is_none() {
+            continue;
+        }
         let scales = [25.4, 1e-3].into_iter();
-        different.extend(scales.filter_map(|scale| differs(seed, scale, motion, allowed)));
+        different.extend(scales.filter_map(|scale| differs(seed, scale, motion)));
     }
     assert!(different.is_empty(), "{different:#?}");
 }
 
 /// How the path of a scene differs from that of the same scene in another size.
-fn differs(
-    seed: u64,
-    scale: f64,
-    make: fn(u64, f64) -> Option<Scene>,
-    allowed: f64,
-) -> Option<String> {
+fn differs(seed: u64, scale: f64, make: fn(u64, f64) -> Option<Scene>) -> Option<String> {
+    /// Share of the size.
+    const ALLOWED: f64 = 1e-9;
     let ends = |s: &Scene| -> Vec<Vec3> {
         let ran = run(&s.forms, &s.setup);
         ran.motions().flat_map(|(_, m)| m.points.iter().map(|p| p.te)).collect()
@@ -125,7 +122,7 @@ fn differs(
     let apart = a.iter().zip(&b).map(|(p, q)| (p - q / scale).norm() / (10.0 + p.norm()));
     let apart = apart.fold(0.0, f64::max);
     let n = [a.len(), b.len()];
-    let same = n[0] > 0 && n[0] == n[1] && apart <= allowed;
+    let same = n[0] > 0 && n[0] == n[1] && apart <= ALLOWED;
     (!same).then(|| format!("{seed} x {scale} {n:?} {apart:e}: {}", plain.what))
 }
 
@@ -170,7 +167,28 @@ fn what_rounding_once_decided_is_the_same_in_any_size() {
         (990_338, 25.4),
     ];
     let different: Vec<String> =
-        decided.into_iter().filter_map(|(seed, scale)| differs(seed, scale, wide, 1e-9)).collect();
+        decided.into_iter().filter_map(|(seed, scale)| differs(seed, scale, wide)).collect();
+    assert!(different.is_empty(), "{different:#?}");
+    let decided = [
+        // A flank lies along the one ruling that is upright, and touches with all of it.
+        (108, 1e-3),
+        (241, 25.4),
+        (948, 1e-3),
+        (1407, 25.4),
+        (2092, 1e-3),
+        (2112, 25.4),
+        (2440, 25.4),
+        (13_063, 25.4),
+        // A flat end on a crest, at the very edge of its band: the gap bows by rounding.
+        (1028, 25.4),
+        (2534, 1e-3),
+        (3780, 25.4),
+        // A length found once is tried again, as something is looked at in between.
+        (355, 25.4),
+        (1015, 25.4),
+    ];
+    let different: Vec<String> =
+        decided.into_iter().filter_map(|(seed, scale)| differs(seed, scale, motion)).collect();
     assert!(different.is_empty(), "{different:#?}");
 }
 

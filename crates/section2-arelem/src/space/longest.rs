@@ -126,7 +126,8 @@ impl Track {
         }
         // Behind a place beyond which none was found the next is as far as there; at its end one may be beyond.
         s = pace.left.filter(|_| !over_the_end).map_or(s, |left| s.min(left));
-        s = pace.found.take().map_or(s, |found| found.min(plan.most));
+        let found = pace.found.take();
+        s = found.map_or(s, |found| found.min(plan.most));
         let (mut good, mut bad): (Option<Stride<T::Place>>, f64) = (None, f64::INFINITY);
         let mut last: Option<Stride<T::Place>> = None;
         // One that fits with its vertex elsewhere, where none does that has it in the right place.
@@ -187,6 +188,8 @@ impl Track {
                         }
                     }
                     if fit.fits {
+                        // What was found before is taken as it was then, whether or not it was looked at in between.
+                        let again = trial == 0 && found.is_some();
                         let enough = if easy {
                             let more = before.and_then(|before| rest(s, fit.ratio, before));
                             more.unwrap_or(fit.ratio - 1.0) <= long_enough
@@ -194,8 +197,8 @@ impl Track {
                             // What the next trial would be is what this one lacks.
                             (longer(fit.ratio, before) / s - 1.0).abs() <= close * long_enough
                         };
-                        let enough = enough || s >= plan.most;
-                        let first = before.is_none() && bad.is_infinite() && !over;
+                        let enough = enough || again || s >= plan.most;
+                        let first = before.is_none() && bad.is_infinite() && !over && !again;
                         if enough && first && s < plan.most {
                             let on = self.another(fit.ratio, long_enough);
                             if on != 0.0 {
