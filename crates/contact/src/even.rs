@@ -14,6 +14,8 @@ use crate::gap::{Gap, Side, deeper};
 const TURN: f64 = 1e-9;
 /// Share of the greatest bend by which those at both ends differ.
 const ALIKE: f64 = 1e-6;
+/// Rounds in which its normal comes to rest.
+const ROUNDS: usize = 4;
 /// Share of the tool's reach by which an end and its place of the surface may fail to face each other.
 const FACING: f64 = 1e-10;
 
@@ -54,7 +56,7 @@ pub(crate) fn end(
         }
     };
     // The normal of the end itself is another one where the search stopped before it faced the flank.
-    let at = |turn: f64| beside(beside(n, turn).normal, turn);
+    let at = |turn: f64| (0..ROUNDS).fold(beside(n, turn), |end, _| beside(end.normal, turn));
     let (low, high) = (at(-TURN), at(TURN));
     let end = if deeper(tool, low.raw, high.raw) {
         low
