@@ -11,6 +11,9 @@ use crate::around::{Around, Which};
 use crate::certificate::{Fault, length};
 use crate::free::{Rapid, cut_into, goes_down, goes_up};
 
+/// Places of a chain at most; of a longer one those next to the motions along surfaces are held, so many at each.
+const MOST: usize = 10_000;
+
 /// All motion from point to point between two motions along surfaces, with one cutter.
 #[derive(Clone, Debug)]
 pub(crate) struct Chain {
@@ -41,14 +44,16 @@ impl Chains {
         self.before = self.open.as_ref().map_or(0, |c| c.origins.len());
     }
 
-    /// A motion from point to point; of one that is not held here there is no `origin`.
+    /// A motion from point to point; of one that is not held here there is no `origin`. What is before it, where that grows too long.
     pub(crate) fn add(
         &mut self,
         from: Option<Position>,
         motion: &Motion,
         origin: Option<&Origin>,
         (profile, pad): (&Profile, f64),
-    ) {
+    ) -> Option<Box<Chain>> {
+        let long = self.open.as_ref().is_some_and(|c| c.points.len() + motion.points.len() > MOST);
+        let before = if long { self.breaks() } else { None };
         let (profile, comes) = (*profile, self.comes && from.is_some());
         let chain = self.open.get_or_insert_with(|| {
             let (points, origins) = (from.into_iter().collect(), Vec::new());
@@ -68,11 +73,12 @@ impl Chains {
             chain.points.push(*point);
         }
         chain.pad = chain.pad.max(pad);
+        before
     }
 
     /// The machine or another tool goes on.
     pub(crate) fn breaks(&mut self) -> Option<Box<Chain>> {
-        self.comes = false;
+        (self.comes, self.before) = (false, 0);
         self.open.take().filter(Chain::asks).map(Box::new)
     }
 

@@ -276,3 +276,17 @@ fn what_is_meant_to_be_deeper_is_not_told() {
         guided("the part surface of AUTOPS", floor(0.0), &[[0.0, 0.0, 0.0], [100.0, 0.0, 0.0]]);
     assert_eq!(told(&[none, goto(&dip), goto(&[up])]), NOTHING);
 }
+
+/// Of a chain that is longer than what is kept of one, what is next to the motions along surfaces is held.
+#[test]
+fn of_a_long_chain_both_ends_are_held() {
+    let up = [100.0, 0.0, 9.0];
+    let dip = [[40.0, 0.0, 9.0], [48.0, 0.0, -2.0], [56.0, 0.0, 9.0]];
+    let away: Vec<_> = (0..7_000).flat_map(|_| [up, [90.0, 0.0, 9.0]]).collect();
+    let all = |first: &[[f64; 3]], last: &[[f64; 3]]| {
+        told(&[along(0.0), goto(first), goto(&away), goto(last), along(0.0)])
+    };
+    assert_eq!(all(&[up], &[up]), NOTHING);
+    assert_eq!(all(&[&[up], &dip[..]].concat(), &[up]), FEED);
+    assert_eq!(all(&[up], &dip), FEED);
+}

@@ -74,7 +74,8 @@ impl Verifier {
         } else if !self.cycle && !Behind::takes(motion, self.statement.1.as_ref()) {
             let held = Some(origin).filter(|_| !rapid && !self.silent && motion.points.len() == 1);
             let pad = self.pad(&motion.points, profile);
-            self.chains.add(self.last, motion, held, (profile, pad));
+            let before = self.chains.add(self.last, motion, held, (profile, pad));
+            self.waiting.extend(before.map(Event::Chain));
         }
     }
 }
