@@ -102,7 +102,7 @@ pub fn compile(source: Source, world: &mut dyn World, options: &Options) -> Comp
     loop {
         if clock.is_over() {
             let why = format!("the program was stopped after {} seconds", clock.seconds());
-            let help = "check what ends its loops, or allow more by --max-seconds";
+            let help = "check what ends its loops and which statement before takes long, or allow more by --max-seconds";
             section1.stop(codes::TOO_MUCH_TIME, why, help);
         }
         let Some(step) = section1.step_within(BETWEEN_LOOKS) else { continue };

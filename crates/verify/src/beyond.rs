@@ -7,7 +7,7 @@ use aptc_geometry::Vec3;
 
 use crate::around::Around;
 use crate::between::Way;
-use crate::certificate::length;
+use crate::certificate::{at_tool_end, length};
 use crate::free::Rapid;
 use crate::statement::Statement;
 use crate::tool::Pose;
@@ -61,9 +61,9 @@ fn parts(a: &Position, b: &Position) -> impl Iterator<Item = [Position; 2]> {
 }
 
 fn told(way: &Rapid, name: &str, te: Vec3, by: f64) -> Diagnostic {
-    let ([x, y, z], by): ([f64; 3], _) = (te.into(), length(by));
+    let (place, by) = (at_tool_end(te.into()), length(by));
     let message = format!(
-        "GCLEAR leads the tool on, at feed, into what REGION leaves out: it mills part surface {name} {by} outside of what is to be milled, at tool end {x:.5}, {y:.5}, {z:.5}"
+        "GCLEAR leads the tool on, at feed, into what REGION leaves out: it mills part surface {name} {by} outside of what is to be milled, {place}"
     );
     Diagnostic::warning(codes::STRAIGHT_OVER, way.origin.span, message)
         .help("leave MOTDIR out where REGION ends a line, or lead the tool off the surface with it, by NORMAL,h")

@@ -174,9 +174,14 @@ impl Fault {
 
     /// The place in words.
     pub(crate) fn place(&self) -> String {
-        let [x, y, z] = self.te;
-        format!("at tool end {x:.5}, {y:.5}, {z:.5}")
+        at_tool_end(self.te)
     }
+}
+
+/// A tool end as messages give it, without a sign where it is 0 but for rounding.
+pub(crate) fn at_tool_end(te: [f64; 3]) -> String {
+    let [x, y, z] = te.map(|x| if x.abs() < 5e-6 { 0.0 } else { x });
+    format!("at tool end {x:.5}, {y:.5}, {z:.5}")
 }
 
 impl LeftOut {

@@ -7,7 +7,7 @@ use aptc_geometry::{Plane, Profile, Vec3};
 use crate::around::{Around, Wall, Which};
 use crate::behind;
 use crate::beyond::Beyond;
-use crate::certificate::{Fault, RapidCut, length};
+use crate::certificate::{Fault, RapidCut, at_tool_end, length};
 use crate::chain::Chain;
 use crate::statement::Statement;
 
@@ -302,10 +302,8 @@ fn low(rapid: &Rapid, plane: &Plane) -> Option<Diagnostic> {
     if depth <= rapid.pad {
         return None;
     }
-    let [x, y, z]: [f64; 3] = deepest.te.into();
-    let message = format!(
-        "rapid motion goes aside {depth:.5} below the clearance plane, at tool end {x:.5}, {y:.5}, {z:.5}"
-    );
+    let place = at_tool_end(deepest.te.into());
+    let message = format!("rapid motion goes aside {depth:.5} below the clearance plane, {place}");
     let d = Diagnostic::warning(codes::RAPID_LOW, rapid.origin.span, message);
     Some(d.help("write CLRSRF/NOW before it").within(rapid.origin.trace.clone()))
 }

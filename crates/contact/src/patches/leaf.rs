@@ -13,11 +13,20 @@ const FLAT: f64 = 2e-4;
 /// A side that is not shorter than this part of the other is halved with it.
 const SQUARE: f64 = 0.6;
 
-/// A patch with bounds of its derivatives.
+/// Times as heavy as another one that a weight may be in a row of them: what bounds derivatives grows by its third power.
+const UNEVEN: f64 = 4.0;
+/// Parts that a patch with such weights is made into at most, and the least of their sides.
+const PARTS: usize = 64;
+const LEAST: f64 = 1.0 / 64.0;
+
+/// A patch, or a part of one, with bounds of its derivatives.
 #[derive(Clone, Debug)]
 pub(super) struct Leaf {
     /// Its number in the surface.
     pub(super) number: usize,
+    /// Where it begins in the patch, and how far it goes.
+    from: [f64; 2],
+    size: [f64; 2],
     pub(super) patch: Patch,
     pub(super) bends: Bends,
     pub(super) center: Vec3,
@@ -37,14 +46,39 @@ pub(super) struct Level {
 }
 
 impl Leaf {
-    pub(super) fn new(number: usize, patch: &Patch) -> Self {
+    /// A patch, in parts where its weights are uneven.
+    pub(super) fn all(number: usize, patch: &Patch) -> Vec<Self> {
+        let mut open = vec![([0.0; 2], [1.0; 2], patch.clone())];
+        let mut done: Vec<Self> = Vec::new();
+        while let Some((from, size, patch)) = open.pop() {
+            let full = done.len() + open.len() + 1 >= PARTS;
+            let Some(k) = uneven(&patch).filter(|k| !full && size[*k] > LEAST) else {
+                done.push(Self::new(number, (from, size), patch));
+                continue;
+            };
+            for half in [[0.5, 1.0], [0.0, 0.5]] {
+                let (mut from, mut size, mut of) = (from, size, [[0.0, 1.0]; 2]);
+                from[k] += half[0] * size[k];
+                (size[k], of[k]) = (0.5 * size[k], half);
+                open.push((from, size, patch.part(of[0], of[1])));
+            }
+        }
+        done
+    }
+
+    /// Parameters of the patch for its own.
+    pub(super) fn of_patch(&self, uv: [f64; 2]) -> [f64; 2] {
+        [0, 1].map(|k| self.from[k] + self.size[k] * uv[k])
+    }
+
+    fn new(number: usize, (from, size): ([f64; 2], [f64; 2]), patch: Patch) -> Self {
         let [lo, hi] = patch.bounds();
         let center = (lo + hi) * 0.5;
         let radius =
             patch.net.iter().flatten().map(|h| (h.xyz() / h.w - center).norm()).fold(0.0, f64::max);
-        let bends = Bends::of(patch, center, radius);
+        let bends = Bends::of(&patch, center, radius);
         let levels = [Level::default(); KEPT + 1];
-        Self { number, patch: patch.clone(), bends, center, radius, levels, depth: 0 }
+        Self { number, from, size, patch, bends, center, radius, levels, depth: 0 }
     }
 
     /// Adds its pieces to those that are kept.
@@ -83,6 +117,22 @@ impl Leaf {
         let second = [d.uu * (0.5 * hu * hu), d.uv * (hu * hv), d.vv * (0.5 * hv * hv)];
         Cell { point: d.point, first, second, rests: self.bends.rests(half), far }
     }
+}
+
+/// The parameter along which the weights of a patch are the most uneven, if they are.
+fn uneven(patch: &Patch) -> Option<usize> {
+    let times = |at: &dyn Fn(usize, usize) -> f64| {
+        let row = |j: usize| {
+            let (least, most) = (0..4)
+                .map(|i| at(j, i))
+                .fold((f64::INFINITY, 0.0_f64), |(a, b), w| (a.min(w), b.max(w)));
+            most / least
+        };
+        (0..4).map(row).fold(1.0, f64::max)
+    };
+    let u = times(&|j, i| patch.net[j][i].w);
+    let v = times(&|j, i| patch.net[i][j].w);
+    (u.max(v) > UNEVEN).then_some(usize::from(v > u))
 }
 
 impl Level {

@@ -9,7 +9,7 @@
 mod leaf;
 mod piece;
 
-use std::collections::BinaryHeap;
+use std::collections::{BTreeSet, BinaryHeap};
 
 use aptc_geometry::{Ball, Below, Sculptured, Vec3, balls};
 
@@ -64,7 +64,7 @@ impl PatchTree {
     pub fn new(surface: &Sculptured) -> Self {
         // What closes a hole is none of the surface.
         let patches = surface.patches.iter().enumerate().filter(|(i, _)| !surface.is_hole(*i));
-        let mut leaves: Vec<Leaf> = patches.map(|(i, p)| Leaf::new(i, p)).collect();
+        let mut leaves: Vec<Leaf> = patches.flat_map(|(i, p)| Leaf::all(i, p)).collect();
         let nodes = balls(&mut leaves, LEAF, |l| (l.center, l.radius, Vec3::repeat(l.radius)));
         let mut cells = Vec::new();
         // A patch divided so often is 1, 5, 21 or 85 pieces.
@@ -78,7 +78,7 @@ impl PatchTree {
 
     /// Number of patches.
     pub fn len(&self) -> usize {
-        self.leaves.len()
+        self.leaves.iter().map(|l| l.number).collect::<BTreeSet<_>>().len()
     }
 
     /// Is there no patch?
@@ -114,6 +114,7 @@ impl PatchTree {
             }
         }
         found.sort_unstable();
+        found.dedup();
         found
     }
 
@@ -251,11 +252,12 @@ impl PatchTree {
     /// Downhill from a place within its patch: steepest descent in lengths, halved until it descends, down to steps that are
     /// little beside `eps`.
     fn polish(&self, body: &impl Convex, piece: &Piece, place: PatchPlace, eps: f64) -> PatchPlace {
-        let patch = &self.leaves[piece.leaf].patch;
+        let leaf = &self.leaves[piece.leaf];
+        let patch = &leaf.patch;
         let mut best = place;
+        let [mut u, mut v] = piece.mid;
         let mut step = piece.half;
         for _ in 0..200 {
-            let [u, v] = best.uv;
             let d = patch.at(u, v);
             let (_, n, _) = body.near(d.point);
             let (gu, gv) = (n.dot(&d.u), n.dot(&d.v));
@@ -273,7 +275,8 @@ impl PatchTree {
             let point = patch.at(uv[0], uv[1]).point;
             let distance = body.near(point).0;
             if distance < best.distance {
-                best = PatchPlace { uv, point, distance, ..best };
+                [u, v] = uv;
+                best = PatchPlace { uv: leaf.of_patch(uv), point, distance, ..best };
                 step = step.map(|s| s * 1.2);
             } else {
                 step = step.map(|s| s * 0.5);

@@ -99,7 +99,8 @@ impl PatchTree {
             b.norm_squared() + r.norm_squared() + t * t
                 > a.norm_squared() + p.norm_squared() + s * s,
         );
-        let place = PatchPlace { patch: leaf.number, uv: piece.mid, point: cell.point, distance };
+        let uv = leaf.of_patch(piece.mid);
+        let place = PatchPlace { patch: leaf.number, uv, point: cell.point, distance };
         Look { place, bound: bound - unsure, low: at, split, unsure }
     }
 
@@ -120,7 +121,7 @@ impl PatchTree {
         let distance = body.near(point).0;
         (distance + body.slack(point, 0.0) < limit).then_some(PatchPlace {
             patch: leaf.number,
-            uv,
+            uv: leaf.of_patch(uv),
             point,
             distance,
         })

@@ -159,7 +159,8 @@ impl Sculptured {
 
     /// The derivatives dU and dV at (u, v). Where a border runs together in a point, as in a three-sided patch, that along it
     /// has the direction to which it comes along the other parameter: with `dU = 0` all along `v = 0` it is near by
-    /// `dU = v dUV`, along `dUV` on the side of rising v and against it on the other.
+    /// `dU = v dUV`, along `dUV` on the side of rising v and against it on the other. Where one vanishes across a border that is none, as
+    /// where two rows of points are one, it has that of the second derivative: with `dV = 0` all along `v = 0` it is near by `v dVV`.
     pub fn tangents(&self, u: f64, v: f64) -> [Vec3; 2] {
         /// Part of one derivative that the other may be and still count as none; and how near to a border is on it.
         const NONE: f64 = 1e-9;
@@ -170,11 +171,16 @@ impl Sculptured {
             x if x >= end - NONE => -1.0,
             _ => 0.0,
         };
-        let (a, b) = (d.u.norm(), d.v.norm());
-        if a <= NONE * b && inwards(v, nv) != 0.0 {
-            [d.uv * inwards(v, nv), d.v]
-        } else if b <= NONE * a && inwards(u, nu) != 0.0 {
-            [d.u, d.uv * inwards(u, nu)]
+        let (a, b, twist) = (d.u.norm(), d.v.norm(), d.uv.norm());
+        let (to_u, to_v) = (inwards(u, nu), inwards(v, nv));
+        if a <= NONE * b && to_v != 0.0 && twist > NONE * b {
+            [d.uv * to_v, d.v]
+        } else if b <= NONE * a && to_u != 0.0 && twist > NONE * a {
+            [d.u, d.uv * to_u]
+        } else if a <= NONE * b && to_u != 0.0 {
+            [d.uu * to_u, d.v]
+        } else if b <= NONE * a && to_v != 0.0 {
+            [d.u, d.vv * to_v]
         } else {
             [d.u, d.v]
         }
@@ -381,6 +387,29 @@ mod tests {
             [e - c, f - d, twist, twist],
             [e - c, f - d, twist, twist],
         ])
+    }
+
+    #[test]
+    fn a_border_whose_rows_are_one_has_the_directions_near_it() {
+        // Rows of points at v = 0, 0, 27 and 40 over a floor, bent a little.
+        let row = |y: f64, lift: f64| {
+            [0.0, 13.0, 27.0, 40.0].map(|x| Vec4::new(x, y, lift + 0.01 * x * x, 1.0))
+        };
+        let net = [row(0.0, 0.0), row(0.0, 0.0), row(27.0, 1.0), row(40.0, 4.0)];
+        let mut turned = net;
+        turned.reverse();
+        let columns = core::array::from_fn(|j| core::array::from_fn(|i| net[i][j]));
+        for (net, k, end) in [(net, 1, 0.0), (turned, 1, 1.0), (columns, 0, 0.0)] {
+            let s = Sculptured::grid(vec![Patch::new(net)], 1, 1).unwrap();
+            for t in [0.0, 0.3, 1.0] {
+                let at = |x: f64| if k == 0 { [x, t] } else { [t, x] };
+                let [u, v] = at(end);
+                let [nu, nv] = at((end - 1e-5).abs());
+                assert!(s.at(nu, nv).normal().is_some());
+                let (n, near) = (s.normal_at(u, v).unwrap(), s.normal_at(nu, nv).unwrap());
+                assert!((n - near).norm() < 1e-4, "{k} {end} {t}: {n:?} {near:?}");
+            }
+        }
     }
 
     #[test]
