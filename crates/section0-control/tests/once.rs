@@ -90,7 +90,7 @@ G=SSURF/COMBIN,(SSURF/RULED,S1,S2),(SSURF/RULED,S2,S3)
 FROM/30,20,60\nGOMILL/G,VCONST,.1,STEPOV,.2\nGOMILL/G,UCONST,5,STEPOV,.25";
     codes(text, &["APT2043"]);
     // From a place that the program names it is.
-    let from = text.replace("STEPOV,.2\n", "STEPOV,.2\nGOTO/60,2,.3\n");
+    let from = text.replace("STEPOV,.2\n", "STEPOV,.2\nGOTO/60,2,.5\n");
     codes(&from, &["APT2043", "APT5009"]);
 }
 

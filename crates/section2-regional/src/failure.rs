@@ -471,7 +471,7 @@ impl Deep {
         let Gouge { surface, depth, stood, .. } = &self.gouge;
         let who = self.who();
         let depth =
-            if depth.is_finite() { format!("{} deep", short(*depth)) } else { "perhaps".into() };
+            if depth.is_finite() { format!("{} deep", little(*depth)) } else { "perhaps".into() };
         let (te, ta) = stood.as_ref().map_or((self.te, self.ta), |s| (s.te, s.ta));
         let (te, ta) = (point(te), point(ta));
         let place = self.gouge.placed();
@@ -509,6 +509,11 @@ pub(crate) fn short(x: f64) -> String {
     if text == "-0" { "0".into() } else { text.into() }
 }
 
+/// A length that may be very little, of which as much is to be seen.
+fn little(x: f64) -> String {
+    if x > 0.0 && x < 1e-5 { format!("{x:.1e}") } else { short(x) }
+}
+
 /// A point as a message shows it.
 pub(crate) fn point(p: Vec3) -> String {
     format!("{}, {}, {}", short(p.x), short(p.y), short(p.z))
@@ -518,6 +523,12 @@ pub(crate) fn point(p: Vec3) -> String {
 mod tests {
     use super::*;
     use crate::guard::Left;
+
+    #[test]
+    fn a_little_depth_is_told() {
+        let told = [0.0, 3e-9, 9.94e-6, 1e-5, 0.25].map(little);
+        assert_eq!(told, ["0", "3.0e-9", "9.9e-6", "0.00001", "0.25"]);
+    }
 
     #[test]
     fn what_no_chord_keeps_is_told_by_its_own_limit() {
