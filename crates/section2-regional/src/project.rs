@@ -563,6 +563,46 @@ mod tests {
         }
     }
 
+    /// Where the normal comes to the tool axis the search by normals jumps round the corner's circle; the other finds what the tool
+    /// touches first when it comes from afar.
+    #[test]
+    fn a_bull_nose_is_led_round_its_corner() {
+        let cos = aptc_geometry::trig::cos;
+        let z = |x: f64, y: f64| {
+            6.0 * cos(0.16 * x + 0.3) * cos(0.13 * y) + 3.0 * cos(0.23 * x - 0.11 * y)
+        };
+        let at = |k: u32| 10.0 * f64::from(k);
+        let point = |i, j| SplinePoint::plain(Vec3::new(at(i), at(j), z(at(i), at(j))));
+        let rows: Vec<Vec<_>> = (0..13).map(|j| (0..13).map(|i| point(i, j)).collect()).collect();
+        let s = mesh(&rows, aptc_geometry::sculptured::MeshSpacing::Xyz).unwrap();
+        let profile = Profile::new(&Cutter::mill(12.0, 2.0, 60.0)).unwrap();
+        let probe = Probe::Cutter { profile: &profile, ta: Vec3::z(), thick: 0.0 };
+        let (tree, extent) = (PatchTree::new(&s), s.extent());
+        let (ends, along) = (Ends::of(&s), -Vec3::z());
+        let shot = |x: f64, y: f64| {
+            let from = Vec3::new(x, y, 60.0);
+            Shot { surface: &s, extent, ends, side: 1.0, from, along, probe }
+        };
+        let mut led = 0;
+        for j in 0..20 {
+            let y = 12.0 + 5.0 * f64::from(j);
+            let mut last = shot(10.0, y).touch(&tree).map(|m| m.uv);
+            for i in 1..50 {
+                let shot = shot(10.0 + 2.0 * f64::from(i), y);
+                let first = shot.touch(&tree);
+                if let Some(start) = last
+                    && shot.near(start).is_none()
+                    && let (Some(m), Some(first)) = (shot.beside(start, &tree), first)
+                {
+                    assert!((m.way - first.way).abs() < 1e-5, "{m:?} {first:?}");
+                    led += 1;
+                }
+                last = first.map(|m| m.uv);
+            }
+        }
+        assert!(led > 3, "{led}");
+    }
+
     #[test]
     fn a_bull_nose_touches_and_does_not_gouge() {
         let s = waves();

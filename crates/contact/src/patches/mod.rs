@@ -369,6 +369,36 @@ mod tests {
         }
     }
 
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(24))]
+        /// With weights up to forty times as heavy as others: the patch is held in parts, and places are told in its own parameters.
+        #[test]
+        fn uneven_weights_hide_no_place(
+            z in prop::array::uniform16(-1.0_f64..1.0), heavy in 10.0_f64..40.0,
+            at in prop::array::uniform2(5.0_f64..55.0), low in -6.0_f64..6.0,
+        ) {
+            let s = patch(z, heavy);
+            let profile = Profile::new(&Cutter::mill(12.0, 3.0, 60.0)).unwrap();
+            let tool = Tool { profile: &profile, te: Vec3::new(at[0], at[1], low), ta: Vec3::z() };
+            let tree = PatchTree::new(&s);
+            prop_assume!(tree.leaves.len() > 1);
+            prop_assert_eq!(tree.len(), 1);
+            prop_assert_eq!(tree.beside(tool.te, Vec3::z(), 100.0), vec![0]);
+            let (found, certain) = tree.deepest(&tool, 1e-7).unwrap();
+            let [u, v] = found.uv;
+            prop_assert!(certain && found.patch == 0);
+            prop_assert!((s.at(u, v).point - found.point).norm() < 1e-9, "{found:?}");
+            let truth = brute(&s, &tool);
+            prop_assert!(found.distance <= truth + 2e-7, "{} {}", found.distance, truth);
+            let deep = -found.distance;
+            prop_assert_eq!(tree.clear(&tool, deep + 1e-5), Clear::Yes);
+            match tree.clear(&tool, deep - 1e-5) {
+                Clear::No(w) => prop_assert!((s.at(w.uv[0], w.uv[1]).point - w.point).norm() < 1e-9),
+                other => prop_assert!(false, "{:?}", other),
+            }
+        }
+    }
+
     #[test]
     fn a_shank_that_touches_a_wall_is_found() {
         // A wall at x = 4, a ball of radius 5 whose end is far below the patch.
