@@ -1,25 +1,35 @@
 //! Where the corner of a cutter touches, sought in another way than by normals.
 
+use aptc_contact::{Clear, PatchTree, Tool};
 use aptc_geometry::Vec3;
 use aptc_geometry::sculpt::Derivatives;
 
-use crate::project::{Probe, STEPS, Shot};
+use crate::afar::SAME;
+use crate::patience::Patience;
+use crate::project::{Met, Probe, STEPS, Shot};
 
-/// Steps after which a search ends that comes no nearer, by so much.
-const PATIENCE: usize = 8;
-const NEARER: f64 = 0.75;
 /// Steps in parameters from which the search by normals goes on.
 const ABOUT: f64 = 1e-6;
 
 impl Shot<'_> {
+    /// A meeting that the corner of a cutter is led to.
+    pub(crate) fn round(&self, start: [f64; 2], there: Derivatives) -> Option<Met> {
+        self.corner(start, there).and_then(|(uv, there)| self.slope(uv, there))
+    }
+
+    /// A meeting that the corner of a cutter is led to from `start`, where nothing is in front of it: for where `near` finds none.
+    pub fn beside(&self, start: [f64; 2], tree: &PatchTree) -> Option<Met> {
+        let Probe::Cutter { profile, ta, thick } = self.probe else { return None };
+        let met = self.round(start, self.surface.at(start[0], start[1]))?;
+        let size = self.extent + self.from.norm() + profile.reach();
+        let tool = Tool { profile, te: self.from + self.along * met.way, ta };
+        (tree.clear(&tool, SAME * size - thick) == Clear::Yes).then_some(met)
+    }
+
     /// A place about where the corner touches, from `start` by Newton's method for the parameters and the way together: the place is
     /// as far from the circle of the corner's middles as it is to be, and its tangents are square to that way. Where the normal is
     /// about the tool axis `slope` jumps round the circle; this does not.
-    pub(crate) fn corner(
-        &self,
-        start: [f64; 2],
-        mut d: Derivatives,
-    ) -> Option<([f64; 2], Derivatives)> {
+    fn corner(&self, start: [f64; 2], mut d: Derivatives) -> Option<([f64; 2], Derivatives)> {
         let Probe::Cutter { profile, ta, thick } = self.probe else { return None };
         let ([wide, high], round) = (profile.corner(), profile.corner_radius() + thick);
         if wide <= 0.0 || round <= 0.0 {
@@ -76,28 +86,4 @@ fn solved([a, b, c]: [Vec3; 3], of: Vec3) -> Option<Vec3> {
     let x = b.cross(&c) * of.x + c.cross(&a) * of.y + a.cross(&b) * of.z;
     let x = x / a.dot(&b.cross(&c));
     x.iter().all(|x| x.is_finite()).then_some(x)
-}
-
-/// Ends a search that comes no nearer.
-pub(crate) struct Patience {
-    least: f64,
-    left: usize,
-}
-
-impl Default for Patience {
-    fn default() -> Self {
-        Self { least: f64::INFINITY, left: PATIENCE }
-    }
-}
-
-impl Patience {
-    /// Is it at an end, with so much missing now?
-    pub(crate) fn ends(&mut self, missing: f64) -> bool {
-        if missing < NEARER * self.least {
-            *self = Self { least: missing, ..Self::default() };
-            return false;
-        }
-        self.left -= 1;
-        self.left == 0
-    }
 }

@@ -9,6 +9,7 @@
 //!
 //! Source: PS-90-SS-01 vol. II, sections 5.2 and 6, with the corrections that its routines need.
 
+mod afar;
 mod area;
 mod avoid;
 mod axis;
@@ -37,6 +38,7 @@ mod jump;
 mod lanes;
 mod outline;
 mod path;
+mod patience;
 mod plain;
 mod plotft;
 mod position;

@@ -1,10 +1,10 @@
 //! A drive point projected on the part surface.
 
-use aptc_contact::{Clear, PatchTree, Tool};
+use aptc_contact::Tool;
 use aptc_geometry::sculpt::{Border, Derivatives};
 use aptc_geometry::{Profile, Sculptured, Vec3};
 
-use crate::corner::Patience;
+use crate::patience::Patience;
 use crate::position::level;
 
 /// How far beyond the borders of the part surface, in spans, its linear continuation is followed.
@@ -15,20 +15,10 @@ const POLE: f64 = 1e-9;
 pub(crate) const STEPS: usize = 40;
 /// A radius of curvature that is as good as none, in sizes of the cutter.
 const LARGE: f64 = 1e3;
-/// Radii of the surface that the tool counts as away from it at first.
-const AFAR: f64 = 8.0;
-/// Share of the distance to which the next step down is told.
-const TOLD: f64 = 0.02;
 /// Radii of a flat bottom from its axis beyond which a summit is not looked for that the first step foretells there.
 const FAR: f64 = 4.0;
 /// A summit is looked for where the normal is about so near to the tool axis: its cosine.
 const FACING: f64 = 0.95;
-/// Steps of a fall.
-const FALLS: usize = 400;
-/// Meetings so near to each other, for the size of the numbers, are one.
-const SAME: f64 = 1e-8;
-/// Starts along each side of a patch for a search without a place to begin at.
-const STARTS: usize = 4;
 
 /// What is moved along the line of projection until the part surface is met.
 #[derive(Clone, Copy, Debug)]
@@ -217,7 +207,7 @@ impl Shot<'_> {
     }
 
     /// The meeting that Newton's method reaches from `start`.
-    fn slope(&self, start: [f64; 2], mut d: Derivatives) -> Option<Met> {
+    pub(crate) fn slope(&self, start: [f64; 2], mut d: Derivatives) -> Option<Met> {
         let [a, b] = aptc_geometry::surface::frame_about(self.along);
         let size = self.extent + self.from.norm();
         let [mut u, mut v] = start;
@@ -248,122 +238,6 @@ impl Shot<'_> {
         None
     }
 
-    /// The first meeting along the direction, by searches from all over the patches near its line, and where
-    /// they find none from all over the surface: a meeting on the surface comes before one on its continuation.
-    pub fn first(&self, tree: &PatchTree) -> Option<Met> {
-        let inside = self.among(tree.beside(self.from, self.along, self.width()).into_iter());
-        if inside.as_ref().is_some_and(|m| self.inside(m)) {
-            return inside;
-        }
-        self.among(0..self.surface.patches.len())
-    }
-
-    /// Is it on the surface, not on its continuation?
-    fn inside(&self, m: &Met) -> bool {
-        let [nu, nv] = self.surface.spans();
-        let within = |x: f64, n: f64| (-1e-9..=n + 1e-9).contains(&x);
-        within(m.uv[0], nu) && within(m.uv[1], nv) && !self.surface.is_in_hole(m.uv)
-    }
-
-    /// The first of the meetings that searches from all over some patches reach.
-    fn among(&self, patches: impl Iterator<Item = usize>) -> Option<Met> {
-        let mut best: Option<Met> = None;
-        let place = |k: usize| (k as f64 + 0.5) / STARTS as f64;
-        for patch in patches {
-            for k in 0..STARTS * STARTS {
-                let start = self.surface.global(patch, place(k % STARTS), place(k / STARTS));
-                let Some(m) = self.near(start) else { continue };
-                let better =
-                    best.as_ref().is_none_or(|b| match (self.inside(&m), self.inside(b)) {
-                        (true, false) => true,
-                        (false, true) => false,
-                        _ => m.way < b.way,
-                    });
-                if better {
-                    best = Some(m);
-                }
-            }
-        }
-        best
-    }
-
-    /// A meeting that the corner of a cutter is led to.
-    fn round(&self, start: [f64; 2], there: Derivatives) -> Option<Met> {
-        self.corner(start, there).and_then(|(uv, there)| self.slope(uv, there))
-    }
-
-    /// A meeting that the corner of a cutter is led to from `start`, where nothing is in front of it: for where `near` finds none.
-    pub fn beside(&self, start: [f64; 2], tree: &PatchTree) -> Option<Met> {
-        let Probe::Cutter { profile, ta, thick } = self.probe else { return None };
-        let met = self.round(start, self.surface.at(start[0], start[1]))?;
-        let size = self.extent + self.from.norm() + profile.reach();
-        let tool = Tool { profile, te: self.from + self.along * met.way, ta };
-        (tree.clear(&tool, SAME * size - thick) == Clear::Yes).then_some(met)
-    }
-
-    /// The first meeting of a cutter that comes from afar: it goes on by its distance from the whole surface, until
-    /// a search from the place that it comes near to ends at a meeting with nothing in front of it. `None` where it
-    /// first touches a border, and for a ball.
-    pub fn touch(&self, tree: &PatchTree) -> Option<Met> {
-        let Probe::Cutter { profile, ta, thick } = self.probe else { return None };
-        let size = self.extent + self.from.norm() + profile.reach();
-        // There it is still clear of a ball about all of the surface.
-        let (center, radius) = tree.around()?;
-        let mut way =
-            (center - self.from).dot(&self.along) - radius - profile.reach() - thick.abs();
-        // From afar it is told coarsely.
-        let mut gap = AFAR * radius;
-        for _ in 0..FALLS {
-            let at = |way: f64| Tool { profile, te: self.from + self.along * way, ta };
-            let eps = (TOLD * gap).max(1e-11 * size);
-            let (place, _) = tree.deepest(&at(way), eps)?;
-            gap = place.distance - thick;
-            if gap < 0.1 * profile.reach() {
-                let [u, v] = place.uv;
-                let met = self.near(self.surface.global(place.patch, u, v));
-                let allowed = SAME * size - thick;
-                let found = met.filter(|m| tree.clear(&at(m.way), allowed) == Clear::Yes);
-                if found.is_some() {
-                    return found;
-                }
-            }
-            if gap <= 1e-9 * size {
-                return None;
-            }
-            // The nearest place is nearer by what was not asked for at most.
-            way += (gap - eps).max(0.0);
-        }
-        None
-    }
-
-    /// The first place that the probe touches when it comes from afar, by a search that cannot miss one: the
-    /// probe goes on by its distance from the whole surface until that is nothing. Slower than the others, for where
-    /// they find none.
-    pub fn fall(&self, tree: &PatchTree) -> Option<Met> {
-        let Probe::Cutter { profile, ta, thick } = self.probe else { return None };
-        let size = self.extent + self.from.norm() + profile.reach();
-        let mut way = -4.0 * size;
-        let mut gap = size;
-        for _ in 0..FALLS {
-            let tool = Tool { profile, te: self.from + self.along * way, ta };
-            // From afar no more is asked than what the next step needs.
-            let eps = (1e-3 * gap).max(1e-11 * size);
-            let (place, _) = tree.deepest(&tool, eps)?;
-            let sure = eps <= 1e-11 * size;
-            gap = place.distance - thick;
-            if gap <= 1e-10 * size && sure {
-                let [u, v] = place.uv;
-                let uv = self.surface.global(place.patch, u, v);
-                let at = self.surface.at(uv[0], uv[1]);
-                let normal = at.normal()? * self.side;
-                return (normal.dot(&self.along) < 0.0).then_some(Met { uv, at, normal, way });
-            }
-            // The nearest place is nearer by what was not asked for at most.
-            way += (gap - eps).max(0.0);
-        }
-        None
-    }
-
     /// From a contact of the unit normal `n` to the moving point.
     pub(crate) fn reach(&self, n: Vec3) -> Reach {
         match self.probe {
@@ -380,17 +254,6 @@ impl Shot<'_> {
                     s.radii
                 };
                 Reach { to: n * thick - s.point, frame: s.frame, radii, even: thick }
-            }
-        }
-    }
-
-    /// How far from the line of projection a place that the probe touches can be.
-    fn width(&self) -> f64 {
-        match self.probe {
-            Probe::Ball(r) => r.abs(),
-            Probe::Cutter { profile, ta, thick } => {
-                let lean = (ta - self.along * ta.dot(&self.along)).norm();
-                thick.abs() + profile.widest() + profile.reach() * lean
             }
         }
     }
@@ -425,6 +288,7 @@ impl Reach {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use aptc_contact::PatchTree;
     use aptc_geometry::Cutter;
     use aptc_geometry::sculpt::{SplinePoint, mesh};
     use aptc_geometry::sculptured::BsplineSurface;

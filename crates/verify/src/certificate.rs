@@ -178,17 +178,22 @@ impl Fault {
     }
 }
 
-/// A tool end as messages give it, without a sign where it is 0 but for rounding.
+/// A tool end as messages give it.
 pub(crate) fn at_tool_end(te: [f64; 3]) -> String {
-    let [x, y, z] = te.map(|x| if x.abs() < 5e-6 { 0.0 } else { x });
-    format!("at tool end {x:.5}, {y:.5}, {z:.5}")
+    format!("at tool end {}", point(te))
+}
+
+/// A point as messages give it, without a sign where a number is 0 but for rounding.
+fn point(p: [f64; 3]) -> String {
+    let [x, y, z] = p.map(|x| if x.abs() < 5e-6 { 0.0 } else { x });
+    format!("{x:.5}, {y:.5}, {z:.5}")
 }
 
 impl LeftOut {
     pub(crate) fn told(&self) -> Diagnostic {
-        let ([x, y, z], (word, fixed)) = (self.at, self.line);
+        let (at, (word, fixed)) = (point(self.at), self.line);
         let message = format!(
-            "no cut vector mills {} of the line {word},{fixed} of {}, which REGION leaves to be milled, about {x:.5}, {y:.5}, {z:.5}",
+            "no cut vector mills {} of the line {word},{fixed} of {}, which REGION leaves to be milled, about {at}",
             length(self.length),
             self.surface
         );

@@ -1,16 +1,17 @@
 //! Motion at feed from point to point between motions along surfaces, by closed forms.
 
+#[path = "support/controlled.rs"]
+mod controlled;
 mod support;
 
 use std::sync::Arc;
 
 use aptc_cldata::milling::Milling;
-use aptc_cldata::{
-    Arg, Control, Controlled, Kind, Motion, MotionKind, NameRef, Position, Record, Relation,
-};
+use aptc_cldata::{Arg, Control, Kind, Motion, MotionKind, NameRef, Position, Record, Relation};
 use aptc_diagnostics::{Diagnostic, Origin, codes};
 use aptc_geometry::{Cutter, Form, Plane, Sculptured, Sphere, Vec3, trig};
 use aptc_verify::{Certificate, Effort, Verifier};
+use controlled::controlled;
 use support::{BAND, milled, milling};
 
 const RADIUS: f64 = 5.0;
@@ -60,18 +61,7 @@ fn rapid() -> Vec<Record> {
 
 /// The arithmetic element along a part surface.
 fn guided(name: &str, form: Form, points: &[[f64; 3]]) -> Vec<Record> {
-    let part = Controlled {
-        name: NameRef { name: name.into(), subscript: 0 },
-        form: Arc::new(form),
-        relation: Relation::To,
-        side: 1,
-        open: false,
-        nth: 1,
-        thick: 0.0,
-        disk: None,
-        intol: BAND,
-        outtol: BAND,
-    };
+    let part = controlled(name, form, Relation::To, 1);
     let control = Control { part: Some(part), ..Control::default() };
     let points: Vec<_> = points.iter().map(|p| upright(*p)).collect();
     vec![motion(MotionKind::Continuous, Some(control), &points)]

@@ -1,18 +1,19 @@
 //! Rapid motion beside regional milling, by closed forms.
 
+#[path = "support/controlled.rs"]
+mod controlled;
 mod support;
 
 use std::sync::Arc;
 
 use aptc_cldata::milling::{Milling, Plain};
-use aptc_cldata::{
-    Control, Controlled, Kind, Motion, MotionKind, NameRef, Position, Record, Relation,
-};
+use aptc_cldata::{Control, Kind, Motion, MotionKind, NameRef, Position, Record, Relation};
 use aptc_diagnostics::{Diagnostic, Origin, codes};
 use aptc_geometry::{
     Cone, Cutter, Cylinder, Form, Plane, Quadric, QuadricKind, Sculptured, Sphere, Vec3, trig,
 };
 use aptc_verify::{Certificate, Effort, Verifier};
+use controlled::controlled;
 use support::{BAND, milled, milling};
 
 const RADIUS: f64 = 5.0;
@@ -179,18 +180,8 @@ fn what_is_checked_is_held_too_and_an_older_surface_no_more() {
         judge(&[goto(&[OVER]), along(with, &[[2.0, 40.0, 0.0]]), rapid(), through.clone()]);
     assert!(c.rapids.len() == 1 && c.rapids[0].surface == "checked surface WALL", "{c:?}");
     // An ordinary motion before, along a plane above: regional milling goes on below it.
-    let high = Controlled {
-        name: NameRef { name: "HIGH".into(), subscript: 0 },
-        form: Arc::new(Form::Plane(Plane::new(Vec3::z(), 20.0).expect("a normal"))),
-        relation: Relation::To,
-        side: 1,
-        open: false,
-        nth: 1,
-        thick: 0.0,
-        disk: None,
-        intol: BAND,
-        outtol: BAND,
-    };
+    let over = Form::Plane(Plane::new(Vec3::z(), 20.0).expect("a normal"));
+    let high = controlled("HIGH", over, Relation::To, 1);
     let control = Control { part: Some(high), ..Control::default() };
     let first = motion(MotionKind::Continuous, Some(control), &[[2.0, 10.0, 20.0]]);
     let below = goto(&[[2.0, 10.0, 2.0], [18.0, 10.0, 2.0]]);

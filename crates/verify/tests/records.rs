@@ -1,5 +1,8 @@
 //! Streams of records as Section 2 makes them, good and bad.
 
+#[path = "support/controlled.rs"]
+mod controlled;
+
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -9,26 +12,12 @@ use aptc_cldata::{
 use aptc_diagnostics::{Diagnostic, Origin, codes};
 use aptc_geometry::{Cutter, Cylinder, Form, Plane, Sphere, Vec3, trig};
 use aptc_verify::{Certificate, Effort, Verifier};
+use controlled::controlled;
 
 const BAND: f64 = 0.01;
 
 fn plane(x: f64, y: f64, z: f64, d: f64) -> Form {
     Form::Plane(Plane::new(Vec3::new(x, y, z), d).expect("a normal"))
-}
-
-fn controlled(name: &str, form: Form, relation: Relation, side: i8) -> Controlled {
-    Controlled {
-        name: NameRef { name: name.into(), subscript: 0 },
-        form: Arc::new(form),
-        relation,
-        side,
-        open: false,
-        nth: 1,
-        thick: 0.0,
-        disk: None,
-        intol: BAND,
-        outtol: BAND,
-    }
 }
 
 /// Along the wall y = 0 on the floor z = 0 to the wall x = 100, cutter of 10.

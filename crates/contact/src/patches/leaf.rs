@@ -1,7 +1,7 @@
 //! A patch prepared for questions: the bounds of its derivatives, and its pieces that are made beforehand.
 
 use aptc_geometry::Vec3;
-use aptc_geometry::sculpt::{Bends, Patch};
+use aptc_geometry::sculpt::{Bends, Patch, Vec4};
 
 use crate::under::Cell;
 
@@ -121,17 +121,11 @@ impl Leaf {
 
 /// The parameter along which the weights of a patch are the most uneven, if they are.
 fn uneven(patch: &Patch) -> Option<usize> {
-    let times = |at: &dyn Fn(usize, usize) -> f64| {
-        let row = |j: usize| {
-            let (least, most) = (0..4)
-                .map(|i| at(j, i))
-                .fold((f64::INFINITY, 0.0_f64), |(a, b), w| (a.min(w), b.max(w)));
-            most / least
-        };
-        (0..4).map(row).fold(1.0, f64::max)
+    let times = |row: &[Vec4; 4]| {
+        let of = |pick: fn(f64, f64) -> f64| row.iter().map(|h| h.w).reduce(pick).unwrap_or(1.0);
+        of(f64::max) / of(f64::min)
     };
-    let u = times(&|j, i| patch.net[j][i].w);
-    let v = times(&|j, i| patch.net[i][j].w);
+    let [u, v] = [patch, &patch.exchanged()].map(|p| p.net.iter().map(times).fold(1.0, f64::max));
     (u.max(v) > UNEVEN).then_some(usize::from(v > u))
 }
 
